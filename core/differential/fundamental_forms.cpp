@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include <seamwright/core/differential/fundamental_forms.hpp>
+
+namespace seamwright {
+
+namespace {
+
+bool isFinite(const SurfaceJet& jet) {
+  return jet.p.allFinite() && jet.u.allFinite() && jet.v.allFinite() && jet.uu.allFinite() &&
+         jet.uv.allFinite() && jet.vv.allFinite();
+}
+
+}  // namespace
+
+std::string_view name(Degeneracy degeneracy) {
+  switch (degeneracy) {
+    case Degeneracy::None:
+      return "none";
+    case Degeneracy::VanishingNormal:
+      return "vanishing normal";
+    case Degeneracy::NotFinite:
+      return "not finite";
+  }
+  return "unknown";
+}
+
+Degeneracy degeneracy(const SurfaceJet& jet, const JetNoise& noise) {
+  if (!isFinite(jet)) return Degeneracy::NotFinite;
+  const double possible_error = noise.u * jet.v.norm() + noise.v * jet.u.norm() + noise.u * noise.v;
+  return jet.u.cross(jet.v).norm() <= possible_error ? Degeneracy::VanishingNormal : Degeneracy::None;
+}
+
+std::optional<Eigen::Vector3d> unitNormal(const SurfaceJet& jet, const JetNoise& noise) {
+  if (degeneracy(jet, noise) != Degeneracy::None) return std::nullopt;
+  // Directions first: the product of two long or two short partials may leave the range of a double.
+  return jet.u.stableNormalized().cross(jet.v.stableNormalized()).stableNormalized();
+}
+
+FirstForm firstForm(const SurfaceJet& jet) {
+  return {jet.u.squaredNorm(), jet.u.dot(jet.v), jet.v.squaredNorm()};
+}
+
+SecondForm secondForm(const SurfaceJet& jet, const Eigen::Vector3d& normal) {
+  return {normal.dot(jet.uu), normal.dot(jet.uv), normal.dot(jet.vv)};
+}
+
+Eigen::Matrix3d curvatureTensor(const SurfaceJet& jet, const Eigen::Vector3d& normal) {
+  // In parameters stretched to unit partials no product leaves the range of a double.
+  const double length_u = jet.u.stableNorm();
+  const double length_v = jet.v.stableNorm();
+  const Eigen::Vector3d u = jet.u / length_u;
+  const Eigen::Vector3d v = jet.v / length_v;
+  const double L = normal.dot(jet.uu) / length_u / length_u;
+  const double M = normal.dot(jet.uv) / length_u / length_v;
+  const double N = normal.dot(jet.vv) / length_v / length_v;
+  // The dual basis of (u, v). From cross products it keeps its accuracy where u and v are nearly parallel and
+  // E G - F^2 would cancel.
+  const Eigen::Vector3d cross = u.cross(v);
+  const Eigen::Vector3d dual_u = v.cross(cross) / cross.squaredNorm();
+  const Eigen::Vector3d dual_v = cross.cross(u) / cross.squaredNorm();
+  return L * dual_u * dual_u.transpose() + M * (dual_u * dual_v.transpose() + dual_v * dual_u.transpose()) +
+         N * dual_v * dual_v.transpose();
+}
+
+PrincipalCurvatures principalCurvatures(const SurfaceJet& jet, const Eigen::Vector3d& normal) {
+  const Eigen::Vector3d x = normal.unitOrthogonal();
+  const Eigen::Vector3d y = normal.cross(x);
+  const PlaneTensor plane = restrictToPlane(curvatureTensor(jet, normal), normal, x);
+  Eigen::Matrix2d matrix;
+  matrix << plane.xx, plane.xy, plane.xy, plane.yy;
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
+  solver.computeDirect(matrix);
+  const Eigen::Matrix2d& vectors = solver.eigenvectors();
+  return {solver.eigenvalues()(1), solver.eigenvalues()(0), vectors(0, 1) * x + vectors(1, 1) * y,
+          vectors(0, 0) * x + vectors(1, 0) * y};
+}
+
+double PlaneTensor::spectralNorm() const {
+  return std::abs(0.5 * (xx + yy)) + std::hypot(0.5 * (xx - yy), xy);
+}
+
+PlaneTensor restrictToPlane(const Eigen::Matrix3d& tensor, const Eigen::Vector3d& normal,
+                            const Eigen::Vector3d& x) {
+  const Eigen::Vector3d y = normal.cross(x);
+  return {x.dot(tensor * x), x.dot(tensor * y), y.dot(tensor * y)};
+}
+
+}  // namespace seamwright

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string_view>
+
+#include <seamwright/core/differential/jet.hpp>
+
+namespace seamwright {
+
+/// First fundamental form: E = X_u.X_u, F = X_u.X_v, G = X_v.X_v.
+struct FirstForm {
+  double E = 0;
+  double F = 0;
+  double G = 0;
+  double determinant() const { return E * G - F * F; }
+};
+
+/// Second fundamental form to the unit normal n: L = n.X_uu, M = n.X_uv, N = n.X_vv.
+struct SecondForm {
+  double L = 0;
+  double M = 0;
+  double N = 0;
+};
+
+/// Why a surface has no tangent plane at a point.
+enum class Degeneracy {
+  None,             ///< it has one
+  VanishingNormal,  ///< |X_u x X_v| is within rounding of zero: a pole, a cusp, a collapsed edge
+  NotFinite         ///< the jet holds infinities or NaN
+};
+
+std::string_view name(Degeneracy degeneracy);
+
+/// Decides whether X_u x X_v tells a direction.
+///
+/// VanishingNormal iff |X_u x X_v| <= noise.u |X_v| + noise.v |X_u| + noise.u noise.v: the cross product
+/// could be rounding alone. With zero noise only an exactly vanishing normal counts.
+Degeneracy degeneracy(const SurfaceJet& jet, const JetNoise& noise = {});
+
+/// Unit normal X_u x X_v / |X_u x X_v|; nothing where degeneracy() is not None.
+std::optional<Eigen::Vector3d> unitNormal(const SurfaceJet& jet, const JetNoise& noise = {});
+
+FirstForm firstForm(const SurfaceJet& jet);
+
+/// \param normal unit normal; its negative changes the sign of the form.
+SecondForm secondForm(const SurfaceJet& jet, const Eigen::Vector3d& normal);
+
+/// The curvature tensor of a surface at a point as a symmetric 3 by 3 matrix W in space, in 1/mm.
+///
+/// For a unit tangent vector d the normal curvature is d.W d; its eigenvectors are the principal directions
+/// and the normal, with eigenvalues k1, k2 and 0. It does not depend on the parametrisation: W = J I^-1 II
+/// I^-1 J^T with J = [X_u X_v].
+///
+/// Identities (each has a test of its number):
+///   (1) W n = 0 and W = W^T.
+///   (2) W changes sign with the normal.
+///   (3) trace W = k1 + k2 = (E N - 2 F M + G L) / (E G - F^2).
+///   (4) k1 k2 = (L N - M^2) / (E G - F^2).
+///   (5) W is the same for X(u, v) and X(u(a, b), v(a, b)) if the map keeps the orientation.
+///   (6) Under a rotation R it becomes R W R^T, under a scale s it becomes W / s.
+///
+/// \pre degeneracy(jet) is None; \p normal is the unit normal or its negative.
+/// Source: MATH-surfaces 1.3, 1.4 (second fundamental form on the tangent plane).
+Eigen::Matrix3d curvatureTensor(const SurfaceJet& jet, const Eigen::Vector3d& normal);
+
+/// Principal curvatures, k1 >= k2, with unit directions. At an umbilic (k1 = k2) the directions are any
+/// orthonormal pair.
+struct PrincipalCurvatures {
+  double k1 = 0;
+  double k2 = 0;
+  Eigen::Vector3d direction1 = Eigen::Vector3d::Zero();
+  Eigen::Vector3d direction2 = Eigen::Vector3d::Zero();
+};
+
+/// \pre as curvatureTensor().
+PrincipalCurvatures principalCurvatures(const SurfaceJet& jet, const Eigen::Vector3d& normal);
+
+/// A symmetric bilinear form on a tangent plane, in an orthonormal basis of it: [[xx, xy], [xy, yy]].
+struct PlaneTensor {
+  double xx = 0;
+  double xy = 0;
+  double yy = 0;
+  /// Largest absolute eigenvalue.
+  double spectralNorm() const;
+};
+
+/// The part of a symmetric space tensor that acts in the plane of normal \p normal.
+/// \param x unit vector of the plane; the second basis vector is normal x x.
+PlaneTensor restrictToPlane(const Eigen::Matrix3d& tensor, const Eigen::Vector3d& normal,
+                            const Eigen::Vector3d& x);
+
+}  // namespace seamwright

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+namespace seamwright {
+
+/// Point and derivatives of a curve at one parameter value. Lengths in mm, the parameter has no unit.
+struct CurveJet {
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();
+  Eigen::Vector3d d1 = Eigen::Vector3d::Zero();
+  Eigen::Vector3d d2 = Eigen::Vector3d::Zero();
+  Eigen::Vector3d d3 = Eigen::Vector3d::Zero();
+};
+
+/// Point and partial derivatives of a surface at one parameter pair (u, v). Lengths in mm, parameters have no
+/// unit.
+struct SurfaceJet {
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();
+  Eigen::Vector3d u = Eigen::Vector3d::Zero();
+  Eigen::Vector3d v = Eigen::Vector3d::Zero();
+  Eigen::Vector3d uu = Eigen::Vector3d::Zero();
+  Eigen::Vector3d uv = Eigen::Vector3d::Zero();
+  Eigen::Vector3d vv = Eigen::Vector3d::Zero();
+  Eigen::Vector3d uuu = Eigen::Vector3d::Zero();
+  Eigen::Vector3d uuv = Eigen::Vector3d::Zero();
+  Eigen::Vector3d uvv = Eigen::Vector3d::Zero();
+  Eigen::Vector3d vvv = Eigen::Vector3d::Zero();
+};
+
+/// What rounding may have added to the first partials of a jet: |error of jet.u| <= u, |error of jet.v| <= v.
+/// Whoever evaluates a surface knows its size and its parameter range, so noise is computed there and not
+/// guessed here.
+struct JetNoise {
+  double u = 0;
+  double v = 0;
+};
+
+}  // namespace seamwright

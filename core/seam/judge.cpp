@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include <seamwright/core/seam/judge.hpp>
+
+namespace seamwright {
+
+namespace {
+
+constexpr double degrees(double rad) {
+  return rad * 180 / std::numbers::pi;
+}
+
+[[noreturn]] void refuse(std::string_view field, double value, std::string_view unit, std::string_view why) {
+  std::ostringstream text;
+  text << field << " is " << value << unit << ": " << why;
+  throw std::invalid_argument(text.str());
+}
+
+void requireNotNegative(std::string_view field, double value, std::string_view unit) {
+  if (!std::isfinite(value) || value < 0)
+    refuse(field, value, unit, "it must be a finite number, zero or larger");
+}
+
+Level reachedLevel(const SeamFigures& figures, const ContinuityTolerance& tolerance) {
+  if (!figures.gap_mm || figures.gap_mm->lower > tolerance.gap_mm) return Level::None;
+  if (!figures.angle_rad || figures.angle_rad->lower > tolerance.angle_rad || figures.fold_at)
+    return Level::G0;
+  if (!figures.curvature_rel || figures.curvature_rel->lower > tolerance.curvature_rel) return Level::G1;
+  return Level::G2;
+}
+
+bool isCrease(const SeamFigures& figures, const ContinuityTolerance& tolerance) {
+  const bool sharp =
+      figures.fold_at || (figures.angle_rad && figures.angle_rad->lower > tolerance.crease_rad);
+  return sharp && figures.tangent_share <= 0.5;
+}
+
+}  // namespace
+
+void ContinuityTolerance::validate() const {
+  requireNotNegative("gap tolerance", gap_mm, " mm");
+  requireNotNegative("angle tolerance", degrees(angle_rad), " deg");
+  requireNotNegative("curvature tolerance", curvature_rel, "");
+  requireNotNegative("flat radius", flat_radius_mm, " mm");
+  requireNotNegative("crease angle", degrees(crease_rad), " deg");
+  if (flat_radius_mm == 0) refuse("flat radius", flat_radius_mm, " mm", "it must be larger than zero");
+  if (crease_rad > std::numbers::pi / 2)
+    refuse("crease angle", degrees(crease_rad), " deg", "tangent planes meet at 90 deg at most");
+  if (crease_rad < angle_rad)
+    refuse("crease angle", degrees(crease_rad), " deg", "it must not be smaller than the angle tolerance");
+}
+
+std::string_view name(Level level) {
+  static constexpr std::array<std::string_view, 5> names = {"none", "G0", "G1", "G2", "G3"};
+  return names[static_cast<std::size_t>(level)];
+}
+
+std::string_view name(SeamClass seam_class) {
+  static constexpr std::array<std::string_view, 3> names = {"smooth", "defect", "crease"};
+  return names[static_cast<std::size_t>(seam_class)];
+}
+
+std::optional<Level> levelFromName(std::string_view text) {
+  for (const Level level : {Level::G0, Level::G1, Level::G2, Level::G3})
+    if (text == name(level)) return level;
+  return std::nullopt;
+}
+
+Verdict judge(const SeamFigures& figures, const ContinuityTolerance& tolerance, Level required) {
+  Verdict verdict;
+  verdict.level = reachedLevel(figures, tolerance);
+  if (verdict.level >= required)
+    verdict.seam_class = SeamClass::Smooth;
+  else
+    verdict.seam_class = SeamClass::Defect;
+  if (verdict.level >= Level::G0 && isCrease(figures, tolerance)) verdict.seam_class = SeamClass::Crease;
+  return verdict;
+}
+
+}  // namespace seamwright

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include <seamwright/core/seam/survey.hpp>
+#include <seamwright/core/seam/tolerance.hpp>
+
+namespace seamwright {
+
+/// Geometric continuity reached; None when the sides do not even meet.
+enum class Level { None, G0, G1, G2, G3 };
+
+enum class SeamClass {
+  Smooth,  ///< meets the level asked for
+  Defect,  ///< falls short of it
+  Crease   ///< sharp by design: meets in position, at more than the crease angle
+};
+
+std::string_view name(Level level);
+std::string_view name(SeamClass seam_class);
+/// The level of that name ("G0".."G3"); nothing for other text.
+std::optional<Level> levelFromName(std::string_view name);
+
+struct Verdict {
+  Level level = Level::None;
+  SeamClass seam_class = SeamClass::Defect;
+};
+
+/// Judges the figures of a seam by what the user accepts.
+///
+/// Level: G0 iff gap <= gap_mm; G1 iff moreover angle <= angle_rad and there is no fold; G2 iff moreover
+/// relative curvature difference <= curvature_rel. A figure without a value (nothing could be measured) stops
+/// the climb. G3 is not given: no measure of it is taken yet.
+///
+/// Class: Crease iff G0 holds and the angle is above crease_rad or the seam folds, unless the seam is tangent
+/// over more than half of its length: a sharp spot in a smooth seam is a Defect. Otherwise Smooth iff the
+/// level reaches \p required.
+Verdict judge(const SeamFigures& figures, const ContinuityTolerance& tolerance, Level required);
+
+}  // namespace seamwright

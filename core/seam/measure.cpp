@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <seamwright/core/seam/measure.hpp>
+
+namespace seamwright {
+
+namespace {
+
+double gap(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  const double distance = (a - b).stableNorm();
+  return std::isfinite(distance) ? distance : std::numeric_limits<double>::infinity();
+}
+
+CurvatureDifference curvatureDifference(const SurfaceJet& a, const Eigen::Vector3d& normal_a,
+                                        const SurfaceJet& b, const Eigen::Vector3d& normal_b) {
+  const Eigen::Matrix3d turn = Eigen::Quaterniond::FromTwoVectors(normal_b, normal_a).toRotationMatrix();
+  const Eigen::Matrix3d tensor_a = curvatureTensor(a, normal_a);
+  const Eigen::Matrix3d tensor_b = turn * curvatureTensor(b, normal_b) * turn.transpose();
+  const Eigen::Vector3d x = normal_a.unitOrthogonal();
+  const auto norm = [&](const Eigen::Matrix3d& tensor) {
+    return restrictToPlane(tensor, normal_a, x).spectralNorm();
+  };
+  return {norm(tensor_b - tensor_a), norm(tensor_a), norm(tensor_b)};
+}
+
+}  // namespace
+
+PairMeasure measurePair(const SidePoint& a, const SidePoint& b) {
+  PairMeasure result;
+  result.gap_mm = gap(a.jet.p, b.jet.p);
+  result.point = a.jet.p;
+  result.degenerate_a = degeneracy(a.jet, a.noise);
+  result.degenerate_b = degeneracy(b.jet, b.noise);
+  const std::optional<Eigen::Vector3d> natural_a = unitNormal(a.jet, a.noise);
+  const std::optional<Eigen::Vector3d> natural_b = unitNormal(b.jet, b.noise);
+  if (!natural_a || !natural_b) return result;
+
+  result.angle_rad = std::atan2(natural_a->cross(*natural_b).norm(), std::abs(natural_a->dot(*natural_b)));
+  result.fold = natural_a->cross(a.along).dot(natural_b->cross(b.along)) > 0;
+  const Eigen::Vector3d aligned_b =
+      natural_a->dot(*natural_b) < 0 ? Eigen::Vector3d(-*natural_b) : *natural_b;
+  result.curvature = curvatureDifference(a.jet, *natural_a, b.jet, aligned_b);
+  return result;
+}
+
+double relativeDifference(const CurvatureDifference& curvature, double flat_radius_mm) {
+  const double flat = 1 / flat_radius_mm;
+  const bool flat_a = curvature.norm_a_per_mm < flat;
+  const bool flat_b = curvature.norm_b_per_mm < flat;
+  if (flat_a && flat_b) return 0;
+  if (flat_a != flat_b) return 1;
+  return curvature.difference_per_mm / std::max(curvature.norm_a_per_mm, curvature.norm_b_per_mm);
+}
+
+}  // namespace seamwright

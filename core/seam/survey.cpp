@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include <seamwright/core/seam/survey.hpp>
+
+namespace seamwright {
+
+namespace {
+
+enum Quantity { Gap, Angle, Curvature, RelativeCurvature, QuantityCount };
+
+struct Sample {
+  double t = 0;
+  PairMeasure pair;
+  std::array<std::optional<double>, QuantityCount> values;
+};
+
+using Span = std::vector<Sample>;
+
+class Survey {
+ public:
+  Survey(const PairAt& pair_at, const ContinuityTolerance& tolerance, const SurveyOptions& options,
+         double first, double last)
+      : pair_at_(pair_at), tolerance_(tolerance), options_(options), first_(first), last_(last) {}
+
+  void start(double from, double to);
+  void refine();
+  SeamFigures figures() const;
+
+ private:
+  Sample sampleAt(double t);
+  void note(const Sample& sample);
+  double allowedError(Quantity quantity) const;
+  bool mayHideMaximum(const Sample& before, const Sample& middle, const Sample& after) const;
+  bool halveWhereNeeded(Span& span, double shortest);
+  double place(double t) const { return (t - first_) / (last_ - first_); }
+  double tangentShare() const;
+
+  const PairAt& pair_at_;
+  const ContinuityTolerance& tolerance_;
+  const SurveyOptions& options_;
+  double first_;
+  double last_;
+  std::vector<Span> spans_;
+  std::array<std::optional<Figure>, QuantityCount> maxima_;
+  double largest_norm_ = 0;
+  std::optional<double> fold_at_;
+  std::vector<DegeneratePoint> degenerate_;
+  int points_ = 0;
+  bool settled_ = true;
+};
+
+Sample Survey::sampleAt(double t) {
+  Sample sample{t, pair_at_(t), {}};
+  ++points_;
+  const PairMeasure& pair = sample.pair;
+  sample.values[Gap] = pair.gap_mm;
+  sample.values[Angle] = pair.angle_rad;
+  if (pair.curvature && *pair.angle_rad <= tolerance_.crease_rad && !pair.fold) {
+    sample.values[Curvature] = pair.curvature->difference_per_mm;
+    sample.values[RelativeCurvature] = relativeDifference(*pair.curvature, tolerance_.flat_radius_mm);
+    largest_norm_ = std::max({largest_norm_, pair.curvature->norm_a_per_mm, pair.curvature->norm_b_per_mm});
+  }
+  note(sample);
+  return sample;
+}
+
+void Survey::note(const Sample& sample) {
+  const double at = place(sample.t);
+  for (int q = 0; q < QuantityCount; ++q)
+    if (const auto& value = sample.values[q]; value && (!maxima_[q] || *value > maxima_[q]->lower))
+      maxima_[q] = Figure{*value, std::nullopt, at};
+  const PairMeasure& pair = sample.pair;
+  if (pair.fold && pair.angle_rad && *pair.angle_rad <= tolerance_.crease_rad && !fold_at_) fold_at_ = at;
+  if (pair.degenerate_a != Degeneracy::None || pair.degenerate_b != Degeneracy::None)
+    degenerate_.push_back({at, pair.degenerate_a, pair.degenerate_b});
+}
+
+void Survey::start(double from, double to) {
+  // Inner breaks are approached from inside: derivatives may jump there.
+  const double inset = 1e-7 * (to - from);
+  const double a = from > first_ ? from + inset : from;
+  const double b = to < last_ ? to - inset : to;
+  Span span;
+  const int count = options_.points_per_span;
+  for (int k = 0; k < count; ++k) {
+    const double share = 0.5 * (1 - std::cos(std::numbers::pi * k / (count - 1)));
+    span.push_back(sampleAt(k == count - 1 ? b : a + share * (b - a)));
+  }
+  spans_.push_back(std::move(span));
+}
+
+double Survey::allowedError(Quantity quantity) const {
+  const double seen = maxima_[quantity] ? maxima_[quantity]->lower : 0;
+  const std::array<double, QuantityCount> floors = {
+      tolerance_.gap_mm, tolerance_.angle_rad,
+      tolerance_.curvature_rel * std::max(largest_norm_, 1 / tolerance_.flat_radius_mm),
+      tolerance_.curvature_rel};
+  return 0.01 * std::max(seen, floors[quantity]);
+}
+
+bool Survey::mayHideMaximum(const Sample& before, const Sample& middle, const Sample& after) const {
+  const double share = (middle.t - before.t) / (after.t - before.t);
+  for (int q = 0; q < QuantityCount; ++q) {
+    const auto &f0 = before.values[q], &f1 = middle.values[q], &f2 = after.values[q];
+    if (!f0 || !f1 || !f2) continue;
+    const double deviation = std::abs(*f1 - (*f0 + share * (*f2 - *f0)));
+    const double allowed = allowedError(static_cast<Quantity>(q));
+    // Halving the spacing quarters the deviation, so between neighbours about a quarter of it is left.
+    const double reach = std::max({*f0, *f1, *f2}) + deviation;
+    if (0.25 * deviation > allowed && reach > maxima_[q]->lower) return true;
+  }
+  return false;
+}
+
+bool Survey::halveWhereNeeded(Span& span, double shortest) {
+  std::vector<bool> halve(span.size() - 1, false);
+  for (std::size_t i = 1; i + 1 < span.size(); ++i)
+    if (mayHideMaximum(span[i - 1], span[i], span[i + 1])) halve[i - 1] = halve[i] = true;
+  Span refined;
+  bool changed = false;
+  for (std::size_t i = 0; i < span.size(); ++i) {
+    if (i > 0 && halve[i - 1] && span[i].t - span[i - 1].t > 2 * shortest) {
+      if (points_ >= options_.max_points) {
+        settled_ = false;
+      } else {
+        refined.push_back(sampleAt(0.5 * (span[i - 1].t + span[i].t)));
+        changed = true;
+      }
+    }
+    refined.push_back(std::move(span[i]));
+  }
+  span = std::move(refined);
+  return changed;
+}
+
+void Survey::refine() {
+  const double scale = std::ldexp(1.0 / options_.points_per_span, -options_.max_halvings);
+  bool changed = true;
+  while (changed && settled_) {
+    changed = false;
+    for (Span& span : spans_)
+      changed = halveWhereNeeded(span, scale * (span.back().t - span.front().t)) || changed;
+  }
+}
+
+double Survey::tangentShare() const {
+  double length = 0;
+  double tangent = 0;
+  const auto isTangent = [&](const Sample& s) {
+    return s.values[Angle] && *s.values[Angle] <= tolerance_.angle_rad && !s.pair.fold;
+  };
+  for (const Span& span : spans_)
+    for (std::size_t i = 1; i < span.size(); ++i) {
+      const double step = (span[i].pair.point - span[i - 1].pair.point).norm();
+      length += step;
+      tangent += 0.5 * step * (isTangent(span[i - 1]) + isTangent(span[i]));
+    }
+  return length > 0 ? tangent / length : 0;
+}
+
+SeamFigures Survey::figures() const {
+  SeamFigures figures;
+  figures.gap_mm = maxima_[Gap];
+  figures.angle_rad = maxima_[Angle];
+  if (figures.angle_rad && figures.angle_rad->lower <= tolerance_.crease_rad) {
+    figures.curvature_per_mm = maxima_[Curvature];
+    figures.curvature_rel = maxima_[RelativeCurvature];
+  }
+  figures.fold_at = fold_at_;
+  figures.tangent_share = tangentShare();
+  figures.settled = settled_;
+  figures.degenerate = degenerate_;
+  figures.points = points_;
+  return figures;
+}
+
+void validate(std::span<const double> breaks, const SurveyOptions& options) {
+  if (breaks.size() < 2)
+    throw std::invalid_argument("breaks " + std::to_string(breaks.size()) + ": at least 2 are needed");
+  for (std::size_t i = 1; i < breaks.size(); ++i)
+    if (!(breaks[i] > breaks[i - 1]))
+      throw std::invalid_argument("break " + std::to_string(i) + " is " + std::to_string(breaks[i]) +
+                                  " after " + std::to_string(breaks[i - 1]) + ": breaks must increase");
+  if (options.points_per_span < 3)
+    throw std::invalid_argument("points per span " + std::to_string(options.points_per_span) +
+                                ": at least 3 are needed");
+}
+
+}  // namespace
+
+SeamFigures surveySeam(const PairAt& pair_at, std::span<const double> breaks,
+                       const ContinuityTolerance& tolerance, const SurveyOptions& options) {
+  tolerance.validate();
+  validate(breaks, options);
+  Survey survey(pair_at, tolerance, options, breaks.front(), breaks.back());
+  for (std::size_t i = 1; i < breaks.size(); ++i) survey.start(breaks[i - 1], breaks[i]);
+  survey.refine();
+  return survey.figures();
+}
+
+}  // namespace seamwright

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <seamwright/core/seam/measure.hpp>
+#include <seamwright/core/seam/tolerance.hpp>
+
+namespace seamwright {
+
+/// The largest value of a quantity along a seam: lower <= true maximum <= upper.
+struct Figure {
+  double lower = 0;             ///< seen at \p at
+  std::optional<double> upper;  ///< nothing: no bound is known, the maximum may be larger
+  double at = 0;                ///< where along the seam, 0..1 of its parameter range
+};
+
+/// A point of the seam where a side has no tangent plane.
+struct DegeneratePoint {
+  double at = 0;  ///< 0..1
+  Degeneracy side_a = Degeneracy::None;
+  Degeneracy side_b = Degeneracy::None;
+};
+
+/// What a seam measures over its whole length.
+struct SeamFigures {
+  std::optional<Figure> gap_mm;     ///< nothing: not measured
+  std::optional<Figure> angle_rad;  ///< nothing: no point with two tangent planes
+  /// Nothing where the angle is above the crease angle, or not measured.
+  std::optional<Figure> curvature_per_mm;
+  std::optional<Figure> curvature_rel;
+  std::optional<double> fold_at;  ///< a point where the faces fold back at less than the crease angle
+  double tangent_share = 0;       ///< share of the length over which the angle is within tolerance, 0..1
+  bool certified = false;         ///< every upper bound known
+  bool settled = true;            ///< false: figures still changed when the limit of points was reached
+  std::vector<DegeneratePoint> degenerate;
+  int points = 0;
+};
+
+struct SurveyOptions {
+  int points_per_span = 9;  ///< Chebyshev-Lobatto points to begin with, >= 3
+  int max_points = 4000;    ///< points <= max_points, unless the spans alone need more
+  int max_halvings =
+      10;  ///< a span is cut into pieces no shorter than 2^-max_halvings of a starting interval
+};
+
+/// Measures the pair at parameter t of the seam.
+using PairAt = std::function<PairMeasure(double t)>;
+
+/// Finds the largest gap, angle and curvature difference along a seam by adaptive sampling.
+///
+/// Between two \p breaks both sides must be smooth. Every span starts with Chebyshev-Lobatto points (just
+/// inside the inner breaks, where derivatives may jump) and is refined where linear interpolation of a figure
+/// between neighbours may still be off by more than 1 % of its maximum or a hundredth of its tolerance,
+/// whichever is larger, and the figure may still exceed the maximum seen. Sampling proves nothing: every
+/// upper bound is unknown and certified is false.
+///
+/// \param breaks increasing, at least two; the first and the last are the ends of the seam.
+/// \throws std::invalid_argument if the breaks are fewer than two or do not increase.
+SeamFigures surveySeam(const PairAt& pair_at, std::span<const double> breaks,
+                       const ContinuityTolerance& tolerance, const SurveyOptions& options = {});
+
+}  // namespace seamwright

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+namespace seamwright {
+
+/// What the user accepts. Comments are the inequality each field enters.
+struct ContinuityTolerance {
+  double gap_mm = 0.01;                           ///< G0: distance of the sides <= gap_mm
+  double angle_rad = 0.1 * 0.017453292519943295;  ///< G1: angle of the tangent planes <= angle_rad
+  double curvature_rel = 0.02;                    ///< G2: difference / larger norm <= curvature_rel
+  double flat_radius_mm = 1e5;  ///< flat: largest absolute normal curvature < 1 / flat_radius_mm
+  double crease_rad = 5 * 0.017453292519943295;  ///< a design edge: angle of the tangent planes > crease_rad
+
+  /// \throws std::invalid_argument with name and value of the first field that is not finite, negative, or
+  /// (flat radius) zero, or if crease_rad < angle_rad or an angle is above 90 degrees.
+  void validate() const;
+};
+
+}  // namespace seamwright

@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From document objects to one shape for the kernel, and back from its numbers to objects.
+
+The shapes of the document are only read. Sharing is kept: the shape that is analysed holds
+the very faces and edges of the sources.
+"""
+
+import FreeCAD as App
+import Part
+
+
+class SourceError(Exception):
+    """The sources cannot be analysed; the text names the object and says what is missing."""
+
+
+def solids_and_shells(doc, exclude=None):
+    """All objects of a document that hold a solid or a shell and are not part of another one.
+
+    ``exclude`` and whatever depends on it are left out.
+    """
+    found = [obj for obj in doc.Objects if _is_candidate(obj, exclude)]
+    inputs = {
+        part.Name
+        for obj in found
+        if not obj.isDerivedFrom("App::Link")
+        for part in obj.OutListRecursive
+    }
+    return [obj for obj in found if obj.Name not in inputs]
+
+
+def _is_candidate(obj, exclude):
+    if not (obj.isDerivedFrom("Part::Feature") or obj.isDerivedFrom("App::Link")):
+        return False
+    if exclude is not None and (obj == exclude or exclude in obj.OutListRecursive):
+        return False
+    group = obj.getParentGeoFeatureGroup()
+    if group is not None and group.isDerivedFrom("PartDesign::Body"):
+        return False
+    shape = Part.getShape(obj)
+    return not shape.isNull() and bool(shape.Solids or shape.Shells)
+
+
+def expand(objects):
+    """The objects with each group or part replaced by what it contains, without repeats."""
+    found = []
+    for obj in objects:
+        has_shape = obj.isDerivedFrom("Part::Feature") or obj.isDerivedFrom("App::Link")
+        members = [obj] if has_shape else expand(getattr(obj, "Group", []))
+        found += [member for member in members if member not in found]
+    return found
+
+
+def parent_placement(obj):
+    """Placement of the parts an object is nested in; identity at the top of the document."""
+    placement = App.Placement()
+    group = obj.getParentGeoFeatureGroup()
+    while group is not None:
+        placement = group.Placement * placement
+        group = group.getParentGeoFeatureGroup()
+    return placement
+
+
+def world_shape(obj):
+    """The shape of one object where it stands in the model. Raises SourceError."""
+    shape = Part.getShape(obj)
+    if shape.isNull():
+        raise SourceError("%s has no shape: recompute it or choose another object." % obj.Label)
+    if not shape.Faces:
+        raise SourceError("%s has no faces: seams are found between faces." % obj.Label)
+    placement = parent_placement(obj)
+    if placement.isIdentity():
+        return shape
+    placed = Part.Compound([shape])
+    placed.Placement = placement
+    return placed
+
+
+class Model:
+    """The one shape that is analysed, with the owner of each of its faces and edges."""
+
+    def __init__(self, objects):
+        """Join the shapes of ``objects``; raises SourceError for none or one without faces."""
+        if not objects:
+            raise SourceError("There is nothing to analyse: the document has no solid or shell.")
+        self.objects = list(objects)
+        self.parts = [world_shape(obj) for obj in self.objects]
+        self.shape = self.parts[0] if len(self.parts) == 1 else Part.Compound(self.parts)
+
+    def owners(self, kind, numbers):
+        """{"7": [object name, "Edge3"]} for the wanted numbers; ``kind`` "faces" or "edges"."""
+        wanted = set(numbers)
+        whole = _elements(self.shape, kind)
+        index = _Index((number, whole[number - 1]) for number in wanted)
+        prefix = {"faces": "Face", "edges": "Edge"}[kind]
+        owners = {}
+        for obj, part in zip(self.objects, self.parts):
+            for place, element in enumerate(_elements(part, kind), 1):
+                number = index.find(element)
+                if number is not None:
+                    owners.setdefault(str(number), [obj.Name, "%s%d" % (prefix, place)])
+        return owners
+
+
+def _elements(shape, kind):
+    return shape.Faces if kind == "faces" else shape.Edges
+
+
+class _Index:
+    """Numbers of shapes, found again by identity."""
+
+    def __init__(self, numbered):
+        self._buckets = {}
+        for number, shape in numbered:
+            self._buckets.setdefault(shape.hashCode(), []).append((number, shape))
+
+    def find(self, shape):
+        for number, known in self._buckets.get(shape.hashCode(), ()):
+            if known.isSame(shape):
+                return number
+        return None

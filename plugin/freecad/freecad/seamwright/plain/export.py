@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Reports as CSV and JSON files.
+
+A file is written beside its target and renamed, so a reader never meets half of one and a
+failed export leaves an older file as it was.
+"""
+
+import csv
+import io
+import json
+import os
+import tempfile
+
+from freecad.seamwright.plain import rows
+
+FIGURES = ("gap_mm", "angle_deg", "curvature_per_mm", "curvature_rel")
+HEAD = ("id", "kind", "class", "level", "edges", "faces", "length_mm")
+TAIL = ("certified", "note")
+
+
+class ExportError(Exception):
+    """A report could not be written; the text says which file and why."""
+
+
+def json_text(report):
+    """The report as JSON, with the key "freecad" saying which object each number belongs to."""
+    return json.dumps(report, indent=2, ensure_ascii=False) + "\n"
+
+
+def csv_text(report):
+    """One line a seam; each figure as three columns: lower, upper, at. Empty where unmeasured."""
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    parts = ["%s_%s" % (figure, part) for figure in FIGURES for part in ("lower", "upper", "at")]
+    writer.writerow([*HEAD, *parts, *TAIL])
+    for seam in report.get("seams", ()):
+        writer.writerow(_csv_line(report, seam))
+    return out.getvalue()
+
+
+def _csv_line(report, seam):
+    names = {
+        kind: " ".join(rows.element_text(report, kind, number, True) for number in seam[kind])
+        for kind in ("edges", "faces")
+    }
+    line = [{**seam, **names}[key] for key in HEAD]
+    for name in FIGURES:
+        figure = seam.get(name) or {}
+        line += [figure.get(part) for part in ("lower", "upper", "at")]
+    return line + [seam[key] for key in TAIL]
+
+
+def write(report, path):
+    """Write the report to ``path``: CSV for a name ending in .csv, JSON for .json.
+
+    Raises ExportError for another ending, a missing folder, or a file that cannot be written.
+    """
+    path = os.fspath(path)
+    ending = os.path.splitext(path)[1].lower()
+    makers = {".csv": csv_text, ".json": json_text}
+    if ending not in makers:
+        raise ExportError("%s: the name must end in .csv or .json." % path)
+    folder = os.path.dirname(os.path.abspath(path))
+    if not os.path.isdir(folder):
+        raise ExportError("%s: the folder %s does not exist; create it first." % (path, folder))
+    try:
+        _replace(path, folder, makers[ending](report))
+    except OSError as error:
+        raise ExportError("%s: cannot be written: %s." % (path, error.strerror)) from error
+
+
+def _replace(path, folder, text):
+    handle, beside = tempfile.mkstemp(prefix=".seamwright-", dir=folder)
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8", newline="") as file:
+            file.write(text)
+        os.chmod(beside, _mode_for(path))
+        os.replace(beside, path)
+    except BaseException:
+        os.unlink(beside)
+        raise
+
+
+def _mode_for(path):
+    """Permissions of the file that is replaced, or those of a new file."""
+    if os.path.exists(path):
+        return os.stat(path).st_mode & 0o777
+    mask = os.umask(0)
+    os.umask(mask)
+    return 0o666 & ~mask

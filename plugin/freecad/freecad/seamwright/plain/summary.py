@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Counts and sentences about a report: summary line, legend and tolerance line."""
+
+from freecad.seamwright.plain import palette, rows
+
+
+def class_counts(report):
+    """Number of seams of each class, by key, in the order of ``palette.CLASSES``."""
+    counts = {seam_class.key: 0 for seam_class in palette.CLASSES}
+    for seam in report.get("seams", ()):
+        counts[seam["class"]] += 1
+    return counts
+
+
+def edge_classes(report):
+    """{edge number: class} in the order of the report's seams.
+
+    An edge that takes part in several seams has the worst class of them, so each edge is
+    drawn once.
+    """
+    classes = {}
+    for seam in report.get("seams", ()):
+        for number in seam["edges"]:
+            known = classes.get(number, seam["class"])
+            classes[number] = min(known, seam["class"], key=palette.rank)
+    return classes
+
+
+def largest(report, name):
+    """Largest known figure ``name`` over the seams that are no creases, or None."""
+    values = [
+        rows.figure_value(seam[name]) for seam in report.get("seams", ()) if seam["class"] != "crease"
+    ]
+    return max((value for value in values if value is not None), default=None)
+
+
+def level_of(report):
+    """The level of continuity the report was judged by."""
+    return report.get("freecad", {}).get("level", "G1")
+
+
+def passed(report):
+    """True when the report has seams and none of them is a defect."""
+    counts = class_counts(report)
+    return sum(counts.values()) > 0 and counts["defect"] == 0
+
+
+def counted(number, noun):
+    """ "1 seam", "2 seams", "no seams". """
+    return "%s %s%s" % (number or "no", noun, "" if number == 1 else "s")
+
+
+def summary_text(report):
+    """One line: how many seams of each class, the largest figures, and the verdict."""
+    counts = class_counts(report)
+    total = sum(counts.values())
+    if total == 0:
+        return "No seams: no two faces share an edge."
+    parts = [
+        "%s: %s, %s, %d smooth"
+        % (
+            counted(total, "seam"),
+            counted(counts["defect"], "defect"),
+            counted(counts["crease"], "crease"),
+            counts["smooth"],
+        )
+    ]
+    open_edges = len(report.get("open", ()))
+    if open_edges:
+        parts.append(counted(open_edges, "open edge"))
+    parts.append(_largest_text(report))
+    verdict = "%s is met" if passed(report) else "%s is not met"
+    parts.append(verdict % level_of(report))
+    return "; ".join(part for part in parts if part) + "."
+
+
+def _largest_text(report):
+    gap, angle = largest(report, "gap_mm"), largest(report, "angle_deg")
+    if gap is None or angle is None:
+        return ""
+    return "apart from creases, largest gap %s mm, largest angle %s\u00b0" % (
+        rows.number_text(gap),
+        rows.number_text(angle),
+    )
+
+
+def tolerance_text(report):
+    """The tolerances that decide at the report's level, for example "G1: gap \u2264 0.01 mm, ..."."""
+    tolerance, level = report["tolerance"], level_of(report)
+    parts = ["gap \u2264 %g mm" % tolerance["gap_mm"]]
+    if level != "G0":
+        parts.append("angle \u2264 %g\u00b0" % tolerance["angle_deg"])
+    if level in ("G2", "G3"):
+        parts.append("curvature \u2264 %g %%" % (100 * tolerance["curvature_rel"]))
+    return "%s: %s" % (level, ", ".join(parts))
+
+
+def legend_entries(report):
+    """[(SeamClass, "Defect: 2", "falls short of G1"), ...] for the legend, worst first."""
+    counts = class_counts(report)
+    level, crease = level_of(report), report["tolerance"]["crease_deg"]
+    return [
+        (
+            seam_class,
+            "%s: %d" % (seam_class.name, counts[seam_class.key]),
+            palette.meaning(seam_class.key, level, crease),
+        )
+        for seam_class in palette.CLASSES
+    ]
