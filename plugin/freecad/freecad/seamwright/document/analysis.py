@@ -188,7 +188,7 @@ def _bare_edge(edge):
 
 
 def store(obj, report, shape, objects):
-    """Put the results into the read-only properties."""
+    """Put the results into the read-only properties; the Report before the Shape it colours."""
     counts = summary.class_counts(report)
     obj.Report = json.dumps(report)
     obj.Analysed = objects
@@ -200,8 +200,8 @@ def store(obj, report, shape, objects):
     obj.MaxGap = summary.largest(report, "gap_mm") or 0.0
     obj.MaxAngle = summary.largest(report, "angle_deg") or 0.0
     obj.Passed = summary.passed(report)
-    obj.Summary = summary.summary_text(report)
     obj.Shape = shape
+    obj.Summary = summary.summary_text(report)
 
 
 def create(sources=None, doc=None, **tolerances):

@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Commands, task panel and view provider: they need FreeCAD's window."""
+
+import os
+
+ICONS = os.path.join(os.path.dirname(os.path.dirname(__file__)), "resources", "icons")
+
+
+def icon_path(name):
+    """Path of an icon of the workbench."""
+    return os.path.join(ICONS, name + ".svg")

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Showing seams of an analysis in the 3D view: select their edges, turn the camera to them."""
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import Part
+
+from freecad.seamwright.document import analysis, sources
+from freecad.seamwright.gui import camera
+from freecad.seamwright.plain import rows
+
+#: Least height of the view when zooming to a seam, as a part of the model's size.
+CONTEXT = 0.15
+
+
+def show(obj, report, seams):
+    """Select the edges of the given seams (dicts of the report) on their objects and zoom there."""
+    numbers = [number for seam in seams for number in seam["edges"]]
+    owners = [owner for number in numbers if (owner := rows.owner_of(report, "edges", number))]
+    Gui.Selection.clearSelection()
+    for name, element in owners:
+        select(obj.Document, name, element)
+    edges = [edge for edge in (find(obj.Document, *owner) for owner in owners) if edge is not None]
+    view = _view_of(obj.Document)
+    if not edges or view is None:
+        return
+    box = App.BoundBox()
+    for edge in edges:
+        box.add(edge.BoundBox)
+    least = CONTEXT * obj.Shape.BoundBox.DiagonalLength
+    camera.look_at(view.getCameraNode(), box, least, outward(obj, report, seams[0], edges[0]))
+
+
+def select(doc, name, element):
+    """Select one sub-element, by its path from the top of the document."""
+    obj = doc.getObject(name)
+    path = element
+    group = obj.getParentGeoFeatureGroup()
+    while group is not None:
+        path = "%s.%s" % (obj.Name, path)
+        obj, group = group, group.getParentGeoFeatureGroup()
+    Gui.Selection.addSelection(doc.Name, obj.Name, path)
+
+
+def find(doc, name, element):
+    """The sub-shape where it stands in the model; None when the document lost it."""
+    obj = doc.getObject(name)
+    if obj is None:
+        return None
+    shape = sources.world_shape(obj)
+    elements = shape.Faces if element.startswith("Face") else shape.Edges
+    number = int(element[4:])
+    return elements[number - 1] if number <= len(elements) else None
+
+
+def outward(obj, report, seam, edge):
+    """Sum of the outward normals of the seam's faces at the middle of its edge, or None."""
+    owners = [rows.owner_of(report, "faces", number) for number in seam["faces"]]
+    total = App.Vector()
+    for owner in owners:
+        face = find(obj.Document, *owner) if owner else None
+        if face is not None:
+            total += _normal(face, edge)
+    return total if total.Length > 0.1 else None
+
+
+def _normal(face, edge):
+    middle = edge.valueAt(sum(edge.ParameterRange) / 2)
+    try:
+        return face.normalAt(*face.Surface.parameter(middle))
+    except Part.OCCError:  # no normal at a pole
+        return App.Vector()
+
+
+def _view_of(doc):
+    gui_document = Gui.getDocument(doc.Name)
+    view = gui_document.activeView()
+    return view if hasattr(view, "getCameraNode") else None
+
+
+def seams_by_number(obj):
+    """(report, {seam number: seam}) of an analysis."""
+    report = analysis.report_of(obj)
+    return report, {seam["id"]: seam for seam in report["seams"]}

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The seam table as a Qt model; what cells say and how rows are sorted is in plain.rows."""
+
+from freecad.seamwright.gui.qt import QtCore, QtGui
+from freecad.seamwright.plain import palette, rows
+
+Qt = QtCore.Qt
+
+
+class SeamTableModel(QtCore.QAbstractTableModel):
+    """Rows of one report, sorted and filtered."""
+
+    def __init__(self, parent=None):
+        super().__init__(parent)
+        self._all = []
+        self._shown = []
+        self._class = None
+        self._order = None  # (field, descending), or None for worst first
+
+    def set_rows(self, all_rows):
+        """Show the rows of another report, with the sorting and filter as they are."""
+        self._all = list(all_rows)
+        self._arrange()
+
+    def set_filter(self, seam_class):
+        """Show one class only; all for None."""
+        self._class = seam_class
+        self._arrange()
+
+    def row(self, place):
+        """The Row shown at a place."""
+        return self._shown[place]
+
+    def place_of(self, edge):
+        """Place of the first row shown that has the edge number, or None."""
+        for place, row in enumerate(self._shown):
+            if edge in row.edges:
+                return place
+        return None
+
+    def rowCount(self, parent=None):
+        """Number of rows shown."""
+        return 0 if parent is not None and parent.isValid() else len(self._shown)
+
+    def columnCount(self, parent=None):
+        """Number of columns."""
+        return 0 if parent is not None and parent.isValid() else len(rows.COLUMNS)
+
+    def data(self, index, role=Qt.DisplayRole):
+        """Text, tool tip, alignment and the colour mark of a cell."""
+        row, column = self._shown[index.row()], rows.COLUMNS[index.column()]
+        if role == Qt.DisplayRole:
+            return rows.cell_text(row, column)
+        if role == Qt.ToolTipRole:
+            return row.detail
+        if role == Qt.DecorationRole and column.field == "seam_class":
+            return QtGui.QColor(*palette.BY_KEY[row.seam_class].rgb)
+        if role == Qt.TextAlignmentRole and column.numeric:
+            return int(Qt.AlignRight) | int(Qt.AlignVCenter)
+        return None
+
+    def headerData(self, section, orientation, role=Qt.DisplayRole):
+        """Column headings and their tool tips."""
+        if orientation != Qt.Horizontal:
+            return None
+        column = rows.COLUMNS[section]
+        return {Qt.DisplayRole: column.title, Qt.ToolTipRole: column.tip}.get(role)
+
+    def sort(self, column, order=Qt.AscendingOrder):
+        """Sort by a column; column -1 means worst first."""
+        field = rows.COLUMNS[column].field if column >= 0 else None
+        self._order = (field, order == Qt.DescendingOrder) if field else None
+        self._arrange()
+
+    def _arrange(self):
+        self.beginResetModel()
+        shown = rows.filter_rows(self._all, self._class)
+        self._shown = rows.sort_rows(shown, *self._order) if self._order else shown
+        self.endResetModel()

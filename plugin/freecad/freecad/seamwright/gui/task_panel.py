@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panel: summary, seam table with filter, tolerances, export."""
+
+import FreeCADGui as Gui
+
+from freecad.seamwright.document import analysis
+from freecad.seamwright.gui import export_dialog, icon_path, seam_view
+from freecad.seamwright.gui.qt import QtCore, QtGui, QtWidgets
+from freecad.seamwright.gui.table_model import SeamTableModel
+from freecad.seamwright.gui.tolerance_form import ToleranceForm
+from freecad.seamwright.plain import palette, rows, summary
+
+TABLE_HEIGHT = 300
+PANEL_WIDTH = 430
+
+
+class TaskPanel:
+    """Shows one Seam Analysis; a click on a row selects the seam's edge and zooms to it."""
+
+    def __init__(self, obj):
+        self.obj = obj
+        self.model = SeamTableModel()
+        self._build()
+        self.tolerances.read_from(obj)
+        self.refresh()
+
+    # What FreeCAD asks of a task panel.
+
+    def getStandardButtons(self):
+        """A close button."""
+        return int(getattr(QtWidgets.QDialogButtonBox.Close, "value", QtWidgets.QDialogButtonBox.Close))
+
+    def reject(self):
+        """Close the panel."""
+        Gui.getDocument(self.obj.Document.Name).resetEdit()
+        return True
+
+    # The window.
+
+    def _build(self):
+        self.form = QtWidgets.QWidget()
+        self.form.setWindowTitle("Seam Analysis")
+        self.form.setWindowIcon(QtGui.QIcon(icon_path("seamwright-analyze")))
+        self.form.setMinimumWidth(PANEL_WIDTH)
+        layout = QtWidgets.QVBoxLayout(self.form)
+        self.summary = QtWidgets.QLabel()
+        self.summary.setWordWrap(True)
+        layout.addWidget(self.summary)
+        layout.addLayout(self._build_filter())
+        layout.addWidget(self._build_table())
+        layout.addWidget(self._build_tolerances())
+        layout.addLayout(self._build_export())
+
+    def _build_filter(self):
+        line = QtWidgets.QHBoxLayout()
+        line.addWidget(QtWidgets.QLabel("Show"))
+        self.filter = QtWidgets.QComboBox()
+        self.filter.addItem("All seams", None)
+        for seam_class in palette.CLASSES:
+            self.filter.addItem("", seam_class.key)
+        self.filter.currentIndexChanged.connect(self._filter_changed)
+        line.addWidget(self.filter, 1)
+        worst = QtWidgets.QPushButton("Worst first")
+        worst.setToolTip("Sort by class, then by how far the figures are from the tolerances")
+        worst.clicked.connect(self.sort_worst_first)
+        line.addWidget(worst)
+        return line
+
+    def _build_table(self):
+        self.table = QtWidgets.QTableView()
+        self.table.setModel(self.model)
+        self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
+        self.table.setAlternatingRowColors(True)
+        self.table.setWordWrap(False)
+        self.table.setMinimumHeight(TABLE_HEIGHT)
+        self.table.verticalHeader().hide()
+        self.table.verticalHeader().setDefaultSectionSize(self.table.fontMetrics().height() + 6)
+        self.table.horizontalHeader().setHighlightSections(False)
+        self.table.horizontalHeader().setSortIndicator(-1, QtCore.Qt.AscendingOrder)
+        self.table.setSortingEnabled(True)
+        self.table.selectionModel().selectionChanged.connect(self._selection_changed)
+        return self.table
+
+    def _build_tolerances(self):
+        box = QtWidgets.QGroupBox("Level and tolerances")
+        layout = QtWidgets.QVBoxLayout(box)
+        self.tolerances = ToleranceForm()
+        layout.addWidget(self.tolerances)
+        self.recompute_button = QtWidgets.QPushButton("Recompute")
+        self.recompute_button.clicked.connect(self.recompute)
+        layout.addWidget(self.recompute_button)
+        return box
+
+    def _build_export(self):
+        line = QtWidgets.QHBoxLayout()
+        for kind in ("csv", "json"):
+            button = QtWidgets.QPushButton("Export %s\u2026" % kind.upper())
+            button.clicked.connect(lambda *_, kind=kind: export_dialog.ask_and_export(self.obj, (kind,)))
+            line.addWidget(button)
+        return line
+
+    # What it does.
+
+    def refresh(self):
+        """Show the results as they are stored now."""
+        self.report, self.seams = seam_view.seams_by_number(self.obj)
+        self.model.set_rows(rows.build_rows(self.report))
+        failure = analysis.error_text(self.obj)
+        self.summary.setText(failure or self.obj.Summary)
+        counts = summary.class_counts(self.report)
+        self.filter.setItemText(0, "All seams (%d)" % sum(counts.values()))
+        for place, seam_class in enumerate(palette.CLASSES, 1):
+            text = "%s (%d)" % (seam_class.name, counts[seam_class.key])
+            self.filter.setItemText(place, text)
+            self.filter.setItemIcon(place, _swatch(seam_class.rgb))
+        self.table.resizeColumnsToContents()
+
+    def recompute(self, *_):
+        """Take over the tolerances and analyse again, as one step that can be undone."""
+        doc = self.obj.Document
+        doc.openTransaction("Seam tolerances")
+        self.tolerances.write_to(self.obj)
+        self.obj.touch()
+        doc.recompute()
+        doc.commitTransaction()
+        self.refresh()
+
+    def sort_worst_first(self, *_):
+        """Go back to the order the table began with."""
+        self.table.horizontalHeader().setSortIndicator(-1, QtCore.Qt.AscendingOrder)
+        self.model.sort(-1)
+
+    def leave(self):
+        """Drop the selection made from the table."""
+        Gui.Selection.clearSelection()
+
+    def _filter_changed(self, place):
+        self.model.set_filter(self.filter.itemData(place))
+        self.table.resizeColumnsToContents()
+
+    def _selection_changed(self, *_):
+        places = [index.row() for index in self.table.selectionModel().selectedRows()]
+        if places:
+            chosen = [self.seams[self.model.row(place).seam] for place in places]
+            seam_view.show(self.obj, self.report, chosen)
+
+
+def _swatch(rgb):
+    pixmap = QtGui.QPixmap(16, 16)
+    pixmap.fill(QtGui.QColor(*rgb))
+    return QtGui.QIcon(pixmap)

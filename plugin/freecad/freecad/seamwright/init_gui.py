@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The workbench; FreeCAD imports this at start, so it loads nothing it does not need yet."""
+
+import FreeCADGui as Gui
+
+from freecad.seamwright.document.hooks import hooks
+from freecad.seamwright.gui import icon_path
+
+
+class SeamwrightWorkbench(Gui.Workbench):
+    """Menu and toolbar of Seamwright."""
+
+    MenuText = "Seamwright"
+    ToolTip = "Measure the seams of CAD models: gap, angle and curvature between faces"
+    Icon = icon_path("seamwright")
+
+    def Initialize(self):
+        """Register the commands when the workbench is first activated."""
+        from freecad.seamwright.gui import commands
+
+        names = commands.register()
+        self.appendToolbar("Seamwright", names)
+        self.appendMenu("Seamwright", names)
+
+    def GetClassName(self):
+        """The kind of workbench, as FreeCAD wants it named."""
+        return "Gui::PythonWorkbench"
+
+
+def _attach_view(obj):
+    from freecad.seamwright.gui import view_provider
+
+    view_provider.attach_view(obj)
+
+
+def _progress(text):
+    from freecad.seamwright.gui import progress
+
+    return progress.progress_dialog(text)
+
+
+hooks.attach_view = _attach_view
+hooks.progress = _progress
+Gui.addWorkbench(SeamwrightWorkbench())
