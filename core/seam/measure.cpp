@@ -2,7 +2,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <seamwright/core/seam/measure.hpp>
 
@@ -10,9 +9,15 @@ namespace seamwright {
 
 namespace {
 
-double gap(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  const double distance = (a - b).stableNorm();
-  return std::isfinite(distance) ? distance : std::numeric_limits<double>::infinity();
+/// Whether both faces lie to the same side of their common tangent (MATH-surfaces 1.2, d_P and d_Q).
+bool leaveToTheSameSide(const SidePoint& a, const Eigen::Vector3d& normal_a, const SidePoint& b,
+                        const Eigen::Vector3d& normal_b) {
+  // Where a path is nearly stationary its direction is rounding, and the two sides need not agree.
+  if (a.tangent.dot(b.tangent) <= 0.5 * a.tangent.norm() * b.tangent.norm()) return false;
+  const Eigen::Vector3d along = a.tangent.normalized() + b.tangent.normalized();
+  const Eigen::Vector3d into_a = (a.face_on_left ? 1 : -1) * normal_a.cross(along);
+  const Eigen::Vector3d into_b = (b.face_on_left ? 1 : -1) * normal_b.cross(along);
+  return into_a.dot(into_b) > 0;
 }
 
 CurvatureDifference curvatureDifference(const SurfaceJet& a, const Eigen::Vector3d& normal_a,
@@ -31,7 +36,7 @@ CurvatureDifference curvatureDifference(const SurfaceJet& a, const Eigen::Vector
 
 PairMeasure measurePair(const SidePoint& a, const SidePoint& b) {
   PairMeasure result;
-  result.gap_mm = gap(a.jet.p, b.jet.p);
+  if (const double gap = (a.jet.p - b.jet.p).stableNorm(); std::isfinite(gap)) result.gap_mm = gap;
   result.point = a.jet.p;
   result.degenerate_a = degeneracy(a.jet, a.noise);
   result.degenerate_b = degeneracy(b.jet, b.noise);
@@ -40,7 +45,7 @@ PairMeasure measurePair(const SidePoint& a, const SidePoint& b) {
   if (!natural_a || !natural_b) return result;
 
   result.angle_rad = std::atan2(natural_a->cross(*natural_b).norm(), std::abs(natural_a->dot(*natural_b)));
-  result.fold = natural_a->cross(a.along).dot(natural_b->cross(b.along)) > 0;
+  result.fold = leaveToTheSameSide(a, *natural_a, b, *natural_b);
   const Eigen::Vector3d aligned_b =
       natural_a->dot(*natural_b) < 0 ? Eigen::Vector3d(-*natural_b) : *natural_b;
   result.curvature = curvatureDifference(a.jet, *natural_a, b.jet, aligned_b);

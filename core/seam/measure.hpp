@@ -12,9 +12,10 @@ namespace seamwright {
 struct SidePoint {
   SurfaceJet jet;
   JetNoise noise;
-  /// Tangent of the seam, so directed that the face lies to its left when seen from the tip of X_u x X_v. Any
-  /// length; zero if unknown, then folds can't be told from smooth joins.
-  Eigen::Vector3d along = Eigen::Vector3d::Zero();
+  /// Tangent of the seam in the sense of its parameter, any length; zero if unknown.
+  Eigen::Vector3d tangent = Eigen::Vector3d::Zero();
+  /// The face lies to the left of the tangent when seen from the tip of X_u x X_v.
+  bool face_on_left = true;
 };
 
 /// The difference of two curvature tensors at a point, normals aligned; all in 1/mm.
@@ -26,14 +27,14 @@ struct CurvatureDifference {
 
 /// How two surfaces meet at one pair of corresponding points. Numbers only; judge() says what they amount to.
 struct PairMeasure {
-  double gap_mm = 0;
+  std::optional<double> gap_mm;                     ///< nothing where a side is not finite
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< on side a
   Degeneracy degenerate_a = Degeneracy::None;
   Degeneracy degenerate_b = Degeneracy::None;
   /// Angle between the tangent planes, 0..pi/2; nothing where a side has no tangent plane.
   std::optional<double> angle_rad;
-  /// The faces leave the seam to the same side: the tangent planes agree in a fold as they do in a smooth
-  /// join.
+  /// The faces leave the seam to the same side, turning back by more than 90 degrees: the tangent planes of a knife edge
+  /// agree as they do in a smooth join. False also where the tangents of the two sides contradict one another.
   bool fold = false;
   /// Nothing where a side has no tangent plane.
   std::optional<CurvatureDifference> curvature;
@@ -54,12 +55,12 @@ struct PairMeasure {
 ///   (5) Cylinders of radius R crossed at angle phi at a common tangent plane: difference sin(phi) / R.
 ///   (6) Spheres of radii r and R that touch from the same side: difference |1/r - 1/R|.
 ///
-/// Degenerate input (no tangent plane, not finite) is named in the result; no figure is ever NaN. A point
-/// that is not finite has gap_mm infinite. Source: MATH-surfaces 1.2 (angle, fold), 1.3 and 1.4 (M2').
+/// Degenerate input (no tangent plane, not finite) is named in the result; no figure is ever NaN or infinite.
+/// Source: MATH-surfaces 1.2 (angle, fold), 1.3 and 1.4 (M2').
 PairMeasure measurePair(const SidePoint& a, const SidePoint& b);
 
 /// The difference divided by the larger norm. 0 where both sides are flatter than the flat radius, 1 where
 /// only one is (the flat rule of ISO 10303-59). \param flat_radius_mm positive.
 double relativeDifference(const CurvatureDifference& curvature, double flat_radius_mm);
 
-}  // namespace seamwright
+ }  // namespace seamwright

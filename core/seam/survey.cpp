@@ -28,7 +28,7 @@ class Survey {
          double first, double last)
       : pair_at_(pair_at), tolerance_(tolerance), options_(options), first_(first), last_(last) {}
 
-  void start(double from, double to);
+  void start(double from, double to, int count);
   void refine();
   SeamFigures figures() const;
 
@@ -81,13 +81,12 @@ void Survey::note(const Sample& sample) {
     degenerate_.push_back({at, pair.degenerate_a, pair.degenerate_b});
 }
 
-void Survey::start(double from, double to) {
+void Survey::start(double from, double to, int count) {
   // Inner breaks are approached from inside: derivatives may jump there.
   const double inset = 1e-7 * (to - from);
   const double a = from > first_ ? from + inset : from;
   const double b = to < last_ ? to - inset : to;
   Span span;
-  const int count = options_.points_per_span;
   for (int k = 0; k < count; ++k) {
     const double share = 0.5 * (1 - std::cos(std::numbers::pi * k / (count - 1)));
     span.push_back(sampleAt(k == count - 1 ? b : a + share * (b - a)));
@@ -166,6 +165,12 @@ double Survey::tangentShare() const {
 
 SeamFigures Survey::figures() const {
   SeamFigures figures;
+  figures.degenerate = degenerate_;
+  figures.points = points_;
+  const auto is_not_finite = [](const DegeneratePoint& point) {
+    return point.side_a == Degeneracy::NotFinite || point.side_b == Degeneracy::NotFinite;
+  };
+  if (std::ranges::any_of(degenerate_, is_not_finite)) return figures;
   figures.gap_mm = maxima_[Gap];
   figures.angle_rad = maxima_[Angle];
   if (figures.angle_rad && figures.angle_rad->lower <= tolerance_.crease_rad) {
@@ -175,8 +180,6 @@ SeamFigures Survey::figures() const {
   figures.fold_at = fold_at_;
   figures.tangent_share = tangentShare();
   figures.settled = settled_;
-  figures.degenerate = degenerate_;
-  figures.points = points_;
   return figures;
 }
 
@@ -199,7 +202,9 @@ SeamFigures surveySeam(const PairAt& pair_at, std::span<const double> breaks,
   tolerance.validate();
   validate(breaks, options);
   Survey survey(pair_at, tolerance, options, breaks.front(), breaks.back());
-  for (std::size_t i = 1; i < breaks.size(); ++i) survey.start(breaks[i - 1], breaks[i]);
+  const int spans = static_cast<int>(breaks.size()) - 1;
+  const int count = std::max(options.points_per_span, (options.first_points - 1) / spans + 1);
+  for (std::size_t i = 1; i < breaks.size(); ++i) survey.start(breaks[i - 1], breaks[i], count);
   survey.refine();
   return survey.figures();
 }

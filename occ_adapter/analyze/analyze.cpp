@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepBndLib.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
+#include <Standard_Failure.hxx>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include <seamwright/occ_adapter/analyze/analyze.hpp>
+#include <seamwright/occ_adapter/analyze/workers.hpp>
+#include <seamwright/occ_adapter/convert/face_strip.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+void addNote(std::string& notes, const std::string& note) {
+  if (note.empty()) return;
+  if (!notes.empty()) notes += "; ";
+  notes += note;
+}
+
+/// 0, the breaks of both sides, 1; breaks that only rounding tells apart are one.
+std::vector<double> commonBreaks(const FaceStrip& a, const FaceStrip& b) {
+  std::vector<double> breaks = a.breaks();
+  const std::vector<double> more = b.breaks();
+  breaks.insert(breaks.end(), more.begin(), more.end());
+  std::ranges::sort(breaks);
+  constexpr double apart = 1e-9;
+  std::vector<double> merged = {0};
+  for (const double s : breaks)
+    if (s > merged.back() + apart && s < 1 - apart) merged.push_back(s);
+  merged.push_back(1);
+  return merged;
+}
+
+double lengthOf(const TopoDS_Edge& edge) {
+  if (BRep_Tool::Degenerated(edge)) return 0;
+  return GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(edge));
+}
+
+std::string degeneracyNote(const SeamFigures& figures, const std::array<int, 2>& faces) {
+  std::ostringstream text;
+  const auto tell = [&](const DegeneratePoint& point, Degeneracy degeneracy, int face) {
+    if (degeneracy == Degeneracy::None) return;
+    text << (text.view().empty() ? "" : "; ") << name(degeneracy) << " on face " << face << " at "
+         << point.at;
+  };
+  constexpr std::size_t told = 4;
+  for (std::size_t i = 0; i < std::min(told, figures.degenerate.size()); ++i) {
+    tell(figures.degenerate[i], figures.degenerate[i].side_a, faces[0]);
+    tell(figures.degenerate[i], figures.degenerate[i].side_b, faces[1]);
+  }
+  if (figures.degenerate.size() > told)
+    text << "; and at " << figures.degenerate.size() - told << " more points";
+  return text.str();
+}
+
+std::string sharpSpotNote(const SeamFigures& figures, const ContinuityTolerance& tolerance) {
+  if (!figures.angle_rad || figures.angle_rad->lower <= tolerance.crease_rad || figures.tangent_share <= 0.5)
+    return {};
+  std::ostringstream text;
+  text << "sharp spot in a seam that is tangent over " << std::floor(100 * figures.tangent_share)
+       << " % of its length";
+  return text.str();
+}
+
+void measure(const Seam& seam, const AnalyzeOptions& options, SeamResult& result) {
+  result.length_mm = lengthOf(seam.sides[0].edge);
+  const FaceStrip a(seam.sides[0], options.tolerance.gap_mm);
+  const FaceStrip b(seam.sides[1], options.tolerance.gap_mm);
+  for (const auto& [strip, face] : {std::pair(&a, result.faces[0]), std::pair(&b, result.faces[1])})
+    if (!strip->note().empty()) addNote(result.note, "face " + std::to_string(face) + ": " + strip->note());
+  result.figures = surveySeam([&](double s) { return measurePair(a.at(s), b.at(s)); }, commonBreaks(a, b),
+                              options.tolerance);
+  result.verdict = judge(result.figures, options.tolerance, options.level);
+  addNote(result.note, degeneracyNote(result.figures, result.faces));
+  addNote(result.note, sharpSpotNote(result.figures, options.tolerance));
+  if (result.figures.fold_at) addNote(result.note, "the faces fold back on one another");
+  if (!result.figures.settled)
+    addNote(result.note, "figures still changed after " + std::to_string(result.figures.points) + " points");
+}
+
+/// Never throws: what goes wrong on a seam is a note on that seam.
+SeamResult measureSeam(const Seam& seam, const AnalyzeOptions& options) {
+  SeamResult result;
+  result.id = seam.id;
+  result.kind = seam.kind;
+  result.edges = {seam.edge};
+  result.faces = {seam.sides[0].face, seam.sides[1].face};
+  const auto fail = [&](const std::string& why) {
+    result.figures = {};
+    result.verdict = {};
+    addNote(result.note, "not measured: " + why);
+  };
+  try {
+    measure(seam, options, result);
+  } catch (const Standard_Failure& failure) {
+    fail(std::string(failure.DynamicType()->Name()) + " " + failure.GetMessageString());
+  } catch (const std::exception& error) {
+    fail(error.what());
+  }
+  return result;
+}
+
+/// Largest rounding of a coordinate of the model.
+double coordinateNoise(const TopoDS_Shape& shape) {
+  Bnd_Box box;
+  BRepBndLib::AddClose(shape, box);
+  if (box.IsVoid()) return 0;
+  const gp_XYZ low = box.CornerMin().XYZ();
+  const gp_XYZ high = box.CornerMax().XYZ();
+  double size = 0;
+  for (int i = 1; i <= 3; ++i) size = std::max({size, std::abs(low.Coord(i)), std::abs(high.Coord(i))});
+  return 16 * std::numeric_limits<double>::epsilon() * size;
+}
+
+void requireAboveNoise(double gap_mm, const TopoDS_Shape& shape) {
+  const double noise = coordinateNoise(shape);
+  if (gap_mm >= noise) return;
+  std::ostringstream text;
+  text << "gap tolerance is " << gap_mm << " mm: below " << noise
+       << " mm the coordinates of this model are rounding";
+  throw std::invalid_argument(text.str());
+}
+
+ModelFacts factsOf(const Model& model) {
+  return {model.path, model.format, model.length_unit, model.faceCount(), model.edgeCount(), model.notes};
+}
+
+}  // namespace
+
+void AnalyzeOptions::validate() const {
+  tolerance.validate();
+  if (level == Level::None || level == Level::G3)
+    throw std::invalid_argument("level " + std::string(name(level)) +
+                                ": this version measures G0, G1 and G2");
+  if (jobs < 0) throw std::invalid_argument("jobs is " + std::to_string(jobs) + ": it must not be negative");
+}
+
+bool Report::passed() const {
+  return std::ranges::none_of(
+      seams, [](const SeamResult& seam) { return seam.verdict.seam_class == SeamClass::Defect; });
+}
+
+Report analyze(const Model& model, const AnalyzeOptions& options, const Progress& progress) {
+  options.validate();
+  requireAboveNoise(options.tolerance.gap_mm, model.shape);
+  const auto start = std::chrono::steady_clock::now();
+  SeamGraph graph = findSeams(model.shape);
+  Report report{factsOf(model), options.tolerance, options.level, {}, {}, {}, model.read_s, 0};
+  report.open = std::move(graph.open);
+  report.non_manifold = std::move(graph.non_manifold);
+  report.seams.resize(graph.seams.size());
+  runParallel(
+      graph.seams.size(), options.jobs,
+      [&](std::size_t i) { report.seams[i] = measureSeam(graph.seams[i], options); }, progress);
+  report.analyze_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return report;
+}
+
+}  // namespace seamwright::occ

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <seamwright/occ_adapter/analyze/report.hpp>
+#include <seamwright/occ_adapter/model/model.hpp>
+#include <seamwright/occ_adapter/progress.hpp>
+
+namespace seamwright::occ {
+
+struct AnalyzeOptions {
+  ContinuityTolerance tolerance;
+  Level level = Level::G1;  ///< what a seam must reach: G0, G1 or G2
+  int jobs = 0;             ///< threads; 0: one for each processor
+
+  /// \throws std::invalid_argument with the offending number.
+  void validate() const;
+};
+
+/// Measures and judges every seam of a model.
+///
+/// Seams are measured in parallel, the result does not depend on the number of threads. A seam that can't be
+/// measured has no figures, level None, class Defect and a note that says why; the others are not affected.
+/// The shape is never changed.
+///
+/// \throws std::invalid_argument for bad options, also for a gap tolerance below the rounding of the model's
+/// coordinates; Cancelled.
+Report analyze(const Model& model, const AnalyzeOptions& options = {}, const Progress& progress = {});
+
+}  // namespace seamwright::occ

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <seamwright/core/seam/judge.hpp>
+#include <seamwright/occ_adapter/seams/find.hpp>
+
+namespace seamwright::occ {
+
+/// A seam with its figures and what they amount to.
+struct SeamResult {
+  int id = 0;
+  SeamKind kind = SeamKind::Shared;
+  std::vector<int> edges;
+  std::array<int, 2> faces{};
+  double length_mm = 0;
+  SeamFigures figures;
+  Verdict verdict;
+  std::string note;  ///< what a user should know of this seam; empty if nothing
+};
+
+struct ModelFacts {
+  std::string path;
+  std::string format;
+  std::string length_unit;
+  int faces = 0;
+  int edges = 0;
+  std::vector<std::string> notes;
+};
+
+struct Report {
+  ModelFacts model;
+  ContinuityTolerance tolerance;
+  Level level = Level::G1;
+  std::vector<SeamResult> seams;
+  std::vector<LooseEdge> open;
+  std::vector<LooseEdge> non_manifold;
+  double read_s = 0;
+  double analyze_s = 0;
+
+  /// All seams meet the level; creases are no defects.
+  bool passed() const;
+};
+
+}  // namespace seamwright::occ

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Precision.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <seamwright/occ_adapter/convert/face_strip.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+Eigen::Vector3d vector(const gp_XYZ& xyz) {
+  return {xyz.X(), xyz.Y(), xyz.Z()};
+}
+
+std::vector<double> values(const TColStd_Array1OfReal& array) {
+  return {array.begin(), array.end()};
+}
+
+/// Ends and inner limits of the pieces on which the surface is analytic.
+std::vector<double> knotsU(const BRepAdaptor_Surface& surface) {
+  TColStd_Array1OfReal array(1, surface.NbUIntervals(GeomAbs_CN) + 1);
+  surface.UIntervals(array, GeomAbs_CN);
+  return values(array);
+}
+
+std::vector<double> knotsV(const BRepAdaptor_Surface& surface) {
+  TColStd_Array1OfReal array(1, surface.NbVIntervals(GeomAbs_CN) + 1);
+  surface.VIntervals(array, GeomAbs_CN);
+  return values(array);
+}
+
+std::vector<double> knots(const Geom2dAdaptor_Curve& curve) {
+  TColStd_Array1OfReal array(1, curve.NbIntervals(GeomAbs_CN) + 1);
+  curve.Intervals(array, GeomAbs_CN);
+  return values(array);
+}
+
+/// Mean length of the pieces, at most 1: analytic surfaces turn once in a few units of their parameters. The mean, because
+/// files hold knots that only rounding tells apart.
+double typicalStep(const std::vector<double>& knots) {
+  return std::min(1.0, (knots.back() - knots.front()) / static_cast<double>(knots.size() - 1));
+}
+
+/// Where a coordinate of the path passes inner knots between two of its parameters, on whose values it is \p
+/// from, \p to.
+template <class Coordinate>
+void addCrossings(const Coordinate& coordinate, double t0, double t1, const std::vector<double>& knots,
+                  std::vector<double>& crossings) {
+  const double from = coordinate(t0);
+  const double to = coordinate(t1);
+  const auto begin = std::upper_bound(knots.begin(), knots.end(), std::min(from, to));
+  const auto end = std::lower_bound(begin, knots.end(), std::max(from, to));
+  for (auto knot = begin; knot != end; ++knot) {
+    double low = t0, high = t1;
+    for (int i = 0; i < 60 && low < high; ++i) {
+      const double middle = 0.5 * (low + high);
+      ((coordinate(middle) < *knot) == (from < *knot) ? low : high) = middle;
+    }
+    crossings.push_back(0.5 * (low + high));
+  }
+}
+
+}  // namespace
+
+FaceStrip::FaceStrip(const FaceUse& use, double gap_mm)
+    : pcurve_(pcurveOf(use.edge, use.shape, gap_mm)),
+      path_(pcurve_.curve, pcurve_.first, pcurve_.last),
+      surface_(use.shape, false),
+      forward_(use.edge.Orientation() == TopAbs_FORWARD),
+      knots_u_(knotsU(surface_)),
+      knots_v_(knotsV(surface_)),
+      step_u_(typicalStep(knots_u_)),
+      step_v_(typicalStep(knots_v_)) {}
+
+SidePoint FaceStrip::at(double s) const {
+  gp_Pnt2d uv;
+  gp_Vec2d direction;
+  path_.D1(parameter(s), uv, direction);
+  gp_Pnt p;
+  gp_Vec u, v, uu, vv, uv_mixed;
+  surface_.D2(uv.X(), uv.Y(), p, u, v, uu, vv, uv_mixed);
+  SidePoint side;
+  SurfaceJet& jet = side.jet;
+  jet.p = vector(p.XYZ());
+  jet.u = vector(u.XYZ());
+  jet.v = vector(v.XYZ());
+  jet.uu = vector(uu.XYZ());
+  jet.uv = vector(uv_mixed.XYZ());
+  jet.vv = vector(vv.XYZ());
+  // A partial is a difference of coordinates over a step. Each coordinate is rounded, and to OpenCASCADE points closer
+  // than its resolution are one: an edge shorter than that is collapsed, whatever direction its poles happen to give.
+  const double size = jet.p.lpNorm<Eigen::Infinity>() + step_u_ * jet.u.norm() + step_v_ * jet.v.norm();
+  const double resolution =
+      std::max(64 * std::numeric_limits<double>::epsilon() * size, Precision::Confusion());
+  side.noise = {resolution / step_u_, resolution / step_v_};
+  side.tangent = direction.X() * jet.u + direction.Y() * jet.v;
+  side.face_on_left = forward_;
+  return side;
+}
+
+std::vector<double> FaceStrip::breaks() const {
+  const std::vector<double> path_knots = knots(path_);
+  std::vector<double> at(path_knots.begin() + 1, path_knots.end() - 1);
+  // Eight steps a piece find the crossings of a path that turns at most a few times between its own knots.
+  const int steps = path_.GetType() == GeomAbs_Line ? 1 : 8;
+  for (std::size_t i = 1; i < path_knots.size(); ++i)
+    for (int k = 0; k < steps; ++k) {
+      const double width = (path_knots[i] - path_knots[i - 1]) / steps;
+      const double t0 = path_knots[i - 1] + k * width;
+      addCrossings([&](double t) { return path_.Value(t).X(); }, t0, t0 + width, knots_u_, at);
+      addCrossings([&](double t) { return path_.Value(t).Y(); }, t0, t0 + width, knots_v_, at);
+    }
+  const double length = pcurve_.last - pcurve_.first;
+  for (double& t : at) t = (t - pcurve_.first) / length;
+  return at;
+}
+
+}  // namespace seamwright::occ

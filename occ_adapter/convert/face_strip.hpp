@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <BRepAdaptor_Surface.hxx>
+#include <Geom2dAdaptor_Curve.hxx>
+#include <vector>
+
+#include <seamwright/core/seam/measure.hpp>
+#include <seamwright/occ_adapter/convert/pcurve.hpp>
+#include <seamwright/occ_adapter/seams/find.hpp>
+
+namespace seamwright::occ {
+
+/// One side of a seam as core sees it: a surface along a path, s in [0, 1] running with the edge's curve.
+///
+/// Locations (also mirrored ones) are applied. Not to be shared between threads: OpenCASCADE's adaptors
+/// cache.
+class FaceStrip {
+ public:
+  /// \throws std::runtime_error if the edge has no path on the face (see pcurveOf()).
+  FaceStrip(const FaceUse& use, double gap_mm);
+
+  /// Jet to second order, its noise, and the direction of the seam.
+  /// \throws Standard_Failure where OpenCASCADE can't evaluate.
+  SidePoint at(double s) const;
+
+  /// Values of s in (0, 1) where the jet may not be smooth: knots of the pcurve and crossings of the
+  /// surface's knot lines.
+  std::vector<double> breaks() const;
+
+  const std::string& note() const { return pcurve_.note; }
+
+ private:
+  double parameter(double s) const { return pcurve_.first + s * (pcurve_.last - pcurve_.first); }
+
+  Pcurve pcurve_;
+  Geom2dAdaptor_Curve path_;
+  BRepAdaptor_Surface surface_;
+  bool forward_;
+  std::vector<double> knots_u_;
+  std::vector<double> knots_v_;
+  double step_u_;  ///< parameter length over which the surface changes by its own size
+  double step_v_;
+};
+
+}  // namespace seamwright::occ

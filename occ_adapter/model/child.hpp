@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <sys/types.h>
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace seamwright::occ {
+
+/// A process that answers on file descriptor 3; its other descriptors lead nowhere. Ended with the object if
+/// it still runs.
+class Child {
+ public:
+  static constexpr int answer_descriptor = 3;
+
+  /// \throws std::system_error if it can't be started.
+  Child(const std::string& program, const std::vector<std::string>& arguments);
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+  ~Child();
+
+  /// Hands what arrives within 50 ms to \p receive. \returns false once the child has closed its end.
+  bool receive(const std::function<void(std::string_view)>& receive);
+  /// Waits for the end. \returns the wait status (waitpid).
+  int wait();
+
+ private:
+  pid_t pid_ = -1;
+  int answer_ = -1;
+};
+
+}  // namespace seamwright::occ

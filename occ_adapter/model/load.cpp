@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <BinTools.hxx>
+#include <IGESCAFControl_Reader.hxx>
+#include <IGESData_BasicEditor.hxx>
+#include <IGESData_IGESModel.hxx>
+#include <Interface_Static.hxx>
+#include <Message_ProgressIndicator.hxx>
+#include <Message_ProgressScope.hxx>
+#include <NCollection_DataMap.hxx>
+#include <Quantity_Color.hxx>
+#include <STEPCAFControl_Reader.hxx>
+#include <StepBasic_ConversionBasedUnitAndLengthUnit.hxx>
+#include <StepBasic_SiUnitAndLengthUnit.hxx>
+#include <StepShape_FaceSurface.hxx>
+#include <TColStd_SequenceOfAsciiString.hxx>
+#include <TCollection_AsciiString.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TDF_LabelSequence.hxx>
+#include <TDataStd_Name.hxx>
+#include <TDocStd_Document.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XCAFDoc_ColorTool.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
+#include <fstream>
+#include <map>
+
+#include <seamwright/occ_adapter/model/load.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+/// Passes OpenCASCADE's progress on.
+class Reporter : public Message_ProgressIndicator {
+ public:
+  explicit Reporter(const Progress& progress) : progress_(progress) {}
+  void Show(const Message_ProgressScope&, bool) override { stopped_ = stopped_ || !progress_(GetPosition()); }
+  bool UserBreak() override { return stopped_; }
+
+ private:
+  const Progress& progress_;
+  bool stopped_ = false;
+};
+
+opencascade::handle<TDocStd_Document> newDocument() {
+  return new TDocStd_Document("BinXCAF");
+}
+
+/// Collects names and colours of a document for the parts of one shape.
+class AttributeCollector {
+ public:
+  AttributeCollector(const TopoDS_Shape& shape, const opencascade::handle<TDocStd_Document>& document)
+      : shapes_(XCAFDoc_DocumentTool::ShapeTool(document->Main())),
+        colors_(XCAFDoc_DocumentTool::ColorTool(document->Main())) {
+    for (const TopAbs_ShapeEnum kind :
+         {TopAbs_COMPOUND, TopAbs_SOLID, TopAbs_SHELL, TopAbs_FACE, TopAbs_EDGE})
+      addPlaces(shape, kind);
+  }
+
+  std::vector<ShapeAttribute> collect() {
+    TDF_LabelSequence labels;
+    shapes_->GetShapes(labels);
+    for (const TDF_Label& label : labels) {
+      take(label);
+      TDF_LabelSequence parts;
+      shapes_->GetSubShapes(label, parts);
+      for (const TDF_Label& part : parts) take(part);
+    }
+    std::vector<ShapeAttribute> result;
+    for (auto& [place, attribute] : found_) result.push_back(std::move(attribute));
+    return result;
+  }
+
+ private:
+  using Place = std::pair<TopAbs_ShapeEnum, int>;
+
+  void addPlaces(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
+    TopTools_IndexedMapOfShape map;
+    TopExp::MapShapes(shape, kind, map);
+    for (int i = 1; i <= map.Extent(); ++i) places_.emplace(map(i).TShape().get(), Place(kind, i));
+  }
+
+  void take(const TDF_Label& label) {
+    const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
+    if (shape.IsNull()) return;
+    const std::string name = nameOf(label);
+    const std::optional<std::array<double, 3>> color = colorOf(label);
+    if (name.empty() && !color) return;
+    const auto [begin, end] = places_.equal_range(shape.TShape().get());
+    for (auto it = begin; it != end; ++it) {
+      const Place& place = it->second;
+      ShapeAttribute& attribute = found_[place];
+      attribute.kind = place.first;
+      attribute.index = place.second;
+      if (!name.empty()) attribute.name = name;
+      if (color) attribute.color = color;
+    }
+  }
+
+  static std::string nameOf(const TDF_Label& label) {
+    opencascade::handle<TDataStd_Name> name;
+    if (!label.FindAttribute(TDataStd_Name::GetID(), name)) return {};
+    return TCollection_AsciiString(name->Get()).ToCString();
+  }
+
+  std::optional<std::array<double, 3>> colorOf(const TDF_Label& label) const {
+    Quantity_Color color;
+    for (const XCAFDoc_ColorType type : {XCAFDoc_ColorSurf, XCAFDoc_ColorGen, XCAFDoc_ColorCurv})
+      if (colors_->GetColor(label, type, color))
+        return std::array<double, 3>{color.Red(), color.Green(), color.Blue()};
+    return std::nullopt;
+  }
+
+  opencascade::handle<XCAFDoc_ShapeTool> shapes_;
+  opencascade::handle<XCAFDoc_ColorTool> colors_;
+  std::multimap<const void*, Place> places_;
+  std::map<Place, ShapeAttribute> found_;
+};
+
+void requireFaces(const TopoDS_Shape& shape, const std::filesystem::path& path) {
+  if (shape.IsNull()) throw ModelError(ModelErrc::NoShapes, path, "holds no shapes");
+  if (!TopExp_Explorer(shape, TopAbs_FACE).More())
+    throw ModelError(ModelErrc::NoShapes, path, "holds no faces, so it has no seams");
+}
+
+void noteLostFaces(Model& model, int named, int lost) {
+  if (lost > 0)
+    model.notes.push_back("the file names " + std::to_string(named) + " faces, " + std::to_string(lost) +
+                          " of them could not be made");
+}
+
+void countStepFaces(const STEPControl_Reader& reader, Model& model) {
+  const opencascade::handle<Interface_InterfaceModel> entities = reader.Model();
+  const opencascade::handle<Transfer_TransientProcess> process =
+      reader.WS()->TransferReader()->TransientProcess();
+  int named = 0;
+  int lost = 0;
+  for (int i = 1; i <= entities->NbEntities(); ++i) {
+    if (!entities->Value(i)->IsKind(STANDARD_TYPE(StepShape_FaceSurface))) continue;
+    ++named;
+    const TopoDS_Shape made = TransferBRep::ShapeResult(process, entities->Value(i));
+    if (made.IsNull() || !TopExp_Explorer(made, TopAbs_FACE).More()) ++lost;
+  }
+  noteLostFaces(model, named, lost);
+}
+
+bool isKnownLength(const opencascade::handle<Standard_Transient>& entity) {
+  if (const auto si = opencascade::handle<StepBasic_SiUnitAndLengthUnit>::DownCast(entity); !si.IsNull())
+    return si->Name() == StepBasic_sunMetre;
+  return entity->IsKind(STANDARD_TYPE(StepBasic_ConversionBasedUnitAndLengthUnit));
+}
+
+void requireStepLengthUnit(const STEPControl_Reader& reader, const std::filesystem::path& path) {
+  const opencascade::handle<Interface_InterfaceModel> entities = reader.Model();
+  for (int i = 1; i <= entities->NbEntities(); ++i)
+    if (isKnownLength(entities->Value(i))) return;
+  throw ModelError(ModelErrc::UnknownUnits, path,
+                   "names no length unit that is understood: sizes would be a guess");
+}
+
+std::string stepLengthUnit(STEPControl_Reader& reader) {
+  TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
+  reader.FileUnits(lengths, angles, solid_angles);
+  return lengths.IsEmpty() ? "unknown" : lengths.First().ToCString();
+}
+
+void loadStep(Model& model, const std::filesystem::path& path, const Message_ProgressRange& range) {
+  STEPCAFControl_Reader reader;
+  reader.SetNameMode(true);
+  reader.SetColorMode(true);
+  reader.SetLayerMode(true);
+  if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
+    throw ModelError(ModelErrc::Malformed, path, "is malformed STEP: OpenCASCADE can't read it");
+  opencascade::handle<TDocStd_Document> document = newDocument();
+  const bool transferred = reader.Transfer(document, range);
+  if (transferred) model.shape = reader.ChangeReader().OneShape();
+  requireFaces(model.shape, path);
+  requireStepLengthUnit(reader.ChangeReader(), path);
+  model.length_unit = stepLengthUnit(reader.ChangeReader());
+  countStepFaces(reader.ChangeReader(), model);
+  model.attributes = AttributeCollector(model.shape, document).collect();
+}
+
+void requireIgesLengthUnit(const IGESData_GlobalSection& global, const std::filesystem::path& path) {
+  const int flag = global.UnitFlag();
+  const opencascade::handle<TCollection_HAsciiString> unit = global.UnitName();
+  const bool named = !unit.IsNull() && IGESData_BasicEditor::UnitNameFlag(unit->ToCString()) > 0;
+  if (flag >= 1 && flag <= 11 && (flag != 3 || named)) return;
+  throw ModelError(ModelErrc::UnknownUnits, path,
+                   "has length unit " + std::to_string(flag) +
+                       (unit.IsNull() ? "" : " '" + std::string(unit->ToCString()) + "'") +
+                       ", which IGES does not define: sizes would be a guess");
+}
+
+void loadIges(Model& model, const std::filesystem::path& path, const Message_ProgressRange& range) {
+  IGESCAFControl_Reader reader;
+  reader.SetNameMode(true);
+  reader.SetColorMode(true);
+  if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
+    throw ModelError(ModelErrc::Malformed, path, "is malformed IGES: OpenCASCADE can't read it");
+  const IGESData_GlobalSection& global = reader.IGESModel()->GlobalSection();
+  requireIgesLengthUnit(global, path);
+  model.length_unit = IGESData_BasicEditor::UnitFlagName(global.UnitFlag());
+  opencascade::handle<TDocStd_Document> document = newDocument();
+  if (reader.Transfer(document, range)) model.shape = reader.OneShape();
+  requireFaces(model.shape, path);
+  model.attributes = AttributeCollector(model.shape, document).collect();
+}
+
+void loadBrep(Model& model, const std::filesystem::path& path, const Message_ProgressRange& range) {
+  BRep_Builder builder;
+  if (!BRepTools::Read(model.shape, path.c_str(), builder, range))
+    throw ModelError(ModelErrc::Malformed, path, "is malformed or truncated BREP: OpenCASCADE can't read it");
+}
+
+void loadBinaryBrep(Model& model, const std::filesystem::path& path, const Message_ProgressRange& range) {
+  try {
+    std::ifstream file(path, std::ios::binary);
+    BinTools::Read(model.shape, file, range);
+  } catch (const Standard_Failure&) {
+    model.shape.Nullify();
+  }
+  if (!model.shape.IsNull()) return;
+  // What FreeCAD writes under the same heading ends in another way.
+  std::ifstream again(path, std::ios::binary);
+  model.shape = readBinaryShape(again);
+}
+
+}  // namespace
+
+Model loadModel(const std::filesystem::path& path, const std::string& format, const Progress& progress) {
+  Model model;
+  model.format = format;
+  model.length_unit = "mm (assumed)";
+  const opencascade::handle<Reporter> reporter = new Reporter(progress);
+  const Message_ProgressRange range = reporter->Start();
+  if (format == "STEP")
+    loadStep(model, path, range);
+  else if (format == "IGES")
+    loadIges(model, path, range);
+  else if (format == "BREP")
+    loadBrep(model, path, range);
+  else
+    loadBinaryBrep(model, path, range);
+  requireFaces(model.shape, path);
+  return model;
+}
+
+}  // namespace seamwright::occ

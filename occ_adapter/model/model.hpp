@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <TopAbs_ShapeEnum.hxx>
+#include <TopoDS_Shape.hxx>
+#include <array>
+#include <filesystem>
+#include <iosfwd>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace seamwright::occ {
+
+enum class ModelErrc {
+  NotFound,       ///< no such file
+  NotAFile,       ///< a folder or a device
+  NotReadable,    ///< permissions, or the disk
+  Empty,          ///< 0 bytes
+  UnknownFormat,  ///< no STEP, IGES or BREP file
+  Truncated,      ///< the closing record is missing
+  Malformed,      ///< OpenCASCADE could not read it
+  UnknownUnits,   ///< no length unit that is understood
+  NoShapes,       ///< read, but nothing with a face came out
+  ReaderDied,     ///< the reading process crashed or used up its time
+  ReaderMissing   ///< the reading program is not installed where it belongs
+};
+
+/// A model that can't be used. what() is one line: the file, what is wrong, what to do.
+class ModelError : public std::runtime_error {
+ public:
+  ModelError(ModelErrc code, const std::filesystem::path& path, const std::string& what)
+      : std::runtime_error(path.empty() ? "model " + what : path.string() + ": " + what), code_(code) {}
+  ModelErrc code() const { return code_; }
+
+ private:
+  ModelErrc code_;
+};
+
+/// Name and colour that the file gives to a part of the shape.
+struct ShapeAttribute {
+  TopAbs_ShapeEnum kind = TopAbs_SHAPE;
+  int index = 0;                               ///< from 1, in the order of TopExp::MapShapes for that kind
+  std::string name;                            ///< UTF-8, may be empty
+  std::optional<std::array<double, 3>> color;  ///< red, green, blue; 0..1, linear
+};
+
+/// A shape with what its file says about it. Lengths are in mm whatever the unit of the file.
+struct Model {
+  TopoDS_Shape shape;
+  std::string path;         ///< as given; empty for a shape from memory
+  std::string format;       ///< "STEP", "IGES", "BREP", "binary BREP", "memory"
+  std::string length_unit;  ///< the file's own unit; "mm (assumed)" where the format has none
+  std::vector<ShapeAttribute> attributes;
+  std::vector<std::string> notes;  ///< what a user should know: faces that did not come through, ...
+  double read_s = 0;
+
+  int faceCount() const;
+  int edgeCount() const;
+};
+
+/// A model of a shape in memory. The shape is shared, not copied, and never changed.
+/// \throws ModelError if the shape is null or has no face.
+Model modelFromShape(const TopoDS_Shape& shape);
+
+/// The shape in OpenCASCADE's binary format as FreeCAD writes it (Part.Shape.exportBinary); exact in every
+/// bit.
+void writeBinaryShape(const TopoDS_Shape& shape, std::ostream& stream);
+/// Reads what writeBinaryShape() or FreeCAD wrote. A null shape if the stream holds none.
+TopoDS_Shape readBinaryShape(std::istream& stream);
+/// The shape as text, readable by every OpenCASCADE; coordinates keep 15 digits.
+void writeTextShape(const TopoDS_Shape& shape, std::ostream& stream);
+TopoDS_Shape readTextShape(std::istream& stream);
+
+}  // namespace seamwright::occ

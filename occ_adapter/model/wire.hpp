@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include <seamwright/occ_adapter/model/model.hpp>
+
+/// What the reading process says to the process that asked: a sequence of frames, each a kind, a length and a
+/// payload.
+namespace seamwright::occ::wire {
+
+enum class Kind : char {
+  Progress = 'P',  ///< a double, 0..1
+  Facts = 'F',     ///< a model without its shape, as JSON
+  Shape = 'S',     ///< the shape, binary
+  Error = 'E'      ///< {code, text} as JSON
+};
+
+/// Writes to a file descriptor until all is written. \throws std::system_error
+void send(int descriptor, Kind kind, std::string_view payload);
+
+/// Cuts a stream of bytes into frames.
+class FrameParser {
+ public:
+  using Receive = std::function<void(Kind kind, std::string payload)>;
+  explicit FrameParser(Receive receive) : receive_(std::move(receive)) {}
+  void feed(std::string_view bytes);
+
+ private:
+  Receive receive_;
+  std::string pending_;
+};
+
+std::string factsToJson(const Model& model);
+/// Fills everything but the shape. \throws nlohmann::json::exception
+void factsFromJson(const std::string& text, Model& model);
+
+}  // namespace seamwright::occ::wire

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+
+namespace seamwright::occ {
+
+/// Called now and then during long work with the share that is done, 0..1, always from the caller's thread.
+/// Returning false asks the work to stop, which then throws Cancelled.
+using Progress = std::function<bool(double share)>;
+
+/// The work was stopped by its Progress; nothing was changed.
+class Cancelled : public std::runtime_error {
+ public:
+  Cancelled() : std::runtime_error("cancelled") {}
+};
+
+}  // namespace seamwright::occ

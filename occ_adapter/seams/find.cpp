@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRep_Tool.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+
+#include <seamwright/occ_adapter/seams/find.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+using UsesOfEdge = std::vector<FaceUse>;
+
+/// Uses of each edge; index 0 is empty, as edges count from 1.
+std::vector<UsesOfEdge> collectUses(const TopoDS_Shape& shape, const TopTools_IndexedMapOfShape& edges) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  std::vector<UsesOfEdge> uses(static_cast<std::size_t>(edges.Extent()) + 1);
+  for (int f = 1; f <= faces.Extent(); ++f) {
+    const TopoDS_Face face = TopoDS::Face(faces(f).Oriented(TopAbs_FORWARD));
+    for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+      const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+      const bool bounds = edge.Orientation() == TopAbs_FORWARD || edge.Orientation() == TopAbs_REVERSED;
+      if (bounds && !BRep_Tool::Degenerated(edge)) uses[edges.FindIndex(edge)].push_back({f, face, edge});
+    }
+  }
+  return uses;
+}
+
+LooseEdge looseEdge(int edge, const UsesOfEdge& uses) {
+  LooseEdge loose{edge, {}};
+  for (const FaceUse& use : uses) loose.faces.push_back(use.face);
+  return loose;
+}
+
+}  // namespace
+
+SeamGraph findSeams(const TopoDS_Shape& shape) {
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(shape, TopAbs_EDGE, edges);
+  const std::vector<UsesOfEdge> uses = collectUses(shape, edges);
+  SeamGraph graph;
+  for (int e = 1; e <= edges.Extent(); ++e) {
+    const UsesOfEdge& sides = uses[e];
+    if (sides.size() == 1) {
+      graph.open.push_back(looseEdge(e, sides));
+    } else if (sides.size() == 2) {
+      const SeamKind kind = sides[0].face == sides[1].face ? SeamKind::Closed : SeamKind::Shared;
+      graph.seams.push_back({static_cast<int>(graph.seams.size()) + 1, kind, e, {sides[0], sides[1]}});
+    } else if (sides.size() > 2) {
+      graph.non_manifold.push_back(looseEdge(e, sides));
+    }
+  }
+  return graph;
+}
+
+}  // namespace seamwright::occ

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <array>
+#include <vector>
+
+namespace seamwright::occ {
+
+enum class SeamKind {
+  Shared,  ///< two faces share an edge
+  Closed   ///< a face meets itself along an edge: a cylinder, a torus, a closed spline surface
+};
+
+/// One side of a seam: a face and the edge as it runs around it.
+struct FaceUse {
+  int face = 0;       ///< from 1, order of TopExp::MapShapes
+  TopoDS_Face shape;  ///< oriented FORWARD
+  TopoDS_Edge edge;   ///< oriented so that the face lies to its left, seen from the tip of X_u x X_v
+};
+
+struct Seam {
+  int id = 0;  ///< from 1
+  SeamKind kind = SeamKind::Shared;
+  int edge = 0;  ///< from 1, order of TopExp::MapShapes
+  std::array<FaceUse, 2> sides;
+};
+
+/// An edge that bounds one face, or more than two.
+struct LooseEdge {
+  int edge = 0;
+  std::vector<int> faces;
+};
+
+struct SeamGraph {
+  std::vector<Seam> seams;              ///< by edge number
+  std::vector<LooseEdge> open;          ///< one face
+  std::vector<LooseEdge> non_manifold;  ///< more than two uses
+};
+
+/// Finds where the faces of a shape meet by shared topology, in time linear in the number of edges.
+///
+/// Left out: degenerated edges (the pole of a sphere is no seam), edges that bound no face, and edges that
+/// lie inside a face without bounding it (orientation INTERNAL or EXTERNAL). Faces and edges are told apart
+/// by IsSame, so a face that two solids share counts once and two instances of a part count twice.
+SeamGraph findSeams(const TopoDS_Shape& shape);
+
+}  // namespace seamwright::occ
