@@ -100,7 +100,7 @@ BezierPatch BezierPatch::transposed() const {
   for (int i = 0; i <= degree_u_; ++i)
     for (int j = 0; j <= degree_v_; ++j)
       result.row(j * (degree_u_ + 1) + i) = homogeneous_.row(i * (degree_v_ + 1) + j);
-  return {degree_v_, degree_u_, std::move(result)};
+  return {Homogeneous{}, degree_v_, degree_u_, std::move(result)};
 }
 
 BezierPatch BezierPatch::reversedU() const {
@@ -108,7 +108,7 @@ BezierPatch BezierPatch::reversedU() const {
   const int columns = degree_v_ + 1;
   for (int i = 0; i <= degree_u_; ++i)
     result.middleRows(i * columns, columns) = homogeneous_.middleRows((degree_u_ - i) * columns, columns);
-  return {degree_u_, degree_v_, std::move(result)};
+  return {Homogeneous{}, degree_u_, degree_v_, std::move(result)};
 }
 
 std::pair<BezierPatch, BezierPatch> BezierPatch::splitU(double t) const {

@@ -50,7 +50,8 @@ class BezierPatch {
   }
 
  private:
-  BezierPatch(int degree_u, int degree_v, HomogeneousPoles poles)
+  struct Homogeneous {};
+  BezierPatch(Homogeneous, int degree_u, int degree_v, HomogeneousPoles poles)
       : degree_u_(degree_u), degree_v_(degree_v), homogeneous_(std::move(poles)) {}
 
   int degree_u_;

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pybind11/eigen.h>
+#include <pybind11/numpy.h>
+#include <pybind11/operators.h>
+
+#include <optional>
+#include <seamwright/core/bezier/patch.hpp>
+#include <seamwright/plugin/python/bindings.hpp>
+
+namespace py = pybind11;
+
+namespace seamwright::python {
+
+namespace {
+
+using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+std::string shapeText(const Array& array) {
+  std::string text = "(";
+  for (py::ssize_t i = 0; i < array.ndim(); ++i) text += (i ? ", " : "") + std::to_string(array.shape(i));
+  return text + ")";
+}
+
+/// The rows of an array of shape (..., 3).
+Poles polesOf(const Array& array, py::ssize_t dimensions, const char* wanted) {
+  if (array.ndim() != dimensions || array.shape(dimensions - 1) != 3)
+    throw py::value_error("poles have shape " + shapeText(array) + ": " + wanted + " is needed");
+  return Eigen::Map<const Poles>(array.data(), array.size() / 3, 3);
+}
+
+Eigen::VectorXd weightsOf(const Array& weights, const Array& poles) {
+  bool same = weights.ndim() == poles.ndim() - 1;
+  for (py::ssize_t i = 0; same && i < weights.ndim(); ++i) same = weights.shape(i) == poles.shape(i);
+  if (!same)
+    throw py::value_error("weights have shape " + shapeText(weights) + ", poles " + shapeText(poles) +
+                          ": one weight for each pole is needed");
+  return Eigen::Map<const Eigen::VectorXd>(weights.data(), weights.size());
+}
+
+BezierCurve makeCurve(const Array& poles, const std::optional<Array>& weights) {
+  const Poles rows = polesOf(poles, 2, "(n+1, 3)");
+  return weights ? BezierCurve(rows, weightsOf(*weights, poles)) : BezierCurve(rows);
+}
+
+BezierPatch makePatch(const Array& poles, const std::optional<Array>& weights) {
+  const Poles rows = polesOf(poles, 3, "(m+1, n+1, 3)");
+  const int m = static_cast<int>(poles.shape(0)) - 1;
+  const int n = static_cast<int>(poles.shape(1)) - 1;
+  return weights ? BezierPatch(m, n, rows, weightsOf(*weights, poles)) : BezierPatch(m, n, rows);
+}
+
+Array netPoles(const BezierPatch& patch) {
+  const Poles poles = patch.poles();
+  Array result({patch.degreeU() + 1, patch.degreeV() + 1, 3});
+  Eigen::Map<Poles>(result.mutable_data(), poles.rows(), 3) = poles;
+  return result;
+}
+
+Array netWeights(const BezierPatch& patch) {
+  Array result({patch.degreeU() + 1, patch.degreeV() + 1});
+  Eigen::Map<Eigen::VectorXd>(result.mutable_data(), result.size()) = patch.weights();
+  return result;
+}
+
+Poles curveJet(const BezierCurve& curve, double t) {
+  const CurveJet jet = curve.jet(t);
+  Poles rows(4, 3);
+  rows << jet.p.transpose(), jet.d1.transpose(), jet.d2.transpose(), jet.d3.transpose();
+  return rows;
+}
+
+void bindJet(py::module_& module) {
+  py::class_<SurfaceJet>(module, "SurfaceJet", py::module_local(),
+                         "Point and partial derivatives of a surface at one (u, v), to third order.")
+      .def(py::init<>())
+      .def_readwrite("p", &SurfaceJet::p)
+      .def_readwrite("u", &SurfaceJet::u)
+      .def_readwrite("v", &SurfaceJet::v)
+      .def_readwrite("uu", &SurfaceJet::uu)
+      .def_readwrite("uv", &SurfaceJet::uv)
+      .def_readwrite("vv", &SurfaceJet::vv)
+      .def_readwrite("uuu", &SurfaceJet::uuu)
+      .def_readwrite("uuv", &SurfaceJet::uuv)
+      .def_readwrite("uvv", &SurfaceJet::uvv)
+      .def_readwrite("vvv", &SurfaceJet::vvv);
+}
+
+}  // namespace
+
+void bindBezier(py::module_& module) {
+  bindJet(module);
+  py::class_<BezierCurve>(module, "BezierCurve", py::module_local(),
+                          "A (rational) Bézier curve on [0, 1]: poles (n+1, 3), weights (n+1,) or None.")
+      .def(py::init(&makeCurve), py::arg("poles"), py::arg("weights") = py::none())
+      .def_property_readonly("degree", &BezierCurve::degree)
+      .def_property_readonly("is_rational", &BezierCurve::isRational)
+      .def_property_readonly("poles", &BezierCurve::poles)
+      .def_property_readonly("weights", &BezierCurve::weights)
+      .def("point", &BezierCurve::point, py::arg("t"))
+      .def("jet", &curveJet, py::arg("t"), "Point and derivatives to third order, (4, 3).")
+      .def("reversed", &BezierCurve::reversed, "The same curve run backwards.")
+      .def("elevated", &BezierCurve::elevated, "The same curve with one degree more.")
+      .def("split", &BezierCurve::split, py::arg("t"), "The pieces over [0, t] and [t, 1].")
+      .def(py::self == py::self)
+      .attr("__hash__") = py::none();
+  py::class_<BezierPatch>(module, "BezierPatch", py::module_local(),
+                          "A (rational) tensor-product Bézier patch on [0, 1]^2: poles (m+1, n+1, 3), "
+                          "weights (m+1, n+1) or None.")
+      .def(py::init(&makePatch), py::arg("poles"), py::arg("weights") = py::none())
+      .def_property_readonly("degree_u", &BezierPatch::degreeU)
+      .def_property_readonly("degree_v", &BezierPatch::degreeV)
+      .def_property_readonly("is_rational", &BezierPatch::isRational)
+      .def_property_readonly("poles", &netPoles)
+      .def_property_readonly("weights", &netWeights)
+      .def("point", &BezierPatch::point, py::arg("u"), py::arg("v"))
+      .def("jet", &BezierPatch::jet, py::arg("u"), py::arg("v"),
+           "Point and partials to third order, a SurfaceJet.")
+      .def("transposed", &BezierPatch::transposed, "The same patch with u and v exchanged.")
+      .def("reversed_u", &BezierPatch::reversedU, "X(1 - u, v).")
+      .def("split_u", &BezierPatch::splitU, py::arg("t"), "The pieces over u in [0, t] and [t, 1].")
+      .def("iso_curve_u", &BezierPatch::isoCurveU, py::arg("u"), "The curve u = const.")
+      .def(py::self == py::self)
+      .attr("__hash__") = py::none();
+}
+
+}  // namespace seamwright::python

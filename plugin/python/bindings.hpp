@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace seamwright::python {
+
+void bindBezier(pybind11::module_& module);
+void bindMeasure(pybind11::module_& module);
+void bindModel(pybind11::module_& module);
+void bindPointerBridge(pybind11::module_& module);
+
+}  // namespace seamwright::python

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Standard_Version.hxx>
+#include <seamwright/plugin/python/bindings.hpp>
+
+PYBIND11_MODULE(_core, module) {
+  using namespace seamwright::python;
+  module.doc() = "The compiled part of seamwright.";
+  module.attr("__version__") = SEAMWRIGHT_VERSION;
+  module.attr("OCCT_VERSION") = OCC_VERSION_COMPLETE;
+  bindBezier(module);
+  bindMeasure(module);
+  bindModel(module);
+  bindPointerBridge(module);
+}

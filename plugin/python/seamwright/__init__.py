@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Finds and measures the seams of CAD models: how well neighbouring faces join.
+
+>>> import seamwright
+>>> report = seamwright.read("part.step").analyze(angle_deg=0.05)
+>>> print(report.to_table())
+
+Lengths are in mm, angles in degrees where a name ends in ``_deg`` and in radians where it ends in ``_rad``. Bad arguments
+raise ``ValueError``, bad models ``ModelError``; both say the offending number. Long calls release the GIL and take
+``progress``, a callable that gets the share done (0..1); if it returns ``False`` the call raises ``Cancelled``.
+"""
+
+try:
+    from . import _core
+except ImportError as error:
+    import sys
+    import sysconfig
+
+    raise ImportError(
+        "the compiled part of seamwright does not load in this Python "
+        f"({sys.version.split()[0]}, {sysconfig.get_config_var('SOABI')}): {error}. "
+        "Build Seamwright for this Python and its OpenCASCADE, or use the command 'seamwright' through files."
+    ) from error
+
+from . import bridge
+from ._core import (
+    OCCT_VERSION,
+    BezierCurve,
+    BezierPatch,
+    Cancelled,
+    Model,
+    ModelError,
+    Report,
+    curvature_tensor,
+    measure_pair,
+    principal_curvatures,
+    read,
+)
+from ._core import __version__
+
+
+def _from_freecad(shape):
+    """The model of a FreeCAD ``Part.Shape``. The shape is shared where the bridge allows it, and never changed.
+
+    Raises ``TypeError`` for what is no ``Part.Shape``, ``ModelError`` for a null shape or one without faces.
+    """
+    return bridge.model_from_freecad(shape)
+
+
+def _to_freecad(self):
+    """This model as a FreeCAD ``Part.Shape``; shared, not copied, where the bridge allows it."""
+    return bridge.model_to_freecad(self)
+
+
+Model.from_freecad = staticmethod(_from_freecad)
+Model.to_freecad = _to_freecad
+
+__all__ = [
+    "OCCT_VERSION",
+    "BezierCurve",
+    "BezierPatch",
+    "Cancelled",
+    "Model",
+    "ModelError",
+    "Report",
+    "__version__",
+    "bridge",
+    "curvature_tensor",
+    "measure_pair",
+    "principal_curvatures",
+    "read",
+]

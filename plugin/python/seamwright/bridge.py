@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How shapes pass between FreeCAD and this module.
+
+Three routes, best first:
+
+``pointer``  both hold the same shape, nothing is copied; needs FreeCAD and this module to use the same OpenCASCADE
+``binary``   a copy, exact in every bit, through memory
+``text``     a copy with 15 digits; works with every OpenCASCADE 7
+
+The first route that passes its self-test (a box goes there and back) is used. ``route()`` tells which one it is,
+``force()`` sets it, ``why_not()`` tells why the better ones are not used.
+"""
+
+import os
+
+from . import _core
+
+ROUTES = ("pointer", "binary", "text")
+
+_forced = None
+_chosen = None
+_failures = {}
+
+
+def _part():
+    try:
+        import Part
+    except ImportError as error:
+        raise RuntimeError("FreeCAD's module Part is not available in this Python: run inside FreeCAD, "
+                           "or add FreeCAD's lib folder to PYTHONPATH") from error
+    return Part
+
+
+class _Pointer:
+    @staticmethod
+    def require():
+        part = _part()
+        if part.OCC_VERSION != _core.OCCT_VERSION:
+            raise RuntimeError(f"FreeCAD uses OpenCASCADE {part.OCC_VERSION}, this module {_core.OCCT_VERSION}")
+        kernels = _loaded_kernels()
+        if len(kernels) > 1:
+            raise RuntimeError("two OpenCASCADE kernels are loaded: " + ", ".join(sorted(kernels)))
+        _core._ensure_shape_type()
+
+    @staticmethod
+    def take(shape):
+        return _core._model_from_pointer(_part().__toPythonOCC__(shape))
+
+    @staticmethod
+    def give(model):
+        return _part().__fromPythonOCC__(_core._pointer_from_model(model))
+
+
+class _Binary:
+    @staticmethod
+    def require():
+        if not hasattr(os, "memfd_create"):
+            raise RuntimeError("this system has no files in memory")
+
+    @staticmethod
+    def take(shape):
+        with _MemoryFile() as file:
+            shape.exportBinary(file.path)
+            return _core._model_from_binary(file.read())
+
+    @staticmethod
+    def give(model):
+        shape = _part().Shape()
+        with _MemoryFile() as file:
+            file.write(_core._binary_from_model(model))
+            shape.importBinary(file.path)
+        return shape
+
+
+class _Text:
+    @staticmethod
+    def require():
+        _part()
+
+    @staticmethod
+    def take(shape):
+        return _core._model_from_text(shape.exportBrepToString())
+
+    @staticmethod
+    def give(model):
+        shape = _part().Shape()
+        shape.importBrepFromString(_core._text_from_model(model))
+        return shape
+
+
+_BY_NAME = {"pointer": _Pointer, "binary": _Binary, "text": _Text}
+
+
+class _MemoryFile:
+    """A file that exists in memory alone and has a path."""
+
+    def __enter__(self):
+        self._descriptor = os.memfd_create("seamwright")
+        self.path = f"/proc/self/fd/{self._descriptor}"
+        return self
+
+    def __exit__(self, *_):
+        os.close(self._descriptor)
+
+    def read(self):
+        with open(self.path, "rb") as file:
+            return file.read()
+
+    def write(self, data):
+        with open(self.path, "wb") as file:
+            file.write(data)
+
+
+def _loaded_kernels():
+    try:
+        with open("/proc/self/maps", encoding="utf-8", errors="replace") as maps:
+            return {line.split()[-1] for line in maps if "libTKernel.so" in line}
+    except OSError:
+        return set()
+
+
+def _self_test(route):
+    """Sends a box there and back. Raises what goes wrong."""
+    way = _BY_NAME[route]
+    way.require()
+    box = _part().makeBox(1, 2, 3)
+    back = way.give(way.take(box))
+    if len(back.Faces) != 6 or abs(back.Volume - 6) > 1e-9:
+        raise RuntimeError(f"a box came back with {len(back.Faces)} faces and volume {back.Volume}")
+    if route == "pointer" and not back.isSame(box):
+        raise RuntimeError("the shape that came back is not the one that was sent")
+
+
+def route():
+    """The route in use: the forced one, or the best one that works. Raises ``RuntimeError`` without FreeCAD."""
+    global _chosen
+    if _forced is not None:
+        return _forced
+    if _chosen is None:
+        _part()
+        for name in ROUTES:
+            try:
+                _self_test(name)
+            except Exception as error:  # whatever it is, the next route may do
+                _failures[name] = str(error)
+            else:
+                _chosen = name
+                break
+        else:
+            raise RuntimeError(f"no way to pass shapes between FreeCAD and seamwright works: {_failures}")
+    return _chosen
+
+
+def why_not():
+    """Why better routes than the one in use failed their self-test: a dict from name to reason."""
+    route()
+    return dict(_failures)
+
+
+def force(name):
+    """Uses this route from now on, after its self-test; ``None`` gives the choice back."""
+    global _forced
+    if name is None:
+        _forced = None
+        return
+    if name not in ROUTES:
+        raise ValueError(f"route {name!r}: known are {', '.join(ROUTES)}")
+    _self_test(name)
+    _forced = name
+
+
+def model_from_freecad(shape):
+    """See ``Model.from_freecad``."""
+    part = _part()
+    if not isinstance(shape, part.Shape):
+        raise TypeError(f"a Part.Shape is needed, not {type(shape).__name__}")
+    if shape.isNull():
+        raise _core.ModelError("model is a null shape")
+    return _BY_NAME[route()].take(shape)
+
+
+def model_to_freecad(model):
+    """See ``Model.to_freecad``."""
+    return _BY_NAME[route()].give(model)

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Standard_Version.hxx>
+#include <seamwright/plugin/report/json.hpp>
+#include <seamwright/plugin/report/numbers.hpp>
+
+namespace seamwright::report {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json figureJson(const std::optional<Figure>& figure, double factor = 1) {
+  if (!figure) return nullptr;
+  return {{"lower", factor * figure->lower},
+          {"upper", figure->upper ? ordered_json(factor * *figure->upper) : ordered_json(nullptr)},
+          {"at", figure->at}};
+}
+
+ordered_json seamJson(const occ::SeamResult& seam) {
+  return {{"id", seam.id},
+          {"kind", name(seam.kind)},
+          {"edges", seam.edges},
+          {"faces", seam.faces},
+          {"length_mm", seam.length_mm},
+          {"gap_mm", figureJson(seam.figures.gap_mm)},
+          {"angle_deg", figureJson(seam.figures.angle_rad, degrees_per_radian)},
+          {"curvature_per_mm", figureJson(seam.figures.curvature_per_mm)},
+          {"curvature_rel", figureJson(seam.figures.curvature_rel)},
+          {"level", name(seam.verdict.level)},
+          {"class", name(seam.verdict.seam_class)},
+          {"certified", seam.figures.certified},
+          {"note", seam.note}};
+}
+
+ordered_json modelJson(const occ::ModelFacts& model) {
+  return {{"path", model.path},   {"format", model.format}, {"length_unit", model.length_unit},
+          {"faces", model.faces}, {"edges", model.edges},   {"notes", model.notes}};
+}
+
+ordered_json toleranceJson(const occ::Report& report) {
+  const ContinuityTolerance& tolerance = report.tolerance;
+  return {{"gap_mm", tolerance.gap_mm},
+          {"angle_deg", degrees_per_radian * tolerance.angle_rad},
+          {"curvature_rel", tolerance.curvature_rel},
+          {"flat_radius_mm", tolerance.flat_radius_mm},
+          {"crease_deg", degrees_per_radian * tolerance.crease_rad},
+          {"level", name(report.level)}};
+}
+
+ordered_json summaryJson(const occ::Report& report) {
+  const Summary summary = summarize(report);
+  ordered_json by_level;
+  for (const auto& [level, count] : summary.by_level) by_level[std::string(name(level))] = count;
+  return {{"seams", report.seams.size()},
+          {"open_edges", report.open.size()},
+          {"non_manifold_edges", report.non_manifold.size()},
+          {"by_level", by_level},
+          {"smooth", summary.smooth},
+          {"defects", summary.defects},
+          {"creases", summary.creases},
+          {"uncertified", summary.uncertified},
+          {"max_gap_mm", summary.max_gap_mm},
+          {"max_angle_deg", degrees_per_radian * summary.max_angle_rad},
+          {"passed", report.passed()}};
+}
+
+}  // namespace
+
+ordered_json toJson(const occ::Report& report) {
+  ordered_json seams = ordered_json::array();
+  for (const occ::SeamResult& seam : report.seams) seams.push_back(seamJson(seam));
+  ordered_json open = ordered_json::array();
+  for (const occ::LooseEdge& edge : report.open)
+    open.push_back({{"edge", edge.edge}, {"face", edge.faces.front()}});
+  ordered_json non_manifold = ordered_json::array();
+  for (const occ::LooseEdge& edge : report.non_manifold)
+    non_manifold.push_back({{"edge", edge.edge}, {"faces", edge.faces}});
+  return {{"schema", "seamwright.analysis/1"},
+          {"generator",
+           {{"name", "seamwright"}, {"version", SEAMWRIGHT_VERSION}, {"occt", OCC_VERSION_COMPLETE}}},
+          {"model", modelJson(report.model)},
+          {"tolerance", toleranceJson(report)},
+          {"summary", summaryJson(report)},
+          {"time_s", {{"read", report.read_s}, {"analyze", report.analyze_s}}},
+          {"seams", std::move(seams)},
+          {"open", std::move(open)},
+          {"non_manifold", std::move(non_manifold)}};
+}
+
+std::string toJsonLine(const occ::Report& report) {
+  return toJson(report).dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+}  // namespace seamwright::report
