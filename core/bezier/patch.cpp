@@ -117,7 +117,7 @@ std::pair<BezierPatch, BezierPatch> BezierPatch::splitU(double t) const {
   const Net net = homogeneous_.reshaped<Eigen::RowMajor>(degree_u_ + 1, 4 * (degree_v_ + 1));
   const auto [left, right] = casteljau::split<Eigen::Dynamic>(net, t);
   const auto patch = [&](const Net& half) {
-    return BezierPatch(degree_u_, degree_v_,
+    return BezierPatch(Homogeneous{}, degree_u_, degree_v_,
                        HomogeneousPoles(half.reshaped<Eigen::RowMajor>(homogeneous_.rows(), 4)));
   };
   return {patch(left), patch(right)};
