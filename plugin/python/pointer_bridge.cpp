@@ -45,7 +45,7 @@ occ::Model modelFromPointer(const py::object& pointer) {
 }
 
 py::object pointerFromModel(const occ::Model& model) {
-  // FreeCAD copies the handle and does not take the pointer over.
+  // FreeCAD copies the handle and does not take the pointer over; the caller keeps the model until it has.
   return py::reinterpret_steal<py::object>(
       SWIG_NewPointerObj(const_cast<TopoDS_Shape*>(&model.shape), shapeType(), 0));
 }
@@ -55,7 +55,7 @@ py::object pointerFromModel(const occ::Model& model) {
 void bindPointerBridge(py::module_& module) {
   module.def("_ensure_shape_type", [] { shapeType(); });
   module.def("_model_from_pointer", &modelFromPointer);
-  module.def("_pointer_from_model", &pointerFromModel, py::keep_alive<0, 1>());
+  module.def("_pointer_from_model", &pointerFromModel);
 }
 
 }  // namespace seamwright::python
