@@ -46,20 +46,22 @@ double lengthOf(const TopoDS_Edge& edge) {
 }
 
 std::string degeneracyNote(const SeamFigures& figures, const std::array<int, 2>& faces) {
-  std::ostringstream text;
-  const auto tell = [&](const DegeneratePoint& point, Degeneracy degeneracy, int face) {
+  std::vector<std::string> places;
+  const auto tell = [&](double at, Degeneracy degeneracy, int face) {
     if (degeneracy == Degeneracy::None) return;
-    text << (text.view().empty() ? "" : "; ") << name(degeneracy) << " on face " << face << " at "
-         << point.at;
+    std::ostringstream text;
+    text << name(degeneracy) << " on face " << face << " at " << at;
+    if (std::ranges::find(places, text.str()) == places.end()) places.push_back(text.str());
   };
-  constexpr std::size_t told = 4;
-  for (std::size_t i = 0; i < std::min(told, figures.degenerate.size()); ++i) {
-    tell(figures.degenerate[i], figures.degenerate[i].side_a, faces[0]);
-    tell(figures.degenerate[i], figures.degenerate[i].side_b, faces[1]);
+  for (const DegeneratePoint& point : figures.degenerate) {
+    tell(point.at, point.side_a, faces[0]);
+    tell(point.at, point.side_b, faces[1]);
   }
-  if (figures.degenerate.size() > told)
-    text << "; and at " << figures.degenerate.size() - told << " more points";
-  return text.str();
+  constexpr std::size_t told = 4;
+  std::string notes;
+  for (std::size_t i = 0; i < std::min(told, places.size()); ++i) addNote(notes, places[i]);
+  if (places.size() > told) addNote(notes, "and at " + std::to_string(places.size() - told) + " more points");
+  return notes;
 }
 
 std::string sharpSpotNote(const SeamFigures& figures, const ContinuityTolerance& tolerance) {

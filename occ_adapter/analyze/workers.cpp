@@ -13,6 +13,7 @@ namespace seamwright::occ {
 
 void runParallel(std::size_t count, int jobs, const std::function<void(std::size_t)>& work,
                  const Progress& progress) {
+  if (progress && !progress(0)) throw Cancelled();
   const std::size_t wanted =
       jobs > 0 ? static_cast<std::size_t>(jobs) : std::max(1u, std::thread::hardware_concurrency());
   const std::size_t threads = std::min(wanted, count);

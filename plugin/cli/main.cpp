@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <signal.h>
+#include <Standard_Failure.hxx>
+#include <Standard_Version.hxx>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <seamwright/occ_adapter/progress.hpp>
+#include <seamwright/plugin/cli/analyze_command.hpp>
+#include <seamwright/plugin/cli/interrupt.hpp>
+
+namespace seamwright::cli {
+
+namespace {
+
+volatile sig_atomic_t interrupt_noted = 0;
+
+constexpr int bad_input = 2;
+constexpr int stopped = 130;
+
+/// One line: text that quotes a file or an argument may hold anything.
+int complain(std::string text) {
+  for (char& c : text)
+    if (c == '\n' || c == '\r') c = ' ';
+  std::cerr << "seamwright: " << text << std::endl;
+  return bad_input;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Finds and measures the seams of CAD models: where faces meet, and how well.", "seamwright");
+  app.set_version_flag("--version",
+                       "seamwright " SEAMWRIGHT_VERSION " (OpenCASCADE " OCC_VERSION_COMPLETE ")");
+  app.require_subcommand(1);
+  app.footer(
+      "Exit status: 0 all seams meet the level (creases are no defects), 1 some fall short, 2 bad usage or "
+      "input.");
+  CLI::App* analyze =
+      app.add_subcommand("analyze", "Measure and judge every seam of STEP, IGES or BREP models");
+  AnalyzeArguments arguments;
+  addAnalyzeOptions(*analyze, arguments);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    return complain(std::string(error.what()) + " (see 'seamwright --help')");
+  }
+  return runAnalyze(arguments);
+}
+
+}  // namespace
+
+void noteInterrupts() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { interrupt_noted = 1; };
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+bool interrupted() {
+  return interrupt_noted != 0;
+}
+
+}  // namespace seamwright::cli
+
+int main(int argc, char** argv) {
+  using namespace seamwright;
+  cli::noteInterrupts();
+  try {
+    return cli::run(argc, argv);
+  } catch (const occ::Cancelled&) {
+    std::cerr << "seamwright: stopped, nothing was written" << std::endl;
+    return cli::stopped;
+  } catch (const Standard_Failure& failure) {
+    return cli::complain(std::string("OpenCASCADE: ") + failure.DynamicType()->Name() + " " +
+                         failure.GetMessageString());
+  } catch (const std::exception& error) {
+    return cli::complain(error.what());
+  }
+}
