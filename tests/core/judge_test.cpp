@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <gmock/gmock.h>
+
+#include <functional>
+#include <limits>
+#include <seamwright/core/seam/judge.hpp>
+
+namespace seamwright {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+constexpr double degree = 0.017453292519943295;
+
+SeamFigures figures(double gap_mm, double angle_deg, double curvature_rel) {
+  SeamFigures f;
+  f.gap_mm = Figure{gap_mm, std::nullopt, 0.5};
+  f.angle_rad = Figure{angle_deg * degree, std::nullopt, 0.5};
+  f.curvature_per_mm = Figure{1, std::nullopt, 0.5};
+  f.curvature_rel = Figure{curvature_rel, std::nullopt, 0.5};
+  return f;
+}
+
+TEST(Judge, ClimbsFromLevelToLevel) {
+  const ContinuityTolerance tolerance;
+  EXPECT_EQ(judge(figures(0.011, 0, 0), tolerance, Level::G1).level, Level::None);
+  EXPECT_EQ(judge(figures(0.009, 0.11, 0), tolerance, Level::G1).level, Level::G0);
+  EXPECT_EQ(judge(figures(0.009, 0.09, 0.021), tolerance, Level::G1).level, Level::G1);
+  EXPECT_EQ(judge(figures(0.009, 0.09, 0.019), tolerance, Level::G1).level, Level::G2);
+}
+
+TEST(Judge, ToleranceItselfIsAccepted) {
+  const ContinuityTolerance tolerance;
+  SeamFigures f = figures(tolerance.gap_mm, 0, tolerance.curvature_rel);
+  f.angle_rad->lower = tolerance.angle_rad;
+  EXPECT_EQ(judge(f, tolerance, Level::G2).level, Level::G2);
+}
+
+TEST(Judge, ClassFollowsTheLevelAskedFor) {
+  const ContinuityTolerance tolerance;
+  const SeamFigures g1 = figures(0, 0.05, 0.5);
+  EXPECT_EQ(judge(g1, tolerance, Level::G0).seam_class, SeamClass::Smooth);
+  EXPECT_EQ(judge(g1, tolerance, Level::G1).seam_class, SeamClass::Smooth);
+  EXPECT_EQ(judge(g1, tolerance, Level::G2).seam_class, SeamClass::Defect);
+  const SeamFigures kink = figures(0, 1, 0.5);
+  EXPECT_EQ(judge(kink, tolerance, Level::G0).seam_class, SeamClass::Smooth);
+  EXPECT_EQ(judge(kink, tolerance, Level::G1).seam_class, SeamClass::Defect);
+}
+
+TEST(Judge, CreaseIsNoDefectUnlessItGapesOrIsASpot) {
+  const ContinuityTolerance tolerance;
+  SeamFigures sharp = figures(0, 40, 0);
+  EXPECT_EQ(judge(sharp, tolerance, Level::G1).seam_class, SeamClass::Crease);
+  EXPECT_EQ(judge(sharp, tolerance, Level::G1).level, Level::G0);
+  sharp.tangent_share = 0.9;
+  EXPECT_EQ(judge(sharp, tolerance, Level::G1).seam_class, SeamClass::Defect);
+  sharp.tangent_share = 0.1;
+  sharp.gap_mm->lower = 0.02;
+  EXPECT_EQ(judge(sharp, tolerance, Level::G1).seam_class, SeamClass::Defect);
+  EXPECT_EQ(judge(sharp, tolerance, Level::G1).level, Level::None);
+}
+
+TEST(Judge, FoldIsACreaseAndNeverSmooth) {
+  const ContinuityTolerance tolerance;
+  SeamFigures fold = figures(0, 0, 0);
+  fold.fold_at = 0.3;
+  EXPECT_EQ(judge(fold, tolerance, Level::G1).level, Level::G0);
+  EXPECT_EQ(judge(fold, tolerance, Level::G1).seam_class, SeamClass::Crease);
+}
+
+TEST(Judge, MissingFiguresStopTheClimb) {
+  const ContinuityTolerance tolerance;
+  SeamFigures f = figures(0, 0, 0);
+  f.curvature_rel.reset();
+  EXPECT_EQ(judge(f, tolerance, Level::G1).level, Level::G1);
+  f.angle_rad.reset();
+  EXPECT_EQ(judge(f, tolerance, Level::G1).level, Level::G0);
+  EXPECT_EQ(judge(f, tolerance, Level::G1).seam_class, SeamClass::Defect);
+  f.gap_mm.reset();
+  EXPECT_EQ(judge(f, tolerance, Level::G0).level, Level::None);
+  EXPECT_EQ(judge(SeamFigures(), tolerance, Level::G0).seam_class, SeamClass::Defect);
+}
+
+TEST(Judge, NamesGoThereAndBack) {
+  for (const Level level : {Level::G0, Level::G1, Level::G2, Level::G3})
+    EXPECT_EQ(levelFromName(name(level)), level);
+  EXPECT_EQ(name(Level::None), "none");
+  EXPECT_FALSE(levelFromName("g1").has_value());
+  EXPECT_FALSE(levelFromName("none").has_value());
+  EXPECT_EQ(name(SeamClass::Smooth), "smooth");
+  EXPECT_EQ(name(SeamClass::Defect), "defect");
+  EXPECT_EQ(name(SeamClass::Crease), "crease");
+}
+
+std::string complaint(const std::function<void(ContinuityTolerance&)>& spoil) {
+  ContinuityTolerance tolerance;
+  spoil(tolerance);
+  try {
+    tolerance.validate();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Tolerance, DefaultsAreValid) {
+  EXPECT_NO_THROW(ContinuityTolerance().validate());
+}
+
+TEST(Tolerance, EveryFieldIsCheckedAndNamedWithItsValue) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_THAT(complaint([&](auto& t) { t.gap_mm = nan; }), AllOf(HasSubstr("gap"), HasSubstr("nan")));
+  EXPECT_THAT(complaint([&](auto& t) { t.gap_mm = -0.5; }), AllOf(HasSubstr("gap"), HasSubstr("-0.5")));
+  EXPECT_THAT(complaint([&](auto& t) { t.angle_rad = -1 * degree; }),
+              AllOf(HasSubstr("angle"), HasSubstr("-1 deg")));
+  EXPECT_THAT(complaint([&](auto& t) { t.curvature_rel = infinity; }),
+              AllOf(HasSubstr("curvature"), HasSubstr("inf")));
+  EXPECT_THAT(complaint([&](auto& t) { t.flat_radius_mm = 0; }),
+              AllOf(HasSubstr("flat radius"), HasSubstr("0 mm")));
+  EXPECT_THAT(complaint([&](auto& t) { t.flat_radius_mm = -3; }),
+              AllOf(HasSubstr("flat radius"), HasSubstr("-3")));
+  EXPECT_THAT(complaint([&](auto& t) { t.crease_rad = nan; }), AllOf(HasSubstr("crease"), HasSubstr("nan")));
+  EXPECT_THAT(complaint([&](auto& t) { t.crease_rad = 91 * degree; }),
+              AllOf(HasSubstr("crease"), HasSubstr("91")));
+  EXPECT_THAT(complaint([&](auto& t) { t.crease_rad = 0.05 * degree; }),
+              AllOf(HasSubstr("crease"), HasSubstr("0.05")));
+}
+
+}  // namespace
+}  // namespace seamwright
