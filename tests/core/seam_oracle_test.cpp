@@ -125,8 +125,9 @@ bool hasPositiveWeights(const json& net) {
 /// \param positive those whose weights are all positive, or the others.
 std::vector<json> oracleCases(bool positive) {
   std::ifstream file(SEAMWRIGHT_TEST_DATA "/seam_measures.json");
+  const json data = json::parse(file);
   std::vector<json> cases;
-  for (const json& entry : json::parse(file)["cases"])
+  for (const json& entry : data["cases"])
     if ((hasPositiveWeights(entry["input"]["P"]) && hasPositiveWeights(entry["input"]["Q"])) == positive)
       cases.push_back(entry);
   return cases;
