@@ -21,6 +21,7 @@ def show(obj, report, seams):
     for name, element in owners:
         select(obj.Document, name, element)
     edges = [edge for edge in (find(obj.Document, *owner) for owner in owners) if edge is not None]
+    obj.ViewObject.Proxy.halo.show(edges)
     view = _view_of(obj.Document)
     if not edges or view is None:
         return
@@ -28,7 +29,7 @@ def show(obj, report, seams):
     for edge in edges:
         box.add(edge.BoundBox)
     least = CONTEXT * obj.Shape.BoundBox.DiagonalLength
-    camera.look_at(view.getCameraNode(), box, least, outward(obj, report, seams[0], edges[0]))
+    camera.look_at(view, box, least, _place(obj, report, seams[0], edges[0]))
 
 
 def select(doc, name, element):
@@ -53,21 +54,25 @@ def find(doc, name, element):
     return elements[number - 1] if number <= len(elements) else None
 
 
-def outward(obj, report, seam, edge):
-    """Sum of the outward normals of the seam's faces at the middle of its edge, or None."""
+def _place(obj, report, seam, edge):
+    """(point, outward normal or None, tangent) at the middle of a seam's edge.
+
+    The normal is the mean of the faces' normals; None where they cancel or are unknown.
+    """
+    middle = sum(edge.ParameterRange) / 2
+    point, tangent = edge.valueAt(middle), edge.tangentAt(middle)
     owners = [rows.owner_of(report, "faces", number) for number in seam["faces"]]
+    faces = [find(obj.Document, *owner) for owner in owners if owner]
     total = App.Vector()
-    for owner in owners:
-        face = find(obj.Document, *owner) if owner else None
+    for face in faces:
         if face is not None:
-            total += _normal(face, edge)
-    return total if total.Length > 0.1 else None
+            total += _normal(face, point)
+    return point, total.normalize() if total.Length > 0.1 else None, tangent
 
 
-def _normal(face, edge):
-    middle = edge.valueAt(sum(edge.ParameterRange) / 2)
+def _normal(face, point):
     try:
-        return face.normalAt(*face.Surface.parameter(middle))
+        return face.normalAt(*face.Surface.parameter(point))
     except Part.OCCError:  # no normal at a pole
         return App.Vector()
 

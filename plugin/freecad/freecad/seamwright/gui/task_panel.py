@@ -11,7 +11,7 @@ from freecad.seamwright.gui.tolerance_form import ToleranceForm
 from freecad.seamwright.plain import palette, rows, summary
 
 TABLE_HEIGHT = 300
-PANEL_WIDTH = 430
+DOCK_WIDTH = 480
 
 
 class TaskPanel:
@@ -30,6 +30,14 @@ class TaskPanel:
         """A close button."""
         return int(getattr(QtWidgets.QDialogButtonBox.Close, "value", QtWidgets.QDialogButtonBox.Close))
 
+    def open(self):
+        """Make the dock that holds the panel wide enough for it."""
+        dock = self.form.parentWidget()
+        while dock is not None and not isinstance(dock, QtWidgets.QDockWidget):
+            dock = dock.parentWidget()
+        if dock is not None and dock.width() < DOCK_WIDTH and not dock.isFloating():
+            Gui.getMainWindow().resizeDocks([dock], [DOCK_WIDTH], QtCore.Qt.Horizontal)
+
     def reject(self):
         """Close the panel."""
         Gui.getDocument(self.obj.Document.Name).resetEdit()
@@ -41,7 +49,6 @@ class TaskPanel:
         self.form = QtWidgets.QWidget()
         self.form.setWindowTitle("Seam Analysis")
         self.form.setWindowIcon(QtGui.QIcon(icon_path("seamwright-analyze")))
-        self.form.setMinimumWidth(PANEL_WIDTH)
         layout = QtWidgets.QVBoxLayout(self.form)
         self.summary = QtWidgets.QLabel()
         self.summary.setWordWrap(True)

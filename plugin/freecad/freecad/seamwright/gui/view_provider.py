@@ -4,21 +4,27 @@
 The class path is written into documents: neither rename nor move it.
 """
 
+import FreeCAD as App
 import FreeCADGui as Gui
 
 from freecad.seamwright.document import analysis
 from freecad.seamwright.gui import icon_path
+from freecad.seamwright.gui.halo import Halo, nearer
 from freecad.seamwright.gui.legend import Legend
+from freecad.seamwright.gui.qt import QtCore
 from freecad.seamwright.gui.task_panel import TaskPanel
 from freecad.seamwright.plain import palette, summary
 
 LINE_WIDTH = 6.0
 POINT_SIZE = 1.0
-LEGEND_TEXT_PX = 15
+LEGEND_TEXT_PX = 13
 
-#: Chord error of drawn curves, in percent of the model's size, and their angle in degrees:
-#: finer than FreeCAD's default, so that the edges do not dip under the faces.
-DEVIATION, ANGULAR_DEFLECTION = 0.05, 5.0
+#: How much nearer than the model the seams are drawn, as a part of the depth of the view.
+LIFT = 0.002
+
+DRAWN_ANEW = (
+    "Visibility", "ShowLegend", "LegendTextSize", "Deviation", "AngularDeflection", "DisplayMode"
+)  # fmt: skip
 
 
 class SeamAnalysisView:
@@ -28,29 +34,32 @@ class SeamAnalysisView:
         add_properties(vobj)
         vobj.LineWidth = LINE_WIDTH
         vobj.PointSize = POINT_SIZE
-        vobj.Deviation = DEVIATION
-        vobj.AngularDeflection = ANGULAR_DEFLECTION
         vobj.Proxy = self
 
     def attach(self, vobj):
         """Build the legend; FreeCAD calls this for a new view and for a restored one."""
         add_properties(vobj)
         self.legend = Legend()
+        self.halo = Halo()
         self.panel = None
+        vobj.RootNode.addChild(self.halo.node)
+        vobj.RootNode.insertChild(nearer(LIFT), 0)
         vobj.RootNode.addChild(self.legend.node)
-        self._refresh(vobj)
+        self._refresh_later(vobj.Object)
 
     def updateData(self, obj, prop):
-        """Follow the results: colours with the Shape, panel with the Summary, written last."""
+        """Follow the results."""
         if prop == "Shape":
+            self._refresh_later(obj)
+        elif prop == "Summary":  # written last, when FreeCAD has drawn the new Shape
             self._refresh(obj.ViewObject)
-        elif prop == "Summary" and self.panel is not None:
-            self.panel.refresh()
+            if self.panel is not None:
+                self.panel.refresh()
 
     def onChanged(self, vobj, prop):
-        """Follow the view properties that concern the legend."""
-        if prop in ("Visibility", "ShowLegend", "LegendTextSize") and hasattr(self, "legend"):
-            self._update_legend(vobj, analysis.report_of(vobj.Object))
+        """Follow the view properties that concern the legend or make FreeCAD draw anew."""
+        if prop in DRAWN_ANEW and hasattr(self, "legend"):
+            self._refresh_later(vobj.Object)
 
     def getIcon(self):
         """Icon in the tree."""
@@ -71,6 +80,7 @@ class SeamAnalysisView:
         if self.panel is not None:
             self.panel.leave()
         self.panel = None
+        self.halo.show([])
         Gui.Control.closeDialog()
         return True
 
@@ -84,6 +94,17 @@ class SeamAnalysisView:
     # FreeCAD before 0.21.2 asks by these names.
     __getstate__ = dumps
     __setstate__ = loads
+
+    def _refresh_later(self, obj):
+        """Refresh once FreeCAD has drawn: drawing the edges anew drops their colours."""
+        doc_name, name = obj.Document.Name, obj.Name
+        QtCore.QTimer.singleShot(0, lambda: self._refresh_if_there(doc_name, name))
+
+    def _refresh_if_there(self, doc_name, name):
+        if doc_name in App.listDocuments():
+            obj = App.getDocument(doc_name).getObject(name)
+            if obj is not None:
+                self._refresh(obj.ViewObject)
 
     def _refresh(self, vobj):
         report = analysis.report_of(vobj.Object)

@@ -13,6 +13,14 @@ from freecad.seamwright.plain import palette
 
 LEVELS = ("none", "G0", "G1", "G2", "G3")
 
+#: The figures that decide whether a seam meets a level.
+DECIDING = {
+    "G0": ("gap_mm",),
+    "G1": ("gap_mm", "angle_deg"),
+    "G2": ("gap_mm", "angle_deg", "curvature_rel"),
+    "G3": ("gap_mm", "angle_deg", "curvature_rel"),
+}
+
 #: Below this a length (mm), an angle (deg) or a ratio is rounding noise, not worth digits.
 NOISE = 1e-6
 
@@ -50,7 +58,7 @@ COLUMNS = (
     Column("seam_class", "Class", "Defect, crease or smooth", numeric=False),
     Column("angle_deg", "Angle \u00b0", "Largest angle between the tangent planes, in degrees"),
     Column("gap_mm", "Gap mm", "Largest distance between the two sides, in mm"),
-    Column("curvature_rel", "Curvature", "Largest relative difference of curvature, 0 to 1"),
+    Column("curvature_rel", "Curvature", "Largest relative difference of curvature, without unit"),
     Column("level", "Level", "Highest level of continuity the seam meets", numeric=False),
     Column("edge_text", "Edge", "The edge or edges of the seam", numeric=False),
     Column("face_text", "Faces", "The two faces that meet", numeric=False),
@@ -97,7 +105,8 @@ def owner_of(report, kind, number):
 def build_rows(report):
     """All rows of a report (a dict with the JSON's keys), worst first."""
     qualified = len(report.get("freecad", {}).get("objects", ())) > 1
-    rows = [_row(report, seam, qualified) for seam in report.get("seams", ())]
+    level = report.get("freecad", {}).get("level", "G1")
+    rows = [_row(report, seam, level, qualified) for seam in report.get("seams", ())]
     return sorted(rows, key=_worst_first)
 
 
@@ -105,7 +114,7 @@ def _worst_first(row):
     return (palette.rank(row.seam_class), -row.severity, row.seam)
 
 
-def _row(report, seam, qualified):
+def _row(report, seam, level, qualified):
     names = {
         kind: ", ".join(element_text(report, kind, number, qualified) for number in seam[kind])
         for kind in ("edges", "faces")
@@ -121,20 +130,19 @@ def _row(report, seam, qualified):
         angle_deg=figure_value(seam["angle_deg"]),
         curvature_rel=figure_value(seam["curvature_rel"]),
         length_mm=seam.get("length_mm"),
-        severity=severity(seam, report["tolerance"]),
+        severity=severity(seam, report["tolerance"], level),
         detail=detail_text(seam),
     )
 
 
-def severity(seam, tolerance):
-    """Largest ratio of a figure to its tolerance; infinite where gap or angle is unmeasured."""
+def severity(seam, tolerance, level):
+    """Largest ratio of a figure to its tolerance, of the figures that decide at the level.
+
+    Infinite where gap or angle is unmeasured.
+    """
     if seam["gap_mm"] is None or seam["angle_deg"] is None:
         return math.inf
-    ratios = (
-        _ratio(figure_value(seam[name]), tolerance[name])
-        for name in ("gap_mm", "angle_deg", "curvature_rel")
-    )
-    return max(ratios)
+    return max(_ratio(figure_value(seam[name]), tolerance[name]) for name in DECIDING[level])
 
 
 def _ratio(value, limit):
