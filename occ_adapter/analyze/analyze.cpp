@@ -160,6 +160,9 @@ Report analyze(const Model& model, const AnalyzeOptions& options, const Progress
   report.open = std::move(graph.open);
   report.non_manifold = std::move(graph.non_manifold);
   report.seams.resize(graph.seams.size());
+  if (report.seams.empty())
+    report.model.notes.push_back("no face shares an edge with another, so there is nothing to judge; " +
+                                 std::to_string(report.open.size()) + " edges bound one face");
   runParallel(
       graph.seams.size(), options.jobs,
       [&](std::size_t i) { report.seams[i] = measureSeam(graph.seams[i], options); }, progress);

@@ -61,6 +61,8 @@ std::string strayNote(const Pcurve& stored, double before, double after) {
 }  // namespace
 
 Pcurve pcurveOf(const TopoDS_Edge& edge, const TopoDS_Face& face, double gap_mm) {
+  if (BRep_Tool::Surface(face).IsNull())
+    throw std::runtime_error("a face has no surface, only a mesh or nothing");
   Pcurve stored;
   stored.curve = BRep_Tool::CurveOnSurface(edge, face, stored.first, stored.last);
   SpaceCurve space;

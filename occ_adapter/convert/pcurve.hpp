@@ -24,7 +24,7 @@ struct Pcurve {
 /// surface itself is away from the edge, which is a gap of the model and not a fault of the pcurve. The edge
 /// and the face are never changed.
 ///
-/// \throws std::runtime_error if there is no pcurve and none can be built.
+/// /// \throws std::runtime_error if the face has no surface, or if there is no pcurve and none can be built.
 Pcurve pcurveOf(const TopoDS_Edge& edge, const TopoDS_Face& face, double gap_mm);
 
 }  // namespace seamwright::occ

@@ -153,24 +153,25 @@ void countStepFaces(const STEPControl_Reader& reader, Model& model) {
   noteLostFaces(model, named, lost);
 }
 
-bool isKnownLength(const opencascade::handle<Standard_Transient>& entity) {
+/// A length unit that was read without a fault: an unknown prefix would silently become none.
+bool isLengthUnit(const opencascade::handle<Interface_InterfaceModel>& entities, int i) {
+  if (entities->IsErrorEntity(i)) return false;
+  const opencascade::handle<Standard_Transient> entity = entities->Value(i);
   if (const auto si = opencascade::handle<StepBasic_SiUnitAndLengthUnit>::DownCast(entity); !si.IsNull())
     return si->Name() == StepBasic_sunMetre;
   return entity->IsKind(STANDARD_TYPE(StepBasic_ConversionBasedUnitAndLengthUnit));
 }
 
-void requireStepLengthUnit(const STEPControl_Reader& reader, const std::filesystem::path& path) {
-  const opencascade::handle<Interface_InterfaceModel> entities = reader.Model();
-  for (int i = 1; i <= entities->NbEntities(); ++i)
-    if (isKnownLength(entities->Value(i))) return;
-  throw ModelError(ModelErrc::UnknownUnits, path,
-                   "names no length unit that is understood: sizes would be a guess");
-}
-
-std::string stepLengthUnit(STEPControl_Reader& reader) {
+/// The name of the unit that the shapes are given in.
+std::string stepLengthUnit(STEPControl_Reader& reader, const std::filesystem::path& path) {
   TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
   reader.FileUnits(lengths, angles, solid_angles);
-  return lengths.IsEmpty() ? "unknown" : lengths.First().ToCString();
+  const opencascade::handle<Interface_InterfaceModel> entities = reader.Model();
+  const bool understood = !lengths.IsEmpty() && !lengths.First().IsEmpty();
+  for (int i = 1; understood && i <= entities->NbEntities(); ++i)
+    if (isLengthUnit(entities, i)) return lengths.First().ToCString();
+  throw ModelError(ModelErrc::UnknownUnits, path,
+                   "names no length unit that is understood: sizes would be a guess");
 }
 
 void loadStep(Model& model, const std::filesystem::path& path, const Message_ProgressRange& range) {
@@ -184,8 +185,7 @@ void loadStep(Model& model, const std::filesystem::path& path, const Message_Pro
   const bool transferred = reader.Transfer(document, range);
   if (transferred) model.shape = reader.ChangeReader().OneShape();
   requireFaces(model.shape, path);
-  requireStepLengthUnit(reader.ChangeReader(), path);
-  model.length_unit = stepLengthUnit(reader.ChangeReader());
+  model.length_unit = stepLengthUnit(reader.ChangeReader(), path);
   countStepFaces(reader.ChangeReader(), model);
   model.attributes = AttributeCollector(model.shape, document).collect();
 }

@@ -102,13 +102,12 @@ void writeHead(std::ostream& out, const occ::Report& report) {
 std::string toTable(const occ::Report& report) {
   std::ostringstream out;
   writeHead(out, report);
-  if (!report.seams.empty()) {
-    std::vector<Row> rows = {{"class", "level", "edge", "faces", "kind", "length mm", "gap mm", "angle deg",
-                              "curvature rel", "note"}};
-    for (const occ::SeamResult* seam : worstFirst(report)) rows.push_back(rowOf(*seam));
-    out << '\n';
-    writeRows(out, rows);
-  }
+  if (report.seams.empty()) return out.str();
+  std::vector<Row> rows = {{"class", "level", "edge", "faces", "kind", "length mm", "gap mm", "angle deg",
+                            "curvature rel", "note"}};
+  for (const occ::SeamResult* seam : worstFirst(report)) rows.push_back(rowOf(*seam));
+  out << '\n';
+  writeRows(out, rows);
   out << (report.passed() ? "\nPASSED: every seam meets " : "\nFAILED: some seams fall short of ")
       << name(report.level) << " (sampled, not certified)\n";
   return out.str();
