@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Makes the small models that the samples, the documentation and the tests of the house use.
+
+    /usr/bin/python3 samples/models/make_models.py FOLDER
+
+The files are made with FreeCAD's Part module; two runs give the same bytes.
+"""
+
+import math
+import re
+import sys
+from pathlib import Path
+
+sys.path.append("/usr/lib/freecad-python3/lib")
+
+import FreeCAD  # noqa: F401  (Part needs it)
+import Part
+
+BLOCK = (40.0, 30.0, 20.0)  # mm
+ROUNDING = 4.0  # mm
+BROKEN_ANGLE = math.radians(2)
+
+
+def rounded_block():
+    """A block with every edge rounded: each seam is tangent, none is G2."""
+    block = Part.makeBox(*BLOCK)
+    return block.makeFillet(ROUNDING, block.Edges)
+
+
+def broken_block():
+    """The rounded block with one seam spoilt: at the middle of one side of the top the angle is 2 degrees.
+
+    The top becomes a Bezier patch of degree (3, 5). Lifting the poles (2, 2) and (2, 3) by h leaves the boundary
+    where it was and the tangent planes along three sides; along the fourth, of inner length l, the slope is
+    3 h (B2 + B3) / l, at its largest 1.875 h / l in the middle.
+    """
+    block = rounded_block()
+    top = max(block.Faces, key=lambda face: face.CenterOfMass.z)
+    low, high = top.BoundBox.XMin, top.BoundBox.XMax
+    front, back, z = top.BoundBox.YMin, top.BoundBox.YMax, top.BoundBox.ZMax
+    length = high - low
+    lift = length * math.tan(BROKEN_ANGLE) / 1.875
+    patch = Part.BezierSurface()
+    patch.increase(3, 5)
+    for i in range(4):
+        for j in range(6):
+            up = lift if i == 2 and j in (2, 3) else 0.0
+            pole = FreeCAD.Vector(low + length * i / 3, front + (back - front) * j / 5, z + up)
+            patch.setPole(i + 1, j + 1, pole)
+    others = [face for face in block.Faces if not face.isSame(top)]
+    shell = Part.makeShell(others + [patch.toShape()])
+    shell.sewShape()
+    return Part.Solid(Part.Shell(shell.Faces))
+
+
+MODELS = {"rounded_block.step": rounded_block, "broken_block.step": broken_block}
+
+
+def write_step(shape, path):
+    """Writes without the time of day, so that the same shape gives the same bytes."""
+    shape.exportStep(str(path))
+    text = path.read_text()
+    path.write_text(re.sub(r"'\d{4}-\d\d-\d\dT[\d:]+[^']*'", "'2000-01-01T00:00:00'", text, count=1))
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit("usage: make_models.py FOLDER")
+    folder = Path(sys.argv[1])
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, make in MODELS.items():
+        write_step(make(), folder / name)
+        print(folder / name)
+
+
+if __name__ == "__main__":
+    main()

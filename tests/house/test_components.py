@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Components switch off, and what is missing is named with the Debian package that brings it."""
+
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+SOURCE = Path(os.environ["SEAMWRIGHT_SOURCE"])
+COMPONENTS = ("OCC", "CLI", "PYTHON", "FREECAD")
+
+
+def configure(folder, parts=COMPONENTS, *arguments):
+    """cmake's status and output in one line; parts are the components that are on."""
+    command = ["cmake", "-S", str(SOURCE), "-B", str(folder), "-G", "Ninja", "-DSEAMWRIGHT_BUILD_TESTS=OFF",
+               "-DPython_EXECUTABLE=/usr/bin/python3"]
+    command += [f"-DSEAMWRIGHT_BUILD_{part}={'ON' if part in parts else 'OFF'}" for part in COMPONENTS]
+    if shutil.which("ccache"):
+        command.append("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache")
+    run = subprocess.run([*command, *arguments], capture_output=True, text=True)
+    return run.returncode, " ".join((run.stdout + run.stderr).split())
+
+
+@pytest.mark.parametrize("parts", [("OCC",), ("OCC", "CLI"), ("OCC", "PYTHON"), ("OCC", "PYTHON", "FREECAD"), COMPONENTS],
+                         ids="+".join)
+def test_combination_configures(tmp_path, parts):
+    status, output = configure(tmp_path, parts)
+    assert status == 0, output
+
+
+@pytest.mark.parametrize("parts, missing", [(("CLI",), "CLI needs OCC"), (("PYTHON",), "PYTHON needs OCC"),
+                                            (("OCC", "FREECAD"), "FREECAD needs PYTHON")])
+def test_contradiction_is_named(tmp_path, parts, missing):
+    status, output = configure(tmp_path, parts)
+    assert status != 0
+    assert missing in output
+
+
+def test_core_alone_needs_neither_opencascade_nor_python(tmp_path):
+    missing = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in ("OpenCASCADE", "Python", "pybind11", "CLI11")]
+    status, output = configure(tmp_path, (), *missing)
+    assert status == 0, output
+    built = subprocess.run(["cmake", "--build", str(tmp_path)], capture_output=True, text=True)
+    assert built.returncode == 0, built.stdout
+    assert [path.name for path in (tmp_path / "lib").iterdir()] == ["libseamwright_core.a"]
+
+
+@pytest.mark.parametrize("package, component, debian", [
+    ("Eigen3", None, "libeigen3-dev"),
+    ("OpenCASCADE", "OCC", "libocct-modeling-algorithms-dev"),
+    ("nlohmann_json", "OCC", "nlohmann-json3-dev"),
+    ("CLI11", "CLI", "libcli11-dev"),
+    ("Python", "PYTHON", "python3-dev"),
+    ("pybind11", "PYTHON", "pybind11-dev"),
+])
+def test_missing_package_is_named(tmp_path, package, component, debian):
+    status, output = configure(tmp_path, COMPONENTS, f"-DCMAKE_DISABLE_FIND_PACKAGE_{package}=ON")
+    assert status != 0
+    assert "apt-get install" in output and debian in output
+    if component:
+        assert f"-DSEAMWRIGHT_BUILD_{component}=OFF" in output
+
+
+def test_missing_swig_is_named(tmp_path):
+    status, output = configure(tmp_path, COMPONENTS, "-DSWIG_EXECUTABLE=")
+    assert status != 0
+    assert "apt-get install swig" in output
+
+
+def test_missing_googletest_is_named(tmp_path):
+    status, output = configure(tmp_path, (), "-DSEAMWRIGHT_BUILD_TESTS=ON", "-DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON")
+    assert status != 0
+    assert "libgtest-dev" in output

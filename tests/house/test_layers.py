@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Arrows point one way: plugin -> occ_adapter -> core; handles and FreeCAD stay where they belong."""
+
+import ast
+import os
+import re
+from pathlib import Path
+
+import pytest
+
+SOURCE = Path(os.environ["SEAMWRIGHT_SOURCE"])
+ADDON = SOURCE / "plugin/freecad/freecad/seamwright"
+OPENCASCADE = re.compile(
+    r"\b(?:TopoDS|TopAbs|TopExp|TopTools|TopLoc|Geom|Geom2d|BRep[A-Za-z]*|Bnd|gp|TCol[A-Za-z]*|XCAFDoc|TDF|STEP[A-Za-z]*"
+    r"|Standard)_\w+|\bopencascade::handle\b|\bHandle\("
+)
+# A program must name what it catches and which OpenCASCADE it runs.
+ANY_PLUGIN_MAY = {"Standard_Failure", "Standard_Version"}
+
+
+def files(folder, *endings):
+    found = [path for path in (SOURCE / folder).rglob("*") if path.suffix in endings]
+    assert found, f"no files under {folder}"
+    return sorted(found)
+
+
+def code(path):
+    """A C++ file without comments and without what stands in quotes."""
+    text = path.read_text(encoding="utf-8")
+    return re.sub(r"//[^\n]*|/\*.*?\*/|\"(?:\\.|[^\"\\\n])*\"", " ", text, flags=re.S)
+
+
+def includes(path):
+    return re.findall(r"^\s*#\s*include\s*([<\"][^>\"]+)[>\"]", path.read_text(encoding="utf-8"), re.M)
+
+
+def imports(path):
+    """The modules a Python file imports, also inside its functions."""
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            yield from (name.name for name in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            yield from (f"{'.' * node.level}{node.module or ''}.{name.name}" for name in node.names)
+
+
+def test_core_includes_nothing_but_std_eigen_and_core():
+    allowed = re.compile(r"<(?:[a-z_]+|Eigen/\w+|seamwright/core/[\w/]+\.hpp)")
+    wrong = [(path.name, name) for path in files("core", ".hpp", ".cpp") for name in includes(path)
+             if not allowed.fullmatch(name)]
+    assert wrong == []
+
+
+def test_core_names_nothing_of_opencascade():
+    wrong = [(path.name, OPENCASCADE.findall(code(path))) for path in files("core", ".hpp", ".cpp")]
+    assert [entry for entry in wrong if entry[1]] == []
+
+
+def test_adapter_does_not_know_the_plugins():
+    wrong = [(path.name, name) for path in files("occ_adapter", ".hpp", ".cpp") for name in includes(path)
+             if "seamwright/plugin" in name]
+    assert wrong == []
+
+
+def test_plugins_leave_opencascade_to_the_adapter():
+    wrong = []
+    for path in files("plugin", ".hpp", ".cpp"):
+        if path.stem == "pointer_bridge":
+            continue
+        names = set(OPENCASCADE.findall(code(path)))
+        names |= {Path(name[1:]).stem for name in includes(path) if name.endswith(".hxx")}
+        wrong += [(path.name, name) for name in sorted(names - ANY_PLUGIN_MAY)]
+    assert wrong == []
+
+
+def test_python_package_names_freecad_only_in_the_bridge():
+    wrong = [(path.name, name) for path in files("plugin/python/seamwright", ".py") if path.name != "bridge.py"
+             for name in imports(path) if name.split(".")[0] in {"FreeCAD", "FreeCADGui", "Part", "PySide", "pivy"}]
+    assert wrong == []
+
+
+@pytest.mark.parametrize("ring, forbidden", [
+    ("plain", {"FreeCAD", "FreeCADGui", "Part", "PySide", "pivy", "freecad.seamwright.document", "freecad.seamwright.gui"}),
+    ("document", {"FreeCADGui", "PySide", "pivy", "freecad.seamwright.gui"}),
+])
+def test_rings_of_the_workbench(ring, forbidden):
+    wrong = []
+    for path in sorted((ADDON / ring).rglob("*.py")):
+        for name in imports(path):
+            parts = name.split(".")
+            if parts[0] in forbidden or ".".join(parts[:3]) in forbidden:
+                wrong.append((path.name, name))
+    assert wrong == []
+
+
+def test_every_source_file_states_its_licence():
+    sources = [path for folder in ("core", "occ_adapter", "plugin", "samples", "tests")
+               for path in files(folder, ".hpp", ".cpp", ".py", ".txt", ".FCMacro")]
+    wrong = [str(path.relative_to(SOURCE)) for path in sources
+             if path.stat().st_size and "SPDX-License-Identifier: LGPL-2.1-or-later" not in path.read_text(encoding="utf-8")[:400]]
+    assert wrong == []
