@@ -44,13 +44,10 @@ double typicalStep(const std::vector<double>& knots) {
   return std::min(1.0, (knots.back() - knots.front()) / static_cast<double>(knots.size() - 1));
 }
 
-/// Where a coordinate of the path passes inner knots between two of its parameters, on whose values it is \p
-/// from, \p to.
+/// Where a coordinate of a path passes inner knots between the parameters t0 and t1, at which it is \p from and \p to.
 template <class Coordinate>
-void addCrossings(const Coordinate& coordinate, double t0, double t1, const std::vector<double>& knots,
-                  std::vector<double>& crossings) {
-  const double from = coordinate(t0);
-  const double to = coordinate(t1);
+void addCrossings(const Coordinate& coordinate, double t0, double t1, double from, double to,
+                  const std::vector<double>& knots, std::vector<double>& crossings) {
   const auto begin = std::upper_bound(knots.begin(), knots.end(), std::min(from, to));
   const auto end = std::lower_bound(begin, knots.end(), std::max(from, to));
   for (auto knot = begin; knot != end; ++knot) {
@@ -104,18 +101,28 @@ SidePoint FaceStrip::at(double s) const {
 std::vector<double> FaceStrip::breaks() const {
   const std::vector<double> path_knots = knots(path_);
   std::vector<double> at(path_knots.begin() + 1, path_knots.end() - 1);
-  // Eight steps a piece find the crossings of a path that turns at most a few times between its own knots.
-  const int steps = path_.GetType() == GeomAbs_Line ? 1 : 8;
-  for (std::size_t i = 1; i < path_knots.size(); ++i)
-    for (int k = 0; k < steps; ++k) {
-      const double width = (path_knots[i] - path_knots[i - 1]) / steps;
-      const double t0 = path_knots[i - 1] + k * width;
-      addCrossings([&](double t) { return path_.Value(t).X(); }, t0, t0 + width, knots_u_, at);
-      addCrossings([&](double t) { return path_.Value(t).Y(); }, t0, t0 + width, knots_v_, at);
-    }
+  if (knots_u_.size() > 2 || knots_v_.size() > 2) {
+    // Eight steps a piece find the crossings of a path that turns at most a few times between its own knots.
+    const int steps = path_.GetType() == GeomAbs_Line ? 1 : 8;
+    for (std::size_t i = 1; i < path_knots.size(); ++i)
+      addKnotCrossings(path_knots[i - 1], path_knots[i], steps, at);
+  }
   const double length = pcurve_.last - pcurve_.first;
   for (double& t : at) t = (t - pcurve_.first) / length;
   return at;
+}
+
+void FaceStrip::addKnotCrossings(double first, double last, int steps, std::vector<double>& at) const {
+  const double width = (last - first) / steps;
+  gp_Pnt2d from = path_.Value(first);
+  for (int k = 0; k < steps; ++k) {
+    const double t0 = first + k * width;
+    const double t1 = k + 1 < steps ? t0 + width : last;
+    const gp_Pnt2d to = path_.Value(t1);
+    addCrossings([&](double t) { return path_.Value(t).X(); }, t0, t1, from.X(), to.X(), knots_u_, at);
+    addCrossings([&](double t) { return path_.Value(t).Y(); }, t0, t1, from.Y(), to.Y(), knots_v_, at);
+    from = to;
+  }
 }
 
 }  // namespace seamwright::occ

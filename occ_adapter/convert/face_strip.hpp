@@ -31,6 +31,7 @@ class FaceStrip {
   const std::string& note() const { return pcurve_.note; }
 
  private:
+  void addKnotCrossings(double first, double last, int steps, std::vector<double>& at) const;
   double parameter(double s) const { return pcurve_.first + s * (pcurve_.last - pcurve_.first); }
 
   Pcurve pcurve_;

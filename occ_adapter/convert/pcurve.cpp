@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <BRepAdaptor_Surface.hxx>
 #include <BRep_Tool.hxx>
+#include <Extrema_GenLocateExtPS.hxx>
 #include <Geom_Curve.hxx>
 #include <Precision.hxx>
 #include <ShapeConstruct_ProjectCurveOnSurface.hxx>
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -22,40 +24,76 @@ struct SpaceCurve {
   double last = 0;
 };
 
-/// Largest distance at 9 points between the edge's curve and the image of the pcurve; infinite if not even
-/// finite.
-double strayDistance(const Pcurve& pcurve, const SpaceCurve& space, const TopoDS_Face& face) {
-  const BRepAdaptor_Surface surface(face, false);
-  double largest = 0;
+/// Where a pcurve is furthest from its edge.
+struct Stray {
+  double distance = 0;  ///< infinite if the pcurve leads to points that are not finite
+  gp_Pnt2d uv;
+  gp_Pnt on_edge;
+};
+
+/// Of 9 points the one where the image of the pcurve is furthest from the edge's curve.
+Stray worstStray(const Pcurve& pcurve, const SpaceCurve& space, const BRepAdaptor_Surface& surface) {
+  Stray worst;
   for (int i = 0; i <= 8; ++i) {
     const double share = i / 8.0;
     const gp_Pnt2d uv = pcurve.curve->Value(pcurve.first + share * (pcurve.last - pcurve.first));
-    const double distance =
-        surface.Value(uv.X(), uv.Y())
-            .Distance(space.curve->Value(space.first + share * (space.last - space.first)));
-    if (!(distance <= std::numeric_limits<double>::max())) return std::numeric_limits<double>::infinity();
-    largest = std::max(largest, distance);
+    const gp_Pnt on_edge = space.curve->Value(space.first + share * (space.last - space.first));
+    const double distance = surface.Value(uv.X(), uv.Y()).Distance(on_edge);
+    if (!std::isfinite(distance)) return {std::numeric_limits<double>::infinity(), uv, on_edge};
+    if (distance >= worst.distance) worst = {distance, uv, on_edge};
   }
-  return largest;
+  return worst;
 }
 
-Pcurve projected(const SpaceCurve& space, const TopoDS_Face& face, double precision) {
+/// Whether the surface near the point of the pcurve comes closer to the edge than half the distance. True also where no
+/// nearest point is found.
+bool surfaceComesCloser(const Stray& stray, const BRepAdaptor_Surface& surface) {
+  Extrema_GenLocateExtPS nearest(surface, Precision::PConfusion(), Precision::PConfusion());
+  nearest.Perform(stray.on_edge, stray.uv.X(), stray.uv.Y(), false);
+  return !nearest.IsDone() || std::sqrt(nearest.SquareDistance()) <= stray.distance / 2;
+}
+
+Pcurve projected(const SpaceCurve& space, const TopoDS_Face& face) {
   ShapeConstruct_ProjectCurveOnSurface projector;
-  projector.Init(BRep_Tool::Surface(face), precision);
+  projector.Init(BRep_Tool::Surface(face), Precision::Confusion());
   opencascade::handle<Geom_Curve> curve = space.curve;
   Pcurve pcurve{nullptr, space.first, space.last, {}};
   projector.Perform(curve, space.first, space.last, pcurve.curve);
   return pcurve;
 }
 
-std::string strayNote(const Pcurve& stored, double before, double after) {
+std::string text(double distance_mm) {
   std::ostringstream text;
-  if (stored.curve.IsNull())
-    text << "its pcurve was missing and was rebuilt";
-  else
-    text << "its pcurve was " << before << " mm off the edge and was rebuilt";
-  text << " (" << after << " mm)";
+  text << std::setprecision(3) << distance_mm;
   return text.str();
+}
+
+/// The stored pcurve if it is good or nothing better is to be had, else a new one.
+Pcurve keptOrRebuilt(const Pcurve& stored, const SpaceCurve& space, const TopoDS_Edge& edge,
+                     const TopoDS_Face& face, double gap_mm) {
+  const BRepAdaptor_Surface surface(face, false);
+  const double allowed = std::max(BRep_Tool::Tolerance(edge), gap_mm / 100);
+  const Stray stray = worstStray(stored, space, surface);
+  if (stray.distance <= allowed) return stored;
+  // Which of the two pcurves of a closed face a projection would give is not known.
+  if (BRep_Tool::IsClosed(edge, face)) return stored;
+  // A little off is mostly a surface that lies a little off: one point tells that cheaper than a projected curve.
+  if (stray.distance <= 10 * allowed && !surfaceComesCloser(stray, surface)) return stored;
+  Pcurve rebuilt = projected(space, face);
+  if (rebuilt.curve.IsNull()) return stored;
+  const double after = worstStray(rebuilt, space, surface).distance;
+  if (!std::isfinite(after) || after > stray.distance / 2) return stored;
+  rebuilt.note =
+      "its pcurve was " + text(stray.distance) + " mm off the edge and was rebuilt (" + text(after) + " mm)";
+  return rebuilt;
+}
+
+Pcurve built(const SpaceCurve& space, const TopoDS_Face& face) {
+  Pcurve pcurve = projected(space, face);
+  if (pcurve.curve.IsNull()) throw std::runtime_error("the edge has no pcurve and none could be built");
+  const double stray = worstStray(pcurve, space, BRepAdaptor_Surface(face, false)).distance;
+  pcurve.note = "its pcurve was missing and was built (" + text(stray) + " mm)";
+  return pcurve;
 }
 
 }  // namespace
@@ -67,25 +105,10 @@ Pcurve pcurveOf(const TopoDS_Edge& edge, const TopoDS_Face& face, double gap_mm)
   stored.curve = BRep_Tool::CurveOnSurface(edge, face, stored.first, stored.last);
   SpaceCurve space;
   space.curve = BRep_Tool::Curve(edge, space.first, space.last);
-  if (space.curve.IsNull()) {
-    if (stored.curve.IsNull()) throw std::runtime_error("the edge has neither a curve in space nor a pcurve");
-    return stored;
-  }
-  const double infinity = std::numeric_limits<double>::infinity();
-  const double before = stored.curve.IsNull() ? infinity : strayDistance(stored, space, face);
-  // Which of the two pcurves of a closed face a projection would give is not known.
-  const bool ambiguous = BRep_Tool::IsClosed(edge, face);
-  const double allowed = std::max(BRep_Tool::Tolerance(edge), gap_mm / 100);
-  if (before <= allowed || (ambiguous && !stored.curve.IsNull())) return stored;
-
-  Pcurve rebuilt = projected(space, face, Precision::Confusion());
-  const double after = rebuilt.curve.IsNull() ? infinity : strayDistance(rebuilt, space, face);
-  if (std::isfinite(after) && after <= before / 2) {
-    rebuilt.note = strayNote(stored, before, after);
-    return rebuilt;
-  }
-  if (stored.curve.IsNull()) throw std::runtime_error("the edge has no pcurve and none could be built");
-  return stored;
+  if (stored.curve.IsNull() && space.curve.IsNull())
+    throw std::runtime_error("the edge has neither a curve in space nor a pcurve");
+  if (space.curve.IsNull()) return stored;
+  return stored.curve.IsNull() ? built(space, face) : keptOrRebuilt(stored, space, edge, face, gap_mm);
 }
 
 }  // namespace seamwright::occ
