@@ -90,12 +90,18 @@ def test_python_package_works_from_the_install(tmp_path):
     assert run.stdout.split() == ["48", "False", str(package / "seamwright/__init__.py")]
 
 
-def test_nothing_installed_names_the_build_tree():
-    wrong = []
-    for name in installed(PREFIX):
-        if str(BUILD).encode() in (PREFIX / name).read_bytes() and not name.endswith((".a", ".so", "seamwright")):
-            wrong.append(name)
-    assert wrong == []
+def test_workbench_brings_its_module(tmp_path):
+    placed = install("workbench", tmp_path)
+    addon = "share/freecad/Mod/Seamwright"
+    assert {f"{addon}/package.xml", f"{addon}/LICENSE", f"{addon}/seamwright/__init__.py"} <= set(placed)
+    assert any(re.search(r"/seamwright/_core\..*\.so$", name) for name in placed)
+    assert all(name.startswith(addon) for name in placed)
+
+
+def test_installed_text_names_no_folder_of_the_build():
+    texts = [PREFIX / name for name in installed(PREFIX) if name.endswith((".cmake", ".hpp", ".py", ".json", ".xml"))]
+    assert texts
+    assert [text.name for text in texts if str(BUILD) in text.read_text(encoding="utf-8")] == []
 
 
 @pytest.mark.parametrize("program", ["bin/seamwright"])
