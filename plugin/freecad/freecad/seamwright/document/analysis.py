@@ -218,6 +218,7 @@ def create(sources=None, doc=None, **tolerances):
     doc = doc or (sources[0].Document if sources else App.ActiveDocument)
     if doc is None:
         raise ValueError("There is no document to put the analysis into.")
+    doc.recompute()  # what is to be found by itself must have its shape
     obj = doc.addObject("Part::FeaturePython", "SeamAnalysis")
     obj.Label = "Seam Analysis"
     SeamAnalysis(obj)

@@ -84,7 +84,11 @@ class Model:
             raise SourceError("There is nothing to analyse: the document has no solid or shell.")
         self.objects = list(objects)
         self.parts = [world_shape(obj) for obj in self.objects]
-        self.shape = self.parts[0] if len(self.parts) == 1 else Part.Compound(self.parts)
+        if len(self.parts) == 1:
+            self.shape = self.parts[0]
+        else:
+            self.parts = [_without_location(part) for part in self.parts]
+            self.shape = Part.Compound(self.parts)
 
     def owners(self, kind, numbers):
         """{"7": [object name, "Edge3"]} for the wanted numbers; ``kind`` "faces" or "edges"."""
@@ -99,6 +103,17 @@ class Model:
                 if number is not None:
                     owners.setdefault(str(number), [obj.Name, "%s%d" % (prefix, place)])
         return owners
+
+
+def _without_location(shape):
+    """The same faces and edges in the same order, without a location that moves nothing.
+
+    FreeCAD gives the shape of each object a location of its own, which makes an edge that two
+    objects share look like two edges. The location of a single face cannot be taken off.
+    """
+    if shape.ShapeType == "Face" or not shape.Placement.isIdentity():
+        return shape
+    return Part.Compound(shape.childShapes(True, False))
 
 
 def _elements(shape, kind):

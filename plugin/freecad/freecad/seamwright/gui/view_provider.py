@@ -49,7 +49,7 @@ class SeamAnalysisView:
 
     def updateData(self, obj, prop):
         """Follow the results."""
-        if prop == "Shape":
+        if prop in ("Shape", "Label"):
             self._refresh_later(obj)
         elif prop == "Summary":  # written last, when FreeCAD has drawn the new Shape
             self._refresh(obj.ViewObject)

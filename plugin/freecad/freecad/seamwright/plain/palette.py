@@ -28,7 +28,7 @@ class SeamClass:
 
 
 DEFECT = SeamClass("defect", "Defect", (213, 94, 0))
-CREASE = SeamClass("crease", "Crease", (0, 114, 178))
+CREASE = SeamClass("crease", "Crease", (40, 70, 160))
 SMOOTH = SeamClass("smooth", "Smooth", (0, 158, 115))
 
 #: Worst first: the order of the legend, of the filter and of the default sorting.

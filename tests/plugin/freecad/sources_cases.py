@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is analysed, and which object a number belongs to; run by run_freecad.py."""
+
+import FreeCAD as App
+import models
+import Part
+from document_cases import DocumentCase
+
+from freecad.seamwright.document import analysis, sources
+
+
+class Errors(DocumentCase):
+    def test_an_empty_document(self):
+        self.assertFailed(analysis.create(doc=self.doc), "nothing to analyse")
+
+    def test_a_source_without_shape(self):
+        empty = self.doc.addObject("Part::Feature", "Empty")
+        self.assertFailed(analysis.create([empty]), "Empty has no shape")
+
+    def test_a_source_without_faces(self):
+        line = models.add(self.doc, Part.makeLine((0, 0, 0), (1, 0, 0)), "Line")
+        self.assertFailed(analysis.create([line]), "Line has no faces")
+
+    def test_an_error_clears_the_results_and_passes_away(self):
+        prism = self.prism()
+        obj = analysis.create([prism])
+        prism.Shape = Part.Shape()
+        self.doc.recompute()
+        self.assertFailed(obj, "Prism has no shape")
+        self.assertEqual((obj.Seams, obj.Report and analysis.report_of(obj)["seams"]), (0, []))
+        prism.Shape = models.three_classes()
+        self.doc.recompute()
+        self.assertEqual((obj.Seams, analysis.error_text(obj)), (18, ""))
+
+    def test_a_single_face_has_no_seams_and_does_not_pass(self):
+        face = models.add(self.doc, Part.makePlane(1, 1), "Face")
+        obj = analysis.create([face])
+        self.assertEqual(analysis.error_text(obj), "")
+        self.assertEqual((obj.Seams, obj.OpenEdges, obj.Passed), (0, 4, False))
+
+
+class Choosing(DocumentCase):
+    def names(self, obj):
+        return [each.Name for each in obj.Analysed]
+
+    def test_nothing_chosen_means_all_solids_and_shells(self):
+        self.doc.addObject("Part::Box", "Box")
+        models.add(self.doc, Part.makeShell(Part.makeBox(1, 1, 1).Faces[2:5]), "Shell")
+        models.add(self.doc, Part.makeLine((0, 0, 0), (1, 0, 0)), "Line")
+        self.doc.recompute()
+        self.assertEqual(self.names(analysis.create()), ["Box", "Shell"])
+
+    def test_what_went_into_another_object_is_left_out(self):
+        box = self.doc.addObject("Part::Box", "Box")
+        ball = self.doc.addObject("Part::Sphere", "Ball")
+        cut = self.doc.addObject("Part::Cut", "Cut")
+        cut.Base, cut.Tool = box, ball
+        self.doc.recompute()
+        self.assertEqual(self.names(analysis.create()), ["Cut"])
+
+    def test_a_body_counts_once(self):
+        body = self.doc.addObject("PartDesign::Body", "Body")
+        body.addObject(self.doc.addObject("PartDesign::AdditiveBox", "Block"))
+        self.doc.recompute()
+        self.assertEqual(self.names(analysis.create()), ["Body"])
+
+    def test_a_new_object_is_found_by_the_next_recompute(self):
+        self.doc.addObject("Part::Box", "Box")
+        self.doc.recompute()
+        obj = analysis.create()
+        self.doc.addObject("Part::Box", "Other")
+        self.doc.recompute()
+        obj.touch()
+        self.doc.recompute()
+        self.assertEqual(self.names(obj), ["Box", "Other"])
+
+    def test_a_changed_object_is_followed_though_none_was_chosen(self):
+        box = self.doc.addObject("Part::Box", "Box")
+        self.doc.recompute()
+        obj = analysis.create()
+        box.Height = 42
+        self.doc.recompute()
+        self.assertAlmostEqual(obj.Shape.BoundBox.ZMax, 42, delta=1e-6)
+
+    def test_two_analyses_do_not_analyse_each_other(self):
+        self.doc.addObject("Part::Box", "Box")
+        self.doc.recompute()
+        first, second = analysis.create(), analysis.create()
+        self.assertEqual(self.names(first), self.names(second))
+
+
+class Mapping(DocumentCase):
+    def owners(self, obj, kind):
+        return analysis.report_of(obj)["freecad"][kind]
+
+    def test_numbers_go_back_to_their_objects(self):
+        box = self.doc.addObject("Part::Box", "Box")
+        ball = self.doc.addObject("Part::Cylinder", "Tube")
+        self.doc.recompute()
+        obj = analysis.create([box, ball])
+        faces = self.owners(obj, "faces")
+        self.assertEqual(faces["6"], ["Box", "Face6"])
+        self.assertEqual(faces["7"], ["Tube", "Face1"])
+        self.assertEqual(self.owners(obj, "edges")["13"], ["Tube", "Edge1"])
+
+    def test_what_two_objects_share_stays_shared(self):
+        second = Part.makeBox(1, 1, 1, App.Vector(1, 0, 0))
+        pieces, _ = Part.makeBox(1, 1, 1).generalFuse([second])
+        left = models.add(self.doc, pieces.Solids[0], "Left")
+        right = models.add(self.doc, pieces.Solids[1], "Right")
+        self.doc.recompute()
+        obj = analysis.create([left, right])
+        report = analysis.report_of(obj)
+        self.assertEqual((report["model"]["faces"], report["model"]["edges"]), (11, 20))
+        self.assertEqual(len(report["non_manifold"]), 4)
+        owners = self.owners(obj, "faces")
+        self.assertEqual({name for name, _ in owners.values()}, {"Left", "Right"})
+        for number, (name, element) in owners.items():
+            source = self.doc.getObject(name).Shape.getElement(element)
+            found = sources.Model([left, right]).shape.Faces[int(number) - 1]
+            self.assertTrue(found.isPartner(source))
+
+    def test_parts_are_analysed_where_they_stand(self):
+        part = self.doc.addObject("App::Part", "Part")
+        part.Placement.Base = App.Vector(100, 0, 0)
+        box = self.doc.addObject("Part::Box", "Box")
+        box.Placement.Base = App.Vector(0, 50, 0)
+        part.addObject(box)
+        other = self.doc.addObject("Part::Box", "Other")
+        self.doc.recompute()
+        obj = analysis.create([part, other])
+        self.assertEqual([each.Name for each in obj.Analysed], ["Box", "Other"])
+        bounds = obj.Shape.BoundBox
+        self.assertAlmostEqual(bounds.XMax, 110, delta=1e-6)
+        self.assertAlmostEqual(bounds.YMax, 60, delta=1e-6)
+        self.assertEqual(self.owners(obj, "edges")["12"], ["Box", "Edge12"])
+
+    def test_the_same_shape_in_two_places(self):
+        box = self.doc.addObject("Part::Box", "Box")
+        twin = self.doc.addObject("App::Link", "Twin")
+        twin.LinkedObject = box
+        twin.Placement = App.Placement(App.Vector(30, 0, 0), App.Rotation())
+        self.doc.recompute()
+        obj = analysis.create()
+        self.assertEqual([each.Name for each in obj.Analysed], ["Box", "Twin"])
+        self.assertEqual(obj.Seams, 24)
+        self.assertEqual(self.owners(obj, "edges")["13"], ["Twin", "Edge1"])

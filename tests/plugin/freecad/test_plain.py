@@ -1,0 +1,305 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The pure Python ring: colours, rows, sentences, export, finding the kernel."""
+
+import csv
+import io
+import itertools
+import json
+import math
+import os
+import sys
+from unittest import mock
+
+import pytest
+
+from freecad.seamwright.plain import export, kernel, palette, rows, summary
+
+TOLERANCE = {
+    "gap_mm": 0.01,
+    "angle_deg": 0.1,
+    "curvature_rel": 0.02,
+    "flat_radius_mm": 1e5,
+    "crease_deg": 5.0,
+}
+
+
+def figure(value, upper=None):
+    return None if value is None else {"lower": value, "upper": upper, "at": 0.25}
+
+
+def seam(number, seam_class="smooth", gap=0.001, angle=0.01, curvature=0.5, edges=None):
+    """A seam as the kernel reports it."""
+    return {
+        "id": number,
+        "kind": "shared",
+        "edges": edges or [number],
+        "faces": [number, number + 1],
+        "length_mm": 10.0 * number,
+        "gap_mm": figure(gap),
+        "angle_deg": figure(angle),
+        "curvature_per_mm": figure(curvature),
+        "curvature_rel": figure(curvature),
+        "level": "none" if gap is None else "G1" if seam_class == "smooth" else "G0",
+        "class": seam_class,
+        "certified": False,
+        "note": "" if gap is not None else "no pcurve",
+    }
+
+
+@pytest.fixture
+def report():
+    return {
+        "seams": [
+            seam(1),
+            seam(2, "crease", angle=90.0, curvature=None),
+            seam(3, "defect", angle=0.4),
+            seam(4, "defect", angle=0.9),
+            seam(5, "defect", gap=None, angle=None, curvature=None),
+        ],
+        "open": [{"edge": 9, "face": 1}],
+        "tolerance": dict(TOLERANCE),
+        "freecad": {
+            "level": "G1",
+            "objects": ["Box"],
+            "faces": {"1": ["Box", "Face1"]},
+            "edges": {"1": ["Box", "Edge1"], "3": ["Box", "Edge7"]},
+        },
+    }
+
+
+# Colours
+
+
+def linear(rgb):
+    return [
+        c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in (v / 255 for v in rgb)
+    ]
+
+
+#: Linear RGB as seen without one kind of cone (Machado, Oliveira and Fernandes 2009, severity 1).
+SIGHTS = {
+    "full": ((1, 0, 0), (0, 1, 0), (0, 0, 1)),
+    "protanopia": (
+        (0.152286, 1.052583, -0.204868),
+        (0.114503, 0.786281, 0.099216),
+        (-0.003882, -0.048116, 1.051998),
+    ),
+    "deuteranopia": (
+        (0.367322, 0.860646, -0.227968),
+        (0.280085, 0.672501, 0.047413),
+        (-0.011820, 0.042940, 0.968881),
+    ),
+    "tritanopia": (
+        (1.255528, -0.076749, -0.178779),
+        (-0.078411, 0.930809, 0.147602),
+        (0.004733, 0.691367, 0.303900),
+    ),
+}
+
+
+def lab(rgb_linear):
+    """CIE L*a*b* of linear sRGB, white D65."""
+    to_xyz = (
+        (0.4124, 0.3576, 0.1805, 0.95047),
+        (0.2126, 0.7152, 0.0722, 1.0),
+        (0.0193, 0.1192, 0.9505, 1.08883),
+    )
+    x, y, z = (
+        _cube_root(max(0.0, sum(m * c for m, c in zip(row[:3], rgb_linear))) / row[3])
+        for row in to_xyz
+    )
+    return 116 * y - 16, 500 * (x - y), 200 * (y - z)
+
+
+def _cube_root(t):
+    return t ** (1 / 3) if t > 0.008856 else 7.787 * t + 16 / 116
+
+
+@pytest.mark.parametrize("sight", sorted(SIGHTS))
+def test_classes_look_different_to_every_eye(sight):
+    seen = [
+        lab([sum(m * c for m, c in zip(row, linear(each.rgb))) for row in SIGHTS[sight]])
+        for each in palette.CLASSES
+    ]
+    for one, other in itertools.combinations(seen, 2):
+        assert math.dist(one, other) > 20
+
+
+def test_rank_is_worst_first():
+    assert [palette.rank(key) for key in ("defect", "crease", "smooth")] == [0, 1, 2]
+    with pytest.raises(KeyError):
+        palette.rank("unheard of")
+
+
+# Rows
+
+
+def test_rows_come_worst_first(report):
+    assert [row.seam for row in rows.build_rows(report)] == [5, 4, 3, 2, 1]
+
+
+def test_severity_counts_what_decides_at_the_level():
+    bad_curvature = seam(1, gap=0.02, angle=0.05, curvature=0.5)
+    assert rows.severity(bad_curvature, TOLERANCE, "G1") == pytest.approx(2.0)
+    assert rows.severity(bad_curvature, TOLERANCE, "G2") == pytest.approx(25.0)
+    assert rows.severity(seam(1, gap=0.02), {**TOLERANCE, "gap_mm": 0.0}, "G0") == math.inf
+    assert rows.severity(seam(1, gap=0.0), {**TOLERANCE, "gap_mm": 0.0}, "G0") == 0.0
+
+
+@pytest.mark.parametrize("descending", [False, True])
+def test_rows_without_value_sort_last(report, descending):
+    sorted_rows = rows.sort_rows(rows.build_rows(report), "angle_deg", descending)
+    assert [row.seam for row in sorted_rows[:-1]] == ([2, 4, 3, 1] if descending else [1, 3, 4, 2])
+    assert sorted_rows[-1].angle_deg is None
+
+
+@pytest.mark.parametrize("column", rows.COLUMNS, ids=lambda column: column.field)
+def test_every_column_sorts_and_shows(report, column):
+    built = rows.sort_rows(rows.build_rows(report), column.field)
+    assert len(built) == 5
+    assert all(isinstance(rows.cell_text(row, column), str) for row in built)
+
+
+def test_edges_sort_by_number_not_by_spelling():
+    report = {"seams": [seam(10), seam(9)], "tolerance": TOLERANCE}
+    built = rows.sort_rows(rows.build_rows(report), "edge_text")
+    assert [row.edge_text for row in built] == ["Edge9", "Edge10"]
+
+
+def test_filter_keeps_one_class(report):
+    built = rows.build_rows(report)
+    assert {row.seam for row in rows.filter_rows(built, "defect")} == {3, 4, 5}
+    assert rows.filter_rows(built, None) == built
+
+
+def test_elements_are_named_after_their_owner(report):
+    assert rows.element_text(report, "edges", 3, False) == "Edge7"
+    assert rows.element_text(report, "edges", 3, True) == "Box.Edge7"
+    assert rows.element_text(report, "edges", 8, True) == "Edge8"
+
+
+@pytest.mark.parametrize(
+    "value, text",
+    [(None, "\u2013"), (0.0, "0"), (1e-9, "< 1e-6"), (0.0123456, "0.01235"), (90.0, "90")],
+)
+def test_numbers_are_written_short(value, text):
+    assert rows.number_text(value) == text
+
+
+def test_a_figure_shows_its_upper_bound_when_it_has_one():
+    assert rows.figure_value(figure(0.1)) == 0.1
+    assert rows.figure_value(figure(0.1, 0.2)) == 0.2
+    assert rows.figure_value(None) is None
+
+
+def test_the_tool_tip_says_seen_or_between(report):
+    assert "0.001 mm is the largest seen, at 0.25" in rows.detail_text(report["seams"][0])
+    certified = {**seam(1), "gap_mm": figure(0.1, 0.2)}
+    assert "between 0.1 mm and 0.2 mm" in rows.detail_text(certified)
+    assert rows.detail_text(report["seams"][4]).endswith("no pcurve")
+
+
+# Sentences
+
+
+def test_summary_counts_and_judges(report):
+    text = summary.summary_text(report)
+    assert text.startswith("5 seams: 3 defects, 1 crease, 1 smooth; 1 open edge;")
+    assert "largest angle 0.9\u00b0" in text and text.endswith("G1 is not met.")
+    assert not summary.passed(report)
+
+
+def test_summary_without_seams():
+    assert summary.summary_text({"seams": []}) == "No seams: no two faces share an edge."
+    assert not summary.passed({"seams": []})
+
+
+def test_an_edge_of_two_seams_has_the_worst_class():
+    report = {"seams": [seam(1, edges=[4]), seam(2, "defect", edges=[4, 6]), seam(3, edges=[4])]}
+    assert list(summary.edge_classes(report).items()) == [(4, "defect"), (6, "defect")]
+
+
+def test_the_tolerance_line_names_what_decides(report):
+    assert summary.tolerance_text(report) == "G1: gap \u2264 0.01 mm, angle \u2264 0.1\u00b0"
+    report["freecad"]["level"] = "G2"
+    assert summary.tolerance_text(report).endswith("curvature \u2264 2 %")
+
+
+def test_legend_has_every_class_with_its_count(report):
+    entries = summary.legend_entries(report)
+    assert [text for _, text, _ in entries] == ["Defect: 3", "Crease: 1", "Smooth: 1"]
+    assert entries[1][2] == "sharper than 5\u00b0, taken as intended"
+
+
+# Export
+
+
+def test_json_comes_back_as_written(report, tmp_path):
+    export.write(report, tmp_path / "seams.json")
+    assert json.loads((tmp_path / "seams.json").read_text(encoding="utf-8")) == report
+
+
+def test_csv_has_a_line_a_seam_and_full_digits(report, tmp_path):
+    report["seams"][0]["gap_mm"]["lower"] = 0.1234567890123456
+    export.write(report, tmp_path / "seams.CSV")
+    lines = list(csv.DictReader(io.StringIO((tmp_path / "seams.CSV").read_text(encoding="utf-8"))))
+    assert [line["id"] for line in lines] == ["1", "2", "3", "4", "5"]
+    assert float(lines[0]["gap_mm_lower"]) == 0.1234567890123456
+    assert lines[0]["edges"] == "Box.Edge1" and lines[4]["gap_mm_lower"] == ""
+
+
+def test_a_missing_folder_is_named(report, tmp_path):
+    with pytest.raises(export.ExportError, match="nowhere does not exist"):
+        export.write(report, tmp_path / "nowhere" / "seams.csv")
+
+
+def test_an_unknown_ending_is_refused(report, tmp_path):
+    with pytest.raises(export.ExportError, match=r"\.csv or \.json"):
+        export.write(report, tmp_path / "seams.txt")
+    assert os.listdir(tmp_path) == []
+
+
+def test_a_failed_export_leaves_the_old_file(report, tmp_path):
+    target = tmp_path / "seams.json"
+    target.write_text("old")
+    with mock.patch("os.replace", side_effect=OSError(28, "No space left on device")):
+        with pytest.raises(export.ExportError, match="No space left"):
+            export.write(report, target)
+    assert target.read_text() == "old" and os.listdir(tmp_path) == ["seams.json"]
+
+
+# Kernel
+
+
+def module(version):
+    return mock.Mock(OCCT_VERSION=version)
+
+
+def test_kernel_of_the_same_occt_is_taken():
+    with mock.patch.object(kernel, "built_for", return_value={}):
+        for version in ("7.6.3", "7.6.9"):
+            with mock.patch.dict(sys.modules, seamwright=module(version)):
+                assert kernel.load("7.6.3").OCCT_VERSION == version
+
+
+def test_kernel_of_another_occt_is_refused():
+    with mock.patch.object(kernel, "built_for", return_value={}):
+        with mock.patch.dict(sys.modules, seamwright=module("7.8.1")):
+            with pytest.raises(kernel.KernelUnavailable, match="OpenCASCADE 7.8.1.*7.6.3"):
+                kernel.load("7.6.3")
+
+
+def test_another_occt_is_refused_before_anything_is_loaded():
+    built = {"python": "3.13", "occt": "7.8.1"}
+    with mock.patch.object(kernel, "built_for", return_value=built):
+        with mock.patch.dict(sys.modules, seamwright=None):
+            with pytest.raises(kernel.KernelUnavailable, match="built for OpenCASCADE 7.8.1"):
+                kernel.load("7.6.3")
+
+
+def test_a_missing_module_says_what_it_was_built_for():
+    built = {"python": "3.13", "occt": "7.6.3"}
+    with mock.patch.object(kernel, "built_for", return_value=built):
+        with mock.patch.dict(sys.modules, seamwright=None):
+            with pytest.raises(kernel.KernelUnavailable, match="Python 3.13 and OpenCASCADE 7.6.3"):
+                kernel.load("7.6.3")
