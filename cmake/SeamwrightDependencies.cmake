@@ -28,7 +28,7 @@ find_package(Threads REQUIRED)
 
 if(SEAMWRIGHT_BUILD_OCC)
   set(occt_packages "libocct-foundation-dev libocct-modeling-data-dev libocct-modeling-algorithms-dev "
-                    "libocct-data-exchange-dev libocct-ocaf-dev libocct-visualization-dev libtbb-dev")
+                    "libocct-data-exchange-dev libocct-ocaf-dev libocct-visualization-dev libtbb-dev libfontconfig-dev")
   string(CONCAT occt_packages ${occt_packages})
   seamwright_require(OCC "${occt_packages}" OpenCASCADE)
   seamwright_require(OCC "nlohmann-json3-dev" nlohmann_json)
