@@ -6,9 +6,9 @@ from pivy import coin
 COLOUR = (1.0, 0.85, 0.0)
 WIDTH = 16.0
 
-#: How much nearer than the model the band is drawn, as a part of the depth of the view: more
-#: than the model's faces, less than the coloured lines.
-BEHIND_SEAMS = 0.0015
+#: How much nearer than the model the seams, the band and the lines on the band are drawn, as
+#: parts of the depth of the view: each covers the one before.
+SEAM_LIFT, BAND_LIFT, CORE_LIFT = 0.003, 0.0035, 0.004
 
 #: Deviation of the drawn band from the edge, as a part of the edge's size.
 DEFLECTION = 0.001
@@ -29,26 +29,39 @@ class Halo:
 
     def __init__(self):
         self.node = coin.SoSeparator()
-        self._points = coin.SoCoordinate3()
-        self._lines = coin.SoLineSet()
-        self._lines.numVertices.setNum(0)
-        light, colour = coin.SoLightModel(), coin.SoBaseColor()
+        self._points, self._lines = coin.SoCoordinate3(), coin.SoLineSet()
+        self._core, self._core_style = coin.SoBaseColor(), coin.SoDrawStyle()
+        light, pick, binding = coin.SoLightModel(), coin.SoPickStyle(), coin.SoMaterialBinding()
         light.model = coin.SoLightModel.BASE_COLOR
-        colour.rgb = COLOUR
-        style, pick = coin.SoDrawStyle(), coin.SoPickStyle()
-        style.lineWidth = WIDTH
         pick.style = coin.SoPickStyle.UNPICKABLE
-        for node in (pick, nearer(BEHIND_SEAMS), light, colour, style, self._points, self._lines):
+        binding.value = coin.SoMaterialBinding.PER_FACE  # of a line set: one colour a line
+        band, style = coin.SoBaseColor(), coin.SoDrawStyle()
+        band.rgb = COLOUR
+        style.lineWidth = WIDTH
+        below, above = coin.SoSeparator(), coin.SoSeparator()
+        for node in (nearer(BAND_LIFT), band, style, self._lines):
+            below.addChild(node)
+        for node in (nearer(CORE_LIFT), binding, self._core, self._core_style, self._lines):
+            above.addChild(node)
+        for node in (pick, light, self._points, below, above):
             self.node.addChild(node)
+        self.show([], [], 1.0)
 
-    def show(self, edges):
-        """Draw the band along the edges, which may be none."""
+    def show(self, edges, colours, line_width):
+        """Draw the band along the edges, which may be none, and on it their lines.
+
+        ``colours`` are the (red, green, blue) of the lines, 0..1; ``line_width`` is in pixels.
+        """
         lines = [_polyline(edge) for edge in edges]
         points = [tuple(point) for line in lines for point in line]
-        self._points.point.setNum(0)
-        self._points.point.setValues(0, len(points), points)
-        self._lines.numVertices.setNum(0)
-        self._lines.numVertices.setValues(0, len(lines), [len(line) for line in lines])
+        self._core_style.lineWidth = line_width
+        for field, values in (
+            (self._points.point, points),
+            (self._lines.numVertices, [len(line) for line in lines]),
+            (self._core.rgb, list(colours)),
+        ):
+            field.setNum(0)
+            field.setValues(0, len(values), values)
 
 
 def _polyline(edge):

@@ -15,13 +15,17 @@ CONTEXT = 0.15
 
 def show(obj, report, seams):
     """Select the edges of the given seams (dicts of the report) on their objects and zoom there."""
-    numbers = [number for seam in seams for number in seam["edges"]]
-    owners = [owner for number in numbers if (owner := rows.owner_of(report, "edges", number))]
     Gui.Selection.clearSelection()
-    for name, element in owners:
-        select(obj.Document, name, element)
-    edges = [edge for edge in (find(obj.Document, *owner) for owner in owners) if edge is not None]
-    obj.ViewObject.Proxy.halo.show(edges)
+    edges, classes = [], []
+    for seam in seams:
+        for number in seam["edges"]:
+            owner = rows.owner_of(report, "edges", number)
+            edge = find(obj.Document, *owner) if owner else None
+            if edge is not None:
+                select(obj.Document, *owner)
+                edges.append(edge)
+                classes.append(seam["class"])
+    obj.ViewObject.Proxy.mark(edges, classes)
     view = _view_of(obj.Document)
     if not edges or view is None:
         return

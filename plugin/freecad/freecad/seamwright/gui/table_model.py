@@ -6,6 +6,9 @@ from freecad.seamwright.plain import palette, rows
 
 Qt = QtCore.Qt
 
+_RIGHT = Qt.AlignRight | Qt.AlignVCenter
+NUMBERS = _RIGHT.value if hasattr(_RIGHT, "value") else int(_RIGHT)
+
 
 class SeamTableModel(QtCore.QAbstractTableModel):
     """Rows of one report, sorted and filtered."""
@@ -56,7 +59,7 @@ class SeamTableModel(QtCore.QAbstractTableModel):
         if role == Qt.DecorationRole and column.field == "seam_class":
             return QtGui.QColor(*palette.BY_KEY[row.seam_class].rgb)
         if role == Qt.TextAlignmentRole and column.numeric:
-            return int(Qt.AlignRight) | int(Qt.AlignVCenter)
+            return NUMBERS
         return None
 
     def headerData(self, section, orientation, role=Qt.DisplayRole):

@@ -11,7 +11,7 @@ from freecad.seamwright.gui.tolerance_form import ToleranceForm
 from freecad.seamwright.plain import palette, rows, summary
 
 TABLE_HEIGHT = 300
-DOCK_WIDTH = 480
+DOCK_WIDTH = 600
 
 
 class TaskPanel:
@@ -28,15 +28,18 @@ class TaskPanel:
 
     def getStandardButtons(self):
         """A close button."""
-        return int(getattr(QtWidgets.QDialogButtonBox.Close, "value", QtWidgets.QDialogButtonBox.Close))
+        close = QtWidgets.QDialogButtonBox.Close
+        return close if hasattr(close, "value") else int(close)  # PySide2 wants the number
 
     def open(self):
         """Make the dock that holds the panel wide enough for it."""
         dock = self.form.parentWidget()
         while dock is not None and not isinstance(dock, QtWidgets.QDockWidget):
             dock = dock.parentWidget()
-        if dock is not None and dock.width() < DOCK_WIDTH and not dock.isFloating():
-            Gui.getMainWindow().resizeDocks([dock], [DOCK_WIDTH], QtCore.Qt.Horizontal)
+        window = Gui.getMainWindow()
+        wanted = min(DOCK_WIDTH, window.width() * 2 // 5)
+        if dock is not None and dock.width() < wanted and not dock.isFloating():
+            window.resizeDocks([dock], [wanted], QtCore.Qt.Horizontal)
 
     def reject(self):
         """Close the panel."""

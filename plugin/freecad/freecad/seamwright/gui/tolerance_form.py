@@ -2,7 +2,7 @@
 """The input fields for level and tolerances."""
 
 from freecad.seamwright.document import analysis
-from freecad.seamwright.gui.qt import QtCore, QtWidgets
+from freecad.seamwright.gui.qt import QtWidgets
 
 #: property, label, unit shown behind the number, largest value
 FIELDS = (
@@ -25,9 +25,8 @@ class NumberField(QtWidgets.QDoubleSpinBox):
         self.setStepType(QtWidgets.QAbstractSpinBox.AdaptiveDecimalStepType)
 
     def textFromValue(self, value):
-        """At most nine significant digits."""
-        self.locale().setNumberOptions(QtCore.QLocale.OmitGroupSeparator)
-        return self.locale().toString(float(value), "g", 9)
+        """At most nine significant digits, with the decimal point of the language."""
+        return ("%.9g" % value).replace(".", str(self.locale().decimalPoint()))
 
 
 class ToleranceForm(QtWidgets.QWidget):

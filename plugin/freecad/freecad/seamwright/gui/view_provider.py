@@ -9,7 +9,7 @@ import FreeCADGui as Gui
 
 from freecad.seamwright.document import analysis
 from freecad.seamwright.gui import icon_path
-from freecad.seamwright.gui.halo import Halo, nearer
+from freecad.seamwright.gui.halo import SEAM_LIFT, Halo, nearer
 from freecad.seamwright.gui.legend import Legend
 from freecad.seamwright.gui.qt import QtCore
 from freecad.seamwright.gui.task_panel import TaskPanel
@@ -18,9 +18,6 @@ from freecad.seamwright.plain import palette, summary
 LINE_WIDTH = 6.0
 POINT_SIZE = 1.0
 LEGEND_TEXT_PX = 13
-
-#: How much nearer than the model the seams are drawn, as a part of the depth of the view.
-LIFT = 0.002
 
 DRAWN_ANEW = (
     "Visibility", "ShowLegend", "LegendTextSize", "Deviation", "AngularDeflection", "DisplayMode"
@@ -42,8 +39,9 @@ class SeamAnalysisView:
         self.legend = Legend()
         self.halo = Halo()
         self.panel = None
+        self.line_width = vobj.LineWidth
         vobj.RootNode.addChild(self.halo.node)
-        vobj.RootNode.insertChild(nearer(LIFT), 0)
+        vobj.RootNode.insertChild(nearer(SEAM_LIFT), 0)
         vobj.RootNode.addChild(self.legend.node)
         self._refresh_later(vobj.Object)
 
@@ -58,6 +56,8 @@ class SeamAnalysisView:
 
     def onChanged(self, vobj, prop):
         """Follow the view properties that concern the legend or make FreeCAD draw anew."""
+        if prop == "LineWidth":
+            self.line_width = vobj.LineWidth
         if prop in DRAWN_ANEW and hasattr(self, "legend"):
             self._refresh_later(vobj.Object)
 
@@ -80,9 +80,14 @@ class SeamAnalysisView:
         if self.panel is not None:
             self.panel.leave()
         self.panel = None
-        self.halo.show([])
+        self.mark([], [])
         Gui.Control.closeDialog()
         return True
+
+    def mark(self, edges, classes):
+        """Draw a bright band along the edges, which have the given classes; [] takes it away."""
+        colours = [palette.BY_KEY[key].unit_rgb for key in classes]
+        self.halo.show(edges, colours, self.line_width)
 
     def dumps(self):
         """Nothing is kept beside the properties."""

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""check_picture.py SEAM_PICTURE ADDON OUT: what seam-picture writes, and how it fails."""
+
+import os
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+
+SKIPPED = 77
+STEP = "/usr/share/opencascade/data/step/linkrods.step"
+
+
+def run(program, *arguments):
+    done = subprocess.run([program, *arguments], capture_output=True, text=True, timeout=280, check=False)
+    print(done.returncode, done.stdout, done.stderr)
+    return done
+
+
+def png_size(path):
+    """Width and height of a PNG file."""
+    with open(path, "rb") as file:
+        head = file.read(24)
+    assert head[:8] == b"\x89PNG\r\n\x1a\n", path
+    return struct.unpack(">II", head[16:24])
+
+
+def main():
+    program, addon, out = sys.argv[1:]
+    missing = [name for name in ("freecad", "xvfb-run") if not shutil.which(name)]
+    if missing or not os.path.exists(STEP):
+        print("skipped: missing", missing or STEP)
+        return SKIPPED
+    os.makedirs(out, exist_ok=True)
+    target = os.path.join(out, "picture.png")
+    good = run(program, STEP, target, "--mod", addon)
+    assert good.returncode == 0 and "seams:" in good.stderr, "no picture"
+    assert png_size(target) == (1600, 1000)
+    with tempfile.TemporaryDirectory() as folder:
+        broken = os.path.join(folder, "broken.step")
+        with open(broken, "w", encoding="utf-8") as file:
+            file.write("this is no model\n")
+        nothing = os.path.join(folder, "nothing.png")
+        assert run(program, broken, nothing, "--mod", addon).returncode == 1
+        assert run(program, STEP, nothing).returncode == 2
+        assert run(program, os.path.join(folder, "absent.step"), nothing, "--mod", addon).returncode == 2
+        assert os.listdir(folder) == ["broken.step"], "something was left behind"
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

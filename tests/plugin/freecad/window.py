@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Handling FreeCAD's window in tests: waiting, clicking, looking at pictures."""
+
+import os
+import shutil
+import subprocess
+import time
+import unittest
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import numpy
+from PySide import QtCore, QtGui
+
+from freecad.seamwright.document import analysis
+from freecad.seamwright.gui.qt import QtWidgets
+
+OUT = os.environ["SEAMWRIGHT_TEST_OUT"]
+PICTURE = (1200, 800)
+
+
+def settle(seconds=0.2):
+    """Let FreeCAD handle what is pending."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        QtWidgets.QApplication.processEvents()
+        Gui.updateGui()
+        time.sleep(0.01)
+
+
+def click(widget, position):
+    """Press and release the left button at a position of a widget, as a mouse does."""
+    local = QtCore.QPointF(position)
+    everywhere = QtCore.QPointF(widget.mapToGlobal(position))
+    left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
+    for kind, held in ((QtCore.QEvent.MouseButtonPress, left), (QtCore.QEvent.MouseButtonRelease, none)):
+        event = QtGui.QMouseEvent(kind, local, everywhere, left, held, QtCore.Qt.NoModifier)
+        QtWidgets.QApplication.sendEvent(widget, event)
+    settle()
+
+
+def click_row(table, place, column=0):
+    """Click a cell of a table."""
+    index = table.model().index(place, column)
+    table.scrollTo(index)
+    click(table.viewport(), table.visualRect(index).center())
+
+
+def picture(name):
+    """Save the active 3D view on white and return it as an image."""
+    path = os.path.join(OUT, name + ".png")
+    Gui.activeDocument().activeView().saveImage(path, *PICTURE, "White")
+    image = QtGui.QImage(path)
+    assert not image.isNull(), path
+    return image
+
+
+def whole_window(name):
+    """Save what is on the screen, where ImageMagick is installed."""
+    if shutil.which("import"):
+        path = os.path.join(OUT, name + ".png")
+        subprocess.run(["import", "-window", "root", path], check=True, timeout=60)
+
+
+def count(image, rgb, area=None, reach=12):
+    """Pixels of a colour, give or take ``reach`` in each channel, within an area (QRect)."""
+    area = area or image.rect()
+    part = image.copy(area).convertToFormat(QtGui.QImage.Format_RGBA8888)
+    pixels = numpy.frombuffer(bytes(part.constBits()), numpy.uint8).reshape(-1, 4)[:, :3]
+    return int((abs(pixels.astype(int) - rgb) <= reach).all(axis=1).sum())
+
+
+def messages():
+    """Texts of the message boxes that are open; closes them."""
+    boxes = [
+        widget
+        for widget in QtWidgets.QApplication.topLevelWidgets()
+        if isinstance(widget, QtWidgets.QMessageBox) and widget.isVisible()
+    ]
+    texts = [box.text() for box in boxes]
+    for box in boxes:
+        box.close()
+    settle()
+    return texts
+
+
+def analyses(doc):
+    """The Seam Analyses of a document."""
+    return [obj for obj in doc.Objects if analysis.is_analysis(obj)]
+
+
+class WindowCase(unittest.TestCase):
+    """Each test has a document of its own with a view from above, and no message left over."""
+
+    def setUp(self):
+        Gui.activateWorkbench("SeamwrightWorkbench")
+        for dock in Gui.getMainWindow().findChildren(QtWidgets.QDockWidget):
+            dock.setVisible(dock.objectName() in ("Combo View", "Model", "Tasks"))
+        Gui.getMainWindow().showMaximized()
+        self.doc = App.newDocument("Window")
+        settle()
+
+    def tearDown(self):
+        self.assertEqual(messages(), [])
+        if self.doc.Name in App.listDocuments():
+            Gui.getDocument(self.doc.Name).resetEdit()
+            App.closeDocument(self.doc.Name)
+        settle(0.1)
+
+    def fit(self):
+        view = Gui.activeDocument().activeView()
+        view.viewIsometric()
+        view.fitAll()
+        settle()
+
+    def analyse(self):
+        """Run the command; the analysis it made and its open panel."""
+        Gui.runCommand("Seamwright_AnalyzeSeams")
+        settle()
+        obj = analyses(self.doc)[-1]
+        return obj, obj.ViewObject.Proxy.panel

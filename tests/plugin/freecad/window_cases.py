@@ -1,0 +1,217 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Commands, task panel and picture, in FreeCAD's window; run by run_freecad.py --window."""
+
+import os
+import sys
+import tempfile
+from unittest import mock
+
+import FreeCADGui as Gui
+import ImportGui
+import models
+from PySide import QtCore
+from window import OUT, WindowCase, analyses, click, click_row, count, messages, picture, settle, whole_window
+
+from freecad.seamwright.document import analysis
+from freecad.seamwright.gui import export_dialog, progress
+from freecad.seamwright.plain import palette
+
+STEP = "/usr/share/opencascade/data/step/linkrods.step"
+LEGEND = QtCore.QRect(0, 0, 420, 140)
+MODEL = QtCore.QRect(0, 145, 1200, 655)
+FEW = 60  # pixels of a short line
+
+
+class Picture(WindowCase):
+    def setUp(self):
+        super().setUp()
+        if os.path.exists(STEP):
+            ImportGui.insert(STEP, self.doc.Name)
+        else:
+            models.add(self.doc, models.three_classes(), "Prism")
+        self.fit()
+
+    def test_the_command_colours_the_seams_and_shows_a_legend(self):
+        obj, panel = self.analyse()
+        self.assertIsNotNone(panel)
+        self.fit()
+        view = picture("view")
+        whole_window("window")
+        for seam_class in palette.CLASSES:
+            with self.subTest(seam_class.name):
+                self.assertGreater(count(view, seam_class.rgb, LEGEND), FEW)
+                self.assertGreater(count(view, seam_class.rgb, MODEL), FEW)
+        self.assertEqual(panel.model.rowCount(), obj.Seams)
+        self.assertEqual(panel.summary.text(), obj.Summary)
+
+    def test_a_click_on_a_row_selects_the_edge_and_moves_the_camera(self):
+        obj, panel = self.analyse()
+        camera = Gui.activeDocument().activeView().getCamera
+        source = obj.Analysed[0].Name
+        for place in (0, 3):
+            before = camera()
+            click_row(panel.table, place)
+            seam = panel.seams[panel.model.row(place).seam]
+            chosen = [(one.ObjectName, one.SubElementNames) for one in Gui.Selection.getSelectionEx()]
+            self.assertEqual(chosen, [(source, ("Edge%d" % seam["edges"][0],))])
+            self.assertNotEqual(camera(), before)
+        whole_window("window-row")
+        self.assertGreater(count(picture("view-row"), (255, 217, 0)), FEW)
+
+    def test_filter_and_sorting(self):
+        obj, panel = self.analyse()
+        panel.filter.setCurrentIndex(panel.filter.findData("crease"))
+        self.assertEqual(panel.model.rowCount(), obj.Creases)
+        panel.filter.setCurrentIndex(0)
+        header = panel.table.horizontalHeader()
+        for _ in range(2):
+            click(header.viewport(), QtCore.QPoint(header.sectionViewportPosition(2) + 20, 8))
+        angles = [panel.model.row(place).angle_deg for place in range(panel.model.rowCount())]
+        self.assertIn(angles, (sorted(angles), sorted(angles, reverse=True)))
+        panel.sort_worst_first()
+        self.assertEqual(panel.model.row(0).seam_class, "defect")
+
+
+class Panel(WindowCase):
+    def setUp(self):
+        super().setUp()
+        models.add(self.doc, models.three_classes(), "Prism")
+        self.fit()
+
+    def test_new_tolerances_change_table_and_colours(self):
+        obj, panel = self.analyse()
+        self.assertGreater(count(picture("before"), palette.DEFECT.rgb, MODEL), FEW)
+        panel.tolerances.fields["AngleTolerance"].setValue(2.0)
+        click(panel.recompute_button, QtCore.QPoint(5, 5))
+        self.assertEqual((obj.Defects, obj.AngleTolerance.Value), (0, 2.0))
+        self.assertEqual(panel.summary.text(), obj.Summary)
+        after = picture("after")
+        self.assertEqual(count(after, palette.DEFECT.rgb, MODEL), 0)
+        self.assertGreater(count(after, palette.SMOOTH.rgb, MODEL), FEW)
+        self.doc.undo()
+        settle()
+        self.assertEqual(obj.AngleTolerance.Value, 0.1)
+
+    def test_fields_show_small_numbers_in_full(self):
+        _, panel = self.analyse()
+        field = panel.tolerances.fields["GapTolerance"]
+        for value in (0.01, 0.00025, 12.5):
+            field.setValue(value)
+            self.assertEqual(field.text().replace(",", "."), "%g mm" % value)
+
+    def test_an_error_is_shown_in_the_panel(self):
+        obj, panel = self.analyse()
+        obj.AngleTolerance = -1.0
+        self.doc.recompute()
+        panel.refresh()
+        self.assertIn("-1", panel.summary.text())
+        self.assertEqual(panel.model.rowCount(), 0)
+
+    def test_export_from_the_panel(self):
+        obj, _ = self.analyse()
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertTrue(export_dialog.export_to(obj, os.path.join(folder, "seams.csv")))
+            self.assertEqual(os.listdir(folder), ["seams.csv"])
+            self.assertFalse(export_dialog.export_to(obj, os.path.join(folder, "no", "seams.csv")))
+        self.assertIn("does not exist", messages()[0])
+
+    def test_closing_the_panel_drops_selection_and_band(self):
+        obj, panel = self.analyse()
+        click_row(panel.table, 0)
+        panel.reject()
+        settle()
+        self.assertEqual(Gui.Selection.getSelection(), [])
+        self.assertEqual(count(picture("closed"), (255, 217, 0)), 0)
+        Gui.activeDocument().setEdit(obj.Name)
+        settle()
+        self.assertIsNotNone(obj.ViewObject.Proxy.panel)
+
+
+class Commands(WindowCase):
+    def test_the_selected_object_alone_is_analysed(self):
+        models.add(self.doc, models.three_classes(), "Prism")
+        box = self.doc.addObject("Part::Box", "Box")
+        self.doc.recompute()
+        Gui.Selection.addSelection(box)
+        obj, _ = self.analyse()
+        self.assertEqual((obj.Sources, obj.Seams), ([box], 12))
+
+    def test_undo_takes_the_analysis_away(self):
+        self.doc.UndoMode = 1
+        models.add(self.doc, models.three_classes(), "Prism")
+        obj, panel = self.analyse()
+        panel.reject()
+        settle()
+        self.doc.undo()
+        settle()
+        self.assertEqual(analyses(self.doc), [])
+
+    def test_nothing_to_analyse_is_one_message(self):
+        Gui.runCommand("Seamwright_AnalyzeSeams")
+        settle()
+        texts = messages()
+        self.assertEqual(len(texts), 1)
+        self.assertIn("nothing to analyse", texts[0])
+        self.assertEqual(self.doc.Objects, [])
+
+    def test_a_missing_kernel_is_one_message(self):
+        self.doc.addObject("Part::Box", "Box")
+        with mock.patch.dict(sys.modules, seamwright=None):
+            Gui.runCommand("Seamwright_AnalyzeSeams")
+            settle()
+        texts = messages()
+        self.assertEqual(len(texts), 1)
+        self.assertIn("It was built for Python", texts[0])
+        self.assertNotIn("Traceback", texts[0])
+        self.assertEqual(analyses(self.doc), [])
+
+    def test_cancel_stops_an_analysis(self):
+        with progress.progress_dialog("Analysing") as report:
+            self.assertTrue(report(0.1))
+            report._dialog.cancel()
+            report._next = 0.0
+            self.assertFalse(report(0.2))
+
+    def test_only_the_newest_legend_is_shown(self):
+        models.add(self.doc, models.three_classes(), "Prism")
+        first, panel = self.analyse()
+        panel.reject()
+        second = analysis.create()
+        self.assertFalse(first.ViewObject.ShowLegend)
+        self.assertTrue(second.ViewObject.ShowLegend)
+
+
+class Legend(WindowCase):
+    def test_the_legend_leaves_fit_all_alone(self):
+        prism = models.add(self.doc, models.three_classes(), "Prism")
+        prism.Placement.Base.x = 5000
+        self.doc.recompute()
+        obj = analysis.create([prism])
+        heights = []
+        for shown in (True, False):
+            obj.ViewObject.ShowLegend = shown
+            settle()
+            self.fit()
+            heights.append(Gui.activeDocument().activeView().getCameraNode().height.getValue())
+        self.assertAlmostEqual(heights[0], heights[1], delta=1e-3)
+        self.assertLess(heights[0], 100)
+
+    def test_hiding_hides_the_legend_and_showing_keeps_the_colours(self):
+        models.add(self.doc, models.three_classes(), "Prism")
+        obj = analysis.create()
+        self.fit()
+        obj.ViewObject.Visibility = False
+        obj.touch()
+        self.doc.recompute()
+        settle()
+        hidden = picture("hidden")
+        obj.ViewObject.Visibility = True
+        settle()
+        shown = picture("shown")
+        for seam_class in palette.CLASSES:
+            self.assertEqual(count(hidden, seam_class.rgb), 0)
+            self.assertGreater(count(shown, seam_class.rgb, LEGEND), FEW)
+            self.assertGreater(count(shown, seam_class.rgb, MODEL), FEW)
+
+
+os.makedirs(OUT, exist_ok=True)
