@@ -76,6 +76,10 @@ void writeRows(std::ostream& out, const std::vector<Row>& rows) {
   }
 }
 
+std::string counted(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
+}
+
 void writeHead(std::ostream& out, const occ::Report& report) {
   const Summary summary = summarize(report);
   const ContinuityTolerance& tolerance = report.tolerance;
@@ -87,14 +91,14 @@ void writeHead(std::ostream& out, const occ::Report& report) {
       << " mm, angle <= " << degrees_per_radian * tolerance.angle_rad
       << " deg, curvature <= " << 100 * tolerance.curvature_rel << " %, crease above "
       << degrees_per_radian * tolerance.crease_rad << " deg\n";
-  out << "  " << report.seams.size() << " seams: " << summary.defects << " defects, " << summary.smooth
-      << " smooth, " << summary.creases << " creases;  ";
+  out << "  " << counted(report.seams.size(), "seam") << ": " << counted(summary.defects, "defect") << ", "
+      << summary.smooth << " smooth, " << counted(summary.creases, "crease") << ";  ";
   for (const auto& [level, count] : summary.by_level)
     if (count > 0) out << name(level) << ' ' << count << "  ";
   out << '\n';
-  out << "  " << report.open.size() << " open edges, " << report.non_manifold.size()
-      << " non-manifold edges;  read in " << number(report.read_s, "%.2f") << " s, analysed in "
-      << number(report.analyze_s, "%.2f") << " s\n";
+  out << "  " << counted(report.open.size(), "open edge") << ", "
+      << counted(report.non_manifold.size(), "non-manifold edge") << ";  read in "
+      << number(report.read_s, "%.2f") << " s, analysed in " << number(report.analyze_s, "%.2f") << " s\n";
 }
 
 }  // namespace
