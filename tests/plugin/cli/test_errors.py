@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Bad input: one line on standard error that says what is wrong, status 2, nothing written."""
+
+import pytest
+
+from command import run
+from models import MODELS, box_text, installed
+
+
+def write(path, content):
+    path.write_bytes(content if isinstance(content, bytes) else content.encode())
+    return path
+
+
+def bad_inputs(folder):
+    """name: (arguments, what the line must say)."""
+    good = write(folder / "good.step", box_text())
+    text = box_text()
+    empty_step = text[:text.index("#9=")] + "ENDSEC;\nEND-ISO-10303-21;\n"
+    foreign = "#16=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT($,.GRAM.));\n"
+    cases = {
+        "missing file": ([folder / "none.step"], "none.step"),
+        "folder": ([folder], "folder"),
+        "empty file": ([write(folder / "empty.step", "")], "empty"),
+        "no STEP": ([write(folder / "text.step", "Dear all,\nthis is a letter.\n")], "text.step"),
+        "binary noise": ([write(folder / "noise.step", bytes(range(256)) * 8)], "noise.step"),
+        "truncated": ([write(folder / "cut.step", text[:len(text) // 2])], "truncated"),
+        "no shapes": ([write(folder / "nothing.step", empty_step)], "nothing.step"),
+        "no unit": ([write(folder / "nounit.step", box_text(unit=""))], "unit"),
+        "unknown unit": ([write(folder / "gram.step", box_text(unit=foreign))], "unit"),
+        "second of two": ([good, folder / "none.step"], "none.step"),
+        "no model": ([], "MODEL"),
+        "unknown option": ([good, "--frobnicate"], "--frobnicate"),
+        "unknown format": ([good, "--format", "xml"], "xml"),
+        "unknown level": ([good, "--level", "G7"], "G7"),
+        "level not measured": ([good, "--level", "G3"], "G3"),
+        "word for a number": ([good, "--gap", "wide"], "wide"),
+        "negative jobs": ([good, "--jobs", "-1"], "-1"),
+        "crease below angle": ([good, "--angle", "3", "--crease", "2"], "2"),
+        "missing folder": ([good, "-o", folder / "nowhere" / "out.json"], "nowhere"),
+        "output is a folder": ([good, "-o", folder], "folder"),
+        "output is the model": ([good, "-o", good], "good.step"),
+        "output is a second model": ([write(folder / "other.step", text), good, "-o", good], "good.step"),
+    }
+    for option in ("gap", "angle", "curvature", "flat-radius", "crease"):
+        cases[f"NaN {option}"] = ([good, f"--{option}", "nan"], "nan")
+        cases[f"infinite {option}"] = ([good, f"--{option}", "inf"], "inf")
+        cases[f"negative {option}"] = ([good, f"--{option}", "-0.5"], "-0.5")
+    cases["zero flat-radius"] = ([good, "--flat-radius", "0"], "0")
+    return cases
+
+
+def names():
+    import pathlib
+    import tempfile
+
+    with tempfile.TemporaryDirectory() as folder:
+        return list(bad_inputs(pathlib.Path(folder)))
+
+
+def contents(folder):
+    return {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+
+
+def expect_one_line(result, said):
+    assert result.returncode == 2, (result.returncode, result.stdout, result.stderr)
+    assert result.stdout == ""
+    assert result.stderr.count("\n") == 1 and result.stderr.endswith("\n"), result.stderr
+    assert result.stderr.startswith("seamwright: ")
+    assert str(said) in result.stderr
+
+
+@pytest.mark.parametrize("name", names())
+def test_one_line_and_status_2(tmp_path, name):
+    arguments, said = bad_inputs(tmp_path)[name]
+    before = contents(tmp_path)
+    for form in ("table", "json", "csv"):
+        chosen = [] if name == "unknown format" else ["--format", form]
+        expect_one_line(run("analyze", *chosen, *arguments), said)
+    if "-o" not in arguments:
+        output = tmp_path / "out.txt"
+        expect_one_line(run("analyze", *arguments, "-o", output), said)
+    assert contents(tmp_path) == before, "nothing is written"
+
+
+def test_the_folder_is_not_a_step_away_from_being_written(tmp_path):
+    good = write(tmp_path / "good.step", box_text())
+    expect_one_line(run("analyze", good, "-o", tmp_path / "a" / "b" / "out.json"), "a")
+    assert not (tmp_path / "a").exists()
+
+
+def test_no_subcommand_and_unknown_subcommand():
+    expect_one_line(run(), "subcommand")
+    expect_one_line(run("analyse"), "subcommand")
+
+
+def test_names_with_line_breaks_keep_to_one_line(tmp_path):
+    expect_one_line(run("analyze", tmp_path / "two\nlines.step"), "two")
+
+
+def test_the_order_of_checks_saves_the_reading(tmp_path):
+    """A bad output is told before a model is read."""
+    good = write(tmp_path / "good.step", box_text())
+    expect_one_line(run("analyze", good, "-o", tmp_path / "nowhere" / "x", reader="/bin/false"), "nowhere")
+
+
+@pytest.mark.parametrize("reader,said", [("/bin/false", "good.step"), ("/nonexistent/reader", "/nonexistent/reader"),
+                                         ("/etc/passwd", "/etc/passwd"), ("/bin/true", "good.step")])
+def test_readers_that_do_not_read(tmp_path, reader, said):
+    expect_one_line(run("analyze", write(tmp_path / "good.step", box_text()), reader=reader), said)
+
+
+@pytest.mark.parametrize("content", ["garbage", "\\0\\0\\0\\0\\0\\0\\0\\0\\0", "S\\1\\0\\0\\0\\0\\0\\0\\0x",
+                                     "S\\377\\377\\377\\377\\377\\377\\377\\377", "F\\2\\0\\0\\0\\0\\0\\0\\0{}",
+                                     "E\\2\\0\\0\\0\\0\\0\\0\\0{}", "E\\1\\0\\0\\0\\0\\0\\0\\0x", ""])
+def test_readers_that_talk_nonsense(tmp_path, content):
+    reader = tmp_path / "reader"
+    reader.write_text(f"#!/bin/sh\nprintf '{content}' >&3\n")
+    reader.chmod(0o755)
+    expect_one_line(run("analyze", write(tmp_path / "good.step", box_text()), reader=reader), "good.step")
+
+
+@pytest.mark.parametrize("file", ["ap203_malformed_representation.stp", "ap203_part21_scope.stp", "ap242_tessellated.stp",
+                                  "f3d_lfs_pointer.stp", "mutated/utf16.step"])
+def test_broken_files(file):
+    path = installed(MODELS / "broken" / file)
+    expect_one_line(run("analyze", path), path)
+
+
+def test_what_is_known_of_a_broken_file_is_said():
+    assert "Git LFS" in run("analyze", installed(MODELS / "broken/f3d_lfs_pointer.stp")).stderr
+    assert "UTF-16" in run("analyze", installed(MODELS / "broken/mutated/utf16.step")).stderr
+    dangling = run("analyze", installed(MODELS / "broken/mutated/dangling_ref.step"))
+    assert dangling.returncode in (0, 1)
+    assert "10 faces" in dangling.stdout and "could not be made" in dangling.stdout
+
+
+def test_help_and_version_go_to_standard_output():
+    for arguments in (["--help"], ["analyze", "--help"], ["--version"]):
+        result = run(*arguments)
+        assert result.returncode == 0 and result.stderr == "" and result.stdout
+    assert run("--version").stdout.startswith("seamwright ")

@@ -1,0 +1,270 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What analyze writes: JSON against its schema, table and CSV against the JSON, exit statuses."""
+
+import copy
+import csv
+import io
+import json
+import pathlib
+
+import jsonschema
+import pytest
+
+from command import run
+from models import MODELS, OCCT_DATA, box_text, installed, roof_text
+
+SCHEMA = json.loads((pathlib.Path(__file__).parents[3] / "docs" / "analysis-1.schema.json").read_text())
+VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
+
+FILES = [
+    OCCT_DATA / "step/screw.step",
+    OCCT_DATA / "step/linkrods.step",
+    OCCT_DATA / "occ/shell1.brep",
+    OCCT_DATA / "iges/bearing.iges",
+    MODELS / "freeform/hammer.brep",
+    MODELS / "freeform/Silk_Demo_01_sewn.step",
+    MODELS / "small/cube-units_cube-in.step",
+    MODELS / "broken/mutated/nan_coordinate.step",
+    MODELS / "broken/mutated/dangling_ref.step",
+]
+
+
+@pytest.fixture
+def box(tmp_path):
+    path = tmp_path / "box.step"
+    path.write_text(box_text())
+    return path
+
+
+def roof(tmp_path, angle_deg):
+    path = tmp_path / f"roof{angle_deg}.step"
+    path.write_text(roof_text(angle_deg))
+    return path
+
+
+def analysis(path, *options):
+    result = run("analyze", "--format", "json", *options, path)
+    assert result.returncode in (0, 1), result.stderr
+    assert result.stderr == ""
+    lines = result.stdout.splitlines()
+    assert len(lines) == 1
+    return json.loads(lines[0]), result.returncode
+
+
+def strict(report):
+    errors = [f"{error.json_path}: {error.message}" for error in VALIDATOR.iter_errors(report)]
+    assert not errors, errors[:5]
+
+
+def check_summary(report):
+    seams, summary = report["seams"], report["summary"]
+    assert summary["seams"] == len(seams)
+    for level in ("none", "G0", "G1", "G2", "G3"):
+        assert summary["by_level"][level] == sum(seam["level"] == level for seam in seams)
+    for key, name in (("smooth", "smooth"), ("defects", "defect"), ("creases", "crease")):
+        assert summary[key] == sum(seam["class"] == name for seam in seams)
+    assert summary["uncertified"] == sum(not seam["certified"] for seam in seams)
+    assert summary["passed"] == (summary["defects"] == 0)
+    assert summary["open_edges"] == len(report["open"])
+    assert summary["non_manifold_edges"] == len(report["non_manifold"])
+    for key, figure in (("max_gap_mm", "gap_mm"), ("max_angle_deg", "angle_deg")):
+        values = [seam[figure]["lower"] for seam in seams if seam[figure]]
+        assert summary[key] == pytest.approx(max(values, default=0), rel=1e-12)
+
+
+def check_seams(report):
+    tolerance = report["tolerance"]
+    assert [seam["id"] for seam in report["seams"]] == list(range(1, len(report["seams"]) + 1))
+    for seam in report["seams"]:
+        assert all(face <= report["model"]["faces"] for face in seam["faces"])
+        assert all(edge <= report["model"]["edges"] for edge in seam["edges"])
+        assert (seam["kind"] == "closed") == (seam["faces"][0] == seam["faces"][1])
+        if seam["angle_deg"] and seam["angle_deg"]["lower"] > tolerance["crease_deg"]:
+            assert seam["curvature_per_mm"] is None and seam["curvature_rel"] is None
+        if seam["gap_mm"] is None:
+            assert seam["level"] == "none" and seam["note"]
+        elif seam["gap_mm"]["lower"] > tolerance["gap_mm"]:
+            assert seam["level"] == "none"
+        elif seam["angle_deg"] and seam["angle_deg"]["lower"] > tolerance["angle_deg"]:
+            assert seam["level"] == "G0"
+        if seam["certified"]:
+            assert all(seam[key] is None or seam[key]["upper"] is not None for key in ("gap_mm", "angle_deg"))
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
+def test_real_models_follow_the_schema(path):
+    report, status = analysis(installed(path))
+    strict(report)
+    check_summary(report)
+    check_seams(report)
+    assert status == (0 if report["summary"]["defects"] == 0 else 1)
+    assert report["model"]["path"] == str(path)
+
+
+def test_box(box):
+    report, status = analysis(box)
+    strict(report)
+    assert status == 0
+    assert report["model"]["faces"] == 6 and report["model"]["edges"] == 12
+    assert report["summary"]["creases"] == 12
+    assert sorted(round(seam["length_mm"], 9) for seam in report["seams"]) == [10] * 4 + [20] * 4 + [30] * 4
+    for seam in report["seams"]:
+        assert seam["angle_deg"]["lower"] == pytest.approx(90, abs=1e-9)
+        assert (seam["level"], seam["class"], seam["kind"]) == ("G0", "crease", "shared")
+
+
+def test_defaults_are_those_of_the_help(box):
+    tolerance = analysis(box)[0]["tolerance"]
+    expected = {"gap_mm": 0.01, "angle_deg": 0.1, "curvature_rel": 0.02, "flat_radius_mm": 100000, "crease_deg": 5}
+    assert {key: tolerance[key] for key in expected} == pytest.approx(expected, rel=1e-12)
+    assert tolerance["level"] == "G1"
+
+
+def test_options_arrive(box):
+    tolerance = analysis(box, "--gap", "0.5", "--angle", "1.5", "--curvature", "0.25", "--flat-radius", "777",
+                         "--crease", "12", "--level", "G0")[0]["tolerance"]
+    expected = {"gap_mm": 0.5, "angle_deg": 1.5, "curvature_rel": 0.25, "flat_radius_mm": 777, "crease_deg": 12}
+    assert {key: tolerance[key] for key in expected} == pytest.approx(expected, rel=1e-12)
+    assert tolerance["level"] == "G0"
+
+
+@pytest.mark.parametrize("angle,status,name", [(0, 0, "smooth"), (0.05, 0, "smooth"), (0.2, 1, "defect"),
+                                               (4.9, 1, "defect"), (5.1, 0, "crease"), (60, 0, "crease")])
+def test_status_and_class_follow_the_angle(tmp_path, angle, status, name):
+    report, found = analysis(roof(tmp_path, angle))
+    strict(report)
+    assert len(report["seams"]) == 1 and report["summary"]["open_edges"] == 6
+    assert report["seams"][0]["angle_deg"]["lower"] == pytest.approx(angle, abs=1e-6)
+    assert (found, report["seams"][0]["class"]) == (status, name)
+
+
+def test_level_and_tolerances_decide_the_status(tmp_path):
+    path = roof(tmp_path, 0.2)
+    assert analysis(path, "--level", "G0")[1] == 0
+    assert analysis(path, "--angle", "0.3")[1] == 0
+    assert analysis(path, "--crease", "0.15")[1] == 0
+    assert analysis(path, "--level", "G2")[1] == 1
+
+
+def csv_rows(*arguments):
+    result = run("analyze", "--format", "csv", *arguments)
+    assert result.stderr == ""
+    return list(csv.DictReader(io.StringIO(result.stdout)))
+
+
+def number(text):
+    return float(text) if text else None
+
+
+@pytest.mark.parametrize("path", FILES[:6], ids=lambda path: path.name)
+def test_csv_says_what_json_says(path):
+    report, _ = analysis(installed(path))
+    rows = csv_rows(path)
+    assert len(rows) == len(report["seams"])
+    columns = [("gap_mm", "gap_mm", "gap_mm_upper", "gap_at"),
+               ("angle_deg", "angle_deg", "angle_deg_upper", "angle_at"),
+               ("curvature_per_mm", "curvature_per_mm", "curvature_per_mm_upper", "curvature_per_mm_at"),
+               ("curvature_rel", "curvature_rel", "curvature_rel_upper", "curvature_rel_at")]
+    for row, seam in zip(rows, report["seams"]):
+        assert int(row["seam"]) == seam["id"]
+        assert [int(row["face_a"]), int(row["face_b"])] == seam["faces"]
+        assert [int(edge) for edge in row["edges"].split()] == seam["edges"]
+        assert (row["kind"], row["level"], row["class"], row["note"]) == (
+            seam["kind"], seam["level"], seam["class"], seam["note"])
+        assert float(row["length_mm"]) == seam["length_mm"]
+        assert row["certified"] == ("true" if seam["certified"] else "false")
+        for figure, lower, upper, at in columns:
+            expected = seam[figure] or {"lower": None, "upper": None, "at": None}
+            assert [number(row[lower]), number(row[upper]), number(row[at])] == [
+                expected["lower"], expected["upper"], expected["at"]]
+
+
+@pytest.mark.parametrize("path", FILES[:6], ids=lambda path: path.name)
+def test_table_says_what_json_says(path):
+    report, status = analysis(installed(path))
+    result = run("analyze", path)
+    assert result.returncode == status
+    text = result.stdout
+    summary = report["summary"]
+    assert f"{summary['seams']} seams: {summary['defects']} defects, {summary['smooth']} smooth, " \
+           f"{summary['creases']} creases" in text
+    assert ("PASSED" in text) == (status == 0 and summary["seams"] > 0)
+    assert ("FAILED" in text) == (status == 1)
+    rows = [line.split() for line in text.splitlines() if line.split()[:1] and line.split()[0] in
+            ("smooth", "defect", "crease")]
+    assert sorted((row[0], row[1], row[2], row[3], row[4]) for row in rows) == sorted(
+        (seam["class"], seam["level"], f"Edge{seam['edges'][0]}", "{}-{}".format(*seam["faces"]), seam["kind"])
+        for seam in report["seams"])
+    by_edge = {f"Edge{seam['edges'][0]}": seam for seam in report["seams"]}
+    for row in rows:
+        seam = by_edge[row[2]]
+        assert float(row[5]) == pytest.approx(seam["length_mm"], abs=5.1e-4)
+        for text_value, figure in zip(row[6:9], ("gap_mm", "angle_deg", "curvature_rel")):
+            if seam[figure] is None:
+                assert text_value == "-"
+            else:
+                assert float(text_value) == pytest.approx(seam[figure]["lower"], rel=0.06)
+
+
+def test_several_models_in_one_call(tmp_path, box):
+    bad = roof(tmp_path, 0.2)
+    result = run("analyze", "--format", "json", box, bad, box)
+    assert result.returncode == 1, "one model with a defect is enough"
+    reports = [json.loads(line) for line in result.stdout.splitlines()]
+    assert [report["model"]["path"] for report in reports] == [str(box), str(bad), str(box)]
+    for report in reports:
+        strict(report)
+    rows = csv_rows(box, bad)
+    assert [row["model"] for row in rows] == [str(box)] * 12 + [str(bad)]
+    table = run("analyze", box, bad).stdout
+    assert table.count("PASSED") == 1 and table.count("FAILED") == 1
+
+
+def test_csv_quotes_what_needs_it(tmp_path):
+    path = tmp_path / 'a "b", c.step'
+    path.write_text(box_text())
+    assert {row["model"] for row in csv_rows(path)} == {str(path)}
+
+
+def test_names_of_files_may_hold_any_letter(tmp_path):
+    path = tmp_path / "Näht Ω 缝.step"
+    path.write_text(box_text())
+    assert analysis(path)[0]["model"]["path"] == str(path)
+
+
+def test_jobs_change_nothing():
+    path = installed(OCCT_DATA / "step/linkrods.step")
+    reports = []
+    for jobs in (1, 2, 8):
+        report, _ = analysis(path, "--jobs", str(jobs))
+        del report["time_s"]
+        reports.append(report)
+    assert reports[0] == reports[1] == reports[2]
+
+
+def paths_of(value, path=()):
+    """Paths to every key of the report, the first element of arrays only."""
+    if isinstance(value, dict):
+        for key, inner in value.items():
+            yield path + (key,)
+            yield from paths_of(inner, path + (key,))
+    elif isinstance(value, list) and value:
+        yield from paths_of(value[0], path + (0,))
+
+
+def test_the_schema_notices_a_missing_key_a_wrong_type_and_a_foreign_key(tmp_path):
+    report, _ = analysis(roof(tmp_path, 1))
+    strict(report)
+    for path in paths_of(report):
+        for change in ("missing", "wrong"):
+            broken = copy.deepcopy(report)
+            inner = broken
+            for key in path[:-1]:
+                inner = inner[key]
+            if change == "missing":
+                del inner[path[-1]]
+            else:
+                inner[path[-1]] = {"unexpected": True}
+            assert not VALIDATOR.is_valid(broken), (path, change)
+    report["extra"] = 1
+    assert not VALIDATOR.is_valid(report)
