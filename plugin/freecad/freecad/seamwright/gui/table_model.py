@@ -34,13 +34,6 @@ class SeamTableModel(QtCore.QAbstractTableModel):
         """The Row shown at a place."""
         return self._shown[place]
 
-    def place_of(self, edge):
-        """Place of the first row shown that has the edge number, or None."""
-        for place, row in enumerate(self._shown):
-            if edge in row.edges:
-                return place
-        return None
-
     def rowCount(self, parent=None):
         """Number of rows shown."""
         return 0 if parent is not None and parent.isValid() else len(self._shown)
