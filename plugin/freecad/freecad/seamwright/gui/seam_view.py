@@ -52,10 +52,10 @@ def find(doc, name, element):
     obj = doc.getObject(name)
     if obj is None:
         return None
-    shape = sources.world_shape(obj)
-    elements = shape.Faces if element.startswith("Face") else shape.Edges
-    number = int(element[4:])
-    return elements[number - 1] if number <= len(elements) else None
+    try:
+        return sources.world_shape(obj).getElement(element)
+    except (Part.OCCError, sources.SourceError):
+        return None
 
 
 def _place(obj, report, seam, edge):
