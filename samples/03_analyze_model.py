@@ -7,7 +7,7 @@ import seamwright
 
 model = seamwright.read(sys.argv[1])
 report = model.analyze(level="G1")
-for seam in report.seams:
+for seam in report.to_dict()["seams"]:
     if seam["class"] == "defect" and seam["angle_deg"]:
         print("Edge%d, between Face%d and Face%d:" % (*seam["edges"], *seam["faces"]), end=" ")
         print("angle %.6g deg" % seam["angle_deg"]["lower"])

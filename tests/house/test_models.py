@@ -27,6 +27,6 @@ def test_rounded_block_is_tangent_everywhere():
 
 def test_broken_block_has_one_defect_of_two_degrees():
     report = seamwright.read(MODELS / "broken_block.step").analyze()
-    (defect,) = [seam for seam in report.seams if seam["class"] == "defect"]
+    (defect,) = [seam for seam in report.to_dict()["seams"] if seam["class"] == "defect"]
     assert abs(defect["angle_deg"]["lower"] - 2) < 1e-9
     assert abs(defect["angle_deg"]["at"] - 0.5) < 0.01
