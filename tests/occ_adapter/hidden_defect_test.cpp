@@ -5,8 +5,11 @@
 
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierCurve.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Plane.hxx>
+#include <Geom_SurfaceOfLinearExtrusion.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
 #include <cmath>
 #include <numbers>
 
@@ -154,6 +157,28 @@ TEST(HiddenDefect, OnAPathThatCrossesKnotLinesAtAnAngle) {
   EXPECT_NEAR(angleDeg(seam) * degree, angle, 0.01 * angle);
   EXPECT_NEAR(seam.figures.gap_mm->lower, gap, 0.01 * gap);
   EXPECT_NE(seam.verdict.seam_class, SeamClass::Smooth);
+}
+
+TEST(HiddenDefect, CurvatureThatGrowsTowardsAPole) {
+  // The meridian z = a x^2 + b x^3 turned about z, and the same curve extruded across: tangent all along, and they differ
+  // by the curvature of the parallels, (2 a + 3 b x) / sqrt(1 + z'^2), which is largest, 2 a, towards the pole at x = 0.
+  const double a = 0.05, b = -0.25;
+  NCollection_Array1<gp_Pnt> poles(1, 4);
+  poles(1) = gp_Pnt(0, 0, 0);
+  poles(2) = gp_Pnt(1 / 3.0, 0, 0);
+  poles(3) = gp_Pnt(2 / 3.0, 0, a / 3);
+  poles(4) = gp_Pnt(1, 0, a + b);
+  const opencascade::handle<Geom_Curve> meridian = new Geom_BezierCurve(poles);
+  const opencascade::handle<Geom_Surface> turned = new Geom_SurfaceOfRevolution(meridian, gp::OZ());
+  const opencascade::handle<Geom_Surface> extruded = new Geom_SurfaceOfLinearExtrusion(meridian, gp::DY());
+  const SeamResult seam =
+      analyzed(joined({turned, {{0, 1}, {0, 0}, {0.5, 1}}}, {extruded, {{1, 0}, {0, 0}, {0, -1}, {1, -1}}}))
+          .seams.at(0);
+  SCOPED_TRACE(describe(seam));
+  EXPECT_LT(angleDeg(seam), 1e-6);
+  EXPECT_GE(curvature(seam), 0.99 * 2 * a);
+  EXPECT_LE(curvature(seam), 2 * a * (1 + 1e-6));
+  EXPECT_THAT(seam.note, HasSubstr("vanishing normal"));
 }
 
 void expectFold(const TopoDS_Shape& shape) {

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Files that can't be read: every kind of error, told with the file's name in one line.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+
+#include "files.hpp"
+
+namespace seamwright::test {
+namespace {
+
+using occ::ModelErrc;
+using ::testing::HasSubstr;
+
+TopoDS_Shape box() {
+  return BRepPrimAPI_MakeBox(10, 20, 30).Shape();
+}
+
+void expectError(const std::filesystem::path& path, ModelErrc code, const std::string& said) {
+  const occ::ModelError error = errorOf(path);
+  SCOPED_TRACE(error.what());
+  EXPECT_EQ(error.code(), code);
+  EXPECT_THAT(error.what(), HasSubstr(path.string() + ": "));
+  EXPECT_THAT(error.what(), HasSubstr(said));
+  EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << "one line";
+}
+
+TEST(ReadErrors, NotFound) {
+  const Folder folder;
+  expectError(folder / "none.step", ModelErrc::NotFound, "no such file");
+  expectError(folder / "no-folder/none.step", ModelErrc::NotFound, "no such file");
+}
+
+TEST(ReadErrors, NotAFile) {
+  const Folder folder;
+  expectError(folder / "", ModelErrc::NotAFile, "folder");
+  expectError("/dev/null", ModelErrc::NotAFile, "not a regular file");
+  ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+  expectError(folder / "pipe", ModelErrc::NotAFile, "not a regular file");
+}
+
+TEST(ReadErrors, NotReadable) {
+  const Folder folder;
+  writeStep(box(), folder / "box.step");
+  ASSERT_EQ(chmod((folder / "box.step").c_str(), 0), 0);
+  if (access((folder / "box.step").c_str(), R_OK) == 0) GTEST_SKIP() << "this user may read anything";
+  expectError(folder / "box.step", ModelErrc::NotReadable, "permissions");
+}
+
+TEST(ReadErrors, NotReadableUnderRoot) {
+  if (!std::filesystem::exists("/proc/self/mem")) GTEST_SKIP();
+  // A regular file that no one can read from its start.
+  const occ::ModelError error = errorOf("/proc/self/mem");
+  EXPECT_TRUE(error.code() == ModelErrc::NotReadable || error.code() == ModelErrc::Empty) << error.what();
+}
+
+TEST(ReadErrors, Empty) {
+  const Folder folder;
+  setContent(folder / "empty.step", "");
+  expectError(folder / "empty.step", ModelErrc::Empty, "empty");
+}
+
+TEST(ReadErrors, UnknownFormat) {
+  const Folder folder;
+  const std::vector<std::pair<std::string, std::string>> contents = {
+      {"Dear all, this is a letter.", "no STEP, IGES or BREP"},
+      {"\n", "no STEP, IGES or BREP"},
+      {std::string("PK\x03\x04 and so on", 14), "zip"},
+      {"\x1f\x8b\x08 and so on", "gzip"},
+      {"\xff\xfeI\x01", "UTF-16"},
+      {std::string("I\0S\0O\0-\0001\0000\0", 12), "UTF-16"},
+      {"version https://git-lfs.github.com/spec/v1\noid sha256:0\n", "Git LFS"},
+      {"solid cube\nfacet normal 0 0 1\n", "no STEP, IGES or BREP"},
+      {std::string(5000, '\0'), "no STEP, IGES or BREP"}};
+  for (const auto& [content, said] : contents) {
+    setContent(folder / "odd.step", content);
+    expectError(folder / "odd.step", ModelErrc::UnknownFormat, said);
+  }
+}
+
+TEST(ReadErrors, Truncated) {
+  const Folder folder;
+  writeStep(box(), folder / "box.step");
+  const std::string step = contentOf(folder / "box.step");
+  for (const double share : {0.1, 0.5, 0.9, 0.999}) {
+    setContent(folder / "cut.step",
+               step.substr(0, static_cast<std::size_t>(share * static_cast<double>(step.size()))));
+    expectError(folder / "cut.step", ModelErrc::Truncated, "truncated");
+  }
+  writeIges(box(), folder / "box.igs");
+  const std::string iges = contentOf(folder / "box.igs");
+  setContent(folder / "cut.igs", iges.substr(0, iges.size() / 2));
+  expectError(folder / "cut.igs", ModelErrc::Truncated, "truncated");
+}
+
+TEST(ReadErrors, TruncatedBrepIsMalformed) {
+  const Folder folder;
+  writeBrep(box(), folder / "box.brep");
+  writeBinaryBrep(box(), folder / "box.bin");
+  for (const char* name : {"box.brep", "box.bin"}) {
+    const std::string whole = contentOf(folder / name);
+    for (const double share : {0.1, 0.3, 0.5, 0.8, 0.95}) {
+      setContent(folder / "cut",
+                 whole.substr(0, static_cast<std::size_t>(share * static_cast<double>(whole.size()))));
+      const occ::ModelError error = errorOf(folder / "cut");
+      EXPECT_TRUE(error.code() == ModelErrc::Malformed || error.code() == ModelErrc::ReaderDied ||
+                  error.code() == ModelErrc::NoShapes)
+          << share << " of " << name << ": " << error.what();
+    }
+  }
+}
+
+TEST(ReadErrors, Malformed) {
+  const Folder folder;
+  setContent(folder / "bad.step", "ISO-10303-21;\nHEADER;\nnothing of the kind\nEND-ISO-10303-21;\n");
+  const occ::ModelError error = errorOf(folder / "bad.step");
+  EXPECT_TRUE(error.code() == ModelErrc::Malformed || error.code() == ModelErrc::NoShapes) << error.what();
+  writeBrep(box(), folder / "box.brep");
+  setContent(folder / "bad.brep", replaced(contentOf(folder / "box.brep"), "Curves", "Kurven"));
+  expectError(folder / "bad.brep", ModelErrc::Malformed, "BREP");
+}
+
+TEST(ReadErrors, NoShapes) {
+  const Folder folder;
+  const TopoDS_Shape edge = BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0)).Shape();
+  writeStep(edge, folder / "edge.step");
+  expectError(folder / "edge.step", ModelErrc::NoShapes, "no");
+  writeBrep(edge, folder / "edge.brep");
+  expectError(folder / "edge.brep", ModelErrc::NoShapes, "no faces");
+  writeBinaryBrep(edge, folder / "edge.bin");
+  expectError(folder / "edge.bin", ModelErrc::NoShapes, "no faces");
+}
+
+}  // namespace
+}  // namespace seamwright::test

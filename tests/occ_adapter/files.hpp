@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <TopoDS_Shape.hxx>
+#include <filesystem>
+#include <string>
+
+#include <seamwright/occ_adapter/model/read.hpp>
+
+/// Model files written for the tests by OpenCASCADE.
+namespace seamwright::test {
+
+/// A folder of its own for one test, gone with it.
+class Folder {
+ public:
+  Folder();
+  ~Folder();
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Sets an environment variable while it lives.
+class Environment {
+ public:
+  Environment(const char* name, const std::string& value);
+  ~Environment();
+  Environment(const Environment&) = delete;
+  Environment& operator=(const Environment&) = delete;
+
+ private:
+  const char* name_;
+};
+
+void writeStep(const TopoDS_Shape& shape, const std::filesystem::path& path, const char* unit = "MM");
+void writeIges(const TopoDS_Shape& shape, const std::filesystem::path& path, const char* unit = "MM");
+void writeBrep(const TopoDS_Shape& shape, const std::filesystem::path& path);
+void writeBinaryBrep(const TopoDS_Shape& shape, const std::filesystem::path& path);
+
+std::string contentOf(const std::filesystem::path& path);
+void setContent(const std::filesystem::path& path, const std::string& content);
+/// The text with the first \p old replaced; throws if there is none.
+std::string replaced(std::string text, const std::string& old, const std::string& by);
+
+/// The error readModel() ends with; throws if it reads the file.
+occ::ModelError errorOf(const std::filesystem::path& path);
+
+/// A model that is not part of the project, or nothing.
+std::filesystem::path furtherModel(const std::string& name);
+
+}  // namespace seamwright::test

@@ -1,0 +1,213 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Run by FreeCAD: shapes over every route of the bridge. Ends the process with 0 if all checks hold."""
+
+import gc
+import os
+import resource
+import sys
+import traceback
+
+import FreeCAD
+import Part
+
+import seamwright
+from seamwright import bridge
+
+V = FreeCAD.Vector
+
+
+def solids():
+    """Shapes of every kind a user may hold, with placements."""
+    box = Part.makeBox(10, 20, 30)
+    rounded = box.makeFillet(3, box.Edges)
+    placed = rounded.copy()
+    placed.Placement = FreeCAD.Placement(V(1, 2, 3), FreeCAD.Rotation(V(1, 2, 0.5), 33))
+    cut = box.cut(Part.makeCylinder(4, 50, V(5, 10, -10), V(0, 0.2, 1)))
+    spline = Part.makeLoft([Part.makeCircle(r, V(0, 0, z)) for r, z in ((5, 0), (7, 10), (4, 20))])
+    return {"box": box, "rounded": rounded, "placed": placed, "cut": cut, "loft": spline,
+            "sphere": Part.makeSphere(5), "mirrored": placed.mirror(V(0, 0, 0), V(1, 1, 0)),
+            "compound": Part.makeCompound([box, placed, placed.translated(V(100, 0, 0))]),
+            "reversed": rounded.reversed(), "face": box.Faces[0]}
+
+
+def figures(report):
+    found = report.to_dict()
+    del found["time_s"]
+    return found
+
+
+def nearly_equal(a, b, path=""):
+    """Equal but for rounding of numbers; where a maximum is taken may move along a flat one."""
+    if isinstance(a, dict):
+        assert a.keys() == b.keys(), path
+        for key in a:
+            if key not in ("at", "note"):
+                nearly_equal(a[key], b[key], f"{path}.{key}")
+    elif isinstance(a, list):
+        assert len(a) == len(b), path
+        for i, (x, y) in enumerate(zip(a, b)):
+            nearly_equal(x, y, f"{path}[{i}]")
+    elif isinstance(a, float) and not isinstance(a, bool):
+        assert abs(a - b) <= 1e-6 * max(1, abs(a)), (path, a, b)
+    else:
+        assert a == b, (path, a, b)
+
+
+def check_routes_agree():
+    for name, shape in solids().items():
+        reports = {}
+        for route in bridge.ROUTES:
+            bridge.force(route)
+            reports[route] = figures(seamwright.Model.from_freecad(shape).analyze())
+        assert reports["pointer"]["model"]["faces"] == len(shape.Faces), name
+        assert reports["pointer"]["model"]["edges"] == len(shape.Edges), name
+        for route in ("binary", "text"):
+            nearly_equal(reports["pointer"], reports[route], f"{name} by {route}")
+
+
+def check_the_best_route_is_the_pointer():
+    bridge.force(None)
+    assert bridge.route() == "pointer", bridge.why_not()
+    assert bridge.why_not() == {}
+
+
+def check_freecads_shape_is_unchanged():
+    for name, shape in solids().items():
+        for route in bridge.ROUTES:
+            bridge.force(route)
+            before, placement, kind = shape.exportBrepToString(), shape.Placement, shape.ShapeType
+            model = seamwright.Model.from_freecad(shape)
+            model.analyze()
+            model.to_freecad()
+            assert shape.exportBrepToString() == before, (name, route)
+            assert shape.Placement == placement and shape.ShapeType == kind
+
+
+def check_order_of_faces_and_edges():
+    for name, shape in solids().items():
+        for route in bridge.ROUTES:
+            bridge.force(route)
+            back = seamwright.Model.from_freecad(shape).to_freecad()
+            assert back.ShapeType == shape.ShapeType, (name, route)
+            for kind in ("Faces", "Edges", "Vertexes"):
+                ours, theirs = getattr(back, kind), getattr(shape, kind)
+                assert len(ours) == len(theirs), (name, route, kind)
+                for a, b in zip(ours, theirs):
+                    assert a.BoundBox.Center.distanceToPoint(b.BoundBox.Center) < 1e-9, (name, route, kind)
+            for a, b in zip(back.Faces, shape.Faces):
+                assert abs(a.Area - b.Area) < 1e-9 * max(1, b.Area), (name, route)
+                assert a.Orientation == b.Orientation, (name, route)
+
+
+def check_numbers_are_freecads():
+    shape = solids()["cut"]
+    bridge.force(None)
+    for seam in seamwright.Model.from_freecad(shape).analyze().seams:
+        edge = shape.Edges[seam["edges"][0] - 1]
+        assert abs(edge.Length - seam["length_mm"]) < 1e-6 * edge.Length
+        owners = [i + 1 for i, face in enumerate(shape.Faces) if any(edge.isSame(e) for e in face.Edges)]
+        assert sorted(set(seam["faces"])) == owners
+
+
+def check_the_pointer_shares():
+    bridge.force("pointer")
+    shape = solids()["placed"]
+    back = seamwright.Model.from_freecad(shape).to_freecad()
+    assert back.isSame(shape) and back.isPartner(shape) and back.Orientation == shape.Orientation
+    for route in ("binary", "text"):
+        bridge.force(route)
+        assert not seamwright.Model.from_freecad(shape).to_freecad().isPartner(shape)
+
+
+def check_the_model_outlives_the_shape():
+    for route in bridge.ROUTES:
+        bridge.force(route)
+        shape = Part.makeBox(3, 4, 5)
+        model = seamwright.Model.from_freecad(shape)
+        del shape
+        gc.collect()
+        assert len(model.analyze()) == 12
+        back = model.to_freecad()
+        del model
+        gc.collect()
+        assert abs(back.Volume - 60) < 1e-9 and back.isValid()
+
+
+def check_null_shapes_and_other_things():
+    for route in (None, *bridge.ROUTES):
+        bridge.force(route)
+        for bad, expected in ((Part.Shape(), seamwright.ModelError), (Part.makeLine(V(0, 0, 0), V(1, 0, 0)),
+                              seamwright.ModelError), (None, TypeError), ("shape", TypeError), (V(), TypeError),
+                              (Part.Plane(), TypeError)):
+            try:
+                seamwright.Model.from_freecad(bad)
+            except expected as error:
+                assert str(error)
+            else:
+                raise AssertionError((route, bad))
+    for bad in (None, 5, "x", Part.makeBox(1, 1, 1)):
+        try:
+            seamwright._core._model_from_pointer(bad)
+        except TypeError:
+            pass
+        else:
+            raise AssertionError(bad)
+    try:
+        bridge.force("telepathy")
+    except ValueError as error:
+        assert "telepathy" in str(error)
+    else:
+        raise AssertionError("an unknown route")
+
+
+def check_a_shape_of_a_document():
+    document = FreeCAD.newDocument("bridge")
+    try:
+        feature = document.addObject("Part::Box", "Box")
+        document.recompute()
+        bridge.force(None)
+        assert len(seamwright.Model.from_freecad(feature.Shape).analyze()) == 12
+        other = document.addObject("Part::Feature", "Copy")
+        other.Shape = seamwright.Model.from_freecad(feature.Shape).to_freecad()
+        assert other.Shape.isPartner(feature.Shape) and abs(other.Shape.Volume - 1000) < 1e-9
+    finally:
+        FreeCAD.closeDocument(document.Name)
+
+
+def check_nothing_leaks():
+    shape = solids()["rounded"]
+    for route, rounds in (("pointer", 2000), ("binary", 300), ("text", 300)):
+        bridge.force(route)
+        for _ in range(50):
+            seamwright.Model.from_freecad(shape).to_freecad()
+        gc.collect()
+        references = sys.getrefcount(shape)
+        memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+        descriptors = len(os.listdir("/proc/self/fd"))
+        for _ in range(rounds):
+            seamwright.Model.from_freecad(shape).to_freecad()
+        gc.collect()
+        assert sys.getrefcount(shape) == references
+        assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - memory < 20_000, (route, "kB")
+        assert len(os.listdir("/proc/self/fd")) == descriptors
+
+
+def main():
+    checks = [check for name, check in globals().items() if name.startswith("check_")]
+    failed = 0
+    for check in checks:
+        try:
+            check()
+        except Exception:
+            failed += 1
+            print("FAILED", check.__name__)
+            traceback.print_exc(file=sys.stdout)
+    if failed:
+        print(f"bridge: {failed} of {len(checks)} checks failed")
+    else:
+        print(f"bridge: all {len(checks)} checks passed")
+    sys.stdout.flush()
+    os._exit(1 if failed else 0)
+
+
+main()

@@ -1,0 +1,233 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Models read and analysed from Python."""
+
+import csv
+import io
+import json
+import math
+import os
+import pathlib
+import sys
+import threading
+import time
+
+import jsonschema
+import pytest
+
+import seamwright
+
+HERE = pathlib.Path(__file__).parent
+sys.path.insert(0, str(HERE.parent / "cli"))
+from models import OCCT_DATA, box_text, installed, roof_text  # noqa: E402
+
+SCHEMA = json.loads((HERE.parents[2] / "docs" / "analysis-1.schema.json").read_text())
+
+
+@pytest.fixture
+def box(tmp_path):
+    path = tmp_path / "box.step"
+    path.write_text(box_text())
+    return path
+
+
+@pytest.fixture
+def roof(tmp_path):
+    path = tmp_path / "roof.step"
+    path.write_text(roof_text(1))
+    return path
+
+
+def test_a_model_tells_what_it_is(box):
+    model = seamwright.read(box)
+    assert (model.face_count, model.edge_count, model.format) == (6, 12, "STEP")
+    assert model.path == str(box) and model.length_unit == "millimetre" and model.notes == []
+    assert model.read_s > 0
+    assert seamwright.read(str(box)).face_count == 6, "a string as well"
+
+
+def test_the_report_follows_the_schema(box, roof):
+    for path, passed in ((box, True), (roof, False)):
+        report = seamwright.read(path).analyze()
+        found = report.to_dict()
+        jsonschema.Draft202012Validator(SCHEMA).validate(found)
+        assert json.loads(report.to_json()) == found and "\n" not in report.to_json()
+        assert report.passed is passed and found["summary"]["passed"] is passed
+        assert report.seams == found["seams"] and len(report) == len(found["seams"])
+        rows = list(csv.DictReader(io.StringIO(report.to_csv())))
+        assert [int(row["seam"]) for row in rows] == [seam["id"] for seam in found["seams"]]
+        assert ("PASSED" in report.to_table()) is passed
+
+
+def test_tolerances_are_taken(roof):
+    model = seamwright.read(roof)
+    assert not model.analyze().passed
+    assert model.analyze(angle_deg=1.01).passed and model.analyze(level="G0").passed
+    assert model.analyze(crease_deg=0.5).passed
+    report = model.analyze(gap_mm=0.5, angle_deg=2, curvature_rel=0.25, flat_radius_mm=77, crease_deg=9, level="G2",
+                           jobs=1)
+    expected = {"gap_mm": 0.5, "angle_deg": 2, "curvature_rel": 0.25, "flat_radius_mm": 77, "crease_deg": 9}
+    tolerance = report.to_dict()["tolerance"]
+    assert {key: tolerance[key] for key in expected} == pytest.approx(expected)
+    assert tolerance["level"] == "G2"
+    assert report.seams[0]["angle_deg"]["lower"] == pytest.approx(1, abs=1e-9)
+
+
+@pytest.mark.parametrize("arguments,number", [({"gap_mm": -0.25}, "-0.25"), ({"gap_mm": math.nan}, "nan"),
+                                              ({"angle_deg": -3}, "-3"), ({"angle_deg": math.inf}, "inf"),
+                                              ({"curvature_rel": -0.5}, "-0.5"), ({"flat_radius_mm": 0}, "0"),
+                                              ({"crease_deg": 91}, "91"), ({"angle_deg": 4, "crease_deg": 3}, "3"),
+                                              ({"jobs": -1}, "-1"), ({"level": "G9"}, "G9"), ({"level": "G3"}, "G3")])
+def test_bad_arguments_are_value_errors_with_the_number(box, arguments, number):
+    with pytest.raises(ValueError, match=number):
+        seamwright.read(box).analyze(**arguments)
+
+
+def test_wrong_types_and_positions_are_type_errors(box):
+    model = seamwright.read(box)
+    for arguments in ({"gap_mm": "wide"}, {"jobs": 1.5}, {"frobnicate": 1}):
+        with pytest.raises(TypeError):
+            model.analyze(**arguments)
+    with pytest.raises(TypeError):
+        model.analyze(0.01)
+    with pytest.raises(TypeError):
+        seamwright.read(None)
+
+
+def test_bad_models_are_model_errors_with_the_file(tmp_path):
+    contents = {"empty.step": "", "text.step": "a letter", "cut.step": box_text()[:2000], "nounit.step": box_text(unit="")}
+    for name, content in contents.items():
+        (tmp_path / name).write_text(content)
+    for name in [*contents, "missing.step"]:
+        with pytest.raises(seamwright.ModelError, match=name):
+            seamwright.read(tmp_path / name)
+    with pytest.raises(seamwright.ModelError, match="folder"):
+        seamwright.read(tmp_path)
+
+
+def test_progress_of_both(box):
+    shares = []
+    model = seamwright.read(box, progress=shares.append)
+    model.analyze(progress=shares.append)
+    assert shares and all(0 <= share <= 1 for share in shares) and shares[-1] == 1
+
+
+def test_false_cancels_none_does_not(box):
+    model = seamwright.read(box, progress=lambda share: None)
+    with pytest.raises(seamwright.Cancelled):
+        model.analyze(progress=lambda share: False)
+    assert model.analyze(progress=lambda share: 0).passed, "only False stops"
+    with pytest.raises(seamwright.Cancelled):
+        seamwright.read(box, progress=lambda share: False)
+
+
+def test_what_progress_raises_comes_out(box):
+    def bad(share):
+        raise KeyError("from inside")
+
+    with pytest.raises(KeyError, match="from inside"):
+        seamwright.read(box, progress=bad)
+    model = seamwright.read(box)
+    with pytest.raises(KeyError, match="from inside"):
+        model.analyze(progress=bad)
+
+
+def slow_reader(tmp_path, monkeypatch):
+    reader = tmp_path / "reader"
+    reader.write_text("#!/bin/sh\nexec sleep 1\n")
+    reader.chmod(0o755)
+    monkeypatch.setenv("SEAMWRIGHT_READER", str(reader))
+
+
+def test_other_threads_run_while_a_file_is_read(box, tmp_path, monkeypatch):
+    slow_reader(tmp_path, monkeypatch)
+    ticks, done = [], threading.Event()
+
+    def tick():
+        while not done.is_set():
+            ticks.append(time.monotonic())
+            time.sleep(0.01)
+
+    thread = threading.Thread(target=tick)
+    thread.start()
+    start = time.monotonic()
+    with pytest.raises(seamwright.ModelError):
+        seamwright.read(box)
+    end = time.monotonic()
+    done.set()
+    thread.join()
+    assert end - start > 0.8
+    assert sum(start + 0.05 < t < end - 0.05 for t in ticks) > 20
+
+
+def test_other_threads_run_while_seams_are_measured():
+    """A counter in another thread moves on during one call that itself never returns to Python."""
+    model = seamwright.read(installed(OCCT_DATA / "step/linkrods.step"))
+    count, running = [0], [True]
+
+    def work():
+        while running[0]:
+            count[0] += 1
+
+    before = sys.getswitchinterval()
+    thread = threading.Thread(target=work)
+    thread.start()
+    try:
+        sys.setswitchinterval(1e-4)
+        time.sleep(0.05)
+        first = count[0]
+        model.analyze(jobs=1)
+        assert count[0] - first > 1000
+    finally:
+        running[0] = False
+        thread.join()
+        sys.setswitchinterval(before)
+
+
+def test_ctrl_c_reaches_a_long_call(box, tmp_path, monkeypatch):
+    import signal
+
+    slow_reader(tmp_path, monkeypatch)
+    threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT)).start()
+    start = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        seamwright.read(box)
+    assert time.monotonic() - start < 0.9
+
+
+def test_jobs_change_nothing():
+    model = seamwright.read(installed(OCCT_DATA / "step/linkrods.step"))
+    one = model.analyze(jobs=1).seams
+    assert model.analyze(jobs=2).seams == one and model.analyze(jobs=8).seams == one
+
+
+def test_names_and_colours():
+    attributes = seamwright.read(installed(OCCT_DATA / "step/screw.step")).attributes
+    for attribute in attributes:
+        assert set(attribute) == {"kind", "index", "name", "color"}
+        assert attribute["index"] >= 1
+        assert attribute["color"] is None or all(0 <= part <= 1 for part in attribute["color"])
+
+
+def test_without_freecad_the_bridge_says_so(box):
+    if "FreeCAD" in sys.modules:
+        pytest.skip("this is FreeCAD")
+    try:
+        import Part  # noqa: F401
+    except ImportError:
+        with pytest.raises(RuntimeError, match="FreeCAD"):
+            seamwright.Model.from_freecad(object())
+        with pytest.raises(RuntimeError, match="FreeCAD"):
+            seamwright.read(box).to_freecad()
+
+
+def test_models_do_not_pile_up(box):
+    """Memory after many analyses stays where it was."""
+    import resource
+
+    model = seamwright.read(box)
+    for _ in range(50):
+        model.analyze(jobs=1).to_dict()
+    before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    for _ in range(1500):
+        model.analyze(jobs=1)
+    assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before < 20_000, "kB"
