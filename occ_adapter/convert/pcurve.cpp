@@ -2,6 +2,8 @@
 #include <BRepAdaptor_Surface.hxx>
 #include <BRep_Tool.hxx>
 #include <Extrema_GenLocateExtPS.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierSurface.hxx>
 #include <Geom_Curve.hxx>
 #include <Precision.hxx>
 #include <ShapeConstruct_ProjectCurveOnSurface.hxx>
@@ -53,11 +55,34 @@ bool surfaceComesCloser(const Stray& stray, const BRepAdaptor_Surface& surface) 
   return !nearest.IsDone() || std::sqrt(nearest.SquareDistance()) <= stray.distance / 2;
 }
 
+template <class Spline>
+bool hasFinitePoles(const Spline& spline) {
+  for (int i = 1; i <= spline->NbUPoles(); ++i)
+    for (int j = 1; j <= spline->NbVPoles(); ++j) {
+      const gp_XYZ pole = spline->Pole(i, j).XYZ();
+      if (!std::isfinite(pole.X() + pole.Y() + pole.Z()) || !std::isfinite(spline->Weight(i, j)))
+        return false;
+    }
+  return true;
+}
+
+/// False for a surface on which a search for the nearest point may run for minutes and find nothing.
+bool canBeSearched(const opencascade::handle<Geom_Surface>& surface) {
+  if (const auto spline = opencascade::handle<Geom_BSplineSurface>::DownCast(surface); !spline.IsNull())
+    return hasFinitePoles(spline);
+  if (const auto bezier = opencascade::handle<Geom_BezierSurface>::DownCast(surface); !bezier.IsNull())
+    return hasFinitePoles(bezier);
+  return true;
+}
+
+/// The curve of the edge projected onto the surface; without a curve where that does not work.
 Pcurve projected(const SpaceCurve& space, const TopoDS_Face& face) {
-  ShapeConstruct_ProjectCurveOnSurface projector;
-  projector.Init(BRep_Tool::Surface(face), Precision::Confusion());
-  opencascade::handle<Geom_Curve> curve = space.curve;
+  const opencascade::handle<Geom_Surface> surface = BRep_Tool::Surface(face);
   Pcurve pcurve{nullptr, space.first, space.last, {}};
+  if (!canBeSearched(surface)) return pcurve;
+  ShapeConstruct_ProjectCurveOnSurface projector;
+  projector.Init(surface, Precision::Confusion());
+  opencascade::handle<Geom_Curve> curve = space.curve;
   projector.Perform(curve, space.first, space.last, pcurve.curve);
   return pcurve;
 }
