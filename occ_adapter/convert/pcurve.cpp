@@ -7,6 +7,7 @@
 #include <Geom_Curve.hxx>
 #include <Precision.hxx>
 #include <ShapeConstruct_ProjectCurveOnSurface.hxx>
+#include <TopLoc_Location.hxx>
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
@@ -124,7 +125,8 @@ Pcurve built(const SpaceCurve& space, const TopoDS_Face& face) {
 }  // namespace
 
 Pcurve pcurveOf(const TopoDS_Edge& edge, const TopoDS_Face& face, double gap_mm) {
-  if (BRep_Tool::Surface(face).IsNull())
+  TopLoc_Location location;  // asked for so that a surface that is placed elsewhere is not copied
+  if (BRep_Tool::Surface(face, location).IsNull())
     throw std::runtime_error("a face has no surface, only a mesh or nothing");
   Pcurve stored;
   stored.curve = BRep_Tool::CurveOnSurface(edge, face, stored.first, stored.last);
