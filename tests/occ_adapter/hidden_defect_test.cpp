@@ -160,14 +160,12 @@ TEST(HiddenDefect, OnAPathThatCrossesKnotLinesAtAnAngle) {
 }
 
 TEST(HiddenDefect, CurvatureThatGrowsTowardsAPole) {
-  // The meridian z = a x^2 + b x^3 turned about z, and the same curve extruded across: tangent all along, and they differ
-  // by the curvature of the parallels, (2 a + 3 b x) / sqrt(1 + z'^2), which is largest, 2 a, towards the pole at x = 0.
-  const double a = 0.05, b = -0.25;
-  NCollection_Array1<gp_Pnt> poles(1, 4);
-  poles(1) = gp_Pnt(0, 0, 0);
-  poles(2) = gp_Pnt(1 / 3.0, 0, 0);
-  poles(3) = gp_Pnt(2 / 3.0, 0, a / 3);
-  poles(4) = gp_Pnt(1, 0, a + b);
+  // The meridian z = a x^2 (1 - x)^4 turned about z, and the same curve extruded across: tangent all along. They differ by
+  // the curvature of the parallels, z' / (x sqrt(1 + z'^2)), which is largest, 2 a, in the limit at the pole x = 0 and
+  // falls by 6 % over the first hundredth of the seam.
+  const double a = 0.05;
+  NCollection_Array1<gp_Pnt> poles(1, 7);
+  for (int i = 0; i <= 6; ++i) poles(i + 1) = gp_Pnt(i / 6.0, 0, i == 2 ? a / 15 : 0);
   const opencascade::handle<Geom_Curve> meridian = new Geom_BezierCurve(poles);
   const opencascade::handle<Geom_Surface> turned = new Geom_SurfaceOfRevolution(meridian, gp::OZ());
   const opencascade::handle<Geom_Surface> extruded = new Geom_SurfaceOfLinearExtrusion(meridian, gp::DY());

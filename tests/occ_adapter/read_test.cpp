@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -100,8 +101,10 @@ TEST(Read, LocationsAndOrientationsComeThrough) {
 }
 
 TEST(Read, BinaryShapesAreExactInEveryBit) {
+  // Of B-splines; axes of planes and cylinders OpenCASCADE makes unit vectors once more, which may move their last bit.
   std::mt19937 random(12);
-  const TopoDS_Shape shape = transformed(crossedCylinders(10), randomMotion(random)).Reversed();
+  const TopoDS_Shape turned = transformed(BRepPrimAPI_MakeCylinder(3, 8).Shape(), randomMotion(random));
+  const TopoDS_Shape shape = BRepBuilderAPI_NurbsConvert(turned, true).Shape().Reversed();
   std::stringstream once, twice;
   occ::writeBinaryShape(shape, once);
   const TopoDS_Shape back = occ::readBinaryShape(once);
@@ -158,7 +161,7 @@ void writeColoured(const std::filesystem::path& path) {
   const TDF_Label face = shapes->AddSubShape(label, faces(3));
   TDataStd_Name::Set(face, "lid");
   colors->SetColor(face, Quantity_Color(1, 0, 0, Quantity_TOC_RGB), XCAFDoc_ColorSurf);
-  const TDF_Label rod = shapes->AddShape(located(BRepPrimAPI_MakeCylinder(2, 9).Shape(), gp_Trsf()), false);
+  const TDF_Label rod = shapes->AddShape(BRepPrimAPI_MakeCylinder(2, 9).Shape(), false);
   TDataStd_Name::Set(rod, "rod");
   STEPCAFControl_Writer writer;
   writer.SetNameMode(true);
@@ -173,10 +176,18 @@ const occ::ShapeAttribute* find(const Model& model, TopAbs_ShapeEnum kind, const
   return it == model.attributes.end() ? nullptr : &*it;
 }
 
+std::string attributesOf(const Model& model) {
+  std::ostringstream text;
+  for (const occ::ShapeAttribute& a : model.attributes)
+    text << a.kind << ' ' << a.index << " '" << a.name << "' " << (a.color ? "coloured\n" : "\n");
+  return text.str();
+}
+
 TEST(Read, NamesAndColoursOfAStepFile) {
   const Folder folder;
   writeColoured(folder / "parts.step");
   const Model model = readModel(folder / "parts.step");
+  SCOPED_TRACE(attributesOf(model));
   EXPECT_EQ(model.faceCount(), 6 + 3);
   const occ::ShapeAttribute* block = find(model, TopAbs_SOLID, block_name);
   ASSERT_NE(block, nullptr);
