@@ -8,7 +8,6 @@ import pty
 import select
 import stat
 import subprocess
-import time
 
 import pytest
 
