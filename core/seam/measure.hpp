@@ -63,4 +63,4 @@ PairMeasure measurePair(const SidePoint& a, const SidePoint& b);
 /// only one is (the flat rule of ISO 10303-59). \param flat_radius_mm positive.
 double relativeDifference(const CurvatureDifference& curvature, double flat_radius_mm);
 
- }  // namespace seamwright
+}  // namespace seamwright

@@ -107,12 +107,11 @@ bool Survey::mayHideMaximum(const Sample& before, const Sample& middle, const Sa
   const double share = (middle.t - before.t) / (after.t - before.t);
   for (int q = 0; q < QuantityCount; ++q) {
     const auto &f0 = before.values[q], &f1 = middle.values[q], &f2 = after.values[q];
-    if (!f0 || !f1 || !f2) continue;
-    const double deviation = std::abs(*f1 - (*f0 + share * (*f2 - *f0)));
-    const double allowed = allowedError(static_cast<Quantity>(q));
-    // Halving the spacing quarters the deviation, so between neighbours about a quarter of it is left.
-    const double reach = std::max({*f0, *f1, *f2}) + deviation;
-    if (0.25 * deviation > allowed && reach > maxima_[q]->lower) return true;
+    if (!f1 || (!f0 && !f2)) continue;
+    // Next to a point without a value (a pole) the figure may go on growing as it grew.
+    const double deviation = f0 && f2 ? std::abs(*f1 - (*f0 + share * (*f2 - *f0))) : *f1 - *(f0 ? f0 : f2);
+    const double reach = std::max({f0.value_or(*f1), *f1, f2.value_or(*f1)}) + deviation;
+    if (deviation > allowedError(static_cast<Quantity>(q)) && reach > maxima_[q]->lower) return true;
   }
   return false;
 }

@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iomanip>
 #include <limits>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 
@@ -45,22 +47,34 @@ double lengthOf(const TopoDS_Edge& edge) {
   return GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(edge));
 }
 
-std::string degeneracyNote(const SeamFigures& figures, const std::array<int, 2>& faces) {
-  std::vector<std::string> places;
-  const auto tell = [&](double at, Degeneracy degeneracy, int face) {
-    if (degeneracy == Degeneracy::None) return;
-    std::ostringstream text;
-    text << name(degeneracy) << " on face " << face << " at " << at;
-    if (std::ranges::find(places, text.str()) == places.end()) places.push_back(text.str());
-  };
-  for (const DegeneratePoint& point : figures.degenerate) {
-    tell(point.at, point.side_a, faces[0]);
-    tell(point.at, point.side_b, faces[1]);
+/// "at 0" or, for places that lie close together, "from 0 to 0.012".
+std::string stretches(std::vector<double> places) {
+  constexpr double close_together = 0.02;
+  std::ranges::sort(places);
+  std::ostringstream text;
+  text << std::setprecision(3);
+  for (std::size_t first = 0, last = 0; first < places.size(); first = last + 1) {
+    for (last = first; last + 1 < places.size() && places[last + 1] - places[last] < close_together;) ++last;
+    text << (first == 0 ? "" : ", ");
+    if (places[last] > places[first])
+      text << "from " << places[first] << " to " << places[last];
+    else
+      text << "at " << places[first];
   }
-  constexpr std::size_t told = 4;
+  return text.str();
+}
+
+/// Where each face has no tangent plane, or is not finite.
+std::string degeneracyNote(const SeamFigures& figures, const std::array<int, 2>& faces) {
+  std::map<std::pair<int, Degeneracy>, std::vector<double>> places;
+  for (const DegeneratePoint& point : figures.degenerate) {
+    if (point.side_a != Degeneracy::None) places[{faces[0], point.side_a}].push_back(point.at);
+    if (point.side_b != Degeneracy::None) places[{faces[1], point.side_b}].push_back(point.at);
+  }
   std::string notes;
-  for (std::size_t i = 0; i < std::min(told, places.size()); ++i) addNote(notes, places[i]);
-  if (places.size() > told) addNote(notes, "and at " + std::to_string(places.size() - told) + " more points");
+  for (const auto& [what, where] : places)
+    addNote(notes, std::string(name(what.second)) + " on face " + std::to_string(what.first) + " " +
+                       stretches(where));
   return notes;
 }
 

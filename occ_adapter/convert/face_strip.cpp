@@ -44,6 +44,12 @@ double typicalStep(const std::vector<double>& knots) {
   return std::min(1.0, (knots.back() - knots.front()) / static_cast<double>(knots.size() - 1));
 }
 
+/// /// Length of the parameter range, 1 if it is infinite.
+double finiteRange(const std::vector<double>& knots) {
+  const double range = knots.back() - knots.front();
+  return Precision::IsInfinite(range) ? 1 : range;
+}
+
 /// Where a coordinate of a path passes inner knots between the parameters t0 and t1, at which it is \p from and \p to.
 template <class Coordinate>
 void addCrossings(const Coordinate& coordinate, double t0, double t1, double from, double to,
@@ -69,8 +75,11 @@ FaceStrip::FaceStrip(const FaceUse& use, double gap_mm)
       forward_(use.edge.Orientation() == TopAbs_FORWARD),
       knots_u_(knotsU(surface_)),
       knots_v_(knotsV(surface_)),
+      pole_tolerance_mm_(use.pole_tolerance_mm),
       step_u_(typicalStep(knots_u_)),
-      step_v_(typicalStep(knots_v_)) {}
+      step_v_(typicalStep(knots_v_)),
+      range_u_(finiteRange(knots_u_)),
+      range_v_(finiteRange(knots_v_)) {}
 
 SidePoint FaceStrip::at(double s) const {
   gp_Pnt2d uv;
@@ -87,15 +96,21 @@ SidePoint FaceStrip::at(double s) const {
   jet.uu = vector(uu.XYZ());
   jet.uv = vector(uv_mixed.XYZ());
   jet.vv = vector(vv.XYZ());
-  // A partial is a difference of coordinates over a step. Each coordinate is rounded, and to OpenCASCADE points closer
-  // than its resolution are one: an edge shorter than that is collapsed, whatever direction its poles happen to give.
-  const double size = jet.p.lpNorm<Eigen::Infinity>() + step_u_ * jet.u.norm() + step_v_ * jet.v.norm();
-  const double resolution =
-      std::max(64 * std::numeric_limits<double>::epsilon() * size, Precision::Confusion());
-  side.noise = {resolution / step_u_, resolution / step_v_};
+  side.noise = noise(jet, s);
   side.tangent = direction.X() * jet.u + direction.Y() * jet.v;
   side.face_on_left = forward_;
   return side;
+}
+
+JetNoise FaceStrip::noise(const SurfaceJet& jet, double s) const {
+  // A partial is a difference of coordinates over a step, and each coordinate is rounded.
+  const double size = jet.p.lpNorm<Eigen::Infinity>() + step_u_ * jet.u.norm() + step_v_ * jet.v.norm();
+  const double rounding = 64 * std::numeric_limits<double>::epsilon() * size;
+  // Poles that should coincide are scattered by up to the tolerance of the vertex, so a parameter line of length L near
+  // a pole is uncertain in direction by tolerance / L. Where that exceeds a hundredth, its direction is not taken.
+  const double collapsed = std::max(Precision::Confusion(), 100 * pole_tolerance_mm_[s < 0.5 ? 0 : 1]);
+  return {std::max(rounding / step_u_, collapsed / range_u_),
+          std::max(rounding / step_v_, collapsed / range_v_)};
 }
 
 std::vector<double> FaceStrip::breaks() const {

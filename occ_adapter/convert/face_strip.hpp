@@ -3,6 +3,7 @@
 
 #include <BRepAdaptor_Surface.hxx>
 #include <Geom2dAdaptor_Curve.hxx>
+#include <array>
 #include <vector>
 
 #include <seamwright/core/seam/measure.hpp>
@@ -31,6 +32,7 @@ class FaceStrip {
   const std::string& note() const { return pcurve_.note; }
 
  private:
+  JetNoise noise(const SurfaceJet& jet, double s) const;
   void addKnotCrossings(double first, double last, int steps, std::vector<double>& at) const;
   double parameter(double s) const { return pcurve_.first + s * (pcurve_.last - pcurve_.first); }
 
@@ -40,8 +42,11 @@ class FaceStrip {
   bool forward_;
   std::vector<double> knots_u_;
   std::vector<double> knots_v_;
-  double step_u_;  ///< parameter length over which the surface changes by its own size
+  std::array<double, 2> pole_tolerance_mm_;
+  double step_u_;  ///< typical distance of knots, at most 1
   double step_v_;
+  double range_u_;  ///< whole parameter range; 1 if infinite
+  double range_v_;
 };
 
 }  // namespace seamwright::occ

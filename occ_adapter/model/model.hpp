@@ -64,8 +64,8 @@ struct Model {
 /// \throws ModelError if the shape is null or has no face.
 Model modelFromShape(const TopoDS_Shape& shape);
 
-/// The shape in OpenCASCADE's binary format as FreeCAD writes it (Part.Shape.exportBinary); exact in every
-/// bit.
+/// The shape in OpenCASCADE's binary format as FreeCAD writes it (Part.Shape.exportBinary). Poles, knots and points come
+/// through exactly; axes of analytic surfaces and locations are normalised again when read, which may move the last bit.
 void writeBinaryShape(const TopoDS_Shape& shape, std::ostream& stream);
 /// Reads what writeBinaryShape() or FreeCAD wrote. A null shape if the stream holds none.
 TopoDS_Shape readBinaryShape(std::istream& stream);

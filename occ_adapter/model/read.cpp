@@ -94,6 +94,10 @@ void requireSuccess(const Answer& answer, int status, const std::filesystem::pat
 
 TopoDS_Shape decodeShape(std::string bytes, const std::filesystem::path& path) {
   TopoDS_Shape shape;
+  // BinTools complains about other content on standard output.
+  if (bytes.substr(0, 64).find("Open CASCADE Topology V") == std::string::npos)
+    throw ModelError(ModelErrc::ReaderDied, path,
+                     "can't be read: the reading process answered with no shape");
   try {
     std::istringstream stream(std::move(bytes));
     BinTools::Read(shape, stream);
@@ -119,10 +123,14 @@ Model readModel(const std::filesystem::path& path, const Progress& progress) {
     while (child.receive([&](std::string_view bytes) { parser.feed(bytes); }))
       if (progress && !progress(answer.progress)) throw Cancelled();
     status = child.wait();
+    requireSuccess(answer, status, path);
   } catch (const std::system_error& error) {
     throw ModelError(ModelErrc::ReaderMissing, path, std::string("can't be read: ") + error.what());
+  } catch (const nlohmann::json::exception& error) {
+    throw ModelError(
+        ModelErrc::ReaderDied, path,
+        std::string("can't be read: the reading process answered with no sense: ") + error.what());
   }
-  requireSuccess(answer, status, path);
   answer.model.shape = decodeShape(std::move(*answer.shape), path);
   answer.model.path = path.string();
   answer.model.read_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -2,7 +2,9 @@
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Vertex.hxx>
 
 #include <seamwright/occ_adapter/seams/find.hpp>
 
@@ -12,6 +14,28 @@ namespace {
 
 using UsesOfEdge = std::vector<FaceUse>;
 
+/// Vertices to which a boundary of the face collapses.
+TopTools_MapOfShape polesOf(const TopoDS_Face& face) {
+  TopTools_MapOfShape poles;
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+    const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+    if (BRep_Tool::Degenerated(edge)) poles.Add(TopExp::FirstVertex(edge));
+  }
+  return poles;
+}
+
+double poleTolerance(const TopTools_MapOfShape& poles, const TopoDS_Vertex& vertex) {
+  return !vertex.IsNull() && poles.Contains(vertex) ? BRep_Tool::Tolerance(vertex) : 0;
+}
+
+FaceUse faceUse(int number, const TopoDS_Face& face, const TopoDS_Edge& edge,
+                const TopTools_MapOfShape& poles) {
+  return {number,
+          face,
+          edge,
+          {poleTolerance(poles, TopExp::FirstVertex(edge)), poleTolerance(poles, TopExp::LastVertex(edge))}};
+}
+
 /// Uses of each edge; index 0 is empty, as edges count from 1.
 std::vector<UsesOfEdge> collectUses(const TopoDS_Shape& shape, const TopTools_IndexedMapOfShape& edges) {
   TopTools_IndexedMapOfShape faces;
@@ -19,10 +43,12 @@ std::vector<UsesOfEdge> collectUses(const TopoDS_Shape& shape, const TopTools_In
   std::vector<UsesOfEdge> uses(static_cast<std::size_t>(edges.Extent()) + 1);
   for (int f = 1; f <= faces.Extent(); ++f) {
     const TopoDS_Face face = TopoDS::Face(faces(f).Oriented(TopAbs_FORWARD));
+    const TopTools_MapOfShape poles = polesOf(face);
     for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
       const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
       const bool bounds = edge.Orientation() == TopAbs_FORWARD || edge.Orientation() == TopAbs_REVERSED;
-      if (bounds && !BRep_Tool::Degenerated(edge)) uses[edges.FindIndex(edge)].push_back({f, face, edge});
+      if (bounds && !BRep_Tool::Degenerated(edge))
+        uses[edges.FindIndex(edge)].push_back(faceUse(f, face, edge, poles));
     }
   }
   return uses;

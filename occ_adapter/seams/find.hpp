@@ -19,6 +19,9 @@ struct FaceUse {
   int face = 0;       ///< from 1, order of TopExp::MapShapes
   TopoDS_Face shape;  ///< oriented FORWARD
   TopoDS_Edge edge;   ///< oriented so that the face lies to its left, seen from the tip of X_u x X_v
+  /// At the first and the last end of the edge's curve: tolerance of the vertex if a boundary of the surface collapses to
+  /// it there (the face has a degenerated edge at that vertex), else 0.
+  std::array<double, 2> pole_tolerance_mm{};
 };
 
 struct Seam {

@@ -42,6 +42,9 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
+    if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty())
+      return complain("unknown command '" + std::string(argv[1]) +
+                      "': there is 'analyze' (see 'seamwright --help')");
     return complain(std::string(error.what()) + " (see 'seamwright --help')");
   }
   return runAnalyze(arguments);

@@ -79,7 +79,7 @@ void bindReport(py::module_& module) {
                           "The seams of a model with figures and verdicts.")
       .def_property_readonly("passed", &occ::Report::passed, "No seam is a defect.")
       .def_property_readonly(
-          "seams", [](const occ::Report& report) { return toDict(report)["seams"]; },
+          "seams", [](const occ::Report& report) { return py::object(toDict(report)["seams"]); },
           "The seams as a list of dicts with the keys of the JSON.")
       .def("__len__", [](const occ::Report& report) { return report.seams.size(); })
       .def("to_dict", &toDict, "The report as a plain dict with the keys of the JSON.")
