@@ -100,7 +100,7 @@ double Survey::allowedError(Quantity quantity) const {
       tolerance_.gap_mm, tolerance_.angle_rad,
       tolerance_.curvature_rel * std::max(largest_norm_, 1 / tolerance_.flat_radius_mm),
       tolerance_.curvature_rel};
-  return 0.01 * std::max(seen, floors[quantity]);
+  return 0.005 * std::max(seen, floors[quantity]);  // half of what is promised
 }
 
 bool Survey::mayHideMaximum(const Sample& before, const Sample& middle, const Sample& after) const {

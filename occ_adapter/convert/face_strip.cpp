@@ -75,42 +75,55 @@ FaceStrip::FaceStrip(const FaceUse& use, double gap_mm)
       forward_(use.edge.Orientation() == TopAbs_FORWARD),
       knots_u_(knotsU(surface_)),
       knots_v_(knotsV(surface_)),
-      pole_tolerance_mm_(use.pole_tolerance_mm),
       step_u_(typicalStep(knots_u_)),
       step_v_(typicalStep(knots_v_)),
       range_u_(finiteRange(knots_u_)),
-      range_v_(finiteRange(knots_v_)) {}
+      range_v_(finiteRange(knots_v_)) {
+  for (const int end : {0, 1}) collapsed_mm_[end] = collapsedLength(end, use.pole_tolerance_mm[end]);
+}
 
 SidePoint FaceStrip::at(double s) const {
   gp_Pnt2d uv;
   gp_Vec2d direction;
   path_.D1(parameter(s), uv, direction);
-  gp_Pnt p;
-  gp_Vec u, v, uu, vv, uv_mixed;
-  surface_.D2(uv.X(), uv.Y(), p, u, v, uu, vv, uv_mixed);
   SidePoint side;
-  SurfaceJet& jet = side.jet;
-  jet.p = vector(p.XYZ());
-  jet.u = vector(u.XYZ());
-  jet.v = vector(v.XYZ());
-  jet.uu = vector(uu.XYZ());
-  jet.uv = vector(uv_mixed.XYZ());
-  jet.vv = vector(vv.XYZ());
-  side.noise = noise(jet, s);
-  side.tangent = direction.X() * jet.u + direction.Y() * jet.v;
+  side.jet = jet(uv.X(), uv.Y());
+  side.noise = noise(side.jet, s);
+  side.tangent = direction.X() * side.jet.u + direction.Y() * side.jet.v;
   side.face_on_left = forward_;
   return side;
+}
+
+SurfaceJet FaceStrip::jet(double u, double v) const {
+  gp_Pnt p;
+  gp_Vec du, dv, duu, dvv, duv;
+  surface_.D2(u, v, p, du, dv, duu, dvv, duv);
+  SurfaceJet jet;
+  jet.p = vector(p.XYZ());
+  jet.u = vector(du.XYZ());
+  jet.v = vector(dv.XYZ());
+  jet.uu = vector(duu.XYZ());
+  jet.uv = vector(duv.XYZ());
+  jet.vv = vector(dvv.XYZ());
+  return jet;
+}
+
+double FaceStrip::collapsedLength(double s, double pole_tolerance_mm) const {
+  if (pole_tolerance_mm == 0) return 0;
+  const gp_Pnt2d uv = path_.Value(parameter(s));
+  const SurfaceJet end = jet(uv.X(), uv.Y());
+  const double length = std::min(range_u_ * end.u.norm(), range_v_ * end.v.norm());
+  return length <= pole_tolerance_mm ? length : 0;
 }
 
 JetNoise FaceStrip::noise(const SurfaceJet& jet, double s) const {
   // A partial is a difference of coordinates over a step, and each coordinate is rounded.
   const double size = jet.p.lpNorm<Eigen::Infinity>() + step_u_ * jet.u.norm() + step_v_ * jet.v.norm();
   const double rounding = 64 * std::numeric_limits<double>::epsilon() * size;
-  // Poles that should coincide are scattered by up to the tolerance of the vertex, so a parameter line of length L near
-  // a pole is uncertain in direction by tolerance / L. Where that exceeds a hundredth, its direction is not taken.
-  const double collapsed = std::max(Precision::Confusion(), 100 * pole_tolerance_mm_[s < 0.5 ? 0 : 1]);
-  return {std::max(rounding / step_u_, collapsed / range_u_),
-          std::max(rounding / step_v_, collapsed / range_v_)};
+  // At a pole the points of a parameter line should coincide and are scattered over its length l. Where the line has grown
+  // to L, its direction is uncertain by l / L rad; up to a five-hundredth, 0.1 degrees, it is taken.
+  const double scatter = std::max(Precision::Confusion(), 500 * collapsed_mm_[s < 0.5 ? 0 : 1]);
+  return {std::max(rounding / step_u_, scatter / range_u_), std::max(rounding / step_v_, scatter / range_v_)};
 }
 
 std::vector<double> FaceStrip::breaks() const {

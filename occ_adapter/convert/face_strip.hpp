@@ -32,6 +32,8 @@ class FaceStrip {
   const std::string& note() const { return pcurve_.note; }
 
  private:
+  SurfaceJet jet(double u, double v) const;
+  double collapsedLength(double s, double pole_tolerance_mm) const;
   JetNoise noise(const SurfaceJet& jet, double s) const;
   void addKnotCrossings(double first, double last, int steps, std::vector<double>& at) const;
   double parameter(double s) const { return pcurve_.first + s * (pcurve_.last - pcurve_.first); }
@@ -42,8 +44,9 @@ class FaceStrip {
   bool forward_;
   std::vector<double> knots_u_;
   std::vector<double> knots_v_;
-  std::array<double, 2> pole_tolerance_mm_;
-  double step_u_;  ///< typical distance of knots, at most 1
+  std::array<double, 2>
+      collapsed_mm_{};  ///< by end: length of the parameter line that collapses there, 0 if none does
+  double step_u_;       ///< typical distance of knots, at most 1
   double step_v_;
   double range_u_;  ///< whole parameter range; 1 if infinite
   double range_v_;

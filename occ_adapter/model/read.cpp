@@ -39,7 +39,7 @@ std::filesystem::path readerProgram(const std::filesystem::path& model) {
   const std::filesystem::path libexec = std::filesystem::path("libexec") / "seamwright";
   for (const std::filesystem::path& place :
        {folder, folder.parent_path() / "bin", folder.parent_path() / libexec,
-        folder.parent_path().parent_path() / libexec}) {
+        folder.parent_path().parent_path() / libexec, std::filesystem::path(SEAMWRIGHT_LIBEXEC_DIR)}) {
     const std::filesystem::path program = place / SEAMWRIGHT_READER;
     if (std::error_code error; std::filesystem::exists(program, error)) return program;
   }

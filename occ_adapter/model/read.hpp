@@ -10,8 +10,7 @@ namespace seamwright::occ {
 
 /// Reads a STEP, IGES or BREP file, told by its content, with names, colours and units.
 ///
-/// OpenCASCADE reads in a process of its own (the program seamwright-read-occtX.Y beside this library, in
-/// libexec, or named by the environment variable SEAMWRIGHT_READER), because a bad file may crash it or
+/// OpenCASCADE reads in a process of its own (the program seamwright-read-occtX.Y beside this library, in libexec (also that of the prefix it was installed to), or named by the environment variable SEAMWRIGHT_READER), because a bad file may crash it or
 /// overwrite its memory. That process may use 120 s of processor time plus 60 s for each MB of the file;
 /// Progress can stop it at any time.
 ///

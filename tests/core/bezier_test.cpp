@@ -101,8 +101,9 @@ TEST(BezierCurve, SplitElevateReverseKeepTheShape) {
 
 TEST(BezierPatch, PolynomialPartialsEqualThePowerForm) {
   std::mt19937_64 random(33);
-  for (const auto& [m, n] : {std::pair(0, 0), std::pair(1, 1), std::pair(2, 3), std::pair(3, 3),
-                             std::pair(5, 2), std::pair(1, 7)}) {
+  for (const auto& degrees : {std::pair(0, 0), std::pair(1, 1), std::pair(2, 3), std::pair(3, 3),
+                              std::pair(5, 2), std::pair(1, 7)}) {
+    const int m = degrees.first, n = degrees.second;
     const Poles poles = randomPoles((m + 1) * (n + 1), random);
     const BezierPatch patch(m, n, poles);
     const double u = 0.3, v = 0.85;

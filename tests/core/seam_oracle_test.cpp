@@ -35,7 +35,7 @@ BezierPatch patch(const json& net) {
 struct Side {
   BezierPatch surface;
   BezierCurve path;
-  bool face_on_left;
+  bool face_on_left = true;
 
   SidePoint at(double t) const {
     const CurveJet uv = path.jet(t);

@@ -165,13 +165,14 @@ DenseMaxima denseMaxima(const std::array<DenseSide, 2>& sides, int count,
         if (point.partials[i] <= share * longest[i]) return true;
       return false;
     };
-    if (!point.angle_rad || shorter_than(1e-5)) {
+    // Near a pole a short partial has the direction that the scatter of the poles gives it.
+    if (!point.angle_rad || shorter_than(0.01)) {
       ++maxima.points_without_normal;
       continue;
     }
     maxima.angle_rad = std::max(maxima.angle_rad.value_or(0), *point.angle_rad);
     if (*point.angle_rad <= tolerance.angle_rad) maxima.tangent_share += 1.0 / count;
-    if (*point.angle_rad <= tolerance.crease_rad && !shorter_than(0.01)) takeCurvature(point, maxima);
+    if (*point.angle_rad <= tolerance.crease_rad) takeCurvature(point, maxima);
   }
   return maxima;
 }

@@ -152,7 +152,7 @@ TEST(FindSeams, TheFaceLiesToTheLeftOfItsEdge) {
     for (const occ::Seam& seam : findSeams(shape).seams)
       for (const occ::FaceUse& side : seam.sides) {
         EXPECT_EQ(side.shape.Orientation(), TopAbs_FORWARD);
-        double first, last;
+        double first = 0, last = 0;
         const auto path = BRep_Tool::CurveOnSurface(side.edge, side.shape, first, last);
         gp_Pnt2d at;
         gp_Vec2d along;

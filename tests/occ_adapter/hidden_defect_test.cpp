@@ -68,7 +68,7 @@ void lift(const opencascade::handle<Geom_BSplineSurface>& surface, int row, int 
 
 /// The surface joined along u = 0 to the plane z = 0 beyond it.
 TopoDS_Shape joinedToPlane(const opencascade::handle<Geom_BSplineSurface>& surface) {
-  double u0, u1, v0, v1;
+  double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
   surface->Bounds(u0, u1, v0, v1);
   const opencascade::handle<Geom_Surface> plane = new Geom_Plane(gp::XOY());
   const opencascade::handle<Geom_Surface> sheet(surface.get());

@@ -39,7 +39,7 @@ struct Fixture {
   TopoDS_Edge edge = TopoDS::Edge(cylinder.edge.Oriented(TopAbs_FORWARD));
 
   Path path() const {
-    double first, last;
+    double first = 0, last = 0;
     return BRep_Tool::CurveOnSurface(edge, cylinder.shape, first, last);
   }
   void setPath(const Path& path) { BRep_Builder().UpdateEdge(edge, path, cylinder.shape, 1e-7); }
@@ -116,7 +116,7 @@ TEST(PcurveFaults, ReparametrisedWithSameParameterFalse) {
 TEST(PcurveFaults, WithoutACurveInSpaceThePathsAreUsed) {
   Fixture model;
   BRep_Builder().UpdateEdge(model.edge, opencascade::handle<Geom_Curve>(), 1e-7);
-  double first, last;
+  double first = 0, last = 0;
   ASSERT_TRUE(BRep_Tool::Curve(model.edge, first, last).IsNull());
   expectAsDesigned(model.analyzedUnchanged());
 }
