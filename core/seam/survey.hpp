@@ -27,8 +27,8 @@ struct DegeneratePoint {
 
 /// What a seam measures over its whole length.
 struct SeamFigures {
-  std::optional<Figure>
-      gap_mm;  ///< nothing: not measured, or a point is not finite (then no figure has a value)
+  /// Nothing: not measured, or a point is not finite (then no figure has a value).
+  std::optional<Figure> gap_mm;
   std::optional<Figure> angle_rad;  ///< nothing: no point with two tangent planes
   /// Nothing where the angle is above the crease angle, or not measured.
   std::optional<Figure> curvature_per_mm;
@@ -45,8 +45,7 @@ struct SurveyOptions {
   int points_per_span = 5;  ///< Chebyshev-Lobatto points to begin with, >= 3
   int first_points = 25;    ///< at least so many points to begin with, shared out among the spans
   int max_points = 4000;    ///< points <= max_points, unless the spans alone need more
-  int max_halvings =
-      10;  ///< a span is cut into pieces no shorter than 2^-max_halvings of a starting interval
+  int max_halvings = 14;    ///< pieces are no shorter than 2^-max_halvings of a span's share for one point
 };
 
 /// Measures the pair at parameter t of the seam.

@@ -27,7 +27,8 @@ void expectFigure(const char* what, const std::optional<Figure>& figure, double 
   SCOPED_TRACE(what);
   ASSERT_TRUE(figure);
   EXPECT_GE(figure->lower, dense_maximum - std::max(0.01 * dense_maximum, left_open) - noise);
-  EXPECT_NEAR(figure->lower, dense_there, 1e-6 * dense_there + noise);
+  // Towards poles curvature magnifies the rounding of the evaluation, which differs with OpenCASCADE's caches.
+  EXPECT_NEAR(figure->lower, dense_there, 1e-5 * dense_there + noise);
   EXPECT_FALSE(figure->upper && *figure->upper < dense_maximum - noise);
 }
 
