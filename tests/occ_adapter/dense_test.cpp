@@ -27,8 +27,7 @@ void expectFigure(const char* what, const std::optional<Figure>& figure, double 
   SCOPED_TRACE(what);
   ASSERT_TRUE(figure);
   EXPECT_GE(figure->lower, dense_maximum - std::max(0.01 * dense_maximum, left_open) - noise);
-  // Towards poles curvature magnifies the rounding of the evaluation, which differs with OpenCASCADE's caches.
-  EXPECT_NEAR(figure->lower, dense_there, 1e-5 * dense_there + noise);
+  EXPECT_NEAR(figure->lower, dense_there, 1e-6 * dense_there + noise);
   EXPECT_FALSE(figure->upper && *figure->upper < dense_maximum - noise);
 }
 
@@ -84,12 +83,15 @@ void expectAgrees(const SeamResult& seam, const std::array<DenseSide, 2>& sides,
   if (*dense.angle_rad > 1.01 * tolerance.crease_rad) {
     EXPECT_FALSE(seam.figures.curvature_per_mm);
   } else if (seam.figures.curvature_per_mm) {
-    expectFigure("curvature", seam.figures.curvature_per_mm, dense.curvature_per_mm,
-                 there(*seam.figures.curvature_per_mm).curvature_per_mm,
-                 0.01 * tolerance.curvature_rel * dense.norm_per_mm, noise.curvature_per_mm);
-    expectFigure("relative curvature", seam.figures.curvature_rel, dense.curvature_rel,
-                 there(*seam.figures.curvature_rel).curvature_rel, 0.01 * tolerance.curvature_rel,
-                 noise.curvature_rel);
+    // Towards poles curvature magnifies the rounding of the evaluation, which differs with OpenCASCADE's caches.
+    constexpr double magnified = 2e-4;
+    const double per_mm = there(*seam.figures.curvature_per_mm).curvature_per_mm;
+    expectFigure("curvature", seam.figures.curvature_per_mm, dense.curvature_per_mm, per_mm,
+                 0.01 * tolerance.curvature_rel * dense.norm_per_mm,
+                 noise.curvature_per_mm + magnified * per_mm);
+    const double relative = there(*seam.figures.curvature_rel).curvature_rel;
+    expectFigure("relative curvature", seam.figures.curvature_rel, dense.curvature_rel, relative,
+                 0.01 * tolerance.curvature_rel, noise.curvature_rel + magnified * relative);
   } else {
     EXPECT_TRUE(dense.fold || *dense.angle_rad > 0.99 * tolerance.crease_rad);
   }
