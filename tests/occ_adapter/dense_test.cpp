@@ -59,7 +59,7 @@ std::optional<SeamClass> classOf(const DenseMaxima& dense, const ContinuityToler
 /// Rounding of coordinates of that size, as it shows in the figures.
 struct Noise {
   double gap_mm = 1e-9;
-  double angle_rad = 1e-8;
+  double angle_rad = 3e-8;
   double curvature_per_mm = 1e-6;
   double curvature_rel = 1e-5;
 };
