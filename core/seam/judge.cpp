@@ -16,6 +16,12 @@ constexpr double degrees(double rad) {
   return rad * 180 / std::numbers::pi;
 }
 
+std::string number(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
 [[noreturn]] void refuse(std::string_view field, double value, std::string_view unit, std::string_view why) {
   std::ostringstream text;
   text << field << " is " << value << unit << ": " << why;
@@ -53,7 +59,8 @@ void ContinuityTolerance::validate() const {
   if (crease_rad > std::numbers::pi / 2)
     refuse("crease angle", degrees(crease_rad), " deg", "tangent planes meet at 90 deg at most");
   if (crease_rad < angle_rad)
-    refuse("crease angle", degrees(crease_rad), " deg", "it must not be smaller than the angle tolerance");
+    refuse("crease angle", degrees(crease_rad), " deg",
+           "it must not be smaller than the angle tolerance, " + number(degrees(angle_rad)) + " deg");
 }
 
 std::string_view name(Level level) {

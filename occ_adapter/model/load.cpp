@@ -13,6 +13,7 @@
 #include <STEPCAFControl_Reader.hxx>
 #include <StepBasic_ConversionBasedUnitAndLengthUnit.hxx>
 #include <StepBasic_SiUnitAndLengthUnit.hxx>
+#include <StepShape_ConnectedFaceSet.hxx>
 #include <StepShape_FaceSurface.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_AsciiString.hxx>
@@ -138,6 +139,14 @@ void noteLostFaces(Model& model, int named, int lost) {
                           " of them could not be made");
 }
 
+bool yieldsFace(const opencascade::handle<Transfer_TransientProcess>& process,
+                const opencascade::handle<Standard_Transient>& entity) {
+  const TopoDS_Shape made = TransferBRep::ShapeResult(process, entity);
+  return !made.IsNull() && TopExp_Explorer(made, TopAbs_FACE).More();
+}
+
+/// Counts the faces that the file names and that did not come through: entities without a result, and entries of shells
+/// that lead nowhere.
 void countStepFaces(const STEPControl_Reader& reader, Model& model) {
   const opencascade::handle<Interface_InterfaceModel> entities = reader.Model();
   const opencascade::handle<Transfer_TransientProcess> process =
@@ -145,10 +154,18 @@ void countStepFaces(const STEPControl_Reader& reader, Model& model) {
   int named = 0;
   int lost = 0;
   for (int i = 1; i <= entities->NbEntities(); ++i) {
-    if (!entities->Value(i)->IsKind(STANDARD_TYPE(StepShape_FaceSurface))) continue;
-    ++named;
-    const TopoDS_Shape made = TransferBRep::ShapeResult(process, entities->Value(i));
-    if (made.IsNull() || !TopExp_Explorer(made, TopAbs_FACE).More()) ++lost;
+    const opencascade::handle<Standard_Transient> entity = entities->Value(i);
+    if (entity->IsKind(STANDARD_TYPE(StepShape_FaceSurface))) {
+      ++named;
+      lost += !yieldsFace(process, entity);
+    } else if (const auto shell = opencascade::handle<StepShape_ConnectedFaceSet>::DownCast(entity);
+               !shell.IsNull() && !shell->CfsFaces().IsNull()) {
+      for (int k = 1; k <= shell->NbCfsFaces(); ++k) {
+        const bool leads_nowhere = shell->CfsFacesValue(k).IsNull();
+        named += leads_nowhere;
+        lost += leads_nowhere;
+      }
+    }
   }
   noteLostFaces(model, named, lost);
 }

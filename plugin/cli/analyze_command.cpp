@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <iostream>
 #include <numbers>
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
 #include <seamwright/occ_adapter/model/read.hpp>
@@ -94,10 +95,12 @@ int runAnalyze(const AnalyzeArguments& arguments) {
     requireOutputIsNoModel(arguments);
   }
   bool passed = true;
+  std::vector<std::string> warnings;
   std::string text = arguments.format == "csv" ? report::csvHeader() : "";
   for (const std::string& model : arguments.models) {
     const occ::Report report = analyzeFile(model, options);
     passed = passed && report.passed();
+    for (const std::string& note : report.model.notes) warnings.push_back(model + ": " + note);
     if (arguments.format == "table" && !text.empty()) text += '\n';
     text += format(report, arguments.format);
   }
@@ -105,6 +108,7 @@ int runAnalyze(const AnalyzeArguments& arguments) {
     writeStandardOutput(text);
   else
     writeFile(arguments.output, text);
+  for (const std::string& warning : warnings) std::cerr << "seamwright: warning: " << warning << std::endl;
   return passed ? 0 : 1;
 }
 

@@ -45,7 +45,8 @@ int run(int argc, char** argv) {
     if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty())
       return complain("unknown command '" + std::string(argv[1]) +
                       "': there is 'analyze' (see 'seamwright --help')");
-    return complain(std::string(error.what()) + " (see 'seamwright --help')");
+    const std::string command = app.get_subcommands().empty() ? "" : " analyze";
+    return complain(std::string(error.what()) + " (see 'seamwright" + command + " --help')");
   }
   return runAnalyze(arguments);
 }

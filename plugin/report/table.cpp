@@ -112,8 +112,12 @@ std::string toTable(const occ::Report& report) {
   for (const occ::SeamResult* seam : worstFirst(report)) rows.push_back(rowOf(*seam));
   out << '\n';
   writeRows(out, rows);
-  out << (report.passed() ? "\nPASSED: every seam meets " : "\nFAILED: some seams fall short of ")
-      << name(report.level) << " (sampled, not certified)\n";
+  const Summary summary = summarize(report);
+  if (report.passed())
+    out << "\nPASSED: no defects at level " << name(report.level);
+  else
+    out << "\nFAILED: " << counted(summary.defects, "defect") << " at level " << name(report.level);
+  out << " (sampled, not certified)\n";
   return out.str();
 }
 

@@ -22,6 +22,7 @@ class TaskPanel:
         self.model = SeamTableModel()
         self._build()
         self.tolerances.read_from(obj)
+        self.tolerances.changed.connect(self._tolerances_changed)
         self.refresh()
 
     # What FreeCAD asks of a task panel.
@@ -124,6 +125,7 @@ class TaskPanel:
             self.filter.setItemText(place, text)
             self.filter.setItemIcon(place, _swatch(seam_class.rgb))
         self.table.resizeColumnsToContents()
+        self._tolerances_changed()
 
     def recompute(self, *_):
         """Take over the tolerances and analyse again, as one step that can be undone."""
@@ -147,6 +149,11 @@ class TaskPanel:
     def _filter_changed(self, place):
         self.model.set_filter(self.filter.itemData(place))
         self.table.resizeColumnsToContents()
+
+    def _tolerances_changed(self):
+        stale = self.tolerances.differs_from(self.obj)
+        text = "Recompute (the results are for other values)" if stale else "Recompute"
+        self.recompute_button.setText(text)
 
     def _selection_changed(self, *_):
         places = [index.row() for index in self.table.selectionModel().selectedRows()]

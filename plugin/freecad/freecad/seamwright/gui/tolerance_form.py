@@ -2,7 +2,7 @@
 """The input fields for level and tolerances."""
 
 from freecad.seamwright.document import analysis
-from freecad.seamwright.gui.qt import QtWidgets
+from freecad.seamwright.gui.qt import QtCore, QtWidgets
 
 #: property, label, unit shown behind the number, largest value
 FIELDS = (
@@ -32,18 +32,22 @@ class NumberField(QtWidgets.QDoubleSpinBox):
 class ToleranceForm(QtWidgets.QWidget):
     """Fields for the tolerances of an analysis; nothing is written before ``write_to``."""
 
+    changed = QtCore.Signal()
+
     def __init__(self):
         super().__init__()
         layout = QtWidgets.QFormLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         self.level = QtWidgets.QComboBox()
         self.level.addItems(analysis.LEVELS)
+        self.level.currentIndexChanged.connect(lambda *_: self.changed.emit())
         layout.addRow("Level", self.level)
         self.fields = {}
         tips = {name: tip for name, *_, tip in analysis.TOLERANCES}
         for name, label, unit, largest in FIELDS:
             field = NumberField(unit, largest)
             field.setToolTip(tips[name])
+            field.valueChanged.connect(lambda *_: self.changed.emit())
             self.fields[name] = field
             layout.addRow(label, field)
 
@@ -53,6 +57,13 @@ class ToleranceForm(QtWidgets.QWidget):
         for name, field in self.fields.items():
             value = getattr(obj, name)
             field.setValue(getattr(value, "Value", value))
+
+    def differs_from(self, obj):
+        """Whether a field says something else than the analysis."""
+        values = {name: getattr(obj, name) for name in self.fields}
+        return self.level.currentText() != obj.Level or any(
+            getattr(value, "Value", value) != self.fields[name].value() for name, value in values.items()
+        )
 
     def write_to(self, obj):
         """Set the tolerances of an analysis as the fields say."""

@@ -170,7 +170,7 @@ def _figure_text(figure, unit):
     if figure is None:
         return "not measured"
     lower = number_text(figure["lower"]) + unit
-    place = "" if figure.get("at") is None else ", at %.3g of the length" % figure["at"]
+    place = "" if figure.get("at") is None else ", at %.3g of the edge" % figure["at"]
     if figure.get("upper") is None:
         return "%s is the largest seen%s" % (lower, place)
     return "between %s and %s%s%s" % (lower, number_text(figure["upper"]), unit, place)
