@@ -45,10 +45,12 @@ def roof(tmp_path, angle_deg):
 def analysis(path, *options):
     result = run("analyze", "--format", "json", *options, path)
     assert result.returncode in (0, 1), result.stderr
-    assert result.stderr == ""
     lines = result.stdout.splitlines()
     assert len(lines) == 1
-    return json.loads(lines[0]), result.returncode
+    report = json.loads(lines[0])
+    notes = report["model"]["notes"]
+    assert result.stderr == "".join(f"seamwright: warning: {path}: {note}\n" for note in notes)
+    return report, result.returncode
 
 
 def strict(report):
@@ -99,6 +101,14 @@ def test_real_models_follow_the_schema(path):
     check_seams(report)
     assert status == (0 if report["summary"]["defects"] == 0 else 1)
     assert report["model"]["path"] == str(path)
+
+
+def test_a_face_that_the_file_names_and_nobody_can_make_is_warned_of(tmp_path, box):
+    broken = tmp_path / "lost.step"
+    broken.write_text(box.read_text().replace("ADVANCED_FACE", "ADVANCED_FAXE", 1))
+    report, status = analysis(broken)
+    assert report["model"]["faces"] == 5 and report["summary"]["open_edges"] == 4
+    assert any("6 faces, 1 of them" in note for note in report["model"]["notes"])
 
 
 def test_box(box):
