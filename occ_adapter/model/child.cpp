@@ -29,6 +29,19 @@ struct FileActions {
   FileActions& operator=(const FileActions&) = delete;
 };
 
+/// Starts the child in a process group of its own: Ctrl-C at the terminal is for the parent, which then ends the child.
+struct OwnGroup {
+  posix_spawnattr_t attributes{};
+  OwnGroup() {
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setpgroup(&attributes, 0);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  }
+  ~OwnGroup() { posix_spawnattr_destroy(&attributes); }
+  OwnGroup(const OwnGroup&) = delete;
+  OwnGroup& operator=(const OwnGroup&) = delete;
+};
+
 }  // namespace
 
 Child::Child(const std::string& program, const std::vector<std::string>& arguments) {
@@ -45,7 +58,9 @@ Child::Child(const std::string& program, const std::vector<std::string>& argumen
   std::vector<char*> argv = {const_cast<char*>(program.c_str())};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
-  const int error = ::posix_spawn(&pid_, program.c_str(), &files.actions, nullptr, argv.data(), environ);
+  const OwnGroup group;
+  const int error =
+      ::posix_spawn(&pid_, program.c_str(), &files.actions, &group.attributes, argv.data(), environ);
   ::close(ends[1]);
   if (error != 0) {
     ::close(answer_);
