@@ -37,6 +37,7 @@ Level reachedLevel(const SeamFigures& figures, const ContinuityTolerance& tolera
   if (!figures.gap_mm || figures.gap_mm->lower > tolerance.gap_mm) return Level::None;
   if (!figures.angle_rad || figures.angle_rad->lower > tolerance.angle_rad || figures.fold_at)
     return Level::G0;
+  if (figures.plane_share < 0.95) return Level::G0;
   if (!figures.curvature_rel || figures.curvature_rel->lower > tolerance.curvature_rel) return Level::G1;
   return Level::G2;
 }

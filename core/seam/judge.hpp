@@ -32,7 +32,7 @@ struct Verdict {
 ///
 /// Level: G0 iff gap <= gap_mm; G1 iff moreover angle <= angle_rad and there is no fold; G2 iff moreover
 /// relative curvature difference <= curvature_rel. A figure without a value (nothing could be measured) stops
-/// the climb. G3 is not given: no measure of it is taken yet.
+/// the /// climb, and so does a seam that has no tangent plane over more than a twentieth of its length. G3 is not given: no measure of it is taken yet.
 ///
 /// Class: Crease iff G0 holds and the angle is above crease_rad or the seam folds, unless the seam is tangent
 /// over more than half of its length: a sharp spot in a smooth seam is a Defect. Otherwise Smooth iff the

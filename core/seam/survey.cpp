@@ -39,7 +39,9 @@ class Survey {
   bool mayHideMaximum(const Sample& before, const Sample& middle, const Sample& after) const;
   bool halveWhereNeeded(Span& span, double shortest);
   double place(double t) const { return (t - first_) / (last_ - first_); }
-  double tangentShare() const;
+  /// Share of the length over which something holds.
+  template <class Predicate>
+  double share(const Predicate& predicate) const;
 
   const PairAt& pair_at_;
   const ContinuityTolerance& tolerance_;
@@ -147,19 +149,17 @@ void Survey::refine() {
   }
 }
 
-double Survey::tangentShare() const {
+template <class Predicate>
+double Survey::share(const Predicate& predicate) const {
   double length = 0;
-  double tangent = 0;
-  const auto isTangent = [&](const Sample& s) {
-    return s.values[Angle] && *s.values[Angle] <= tolerance_.angle_rad && !s.pair.fold;
-  };
+  double counted = 0;
   for (const Span& span : spans_)
     for (std::size_t i = 1; i < span.size(); ++i) {
       const double step = (span[i].pair.point - span[i - 1].pair.point).norm();
       length += step;
-      tangent += 0.5 * step * (isTangent(span[i - 1]) + isTangent(span[i]));
+      counted += 0.5 * step * (predicate(span[i - 1]) + predicate(span[i]));
     }
-  return length > 0 ? tangent / length : 0;
+  return length > 0 ? counted / length : 0;
 }
 
 SeamFigures Survey::figures() const {
@@ -177,7 +177,10 @@ SeamFigures Survey::figures() const {
     figures.curvature_rel = maxima_[RelativeCurvature];
   }
   figures.fold_at = fold_at_;
-  figures.tangent_share = tangentShare();
+  figures.tangent_share = share([&](const Sample& sample) {
+    return sample.values[Angle] && *sample.values[Angle] <= tolerance_.angle_rad && !sample.pair.fold;
+  });
+  figures.plane_share = share([](const Sample& sample) { return sample.values[Angle].has_value(); });
   figures.settled = settled_;
   return figures;
 }

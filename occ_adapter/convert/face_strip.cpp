@@ -19,16 +19,16 @@ std::vector<double> values(const TColStd_Array1OfReal& array) {
   return {array.begin(), array.end()};
 }
 
-/// Ends and inner limits of the pieces on which the surface is analytic.
-std::vector<double> knotsU(const BRepAdaptor_Surface& surface) {
-  TColStd_Array1OfReal array(1, surface.NbUIntervals(GeomAbs_CN) + 1);
-  surface.UIntervals(array, GeomAbs_CN);
+/// Ends and inner limits of the pieces on which the surface has the continuity; by default those on which it is analytic.
+std::vector<double> knotsU(const BRepAdaptor_Surface& surface, GeomAbs_Shape continuity = GeomAbs_CN) {
+  TColStd_Array1OfReal array(1, surface.NbUIntervals(continuity) + 1);
+  surface.UIntervals(array, continuity);
   return values(array);
 }
 
-std::vector<double> knotsV(const BRepAdaptor_Surface& surface) {
-  TColStd_Array1OfReal array(1, surface.NbVIntervals(GeomAbs_CN) + 1);
-  surface.VIntervals(array, GeomAbs_CN);
+std::vector<double> knotsV(const BRepAdaptor_Surface& surface, GeomAbs_Shape continuity = GeomAbs_CN) {
+  TColStd_Array1OfReal array(1, surface.NbVIntervals(continuity) + 1);
+  surface.VIntervals(array, continuity);
   return values(array);
 }
 
@@ -38,13 +38,26 @@ std::vector<double> knots(const Geom2dAdaptor_Curve& curve) {
   return values(array);
 }
 
+/// Without the ends.
+std::vector<double> inner(const std::vector<double>& knots) {
+  return {knots.begin() + 1, knots.end() - 1};
+}
+
 /// Mean length of the pieces, at most 1: analytic surfaces turn once in a few units of their parameters. The mean, because
 /// files hold knots that only rounding tells apart.
 double typicalStep(const std::vector<double>& knots) {
   return std::min(1.0, (knots.back() - knots.front()) / static_cast<double>(knots.size() - 1));
 }
 
-/// /// Length of the parameter range, 1 if it is infinite.
+/// /// /// A small step off a knot to the side that \p toward points to; 0 away from knots.
+double nudge(const std::vector<double>& knots, double value, double step, double toward) {
+  const double near = 1e-10 * step;
+  const auto knot = std::lower_bound(knots.begin(), knots.end(), value - near);
+  if (toward == 0 || knot == knots.end() || *knot > value + near) return 0;
+  return std::copysign(1e-9 * step, toward);
+}
+
+/// Length of the parameter range, 1 if it is infinite.
 double finiteRange(const std::vector<double>& knots) {
   const double range = knots.back() - knots.front();
   return Precision::IsInfinite(range) ? 1 : range;
@@ -75,6 +88,8 @@ FaceStrip::FaceStrip(const FaceUse& use, double gap_mm)
       forward_(use.edge.Orientation() == TopAbs_FORWARD),
       knots_u_(knotsU(surface_)),
       knots_v_(knotsV(surface_)),
+      joints_u_(inner(knotsU(surface_, GeomAbs_C2))),
+      joints_v_(inner(knotsV(surface_, GeomAbs_C2))),
       step_u_(typicalStep(knots_u_)),
       step_v_(typicalStep(knots_v_)),
       range_u_(finiteRange(knots_u_)),
@@ -87,7 +102,12 @@ SidePoint FaceStrip::at(double s) const {
   gp_Vec2d direction;
   path_.D1(parameter(s), uv, direction);
   SidePoint side;
-  side.jet = jet(uv.X(), uv.Y());
+  // Along a knot line derivatives may jump: those of the face's own side count. The point itself is kept to first order.
+  const double into = forward_ ? 1 : -1;
+  const double du = nudge(joints_u_, uv.X(), step_u_, -into * direction.Y());
+  const double dv = nudge(joints_v_, uv.Y(), step_v_, into * direction.X());
+  side.jet = jet(uv.X() + du, uv.Y() + dv);
+  if (du != 0 || dv != 0) side.jet.p -= du * side.jet.u + dv * side.jet.v;
   side.noise = noise(side.jet, s);
   side.tangent = direction.X() * side.jet.u + direction.Y() * side.jet.v;
   side.face_on_left = forward_;

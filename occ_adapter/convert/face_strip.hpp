@@ -44,6 +44,8 @@ class FaceStrip {
   bool forward_;
   std::vector<double> knots_u_;
   std::vector<double> knots_v_;
+  std::vector<double> joints_u_;  ///< inner knots where the surface is not C2
+  std::vector<double> joints_v_;
   std::array<double, 2>
       collapsed_mm_{};  ///< by end: length of the parameter line that collapses there, 0 if none does
   double step_u_;       ///< typical distance of knots, at most 1

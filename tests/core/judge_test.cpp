@@ -82,6 +82,16 @@ TEST(Judge, MissingFiguresStopTheClimb) {
   EXPECT_EQ(judge(SeamFigures(), tolerance, Level::G0).seam_class, SeamClass::Defect);
 }
 
+TEST(Judge, WithoutATangentPlaneOverMuchOfItsLengthASeamIsG0) {
+  const ContinuityTolerance tolerance;
+  SeamFigures f = figures(0, 0, 0);
+  f.plane_share = 0.96;
+  EXPECT_EQ(judge(f, tolerance, Level::G1).level, Level::G2);
+  f.plane_share = 0.94;
+  EXPECT_EQ(judge(f, tolerance, Level::G1).level, Level::G0);
+  EXPECT_EQ(judge(f, tolerance, Level::G1).seam_class, SeamClass::Defect);
+}
+
 TEST(Judge, NamesGoThereAndBack) {
   for (const Level level : {Level::G0, Level::G1, Level::G2, Level::G3})
     EXPECT_EQ(levelFromName(name(level)), level);

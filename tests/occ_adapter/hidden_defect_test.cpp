@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierCurve.hxx>
 #include <Geom_CylindricalSurface.hxx>
@@ -11,6 +12,7 @@
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
 #include <cmath>
+#include <gp.hxx>
 #include <numbers>
 
 #include "shapes.hpp"
@@ -225,6 +227,33 @@ TEST(Fold, OfPlaneAndCylinderWhateverTheirOrder) {
 
 TEST(Fold, TheSamePiecesOnTheOtherSideAreSmooth) {
   EXPECT_EQ(analyzed(planeAndCylinder(10, 4)).seams.at(0).verdict.seam_class, SeamClass::Smooth);
+}
+
+/// A polyline of two segments that turn by the angle, extruded: one surface with a corner along u = 1.
+opencascade::handle<Geom_Surface> extrudedCorner(double angle_rad) {
+  NCollection_Array1<gp_Pnt> poles(1, 3);
+  poles(1) = gp_Pnt(0, 0, 0);
+  poles(2) = gp_Pnt(10, 0, 0);
+  poles(3) = gp_Pnt(20, 10 * std::tan(angle_rad), 0);
+  NCollection_Array1<double> knots(1, 3);
+  NCollection_Array1<int> multiplicities(1, 3);
+  for (int i = 1; i <= 3; ++i) {
+    knots(i) = i - 1;
+    multiplicities(i) = i == 2 ? 1 : 2;
+  }
+  return new Geom_SurfaceOfLinearExtrusion(new Geom_BSplineCurve(poles, knots, multiplicities, 1), gp::DZ());
+}
+
+TEST(HiddenDefect, OnAKnotLineEachFaceIsMeasuredFromItsOwnSide) {
+  for (const double angle_deg : {2.0, 0.5}) {
+    const auto surface = extrudedCorner(angle_deg * degree);
+    const occ::Report report = analyzed(joined({surface, beginningWith(1, rectangle(0, 1, 0, 10))},
+                                               {surface, beginningWith(3, rectangle(1, 2, 0, 10))}));
+    ASSERT_EQ(report.seams.size(), 1u);
+    EXPECT_NEAR(report.seams[0].figures.angle_rad->lower, angle_deg * degree, 1e-9);
+    EXPECT_LT(report.seams[0].figures.gap_mm->lower, 1e-9);
+    EXPECT_FALSE(report.passed());
+  }
 }
 
 }  // namespace
