@@ -34,8 +34,7 @@ struct Verdict {
 /// relative curvature difference <= curvature_rel. A figure without a value (nothing could be measured) stops
 /// the /// climb, and so does a seam that has no tangent plane over more than a twentieth of its length. G3 is not given: no measure of it is taken yet.
 ///
-/// Class: Crease iff G0 holds and the angle is above crease_rad or the seam folds, unless the seam is tangent
-/// over more than half of its length: a sharp spot in a smooth seam is a Defect. Otherwise Smooth iff the
+/// Class: Crease iff G0 holds and the angle is above crease_rad or the seam folds, unless the angle is within crease_rad over more than half of its length: a sharp spot is a Defect. Otherwise Smooth iff the
 /// level reaches \p required.
 Verdict judge(const SeamFigures& figures, const ContinuityTolerance& tolerance, Level required);
 

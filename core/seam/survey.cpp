@@ -178,7 +178,7 @@ SeamFigures Survey::figures() const {
   }
   figures.fold_at = fold_at_;
   figures.tangent_share = share([&](const Sample& sample) {
-    return sample.values[Angle] && *sample.values[Angle] <= tolerance_.angle_rad && !sample.pair.fold;
+    return sample.values[Angle] && *sample.values[Angle] <= tolerance_.crease_rad && !sample.pair.fold;
   });
   figures.plane_share = share([](const Sample& sample) { return sample.values[Angle].has_value(); });
   figures.settled = settled_;

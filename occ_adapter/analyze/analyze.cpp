@@ -82,8 +82,8 @@ std::string sharpSpotNote(const SeamFigures& figures, const ContinuityTolerance&
   if (!figures.angle_rad || figures.angle_rad->lower <= tolerance.crease_rad || figures.tangent_share <= 0.5)
     return {};
   std::ostringstream text;
-  text << "sharp spot in a seam that is tangent over " << std::floor(100 * figures.tangent_share)
-       << " % of its length";
+  text << "sharp spot in a seam that is below the crease angle over "
+       << std::floor(100 * figures.tangent_share) << " % of its length";
   return text.str();
 }
 

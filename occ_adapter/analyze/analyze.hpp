@@ -19,7 +19,7 @@ struct AnalyzeOptions {
 /// Measures and judges every seam of a model.
 ///
 /// Seams are measured in parallel, the result does not depend on the number of threads. A seam that can't be
-/// measured has/// no figures, level None, class Defect and a note that says why; the others are not affected. A model without seams
+/// measured has /// no figures, level None, class Defect and a note that says why; the others are not affected. A model without seams
 /// passes, with a note. The shape is never changed.
 ///
 /// \throws std::invalid_argument for bad options, also for a gap tolerance below the rounding of the model's

@@ -38,6 +38,16 @@ std::vector<double> knots(const Geom2dAdaptor_Curve& curve) {
   return values(array);
 }
 
+/// Adds the knots of the periods before and after, where paths on a periodic surface may run.
+void repeatByPeriod(std::vector<double>& knots, std::vector<double>& joints, double period) {
+  for (std::vector<double>* list : {&knots, &joints}) {
+    const std::vector<double> once = *list;
+    for (const double shift : {-period, period})
+      for (const double knot : once) list->push_back(knot + shift);
+    std::ranges::sort(*list);
+  }
+}
+
 /// Without the ends.
 std::vector<double> inner(const std::vector<double>& knots) {
   return {knots.begin() + 1, knots.end() - 1};
@@ -49,7 +59,7 @@ double typicalStep(const std::vector<double>& knots) {
   return std::min(1.0, (knots.back() - knots.front()) / static_cast<double>(knots.size() - 1));
 }
 
-/// /// /// A small step off a knot to the side that \p toward points to; 0 away from knots.
+/// A small step off a knot to the side that \p toward points to; 0 away from knots.
 double nudge(const std::vector<double>& knots, double value, double step, double toward) {
   const double near = 1e-10 * step;
   const auto knot = std::lower_bound(knots.begin(), knots.end(), value - near);
@@ -94,6 +104,8 @@ FaceStrip::FaceStrip(const FaceUse& use, double gap_mm)
       step_v_(typicalStep(knots_v_)),
       range_u_(finiteRange(knots_u_)),
       range_v_(finiteRange(knots_v_)) {
+  if (surface_.IsUPeriodic()) repeatByPeriod(knots_u_, joints_u_, surface_.UPeriod());
+  if (surface_.IsVPeriodic()) repeatByPeriod(knots_v_, joints_v_, surface_.VPeriod());
   for (const int end : {0, 1}) collapsed_mm_[end] = collapsedLength(end, use.pole_tolerance_mm[end]);
 }
 
