@@ -45,7 +45,7 @@ Level reachedLevel(const SeamFigures& figures, const ContinuityTolerance& tolera
 bool isCrease(const SeamFigures& figures, const ContinuityTolerance& tolerance) {
   const bool sharp =
       figures.fold_at || (figures.angle_rad && figures.angle_rad->lower > tolerance.crease_rad);
-  return sharp && figures.tangent_share <= 0.5;
+  return sharp && figures.below_crease_share <= 0.5;
 }
 
 }  // namespace

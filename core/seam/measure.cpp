@@ -48,7 +48,10 @@ PairMeasure measurePair(const SidePoint& a, const SidePoint& b) {
   result.fold = leaveToTheSameSide(a, *natural_a, b, *natural_b);
   const Eigen::Vector3d aligned_b =
       natural_a->dot(*natural_b) < 0 ? Eigen::Vector3d(-*natural_b) : *natural_b;
-  result.curvature = curvatureDifference(a.jet, *natural_a, b.jet, aligned_b);
+  const CurvatureDifference curvature = curvatureDifference(a.jet, *natural_a, b.jet, aligned_b);
+  const bool finite =
+      std::isfinite(curvature.difference_per_mm + curvature.norm_a_per_mm + curvature.norm_b_per_mm);
+  if (finite) result.curvature = curvature;  // partials of 1e-160 leave the range of a double
   return result;
 }
 

@@ -36,7 +36,7 @@ struct PairMeasure {
   /// The faces leave the seam to the same side, turning back by more than 90 degrees: the tangent planes of a knife edge
   /// agree as they do in a smooth join. False also where the tangents of the two sides contradict one another.
   bool fold = false;
-  /// Nothing where a side has no tangent plane.
+  /// Nothing where a side has no tangent plane, or where the curvature leaves the range of a double.
   std::optional<CurvatureDifference> curvature;
 };
 

@@ -177,7 +177,7 @@ SeamFigures Survey::figures() const {
     figures.curvature_rel = maxima_[RelativeCurvature];
   }
   figures.fold_at = fold_at_;
-  figures.tangent_share = share([&](const Sample& sample) {
+  figures.below_crease_share = share([&](const Sample& sample) {
     return sample.values[Angle] && *sample.values[Angle] <= tolerance_.crease_rad && !sample.pair.fold;
   });
   figures.plane_share = share([](const Sample& sample) { return sample.values[Angle].has_value(); });

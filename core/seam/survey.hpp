@@ -34,10 +34,11 @@ struct SeamFigures {
   std::optional<Figure> curvature_per_mm;
   std::optional<Figure> curvature_rel;
   std::optional<double> fold_at;  ///< a point where the faces fold back at less than the crease angle
-  double tangent_share = 0;  ///< share of the length over which the angle is within the crease angle, 0..1
-  double plane_share = 1;    ///< share of the length over which both sides have a tangent plane, 0..1
-  bool certified = false;    ///< every upper bound known
-  bool settled = true;       ///< false: figures still changed when the limit of points was reached
+  double below_crease_share =
+      0;                   ///< share of the length over which the angle is within the crease angle, 0..1
+  double plane_share = 1;  ///< share of the length over which both sides have a tangent plane, 0..1
+  bool certified = false;  ///< every upper bound known
+  bool settled = true;     ///< false: figures still changed when the limit of points was reached
   std::vector<DegeneratePoint> degenerate;
   int points = 0;
 };

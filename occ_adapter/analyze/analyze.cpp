@@ -79,11 +79,12 @@ std::string degeneracyNote(const SeamFigures& figures, const std::array<int, 2>&
 }
 
 std::string sharpSpotNote(const SeamFigures& figures, const ContinuityTolerance& tolerance) {
-  if (!figures.angle_rad || figures.angle_rad->lower <= tolerance.crease_rad || figures.tangent_share <= 0.5)
+  if (!figures.angle_rad || figures.angle_rad->lower <= tolerance.crease_rad ||
+      figures.below_crease_share <= 0.5)
     return {};
   std::ostringstream text;
   text << "sharp spot in a seam that is below the crease angle over "
-       << std::floor(100 * figures.tangent_share) << " % of its length";
+       << std::floor(100 * figures.below_crease_share) << " % of its length";
   return text.str();
 }
 

@@ -53,9 +53,9 @@ TEST(Judge, CreaseIsNoDefectUnlessItGapesOrIsASpot) {
   SeamFigures sharp = figures(0, 40, 0);
   EXPECT_EQ(judge(sharp, tolerance, Level::G1).seam_class, SeamClass::Crease);
   EXPECT_EQ(judge(sharp, tolerance, Level::G1).level, Level::G0);
-  sharp.tangent_share = 0.9;
+  sharp.below_crease_share = 0.9;
   EXPECT_EQ(judge(sharp, tolerance, Level::G1).seam_class, SeamClass::Defect);
-  sharp.tangent_share = 0.1;
+  sharp.below_crease_share = 0.1;
   sharp.gap_mm->lower = 0.02;
   EXPECT_EQ(judge(sharp, tolerance, Level::G1).seam_class, SeamClass::Defect);
   EXPECT_EQ(judge(sharp, tolerance, Level::G1).level, Level::None);

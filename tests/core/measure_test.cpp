@@ -187,6 +187,9 @@ TEST(MeasurePair, DegenerateInputIsNamedAndNeverNaN) {
   broken.p.x() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(measure(broken, good).degenerate_a, Degeneracy::NotFinite);
   EXPECT_FALSE(measure(broken, good).gap_mm.has_value());
+  SurfaceJet fast = test::quadric(1, 0, 0);
+  fast.u.x() = 1e-160;
+  EXPECT_FALSE(measure(fast, fast).curvature.has_value());
 }
 
 TEST(RelativeDifference, FlatRule) {

@@ -49,7 +49,7 @@ TEST(Survey, BreaksLeadToADefectNarrowerThanAThousandthOfTheSeam) {
   const SeamFigures figures = surveySeam([&](double t) { return pairWith(t, 0, angle(t)); }, breaks, {});
   EXPECT_NEAR(figures.angle_rad->lower, 0.05, 0.0005);
   EXPECT_NEAR(figures.angle_rad->at, 0.5 * (from + to), 2e-4);
-  EXPECT_GT(figures.tangent_share, 0.99);
+  EXPECT_GT(figures.below_crease_share, 0.99);
 }
 
 TEST(Survey, ApproachesAJumpAtABreakFromBothSides) {
@@ -85,7 +85,7 @@ TEST(Survey, TangentShareIsAShareOfLengthAndNotOfTheParameter) {
     return p;
   };
   const std::vector<double> breaks = {0, 0.5, 1};
-  EXPECT_NEAR(surveySeam(pair, breaks, {}).tangent_share, 0.1, 1e-6);
+  EXPECT_NEAR(surveySeam(pair, breaks, {}).below_crease_share, 0.1, 1e-6);
 }
 
 TEST(Survey, DegeneratePointsAreNamedAndSkipped) {
@@ -129,7 +129,7 @@ TEST(Survey, FoldIsNotedUnlessItIsSharpAnyway) {
     return p;
   };
   EXPECT_TRUE(surveySeam([&](double t) { return fold(t, 0.001); }, whole, {}).fold_at.has_value());
-  EXPECT_EQ(surveySeam([&](double t) { return fold(t, 0.001); }, whole, {}).tangent_share, 0);
+  EXPECT_EQ(surveySeam([&](double t) { return fold(t, 0.001); }, whole, {}).below_crease_share, 0);
   EXPECT_FALSE(surveySeam([&](double t) { return fold(t, 1); }, whole, {}).fold_at.has_value());
 }
 

@@ -171,7 +171,7 @@ DenseMaxima denseMaxima(const std::array<DenseSide, 2>& sides, int count,
       continue;
     }
     maxima.angle_rad = std::max(maxima.angle_rad.value_or(0), *point.angle_rad);
-    if (*point.angle_rad <= tolerance.crease_rad) maxima.tangent_share += 1.0 / count;
+    if (*point.angle_rad <= tolerance.crease_rad) maxima.below_crease_share += 1.0 / count;
     if (*point.angle_rad <= tolerance.crease_rad) takeCurvature(point, maxima);
   }
   return maxima;

@@ -43,7 +43,7 @@ struct DenseMaxima {
   double curvature_rel = 0;
   double norm_per_mm = 0;
   bool fold = false;
-  double tangent_share = 0;  ///< of the points, those whose angle is within tolerance
+  double below_crease_share = 0;  ///< of the points, those whose angle is within tolerance
   int points_without_normal = 0;
 };
 

@@ -52,8 +52,8 @@ std::optional<SeamClass> classOf(const DenseMaxima& dense, const ContinuityToler
   if (*level == Level::None) return SeamClass::Defect;
   if (*level >= Level::G1) return SeamClass::Smooth;
   if (!dense.fold && *dense.angle_rad < tolerance.crease_rad) return SeamClass::Defect;
-  if (dense.tangent_share > 0.2 && dense.tangent_share < 0.8) return std::nullopt;
-  return dense.tangent_share > 0.5 ? SeamClass::Defect : SeamClass::Crease;
+  if (dense.below_crease_share > 0.2 && dense.below_crease_share < 0.8) return std::nullopt;
+  return dense.below_crease_share > 0.5 ? SeamClass::Defect : SeamClass::Crease;
 }
 
 /// Rounding of coordinates of that size, as it shows in the figures.

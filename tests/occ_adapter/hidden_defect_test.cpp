@@ -115,7 +115,7 @@ TEST(HiddenDefect, FoundWhereverItsHeightWithinOnePercent) {
 TEST(HiddenDefect, ASharpSpotIsSaidToBeOne) {
   const SeamResult seam = seamWithTilt(knotsWithAFinePart(), fine_pole, 30);
   EXPECT_THAT(seam.note, HasSubstr("sharp spot"));
-  EXPECT_GT(seam.figures.tangent_share, 0.98);
+  EXPECT_GT(seam.figures.below_crease_share, 0.98);
 }
 
 TEST(HiddenDefect, WithoutTheLiftedPoleTheSeamIsSmooth) {
