@@ -26,6 +26,7 @@ std::optional<Level> levelFromName(std::string_view name);
 struct Verdict {
   Level level = Level::None;
   SeamClass seam_class = SeamClass::Defect;
+  bool certain = false;  ///< the same for every value within the enclosures of the figures
 };
 
 /// Judges the figures of a seam by what the user accepts.

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <seamwright/core/seam/measure.hpp>
@@ -33,12 +34,16 @@ struct SeamFigures {
   /// Nothing where the angle is above the crease angle, or not measured.
   std::optional<Figure> curvature_per_mm;
   std::optional<Figure> curvature_rel;
+  /// Nothing where the angle is above the crease angle, or not asked for.
+  std::optional<Figure> curvature_change_per_mm2;
+  std::optional<Figure> curvature_change_rel;
   std::optional<double> fold_at;  ///< a point where the faces fold back at less than the crease angle
   double below_crease_share =
-      0;                   ///< share of the length over which the angle is within the crease angle, 0..1
-  double plane_share = 1;  ///< share of the length over which both sides have a tangent plane, 0..1
-  bool certified = false;  ///< every upper bound known
-  bool settled = true;     ///< false: figures still changed when the limit of points was reached
+      0;                    ///< share of the length over which the angle is within the crease angle, 0..1
+  double plane_share = 1;   ///< share of the length over which both sides have a tangent plane, 0..1
+  bool certified = false;   ///< every upper bound known
+  std::string uncertified;  ///< why not, if it was tried
+  bool settled = true;      ///< false: figures still changed when the limit of points was reached
   std::vector<DegeneratePoint> degenerate;
   int points = 0;
 };

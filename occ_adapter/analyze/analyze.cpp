@@ -109,7 +109,7 @@ SeamResult measureSeam(const Seam& seam, const AnalyzeOptions& options) {
   SeamResult result;
   result.id = seam.id;
   result.kind = seam.kind;
-  result.edges = {seam.edge};
+  result.edges = seam.edges;
   result.faces = {seam.sides[0].face, seam.sides[1].face};
   const auto fail = [&](const std::string& why) {
     result.figures = {};

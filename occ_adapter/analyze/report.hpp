@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +10,13 @@
 #include <seamwright/occ_adapter/seams/find.hpp>
 
 namespace seamwright::occ {
+
+/// Where a seam is worst: the largest value of the figure that keeps it from the next level.
+struct WorstPoint {
+  std::string quantity;                             ///< "gap", "angle", "curvature" or "curvature_change"
+  double at = 0;                                    ///< 0..1 along the seam
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< mm, on side a
+};
 
 /// A seam with its figures and what they amount to.
 struct SeamResult {
@@ -18,7 +27,8 @@ struct SeamResult {
   double length_mm = 0;
   SeamFigures figures;
   Verdict verdict;
-  std::string note;  ///< what a user should know of this seam; empty if nothing
+  std::optional<WorstPoint> worst;  ///< nothing where no figure has a value
+  std::string note;                 ///< what a user should know of this seam; empty if nothing
 };
 
 struct ModelFacts {

@@ -73,7 +73,7 @@ SeamGraph findSeams(const TopoDS_Shape& shape) {
       graph.open.push_back(looseEdge(e, sides));
     } else if (sides.size() == 2) {
       const SeamKind kind = sides[0].face == sides[1].face ? SeamKind::Closed : SeamKind::Shared;
-      graph.seams.push_back({static_cast<int>(graph.seams.size()) + 1, kind, e, {sides[0], sides[1]}});
+      graph.seams.push_back({static_cast<int>(graph.seams.size()) + 1, kind, {e}, {sides[0], sides[1]}, {}});
     } else if (sides.size() > 2) {
       graph.non_manifold.push_back(looseEdge(e, sides));
     }

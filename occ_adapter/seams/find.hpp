@@ -11,7 +11,8 @@ namespace seamwright::occ {
 
 enum class SeamKind {
   Shared,  ///< two faces share an edge
-  Closed   ///< a face meets itself along an edge: a cylinder, a torus, a closed spline surface
+  Closed,  ///< a face meets itself along an edge: a cylinder, a torus, a closed spline surface
+  Matched  ///< free edges of two faces that lie close together over a common stretch
 };
 
 /// One side of a seam: a face and the edge as it runs around it.
@@ -24,11 +25,20 @@ struct FaceUse {
   std::array<double, 2> pole_tolerance_mm{};
 };
 
+/// Points of the two sides of a seam that belong together: place a[i] of the first edge, 0..1 of the range of its curve, and b[i]
+/// of the second, both linear in s between s[i] and s[i + 1]. s runs from 0 to 1 and a increases; b increases or decreases.
+struct Correspondence {
+  std::vector<double> s;
+  std::vector<double> a;
+  std::vector<double> b;
+};
+
 struct Seam {
   int id = 0;  ///< from 1
   SeamKind kind = SeamKind::Shared;
-  int edge = 0;  ///< from 1, order of TopExp::MapShapes
+  std::vector<int> edges;  ///< from 1, order of TopExp::MapShapes; two of a matched seam
   std::array<FaceUse, 2> sides;
+  Correspondence correspondence;  ///< empty: both sides run with the curve of their one edge, s = a = b
 };
 
 /// An edge that bounds one face, or more than two.

@@ -5,7 +5,15 @@
 namespace seamwright::report {
 
 std::string_view name(occ::SeamKind kind) {
-  return kind == occ::SeamKind::Shared ? "shared" : "closed";
+  switch (kind) {
+    case occ::SeamKind::Shared:
+      return "shared";
+    case occ::SeamKind::Closed:
+      return "closed";
+    case occ::SeamKind::Matched:
+      return "matched";
+  }
+  return "";
 }
 
 Summary summarize(const occ::Report& report) {

@@ -138,12 +138,12 @@ TEST(FindSeams, NumbersAreThoseOfTheMapsOfTheShape) {
   for (std::size_t i = 0; i < graph.seams.size(); ++i) {
     const occ::Seam& seam = graph.seams[i];
     EXPECT_EQ(seam.id, static_cast<int>(i) + 1);
-    EXPECT_TRUE(i == 0 || graph.seams[i - 1].edge < seam.edge);
+    EXPECT_TRUE(i == 0 || graph.seams[i - 1].edges < seam.edges);
     std::multiset<int> expected, found = {seam.sides[0].face, seam.sides[1].face};
-    for (const TopoDS_Shape& face : ancestors.FindFromKey(edges(seam.edge)))
+    for (const TopoDS_Shape& face : ancestors.FindFromKey(edges(seam.edges.front())))
       expected.insert(faces.FindIndex(face));
     EXPECT_EQ(found, expected);
-    for (const occ::FaceUse& side : seam.sides) EXPECT_TRUE(side.edge.IsSame(edges(seam.edge)));
+    for (const occ::FaceUse& side : seam.sides) EXPECT_TRUE(side.edge.IsSame(edges(seam.edges.front())));
   }
 }
 
