@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <seamwright/core/enclosure/chebyshev_model.hpp>
+
+namespace seamwright {
+
+namespace {
+
+constexpr int size = ChebyshevModel::size;
+constexpr double epsilon = std::numeric_limits<double>::epsilon();  // 2 u
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// A bound computed from non-negative numbers by a few dozen operations, made safe against their rounding.
+double up(double bound) {
+  return bound * (1 + 16 * epsilon) + std::numeric_limits<double>::min();
+}
+
+using Matrix = std::array<std::array<double, size>, size>;
+
+double binomial(int n, int k) {
+  double value = 1;
+  for (int i = 1; i <= k; ++i) value = value * (n - k + i) / i;
+  return value;
+}
+
+/// Column k: the Bernstein coefficients of T_k, elevated to max_degree. The coefficients of T_k of degree k are
+/// (-1)^(k - j) C(2 k, 2 j) / C(k, j).
+Matrix chebyshevToBernstein() {
+  Matrix matrix{};
+  for (int k = 0; k < size; ++k)
+    for (int i = 0; i < size; ++i)
+      for (int j = std::max(0, i - (size - 1 - k)); j <= std::min(i, k); ++j) {
+        const double own = ((k - j) % 2 == 0 ? 1 : -1) * binomial(2 * k, 2 * j) / binomial(k, j);
+        matrix[i][k] += own * binomial(k, j) * binomial(size - 1 - k, i - j) / binomial(size - 1, i);
+      }
+  return matrix;
+}
+
+/// Row i: T_k at the i-th of size Chebyshev points.
+Matrix chebyshevAtPoints() {
+  Matrix matrix{};
+  for (int i = 0; i < size; ++i)
+    for (int k = 0; k < size; ++k) matrix[i][k] = std::cos(k * std::numbers::pi * (2 * i + 1) / (2 * size));
+  return matrix;
+}
+
+const Matrix to_bernstein = chebyshevToBernstein();
+const Matrix at_points = chebyshevAtPoints();
+
+/// The series that takes the values function(f) at the Chebyshev points: close to function(f), no more is claimed.
+template <class Function>
+ChebyshevModel interpolate(const ChebyshevModel& f, const Function& function) {
+  if (f.degree() == 0) return ChebyshevModel(function(f.coefficient(0)));
+  ChebyshevModel::Coefficients values{};
+  for (int i = 0; i < size; ++i) {
+    double value = 0;
+    for (int k = 0; k <= f.degree(); ++k) value += f.coefficient(k) * at_points[i][k];
+    values[i] = function(value);
+  }
+  ChebyshevModel::Coefficients series{};
+  for (int k = 0; k < size; ++k) {
+    for (int i = 0; i < size; ++i) series[k] += values[i] * at_points[i][k];
+    series[k] *= (k == 0 ? 1.0 : 2.0) / size;
+  }
+  return ChebyshevModel::series(series, 0);
+}
+
+}  // namespace
+
+ChebyshevModel ChebyshevModel::linear(double middle, double half, double radius) {
+  ChebyshevModel model(middle);
+  model.coefficients_[1] = half;
+  model.degree_ = half == 0 ? 0 : 1;
+  model.radius_ = radius;
+  return model;
+}
+
+ChebyshevModel ChebyshevModel::series(std::span<const double> coefficients, double radius) {
+  ChebyshevModel model;
+  const std::size_t kept = std::min<std::size_t>(coefficients.size(), size);
+  std::copy_n(coefficients.begin(), kept, model.coefficients_.begin());
+  double rest = 0;
+  for (const double coefficient : coefficients.subspan(kept)) rest += std::abs(coefficient);
+  model.radius_ = rest > 0 ? up(radius + rest) : radius;
+  model.degree_ = static_cast<int>(std::max<std::size_t>(kept, 1)) - 1;
+  model.drop();
+  return model;
+}
+
+ChebyshevModel ChebyshevModel::unknown() {
+  ChebyshevModel model;
+  model.radius_ = infinite;
+  return model;
+}
+
+bool ChebyshevModel::isKnown() const {
+  return std::isfinite(magnitude());
+}
+
+/// Leading zeros need no work.
+void ChebyshevModel::drop() {
+  while (degree_ > 0 && coefficients_[degree_] == 0) --degree_;
+}
+
+double ChebyshevModel::seriesAt(double x) const {
+  double next = 0, after = 0;
+  for (int k = degree_; k > 0; --k) {
+    const double here = coefficients_[k] + 2 * x * next - after;
+    after = next;
+    next = here;
+  }
+  return coefficients_[0] + x * next - after;
+}
+
+double ChebyshevModel::magnitude() const {
+  double sum = radius_;
+  for (int k = 0; k <= degree_; ++k) sum += std::abs(coefficients_[k]);
+  return up(sum);
+}
+
+Interval ChebyshevModel::range() const {
+  if (degree_ == 0)
+    return {coefficients_[0] - up(radius_ + epsilon * std::abs(coefficients_[0])),
+            coefficients_[0] + up(radius_ + epsilon * std::abs(coefficients_[0]))};
+  const Coefficients control = bernstein();
+  const auto [low, high] = std::minmax_element(control.begin(), control.end());
+  const double margin =
+      up(radius_ + bernsteinRounding() + epsilon * std::max(std::abs(*low), std::abs(*high)));
+  return {*low - margin, *high + margin};
+}
+
+ChebyshevModel::Coefficients ChebyshevModel::bernstein() const {
+  Coefficients control;
+  for (int i = 0; i < size; ++i) {
+    double sum = coefficients_[0];
+    for (int k = 1; k <= degree_; ++k) sum += to_bernstein[i][k] * coefficients_[k];
+    control[i] = sum;
+  }
+  return control;
+}
+
+double ChebyshevModel::bernsteinRounding() const {
+  // The Bernstein coefficients of T_k are at most C(2 k, k') / C(k, k') < 2^k in absolute value; each is rounded a few times.
+  double sum = 0;
+  double bound = 1;
+  for (int k = 0; k <= degree_; ++k, bound *= 2) sum += bound * std::abs(coefficients_[k]);
+  return 16 * epsilon * sum;
+}
+
+ChebyshevModel& ChebyshevModel::operator+=(const ChebyshevModel& other) {
+  degree_ = std::max(degree_, other.degree_);
+  double absolute = 0;
+  for (int k = 0; k <= degree_; ++k) {
+    coefficients_[k] += other.coefficients_[k];
+    absolute += std::abs(coefficients_[k]);
+  }
+  radius_ = up(radius_ + other.radius_ + epsilon * absolute);
+  drop();
+  return *this;
+}
+
+ChebyshevModel& ChebyshevModel::operator-=(const ChebyshevModel& other) {
+  return *this += -other;
+}
+
+ChebyshevModel& ChebyshevModel::operator*=(double factor) {
+  double absolute = 0;
+  for (int k = 0; k <= degree_; ++k) {
+    coefficients_[k] *= factor;
+    absolute += std::abs(coefficients_[k]);
+  }
+  radius_ = up(std::abs(factor) * radius_ + epsilon * absolute);
+  drop();
+  return *this;
+}
+
+ChebyshevModel ChebyshevModel::operator-() const {
+  ChebyshevModel negative = *this;
+  for (int k = 0; k <= degree_; ++k) negative.coefficients_[k] = -coefficients_[k];
+  return negative;
+}
+
+void ChebyshevModel::widen(double radius) {
+  radius_ = up(radius_ + radius);
+}
+
+ProductSum& ProductSum::add(const ChebyshevModel& a, const ChebyshevModel& b, double sign) {
+  if (a.degree_ > b.degree_) return add(b, a, sign);
+  // T_i T_j = (T_(i + j) + T_|i - j|) / 2: with b continued to b_(-j) = b_j and b_0 doubled, twice the coefficient of T_k is the sum
+  // over i of a_i (b_(k - i) + b_(k + i)), but for k = 0, where every term is counted double.
+  constexpr int reach = 2 * size;
+  std::array<double, reach + 2 * size> even{};  // even[size + j] = b_|j|
+  double absolute_b = 0;
+  for (int j = 0; j <= b.degree_; ++j) {
+    even[size + j] = even[size - j] = b.coefficients_[j];
+    absolute_b += std::abs(b.coefficients_[j]);
+  }
+  even[size] *= 2;
+  double absolute_a = 0;
+  double constant = 0;
+  for (int i = 0; i <= a.degree_; ++i) {
+    const double factor = sign * a.coefficients_[i];
+    absolute_a += std::abs(factor);
+    const double* below = even.data() + size - i;
+    const double* above = below + 2 * i;
+    for (int k = 0; k < reach; ++k) twice_[k] += factor * (below[k] + above[k]);
+    constant += factor * above[0];
+  }
+  twice_[0] -= constant;
+  degree_ = std::max(degree_, a.degree_ + b.degree_);
+  absolute_ += absolute_a * absolute_b;
+  if (a.radius_ > 0 || b.radius_ > 0)
+    radius_ += absolute_a * b.radius_ + (absolute_b + b.radius_) * a.radius_;
+  return *this;
+}
+
+ChebyshevModel ProductSum::model() const {
+  ChebyshevModel result;
+  double rest = 0;
+  for (int k = 0; k <= std::min(degree_, ChebyshevModel::max_degree); ++k)
+    result.coefficients_[k] = 0.5 * twice_[k];
+  for (int k = size; k <= degree_; ++k) rest += std::abs(twice_[k]);
+  result.degree_ = std::min(degree_, ChebyshevModel::max_degree);
+  result.radius_ = up(radius_ + 0.5 * rest + 32 * epsilon * absolute_);
+  result.drop();
+  return result;
+}
+
+ChebyshevModel operator*(const ChebyshevModel& a, const ChebyshevModel& b) {
+  return ProductSum().add(a, b).model();
+}
+
+ChebyshevModel inverse(const ChebyshevModel& f) {
+  const Interval range = f.range();
+  const double smallest = std::max(range.lower, -range.upper);
+  if (!(smallest > 0) || !std::isfinite(range.width())) return ChebyshevModel::unknown();
+  ChebyshevModel guess = interpolate(f, [](double value) { return 1 / value; });
+  const ChebyshevModel residual = ChebyshevModel(1) - f * guess;  // |1/f - guess| = |residual| / |f|
+  guess.widen(up(residual.magnitude() / smallest));
+  return guess;
+}
+
+ChebyshevModel inverseSqrt(const ChebyshevModel& f) {
+  const Interval range = f.range();
+  if (!(range.lower > 0) || !std::isfinite(range.width())) return ChebyshevModel::unknown();
+  ChebyshevModel guess = interpolate(f, [](double value) { return 1 / std::sqrt(value); });
+  // With e = f guess^2 - 1, |guess - f^(-1/2)| = f^(-1/2) |sqrt(1 + e) - 1| <= f^(-1/2) |e| for |e| <= 1.
+  const double e = (f * guess * guess - ChebyshevModel(1)).magnitude();
+  if (!(e <= 1)) return ChebyshevModel::unknown();
+  guess.widen(up(e / std::sqrt(range.lower)));
+  return guess;
+}
+
+std::pair<ChebyshevModel, ChebyshevModel> cosSin(const ChebyshevModel& f) {
+  const double middle = f.coefficient(0);
+  const ChebyshevModel offset = f - ChebyshevModel(middle);
+  const double reach = offset.magnitude();
+  if (!(reach <= 2)) return {ChebyshevModel::unknown(), ChebyshevModel::unknown()};
+  // Taylor series in offset, until the next term is below rounding; the remainder is at most the first term left out.
+  int terms = 1;
+  double next = reach * reach / 2;
+  while (next > 1e-17 && terms < 16) {
+    next *= reach * reach / ((2 * terms + 1) * (2 * terms + 2));
+    ++terms;
+  }
+  const ChebyshevModel square = offset * offset;
+  ChebyshevModel cosine(1), sine(1);
+  for (int k = terms - 1; k > 0; --k) {
+    cosine = ChebyshevModel(1) - cosine * square * (1.0 / ((2 * k - 1) * (2 * k)));
+    sine = ChebyshevModel(1) - sine * square * (1.0 / ((2 * k) * (2 * k + 1)));
+  }
+  sine = sine * offset;
+  cosine.widen(up(next));
+  sine.widen(up(next * std::max(reach, 1.0)));
+  ChebyshevModel cos_middle(std::cos(middle)), sin_middle(std::sin(middle));
+  cos_middle.widen(epsilon);
+  sin_middle.widen(epsilon);
+  return {ProductSum().add(cos_middle, cosine).add(sin_middle, sine, -1).model(),
+          ProductSum().add(sin_middle, cosine).add(cos_middle, sine).model()};
+}
+
+}  // namespace seamwright

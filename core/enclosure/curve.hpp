@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <variant>
+#include <vector>
+
+#include <seamwright/core/enclosure/spline.hpp>
+
+namespace seamwright {
+
+/// Point and derivatives of a curve along a piece of it, as models; the parameter may be scaled by a positive factor.
+struct CurveJetModel {
+  VectorModel p, d1, d2;
+};
+
+/// origin + t direction.
+struct LineEvaluator {
+  Eigen::Vector3d origin, direction;
+};
+
+/// center + cos t x + sin t y; a circle if x and y are perpendicular and of one length.
+struct EllipseEvaluator {
+  Eigen::Vector3d center, x, y;
+};
+
+/// vertex + t^2 axis + t tangent.
+struct ParabolaEvaluator {
+  Eigen::Vector3d vertex, axis, tangent;
+};
+
+/// A curve for evaluation over pieces of it; in the parameter plane of a surface the third coordinate is zero.
+class CurveEvaluator {
+ public:
+  CurveEvaluator(LineEvaluator line) : form_(line) {}
+  CurveEvaluator(EllipseEvaluator ellipse) : form_(ellipse) {}
+  CurveEvaluator(ParabolaEvaluator parabola) : form_(parabola) {}
+  /// \pre the spline is of degree 0 in v.
+  CurveEvaluator(std::shared_ptr<const SplineEvaluator> spline) : form_(std::move(spline)) {}
+
+  /// Parameters strictly inside the range at which the curve may not be smooth, increasing.
+  std::vector<double> knotsInside(const Interval& range) const;
+  /// \param hint a parameter in the smooth piece that is meant. \param order 0, 1 or 2: highest derivative wanted.
+  CurveJetModel jet(const ChebyshevModel& t, double hint, int order) const;
+
+ private:
+  std::variant<LineEvaluator, EllipseEvaluator, ParabolaEvaluator, std::shared_ptr<const SplineEvaluator>>
+      form_;
+};
+
+}  // namespace seamwright

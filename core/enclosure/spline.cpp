@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include <seamwright/core/enclosure/spline.hpp>
+
+namespace seamwright {
+
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// Column j: Chebyshev coefficients on [-1, 1] of the Bernstein polynomial B_j of the degree.
+Eigen::MatrixXd bezierToChebyshev(int degree) {
+  const int n = degree + 1;
+  Eigen::MatrixXd values(n, n);  // of B_j at the Chebyshev points
+  Eigen::MatrixXd transform(n, n);
+  for (int i = 0; i < n; ++i) {
+    const double angle = std::numbers::pi * (2 * i + 1) / (2 * n);
+    const double t = 0.5 * (1 + std::cos(angle));
+    Eigen::VectorXd row = Eigen::VectorXd::Zero(n);
+    row[0] = 1;
+    for (int d = 1; d < n; ++d)
+      for (int j = d; j >= 0; --j) row[j] = (1 - t) * row[j] + (j > 0 ? t * row[j - 1] : 0);
+    values.row(i) = row;
+    for (int k = 0; k < n; ++k) transform(k, i) = (k == 0 ? 1.0 : 2.0) / n * std::cos(k * angle);
+  }
+  return transform * values;
+}
+
+/// Row j: the Bezier point j of the span [knots[s], knots[s + 1]] as a combination of its degree + 1 poles, by blossoming.
+Eigen::MatrixXd splineToBezier(const std::vector<double>& knots, int degree, int s) {
+  const int n = degree + 1;
+  Eigen::MatrixXd matrix(n, n);
+  for (int j = 0; j < n; ++j) {
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Identity(n, n);
+    for (int level = 1; level <= degree; ++level) {
+      const double argument = level <= degree - j ? knots[s] : knots[s + 1];
+      for (int i = 0; i + level <= degree; ++i) {
+        const double left = knots[s - degree + level + i];
+        const double right = knots[s + 1 + i];
+        rows.row(i) = ((right - argument) / (right - left)) * rows.row(i) +
+                      ((argument - left) / (right - left)) * rows.row(i + 1);
+      }
+    }
+    matrix.row(j) = rows.row(0);
+  }
+  return matrix;
+}
+
+Eigen::MatrixXd differenceRows(const Eigen::MatrixXd& net) {
+  const Eigen::Index degree = net.rows() - 1;
+  if (degree == 0) return Eigen::MatrixXd::Zero(1, net.cols());
+  return static_cast<double>(degree) * (net.bottomRows(degree) - net.topRows(degree));
+}
+
+Eigen::MatrixXd differenceColumns(const Eigen::MatrixXd& net) {
+  return differenceRows(net.transpose()).transpose();
+}
+
+/// T_0(x), ..., T_degree(x).
+std::vector<ChebyshevModel> chebyshevPolynomials(const ChebyshevModel& x, int degree) {
+  std::vector<ChebyshevModel> t = {ChebyshevModel(1), x};
+  for (int k = 2; k <= degree; ++k) t.push_back(2 * (x * t[k - 1]) - t[k - 2]);
+  t.resize(degree + 1);
+  return t;
+}
+
+/// Sum of numbers times models.
+class LinearSum {
+ public:
+  void add(double factor, const ChebyshevModel& model) {
+    const double size = std::abs(factor);
+    for (int k = 0; k <= model.degree(); ++k) {
+      coefficients_[k] += factor * model.coefficient(k);
+      absolute_ += size * std::abs(model.coefficient(k));
+    }
+    if (size > 0) radius_ += size * model.radius();
+    ++terms_;
+  }
+  ChebyshevModel model(double error) const {
+    return ChebyshevModel::series(coefficients_,
+                                  (error + radius_ + (terms_ + 2) * epsilon * absolute_) * (1 + 1e-12));
+  }
+
+ private:
+  ChebyshevModel::Coefficients coefficients_{};
+  double radius_ = 0;
+  double absolute_ = 0;
+  int terms_ = 0;
+};
+
+using HomogeneousModel = std::array<ChebyshevModel, 4>;
+
+VectorModel space(const HomogeneousModel& h) {
+  return {h[0], h[1], h[2]};
+}
+
+/// Partial derivatives of the quotient of h's space part and weight (MATH-surfaces 3.1, 8): the product rule, solved.
+JetModel projected(const std::array<HomogeneousModel, 6>& h, int order) {
+  const ChebyshevModel w = inverse(h[0][3]);
+  JetModel jet;
+  jet.p = w * space(h[0]);
+  if (order < 1) return jet;
+  jet.u = w * (space(h[1]) - h[1][3] * jet.p);
+  jet.v = w * (space(h[2]) - h[2][3] * jet.p);
+  if (order < 2) return jet;
+  jet.uu = w * (space(h[3]) - 2 * (h[1][3] * jet.u) - h[3][3] * jet.p);
+  jet.uv = w * (space(h[4]) - h[1][3] * jet.v - h[2][3] * jet.u - h[4][3] * jet.p);
+  jet.vv = w * (space(h[5]) - 2 * (h[2][3] * jet.v) - h[5][3] * jet.p);
+  return jet;
+}
+
+void requireFit(const SplineDirection& direction, std::size_t poles, const char* name) {
+  if (direction.degree < 0 || direction.knots.size() != poles + direction.degree + 1)
+    throw std::invalid_argument(std::string("spline in ") + name + ": " + std::to_string(poles) +
+                                " poles of degree " + std::to_string(direction.degree) + " with " +
+                                std::to_string(direction.knots.size()) + " knots");
+  for (std::size_t i = 0; i < direction.knots.size(); ++i)
+    if (!std::isfinite(direction.knots[i]) || (i > 0 && direction.knots[i] < direction.knots[i - 1]))
+      throw std::invalid_argument(std::string("knot ") + std::to_string(i) + " in " + name + " is " +
+                                  std::to_string(direction.knots[i]));
+}
+
+}  // namespace
+
+SplineEvaluator::SplineEvaluator(SplineDirection u, SplineDirection v, std::vector<Eigen::Vector3d> poles,
+                                 std::vector<double> weights)
+    : directions_{std::move(u), std::move(v)}, poles_(std::move(poles)), weights_(std::move(weights)) {
+  const auto count_u = static_cast<int>(directions_[0].knots.size()) - directions_[0].degree - 1;
+  if (count_u < 1 || poles_.size() % count_u != 0 || (!weights_.empty() && weights_.size() != poles_.size()))
+    throw std::invalid_argument("spline of " + std::to_string(poles_.size()) + " poles and " +
+                                std::to_string(weights_.size()) + " weights in " + std::to_string(count_u) +
+                                " rows");
+  count_v_ = static_cast<int>(poles_.size()) / count_u;
+  requireFit(directions_[0], count_u, "u");
+  requireFit(directions_[1], count_v_, "v");
+  for (const Eigen::Vector3d& pole : poles_)
+    if (!pole.allFinite()) throw std::invalid_argument("a pole of the spline is not finite");
+  for (const double weight : weights_)
+    if (!(weight > 0) || !std::isfinite(weight))
+      throw std::invalid_argument("a weight of the spline is " + std::to_string(weight));
+  for (const int d : {0, 1}) {
+    const auto& [degree, knots, period] = directions_[d];
+    for (int s = degree; s + degree + 1 < static_cast<int>(knots.size()); ++s)
+      if (knots[s] < knots[s + 1])
+        spans_[d].push_back({s - degree, knots[s], knots[s + 1], splineToBezier(knots, degree, s)});
+    if (spans_[d].empty()) throw std::invalid_argument("all knots of a spline are the same");
+    for (int lowering = 0; lowering < 3; ++lowering)
+      to_chebyshev_[d][lowering] = bezierToChebyshev(std::max(degree - lowering, 0));
+  }
+}
+
+std::vector<double> SplineEvaluator::knotsInside(int direction, const Interval& range) const {
+  const std::vector<Span>& spans = spans_[direction];
+  const double period = directions_[direction].period;
+  std::vector<double> inside;
+  const auto collect = [&](double shift, std::size_t first) {
+    for (std::size_t i = first; i < spans.size(); ++i)
+      if (const double knot = spans[i].lower + shift; range.lower < knot && knot < range.upper)
+        inside.push_back(knot);
+  };
+  if (period == 0) {
+    collect(0, 1);
+    return inside;
+  }
+  const double base = spans.front().lower;
+  for (double k = std::floor((range.lower - base) / period); base + k * period < range.upper; ++k)
+    collect(k * period, 0);
+  return inside;
+}
+
+SplineEvaluator::Local SplineEvaluator::localize(int direction, const ChebyshevModel& parameter,
+                                                 double hint) const {
+  const std::vector<Span>& spans = spans_[direction];
+  const double period = directions_[direction].period;
+  const double shift = period == 0 ? 0 : period * std::floor((hint - spans.front().lower) / period);
+  Local local;
+  while (local.span + 1 < static_cast<int>(spans.size()) && spans[local.span].upper <= hint - shift)
+    ++local.span;
+  const Span& span = spans[local.span];
+  const double middle = span.lower + 0.5 * (span.upper - span.lower);
+  const double half = 0.5 * (span.upper - span.lower);
+  local.x = (1 / half) * (parameter - ChebyshevModel(shift) - ChebyshevModel(middle));
+  local.x.widen(4 * epsilon * ((std::abs(middle) + std::abs(shift)) / half + 2));
+  return local;
+}
+
+const SplineEvaluator::Cell& SplineEvaluator::cell(int span_u, int span_v) const {
+  const auto key = std::pair(span_u, span_v);
+  const auto known = cells_.find(key);
+  return known != cells_.end() ? known->second : cells_.emplace(key, makeCell(span_u, span_v)).first->second;
+}
+
+SplineEvaluator::Cell SplineEvaluator::makeCell(int span_u, int span_v) const {
+  const Span& su = spans_[0][span_u];
+  const Span& sv = spans_[1][span_v];
+  const int p = directions_[0].degree;
+  const int q = directions_[1].degree;
+  const auto index = [&](int i, int j) { return (su.first_pole + i) * count_v_ + sv.first_pole + j; };
+  Cell cell;
+  cell.origin = poles_[index(0, 0)];
+  const int dimension = weights_.empty() ? 3 : 4;
+  constexpr std::array<std::array<int, 2>, 6> orders = {{{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}};
+  for (int c = 0; c < dimension; ++c) {
+    Eigen::MatrixXd local(p + 1, q + 1);
+    for (int i = 0; i <= p; ++i)
+      for (int j = 0; j <= q; ++j) {
+        const double weight = weights_.empty() ? 1 : weights_[index(i, j)];
+        local(i, j) = c == 3 ? weight : weight * (poles_[index(i, j)][c] - cell.origin[c]);
+      }
+    const Eigen::MatrixXd bezier = su.to_bezier * local * sv.to_bezier.transpose();
+    // Bezier points are convex combinations, reached in p + q steps of 6 roundings.
+    const double error = 4 * (p + q + 2) * epsilon * local.cwiseAbs().maxCoeff();
+    for (std::size_t k = 0; k < orders.size(); ++k) {
+      const auto [du, dv] = orders[k];
+      Eigen::MatrixXd net = bezier;
+      for (int i = 0; i < du; ++i) net = differenceRows(net);
+      for (int i = 0; i < dv; ++i) net = differenceColumns(net);
+      cell.nets[k].coefficients[c] = to_chebyshev_[0][du] * net * to_chebyshev_[1][dv].transpose();
+      // A difference has at most twice the errors of its terms, times the degree. A function has at most (p + 1) (q + 1) Chebyshev
+      // coefficients, none more than four times its maximum; each comes from sums of p + q + 2 terms in both steps.
+      const int terms = (p + 1) * (q + 1);
+      cell.nets[k].error[c] = 4 * terms *
+                              (std::pow(2 * p, du) * std::pow(2 * q, dv) * error +
+                               4 * (p + q + 2) * epsilon * net.cwiseAbs().maxCoeff());
+    }
+  }
+  return cell;
+}
+
+JetModel SplineEvaluator::jet(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u, double hint_v,
+                              int order) const {
+  const Local x = localize(0, u, hint_u);
+  const Local y = localize(1, v, hint_v);
+  const Cell& c = cell(x.span, y.span);
+  const std::vector<ChebyshevModel> tx = chebyshevPolynomials(x.x, directions_[0].degree);
+  const std::vector<ChebyshevModel> ty = chebyshevPolynomials(y.x, directions_[1].degree);
+  const int nets = order == 0 ? 1 : order == 1 ? 3 : 6;
+  const int dimension = weights_.empty() ? 3 : 4;
+  std::array<std::array<LinearSum, 4>, 6> sums;
+  for (std::size_t i = 0; i < tx.size(); ++i)
+    for (std::size_t j = 0; j < ty.size(); ++j) {
+      const ChebyshevModel product = tx[i] * ty[j];
+      for (int k = 0; k < nets; ++k)
+        for (int d = 0; d < dimension; ++d)
+          if (const Eigen::MatrixXd& net = c.nets[k].coefficients[d];
+              static_cast<Eigen::Index>(i) < net.rows() && static_cast<Eigen::Index>(j) < net.cols())
+            sums[k][d].add(net(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)), product);
+    }
+  // Inside its span a Chebyshev polynomial is at most 1; a path that leaves the span is bounded by the models of the products.
+  double outside = 1;
+  for (const ChebyshevModel& t : {tx.back(), ty.back()}) outside = std::max(outside, t.magnitude());
+  std::array<HomogeneousModel, 6> h;
+  for (int k = 0; k < nets; ++k)
+    for (int d = 0; d < dimension; ++d) h[k][d] = sums[k][d].model(c.nets[k].error[d] * outside * outside);
+  JetModel jet;
+  if (dimension == 4)
+    jet = projected(h, order);
+  else
+    jet = {space(h[0]), space(h[1]), space(h[2]), space(h[3]), space(h[4]), space(h[5])};
+  jet.p = jet.p + constantModel(c.origin);
+  return jet;
+}
+
+}  // namespace seamwright

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include <seamwright/core/enclosure/vector_model.hpp>
+
+namespace seamwright {
+
+/// Point and partial derivatives of a surface along a path, as models; the parameters may be scaled by positive factors.
+struct JetModel {
+  VectorModel p, u, v, uu, uv, vv;
+};
+
+/// One parameter of a spline.
+struct SplineDirection {
+  int degree = 0;
+  std::vector<double> knots;  ///< each repeated by its multiplicity; clamped: degree + 1 times at both ends
+  double period = 0;          ///< 0: none
+};
+
+/// A (rational) tensor-product B-spline in space, for evaluation along a path of its parameter plane. A curve is one of degree 0 in v.
+///
+/// Between two knots the spline is one polynomial (or a quotient of two), which is converted to Chebyshev form, about a point of its
+/// own, when first met; so large coordinates cost no accuracy, and a spline of many pieces costs what is used of it. Beyond the ends of
+/// the parameter range the outermost polynomials go on, or the spline repeats if it is periodic.
+///
+/// Not to be shared between threads: pieces met are kept.
+class SplineEvaluator {
+ public:
+  /// \param poles row by row: pole (i, j) is poles[i * count_v + j]; cartesian. \param weights empty: polynomial.
+  /// \throws std::invalid_argument if a number is not finite, a weight not positive, or counts and knots do not fit.
+  SplineEvaluator(SplineDirection u, SplineDirection v, std::vector<Eigen::Vector3d> poles,
+                  std::vector<double> weights);
+
+  /// Knots strictly inside the range, those of other periods too, increasing.
+  std::vector<double> knotsInside(int direction, const Interval& range) const;
+
+  /// The jet along (u, v), of the polynomial of the span that holds hint_u and hint_v. \param order 0, 1 or 2: highest derivatives
+  /// wanted.
+  JetModel jet(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u, double hint_v,
+               int order) const;
+
+ private:
+  struct Span {
+    int first_pole = 0;
+    double lower = 0;
+    double upper = 0;
+    Eigen::MatrixXd to_bezier;  ///< from the poles of the span to its Bezier points
+  };
+  struct Net {
+    std::array<Eigen::MatrixXd, 4> coefficients;  ///< Chebyshev coefficients of the homogeneous coordinates
+    std::array<double, 4> error{};                ///< bound of the sum of their errors
+  };
+  struct Cell {
+    Eigen::Vector3d origin;
+    std::array<Net, 6> nets;  ///< p, u, v, uu, uv, vv
+  };
+  struct Local {
+    int span = 0;
+    ChebyshevModel x;  ///< -1..1 over the span
+  };
+
+  Local localize(int direction, const ChebyshevModel& parameter, double hint) const;
+  const Cell& cell(int span_u, int span_v) const;
+  Cell makeCell(int span_u, int span_v) const;
+
+  std::array<SplineDirection, 2> directions_;
+  std::vector<Eigen::Vector3d> poles_;
+  std::vector<double> weights_;
+  int count_v_ = 0;
+  std::array<std::vector<Span>, 2> spans_;
+  /// By lowering of the degree: from Bezier points to Chebyshev coefficients.
+  std::array<std::array<Eigen::MatrixXd, 3>, 2> to_chebyshev_;
+  mutable std::map<std::pair<int, int>, Cell> cells_;
+};
+
+}  // namespace seamwright

@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/Dense>
+#include <cmath>
+
+#include <seamwright/core/enclosure/surface.hpp>
+
+namespace seamwright {
+
+namespace {
+
+VectorModel vectorModel(const ChebyshevModel& x, const ChebyshevModel& y, const ChebyshevModel& z) {
+  return {x, y, z};
+}
+
+/// Matrix K to M K M^T.
+SymmetricModel turned(const Eigen::Matrix3d& m, const SymmetricModel& k) {
+  const VectorModel columns[] = {m * VectorModel{k[0], k[3], k[5]}, m * VectorModel{k[3], k[1], k[4]},
+                                 m * VectorModel{k[5], k[4], k[2]}};
+  const auto entry = [&](int i, int j) {
+    return m(j, 0) * columns[0][i] + m(j, 1) * columns[1][i] + m(j, 2) * columns[2][i];
+  };
+  return {entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(1, 2), entry(2, 0)};
+}
+
+SurfaceFields placed(const SurfaceFields& local, const Placement& placement, Detail detail) {
+  const double side = placement.orthogonal.determinant() < 0 ? -1 : 1;
+  SurfaceFields fields;
+  fields.point =
+      placement.scale * (placement.orthogonal * local.point) + constantModel(placement.translation);
+  if (detail >= Detail::TangentPlane) fields.normal = side * (placement.orthogonal * local.normal);
+  if (detail >= Detail::Curvature)
+    fields.tensor = (side / placement.scale) * turned(placement.orthogonal, local.tensor);
+  return fields;
+}
+
+SurfaceFields unknownPlane(SurfaceFields fields) {
+  fields.normal.fill(ChebyshevModel::unknown());
+  fields.tensor.fill(ChebyshevModel::unknown());
+  return fields;
+}
+
+/// -1 or 1; 0 if both occur.
+int signOf(const ChebyshevModel& model) {
+  const Interval range = model.range();
+  if (range.lower > 0) return 1;
+  return range.upper < 0 ? -1 : 0;
+}
+
+class Plane : public SurfaceEvaluator {
+ public:
+  SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double, double,
+                       Detail) const override {
+    return {vectorModel(u, v, ChebyshevModel(0)),
+            vectorModel(ChebyshevModel(0), ChebyshevModel(0), ChebyshevModel(1)),
+            {}};
+  }
+};
+
+/// A curve (rho(v), height(v)) turned about the z axis, with normal (outward(v), axial(v)) and principal curvatures along the
+/// circle and along the curve.
+struct Profile {
+  ChebyshevModel rho, height;
+  ChebyshevModel outward, axial;
+  ChebyshevModel circle_curvature, curve_curvature;
+};
+
+/// The fields of a turned profile: e(u) and its derivative span the plane of the circle.
+SurfaceFields turnedFields(const ChebyshevModel& u, const Profile& profile, Detail detail) {
+  const auto [cosine, sine] = cosSin(u);
+  const ChebyshevModel zero(0);
+  SurfaceFields fields;
+  fields.point = vectorModel(profile.rho * cosine, profile.rho * sine, profile.height);
+  if (detail >= Detail::TangentPlane)
+    fields.normal = vectorModel(profile.outward * cosine, profile.outward * sine, profile.axial);
+  if (detail >= Detail::Curvature) {
+    const VectorModel around = vectorModel(-sine, cosine, zero);
+    const VectorModel along =
+        vectorModel(-(profile.axial * cosine), -(profile.axial * sine), profile.outward);
+    fields.tensor = profile.circle_curvature * symmetricProduct(around, around) +
+                    profile.curve_curvature * symmetricProduct(along, along);
+  }
+  return fields;
+}
+
+class Cylinder : public SurfaceEvaluator {
+ public:
+  explicit Cylinder(double radius) : radius_(radius) {}
+  SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double, double,
+                       Detail detail) const override {
+    return turnedFields(u,
+                        {ChebyshevModel(radius_), v, ChebyshevModel(1), ChebyshevModel(0),
+                         -inverse(ChebyshevModel(radius_)), ChebyshevModel(0)},
+                        detail);
+  }
+
+ private:
+  double radius_;
+};
+
+class Cone : public SurfaceEvaluator {
+ public:
+  Cone(double radius, double half_angle_rad) : radius_(radius) {
+    const auto [cosine, sine] = cosSin(ChebyshevModel(half_angle_rad));
+    cosine_ = cosine;
+    sine_ = sine;
+  }
+  SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double, double,
+                       Detail detail) const override {
+    const ChebyshevModel rho = ChebyshevModel(radius_) + v * sine_;
+    const double side = signOf(rho);
+    const SurfaceFields fields = turnedFields(u,
+                                              {rho, v * cosine_, side * cosine_, -side * sine_,
+                                               -side * (cosine_ * inverse(rho)), ChebyshevModel(0)},
+                                              detail);
+    return side == 0 ? unknownPlane(fields) : fields;
+  }
+
+ private:
+  double radius_;
+  ChebyshevModel cosine_, sine_;
+};
+
+class Torus : public SurfaceEvaluator {
+ public:
+  Torus(double major, double minor) : major_(major), minor_(minor) {}
+  SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double, double,
+                       Detail detail) const override {
+    const auto [cosine, sine] = cosSin(v);
+    const ChebyshevModel rho = ChebyshevModel(major_) + minor_ * cosine;
+    const double side = signOf(rho);
+    const SurfaceFields fields =
+        turnedFields(u,
+                     {rho, minor_ * sine, side * cosine, side * sine, -side * (cosine * inverse(rho)),
+                      -side * inverse(ChebyshevModel(minor_))},
+                     detail);
+    return side == 0 ? unknownPlane(fields) : fields;
+  }
+
+ private:
+  double major_;
+  double minor_;
+};
+
+class Sphere : public SurfaceEvaluator {
+ public:
+  explicit Sphere(double radius) : radius_(radius) {}
+  SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double, double,
+                       Detail detail) const override {
+    const auto [cosine, sine] = cosSin(v);
+    const ChebyshevModel curvature = -inverse(ChebyshevModel(radius_));
+    return turnedFields(u, {radius_ * cosine, radius_ * sine, cosine, sine, curvature, curvature}, detail);
+  }
+
+ private:
+  double radius_;
+};
+
+class Spline : public SurfaceEvaluator {
+ public:
+  explicit Spline(std::shared_ptr<const SplineEvaluator> spline) : spline_(std::move(spline)) {}
+  std::vector<double> knotsInside(int direction, const Interval& range) const override {
+    return spline_->knotsInside(direction, range);
+  }
+  SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u, double hint_v,
+                       Detail detail) const override {
+    return fieldsOf(spline_->jet(u, v, hint_u, hint_v, static_cast<int>(detail)), detail);
+  }
+
+ private:
+  std::shared_ptr<const SplineEvaluator> spline_;
+};
+
+class Extrusion : public SurfaceEvaluator {
+ public:
+  Extrusion(CurveEvaluator curve, const Eigen::Vector3d& direction)
+      : curve_(std::move(curve)), direction_(constantModel(direction)) {}
+  std::vector<double> knotsInside(int direction, const Interval& range) const override {
+    return direction == 0 ? curve_.knotsInside(range) : std::vector<double>();
+  }
+  SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u, double,
+                       Detail detail) const override {
+    const CurveJetModel curve = curve_.jet(u, hint_u, static_cast<int>(detail));
+    return fieldsOf({curve.p + v * direction_, curve.d1, direction_, curve.d2, {}, {}}, detail);
+  }
+
+ private:
+  CurveEvaluator curve_;
+  VectorModel direction_;
+};
+
+class Revolution : public SurfaceEvaluator {
+ public:
+  Revolution(const Frame& frame, CurveEvaluator curve) : frame_(frame), curve_(std::move(curve)) {}
+  std::vector<double> knotsInside(int direction, const Interval& range) const override {
+    return direction == 1 ? curve_.knotsInside(range) : std::vector<double>();
+  }
+  SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double, double hint_v,
+                       Detail detail) const override {
+    const CurveJetModel curve = curve_.jet(v, hint_v, static_cast<int>(detail));
+    const Eigen::Matrix3d into_frame = frame_.axes.transpose();
+    const VectorModel p = into_frame * (curve.p - constantModel(frame_.origin));
+    const VectorModel d1 = into_frame * curve.d1;
+    const VectorModel d2 = into_frame * curve.d2;
+    const ChebyshevModel zero(0);
+    // The jet at u = 0: turning about z takes (x, y, z) to (-y, x, 0) per radian.
+    return turn(fieldsOf({p, vectorModel(-p[1], p[0], zero), d1, vectorModel(-p[0], -p[1], zero),
+                          vectorModel(-d1[1], d1[0], zero), d2},
+                         detail),
+                u, detail);
+  }
+
+ private:
+  static SurfaceFields turn(const SurfaceFields& start, const ChebyshevModel& u, Detail detail) {
+    const auto [cosine, sine] = cosSin(u);
+    const auto turn = [&](const VectorModel& a) {
+      return vectorModel(ProductSum().add(cosine, a[0]).add(sine, a[1], -1).model(),
+                         ProductSum().add(sine, a[0]).add(cosine, a[1]).model(), a[2]);
+    };
+    SurfaceFields fields;
+    fields.point = turn(start.point);
+    if (detail >= Detail::TangentPlane) fields.normal = turn(start.normal);
+    if (detail >= Detail::Curvature) {
+      const SymmetricModel& k = start.tensor;
+      const VectorModel x = turn({k[0], k[3], k[5]});  // rows of the matrix with their columns turned
+      const VectorModel y = turn({k[3], k[1], k[4]});
+      const VectorModel z = turn({k[5], k[4], k[2]});
+      const VectorModel first = turn({x[0], y[0], z[0]});
+      const VectorModel second = turn({x[1], y[1], z[1]});
+      fields.tensor = {first[0], second[1], z[2], first[1], z[1], z[0]};
+    }
+    return fields;
+  }
+
+  Frame frame_;
+  CurveEvaluator curve_;
+};
+
+class Offset : public SurfaceEvaluator {
+ public:
+  Offset(std::unique_ptr<SurfaceEvaluator> basis, double distance)
+      : basis_(std::move(basis)), distance_(distance) {}
+  std::vector<double> knotsInside(int direction, const Interval& range) const override {
+    return basis_->knotsInside(direction, range);
+  }
+  SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u, double hint_v,
+                       Detail detail) const override {
+    const SurfaceFields basis = basis_->fields(u, v, hint_u, hint_v, Detail::Curvature);
+    SurfaceFields fields;
+    fields.point = basis.point + distance_ * basis.normal;
+    if (detail == Detail::Position) return fields;
+    // With the Weingarten map S of the basis, X_u moves to (I - d S) X_u and the map becomes S (I - d S)^-1; as S is of rank 2, that is
+    // (S - d K P) / (1 - d tr S + d^2 K), K the Gauss curvature and P the projection onto the tangent plane.
+    const ChebyshevModel mean = trace(basis.tensor);
+    const ChebyshevModel gauss = 0.5 * (mean * mean - contraction(basis.tensor, basis.tensor));
+    const ChebyshevModel stretch = ChebyshevModel(1) - distance_ * mean + (distance_ * distance_) * gauss;
+    const double side = signOf(stretch);
+    if (side == 0) return unknownPlane(fields);
+    fields.normal = side * basis.normal;
+    if (detail >= Detail::Curvature) {
+      SymmetricModel projection = -symmetricProduct(basis.normal, basis.normal);
+      for (int i = 0; i < 3; ++i) projection[i] += ChebyshevModel(1);
+      fields.tensor = (side * inverse(stretch)) * (basis.tensor - (distance_ * gauss) * projection);
+    }
+    return fields;
+  }
+
+ private:
+  std::unique_ptr<SurfaceEvaluator> basis_;
+  double distance_;
+};
+
+class Placed : public SurfaceEvaluator {
+ public:
+  Placed(std::unique_ptr<SurfaceEvaluator> basis, const Placement& placement)
+      : basis_(std::move(basis)), placement_(placement) {}
+  std::vector<double> knotsInside(int direction, const Interval& range) const override {
+    return basis_->knotsInside(direction, range);
+  }
+  SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u, double hint_v,
+                       Detail detail) const override {
+    return placed(basis_->fields(u, v, hint_u, hint_v, detail), placement_, detail);
+  }
+
+ private:
+  std::unique_ptr<SurfaceEvaluator> basis_;
+  Placement placement_;
+};
+
+template <class Local, class... Arguments>
+std::unique_ptr<SurfaceEvaluator> inFrame(const Frame& frame, Arguments&&... arguments) {
+  return placedEvaluator(std::make_unique<Local>(std::forward<Arguments>(arguments)...),
+                         {1, frame.axes, frame.origin});
+}
+
+}  // namespace
+
+SurfaceFields fieldsOf(const JetModel& jet, Detail detail) {
+  SurfaceFields fields;
+  fields.point = jet.p;
+  if (detail == Detail::Position) return fields;
+  const VectorModel normal = cross(jet.u, jet.v);
+  const ChebyshevModel inverse_length = inverseSqrt(dot(normal, normal));
+  fields.normal = inverse_length * normal;
+  if (detail == Detail::TangentPlane) return fields;
+  // The dual basis of the tangent plane, and the second form in it.
+  const VectorModel& n = fields.normal;
+  const VectorModel dual_u = inverse_length * cross(jet.v, n);
+  const VectorModel dual_v = inverse_length * cross(n, jet.u);
+  const ChebyshevModel l = dot(n, jet.uu);
+  const ChebyshevModel m = dot(n, jet.uv);
+  const ChebyshevModel k = dot(n, jet.vv);
+  fields.tensor =
+      symmetricProduct(l * dual_u + m * dual_v, dual_u) + symmetricProduct(m * dual_u + k * dual_v, dual_v);
+  return fields;
+}
+
+std::unique_ptr<SurfaceEvaluator> planeEvaluator(const Frame& frame) {
+  return inFrame<Plane>(frame);
+}
+
+std::unique_ptr<SurfaceEvaluator> cylinderEvaluator(const Frame& frame, double radius) {
+  return inFrame<Cylinder>(frame, radius);
+}
+
+std::unique_ptr<SurfaceEvaluator> coneEvaluator(const Frame& frame, double radius, double half_angle_rad) {
+  return inFrame<Cone>(frame, radius, half_angle_rad);
+}
+
+std::unique_ptr<SurfaceEvaluator> sphereEvaluator(const Frame& frame, double radius) {
+  return inFrame<Sphere>(frame, radius);
+}
+
+std::unique_ptr<SurfaceEvaluator> torusEvaluator(const Frame& frame, double major, double minor) {
+  return inFrame<Torus>(frame, major, minor);
+}
+
+std::unique_ptr<SurfaceEvaluator> splineEvaluator(std::shared_ptr<const SplineEvaluator> spline) {
+  return std::make_unique<Spline>(std::move(spline));
+}
+
+std::unique_ptr<SurfaceEvaluator> revolutionEvaluator(const Frame& frame, CurveEvaluator curve) {
+  return inFrame<Revolution>(frame, frame, std::move(curve));
+}
+
+std::unique_ptr<SurfaceEvaluator> extrusionEvaluator(CurveEvaluator curve, const Eigen::Vector3d& direction) {
+  return std::make_unique<Extrusion>(std::move(curve), direction);
+}
+
+std::unique_ptr<SurfaceEvaluator> offsetEvaluator(std::unique_ptr<SurfaceEvaluator> basis, double distance) {
+  return std::make_unique<Offset>(std::move(basis), distance);
+}
+
+std::unique_ptr<SurfaceEvaluator> placedEvaluator(std::unique_ptr<SurfaceEvaluator> basis,
+                                                  const Placement& placement) {
+  return std::make_unique<Placed>(std::move(basis), placement);
+}
+
+}  // namespace seamwright

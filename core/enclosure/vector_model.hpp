@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include <seamwright/core/enclosure/chebyshev_model.hpp>
+
+namespace seamwright {
+
+/// A vector function on [-1, 1], each coordinate a model.
+using VectorModel = std::array<ChebyshevModel, 3>;
+
+/// A symmetric 3 by 3 matrix function on [-1, 1]: xx, yy, zz, xy, yz, zx.
+using SymmetricModel = std::array<ChebyshevModel, 6>;
+
+VectorModel constantModel(const Eigen::Vector3d& vector);
+VectorModel operator+(const VectorModel& a, const VectorModel& b);
+VectorModel operator-(const VectorModel& a, const VectorModel& b);
+VectorModel operator-(const VectorModel& a);
+VectorModel operator*(const ChebyshevModel& factor, const VectorModel& vector);
+VectorModel operator*(double factor, const VectorModel& vector);
+ChebyshevModel dot(const VectorModel& a, const VectorModel& b);
+VectorModel cross(const VectorModel& a, const VectorModel& b);
+/// Matrix of exact numbers times a vector.
+VectorModel operator*(const Eigen::Matrix3d& matrix, const VectorModel& vector);
+
+SymmetricModel operator+(const SymmetricModel& a, const SymmetricModel& b);
+SymmetricModel operator-(const SymmetricModel& a, const SymmetricModel& b);
+SymmetricModel operator-(const SymmetricModel& a);
+SymmetricModel operator*(const ChebyshevModel& factor, const SymmetricModel& matrix);
+SymmetricModel operator*(double factor, const SymmetricModel& matrix);
+VectorModel operator*(const SymmetricModel& matrix, const VectorModel& vector);
+/// (a b^T + b a^T) / 2.
+SymmetricModel symmetricProduct(const VectorModel& a, const VectorModel& b);
+ChebyshevModel trace(const SymmetricModel& matrix);
+/// Sum of the products of corresponding entries of two symmetric matrices, tr(A B).
+ChebyshevModel contraction(const SymmetricModel& a, const SymmetricModel& b);
+
+/// Points whose convex hull, widened by \p radius in every direction, holds the function.
+template <int Dimension>
+struct ControlPolygon {
+  std::array<Eigen::Matrix<double, Dimension, 1>, ChebyshevModel::size> points;
+  int count = 1;  ///< one if the function is constant but for the radius
+  double radius = 0;
+};
+
+/// \tparam Model VectorModel or SymmetricModel. The radius is Euclidean over the entries stored.
+template <std::size_t Dimension>
+ControlPolygon<static_cast<int>(Dimension)> controlPolygon(
+    const std::array<ChebyshevModel, Dimension>& model) {
+  ControlPolygon<static_cast<int>(Dimension)> polygon;
+  double square = 0;
+  for (std::size_t d = 0; d < Dimension; ++d) {
+    const double radius = model[d].radius() + model[d].bernsteinRounding();
+    square += radius * radius;
+    if (model[d].degree() > 0) polygon.count = ChebyshevModel::size;
+  }
+  for (std::size_t d = 0; d < Dimension; ++d) {
+    const ChebyshevModel::Coefficients control = model[d].bernstein();
+    for (int i = 0; i < polygon.count; ++i) polygon.points[i][static_cast<int>(d)] = control[i];
+  }
+  polygon.radius = std::sqrt(square) * (1 + 1e-14);
+  return polygon;
+}
+
+}  // namespace seamwright

@@ -1,0 +1,487 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <sstream>
+
+#include <seamwright/core/seam/enclose.hpp>
+#include <seamwright/core/seam/piece.hpp>
+
+namespace seamwright {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double shortest_piece =
+    0x1p-24;  ///< of the seam: below it a point without tangent plane is left out
+constexpr double shortest_crossing = 0x1p-30;  ///< below it both sides of a knot line are taken
+
+/// The fields of one side over a piece; more than one where the piece lies across a knot line.
+struct SideFields {
+  std::vector<SurfaceFields> alternatives;
+  std::optional<double> split;  ///< no fields: the piece is to be cut here first
+};
+
+double mapped(const std::vector<double>& from, const std::vector<double>& to, double value) {
+  const auto upper = std::upper_bound(from.begin() + 1, from.end() - 1, value);
+  const auto i = static_cast<std::size_t>(upper - from.begin());
+  return to[i - 1] + (value - from[i - 1]) * ((to[i] - to[i - 1]) / (from[i] - from[i - 1]));
+}
+
+/// Where on [-1, 1] a series takes a value between two points at which it is on either side of it; nothing if none of 8 steps shows a
+/// change of side.
+std::optional<double> crossing(const ChebyshevModel& series, double value) {
+  constexpr int steps = 8;
+  double low = -1;
+  const auto above = [&](double x) { return series.seriesAt(x) > value; };
+  for (int i = 1; i <= steps; ++i) {
+    double high = -1 + 2.0 * i / steps;
+    if (above(low) != above(high)) {
+      for (int k = 0; k < 60; ++k) {
+        const double middle = 0.5 * (low + high);
+        (above(middle) == above(low) ? low : high) = middle;
+      }
+      return 0.5 * (low + high);
+    }
+    low = high;
+  }
+  return std::nullopt;
+}
+
+class Side {
+ public:
+  explicit Side(const SeamSide& side) : side_(side) {}
+
+  bool faceOnLeft() const { return side_.face_on_left; }
+
+  /// Places on the seam where the path is not smooth.
+  void addBreaks(std::vector<double>& breaks) const {
+    const auto [low, high] = std::minmax(side_.t.front(), side_.t.back());
+    breaks.insert(breaks.end(), side_.s.begin() + 1, side_.s.end() - 1);
+    std::vector<double> s = side_.s, t = side_.t;
+    if (t.front() > t.back()) {
+      std::ranges::reverse(s);
+      std::ranges::reverse(t);
+    }
+    for (const double knot : side_.path.knotsInside({low, high})) breaks.push_back(mapped(t, s, knot));
+  }
+
+  SideFields fields(double from, double to, Detail detail) const {
+    const double middle = 0.5 * (from + to);
+    const ChebyshevModel t = parameter(from, to);
+    const VectorModel uv = side_.path.jet(t, t.coefficient(0), 0).p;
+    SideFields result;
+    std::array<std::vector<double>, 2> hints;
+    for (const int d : {0, 1}) {
+      if (!uv[d].isKnown()) {
+        result.split = middle;
+        return result;
+      }
+      hints[d] = this->hints(d, uv, from, to, result.split);
+      if (result.split) return result;
+    }
+    for (const double u : hints[0])
+      for (const double v : hints[1])
+        result.alternatives.push_back(side_.surface->fields(uv[0], uv[1], u, v, detail));
+    return result;
+  }
+
+ private:
+  ChebyshevModel parameter(double from, double to) const {
+    const double t0 = mapped(side_.s, side_.t, from);
+    const double t1 = mapped(side_.s, side_.t, to);
+    const double rounding = 8 * epsilon * (std::abs(side_.t.front()) + std::abs(side_.t.back()));
+    return ChebyshevModel::linear(0.5 * (t0 + t1), 0.5 * (t1 - t0), rounding);
+  }
+
+  /// Points of the smooth pieces of the surface that coordinate d of the path meets.
+  std::vector<double> hints(int d, const VectorModel& uv, double from, double to,
+                            std::optional<double>& split) const {
+    const Interval range = uv[d].range();
+    const double rounding = 64 * epsilon * (std::abs(range.lower) + std::abs(range.upper) + range.width());
+    const std::vector<double> met =
+        side_.surface->knotsInside(d, {range.lower - rounding, range.upper + rounding});
+    std::vector<double> knots;  // in the way, not only touched at an end
+    for (const double knot : met)
+      if (knot > range.lower + rounding && knot < range.upper - rounding) knots.push_back(knot);
+    const bool along = range.width() <= 1e-10 * std::min(1.0, uv[1 - d].range().width());
+    if (!met.empty() && along) return {besideKnot(met[met.size() / 2], d, uv)};
+    if (knots.empty()) return {range.middle()};
+    if (to - from > shortest_crossing) {
+      const double knot = knots[knots.size() / 2];
+      const double x = crossing(uv[d], knot).value_or(0);
+      split = 0.5 * ((1 - x) * from + (1 + x) * to);
+      const double margin = 0x1p-10 * (to - from);  // a cut nearer to the end than this makes no progress
+      split = std::clamp(*split, from + (x < -0.999 ? margin : 0), to - (x > 0.999 ? margin : 0));
+      return {};
+    }
+    std::vector<double> hints = {range.lower};
+    hints.insert(hints.end(), knots.begin(), knots.end());
+    for (std::size_t i = 1; i < hints.size(); ++i)
+      hints[i] = 0.5 * (hints[i] + (i + 1 < hints.size() ? hints[i + 1] : range.upper));
+    return hints;
+  }
+
+  /// Off a knot line to the side of the face.
+  double besideKnot(double knot, int d, const VectorModel& uv) const {
+    const double along = uv[1 - d].coefficient(1);
+    const double into = (d == 0 ? -along : along) * (side_.face_on_left ? 1 : -1);
+    return std::nextafter(knot, into > 0 ? infinite : -infinite);
+  }
+
+  const SeamSide& side_;
+};
+
+struct Piece {
+  double from = 0;
+  double to = 0;
+  PieceFigures figures;
+  bool left_out = false;  ///< only the gap counts
+  double width() const { return to - from; }
+  double at(double x) const { return 0.5 * ((1 - x) * from + (1 + x) * to); }
+};
+
+/// Of a piece that lies across knot lines each combination of sides is possible: nothing is known to be reached.
+void include(PieceFigures& sum, const PieceFigures& more) {
+  const auto merge = [](PieceBound& bound, const PieceBound& other) {
+    bound = {0, std::max(bound.upper, other.upper), 0};
+  };
+  merge(sum.gap_mm, more.gap_mm);
+  merge(sum.angle_rad, more.angle_rad);
+  sum.smallest_angle_rad = std::min(sum.smallest_angle_rad, more.smallest_angle_rad);
+  if (sum.sense != more.sense) sum.sense = 0;
+  sum.curvature_norm_per_mm = 0;
+  if (!sum.curvature_per_mm) return;
+  merge(*sum.curvature_per_mm, *more.curvature_per_mm);
+  merge(*sum.curvature_rel, *more.curvature_rel);
+}
+
+bool hasPlane(const SideFields& side) {
+  return std::ranges::all_of(side.alternatives, [](const SurfaceFields& fields) {
+    return std::ranges::all_of(fields.normal, [](const ChebyshevModel& n) { return n.isKnown(); });
+  });
+}
+
+std::string placeText(double s) {
+  std::ostringstream text;
+  text.precision(6);
+  text << s;
+  return text.str();
+}
+
+class Enclosure {
+ public:
+  Enclosure(const SeamSide& a, const SeamSide& b, const ContinuityTolerance& tolerance,
+            const EncloseOptions& options)
+      : a_(a), b_(b), tolerance_(tolerance), options_(options) {}
+
+  SeamFigures run();
+
+ private:
+  enum Quantity { Gap, Angle, Curvature, RelativeCurvature, Quantities };
+
+  /// Above the crease angle curvature is no figure.
+  Detail detail() const {
+    return lower_[Angle] > tolerance_.crease_rad ? Detail::TangentPlane : Detail::Curvature;
+  }
+  bool folds(const Piece& piece) const {
+    return piece.figures.sense != 0 && (a_.faceOnLeft() == b_.faceOnLeft()) == (piece.figures.sense > 0);
+  }
+  void look(double from, double to);
+  void lookAtEnds();
+  bool measure(Piece& piece, Detail detail, std::optional<double>& split);
+  void see(const Piece& piece);
+  void see(Quantity quantity, const PieceBound& bound, const Piece& piece);
+  void leaveOut(const Piece& piece, const SideFields& a, const SideFields& b);
+  double tolerated(Quantity quantity) const;
+  double allowed(Quantity quantity) const;
+  bool isEnough(Quantity quantity, double upper) const;
+  bool isSettled(const Piece& piece) const;
+  void refine();
+  SeamFigures figures() const;
+  std::optional<Figure> figure(Quantity quantity, double upper) const;
+  Interval lengthOf(const Piece& piece) const;
+  Interval belowCreaseShare() const;
+
+  Side a_;
+  Side b_;
+  const ContinuityTolerance& tolerance_;
+  const EncloseOptions& options_;
+  std::vector<Piece> pieces_;
+  std::array<double, Quantities> lower_{};
+  std::array<double, Quantities> at_{};
+  double curvature_norm_ = 0;
+  int looks_ = 0;
+  bool exhausted_ = false;
+  std::vector<DegeneratePoint> degenerate_;
+};
+
+double Enclosure::tolerated(Quantity quantity) const {
+  const double tolerances[] = {
+      tolerance_.gap_mm, tolerance_.angle_rad,
+      tolerance_.curvature_rel * std::max(curvature_norm_, 1 / tolerance_.flat_radius_mm),
+      tolerance_.curvature_rel};
+  return tolerances[quantity];
+}
+
+double Enclosure::allowed(Quantity quantity) const {
+  return 0.01 * std::max(lower_[quantity], tolerated(quantity));
+}
+
+bool Enclosure::isEnough(Quantity quantity, double upper) const {
+  if (upper <= lower_[quantity] + allowed(quantity)) return true;
+  if (options_.figures) return false;
+  return quantity == Curvature || upper <= tolerated(quantity) || lower_[quantity] > tolerated(quantity);
+}
+
+bool Enclosure::isSettled(const Piece& piece) const {
+  const PieceFigures& f = piece.figures;
+  if (!isEnough(Gap, f.gap_mm.upper)) return false;
+  if (piece.left_out) return true;
+  const double crease = tolerance_.crease_rad;
+  const bool sharp = lower_[Angle] > crease;
+  // The share of the length below the crease angle is told to a hundredth.
+  const bool across = f.smallest_angle_rad <= crease && f.angle_rad.upper > crease;
+  if (across && (!sharp || piece.width() > 0.01)) return false;
+  if (!isEnough(Angle, f.angle_rad.upper)) return false;
+  if (sharp) return std::isfinite(f.angle_rad.upper);
+  return f.curvature_per_mm && isEnough(Curvature, f.curvature_per_mm->upper) &&
+         isEnough(RelativeCurvature, f.curvature_rel->upper);
+}
+
+void Enclosure::see(Quantity quantity, const PieceBound& bound, const Piece& piece) {
+  if (bound.lower > lower_[quantity]) {
+    lower_[quantity] = bound.lower;
+    at_[quantity] = piece.at(bound.at);
+  }
+}
+
+void Enclosure::see(const Piece& piece) {
+  see(Gap, piece.figures.gap_mm, piece);
+  if (piece.left_out) return;
+  see(Angle, piece.figures.angle_rad, piece);
+  curvature_norm_ = std::max(curvature_norm_, piece.figures.curvature_norm_per_mm);
+  if (!piece.figures.curvature_per_mm) return;
+  see(Curvature, *piece.figures.curvature_per_mm, piece);
+  see(RelativeCurvature, *piece.figures.curvature_rel, piece);
+}
+
+void Enclosure::leaveOut(const Piece& piece, const SideFields& a, const SideFields& b) {
+  const auto kind = [](const SideFields& side) {
+    return hasPlane(side) ? Degeneracy::None : Degeneracy::VanishingNormal;
+  };
+  degenerate_.push_back({piece.at(0), kind(a), kind(b)});
+}
+
+/// False if the piece has to be cut at \p split first.
+bool Enclosure::measure(Piece& piece, Detail detail, std::optional<double>& split) {
+  ++looks_;
+  const SideFields a = a_.fields(piece.from, piece.to, detail);
+  split = a.split;
+  if (split) return false;
+  const SideFields b = b_.fields(piece.from, piece.to, detail);
+  split = b.split;
+  if (split) return false;
+  const double relative = 0.01;
+  const PieceSlack slack = {{relative, allowed(Gap)},
+                            {relative, allowed(Angle)},
+                            {relative, allowed(Curvature)},
+                            {relative, allowed(RelativeCurvature)}};
+  bool first = true;
+  for (const SurfaceFields& fields_a : a.alternatives)
+    for (const SurfaceFields& fields_b : b.alternatives) {
+      const PieceFigures figures = measurePiece(fields_a, fields_b, detail, tolerance_.flat_radius_mm, slack);
+      if (first)
+        piece.figures = figures;
+      else
+        include(piece.figures, figures);
+      first = false;
+    }
+  const bool without_plane = detail != Detail::Position && !std::isfinite(piece.figures.angle_rad.upper);
+  if (without_plane && piece.width() > 0 && piece.width() < shortest_piece) {
+    piece.left_out = true;
+    leaveOut(piece, a, b);
+  }
+  return true;
+}
+
+void Enclosure::look(double from, double to) {
+  Piece piece{from, to, {}};
+  std::optional<double> split;
+  if (measure(piece, detail(), split)) {
+    see(piece);
+    pieces_.push_back(piece);
+    return;
+  }
+  if (looks_ >= options_.max_pieces || !(from < *split && *split < to)) {
+    exhausted_ = true;
+    piece.figures.gap_mm.upper = piece.figures.angle_rad.upper = infinite;
+    pieces_.push_back(piece);
+    return;
+  }
+  look(from, *split);
+  look(*split, to);
+}
+
+/// Outside the range the gap is all there is to measure.
+void Enclosure::lookAtEnds() {
+  for (const auto& [from, to] :
+       {std::pair(0.0, options_.range.lower), std::pair(options_.range.upper, 1.0)}) {
+    if (!(from < to)) continue;
+    Piece piece{from, to, {}, true};
+    std::optional<double> split;
+    if (!measure(piece, Detail::Position, split)) piece.figures.gap_mm.upper = infinite;
+    see(piece);
+    pieces_.push_back(piece);
+  }
+}
+
+void Enclosure::refine() {
+  for (bool changed = true; changed;) {
+    changed = false;
+    std::vector<Piece> open;
+    const auto is_open = [&](const Piece& piece) {
+      return !isSettled(piece) && piece.width() >= shortest_piece && !piece.left_out;
+    };
+    const auto first_open = std::ranges::stable_partition(pieces_, std::not_fn(is_open));
+    open.assign(first_open.begin(), first_open.end());
+    pieces_.erase(first_open.begin(), first_open.end());
+    for (const Piece& piece : open) {
+      if (looks_ >= options_.max_pieces) {
+        exhausted_ = true;
+        pieces_.push_back(piece);
+      } else if (isSettled(piece)) {  // by what was seen since
+        pieces_.push_back(piece);
+      } else {
+        look(piece.from, piece.at(0));
+        look(piece.at(0), piece.to);
+        changed = true;
+      }
+    }
+  }
+}
+
+SeamFigures Enclosure::run() {
+  std::vector<double> breaks = {options_.range.lower, options_.range.upper};
+  a_.addBreaks(breaks);
+  b_.addBreaks(breaks);
+  std::ranges::sort(breaks);
+  // The middle first: a seam that is a crease there has no curvature figures, which saves their work.
+  Piece middle{0.5 * (options_.range.lower + options_.range.upper), 0, {}};
+  middle.to = middle.from;
+  std::optional<double> split;
+  if (measure(middle, Detail::TangentPlane, split)) see(middle);
+  lookAtEnds();
+  double from = options_.range.lower;
+  for (const double at : breaks) {
+    constexpr double apart = 1e-12;  // breaks that only rounding tells apart are one
+    if (at <= from + apart || at > options_.range.upper) continue;
+    const double to = at > options_.range.upper - apart ? options_.range.upper : at;
+    look(from, to);
+    from = to;
+    if (from == options_.range.upper) break;
+  }
+  refine();
+  return figures();
+}
+
+std::optional<Figure> Enclosure::figure(Quantity quantity, double upper) const {
+  Figure figure{lower_[quantity], std::nullopt, at_[quantity]};
+  if (std::isfinite(upper)) figure.upper = std::max(upper, figure.lower);
+  return figure;
+}
+
+/// Chord and length of the control polygon of side a.
+Interval Enclosure::lengthOf(const Piece& piece) const {
+  const SideFields side = a_.fields(piece.from, piece.to, Detail::Position);
+  if (side.alternatives.size() != 1) return {0, 0};
+  const ControlPolygon<3> polygon = controlPolygon(side.alternatives[0].point);
+  Interval length;
+  for (int i = 1; i < polygon.count; ++i) length.upper += (polygon.points[i] - polygon.points[i - 1]).norm();
+  length.lower = (polygon.points[polygon.count - 1] - polygon.points[0]).norm();
+  return length;
+}
+
+Interval Enclosure::belowCreaseShare() const {
+  if (lower_[Angle] <= tolerance_.crease_rad) return {1, 1};
+  if (std::ranges::none_of(pieces_, [&](const Piece& piece) {
+        return !piece.left_out && piece.figures.smallest_angle_rad <= tolerance_.crease_rad;
+      }))
+    return {0, 0};
+  Interval below, other, either;
+  for (const Piece& piece : pieces_) {
+    const PieceFigures& f = piece.figures;
+    const bool is_above = piece.left_out || f.smallest_angle_rad > tolerance_.crease_rad || folds(piece);
+    Interval& sum = is_above ? other : f.angle_rad.upper <= tolerance_.crease_rad ? below : either;
+    const Interval length = lengthOf(piece);
+    sum.lower += length.lower;
+    sum.upper += length.upper;
+  }
+  const double least = below.lower / std::max(below.lower + other.upper + either.upper, 1e-300);
+  const double most =
+      (below.upper + either.upper) / std::max(below.upper + either.upper + other.lower, 1e-300);
+  return {least, most};
+}
+
+SeamFigures Enclosure::figures() const {
+  SeamFigures figures;
+  std::array<double, Quantities> upper{};
+  double left_out = options_.range.lower + 1 - options_.range.upper;
+  double with_plane = 0;
+  bool may_fold = false;
+  std::optional<double> unknown_at;
+  for (const Piece& piece : pieces_) {
+    const PieceFigures& f = piece.figures;
+    upper[Gap] = std::max(upper[Gap], f.gap_mm.upper);
+    if (!std::isfinite(f.gap_mm.upper)) unknown_at = piece.at(0);
+    if (piece.left_out) {
+      left_out += piece.from >= options_.range.lower && piece.to <= options_.range.upper ? piece.width() : 0;
+      continue;
+    }
+    with_plane += piece.width();
+    upper[Angle] = std::max(upper[Angle], f.angle_rad.upper);
+    upper[Curvature] = std::max(upper[Curvature], f.curvature_per_mm ? f.curvature_per_mm->upper : infinite);
+    upper[RelativeCurvature] =
+        std::max(upper[RelativeCurvature], f.curvature_rel ? f.curvature_rel->upper : infinite);
+    if (!std::isfinite(f.angle_rad.upper)) unknown_at = piece.at(0);
+    if (folds(piece) && f.angle_rad.upper <= tolerance_.crease_rad && !figures.fold_at)
+      figures.fold_at = piece.at(0);
+    if (folds(piece) && f.smallest_angle_rad <= tolerance_.crease_rad) may_fold = true;
+  }
+  figures.gap_mm = figure(Gap, upper[Gap]);
+  if (with_plane > 0) figures.angle_rad = figure(Angle, upper[Angle]);
+  const bool sharp = lower_[Angle] > tolerance_.crease_rad;
+  if (with_plane > 0 && !sharp) {
+    figures.curvature_per_mm = figure(Curvature, upper[Curvature]);
+    figures.curvature_rel = figure(RelativeCurvature, upper[RelativeCurvature]);
+    if (!unknown_at && !std::isfinite(upper[RelativeCurvature]) && !figures.fold_at)
+      figures.uncertified = "the curvature is not bounded";
+  }
+  const Interval share = belowCreaseShare();
+  figures.below_crease_share = figures.fold_at ? 0 : share.middle();
+  figures.plane_share = 1 - left_out;
+  figures.degenerate = degenerate_;
+  figures.points = looks_;
+  if (share.lower <= 0.5 && share.upper > 0.5 && sharp)
+    figures.uncertified = "the crease angle is passed near the middle of its length";
+  if (may_fold && !figures.fold_at && !sharp) figures.uncertified = "the faces may fold back on one another";
+  if (exhausted_ && figures.uncertified.empty())
+    figures.uncertified = "the enclosures are still wide after " + std::to_string(looks_) + " pieces";
+  if (unknown_at) figures.uncertified = "no bound was found at " + placeText(*unknown_at);
+  const auto known = [](const std::optional<Figure>& figure) { return !figure || figure->upper; };
+  figures.certified = known(figures.gap_mm) && known(figures.angle_rad) &&
+                      (figures.fold_at || (known(figures.curvature_per_mm) && known(figures.curvature_rel)));
+  return figures;
+}
+
+}  // namespace
+
+SeamFigures encloseSeam(const SeamSide& a, const SeamSide& b, const ContinuityTolerance& tolerance,
+                        const EncloseOptions& options) {
+  tolerance.validate();
+  return Enclosure(a, b, tolerance, options).run();
+}
+
+}  // namespace seamwright

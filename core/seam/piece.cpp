@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <seamwright/core/seam/piece.hpp>
+
+namespace seamwright {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double rounding =
+    1e-14;  ///< relative, of the short computations that follow; far above 2^-52 times their length
+
+using Tensor = Eigen::Matrix<double, 6, 1>;  ///< as in SymmetricModel
+
+/// Largest absolute eigenvalue of a symmetric matrix.
+double spectralNorm(const Tensor& k) {
+  const double mean = (k[0] + k[1] + k[2]) / 3;
+  const double x = k[0] - mean, y = k[1] - mean, z = k[2] - mean;
+  const double off = k[3] * k[3] + k[4] * k[4] + k[5] * k[5];
+  const double spread = std::sqrt((x * x + y * y + z * z + 2 * off) / 6);
+  if (!(spread > 0)) return std::abs(mean);
+  const double determinant =
+      x * (y * z - k[4] * k[4]) - k[3] * (k[3] * z - k[4] * k[5]) + k[5] * (k[3] * k[4] - y * k[5]);
+  const double angle = std::acos(std::clamp(determinant / (2 * spread * spread * spread), -1.0, 1.0)) / 3;
+  const double largest = mean + 2 * spread * std::cos(angle);
+  const double smallest = mean + 2 * spread * std::cos(angle + 2 * std::numbers::pi / 3);
+  return std::max(std::abs(largest), std::abs(smallest));
+}
+
+Eigen::Matrix3d matrixOf(const Tensor& k) {
+  Eigen::Matrix3d matrix;
+  matrix << k[0], k[3], k[5], k[3], k[1], k[4], k[5], k[4], k[2];
+  return matrix;
+}
+
+template <std::size_t Dimension>
+Eigen::Matrix<double, static_cast<int>(Dimension), 1> valueAt(
+    const std::array<ChebyshevModel, Dimension>& model, double x) {
+  Eigen::Matrix<double, static_cast<int>(Dimension), 1> value;
+  for (std::size_t d = 0; d < Dimension; ++d) value[static_cast<int>(d)] = model[d].seriesAt(x);
+  return value;
+}
+
+template <std::size_t Dimension>
+bool isKnown(const std::array<ChebyshevModel, Dimension>& model) {
+  return std::ranges::all_of(model, [](const ChebyshevModel& m) { return m.isKnown(); });
+}
+
+/// Bounds the largest value over x in [-1, 1] of a convex function along a polygon's curve, but for the radius, by halving.
+template <int Dimension, class Function>
+class PolygonMaximum {
+ public:
+  using Points = std::array<Eigen::Matrix<double, Dimension, 1>, ChebyshevModel::size>;
+
+  PolygonMaximum(const Function& function, const Slack& slack) : function_(function), slack_(slack) {}
+
+  PieceBound operator()(const ControlPolygon<Dimension>& polygon) {
+    bound_ = {-1, 0, 0};
+    if (polygon.count == 1) {
+      const double value = function_(polygon.points[0]);
+      return {value, value, 0};
+    }
+    double largest = 0;
+    for (const auto& point : polygon.points) largest = std::max(largest, function_(point));
+    add(polygon.points, -1, 1, 5);
+    bound_.lower -= rounding * largest;  // a halving rounds by less than 2^-50 of the largest point
+    bound_.upper += rounding * largest;
+    return bound_;
+  }
+
+ private:
+  static constexpr int last = ChebyshevModel::size - 1;
+
+  void see(double value, double at) {
+    if (value > bound_.lower) bound_.lower = value, bound_.at = at;
+  }
+
+  void add(const Points& points, double from, double to, int halvings) {
+    see(function_(points[0]), from);
+    see(function_(points[last]), to);
+    double upper = 0;
+    for (const auto& point : points) upper = std::max(upper, function_(point));
+    const double enough = bound_.lower + std::max(slack_.relative * bound_.lower, slack_.absolute) / 4;
+    if (upper <= enough || halvings == 0 || !std::isfinite(upper)) {
+      bound_.upper = std::max(bound_.upper, upper);
+      return;
+    }
+    Points left, right = points;
+    for (int level = 0; level <= last; ++level) {
+      left[level] = right[0];
+      for (int i = 0; i < last - level; ++i) right[i] = 0.5 * (right[i] + right[i + 1]);
+    }
+    // right holds the last point of every level: from the apex outward, those of the right half.
+    add(left, from, 0.5 * (from + to), halvings - 1);
+    add(right, 0.5 * (from + to), to, halvings - 1);
+  }
+
+  const Function& function_;
+  Slack slack_;
+  PieceBound bound_;
+};
+
+template <int Dimension, class Function>
+PieceBound maximumAlong(const ControlPolygon<Dimension>& polygon, const Function& function,
+                        const Slack& slack) {
+  return PolygonMaximum<Dimension, Function>(function, slack)(polygon);
+}
+
+/// Widens a bound of a norm by the radius and by rounding.
+PieceBound widened(PieceBound bound, double radius) {
+  bound.lower = std::max(0.0, bound.lower * (1 - rounding) - radius);
+  bound.upper = bound.upper * (1 + rounding) + radius;
+  if (!std::isfinite(bound.upper)) bound.upper = infinite;
+  return bound;
+}
+
+template <std::size_t Dimension>
+PieceBound largestNorm(const std::array<ChebyshevModel, Dimension>& model, const Slack& slack) {
+  if (!isKnown(model)) return {0, infinite, 0};
+  const auto polygon = controlPolygon(model);
+  if constexpr (Dimension == 6)
+    return widened(maximumAlong(polygon, spectralNorm, slack),
+                   1.5 * polygon.radius);  // off-diagonals count twice
+  else
+    return widened(maximumAlong(
+                       polygon, [](const Eigen::Vector3d& p) { return p.norm(); }, slack),
+                   polygon.radius);
+}
+
+/// A curvature tensor over a piece, with bounds of its norm.
+struct TensorNorm {
+  double at_least = 0;
+  double at_most = 0;
+  ChebyshevModel below;  ///< a function that is nowhere above the norm, and touches it at the middle
+};
+
+TensorNorm normOf(const SymmetricModel& tensor) {
+  TensorNorm norm;
+  norm.at_most = largestNorm(tensor, {0.01, 0}).upper;
+  // v.K v with the principal direction v of the middle, of largest absolute curvature.
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(matrixOf(valueAt(tensor, 0)));
+  const int which = std::abs(eigen.eigenvalues()[0]) > std::abs(eigen.eigenvalues()[2]) ? 0 : 2;
+  const Eigen::Vector3d v = eigen.eigenvectors().col(which);
+  const double sign = (eigen.eigenvalues()[which] < 0 ? -1 : 1) * (1 - rounding);
+  norm.below = (sign * v[0] * v[0]) * tensor[0] + (sign * v[1] * v[1]) * tensor[1] +
+               (sign * v[2] * v[2]) * tensor[2] + (2 * sign * v[0] * v[1]) * tensor[3] +
+               (2 * sign * v[1] * v[2]) * tensor[4] + (2 * sign * v[2] * v[0]) * tensor[5];
+  norm.at_least = std::max(0.0, norm.below.range().lower);
+  return norm;
+}
+
+/// Bounds of |D| / |K| over the piece, where K keeps away from zero: the quotient of convex by positive linear along a polygon is at
+/// most the largest quotient of its control points.
+double largestQuotient(const SymmetricModel& difference, const ChebyshevModel& below, const Slack& slack,
+                       double& at) {
+  const ControlPolygon<6> polygon = controlPolygon(difference);
+  const ChebyshevModel::Coefficients divisor = below.bernstein();
+  const double radius = below.radius() + below.bernsteinRounding();
+  ControlPolygon<7> joint;
+  joint.count = polygon.count == 1 && below.degree() == 0 ? 1 : ChebyshevModel::size;
+  for (int i = 0; i < joint.count; ++i)
+    joint.points[i] << polygon.points[std::min(i, polygon.count - 1)], divisor[i];
+  const auto quotient = [&](const Eigen::Matrix<double, 7, 1>& point) {
+    const double lowest = point[6] - radius;
+    return lowest > 0 ? (spectralNorm(point.head<6>()) + 1.5 * polygon.radius) / lowest : infinite;
+  };
+  const PieceBound bound = maximumAlong(joint, quotient, slack);
+  at = bound.at;
+  return bound.upper * (1 + rounding);
+}
+
+/// The relative difference, at least, at a point of the piece.
+double relativeAt(const SymmetricModel& a, const SymmetricModel& b, const SymmetricModel& difference,
+                  double flat, double x) {
+  const auto radius = [](const SymmetricModel& model) { return 1.5 * controlPolygon(model).radius + 1e-300; };
+  const double norm_a = spectralNorm(valueAt(a, x)), radius_a = radius(a) + rounding * norm_a;
+  const double norm_b = spectralNorm(valueAt(b, x)), radius_b = radius(b) + rounding * norm_b;
+  const bool curved_a = norm_a - radius_a >= flat, flat_a = norm_a + radius_a < flat;
+  const bool curved_b = norm_b - radius_b >= flat, flat_b = norm_b + radius_b < flat;
+  if ((curved_a && flat_b) || (curved_b && flat_a)) return 1;
+  if (!curved_a || !curved_b) return 0;
+  const double norm = spectralNorm(valueAt(difference, x));
+  const double largest = std::max(norm_a + radius_a, norm_b + radius_b);
+  return std::max(0.0, (norm * (1 - rounding) - radius(difference)) / largest);
+}
+
+struct SideTensor {
+  const SymmetricModel& tensor;
+  const TensorNorm& norm;
+};
+
+PieceBound relativeBound(const SideTensor& a, const SideTensor& b, const SymmetricModel& difference,
+                         double largest_difference, double flat_radius_mm, const Slack& slack) {
+  const double flat = 1 / flat_radius_mm;
+  const auto& [tensor_a, norm_a] = a;
+  const auto& [tensor_b, norm_b] = b;
+  if (norm_a.at_most < flat && norm_b.at_most < flat) return {0, 0, 0};
+  if ((norm_a.at_least >= flat && norm_b.at_most < flat) ||
+      (norm_b.at_least >= flat && norm_a.at_most < flat))
+    return {1, 1, 0};
+  const TensorNorm& larger = norm_a.at_least > norm_b.at_least ? norm_a : norm_b;
+  PieceBound bound;
+  if (larger.at_least > 0) {
+    bound.upper = largest_difference / larger.at_least;
+    const double enough = std::max(slack.absolute, slack.relative * bound.upper) / 4;
+    if (bound.upper > enough) bound.upper = largestQuotient(difference, larger.below, slack, bound.at);
+  } else {
+    bound.upper = infinite;
+  }
+  bound.upper = std::min(bound.upper, 2.0);  // |D| <= |A| + |B|
+  if (!(norm_a.at_least >= flat && norm_b.at_least >= flat)) bound.upper = std::max(bound.upper, 1.0);
+  const double best = bound.at;
+  bound.lower = -1;
+  for (const double x : {best, -1.0, 0.0, 1.0})
+    if (const double value = relativeAt(tensor_a, tensor_b, difference, flat, x); value > bound.lower)
+      bound.lower = value, bound.at = x;
+  return bound;
+}
+
+/// The tensor of b turned by the smallest rotation that takes n_b to n_a. On the plane of n_b that rotation is I - s n_a^T / (1 + mu)
+/// with s = n_a + n_b and mu = n_a.n_b.
+SymmetricModel turned(const SymmetricModel& tensor, const VectorModel& normal_a, const VectorModel& normal_b,
+                      const ChebyshevModel& mu) {
+  const ChebyshevModel factor = inverse(ChebyshevModel(1) + mu);
+  const VectorModel s = factor * (normal_a + normal_b);
+  const VectorModel y = tensor * normal_a;
+  return tensor - 2 * symmetricProduct(s, y) + dot(normal_a, y) * symmetricProduct(s, s);
+}
+
+/// A rotation by a small angle, as widening of the entries: |R K R^T - K| <= 2 angle |K| (1 + angle).
+SymmetricModel blurred(SymmetricModel tensor, double angle_rad) {
+  double size = 0;
+  for (const ChebyshevModel& entry : tensor) size = std::max(size, entry.magnitude());
+  for (ChebyshevModel& entry : tensor) entry.widen(12 * angle_rad * size);
+  return tensor;
+}
+
+void measureCurvature(const SurfaceFields& a, const SurfaceFields& b, const ChebyshevModel& mu,
+                      double flat_radius_mm, const PieceSlack& slack, PieceFigures& figures) {
+  constexpr PieceBound unknown{0, infinite, 0};
+  figures.curvature_per_mm = unknown;
+  figures.curvature_rel = unknown;
+  if (figures.sense == 0) return;
+  const double sense = figures.sense;
+  constexpr double negligible_rad = 1e-9;
+  const SymmetricModel tensor_b = figures.angle_rad.upper < negligible_rad
+                                      ? blurred(sense * b.tensor, figures.angle_rad.upper)
+                                      : turned(sense * b.tensor, a.normal, sense * b.normal, sense * mu);
+  const SymmetricModel difference = tensor_b - a.tensor;
+  if (!isKnown(difference) || !isKnown(a.tensor)) return;
+  figures.curvature_per_mm = largestNorm(difference, slack.curvature_per_mm);
+  const TensorNorm norm_a = normOf(a.tensor);
+  const TensorNorm norm_b = normOf(tensor_b);
+  figures.curvature_norm_per_mm = std::max(norm_a.at_least, norm_b.at_least);
+  figures.curvature_rel = relativeBound({a.tensor, norm_a}, {tensor_b, norm_b}, difference,
+                                        figures.curvature_per_mm->upper, flat_radius_mm, slack.curvature_rel);
+}
+
+}  // namespace
+
+PieceFigures measurePiece(const SurfaceFields& a, const SurfaceFields& b, Detail detail,
+                          double flat_radius_mm, const PieceSlack& slack) {
+  PieceFigures figures;
+  figures.gap_mm = largestNorm(a.point - b.point, slack.gap_mm);
+  if (detail == Detail::Position) return figures;
+
+  const PieceBound sine = largestNorm(cross(a.normal, b.normal), slack.angle_rad);
+  const ChebyshevModel mu = dot(a.normal, b.normal);
+  const Interval cosine = mu.isKnown() ? mu.range() : Interval{-1, 1};
+  if (cosine.lower > 0) figures.sense = 1;
+  if (cosine.upper < 0) figures.sense = -1;
+  // The sine tells small angles, the cosine those near 90 degrees.
+  const double cosine_least = std::max({0.0, cosine.lower, -cosine.upper});
+  const double cosine_most = std::min(1.0, cosine.magnitude());
+  const double up = 1 + rounding, down = 1 - rounding;
+  figures.angle_rad.upper = std::isfinite(sine.upper)
+                                ? up * std::min(sine.upper < 1 ? std::asin(sine.upper) : infinite,
+                                                std::acos(std::min(1.0, cosine_least)))
+                                : infinite;
+  figures.angle_rad.lower = down * std::asin(std::min(1.0, sine.lower));
+  figures.angle_rad.at = sine.at;
+  figures.smallest_angle_rad = down * std::acos(cosine_most);
+  if (figures.smallest_angle_rad > figures.angle_rad.lower)
+    figures.angle_rad.lower = figures.smallest_angle_rad;
+  if (detail == Detail::Curvature) measureCurvature(a, b, mu, flat_radius_mm, slack, figures);
+  return figures;
+}
+
+}  // namespace seamwright

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <optional>
+
+#include <seamwright/core/enclosure/surface.hpp>
+#include <seamwright/core/seam/tolerance.hpp>
+
+namespace seamwright {
+
+/// Bounds of the largest value of a quantity over a piece of a seam.
+struct PieceBound {
+  double lower = 0;  ///< a value at most the one reached at \p at
+  double upper = 0;  ///< infinite if nothing is known
+  double at = 0;     ///< -1..1 on the piece
+};
+
+/// What two sides measure over a piece of a seam.
+struct PieceFigures {
+  PieceBound gap_mm;
+  PieceBound angle_rad;
+  double smallest_angle_rad = 0;  ///< no angle on the piece is smaller
+  /// 1: the normals of both sides as parametrised agree in direction, -1: they are opposed; 0: both, or not known.
+  int sense = 0;
+  /// The larger of the curvature norms of the sides reaches this.
+  double curvature_norm_per_mm = 0;
+  /// Nothing: not asked for.
+  std::optional<PieceBound> curvature_per_mm;
+  std::optional<PieceBound> curvature_rel;
+};
+
+/// How much slack of a bound is worth work: upper - lower <= max(relative * lower, absolute).
+struct Slack {
+  double relative = 0;
+  double absolute = 0;
+};
+
+struct PieceSlack {
+  Slack gap_mm, angle_rad, curvature_per_mm, curvature_rel;
+};
+
+/// Bounds gap, angle and curvature difference over a piece, from the fields of both sides there.
+///
+/// \param detail Curvature: with the curvature figures; TangentPlane: without; Position: the gap only.
+PieceFigures measurePiece(const SurfaceFields& a, const SurfaceFields& b, Detail detail,
+                          double flat_radius_mm, const PieceSlack& slack);
+
+}  // namespace seamwright

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRep_Tool.hxx>
+#include <Geom2d_BSplineCurve.hxx>
+#include <Geom2d_BezierCurve.hxx>
+#include <Geom2d_Circle.hxx>
+#include <Geom2d_Ellipse.hxx>
+#include <Geom2d_Line.hxx>
+#include <Geom2d_Parabola.hxx>
+#include <Geom2d_TrimmedCurve.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierCurve.hxx>
+#include <Geom_BezierSurface.hxx>
+#include <Geom_Circle.hxx>
+#include <Geom_ConicalSurface.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <Geom_Ellipse.hxx>
+#include <Geom_Line.hxx>
+#include <Geom_OffsetSurface.hxx>
+#include <Geom_Parabola.hxx>
+#include <Geom_Plane.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <Geom_SurfaceOfLinearExtrusion.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
+#include <Geom_ToroidalSurface.hxx>
+#include <Geom_TrimmedCurve.hxx>
+#include <TopLoc_Location.hxx>
+#include <cmath>
+#include <stdexcept>
+
+#include <seamwright/occ_adapter/convert/seam_side.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+using opencascade::handle;
+
+Eigen::Vector3d vector(const gp_XYZ& xyz) {
+  return {xyz.X(), xyz.Y(), xyz.Z()};
+}
+
+Eigen::Vector3d vector(const gp_XY& xy) {
+  return {xy.X(), xy.Y(), 0};
+}
+
+Frame frameOf(const gp_Ax3& position) {
+  Frame frame;
+  frame.origin = vector(position.Location().XYZ());
+  frame.axes << vector(position.XDirection().XYZ()), vector(position.YDirection().XYZ()),
+      vector(position.Direction().XYZ());
+  return frame;
+}
+
+[[noreturn]] void refuse(const char* what, const handle<Standard_Transient>& object) {
+  throw std::domain_error(std::string(what) + " of type " + object->DynamicType()->Name() +
+                          " is not enclosed");
+}
+
+SplineDirection direction(int degree, const TColStd_Array1OfReal& knots, double period) {
+  return {degree, {knots.begin(), knots.end()}, period};
+}
+
+/// Of a curve, which has one row of poles.
+SplineDirection constantDirection() {
+  return {0, {0, 1}, 0};
+}
+
+template <class Curve>
+CurveEvaluator splineCurve(const Curve& curve, SplineDirection direction) {
+  std::vector<Eigen::Vector3d> poles;
+  std::vector<double> weights;
+  for (int i = 1; i <= curve.NbPoles(); ++i) {
+    if constexpr (requires { curve.Pole(i).XYZ(); })
+      poles.push_back(vector(curve.Pole(i).XYZ()));
+    else
+      poles.push_back(vector(curve.Pole(i).XY()));
+    if (curve.IsRational()) weights.push_back(curve.Weight(i));
+  }
+  return CurveEvaluator(std::make_shared<SplineEvaluator>(std::move(direction), constantDirection(),
+                                                          std::move(poles), std::move(weights)));
+}
+
+std::vector<double> bezierKnots(int degree) {
+  std::vector<double> knots(degree + 1, 0.0);
+  knots.insert(knots.end(), degree + 1, 1.0);
+  return knots;
+}
+
+template <class BSpline>
+CurveEvaluator bsplineCurve(handle<BSpline> curve) {
+  double period = 0;
+  if (curve->IsPeriodic()) {
+    period = curve->Period();
+    curve = handle<BSpline>::DownCast(curve->Copy());
+    curve->SetNotPeriodic();
+  }
+  return splineCurve(*curve, direction(curve->Degree(), curve->KnotSequence(), period));
+}
+
+CurveEvaluator curveEvaluator(const handle<Geom2d_Curve>& curve) {
+  if (const auto trimmed = handle<Geom2d_TrimmedCurve>::DownCast(curve); !trimmed.IsNull())
+    return curveEvaluator(trimmed->BasisCurve());
+  if (const auto line = handle<Geom2d_Line>::DownCast(curve); !line.IsNull())
+    return LineEvaluator{vector(line->Location().XY()), vector(line->Direction().XY())};
+  if (const auto spline = handle<Geom2d_BSplineCurve>::DownCast(curve); !spline.IsNull())
+    return bsplineCurve(spline);
+  if (const auto bezier = handle<Geom2d_BezierCurve>::DownCast(curve); !bezier.IsNull())
+    return splineCurve(*bezier, {bezier->Degree(), bezierKnots(bezier->Degree()), 0});
+  if (const auto circle = handle<Geom2d_Circle>::DownCast(curve); !circle.IsNull())
+    return EllipseEvaluator{vector(circle->Location().XY()),
+                            circle->Radius() * vector(circle->Position().XDirection().XY()),
+                            circle->Radius() * vector(circle->Position().YDirection().XY())};
+  if (const auto ellipse = handle<Geom2d_Ellipse>::DownCast(curve); !ellipse.IsNull())
+    return EllipseEvaluator{vector(ellipse->Location().XY()),
+                            ellipse->MajorRadius() * vector(ellipse->Position().XDirection().XY()),
+                            ellipse->MinorRadius() * vector(ellipse->Position().YDirection().XY())};
+  if (const auto parabola = handle<Geom2d_Parabola>::DownCast(curve); !parabola.IsNull())
+    return ParabolaEvaluator{vector(parabola->Location().XY()),
+                             vector(parabola->Position().XDirection().XY()) / (4 * parabola->Focal()),
+                             vector(parabola->Position().YDirection().XY())};
+  refuse("a pcurve", curve);
+}
+
+CurveEvaluator curveEvaluator(const handle<Geom_Curve>& curve) {
+  if (const auto trimmed = handle<Geom_TrimmedCurve>::DownCast(curve); !trimmed.IsNull())
+    return curveEvaluator(trimmed->BasisCurve());
+  if (const auto line = handle<Geom_Line>::DownCast(curve); !line.IsNull())
+    return LineEvaluator{vector(line->Position().Location().XYZ()),
+                         vector(line->Position().Direction().XYZ())};
+  if (const auto spline = handle<Geom_BSplineCurve>::DownCast(curve); !spline.IsNull())
+    return bsplineCurve(spline);
+  if (const auto bezier = handle<Geom_BezierCurve>::DownCast(curve); !bezier.IsNull())
+    return splineCurve(*bezier, {bezier->Degree(), bezierKnots(bezier->Degree()), 0});
+  if (const auto circle = handle<Geom_Circle>::DownCast(curve); !circle.IsNull())
+    return EllipseEvaluator{vector(circle->Location().XYZ()),
+                            circle->Radius() * vector(circle->Position().XDirection().XYZ()),
+                            circle->Radius() * vector(circle->Position().YDirection().XYZ())};
+  if (const auto ellipse = handle<Geom_Ellipse>::DownCast(curve); !ellipse.IsNull())
+    return EllipseEvaluator{vector(ellipse->Location().XYZ()),
+                            ellipse->MajorRadius() * vector(ellipse->Position().XDirection().XYZ()),
+                            ellipse->MinorRadius() * vector(ellipse->Position().YDirection().XYZ())};
+  if (const auto parabola = handle<Geom_Parabola>::DownCast(curve); !parabola.IsNull())
+    return ParabolaEvaluator{vector(parabola->Location().XYZ()),
+                             vector(parabola->Position().XDirection().XYZ()) / (4 * parabola->Focal()),
+                             vector(parabola->Position().YDirection().XYZ())};
+  refuse("a curve", curve);
+}
+
+template <class Surface>
+std::unique_ptr<SurfaceEvaluator> splineSurface(const Surface& surface, SplineDirection u,
+                                                SplineDirection v) {
+  std::vector<Eigen::Vector3d> poles;
+  std::vector<double> weights;
+  const bool rational = surface.IsURational() || surface.IsVRational();
+  poles.reserve(static_cast<std::size_t>(surface.NbUPoles()) * surface.NbVPoles());
+  for (int i = 1; i <= surface.NbUPoles(); ++i)
+    for (int j = 1; j <= surface.NbVPoles(); ++j) {
+      poles.push_back(vector(surface.Pole(i, j).XYZ()));
+      if (rational) weights.push_back(surface.Weight(i, j));
+    }
+  return splineEvaluator(
+      std::make_shared<SplineEvaluator>(std::move(u), std::move(v), std::move(poles), std::move(weights)));
+}
+
+std::unique_ptr<SurfaceEvaluator> bsplineSurface(handle<Geom_BSplineSurface> surface) {
+  const double period_u = surface->IsUPeriodic() ? surface->UPeriod() : 0;
+  const double period_v = surface->IsVPeriodic() ? surface->VPeriod() : 0;
+  if (period_u != 0 || period_v != 0) {
+    surface = handle<Geom_BSplineSurface>::DownCast(surface->Copy());
+    if (period_u != 0) surface->SetUNotPeriodic();
+    if (period_v != 0) surface->SetVNotPeriodic();
+  }
+  return splineSurface(*surface, direction(surface->UDegree(), surface->UKnotSequence(), period_u),
+                       direction(surface->VDegree(), surface->VKnotSequence(), period_v));
+}
+
+std::unique_ptr<SurfaceEvaluator> revolution(const Geom_SurfaceOfRevolution& surface) {
+  return revolutionEvaluator(frameOf(gp_Ax3(surface.Location(), surface.Direction())),
+                             curveEvaluator(surface.BasisCurve()));
+}
+
+std::unique_ptr<SurfaceEvaluator> surfaceEvaluator(const handle<Geom_Surface>& surface) {
+  if (const auto trimmed = handle<Geom_RectangularTrimmedSurface>::DownCast(surface); !trimmed.IsNull())
+    return surfaceEvaluator(trimmed->BasisSurface());
+  if (const auto plane = handle<Geom_Plane>::DownCast(surface); !plane.IsNull())
+    return planeEvaluator(frameOf(plane->Position()));
+  if (const auto cylinder = handle<Geom_CylindricalSurface>::DownCast(surface); !cylinder.IsNull())
+    return cylinderEvaluator(frameOf(cylinder->Position()), cylinder->Radius());
+  if (const auto spline = handle<Geom_BSplineSurface>::DownCast(surface); !spline.IsNull())
+    return bsplineSurface(spline);
+  if (const auto cone = handle<Geom_ConicalSurface>::DownCast(surface); !cone.IsNull())
+    return coneEvaluator(frameOf(cone->Position()), cone->RefRadius(), cone->SemiAngle());
+  if (const auto torus = handle<Geom_ToroidalSurface>::DownCast(surface); !torus.IsNull())
+    return torusEvaluator(frameOf(torus->Position()), torus->MajorRadius(), torus->MinorRadius());
+  if (const auto sphere = handle<Geom_SphericalSurface>::DownCast(surface); !sphere.IsNull())
+    return sphereEvaluator(frameOf(sphere->Position()), sphere->Radius());
+  if (const auto bezier = handle<Geom_BezierSurface>::DownCast(surface); !bezier.IsNull())
+    return splineSurface(*bezier, {bezier->UDegree(), bezierKnots(bezier->UDegree()), 0},
+                         {bezier->VDegree(), bezierKnots(bezier->VDegree()), 0});
+  if (const auto extrusion = handle<Geom_SurfaceOfLinearExtrusion>::DownCast(surface); !extrusion.IsNull())
+    return extrusionEvaluator(curveEvaluator(extrusion->BasisCurve()), vector(extrusion->Direction().XYZ()));
+  if (const auto turned = handle<Geom_SurfaceOfRevolution>::DownCast(surface); !turned.IsNull())
+    return revolution(*turned);
+  if (const auto offset = handle<Geom_OffsetSurface>::DownCast(surface); !offset.IsNull())
+    return offsetEvaluator(surfaceEvaluator(offset->BasisSurface()), offset->Offset());
+  refuse("a surface", surface);
+}
+
+Placement placementOf(const gp_Trsf& trsf) {
+  Placement placement;
+  placement.scale = trsf.ScaleFactor();
+  const gp_Mat matrix = trsf.HVectorialPart();
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) placement.orthogonal(i, j) = matrix(i + 1, j + 1);
+  placement.translation = vector(trsf.TranslationPart());
+  return placement;
+}
+
+}  // namespace
+
+SeamSide seamSide(const FaceUse& use, const Pcurve& pcurve) {
+  TopLoc_Location location;
+  const handle<Geom_Surface> surface = BRep_Tool::Surface(use.shape, location);
+  std::unique_ptr<SurfaceEvaluator> evaluator = surfaceEvaluator(surface);
+  if (!location.IsIdentity())
+    evaluator = placedEvaluator(std::move(evaluator), placementOf(location.Transformation()));
+  return {curveEvaluator(pcurve.curve),
+          std::move(evaluator),
+          {0, 1},
+          {pcurve.first, pcurve.last},
+          use.edge.Orientation() == TopAbs_FORWARD};
+}
+
+}  // namespace seamwright::occ

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <seamwright/core/seam/enclose.hpp>
+#include <seamwright/occ_adapter/convert/pcurve.hpp>
+#include <seamwright/occ_adapter/seams/find.hpp>
+
+namespace seamwright::occ {
+
+/// The side of a seam for enclosures: what OpenCASCADE holds, as numbers of core, exact but for the rounding of placements.
+///
+/// Surfaces: planes, cylinders, cones, spheres, tori, Bezier and B-spline surfaces (rational, periodic), surfaces of revolution and of
+/// extrusion, offsets of all these, trimmed or not. Curves (pcurves, and the curves of revolution and extrusion): lines, circles,
+/// ellipses, parabolas, Bezier and B-spline curves, trimmed or not.
+///
+/// s runs with the pcurve over its whole range. Not to be shared between threads.
+/// \throws std::domain_error if the surface or a curve is of another kind, with its name; std::invalid_argument if a number is not finite.
+SeamSide seamSide(const FaceUse& use, const Pcurve& pcurve);
+
+}  // namespace seamwright::occ
