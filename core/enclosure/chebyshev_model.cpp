@@ -27,17 +27,23 @@ double binomial(int n, int k) {
   return value;
 }
 
-/// Column k: the Bernstein coefficients of T_k, elevated to max_degree. The coefficients of T_k of degree k are
+/// Column k: the Bernstein coefficients of T_k, elevated to the degree. The coefficients of T_k of degree k are
 /// (-1)^(k - j) C(2 k, 2 j) / C(k, j).
-Matrix chebyshevToBernstein() {
+Matrix chebyshevToBernstein(int degree) {
   Matrix matrix{};
-  for (int k = 0; k < size; ++k)
-    for (int i = 0; i < size; ++i)
-      for (int j = std::max(0, i - (size - 1 - k)); j <= std::min(i, k); ++j) {
+  for (int k = 0; k <= degree; ++k)
+    for (int i = 0; i <= degree; ++i)
+      for (int j = std::max(0, i - (degree - k)); j <= std::min(i, k); ++j) {
         const double own = ((k - j) % 2 == 0 ? 1 : -1) * binomial(2 * k, 2 * j) / binomial(k, j);
-        matrix[i][k] += own * binomial(k, j) * binomial(size - 1 - k, i - j) / binomial(size - 1, i);
+        matrix[i][k] += own * binomial(k, j) * binomial(degree - k, i - j) / binomial(degree, i);
       }
   return matrix;
+}
+
+std::array<Matrix, size> bernsteinTables() {
+  std::array<Matrix, size> tables;
+  for (int degree = 0; degree < size; ++degree) tables[degree] = chebyshevToBernstein(degree);
+  return tables;
 }
 
 /// Row i: T_k at the i-th of size Chebyshev points.
@@ -48,7 +54,7 @@ Matrix chebyshevAtPoints() {
   return matrix;
 }
 
-const Matrix to_bernstein = chebyshevToBernstein();
+const std::array<Matrix, size> to_bernstein = bernsteinTables();
 const Matrix at_points = chebyshevAtPoints();
 
 /// The series that takes the values function(f) at the Chebyshev points: close to function(f), no more is claimed.
@@ -87,7 +93,7 @@ ChebyshevModel ChebyshevModel::series(std::span<const double> coefficients, doub
   for (const double coefficient : coefficients.subspan(kept)) rest += std::abs(coefficient);
   model.radius_ = rest > 0 ? up(radius + rest) : radius;
   model.degree_ = static_cast<int>(std::max<std::size_t>(kept, 1)) - 1;
-  model.drop();
+  model.trim();
   return model;
 }
 
@@ -101,9 +107,15 @@ bool ChebyshevModel::isKnown() const {
   return std::isfinite(magnitude());
 }
 
-/// Leading zeros need no work.
-void ChebyshevModel::drop() {
-  while (degree_ > 0 && coefficients_[degree_] == 0) --degree_;
+void ChebyshevModel::trim() {
+  double variation = 0;
+  for (int k = 1; k <= degree_; ++k) variation += std::abs(coefficients_[k]);
+  double rest = 0;
+  while (degree_ > 0 && rest + std::abs(coefficients_[degree_]) <= negligible * variation) {
+    rest += std::abs(coefficients_[degree_]);
+    coefficients_[degree_--] = 0;
+  }
+  if (rest > 0) radius_ = up(radius_ + rest);
 }
 
 double ChebyshevModel::seriesAt(double x) const {
@@ -126,19 +138,19 @@ Interval ChebyshevModel::range() const {
   if (degree_ == 0)
     return {coefficients_[0] - up(radius_ + epsilon * std::abs(coefficients_[0])),
             coefficients_[0] + up(radius_ + epsilon * std::abs(coefficients_[0]))};
-  const Coefficients control = bernstein();
-  const auto [low, high] = std::minmax_element(control.begin(), control.end());
+  const Coefficients control = bernstein(degree_);
+  const auto [low, high] = std::minmax_element(control.begin(), control.begin() + degree_ + 1);
   const double margin =
       up(radius_ + bernsteinRounding() + epsilon * std::max(std::abs(*low), std::abs(*high)));
   return {*low - margin, *high + margin};
 }
 
-ChebyshevModel::Coefficients ChebyshevModel::bernstein() const {
-  Coefficients control;
-  for (int i = 0; i < size; ++i) {
-    double sum = coefficients_[0];
-    for (int k = 1; k <= degree_; ++k) sum += to_bernstein[i][k] * coefficients_[k];
-    control[i] = sum;
+ChebyshevModel::Coefficients ChebyshevModel::bernstein(int degree) const {
+  const Matrix& table = to_bernstein[degree];
+  Coefficients control{};
+  for (int i = 0; i <= degree; ++i) {
+    control[i] = coefficients_[0];
+    for (int k = 1; k <= degree_; ++k) control[i] += table[i][k] * coefficients_[k];
   }
   return control;
 }
@@ -159,7 +171,7 @@ ChebyshevModel& ChebyshevModel::operator+=(const ChebyshevModel& other) {
     absolute += std::abs(coefficients_[k]);
   }
   radius_ = up(radius_ + other.radius_ + epsilon * absolute);
-  drop();
+  trim();
   return *this;
 }
 
@@ -174,7 +186,7 @@ ChebyshevModel& ChebyshevModel::operator*=(double factor) {
     absolute += std::abs(coefficients_[k]);
   }
   radius_ = up(std::abs(factor) * radius_ + epsilon * absolute);
-  drop();
+  trim();
   return *this;
 }
 
@@ -192,8 +204,8 @@ ProductSum& ProductSum::add(const ChebyshevModel& a, const ChebyshevModel& b, do
   if (a.degree_ > b.degree_) return add(b, a, sign);
   // T_i T_j = (T_(i + j) + T_|i - j|) / 2: with b continued to b_(-j) = b_j and b_0 doubled, twice the coefficient of T_k is the sum
   // over i of a_i (b_(k - i) + b_(k + i)), but for k = 0, where every term is counted double.
-  constexpr int reach = 2 * size;
-  std::array<double, reach + 2 * size> even{};  // even[size + j] = b_|j|
+  const int reach = a.degree_ + b.degree_ + 1;
+  std::array<double, 4 * size> even{};  // even[size + j] = b_|j|
   double absolute_b = 0;
   for (int j = 0; j <= b.degree_; ++j) {
     even[size + j] = even[size - j] = b.coefficients_[j];
@@ -226,7 +238,7 @@ ChebyshevModel ProductSum::model() const {
   for (int k = size; k <= degree_; ++k) rest += std::abs(twice_[k]);
   result.degree_ = std::min(degree_, ChebyshevModel::max_degree);
   result.radius_ = up(radius_ + 0.5 * rest + 32 * epsilon * absolute_);
-  result.drop();
+  result.trim();
   return result;
 }
 
@@ -263,7 +275,7 @@ std::pair<ChebyshevModel, ChebyshevModel> cosSin(const ChebyshevModel& f) {
   // Taylor series in offset, until the next term is below rounding; the remainder is at most the first term left out.
   int terms = 1;
   double next = reach * reach / 2;
-  while (next > 1e-17 && terms < 16) {
+  while (next > 0x1p-44 && terms < 16) {
     next *= reach * reach / ((2 * terms + 1) * (2 * terms + 2));
     ++terms;
   }

@@ -31,6 +31,8 @@ class ChebyshevModel {
  public:
   static constexpr int max_degree = 7;
   static constexpr int size = max_degree + 1;
+  /// Leading terms that sum up to less than this part of all terms but the constant go into the radius: short pieces need few.
+  static constexpr double negligible = 0x1p-34;
   using Coefficients = std::array<double, size>;
 
   ChebyshevModel() = default;
@@ -52,8 +54,8 @@ class ChebyshevModel {
   double magnitude() const;
   /// Contains all values on [-1, 1].
   Interval range() const;
-  /// Coefficients of the series in Bernstein form of degree max_degree on [-1, 1]; off by at most bernsteinRounding().
-  Coefficients bernstein() const;
+  /// Coefficients of the series in Bernstein form of a degree that is not below its own; off by at most bernsteinRounding().
+  Coefficients bernstein(int degree) const;
   double bernsteinRounding() const;
 
   ChebyshevModel& operator+=(const ChebyshevModel& other);
@@ -64,7 +66,7 @@ class ChebyshevModel {
 
  private:
   friend class ProductSum;
-  void drop();
+  void trim();
 
   Coefficients coefficients_{};
   double radius_ = 0;

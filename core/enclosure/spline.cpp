@@ -70,30 +70,6 @@ std::vector<ChebyshevModel> chebyshevPolynomials(const ChebyshevModel& x, int de
   return t;
 }
 
-/// Sum of numbers times models.
-class LinearSum {
- public:
-  void add(double factor, const ChebyshevModel& model) {
-    const double size = std::abs(factor);
-    for (int k = 0; k <= model.degree(); ++k) {
-      coefficients_[k] += factor * model.coefficient(k);
-      absolute_ += size * std::abs(model.coefficient(k));
-    }
-    if (size > 0) radius_ += size * model.radius();
-    ++terms_;
-  }
-  ChebyshevModel model(double error) const {
-    return ChebyshevModel::series(coefficients_,
-                                  (error + radius_ + (terms_ + 2) * epsilon * absolute_) * (1 + 1e-12));
-  }
-
- private:
-  ChebyshevModel::Coefficients coefficients_{};
-  double radius_ = 0;
-  double absolute_ = 0;
-  int terms_ = 0;
-};
-
 using HomogeneousModel = std::array<ChebyshevModel, 4>;
 
 VectorModel space(const HomogeneousModel& h) {
@@ -221,7 +197,10 @@ SplineEvaluator::Cell SplineEvaluator::makeCell(int span_u, int span_v) const {
       Eigen::MatrixXd net = bezier;
       for (int i = 0; i < du; ++i) net = differenceRows(net);
       for (int i = 0; i < dv; ++i) net = differenceColumns(net);
-      cell.nets[k].coefficients[c] = to_chebyshev_[0][du] * net * to_chebyshev_[1][dv].transpose();
+      Eigen::MatrixXd series = Eigen::MatrixXd::Zero(p + 1, q + 1);
+      series.topLeftCorner(net.rows(), net.cols()) =
+          to_chebyshev_[0][du] * net * to_chebyshev_[1][dv].transpose();
+      cell.nets[k].coefficients[c] = Eigen::Map<Eigen::VectorXd>(series.data(), series.size());
       // A difference has at most twice the errors of its terms, times the degree. A function has at most (p + 1) (q + 1) Chebyshev
       // coefficients, none more than four times its maximum; each comes from sums of p + q + 2 terms in both steps.
       const int terms = (p + 1) * (q + 1);
@@ -242,22 +221,31 @@ JetModel SplineEvaluator::jet(const ChebyshevModel& u, const ChebyshevModel& v, 
   const std::vector<ChebyshevModel> ty = chebyshevPolynomials(y.x, directions_[1].degree);
   const int nets = order == 0 ? 1 : order == 1 ? 3 : 6;
   const int dimension = weights_.empty() ? 3 : 4;
-  std::array<std::array<LinearSum, 4>, 6> sums;
-  for (std::size_t i = 0; i < tx.size(); ++i)
-    for (std::size_t j = 0; j < ty.size(); ++j) {
-      const ChebyshevModel product = tx[i] * ty[j];
-      for (int k = 0; k < nets; ++k)
-        for (int d = 0; d < dimension; ++d)
-          if (const Eigen::MatrixXd& net = c.nets[k].coefficients[d];
-              static_cast<Eigen::Index>(i) < net.rows() && static_cast<Eigen::Index>(j) < net.cols())
-            sums[k][d].add(net(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)), product);
+  // Products of Chebyshev polynomials along the path, one a column, and what they may be off and amount to.
+  const Eigen::Index terms = static_cast<Eigen::Index>(tx.size() * ty.size());
+  Eigen::Matrix<double, ChebyshevModel::size, Eigen::Dynamic> series(ChebyshevModel::size, terms);
+  Eigen::Matrix<double, Eigen::Dynamic, 2> off(terms, 2);
+  int degree = 0;
+  Eigen::Index column = 0;
+  for (const ChebyshevModel& t : ty)
+    for (const ChebyshevModel& s : tx) {
+      const ChebyshevModel product = t.degree() == 0 && t.coefficient(0) == 1 && t.radius() == 0 ? s : s * t;
+      for (int k = 0; k < ChebyshevModel::size; ++k) series(k, column) = product.coefficient(k);
+      off.row(column++) << product.radius(), product.magnitude();
+      degree = std::max(degree, product.degree());
     }
-  // Inside its span a Chebyshev polynomial is at most 1; a path that leaves the span is bounded by the models of the products.
-  double outside = 1;
-  for (const ChebyshevModel& t : {tx.back(), ty.back()}) outside = std::max(outside, t.magnitude());
+  const double outside = off.col(1).maxCoeff();  // by which a coefficient's error may count
   std::array<HomogeneousModel, 6> h;
   for (int k = 0; k < nets; ++k)
-    for (int d = 0; d < dimension; ++d) h[k][d] = sums[k][d].model(c.nets[k].error[d] * outside * outside);
+    for (int d = 0; d < dimension; ++d) {
+      const Eigen::VectorXd& net = c.nets[k].coefficients[d];
+      ChebyshevModel::Coefficients sum{};
+      Eigen::Map<Eigen::VectorXd>(sum.data(), degree + 1).noalias() = series.topRows(degree + 1) * net;
+      const Eigen::RowVector2d error = net.cwiseAbs().transpose() * off;
+      const double rounding = static_cast<double>(terms + 4) * epsilon * error[1];
+      h[k][d] = ChebyshevModel::series(
+          sum, (error[0] + rounding + c.nets[k].error[d] * std::max(1.0, outside)) * (1 + 1e-12));
+    }
   JetModel jet;
   if (dimension == 4)
     jet = projected(h, order);

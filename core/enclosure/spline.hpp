@@ -52,7 +52,7 @@ class SplineEvaluator {
     Eigen::MatrixXd to_bezier;  ///< from the poles of the span to its Bezier points
   };
   struct Net {
-    std::array<Eigen::MatrixXd, 4> coefficients;  ///< Chebyshev coefficients of the homogeneous coordinates
+    std::array<Eigen::VectorXd, 4> coefficients;  ///< of T_i(x) T_j(y) at i + j (degree_u + 1), by coordinate
     std::array<double, 4> error{};                ///< bound of the sum of their errors
   };
   struct Cell {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <seamwright/core/enclosure/chebyshev_model.hpp>
 
@@ -41,24 +43,24 @@ ChebyshevModel contraction(const SymmetricModel& a, const SymmetricModel& b);
 template <int Dimension>
 struct ControlPolygon {
   std::array<Eigen::Matrix<double, Dimension, 1>, ChebyshevModel::size> points;
-  int count = 1;  ///< one if the function is constant but for the radius
+  int degree = 0;  ///< there are degree + 1 points
   double radius = 0;
 };
 
-/// \tparam Model VectorModel or SymmetricModel. The radius is Euclidean over the entries stored.
+/// \tparam Dimension 3 for a VectorModel, 6 for a SymmetricModel. The radius is Euclidean over the entries stored.
 template <std::size_t Dimension>
 ControlPolygon<static_cast<int>(Dimension)> controlPolygon(
     const std::array<ChebyshevModel, Dimension>& model) {
   ControlPolygon<static_cast<int>(Dimension)> polygon;
   double square = 0;
-  for (std::size_t d = 0; d < Dimension; ++d) {
-    const double radius = model[d].radius() + model[d].bernsteinRounding();
+  for (const ChebyshevModel& entry : model) {
+    const double radius = entry.radius() + entry.bernsteinRounding();
     square += radius * radius;
-    if (model[d].degree() > 0) polygon.count = ChebyshevModel::size;
+    polygon.degree = std::max(polygon.degree, entry.degree());
   }
   for (std::size_t d = 0; d < Dimension; ++d) {
-    const ChebyshevModel::Coefficients control = model[d].bernstein();
-    for (int i = 0; i < polygon.count; ++i) polygon.points[i][static_cast<int>(d)] = control[i];
+    const ChebyshevModel::Coefficients control = model[d].bernstein(polygon.degree);
+    for (int i = 0; i <= polygon.degree; ++i) polygon.points[i][static_cast<int>(d)] = control[i];
   }
   polygon.radius = std::sqrt(square) * (1 + 1e-14);
   return polygon;

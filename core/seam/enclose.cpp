@@ -399,8 +399,9 @@ Interval Enclosure::lengthOf(const Piece& piece) const {
   if (side.alternatives.size() != 1) return {0, 0};
   const ControlPolygon<3> polygon = controlPolygon(side.alternatives[0].point);
   Interval length;
-  for (int i = 1; i < polygon.count; ++i) length.upper += (polygon.points[i] - polygon.points[i - 1]).norm();
-  length.lower = (polygon.points[polygon.count - 1] - polygon.points[0]).norm();
+  for (int i = 1; i <= polygon.degree; ++i)
+    length.upper += (polygon.points[i] - polygon.points[i - 1]).norm();
+  length.lower = (polygon.points[polygon.degree] - polygon.points[0]).norm();
   return length;
 }
 

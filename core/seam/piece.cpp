@@ -61,12 +61,13 @@ class PolygonMaximum {
 
   PieceBound operator()(const ControlPolygon<Dimension>& polygon) {
     bound_ = {-1, 0, 0};
-    if (polygon.count == 1) {
+    last_ = polygon.degree;
+    if (last_ == 0) {
       const double value = function_(polygon.points[0]);
       return {value, value, 0};
     }
     double largest = 0;
-    for (const auto& point : polygon.points) largest = std::max(largest, function_(point));
+    for (int i = 0; i <= last_; ++i) largest = std::max(largest, function_(polygon.points[i]));
     add(polygon.points, -1, 1, 5);
     bound_.lower -= rounding * largest;  // a halving rounds by less than 2^-50 of the largest point
     bound_.upper += rounding * largest;
@@ -74,26 +75,24 @@ class PolygonMaximum {
   }
 
  private:
-  static constexpr int last = ChebyshevModel::size - 1;
-
   void see(double value, double at) {
     if (value > bound_.lower) bound_.lower = value, bound_.at = at;
   }
 
   void add(const Points& points, double from, double to, int halvings) {
     see(function_(points[0]), from);
-    see(function_(points[last]), to);
+    see(function_(points[last_]), to);
     double upper = 0;
-    for (const auto& point : points) upper = std::max(upper, function_(point));
+    for (int i = 0; i <= last_; ++i) upper = std::max(upper, function_(points[i]));
     const double enough = bound_.lower + std::max(slack_.relative * bound_.lower, slack_.absolute) / 4;
     if (upper <= enough || halvings == 0 || !std::isfinite(upper)) {
       bound_.upper = std::max(bound_.upper, upper);
       return;
     }
     Points left, right = points;
-    for (int level = 0; level <= last; ++level) {
+    for (int level = 0; level <= last_; ++level) {
       left[level] = right[0];
-      for (int i = 0; i < last - level; ++i) right[i] = 0.5 * (right[i] + right[i + 1]);
+      for (int i = 0; i < last_ - level; ++i) right[i] = 0.5 * (right[i] + right[i + 1]);
     }
     // right holds the last point of every level: from the apex outward, those of the right half.
     add(left, from, 0.5 * (from + to), halvings - 1);
@@ -102,6 +101,7 @@ class PolygonMaximum {
 
   const Function& function_;
   Slack slack_;
+  int last_ = 0;
   PieceBound bound_;
 };
 
@@ -159,12 +159,15 @@ TensorNorm normOf(const SymmetricModel& tensor) {
 double largestQuotient(const SymmetricModel& difference, const ChebyshevModel& below, const Slack& slack,
                        double& at) {
   const ControlPolygon<6> polygon = controlPolygon(difference);
-  const ChebyshevModel::Coefficients divisor = below.bernstein();
-  const double radius = below.radius() + below.bernsteinRounding();
   ControlPolygon<7> joint;
-  joint.count = polygon.count == 1 && below.degree() == 0 ? 1 : ChebyshevModel::size;
-  for (int i = 0; i < joint.count; ++i)
-    joint.points[i] << polygon.points[std::min(i, polygon.count - 1)], divisor[i];
+  joint.degree = std::max(polygon.degree, below.degree());
+  const ChebyshevModel::Coefficients divisor = below.bernstein(joint.degree);
+  const double radius = below.radius() + below.bernsteinRounding();
+  for (std::size_t d = 0; d < difference.size(); ++d) {
+    const ChebyshevModel::Coefficients control = difference[d].bernstein(joint.degree);
+    for (int i = 0; i <= joint.degree; ++i) joint.points[i][static_cast<int>(d)] = control[i];
+  }
+  for (int i = 0; i <= joint.degree; ++i) joint.points[i][6] = divisor[i];
   const auto quotient = [&](const Eigen::Matrix<double, 7, 1>& point) {
     const double lowest = point[6] - radius;
     return lowest > 0 ? (spectralNorm(point.head<6>()) + 1.5 * polygon.radius) / lowest : infinite;
