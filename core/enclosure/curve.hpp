@@ -10,7 +10,7 @@
 
 namespace seamwright {
 
-/// Point and derivatives of a curve along a piece of it, as models; the parameter may be scaled by a positive factor.
+/// Point and derivatives of a curve along a piece of it, as models.
 struct CurveJetModel {
   VectorModel p, d1, d2;
 };

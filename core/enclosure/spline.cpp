@@ -52,14 +52,15 @@ Eigen::MatrixXd splineToBezier(const std::vector<double>& knots, int degree, int
   return matrix;
 }
 
-Eigen::MatrixXd differenceRows(const Eigen::MatrixXd& net) {
-  const Eigen::Index degree = net.rows() - 1;
-  if (degree == 0) return Eigen::MatrixXd::Zero(1, net.cols());
-  return static_cast<double>(degree) * (net.bottomRows(degree) - net.topRows(degree));
-}
-
-Eigen::MatrixXd differenceColumns(const Eigen::MatrixXd& net) {
-  return differenceRows(net.transpose()).transpose();
+/// Row i: the pole i of the derivative on the span [knots[s], knots[s + 1]] as a combination of the poles of the spline.
+Eigen::MatrixXd splineDerivative(const std::vector<double>& knots, int degree, int s) {
+  if (degree == 0) return Eigen::MatrixXd::Zero(1, 1);
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(degree, degree + 1);
+  for (int i = 0; i < degree; ++i) {
+    matrix(i, i + 1) = degree / (knots[s + 1 + i] - knots[s - degree + 1 + i]);
+    matrix(i, i) = -matrix(i, i + 1);
+  }
+  return matrix;
 }
 
 /// T_0(x), ..., T_degree(x).
@@ -123,12 +124,24 @@ SplineEvaluator::SplineEvaluator(SplineDirection u, SplineDirection v, std::vect
   for (const int d : {0, 1}) {
     const auto& [degree, knots, period] = directions_[d];
     for (int s = degree; s + degree + 1 < static_cast<int>(knots.size()); ++s)
-      if (knots[s] < knots[s + 1])
-        spans_[d].push_back({s - degree, knots[s], knots[s + 1], splineToBezier(knots, degree, s)});
+      if (knots[s] < knots[s + 1]) spans_[d].push_back(makeSpan(directions_[d], s));
     if (spans_[d].empty()) throw std::invalid_argument("all knots of a spline are the same");
     for (int lowering = 0; lowering < 3; ++lowering)
       to_chebyshev_[d][lowering] = bezierToChebyshev(std::max(degree - lowering, 0));
   }
+}
+
+SplineEvaluator::Span SplineEvaluator::makeSpan(const SplineDirection& direction, int s) {
+  const auto& [degree, knots, period] = direction;
+  Span span{s - degree, knots[s], knots[s + 1], {}, {}};
+  Eigen::MatrixXd derivative = Eigen::MatrixXd::Identity(degree + 1, degree + 1);
+  for (int order = 0; order < 3; ++order) {
+    const int lower = std::max(degree - order, 0);
+    span.to_bezier[order] = splineToBezier(knots, lower, s);
+    span.derivative[order] = derivative;
+    if (order < 2) derivative = splineDerivative(knots, lower, s) * derivative;
+  }
+  return span;
 }
 
 std::vector<double> SplineEvaluator::knotsInside(int direction, const Interval& range) const {
@@ -189,24 +202,23 @@ SplineEvaluator::Cell SplineEvaluator::makeCell(int span_u, int span_v) const {
         const double weight = weights_.empty() ? 1 : weights_[index(i, j)];
         local(i, j) = c == 3 ? weight : weight * (poles_[index(i, j)][c] - cell.origin[c]);
       }
-    const Eigen::MatrixXd bezier = su.to_bezier * local * sv.to_bezier.transpose();
-    // Bezier points are convex combinations, reached in p + q steps of 6 roundings.
-    const double error = 4 * (p + q + 2) * epsilon * local.cwiseAbs().maxCoeff();
     for (std::size_t k = 0; k < orders.size(); ++k) {
       const auto [du, dv] = orders[k];
-      Eigen::MatrixXd net = bezier;
-      for (int i = 0; i < du; ++i) net = differenceRows(net);
-      for (int i = 0; i < dv; ++i) net = differenceColumns(net);
+      const Eigen::MatrixXd derived = su.derivative[du] * local * sv.derivative[dv].transpose();
+      const Eigen::MatrixXd net = su.to_bezier[du] * derived * sv.to_bezier[dv].transpose();
       Eigen::MatrixXd series = Eigen::MatrixXd::Zero(p + 1, q + 1);
       series.topLeftCorner(net.rows(), net.cols()) =
           to_chebyshev_[0][du] * net * to_chebyshev_[1][dv].transpose();
       cell.nets[k].coefficients[c] = Eigen::Map<Eigen::VectorXd>(series.data(), series.size());
-      // A difference has at most twice the errors of its terms, times the degree. A function has at most (p + 1) (q + 1) Chebyshev
-      // coefficients, none more than four times its maximum; each comes from sums of p + q + 2 terms in both steps.
-      const int terms = (p + 1) * (q + 1);
-      cell.nets[k].error[c] = 4 * terms *
-                              (std::pow(2 * p, du) * std::pow(2 * q, dv) * error +
-                               4 * (p + q + 2) * epsilon * net.cwiseAbs().maxCoeff());
+      // Differences of poles keep the errors of their terms, 6 roundings a step; what they add to a polynomial is nowhere larger than in
+      // its Bezier points. The conversions round sums of p + q + 4 terms in p + q + 4 steps; a polynomial has (p + 1) (q + 1) Chebyshev
+      // coefficients, none more than four times its largest value.
+      const double of_poles =
+          (su.derivative[du].cwiseAbs() * local.cwiseAbs() * sv.derivative[dv].cwiseAbs().transpose())
+              .maxCoeff();
+      const double of_net = derived.cwiseAbs().maxCoeff();
+      cell.nets[k].error[c] =
+          8 * epsilon * of_poles + 16 * (p + 1) * (q + 1) * (p + q + 4) * epsilon * of_net;
     }
   }
   return cell;

@@ -10,7 +10,7 @@
 
 namespace seamwright {
 
-/// Point and partial derivatives of a surface along a path, as models; the parameters may be scaled by positive factors.
+/// Point and partial derivatives of a surface along a path, as models.
 struct JetModel {
   VectorModel p, u, v, uu, uv, vv;
 };
@@ -49,7 +49,8 @@ class SplineEvaluator {
     int first_pole = 0;
     double lower = 0;
     double upper = 0;
-    Eigen::MatrixXd to_bezier;  ///< from the poles of the span to its Bezier points
+    /// By order of the derivative: from the poles to those of the derivative, and from these to Bezier points.
+    std::array<Eigen::MatrixXd, 3> derivative, to_bezier;
   };
   struct Net {
     std::array<Eigen::VectorXd, 4> coefficients;  ///< of T_i(x) T_j(y) at i + j (degree_u + 1), by coordinate
@@ -64,6 +65,7 @@ class SplineEvaluator {
     ChebyshevModel x;  ///< -1..1 over the span
   };
 
+  static Span makeSpan(const SplineDirection& direction, int s);
   Local localize(int direction, const ChebyshevModel& parameter, double hint) const;
   const Cell& cell(int span_u, int span_v) const;
   Cell makeCell(int span_u, int span_v) const;

@@ -139,6 +139,9 @@ struct Piece {
   double to = 0;
   PieceFigures figures;
   bool left_out = false;  ///< only the gap counts
+  double excess = std::numeric_limits<
+      double>::infinity();  ///< of the piece it was cut from: by what its bounds were too wide
+  int stalled = 0;          ///< cuts that did not halve the excess
   double width() const { return to - from; }
   double at(double x) const { return 0.5 * ((1 - x) * from + (1 + x) * to); }
 };
@@ -189,7 +192,7 @@ class Enclosure {
   bool folds(const Piece& piece) const {
     return piece.figures.sense != 0 && (a_.faceOnLeft() == b_.faceOnLeft()) == (piece.figures.sense > 0);
   }
-  void look(double from, double to);
+  void look(double from, double to, const Piece* parent = nullptr);
   void lookAtEnds();
   bool measure(Piece& piece, Detail detail, std::optional<double>& split);
   void see(const Piece& piece);
@@ -198,6 +201,8 @@ class Enclosure {
   double tolerated(Quantity quantity) const;
   double allowed(Quantity quantity) const;
   bool isEnough(Quantity quantity, double upper) const;
+  double excess(const PieceBound& bound, Quantity quantity) const;
+  double excess(const PieceFigures& figures) const;
   bool isSettled(const Piece& piece) const;
   void refine();
   SeamFigures figures() const;
@@ -249,6 +254,20 @@ bool Enclosure::isSettled(const Piece& piece) const {
   if (sharp) return std::isfinite(f.angle_rad.upper);
   return f.curvature_per_mm && isEnough(Curvature, f.curvature_per_mm->upper) &&
          isEnough(RelativeCurvature, f.curvature_rel->upper);
+}
+
+double Enclosure::excess(const PieceBound& bound, Quantity quantity) const {
+  if (isEnough(quantity, bound.upper)) return 0;
+  return (bound.upper - bound.lower) / std::max(allowed(quantity), std::numeric_limits<double>::min());
+}
+
+/// Largest width of a bound that is not enough, in units of what is allowed; infinite where no bound is known.
+double Enclosure::excess(const PieceFigures& figures) const {
+  double largest = std::max(excess(figures.gap_mm, Gap), excess(figures.angle_rad, Angle));
+  if (detail() == Detail::TangentPlane) return largest;
+  if (!figures.curvature_per_mm) return infinite;
+  return std::max({largest, excess(*figures.curvature_per_mm, Curvature),
+                   excess(*figures.curvature_rel, RelativeCurvature)});
 }
 
 void Enclosure::see(Quantity quantity, const PieceBound& bound, const Piece& piece) {
@@ -307,11 +326,14 @@ bool Enclosure::measure(Piece& piece, Detail detail, std::optional<double>& spli
   return true;
 }
 
-void Enclosure::look(double from, double to) {
+void Enclosure::look(double from, double to, const Piece* parent) {
   Piece piece{from, to, {}};
   std::optional<double> split;
   if (measure(piece, detail(), split)) {
     see(piece);
+    piece.excess = excess(piece.figures);
+    if (parent != nullptr && std::isfinite(piece.excess) && piece.excess > 0.5 * parent->excess)
+      piece.stalled = parent->stalled + 1;
     pieces_.push_back(piece);
     return;
   }
@@ -321,8 +343,8 @@ void Enclosure::look(double from, double to) {
     pieces_.push_back(piece);
     return;
   }
-  look(from, *split);
-  look(*split, to);
+  look(from, *split, parent);
+  look(*split, to, parent);
 }
 
 /// Outside the range the gap is all there is to measure.
@@ -343,7 +365,7 @@ void Enclosure::refine() {
     changed = false;
     std::vector<Piece> open;
     const auto is_open = [&](const Piece& piece) {
-      return !isSettled(piece) && piece.width() >= shortest_piece && !piece.left_out;
+      return piece.width() >= shortest_piece && piece.stalled < 3 && !piece.left_out && !isSettled(piece);
     };
     const auto first_open = std::ranges::stable_partition(pieces_, std::not_fn(is_open));
     open.assign(first_open.begin(), first_open.end());
@@ -355,8 +377,8 @@ void Enclosure::refine() {
       } else if (isSettled(piece)) {  // by what was seen since
         pieces_.push_back(piece);
       } else {
-        look(piece.from, piece.at(0));
-        look(piece.at(0), piece.to);
+        look(piece.from, piece.at(0), &piece);
+        look(piece.at(0), piece.to, &piece);
         changed = true;
       }
     }
