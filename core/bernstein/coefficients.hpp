@@ -14,12 +14,13 @@
 
 /// What Bernstein forms in one and in two variables share; not a public header.
 ///
-/// Values is Eigen::VectorXd or Eigen::MatrixXd. Algorithms in one variable run down the rows, each column on its own.
-/// Form is BernsteinPolynomial or BernsteinTensor: coefficients() and padding(), and made of the two.
+/// Values is Eigen::VectorXd or Eigen::MatrixXd. Algorithms in one variable run down the rows, each column on
+/// its own. Form is BernsteinPolynomial or BernsteinTensor: coefficients() and padding(), and made of the
+/// two.
 namespace seamwright::bernstein {
 
-/// Sum of the degrees (in all variables) up to which products are formed: with coefficients scaled to below 2^100 their
-/// terms, weighted by binomials, stay below 2^1000.
+/// Sum of the degrees (in all variables) up to which products are formed: with coefficients scaled to below
+/// 2^100 their terms, weighted by binomials, stay below 2^1000.
 inline constexpr int kMaxDegree = 800;
 
 inline std::string text(double value) {
@@ -105,11 +106,13 @@ struct Step {
   double take;    ///< t
   int roundings;  ///< how many factors 1 + d each term takes, those of the weights included
 
-  /// The step of a given double: 1 - t, product and sum are rounded; at 1/2 only the sum is, at the ends nothing.
+  /// The step of a given double: 1 - t, product and sum are rounded; at 1/2 only the sum is, at the ends
+  /// nothing.
   static Step at(double t) { return {1 - t, t, t == 0 || t == 1 ? 0 : t == 0.5 ? 1 : 3}; }
 
-  /// The step that takes [a, 1] to [a, b]: t = (b - a) / (1 - a), 1 - t = (1 - b) / (1 - a). Each weight has 3
-  /// roundings; a quotient that underflows has an absolute error eta <= u instead, which the sixth stands for.
+  /// The step that takes [a, 1] to [a, b]: t = (b - a) / (1 - a), 1 - t = (1 - b) / (1 - a). Each weight has
+  /// 3 roundings; a quotient that underflows has an absolute error eta <= u instead, which the sixth stands
+  /// for.
   static Step within(double a, double b) {
     if (a == b) return at(0);
     if (b == 1) return at(1);
@@ -118,8 +121,8 @@ struct Step {
 
   double operator()(double a, double b) const { return keep * a + take * b; }
 
-  /// Rounding of de Casteljau's triangle. Each result is a sum of coefficients times weights that add up to 1, each
-  /// term with at most degree x roundings factors 1 + d; besides, each step may underflow twice.
+  /// Rounding of de Casteljau's triangle. Each result is a sum of coefficients times weights that add up to
+  /// 1, each term with at most degree x roundings factors 1 + d; besides, each step may underflow twice.
   double error(Eigen::Index degree, double magnitude) const {
     if (roundings == 0) return 0;
     const int n = static_cast<int>(degree);
@@ -206,7 +209,7 @@ Form scaled(double factor, const Form& p) {
   return result<Form>(std::move(values), padding, "multiple");
 }
 
-/// Coefficients of a product of exact polynomials, each within error of the true one.
+/// Coefficients, each within error of the true one.
 template <class Values>
 struct Rounded {
   Values values;
@@ -220,64 +223,98 @@ inline int scaleExponent(double magnitude) {
   return std::abs(exponent) <= 100 ? 0 : exponent;
 }
 
-/// c_ij 2^(-exponent) C(m, i) C(n, j), m by n the degrees.
 template <class Values>
-Values weighted(const Values& values, int exponent) {
-  Values scaled = values;
-  if (exponent != 0) scaled = values.unaryExpr([&](double c) { return std::ldexp(c, -exponent); });
-  return binomials(values.rows() - 1).asDiagonal() * scaled * binomials(values.cols() - 1).asDiagonal();
+Values scaledBy(const Values& values, int exponent) {
+  if (exponent == 0) return values;
+  return values.unaryExpr([&](double c) { return std::ldexp(c, exponent); });
 }
 
-/// Coefficients of the product: sum_ij a_ij b_(k-i,l-j) C C / C, a convex combination of products.
-///
-/// Roundings of a term: the binomials, weighting of both factors and division by C in each variable, product and sum.
-/// Underflow, in units of 2^(exponents): scaling of either factor, product, division, each eta at most (C(m+n, k) is
-/// not less than the number of terms); 8 eta leaves room for their own roundings. Scaling back may underflow once more.
+/// scaledBy, rounded upwards.
+inline double scaledUp(double value, int exponent) {
+  return exponent == 0 || value == 0 ? value : rounding::up(std::ldexp(value, exponent));
+}
+
+/// c_ij C(m, i) C(n, j), m by n the degrees.
 template <class Values>
-Rounded<Values> convolution(const Values& a, const Values& b) {
+Values weighted(const Values& values) {
+  return binomials(values.rows() - 1).asDiagonal() * values * binomials(values.cols() - 1).asDiagonal();
+}
+
+/// Coefficients of the product of two polynomials given by their weighted coefficients.
+template <class Values>
+Values combined(const Values& a, const Values& b) {
   using Eigen::Index;
-  constexpr bool kTwoVariables = Values::ColsAtCompileTime != 1;
-  const Index rows = a.rows() + b.rows() - 1, cols = a.cols() + b.cols() - 1;
-  if (rows + cols - 2 > kMaxDegree)
-    throw std::invalid_argument("degree " + std::to_string(rows + cols - 2) + " of a product is above " +
+  Values values = Values::Zero(a.rows() + b.rows() - 1, a.cols() + b.cols() - 1);
+  for (Index l = 0; l < a.cols(); ++l)
+    for (Index j = 0; j < b.cols(); ++j)
+      for (Index i = 0; i < a.rows(); ++i) values.col(l + j).segment(i, b.rows()) += a(i, l) * b.col(j);
+  values.array().colwise() /= binomials(values.rows() - 1).array();
+  if constexpr (Values::ColsAtCompileTime != 1)
+    values.array().rowwise() /= binomials(values.cols() - 1).transpose().array();
+  return values;
+}
+
+/// How many factors 1 + d a term of combined(weighted(a), weighted(b)) takes: the binomials, weighting of
+/// both factors and division in each variable, product and sum.
+template <class Values>
+int productRoundings(const Values& a, const Values& b) {
+  const Eigen::Index terms = std::min(a.rows(), b.rows()) * std::min(a.cols(), b.cols());
+  int roundings = static_cast<int>(terms) + (Values::ColsAtCompileTime == 1 ? 3 : 6);
+  for (const Eigen::Index size : {a.rows(), b.rows(), a.rows() + b.rows() - 1})
+    roundings += binomialRoundings(size - 1);
+  for (const Eigen::Index size : {a.cols(), b.cols(), a.cols() + b.cols() - 1})
+    roundings += binomialRoundings(size - 1);
+  return roundings;
+}
+
+/// The product of a, known within padding_a, and b, known within padding_b.
+///
+/// With |a| the polynomial of the absolute coefficients and 1 that of coefficients 1, the error is at most
+/// gamma_k max(|a| |b|) + padding_a max(1 |b|) + padding_b max(|a| 1) + padding_a padding_b and what
+/// underflows. The maxima are computed with as many roundings as the product, hence gamma_(k+1)
+/// (rounding::gamma). In units of 2^(exponents) the larger of magnitude and padding of a factor is at least
+/// 2^-101, and no weight of a term in a coefficient is below 2^-800: so the eta that scaling or a maximum may
+/// lose, times anything in the other factor, is less than a rounding of the largest of the four terms, hence
+/// gamma_(k+2). Underflow of a product or a quotient adds eta each ((m+n choose k) is not less than the
+/// number of terms), for which 8 eta leave room; scaling back adds one.
+template <class Values>
+Rounded<Values> product(const Values& a, double padding_a, const Values& b, double padding_b) {
+  using rounding::gamma, rounding::productUp, rounding::sumUp;
+  const Eigen::Index degree = a.rows() + a.cols() + b.rows() + b.cols() - 4;
+  if (degree > kMaxDegree)
+    throw std::invalid_argument("degree " + std::to_string(degree) + " of a product is above " +
                                 std::to_string(kMaxDegree));
   const double magnitude_a = largest(a), magnitude_b = largest(b);
-  Values values = Values::Zero(rows, cols);
-  if (magnitude_a == 0 || magnitude_b == 0) return {std::move(values), 0};
+  const int exponent_a = scaleExponent(std::max(magnitude_a, padding_a)),
+            exponent_b = scaleExponent(std::max(magnitude_b, padding_b));
+  const int exponent = exponent_a + exponent_b, roundings = productRoundings(a, b);
+  const Values weighted_a = weighted(scaledBy(a, -exponent_a)),
+               weighted_b = weighted(scaledBy(b, -exponent_b));
+  const Values size_a = weighted_a.cwiseAbs(), size_b = weighted_b.cwiseAbs();
 
-  const int exponent_a = scaleExponent(magnitude_a), exponent_b = scaleExponent(magnitude_b);
-  const int exponent = exponent_a + exponent_b;
-  const Values wa = weighted(a, exponent_a), wb = weighted(b, exponent_b);
-  for (Index l = 0; l < wa.cols(); ++l)
-    for (Index j = 0; j < wb.cols(); ++j)
-      for (Index i = 0; i < wa.rows(); ++i) values.col(l + j).segment(i, wb.rows()) += wa(i, l) * wb.col(j);
-  values.array().colwise() /= binomials(rows - 1).array();
-  if constexpr (kTwoVariables) values.array().rowwise() /= binomials(cols - 1).transpose().array();
+  double error = 0;
+  if (magnitude_a != 0 && magnitude_b != 0)
+    error =
+        sumUp(productUp(gamma(roundings + 2), largest(combined(size_a, size_b))), 8 * rounding::kUnderflow);
+  const double e = scaledUp(padding_a, -exponent_a), f = scaledUp(padding_b, -exponent_b);
+  const double slack = rounding::up(1 + gamma(roundings + 2));
+  const auto inherited = [&](double padding, const Values& others, const Values& size) {
+    if (padding == 0) return 0.0;
+    const Values ones = weighted<Values>(Values::Ones(others.rows(), others.cols()));
+    return productUp(productUp(padding, slack), largest(combined(ones, size)));
+  };
+  error = sumUp(error, inherited(e, a, size_b), inherited(f, b, size_a), productUp(productUp(e, f), slack));
 
-  const Index terms = std::min(a.rows(), b.rows()) * std::min(a.cols(), b.cols());
-  int roundings = static_cast<int>(terms) + (kTwoVariables ? 6 : 3);
-  for (const Index n : {a.rows(), b.rows(), rows, a.cols(), b.cols(), cols})
-    roundings += binomialRoundings(n - 1);
-  double error = rounding::productUp(
-      rounding::gamma(roundings),
-      rounding::productUp(std::ldexp(magnitude_a, -exponent_a), std::ldexp(magnitude_b, -exponent_b)));
-  error = rounding::sumUp(error, 8 * rounding::kUnderflow);
-  if (exponent != 0) {
-    values = values.unaryExpr([&](double c) { return std::ldexp(c, exponent); }).eval();
-    error = rounding::sumUp(rounding::up(std::ldexp(error, exponent)), rounding::kUnderflow);
-  }
+  Values values = scaledBy(combined(weighted_a, weighted_b), exponent);
+  if (exponent != 0 && error != 0) error = sumUp(scaledUp(error, exponent), rounding::kUnderflow);
   refuseOverflow(values, error, "product");
   return {std::move(values), error};
 }
 
 template <class Form>
 Form product(const Form& p, const Form& q) {
-  auto [values, error] = convolution(p.coefficients(), q.coefficients());
-  const double e = p.padding(), f = q.padding();
-  const double padding =
-      rounding::sumUp(rounding::productUp(e, largest(q.coefficients())),
-                      rounding::productUp(f, largest(p.coefficients())), rounding::productUp(e, f), error);
-  return result<Form>(std::move(values), padding, "product");
+  auto [values, padding] = product(p.coefficients(), p.padding(), q.coefficients(), q.padding());
+  return Form(std::move(values), padding);
 }
 
 template <class Form>
@@ -285,8 +322,8 @@ Interval range(const Form& p) {
   return rounding::widened({p.coefficients().minCoeff(), p.coefficients().maxCoeff()}, p.padding());
 }
 
-/// Padding and rounding about a value; companion is the value that the absolute coefficients have. \pre the steps took
-/// this many roundings in all, and might underflow.
+/// Padding and rounding about a value; companion is the value that the absolute coefficients have. \pre the
+/// steps took this many roundings in all, and might underflow.
 inline Interval enclosure(double value, double companion, double padding, int roundings, int steps) {
   if (roundings == 0) return rounding::widened({value, value}, padding);
   const double error = rounding::sumUp(rounding::productUp(rounding::gamma(roundings + 1), companion),

@@ -21,8 +21,8 @@ BernsteinPolynomial blend(const BernsteinPolynomial& w, const BernsteinPolynomia
                           const BernsteinPolynomial& b) {
   using rounding::kUnit, rounding::productUp, rounding::sumUp, rounding::up;
   const Eigen::VectorXd complement = 1 - w.coefficients().array();
-  const auto kept = bernstein::convolution(complement, a.coefficients());
-  const auto taken = bernstein::convolution(w.coefficients(), b.coefficients());
+  const auto kept = bernstein::product(complement, 0, a.coefficients(), 0);
+  const auto taken = bernstein::product(w.coefficients(), 0, b.coefficients(), 0);
   Eigen::VectorXd values = kept.values + taken.values;
 
   const double outside = std::max({0.0, -w.coefficients().minCoeff(), up(w.coefficients().maxCoeff() - 1)});
