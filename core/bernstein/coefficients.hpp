@@ -273,10 +273,9 @@ int productRoundings(const Values& a, const Values& b) {
 /// gamma_k max(|a| |b|) + padding_a max(1 |b|) + padding_b max(|a| 1) + padding_a padding_b and what
 /// underflows. The maxima are computed with as many roundings as the product, hence gamma_(k+1)
 /// (rounding::gamma). In units of 2^(exponents) the larger of magnitude and padding of a factor is at least
-/// 2^-101, and no weight of a term in a coefficient is below 2^-800: so the eta that scaling or a maximum may
-/// lose, times anything in the other factor, is less than a rounding of the largest of the four terms, hence
-/// gamma_(k+2). Underflow of a product or a quotient adds eta each ((m+n choose k) is not less than the
-/// number of terms), for which 8 eta leave room; scaling back adds one.
+/// 2^-101, or 0, and no weight of a term in a coefficient is below 2^-800. So the largest of the four terms,
+/// gamma_k apart, is at least 2^-1002, and the few eta that scaling, products, quotients and maxima may lose
+/// are less than u times it, hence gamma_(k+2). Only scaling back adds an eta.
 template <class Values>
 Rounded<Values> product(const Values& a, double padding_a, const Values& b, double padding_b) {
   using rounding::gamma, rounding::productUp, rounding::sumUp;
@@ -284,18 +283,14 @@ Rounded<Values> product(const Values& a, double padding_a, const Values& b, doub
   if (degree > kMaxDegree)
     throw std::invalid_argument("degree " + std::to_string(degree) + " of a product is above " +
                                 std::to_string(kMaxDegree));
-  const double magnitude_a = largest(a), magnitude_b = largest(b);
-  const int exponent_a = scaleExponent(std::max(magnitude_a, padding_a)),
-            exponent_b = scaleExponent(std::max(magnitude_b, padding_b));
+  const int exponent_a = scaleExponent(std::max(largest(a), padding_a)),
+            exponent_b = scaleExponent(std::max(largest(b), padding_b));
   const int exponent = exponent_a + exponent_b, roundings = productRoundings(a, b);
   const Values weighted_a = weighted(scaledBy(a, -exponent_a)),
                weighted_b = weighted(scaledBy(b, -exponent_b));
   const Values size_a = weighted_a.cwiseAbs(), size_b = weighted_b.cwiseAbs();
 
-  double error = 0;
-  if (magnitude_a != 0 && magnitude_b != 0)
-    error =
-        sumUp(productUp(gamma(roundings + 2), largest(combined(size_a, size_b))), 8 * rounding::kUnderflow);
+  double error = productUp(gamma(roundings + 2), largest(combined(size_a, size_b)));
   const double e = scaledUp(padding_a, -exponent_a), f = scaledUp(padding_b, -exponent_b);
   const double slack = rounding::up(1 + gamma(roundings + 2));
   const auto inherited = [&](double padding, const Values& others, const Values& size) {

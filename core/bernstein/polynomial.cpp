@@ -24,16 +24,17 @@ struct Piece {
 /// A lower bound of p, too low by at most tolerance as far as padding allows.
 double lowerBound(const BernsteinPolynomial& p, double tolerance) {
   std::priority_queue<Piece> pieces;
+  pieces.emplace(p);
   double attained = std::numeric_limits<double>::infinity();  // the minimum is not above this
-  const auto add = [&](BernsteinPolynomial polynomial) { pieces.emplace(std::move(polynomial)); };
-  for (add(p);;) {
+  while (true) {
     const Piece lowest = pieces.top();
-    attained = std::min(attained, rounding::widened({0, lowest.lowerEnd()}, lowest.p.padding()).upper);
+    const double end = lowest.lowerEnd();
+    attained = std::min(attained, rounding::widened({end, end}, lowest.p.padding()).upper);
     if (attained - lowest.lower <= tolerance || lowest.exhausted()) return lowest.lower;
     pieces.pop();
-    auto [left, right] = lowest.p.split(0.5);
-    add(std::move(left));
-    add(std::move(right));
+    const auto [left, right] = lowest.p.split(0.5);
+    pieces.emplace(left);
+    pieces.emplace(right);
   }
 }
 

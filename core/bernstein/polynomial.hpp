@@ -15,20 +15,21 @@ namespace seamwright {
 /// polynomial made from given doubles has padding 0: the doubles are exact. Each operation returns
 /// coefficients rounded to double and a padding that covers what the operands' paddings can do to the exact
 /// result plus the rounding of the operation itself. So the statement "the true polynomial is in here"
-/// survives any chain of operations, in every rounding mode. With u = 2^-52, gamma_k = k u / (1 - k u), eta =
-/// 2^-1074; M the largest |c_i|, e the padding of the operand (with an index for two), M' that of the result;
-/// |p| the polynomial of coefficients |c_i|, max(|p|) its largest, the padding of the result is at most (but
-/// for the rounding of this formula itself, which is upwards):
+/// survives any chain of operations, in every rounding mode (of IEEE doubles, denormals included; not under
+/// -ffast-math).
+///
+/// Let u = 2^-52, gamma_k = k u / (1 - k u), eta = 2^-1074; M the largest |c_i| and e the padding of the
+/// operand (with an index if there are two), M' the largest coefficient of the result; |p| the polynomial of
+/// coefficients |c_i|, max(|p|) its largest coefficient. The padding of the result is at most, but for the
+/// rounding of the formula itself, which is upwards:
 ///
 ///   p'             2 n e + gamma_3 M'
 ///   p + q, p - q   e_p + e_q + u M'                           after elevation to the same degree
 ///   s p            |s| e + u M' + eta
-///   p q            e_p max(1 |q|) + e_q max(1 |p|) + e_p e_q + gamma_(k+2) max(|p| |q|) + underflow,
-///                  with 1 of the degree of the factor it stands for, so that max(1 |q|) <= M_q;
-///                  k = min(m, n) + 4 + r(m) + r(n) + r(m+n), r(d) = max(0, d - 56): the roundings in
-///                  binomials
-///                  of degree d (up to 56 they are exact doubles);
-///                  underflow = 9 eta max(1, 2 M_p, 2 e_p) max(1, 2 M_q, 2 e_q)
+///   p q            e_p max(1 |q|) + e_q max(1 |p|) + e_p e_q + gamma_(k+2) max(|p| |q|) + eta,
+///                  with 1 written in the degree of the other factor, so that max(1 |q|) <= M_q;
+///                  k = min(m, n) + 4 + r(m) + r(n) + r(m+n), and r(d) = max(0, d - 56) the roundings in
+///                  binomials of degree d (up to 56 they are exact doubles)
 ///   elevation      that of p times the polynomial 1 of degree `by`
 ///   split          e + gamma_(3n) M + 4 n eta                 gamma_n at t = 1/2; just e at t = 0 and 1
 ///   restriction    e + gamma_(9n) M + 8 n eta
@@ -49,7 +50,8 @@ namespace seamwright {
 ///
 /// Coefficients and padding are below 2^1023 in size; an operation whose result is not throws
 /// std::overflow_error. No result is ever NaN or infinite, except that a bound of an interval may be
-/// infinite. Source: MATH-surfaces 0.3, 3.6 (midpoint and radius).
+/// infinite.
+/// Source: MATH-surfaces 0.3, 3.6 (midpoint and radius).
 class BernsteinPolynomial {
  public:
   /// \param coefficients n + 1 >= 1 numbers. \param padding not negative.
@@ -81,9 +83,9 @@ class BernsteinPolynomial {
   Interval range() const;
   /// The same by subdivision, until it is wider than the true range by at most tolerance. Padding may forbid
   /// that: then each end is off by at most 3 times the padding of the piece [a, b] where it is taken, which
-  /// is the padding of p plus log2(1 / (b - a)) times that of a split. \param tolerance not negative, in the
-  /// unit of p; 0 asks for all that padding lets be known. \throws std::invalid_argument if the tolerance is
-  /// negative or NaN.
+  /// is the padding of p plus log2(1 / (b - a)) times what a split adds.
+  /// \param tolerance not negative, in the unit of p; 0 asks for all that padding lets be known.
+  /// \throws std::invalid_argument if the tolerance is negative or NaN.
   Interval range(double tolerance) const;
 
   BernsteinPolynomial operator-() const;
@@ -94,8 +96,9 @@ class BernsteinPolynomial {
   double padding_;
 };
 
-/// Sum, difference and product; the degrees may differ. \throws std::invalid_argument if the degree of the
-/// product is above 800 (its binomials would leave the range of a double).
+/// Sum, difference and product; the degrees may differ.
+/// \throws std::invalid_argument if the degree of the product is above 800 (its binomials would leave the
+/// range of a double).
 BernsteinPolynomial operator+(const BernsteinPolynomial& p, const BernsteinPolynomial& q);
 BernsteinPolynomial operator-(const BernsteinPolynomial& p, const BernsteinPolynomial& q);
 BernsteinPolynomial operator*(const BernsteinPolynomial& p, const BernsteinPolynomial& q);

@@ -18,11 +18,9 @@ namespace seamwright {
 ///   f g            k = (min(m_f, m_g) + 1) (min(n_f, n_g) + 1) + 6 + the r of all six binomials
 ///   restriction    that of u, then that of v
 ///   evaluate       radius e + gamma_(3m+3n+1) sum_ij |c_ij| B_i^m(u) B_j^n(v) + 4 (m + n) eta
-///   composition    each of the m + n steps (1 - w) a + w b, w = u(t) or v(t), takes the padding e of a and b
-///   to
-///                  e (1 + 2 x + 2 e_w) + e_w max|b - a| + gamma_(k+4) (M_(1-w) M_a + M_w M_b) + underflow,
-///                  k and underflow as in a product, x how far the coefficients of w leave [0, 1]. As long as
-///                  they
+///   composition    each of the m + n steps (1 - w) a + w b, w = u(t) or v(t), takes the padding e of its
+///                  operands to e (1 + 2 x + 2 e_w) + e_w max|b - a| + gamma_(k+4) (M_(1-w) M_a + M_w M_b)
+///                  + 2 eta, k as in a product, x how far the coefficients of w leave [0, 1]. As long as they
 ///                  stay inside and are exact, paddings add up and do not multiply.
 ///
 /// Identities, true within the padding (each has a test of its number):
@@ -36,7 +34,8 @@ namespace seamwright {
 ///   (7) The curve at an edge takes the values of f there.
 ///   (8) f.composed(u, v)(t) = f(u(t), v(t)).
 ///
-/// Limits, overflow and rounding modes as for BernsteinPolynomial. Source: MATH-surfaces 0.3, 3.4, 3.6.
+/// Limits, overflow and rounding modes as for BernsteinPolynomial.
+/// Source: MATH-surfaces 0.3, 3.4, 3.6.
 class BernsteinTensor {
  public:
   /// An edge of the square, named by the parameter that is constant on it.
@@ -86,8 +85,8 @@ class BernsteinTensor {
   double padding_;
 };
 
-/// Sum, difference and product; the degrees may differ. \throws std::invalid_argument if the degrees of the
-/// product in u and v add up to more than 800.
+/// Sum, difference and product; the degrees may differ.
+/// \throws std::invalid_argument if the degrees of the product in u and v add up to more than 800.
 BernsteinTensor operator+(const BernsteinTensor& f, const BernsteinTensor& g);
 BernsteinTensor operator-(const BernsteinTensor& f, const BernsteinTensor& g);
 BernsteinTensor operator*(const BernsteinTensor& f, const BernsteinTensor& g);
