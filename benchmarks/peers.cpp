@@ -58,7 +58,8 @@ void analyzeSeam(const occ::Seam& seam, int points, LocalAnalysisSummary& summar
 template <typename Reader>
 TopoDS_Shape transfer(const std::filesystem::path& path) {
   Reader reader;
-  if (reader.ReadFile(path.c_str()) != IFSelect_RetDone) throw std::runtime_error(path.string() + ": not read");
+  if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
+    throw std::runtime_error(path.string() + ": not read");
   reader.TransferRoots();
   return reader.OneShape();
 }
@@ -70,7 +71,8 @@ TopoDS_Shape readWithOpenCascade(const std::filesystem::path& path) {
   if (extension == ".step" || extension == ".stp") return transfer<STEPControl_Reader>(path);
   if (extension == ".iges" || extension == ".igs") return transfer<IGESControl_Reader>(path);
   TopoDS_Shape shape;
-  if (!BRepTools::Read(shape, path.c_str(), BRep_Builder())) throw std::runtime_error(path.string() + ": not read");
+  if (!BRepTools::Read(shape, path.c_str(), BRep_Builder()))
+    throw std::runtime_error(path.string() + ": not read");
   return shape;
 }
 
@@ -94,6 +96,8 @@ void RegularityPeer::forget() {
     builder.Continuity(seam.sides[0].edge, seam.sides[0].shape, seam.sides[1].shape, GeomAbs_C0);
 }
 
-void RegularityPeer::encode(double angle_rad) const { BRepLib::EncodeRegularity(copy_, angle_rad); }
+void RegularityPeer::encode(double angle_rad) const {
+  BRepLib::EncodeRegularity(copy_, angle_rad);
+}
 
 }  // namespace seamwright::bench

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What Seamwright takes for the seams of a model, beside what its user would call instead.
 //   bench_seams MODEL... [--benchmark_...]
-// For each model: reading it, finding its seams, analysing them (certified and sampled, 1 and 2 threads), and
-// OpenCASCADE's own two answers. Times are of the whole model; the counter "seams" divides them. Processor time is that of
-// all threads of the process. benchmarks/compare runs this and prints ratios.
+// For each model: reading it, finding its seams, analysing them (certified and sampled, one thread and two),
+// and OpenCASCADE's own two answers. Times are of the whole model; the counter "seams" divides them. Processor
+// time is that of all threads of this process; the reading program that readModel() starts is not in it.
 #include <benchmark/benchmark.h>
-
-#include <filesystem>
-#include <iostream>
-#include <map>
-#include <memory>
-#include <string>
 
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
+#include <Standard_Failure.hxx>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
 
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
 #include <seamwright/occ_adapter/model/read.hpp>
@@ -65,8 +64,14 @@ void analyze(benchmark::State& state, const SubjectPtr& subject, bool certify, i
   occ::AnalyzeOptions options;
   options.certify = certify;
   options.jobs = jobs;
-  for (auto _ : state) benchmark::DoNotOptimize(occ::analyze(subject->model, options));
+  double points = 0;
+  for (auto _ : state) {
+    const occ::Report report = occ::analyze(subject->model, options);
+    points = 0;
+    for (const occ::SeamResult& seam : report.seams) points += seam.figures.points;
+  }
   finish(state, *subject);
+  state.counters["points"] = points;
 }
 
 void localAnalysis(benchmark::State& state, const SubjectPtr& subject) {
@@ -77,6 +82,7 @@ void localAnalysis(benchmark::State& state, const SubjectPtr& subject) {
   }
   finish(state, *subject);
   state.counters["points"] = summary.points;
+  state.counters["gap_mm"] = summary.gap_mm;
 }
 
 void encodeRegularity(benchmark::State& state, const SubjectPtr& subject) {
@@ -121,6 +127,9 @@ int main(int argc, char** argv) try {
   }
   for (int i = 1; i < argc; ++i) registerModel(argv[i]);
   benchmark::RunSpecifiedBenchmarks();
+} catch (const Standard_Failure& failure) {
+  std::cerr << failure << "\n";
+  return 2;
 } catch (const std::exception& error) {
   std::cerr << error.what() << "\n";
   return 2;
