@@ -73,3 +73,11 @@ def test_missing_googletest_is_named(tmp_path):
     status, output = configure(tmp_path, (), "-DSEAMWRIGHT_BUILD_TESTS=ON", "-DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON")
     assert status != 0
     assert "libgtest-dev" in output
+
+
+def test_benchmarks_are_off_and_name_their_package(tmp_path):
+    missing = "-DCMAKE_DISABLE_FIND_PACKAGE_benchmark=ON"
+    assert configure(tmp_path, (), missing)[0] == 0
+    status, output = configure(tmp_path, (), missing, "-DSEAMWRIGHT_BUILD_BENCHMARKS=ON")
+    assert status != 0
+    assert "BENCHMARKS needs benchmark" in output and "libbenchmark-dev" in output

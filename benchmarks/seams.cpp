@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What Seamwright takes for the seams of a model, beside what its user would call instead.
+//   bench_seams MODEL... [--benchmark_...]
+// For each model: reading it, finding its seams, analysing them (certified and sampled; one thread, two), and
+// OpenCASCADE's own two answers. Times are of the whole model; the counter "seams" divides them. Processor
+// time is that of all threads of this process; the reading program that readModel() starts is not in it.
+#include <benchmark/benchmark.h>
+
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <Standard_Failure.hxx>
+#include <ctime>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include <seamwright/occ_adapter/analyze/analyze.hpp>
+#include <seamwright/occ_adapter/model/read.hpp>
+
+#include "peers.hpp"
+
+namespace {
+
+using namespace seamwright;
+
+constexpr int local_analysis_points = 23;
+
+/// A model that several benchmarks share.
+struct Subject {
+  std::filesystem::path path;
+  occ::Model model;
+  std::vector<occ::Seam> seams;
+  bench::RegularityPeer regularity;
+
+  explicit Subject(const std::filesystem::path& file)
+      : path(file),
+        model(occ::readModel(file)),
+        seams(occ::findSeams(model.shape).seams),
+        regularity(model.shape) {}
+};
+using SubjectPtr = std::shared_ptr<Subject>;
+
+void finish(benchmark::State& state, const Subject& subject) {
+  state.counters["seams"] = static_cast<double>(subject.seams.size());
+  state.counters["faces"] = subject.model.faceCount();
+}
+
+void readOpenCascade(benchmark::State& state, const SubjectPtr& subject) {
+  for (auto _ : state) benchmark::DoNotOptimize(bench::readWithOpenCascade(subject->path));
+  finish(state, *subject);
+}
+
+void readSeamwright(benchmark::State& state, const SubjectPtr& subject) {
+  for (auto _ : state) benchmark::DoNotOptimize(occ::readModel(subject->path));
+  finish(state, *subject);
+}
+
+void find(benchmark::State& state, const SubjectPtr& subject) {
+  for (auto _ : state) benchmark::DoNotOptimize(occ::findSeams(subject->model.shape));
+  finish(state, *subject);
+}
+
+/// Processor time of the calling thread alone.
+double threadMicroseconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
+}
+
+/// Counts what the calling thread does by itself as "serial_us": the seams are measured by others.
+void analyze(benchmark::State& state, const SubjectPtr& subject, bool certify, int jobs) {
+  occ::AnalyzeOptions options;
+  options.certify = certify;
+  options.jobs = jobs;
+  double points = 0;
+  const double start_us = threadMicroseconds();
+  for (auto _ : state) {
+    const occ::Report report = occ::analyze(subject->model, options);
+    points = 0;
+    for (const occ::SeamResult& seam : report.seams) points += seam.figures.points;
+  }
+  state.counters["serial_us"] =
+      benchmark::Counter(threadMicroseconds() - start_us, benchmark::Counter::kAvgIterations);
+  finish(state, *subject);
+  state.counters["points"] = points;
+}
+
+void localAnalysis(benchmark::State& state, const SubjectPtr& subject) {
+  bench::LocalAnalysisSummary summary;
+  for (auto _ : state) {
+    summary = bench::localAnalysis(subject->seams, local_analysis_points);
+    benchmark::DoNotOptimize(summary);
+  }
+  finish(state, *subject);
+  state.counters["points"] = summary.points;
+  state.counters["gap_mm"] = summary.gap_mm;
+}
+
+void encodeRegularity(benchmark::State& state, const SubjectPtr& subject) {
+  const double angle_rad = ContinuityTolerance{}.angle_rad;
+  for (auto _ : state) {
+    state.PauseTiming();
+    subject->regularity.forget();
+    state.ResumeTiming();
+    subject->regularity.encode(angle_rad);
+  }
+  finish(state, *subject);
+}
+
+void registerModel(const std::filesystem::path& path) {
+  const auto subject = std::make_shared<Subject>(path);
+  const std::string name = path.filename();
+  const auto add = [&](const std::string& what, auto function, auto... arguments) {
+    benchmark::RegisterBenchmark((name + "/" + what).c_str(), function, subject, arguments...)
+        ->MeasureProcessCPUTime()
+        ->UseRealTime()
+        ->Unit(benchmark::kMicrosecond);
+  };
+  add("read_opencascade", readOpenCascade);
+  add("read_seamwright", readSeamwright);
+  add("find", find);
+  for (const int jobs : {1, 2}) {
+    add("certified:" + std::to_string(jobs), analyze, true, jobs);
+    add("sampled:" + std::to_string(jobs), analyze, false, jobs);
+  }
+  add("local_analysis", localAnalysis);
+  add("encode_regularity", encodeRegularity);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  benchmark::Initialize(&argc, argv);
+  Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
+  if (argc < 2) {
+    std::cerr << "usage: bench_seams MODEL... [--benchmark_...]\n";
+    return 2;
+  }
+  for (int i = 1; i < argc; ++i) registerModel(argv[i]);
+  benchmark::RunSpecifiedBenchmarks();
+} catch (const Standard_Failure& failure) {
+  std::cerr << failure << "\n";
+  return 2;
+} catch (const std::exception& error) {
+  std::cerr << error.what() << "\n";
+  return 2;
+}
