@@ -36,6 +36,7 @@ CurvatureDifference curvatureDifference(const SurfaceJet& a, const Eigen::Vector
   return {norm(tensor_b - tensor_a), norm(tensor_a), norm(tensor_b)};
 }
 
+/// Odd in the normal N and in the direction N x T, a side's change is the same for both senses of its normal.
 CurvatureChange changeAcross(const SurfaceJet& a, const Eigen::Vector3d& normal_a, const SurfaceJet& b,
                              const Eigen::Vector3d& normal_b, const Eigen::Vector3d& along) {
   const double change_a = curvatureChange(a, normal_a, normal_a.cross(along).normalized());
@@ -66,7 +67,7 @@ PairMeasure measurePair(const SidePoint& a, const SidePoint& b) {
   if (!finite) return result;  // partials of 1e-160 leave the range of a double
   result.curvature = curvature;
   if (!along || !a.third_order || !b.third_order) return result;
-  const CurvatureChange change = changeAcross(a.jet, *natural_a, b.jet, aligned_b, *along);
+  const CurvatureChange change = changeAcross(a.jet, *natural_a, b.jet, *natural_b, *along);
   if (std::isfinite(change.difference_per_mm2)) result.curvature_change = change;
   return result;
 }

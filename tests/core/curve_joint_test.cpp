@@ -241,7 +241,7 @@ TEST(CurveJoint, WhereAllBendingVanishesRoundingCountsForNothing) {
   CurveEnd inflection = straight(0);
   inflection.derivatives(3, 1) = 0.02;
   CurveEnd rounded = inflection;
-  rounded.derivatives(2, 1) = rounded.derivatives(4, 1) = 1e-17;
+  rounded.derivatives(2, 1) = rounded.derivatives(4, 1) = 1e-12;
   EXPECT_EQ(orderReached(measureJoint(inflection, rounded), {}), 4);
   EXPECT_EQ(orderReached(measureJoint(inflection, straight(0)), {}), 2);
 }
@@ -258,6 +258,7 @@ TEST(CurveJoint, ClimbsByTheTolerances) {
   EXPECT_EQ(orderReached(measureJoint(a, turned), {}), 0);
   EXPECT_EQ(orderReached(measureJoint(a, {test::clothoid(0.1021, 0.003, 4)}), {}), 1);
   EXPECT_EQ(orderReached(measureJoint({a.derivatives.topRows(2)}, a), {}), 1) << "the lower order of both";
+  EXPECT_EQ(measureJoint(a, {a.derivatives.topRows(3)}).differences.size(), 3u);
   EXPECT_EQ(orderReached(measureJoint({a.derivatives.topRows(1)}, a), {}), 0);
 }
 
