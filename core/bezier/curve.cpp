@@ -10,6 +10,25 @@
 
 namespace seamwright {
 
+namespace {
+
+/// Leibniz' rule on A = w X: X^(k) = (A^(k) - sum_{i=1..k} C(k,i) w^(i) X^(k-i)) / w.
+template <int Count>
+casteljau::Derivatives<3, Count> affineDerivatives(const casteljau::Derivatives<4, Count>& h) {
+  casteljau::Derivatives<3, Count> x = h.template leftCols<3>();
+  for (Eigen::Index k = 0; k < h.rows(); ++k) {
+    double binomial = 1;
+    for (Eigen::Index i = 1; i <= k; ++i) {
+      binomial *= static_cast<double>(k - i + 1) / static_cast<double>(i);
+      x.row(k) -= binomial * h(i, 3) * x.row(k - i);
+    }
+    x.row(k) /= h(0, 3);
+  }
+  return x;
+}
+
+}  // namespace
+
 HomogeneousPoles homogeneousPoles(const Eigen::Ref<const Poles>& poles, const Eigen::VectorXd& weights) {
   if (poles.rows() == 0) throw std::invalid_argument("no poles: at least one is needed");
   if (weights.size() != poles.rows())
@@ -57,24 +76,14 @@ Eigen::Vector3d BezierCurve::point(double t) const {
 }
 
 CurveJet BezierCurve::jet(double t) const {
-  const CurveDerivatives x = derivatives(t, 3);
+  const auto x = affineDerivatives<4>(casteljau::derivatives<4, 4>(homogeneous_, t));
   return {x.row(0), x.row(1), x.row(2), x.row(3)};
 }
 
 CurveDerivatives BezierCurve::derivatives(double t, int order) const {
   if (order < 0) throw std::invalid_argument("order " + std::to_string(order) + ": it must not be negative");
-  // Leibniz' rule on A = w X: X^(k) = (A^(k) - sum_{i=1..k} C(k,i) w^(i) X^(k-i)) / w.
-  const auto h = casteljau::derivatives<4, Eigen::Dynamic>(homogeneous_, t, order + 1);
-  CurveDerivatives x = h.leftCols<3>();
-  for (int k = 0; k <= order; ++k) {
-    double binomial = 1;
-    for (int i = 1; i <= k; ++i) {
-      binomial *= static_cast<double>(k - i + 1) / i;
-      x.row(k) -= binomial * h(i, 3) * x.row(k - i);
-    }
-    x.row(k) /= h(0, 3);
-  }
-  return x;
+  return affineDerivatives<Eigen::Dynamic>(
+      casteljau::derivatives<4, Eigen::Dynamic>(homogeneous_, t, order + 1));
 }
 
 double BezierCurve::noise() const {

@@ -15,8 +15,8 @@ bool isFinite(const SurfaceJet& jet) {
          jet.uv.allFinite() && jet.vv.allFinite();
 }
 
-/// The dual basis of two vectors in their plane. From cross products it keeps its accuracy where they are nearly
-/// parallel and E G - F^2 would cancel.
+/// The dual basis of two vectors in their plane. From cross products it keeps its accuracy where they are
+/// nearly parallel and E G - F^2 would cancel.
 std::pair<Eigen::Vector3d, Eigen::Vector3d> dualBasis(const Eigen::Vector3d& u, const Eigen::Vector3d& v) {
   const Eigen::Vector3d cross = u.cross(v);
   return {v.cross(cross) / cross.squaredNorm(), cross.cross(u) / cross.squaredNorm()};

@@ -33,14 +33,9 @@ CurveJoint measureJoint(const CurveEnd& a, const CurveEnd& b) {
   const auto arc_b = arcLengthDerivatives(b.derivatives.topRows(count), b.speed_noise);
   if (!arc_a || !arc_b) return joint;
   if (count > 1) joint.angle_rad = angleBetween(arc_a->row(1), arc_b->row(1));
-  double scale = 0;
   for (Eigen::Index k = 0; k < count; ++k) {
     joint.differences.push_back((arc_b->row(k) - arc_a->row(k)).stableNorm());
-    if (k >= 2) {
-      const double size = std::max(arc_a->row(k).stableNorm(), arc_b->row(k).stableNorm());
-      scale = std::max(scale, std::pow(size, 1 / static_cast<double>(k - 1)));
-    }
-    joint.scales_per_mm.push_back(scale);
+    joint.sizes.push_back(std::max(arc_a->row(k).stableNorm(), arc_b->row(k).stableNorm()));
   }
   return joint;
 }
@@ -51,8 +46,9 @@ CurveJoint measureJoint(const BezierCurve& a, const BezierCurve& b, int order) {
 }
 
 double relativeDifference(const CurveJoint& joint, int k, double flat_radius_mm) {
-  const double scale = joint.scales_per_mm[k];
-  if (scale < 1 / flat_radius_mm) return 0;
+  if (joint.sizes[k] < std::pow(100 / flat_radius_mm, k - 2) / flat_radius_mm) return 0;
+  double scale = 0;
+  for (int j = 2; j <= k; ++j) scale = std::max(scale, std::pow(joint.sizes[j], 1.0 / (j - 1)));
   return joint.differences[k] / std::pow(scale, k - 1);
 }
 

@@ -83,10 +83,9 @@ double relativeDifference(const CurvatureDifference& curvature, double flat_radi
 
 double relativeChange(const CurvatureChange& change, const CurvatureDifference& curvature,
                       double flat_radius_mm) {
-  const double flat = 1 / flat_radius_mm;
   const double norm = std::max(curvature.norm_a_per_mm, curvature.norm_b_per_mm);
   const double largest = std::max(change.change_a_per_mm2, change.change_b_per_mm2);
-  if (norm < flat && largest < flat * flat) return 0;
+  if (largest < 100 / (flat_radius_mm * flat_radius_mm)) return 0;
   return change.difference_per_mm2 / std::max(largest, norm * norm);
 }
 

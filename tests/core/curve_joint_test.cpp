@@ -43,8 +43,9 @@ void expectSame(const CurveJoint& x, const CurveJoint& y, double noise, int i) {
   ASSERT_EQ(x.differences.size(), y.differences.size()) << i;
   for (std::size_t k = 0; k < x.differences.size(); ++k) {
     EXPECT_NEAR(x.differences[k], y.differences[k], noise * (1 + y.differences[k])) << i << " order " << k;
-    EXPECT_NEAR(x.scales_per_mm[k], y.scales_per_mm[k], noise * (1 + y.scales_per_mm[k]))
-        << i << " order " << k;
+    if (k > 0) {  // sizes[0] depends on the origin
+      EXPECT_NEAR(x.sizes[k], y.sizes[k], noise * (1 + y.sizes[k])) << i << " order " << k;
+    }
   }
 }
 
@@ -72,7 +73,7 @@ TEST(CurveJoint, Identity2MotionAndScale) {
     *scaled.gap_mm /= s;
     for (int k = 0; k <= 5; ++k) {
       scaled.differences[k] *= std::pow(s, k - 1);
-      scaled.scales_per_mm[k] *= s;
+      scaled.sizes[k] *= std::pow(s, k - 1);
     }
     expectSame(scaled, plain, 1e-9, i);
   }
@@ -171,12 +172,9 @@ TEST(CurveJoint, OracleOfSixtyDigits) {
       // The tail of "exact" curves in the file is rounded to double.
       EXPECT_NEAR(joint.differences[k], wanted, 1e-10 * size) << "order " << k;
     }
-    double largest = 0;
-    for (std::size_t k = 2; k < joint.differences.size(); ++k) {
-      for (const char* side : {"cl", "cr"})
-        largest =
-            std::max(largest, std::pow(test::vector(out[side][k]).norm(), 1 / (static_cast<double>(k) - 1)));
-      EXPECT_NEAR(joint.scales_per_mm[k], largest, 1e-9 * largest);
+    for (std::size_t k = 0; k < joint.differences.size(); ++k) {
+      const double larger = std::max(test::vector(out["cl"][k]).norm(), test::vector(out["cr"][k]).norm());
+      EXPECT_NEAR(joint.sizes[k], larger, 1e-10 * size) << "order " << k;
     }
     ContinuityTolerance tight;
     tight.gap_mm = tight.angle_rad = tight.curvature_rel = 1e-7;
@@ -212,38 +210,42 @@ TEST(CurveJoint, RationalJoinsReachTheOrderTheyWereBuiltFor) {
     if (!a || !b) continue;
     ++built;
     const CurveJoint joint = measureJoint(*a, *b, order);
-    for (int k = 0; k <= order; ++k)
-      EXPECT_LT(joint.differences[k], 1e-9 * std::pow(1 + joint.scales_per_mm[k], k - 1)) << k;
+    for (int k = 0; k <= order; ++k) EXPECT_LT(joint.differences[k], 1e-9 * (1 + joint.sizes[k])) << k;
     EXPECT_EQ(orderReached(joint, {}), order);
     const double kappa = test::number(entry["expected"]["curvature"]);
     if (order >= 2) {
-      EXPECT_NEAR(joint.scales_per_mm[2], kappa, 1e-12);
+      EXPECT_NEAR(joint.sizes[2], kappa, 1e-12);
     }
     if (order >= 3) {
       const double c3 = Vec(kappa * kappa, test::number(entry["expected"]["dcurvature_ds"]),
                             kappa * test::number(entry["expected"]["torsion"]))
                             .norm();
-      EXPECT_NEAR(joint.scales_per_mm[3], std::sqrt(c3), 1e-11);
+      EXPECT_NEAR(joint.sizes[3], c3, 1e-11);
     }
   }
   EXPECT_GE(built, 5);
 }
 
+/// A straight line along x by its arc length, to fourth order, with these second, third and fourth
+/// derivatives in y.
+CurveEnd nearlyStraight(double second, double third, double fourth) {
+  CurveDerivatives x = CurveDerivatives::Zero(5, 3);
+  x(1, 0) = 1;
+  x.col(1) << 0, 0, second, third, fourth;
+  return {x};
+}
+
 TEST(CurveJoint, WhereAllBendingVanishesRoundingCountsForNothing) {
-  const auto straight = [](double noise) {
-    CurveDerivatives x = CurveDerivatives::Zero(5, 3);
-    x.row(1) << 1, 0, 0;
-    x.bottomRows(3).col(1).setConstant(noise);
-    return CurveEnd{x};
-  };
-  EXPECT_EQ(orderReached(measureJoint(straight(1e-17), straight(-1e-17)), {}), 4);
+  const CurveEnd straight = nearlyStraight(0, 0, 0);
+  EXPECT_EQ(orderReached(measureJoint(straight, nearlyStraight(9e-6, 9e-9, 9e-12)), {}), 4);
+  EXPECT_EQ(orderReached(measureJoint(straight, nearlyStraight(9e-6, 9e-9, 2e-11)), {}), 3);
+  EXPECT_EQ(orderReached(measureJoint(straight, nearlyStraight(9e-6, 1.1e-8, 9e-12)), {}), 2);
+  EXPECT_EQ(orderReached(measureJoint(straight, nearlyStraight(1.1e-5, 0, 0)), {}), 1);
   // An inflection: c_2 and c_4 vanish, the scale is that of c_3.
-  CurveEnd inflection = straight(0);
-  inflection.derivatives(3, 1) = 0.02;
-  CurveEnd rounded = inflection;
-  rounded.derivatives(2, 1) = rounded.derivatives(4, 1) = 1e-12;
-  EXPECT_EQ(orderReached(measureJoint(inflection, rounded), {}), 4);
-  EXPECT_EQ(orderReached(measureJoint(inflection, straight(0)), {}), 2);
+  const CurveEnd inflection = nearlyStraight(0, 0.02, 0);
+  EXPECT_EQ(orderReached(measureJoint(inflection, nearlyStraight(1e-12, 0.02, 1e-10)), {}), 4);
+  EXPECT_EQ(orderReached(measureJoint(inflection, nearlyStraight(0, 0.02, 1e-3)), {}), 3);
+  EXPECT_EQ(orderReached(measureJoint(inflection, straight), {}), 2);
 }
 
 TEST(CurveJoint, ClimbsByTheTolerances) {

@@ -242,7 +242,8 @@ TEST(CurvatureChange, Identity6GraphOverItsTangentPlane) {
 }
 
 TEST(CurvatureChange, IsTheDerivativeOfTheCurvatureOfThePlaneSection) {
-  // The section of the cone through its axis-free normal plane, by bisection in space and differences: no partials at all.
+  // The section of the cone through its axis-free normal plane, by bisection in space and differences: no
+  // partials at all.
   const double a = 0.5, s = 2, angle = 0.7;
   const SurfaceJet cone = test::cone(a, 0.3, s);
   const Vec n = *unitNormal(cone), d = tangentDirection(cone, angle);

@@ -121,8 +121,8 @@ TEST(MeasurePair, Identity6TouchingSpheres) {
   }
 }
 
-/// Sides of a seam along x whose graphs over their tangent planes have random curvature and change of curvature; the
-/// planes meet at a small angle about x.
+/// Sides of a seam along x whose graphs over their tangent planes have random curvature and change of
+/// curvature; the planes meet at a small angle about x.
 struct ThirdOrderPair {
   SidePoint a, b;
   double change_a, change_b;  ///< f_bbb in the direction +y
@@ -306,7 +306,7 @@ TEST(MeasurePair, DegenerateInputIsNamedAndNeverNaN) {
 }
 
 TEST(RelativeChange, IsAShareOfTheLargestChangeOrOfTheSquareOfTheCurvature) {
-  const double flat_radius = 1000;
+  const double flat_radius = 1e5;
   // A circular arc of radius 10, then a spiral: d(radius)/ds jumps by 0.3.
   EXPECT_DOUBLE_EQ(relativeChange({0.003, 0, 0.003}, {0, 0.1, 0.1}, flat_radius), 0.3);
   // A straight line, then a spiral.
@@ -316,11 +316,12 @@ TEST(RelativeChange, IsAShareOfTheLargestChangeOrOfTheSquareOfTheCurvature) {
 }
 
 TEST(RelativeChange, FlatRule) {
-  const double flat_radius = 1000;
-  EXPECT_EQ(relativeChange({9e-7, 9e-7, 0}, {0, 9e-4, 9e-4}, flat_radius), 0);
+  const double flat_radius = 1e5;
+  EXPECT_EQ(relativeChange({9e-9, 9e-9, 0}, {0, 0, 0}, flat_radius), 0);
+  EXPECT_EQ(relativeChange({9e-9, 9e-9, 0}, {0, 2e-5, 2e-5}, flat_radius), 0);
   EXPECT_EQ(relativeChange({0, 0, 0}, {0, 0, 0}, flat_radius), 0);
-  EXPECT_GT(relativeChange({9e-7, 9e-7, 0}, {0, 2e-3, 9e-4}, flat_radius), 0.2);
-  EXPECT_EQ(relativeChange({2e-6, 2e-6, 0}, {0, 9e-4, 9e-4}, flat_radius), 1);
+  EXPECT_EQ(relativeChange({1.1e-8, 1.1e-8, 0}, {0, 0, 0}, flat_radius), 1);
+  EXPECT_EQ(relativeChange({1.1e-8, 0, 1.1e-8}, {0, 2e-5, 2e-5}, flat_radius), 1);
 }
 
 TEST(RelativeDifference, FlatRule) {
