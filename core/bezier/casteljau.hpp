@@ -11,9 +11,9 @@ namespace seamwright::casteljau {
 template <int Columns>
 using Coefficients = Eigen::Matrix<double, Eigen::Dynamic, Columns, Eigen::RowMajor>;
 
-/// Value and derivatives of orders 0..3, one a row.
-template <int Columns>
-using Derivatives = Eigen::Matrix<double, 4, Columns, Eigen::RowMajor>;
+/// Value and derivatives, one a row; \p Count of them, or Eigen::Dynamic.
+template <int Columns, int Count>
+using Derivatives = Eigen::Matrix<double, Count, Columns, Eigen::RowMajor>;
 
 /// Value at t; overwrites the coefficients.
 template <int Columns>
@@ -23,13 +23,15 @@ Eigen::Matrix<double, 1, Columns> collapse(Coefficients<Columns>& c, double t) {
   return c.row(0);
 }
 
-/// The k-th derivative is n!/(n-k)! times the Bernstein form of the k-th differences.
-template <int Columns>
-Derivatives<Columns> derivatives(const Coefficients<Columns>& coefficients, double t) {
-  Derivatives<Columns> result = Derivatives<Columns>::Zero(4, coefficients.cols());
+/// Orders 0..count - 1. The k-th derivative is n!/(n-k)! times the Bernstein form of the k-th differences.
+template <int Columns, int Count>
+Derivatives<Columns, Count> derivatives(const Coefficients<Columns>& coefficients, double t,
+                                        Eigen::Index count = Count) {
+  using Result = Derivatives<Columns, Count>;
+  Result result = Result::Zero(count, coefficients.cols());
   Coefficients<Columns> differences = coefficients;
   double factor = 1;
-  for (Eigen::Index order = 0; order < 4 && order < coefficients.rows(); ++order) {
+  for (Eigen::Index order = 0; order < count && order < coefficients.rows(); ++order) {
     Coefficients<Columns> work = differences;
     result.row(order) = factor * collapse<Columns>(work, t);
     const Eigen::Index rows = differences.rows() - 1;

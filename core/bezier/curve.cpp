@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -8,6 +9,25 @@
 #include <seamwright/core/bezier/homogeneous.hpp>
 
 namespace seamwright {
+
+namespace {
+
+/// Leibniz' rule on A = w X: X^(k) = (A^(k) - sum_{i=1..k} C(k,i) w^(i) X^(k-i)) / w.
+template <int Count>
+casteljau::Derivatives<3, Count> affineDerivatives(const casteljau::Derivatives<4, Count>& h) {
+  casteljau::Derivatives<3, Count> x = h.template leftCols<3>();
+  for (Eigen::Index k = 0; k < h.rows(); ++k) {
+    double binomial = 1;
+    for (Eigen::Index i = 1; i <= k; ++i) {
+      binomial *= static_cast<double>(k - i + 1) / static_cast<double>(i);
+      x.row(k) -= binomial * h(i, 3) * x.row(k - i);
+    }
+    x.row(k) /= h(0, 3);
+  }
+  return x;
+}
+
+}  // namespace
 
 HomogeneousPoles homogeneousPoles(const Eigen::Ref<const Poles>& poles, const Eigen::VectorXd& weights) {
   if (poles.rows() == 0) throw std::invalid_argument("no poles: at least one is needed");
@@ -56,16 +76,20 @@ Eigen::Vector3d BezierCurve::point(double t) const {
 }
 
 CurveJet BezierCurve::jet(double t) const {
-  // Leibniz' rule on A = w X: X^(k) = (A^(k) - sum_{i=1..k} C(k,i) w^(i) X^(k-i)) / w.
-  const casteljau::Derivatives<4> h = casteljau::derivatives<4>(homogeneous_, t);
-  const auto A = [&](int k) -> Eigen::Vector3d { return h.row(k).head<3>().transpose(); };
-  const double w = h(0, 3);
-  CurveJet jet;
-  jet.p = A(0) / w;
-  jet.d1 = (A(1) - h(1, 3) * jet.p) / w;
-  jet.d2 = (A(2) - 2 * h(1, 3) * jet.d1 - h(2, 3) * jet.p) / w;
-  jet.d3 = (A(3) - 3 * h(1, 3) * jet.d2 - 3 * h(2, 3) * jet.d1 - h(3, 3) * jet.p) / w;
-  return jet;
+  const auto x = affineDerivatives<4>(casteljau::derivatives<4, 4>(homogeneous_, t));
+  return {x.row(0), x.row(1), x.row(2), x.row(3)};
+}
+
+CurveDerivatives BezierCurve::derivatives(double t, int order) const {
+  if (order < 0) throw std::invalid_argument("order " + std::to_string(order) + ": it must not be negative");
+  return affineDerivatives<Eigen::Dynamic>(
+      casteljau::derivatives<4, Eigen::Dynamic>(homogeneous_, t, order + 1));
+}
+
+double BezierCurve::noise() const {
+  const double size = poles().cwiseAbs().maxCoeff();
+  const double weight_ratio = homogeneous_.col(3).maxCoeff() / homogeneous_.col(3).minCoeff();
+  return 8 * (degree() + 4) * std::numeric_limits<double>::epsilon() * degree() * size * weight_ratio;
 }
 
 BezierCurve BezierCurve::reversed() const {

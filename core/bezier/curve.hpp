@@ -36,6 +36,12 @@ class BezierCurve {
   /// Point and derivatives to third order at t. Outside [0, 1] the polynomial continues; accuracy falls
   /// there.
   CurveJet jet(double t) const;
+  /// Point and derivatives to that order at t, (order + 1) by 3.
+  /// \throws std::invalid_argument if the order is negative.
+  CurveDerivatives derivatives(double t, int order) const;
+  /// Bound of the rounding in the first derivative on [0, 1]: 8 (n + 4) eps n |P|_max w_max / w_min. A bound
+  /// of the evaluation, not of the poles, which count as exact.
+  double noise() const;
 
   /// The same curve run backwards: X(1 - t).
   BezierCurve reversed() const;

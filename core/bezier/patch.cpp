@@ -28,12 +28,12 @@ HomogeneousPartials homogeneousPartials(const HomogeneousPoles& poles, int degre
   along_v.fill(HomogeneousPoles(degree_u + 1, 4));
   for (int i = 0; i <= degree_u; ++i) {
     const HomogeneousPoles row = poles.middleRows(i * (degree_v + 1), degree_v + 1);
-    const casteljau::Derivatives<4> derivatives = casteljau::derivatives<4>(row, v);
+    const casteljau::Derivatives<4, 4> derivatives = casteljau::derivatives<4, 4>(row, v);
     for (int l = 0; l < 4; ++l) along_v[l].row(i) = derivatives.row(l);
   }
   HomogeneousPartials result;
   for (int l = 0; l < 4; ++l) {
-    const casteljau::Derivatives<4> derivatives = casteljau::derivatives<4>(along_v[l], u);
+    const casteljau::Derivatives<4, 4> derivatives = casteljau::derivatives<4, 4>(along_v[l], u);
     for (int k = 0; k + l < 4; ++k) result[k][l] = derivatives.row(k).transpose();
   }
   return result;

@@ -2,6 +2,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <cmath>
+#include <utility>
 
 #include <seamwright/core/differential/fundamental_forms.hpp>
 
@@ -12,6 +13,13 @@ namespace {
 bool isFinite(const SurfaceJet& jet) {
   return jet.p.allFinite() && jet.u.allFinite() && jet.v.allFinite() && jet.uu.allFinite() &&
          jet.uv.allFinite() && jet.vv.allFinite();
+}
+
+/// The dual basis of two vectors in their plane. From cross products it keeps its accuracy where they are
+/// nearly parallel and E G - F^2 would cancel.
+std::pair<Eigen::Vector3d, Eigen::Vector3d> dualBasis(const Eigen::Vector3d& u, const Eigen::Vector3d& v) {
+  const Eigen::Vector3d cross = u.cross(v);
+  return {v.cross(cross) / cross.squaredNorm(), cross.cross(u) / cross.squaredNorm()};
 }
 
 }  // namespace
@@ -52,18 +60,34 @@ Eigen::Matrix3d curvatureTensor(const SurfaceJet& jet, const Eigen::Vector3d& no
   // In parameters stretched to unit partials no product leaves the range of a double.
   const double length_u = jet.u.stableNorm();
   const double length_v = jet.v.stableNorm();
-  const Eigen::Vector3d u = jet.u / length_u;
-  const Eigen::Vector3d v = jet.v / length_v;
   const double L = normal.dot(jet.uu) / length_u / length_u;
   const double M = normal.dot(jet.uv) / length_u / length_v;
   const double N = normal.dot(jet.vv) / length_v / length_v;
-  // The dual basis of (u, v). From cross products it keeps its accuracy where u and v are nearly parallel and
-  // E G - F^2 would cancel.
-  const Eigen::Vector3d cross = u.cross(v);
-  const Eigen::Vector3d dual_u = v.cross(cross) / cross.squaredNorm();
-  const Eigen::Vector3d dual_v = cross.cross(u) / cross.squaredNorm();
+  const auto [dual_u, dual_v] = dualBasis(jet.u / length_u, jet.v / length_v);
   return L * dual_u * dual_u.transpose() + M * (dual_u * dual_v.transpose() + dual_v * dual_u.transpose()) +
          N * dual_v * dual_v.transpose();
+}
+
+double curvatureChange(const SurfaceJet& jet, const Eigen::Vector3d& normal,
+                       const Eigen::Vector3d& direction) {
+  const double U = jet.u.stableNorm();
+  const double V = jet.v.stableNorm();
+  const auto [dual_u, dual_v] = dualBasis(jet.u / U, jet.v / V);
+  // Parameter vectors in stretched parameters; the partials are stretched in the same measure.
+  const auto parameters = [&](const Eigen::Vector3d& vector) {
+    return Eigen::Vector2d(dual_u.dot(vector), dual_v.dot(vector));
+  };
+  const auto second = [&](const Eigen::Vector2d& x, const Eigen::Vector2d& y) -> Eigen::Vector3d {
+    return x(0) * y(0) * (jet.uu / U / U) + (x(0) * y(1) + x(1) * y(0)) * (jet.uv / U / V) +
+           x(1) * y(1) * (jet.vv / V / V);
+  };
+  const Eigen::Vector2d v1 = parameters(direction);
+  const Eigen::Vector2d v2 = -parameters(second(v1, v1));
+  const double a = v1(0), b = v1(1);
+  const double third =
+      a * a * a * (normal.dot(jet.uuu) / U / U / U) + 3 * a * a * b * (normal.dot(jet.uuv) / U / U / V) +
+      3 * a * b * b * (normal.dot(jet.uvv) / U / V / V) + b * b * b * (normal.dot(jet.vvv) / V / V / V);
+  return third + 3 * normal.dot(second(v1, v2));
 }
 
 PrincipalCurvatures principalCurvatures(const SurfaceJet& jet, const Eigen::Vector3d& normal) {

@@ -65,6 +65,30 @@ SecondForm secondForm(const SurfaceJet& jet, const Eigen::Vector3d& normal);
 /// Source: MATH-surfaces 1.3, 1.4 (second fundamental form on the tangent plane).
 Eigen::Matrix3d curvatureTensor(const SurfaceJet& jet, const Eigen::Vector3d& normal);
 
+/// The change of curvature in a tangent direction d: the derivative by arc length of the curvature of the
+/// normal section along d, in 1/mm^2.
+///
+/// It is f_ddd, the third derivative along d of the height f of the surface over its tangent plane, and the
+/// covariant derivative of the second fundamental form, (D II)(d, d, d). With v1 the parameter vector of d
+/// and v2 that of minus the tangential part of D2X[v1, v1]: n.(D3X[v1, v1, v1] + 3 D2X[v1, v2]).
+///
+/// Identities (each has a test of its number):
+///   (1) It changes sign with the normal and with the direction.
+///   (2) It does not depend on the parametrisation.
+///   (3) A rigid motion of all three arguments changes nothing; a scale s divides it by s^2.
+///   (4) Spheres, cylinders and planes: 0 in all directions.
+///   (5) Surfaces of revolution with straight or circular meridian (cone, torus): 3 cos^2(a) sin(a) dk/ds at
+///       the angle a from the parallel, k the normal curvature along the parallel and s the arc length of the
+///       meridian.
+///   (6) The graph z = (quadratic form) + (cubic form c) + ... over its tangent plane: 6 c(d).
+///
+/// \param jet to third order. \pre degeneracy(jet) is None; \p normal is the unit normal or its negative; \p
+/// direction is a unit vector of the tangent plane. Not finite where third partials are not, or leave the
+/// range of a double.
+/// Source: MATH-surfaces 1.4 (M3).
+double curvatureChange(const SurfaceJet& jet, const Eigen::Vector3d& normal,
+                       const Eigen::Vector3d& direction);
+
 /// Principal curvatures, k1 >= k2, with unit directions. At an umbilic (k1 = k2) the directions are any
 /// orthonormal pair.
 struct PrincipalCurvatures {

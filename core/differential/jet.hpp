@@ -13,6 +13,9 @@ struct CurveJet {
   Eigen::Vector3d d3 = Eigen::Vector3d::Zero();
 };
 
+/// Point and derivatives of a curve to any order, one a row: row k is the k-th derivative.
+using CurveDerivatives = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+
 /// Point and partial derivatives of a surface at one parameter pair (u, v). Lengths in mm, parameters have no
 /// unit.
 struct SurfaceJet {

@@ -39,7 +39,9 @@ Level reachedLevel(const SeamFigures& figures, const ContinuityTolerance& tolera
     return Level::G0;
   if (figures.plane_share < 0.95) return Level::G0;
   if (!figures.curvature_rel || figures.curvature_rel->lower > tolerance.curvature_rel) return Level::G1;
-  return Level::G2;
+  if (!figures.curvature_change_rel || figures.curvature_change_rel->lower > tolerance.curvature_rel)
+    return Level::G2;
+  return Level::G3;
 }
 
 bool isCrease(const SeamFigures& figures, const ContinuityTolerance& tolerance) {

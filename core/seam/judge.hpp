@@ -32,11 +32,14 @@ struct Verdict {
 /// Judges the figures of a seam by what the user accepts.
 ///
 /// Level: G0 iff gap <= gap_mm; G1 iff moreover angle <= angle_rad and there is no fold; G2 iff moreover
-/// relative curvature difference <= curvature_rel. A figure without a value (nothing could be measured) stops
-/// the /// climb, and so does a seam that has no tangent plane over more than a twentieth of its length. G3 is not given: no measure of it is taken yet.
+/// relative curvature difference <= curvature_rel; G3 iff moreover relative difference of the change of
+/// curvature <= curvature_rel. A figure without a value (nothing could be measured, or the change of
+/// curvature was not asked for) stops the climb, and so does a seam that has no tangent plane over more than
+/// a twentieth of its length.
 ///
-/// Class: Crease iff G0 holds and the angle is above crease_rad or the seam folds, unless the angle is within crease_rad over more than half of its length: a sharp spot is a Defect. Otherwise Smooth iff the
-/// level reaches \p required.
+/// Class: Crease iff G0 holds and the angle is above crease_rad or the seam folds, unless the angle is within
+/// crease_rad over more than half of its length: a sharp spot is a Defect. Otherwise Smooth iff the level
+/// reaches \p required.
 Verdict judge(const SeamFigures& figures, const ContinuityTolerance& tolerance, Level required);
 
 }  // namespace seamwright

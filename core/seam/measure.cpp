@@ -9,12 +9,16 @@ namespace seamwright {
 
 namespace {
 
+/// Mean direction of the seam, not of unit length; nothing where the sides contradict one another.
+std::optional<Eigen::Vector3d> seamDirection(const SidePoint& a, const SidePoint& b) {
+  // Where a path is nearly stationary its direction is rounding, and the two sides need not agree.
+  if (a.tangent.dot(b.tangent) <= 0.5 * a.tangent.norm() * b.tangent.norm()) return std::nullopt;
+  return a.tangent.normalized() + b.tangent.normalized();
+}
+
 /// Whether both faces lie to the same side of their common tangent (MATH-surfaces 1.2, d_P and d_Q).
 bool leaveToTheSameSide(const SidePoint& a, const Eigen::Vector3d& normal_a, const SidePoint& b,
-                        const Eigen::Vector3d& normal_b) {
-  // Where a path is nearly stationary its direction is rounding, and the two sides need not agree.
-  if (a.tangent.dot(b.tangent) <= 0.5 * a.tangent.norm() * b.tangent.norm()) return false;
-  const Eigen::Vector3d along = a.tangent.normalized() + b.tangent.normalized();
+                        const Eigen::Vector3d& normal_b, const Eigen::Vector3d& along) {
   const Eigen::Vector3d into_a = (a.face_on_left ? 1 : -1) * normal_a.cross(along);
   const Eigen::Vector3d into_b = (b.face_on_left ? 1 : -1) * normal_b.cross(along);
   return into_a.dot(into_b) > 0;
@@ -32,6 +36,14 @@ CurvatureDifference curvatureDifference(const SurfaceJet& a, const Eigen::Vector
   return {norm(tensor_b - tensor_a), norm(tensor_a), norm(tensor_b)};
 }
 
+/// Odd in the normal N and in the direction N x T, a side's change is the same for both senses of its normal.
+CurvatureChange changeAcross(const SurfaceJet& a, const Eigen::Vector3d& normal_a, const SurfaceJet& b,
+                             const Eigen::Vector3d& normal_b, const Eigen::Vector3d& along) {
+  const double change_a = curvatureChange(a, normal_a, normal_a.cross(along).normalized());
+  const double change_b = curvatureChange(b, normal_b, normal_b.cross(along).normalized());
+  return {std::abs(change_b - change_a), std::abs(change_a), std::abs(change_b)};
+}
+
 }  // namespace
 
 PairMeasure measurePair(const SidePoint& a, const SidePoint& b) {
@@ -45,13 +57,18 @@ PairMeasure measurePair(const SidePoint& a, const SidePoint& b) {
   if (!natural_a || !natural_b) return result;
 
   result.angle_rad = std::atan2(natural_a->cross(*natural_b).norm(), std::abs(natural_a->dot(*natural_b)));
-  result.fold = leaveToTheSameSide(a, *natural_a, b, *natural_b);
+  const std::optional<Eigen::Vector3d> along = seamDirection(a, b);
+  result.fold = along && leaveToTheSameSide(a, *natural_a, b, *natural_b, *along);
   const Eigen::Vector3d aligned_b =
       natural_a->dot(*natural_b) < 0 ? Eigen::Vector3d(-*natural_b) : *natural_b;
   const CurvatureDifference curvature = curvatureDifference(a.jet, *natural_a, b.jet, aligned_b);
   const bool finite =
       std::isfinite(curvature.difference_per_mm + curvature.norm_a_per_mm + curvature.norm_b_per_mm);
-  if (finite) result.curvature = curvature;  // partials of 1e-160 leave the range of a double
+  if (!finite) return result;  // partials of 1e-160 leave the range of a double
+  result.curvature = curvature;
+  if (!along || !a.third_order || !b.third_order) return result;
+  const CurvatureChange change = changeAcross(a.jet, *natural_a, b.jet, *natural_b, *along);
+  if (std::isfinite(change.difference_per_mm2)) result.curvature_change = change;
   return result;
 }
 
@@ -62,6 +79,14 @@ double relativeDifference(const CurvatureDifference& curvature, double flat_radi
   if (flat_a && flat_b) return 0;
   if (flat_a != flat_b) return 1;
   return curvature.difference_per_mm / std::max(curvature.norm_a_per_mm, curvature.norm_b_per_mm);
+}
+
+double relativeChange(const CurvatureChange& change, const CurvatureDifference& curvature,
+                      double flat_radius_mm) {
+  const double norm = std::max(curvature.norm_a_per_mm, curvature.norm_b_per_mm);
+  const double largest = std::max(change.change_a_per_mm2, change.change_b_per_mm2);
+  if (largest < 100 / (flat_radius_mm * flat_radius_mm)) return 0;
+  return change.difference_per_mm2 / std::max(largest, norm * norm);
 }
 
 }  // namespace seamwright

@@ -12,7 +12,7 @@ namespace seamwright {
 
 namespace {
 
-enum Quantity { Gap, Angle, Curvature, RelativeCurvature, QuantityCount };
+enum Quantity { Gap, Angle, Curvature, RelativeCurvature, Change, RelativeChange, QuantityCount };
 
 struct Sample {
   double t = 0;
@@ -67,6 +67,11 @@ Sample Survey::sampleAt(double t) {
     sample.values[Curvature] = pair.curvature->difference_per_mm;
     sample.values[RelativeCurvature] = relativeDifference(*pair.curvature, tolerance_.flat_radius_mm);
     largest_norm_ = std::max({largest_norm_, pair.curvature->norm_a_per_mm, pair.curvature->norm_b_per_mm});
+    if (pair.curvature_change) {
+      sample.values[Change] = pair.curvature_change->difference_per_mm2;
+      sample.values[RelativeChange] =
+          relativeChange(*pair.curvature_change, *pair.curvature, tolerance_.flat_radius_mm);
+    }
   }
   note(sample);
   return sample;
@@ -98,10 +103,13 @@ void Survey::start(double from, double to, int count) {
 
 double Survey::allowedError(Quantity quantity) const {
   const double seen = maxima_[quantity] ? maxima_[quantity]->lower : 0;
-  const std::array<double, QuantityCount> floors = {
-      tolerance_.gap_mm, tolerance_.angle_rad,
-      tolerance_.curvature_rel * std::max(largest_norm_, 1 / tolerance_.flat_radius_mm),
-      tolerance_.curvature_rel};
+  const double norm = std::max(largest_norm_, 1 / tolerance_.flat_radius_mm);
+  const std::array<double, QuantityCount> floors = {tolerance_.gap_mm,
+                                                    tolerance_.angle_rad,
+                                                    tolerance_.curvature_rel * norm,
+                                                    tolerance_.curvature_rel,
+                                                    tolerance_.curvature_rel * norm * norm,
+                                                    tolerance_.curvature_rel};
   return 0.005 * std::max(seen, floors[quantity]);  // half of what is promised
 }
 
@@ -175,6 +183,8 @@ SeamFigures Survey::figures() const {
   if (figures.angle_rad && figures.angle_rad->lower <= tolerance_.crease_rad) {
     figures.curvature_per_mm = maxima_[Curvature];
     figures.curvature_rel = maxima_[RelativeCurvature];
+    figures.curvature_change_per_mm2 = maxima_[Change];
+    figures.curvature_change_rel = maxima_[RelativeChange];
   }
   figures.fold_at = fold_at_;
   figures.below_crease_share = share([&](const Sample& sample) {

@@ -58,7 +58,8 @@ struct SurveyOptions {
 /// Measures the pair at parameter t of the seam.
 using PairAt = std::function<PairMeasure(double t)>;
 
-/// Finds the largest gap, angle and curvature difference along a seam by adaptive sampling.
+/// Finds the largest gap, angle, curvature difference and, where the pairs tell it, difference of the change
+/// of curvature along a seam by adaptive sampling.
 ///
 /// Between two \p breaks both sides must be smooth. Every span starts with Chebyshev-Lobatto points (just
 /// inside the inner breaks, where derivatives may jump) and is refined where linear interpolation of a figure

@@ -7,7 +7,7 @@ namespace seamwright {
 struct ContinuityTolerance {
   double gap_mm = 0.01;                           ///< G0: distance of the sides <= gap_mm
   double angle_rad = 0.1 * 0.017453292519943295;  ///< G1: angle of the tangent planes <= angle_rad
-  double curvature_rel = 0.02;                    ///< G2: difference / larger norm <= curvature_rel
+  double curvature_rel = 0.02;  ///< G2: relativeDifference(), G3: relativeChange() <= curvature_rel
   double flat_radius_mm = 1e5;  ///< flat: largest absolute normal curvature < 1 / flat_radius_mm
   double crease_rad = 5 * 0.017453292519943295;  ///< a design edge: angle of the tangent planes > crease_rad
 

@@ -90,8 +90,9 @@ std::string sharpSpotNote(const SeamFigures& figures, const ContinuityTolerance&
 
 void measure(const Seam& seam, const AnalyzeOptions& options, SeamResult& result) {
   result.length_mm = lengthOf(seam.sides[0].edge);
-  const FaceStrip a(seam.sides[0], options.tolerance.gap_mm);
-  const FaceStrip b(seam.sides[1], options.tolerance.gap_mm);
+  const JetOrder order = options.level == Level::G3 ? JetOrder::Third : JetOrder::Second;
+  const FaceStrip a(seam.sides[0], options.tolerance.gap_mm, order);
+  const FaceStrip b(seam.sides[1], options.tolerance.gap_mm, order);
   for (const auto& [strip, face] : {std::pair(&a, result.faces[0]), std::pair(&b, result.faces[1])})
     if (!strip->note().empty()) addNote(result.note, "face " + std::to_string(face) + ": " + strip->note());
   result.figures = surveySeam([&](double s) { return measurePair(a.at(s), b.at(s)); }, commonBreaks(a, b),
@@ -155,9 +156,8 @@ ModelFacts factsOf(const Model& model) {
 
 void AnalyzeOptions::validate() const {
   tolerance.validate();
-  if (level == Level::None || level == Level::G3)
-    throw std::invalid_argument("level " + std::string(name(level)) +
-                                ": this version measures G0, G1 and G2");
+  if (level == Level::None)
+    throw std::invalid_argument("level " + std::string(name(level)) + ": it must be G0, G1, G2 or G3");
   if (jobs < 0) throw std::invalid_argument("jobs is " + std::to_string(jobs) + ": it must not be negative");
 }
 

@@ -9,10 +9,11 @@ namespace seamwright::occ {
 
 struct AnalyzeOptions {
   ContinuityTolerance tolerance;
-  Level level = Level::G1;  ///< what a seam must reach: G0, G1 or G2
-  double match_mm = 0;      ///< also seams of free edges within this distance of one another; 0: none
-  bool certify = true;      ///< enclose the figures; false: sample them only
-  int jobs = 0;             ///< threads; 0: one for each processor
+  Level level =
+      Level::G1;        ///< what a seam must reach: G0..G3; the change of curvature is measured for G3 alone
+  double match_mm = 0;  ///< also seams of free edges within this distance of one another; 0: none
+  bool certify = true;  ///< enclose the figures; false: sample them only
+  int jobs = 0;         ///< threads; 0: one for each processor
 
   /// \throws std::invalid_argument with the offending number.
   void validate() const;

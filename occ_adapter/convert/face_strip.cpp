@@ -32,6 +32,10 @@ std::vector<double> knotsV(const BRepAdaptor_Surface& surface, GeomAbs_Shape con
   return values(array);
 }
 
+GeomAbs_Shape continuityOf(JetOrder order) {
+  return order == JetOrder::Third ? GeomAbs_C3 : GeomAbs_C2;
+}
+
 std::vector<double> knots(const Geom2dAdaptor_Curve& curve) {
   TColStd_Array1OfReal array(1, curve.NbIntervals(GeomAbs_CN) + 1);
   curve.Intervals(array, GeomAbs_CN);
@@ -91,15 +95,16 @@ void addCrossings(const Coordinate& coordinate, double t0, double t1, double fro
 
 }  // namespace
 
-FaceStrip::FaceStrip(const FaceUse& use, double gap_mm)
-    : pcurve_(pcurveOf(use.edge, use.shape, gap_mm)),
+FaceStrip::FaceStrip(const FaceUse& use, double gap_mm, JetOrder order)
+    : order_(order),
+      pcurve_(pcurveOf(use.edge, use.shape, gap_mm)),
       path_(pcurve_.curve, pcurve_.first, pcurve_.last),
       surface_(use.shape, false),
       forward_(use.edge.Orientation() == TopAbs_FORWARD),
       knots_u_(knotsU(surface_)),
       knots_v_(knotsV(surface_)),
-      joints_u_(inner(knotsU(surface_, GeomAbs_C2))),
-      joints_v_(inner(knotsV(surface_, GeomAbs_C2))),
+      joints_u_(inner(knotsU(surface_, continuityOf(order)))),
+      joints_v_(inner(knotsV(surface_, continuityOf(order)))),
       step_u_(typicalStep(knots_u_)),
       step_v_(typicalStep(knots_v_)),
       range_u_(finiteRange(knots_u_)),
@@ -123,13 +128,17 @@ SidePoint FaceStrip::at(double s) const {
   side.noise = noise(side.jet, s);
   side.tangent = direction.X() * side.jet.u + direction.Y() * side.jet.v;
   side.face_on_left = forward_;
+  side.third_order = order_ == JetOrder::Third;
   return side;
 }
 
 SurfaceJet FaceStrip::jet(double u, double v) const {
   gp_Pnt p;
-  gp_Vec du, dv, duu, dvv, duv;
-  surface_.D2(u, v, p, du, dv, duu, dvv, duv);
+  gp_Vec du, dv, duu, dvv, duv, duuu, dvvv, duuv, duvv;
+  if (order_ == JetOrder::Third)
+    surface_.D3(u, v, p, du, dv, duu, dvv, duv, duuu, dvvv, duuv, duvv);
+  else
+    surface_.D2(u, v, p, du, dv, duu, dvv, duv);
   SurfaceJet jet;
   jet.p = vector(p.XYZ());
   jet.u = vector(du.XYZ());
@@ -137,6 +146,10 @@ SurfaceJet FaceStrip::jet(double u, double v) const {
   jet.uu = vector(duu.XYZ());
   jet.uv = vector(duv.XYZ());
   jet.vv = vector(dvv.XYZ());
+  jet.uuu = vector(duuu.XYZ());
+  jet.uuv = vector(duuv.XYZ());
+  jet.uvv = vector(duvv.XYZ());
+  jet.vvv = vector(dvvv.XYZ());
   return jet;
 }
 

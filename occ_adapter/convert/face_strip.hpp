@@ -12,6 +12,9 @@
 
 namespace seamwright::occ {
 
+/// To which order a strip is evaluated. Third costs a little more and can fail where second does not.
+enum class JetOrder { Second = 2, Third = 3 };
+
 /// One side of a seam as core sees it: a surface along a path, s in [0, 1] running with the edge's curve.
 ///
 /// Locations (also mirrored ones) are applied. Not to be shared between threads: OpenCASCADE's adaptors
@@ -19,9 +22,9 @@ namespace seamwright::occ {
 class FaceStrip {
  public:
   /// \throws std::runtime_error if the edge has no path on the face (see pcurveOf()).
-  FaceStrip(const FaceUse& use, double gap_mm);
+  FaceStrip(const FaceUse& use, double gap_mm, JetOrder order = JetOrder::Second);
 
-  /// Jet to second order, its noise, and the direction of the seam.
+  /// Jet to the order asked for, its noise, and the direction of the seam.
   /// \throws Standard_Failure where OpenCASCADE can't evaluate.
   SidePoint at(double s) const;
 
@@ -38,13 +41,14 @@ class FaceStrip {
   void addKnotCrossings(double first, double last, int steps, std::vector<double>& at) const;
   double parameter(double s) const { return pcurve_.first + s * (pcurve_.last - pcurve_.first); }
 
+  JetOrder order_;
   Pcurve pcurve_;
   Geom2dAdaptor_Curve path_;
   BRepAdaptor_Surface surface_;
   bool forward_;
   std::vector<double> knots_u_;
   std::vector<double> knots_v_;
-  std::vector<double> joints_u_;  ///< inner knots where the surface is not C2
+  std::vector<double> joints_u_;  ///< inner knots where the surface is less smooth than the order
   std::vector<double> joints_v_;
   std::array<double, 2>
       collapsed_mm_{};  ///< by end: length of the parameter line that collapses there, 0 if none does

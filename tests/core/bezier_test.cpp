@@ -63,6 +63,34 @@ TEST(BezierCurve, PolynomialJetsEqualThePowerForm) {
     }
 }
 
+TEST(BezierCurve, DerivativesOfAnyOrderEqualThePowerForm) {
+  std::mt19937_64 random(36);
+  for (int degree = 0; degree <= 9; ++degree) {
+    const Poles poles = randomPoles(degree + 1, random);
+    const int order = degree + 2;
+    const CurveDerivatives x = BezierCurve(poles).derivatives(0.3, order);
+    ASSERT_EQ(x.rows(), order + 1);
+    for (int k = 0; k <= order; ++k) {
+      const Vec wanted = polynomialDerivative(poles, k, 0.3);
+      EXPECT_LT((x.row(k).transpose() - wanted).norm(), 1e-8 * (1 + wanted.norm())) << degree << ' ' << k;
+    }
+  }
+}
+
+TEST(BezierCurve, FirstDerivativeKeepsWithinItsNoise) {
+  std::mt19937_64 random(37);
+  for (int i = 0; i < 200; ++i) {
+    const int degree = 1 + i % 7;
+    const Poles poles =
+        test::logUniform(random, -3, 4) * (randomPoles(degree + 1, random).array() + 100).matrix();
+    Eigen::Matrix<long double, 3, 1> exact = Eigen::Matrix<long double, 3, 1>::Zero();
+    for (int k = 0; k <= degree; ++k)
+      exact += bernstein(degree, k, 1, 0.37) * poles.row(k).transpose().cast<long double>();
+    const BezierCurve curve(poles);
+    EXPECT_LE((curve.jet(0.37).d1.cast<long double>() - exact).norm(), curve.noise());
+  }
+}
+
 BezierCurve quarterCircle() {
   Poles poles(3, 3);
   poles << 1, 0, 0, 1, 1, 0, 0, 1, 0;
@@ -78,6 +106,19 @@ TEST(BezierCurve, RationalQuarterCircleStaysOnTheCircleToThirdOrder) {
     EXPECT_NEAR(x.p.dot(x.d1), 0, 1e-15);
     EXPECT_NEAR(x.p.dot(x.d2) + x.d1.dot(x.d1), 0, 1e-14);
     EXPECT_NEAR(x.p.dot(x.d3) + 3 * x.d1.dot(x.d2), 0, 1e-13);
+  }
+}
+
+TEST(BezierCurve, RationalQuarterCircleStaysOnTheCircleToAnyOrder) {
+  const CurveDerivatives x = quarterCircle().derivatives(0.35, 9);
+  for (int k = 1; k <= 9; ++k) {
+    double sum = 0, size = 0, binomial = 1;  // k-th derivative of X.X = 1 by Leibniz' rule
+    for (int i = 0; i <= k; ++i) {
+      sum += binomial * x.row(i).dot(x.row(k - i));
+      size += binomial * x.row(i).norm() * x.row(k - i).norm();
+      binomial *= static_cast<double>(k - i) / (i + 1);
+    }
+    EXPECT_NEAR(sum, 0, 1e-13 * size) << k;
   }
 }
 
@@ -226,6 +267,7 @@ TEST(Bezier, BadInputIsNamedByIndexAndValue) {
   EXPECT_THAT(complaint([&] { BezierCurve(four, Eigen::Vector4d(1, 1, 0, 1)); }), HasSubstr("weight 2 is 0"));
   EXPECT_THAT(complaint([&] { BezierCurve(four, Eigen::Vector4d(1, -2, 1, 1)); }),
               AllOf(HasSubstr("weight 1"), HasSubstr("-2")));
+  EXPECT_THAT(complaint([&] { BezierCurve(four).derivatives(0, -2); }), HasSubstr("order -2"));
   EXPECT_THAT(complaint([&] { BezierPatch(1, 2, four); }), AllOf(HasSubstr("1 by 2"), HasSubstr("poles 4")));
   EXPECT_THAT(complaint([&] { BezierPatch(-1, 0, four); }), HasSubstr("-1"));
   EXPECT_THAT(complaint([&] { BezierPatch(1, 1, holed); }), HasSubstr("pole 2"));

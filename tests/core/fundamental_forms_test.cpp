@@ -23,6 +23,10 @@ SurfaceJet randomJet(std::mt19937_64& random) {
   jet.uu = test::randomVector(random);
   jet.uv = test::randomVector(random);
   jet.vv = test::randomVector(random);
+  jet.uuu = test::randomVector(random);
+  jet.uuv = test::randomVector(random);
+  jet.uvv = test::randomVector(random);
+  jet.vvv = test::randomVector(random);
   return jet;
 }
 
@@ -138,6 +142,141 @@ TEST(PrincipalCurvatures, ClosedForms) {
       EXPECT_NEAR(std::max(std::abs(k.k1), std::abs(k.k2)), 1 / (distance * std::tan(0.5)), 1e-14);
       EXPECT_NEAR(std::min(std::abs(k.k1), std::abs(k.k2)), 0, 1e-15);
     }
+}
+
+/// The tangent direction at an angle from X_u.
+Vec tangentDirection(const SurfaceJet& jet, double angle_rad) {
+  const Vec along = jet.u.normalized();
+  return std::cos(angle_rad) * along + std::sin(angle_rad) * unitNormal(jet)->cross(along);
+}
+
+Vec randomTangent(const SurfaceJet& jet, std::mt19937_64& random) {
+  return tangentDirection(jet, std::uniform_real_distribution<double>(0, 6.3)(random));
+}
+
+TEST(CurvatureChange, Identity1ChangesSignWithTheNormalAndWithTheDirection) {
+  std::mt19937_64 random(51);
+  for (int i = 0; i < cases; ++i) {
+    const SurfaceJet jet = randomJet(random);
+    const Vec n = *unitNormal(jet), d = randomTangent(jet, random);
+    const double change = curvatureChange(jet, n, d);
+    EXPECT_DOUBLE_EQ(curvatureChange(jet, -n, d), -change);
+    EXPECT_DOUBLE_EQ(curvatureChange(jet, n, -d), -change);
+  }
+}
+
+TEST(CurvatureChange, Identity2DoesNotDependOnTheParametrisation) {
+  std::mt19937_64 random(52);
+  for (int i = 0; i < cases; ++i) {
+    const SurfaceJet jet = randomJet(random);
+    const Vec n = *unitNormal(jet), d = randomTangent(jet, random);
+    const SurfaceJet other = test::reparametrised(jet, test::randomJacobian(random), random);
+    const double change = curvatureChange(jet, n, d);
+    EXPECT_NEAR(curvatureChange(other, n, d), change, 1e-7 * (1 + std::abs(change))) << "case " << i;
+  }
+}
+
+TEST(CurvatureChange, Identity3FollowsMotionAndScale) {
+  std::mt19937_64 random(53);
+  for (int i = 0; i < cases; ++i) {
+    const SurfaceJet jet = randomJet(random);
+    const Vec n = *unitNormal(jet), d = randomTangent(jet, random);
+    const double change = curvatureChange(jet, n, d);
+    const Eigen::Matrix3d R = test::randomRotation(random);
+    const double noise = 1e-10 * (1 + std::abs(change));
+    EXPECT_NEAR(curvatureChange(test::mapped(jet, R, test::randomVector(random)), R * n, R * d), change,
+                noise);
+    const double s = test::logUniform(random, -6, 6);
+    EXPECT_NEAR(s * s * curvatureChange(test::mapped(jet, s * Eigen::Matrix3d::Identity()), n, d), change,
+                noise);
+  }
+}
+
+TEST(CurvatureChange, Identity4SpheresAndCylindersDoNotChange) {
+  std::mt19937_64 random(54);
+  for (const double u : {-2.0, 0.1, 1.3})
+    for (const double v : {-1.1, 0.0, 0.9})
+      for (const double angle : {0.0, 0.4, 1.6, 2.9})
+        for (const SurfaceJet& exact : {test::sphere(5, u, v), test::cylinder(4, u, v)}) {
+          const Vec n = *unitNormal(exact), d = tangentDirection(exact, angle);
+          EXPECT_NEAR(curvatureChange(exact, n, d), 0, 1e-15);
+          const SurfaceJet other = test::reparametrised(exact, test::randomJacobian(random), random);
+          EXPECT_NEAR(curvatureChange(other, n, d), 0, 1e-9);
+        }
+}
+
+TEST(CurvatureChange, Identity5ConeAndTorus) {
+  for (const double u : {-2.0, 0.1, 1.3})
+    for (const double v : {-1.1, 0.0, 0.9, 2.8})
+      for (const double angle : {0.0, 0.4, 1.6, 2.9, -1.0}) {
+        const double share = 3 * std::pow(std::cos(angle), 2) * std::sin(angle);
+        const SurfaceJet torus = test::torus(7, 2, u, v);
+        const double w = 7 + 2 * std::cos(v);
+        // Outward normal: k = -cos(v) / w; X_u, X_v and the normal are right-handed, s = 2 v.
+        EXPECT_NEAR(curvatureChange(torus, *unitNormal(torus), tangentDirection(torus, angle)),
+                    share * 7 * std::sin(v) / (2 * w * w), 1e-15);
+        const double a = 0.5, s = v + 3;
+        const SurfaceJet cone = test::cone(a, u, s);
+        EXPECT_NEAR(curvatureChange(cone, *unitNormal(cone), tangentDirection(cone, angle)),
+                    share / (s * s * std::tan(a)), 1e-14);
+      }
+}
+
+TEST(CurvatureChange, Identity6GraphOverItsTangentPlane) {
+  std::mt19937_64 random(56);
+  for (int i = 0; i < cases; ++i) {
+    const Vec k = test::randomVector(random);
+    Eigen::Vector4d c;
+    c << test::randomVector(random), test::randomVector(random).x();
+    const SurfaceJet graph = test::withCubic(test::quadric(k.x(), k.y(), k.z()), c);
+    const double angle = 0.1 * i, x = std::cos(angle), y = std::sin(angle);
+    const double wanted = c(0) * x * x * x + 3 * c(1) * x * x * y + 3 * c(2) * x * y * y + c(3) * y * y * y;
+    EXPECT_NEAR(curvatureChange(graph, Vec::UnitZ(), {x, y, 0}), wanted, 1e-13);
+    const SurfaceJet other = test::reparametrised(graph, test::randomJacobian(random), random);
+    EXPECT_NEAR(curvatureChange(other, Vec::UnitZ(), {x, y, 0}), wanted, 1e-7 * (1 + std::abs(wanted)));
+  }
+  // z = c x^3.
+  EXPECT_DOUBLE_EQ(curvatureChange(test::withCubic(test::quadric(0, 0, 0), {6 * 0.7, 0, 0, 0}), Vec::UnitZ(),
+                                   Vec::UnitX()),
+                   6 * 0.7);
+}
+
+TEST(CurvatureChange, IsTheDerivativeOfTheCurvatureOfThePlaneSection) {
+  // The section of the cone through its axis-free normal plane, by bisection in space and differences: no
+  // partials at all.
+  const double a = 0.5, s = 2, angle = 0.7;
+  const SurfaceJet cone = test::cone(a, 0.3, s);
+  const Vec n = *unitNormal(cone), d = tangentDirection(cone, angle);
+  const auto height = [&](double x) {
+    const auto outside = [&](double h) {
+      const Vec p = cone.p + x * d + h * n;
+      return std::hypot(p.x(), p.y()) - p.z() * std::tan(a);
+    };
+    double low = -0.5, high = 0.5;
+    for (int i = 0; i < 80; ++i) {
+      const double middle = 0.5 * (low + high);
+      ((outside(middle) > 0) == (outside(high) > 0) ? high : low) = middle;
+    }
+    return 0.5 * (low + high);
+  };
+  const double h = 0.01;
+  const double third = (height(2 * h) - 2 * height(h) + 2 * height(-h) - height(-2 * h)) / (2 * h * h * h);
+  EXPECT_NEAR(curvatureChange(cone, n, d), third, 2e-4);
+  EXPECT_GT(std::abs(third), 0.05);
+}
+
+TEST(CurvatureChange, SurvivesExtremeParameterSpeeds) {
+  const SurfaceJet cone = test::cone(0.5, 0.3, 2);
+  for (const double speed : {1e-100, 1e-80, 1e80, 1e100}) {
+    SurfaceJet fast = cone;
+    fast.u *= speed;
+    fast.uv *= speed;
+    fast.uu *= speed * speed;
+    fast.uuv *= speed * speed;
+    fast.uuu *= speed * speed * speed;
+    const Vec n = *unitNormal(cone), d = tangentDirection(cone, 0.7);
+    EXPECT_NEAR(curvatureChange(fast, n, d), curvatureChange(cone, n, d), 1e-14) << speed;
+  }
 }
 
 TEST(Degeneracy, NamesAPoleAnApexAndWhatIsNotFinite) {

@@ -30,6 +30,21 @@ TEST(Judge, ClimbsFromLevelToLevel) {
   EXPECT_EQ(judge(figures(0.009, 0.09, 0.019), tolerance, Level::G1).level, Level::G2);
 }
 
+TEST(Judge, TheChangeOfCurvatureDecidesG3AndOnlyAboveG2) {
+  const ContinuityTolerance tolerance;
+  const auto with = [](SeamFigures f, double change_rel) {
+    f.curvature_change_per_mm2 = Figure{1, std::nullopt, 0.5};
+    f.curvature_change_rel = Figure{change_rel, std::nullopt, 0.5};
+    return f;
+  };
+  EXPECT_EQ(judge(with(figures(0, 0, 0), 0.02), tolerance, Level::G3).level, Level::G3);
+  EXPECT_EQ(judge(with(figures(0, 0, 0), 0.02), tolerance, Level::G3).seam_class, SeamClass::Smooth);
+  EXPECT_EQ(judge(with(figures(0, 0, 0), 0.021), tolerance, Level::G3).level, Level::G2);
+  EXPECT_EQ(judge(with(figures(0, 0, 0), 0.021), tolerance, Level::G3).seam_class, SeamClass::Defect);
+  EXPECT_EQ(judge(with(figures(0, 0, 0.021), 0), tolerance, Level::G3).level, Level::G1);
+  EXPECT_EQ(judge(figures(0, 0, 0), tolerance, Level::G3).level, Level::G2);
+}
+
 TEST(Judge, ToleranceItselfIsAccepted) {
   const ContinuityTolerance tolerance;
   SeamFigures f = figures(tolerance.gap_mm, 0, tolerance.curvature_rel);

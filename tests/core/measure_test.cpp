@@ -121,6 +121,119 @@ TEST(MeasurePair, Identity6TouchingSpheres) {
   }
 }
 
+/// Sides of a seam along x whose graphs over their tangent planes have random curvature and change of
+/// curvature; the planes meet at a small angle about x.
+struct ThirdOrderPair {
+  SidePoint a, b;
+  double change_a, change_b;  ///< f_bbb in the direction +y
+};
+
+ThirdOrderPair randomThirdOrderPair(std::mt19937_64& random) {
+  const auto side = [&](double& change) {
+    const Vec k = test::randomVector(random);
+    const Vec c = test::randomVector(random);
+    change = test::randomVector(random).x();
+    SidePoint point;
+    point.jet = test::withCubic(test::quadric(k.x(), k.y(), k.z()), {c.x(), c.y(), c.z(), change});
+    point.jet = test::reparametrised(point.jet, test::randomJacobian(random), random);
+    point.tangent = {test::logUniform(random, -3, 3), 0, 0};
+    point.third_order = true;
+    return point;
+  };
+  ThirdOrderPair pair{};
+  pair.a = side(pair.change_a);
+  pair.b = side(pair.change_b);
+  pair.b.jet = test::mapped(pair.b.jet, rotationAbout({1, 0, 0}, 0.1 * test::randomVector(random).x()));
+  return pair;
+}
+
+SidePoint mapped(SidePoint point, const Eigen::Matrix3d& map, const Vec& translation = Vec::Zero()) {
+  point.jet = test::mapped(point.jet, map, translation);
+  point.tangent = map * point.tangent;
+  return point;
+}
+
+SidePoint flipped(SidePoint point) {
+  point.jet = test::flipped(point.jet);
+  point.face_on_left = !point.face_on_left;
+  return point;
+}
+
+SidePoint reversed(SidePoint point) {
+  point.tangent = -point.tangent;
+  point.face_on_left = !point.face_on_left;
+  return point;
+}
+
+void expectChange(const PairMeasure& pair, double difference, double change_a, double change_b, double noise,
+                  int i) {
+  ASSERT_TRUE(pair.curvature_change) << i;
+  EXPECT_NEAR(pair.curvature_change->difference_per_mm2, std::abs(difference), noise) << i;
+  EXPECT_NEAR(pair.curvature_change->change_a_per_mm2, std::abs(change_a), noise) << i;
+  EXPECT_NEAR(pair.curvature_change->change_b_per_mm2, std::abs(change_b), noise) << i;
+}
+
+constexpr double change_noise = 1e-6;  // parameters of condition 100 enter in third power
+
+TEST(CurvatureChangeOfAPair, Identities1And2SwapReversalAndFlips) {
+  std::mt19937_64 random(61);
+  for (int i = 0; i < cases; ++i) {
+    const auto [a, b, change_a, change_b] = randomThirdOrderPair(random);
+    const double difference = change_b - change_a;
+    expectChange(measurePair(a, b), difference, change_a, change_b, change_noise, i);
+    expectChange(measurePair(b, a), difference, change_b, change_a, change_noise, i);
+    expectChange(measurePair(reversed(a), reversed(b)), difference, change_a, change_b, change_noise, i);
+    expectChange(measurePair(flipped(a), b), difference, change_a, change_b, change_noise, i);
+    expectChange(measurePair(a, flipped(b)), difference, change_a, change_b, change_noise, i);
+    expectChange(measurePair(flipped(a), flipped(b)), difference, change_a, change_b, change_noise, i);
+  }
+}
+
+TEST(CurvatureChangeOfAPair, Identity3RigidMotionMirrorAndScale) {
+  std::mt19937_64 random(62);
+  for (int i = 0; i < cases; ++i) {
+    const auto [a, b, change_a, change_b] = randomThirdOrderPair(random);
+    Eigen::Matrix3d R = test::randomRotation(random);
+    if (i % 2 == 1) R.col(0) = -R.col(0);
+    const double s = test::logUniform(random, -4, 4);
+    const Vec t = test::randomVector(random);
+    const PairMeasure pair = measurePair(mapped(a, s * R, t), mapped(b, s * R, t));
+    ASSERT_TRUE(pair.curvature_change);
+    EXPECT_NEAR(pair.curvature_change->difference_per_mm2 * s * s, std::abs(change_b - change_a),
+                change_noise);
+    const PairMeasure plain = measurePair(a, b);
+    EXPECT_NEAR(relativeChange(*pair.curvature_change, *pair.curvature, 1e5 * s),
+                relativeChange(*plain.curvature_change, *plain.curvature, 1e5), change_noise);
+  }
+}
+
+TEST(CurvatureChangeOfAPair, Identity4ReparametrisationChangesNothing) {
+  std::mt19937_64 random(64);
+  for (int i = 0; i < cases; ++i) {
+    auto [a, b, change_a, change_b] = randomThirdOrderPair(random);
+    b.jet = test::reparametrised(b.jet, test::randomJacobian(random), random);
+    expectChange(measurePair(a, b), change_b - change_a, change_a, change_b, 1e-4, i);
+  }
+}
+
+TEST(CurvatureChangeOfAPair, NothingWithoutThirdPartialsOrWithoutADirection) {
+  std::mt19937_64 random(65);
+  const ThirdOrderPair pair = randomThirdOrderPair(random);
+  const auto spoilt = [&](auto spoil) {
+    SidePoint b = pair.b;
+    spoil(b);
+    return measurePair(pair.a, b);
+  };
+  EXPECT_TRUE(spoilt([](SidePoint&) {}).curvature_change);
+  EXPECT_FALSE(spoilt([](SidePoint& b) { b.third_order = false; }).curvature_change);
+  EXPECT_FALSE(spoilt([](SidePoint& b) { b.tangent.setZero(); }).curvature_change);
+  EXPECT_FALSE(spoilt([](SidePoint& b) { b.tangent = -b.tangent; }).curvature_change);
+  const PairMeasure endless =
+      spoilt([](SidePoint& b) { b.jet.vvv.z() = std::numeric_limits<double>::infinity(); });
+  EXPECT_FALSE(endless.curvature_change);
+  EXPECT_TRUE(endless.curvature);
+}
+
 TEST(MeasurePair, AngleIsAccurateFromRoundingToARightAngle) {
   const SurfaceJet flat = test::quadric(0, 0, 0);
   for (const double angle : {0.0, 1e-14, 1e-9, 1e-3, 0.5, 1.5, std::numbers::pi / 2}) {
@@ -190,6 +303,25 @@ TEST(MeasurePair, DegenerateInputIsNamedAndNeverNaN) {
   SurfaceJet fast = test::quadric(1, 0, 0);
   fast.u.x() = 1e-160;
   EXPECT_FALSE(measure(fast, fast).curvature.has_value());
+}
+
+TEST(RelativeChange, IsAShareOfTheLargestChangeOrOfTheSquareOfTheCurvature) {
+  const double flat_radius = 1e5;
+  // A circular arc of radius 10, then a spiral: d(radius)/ds jumps by 0.3.
+  EXPECT_DOUBLE_EQ(relativeChange({0.003, 0, 0.003}, {0, 0.1, 0.1}, flat_radius), 0.3);
+  // A straight line, then a spiral.
+  EXPECT_DOUBLE_EQ(relativeChange({0.003, 0, 0.003}, {0, 0, 0}, flat_radius), 1);
+  EXPECT_DOUBLE_EQ(relativeChange({0.01, 0.05, 0.04}, {0, 0.1, 0.1}, flat_radius), 0.2);
+  EXPECT_DOUBLE_EQ(relativeChange({0.09, 0.05, 0.04}, {0, 0.01, 0.1}, flat_radius), 1.8);
+}
+
+TEST(RelativeChange, FlatRule) {
+  const double flat_radius = 1e5;
+  EXPECT_EQ(relativeChange({9e-9, 9e-9, 0}, {0, 0, 0}, flat_radius), 0);
+  EXPECT_EQ(relativeChange({9e-9, 9e-9, 0}, {0, 2e-5, 2e-5}, flat_radius), 0);
+  EXPECT_EQ(relativeChange({0, 0, 0}, {0, 0, 0}, flat_radius), 0);
+  EXPECT_EQ(relativeChange({1.1e-8, 1.1e-8, 0}, {0, 0, 0}, flat_radius), 1);
+  EXPECT_EQ(relativeChange({1.1e-8, 0, 1.1e-8}, {0, 2e-5, 2e-5}, flat_radius), 1);
 }
 
 TEST(RelativeDifference, FlatRule) {

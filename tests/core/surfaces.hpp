@@ -34,6 +34,10 @@ inline SurfaceJet sphere(double r, double u, double v) {
   jet.uu = r * Vec(-cu * cv, -su * cv, 0);
   jet.uv = r * Vec(su * sv, -cu * sv, 0);
   jet.vv = r * Vec(-cu * cv, -su * cv, -sv);
+  jet.uuu = r * Vec(su * cv, -cu * cv, 0);
+  jet.uuv = r * Vec(cu * sv, su * sv, 0);
+  jet.uvv = r * Vec(su * cv, -cu * cv, 0);
+  jet.vvv = r * Vec(cu * sv, su * sv, -cv);
   return jet;
 }
 
@@ -47,6 +51,10 @@ inline SurfaceJet torus(double R, double r, double u, double v) {
   jet.uu = {-w * cu, -w * su, 0};
   jet.uv = {r * sv * su, -r * sv * cu, 0};
   jet.vv = {-r * cv * cu, -r * cv * su, -r * sv};
+  jet.uuu = {w * su, -w * cu, 0};
+  jet.uuv = {r * sv * cu, r * sv * su, 0};
+  jet.uvv = {r * cv * su, -r * cv * cu, 0};
+  jet.vvv = {r * sv * cu, r * sv * su, -r * cv};
   return jet;
 }
 
@@ -59,6 +67,8 @@ inline SurfaceJet cone(double a, double u, double v) {
   jet.v = {sa * cu, sa * su, ca};
   jet.uu = v * Vec(-sa * cu, -sa * su, 0);
   jet.uv = {-sa * su, sa * cu, 0};
+  jet.uuu = v * Vec(sa * su, -sa * cu, 0);
+  jet.uuv = {-sa * cu, -sa * su, 0};
   return jet;
 }
 
@@ -73,22 +83,47 @@ inline SurfaceJet quadric(double a, double b, double c) {
   return jet;
 }
 
-/// The jet, to second order, of X(u(a, b), v(a, b)) with random u, v of Jacobian J at the point, by the chain rule.
+/// The graph z = (c_30 x^3 + 3 c_21 x^2 y + 3 c_12 x y^2 + c_03 y^3) / 6 added to a graph at the origin.
+inline SurfaceJet withCubic(SurfaceJet graph, const Eigen::Vector4d& c) {
+  graph.uuu.z() += c(0);
+  graph.uuv.z() += c(1);
+  graph.uvv.z() += c(2);
+  graph.vvv.z() += c(3);
+  return graph;
+}
+
+/// The jet of X(u(a, b), v(a, b)) with random u, v of Jacobian J at the point, by the chain rule.
 inline SurfaceJet reparametrised(const SurfaceJet& x, const Eigen::Matrix2d& J, std::mt19937_64& random) {
   std::normal_distribution<double> normal;
-  const Eigen::Vector2d aa(normal(random), normal(random)), ab(normal(random), normal(random)),
-      bb(normal(random), normal(random));
-  const auto second = [&](int i, int j, const Eigen::Vector2d& d) -> Vec {
-    return J(0, i) * J(0, j) * x.uu + (J(0, i) * J(1, j) + J(1, i) * J(0, j)) * x.uv +
-           J(1, i) * J(1, j) * x.vv + d(0) * x.u + d(1) * x.v;
+  const auto pair = [&] {
+    const double first = normal(random);
+    return Eigen::Vector2d(first, normal(random));
+  };
+  const Eigen::Vector2d aa = pair(), ab = pair(), bb = pair();
+  const Eigen::Vector2d aaa = pair(), aab = pair(), abb = pair(), bbb = pair();
+  const Eigen::Vector2d a = J.col(0), b = J.col(1);
+  using Direction = Eigen::Vector2d;
+  const auto D1 = [&](const Direction& i) -> Vec { return i(0) * x.u + i(1) * x.v; };
+  const auto D2 = [&](const Direction& i, const Direction& j) -> Vec {
+    return i(0) * j(0) * x.uu + (i(0) * j(1) + i(1) * j(0)) * x.uv + i(1) * j(1) * x.vv;
+  };
+  const auto D3 = [&](const Direction& i, const Direction& j, const Direction& k) -> Vec {
+    return i(0) * j(0) * k(0) * x.uuu +
+           (i(0) * j(0) * k(1) + i(0) * j(1) * k(0) + i(1) * j(0) * k(0)) * x.uuv +
+           (i(0) * j(1) * k(1) + i(1) * j(0) * k(1) + i(1) * j(1) * k(0)) * x.uvv +
+           i(1) * j(1) * k(1) * x.vvv;
   };
   SurfaceJet y;
   y.p = x.p;
-  y.u = J(0, 0) * x.u + J(1, 0) * x.v;
-  y.v = J(0, 1) * x.u + J(1, 1) * x.v;
-  y.uu = second(0, 0, aa);
-  y.uv = second(0, 1, ab);
-  y.vv = second(1, 1, bb);
+  y.u = D1(a);
+  y.v = D1(b);
+  y.uu = D2(a, a) + D1(aa);
+  y.uv = D2(a, b) + D1(ab);
+  y.vv = D2(b, b) + D1(bb);
+  y.uuu = D3(a, a, a) + 3 * D2(a, aa) + D1(aaa);
+  y.uuv = D3(a, a, b) + 2 * D2(a, ab) + D2(b, aa) + D1(aab);
+  y.uvv = D3(a, b, b) + 2 * D2(b, ab) + D2(a, bb) + D1(abb);
+  y.vvv = D3(b, b, b) + 3 * D2(b, bb) + D1(bbb);
   return y;
 }
 

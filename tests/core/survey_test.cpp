@@ -78,6 +78,29 @@ TEST(Survey, CurvatureIsLeftOutOnASharpSeamAndAtSharpPoints) {
   EXPECT_DOUBLE_EQ(smooth.curvature_rel->lower, 0.3);
 }
 
+TEST(Survey, TheChangeOfCurvatureIsSearchedWhereItIsTold) {
+  const auto change = [](double t) { return 0.04 * std::exp(-std::pow((t - 0.3713) / 0.01, 2)); };
+  const auto pair = [&](double t) {
+    PairMeasure p = pairWith(t, 0, 0);
+    p.curvature_change = CurvatureChange{change(t), 2, 2};
+    return p;
+  };
+  const std::vector<double> breaks = {0, 0.34, 0.4, 1};
+  const SeamFigures figures = surveySeam(pair, breaks, {});
+  ASSERT_TRUE(figures.curvature_change_per_mm2 && figures.curvature_change_rel);
+  EXPECT_NEAR(figures.curvature_change_per_mm2->lower, 0.04, 0.0004);
+  EXPECT_NEAR(figures.curvature_change_rel->lower, 0.02, 0.0002);
+  EXPECT_NEAR(figures.curvature_change_rel->at, 0.3713, 0.002);
+  const SeamFigures silent = surveySeam([](double t) { return pairWith(t, 0, 0); }, whole, {});
+  EXPECT_FALSE(silent.curvature_change_per_mm2 || silent.curvature_change_rel);
+  const auto sharp = [&](double t) {
+    PairMeasure p = pair(t);
+    p.angle_rad = 0.5;
+    return p;
+  };
+  EXPECT_FALSE(surveySeam(sharp, breaks, {}).curvature_change_rel);
+}
+
 TEST(Survey, TangentShareIsAShareOfLengthAndNotOfTheParameter) {
   const auto pair = [](double t) {
     PairMeasure p = pairWith(t, 0, t < 0.5 ? 0 : 0.2);

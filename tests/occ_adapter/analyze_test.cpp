@@ -184,7 +184,7 @@ TEST(Analyze, BadOptionsAreRefusedWithTheirNumber) {
   expectRefused([](auto& o) { o.tolerance.crease_rad = 91 * degree; }, "91");
   expectRefused([](auto& o) { o.tolerance.angle_rad = 6 * degree; }, "5");
   expectRefused([](auto& o) { o.jobs = -2; }, "-2");
-  expectRefused([](auto& o) { o.level = Level::G3; }, "G3");
+  expectRefused([](auto& o) { o.level = Level::None; }, "none");
   expectRefused([](auto& o) { o.tolerance.gap_mm = 1e-18; }, "1e-18");
 }
 
