@@ -144,6 +144,18 @@ std::string written(const Write& write, const occ::Model& model) {
   return stream.str();
 }
 
+/// As py::register_local_exception, but the message may quote the name of a file.
+void bindModelError(py::module_& module) {
+  static py::handle type = py::exception<occ::ModelError>(module, "ModelError").release();
+  py::register_local_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const occ::ModelError& error) {
+      PyErr_SetObject(type.ptr(), readable(error.what()).ptr());
+    }
+  });
+}
+
 void bindReport(py::module_& module) {
   py::class_<occ::Report>(module, "Report", py::module_local(),
                           "The seams of a model with figures and verdicts.")
@@ -166,7 +178,7 @@ void bindReport(py::module_& module) {
 }  // namespace
 
 void bindModel(py::module_& module) {
-  py::register_local_exception<occ::ModelError>(module, "ModelError");
+  bindModelError(module);
   py::register_local_exception<occ::Cancelled>(module, "Cancelled");
   bindReport(module);
   module.attr("PROFILES") = profiles();
