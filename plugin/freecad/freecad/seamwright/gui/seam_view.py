@@ -13,8 +13,11 @@ from freecad.seamwright.plain import rows
 CONTEXT = 0.15
 
 
-def show(obj, report, seams):
-    """Select the edges of the given seams (dicts of the report) on their objects and zoom there."""
+def show(obj, report, seams, look=True):
+    """Select the edges of the given seams (dicts of the report) on their objects and mark them.
+
+    ``look``: turn and zoom the view to them.
+    """
     Gui.Selection.clearSelection()
     edges, classes = [], []
     for seam in seams:
@@ -25,9 +28,14 @@ def show(obj, report, seams):
                 select(obj.Document, *owner)
                 edges.append(edge)
                 classes.append(seam["class"])
-    obj.ViewObject.Proxy.mark(edges, classes)
+    worst = [
+        (seam["worst"]["point"], rows.worst_label(seam, report["tolerance"]))
+        for seam in seams
+        if seam.get("worst")
+    ]
+    obj.ViewObject.Proxy.mark(edges, classes, worst)
     view = _view_of(obj.Document)
-    if not edges or view is None:
+    if not look or not edges or view is None:
         return
     box = App.BoundBox()
     for edge in edges:
@@ -59,12 +67,12 @@ def find(doc, name, element):
 
 
 def _place(obj, report, seam, edge):
-    """(point, outward normal or None, tangent) at the middle of a seam's edge.
+    """(point, outward normal or None, tangent) at the worst point of a seam, else at its middle.
 
     The normal is the mean of the faces' normals; None where they cancel or are unknown.
     """
-    middle = sum(edge.ParameterRange) / 2
-    point, tangent = edge.valueAt(middle), edge.tangentAt(middle)
+    parameter = _parameter(edge, seam.get("worst"))
+    point, tangent = edge.valueAt(parameter), edge.tangentAt(parameter)
     owners = [rows.owner_of(report, "faces", number) for number in seam["faces"]]
     faces = [find(obj.Document, *owner) for owner in owners if owner]
     total = App.Vector()
@@ -72,6 +80,16 @@ def _place(obj, report, seam, edge):
         if face is not None:
             total += _normal(face, point)
     return point, total.normalize() if total.Length > 0.1 else None, tangent
+
+
+def _parameter(edge, worst):
+    first, last = edge.ParameterRange
+    if worst:
+        try:
+            return min(max(edge.Curve.parameter(App.Vector(*worst["point"])), first), last)
+        except Part.OCCError:  # the point can't be projected
+            pass
+    return (first + last) / 2
 
 
 def _normal(face, point):
