@@ -11,8 +11,8 @@ class App;
 
 namespace seamwright::cli {
 
-/// What `seamwright analyze` was asked to do; angles in degrees as the user types them. A tolerance without a value is
-/// that of the profile.
+/// What `seamwright analyze` was asked to do; angles in degrees as the user types them. A tolerance without a
+/// value is that of the profile.
 struct AnalyzeArguments {
   std::vector<std::string> models;
   std::string profile = "default";

@@ -106,7 +106,7 @@ py::dict profiles() {
   return all;
 }
 
-/// Text that quotes the name of a file, which may hold any byte: what is no UTF-8 is replaced, as in the JSON.
+/// Text that quotes the name of a file, which may hold any byte; what is no UTF-8 is replaced.
 py::str readable(const std::string& text) {
   return py::reinterpret_steal<py::str>(
       PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace"));

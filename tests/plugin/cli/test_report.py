@@ -29,7 +29,8 @@ FILES = [
     MODELS / "broken/mutated/dangling_ref.step",
 ]
 
-FIGURES = ("gap_mm", "angle_deg", "curvature_per_mm", "curvature_rel", "curvature_change_per_mm2", "curvature_change_rel")
+FIGURES = ("gap_mm", "angle_deg", "curvature_per_mm", "curvature_rel", "curvature_change_per_mm2",
+           "curvature_change_rel")
 
 
 @pytest.fixture
@@ -175,7 +176,8 @@ def test_the_profile_decides_the_status(tmp_path):
 def test_help_says_what_a_profile_means():
     text = run("analyze", "--help").stdout
     for profile, (gap, angle, curvature) in PROFILES.items():
-        assert f"gap {gap:g} mm, angle {angle:g} deg, curvature {curvature:g}," in text.split(f"\n  {profile}", 1)[1].split("\n")[0]
+        line = next(line for line in text.splitlines() if line.startswith(f"  {profile} "))
+        assert f"gap {gap:g} mm, angle {angle:g} deg, curvature {curvature:g}," in line
 
 
 def test_level_g3_is_taken(box):
@@ -269,8 +271,8 @@ def test_table_says_what_json_says(path):
             ("smooth", "defect", "crease")]
     edges = {",".join(f"Edge{edge}" for edge in seam["edges"]): seam for seam in report["seams"]}
     assert sorted(row[:5] for row in rows) == sorted(
-        [seam["class"] + ("" if seam["certified"] else "?"), seam["level"], name, "{}-{}".format(*seam["faces"]), seam["kind"]]
-        for name, seam in edges.items())
+        [seam["class"] + ("" if seam["certified"] else "?"), seam["level"], name, "{}-{}".format(*seam["faces"]),
+         seam["kind"]] for name, seam in edges.items())
     for row in rows:
         seam = edges[row[2]]
         assert float(row[5]) == pytest.approx(seam["length_mm"], abs=5.1e-4)

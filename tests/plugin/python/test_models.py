@@ -72,17 +72,15 @@ def test_tolerances_are_taken(roof):
     assert report.seams[0]["angle_deg"]["lower"] == pytest.approx(1, abs=1e-9)
 
 
-@pytest.mark.parametrize("arguments,number", [({"gap_mm": -0.25}, "-0.25"), ({"gap_mm": math.nan}, "nan"),
-                                              ({"angle_deg": -3}, "-3"), ({"angle_deg": math.inf}, "inf"),
-                                              ({"curvature_rel": -0.5}, "-0.5"), ({"flat_radius_mm": 0}, "0"),
-                                              ({"crease_deg": 91}, "91"), ({"angle_deg": 4, "crease_deg": 3}, "3"),
-                                              ({"jobs": -1}, "-1"), ({"level": "G9"}, "G9"), ({"profile": "class-b"}, "class-b"),
-                                              ({"match_mm": -2}, "-2"), ({"match_mm": math.inf}, "inf"),
-                                              ({"gap_mm": "wide"}, "gap_mm is 'wide'"), ({"angle_deg": []}, r"angle_deg is \[\]"),
-                                              ({"crease_deg": True}, "crease_deg is True"), ({"jobs": 1.5}, "jobs is 1.5"),
-                                              ({"jobs": None}, "jobs is None"), ({"jobs": 10**30}, "1000000000"),
-                                              ({"match_mm": "near"}, "match_mm is 'near'"),
-                                              ({"level": 1}, "level is 1"), ({"profile": None}, "profile is None")])
+@pytest.mark.parametrize("arguments,number", [
+    ({"gap_mm": -0.25}, "-0.25"), ({"gap_mm": math.nan}, "nan"), ({"angle_deg": -3}, "-3"), ({"angle_deg": math.inf}, "inf"),
+    ({"curvature_rel": -0.5}, "-0.5"), ({"flat_radius_mm": 0}, "0"), ({"crease_deg": 91}, "91"),
+    ({"angle_deg": 4, "crease_deg": 3}, "3"), ({"match_mm": -2}, "-2"), ({"match_mm": math.inf}, "inf"),
+    ({"jobs": -1}, "-1"), ({"jobs": 10**30}, "1000000000"), ({"level": "G9"}, "G9"), ({"profile": "class-b"}, "class-b"),
+    ({"gap_mm": "wide"}, "gap_mm is 'wide'"), ({"angle_deg": []}, r"angle_deg is \[\]"),
+    ({"crease_deg": True}, "crease_deg is True"), ({"match_mm": "near"}, "match_mm is 'near'"),
+    ({"jobs": 1.5}, "jobs is 1.5"), ({"jobs": None}, "jobs is None"), ({"level": 1}, "level is 1"),
+    ({"profile": None}, "profile is None")])
 def test_bad_arguments_are_value_errors_with_the_number(box, arguments, number):
     with pytest.raises(ValueError, match=number):
         seamwright.read(box).analyze(**arguments)

@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// Seam 1 is smooth and certain, 2 a defect whose angle may be within the limit, 3 a matched one, only sampled.
+/// Seam 1 is smooth and certain, 2 a defect whose angle may be within the limit, 3 matched and only sampled.
 occ::Report madeByHand() {
   occ::SeamResult smooth;
   smooth.id = 1;

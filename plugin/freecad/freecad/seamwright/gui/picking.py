@@ -11,7 +11,8 @@ from freecad.seamwright.plain import rows
 class EdgePicker:
     """Calls ``picked(edge number)`` when an edge of an analysis or of its sources is selected.
 
-    Numbers are those of ``report``. It follows FreeCAD's selection between ``start`` and ``stop``, except within ``paused``.
+    Numbers are those of ``report``. It follows FreeCAD's selection between ``start`` and ``stop``,
+    except within ``paused``.
     """
 
     def __init__(self, obj, picked):

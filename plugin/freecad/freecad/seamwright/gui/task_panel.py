@@ -11,7 +11,7 @@ from freecad.seamwright.gui.table_model import SeamTableModel
 from freecad.seamwright.gui.tolerance_form import ToleranceForm
 from freecad.seamwright.plain import palette, rows, summary
 
-TABLE_HEIGHT = 300
+TABLE_HEIGHT = 260
 DOCK_WIDTH = 600
 
 

@@ -49,8 +49,10 @@ class ToleranceForm(QtWidgets.QWidget):
         self.level = QtWidgets.QComboBox()
         self.level.addItems(analysis.LEVELS)
         self.level.currentIndexChanged.connect(lambda *_: self.changed.emit())
-        layout.addRow("Level", self.level)
-        layout.addRow("Tolerances", self._build_profile())
+        first_line = QtWidgets.QHBoxLayout()
+        for widget, stretch in ((self.level, 1), (QtWidgets.QLabel("Tolerances"), 0), (self._build_profile(), 2)):
+            first_line.addWidget(widget, stretch)
+        layout.addRow("Level", first_line)
         self.fields = {}
         tips = {name: tip for name, *_, tip in analysis.TOLERANCES}
         for name, label, unit, largest in FIELDS:
