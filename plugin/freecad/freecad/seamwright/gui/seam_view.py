@@ -67,12 +67,12 @@ def find(doc, name, element):
 
 
 def _place(obj, report, seam, edge):
-    """(point, outward normal or None, tangent) at the worst point of a seam, else at its middle.
+    """(point, outward normal or None, tangent) at the middle of a seam's edge.
 
     The normal is the mean of the faces' normals; None where they cancel or are unknown.
     """
-    parameter = _parameter(edge, seam.get("worst"))
-    point, tangent = edge.valueAt(parameter), edge.tangentAt(parameter)
+    middle = sum(edge.ParameterRange) / 2
+    point, tangent = edge.valueAt(middle), edge.tangentAt(middle)
     owners = [rows.owner_of(report, "faces", number) for number in seam["faces"]]
     faces = [find(obj.Document, *owner) for owner in owners if owner]
     total = App.Vector()
@@ -80,16 +80,6 @@ def _place(obj, report, seam, edge):
         if face is not None:
             total += _normal(face, point)
     return point, total.normalize() if total.Length > 0.1 else None, tangent
-
-
-def _parameter(edge, worst):
-    first, last = edge.ParameterRange
-    if worst:
-        try:
-            return min(max(edge.Curve.parameter(App.Vector(*worst["point"])), first), last)
-        except Part.OCCError:  # the point can't be projected
-            pass
-    return (first + last) / 2
 
 
 def _normal(face, point):
