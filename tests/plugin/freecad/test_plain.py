@@ -286,6 +286,8 @@ def test_summary_counts_and_judges(report):
 
 def test_summary_without_seams():
     assert summary.summary_text({"seams": []}) == "No seams: no two faces share an edge."
+    text = summary.summary_text({"seams": [], "open": [{"edge": 1, "face": 1}, {"edge": 2, "face": 1}]})
+    assert text.endswith("2 open edges can be matched, see the tolerances.")
     assert not summary.passed({"seams": []})
 
 

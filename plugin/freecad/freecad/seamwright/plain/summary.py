@@ -63,7 +63,10 @@ def summary_text(report):
     counts = class_counts(report)
     total = sum(counts.values())
     if total == 0:
-        return "No seams: no two faces share an edge."
+        text = "No seams: no two faces share an edge."
+        if report.get("open"):
+            text += " %s can be matched, see the tolerances." % counted(len(report["open"]), "open edge")
+        return text
     parts = [
         "%s: %s, %s, %d smooth"
         % (
