@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <array>
+#include <optional>
+#include <string_view>
+
 namespace seamwright {
 
 /// What the user accepts. Comments are the inequality each field enters.
@@ -15,5 +19,18 @@ struct ContinuityTolerance {
   /// (flat radius) zero, or if crease_rad < angle_rad or an angle is above 90 degrees.
   void validate() const;
 };
+
+/// What a kind of work usually accepts, by name. Flat radius and crease angle are the same in all.
+struct ToleranceProfile {
+  std::string_view name;
+  std::string_view purpose;
+  ContinuityTolerance tolerance;
+};
+
+/// "default", "class-a" and "vda", in this order. Conventions, not standards: see docs/seams.md.
+const std::array<ToleranceProfile, 3>& toleranceProfiles();
+
+/// The tolerances of the profile of that name; nothing for another name.
+std::optional<ContinuityTolerance> toleranceProfile(std::string_view name);
 
 }  // namespace seamwright

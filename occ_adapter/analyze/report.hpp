@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,5 +54,12 @@ struct Report {
   /// All seams meet the level; creases are no defects.
   bool passed() const;
 };
+
+/// The worst point of a seam that reaches \p level: where the figure that decides the next level is largest.
+/// That is the gap below G0, the angle at G0 (or the fold), the curvature at G1, its change above. Where that
+/// figure has no value, the last one before it that has; nothing if none has.
+/// \param point_at the point of the seam at 0..1, on side a.
+std::optional<WorstPoint> worstPoint(const SeamFigures& figures, Level level,
+                                     const std::function<Eigen::Vector3d(double at)>& point_at);
 
 }  // namespace seamwright::occ

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,14 +11,17 @@ class App;
 
 namespace seamwright::cli {
 
-/// What `seamwright analyze` was asked to do; angles in degrees as the user types them.
+/// What `seamwright analyze` was asked to do; angles in degrees as the user types them. A tolerance without a
+/// value is that of the profile.
 struct AnalyzeArguments {
   std::vector<std::string> models;
-  double gap_mm = 0;
-  double angle_deg = 0;
-  double curvature_rel = 0;
-  double flat_radius_mm = 0;
-  double crease_deg = 0;
+  std::string profile = "default";
+  std::optional<double> gap_mm;
+  std::optional<double> angle_deg;
+  std::optional<double> curvature_rel;
+  std::optional<double> flat_radius_mm;
+  std::optional<double> crease_deg;
+  double match_mm = 0;
   std::string level = "G1";
   std::string format = "table";
   std::string output;

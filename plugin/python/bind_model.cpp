@@ -32,20 +32,90 @@ occ::Model readFile(const std::filesystem::path& path, const py::object& progres
   return occ::readModel(path, report);
 }
 
-occ::Report analyzeModel(const occ::Model& model, double gap_mm, double angle_deg, double curvature_rel,
-                         double flat_radius_mm, double crease_deg, const std::string& level, int jobs,
+std::string shown(const py::object& value) {
+  return py::cast<std::string>(py::repr(value));
+}
+
+/// The value of a keyword; ValueError with name and value where it has another type.
+template <class T>
+T argument(const char* name, const py::object& value, const char* kind) {
+  const auto refuse = [&] {
+    throw py::value_error(std::string(name) + " is " + shown(value) + ": " + kind + " is needed");
+  };
+  if (PyBool_Check(value.ptr())) refuse();
+  try {
+    return value.cast<T>();
+  } catch (const py::cast_error&) {
+    refuse();
+    throw;
+  }
+}
+
+double numberOf(const char* name, const py::object& value, double otherwise) {
+  return value.is_none() ? otherwise : argument<double>(name, value, "a number");
+}
+
+constexpr double degree = std::numbers::pi / 180;
+
+ContinuityTolerance profileOf(const py::object& value) {
+  const auto name = argument<std::string>("profile", value, "a name");
+  if (const auto tolerance = toleranceProfile(name)) return *tolerance;
+  std::string known;
+  for (const ToleranceProfile& profile : toleranceProfiles())
+    known += (known.empty() ? "" : ", ") + std::string(profile.name);
+  throw py::value_error("profile " + shown(value) + ": known are " + known);
+}
+
+Level levelOf(const py::object& value) {
+  if (const auto level = levelFromName(argument<std::string>("level", value, "a name"))) return *level;
+  throw py::value_error("level " + shown(value) + ": known are G0, G1, G2 and G3");
+}
+
+occ::Report analyzeModel(const occ::Model& model, const py::object& profile, const py::object& gap_mm,
+                         const py::object& angle_deg, const py::object& curvature_rel,
+                         const py::object& flat_radius_mm, const py::object& crease_deg,
+                         const py::object& level, const py::object& match_mm, const py::object& jobs,
                          const py::object& progress) {
+  const ContinuityTolerance usual = profileOf(profile);
   occ::AnalyzeOptions options;
-  constexpr double radians_per_degree = std::numbers::pi / 180;
-  options.tolerance = {gap_mm, angle_deg * radians_per_degree, curvature_rel, flat_radius_mm,
-                       crease_deg * radians_per_degree};
-  const std::optional<Level> wanted = levelFromName(level);
-  if (!wanted) throw py::value_error("level '" + level + "': known are G0, G1, G2 and G3");
-  options.level = *wanted;
-  options.jobs = jobs;
+  options.tolerance = {numberOf("gap_mm", gap_mm, usual.gap_mm),
+                       degree * numberOf("angle_deg", angle_deg, usual.angle_rad / degree),
+                       numberOf("curvature_rel", curvature_rel, usual.curvature_rel),
+                       numberOf("flat_radius_mm", flat_radius_mm, usual.flat_radius_mm),
+                       degree * numberOf("crease_deg", crease_deg, usual.crease_rad / degree)};
+  options.level = levelOf(level);
+  options.match_mm = numberOf("match_mm", match_mm, 0);
+  options.jobs = argument<int>("jobs", jobs, "a whole number");
   const occ::Progress report = progressOf(progress);
   const py::gil_scoped_release release;
   return occ::analyze(model, options, report);
+}
+
+py::dict profiles() {
+  py::dict all;
+  for (const ToleranceProfile& profile : toleranceProfiles()) {
+    const ContinuityTolerance& tolerance = profile.tolerance;
+    py::dict figures;
+    figures["gap_mm"] = tolerance.gap_mm;
+    figures["angle_deg"] = tolerance.angle_rad / degree;
+    figures["curvature_rel"] = tolerance.curvature_rel;
+    figures["flat_radius_mm"] = tolerance.flat_radius_mm;
+    figures["crease_deg"] = tolerance.crease_rad / degree;
+    all[py::str(std::string(profile.name))] = figures;
+  }
+  return all;
+}
+
+/// Text that quotes the name of a file, which may hold any byte; what is no UTF-8 is replaced.
+py::str readable(const std::string& text) {
+  return py::reinterpret_steal<py::str>(
+      PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace"));
+}
+
+/// The name of a file as Python spells it, so that it can be opened again.
+py::str fileName(const std::string& name) {
+  return py::reinterpret_steal<py::str>(
+      PyUnicode_DecodeFSDefaultAndSize(name.data(), static_cast<Py_ssize_t>(name.size())));
 }
 
 py::object toDict(const occ::Report& report) {
@@ -74,6 +144,18 @@ std::string written(const Write& write, const occ::Model& model) {
   return stream.str();
 }
 
+/// As py::register_local_exception, but the message may quote the name of a file.
+void bindModelError(py::module_& module) {
+  static py::handle type = py::exception<occ::ModelError>(module, "ModelError").release();
+  py::register_local_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const occ::ModelError& error) {
+      PyErr_SetObject(type.ptr(), readable(error.what()).ptr());
+    }
+  });
+}
+
 void bindReport(py::module_& module) {
   py::class_<occ::Report>(module, "Report", py::module_local(),
                           "The seams of a model with figures and verdicts.")
@@ -84,21 +166,27 @@ void bindReport(py::module_& module) {
       .def("__len__", [](const occ::Report& report) { return report.seams.size(); })
       .def("to_dict", &toDict, "The report as a plain dict with the keys of the JSON.")
       .def("to_json", &report::toJsonLine, "The report as one line of JSON, schema seamwright.analysis/1.")
-      .def("to_csv", [](const occ::Report& report) { return report::csvHeader() + report::csvRows(report); })
-      .def("to_table", &report::toTable, "The report as text for people.");
+      .def(
+          "to_csv",
+          [](const occ::Report& report) { return readable(report::csvHeader() + report::csvRows(report)); },
+          "The report as CSV, a line for each seam.")
+      .def(
+          "to_table", [](const occ::Report& report) { return readable(report::toTable(report)); },
+          "The report as text for people.");
 }
 
 }  // namespace
 
 void bindModel(py::module_& module) {
-  py::register_local_exception<occ::ModelError>(module, "ModelError");
+  bindModelError(module);
   py::register_local_exception<occ::Cancelled>(module, "Cancelled");
   bindReport(module);
-  const ContinuityTolerance defaults;
-  constexpr double degrees_per_radian = 180 / std::numbers::pi;
+  module.attr("PROFILES") = profiles();
   py::class_<occ::Model>(module, "Model", py::module_local(),
                          "A shape with what its file says about it; lengths in mm.")
-      .def_readonly("path", &occ::Model::path)
+      .def_property_readonly(
+          "path", [](const occ::Model& model) { return fileName(model.path); },
+          "The file as it was named; empty for a shape from memory.")
       .def_readonly("format", &occ::Model::format)
       .def_readonly("length_unit", &occ::Model::length_unit, "The unit of the file; the shape is in mm.")
       .def_readonly("notes", &occ::Model::notes)
@@ -107,13 +195,15 @@ void bindModel(py::module_& module) {
       .def_property_readonly("edge_count", &occ::Model::edgeCount)
       .def_property_readonly("attributes", &attributes,
                              "Names and colours of the file: a list of {kind, index, name, color}.")
-      .def("analyze", &analyzeModel, py::kw_only(), py::arg("gap_mm") = defaults.gap_mm,
-           py::arg("angle_deg") = defaults.angle_rad * degrees_per_radian,
-           py::arg("curvature_rel") = defaults.curvature_rel,
-           py::arg("flat_radius_mm") = defaults.flat_radius_mm,
-           py::arg("crease_deg") = defaults.crease_rad * degrees_per_radian, py::arg("level") = "G1",
+      .def("analyze", &analyzeModel, py::kw_only(), py::arg("profile") = "default",
+           py::arg("gap_mm") = py::none(), py::arg("angle_deg") = py::none(),
+           py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
+           py::arg("crease_deg") = py::none(), py::arg("level") = "G1", py::arg("match_mm") = 0.0,
            py::arg("jobs") = 0, py::arg("progress") = py::none(),
-           "Measures and judges every seam. Returns a Report.");
+           "Measures and judges every seam. Returns a Report.\n\n"
+           "A tolerance that is None is that of the profile, see PROFILES. level: what a seam must reach, "
+           "'G0' to 'G3'. match_mm: measure also between open edges no further apart than this; 0: between "
+           "none. jobs: threads; 0: one for each processor.");
   module.def(
       "read", &readFile, py::arg("path"), py::arg("progress") = py::none(),
       "Reads a STEP, IGES or BREP file, told by its content, in a process of its own. Returns a Model.");

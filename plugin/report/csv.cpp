@@ -33,13 +33,23 @@ void writeFigure(std::ostream& out, const std::optional<Figure>& figure, double 
   if (figure) out << figure->at;
 }
 
+void writeWorst(std::ostream& out, const std::optional<occ::WorstPoint>& worst) {
+  if (!worst) {
+    out << ",,,,,";
+    return;
+  }
+  out << ',' << worst->quantity << ',' << worst->at;
+  for (const double coordinate : worst->point) out << ',' << coordinate;
+}
+
 }  // namespace
 
 std::string csvHeader() {
-  return "model,seam,kind,edges,face_a,face_b,length_mm,"
-         "gap_mm,gap_mm_upper,gap_at,angle_deg,angle_deg_upper,angle_at,"
-         "curvature_per_mm,curvature_per_mm_upper,curvature_per_mm_at,"
-         "curvature_rel,curvature_rel_upper,curvature_rel_at,level,class,certified,note\n";
+  std::string header = "model,seam,kind,edges,face_a,face_b,length_mm";
+  for (const std::string figure : {"gap_mm", "angle_deg", "curvature_per_mm", "curvature_rel",
+                                   "curvature_change_per_mm2", "curvature_change_rel"})
+    header += ',' + figure + "_lower," + figure + "_upper," + figure + "_at";
+  return header + ",level,class,certified,worst,worst_at,worst_x_mm,worst_y_mm,worst_z_mm,note\n";
 }
 
 std::string csvRows(const occ::Report& report) {
@@ -47,14 +57,19 @@ std::string csvRows(const occ::Report& report) {
   out.imbue(std::locale::classic());
   out.precision(std::numeric_limits<double>::max_digits10);
   for (const occ::SeamResult& seam : report.seams) {
+    const SeamFigures& figures = seam.figures;
     out << quoted(report.model.path) << ',' << seam.id << ',' << name(seam.kind) << ',' << joined(seam.edges)
         << ',' << seam.faces[0] << ',' << seam.faces[1] << ',' << seam.length_mm;
-    writeFigure(out, seam.figures.gap_mm);
-    writeFigure(out, seam.figures.angle_rad, degrees_per_radian);
-    writeFigure(out, seam.figures.curvature_per_mm);
-    writeFigure(out, seam.figures.curvature_rel);
+    writeFigure(out, figures.gap_mm);
+    writeFigure(out, figures.angle_rad, degrees_per_radian);
+    writeFigure(out, figures.curvature_per_mm);
+    writeFigure(out, figures.curvature_rel);
+    writeFigure(out, figures.curvature_change_per_mm2);
+    writeFigure(out, figures.curvature_change_rel);
     out << ',' << name(seam.verdict.level) << ',' << name(seam.verdict.seam_class) << ','
-        << (seam.figures.certified ? "true" : "false") << ',' << quoted(seam.note) << '\n';
+        << (seam.verdict.certain ? "true" : "false");
+    writeWorst(out, seam.worst);
+    out << ',' << quoted(noteOf(seam, report.tolerance)) << '\n';
   }
   return out.str();
 }

@@ -16,7 +16,14 @@ ordered_json figureJson(const std::optional<Figure>& figure, double factor = 1) 
           {"at", figure->at}};
 }
 
-ordered_json seamJson(const occ::SeamResult& seam) {
+ordered_json worstJson(const std::optional<occ::WorstPoint>& worst) {
+  if (!worst) return nullptr;
+  return {{"quantity", worst->quantity},
+          {"at", worst->at},
+          {"point", {worst->point.x(), worst->point.y(), worst->point.z()}}};
+}
+
+ordered_json seamJson(const occ::SeamResult& seam, const ContinuityTolerance& tolerance) {
   return {{"id", seam.id},
           {"kind", name(seam.kind)},
           {"edges", seam.edges},
@@ -26,10 +33,13 @@ ordered_json seamJson(const occ::SeamResult& seam) {
           {"angle_deg", figureJson(seam.figures.angle_rad, degrees_per_radian)},
           {"curvature_per_mm", figureJson(seam.figures.curvature_per_mm)},
           {"curvature_rel", figureJson(seam.figures.curvature_rel)},
+          {"curvature_change_per_mm2", figureJson(seam.figures.curvature_change_per_mm2)},
+          {"curvature_change_rel", figureJson(seam.figures.curvature_change_rel)},
           {"level", name(seam.verdict.level)},
           {"class", name(seam.verdict.seam_class)},
-          {"certified", seam.figures.certified},
-          {"note", seam.note}};
+          {"certified", seam.verdict.certain},
+          {"worst", worstJson(seam.worst)},
+          {"note", noteOf(seam, tolerance)}};
 }
 
 ordered_json modelJson(const occ::ModelFacts& model) {
@@ -52,6 +62,7 @@ ordered_json summaryJson(const occ::Report& report) {
   ordered_json by_level;
   for (const auto& [level, count] : summary.by_level) by_level[std::string(name(level))] = count;
   return {{"seams", report.seams.size()},
+          {"matched_seams", summary.matched},
           {"open_edges", report.open.size()},
           {"non_manifold_edges", report.non_manifold.size()},
           {"by_level", by_level},
@@ -68,7 +79,7 @@ ordered_json summaryJson(const occ::Report& report) {
 
 ordered_json toJson(const occ::Report& report) {
   ordered_json seams = ordered_json::array();
-  for (const occ::SeamResult& seam : report.seams) seams.push_back(seamJson(seam));
+  for (const occ::SeamResult& seam : report.seams) seams.push_back(seamJson(seam, report.tolerance));
   ordered_json open = ordered_json::array();
   for (const occ::LooseEdge& edge : report.open)
     open.push_back({{"edge", edge.edge}, {"face", edge.faces.front()}});

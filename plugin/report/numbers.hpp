@@ -4,6 +4,7 @@
 #include <map>
 #include <numbers>
 #include <seamwright/occ_adapter/analyze/report.hpp>
+#include <string>
 #include <string_view>
 
 namespace seamwright::report {
@@ -19,11 +20,15 @@ struct Summary {
   int smooth = 0;
   int defects = 0;
   int creases = 0;
-  int uncertified = 0;
-  double max_gap_mm = 0;
-  double max_angle_rad = 0;
+  int uncertified = 0;       ///< seams whose verdict is not certain
+  int matched = 0;           ///< seams of two open edges
+  double max_gap_mm = 0;     ///< largest seen
+  double max_angle_rad = 0;  ///< largest seen
 };
 
 Summary summarize(const occ::Report& report);
+
+/// What a user should know of a seam: its own note, and why its verdict is not certain or a bound is missing.
+std::string noteOf(const occ::SeamResult& seam, const ContinuityTolerance& tolerance);
 
 }  // namespace seamwright::report

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <seamwright/plugin/report/enclosure.hpp>
 #include <seamwright/plugin/report/numbers.hpp>
 #include <seamwright/plugin/report/table.hpp>
 #include <sstream>
@@ -11,8 +12,29 @@ namespace seamwright::report {
 
 namespace {
 
-constexpr std::size_t column_count = 10;
-using Row = std::array<std::string, column_count>;
+/// The figures of a seam, with what is accepted of each in the unit shown.
+struct Column {
+  const char* title;
+  std::optional<Figure> SeamFigures::*figure;
+  double factor;
+  double limit;
+};
+
+using Row = std::vector<std::string>;
+
+std::vector<Column> figureColumns(const occ::Report& report) {
+  const ContinuityTolerance& tolerance = report.tolerance;
+  std::vector<Column> columns = {
+      {"gap mm", &SeamFigures::gap_mm, 1, tolerance.gap_mm},
+      {"angle deg", &SeamFigures::angle_rad, degrees_per_radian, degrees_per_radian * tolerance.angle_rad},
+      {"curvature %", &SeamFigures::curvature_rel, 100, 100 * tolerance.curvature_rel}};
+  const auto has_change = [](const occ::SeamResult& seam) {
+    return seam.figures.curvature_change_rel.has_value();
+  };
+  if (std::ranges::any_of(report.seams, has_change))
+    columns.push_back({"change %", &SeamFigures::curvature_change_rel, 100, 100 * tolerance.curvature_rel});
+  return columns;
+}
 
 std::string number(double value, const char* format) {
   std::array<char, 32> text{};
@@ -20,28 +42,33 @@ std::string number(double value, const char* format) {
   return text.data();
 }
 
-/// Three significant digits; plain notation where people read it easily.
-std::string brief(double value) {
-  const double size = value < 0 ? -value : value;
-  return number(value, size == 0 || (size >= 1e-3 && size < 1e5) ? "%.3g" : "%.1e");
+std::string edgesOf(const occ::SeamResult& seam) {
+  std::string text;
+  for (const int edge : seam.edges) text += (text.empty() ? "Edge" : ",Edge") + std::to_string(edge);
+  return text;
 }
 
-std::string brief(const std::optional<Figure>& figure, double factor = 1) {
-  return figure ? brief(factor * figure->lower) : "-";
+Row headings(const std::vector<Column>& columns) {
+  Row row = {"class", "level", "edge", "faces", "kind", "length mm"};
+  for (const Column& column : columns) row.emplace_back(column.title);
+  row.emplace_back("note");
+  return row;
 }
 
-Row rowOf(const occ::SeamResult& seam) {
-  const std::string faces = std::to_string(seam.faces[0]) + '-' + std::to_string(seam.faces[1]);
-  return {std::string(name(seam.verdict.seam_class)),
-          std::string(name(seam.verdict.level)),
-          "Edge" + std::to_string(seam.edges.front()),
-          faces,
-          std::string(name(seam.kind)),
-          number(seam.length_mm, "%.3f"),
-          brief(seam.figures.gap_mm),
-          brief(seam.figures.angle_rad, degrees_per_radian),
-          brief(seam.figures.curvature_rel),
-          seam.note};
+Row rowOf(const occ::SeamResult& seam, const std::vector<Column>& columns,
+          const ContinuityTolerance& tolerance) {
+  Row row = {std::string(name(seam.verdict.seam_class)) + (seam.verdict.certain ? "" : "?"),
+             std::string(name(seam.verdict.level)),
+             edgesOf(seam),
+             std::to_string(seam.faces[0]) + '-' + std::to_string(seam.faces[1]),
+             std::string(name(seam.kind)),
+             number(seam.length_mm, "%.3f")};
+  for (const Column& column : columns) {
+    const std::optional<Figure>& figure = seam.figures.*column.figure;
+    row.push_back(figure ? enclosureText(*figure, column.factor, column.limit) : "-");
+  }
+  row.push_back(noteOf(seam, tolerance));
+  return row;
 }
 
 /// Defects, then smooth seams, then creases; in each the largest angle first, then the largest gap.
@@ -58,17 +85,18 @@ std::vector<const occ::SeamResult*> worstFirst(const occ::Report& report) {
   return order;
 }
 
+/// Columns two spaces apart; the numbers, which lie between kind and note, to the right.
 void writeRows(std::ostream& out, const std::vector<Row>& rows) {
-  std::array<std::size_t, column_count> width{};
-  for (const Row& row : rows)
-    for (std::size_t c = 0; c < column_count; ++c) width[c] = std::max(width[c], row[c].size());
   constexpr std::size_t first_number = 5;
-  constexpr std::size_t last_number = 8;
+  const std::size_t note = rows.front().size() - 1;
+  std::vector<std::size_t> width(rows.front().size());
+  for (const Row& row : rows)
+    for (std::size_t c = 0; c < row.size(); ++c) width[c] = std::max(width[c], shownWidth(row[c]));
   for (const Row& row : rows) {
     std::string line;
-    for (std::size_t c = 0; c < column_count; ++c) {
-      const std::string padding(width[c] - row[c].size(), ' ');
-      const bool is_number = c >= first_number && c <= last_number;
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const std::string padding(width[c] - shownWidth(row[c]), ' ');
+      const bool is_number = c >= first_number && c < note;
       line += (c == 0 ? "" : "  ") + (is_number ? padding + row[c] : row[c] + padding);
     }
     line.erase(line.find_last_not_of(' ') + 1);
@@ -91,8 +119,10 @@ void writeHead(std::ostream& out, const occ::Report& report) {
       << " mm, angle <= " << degrees_per_radian * tolerance.angle_rad
       << " deg, curvature <= " << 100 * tolerance.curvature_rel << " %, crease above "
       << degrees_per_radian * tolerance.crease_rad << " deg\n";
-  out << "  " << counted(report.seams.size(), "seam") << ": " << counted(summary.defects, "defect") << ", "
-      << summary.smooth << " smooth, " << counted(summary.creases, "crease") << ";  ";
+  out << "  " << counted(report.seams.size(), "seam");
+  if (summary.matched > 0) out << ", " << summary.matched << " of them matched";
+  out << ": " << counted(summary.defects, "defect") << ", " << summary.smooth << " smooth, "
+      << counted(summary.creases, "crease") << ";  ";
   for (const auto& [level, count] : summary.by_level)
     if (count > 0) out << name(level) << ' ' << count << "  ";
   out << '\n';
@@ -101,23 +131,30 @@ void writeHead(std::ostream& out, const occ::Report& report) {
       << number(report.read_s, "%.2f") << " s, analysed in " << number(report.analyze_s, "%.2f") << " s\n";
 }
 
+/// How many of the verdicts hold for every value within the enclosures.
+std::string certainty(const occ::Report& report, const Summary& summary) {
+  const std::size_t certain = report.seams.size() - static_cast<std::size_t>(summary.uncertified);
+  const std::string share =
+      std::to_string(certain) + " of " + counted(report.seams.size(), "verdict") + " certain";
+  return summary.uncertified > 0 ? share + ", the others are marked ?" : share;
+}
+
 }  // namespace
 
 std::string toTable(const occ::Report& report) {
   std::ostringstream out;
   writeHead(out, report);
   if (report.seams.empty()) return out.str();
-  std::vector<Row> rows = {{"class", "level", "edge", "faces", "kind", "length mm", "gap mm", "angle deg",
-                            "curvature rel", "note"}};
-  for (const occ::SeamResult* seam : worstFirst(report)) rows.push_back(rowOf(*seam));
+  const std::vector<Column> columns = figureColumns(report);
+  std::vector<Row> rows = {headings(columns)};
+  for (const occ::SeamResult* seam : worstFirst(report))
+    rows.push_back(rowOf(*seam, columns, report.tolerance));
   out << '\n';
   writeRows(out, rows);
   const Summary summary = summarize(report);
-  if (report.passed())
-    out << "\nPASSED: no defects at level " << name(report.level);
-  else
-    out << "\nFAILED: " << counted(summary.defects, "defect") << " at level " << name(report.level);
-  out << " (sampled, not certified)\n";
+  out << '\n'
+      << (report.passed() ? "PASSED: no defects" : "FAILED: " + counted(summary.defects, "defect"))
+      << " at level " << name(report.level) << "; " << certainty(report, summary) << '\n';
   return out.str();
 }
 

@@ -2,7 +2,7 @@
 """Finds and measures the seams of CAD models: how well neighbouring faces join.
 
 >>> import seamwright
->>> report = seamwright.read("part.step").analyze(angle_deg=0.05)
+>>> report = seamwright.read("part.step").analyze(profile="class-a", angle_deg=0.05)
 >>> print(report.to_table())
 
 Lengths are in mm, angles in degrees where a name ends in ``_deg`` and in radians where it ends in ``_rad``. Bad arguments
@@ -25,6 +25,7 @@ except ImportError as error:
 from . import bridge
 from ._core import (
     OCCT_VERSION,
+    PROFILES,
     BezierCurve,
     BezierPatch,
     Cancelled,
@@ -57,6 +58,7 @@ Model.to_freecad = _to_freecad
 
 __all__ = [
     "OCCT_VERSION",
+    "PROFILES",
     "BezierCurve",
     "BezierPatch",
     "Cancelled",

@@ -33,7 +33,8 @@ def bad_inputs(folder):
         "unknown option": ([good, "--frobnicate"], "--frobnicate"),
         "unknown format": ([good, "--format", "xml"], "xml"),
         "unknown level": ([good, "--level", "G7"], "G7"),
-        "level not measured": ([good, "--level", "G3"], "G3"),
+        "unknown profile": ([good, "--profile", "class-b"], "class-b"),
+        "crease below the profile's angle": ([good, "--profile", "vda", "--crease", "0.05"], "0.05"),
         "word for a number": ([good, "--gap", "wide"], "wide"),
         "negative jobs": ([good, "--jobs", "-1"], "-1"),
         "crease below angle": ([good, "--angle", "3", "--crease", "2"], "2"),
@@ -42,7 +43,7 @@ def bad_inputs(folder):
         "output is the model": ([good, "-o", good], "good.step"),
         "output is a second model": ([write(folder / "other.step", text), good, "-o", good], "good.step"),
     }
-    for option in ("gap", "angle", "curvature", "flat-radius", "crease"):
+    for option in ("gap", "angle", "curvature", "flat-radius", "crease", "match"):
         cases[f"NaN {option}"] = ([good, f"--{option}", "nan"], "nan")
         cases[f"infinite {option}"] = ([good, f"--{option}", "inf"], "inf")
         cases[f"negative {option}"] = ([good, f"--{option}", "-0.5"], "-0.5")

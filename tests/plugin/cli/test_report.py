@@ -5,6 +5,7 @@ import copy
 import csv
 import io
 import json
+import math
 import pathlib
 
 import jsonschema
@@ -27,6 +28,9 @@ FILES = [
     MODELS / "broken/mutated/nan_coordinate.step",
     MODELS / "broken/mutated/dangling_ref.step",
 ]
+
+FIGURES = ("gap_mm", "angle_deg", "curvature_per_mm", "curvature_rel", "curvature_change_per_mm2",
+           "curvature_change_rel")
 
 
 @pytest.fixture
@@ -66,6 +70,7 @@ def check_summary(report):
     for key, name in (("smooth", "smooth"), ("defects", "defect"), ("creases", "crease")):
         assert summary[key] == sum(seam["class"] == name for seam in seams)
     assert summary["uncertified"] == sum(not seam["certified"] for seam in seams)
+    assert summary["matched_seams"] == sum(seam["kind"] == "matched" for seam in seams)
     assert summary["passed"] == (summary["defects"] == 0)
     assert summary["open_edges"] == len(report["open"])
     assert summary["non_manifold_edges"] == len(report["non_manifold"])
@@ -80,7 +85,10 @@ def check_seams(report):
     for seam in report["seams"]:
         assert all(face <= report["model"]["faces"] for face in seam["faces"])
         assert all(edge <= report["model"]["edges"] for edge in seam["edges"])
-        assert (seam["kind"] == "closed") == (seam["faces"][0] == seam["faces"][1])
+        assert seam["kind"] == "matched" or (seam["kind"] == "closed") == (seam["faces"][0] == seam["faces"][1])
+        for figure in FIGURES:
+            if seam[figure] and seam[figure]["upper"] is not None:
+                assert seam[figure]["lower"] <= seam[figure]["upper"]
         if seam["angle_deg"] and seam["angle_deg"]["lower"] > tolerance["crease_deg"]:
             assert seam["curvature_per_mm"] is None and seam["curvature_rel"] is None
         if seam["gap_mm"] is None:
@@ -89,8 +97,12 @@ def check_seams(report):
             assert seam["level"] == "none"
         elif seam["angle_deg"] and seam["angle_deg"]["lower"] > tolerance["angle_deg"]:
             assert seam["level"] == "G0"
-        if seam["certified"]:
-            assert all(seam[key] is None or seam[key]["upper"] is not None for key in ("gap_mm", "angle_deg"))
+        if seam["certified"] and seam["class"] == "smooth":
+            limits = {"G0": {"gap_mm": tolerance["gap_mm"]}}
+            limits["G1"] = {**limits["G0"], "angle_deg": tolerance["angle_deg"]}
+            limits["G2"] = limits["G3"] = {**limits["G1"], "curvature_rel": tolerance["curvature_rel"]}
+            for figure, limit in limits[seam["level"]].items():
+                assert seam[figure]["upper"] <= limit, (seam["id"], figure)
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
@@ -138,6 +150,61 @@ def test_options_arrive(box):
     assert tolerance["level"] == "G0"
 
 
+PROFILES = {"default": (0.01, 0.1, 0.02), "class-a": (0.001, 0.01, 0.02), "vda": (0.02, 0.1, 0.1)}
+
+
+@pytest.mark.parametrize("profile", PROFILES)
+def test_a_profile_sets_what_is_accepted(box, profile):
+    tolerance = analysis(box, "--profile", profile)[0]["tolerance"]
+    expected = dict(zip(("gap_mm", "angle_deg", "curvature_rel"), PROFILES[profile]), flat_radius_mm=1e5, crease_deg=5)
+    assert {key: tolerance[key] for key in expected} == pytest.approx(expected, rel=1e-12)
+
+
+@pytest.mark.parametrize("options", [["--profile", "vda", "--gap", "0.5", "--crease", "7"],
+                                     ["--crease", "7", "--gap", "0.5", "--profile", "vda"]])
+def test_an_option_overrides_the_profile_in_any_order(box, options):
+    tolerance = analysis(box, *options)[0]["tolerance"]
+    expected = {"gap_mm": 0.5, "angle_deg": 0.1, "curvature_rel": 0.1, "flat_radius_mm": 1e5, "crease_deg": 7}
+    assert {key: tolerance[key] for key in expected} == pytest.approx(expected, rel=1e-12)
+
+
+def test_the_profile_decides_the_status(tmp_path):
+    path = roof(tmp_path, 0.05)
+    assert analysis(path)[1] == 0 and analysis(path, "--profile", "class-a")[1] == 1
+
+
+def test_help_says_what_a_profile_means():
+    text = run("analyze", "--help").stdout
+    for profile, (gap, angle, curvature) in PROFILES.items():
+        line = next(line for line in text.splitlines() if line.startswith(f"  {profile} "))
+        assert f"gap {gap:g} mm, angle {angle:g} deg, curvature {curvature:g}," in line
+
+
+def test_level_g3_is_taken(box):
+    report, status = analysis(box, "--level", "G3")
+    strict(report)
+    assert report["tolerance"]["level"] == "G3"
+    assert status == 0, "the edges of a box are creases at any level"
+
+
+def test_without_matching_open_edges_stay_open(tmp_path):
+    report, _ = analysis(roof(tmp_path, 1), "--match", "0")
+    assert report["summary"]["matched_seams"] == 0 and report["summary"]["open_edges"] == 6
+
+
+def test_the_schema_knows_enclosures_and_the_worst_point(tmp_path):
+    report, _ = analysis(roof(tmp_path, 1))
+    seam = report["seams"][0]
+    seam["worst"] = {"quantity": "angle", "at": 0.5, "point": [0.0, 5.0, 0.0]}
+    seam["angle_deg"]["upper"] = 1.001
+    seam["curvature_change_rel"] = {"lower": 0.1, "upper": None, "at": 1}
+    strict(report)
+    for worst in ({"quantity": "torsion", "at": 0.5, "point": [0, 5, 0]}, {"quantity": "gap", "at": 2, "point": [0, 5, 0]},
+                  {"quantity": "gap", "at": 0.5, "point": [0, 5]}, {"quantity": "gap", "at": 0.5}):
+        seam["worst"] = worst
+        assert not VALIDATOR.is_valid(report), worst
+
+
 @pytest.mark.parametrize("angle,status,name", [(0, 0, "smooth"), (0.05, 0, "smooth"), (0.2, 1, "defect"),
                                                (4.9, 1, "defect"), (5.1, 0, "crease"), (60, 0, "crease")])
 def test_status_and_class_follow_the_angle(tmp_path, angle, status, name):
@@ -171,10 +238,6 @@ def test_csv_says_what_json_says(path):
     report, _ = analysis(installed(path))
     rows = csv_rows(path)
     assert len(rows) == len(report["seams"])
-    columns = [("gap_mm", "gap_mm", "gap_mm_upper", "gap_at"),
-               ("angle_deg", "angle_deg", "angle_deg_upper", "angle_at"),
-               ("curvature_per_mm", "curvature_per_mm", "curvature_per_mm_upper", "curvature_per_mm_at"),
-               ("curvature_rel", "curvature_rel", "curvature_rel_upper", "curvature_rel_at")]
     for row, seam in zip(rows, report["seams"]):
         assert int(row["seam"]) == seam["id"]
         assert [int(row["face_a"]), int(row["face_b"])] == seam["faces"]
@@ -183,10 +246,12 @@ def test_csv_says_what_json_says(path):
             seam["kind"], seam["level"], seam["class"], seam["note"])
         assert float(row["length_mm"]) == seam["length_mm"]
         assert row["certified"] == ("true" if seam["certified"] else "false")
-        for figure, lower, upper, at in columns:
+        for figure in FIGURES:
             expected = seam[figure] or {"lower": None, "upper": None, "at": None}
-            assert [number(row[lower]), number(row[upper]), number(row[at])] == [
-                expected["lower"], expected["upper"], expected["at"]]
+            assert {part: number(row[f"{figure}_{part}"]) for part in expected} == expected
+        worst = seam["worst"] or {"quantity": "", "at": None, "point": [None] * 3}
+        assert (row["worst"], number(row["worst_at"])) == (worst["quantity"], worst["at"])
+        assert [number(row[f"worst_{axis}_mm"]) for axis in "xyz"] == worst["point"]
 
 
 @pytest.mark.parametrize("path", FILES[:6], ids=lambda path: path.name)
@@ -200,20 +265,34 @@ def test_table_says_what_json_says(path):
            f"{summary['creases']} creases" in text
     assert ("PASSED" in text) == (status == 0 and summary["seams"] > 0)
     assert ("FAILED" in text) == (status == 1)
-    rows = [line.split() for line in text.splitlines() if line.split()[:1] and line.split()[0] in
+    certain = summary["seams"] - summary["uncertified"]
+    assert not summary["seams"] or f"{certain} of {summary['seams']} verdict" in text.splitlines()[-1]
+    rows = [line.split() for line in text.splitlines() if line.split()[:1] and line.split()[0].rstrip("?") in
             ("smooth", "defect", "crease")]
-    assert sorted((row[0], row[1], row[2], row[3], row[4]) for row in rows) == sorted(
-        (seam["class"], seam["level"], f"Edge{seam['edges'][0]}", "{}-{}".format(*seam["faces"]), seam["kind"])
-        for seam in report["seams"])
-    by_edge = {f"Edge{seam['edges'][0]}": seam for seam in report["seams"]}
+    edges = {",".join(f"Edge{edge}" for edge in seam["edges"]): seam for seam in report["seams"]}
+    assert sorted(row[:5] for row in rows) == sorted(
+        [seam["class"] + ("" if seam["certified"] else "?"), seam["level"], name, "{}-{}".format(*seam["faces"]),
+         seam["kind"]] for name, seam in edges.items())
     for row in rows:
-        seam = by_edge[row[2]]
+        seam = edges[row[2]]
         assert float(row[5]) == pytest.approx(seam["length_mm"], abs=5.1e-4)
-        for text_value, figure in zip(row[6:9], ("gap_mm", "angle_deg", "curvature_rel")):
+        for cell, figure, factor in zip(row[6:9], ("gap_mm", "angle_deg", "curvature_rel"), (1, 1, 100)):
             if seam[figure] is None:
-                assert text_value == "-"
-            else:
-                assert float(text_value) == pytest.approx(seam[figure]["lower"], rel=0.06)
+                assert cell == "-"
+                continue
+            lower, upper = said(cell)
+            true = [factor * value for value in (seam[figure]["lower"], seam[figure]["upper"] or math.inf)]
+            assert lower <= 1.06 * true[0] and 1.06 * upper >= true[1], (cell, seam[figure])
+
+
+def said(cell):
+    """The range of values that a cell of the table speaks of."""
+    if cell.startswith("\N{LESS-THAN OR EQUAL TO}"):
+        return 0, float(cell[1:])
+    if cell.startswith("\N{GREATER-THAN OR EQUAL TO}"):
+        return float(cell[1:]), math.inf
+    lower, _, upper = cell.partition("..")
+    return float(lower), float(upper or lower)
 
 
 def test_several_models_in_one_call(tmp_path, box):

@@ -95,9 +95,20 @@ class Tolerances(DocumentCase):
                 "curvature_rel": 0.02,
                 "flat_radius_mm": 1e5,
                 "crease_deg": 5.0,
+                "match_mm": 0.0,
                 "level": "G1",
             },
         )
+
+    def test_a_profile_fills_in_what_is_not_given(self):
+        obj = analysis.create([self.prism()], profile="class-a", angle_deg=0.5)
+        self.assertEqual((obj.GapTolerance.Value, obj.AngleTolerance.Value), (0.001, 0.5))
+
+    def test_results_count_certainty_and_matches(self):
+        obj = analysis.create([self.prism()])
+        seams = analysis.report_of(obj)["seams"]
+        self.assertEqual(obj.Uncertain, sum(not seam["certified"] for seam in seams))
+        self.assertEqual(obj.Matched, 0)
 
     def test_a_wider_angle_passes(self):
         obj = analysis.create([self.prism()], angle_deg=2.0)
@@ -129,6 +140,8 @@ class Tolerances(DocumentCase):
                 analysis.create([prism], gap_mm=value)
         with self.assertRaisesRegex(ValueError, "level 'G9'"):
             analysis.create([prism], level="G9")
+        with self.assertRaisesRegex(ValueError, "profile 'class-b'"):
+            analysis.create([prism], profile="class-b")
         with self.assertRaisesRegex(TypeError, "'gap'"):
             analysis.create([prism], gap=0.1)
         self.assertEqual(self.doc.Objects, [prism])

@@ -7,12 +7,13 @@ import itertools
 import json
 import math
 import os
+import pathlib
 import sys
 from unittest import mock
 
 import pytest
 
-from freecad.seamwright.plain import export, kernel, palette, rows, summary
+from freecad.seamwright.plain import enclosure, export, kernel, palette, profiles, rows, summary
 
 TOLERANCE = {
     "gap_mm": 0.01,
@@ -39,9 +40,12 @@ def seam(number, seam_class="smooth", gap=0.001, angle=0.01, curvature=0.5, edge
         "angle_deg": figure(angle),
         "curvature_per_mm": figure(curvature),
         "curvature_rel": figure(curvature),
+        "curvature_change_per_mm2": None,
+        "curvature_change_rel": None,
         "level": "none" if gap is None else "G1" if seam_class == "smooth" else "G0",
         "class": seam_class,
         "certified": False,
+        "worst": None,
         "note": "" if gap is not None else "no pcurve",
     }
 
@@ -178,25 +182,96 @@ def test_elements_are_named_after_their_owner(report):
     assert rows.element_text(report, "edges", 8, True) == "Edge8"
 
 
-@pytest.mark.parametrize(
-    "value, text",
-    [(None, "\u2013"), (0.0, "0"), (1e-9, "< 1e-6"), (0.0123456, "0.01235"), (90.0, "90")],
-)
-def test_numbers_are_written_short(value, text):
-    assert rows.number_text(value) == text
+def common_cases():
+    path = pathlib.Path(__file__).resolve().parents[2] / "data" / "enclosure_texts.json"
+    return json.loads(path.read_text(encoding="utf-8"))["cases"]
 
 
-def test_a_figure_shows_its_upper_bound_when_it_has_one():
+@pytest.mark.parametrize("case", common_cases(), ids=lambda case: case["text"])
+def test_enclosures_are_written_as_the_command_writes_them(case):
+    assert enclosure.text({**case, "at": 0.5}, 1, case["limit"]) == case["text"]
+
+
+def test_a_figure_counts_by_its_upper_bound_when_it_has_one():
     assert rows.figure_value(figure(0.1)) == 0.1
     assert rows.figure_value(figure(0.1, 0.2)) == 0.2
     assert rows.figure_value(None) is None
 
 
-def test_the_tool_tip_says_seen_or_between(report):
-    assert "0.001 mm is the largest seen, at 0.25" in rows.detail_text(report["seams"][0])
-    certified = {**seam(1), "gap_mm": figure(0.1, 0.2)}
-    assert "between 0.1 mm and 0.2 mm" in rows.detail_text(certified)
-    assert rows.detail_text(report["seams"][4]).endswith("no pcurve")
+def test_cells_show_enclosures_and_curvature_in_percent(report):
+    report["seams"] = [{**seam(1), "gap_mm": figure(0.0, 1e-13), "curvature_rel": figure(0.1, 0.2)}]
+    (row,) = rows.build_rows(report)
+    cells = {column.field: rows.cell_text(row, column) for column in rows.COLUMNS}
+    assert cells["gap_mm"] == "\u22641e-13" and cells["curvature_rel"] == "10..20"
+    assert cells["angle_deg"] == "\u22650.01" and cells["curvature_change_rel"] == "\u2013"
+    assert cells["certain"] == "no" and row.gap_mm == 1e-13
+
+
+def test_the_tool_tip_says_bounds_place_and_certainty(report):
+    certain = {**seam(1), "gap_mm": figure(0.1, 0.2), "certified": True}
+    text = rows.detail_text(certain, TOLERANCE)
+    assert "Gap: 0.1..0.2 mm, largest at 0.25 of the edge" in text and "verdict is certain" in text
+    assert "change" not in text
+    text = rows.detail_text(report["seams"][4], TOLERANCE)
+    assert "Gap: not measured" in text and text.endswith("The verdict is not certain\nno pcurve")
+
+
+def test_the_change_of_curvature_decides_for_g3():
+    g3 = {**seam(1, curvature=0.01), "curvature_change_rel": figure(0.1, 0.1)}
+    assert rows.severity(g3, TOLERANCE, "G3") == pytest.approx(5.0)
+    assert rows.severity(g3, TOLERANCE, "G2") == pytest.approx(0.5)
+    assert "change of curvature: 10 %" in rows.detail_text(g3, TOLERANCE)
+
+
+@pytest.mark.parametrize("quantity, label", [("gap", "\u22650.001 mm"), ("angle", "12.4\u00b0"),
+                                             ("curvature", "50..60 %"), ("curvature_change", "")])  # fmt: skip
+def test_the_label_of_a_worst_point_has_figure_and_unit(quantity, label):
+    one = {**seam(1), "angle_deg": figure(12.4, 12.4), "curvature_rel": figure(0.5, 0.6)}
+    one["worst"] = {"quantity": quantity, "at": 0.5, "point": [0, 0, 0]}
+    assert rows.worst_label(one, TOLERANCE) == label
+    assert rows.worst_label(seam(1), TOLERANCE) == ""
+
+
+def test_uncertain_rows_can_be_filtered(report):
+    report["seams"][1]["certified"] = True
+    built = rows.build_rows(report)
+    assert {row.seam for row in rows.filter_rows(built, rows.UNCERTAIN)} == {1, 3, 4, 5}
+
+
+def test_a_picked_edge_is_found_on_source_and_analysis(report):
+    report["seams"] = [seam(1, edges=[4]), seam(2, edges=[4, 6]), seam(3, edges=[3])]
+    for element, number in (("Edge1", 4), ("Edge2", 6), ("Edge3", 3), ("Edge4", None), ("Edge0", None),
+                            ("Vertex1", None), ("", None)):  # fmt: skip
+        assert rows.edge_number(report, "Analysis", "Analysis", element) == number
+    assert rows.edge_number(report, "Analysis", "Box", "Edge7") == 3
+    assert rows.edge_number(report, "Analysis", "Box", "Edge8") is None
+    assert rows.edge_number({}, "Analysis", "Box", "Edge8") is None
+    assert rows.edge_numbers(report) == list(summary.edge_classes(report))
+
+
+def test_reports_of_older_versions_are_shown(report):
+    for old in report["seams"]:
+        for key in ("worst", "curvature_change_per_mm2", "curvature_change_rel"):
+            del old[key]
+    assert len(rows.build_rows(report)) == 5
+    assert export.csv_text(report).count("\n") == 6
+
+
+# Profiles
+
+
+def test_profiles_are_those_of_the_kernel():
+    seamwright = pytest.importorskip("seamwright")
+    assert list(profiles.PROFILES) == list(seamwright.PROFILES) == list(profiles.LABELS)
+    for name, figures in seamwright.PROFILES.items():
+        assert profiles.PROFILES[name] == pytest.approx(figures, rel=1e-12)
+
+
+def test_a_profile_is_known_by_its_figures():
+    for name, figures in profiles.PROFILES.items():
+        assert profiles.name_of({**figures, "match_mm": 3.0}) == name
+        assert profiles.name_of({**figures, "gap_mm": 0.0101}) is None
+    assert "gap 0.001 mm, angle 0.01\u00b0, curvature 2 %" in profiles.tip("class-a")
 
 
 # Sentences
@@ -211,6 +286,8 @@ def test_summary_counts_and_judges(report):
 
 def test_summary_without_seams():
     assert summary.summary_text({"seams": []}) == "No seams: no two faces share an edge."
+    text = summary.summary_text({"seams": [], "open": [{"edge": 1, "face": 1}, {"edge": 2, "face": 1}]})
+    assert text.endswith("2 open edges can be matched, see the tolerances.")
     assert not summary.passed({"seams": []})
 
 
@@ -231,6 +308,18 @@ def test_legend_has_every_class_with_its_count(report):
     assert entries[1][2] == "sharper than 5\u00b0, taken as intended"
 
 
+def test_the_summary_says_how_many_verdicts_are_certain_and_how_many_seams_matched(report):
+    assert "; 0 of 5 verdicts certain; G1" in summary.summary_text(report)
+    report["seams"][0].update(certified=True, kind="matched")
+    text = summary.summary_text(report)
+    assert "; 1 of 5 verdicts certain; G1" in text and text.startswith("5 seams, 1 of them matched: ")
+
+
+def test_the_largest_figure_is_one_that_was_seen(report):
+    report["seams"][0]["gap_mm"]["upper"] = 0.5
+    assert summary.largest(report, "gap_mm") == 0.001
+
+
 # Export
 
 
@@ -246,6 +335,14 @@ def test_csv_has_a_line_a_seam_and_full_digits(report, tmp_path):
     assert [line["id"] for line in lines] == ["1", "2", "3", "4", "5"]
     assert float(lines[0]["gap_mm_lower"]) == 0.1234567890123456
     assert lines[0]["edges"] == "Box.Edge1" and lines[4]["gap_mm_lower"] == ""
+    assert lines[0]["worst"] == lines[0]["worst_z_mm"] == ""
+
+
+def test_csv_has_bounds_and_the_worst_point(report):
+    report["seams"][0].update(angle_deg=figure(0.1, 0.2), worst={"quantity": "angle", "at": 0.5, "point": [1, -2, 3]})
+    line = next(csv.DictReader(io.StringIO(export.csv_text(report))))
+    assert (line["angle_deg_lower"], line["angle_deg_upper"], line["angle_deg_at"]) == ("0.1", "0.2", "0.25")
+    assert (line["worst"], line["worst_at"], line["worst_y_mm"]) == ("angle", "0.5", "-2")
 
 
 def test_a_missing_folder_is_named(report, tmp_path):

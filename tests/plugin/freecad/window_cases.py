@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Commands, task panel and picture, in FreeCAD's window; run by run_freecad.py --window."""
 
+import json
 import os
 import sys
 import tempfile
@@ -13,8 +14,8 @@ from PySide import QtCore
 from window import OUT, WindowCase, analyses, click, click_row, count, messages, picture, settle, whole_window
 
 from freecad.seamwright.document import analysis
-from freecad.seamwright.gui import export_dialog, progress
-from freecad.seamwright.plain import palette
+from freecad.seamwright.gui import export_dialog, marker, progress
+from freecad.seamwright.plain import palette, rows
 
 STEP = "/usr/share/opencascade/data/step/linkrods.step"
 LEGEND = QtCore.QRect(0, 0, 420, 140)
@@ -98,6 +99,86 @@ class Panel(WindowCase):
         for value in (0.01, 0.00025, 12.5):
             field.setValue(value)
             self.assertEqual(field.text().replace(",", "."), "%g mm" % value)
+
+    def test_a_profile_fills_in_the_fields_and_shows_custom_for_others(self):
+        obj, panel = self.analyse()
+        form = panel.tolerances
+        self.assertEqual(form.profile.currentData(), "default")
+        place = form.profile.findData("vda")
+        form.profile.setCurrentIndex(place)
+        form.profile.activated.emit(place)
+        self.assertEqual(form.fields["GapTolerance"].value(), 0.02)
+        self.assertEqual(form.fields["CurvatureTolerance"].value(), 0.1)
+        self.assertIn("other values", panel.recompute_button.text())
+        click(panel.recompute_button, QtCore.QPoint(5, 5))
+        self.assertEqual((obj.GapTolerance.Value, obj.CurvatureTolerance), (0.02, 0.1))
+        form.fields["GapTolerance"].setValue(0.03)
+        self.assertIsNone(form.profile.currentData())
+        self.assertEqual(form.profile.currentText(), "Custom")
+        form.fields["GapTolerance"].setValue(0.02)
+        self.assertEqual(form.profile.currentData(), "vda")
+        self.assertEqual(form.fields["MatchDistance"].text(), "off")
+
+    def test_the_worst_point_is_marked_while_its_row_is_chosen(self):
+        obj, panel = self.analyse()
+        report = analysis.report_of(obj)
+        defect = next(seam for seam in report["seams"] if seam["class"] == "defect")
+        edge = obj.Analysed[0].Shape.Edges[defect["edges"][0] - 1]
+        defect["worst"] = {"quantity": "angle", "at": 0.25, "point": list(edge.valueAt(2.5))}
+        defect["angle_deg"]["upper"] = defect["angle_deg"]["lower"]
+        defect["certified"] = True
+        obj.Report = json.dumps(report)
+        panel.refresh()
+        click_row(panel.table, 0)
+        whole_window("window-marker")
+        shown = picture("marker")
+        self.assertGreater(count(shown, (255, 217, 0)), FEW)
+        obj.ViewObject.Proxy.marker.show([])
+        without = count(picture("no-marker"), marker.INK, MODEL)
+        self.assertGreater(count(shown, marker.INK, MODEL), without + FEW)
+        with mock.patch.object(obj.ViewObject.Proxy.marker, "show") as show:
+            click_row(panel.table, 0)
+            click_row(panel.table, 1)
+        show.assert_called_with([])
+
+    def test_the_mark_is_seen_through_the_model(self):
+        obj, _ = self.analyse()
+        view = Gui.activeDocument().activeView()
+        view.viewTop()
+        view.fitAll()
+        settle()
+        without = count(picture("below-without"), marker.INK, MODEL)
+        obj.ViewObject.Proxy.mark([], [], [((10, 10, 0), "12.4\u00b0")])
+        self.assertGreater(count(picture("below"), marker.INK, MODEL), without + FEW)
+
+    def test_picking_an_edge_selects_its_row(self):
+        obj, panel = self.analyse()
+        camera = Gui.activeDocument().activeView().getCamera()
+        prism = obj.Analysed[0]
+        for name, element, place in ((prism.Name, "Edge%d", 5), (obj.Name, "Edge%d", 0)):
+            row = panel.model.row(place)
+            number = row.edges[0]
+            if name == obj.Name:
+                number = rows.edge_numbers(panel.report).index(number) + 1
+            Gui.Selection.clearSelection()
+            Gui.Selection.addSelection(self.doc.Name, name, element % number, 1.0, 2.0, 3.0)
+            settle()
+            chosen = [index.row() for index in panel.table.selectionModel().selectedRows()]
+            self.assertEqual(chosen, [place])
+            self.assertEqual(Gui.activeDocument().activeView().getCamera(), camera)
+        self.assertGreater(count(picture("picked"), (255, 217, 0)), FEW)
+
+    def test_picking_an_edge_of_a_filtered_class_shows_all(self):
+        obj, panel = self.analyse()
+        panel.filter.setCurrentIndex(panel.filter.findData("smooth"))
+        crease = next(seam for seam in panel.report["seams"] if seam["class"] == "crease")
+        Gui.Selection.addSelection(self.doc.Name, obj.Analysed[0].Name, "Edge%d" % crease["edges"][0])
+        settle()
+        (index,) = panel.table.selectionModel().selectedRows()
+        self.assertEqual(panel.model.row(index.row()).seam, crease["id"])
+        panel.reject()
+        Gui.Selection.addSelection(self.doc.Name, obj.Analysed[0].Name, "Edge1")
+        settle()
 
     def test_an_error_is_shown_in_the_panel(self):
         obj, panel = self.analyse()

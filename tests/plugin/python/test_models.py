@@ -72,25 +72,63 @@ def test_tolerances_are_taken(roof):
     assert report.seams[0]["angle_deg"]["lower"] == pytest.approx(1, abs=1e-9)
 
 
-@pytest.mark.parametrize("arguments,number", [({"gap_mm": -0.25}, "-0.25"), ({"gap_mm": math.nan}, "nan"),
-                                              ({"angle_deg": -3}, "-3"), ({"angle_deg": math.inf}, "inf"),
-                                              ({"curvature_rel": -0.5}, "-0.5"), ({"flat_radius_mm": 0}, "0"),
-                                              ({"crease_deg": 91}, "91"), ({"angle_deg": 4, "crease_deg": 3}, "3"),
-                                              ({"jobs": -1}, "-1"), ({"level": "G9"}, "G9"), ({"level": "G3"}, "G3")])
+@pytest.mark.parametrize("arguments,number", [
+    ({"gap_mm": -0.25}, "-0.25"), ({"gap_mm": math.nan}, "nan"), ({"angle_deg": -3}, "-3"), ({"angle_deg": math.inf}, "inf"),
+    ({"curvature_rel": -0.5}, "-0.5"), ({"flat_radius_mm": 0}, "0"), ({"crease_deg": 91}, "91"),
+    ({"angle_deg": 4, "crease_deg": 3}, "3"), ({"match_mm": -2}, "-2"), ({"match_mm": math.inf}, "inf"),
+    ({"jobs": -1}, "-1"), ({"jobs": 10**30}, "1000000000"), ({"level": "G9"}, "G9"), ({"profile": "class-b"}, "class-b"),
+    ({"gap_mm": "wide"}, "gap_mm is 'wide'"), ({"angle_deg": []}, r"angle_deg is \[\]"),
+    ({"crease_deg": True}, "crease_deg is True"), ({"match_mm": "near"}, "match_mm is 'near'"),
+    ({"jobs": 1.5}, "jobs is 1.5"), ({"jobs": None}, "jobs is None"), ({"level": 1}, "level is 1"),
+    ({"profile": None}, "profile is None")])
 def test_bad_arguments_are_value_errors_with_the_number(box, arguments, number):
     with pytest.raises(ValueError, match=number):
         seamwright.read(box).analyze(**arguments)
 
 
-def test_wrong_types_and_positions_are_type_errors(box):
+def test_unknown_names_and_positions_are_type_errors(box):
     model = seamwright.read(box)
-    for arguments in ({"gap_mm": "wide"}, {"jobs": 1.5}, {"frobnicate": 1}):
-        with pytest.raises(TypeError):
-            model.analyze(**arguments)
+    with pytest.raises(TypeError):
+        model.analyze(frobnicate=1)
     with pytest.raises(TypeError):
         model.analyze(0.01)
     with pytest.raises(TypeError):
         seamwright.read(None)
+
+
+def test_numbers_of_numpy_are_numbers(roof):
+    numpy = pytest.importorskip("numpy")
+    model = seamwright.read(roof)
+    assert model.analyze(angle_deg=numpy.float32(1.5), gap_mm=numpy.int64(1), jobs=numpy.int32(1)).passed
+
+
+def test_profiles_fill_in_what_is_not_given(box):
+    assert list(seamwright.PROFILES) == ["default", "class-a", "vda"]
+    model = seamwright.read(box)
+    for name, figures in seamwright.PROFILES.items():
+        found = model.analyze(profile=name).to_dict()["tolerance"]
+        assert {key: found[key] for key in figures} == pytest.approx(figures, rel=1e-12)
+    found = model.analyze(gap_mm=0.5, profile="class-a").to_dict()["tolerance"]
+    assert (found["gap_mm"], found["angle_deg"]) == (0.5, pytest.approx(0.01, rel=1e-12))
+
+
+def test_level_g3_and_matching_are_taken(box):
+    report = seamwright.read(box).analyze(level="G3", match_mm=0.5)
+    assert report.to_dict()["tolerance"]["level"] == "G3" and report.passed
+
+
+def test_any_byte_in_the_name_of_a_file(tmp_path, box):
+    path = os.fsencode(tmp_path) + b"/N\xe4ht.step"
+    with open(path, "wb") as file:
+        file.write(box.read_bytes())
+    model = seamwright.read(os.fsdecode(path))
+    assert os.fsencode(model.path) == path
+    report = model.analyze()
+    replaced = path.decode(errors="replace")
+    assert report.to_dict()["model"]["path"] == replaced
+    assert report.to_table().startswith(replaced) and replaced in report.to_csv()
+    with pytest.raises(seamwright.ModelError, match="none.step"):
+        seamwright.read(os.fsdecode(os.fsencode(tmp_path) + b"/\xe4none.step"))
 
 
 def test_bad_models_are_model_errors_with_the_file(tmp_path):

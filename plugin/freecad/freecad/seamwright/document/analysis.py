@@ -14,7 +14,7 @@ import Part
 from freecad.seamwright import __version__
 from freecad.seamwright.document import sources
 from freecad.seamwright.document.hooks import hooks
-from freecad.seamwright.plain import kernel, summary
+from freecad.seamwright.plain import kernel, profiles, summary
 
 #: property, argument of the kernel, property type, default, help
 TOLERANCES = (
@@ -28,6 +28,8 @@ TOLERANCES = (
      "A side whose radii of curvature are all larger counts as flat, in mm"),
     ("CreaseAngle", "crease_deg", "App::PropertyAngle", 5.0,
      "A seam with a larger angle is an intended crease and no defect, in degrees"),
+    ("MatchDistance", "match_mm", "App::PropertyLength", 0.0,
+     "Measure also between open edges no further apart than this, in mm; 0: between none"),
 )  # fmt: skip
 
 LEVELS = ["G0", "G1", "G2", "G3"]
@@ -42,6 +44,8 @@ RESULTS = (
     ("Seams", "App::PropertyInteger", "Number of seams"),
     ("Defects", "App::PropertyInteger", "Seams that fall short of the level"),
     ("Creases", "App::PropertyInteger", "Seams sharper than the crease angle"),
+    ("Uncertain", "App::PropertyInteger", "Seams whose verdict is not certain"),
+    ("Matched", "App::PropertyInteger", "Seams of two open edges that lie side by side"),
     ("OpenEdges", "App::PropertyInteger", "Edges that bound one face only"),
     ("MaxGap", "App::PropertyLength", "Largest gap seen apart from creases, in mm"),
     ("MaxAngle", "App::PropertyAngle", "Largest angle seen apart from creases, in degrees"),
@@ -196,6 +200,8 @@ def store(obj, report, shape, objects):
     obj.Seams = sum(counts.values())
     obj.Defects = counts["defect"]
     obj.Creases = counts["crease"]
+    obj.Uncertain = summary.uncertain(report)
+    obj.Matched = summary.matched(report)
     obj.OpenEdges = len(report.get("open", ()))
     obj.MaxGap = summary.largest(report, "gap_mm") or 0.0
     obj.MaxAngle = summary.largest(report, "angle_deg") or 0.0
@@ -208,8 +214,9 @@ def create(sources=None, doc=None, **tolerances):
     """Add a Seam Analysis to a document, compute it and return it.
 
     ``sources``: objects to analyse; none means all solids and shells of the document.
-    ``tolerances``: gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg (numbers that
-    are neither negative nor NaN) and level ("G0" to "G3"). Raises TypeError for another name,
+    ``tolerances``: gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg, match_mm (numbers
+    that are neither negative nor NaN), level ("G0" to "G3"), and profile (a name of
+    profiles.PROFILES, for the tolerances that are not given). Raises TypeError for another name,
     ValueError for another value, kernel.KernelUnavailable when the compiled part is missing.
     When the analysis itself fails the object is returned in its error state, see ``error_text``.
     """
@@ -234,7 +241,10 @@ def _checked(tolerances):
     """Property values for the arguments of ``create``."""
     names = {argument: name for name, argument, *_ in TOLERANCES}
     values = {}
-    for argument, value in tolerances.items():
+    profile = tolerances.pop("profile", "default")
+    if profile not in profiles.PROFILES:
+        raise ValueError("profile %r: choose one of %s" % (profile, ", ".join(profiles.PROFILES)))
+    for argument, value in {**profiles.PROFILES[profile], **tolerances}.items():
         if argument == "level":
             if value not in LEVELS:
                 raise ValueError("level %r: choose one of %s" % (value, ", ".join(LEVELS)))

@@ -3,6 +3,8 @@
 
 from pivy import coin
 
+from freecad.seamwright.gui.overlay import unlit_unpickable
+
 COLOUR = (1.0, 0.85, 0.0)
 WIDTH = 16.0
 
@@ -31,9 +33,7 @@ class Halo:
         self.node = coin.SoSeparator()
         self._points, self._lines = coin.SoCoordinate3(), coin.SoLineSet()
         self._core, self._core_style = coin.SoBaseColor(), coin.SoDrawStyle()
-        light, pick, binding = coin.SoLightModel(), coin.SoPickStyle(), coin.SoMaterialBinding()
-        light.model = coin.SoLightModel.BASE_COLOR
-        pick.style = coin.SoPickStyle.UNPICKABLE
+        binding = coin.SoMaterialBinding()
         binding.value = coin.SoMaterialBinding.PER_FACE  # of a line set: one colour a line
         band, style = coin.SoBaseColor(), coin.SoDrawStyle()
         band.rgb = COLOUR
@@ -43,7 +43,7 @@ class Halo:
             below.addChild(node)
         for node in (nearer(CORE_LIFT), binding, self._core, self._core_style, self._lines):
             above.addChild(node)
-        for node in (pick, light, self._points, below, above):
+        for node in (*unlit_unpickable(), self._points, below, above):
             self.node.addChild(node)
         self.show([], [], 1.0)
 

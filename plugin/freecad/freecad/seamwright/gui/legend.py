@@ -6,6 +6,7 @@ It belongs to the scene, so pictures saved from the view contain it.
 
 from pivy import coin
 
+from freecad.seamwright.gui.overlay import outside_bounding_box, set_image, unlit_unpickable
 from freecad.seamwright.gui.qt import QtCore, QtGui
 
 MARGIN = 0.02  # of the view's width and height
@@ -23,7 +24,7 @@ class Legend:
         self._image.vertAlignment = coin.SoImage.TOP
         self._switch = coin.SoSwitch()
         self._switch.addChild(_overlay(self._image))
-        self.node = _outside_bounding_box(self._switch)
+        self.node = outside_bounding_box(self._switch)
 
     def show(self, visible):
         """Show or hide the legend."""
@@ -31,10 +32,7 @@ class Legend:
 
     def update(self, title, entries, footer, text_px):
         """Draw anew: a title, (SeamClass, name, meaning) lines, and a line below them."""
-        picture = draw(title, entries, footer, text_px)
-        picture = picture.convertToFormat(QtGui.QImage.Format_RGBA8888).mirrored(False, True)
-        size = coin.SbVec2s(picture.width(), picture.height())
-        self._image.image.setValue(size, 4, bytes(picture.constBits()))
+        set_image(self._image, draw(title, entries, footer, text_px))
 
 
 def _overlay(child):
@@ -49,20 +47,9 @@ def _overlay(child):
     camera.farDistance = 1.5
     corner = coin.SoTranslation()
     corner.translation = (-1 + 2 * MARGIN, 1 - 2 * MARGIN, 0)
-    light = coin.SoLightModel()
-    light.model = coin.SoLightModel.BASE_COLOR
-    unpickable = coin.SoPickStyle()
-    unpickable.style = coin.SoPickStyle.UNPICKABLE
-    for node in (unpickable, light, camera, corner, child):
+    for node in (*unlit_unpickable(), camera, corner, child):
         overlay.addChild(node)
     return overlay
-
-
-def _outside_bounding_box(child):
-    """A group that "fit all" does not see. FreeCAD registers it with the scene library."""
-    group = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()
-    group.addChild(child)
-    return group
 
 
 def draw(title, entries, footer, text_px):

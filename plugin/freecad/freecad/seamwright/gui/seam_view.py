@@ -13,8 +13,11 @@ from freecad.seamwright.plain import rows
 CONTEXT = 0.15
 
 
-def show(obj, report, seams):
-    """Select the edges of the given seams (dicts of the report) on their objects and zoom there."""
+def show(obj, report, seams, look=True):
+    """Select the edges of the given seams (dicts of the report) on their objects and mark them.
+
+    ``look``: turn and zoom the view to them.
+    """
     Gui.Selection.clearSelection()
     edges, classes = [], []
     for seam in seams:
@@ -25,9 +28,14 @@ def show(obj, report, seams):
                 select(obj.Document, *owner)
                 edges.append(edge)
                 classes.append(seam["class"])
-    obj.ViewObject.Proxy.mark(edges, classes)
+    worst = [
+        (seam["worst"]["point"], rows.worst_label(seam, report["tolerance"]))
+        for seam in seams
+        if seam.get("worst")
+    ]
+    obj.ViewObject.Proxy.mark(edges, classes, worst)
     view = _view_of(obj.Document)
-    if not edges or view is None:
+    if not look or not edges or view is None:
         return
     box = App.BoundBox()
     for edge in edges:

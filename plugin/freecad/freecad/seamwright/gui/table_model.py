@@ -17,7 +17,7 @@ class SeamTableModel(QtCore.QAbstractTableModel):
         super().__init__(parent)
         self._all = []
         self._shown = []
-        self._class = None
+        self._wanted = None
         self._order = None  # (field, descending), or None for worst first
 
     def set_rows(self, all_rows):
@@ -25,14 +25,18 @@ class SeamTableModel(QtCore.QAbstractTableModel):
         self._all = list(all_rows)
         self._arrange()
 
-    def set_filter(self, seam_class):
-        """Show one class only; all for None."""
-        self._class = seam_class
+    def set_filter(self, wanted):
+        """Show one class only, or what is uncertain (see ``rows.filter_rows``); all for None."""
+        self._wanted = wanted
         self._arrange()
 
     def row(self, place):
         """The Row shown at a place."""
         return self._shown[place]
+
+    def places_of_edge(self, number):
+        """The places of the shown rows that an edge takes part in."""
+        return [place for place, row in enumerate(self._shown) if number in row.edges]
 
     def rowCount(self, parent=None):
         """Number of rows shown."""
@@ -70,6 +74,6 @@ class SeamTableModel(QtCore.QAbstractTableModel):
 
     def _arrange(self):
         self.beginResetModel()
-        shown = rows.filter_rows(self._all, self._class)
+        shown = rows.filter_rows(self._all, self._wanted)
         self._shown = rows.sort_rows(shown, *self._order) if self._order else shown
         self.endResetModel()

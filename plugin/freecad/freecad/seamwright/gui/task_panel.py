@@ -5,25 +5,33 @@ import FreeCADGui as Gui
 
 from freecad.seamwright.document import analysis
 from freecad.seamwright.gui import export_dialog, icon_path, seam_view
+from freecad.seamwright.gui.picking import EdgePicker
 from freecad.seamwright.gui.qt import QtCore, QtGui, QtWidgets
 from freecad.seamwright.gui.table_model import SeamTableModel
 from freecad.seamwright.gui.tolerance_form import ToleranceForm
 from freecad.seamwright.plain import palette, rows, summary
 
-TABLE_HEIGHT = 300
+TABLE_HEIGHT = 260
 DOCK_WIDTH = 600
 
 
 class TaskPanel:
-    """Shows one Seam Analysis; a click on a row selects the seam's edge and zooms to it."""
+    """Shows one Seam Analysis.
+
+    A click on a row selects the seam's edge, marks its worst point and zooms to it; picking an
+    edge in the 3D view selects its row.
+    """
 
     def __init__(self, obj):
         self.obj = obj
         self.model = SeamTableModel()
+        self.picker = EdgePicker(obj, self._edge_picked)
+        self._look = True
         self._build()
         self.tolerances.read_from(obj)
         self.tolerances.changed.connect(self._tolerances_changed)
         self.refresh()
+        self.picker.start()
 
     # What FreeCAD asks of a task panel.
 
@@ -69,6 +77,7 @@ class TaskPanel:
         self.filter.addItem("All seams", None)
         for seam_class in palette.CLASSES:
             self.filter.addItem("", seam_class.key)
+        self.filter.addItem("", rows.UNCERTAIN)
         self.filter.currentIndexChanged.connect(self._filter_changed)
         line.addWidget(self.filter, 1)
         worst = QtWidgets.QPushButton("Worst first")
@@ -115,7 +124,12 @@ class TaskPanel:
     def refresh(self):
         """Show the results as they are stored now."""
         self.report, self.seams = seam_view.seams_by_number(self.obj)
-        self.model.set_rows(rows.build_rows(self.report))
+        self.picker.report = self.report
+        built = rows.build_rows(self.report)
+        self.model.set_rows(built)
+        for place, column in enumerate(rows.COLUMNS):
+            if column.field == "curvature_change_rel":
+                self.table.setColumnHidden(place, not rows.has_values(built, column.field))
         failure = analysis.error_text(self.obj)
         self.summary.setText(failure or self.obj.Summary)
         counts = summary.class_counts(self.report)
@@ -124,6 +138,8 @@ class TaskPanel:
             text = "%s (%d)" % (seam_class.name, counts[seam_class.key])
             self.filter.setItemText(place, text)
             self.filter.setItemIcon(place, _swatch(seam_class.rgb))
+        text = "Not certain (%d)" % summary.uncertain(self.report)
+        self.filter.setItemText(self.filter.count() - 1, text)
         self.table.resizeColumnsToContents()
         self._tolerances_changed()
 
@@ -143,7 +159,8 @@ class TaskPanel:
         self.model.sort(-1)
 
     def leave(self):
-        """Drop the selection made from the table."""
+        """Drop the selection made from the table, and follow that of the view no longer."""
+        self.picker.stop()
         Gui.Selection.clearSelection()
 
     def _filter_changed(self, place):
@@ -159,7 +176,29 @@ class TaskPanel:
         places = [index.row() for index in self.table.selectionModel().selectedRows()]
         if places:
             chosen = [self.seams[self.model.row(place).seam] for place in places]
-            seam_view.show(self.obj, self.report, chosen)
+            with self.picker.paused():
+                seam_view.show(self.obj, self.report, chosen, self._look)
+
+    def _edge_picked(self, number):
+        """Select the rows of an edge, when FreeCAD is done with its own selecting."""
+        QtCore.QTimer.singleShot(0, lambda: self.picker.active and self.select_edge(number))
+
+    def select_edge(self, number):
+        """Select the rows of the seams that an edge takes part in; the view stays as it is."""
+        places = self.model.places_of_edge(number)
+        if not places:
+            self.filter.setCurrentIndex(0)
+            places = self.model.places_of_edge(number)
+        chosen = QtCore.QItemSelection()
+        for place in places:
+            index = self.model.index(place, 0)
+            chosen.select(index, index)
+        self._look = False
+        flags = QtCore.QItemSelectionModel.ClearAndSelect | QtCore.QItemSelectionModel.Rows
+        self.table.selectionModel().select(chosen, flags)
+        self._look = True
+        if places:
+            self.table.scrollTo(self.model.index(places[0], 0))
 
 
 def _swatch(rgb):

@@ -3,6 +3,7 @@
 
 from freecad.seamwright.document import analysis
 from freecad.seamwright.gui.qt import QtCore, QtWidgets
+from freecad.seamwright.plain import profiles
 
 #: property, label, unit shown behind the number, largest value
 FIELDS = (
@@ -11,7 +12,14 @@ FIELDS = (
     ("CurvatureTolerance", "Curvature (relative)", "", 1.0),
     ("CreaseAngle", "Crease above", "\u00b0", 90.0),
     ("FlatRadius", "Flat above radius", " mm", 1e12),
+    ("MatchDistance", "Match open edges within", " mm", 1e6),
 )
+
+#: Fields whose zero means that the thing is not done.
+OFF_AT_ZERO = ("MatchDistance",)
+
+ARGUMENTS = {name: argument for name, argument, *_ in analysis.TOLERANCES}
+CUSTOM = "Custom"
 
 
 class NumberField(QtWidgets.QDoubleSpinBox):
@@ -41,15 +49,43 @@ class ToleranceForm(QtWidgets.QWidget):
         self.level = QtWidgets.QComboBox()
         self.level.addItems(analysis.LEVELS)
         self.level.currentIndexChanged.connect(lambda *_: self.changed.emit())
-        layout.addRow("Level", self.level)
+        first_line = QtWidgets.QHBoxLayout()
+        for widget, stretch in ((self.level, 1), (QtWidgets.QLabel("Tolerances"), 0), (self._build_profile(), 2)):
+            first_line.addWidget(widget, stretch)
+        layout.addRow("Level", first_line)
         self.fields = {}
         tips = {name: tip for name, *_, tip in analysis.TOLERANCES}
         for name, label, unit, largest in FIELDS:
             field = NumberField(unit, largest)
             field.setToolTip(tips[name])
-            field.valueChanged.connect(lambda *_: self.changed.emit())
+            if name in OFF_AT_ZERO:
+                field.setSpecialValueText("off")
+            field.valueChanged.connect(self._field_changed)
             self.fields[name] = field
             layout.addRow(label, field)
+
+    def _build_profile(self):
+        self.profile = QtWidgets.QComboBox()
+        for name in profiles.PROFILES:
+            self.profile.addItem(profiles.LABELS[name][0], name)
+            tip = profiles.tip(name)
+            self.profile.setItemData(self.profile.count() - 1, tip, QtCore.Qt.ToolTipRole)
+        self.profile.addItem(CUSTOM, None)
+        self.profile.setToolTip("Fills in the fields below with what a kind of work usually accepts")
+        self.profile.activated.connect(self._profile_chosen)
+        return self.profile
+
+    def _profile_chosen(self, place):
+        name = self.profile.itemData(place)
+        if name is not None:
+            for field_name, field in self.fields.items():
+                field.setValue(profiles.PROFILES[name].get(ARGUMENTS[field_name], field.value()))
+        self._field_changed()  # "Custom" by itself changes nothing
+
+    def _field_changed(self, *_):
+        values = {ARGUMENTS[name]: field.value() for name, field in self.fields.items()}
+        self.profile.setCurrentIndex(self.profile.findData(profiles.name_of(values)))
+        self.changed.emit()
 
     def read_from(self, obj):
         """Show the tolerances of an analysis."""
@@ -57,6 +93,7 @@ class ToleranceForm(QtWidgets.QWidget):
         for name, field in self.fields.items():
             value = getattr(obj, name)
             field.setValue(getattr(value, "Value", value))
+        self._field_changed()
 
     def differs_from(self, obj):
         """Whether a field says something else than the analysis."""

@@ -11,6 +11,7 @@ from freecad.seamwright.document import analysis
 from freecad.seamwright.gui import icon_path
 from freecad.seamwright.gui.halo import SEAM_LIFT, Halo, nearer
 from freecad.seamwright.gui.legend import Legend
+from freecad.seamwright.gui.marker import Marker
 from freecad.seamwright.gui.qt import QtCore
 from freecad.seamwright.gui.task_panel import TaskPanel
 from freecad.seamwright.plain import palette, summary
@@ -38,9 +39,11 @@ class SeamAnalysisView:
         add_properties(vobj)
         self.legend = Legend()
         self.halo = Halo()
+        self.marker = Marker()
         self.panel = None
         self.line_width = vobj.LineWidth
         vobj.RootNode.addChild(self.halo.node)
+        vobj.RootNode.addChild(self.marker.node)
         vobj.RootNode.insertChild(nearer(SEAM_LIFT), 0)
         vobj.RootNode.addChild(self.legend.node)
         self._refresh_later(vobj.Object)
@@ -80,14 +83,18 @@ class SeamAnalysisView:
         if self.panel is not None:
             self.panel.leave()
         self.panel = None
-        self.mark([], [])
+        self.mark([], [], [])
         Gui.Control.closeDialog()
         return True
 
-    def mark(self, edges, classes):
-        """Draw a bright band along the edges, which have the given classes; [] takes it away."""
+    def mark(self, edges, classes, worst):
+        """Draw a bright band along the edges, which have the given classes; [] takes it away.
+
+        ``worst`` is a list of (point, label) to be marked.
+        """
         colours = [palette.BY_KEY[key].unit_rgb for key in classes]
         self.halo.show(edges, colours, self.line_width)
+        self.marker.show(worst)
 
     def dumps(self):
         """Nothing is kept beside the properties."""

@@ -13,9 +13,8 @@ import tempfile
 
 from freecad.seamwright.plain import rows
 
-FIGURES = ("gap_mm", "angle_deg", "curvature_per_mm", "curvature_rel")
 HEAD = ("id", "kind", "class", "level", "edges", "faces", "length_mm")
-TAIL = ("certified", "note")
+TAIL = ("certified", "worst", "worst_at", "worst_x_mm", "worst_y_mm", "worst_z_mm", "note")
 
 
 class ExportError(Exception):
@@ -31,7 +30,7 @@ def csv_text(report):
     """One line a seam; each figure as three columns: lower, upper, at. Empty where unmeasured."""
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
-    parts = ["%s_%s" % (figure, part) for figure in FIGURES for part in ("lower", "upper", "at")]
+    parts = ["%s_%s" % (figure, part) for figure in rows.QUANTITIES for part in ("lower", "upper", "at")]
     writer.writerow([*HEAD, *parts, *TAIL])
     for seam in report.get("seams", ()):
         writer.writerow(_csv_line(report, seam))
@@ -44,10 +43,11 @@ def _csv_line(report, seam):
         for kind in ("edges", "faces")
     }
     line = [{**seam, **names}[key] for key in HEAD]
-    for name in FIGURES:
+    for name in rows.QUANTITIES:
         figure = seam.get(name) or {}
         line += [figure.get(part) for part in ("lower", "upper", "at")]
-    return line + [seam[key] for key in TAIL]
+    worst = seam.get("worst") or {"quantity": None, "at": None, "point": (None, None, None)}
+    return [*line, seam["certified"], worst["quantity"], worst["at"], *worst["point"], seam["note"]]
 
 
 def write(report, path):

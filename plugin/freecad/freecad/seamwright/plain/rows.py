@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The rows of the seam table: what each cell says, how rows are sorted and filtered.
 
-Units: gaps and lengths in mm, angles in degrees, curvature as a ratio without unit.
-A figure is the report's {lower, upper, at}; ``upper`` is None where only samples were taken.
+Units of rows: gaps and lengths in mm, angles in degrees, curvature as a ratio; cells show it in %.
+A figure is the report's {lower, upper, at}; ``upper`` is None where no bound is known.
 """
 
 import math
 from dataclasses import dataclass
 from typing import Optional
 
-from freecad.seamwright.plain import palette
+from freecad.seamwright.plain import enclosure, palette
 
 LEVELS = ("none", "G0", "G1", "G2", "G3")
 
@@ -18,11 +18,38 @@ DECIDING = {
     "G0": ("gap_mm",),
     "G1": ("gap_mm", "angle_deg"),
     "G2": ("gap_mm", "angle_deg", "curvature_rel"),
-    "G3": ("gap_mm", "angle_deg", "curvature_rel"),
+    "G3": ("gap_mm", "angle_deg", "curvature_rel", "curvature_change_rel"),
 }
 
-#: Below this a length (mm), an angle (deg) or a ratio is rounding noise, not worth digits.
-NOISE = 1e-6
+#: The tolerance that a figure is held against, where it has another name.
+TOLERANCE_OF = {"curvature_change_rel": "curvature_rel"}
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """How a figure of the report is shown: label, unit and the factor to that unit."""
+
+    label: str
+    unit: str
+    factor: float = 1.0
+
+
+QUANTITIES = {
+    "gap_mm": Quantity("Gap", " mm"),
+    "angle_deg": Quantity("Angle", "\u00b0"),
+    "curvature_per_mm": Quantity("Difference of curvature", " /mm"),
+    "curvature_rel": Quantity("Relative difference of curvature", " %", 100.0),
+    "curvature_change_per_mm2": Quantity("Difference of the change of curvature", " /mm\u00b2"),
+    "curvature_change_rel": Quantity("Relative difference of the change of curvature", " %", 100.0),
+}
+
+#: The figure behind each word of the report's "worst".
+WORST_FIGURE = {
+    "gap": "gap_mm",
+    "angle": "angle_deg",
+    "curvature": "curvature_rel",
+    "curvature_change": "curvature_change_rel",
+}
 
 
 @dataclass(frozen=True)
@@ -35,9 +62,12 @@ class Row:
     face_text: str
     seam_class: str
     level: str
+    certain: bool
     gap_mm: Optional[float]
     angle_deg: Optional[float]
     curvature_rel: Optional[float]
+    curvature_change_rel: Optional[float]
+    figure_texts: dict
     length_mm: Optional[float]
     severity: float
     detail: str
@@ -53,17 +83,24 @@ class Column:
     numeric: bool = True
 
 
+#: The figures that the table has a column for.
+SHOWN = ("gap_mm", "angle_deg", "curvature_rel", "curvature_change_rel")
+
 COLUMNS = (
     Column("seam", "Seam", "Number of the seam in the report"),
     Column("seam_class", "Class", "Defect, crease or smooth", numeric=False),
     Column("angle_deg", "Angle \u00b0", "Largest angle between the tangent planes, in degrees"),
     Column("gap_mm", "Gap mm", "Largest distance between the two sides, in mm"),
-    Column("curvature_rel", "Curvature", "Largest relative difference of curvature, without unit"),
+    Column("curvature_rel", "Curvature %", "Largest relative difference of curvature, in %"),
+    Column("curvature_change_rel", "Change %",
+           "Largest relative difference of the change of curvature, in % (measured for G3)"),
     Column("level", "Level", "Highest level of continuity the seam meets", numeric=False),
+    Column("certain", "Certain", "Whether class and level are the same for every value within the bounds",
+           numeric=False),
     Column("edge_text", "Edge", "The edge or edges of the seam", numeric=False),
     Column("face_text", "Faces", "The two faces that meet", numeric=False),
     Column("length_mm", "Length mm", "Length of the seam, in mm"),
-)
+)  # fmt: skip
 
 
 def figure_value(figure):
@@ -74,15 +111,14 @@ def figure_value(figure):
     return figure["lower"] if upper is None else upper
 
 
-def number_text(value):
-    """Four significant digits; a dash for None; noise is written as less than 1e-6."""
-    if value is None:
+def figure_text(seam, name, tolerance):
+    """A figure of a seam as a cell shows it, without unit; a dash when it was not measured."""
+    figure = seam.get(name)
+    if figure is None:
         return "\u2013"
-    if value == 0:
-        return "0"
-    if abs(value) < NOISE:
-        return "< 1e-6"
-    return "%.4g" % value
+    factor = QUANTITIES[name].factor
+    limit = tolerance.get(TOLERANCE_OF.get(name, name))
+    return enclosure.text(figure, factor, None if limit is None else factor * limit)
 
 
 def element_text(report, kind, number, qualified):
@@ -100,6 +136,26 @@ def element_text(report, kind, number, qualified):
 def owner_of(report, kind, number):
     """[object name, sub-element name] that face or edge ``number`` belongs to, or None."""
     return report.get("freecad", {}).get(kind, {}).get(str(number))
+
+
+def edge_number(report, analysis, name, element):
+    """Number in the report of sub-element ``element`` of object ``name``; None if it is no seam.
+
+    ``analysis`` is the name of the analysis itself, whose edges are the seams in order.
+    """
+    if name == analysis:
+        place = int(element[4:]) if element.startswith("Edge") and element[4:].isdigit() else 0
+        numbers = edge_numbers(report)
+        return numbers[place - 1] if 0 < place <= len(numbers) else None
+    for number, owner in report.get("freecad", {}).get("edges", {}).items():
+        if owner == [name, element]:
+            return int(number)
+    return None
+
+
+def edge_numbers(report):
+    """The edges of all seams in the order of the report, each once."""
+    return list(dict.fromkeys(number for seam in report.get("seams", ()) for number in seam["edges"]))
 
 
 def build_rows(report):
@@ -126,12 +182,12 @@ def _row(report, seam, level, qualified):
         face_text=names["faces"],
         seam_class=seam["class"],
         level=seam["level"],
-        gap_mm=figure_value(seam["gap_mm"]),
-        angle_deg=figure_value(seam["angle_deg"]),
-        curvature_rel=figure_value(seam["curvature_rel"]),
+        certain=seam["certified"],
+        **{name: figure_value(seam.get(name)) for name in SHOWN},
+        figure_texts={name: figure_text(seam, name, report["tolerance"]) for name in SHOWN},
         length_mm=seam.get("length_mm"),
         severity=severity(seam, report["tolerance"], level),
-        detail=detail_text(seam),
+        detail=detail_text(seam, report["tolerance"]),
     )
 
 
@@ -142,7 +198,10 @@ def severity(seam, tolerance, level):
     """
     if seam["gap_mm"] is None or seam["angle_deg"] is None:
         return math.inf
-    return max(_ratio(figure_value(seam[name]), tolerance[name]) for name in DECIDING[level])
+    return max(
+        _ratio(figure_value(seam.get(name)), tolerance[TOLERANCE_OF.get(name, name)])
+        for name in DECIDING[level]
+    )
 
 
 def _ratio(value, limit):
@@ -151,29 +210,36 @@ def _ratio(value, limit):
     return value / limit if limit > 0 else math.inf
 
 
-def detail_text(seam):
-    """Tool tip of a row: each figure with its bounds and place, then the kernel's note."""
+def detail_text(seam, tolerance):
+    """Tool tip of a row: each figure with its place, the verdict's certainty, the kernel's note."""
     lines = ["Seam %d (%s)" % (seam["id"], seam["kind"])]
-    for name, label, unit in (
-        ("gap_mm", "Gap", " mm"),
-        ("angle_deg", "Angle", "\u00b0"),
-        ("curvature_per_mm", "Curvature difference", " /mm"),
-        ("curvature_rel", "Relative difference of curvature", ""),
-    ):
-        lines.append("%s: %s" % (label, _figure_text(seam.get(name), unit)))
+    for name, quantity in QUANTITIES.items():
+        if seam.get(name) is not None or name in DECIDING["G2"]:
+            lines.append("%s: %s" % (quantity.label, _placed_text(seam, name, tolerance)))
+    if seam["certified"]:
+        lines.append("The verdict is certain: it is the same for every value within the bounds")
+    else:
+        lines.append("The verdict is not certain")
     if seam.get("note"):
         lines.append(seam["note"])
     return "\n".join(lines)
 
 
-def _figure_text(figure, unit):
+def _placed_text(seam, name, tolerance):
+    figure = seam.get(name)
     if figure is None:
         return "not measured"
-    lower = number_text(figure["lower"]) + unit
-    place = "" if figure.get("at") is None else ", at %.3g of the edge" % figure["at"]
-    if figure.get("upper") is None:
-        return "%s is the largest seen%s" % (lower, place)
-    return "between %s and %s%s%s" % (lower, number_text(figure["upper"]), unit, place)
+    text = figure_text(seam, name, tolerance) + QUANTITIES[name].unit
+    return text if figure.get("at") is None else "%s, largest at %.3g of the edge" % (text, figure["at"])
+
+
+def worst_label(seam, tolerance):
+    """The figure at the worst point of a seam with its unit; "" where there is none."""
+    worst = seam.get("worst")
+    if worst is None:
+        return ""
+    name = WORST_FIGURE[worst["quantity"]]
+    return "" if seam.get(name) is None else figure_text(seam, name, tolerance) + QUANTITIES[name].unit
 
 
 def sort_rows(rows, field, descending=False):
@@ -194,16 +260,33 @@ def _sort_key(row, field):
     return value
 
 
-def filter_rows(rows, seam_class):
-    """Rows of one class; all rows for None."""
-    return [row for row in rows if seam_class is None or row.seam_class == seam_class]
+def has_values(rows, field):
+    """Whether a row has a value of that field."""
+    return any(getattr(row, field) is not None for row in rows)
+
+
+#: In place of a class: the rows whose verdict is not certain.
+UNCERTAIN = "uncertain"
+
+
+def filter_rows(rows, wanted):
+    """Rows of one class, or those that are ``UNCERTAIN``; all rows for None."""
+    if wanted == UNCERTAIN:
+        return [row for row in rows if not row.certain]
+    return [row for row in rows if wanted is None or row.seam_class == wanted]
 
 
 def cell_text(row, column):
     """What the table shows in a cell."""
     value = getattr(row, column.field)
     if column.field == "seam_class":
-        return palette.BY_KEY[value].name
+        return palette.BY_KEY[value].name + ("" if row.certain else "?")
     if column.field == "seam":
         return str(value)
-    return number_text(value) if column.numeric else value
+    if column.field == "certain":
+        return "yes" if value else "no"
+    if column.field in row.figure_texts:
+        return row.figure_texts[column.field]
+    if column.numeric:
+        return "\u2013" if value is None else "%.4g" % value
+    return value

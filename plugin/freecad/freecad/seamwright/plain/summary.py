@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Counts and sentences about a report: summary line, legend and tolerance line."""
 
-from freecad.seamwright.plain import palette, rows
+from freecad.seamwright.plain import enclosure, palette, rows
 
 
 def class_counts(report):
@@ -27,11 +27,19 @@ def edge_classes(report):
 
 
 def largest(report, name):
-    """Largest known figure ``name`` over the seams that are no creases, or None."""
-    values = [
-        rows.figure_value(seam[name]) for seam in report.get("seams", ()) if seam["class"] != "crease"
-    ]
-    return max((value for value in values if value is not None), default=None)
+    """Largest figure ``name`` seen over the seams that are no creases, or None."""
+    figures = [seam[name] for seam in report.get("seams", ()) if seam["class"] != "crease"]
+    return max((figure["lower"] for figure in figures if figure is not None), default=None)
+
+
+def uncertain(report):
+    """Number of seams whose verdict is not certain."""
+    return sum(not seam["certified"] for seam in report.get("seams", ()))
+
+
+def matched(report):
+    """Number of seams of two open edges that lie side by side."""
+    return sum(seam["kind"] == "matched" for seam in report.get("seams", ()))
 
 
 def level_of(report):
@@ -51,15 +59,18 @@ def counted(number, noun):
 
 
 def summary_text(report):
-    """One line: how many seams of each class, the largest figures, and the verdict."""
+    """One line: seams of each class, largest figures, certainty, and the verdict."""
     counts = class_counts(report)
     total = sum(counts.values())
     if total == 0:
-        return "No seams: no two faces share an edge."
+        text = "No seams: no two faces share an edge."
+        if report.get("open"):
+            text += " %s can be matched, see the tolerances." % counted(len(report["open"]), "open edge")
+        return text
     parts = [
         "%s: %s, %s, %d smooth"
         % (
-            counted(total, "seam"),
+            _total_text(report, total),
             counted(counts["defect"], "defect"),
             counted(counts["crease"], "crease"),
             counts["smooth"],
@@ -69,18 +80,24 @@ def summary_text(report):
     if open_edges:
         parts.append(counted(open_edges, "open edge"))
     parts.append(_largest_text(report))
+    parts.append("%d of %s certain" % (total - uncertain(report), counted(total, "verdict")))
     verdict = "%s is met" if passed(report) else "%s is not met"
     parts.append(verdict % level_of(report))
     return "; ".join(part for part in parts if part) + "."
+
+
+def _total_text(report, total):
+    text = counted(total, "seam")
+    return text + ", %d of them matched" % matched(report) if matched(report) else text
 
 
 def _largest_text(report):
     gap, angle = largest(report, "gap_mm"), largest(report, "angle_deg")
     if gap is None or angle is None:
         return ""
-    return "apart from creases, largest gap %s mm, largest angle %s\u00b0" % (
-        rows.number_text(gap),
-        rows.number_text(angle),
+    return "apart from creases, largest gap seen %s mm, largest angle %s\u00b0" % (
+        enclosure.number(gap),
+        enclosure.number(angle),
     )
 
 

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <array>
+
+#include <seamwright/occ_adapter/analyze/report.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+struct Candidate {
+  const char* quantity;
+  std::optional<double> at;
+};
+
+std::optional<double> placeOf(const std::optional<Figure>& figure) {
+  return figure ? std::optional(figure->at) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<WorstPoint> worstPoint(const SeamFigures& figures, Level level,
+                                     const std::function<Eigen::Vector3d(double at)>& point_at) {
+  const std::array<Candidate, 4> candidates = {
+      {{"gap", placeOf(figures.gap_mm)},
+       {"angle", figures.fold_at ? figures.fold_at : placeOf(figures.angle_rad)},
+       {"curvature", placeOf(figures.curvature_rel)},
+       {"curvature_change", placeOf(figures.curvature_change_rel)}}};
+  const std::size_t deciding = std::min(static_cast<std::size_t>(level), candidates.size() - 1);
+  for (std::size_t i = deciding + 1; i-- > 0;)
+    if (const auto [quantity, at] = candidates[i]; at) return WorstPoint{quantity, *at, point_at(*at)};
+  return std::nullopt;
+}
+
+}  // namespace seamwright::occ

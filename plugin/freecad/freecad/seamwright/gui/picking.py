@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Following what the user picks in the 3D view, to find its seam in the table."""
+
+import contextlib
+
+import FreeCADGui as Gui
+
+from freecad.seamwright.plain import rows
+
+
+class EdgePicker:
+    """Calls ``picked(edge number)`` when an edge of an analysis or of its sources is selected.
+
+    Numbers are those of ``report``. It follows FreeCAD's selection between ``start`` and ``stop``,
+    except within ``paused``.
+    """
+
+    def __init__(self, obj, picked):
+        self.report = {}
+        self._obj = obj
+        self._picked = picked
+        self._paused = False
+        self.active = False
+
+    def start(self):
+        """Begin to follow the selection."""
+        self.active = True
+        Gui.Selection.addObserver(self)
+
+    def stop(self):
+        """Follow it no longer."""
+        self.active = False
+        Gui.Selection.removeObserver(self)
+
+    @contextlib.contextmanager
+    def paused(self):
+        """While the program itself selects something."""
+        before, self._paused = self._paused, True
+        try:
+            yield
+        finally:
+            self._paused = before
+
+    def addSelection(self, doc_name, name, element, position):
+        """FreeCAD says that something was added to the selection."""
+        if self._paused or doc_name != self._obj.Document.Name:
+            return
+        *path, element = element.split(".")
+        name = path[-1] if path else name
+        number = rows.edge_number(self.report, self._obj.Name, name, element)
+        if number is not None:
+            self._picked(number)

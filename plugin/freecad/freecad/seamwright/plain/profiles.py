@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Tolerances by name, as the kernel has them (``seamwright.PROFILES``); docs/seams.md explains them.
+
+They are written here too because the panel works without the compiled module.
+"""
+
+PROFILES = {
+    "default": {
+        "gap_mm": 0.01, "angle_deg": 0.1, "curvature_rel": 0.02, "flat_radius_mm": 1e5, "crease_deg": 5.0
+    },
+    "class-a": {
+        "gap_mm": 0.001, "angle_deg": 0.01, "curvature_rel": 0.02, "flat_radius_mm": 1e5, "crease_deg": 5.0
+    },
+    "vda": {
+        "gap_mm": 0.02, "angle_deg": 0.1, "curvature_rel": 0.1, "flat_radius_mm": 1e5, "crease_deg": 5.0
+    },
+}  # fmt: skip
+
+#: Name for the user, and what the profile is for.
+LABELS = {
+    "default": ("Default", "mechanical parts"),
+    "class-a": ("Class A", "surfaces whose reflections are looked at"),
+    "vda": ("VDA", "exchange of surfaces between systems"),
+}
+
+
+def name_of(tolerances):
+    """The first profile with these tolerances, or None; other keys than tolerances do not count."""
+    for name, figures in PROFILES.items():
+        if all(abs(tolerances[key] - value) <= 1e-12 * value for key, value in figures.items()):
+            return name
+    return None
+
+
+def tip(name):
+    """What a profile is for and accepts, in one line."""
+    figures = PROFILES[name]
+    return "%s: gap %g mm, angle %g\u00b0, curvature %g %%" % (
+        LABELS[name][1], figures["gap_mm"], figures["angle_deg"], 100 * figures["curvature_rel"]
+    )  # fmt: skip
