@@ -16,7 +16,8 @@
 
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
 #include <seamwright/occ_adapter/analyze/workers.hpp>
-#include <seamwright/occ_adapter/convert/face_strip.hpp>
+#include <seamwright/occ_adapter/convert/seam_strips.hpp>
+#include <seamwright/occ_adapter/seams/match.hpp>
 
 namespace seamwright::occ {
 
@@ -28,23 +29,15 @@ void addNote(std::string& notes, const std::string& note) {
   notes += note;
 }
 
-/// 0, the breaks of both sides, 1; breaks that only rounding tells apart are one.
-std::vector<double> commonBreaks(const FaceStrip& a, const FaceStrip& b) {
-  std::vector<double> breaks = a.breaks();
-  const std::vector<double> more = b.breaks();
-  breaks.insert(breaks.end(), more.begin(), more.end());
-  std::ranges::sort(breaks);
-  constexpr double apart = 1e-9;
-  std::vector<double> merged = {0};
-  for (const double s : breaks)
-    if (s > merged.back() + apart && s < 1 - apart) merged.push_back(s);
-  merged.push_back(1);
-  return merged;
-}
-
-double lengthOf(const TopoDS_Edge& edge) {
+/// Of the edge; of a matched seam, of its stretch of the first edge.
+double lengthOf(const Seam& seam) {
+  const TopoDS_Edge& edge = seam.sides[0].edge;
   if (BRep_Tool::Degenerated(edge)) return 0;
-  return GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(edge));
+  const BRepAdaptor_Curve curve(edge);
+  const std::vector<double>& places = seam.correspondence.a;
+  if (places.empty()) return GCPnts_AbscissaPoint::Length(curve);
+  const double first = curve.FirstParameter(), range = curve.LastParameter() - first;
+  return GCPnts_AbscissaPoint::Length(curve, first + places.front() * range, first + places.back() * range);
 }
 
 /// "at 0" or, for places that lie close together, "from 0 to 0.012".
@@ -89,13 +82,14 @@ std::string sharpSpotNote(const SeamFigures& figures, const ContinuityTolerance&
 }
 
 void measure(const Seam& seam, const AnalyzeOptions& options, SeamResult& result) {
-  result.length_mm = lengthOf(seam.sides[0].edge);
-  const FaceStrip a(seam.sides[0], options.tolerance.gap_mm);
-  const FaceStrip b(seam.sides[1], options.tolerance.gap_mm);
-  for (const auto& [strip, face] : {std::pair(&a, result.faces[0]), std::pair(&b, result.faces[1])})
-    if (!strip->note().empty()) addNote(result.note, "face " + std::to_string(face) + ": " + strip->note());
-  result.figures = surveySeam([&](double s) { return measurePair(a.at(s), b.at(s)); }, commonBreaks(a, b),
-                              options.tolerance);
+  addNote(result.note, seam.note);
+  result.length_mm = lengthOf(seam);
+  const SeamStrips strips(seam, options.tolerance.gap_mm);
+  for (const int side : {0, 1})
+    if (const std::string& note = strips.note(side); !note.empty())
+      addNote(result.note, "face " + std::to_string(result.faces[side]) + ": " + note);
+  result.figures =
+      surveySeam([&](double s) { return strips.measureAt(s); }, strips.breaks(), options.tolerance);
   result.verdict = judge(result.figures, options.tolerance, options.level);
   addNote(result.note, degeneracyNote(result.figures, result.faces));
   addNote(result.note, sharpSpotNote(result.figures, options.tolerance));
@@ -138,13 +132,18 @@ double coordinateNoise(const TopoDS_Shape& shape) {
   return 16 * std::numeric_limits<double>::epsilon() * size;
 }
 
-void requireAboveNoise(double gap_mm, const TopoDS_Shape& shape) {
-  const double noise = coordinateNoise(shape);
-  if (gap_mm >= noise) return;
+void requireAboveNoise(const char* what, double mm, double noise_mm) {
+  if (mm >= noise_mm) return;
   std::ostringstream text;
-  text << "gap tolerance is " << gap_mm << " mm: below " << noise
+  text << what << " is " << mm << " mm: below " << noise_mm
        << " mm the coordinates of this model are rounding";
   throw std::invalid_argument(text.str());
+}
+
+/// A part of a longer work.
+Progress part(const Progress& progress, double from, double to) {
+  if (!progress) return {};
+  return [&progress, from, to](double share) { return progress(from + share * (to - from)); };
 }
 
 ModelFacts factsOf(const Model& model) {
@@ -158,6 +157,9 @@ void AnalyzeOptions::validate() const {
   if (level == Level::None || level == Level::G3)
     throw std::invalid_argument("level " + std::string(name(level)) +
                                 ": this version measures G0, G1 and G2");
+  if (!std::isfinite(match_mm) || match_mm < 0)
+    throw std::invalid_argument("distance to match is " + std::to_string(match_mm) +
+                                " mm: it must be finite and not negative");
   if (jobs < 0) throw std::invalid_argument("jobs is " + std::to_string(jobs) + ": it must not be negative");
 }
 
@@ -168,19 +170,28 @@ bool Report::passed() const {
 
 Report analyze(const Model& model, const AnalyzeOptions& options, const Progress& progress) {
   options.validate();
-  requireAboveNoise(options.tolerance.gap_mm, model.shape);
+  const double noise_mm = coordinateNoise(model.shape);
+  requireAboveNoise("gap tolerance", options.tolerance.gap_mm, noise_mm);
+  const bool match = options.match_mm > 0;
+  if (match) requireAboveNoise("distance to match", options.match_mm, noise_mm);
   const auto start = std::chrono::steady_clock::now();
   SeamGraph graph = findSeams(model.shape);
+  constexpr double share_of_matching = 0.3;
+  if (match)
+    matchFreeEdges({.match_mm = options.match_mm, .gap_mm = options.tolerance.gap_mm}, graph,
+                   part(progress, 0, share_of_matching));
   Report report{factsOf(model), options.tolerance, options.level, {}, {}, {}, model.read_s, 0};
   report.open = std::move(graph.open);
   report.non_manifold = std::move(graph.non_manifold);
+  report.model.notes.insert(report.model.notes.end(), graph.notes.begin(), graph.notes.end());
   report.seams.resize(graph.seams.size());
   if (report.seams.empty())
     report.model.notes.push_back("no face shares an edge with another, so there is nothing to judge; " +
                                  std::to_string(report.open.size()) + " edges bound one face");
   runParallel(
       graph.seams.size(), options.jobs,
-      [&](std::size_t i) { report.seams[i] = measureSeam(graph.seams[i], options); }, progress);
+      [&](std::size_t i) { report.seams[i] = measureSeam(graph.seams[i], options); },
+      match ? part(progress, share_of_matching, 1) : progress);
   report.analyze_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }

@@ -10,7 +10,7 @@ namespace seamwright::occ {
 struct AnalyzeOptions {
   ContinuityTolerance tolerance;
   Level level = Level::G1;  ///< what a seam must reach: G0, G1 or G2
-  double match_mm = 0;      ///< also seams of free edges within this distance of one another; 0: none
+  double match_mm = 0;      ///< also seams of open edges within this distance (matchFreeEdges()); 0: none
   bool certify = true;      ///< enclose the figures; false: sample them only
   int jobs = 0;             ///< threads; 0: one for each processor
 
@@ -24,8 +24,8 @@ struct AnalyzeOptions {
 /// measured has /// no figures, level None, class Defect and a note that says why; the others are not affected. A model without seams
 /// passes, with a note. The shape is never changed.
 ///
-/// \throws std::invalid_argument for bad options, also for a gap tolerance below the rounding of the model's
-/// coordinates; Cancelled.
+/// \throws std::invalid_argument for bad options, also for a gap tolerance or a distance to match below the rounding of the
+/// model's coordinates; Cancelled.
 Report analyze(const Model& model, const AnalyzeOptions& options = {}, const Progress& progress = {});
 
 }  // namespace seamwright::occ

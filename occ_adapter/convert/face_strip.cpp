@@ -126,6 +126,17 @@ SidePoint FaceStrip::at(double s) const {
   return side;
 }
 
+PathPoint FaceStrip::trace(double s) const {
+  gp_Pnt2d uv;
+  gp_Vec2d direction;
+  path_.D1(parameter(s), uv, direction);
+  direction *= pcurve_.last - pcurve_.first;
+  gp_Pnt p;
+  gp_Vec du, dv;
+  surface_.D1(uv.X(), uv.Y(), p, du, dv);
+  return {vector(p.XYZ()), direction.X() * vector(du.XYZ()) + direction.Y() * vector(dv.XYZ())};
+}
+
 SurfaceJet FaceStrip::jet(double u, double v) const {
   gp_Pnt p;
   gp_Vec du, dv, duu, dvv, duv;

@@ -12,6 +12,12 @@
 
 namespace seamwright::occ {
 
+/// Where a path is in space and how it goes on.
+struct PathPoint {
+  Eigen::Vector3d p;
+  Eigen::Vector3d d;  ///< derivative of p by s
+};
+
 /// One side of a seam as core sees it: a surface along a path, s in [0, 1] running with the edge's curve.
 ///
 /// Locations (also mirrored ones) are applied. Not to be shared between threads: OpenCASCADE's adaptors
@@ -24,6 +30,12 @@ class FaceStrip {
   /// Jet to second order, its noise, and the direction of the seam.
   /// \throws Standard_Failure where OpenCASCADE can't evaluate.
   SidePoint at(double s) const;
+
+  /// at(s).jet.p and its derivative, at a fraction of the cost.
+  /// \throws Standard_Failure where OpenCASCADE can't evaluate.
+  PathPoint trace(double s) const;
+
+  gp_Pnt2d parametersAt(double s) const { return path_.Value(parameter(s)); }
 
   /// Values of s in (0, 1) where the jet may not be smooth: knots of the pcurve and crossings of the
   /// surface's knot lines.

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRep_Tool.hxx>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <seamwright/occ_adapter/seams/rivals.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+/// A range of places on a path.
+struct Range {
+  double low = 0, high = 0;
+};
+
+/// A stretch as one of its paths sees it.
+struct Claim {
+  std::size_t stretch = 0;
+  Range on;
+};
+
+/// A part of a path to which the same stretches lay claim throughout, by increasing distance.
+struct Contest {
+  Range on;
+  std::vector<std::size_t> stretches;
+  std::size_t equals = 1;  ///< so many of the first are by different faces and about as close
+};
+
+class Referee {
+ public:
+  Referee(const std::vector<Stretch>& stretches, const EdgePaths& paths, double least_mm)
+      : stretches_(stretches), paths_(paths), least_mm_(least_mm), lost_(stretches.size()) {}
+
+  Settled settle();
+
+ private:
+  std::vector<Contest> contests(std::size_t path, std::vector<Claim> claims) const;
+  Contest contest(std::size_t path, Range on, const std::vector<Claim>& claims) const;
+  double largestDistance(const Stretch& stretch, std::size_t path, Range on) const;
+  std::size_t otherPath(const Stretch& stretch, std::size_t path) const {
+    return stretch.path_a == path ? stretch.path_b : stretch.path_a;
+  }
+  int otherFace(std::size_t stretch, std::size_t path) const {
+    return paths_[otherPath(stretches_[stretch], path)]->use().face;
+  }
+  void decide(std::size_t path, const std::vector<Contest>& contests);
+  void crowd(std::size_t path, const Contest& contest);
+  void lose(std::size_t stretch, std::size_t path, Range on);
+  std::vector<Stretch> remains(std::size_t stretch) const;
+  double length_mm(std::size_t path, Range on) const {
+    return std::abs(paths_[path]->lengthTo_mm(on.high) - paths_[path]->lengthTo_mm(on.low));
+  }
+
+  const std::vector<Stretch>& stretches_;
+  const EdgePaths& paths_;
+  double least_mm_;
+  std::vector<std::vector<Range>> lost_;  ///< of each stretch, places on its path a
+  std::map<std::size_t, std::set<int>> crowded_;
+};
+
+double Referee::largestDistance(const Stretch& stretch, std::size_t path, Range on) const {
+  double largest = 0;
+  constexpr int steps = 8;
+  for (int i = 0; i <= steps; ++i) {
+    const double place = on.low + i * (on.high - on.low) / steps;
+    const double a = stretch.path_a == path ? place : stretch.aOf(place);
+    largest = std::max(largest, stretch.distanceAt_mm(a));
+  }
+  return largest;
+}
+
+Contest Referee::contest(std::size_t path, Range on, const std::vector<Claim>& claims) const {
+  std::vector<std::pair<double, std::size_t>> by_distance;
+  for (const Claim& claim : claims)
+    by_distance.emplace_back(largestDistance(stretches_[claim.stretch], path, on), claim.stretch);
+  std::ranges::sort(by_distance);
+  Contest contest{on, {}, 1};
+  for (const auto& [distance, stretch] : by_distance) contest.stretches.push_back(stretch);
+  const auto& [nearest, winner] = by_distance.front();
+  for (std::size_t i = 1; i < by_distance.size(); ++i) {
+    const auto& [distance, stretch] = by_distance[i];
+    double equal = 2 * nearest;
+    for (const std::size_t which :
+         {path, otherPath(stretches_[winner], path), otherPath(stretches_[stretch], path)})
+      equal = std::max(equal, BRep_Tool::Tolerance(paths_[which]->use().edge));
+    if (otherFace(stretch, path) == otherFace(winner, path) || distance > equal) continue;
+    std::swap(contest.stretches[contest.equals], contest.stretches[i]);
+    ++contest.equals;
+  }
+  return contest;
+}
+
+/// The parts of a path that two stretches or more lay claim to, in order.
+std::vector<Contest> Referee::contests(std::size_t path, std::vector<Claim> claims) const {
+  std::ranges::sort(claims, {}, [](const Claim& claim) { return claim.on.low; });
+  std::vector<double> cuts;
+  for (const Claim& claim : claims) cuts.insert(cuts.end(), {claim.on.low, claim.on.high});
+  std::ranges::sort(cuts);
+  std::vector<Contest> contests;
+  std::vector<Claim> active;
+  auto next = claims.begin();
+  for (std::size_t i = 1; i < cuts.size(); ++i) {
+    const Range on{cuts[i - 1], cuts[i]};
+    for (; next != claims.end() && next->on.low <= on.low; ++next) active.push_back(*next);
+    std::erase_if(active, [&](const Claim& claim) { return claim.on.high <= on.low; });
+    if (active.size() > 1 && on.high > on.low) contests.push_back(contest(path, on, active));
+  }
+  return contests;
+}
+
+void Referee::lose(std::size_t stretch, std::size_t path, Range on) {
+  const Stretch& loser = stretches_[stretch];
+  const double low = loser.path_a == path ? on.low : loser.aOf(on.low);
+  const double high = loser.path_a == path ? on.high : loser.aOf(on.high);
+  lost_[stretch].push_back({std::min(low, high), std::max(low, high)});
+}
+
+void Referee::crowd(std::size_t path, const Contest& contest) {
+  std::set<std::size_t> members = {path};
+  for (std::size_t i = 0; i < contest.equals; ++i) {
+    members.insert(otherPath(stretches_[contest.stretches[i]], path));
+    lose(contest.stretches[i], path, contest.on);
+  }
+  for (const std::size_t member : members)
+    for (const std::size_t other : members) crowded_[member].insert(paths_[other]->use().face);
+}
+
+void Referee::decide(std::size_t path, const std::vector<Contest>& contests) {
+  for (const Contest& contest : contests)
+    for (std::size_t i = 1; i < contest.stretches.size(); ++i) lose(contest.stretches[i], path, contest.on);
+  const auto is_equal = [](const Contest& contest) { return contest.equals > 1; };
+  for (auto first = contests.begin(); first != contests.end();) {
+    first = std::find_if(first, contests.end(), is_equal);
+    if (first == contests.end()) return;
+    auto last = std::next(first);
+    while (last != contests.end() && is_equal(*last) && last->on.low == std::prev(last)->on.high) ++last;
+    if (length_mm(path, {first->on.low, std::prev(last)->on.high}) >= least_mm_)
+      std::for_each(first, last, [&](const Contest& contest) { crowd(path, contest); });
+    first = last;
+  }
+}
+
+/// What is left of a stretch that lost parts, as far as it is long enough.
+std::vector<Stretch> Referee::remains(std::size_t index) const {
+  const Stretch& whole = stretches_[index];
+  std::vector<Range> lost = lost_[index];
+  if (lost.empty()) return {whole};
+  std::ranges::sort(lost, {}, &Range::low);
+  lost.push_back({whole.back().a, whole.back().a});
+  std::vector<Stretch> left;
+  double low = whole.front().a;
+  for (const Range& gone : lost) {
+    const Range on{low, gone.low};
+    const Range on_b{whole.bOf(on.low), whole.bOf(on.high)};
+    low = std::max(low, gone.high);
+    if (on.high <= on.low || length_mm(whole.path_a, on) < least_mm_ ||
+        length_mm(whole.path_b, on_b) < least_mm_)
+      continue;
+    const bool against = whole.front().against;
+    Stretch part{whole.path_a, whole.path_b, {{on.low, on_b.low, whole.distanceAt_mm(on.low), against}}};
+    std::ranges::copy_if(whole.feet, std::back_inserter(part.feet),
+                         [&](const Foot& foot) { return foot.a > on.low && foot.a < on.high; });
+    part.feet.push_back({on.high, on_b.high, whole.distanceAt_mm(on.high), against});
+    left.push_back(std::move(part));
+  }
+  return left;
+}
+
+Settled Referee::settle() {
+  std::map<std::size_t, std::vector<Claim>> claims;
+  for (std::size_t i = 0; i < stretches_.size(); ++i) {
+    const Foot &front = stretches_[i].front(), &back = stretches_[i].back();
+    claims[stretches_[i].path_a].push_back({i, {front.a, back.a}});
+    claims[stretches_[i].path_b].push_back({i, {std::min(front.b, back.b), std::max(front.b, back.b)}});
+  }
+  for (const auto& [path, of_path] : claims) decide(path, contests(path, of_path));
+  Settled settled;
+  for (std::size_t i = 0; i < stretches_.size(); ++i)
+    for (Stretch& left : remains(i)) settled.stretches.push_back(std::move(left));
+  settled.crowded = std::move(crowded_);
+  return settled;
+}
+
+}  // namespace
+
+Settled settleRivals(const std::vector<Stretch>& stretches, const EdgePaths& paths, double least_mm) {
+  return Referee(stretches, paths, least_mm).settle();
+}
+
+}  // namespace seamwright::occ

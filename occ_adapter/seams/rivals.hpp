@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include <seamwright/occ_adapter/seams/stretch.hpp>
+
+namespace seamwright::occ {
+
+/// The paths of the free edges; empty where there is none.
+using EdgePaths = std::vector<std::unique_ptr<EdgePath>>;
+
+struct Settled {
+  std::vector<Stretch> stretches;
+  std::map<std::size_t, std::set<int>> crowded;  ///< paths where three or more faces meet, and these faces
+};
+
+/// Decides between stretches that compete for the same part of a path, see matchFreeEdges().
+/// \param least_mm what is shorter is dropped.
+Settled settleRivals(const std::vector<Stretch>& stretches, const EdgePaths& paths, double least_mm);
+
+}  // namespace seamwright::occ
