@@ -17,7 +17,8 @@ struct IndexedPiece {
   std::size_t path = 0;
   std::size_t number = 0;
   const PathPiece* piece = nullptr;
-  Bnd_Box box;  ///< of the piece, grown by half the distance asked for
+  double reach_mm = 0;
+  Bnd_Box box;  ///< of the piece, grown by half its reach
 };
 
 gp_Pnt pointOf(const Eigen::Vector3d& p) {
@@ -29,12 +30,13 @@ std::vector<IndexedPiece> indexed(const EdgePaths& paths, double match_mm) {
   for (std::size_t i = 0; i < paths.size(); ++i) {
     if (!paths[i]) continue;
     const std::vector<PathPiece>& pieces = paths[i]->pieces();
+    const double reach = reach_mm(*paths[i], match_mm);
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       Bnd_Box box;
       box.Add(pointOf(pieces[k].start));
       box.Add(pointOf(pieces[k].end));
-      box.SetGap(pieces[k].sagitta_mm + 0.5 * match_mm);
-      all.push_back({i, k, &pieces[k], box});
+      box.SetGap(pieces[k].sagitta_mm + 0.5 * reach);
+      all.push_back({i, k, &pieces[k], reach, box});
     }
   }
   return all;
@@ -66,15 +68,15 @@ bool mayRunTogether(const PathPiece& p, const PathPiece& q) {
 /// Collects the pieces of later paths that are close to one piece.
 class CloseTo : public Tree::Selector {
  public:
-  CloseTo(const std::vector<IndexedPiece>& all, std::size_t to, double match_mm)
-      : all_(all), to_(all[to]), match_mm_(match_mm) {}
+  CloseTo(const std::vector<IndexedPiece>& all, std::size_t to) : all_(all), to_(all[to]) {}
 
   Standard_Boolean Reject(const Bnd_Box& box) const override { return box.IsOut(to_.box); }
 
   Standard_Boolean Accept(const std::size_t& index) override {
     const IndexedPiece& other = all_[index];
     if (other.path <= to_.path || other.box.IsOut(to_.box)) return false;
-    const double reach = match_mm_ + to_.piece->sagitta_mm + other.piece->sagitta_mm;
+    const double reach =
+        std::min(to_.reach_mm, other.reach_mm) + to_.piece->sagitta_mm + other.piece->sagitta_mm;
     if (!mayRunTogether(*to_.piece, *other.piece) || chordDistance(*to_.piece, *other.piece) > reach)
       return false;
     found.push_back(index);
@@ -86,7 +88,6 @@ class CloseTo : public Tree::Selector {
  private:
   const std::vector<IndexedPiece>& all_;
   const IndexedPiece& to_;
-  double match_mm_;
 };
 
 }  // namespace
@@ -103,7 +104,7 @@ std::map<std::pair<std::size_t, std::size_t>, ClosePieces> findClosePieces(const
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (progress && i % 1024 == 0 && !progress(static_cast<double>(i) / static_cast<double>(all.size())))
       throw Cancelled();
-    CloseTo selector(all, i, match_mm);
+    CloseTo selector(all, i);
     tree.Select(selector);
     std::ranges::sort(selector.found);
     for (const std::size_t index : selector.found)

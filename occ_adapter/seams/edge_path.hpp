@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include <seamwright/occ_adapter/convert/face_strip.hpp>
@@ -56,5 +57,15 @@ class EdgePath {
   std::vector<double> lengths_mm_;  ///< up to the start of each piece, and the whole
   bool closed_ = false;
 };
+
+/// How far apart the path and another may be: a stretch is at least 4 times as long as the paths are apart.
+inline double reach_mm(const EdgePath& path, double match_mm) {
+  return std::min(match_mm, path.length_mm() / 4);
+}
+
+/// What is shorter is no seam, and may be left out of a path that is matched over its whole length.
+inline double shortestSeam_mm(const EdgePath& path, double match_mm) {
+  return std::min(4 * match_mm, path.length_mm() / 10);
+}
 
 }  // namespace seamwright::occ

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <BRepAdaptor_Surface.hxx>
+#include <BRep_Tool.hxx>
 #include <Standard_Failure.hxx>
 #include <algorithm>
 #include <cmath>
@@ -27,12 +28,13 @@ void noteFailure(std::vector<std::string>& notes, const std::string& what,
 }
 
 /// Whether the surface of a face closes between two points of its border that are near in space.
-bool surfaceClosesBetween(const EdgePath& a, const EdgePath& b, const Foot& foot, double match_mm) {
+bool surfaceClosesBetween(const EdgePath& a, const EdgePath& b, const Foot& foot) {
   const gp_Pnt2d uv_a = a.strip().parametersAt(foot.a), uv_b = b.strip().parametersAt(foot.b);
   const gp_XY middle = 0.5 * (uv_a.XY() + uv_b.XY());
   const BRepAdaptor_Surface surface(a.use().shape, false);
   const gp_Pnt between = surface.Value(middle.X(), middle.Y());
-  return between.Distance(surface.Value(uv_a.X(), uv_a.Y())) > match_mm;
+  return between.Distance(surface.Value(uv_a.X(), uv_a.Y())) >
+         2 * foot.distance_mm + BRep_Tool::Tolerance(a.use().edge);
 }
 
 /// The nearest foot to a place on a, searched from a place on b.
@@ -40,6 +42,16 @@ Foot footFrom(const EdgePath& a, const EdgePath& b, double place_a, double start
   const Eigen::Vector3d p = a.strip().trace(place_a).p;
   const double place_b = b.nearest(p, start_b);
   return {place_a, place_b, (b.strip().trace(place_b).p - p).norm(), against};
+}
+
+/// The ends and a few feet between them.
+std::vector<Foot> thinned(const std::vector<Foot>& feet) {
+  constexpr std::size_t pieces = 8;
+  const std::size_t step = std::max<std::size_t>(1, (feet.size() - 1) / pieces);
+  std::vector<Foot> few;
+  for (std::size_t i = 0; i + 1 < feet.size(); i += step) few.push_back(feet[i]);
+  few.push_back(feet.back());
+  return few;
 }
 
 class Refinement {
@@ -124,7 +136,6 @@ class Matcher {
   void addSeam(Stretch& stretch);
   bool coversWhole(std::size_t path, std::vector<std::pair<double, double>> ranges) const;
   void sortOut(const Settled& settled);
-  double least_mm() const { return 4 * options_.match_mm; }
   std::string edgeName(std::size_t i) const { return "Edge" + std::to_string(graph_.open[i].edge); }
 
   const MatchOptions& options_;
@@ -141,7 +152,7 @@ void Matcher::makePaths(const Progress& progress) {
     paths_.emplace_back();
     noteFailure(graph_.notes, edgeName(i) + " can't be matched", [&] {
       auto path = std::make_unique<EdgePath>(graph_.open_uses[i], graph_.open[i].edge, options_.gap_mm);
-      if (path->length_mm() < least_mm()) return;
+      if (!(path->length_mm() > 0)) return;
       summary_.pieces += path->pieces().size();
       ++summary_.edges;
       paths_.back() = std::move(path);
@@ -152,10 +163,10 @@ void Matcher::makePaths(const Progress& progress) {
 void Matcher::walkPair(std::size_t a, std::size_t b, const ClosePieces& close,
                        std::vector<Stretch>& stretches) {
   const EdgePath &path_a = *paths_[a], &path_b = *paths_[b];
-  const PairWalk pair(path_a, path_b, close, options_.match_mm);
-  for (std::vector<Foot>& feet : pair.stretches(least_mm())) {
+  const double reach = std::min(reach_mm(path_a, options_.match_mm), reach_mm(path_b, options_.match_mm));
+  for (std::vector<Foot>& feet : PairWalk(path_a, path_b, close, reach).stretches()) {
     const bool one_face = path_a.use().face == path_b.use().face;
-    if (one_face && !surfaceClosesBetween(path_a, path_b, feet[feet.size() / 2], options_.match_mm)) continue;
+    if (one_face && !surfaceClosesBetween(path_a, path_b, feet[feet.size() / 2])) continue;
     stretches.push_back({a, b, std::move(feet)});
   }
 }
@@ -184,6 +195,7 @@ void Matcher::addSeam(Stretch& stretch) {
   const EdgePath &a = *paths_[stretch.path_a], &b = *paths_[stretch.path_b];
   for (Foot* end : {&stretch.feet.front(), &stretch.feet.back()})
     *end = footFrom(a, b, end->a, end->b, end->against);
+  stretch.feet = thinned(stretch.feet);
   const double left_mm = Refinement(a, b, options_).refine(stretch.feet);
   Seam seam;
   seam.id = static_cast<int>(graph_.seams.size()) + 1;
@@ -206,7 +218,9 @@ bool Matcher::coversWhole(std::size_t path, std::vector<std::pair<double, double
   std::ranges::sort(ranges);
   double reached = 0;
   for (const auto& [low, high] : ranges) {
-    if (paths_[path]->lengthTo_mm(low) - paths_[path]->lengthTo_mm(reached) > least_mm()) return false;
+    if (paths_[path]->lengthTo_mm(low) - paths_[path]->lengthTo_mm(reached) >
+        shortestSeam_mm(*paths_[path], options_.match_mm))
+      return false;
     reached = std::max(reached, high);
   }
   return true;
@@ -237,7 +251,7 @@ void Matcher::sortOut(const Settled& settled) {
 }
 
 MatchSummary Matcher::run(const Progress& progress) {
-  Settled settled = settleRivals(walk(progress), paths_, least_mm());
+  Settled settled = settleRivals(walk(progress), paths_, options_.match_mm);
   std::ranges::sort(settled.stretches, {}, [](const Stretch& stretch) {
     return std::tuple(stretch.path_a, stretch.path_b, stretch.front().a);
   });

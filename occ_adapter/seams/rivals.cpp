@@ -30,8 +30,8 @@ struct Contest {
 
 class Referee {
  public:
-  Referee(const std::vector<Stretch>& stretches, const EdgePaths& paths, double least_mm)
-      : stretches_(stretches), paths_(paths), least_mm_(least_mm), lost_(stretches.size()) {}
+  Referee(const std::vector<Stretch>& stretches, const EdgePaths& paths, double match_mm)
+      : stretches_(stretches), paths_(paths), match_mm_(match_mm), lost_(stretches.size()) {}
 
   Settled settle();
 
@@ -48,6 +48,7 @@ class Referee {
   void decide(std::size_t path, const std::vector<Contest>& contests);
   void crowd(std::size_t path, const Contest& contest);
   void lose(std::size_t stretch, std::size_t path, Range on);
+  bool isLongEnough(const Stretch& stretch) const;
   std::vector<Stretch> remains(std::size_t stretch) const;
   double length_mm(std::size_t path, Range on) const {
     return std::abs(paths_[path]->lengthTo_mm(on.high) - paths_[path]->lengthTo_mm(on.low));
@@ -55,7 +56,7 @@ class Referee {
 
   const std::vector<Stretch>& stretches_;
   const EdgePaths& paths_;
-  double least_mm_;
+  double match_mm_;
   std::vector<std::vector<Range>> lost_;  ///< of each stretch, places on its path a
   std::map<std::size_t, std::set<int>> crowded_;
 };
@@ -136,34 +137,40 @@ void Referee::decide(std::size_t path, const std::vector<Contest>& contests) {
     if (first == contests.end()) return;
     auto last = std::next(first);
     while (last != contests.end() && is_equal(*last) && last->on.low == std::prev(last)->on.high) ++last;
-    if (length_mm(path, {first->on.low, std::prev(last)->on.high}) >= least_mm_)
+    if (length_mm(path, {first->on.low, std::prev(last)->on.high}) >=
+        shortestSeam_mm(*paths_[path], match_mm_))
       std::for_each(first, last, [&](const Contest& contest) { crowd(path, contest); });
     first = last;
   }
+}
+
+bool Referee::isLongEnough(const Stretch& stretch) const {
+  const EdgePath &a = *paths_[stretch.path_a], &b = *paths_[stretch.path_b];
+  double least = std::min(shortestSeam_mm(a, match_mm_), shortestSeam_mm(b, match_mm_));
+  for (const Foot& foot : stretch.feet) least = std::max(least, 4 * foot.distance_mm);
+  return length_mm(stretch.path_a, {stretch.front().a, stretch.back().a}) >= least &&
+         length_mm(stretch.path_b, {stretch.front().b, stretch.back().b}) >= least;
 }
 
 /// What is left of a stretch that lost parts, as far as it is long enough.
 std::vector<Stretch> Referee::remains(std::size_t index) const {
   const Stretch& whole = stretches_[index];
   std::vector<Range> lost = lost_[index];
-  if (lost.empty()) return {whole};
   std::ranges::sort(lost, {}, &Range::low);
   lost.push_back({whole.back().a, whole.back().a});
   std::vector<Stretch> left;
   double low = whole.front().a;
   for (const Range& gone : lost) {
     const Range on{low, gone.low};
-    const Range on_b{whole.bOf(on.low), whole.bOf(on.high)};
     low = std::max(low, gone.high);
-    if (on.high <= on.low || length_mm(whole.path_a, on) < least_mm_ ||
-        length_mm(whole.path_b, on_b) < least_mm_)
-      continue;
+    if (on.high <= on.low) continue;
+    const double low_b = whole.bOf(on.low), high_b = whole.bOf(on.high);
     const bool against = whole.front().against;
-    Stretch part{whole.path_a, whole.path_b, {{on.low, on_b.low, whole.distanceAt_mm(on.low), against}}};
+    Stretch part{whole.path_a, whole.path_b, {{on.low, low_b, whole.distanceAt_mm(on.low), against}}};
     std::ranges::copy_if(whole.feet, std::back_inserter(part.feet),
                          [&](const Foot& foot) { return foot.a > on.low && foot.a < on.high; });
-    part.feet.push_back({on.high, on_b.high, whole.distanceAt_mm(on.high), against});
-    left.push_back(std::move(part));
+    part.feet.push_back({on.high, high_b, whole.distanceAt_mm(on.high), against});
+    if (isLongEnough(part)) left.push_back(std::move(part));
   }
   return left;
 }
@@ -171,6 +178,7 @@ std::vector<Stretch> Referee::remains(std::size_t index) const {
 Settled Referee::settle() {
   std::map<std::size_t, std::vector<Claim>> claims;
   for (std::size_t i = 0; i < stretches_.size(); ++i) {
+    if (!isLongEnough(stretches_[i])) continue;
     const Foot &front = stretches_[i].front(), &back = stretches_[i].back();
     claims[stretches_[i].path_a].push_back({i, {front.a, back.a}});
     claims[stretches_[i].path_b].push_back({i, {std::min(front.b, back.b), std::max(front.b, back.b)}});
@@ -185,8 +193,8 @@ Settled Referee::settle() {
 
 }  // namespace
 
-Settled settleRivals(const std::vector<Stretch>& stretches, const EdgePaths& paths, double least_mm) {
-  return Referee(stretches, paths, least_mm).settle();
+Settled settleRivals(const std::vector<Stretch>& stretches, const EdgePaths& paths, double match_mm) {
+  return Referee(stretches, paths, match_mm).settle();
 }
 
 }  // namespace seamwright::occ

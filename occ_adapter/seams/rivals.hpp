@@ -18,8 +18,7 @@ struct Settled {
   std::map<std::size_t, std::set<int>> crowded;  ///< paths where three or more faces meet, and these faces
 };
 
-/// Decides between stretches that compete for the same part of a path, see matchFreeEdges().
-/// \param least_mm what is shorter is dropped.
-Settled settleRivals(const std::vector<Stretch>& stretches, const EdgePaths& paths, double least_mm);
+/// The stretches that are long enough and not contested, or won; for the rules see matchFreeEdges().
+Settled settleRivals(const std::vector<Stretch>& stretches, const EdgePaths& paths, double match_mm);
 
 }  // namespace seamwright::occ

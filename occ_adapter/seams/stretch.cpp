@@ -140,16 +140,13 @@ bool PairWalk::join(std::vector<Foot>& feet, const Foot& next) const {
   return true;
 }
 
-std::vector<std::vector<Foot>> PairWalk::stretches(double least_mm) const {
+std::vector<std::vector<Foot>> PairWalk::stretches() const {
   std::vector<std::vector<Foot>> found;
   std::vector<Foot> feet;
   const auto finish = [&](double bad) {
     if (feet.empty()) return;
     if (const std::optional<Foot> last = lastBefore(feet.back(), bad)) feet.push_back(*last);
-    const Foot &front = feet.front(), &back = feet.back();
-    if (a_.lengthTo_mm(back.a) - a_.lengthTo_mm(front.a) >= least_mm &&
-        std::abs(b_.lengthTo_mm(back.b) - b_.lengthTo_mm(front.b)) >= least_mm)
-      found.push_back(std::move(feet));
+    if (feet.size() > 1) found.push_back(std::move(feet));
     feet.clear();
   };
   double before = 0;

@@ -41,9 +41,9 @@ class PairWalk {
  public:
   PairWalk(const EdgePath& a, const EdgePath& b, const ClosePieces& close, double match_mm);
 
-  /// Stretches of at least that length on both paths, by increasing a. Their ends are where the distance or the angle is
+  /// Stretches by increasing a, however short. Their ends are where the distance or the angle is
   /// exceeded, or where either path ends; closed paths end at their start.
-  std::vector<std::vector<Foot>> stretches(double least_mm) const;
+  std::vector<std::vector<Foot>> stretches() const;
 
  private:
   std::vector<double> events() const;
