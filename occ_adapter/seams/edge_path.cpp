@@ -94,6 +94,12 @@ double EdgePath::lengthBetween_mm(double from, double to) const {
   return speed * std::abs(to - from);
 }
 
+double EdgePath::nearestOnChords(const std::vector<std::size_t>& pieces, const Eigen::Vector3d& p) const {
+  const std::size_t nearest =
+      *std::ranges::min_element(pieces, {}, [&](std::size_t i) { return pieces_[i].distance(p); });
+  return pieces_[nearest].place(pieces_[nearest].nearestShare(p));
+}
+
 double EdgePath::nearest(const Eigen::Vector3d& p, double start) const {
   const double place = nearestPlace(strip_, p, start);
   if (!closed_ || (place > 0 && place < 1)) return place;

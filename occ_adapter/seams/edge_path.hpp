@@ -42,6 +42,8 @@ class EdgePath {
   double lengthTo_mm(double place) const;
   /// Arc length between two places, by quadrature.
   double lengthBetween_mm(double from, double to) const;
+  /// The place whose chord comes nearest to p among those pieces, at least one: where to start a search.
+  double nearestOnChords(const std::vector<std::size_t>& pieces, const Eigen::Vector3d& p) const;
   /// As nearestPlace(); a closed path is searched across its start.
   double nearest(const Eigen::Vector3d& p, double start) const;
   /// Unit tangent; where the path is stationary, the direction of a short chord.

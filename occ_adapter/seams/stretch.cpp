@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <map>
 #include <numbers>
 
 #include <seamwright/occ_adapter/seams/stretch.hpp>
@@ -50,37 +50,25 @@ PairWalk::PairWalk(const EdgePath& a, const EdgePath& b, const ClosePieces& clos
   for (const auto& [i, j] : close) near_[i].push_back(j);
 }
 
-/// Where something may begin or end: ends, thirds of the close pieces of a, and the ends and middles of those of b.
+/// Where something may begin or end: ends and thirds of the close pieces of a, and what is nearest to the ends and middles
+/// of those of b.
 std::vector<double> PairWalk::events() const {
   std::vector<double> events;
+  std::map<std::size_t, std::vector<std::size_t>> by_b;
   for (std::size_t i = 0; i < near_.size(); ++i) {
     if (near_[i].empty()) continue;
-    const PathPiece& piece = a_.pieces()[i];
-    for (const double share : {0.0, 1.0 / 3, 2.0 / 3, 1.0}) events.push_back(piece.place(share));
-    for (const std::size_t j : near_[i])
-      for (const double share : {0.0, 0.5, 1.0}) {
-        const PathPiece& other = b_.pieces()[j];
-        const Eigen::Vector3d p = b_.strip().trace(other.place(share)).p;
-        events.push_back(a_.nearest(p, piece.place(piece.nearestShare(p))));
-      }
+    for (const double share : {0.0, 1.0 / 3, 2.0 / 3, 1.0}) events.push_back(a_.pieces()[i].place(share));
+    for (const std::size_t j : near_[i]) by_b[j].push_back(i);
   }
+  for (const auto& [j, close] : by_b)
+    for (const double share : {0.0, 0.5, 1.0}) {
+      const Eigen::Vector3d p = b_.strip().trace(b_.pieces()[j].place(share)).p;
+      events.push_back(a_.nearest(p, a_.nearestOnChords(close, p)));
+    }
   std::ranges::sort(events);
   const auto same = [](double s, double t) { return t - s < 1e-12; };
   events.erase(std::unique(events.begin(), events.end(), same), events.end());
   return events;
-}
-
-/// Where to start the search on b for the point nearest to p: on the nearest chord.
-double PairWalk::startFor(std::size_t piece, const Eigen::Vector3d& p) const {
-  double start = -1, least = std::numeric_limits<double>::infinity();
-  for (const std::size_t j : near_[piece]) {
-    const PathPiece& other = b_.pieces()[j];
-    const double distance = other.distance(p);
-    if (!(distance < least)) continue;
-    least = distance;
-    start = other.place(other.nearestShare(p));
-  }
-  return start;
 }
 
 /// Whether p lies beyond the end of b by more than rounding or a thousandth of the distance.
@@ -93,11 +81,11 @@ bool PairWalk::overhangs(const Foot& foot, const Eigen::Vector3d& p) const {
 std::optional<Foot> PairWalk::footAt(double place) const {
   const std::size_t piece = a_.pieceAt(place);
   const Eigen::Vector3d p = a_.strip().trace(place).p;
-  double start = startFor(piece, p);
+  const std::vector<std::size_t>* close = &near_[piece];
   // At the end of a piece the one before may be the one that is close.
-  if (start < 0 && piece > 0 && place - a_.pieces()[piece].from < 1e-9) start = startFor(piece - 1, p);
-  if (start < 0) return std::nullopt;
-  Foot foot{place, b_.nearest(p, start), 0, false};
+  if (close->empty() && piece > 0 && place - a_.pieces()[piece].from < 1e-9) close = &near_[piece - 1];
+  if (close->empty()) return std::nullopt;
+  Foot foot{place, b_.nearest(p, b_.nearestOnChords(*close, p)), 0, false};
   foot.distance_mm = (b_.strip().trace(foot.b).p - p).norm();
   const double cosine = a_.direction(place).dot(b_.direction(foot.b));
   foot.against = cosine < 0;

@@ -48,7 +48,6 @@ class PairWalk {
  private:
   std::vector<double> events() const;
   std::optional<Foot> footAt(double place) const;
-  double startFor(std::size_t piece, const Eigen::Vector3d& p) const;
   bool overhangs(const Foot& foot, const Eigen::Vector3d& p) const;
   bool continues(const Foot& from, const Foot& to) const;
   bool join(std::vector<Foot>& feet, const Foot& next) const;
