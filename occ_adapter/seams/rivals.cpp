@@ -82,10 +82,12 @@ Contest Referee::contest(std::size_t path, Range on, const std::vector<Claim>& c
   const auto& [nearest, winner] = by_distance.front();
   for (std::size_t i = 1; i < by_distance.size(); ++i) {
     const auto& [distance, stretch] = by_distance[i];
-    double equal = 2 * nearest;
-    for (const std::size_t which :
-         {path, otherPath(stretches_[winner], path), otherPath(stretches_[stretch], path)})
-      equal = std::max(equal, BRep_Tool::Tolerance(paths_[which]->use().edge));
+    // The least of the tolerances: a large one speaks of a fault of its own edge.
+    double tolerance = BRep_Tool::Tolerance(paths_[path]->use().edge);
+    for (const std::size_t rival : {stretch, winner})
+      tolerance =
+          std::min(tolerance, BRep_Tool::Tolerance(paths_[otherPath(stretches_[rival], path)]->use().edge));
+    const double equal = std::max(2 * nearest, tolerance);
     if (otherFace(stretch, path) == otherFace(winner, path) || distance > equal) continue;
     std::swap(contest.stretches[contest.equals], contest.stretches[i]);
     ++contest.equals;
