@@ -32,10 +32,11 @@ struct MatchSummary {
 ///  (2) its length is at least 4 match_mm or a tenth of the shorter edge: edges in a row may overlap a little.
 ///
 /// Where several edges run along the same part of an edge:
-///  - the nearest one counts, judged by the largest distance over that part. So a face narrower than match_mm is joined on
-///    each side to the neighbour on that side;
-///  - unless an edge of another face is at most twice as far, or not further than each edge's own tolerance: three faces or
-///    more meet there. If that part is as long as (2) asks, it is no seam; the edges leave graph.open for graph.non_manifold.
+///  (3) of the edges of one face the nearest counts, judged by the largest distance over that part; then of different faces
+///      the nearest. So a face narrower than match_mm is joined on each side to the neighbour on that side;
+///  (4) unless an edge of another face is at most twice as far, or not further than each edge's own tolerance: three faces or
+///      more meet there. If that part is as long as (2) asks, it is no seam; the edges leave graph.open for
+///      graph.non_manifold.
 /// Edges of one face are matched only if the surface closes between them (a tube whose two long edges were never
 /// sewn): halfway between their points in the parameter plane the surface is more than twice as far from them as they are
 /// from one another. The edges of a slit or of a narrow face are not. Edges that bound two faces or more already take no part.

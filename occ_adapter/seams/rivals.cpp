@@ -21,19 +21,25 @@ struct Claim {
   Range on;
 };
 
-/// A part of a path to which the same stretches lay claim throughout, by increasing distance.
+/// A part of a path to which the same stretches lay claim throughout.
 struct Contest {
+  struct Rival {
+    double distance_mm = 0;  ///< largest over that part
+    std::size_t stretch = 0;
+    auto operator<=>(const Rival&) const = default;
+  };
   Range on;
-  std::vector<std::size_t> stretches;
-  std::size_t equals = 1;  ///< so many of the first are by different faces and about as close
+  std::vector<Rival> rivals;  ///< by increasing distance
 };
+
+enum class Between { EdgesOfOneFace, Faces };
 
 class Referee {
  public:
   Referee(const std::vector<Stretch>& stretches, const EdgePaths& paths, double match_mm)
       : stretches_(stretches), paths_(paths), match_mm_(match_mm), lost_(stretches.size()) {}
 
-  Settled settle();
+  Settled settle(Between between);
 
  private:
   std::vector<Contest> contests(std::size_t path, std::vector<Claim> claims) const;
@@ -45,7 +51,9 @@ class Referee {
   int otherFace(std::size_t stretch, std::size_t path) const {
     return paths_[otherPath(stretches_[stretch], path)]->use().face;
   }
-  void decide(std::size_t path, const std::vector<Contest>& contests);
+  std::vector<std::size_t> equals(std::size_t path, const Contest& contest) const;
+  void decideBetweenEdges(std::size_t path, const Contest& contest);
+  void decideBetweenFaces(std::size_t path, const std::vector<Contest>& contests);
   void crowd(std::size_t path, const Contest& contest);
   void lose(std::size_t stretch, std::size_t path, Range on);
   bool isLongEnough(const Stretch& stretch) const;
@@ -73,26 +81,26 @@ double Referee::largestDistance(const Stretch& stretch, std::size_t path, Range 
 }
 
 Contest Referee::contest(std::size_t path, Range on, const std::vector<Claim>& claims) const {
-  std::vector<std::pair<double, std::size_t>> by_distance;
+  Contest contest{on, {}};
   for (const Claim& claim : claims)
-    by_distance.emplace_back(largestDistance(stretches_[claim.stretch], path, on), claim.stretch);
-  std::ranges::sort(by_distance);
-  Contest contest{on, {}, 1};
-  for (const auto& [distance, stretch] : by_distance) contest.stretches.push_back(stretch);
-  const auto& [nearest, winner] = by_distance.front();
-  for (std::size_t i = 1; i < by_distance.size(); ++i) {
-    const auto& [distance, stretch] = by_distance[i];
+    contest.rivals.push_back({largestDistance(stretches_[claim.stretch], path, on), claim.stretch});
+  std::ranges::sort(contest.rivals);
+  return contest;
+}
+
+/// The rivals that are about as near as the nearest, with it.
+std::vector<std::size_t> Referee::equals(std::size_t path, const Contest& contest) const {
+  const Contest::Rival& winner = contest.rivals.front();
+  std::vector<std::size_t> equals;
+  for (const Contest::Rival& rival : contest.rivals) {
     // The least of the tolerances: a large one speaks of a fault of its own edge.
     double tolerance = BRep_Tool::Tolerance(paths_[path]->use().edge);
-    for (const std::size_t rival : {stretch, winner})
+    for (const std::size_t stretch : {rival.stretch, winner.stretch})
       tolerance =
-          std::min(tolerance, BRep_Tool::Tolerance(paths_[otherPath(stretches_[rival], path)]->use().edge));
-    const double equal = std::max(2 * nearest, tolerance);
-    if (otherFace(stretch, path) == otherFace(winner, path) || distance > equal) continue;
-    std::swap(contest.stretches[contest.equals], contest.stretches[i]);
-    ++contest.equals;
+          std::min(tolerance, BRep_Tool::Tolerance(paths_[otherPath(stretches_[stretch], path)]->use().edge));
+    if (rival.distance_mm <= std::max(2 * winner.distance_mm, tolerance)) equals.push_back(rival.stretch);
   }
-  return contest;
+  return equals;
 }
 
 /// The parts of a path that two stretches or more lay claim to, in order.
@@ -120,20 +128,28 @@ void Referee::lose(std::size_t stretch, std::size_t path, Range on) {
   lost_[stretch].push_back({std::min(low, high), std::max(low, high)});
 }
 
+/// Of the edges of one face the nearest one keeps the part.
+void Referee::decideBetweenEdges(std::size_t path, const Contest& contest) {
+  std::set<int> seen;
+  for (const Contest::Rival& rival : contest.rivals)
+    if (!seen.insert(otherFace(rival.stretch, path)).second) lose(rival.stretch, path, contest.on);
+}
+
 void Referee::crowd(std::size_t path, const Contest& contest) {
   std::set<std::size_t> members = {path};
-  for (std::size_t i = 0; i < contest.equals; ++i) {
-    members.insert(otherPath(stretches_[contest.stretches[i]], path));
-    lose(contest.stretches[i], path, contest.on);
+  for (const std::size_t stretch : equals(path, contest)) {
+    members.insert(otherPath(stretches_[stretch], path));
+    lose(stretch, path, contest.on);
   }
   for (const std::size_t member : members)
     for (const std::size_t other : members) crowded_[member].insert(paths_[other]->use().face);
 }
 
-void Referee::decide(std::size_t path, const std::vector<Contest>& contests) {
+/// The nearest face keeps the part, unless others are as near over a length that counts.
+void Referee::decideBetweenFaces(std::size_t path, const std::vector<Contest>& contests) {
   for (const Contest& contest : contests)
-    for (std::size_t i = 1; i < contest.stretches.size(); ++i) lose(contest.stretches[i], path, contest.on);
-  const auto is_equal = [](const Contest& contest) { return contest.equals > 1; };
+    for (std::size_t i = 1; i < contest.rivals.size(); ++i) lose(contest.rivals[i].stretch, path, contest.on);
+  const auto is_equal = [&](const Contest& contest) { return equals(path, contest).size() > 1; };
   for (auto first = contests.begin(); first != contests.end();) {
     first = std::find_if(first, contests.end(), is_equal);
     if (first == contests.end()) return;
@@ -177,7 +193,7 @@ std::vector<Stretch> Referee::remains(std::size_t index) const {
   return left;
 }
 
-Settled Referee::settle() {
+Settled Referee::settle(Between between) {
   std::map<std::size_t, std::vector<Claim>> claims;
   for (std::size_t i = 0; i < stretches_.size(); ++i) {
     if (!isLongEnough(stretches_[i])) continue;
@@ -185,7 +201,13 @@ Settled Referee::settle() {
     claims[stretches_[i].path_a].push_back({i, {front.a, back.a}});
     claims[stretches_[i].path_b].push_back({i, {std::min(front.b, back.b), std::max(front.b, back.b)}});
   }
-  for (const auto& [path, of_path] : claims) decide(path, contests(path, of_path));
+  for (const auto& [path, of_path] : claims) {
+    const std::vector<Contest> of_parts = contests(path, of_path);
+    if (between == Between::Faces)
+      decideBetweenFaces(path, of_parts);
+    else
+      for (const Contest& contest : of_parts) decideBetweenEdges(path, contest);
+  }
   Settled settled;
   for (std::size_t i = 0; i < stretches_.size(); ++i)
     for (Stretch& left : remains(i)) settled.stretches.push_back(std::move(left));
@@ -196,7 +218,10 @@ Settled Referee::settle() {
 }  // namespace
 
 Settled settleRivals(const std::vector<Stretch>& stretches, const EdgePaths& paths, double match_mm) {
-  return Referee(stretches, paths, match_mm).settle();
+  // First within each face: between faces, the far edge of a narrow face would be a rival of the near one.
+  const std::vector<Stretch> nearest =
+      Referee(stretches, paths, match_mm).settle(Between::EdgesOfOneFace).stretches;
+  return Referee(nearest, paths, match_mm).settle(Between::Faces);
 }
 
 }  // namespace seamwright::occ

@@ -10,7 +10,7 @@ namespace seamwright::occ {
 
 namespace {
 
-/// Lengths that rounding may make of nothing.
+/// By so much two places that should be one may differ.
 double roundingLength(const EdgePath& path) {
   return 1e-9 * path.length_mm();
 }
@@ -75,7 +75,7 @@ std::vector<double> PairWalk::events() const {
 bool PairWalk::overhangs(const Foot& foot, const Eigen::Vector3d& p) const {
   if (foot.b > 0 && foot.b < 1) return false;
   const double along = std::abs((p - b_.strip().trace(foot.b).p).dot(b_.direction(foot.b)));
-  return along > 1e-3 * foot.distance_mm + roundingLength(b_);
+  return along > 1e-3 * foot.distance_mm + 1e-11 * b_.length_mm();
 }
 
 std::optional<Foot> PairWalk::footAt(double place) const {
