@@ -50,18 +50,17 @@ PairWalk::PairWalk(const EdgePath& a, const EdgePath& b, const ClosePieces& clos
   for (const auto& [i, j] : close) near_[i].push_back(j);
 }
 
-/// Where something may begin or end: ends and thirds of the close pieces of a, and what is nearest to the ends and middles
-/// of those of b.
+/// Where something may begin or end: the ends of the close pieces of a, and what is nearest to the ends of those of b.
 std::vector<double> PairWalk::events() const {
   std::vector<double> events;
   std::map<std::size_t, std::vector<std::size_t>> by_b;
   for (std::size_t i = 0; i < near_.size(); ++i) {
     if (near_[i].empty()) continue;
-    for (const double share : {0.0, 1.0 / 3, 2.0 / 3, 1.0}) events.push_back(a_.pieces()[i].place(share));
+    for (const double share : {0.0, 1.0}) events.push_back(a_.pieces()[i].place(share));
     for (const std::size_t j : near_[i]) by_b[j].push_back(i);
   }
   for (const auto& [j, close] : by_b)
-    for (const double share : {0.0, 0.5, 1.0}) {
+    for (const double share : {0.0, 1.0}) {
       const Eigen::Vector3d p = b_.strip().trace(b_.pieces()[j].place(share)).p;
       events.push_back(a_.nearest(p, a_.nearestOnChords(close, p)));
     }
