@@ -140,12 +140,6 @@ void requireAboveNoise(const char* what, double mm, double noise_mm) {
   throw std::invalid_argument(text.str());
 }
 
-/// A part of a longer work.
-Progress part(const Progress& progress, double from, double to) {
-  if (!progress) return {};
-  return [&progress, from, to](double share) { return progress(from + share * (to - from)); };
-}
-
 ModelFacts factsOf(const Model& model) {
   return {model.path, model.format, model.length_unit, model.faceCount(), model.edgeCount(), model.notes};
 }
@@ -179,7 +173,7 @@ Report analyze(const Model& model, const AnalyzeOptions& options, const Progress
   constexpr double share_of_matching = 0.3;
   if (match)
     matchFreeEdges({.match_mm = options.match_mm, .gap_mm = options.tolerance.gap_mm}, graph,
-                   part(progress, 0, share_of_matching));
+                   partOf(progress, 0, share_of_matching));
   Report report{factsOf(model), options.tolerance, options.level, {}, {}, {}, model.read_s, 0};
   report.open = std::move(graph.open);
   report.non_manifold = std::move(graph.non_manifold);
@@ -191,7 +185,7 @@ Report analyze(const Model& model, const AnalyzeOptions& options, const Progress
   runParallel(
       graph.seams.size(), options.jobs,
       [&](std::size_t i) { report.seams[i] = measureSeam(graph.seams[i], options); },
-      match ? part(progress, share_of_matching, 1) : progress);
+      match ? partOf(progress, share_of_matching, 1) : progress);
   report.analyze_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include <seamwright/occ_adapter/convert/nearest.hpp>
@@ -62,7 +63,8 @@ void EdgePath::addPieces(double from, double to, const PathPoint& start, const P
   if (!std::isfinite(chord)) throw std::runtime_error("its path is not finite");
   for (const double share : {0.23, 0.5, 0.77})
     piece.sagitta_mm = std::max(piece.sagitta_mm, 2 * piece.distance(strip_.trace(piece.place(share)).p));
-  if (depth == most_halvings || piece.sagitta_mm <= 2 * largest_bend * chord) {
+  const double rounding = 64 * std::numeric_limits<double>::epsilon() * start.p.lpNorm<Eigen::Infinity>();
+  if (depth == most_halvings || piece.sagitta_mm <= std::max(2 * largest_bend * chord, rounding)) {
     pieces_.push_back(piece);
     return;
   }

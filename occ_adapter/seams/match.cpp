@@ -172,14 +172,10 @@ void Matcher::walkPair(std::size_t a, std::size_t b, const ClosePieces& close,
 }
 
 std::vector<Stretch> Matcher::walk(const Progress& progress) {
-  const auto part = [&](double from, double to) -> Progress {
-    if (!progress) return {};
-    return [&progress, from, to](double share) { return progress(from + share * (to - from)); };
-  };
-  makePaths(part(0, 0.4));
-  const auto close = findClosePieces(paths_, options_.match_mm, part(0.4, 0.5));
+  makePaths(partOf(progress, 0, 0.4));
+  const auto close = findClosePieces(paths_, options_.match_mm, partOf(progress, 0.4, 0.5));
   std::vector<Stretch> stretches;
-  const Progress walked = part(0.5, 1);
+  const Progress walked = partOf(progress, 0.5, 1);
   std::size_t done = 0;
   for (const auto& [pair, pieces] : close) {
     if (walked && done++ % 64 == 0 && !walked(static_cast<double>(done) / static_cast<double>(close.size())))

@@ -251,8 +251,8 @@ TEST(Match, EdgesThatMeetOnlyAtACornerAreNoSeam) {
   EXPECT_THAT(matched(compoundOf({plate(-10, 0, 0, 10), plate(0, 10, -10, 0.005)})).seams, IsEmpty());
 }
 
-TopoDS_Shape disc(double radius, double z, double start) {
-  const gp_Ax2 axes(gp_Pnt(0, 0, z), gp::DZ(), gp_Dir(std::cos(start), std::sin(start), 0));
+TopoDS_Shape disc(double radius, double z, double start, const gp_Dir& axis = gp::DZ()) {
+  const gp_Ax2 axes(gp_Pnt(0, 0, z), axis, gp_Dir(std::cos(start), std::sin(start), 0));
   const TopoDS_Edge circle = BRepBuilderAPI_MakeEdge(gp_Circ(axes, radius));
   return BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(circle).Wire(), true).Shape();
 }
@@ -265,7 +265,7 @@ TopoDS_Shape tube(double radius, double height, double from = 0, double to = 2 *
 TEST(Match, ClosedEdgesThatStartElsewhereMakeTwoSeams) {
   const double r = 5, start = 2;
   const TopoDS_Shape splines = BRepBuilderAPI_NurbsConvert(disc(r, 0, start), true).Shape();
-  for (const TopoDS_Shape& cap : {disc(r, 0, start), disc(r, 0, start).Reversed(), splines}) {
+  for (const TopoDS_Shape& cap : {disc(r, 0, start), disc(r, 0, start, -gp::DZ()), splines}) {
     const TopoDS_Shape shape = compoundOf({tube(r, 10), cap});
     const Report report = analyzedMatched(shape);
     EXPECT_THAT(lengths(report), Pointwise(DoubleNear(1e-5), {r * start, r * (2 * pi - start)}));
