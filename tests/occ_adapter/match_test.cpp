@@ -13,6 +13,7 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GCPnts_AbscissaPoint.hxx>
+#include <Geom_BSplineCurve.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_SphericalSurface.hxx>
@@ -233,6 +234,25 @@ TEST(Match, EdgesFurtherApartAreLeftAlone) {
   EXPECT_THAT(report.open, SizeIs(8));
 }
 
+TEST(Match, AnEdgeThatTurnsAwayIsLeftAtTheTurn) {
+  const double y = 12, away = 60 * degree;
+  const gp_Pnt start(0, 0, 0), turn(0, y, 0), end(8 * std::sin(away), y + 8 * std::cos(away), 0);
+  NCollection_Array1<gp_Pnt> poles(1, 3);
+  poles(1) = start, poles(2) = turn, poles(3) = end;
+  NCollection_Array1<double> knots(1, 3);
+  knots(1) = 0, knots(2) = 1, knots(3) = 2;
+  NCollection_Array1<int> multiplicities(1, 3);
+  multiplicities(1) = 2, multiplicities(2) = 1, multiplicities(3) = 2;
+  const opencascade::handle<Geom_Curve> bent = new Geom_BSplineCurve(poles, knots, multiplicities, 1);
+  const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(bent);
+  BRepBuilderAPI_MakeWire wire(edge);
+  wire.Add(BRepBuilderAPI_MakeEdge(end, gp_Pnt(20, 0, 0)).Edge());
+  wire.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(20, 0, 0), start).Edge());
+  const TopoDS_Shape face = BRepBuilderAPI_MakeFace(gp_Pln(), wire.Wire()).Shape();
+  EXPECT_THAT(lengths(analyzedMatched(compoundOf({plate(-10, 0, 0, 20), face}), 0.5)),
+              Pointwise(DoubleNear(1e-6), {y}));
+}
+
 TEST(Match, EdgesThatMeetOnlyAtACornerAreNoSeam) {
   const gp_Pnt corner(0, 0, 0);
   for (const double between : {15.0, 30.0, 60.0, 90.0}) {
@@ -245,7 +265,9 @@ TEST(Match, EdgesThatMeetOnlyAtACornerAreNoSeam) {
     const TopoDS_Shape above =
         BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakePolygon(corner, next, gp_Pnt(-9, 15, 0), true).Wire())
             .Shape();
-    EXPECT_THAT(matched(compoundOf({below, above})).seams, IsEmpty()) << between;
+    for (const double match_mm : {0.01, 100.0})
+      EXPECT_THAT(matched(compoundOf({below, above}), match_mm).seams, IsEmpty())
+          << between << ' ' << match_mm;
   }
   // Plates that touch only at corners, their edges in a row, overlapping by less than the distance.
   EXPECT_THAT(matched(compoundOf({plate(-10, 0, 0, 10), plate(0, 10, -10, 0.005)})).seams, IsEmpty());
@@ -278,6 +300,11 @@ TEST(Match, ClosedEdgesThatStartElsewhereMakeTwoSeams) {
     for (const Seam& seam : matched(shape).seams)
       if (seam.kind == SeamKind::Matched) expectCorrespondenceLaws(seam, 1e-4);
   }
+}
+
+TEST(Match, ClosedEdgesAreFollowedUpToTheirStartAlsoFarApart) {
+  const Report report = analyzedMatched(compoundOf({tube(6, 10), disc(5, 0, 2)}), 1.1);
+  EXPECT_THAT(lengths(report), Pointwise(DoubleNear(1e-6), {6.0 * 2, 6 * (2 * pi - 2)}));
 }
 
 TEST(Match, ClosedEdgesThatStartTogetherMakeOneSeam) {
