@@ -81,6 +81,13 @@ std::string sharpSpotNote(const SeamFigures& figures, const ContinuityTolerance&
   return text.str();
 }
 
+std::string strayNote(const SeamResult& result, const AnalyzeOptions& options) {
+  constexpr double rounding = 1.001;
+  const std::optional<Figure>& gap = result.figures.gap_mm;
+  if (result.kind != SeamKind::Matched || !gap || gap->lower <= rounding * options.match_mm) return {};
+  return "in places the edges are further apart than the distance to match";
+}
+
 void measure(const Seam& seam, const AnalyzeOptions& options, SeamResult& result) {
   addNote(result.note, seam.note);
   result.length_mm = lengthOf(seam);
@@ -93,6 +100,7 @@ void measure(const Seam& seam, const AnalyzeOptions& options, SeamResult& result
   result.verdict = judge(result.figures, options.tolerance, options.level);
   addNote(result.note, degeneracyNote(result.figures, result.faces));
   addNote(result.note, sharpSpotNote(result.figures, options.tolerance));
+  addNote(result.note, strayNote(result, options));
   if (result.figures.fold_at) addNote(result.note, "the faces fold back on one another");
   if (!result.figures.settled)
     addNote(result.note, "figures still changed after " + std::to_string(result.figures.points) + " points");

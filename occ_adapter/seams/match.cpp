@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <sstream>
 
 #include <seamwright/occ_adapter/seams/close_pieces.hpp>
@@ -44,25 +45,23 @@ Foot footFrom(const EdgePath& a, const EdgePath& b, double place_a, double start
   return {place_a, place_b, (b.strip().trace(place_b).p - p).norm(), against};
 }
 
-/// The ends and a few feet between them.
-std::vector<Foot> thinned(const std::vector<Foot>& feet) {
-  constexpr std::size_t pieces = 8;
-  const std::size_t step = std::max<std::size_t>(1, (feet.size() - 1) / pieces);
-  std::vector<Foot> few;
-  for (std::size_t i = 0; i + 1 < feet.size(); i += step) few.push_back(feet[i]);
-  few.push_back(feet.back());
-  return few;
-}
-
 class Refinement {
  public:
   Refinement(const EdgePath& a, const EdgePath& b, const MatchOptions& options)
       : a_(a), b_(b), options_(options) {}
 
+  /// The ends and those feet between them that interpolation between the others does not give.
+  std::vector<Foot> thinned(const std::vector<Foot>& feet) const;
   /// Adds feet until interpolation between them is good. \returns the largest error along b that was left, in mm, 0 if none.
   double refine(std::vector<Foot>& feet) const;
 
  private:
+  void keepNeeded(const std::vector<Foot>& feet, std::size_t first, std::size_t last,
+                  std::vector<Foot>& kept) const;
+  double alongB_mm(double b, double other) const {
+    return (b_.strip().trace(b).p - b_.strip().trace(other).p).norm();
+  }
+  Foot halfway(const Foot& left, const Foot& right) const;
   bool isBetween(const Foot& foot, const Foot& left, const Foot& right) const {
     return foot.b >= std::min(left.b, right.b) && foot.b <= std::max(left.b, right.b);
   }
@@ -75,6 +74,46 @@ class Refinement {
   const MatchOptions& options_;
 };
 
+void Refinement::keepNeeded(const std::vector<Foot>& feet, std::size_t first, std::size_t last,
+                            std::vector<Foot>& kept) const {
+  const Foot &left = feet[first], &right = feet[last];
+  std::size_t worst = first;
+  double worst_excess = 1;
+  for (std::size_t i = first + 1; i < last; ++i) {
+    const double share = (feet[i].a - left.a) / (right.a - left.a);
+    const double excess = alongB_mm(left.b + share * (right.b - left.b), feet[i].b) / allowed_mm(feet[i]);
+    if (excess > worst_excess) {
+      worst = i;
+      worst_excess = excess;
+    }
+  }
+  if (worst == first) {
+    kept.push_back(right);
+    return;
+  }
+  keepNeeded(feet, first, worst, kept);
+  keepNeeded(feet, worst, last, kept);
+}
+
+std::vector<Foot> Refinement::thinned(const std::vector<Foot>& feet) const {
+  std::vector<Foot> kept = {feet.front()};
+  keepNeeded(feet, 0, feet.size() - 1, kept);
+  return kept;
+}
+
+Foot Refinement::halfway(const Foot& left, const Foot& right) const {
+  const double place = 0.5 * (left.a + right.a);
+  const Foot foot = footFrom(a_, b_, place, 0.5 * (left.b + right.b), right.against);
+  if (foot.distance_mm <= options_.match_mm) return foot;
+  // A path that turns back on itself has more than one nearest place: it may have been another one.
+  const auto [low, high] = std::minmax(left.b, right.b);
+  std::vector<std::size_t> between(b_.pieceAt(high) - b_.pieceAt(low) + 1);
+  std::iota(between.begin(), between.end(), b_.pieceAt(low));
+  const Foot other =
+      footFrom(a_, b_, place, b_.nearestOnChords(between, a_.strip().trace(place).p), right.against);
+  return other.distance_mm < foot.distance_mm && isBetween(other, left, right) ? other : foot;
+}
+
 double Refinement::refine(std::vector<Foot>& feet) const {
   std::vector<bool> settled(feet.size(), false);  // the piece that ends at each foot
   double left_mm = 0;
@@ -86,9 +125,8 @@ double Refinement::refine(std::vector<Foot>& feet) const {
     for (std::size_t i = 1; i < feet.size(); ++i) {
       bool good = settled[i];
       if (!good) {
-        const double guess = 0.5 * (feet[i - 1].b + feet[i].b);
-        const Foot half = footFrom(a_, b_, 0.5 * (feet[i - 1].a + feet[i].a), guess, feet[i].against);
-        const double off_mm = (b_.strip().trace(guess).p - b_.strip().trace(half.b).p).norm();
+        const Foot half = halfway(feet[i - 1], feet[i]);
+        const double off_mm = alongB_mm(0.5 * (feet[i - 1].b + feet[i].b), half.b);
         good = !(off_mm > allowed_mm(half)) || !isBetween(half, feet[i - 1], feet[i]);
         if (!good && count > static_cast<std::size_t>(options_.most_pieces)) {
           left_mm = std::max(left_mm, off_mm);
@@ -191,8 +229,9 @@ void Matcher::addSeam(Stretch& stretch) {
   const EdgePath &a = *paths_[stretch.path_a], &b = *paths_[stretch.path_b];
   for (Foot* end : {&stretch.feet.front(), &stretch.feet.back()})
     *end = footFrom(a, b, end->a, end->b, end->against);
-  stretch.feet = thinned(stretch.feet);
-  const double left_mm = Refinement(a, b, options_).refine(stretch.feet);
+  const Refinement refinement(a, b, options_);
+  stretch.feet = refinement.thinned(stretch.feet);
+  const double left_mm = refinement.refine(stretch.feet);
   Seam seam;
   seam.id = static_cast<int>(graph_.seams.size()) + 1;
   seam.kind = SeamKind::Matched;
