@@ -62,6 +62,7 @@ class Refinement {
     return (b_.strip().trace(b).p - b_.strip().trace(other).p).norm();
   }
   Foot halfway(const Foot& left, const Foot& right) const;
+  void refineBetween(const Foot& left, const Foot& right, std::vector<Foot>& feet, double& left_mm) const;
   bool isBetween(const Foot& foot, const Foot& left, const Foot& right) const {
     return foot.b >= std::min(left.b, right.b) && foot.b <= std::max(left.b, right.b);
   }
@@ -114,35 +115,26 @@ Foot Refinement::halfway(const Foot& left, const Foot& right) const {
   return other.distance_mm < foot.distance_mm && isBetween(other, left, right) ? other : foot;
 }
 
-double Refinement::refine(std::vector<Foot>& feet) const {
-  std::vector<bool> settled(feet.size(), false);  // the piece that ends at each foot
-  double left_mm = 0;
-  for (bool changed = true; changed && left_mm == 0;) {
-    changed = false;
-    std::vector<Foot> finer = {feet.front()};
-    std::vector<bool> finer_settled = {true};
-    std::size_t count = feet.size();
-    for (std::size_t i = 1; i < feet.size(); ++i) {
-      bool good = settled[i];
-      if (!good) {
-        const Foot half = halfway(feet[i - 1], feet[i]);
-        const double off_mm = alongB_mm(0.5 * (feet[i - 1].b + feet[i].b), half.b);
-        good = !(off_mm > allowed_mm(half)) || !isBetween(half, feet[i - 1], feet[i]);
-        if (!good && count > static_cast<std::size_t>(options_.most_pieces)) {
-          left_mm = std::max(left_mm, off_mm);
-        } else if (!good) {
-          finer.push_back(half);
-          finer_settled.push_back(false);
-          ++count;
-          changed = true;
-        }
-      }
-      finer.push_back(feet[i]);
-      finer_settled.push_back(good);
-    }
-    feet = std::move(finer);
-    settled = std::move(finer_settled);
+void Refinement::refineBetween(const Foot& left, const Foot& right, std::vector<Foot>& feet,
+                               double& left_mm) const {
+  const Foot half = halfway(left, right);
+  const double off_mm = alongB_mm(0.5 * (left.b + right.b), half.b);
+  const bool good = !(off_mm > allowed_mm(half)) || !isBetween(half, left, right);
+  constexpr double shortest = 1e-9;
+  if (!good && right.a - left.a > shortest && feet.size() < static_cast<std::size_t>(options_.most_pieces)) {
+    refineBetween(left, half, feet, left_mm);
+    refineBetween(half, right, feet, left_mm);
+    return;
   }
+  if (!good) left_mm = std::max(left_mm, off_mm);
+  feet.push_back(right);
+}
+
+double Refinement::refine(std::vector<Foot>& feet) const {
+  std::vector<Foot> finer = {feet.front()};
+  double left_mm = 0;
+  for (std::size_t i = 1; i < feet.size(); ++i) refineBetween(feet[i - 1], feet[i], finer, left_mm);
+  feet = std::move(finer);
   return left_mm;
 }
 

@@ -11,7 +11,7 @@ namespace seamwright::occ {
 struct MatchOptions {
   double match_mm = 0;     ///< distance of the edges <= match_mm
   double gap_mm = 0.01;    ///< what counts as a gap: the correspondence need not be finer
-  int most_pieces = 2000;  ///< pieces of a correspondence
+  int most_pieces = 2000;  ///< of a correspondence, unless it needs more to say what was found
 };
 
 /// What the search looked at.
@@ -42,11 +42,11 @@ struct MatchSummary {
 /// from one another. The edges of a slit or of a narrow face are not. Edges that bound two faces or more already take no part.
 ///
 /// Correspondence: s is proportional to the arc length of n at its knots; b is the place nearest to a. Halfway between two
-/// knots the place that is interpolated is off along m by less than 0.5 % of the larger of gap_mm and the distance, unless
-/// most_pieces are not enough, which is a note on the seam.
+/// knots the place that is interpolated is off along m by at most 0.5 % of the larger of gap_mm and the distance (and 1e-9 of
+/// the length of m), unless most_pieces are not enough or m turns back on itself, which is a note on the seam.
 ///
-/// An edge leaves graph.open if matched stretches leave out no more than 4 match_mm and a tenth of it at a time. An edge that is matched
-/// in part is in graph.seams and in graph.open.
+/// An edge leaves graph.open if matched stretches leave out no more than 4 match_mm and a tenth of it at a time. An edge that
+/// is matched in part is in graph.seams and in graph.open.
 ///
 /// The result does not depend on the order of the faces but for which of two edges is the first. Time grows with the number
 /// of edges n as n log n as long as each has a bounded number of others within match_mm. An edge that can't be

@@ -483,11 +483,16 @@ TEST(Match, PointsThatAreNotFiniteAreANote) {
 }
 
 TEST(Match, TooFewPiecesAreANote) {
-  SeamGraph graph = findSeams(compoundOf({plate(-10, 0, 0, 20), unevenPlate(0, 10, 0, 20)}));
-  matchFreeEdges({.match_mm = 0.01, .gap_mm = 1e-5, .most_pieces = 40}, graph);
-  ASSERT_THAT(graph.seams, SizeIs(1));
-  EXPECT_LE(graph.seams[0].correspondence.s.size(), 42u);
-  EXPECT_THAT(graph.seams[0].note, HasSubstr("correspond only to"));
+  const TopoDS_Shape shape = compoundOf({plate(-10, 0, 0, 20), unevenPlate(0, 10, 0, 20)});
+  SeamGraph fine = findSeams(shape), coarse = fine;
+  matchFreeEdges({.match_mm = 0.01, .gap_mm = 1e-5}, fine);
+  matchFreeEdges({.match_mm = 0.01, .gap_mm = 1e-5, .most_pieces = 40}, coarse);
+  ASSERT_THAT(fine.seams, SizeIs(1));
+  ASSERT_THAT(coarse.seams, SizeIs(1));
+  EXPECT_EQ(fine.seams[0].note, "");
+  EXPECT_THAT(coarse.seams[0].note, HasSubstr("correspond only to"));
+  EXPECT_LT(coarse.seams[0].correspondence.s.size(), 100u);
+  EXPECT_GT(fine.seams[0].correspondence.s.size(), 500u);
 }
 
 TEST(Match, TheDistanceIsChecked) {
@@ -515,8 +520,9 @@ TEST(Match, EdgesThatLeaveOneAnotherBetweenTheSamplesAreSaidTo) {
   const Report report = analyzedMatched(occ::readModel(path).shape, match_mm);
   EXPECT_GE(lengths(report).size(), 10u);
   for (const SeamResult& seam : report.seams)
-    if (seam.kind == SeamKind::Matched && gap(seam) > 1.001 * match_mm)
+    if (seam.kind == SeamKind::Matched && gap(seam) > 1.001 * match_mm) {
       EXPECT_THAT(seam.note, HasSubstr("further apart than the distance to match"));
+    }
 }
 
 double lengthOfEdges(int count, const std::function<TopoDS_Edge(int)>& edge) {
@@ -544,6 +550,15 @@ void expectWhatSewingFinds(const std::string& path, double match_mm, double edge
 
 TEST(Match, BearingAgreesWithSewing) {
   expectWhatSewingFinds("/usr/share/opencascade/data/iges/bearing.iges", 1e-4, 0.01, 1e-3);
+}
+
+TEST(Match, FuselageAgreesWithSewing) {
+  // Sewing also joins an edge of 5e-7 mm to its neighbour.
+  expectWhatSewingFinds(SEAMWRIGHT_TEST_MODELS "/freeform/pygeo_fuse.igs", 0.001, 0.02, 1e-3);
+}
+
+TEST(Match, SilkAgreesWithSewing) {
+  expectWhatSewingFinds(SEAMWRIGHT_TEST_MODELS "/freeform/Silk_Demo_02_raw.step", 0.01, 0.01, 1e-3);
 }
 
 TEST(Match, HammerAgreesWithSewing) {
