@@ -10,6 +10,12 @@ namespace seamwright::occ {
 /// Returning false asks the work to stop, which then throws Cancelled.
 using Progress = std::function<bool(double share)>;
 
+/// Progress of a part of longer work, which goes from one share of it to another.
+inline Progress partOf(const Progress& progress, double from, double to) {
+  if (!progress) return {};
+  return [&progress, from, to](double share) { return progress(from + share * (to - from)); };
+}
+
 /// The work was stopped by its Progress; nothing was changed.
 class Cancelled : public std::runtime_error {
  public:

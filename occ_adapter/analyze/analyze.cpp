@@ -1,149 +1,39 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <BRepAdaptor_Curve.hxx>
-#include <BRepBndLib.hxx>
 #include <BRep_Tool.hxx>
-#include <Bnd_Box.hxx>
-#include <GCPnts_AbscissaPoint.hxx>
-#include <Standard_Failure.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <iomanip>
 #include <limits>
-#include <map>
 #include <sstream>
 #include <stdexcept>
 
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
+#include <seamwright/occ_adapter/analyze/measure_seam.hpp>
 #include <seamwright/occ_adapter/analyze/workers.hpp>
-#include <seamwright/occ_adapter/convert/face_strip.hpp>
+#include <seamwright/occ_adapter/seams/match.hpp>
 
 namespace seamwright::occ {
 
 namespace {
 
-void addNote(std::string& notes, const std::string& note) {
-  if (note.empty()) return;
-  if (!notes.empty()) notes += "; ";
-  notes += note;
-}
-
-/// 0, the breaks of both sides, 1; breaks that only rounding tells apart are one.
-std::vector<double> commonBreaks(const FaceStrip& a, const FaceStrip& b) {
-  std::vector<double> breaks = a.breaks();
-  const std::vector<double> more = b.breaks();
-  breaks.insert(breaks.end(), more.begin(), more.end());
-  std::ranges::sort(breaks);
-  constexpr double apart = 1e-9;
-  std::vector<double> merged = {0};
-  for (const double s : breaks)
-    if (s > merged.back() + apart && s < 1 - apart) merged.push_back(s);
-  merged.push_back(1);
-  return merged;
-}
-
-double lengthOf(const TopoDS_Edge& edge) {
-  if (BRep_Tool::Degenerated(edge)) return 0;
-  return GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(edge));
-}
-
-/// "at 0" or, for places that lie close together, "from 0 to 0.012".
-std::string stretches(std::vector<double> places) {
-  constexpr double close_together = 0.02;
-  std::ranges::sort(places);
-  std::ostringstream text;
-  text << std::setprecision(3);
-  for (std::size_t first = 0, last = 0; first < places.size(); first = last + 1) {
-    for (last = first; last + 1 < places.size() && places[last + 1] - places[last] < close_together;) ++last;
-    text << (first == 0 ? "" : ", ");
-    if (places[last] > places[first])
-      text << "from " << places[first] << " to " << places[last];
-    else
-      text << "at " << places[first];
-  }
-  return text.str();
-}
-
-/// Where each face has no tangent plane, or is not finite.
-std::string degeneracyNote(const SeamFigures& figures, const std::array<int, 2>& faces) {
-  std::map<std::pair<int, Degeneracy>, std::vector<double>> places;
-  for (const DegeneratePoint& point : figures.degenerate) {
-    if (point.side_a != Degeneracy::None) places[{faces[0], point.side_a}].push_back(point.at);
-    if (point.side_b != Degeneracy::None) places[{faces[1], point.side_b}].push_back(point.at);
-  }
-  std::string notes;
-  for (const auto& [what, where] : places)
-    addNote(notes, std::string(name(what.second)) + " on face " + std::to_string(what.first) + " " +
-                       stretches(where));
-  return notes;
-}
-
-std::string sharpSpotNote(const SeamFigures& figures, const ContinuityTolerance& tolerance) {
-  if (!figures.angle_rad || figures.angle_rad->lower <= tolerance.crease_rad ||
-      figures.below_crease_share <= 0.5)
-    return {};
-  std::ostringstream text;
-  text << "sharp spot in a seam that is below the crease angle over "
-       << std::floor(100 * figures.below_crease_share) << " % of its length";
-  return text.str();
-}
-
-void measure(const Seam& seam, const AnalyzeOptions& options, SeamResult& result) {
-  result.length_mm = lengthOf(seam.sides[0].edge);
-  const JetOrder order = options.level == Level::G3 ? JetOrder::Third : JetOrder::Second;
-  const FaceStrip a(seam.sides[0], options.tolerance.gap_mm, order);
-  const FaceStrip b(seam.sides[1], options.tolerance.gap_mm, order);
-  for (const auto& [strip, face] : {std::pair(&a, result.faces[0]), std::pair(&b, result.faces[1])})
-    if (!strip->note().empty()) addNote(result.note, "face " + std::to_string(face) + ": " + strip->note());
-  result.figures = surveySeam([&](double s) { return measurePair(a.at(s), b.at(s)); }, commonBreaks(a, b),
-                              options.tolerance);
-  result.verdict = judge(result.figures, options.tolerance, options.level);
-  addNote(result.note, degeneracyNote(result.figures, result.faces));
-  addNote(result.note, sharpSpotNote(result.figures, options.tolerance));
-  if (result.figures.fold_at) addNote(result.note, "the faces fold back on one another");
-  if (!result.figures.settled)
-    addNote(result.note, "figures still changed after " + std::to_string(result.figures.points) + " points");
-}
-
-/// Never throws: what goes wrong on a seam is a note on that seam.
-SeamResult measureSeam(const Seam& seam, const AnalyzeOptions& options) {
-  SeamResult result;
-  result.id = seam.id;
-  result.kind = seam.kind;
-  result.edges = seam.edges;
-  result.faces = {seam.sides[0].face, seam.sides[1].face};
-  const auto fail = [&](const std::string& why) {
-    result.figures = {};
-    result.verdict = {};
-    addNote(result.note, "not measured: " + why);
-  };
-  try {
-    measure(seam, options, result);
-  } catch (const Standard_Failure& failure) {
-    fail(std::string(failure.DynamicType()->Name()) + " " + failure.GetMessageString());
-  } catch (const std::exception& error) {
-    fail(error.what());
-  }
-  return result;
-}
-
-/// Largest rounding of a coordinate of the model.
+/// Largest rounding of a coordinate of the model, told by its vertices; between them faces reach a few times further at most.
 double coordinateNoise(const TopoDS_Shape& shape) {
-  Bnd_Box box;
-  BRepBndLib::AddClose(shape, box);
-  if (box.IsVoid()) return 0;
-  const gp_XYZ low = box.CornerMin().XYZ();
-  const gp_XYZ high = box.CornerMax().XYZ();
   double size = 0;
-  for (int i = 1; i <= 3; ++i) size = std::max({size, std::abs(low.Coord(i)), std::abs(high.Coord(i))});
+  for (TopExp_Explorer it(shape, TopAbs_VERTEX); it.More(); it.Next()) {
+    const gp_XYZ point = BRep_Tool::Pnt(TopoDS::Vertex(it.Current())).XYZ();
+    for (int i = 1; i <= 3; ++i)
+      if (std::isfinite(point.Coord(i))) size = std::max(size, std::abs(point.Coord(i)));
+  }
   return 16 * std::numeric_limits<double>::epsilon() * size;
 }
 
-void requireAboveNoise(double gap_mm, const TopoDS_Shape& shape) {
-  const double noise = coordinateNoise(shape);
-  if (gap_mm >= noise) return;
+void requireAboveNoise(const char* what, double mm, double noise_mm) {
+  if (mm >= noise_mm) return;
   std::ostringstream text;
-  text << "gap tolerance is " << gap_mm << " mm: below " << noise
+  text << what << " is " << mm << " mm: below " << noise_mm
        << " mm the coordinates of this model are rounding";
   throw std::invalid_argument(text.str());
 }
@@ -158,6 +48,9 @@ void AnalyzeOptions::validate() const {
   tolerance.validate();
   if (level == Level::None)
     throw std::invalid_argument("level " + std::string(name(level)) + ": it must be G0, G1, G2 or G3");
+  if (!std::isfinite(match_mm) || match_mm < 0)
+    throw std::invalid_argument("distance to match is " + std::to_string(match_mm) +
+                                " mm: it must be finite and not negative");
   if (jobs < 0) throw std::invalid_argument("jobs is " + std::to_string(jobs) + ": it must not be negative");
 }
 
@@ -168,19 +61,28 @@ bool Report::passed() const {
 
 Report analyze(const Model& model, const AnalyzeOptions& options, const Progress& progress) {
   options.validate();
-  requireAboveNoise(options.tolerance.gap_mm, model.shape);
+  const double noise_mm = coordinateNoise(model.shape);
+  requireAboveNoise("gap tolerance", options.tolerance.gap_mm, noise_mm);
+  const bool match = options.match_mm > 0;
+  if (match) requireAboveNoise("distance to match", options.match_mm, noise_mm);
   const auto start = std::chrono::steady_clock::now();
   SeamGraph graph = findSeams(model.shape);
+  constexpr double share_of_matching = 0.3;
+  if (match)
+    matchFreeEdges({.match_mm = options.match_mm, .gap_mm = options.tolerance.gap_mm}, graph,
+                   partOf(progress, 0, share_of_matching));
   Report report{factsOf(model), options.tolerance, options.level, {}, {}, {}, model.read_s, 0};
   report.open = std::move(graph.open);
   report.non_manifold = std::move(graph.non_manifold);
+  report.model.notes.insert(report.model.notes.end(), graph.notes.begin(), graph.notes.end());
   report.seams.resize(graph.seams.size());
   if (report.seams.empty())
     report.model.notes.push_back("no face shares an edge with another, so there is nothing to judge; " +
                                  std::to_string(report.open.size()) + " edges bound one face");
   runParallel(
       graph.seams.size(), options.jobs,
-      [&](std::size_t i) { report.seams[i] = measureSeam(graph.seams[i], options); }, progress);
+      [&](std::size_t i) { report.seams[i] = measureSeam(graph.seams[i], options); },
+      match ? partOf(progress, share_of_matching, 1) : progress);
   report.analyze_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }

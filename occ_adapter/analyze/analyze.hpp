@@ -25,8 +25,8 @@ struct AnalyzeOptions {
 /// measured has /// no figures, level None, class Defect and a note that says why; the others are not affected. A model without seams
 /// passes, with a note. The shape is never changed.
 ///
-/// \throws std::invalid_argument for bad options, also for a gap tolerance below the rounding of the model's
-/// coordinates; Cancelled.
+/// \throws std::invalid_argument for bad options, also for a gap tolerance or a distance to match below the rounding of the
+/// model's coordinates; Cancelled.
 Report analyze(const Model& model, const AnalyzeOptions& options = {}, const Progress& progress = {});
 
 }  // namespace seamwright::occ

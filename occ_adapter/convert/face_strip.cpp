@@ -95,9 +95,9 @@ void addCrossings(const Coordinate& coordinate, double t0, double t1, double fro
 
 }  // namespace
 
-FaceStrip::FaceStrip(const FaceUse& use, double gap_mm, JetOrder order)
+FaceStrip::FaceStrip(const FaceUse& use, const Pcurve& pcurve, JetOrder order)
     : order_(order),
-      pcurve_(pcurveOf(use.edge, use.shape, gap_mm)),
+      pcurve_(pcurve),
       path_(pcurve_.curve, pcurve_.first, pcurve_.last),
       surface_(use.shape, false),
       forward_(use.edge.Orientation() == TopAbs_FORWARD),
@@ -132,6 +132,17 @@ SidePoint FaceStrip::at(double s) const {
   return side;
 }
 
+PathPoint FaceStrip::trace(double s) const {
+  gp_Pnt2d uv;
+  gp_Vec2d direction;
+  path_.D1(parameter(s), uv, direction);
+  direction *= pcurve_.last - pcurve_.first;
+  gp_Pnt p;
+  gp_Vec du, dv;
+  surface_.D1(uv.X(), uv.Y(), p, du, dv);
+  return {vector(p.XYZ()), direction.X() * vector(du.XYZ()) + direction.Y() * vector(dv.XYZ())};
+}
+
 SurfaceJet FaceStrip::jet(double u, double v) const {
   gp_Pnt p;
   gp_Vec du, dv, duu, dvv, duv, duuu, dvvv, duuv, duvv;
@@ -159,6 +170,21 @@ double FaceStrip::collapsedLength(double s, double pole_tolerance_mm) const {
   const SurfaceJet end = jet(uv.X(), uv.Y());
   const double length = std::min(range_u_ * end.u.norm(), range_v_ * end.v.norm());
   return length <= pole_tolerance_mm ? length : 0;
+}
+
+double FaceStrip::poleReach(int end) const {
+  const auto is_degenerate = [&](double reach) {
+    const SidePoint side = at(end == 0 ? reach : 1 - reach);
+    return degeneracy(side.jet, side.noise) != Degeneracy::None;
+  };
+  if (!is_degenerate(0)) return 0;
+  double low = 0, high = 0.5;
+  if (is_degenerate(high)) return high;
+  while (high - low > 1e-3 * high && high > 1e-12) {
+    const double middle = low > 0 ? 0.5 * (low + high) : 0.1 * high;
+    (is_degenerate(middle) ? low : high) = middle;
+  }
+  return high;
 }
 
 JetNoise FaceStrip::noise(const SurfaceJet& jet, double s) const {

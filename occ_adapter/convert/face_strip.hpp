@@ -14,6 +14,11 @@ namespace seamwright::occ {
 
 /// To which order a strip is evaluated. Third costs a little more and can fail where second does not.
 enum class JetOrder { Second = 2, Third = 3 };
+/// Where a path is in space and how it goes on.
+struct PathPoint {
+  Eigen::Vector3d p;
+  Eigen::Vector3d d;  ///< derivative of p by s
+};
 
 /// One side of a seam as core sees it: a surface along a path, s in [0, 1] running with the edge's curve.
 ///
@@ -21,18 +26,25 @@ enum class JetOrder { Second = 2, Third = 3 };
 /// cache.
 class FaceStrip {
  public:
-  /// \throws std::runtime_error if the edge has no path on the face (see pcurveOf()).
-  FaceStrip(const FaceUse& use, double gap_mm, JetOrder order = JetOrder::Second);
+  /// \param pcurve the path of the edge on the face, see pcurveOf().
+  FaceStrip(const FaceUse& use, const Pcurve& pcurve, JetOrder order = JetOrder::Second);
 
   /// Jet to the order asked for, its noise, and the direction of the seam.
   /// \throws Standard_Failure where OpenCASCADE can't evaluate.
   SidePoint at(double s) const;
 
+  /// at(s).jet.p and its derivative, at a fraction of the cost.
+  /// \throws Standard_Failure where OpenCASCADE can't evaluate.
+  PathPoint trace(double s) const;
+
+  gp_Pnt2d parametersAt(double s) const { return path_.Value(parameter(s)); }
+
   /// Values of s in (0, 1) where the jet may not be smooth: knots of the pcurve and crossings of the
   /// surface's knot lines.
   std::vector<double> breaks() const;
 
-  const std::string& note() const { return pcurve_.note; }
+  /// From end 0 or 1 of the path, the share of it over which the surface has no tangent plane because a boundary of it collapses there.
+  double poleReach(int end) const;
 
  private:
   SurfaceJet jet(double u, double v) const;

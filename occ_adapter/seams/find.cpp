@@ -71,9 +71,11 @@ SeamGraph findSeams(const TopoDS_Shape& shape) {
     const UsesOfEdge& sides = uses[e];
     if (sides.size() == 1) {
       graph.open.push_back(looseEdge(e, sides));
+      graph.open_uses.push_back(sides.front());
     } else if (sides.size() == 2) {
       const SeamKind kind = sides[0].face == sides[1].face ? SeamKind::Closed : SeamKind::Shared;
-      graph.seams.push_back({static_cast<int>(graph.seams.size()) + 1, kind, {e}, {sides[0], sides[1]}, {}});
+      graph.seams.push_back(
+          {static_cast<int>(graph.seams.size()) + 1, kind, {e}, {sides[0], sides[1]}, {}, {}});
     } else if (sides.size() > 2) {
       graph.non_manifold.push_back(looseEdge(e, sides));
     }

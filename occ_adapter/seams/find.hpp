@@ -5,6 +5,7 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <array>
+#include <string>
 #include <vector>
 
 namespace seamwright::occ {
@@ -39,6 +40,7 @@ struct Seam {
   std::vector<int> edges;  ///< from 1, order of TopExp::MapShapes; two of a matched seam
   std::array<FaceUse, 2> sides;
   Correspondence correspondence;  ///< empty: both sides run with the curve of their one edge, s = a = b
+  std::string note;               ///< what to know of how it was found; mostly empty
 };
 
 /// An edge that bounds one face, or more than two.
@@ -48,12 +50,14 @@ struct LooseEdge {
 };
 
 struct SeamGraph {
-  std::vector<Seam> seams;              ///< by edge number
+  std::vector<Seam> seams;              ///< by edge number; matched ones after the others
   std::vector<LooseEdge> open;          ///< one face
-  std::vector<LooseEdge> non_manifold;  ///< more than two uses
+  std::vector<FaceUse> open_uses;       ///< the one use of each open edge, in the order of open
+  std::vector<LooseEdge> non_manifold;  ///< more than two uses, by edge number
+  std::vector<std::string> notes;       ///< what could not be looked at, and why
 };
 
-/// Finds where the faces of a shape meet by shared topology, in time linear in the number of edges.
+/// Finds where the faces of a shape meet by shared topology (for loose faces see matchFreeEdges()), in time linear in the number of edges.
 ///
 /// Left out: degenerated edges (the pole of a sphere is no seam), edges that bound no face, and edges that
 /// lie inside a face without bounding it (orientation INTERNAL or EXTERNAL). Faces and edges are told apart

@@ -116,7 +116,7 @@ TEST(CurvatureChange, ThirdPartialsOfAStripAreThoseOfTheSurface) {
     return Eigen::Vector3d(d.X(), d.Y(), d.Z());
   };
   for (const occ::FaceUse& use : graph.seams[0].sides) {
-    const occ::FaceStrip strip(use, 0.01, occ::JetOrder::Third);
+    const occ::FaceStrip strip(use, occ::pcurveOf(use.edge, use.shape, 0.01), occ::JetOrder::Third);
     for (const double s : {0.0, 0.3, 1.0}) {
       const SidePoint side = strip.at(s);
       EXPECT_TRUE(side.third_order);
@@ -126,7 +126,7 @@ TEST(CurvatureChange, ThirdPartialsOfAStripAreThoseOfTheSurface) {
       EXPECT_LT((side.jet.uvv - derivative(s, 1, 2)).norm(), noise);
       EXPECT_LT((side.jet.vvv - derivative(s, 0, 3)).norm(), noise);
     }
-    EXPECT_FALSE(occ::FaceStrip(use, 0.01).at(0.5).third_order);
+    EXPECT_FALSE(occ::FaceStrip(use, occ::pcurveOf(use.edge, use.shape, 0.01)).at(0.5).third_order);
   }
 }
 

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRepAdaptor_Curve.hxx>
+#include <BRep_Tool.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
+#include <Geom_Surface.hxx>
+#include <Standard_Failure.hxx>
+#include <TopLoc_Location.hxx>
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+#include <seamwright/occ_adapter/analyze/measure_seam.hpp>
+#include <seamwright/occ_adapter/convert/seam_side.hpp>
+#include <seamwright/occ_adapter/convert/seam_strips.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+void addNote(std::string& notes, const std::string& note) {
+  if (note.empty()) return;
+  if (!notes.empty()) notes += "; ";
+  notes += note;
+}
+
+/// Of the edge; of a matched seam, of its stretch of the first edge.
+double lengthOf(const Seam& seam) {
+  const TopoDS_Edge& edge = seam.sides[0].edge;
+  if (BRep_Tool::Degenerated(edge)) return 0;
+  const BRepAdaptor_Curve curve(edge);
+  const std::vector<double>& places = seam.correspondence.a;
+  if (places.empty()) return GCPnts_AbscissaPoint::Length(curve);
+  const double first = curve.FirstParameter(), range = curve.LastParameter() - first;
+  return GCPnts_AbscissaPoint::Length(curve, first + places.front() * range, first + places.back() * range);
+}
+
+/// "at 0" or, for places that lie close together, "from 0 to 0.012".
+std::string stretches(std::vector<double> places) {
+  constexpr double close_together = 0.02;
+  std::ranges::sort(places);
+  std::ostringstream text;
+  text << std::setprecision(3);
+  for (std::size_t first = 0, last = 0; first < places.size(); first = last + 1) {
+    for (last = first; last + 1 < places.size() && places[last + 1] - places[last] < close_together;) ++last;
+    text << (first == 0 ? "" : ", ");
+    if (places[last] > places[first])
+      text << "from " << places[first] << " to " << places[last];
+    else
+      text << "at " << places[first];
+  }
+  return text.str();
+}
+
+/// Where each face has no tangent plane, or is not finite.
+std::string degeneracyNote(const SeamFigures& figures, const std::array<int, 2>& faces) {
+  std::map<std::pair<int, Degeneracy>, std::vector<double>> places;
+  for (const DegeneratePoint& point : figures.degenerate) {
+    if (point.side_a != Degeneracy::None) places[{faces[0], point.side_a}].push_back(point.at);
+    if (point.side_b != Degeneracy::None) places[{faces[1], point.side_b}].push_back(point.at);
+  }
+  std::string notes;
+  for (const auto& [what, where] : places)
+    addNote(notes, std::string(name(what.second)) + " on face " + std::to_string(what.first) + " " +
+                       stretches(where));
+  return notes;
+}
+
+std::string sharpSpotNote(const SeamFigures& figures, const ContinuityTolerance& tolerance) {
+  if (!figures.angle_rad || figures.angle_rad->lower <= tolerance.crease_rad ||
+      figures.below_crease_share <= 0.5)
+    return {};
+  std::ostringstream text;
+  text << "sharp spot in a seam that is below the crease angle over "
+       << std::floor(100 * figures.below_crease_share) << " % of its length";
+  return text.str();
+}
+
+std::string strayNote(const SeamResult& result, const AnalyzeOptions& options) {
+  constexpr double rounding = 1.001;
+  const std::optional<Figure>& gap = result.figures.gap_mm;
+  if (result.kind != SeamKind::Matched || !gap || gap->lower <= rounding * options.match_mm) return {};
+  return "in places the edges are further apart than the distance to match";
+}
+
+/// How the sides are told apart in notes.
+std::string noteOfFace(int face, const std::string& note) {
+  return note.empty() ? note : "face " + std::to_string(face) + ": " + note;
+}
+
+/// The path's parameter over the seam: the pcurve's own range, or that of a matched stretch.
+void runAlong(const std::vector<double>& s, const std::vector<double>& places, SeamSide& side) {
+  if (s.empty()) return;
+  const double first = side.t.front();
+  const double range = side.t.back() - first;
+  side.s = s;
+  side.t.clear();
+  for (const double place : places) side.t.push_back(first + place * range);
+  if (places.back() < places.front()) side.face_on_left = !side.face_on_left;
+}
+
+/// Stretches at the ends where a boundary of a surface collapses, so that its normal is rounding.
+struct PoleStretches {
+  Interval between = {0, 1};
+  std::vector<DegeneratePoint> points;
+};
+
+PoleStretches poleStretches(const Seam& seam, const std::array<Pcurve, 2>& pcurves) {
+  PoleStretches poles;
+  if (!seam.correspondence.s.empty()) return poles;
+  for (const int side : {0, 1})
+    for (const int end : {0, 1}) {
+      if (seam.sides[side].pole_tolerance_mm[end] == 0) continue;
+      const double reach = FaceStrip(seam.sides[side], pcurves[side]).poleReach(end);
+      if (reach == 0) continue;
+      if (end == 0)
+        poles.between.lower = std::max(poles.between.lower, reach);
+      else
+        poles.between.upper = std::min(poles.between.upper, 1 - reach);
+      for (const double at : {end == 0 ? 0 : 1 - reach, end == 0 ? reach : 1}) {
+        DegeneratePoint point{at};
+        (side == 0 ? point.side_a : point.side_b) = Degeneracy::VanishingNormal;
+        poles.points.push_back(point);
+      }
+    }
+  return poles;
+}
+
+SeamFigures enclosed(const Seam& seam, const std::array<Pcurve, 2>& pcurves, const AnalyzeOptions& options) {
+  SeamSide a = seamSide(seam.sides[0], pcurves[0]);
+  SeamSide b = seamSide(seam.sides[1], pcurves[1]);
+  runAlong(seam.correspondence.s, seam.correspondence.a, a);
+  runAlong(seam.correspondence.s, seam.correspondence.b, b);
+  const PoleStretches poles = poleStretches(seam, pcurves);
+  EncloseOptions enclose_options;
+  enclose_options.range = poles.between;
+  SeamFigures figures = encloseSeam(a, b, options.tolerance, enclose_options);
+  figures.degenerate.insert(figures.degenerate.end(), poles.points.begin(), poles.points.end());
+  return figures;
+}
+
+SeamFigures sampled(const Seam& seam, const std::array<Pcurve, 2>& pcurves, const AnalyzeOptions& options) {
+  const SeamStrips strips(seam, pcurves, options.level == Level::G3 ? JetOrder::Third : JetOrder::Second);
+  return surveySeam([&](double s) { return strips.measureAt(s); }, strips.breaks(), options.tolerance);
+}
+
+/// Enclosed if that is wanted and possible; what has no bound then is sampled.
+SeamFigures figuresOf(const Seam& seam, const std::array<Pcurve, 2>& pcurves, const AnalyzeOptions& options) {
+  SeamFigures figures;
+  if (options.certify) {
+    try {
+      figures = enclosed(seam, pcurves, options);
+    } catch (const std::domain_error& not_enclosed) {
+      figures.uncertified = not_enclosed.what();
+    } catch (const std::invalid_argument& not_finite) {
+      figures.uncertified = not_finite.what();
+    }
+    if (figures.certified && options.level != Level::G3) return figures;
+  }
+  SeamFigures samples = sampled(seam, pcurves, options);
+  if (figures.certified) {
+    figures.curvature_change_per_mm2 = samples.curvature_change_per_mm2;
+    figures.curvature_change_rel = samples.curvature_change_rel;
+    figures.uncertified = "the change of curvature is sampled";
+    return figures;
+  }
+  samples.uncertified = figures.uncertified;
+  return samples;
+}
+
+Eigen::Vector3d pointOnFirstSide(const Seam& seam, const Pcurve& pcurve, double s) {
+  const double place = placeOnFirst(seam.correspondence, s);
+  const gp_Pnt2d uv = pcurve.curve->Value(pcurve.first + place * (pcurve.last - pcurve.first));
+  TopLoc_Location location;
+  const opencascade::handle<Geom_Surface> surface = BRep_Tool::Surface(seam.sides[0].shape, location);
+  const gp_Pnt point = surface->Value(uv.X(), uv.Y()).Transformed(location.Transformation());
+  return {point.X(), point.Y(), point.Z()};
+}
+
+void measure(const Seam& seam, const AnalyzeOptions& options, SeamResult& result) {
+  addNote(result.note, seam.note);
+  result.length_mm = lengthOf(seam);
+  std::array<Pcurve, 2> pcurves;
+  for (const int side : {0, 1}) {
+    const FaceUse& use = seam.sides[side];
+    pcurves[side] = pcurveOf(use.edge, use.shape, options.tolerance.gap_mm);
+    addNote(result.note, noteOfFace(use.face, pcurves[side].note));
+  }
+  result.figures = figuresOf(seam, pcurves, options);
+  result.verdict = judge(result.figures, options.tolerance, options.level);
+  result.worst = worstPoint(result.figures, result.verdict.level,
+                            [&](double at) { return pointOnFirstSide(seam, pcurves[0], at); });
+  addNote(result.note, degeneracyNote(result.figures, result.faces));
+  addNote(result.note, sharpSpotNote(result.figures, options.tolerance));
+  addNote(result.note, strayNote(result, options));
+  if (result.figures.fold_at) addNote(result.note, "the faces fold back on one another");
+  if (!result.figures.settled)
+    addNote(result.note, "figures still changed after " + std::to_string(result.figures.points) + " points");
+}
+
+}  // namespace
+
+SeamResult measureSeam(const Seam& seam, const AnalyzeOptions& options) {
+  SeamResult result;
+  result.id = seam.id;
+  result.kind = seam.kind;
+  result.edges = seam.edges;
+  result.faces = {seam.sides[0].face, seam.sides[1].face};
+  const auto fail = [&](const std::string& why) {
+    result.figures = {};
+    result.verdict = {};
+    addNote(result.note, "not measured: " + why);
+  };
+  try {
+    measure(seam, options, result);
+  } catch (const Standard_Failure& failure) {
+    fail(std::string(failure.DynamicType()->Name()) + " " + failure.GetMessageString());
+  } catch (const std::exception& error) {
+    fail(error.what());
+  }
+  return result;
+}
+
+}  // namespace seamwright::occ

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+
+#include <seamwright/occ_adapter/convert/nearest.hpp>
+#include <seamwright/occ_adapter/convert/seam_strips.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+/// y at x, linear between the points; x increases or decreases.
+double interpolate(const std::vector<double>& xs, const std::vector<double>& ys, double x) {
+  const bool rises = xs.back() >= xs.front();
+  const auto right = std::lower_bound(xs.begin() + 1, xs.end() - 1, x,
+                                      [&](double knot, double at) { return rises ? knot < at : knot > at; });
+  const std::ptrdiff_t i = right - xs.begin();
+  const double width = xs[i] - xs[i - 1];
+  const double share = width == 0 ? 0 : (x - xs[i - 1]) / width;
+  return ys[i - 1] + share * (ys[i] - ys[i - 1]);
+}
+
+bool isWithin(const std::vector<double>& places, double place) {
+  return place > std::min(places.front(), places.back()) && place < std::max(places.front(), places.back());
+}
+
+/// The places of an edge as values of s, as far as they are on the seam.
+void addMapped(const std::vector<double>& breaks, const Correspondence& map,
+               const std::vector<double>& places, std::vector<double>& to) {
+  for (const double place : breaks)
+    if (places.empty())
+      to.push_back(place);
+    else if (isWithin(places, place))
+      to.push_back(interpolate(places, map.s, place));
+}
+
+}  // namespace
+
+double placeOnFirst(const Correspondence& correspondence, double s) {
+  return correspondence.s.empty() ? s : interpolate(correspondence.s, correspondence.a, s);
+}
+
+SeamStrips::SeamStrips(const Seam& seam, const std::array<Pcurve, 2>& pcurves, JetOrder order)
+    : map_(seam.correspondence), a_(seam.sides[0], pcurves[0], order), b_(seam.sides[1], pcurves[1], order) {}
+
+double SeamStrips::placeOnB(double s, const Eigen::Vector3d& on_a) const {
+  const auto [low, high] = std::minmax(map_.b.front(), map_.b.back());
+  return nearestPlace(b_, on_a, interpolate(map_.s, map_.b, s), low, high);
+}
+
+PairMeasure SeamStrips::measureAt(double s) const {
+  if (map_.s.empty()) return measurePair(a_.at(s), b_.at(s));
+  const SidePoint a = a_.at(interpolate(map_.s, map_.a, s));
+  SidePoint b = b_.at(placeOnB(s, a.jet.p));
+  if (map_.b.back() < map_.b.front()) {
+    b.tangent = -b.tangent;
+    b.face_on_left = !b.face_on_left;
+  }
+  return measurePair(a, b);
+}
+
+std::vector<double> SeamStrips::breaks() const {
+  std::vector<double> breaks;
+  addMapped(a_.breaks(), map_, map_.a, breaks);
+  addMapped(b_.breaks(), map_, map_.b, breaks);
+  std::ranges::sort(breaks);
+  constexpr double apart = 1e-9;
+  std::vector<double> merged = {0};
+  for (const double s : breaks)
+    if (s > merged.back() + apart && s < 1 - apart) merged.push_back(s);
+  merged.push_back(1);
+  return merged;
+}
+
+}  // namespace seamwright::occ

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <map>
+
+#include <seamwright/occ_adapter/progress.hpp>
+#include <seamwright/occ_adapter/seams/rivals.hpp>
+
+namespace seamwright::occ {
+
+/// For pairs of paths, the smaller number first, the pieces that may come within match_mm of one another and run in
+/// about the same direction. \throws Cancelled.
+std::map<std::pair<std::size_t, std::size_t>, ClosePieces> findClosePieces(const EdgePaths& paths,
+                                                                           double match_mm,
+                                                                           const Progress& progress);
+
+}  // namespace seamwright::occ

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <seamwright/occ_adapter/seams/edge_path.hpp>
+
+namespace seamwright::occ {
+
+/// A place on one path, the nearest one on another, and how far they are from one another.
+struct Foot {
+  double a = 0;
+  double b = 0;
+  double distance_mm = 0;
+  bool against = false;  ///< b runs against a
+};
+
+/// Two paths that run side by side: a increases and b increases or decreases from foot to foot.
+struct Stretch {
+  std::size_t path_a = 0;
+  std::size_t path_b = 0;
+  std::vector<Foot> feet;  ///< at least two
+
+  const Foot& front() const { return feet.front(); }
+  const Foot& back() const { return feet.back(); }
+  /// The place on b that belongs to one on a, and the reverse; linear between feet.
+  double bOf(double a) const;
+  double aOf(double b) const;
+  /// Distance at a place on a, linear between feet.
+  double distanceAt_mm(double a) const;
+};
+
+/// Numbers of pieces of two paths that are close to one another.
+using ClosePieces = std::vector<std::pair<std::size_t, std::size_t>>;
+
+/// Finds where path b runs within a distance of path a and within 45 degrees of its direction.
+class PairWalk {
+ public:
+  PairWalk(const EdgePath& a, const EdgePath& b, const ClosePieces& close, double match_mm);
+
+  /// Stretches by increasing a, however short. Their ends are where the distance or the angle is
+  /// exceeded, or where either path ends; closed paths end at their start.
+  std::vector<std::vector<Foot>> stretches() const;
+
+ private:
+  std::vector<double> events() const;
+  std::optional<Foot> footAt(double place) const;
+  bool overhangs(const Foot& foot, const Eigen::Vector3d& p) const;
+  bool continues(const Foot& from, const Foot& to) const;
+  bool join(std::vector<Foot>& feet, const Foot& next) const;
+  std::optional<Foot> lastBefore(const Foot& good, double bad) const;
+
+  const EdgePath& a_;
+  const EdgePath& b_;
+  double match_mm_;
+  std::vector<std::vector<std::size_t>> near_;  ///< for each piece of a, those of b that are close
+};
+
+}  // namespace seamwright::occ
