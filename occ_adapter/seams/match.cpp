@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <optional>
 #include <sstream>
 
 #include <seamwright/occ_adapter/seams/close_pieces.hpp>
@@ -62,13 +63,19 @@ class Refinement {
     return (b_.strip().trace(b).p - b_.strip().trace(other).p).norm();
   }
   Foot halfway(const Foot& left, const Foot& right) const;
-  void refineBetween(const Foot& left, const Foot& right, std::vector<Foot>& feet, double& left_mm) const;
+  std::optional<double> excess_mm(const Foot& left, const Foot& right, const Foot& half) const;
   bool isBetween(const Foot& foot, const Foot& left, const Foot& right) const {
     return foot.b >= std::min(left.b, right.b) && foot.b <= std::max(left.b, right.b);
   }
   double allowed_mm(const Foot& foot) const {
     return std::max(0.005 * std::max(options_.gap_mm, foot.distance_mm), 1e-9 * b_.length_mm());
   }
+
+  /// From the end of the piece before.
+  struct Piece {
+    Foot end;
+    bool settled = false;
+  };
 
   const EdgePath& a_;
   const EdgePath& b_;
@@ -115,26 +122,38 @@ Foot Refinement::halfway(const Foot& left, const Foot& right) const {
   return other.distance_mm < foot.distance_mm && isBetween(other, left, right) ? other : foot;
 }
 
-void Refinement::refineBetween(const Foot& left, const Foot& right, std::vector<Foot>& feet,
-                               double& left_mm) const {
-  const Foot half = halfway(left, right);
+/// How far interpolation halfway is off along b in mm, if that is too far; else nothing.
+std::optional<double> Refinement::excess_mm(const Foot& left, const Foot& right, const Foot& half) const {
   const double off_mm = alongB_mm(0.5 * (left.b + right.b), half.b);
-  const bool good = !(off_mm > allowed_mm(half)) || !isBetween(half, left, right);
-  constexpr double shortest = 1e-9;
-  if (!good && right.a - left.a > shortest && feet.size() < static_cast<std::size_t>(options_.most_pieces)) {
-    refineBetween(left, half, feet, left_mm);
-    refineBetween(half, right, feet, left_mm);
-    return;
-  }
-  if (!good) left_mm = std::max(left_mm, off_mm);
-  feet.push_back(right);
+  const bool needed = off_mm > allowed_mm(half) && isBetween(half, left, right);
+  return needed ? std::optional(off_mm) : std::nullopt;
 }
 
 double Refinement::refine(std::vector<Foot>& feet) const {
-  std::vector<Foot> finer = {feet.front()};
+  std::vector<Piece> pieces;
+  for (const Foot& foot : feet) pieces.push_back({foot, false});
+  pieces.front().settled = true;
   double left_mm = 0;
-  for (std::size_t i = 1; i < feet.size(); ++i) refineBetween(feet[i - 1], feet[i], finer, left_mm);
-  feet = std::move(finer);
+  // All pieces in turn, so that none is left coarse while others take what number is allowed.
+  while (std::ranges::any_of(pieces, [](const Piece& piece) { return !piece.settled; })) {
+    const bool may_split = pieces.size() <= static_cast<std::size_t>(options_.most_pieces);
+    std::vector<Piece> finer;
+    for (const Piece& piece : pieces) {
+      if (!piece.settled) {
+        const Foot left = finer.back().end, half = halfway(left, piece.end);
+        const std::optional<double> excess = excess_mm(left, piece.end, half);
+        if (excess && may_split) {
+          finer.insert(finer.end(), {{half, false}, {piece.end, false}});
+          continue;
+        }
+        left_mm = std::max(left_mm, excess.value_or(0));
+      }
+      finer.push_back({piece.end, true});
+    }
+    pieces = std::move(finer);
+  }
+  feet.clear();
+  for (const Piece& piece : pieces) feet.push_back(piece.end);
   return left_mm;
 }
 

@@ -11,7 +11,7 @@ namespace seamwright::occ {
 struct MatchOptions {
   double match_mm = 0;     ///< distance of the edges <= match_mm
   double gap_mm = 0.01;    ///< what counts as a gap: the correspondence need not be finer
-  int most_pieces = 2000;  ///< of a correspondence, unless it needs more to say what was found
+  int most_pieces = 2000;  ///< of a correspondence; once it has more, none is halved any more
 };
 
 /// What the search looked at.

@@ -485,14 +485,14 @@ TEST(Match, PointsThatAreNotFiniteAreANote) {
 TEST(Match, TooFewPiecesAreANote) {
   const TopoDS_Shape shape = compoundOf({plate(-10, 0, 0, 20), unevenPlate(0, 10, 0, 20)});
   SeamGraph fine = findSeams(shape), coarse = fine;
-  matchFreeEdges({.match_mm = 0.01, .gap_mm = 1e-5}, fine);
-  matchFreeEdges({.match_mm = 0.01, .gap_mm = 1e-5, .most_pieces = 40}, coarse);
+  matchFreeEdges({.match_mm = 0.01, .gap_mm = 1e-3}, fine);
+  matchFreeEdges({.match_mm = 0.01, .gap_mm = 1e-3, .most_pieces = 40}, coarse);
   ASSERT_THAT(fine.seams, SizeIs(1));
   ASSERT_THAT(coarse.seams, SizeIs(1));
   EXPECT_EQ(fine.seams[0].note, "");
   EXPECT_THAT(coarse.seams[0].note, HasSubstr("correspond only to"));
   EXPECT_LT(coarse.seams[0].correspondence.s.size(), 100u);
-  EXPECT_GT(fine.seams[0].correspondence.s.size(), 500u);
+  EXPECT_GT(fine.seams[0].correspondence.s.size(), 200u);
 }
 
 TEST(Match, TheDistanceIsChecked) {
