@@ -487,9 +487,15 @@ SeamFigures Enclosure::figures() const {
   figures.plane_share = 1 - left_out;
   figures.degenerate = degenerate_;
   figures.points = looks_;
-  if (share.lower <= 0.5 && share.upper > 0.5 && sharp)
+  figures.shares_known = true;
+  if (share.lower <= 0.5 && share.upper > 0.5 && sharp) {
+    figures.shares_known = false;
     figures.uncertified = "the crease angle is passed near the middle of its length";
-  if (may_fold && !figures.fold_at && !sharp) figures.uncertified = "the faces may fold back on one another";
+  }
+  if (may_fold && !figures.fold_at && !sharp) {
+    figures.shares_known = false;
+    figures.uncertified = "the faces may fold back on one another";
+  }
   if (exhausted_ && figures.uncertified.empty())
     figures.uncertified = "the enclosures are still wide after " + std::to_string(looks_) + " pieces";
   if (unknown_at) figures.uncertified = "no bound was found at " + placeText(*unknown_at);

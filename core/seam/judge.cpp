@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <sstream>
 #include <stdexcept>
@@ -33,21 +34,39 @@ void requireNotNegative(std::string_view field, double value, std::string_view u
     refuse(field, value, unit, "it must be a finite number, zero or larger");
 }
 
-Level reachedLevel(const SeamFigures& figures, const ContinuityTolerance& tolerance) {
-  if (!figures.gap_mm || figures.gap_mm->lower > tolerance.gap_mm) return Level::None;
-  if (!figures.angle_rad || figures.angle_rad->lower > tolerance.angle_rad || figures.fold_at)
-    return Level::G0;
-  if (figures.plane_share < 0.95) return Level::G0;
-  if (!figures.curvature_rel || figures.curvature_rel->lower > tolerance.curvature_rel) return Level::G1;
-  if (!figures.curvature_change_rel || figures.curvature_change_rel->lower > tolerance.curvature_rel)
-    return Level::G2;
-  return Level::G3;
+/// Whether figures are taken at the lower or at the upper ends of their enclosures.
+enum class End { Lower, Upper };
+
+double valueAt(const Figure& figure, End end) {
+  return end == End::Lower ? figure.lower : figure.upper.value_or(std::numeric_limits<double>::infinity());
 }
 
-bool isCrease(const SeamFigures& figures, const ContinuityTolerance& tolerance) {
+bool isWithin(const std::optional<Figure>& figure, double limit, End end) {
+  return figure && valueAt(*figure, end) <= limit;
+}
+
+Level reachedLevel(const SeamFigures& figures, const ContinuityTolerance& tolerance, End end) {
+  if (!isWithin(figures.gap_mm, tolerance.gap_mm, end)) return Level::None;
+  if (!isWithin(figures.angle_rad, tolerance.angle_rad, end) || figures.fold_at) return Level::G0;
+  if (figures.plane_share < 0.95) return Level::G0;
+  if (!isWithin(figures.curvature_rel, tolerance.curvature_rel, end)) return Level::G1;
+  return isWithin(figures.curvature_change_rel, tolerance.curvature_rel, end) ? Level::G3 : Level::G2;
+}
+
+bool isCrease(const SeamFigures& figures, const ContinuityTolerance& tolerance, End end) {
   const bool sharp =
-      figures.fold_at || (figures.angle_rad && figures.angle_rad->lower > tolerance.crease_rad);
+      figures.fold_at || (figures.angle_rad && valueAt(*figures.angle_rad, end) > tolerance.crease_rad);
   return sharp && figures.below_crease_share <= 0.5;
+}
+
+Verdict verdictAt(const SeamFigures& figures, const ContinuityTolerance& tolerance, Level required, End end) {
+  Verdict verdict;
+  verdict.level = reachedLevel(figures, tolerance, end);
+  if (verdict.level >= Level::G0 && isCrease(figures, tolerance, end))
+    verdict.seam_class = SeamClass::Crease;
+  else
+    verdict.seam_class = verdict.level >= required ? SeamClass::Smooth : SeamClass::Defect;
+  return verdict;
 }
 
 }  // namespace
@@ -83,13 +102,10 @@ std::optional<Level> levelFromName(std::string_view text) {
 }
 
 Verdict judge(const SeamFigures& figures, const ContinuityTolerance& tolerance, Level required) {
-  Verdict verdict;
-  verdict.level = reachedLevel(figures, tolerance);
-  if (verdict.level >= required)
-    verdict.seam_class = SeamClass::Smooth;
-  else
-    verdict.seam_class = SeamClass::Defect;
-  if (verdict.level >= Level::G0 && isCrease(figures, tolerance)) verdict.seam_class = SeamClass::Crease;
+  Verdict verdict = verdictAt(figures, tolerance, required, End::Lower);
+  const Verdict worst = verdictAt(figures, tolerance, required, End::Upper);
+  verdict.certain = worst.level == verdict.level && worst.seam_class == verdict.seam_class &&
+                    (figures.shares_known || verdict.level == Level::None);
   return verdict;
 }
 

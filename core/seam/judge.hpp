@@ -40,6 +40,9 @@ struct Verdict {
 /// Class: Crease iff G0 holds and the angle is above crease_rad or the seam folds, unless the angle is within
 /// crease_rad over more than half of its length: a sharp spot is a Defect. Otherwise Smooth iff the level
 /// reaches \p required.
+///
+/// Level and class are those of the lower ends of the enclosures; certain iff the upper ends (infinite where none is known) give
+/// the same, and nothing else they depend on is only sampled.
 Verdict judge(const SeamFigures& figures, const ContinuityTolerance& tolerance, Level required);
 
 }  // namespace seamwright

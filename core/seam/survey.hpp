@@ -39,8 +39,10 @@ struct SeamFigures {
   std::optional<Figure> curvature_change_rel;
   std::optional<double> fold_at;  ///< a point where the faces fold back at less than the crease angle
   double below_crease_share =
-      0;                    ///< share of the length over which the angle is within the crease angle, 0..1
-  double plane_share = 1;   ///< share of the length over which both sides have a tangent plane, 0..1
+      0;                   ///< share of the length over which the angle is within the crease angle, 0..1
+  double plane_share = 1;  ///< share of the length over which both sides have a tangent plane, 0..1
+  bool shares_known =
+      false;  ///< on which side of a half below_crease_share is, and whether the faces fold, is proven
   bool certified = false;   ///< every upper bound known
   std::string uncertified;  ///< why not, if it was tried
   bool settled = true;      ///< false: figures still changed when the limit of points was reached

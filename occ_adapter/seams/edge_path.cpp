@@ -42,7 +42,7 @@ double PathPiece::nearestShare(const Eigen::Vector3d& p) const {
 }
 
 EdgePath::EdgePath(const FaceUse& use, int edge, double gap_mm)
-    : use_(use), edge_(edge), strip_(use, gap_mm) {
+    : use_(use), edge_(edge), strip_(use, pcurveOf(use.edge, use.shape, gap_mm)) {
   const std::vector<double> cuts = firstCuts(strip_);
   PathPoint start = strip_.trace(0);
   for (std::size_t i = 1; i < cuts.size(); ++i) {
