@@ -91,7 +91,7 @@ ChebyshevModel ChebyshevModel::series(std::span<const double> coefficients, doub
   std::copy_n(coefficients.begin(), kept, model.coefficients_.begin());
   double rest = 0;
   for (const double coefficient : coefficients.subspan(kept)) rest += std::abs(coefficient);
-  model.radius_ = rest > 0 ? up(radius + rest) : radius;
+  model.radius_ = rest != 0 ? up(radius + rest) : radius;
   model.degree_ = static_cast<int>(std::max<std::size_t>(kept, 1)) - 1;
   model.trim();
   return model;
@@ -225,7 +225,7 @@ ProductSum& ProductSum::add(const ChebyshevModel& a, const ChebyshevModel& b, do
   twice_[0] -= constant;
   degree_ = std::max(degree_, a.degree_ + b.degree_);
   absolute_ += absolute_a * absolute_b;
-  if (a.radius_ > 0 || b.radius_ > 0)
+  if (a.radius_ != 0 || b.radius_ != 0)  // true for NaN, which is what unknown times zero may give
     radius_ += absolute_a * b.radius_ + (absolute_b + b.radius_) * a.radius_;
   return *this;
 }
