@@ -190,13 +190,13 @@ SplineEvaluator::Local SplineEvaluator::localize(int direction, const ChebyshevM
   return local;
 }
 
-const SplineEvaluator::Cell& SplineEvaluator::cell(int span_u, int span_v) const {
-  const auto key = std::pair(span_u, span_v);
-  const auto known = cells_.find(key);
-  return known != cells_.end() ? known->second : cells_.emplace(key, makeCell(span_u, span_v)).first->second;
+const SplineEvaluator::Cell& SplineEvaluator::cell(int span_u, int span_v, int nets) const {
+  Cell& cell = cells_[{span_u, span_v}];
+  if (cell.count < nets) cell = makeCell(span_u, span_v, nets);
+  return cell;
 }
 
-SplineEvaluator::Cell SplineEvaluator::makeCell(int span_u, int span_v) const {
+SplineEvaluator::Cell SplineEvaluator::makeCell(int span_u, int span_v, int nets) const {
   const SpanMatrices& mu = matrices(0, span_u);
   const SpanMatrices& mv = matrices(1, span_v);
   const int p = directions_[0].degree;
@@ -205,6 +205,7 @@ SplineEvaluator::Cell SplineEvaluator::makeCell(int span_u, int span_v) const {
   const int first_v = spans_[1][span_v].knot - q;
   const auto index = [&](int i, int j) { return (first_u + i) * count_v_ + first_v + j; };
   Cell cell;
+  cell.count = nets;
   cell.origin = poles_[index(0, 0)];
   const int dimension = weights_.empty() ? 3 : 4;
   constexpr std::array<std::array<int, 2>, 6> orders = {{{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}};
@@ -215,7 +216,7 @@ SplineEvaluator::Cell SplineEvaluator::makeCell(int span_u, int span_v) const {
         const double weight = weights_.empty() ? 1 : weights_[index(i, j)];
         local(i, j) = c == 3 ? weight : weight * (poles_[index(i, j)][c] - cell.origin[c]);
       }
-    for (std::size_t k = 0; k < orders.size(); ++k) {
+    for (int k = 0; k < nets; ++k) {
       const auto [du, dv] = orders[k];
       const SmallMatrix derived = mu.derivative[du] * local * mv.derivative[dv].transpose();
       SmallMatrix series = SmallMatrix::Zero(p + 1, q + 1);
@@ -240,10 +241,10 @@ JetModel SplineEvaluator::jet(const ChebyshevModel& u, const ChebyshevModel& v, 
                               int order) const {
   const Local x = localize(0, u, hint_u);
   const Local y = localize(1, v, hint_v);
-  const Cell& c = cell(x.span, y.span);
+  const int nets = order == 0 ? 1 : order == 1 ? 3 : 6;
+  const Cell& c = cell(x.span, y.span, nets);
   const std::vector<ChebyshevModel> tx = chebyshevPolynomials(x.x, directions_[0].degree);
   const std::vector<ChebyshevModel> ty = chebyshevPolynomials(y.x, directions_[1].degree);
-  const int nets = order == 0 ? 1 : order == 1 ? 3 : 6;
   const int dimension = weights_.empty() ? 3 : 4;
   // Products of Chebyshev polynomials along the path, one a column, and what they may be off and amount to.
   const Eigen::Index terms = static_cast<Eigen::Index>(tx.size() * ty.size());

@@ -65,6 +65,7 @@ class SplineEvaluator {
   };
   struct Cell {
     Eigen::Vector3d origin;
+    int count = 0;            ///< of nets that are made
     std::array<Net, 6> nets;  ///< p, u, v, uu, uv, vv
   };
   struct Local {
@@ -75,8 +76,8 @@ class SplineEvaluator {
   const SpanMatrices& matrices(int direction, int span) const;
   SpanMatrices makeMatrices(int direction, int span) const;
   Local localize(int direction, const ChebyshevModel& parameter, double hint) const;
-  const Cell& cell(int span_u, int span_v) const;
-  Cell makeCell(int span_u, int span_v) const;
+  const Cell& cell(int span_u, int span_v, int nets) const;
+  Cell makeCell(int span_u, int span_v, int nets) const;
 
   std::array<SplineDirection, 2> directions_;
   std::vector<Eigen::Vector3d> poles_;
