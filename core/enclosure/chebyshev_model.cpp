@@ -213,7 +213,7 @@ ProductSum& ProductSum::add(const ChebyshevModel& a, const ChebyshevModel& b, do
   }
   degree_ = std::max(degree_, a.degree_ + b.degree_);
   absolute_ += absolute_a * absolute_b;
-  if (a.radius_ > 0 || b.radius_ > 0)
+  if (!(a.radius_ == 0 && b.radius_ == 0))  // an unknown radius may be NaN (0 times infinite)
     radius_ += absolute_a * b.radius_ + (absolute_b + b.radius_) * a.radius_;
   return *this;
 }
