@@ -91,7 +91,7 @@ ChebyshevModel ChebyshevModel::series(std::span<const double> coefficients, doub
   std::copy_n(coefficients.begin(), kept, model.coefficients_.begin());
   double rest = 0;
   for (const double coefficient : coefficients.subspan(kept)) rest += std::abs(coefficient);
-  model.radius_ = rest > 0 ? up(radius + rest) : radius;
+  model.radius_ = rest != 0 ? up(radius + rest) : radius;
   model.degree_ = static_cast<int>(std::max<std::size_t>(kept, 1)) - 1;
   model.trim();
   return model;
@@ -175,6 +175,27 @@ ChebyshevModel& ChebyshevModel::operator+=(const ChebyshevModel& other) {
   return *this;
 }
 
+ChebyshevModel combination(const std::array<double, 3>& factors,
+                           const std::array<const ChebyshevModel*, 3>& models) {
+  ChebyshevModel sum;
+  double absolute = 0;
+  for (int i = 0; i < 3; ++i) {
+    const ChebyshevModel& model = *models[i];
+    const double factor = factors[i];
+    if (factor == 0 && model.isKnown()) continue;
+    for (int k = 0; k <= model.degree_; ++k) {
+      const double term = factor * model.coefficients_[k];
+      sum.coefficients_[k] += term;
+      absolute += std::abs(term);
+    }
+    sum.degree_ = std::max(sum.degree_, model.degree_);
+    sum.radius_ += std::abs(factor) * model.radius_;
+  }
+  sum.radius_ = up(sum.radius_ + 2 * epsilon * absolute);
+  sum.trim();
+  return sum;
+}
+
 ChebyshevModel& ChebyshevModel::operator-=(const ChebyshevModel& other) {
   return *this += -other;
 }
@@ -213,7 +234,7 @@ ProductSum& ProductSum::add(const ChebyshevModel& a, const ChebyshevModel& b, do
   }
   degree_ = std::max(degree_, a.degree_ + b.degree_);
   absolute_ += absolute_a * absolute_b;
-  if (!(a.radius_ == 0 && b.radius_ == 0))  // an unknown radius may be NaN (0 times infinite)
+  if (a.radius_ != 0 || b.radius_ != 0)  // true for NaN, which is what unknown times zero may give
     radius_ += absolute_a * b.radius_ + (absolute_b + b.radius_) * a.radius_;
   return *this;
 }
@@ -255,10 +276,23 @@ ChebyshevModel inverseSqrt(const ChebyshevModel& f) {
   return guess;
 }
 
+namespace {
+
+/// Of an angle that is off by at most \p radius.
+std::pair<ChebyshevModel, ChebyshevModel> constantCosSin(double angle, double radius) {
+  ChebyshevModel cosine(std::cos(angle)), sine(std::sin(angle));
+  cosine.widen(epsilon + radius);
+  sine.widen(epsilon + radius);
+  return {cosine, sine};
+}
+
+}  // namespace
+
 std::pair<ChebyshevModel, ChebyshevModel> cosSin(const ChebyshevModel& f) {
   const double middle = f.coefficient(0);
   const ChebyshevModel offset = f - ChebyshevModel(middle);
   const double reach = offset.magnitude();
+  if (offset.degree() == 0 && reach <= 1) return constantCosSin(middle, reach);
   if (!(reach <= 2)) return {ChebyshevModel::unknown(), ChebyshevModel::unknown()};
   // Taylor series in offset, until the next term is below rounding; the remainder is at most the first term left out.
   int terms = 1;
