@@ -175,6 +175,27 @@ ChebyshevModel& ChebyshevModel::operator+=(const ChebyshevModel& other) {
   return *this;
 }
 
+ChebyshevModel combination(const std::array<double, 3>& factors,
+                           const std::array<const ChebyshevModel*, 3>& models) {
+  ChebyshevModel sum;
+  double absolute = 0;
+  for (int i = 0; i < 3; ++i) {
+    const ChebyshevModel& model = *models[i];
+    const double factor = factors[i];
+    if (factor == 0 && model.isKnown()) continue;
+    for (int k = 0; k <= model.degree_; ++k) {
+      const double term = factor * model.coefficients_[k];
+      sum.coefficients_[k] += term;
+      absolute += std::abs(term);
+    }
+    sum.degree_ = std::max(sum.degree_, model.degree_);
+    sum.radius_ += std::abs(factor) * model.radius_;
+  }
+  sum.radius_ = up(sum.radius_ + 2 * epsilon * absolute);
+  sum.trim();
+  return sum;
+}
+
 ChebyshevModel& ChebyshevModel::operator-=(const ChebyshevModel& other) {
   return *this += -other;
 }
@@ -201,28 +222,16 @@ void ChebyshevModel::widen(double radius) {
 }
 
 ProductSum& ProductSum::add(const ChebyshevModel& a, const ChebyshevModel& b, double sign) {
-  if (a.degree_ > b.degree_) return add(b, a, sign);
-  // T_i T_j = (T_(i + j) + T_|i - j|) / 2: with b continued to b_(-j) = b_j and b_0 doubled, twice the coefficient of T_k is the sum
-  // over i of a_i (b_(k - i) + b_(k + i)), but for k = 0, where every term is counted double.
-  const int reach = a.degree_ + b.degree_ + 1;
-  std::array<double, 4 * size> even{};  // even[size + j] = b_|j|
-  double absolute_b = 0;
-  for (int j = 0; j <= b.degree_; ++j) {
-    even[size + j] = even[size - j] = b.coefficients_[j];
-    absolute_b += std::abs(b.coefficients_[j]);
-  }
-  even[size] *= 2;
   double absolute_a = 0;
-  double constant = 0;
+  double absolute_b = 0;
+  for (int j = 0; j <= b.degree_; ++j) absolute_b += std::abs(b.coefficients_[j]);
   for (int i = 0; i <= a.degree_; ++i) {
     const double factor = sign * a.coefficients_[i];
     absolute_a += std::abs(factor);
-    const double* below = even.data() + size - i;
-    const double* above = below + 2 * i;
-    for (int k = 0; k < reach; ++k) twice_[k] += factor * (below[k] + above[k]);
-    constant += factor * above[0];
+    // T_i T_j = (T_(i + j) + T_|i - j|) / 2.
+    for (int j = 0; j <= b.degree_; ++j) twice_[i + j] += factor * b.coefficients_[j];
+    for (int j = 0; j <= b.degree_; ++j) twice_[std::abs(i - j)] += factor * b.coefficients_[j];
   }
-  twice_[0] -= constant;
   degree_ = std::max(degree_, a.degree_ + b.degree_);
   absolute_ += absolute_a * absolute_b;
   if (a.radius_ != 0 || b.radius_ != 0)  // true for NaN, which is what unknown times zero may give
@@ -267,10 +276,23 @@ ChebyshevModel inverseSqrt(const ChebyshevModel& f) {
   return guess;
 }
 
+namespace {
+
+/// Of an angle that is off by at most \p radius.
+std::pair<ChebyshevModel, ChebyshevModel> constantCosSin(double angle, double radius) {
+  ChebyshevModel cosine(std::cos(angle)), sine(std::sin(angle));
+  cosine.widen(epsilon + radius);
+  sine.widen(epsilon + radius);
+  return {cosine, sine};
+}
+
+}  // namespace
+
 std::pair<ChebyshevModel, ChebyshevModel> cosSin(const ChebyshevModel& f) {
   const double middle = f.coefficient(0);
   const ChebyshevModel offset = f - ChebyshevModel(middle);
   const double reach = offset.magnitude();
+  if (offset.degree() == 0 && reach <= 1) return constantCosSin(middle, reach);
   if (!(reach <= 2)) return {ChebyshevModel::unknown(), ChebyshevModel::unknown()};
   // Taylor series in offset, until the next term is below rounding; the remainder is at most the first term left out.
   int terms = 1;

@@ -32,7 +32,7 @@ class ChebyshevModel {
   static constexpr int max_degree = 7;
   static constexpr int size = max_degree + 1;
   /// Leading terms that sum up to less than this part of all terms but the constant go into the radius: short pieces need few.
-  static constexpr double negligible = 0x1p-34;
+  static constexpr double negligible = 0x1p-27;
   using Coefficients = std::array<double, size>;
 
   ChebyshevModel() = default;
@@ -66,6 +66,8 @@ class ChebyshevModel {
 
  private:
   friend class ProductSum;
+  friend ChebyshevModel combination(const std::array<double, 3>& factors,
+                                    const std::array<const ChebyshevModel*, 3>& models);
   void trim();
 
   Coefficients coefficients_{};
@@ -99,6 +101,10 @@ inline ChebyshevModel operator*(double factor, ChebyshevModel a) {
   return a *= factor;
 }
 ChebyshevModel operator*(const ChebyshevModel& a, const ChebyshevModel& b);
+
+/// The sum of three models times numbers.
+ChebyshevModel combination(const std::array<double, 3>& factors,
+                           const std::array<const ChebyshevModel*, 3>& models);
 
 /// 1 / f; unknown if f may vanish.
 ChebyshevModel inverse(const ChebyshevModel& f);

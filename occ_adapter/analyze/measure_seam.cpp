@@ -108,13 +108,16 @@ struct PoleStretches {
 };
 
 PoleStretches poleStretches(const Seam& seam, const std::array<Pcurve, 2>& pcurves) {
+  constexpr double shortest =
+      0x1p-20;  // nearer than that to the pole curvature, which divides by squares, is rounding
   PoleStretches poles;
   if (!seam.correspondence.s.empty()) return poles;
   for (const int side : {0, 1})
     for (const int end : {0, 1}) {
       if (seam.sides[side].pole_tolerance_mm[end] == 0) continue;
-      const double reach = FaceStrip(seam.sides[side], pcurves[side]).poleReach(end);
+      double reach = FaceStrip(seam.sides[side], pcurves[side]).poleReach(end);
       if (reach == 0) continue;
+      reach = std::max(reach, shortest);
       if (end == 0)
         poles.between.lower = std::max(poles.between.lower, reach);
       else
