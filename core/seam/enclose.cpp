@@ -523,12 +523,12 @@ SeamFigures Enclosure::figures() const {
   figures.gap_mm = figure(Gap, upper[Gap]);
   if (with_plane > 0) figures.angle_rad = figure(Angle, upper[Angle]);
   const bool sharp = lower_[Angle] > tolerance_.crease_rad;
-  if (with_plane > 0 && !sharp) {
+  if (with_plane > 0 && !sharp && !figures.fold_at) {
     figures.curvature_per_mm = figure(Curvature, upper[Curvature]);
     if (std::isfinite(upper[Curvature]))
       upper[RelativeCurvature] = std::min(upper[RelativeCurvature], largest_relative_difference);
     figures.curvature_rel = figure(RelativeCurvature, upper[RelativeCurvature]);
-    if (!unknown_at && !std::isfinite(upper[RelativeCurvature]) && !figures.fold_at)
+    if (!unknown_at && !std::isfinite(upper[RelativeCurvature]))
       figures.uncertified = "the curvature is not bounded";
   }
   const Interval share = belowCreaseShare();

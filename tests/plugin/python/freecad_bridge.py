@@ -41,7 +41,7 @@ def nearly_equal(a, b, path=""):
     if isinstance(a, dict):
         assert a.keys() == b.keys(), path
         for key in a:
-            if key not in ("at", "note"):
+            if key not in ("at", "point", "note"):
                 nearly_equal(a[key], b[key], f"{path}.{key}")
     elif isinstance(a, list):
         assert len(a) == len(b), path
