@@ -46,7 +46,7 @@ TEST(PatchSide, AnyEdgeInAnySenseGivesTheSameSeam) {
       for (const bool reversed : {false, true}) {
         const SeamFigures figures = encloseSeam(seamSide(turned(level(), a), a, reversed),
                                                 seamSide(turned(bent(1), b), b, reversed), tolerance);
-        EXPECT_LE(figures.gap_mm.value().upper.value(), 1e-14);
+        EXPECT_LE(figures.gap_mm.value().upper.value(), 1e-11);
         const Figure angle = figures.angle_rad.value();
         EXPECT_LE(angle.lower, std::atan(slope) * (1 + 1e-14));
         EXPECT_GE(angle.upper.value(), std::atan(slope));
@@ -59,7 +59,7 @@ TEST(PatchSide, AnyEdgeInAnySenseGivesTheSameSeam) {
 TEST(PatchSide, SidesInOppositeSensesAreApart) {
   const SeamFigures figures = encloseSeam(seamSide(level(), PatchEdge::U0, false),
                                           seamSide(bent(1), PatchEdge::U0, true), ContinuityTolerance{});
-  EXPECT_NEAR(figures.gap_mm.value().lower, 1, 1e-14);  // at the ends the edge is 1 mm long
+  EXPECT_NEAR(figures.gap_mm.value().lower, 1, 1e-11);  // at the ends the edge is 1 mm long
 }
 
 TEST(PatchSide, AFaceThatTurnsBackIsAFoldAtAnyEdge) {
@@ -81,8 +81,8 @@ TEST(PatchSide, WeightsCount) {
   flat << -1, 0, 2, -1, 1, 2, 0, 0, 2, 0, 1, 2;
   const SeamFigures figures = encloseSeam(seamSide(BezierPatch(1, 1, flat), PatchEdge::U1),
                                           seamSide(BezierPatch(2, 1, arc, weights), PatchEdge::U0), {});
-  EXPECT_LE(figures.angle_rad.value().upper.value(), 1e-13);
-  EXPECT_NEAR(figures.curvature_per_mm.value().lower, 0.5, 1e-12);
+  EXPECT_LE(figures.angle_rad.value().upper.value(), 1e-11);
+  EXPECT_NEAR(figures.curvature_per_mm.value().lower, 0.5, 1e-9);
   EXPECT_NEAR(figures.curvature_per_mm.value().upper.value(), 0.5, 1e-9);
 }
 

