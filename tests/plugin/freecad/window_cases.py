@@ -129,11 +129,12 @@ class Panel(WindowCase):
         with mock.patch.object(obj.ViewObject.Proxy.marker, "show") as show:
             panel.table.clearSelection()
             click_row(panel.table, 0)
+            (number,) = panel.model.row(0).edges
             ((point, label),) = show.call_args.args[0]
-            panel.table.clearSelection()
+            panel.reject()
             settle()
         self.assertEqual(label, "1°")
-        edge = obj.Analysed[0].Shape.Edges[panel.seams[panel.model.row(0).seam]["edges"][0] - 1]
+        edge = obj.Analysed[0].Shape.Edges[number - 1]
         self.assertLess(edge.distToShape(models.point(*point))[0], 1e-9)
         show.assert_called_with([])
 
