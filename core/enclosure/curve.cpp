@@ -29,6 +29,15 @@ CurveJetModel jetOf(const EllipseEvaluator& ellipse, const ChebyshevModel& t, in
   return jet;
 }
 
+CurveJetModel jetOf(const HyperbolaEvaluator& hyperbola, const ChebyshevModel& t, int order) {
+  const auto [cosine, sine] = coshSinh(t);
+  CurveJetModel jet;
+  jet.p = combined({hyperbola.center, hyperbola.x, hyperbola.y}, cosine, sine);
+  if (order >= 1) jet.d1 = combined({nothing, hyperbola.y, hyperbola.x}, cosine, sine);
+  if (order >= 2) jet.d2 = combined({nothing, hyperbola.x, hyperbola.y}, cosine, sine);
+  return jet;
+}
+
 CurveJetModel jetOf(const ParabolaEvaluator& parabola, const ChebyshevModel& t, int order) {
   CurveJetModel jet;
   jet.p = combined({parabola.vertex, parabola.tangent, parabola.axis}, t, t * t);
@@ -51,6 +60,7 @@ CurveJetModel CurveEvaluator::jet(const ChebyshevModel& t, double hint, int orde
   }
   if (const auto* line = std::get_if<LineEvaluator>(&form_)) return jetOf(*line, t, order);
   if (const auto* ellipse = std::get_if<EllipseEvaluator>(&form_)) return jetOf(*ellipse, t, order);
+  if (const auto* hyperbola = std::get_if<HyperbolaEvaluator>(&form_)) return jetOf(*hyperbola, t, order);
   return jetOf(std::get<ParabolaEvaluator>(form_), t, order);
 }
 

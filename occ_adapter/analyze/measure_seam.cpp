@@ -38,22 +38,25 @@ double lengthOf(const Seam& seam) {
   return GCPnts_AbscissaPoint::Length(curve, first + places.front() * range, first + places.back() * range);
 }
 
+std::string placeText(double place) {
+  std::ostringstream text;
+  text << std::setprecision(3) << place;
+  return text.str();
+}
+
 /// "at 0" or, for places that lie close together, "from 0 to 0.012".
 std::string stretches(std::vector<double> places) {
   constexpr double close_together = 0.02;
   constexpr double shortest_told = 1e-5;
   std::ranges::sort(places);
-  std::ostringstream text;
-  text << std::setprecision(3);
+  std::string text;
   for (std::size_t first = 0, last = 0; first < places.size(); first = last + 1) {
     for (last = first; last + 1 < places.size() && places[last + 1] - places[last] < close_together;) ++last;
-    text << (first == 0 ? "" : ", ");
-    if (places[last] - places[first] > shortest_told)
-      text << "from " << places[first] << " to " << places[last];
-    else
-      text << "at " << places[first];
+    const std::string from = placeText(places[first]), to = placeText(places[last]);
+    const bool is_point = from == to || places[last] - places[first] <= shortest_told;
+    text += (first == 0 ? "" : ", ") + (is_point ? "at " + from : "from " + from + " to " + to);
   }
-  return text.str();
+  return text;
 }
 
 /// Where each face has no tangent plane, or is not finite.
