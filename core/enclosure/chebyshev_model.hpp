@@ -32,7 +32,7 @@ class ChebyshevModel {
   static constexpr int max_degree = 7;
   static constexpr int size = max_degree + 1;
   /// Leading terms that sum up to less than this part of all terms but the constant go into the radius: short pieces need few.
-  static constexpr double negligible = 0x1p-27;
+  static constexpr double negligible = 0x1p-34;
   using Coefficients = std::array<double, size>;
 
   ChebyshevModel() = default;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <span>
 #include <sstream>
 
 #include <seamwright/core/seam/enclose.hpp>
@@ -156,10 +157,9 @@ struct Piece {
   double from = 0;
   double to = 0;
   PieceFigures figures;
-  bool left_out = false;  ///< only the gap counts
-  double excess = std::numeric_limits<
-      double>::infinity();  ///< of the piece it was cut from: by what its bounds were too wide
-  int stalled = 0;          ///< cuts that did not halve the excess
+  bool left_out = false;                                    ///< only the gap counts
+  double excess = std::numeric_limits<double>::infinity();  ///< by what its bounds are too wide
+  int stalled = 0;                                          ///< cuts in a row that did not halve the excess
   double width() const { return to - from; }
   double at(double x) const { return 0.5 * ((1 - x) * from + (1 + x) * to); }
 };
@@ -210,7 +210,8 @@ class Enclosure {
   bool folds(const Piece& piece) const {
     return piece.figures.sense != 0 && (a_.faceOnLeft() == b_.faceOnLeft()) == (piece.figures.sense > 0);
   }
-  void look(double from, double to, const Piece* parent = nullptr);
+  void look(double from, double to);
+  void cut(const Piece& piece);
   void lookAtGap(double from, double to);
   bool mayCut(const Piece& piece, const std::optional<double>& split);
   bool measure(Piece& piece, Detail detail, std::optional<double>& split);
@@ -360,14 +361,12 @@ bool Enclosure::mayCut(const Piece& piece, const std::optional<double>& split) {
   return false;
 }
 
-void Enclosure::look(double from, double to, const Piece* parent) {
+void Enclosure::look(double from, double to) {
   Piece piece{from, to, {}};
   std::optional<double> split;
   if (measure(piece, detail(), split)) {
     see(piece);
     piece.excess = excess(piece.figures);
-    if (parent != nullptr && std::isfinite(piece.excess) && piece.excess > 0.5 * parent->excess)
-      piece.stalled = parent->stalled + 1;
     pieces_.push_back(piece);
     return;
   }
@@ -376,8 +375,8 @@ void Enclosure::look(double from, double to, const Piece* parent) {
     pieces_.push_back(piece);
     return;
   }
-  look(from, *split, parent);
-  look(*split, to, parent);
+  look(from, *split);
+  look(*split, to);
 }
 
 /// Outside the range the gap is all there is to measure.
@@ -394,6 +393,18 @@ void Enclosure::lookAtGap(double from, double to) {
   }
   see(piece);
   pieces_.push_back(piece);
+}
+
+/// Looks at both halves. Where neither is bounded much better than the whole, rounding is what is wide.
+void Enclosure::cut(const Piece& piece) {
+  const std::size_t first = pieces_.size();
+  look(piece.from, piece.at(0));
+  look(piece.at(0), piece.to);
+  const auto halves = std::span(pieces_).subspan(first);
+  const bool is_better = std::ranges::any_of(halves, [&](const Piece& half) {
+    return !std::isfinite(half.excess) || half.excess <= 0.5 * piece.excess;
+  });
+  for (Piece& half : halves) half.stalled = is_better ? 0 : piece.stalled + 1;
 }
 
 void Enclosure::refine() {
@@ -414,8 +425,7 @@ void Enclosure::refine() {
       } else if (isSettled(piece)) {  // by what was seen since
         pieces_.push_back(piece);
       } else {
-        look(piece.from, piece.at(0), &piece);
-        look(piece.at(0), piece.to, &piece);
+        cut(piece);
         changed = true;
       }
     }
