@@ -114,7 +114,7 @@ class Side {
     for (const double knot : met)
       if (knot > range.lower + touch && knot < range.upper - touch) knots.push_back(knot);
     const bool along = range.width() <= std::max(1e-10 * std::min(1.0, uv[1 - d].range().width()), touch);
-    if (!met.empty() && along) return {besideKnot(met[met.size() / 2], d, uv)};
+    if (!met.empty() && along) return {besideKnots(met, d, uv)};
     if (knots.empty()) return {range.middle()};
     if (to - from > shortest_crossing) {
       const double knot = knots[knots.size() / 2];
@@ -141,11 +141,11 @@ class Side {
     return of_path <= 0x1p-36 * reach_[d] ? std::max(of_parameter, of_path) : of_parameter;
   }
 
-  /// Off a knot line to the side of the face.
-  double besideKnot(double knot, int d, const VectorModel& uv) const {
+  /// Off knot lines that but for rounding are one, to the side of the face.
+  double besideKnots(const std::vector<double>& knots, int d, const VectorModel& uv) const {
     const double along = uv[1 - d].coefficient(1);
     const double into = (d == 0 ? -along : along) * (side_.face_on_left ? 1 : -1);
-    return std::nextafter(knot, into > 0 ? infinite : -infinite);
+    return into > 0 ? std::nextafter(knots.back(), infinite) : std::nextafter(knots.front(), -infinite);
   }
 
   const SeamSide& side_;
@@ -159,7 +159,7 @@ struct Piece {
   bool left_out = false;  ///< only the gap counts
   double excess = std::numeric_limits<
       double>::infinity();  ///< of the piece it was cut from: by what its bounds were too wide
-  int stalled = 0;          ///< cuts that did not halve the excess
+  int stalled = 0;          ///< cuts that hardly lessened the excess
   double width() const { return to - from; }
   double at(double x) const { return 0.5 * ((1 - x) * from + (1 + x) * to); }
 };
@@ -366,7 +366,7 @@ void Enclosure::look(double from, double to, const Piece* parent) {
   if (measure(piece, detail(), split)) {
     see(piece);
     piece.excess = excess(piece.figures);
-    if (parent != nullptr && std::isfinite(piece.excess) && piece.excess > 0.5 * parent->excess)
+    if (parent != nullptr && std::isfinite(piece.excess) && piece.excess > 0.75 * parent->excess)
       piece.stalled = parent->stalled + 1;
     pieces_.push_back(piece);
     return;
@@ -475,7 +475,10 @@ Interval Enclosure::lengthOf(const Piece& piece) const {
 }
 
 Interval Enclosure::belowCreaseShare() const {
-  if (lower_[Angle] <= tolerance_.crease_rad) return {1, 1};
+  if (std::ranges::none_of(pieces_, [&](const Piece& piece) {
+        return !piece.left_out && piece.figures.angle_rad.upper > tolerance_.crease_rad;
+      }))
+    return {1, 1};
   if (std::ranges::none_of(pieces_, [&](const Piece& piece) {
         return !piece.left_out && piece.figures.smallest_angle_rad <= tolerance_.crease_rad;
       }))
@@ -535,7 +538,7 @@ SeamFigures Enclosure::figures() const {
   figures.degenerate = degenerate_;
   figures.points = looks_;
   figures.shares_known = true;
-  if (share.lower <= 0.5 && share.upper > 0.5 && sharp) {
+  if (share.lower <= 0.5 && share.upper > 0.5) {
     figures.shares_known = false;
     figures.uncertified = "the crease angle is passed near the middle of its length";
   }
