@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <span>
 #include <sstream>
 
 #include <seamwright/core/seam/enclose.hpp>
@@ -158,8 +159,8 @@ struct Piece {
   PieceFigures figures;
   bool left_out = false;  ///< only the gap counts
   double excess = std::numeric_limits<
-      double>::infinity();  ///< of the piece it was cut from: by what its bounds were too wide
-  int stalled = 0;          ///< cuts that hardly lessened the excess
+      double>::infinity();  ///< by what its bounds are too wide, in units of what is allowed
+  int stalled = 0;          ///< cuts in a row that helped no part
   double width() const { return to - from; }
   double at(double x) const { return 0.5 * ((1 - x) * from + (1 + x) * to); }
 };
@@ -210,7 +211,8 @@ class Enclosure {
   bool folds(const Piece& piece) const {
     return piece.figures.sense != 0 && (a_.faceOnLeft() == b_.faceOnLeft()) == (piece.figures.sense > 0);
   }
-  void look(double from, double to, const Piece* parent = nullptr);
+  void look(double from, double to);
+  void cut(const Piece& piece);
   void lookAtGap(double from, double to);
   bool mayCut(const Piece& piece, const std::optional<double>& split);
   bool measure(Piece& piece, Detail detail, std::optional<double>& split);
@@ -360,14 +362,12 @@ bool Enclosure::mayCut(const Piece& piece, const std::optional<double>& split) {
   return false;
 }
 
-void Enclosure::look(double from, double to, const Piece* parent) {
+void Enclosure::look(double from, double to) {
   Piece piece{from, to, {}};
   std::optional<double> split;
   if (measure(piece, detail(), split)) {
     see(piece);
     piece.excess = excess(piece.figures);
-    if (parent != nullptr && std::isfinite(piece.excess) && piece.excess > 0.75 * parent->excess)
-      piece.stalled = parent->stalled + 1;
     pieces_.push_back(piece);
     return;
   }
@@ -376,8 +376,8 @@ void Enclosure::look(double from, double to, const Piece* parent) {
     pieces_.push_back(piece);
     return;
   }
-  look(from, *split, parent);
-  look(*split, to, parent);
+  look(from, *split);
+  look(*split, to);
 }
 
 /// Outside the range the gap is all there is to measure.
@@ -394,6 +394,17 @@ void Enclosure::lookAtGap(double from, double to) {
   }
   see(piece);
   pieces_.push_back(piece);
+}
+
+/// A cut of which no part is much better than the whole is stalled by rounding; beside a kink of a figure one part is.
+void Enclosure::cut(const Piece& piece) {
+  const std::size_t first = pieces_.size();
+  look(piece.from, piece.at(0));
+  look(piece.at(0), piece.to);
+  const auto parts = std::span(pieces_).subspan(first);
+  const bool better =
+      std::ranges::any_of(parts, [&](const Piece& part) { return part.excess <= 0.5 * piece.excess; });
+  for (Piece& part : parts) part.stalled = better ? 0 : piece.stalled + 1;
 }
 
 void Enclosure::refine() {
@@ -414,8 +425,7 @@ void Enclosure::refine() {
       } else if (isSettled(piece)) {  // by what was seen since
         pieces_.push_back(piece);
       } else {
-        look(piece.from, piece.at(0), &piece);
-        look(piece.at(0), piece.to, &piece);
+        cut(piece);
         changed = true;
       }
     }
