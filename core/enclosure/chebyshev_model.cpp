@@ -278,23 +278,24 @@ ChebyshevModel inverseSqrt(const ChebyshevModel& f) {
 
 namespace {
 
-/// Of an angle that is off by at most \p radius.
-std::pair<ChebyshevModel, ChebyshevModel> constantCosSin(double angle, double radius) {
-  ChebyshevModel cosine(std::cos(angle)), sine(std::sin(angle));
-  cosine.widen(epsilon + radius);
-  sine.widen(epsilon + radius);
-  return {cosine, sine};
-}
-
-}  // namespace
-
-std::pair<ChebyshevModel, ChebyshevModel> cosSin(const ChebyshevModel& f) {
-  const double middle = f.coefficient(0);
-  const ChebyshevModel offset = f - ChebyshevModel(middle);
+/// Cosine and sine of f (sign -1), or the hyperbolic ones (sign 1), given both at the middle of f. The addition theorems are those of
+/// cos and sin up to the sign.
+std::pair<ChebyshevModel, ChebyshevModel> aroundMiddle(const ChebyshevModel& f, double sign,
+                                                       double cosine_there, double sine_there) {
+  const ChebyshevModel offset = f - ChebyshevModel(f.coefficient(0));
   const double reach = offset.magnitude();
-  if (offset.degree() == 0 && reach <= 1) return constantCosSin(middle, reach);
   if (!(reach <= 2)) return {ChebyshevModel::unknown(), ChebyshevModel::unknown()};
-  // Taylor series in offset, until the next term is below rounding; the remainder is at most the first term left out.
+  ChebyshevModel cos_middle(cosine_there), sin_middle(sine_there);
+  cos_middle.widen(epsilon * std::abs(cosine_there));
+  sin_middle.widen(epsilon * std::abs(sine_there));
+  if (offset.degree() == 0) {
+    const double change =
+        4 * reach * (std::abs(cosine_there) + std::abs(sine_there));  // reach cosh(reach) < 4 reach
+    cos_middle.widen(change);
+    sin_middle.widen(change);
+    return {cos_middle, sin_middle};
+  }
+  // Taylor series in offset, until the next term is below rounding; Lagrange's remainder has that term times at most cosh(2) < 4.
   int terms = 1;
   double next = reach * reach / 2;
   while (next > 0x1p-44 && terms < 16) {
@@ -304,17 +305,24 @@ std::pair<ChebyshevModel, ChebyshevModel> cosSin(const ChebyshevModel& f) {
   const ChebyshevModel square = offset * offset;
   ChebyshevModel cosine(1), sine(1);
   for (int k = terms - 1; k > 0; --k) {
-    cosine = ChebyshevModel(1) - cosine * square * (1.0 / ((2 * k - 1) * (2 * k)));
-    sine = ChebyshevModel(1) - sine * square * (1.0 / ((2 * k) * (2 * k + 1)));
+    cosine = ChebyshevModel(1) + cosine * square * (sign / ((2 * k - 1) * (2 * k)));
+    sine = ChebyshevModel(1) + sine * square * (sign / ((2 * k) * (2 * k + 1)));
   }
   sine = sine * offset;
-  cosine.widen(up(next));
-  sine.widen(up(next * std::max(reach, 1.0)));
-  ChebyshevModel cos_middle(std::cos(middle)), sin_middle(std::sin(middle));
-  cos_middle.widen(epsilon);
-  sin_middle.widen(epsilon);
-  return {ProductSum().add(cos_middle, cosine).add(sin_middle, sine, -1).model(),
+  cosine.widen(up(4 * next));
+  sine.widen(up(4 * next * std::max(reach, 1.0)));
+  return {ProductSum().add(cos_middle, cosine).add(sin_middle, sine, sign).model(),
           ProductSum().add(sin_middle, cosine).add(cos_middle, sine).model()};
+}
+
+}  // namespace
+
+std::pair<ChebyshevModel, ChebyshevModel> cosSin(const ChebyshevModel& f) {
+  return aroundMiddle(f, -1, std::cos(f.coefficient(0)), std::sin(f.coefficient(0)));
+}
+
+std::pair<ChebyshevModel, ChebyshevModel> coshSinh(const ChebyshevModel& f) {
+  return aroundMiddle(f, 1, std::cosh(f.coefficient(0)), std::sinh(f.coefficient(0)));
 }
 
 }  // namespace seamwright

@@ -112,5 +112,7 @@ ChebyshevModel inverse(const ChebyshevModel& f);
 ChebyshevModel inverseSqrt(const ChebyshevModel& f);
 /// Cosine and sine of f; unknown if f varies by more than 4 on [-1, 1].
 std::pair<ChebyshevModel, ChebyshevModel> cosSin(const ChebyshevModel& f);
+/// Hyperbolic cosine and sine of f; unknown if f varies by more than 4 on [-1, 1].
+std::pair<ChebyshevModel, ChebyshevModel> coshSinh(const ChebyshevModel& f);
 
 }  // namespace seamwright

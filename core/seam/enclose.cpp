@@ -259,6 +259,7 @@ double Enclosure::allowed(Quantity quantity) const {
 }
 
 bool Enclosure::isEnough(Quantity quantity, double upper) const {
+  if (quantity == RelativeCurvature) upper = std::min(upper, largest_relative_difference);
   if (upper <= lower_[quantity] + allowed(quantity)) return true;
   if (options_.figures) return false;
   return quantity == Curvature || upper <= tolerated(quantity) || lower_[quantity] > tolerated(quantity);
@@ -289,9 +290,8 @@ double Enclosure::excess(const PieceFigures& figures) const {
   double largest = std::max(excess(figures.gap_mm, Gap), excess(figures.angle_rad, Angle));
   if (detail() == Detail::TangentPlane) return largest;
   if (!figures.curvature_per_mm) return infinite;
-  // From 1 on the relative difference is a case (one side flat) or a cap, which does not shrink with the piece.
-  if (figures.curvature_rel->upper >= 1 && !isEnough(RelativeCurvature, figures.curvature_rel->upper))
-    return infinite;
+  // A step from 0 to 1, where one side becomes flat, does not shrink with the piece: it has to be found.
+  if (figures.curvature_rel->upper == 1 && figures.curvature_rel->lower < 1) return infinite;
   return std::max({largest, excess(*figures.curvature_per_mm, Curvature),
                    excess(*figures.curvature_rel, RelativeCurvature)});
 }
@@ -413,7 +413,7 @@ void Enclosure::refine() {
     changed = false;
     std::vector<Piece> open;
     const auto is_open = [&](const Piece& piece) {
-      return piece.width() >= shortest_piece && piece.stalled < 3 && !piece.left_out && !isSettled(piece);
+      return piece.width() >= shortest_piece && piece.stalled < 2 && !piece.left_out && !isSettled(piece);
     };
     const auto first_open = std::ranges::stable_partition(pieces_, std::not_fn(is_open));
     open.assign(first_open.begin(), first_open.end());
@@ -536,10 +536,12 @@ SeamFigures Enclosure::figures() const {
   figures.gap_mm = figure(Gap, upper[Gap]);
   if (with_plane > 0) figures.angle_rad = figure(Angle, upper[Angle]);
   const bool sharp = lower_[Angle] > tolerance_.crease_rad;
-  if (with_plane > 0 && !sharp) {
+  if (with_plane > 0 && !sharp && !figures.fold_at) {
     figures.curvature_per_mm = figure(Curvature, upper[Curvature]);
+    if (std::isfinite(upper[Curvature]))
+      upper[RelativeCurvature] = std::min(upper[RelativeCurvature], largest_relative_difference);
     figures.curvature_rel = figure(RelativeCurvature, upper[RelativeCurvature]);
-    if (!unknown_at && !std::isfinite(upper[RelativeCurvature]) && !figures.fold_at)
+    if (!unknown_at && !std::isfinite(upper[RelativeCurvature]))
       figures.uncertified = "the curvature is not bounded";
   }
   const Interval share = belowCreaseShare();

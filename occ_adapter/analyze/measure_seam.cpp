@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
 #include <BRep_Tool.hxx>
 #include <GCPnts_AbscissaPoint.hxx>
 #include <Geom_Surface.hxx>
@@ -37,21 +38,25 @@ double lengthOf(const Seam& seam) {
   return GCPnts_AbscissaPoint::Length(curve, first + places.front() * range, first + places.back() * range);
 }
 
+std::string placeText(double place) {
+  std::ostringstream text;
+  text << std::setprecision(3) << place;
+  return text.str();
+}
+
 /// "at 0" or, for places that lie close together, "from 0 to 0.012".
 std::string stretches(std::vector<double> places) {
   constexpr double close_together = 0.02;
+  constexpr double shortest_told = 1e-5;
   std::ranges::sort(places);
-  std::ostringstream text;
-  text << std::setprecision(3);
+  std::string text;
   for (std::size_t first = 0, last = 0; first < places.size(); first = last + 1) {
     for (last = first; last + 1 < places.size() && places[last + 1] - places[last] < close_together;) ++last;
-    text << (first == 0 ? "" : ", ");
-    if (places[last] > places[first])
-      text << "from " << places[first] << " to " << places[last];
-    else
-      text << "at " << places[first];
+    const std::string from = placeText(places[first]), to = placeText(places[last]);
+    const bool is_point = from == to || places[last] - places[first] <= shortest_told;
+    text += (first == 0 ? "" : ", ") + (is_point ? "at " + from : "from " + from + " to " + to);
   }
-  return text.str();
+  return text;
 }
 
 /// Where each face has no tangent plane, or is not finite.
@@ -101,7 +106,12 @@ void runAlong(const std::vector<double>& s, const std::vector<double>& places, S
   if (places.back() < places.front()) side.face_on_left = !side.face_on_left;
 }
 
-/// Stretches at the ends where a boundary of a surface collapses, so that its normal is rounding.
+bool isSphere(const TopoDS_Face& face) {
+  return BRepAdaptor_Surface(face, false).GetType() == GeomAbs_Sphere;
+}
+
+/// Stretches at the ends where a boundary of a surface collapses, so that its normal is rounding. Of a sphere the normal is
+/// known at the poles too.
 struct PoleStretches {
   Interval between = {0, 1};
   std::vector<DegeneratePoint> points;
@@ -114,7 +124,7 @@ PoleStretches poleStretches(const Seam& seam, const std::array<Pcurve, 2>& pcurv
   if (!seam.correspondence.s.empty()) return poles;
   for (const int side : {0, 1})
     for (const int end : {0, 1}) {
-      if (seam.sides[side].pole_tolerance_mm[end] == 0) continue;
+      if (seam.sides[side].pole_tolerance_mm[end] == 0 || isSphere(seam.sides[side].shape)) continue;
       double reach = FaceStrip(seam.sides[side], pcurves[side]).poleReach(end);
       if (reach == 0) continue;
       reach = std::max(reach, shortest);

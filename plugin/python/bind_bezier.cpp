@@ -99,6 +99,8 @@ void bindBezier(py::module_& module) {
       .def_property_readonly("weights", &BezierCurve::weights)
       .def("point", &BezierCurve::point, py::arg("t"))
       .def("jet", &curveJet, py::arg("t"), "Point and derivatives to third order, (4, 3).")
+      .def("derivatives", &BezierCurve::derivatives, py::arg("t"), py::arg("order"),
+           "Point and derivatives to that order, (order+1, 3).")
       .def("reversed", &BezierCurve::reversed, "The same curve run backwards.")
       .def("elevated", &BezierCurve::elevated, "The same curve with one degree more.")
       .def("split", &BezierCurve::split, py::arg("t"), "The pieces over [0, t] and [t, 1].")

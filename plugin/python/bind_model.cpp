@@ -5,13 +5,12 @@
 #include <numbers>
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
 #include <seamwright/occ_adapter/model/read.hpp>
+#include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/report/csv.hpp>
 #include <seamwright/plugin/report/json.hpp>
 #include <seamwright/plugin/report/table.hpp>
 #include <sstream>
-
-namespace py = pybind11;
 
 namespace seamwright::python {
 
@@ -32,59 +31,17 @@ occ::Model readFile(const std::filesystem::path& path, const py::object& progres
   return occ::readModel(path, report);
 }
 
-std::string shown(const py::object& value) {
-  return py::cast<std::string>(py::repr(value));
-}
-
-/// The value of a keyword; ValueError with name and value where it has another type.
-template <class T>
-T argument(const char* name, const py::object& value, const char* kind) {
-  const auto refuse = [&] {
-    throw py::value_error(std::string(name) + " is " + shown(value) + ": " + kind + " is needed");
-  };
-  if (PyBool_Check(value.ptr())) refuse();
-  try {
-    return value.cast<T>();
-  } catch (const py::cast_error&) {
-    refuse();
-    throw;
-  }
-}
-
-double numberOf(const char* name, const py::object& value, double otherwise) {
-  return value.is_none() ? otherwise : argument<double>(name, value, "a number");
-}
-
 constexpr double degree = std::numbers::pi / 180;
-
-ContinuityTolerance profileOf(const py::object& value) {
-  const auto name = argument<std::string>("profile", value, "a name");
-  if (const auto tolerance = toleranceProfile(name)) return *tolerance;
-  std::string known;
-  for (const ToleranceProfile& profile : toleranceProfiles())
-    known += (known.empty() ? "" : ", ") + std::string(profile.name);
-  throw py::value_error("profile " + shown(value) + ": known are " + known);
-}
-
-Level levelOf(const py::object& value) {
-  if (const auto level = levelFromName(argument<std::string>("level", value, "a name"))) return *level;
-  throw py::value_error("level " + shown(value) + ": known are G0, G1, G2 and G3");
-}
 
 occ::Report analyzeModel(const occ::Model& model, const py::object& profile, const py::object& gap_mm,
                          const py::object& angle_deg, const py::object& curvature_rel,
                          const py::object& flat_radius_mm, const py::object& crease_deg,
                          const py::object& level, const py::object& match_mm, const py::object& jobs,
                          const py::object& progress) {
-  const ContinuityTolerance usual = profileOf(profile);
   occ::AnalyzeOptions options;
-  options.tolerance = {numberOf("gap_mm", gap_mm, usual.gap_mm),
-                       degree * numberOf("angle_deg", angle_deg, usual.angle_rad / degree),
-                       numberOf("curvature_rel", curvature_rel, usual.curvature_rel),
-                       numberOf("flat_radius_mm", flat_radius_mm, usual.flat_radius_mm),
-                       degree * numberOf("crease_deg", crease_deg, usual.crease_rad / degree)};
+  options.tolerance = toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg});
   options.level = levelOf(level);
-  options.match_mm = numberOf("match_mm", match_mm, 0);
+  if (!match_mm.is_none()) options.match_mm = argument<double>("match_mm", match_mm, "a number");
   options.jobs = argument<int>("jobs", jobs, "a whole number");
   const occ::Progress report = progressOf(progress);
   const py::gil_scoped_release release;

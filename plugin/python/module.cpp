@@ -7,8 +7,10 @@ PYBIND11_MODULE(_core, module) {
   module.doc() = "The compiled part of seamwright.";
   module.attr("__version__") = SEAMWRIGHT_VERSION;
   module.attr("OCCT_VERSION") = OCC_VERSION_COMPLETE;
+  bindBernstein(module);
   bindBezier(module);
   bindMeasure(module);
+  bindSeam(module);
   bindModel(module);
   bindPointerBridge(module);
 }

@@ -122,9 +122,9 @@ void writeHead(std::ostream& out, const occ::Report& report) {
   out << "  " << counted(report.seams.size(), "seam");
   if (summary.matched > 0) out << ", " << summary.matched << " of them matched";
   out << ": " << counted(summary.defects, "defect") << ", " << summary.smooth << " smooth, "
-      << counted(summary.creases, "crease") << ";  ";
+      << counted(summary.creases, "crease") << ";";
   for (const auto& [level, count] : summary.by_level)
-    if (count > 0) out << name(level) << ' ' << count << "  ";
+    if (count > 0) out << "  " << name(level) << ' ' << count;
   out << '\n';
   out << "  " << counted(report.open.size(), "open edge") << ", "
       << counted(report.non_manifold.size(), "non-manifold edge") << ";  read in "

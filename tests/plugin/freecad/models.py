@@ -27,6 +27,11 @@ def three_classes():
     return prism.makeFillet(3.0, corner)
 
 
+def point(x, y, z):
+    """A vertex."""
+    return Part.Vertex(x, y, z)
+
+
 def add(doc, shape, name):
     """A document object that holds the shape."""
     obj = doc.addObject("Part::Feature", name)

@@ -280,7 +280,7 @@ def test_a_profile_is_known_by_its_figures():
 def test_summary_counts_and_judges(report):
     text = summary.summary_text(report)
     assert text.startswith("5 seams: 3 defects, 1 crease, 1 smooth; 1 open edge;")
-    assert "largest angle 0.9\u00b0" in text and text.endswith("G1 is not met.")
+    assert "largest gap \u22650.001 mm, largest angle \u22650.9\u00b0" in text and text.endswith("G1 is not met.")
     assert not summary.passed(report)
 
 
@@ -318,6 +318,14 @@ def test_the_summary_says_how_many_verdicts_are_certain_and_how_many_seams_match
 def test_the_largest_figure_is_one_that_was_seen(report):
     report["seams"][0]["gap_mm"]["upper"] = 0.5
     assert summary.largest(report, "gap_mm") == 0.001
+
+
+def test_the_summary_encloses_the_largest_figure_of_all_seams(report):
+    report["seams"] = [seam(1), seam(2)]
+    for one, lower, upper in zip(report["seams"], (0.5, 0.2), (0.6, 0.7)):
+        one["gap_mm"] = {"lower": lower, "upper": upper, "at": 0}
+        one["angle_deg"] = {"lower": 0, "upper": 1e-12, "at": 0}
+    assert "largest gap 0.5..0.7 mm, largest angle \u22641e-12\u00b0;" in summary.summary_text(report)
 
 
 # Export

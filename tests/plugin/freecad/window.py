@@ -84,6 +84,12 @@ def messages():
     return texts
 
 
+def camera():
+    """Where the active view is seen from: position, orientation and height of its camera."""
+    node = Gui.activeDocument().activeView().getCameraNode()
+    return node.position.getValue().getValue(), node.orientation.getValue().getValue(), node.height.getValue()
+
+
 def analyses(doc):
     """The Seam Analyses of a document."""
     return [obj for obj in doc.Objects if analysis.is_analysis(obj)]

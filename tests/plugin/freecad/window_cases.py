@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Commands, task panel and picture, in FreeCAD's window; run by run_freecad.py --window."""
 
-import json
 import os
 import sys
 import tempfile
@@ -11,7 +10,7 @@ import FreeCADGui as Gui
 import ImportGui
 import models
 from PySide import QtCore
-from window import OUT, WindowCase, analyses, click, click_row, count, messages, picture, settle, whole_window
+from window import OUT, WindowCase, analyses, camera, click, click_row, count, messages, picture, settle, whole_window
 
 from freecad.seamwright.document import analysis
 from freecad.seamwright.gui import export_dialog, marker, progress
@@ -47,7 +46,6 @@ class Picture(WindowCase):
 
     def test_a_click_on_a_row_selects_the_edge_and_moves_the_camera(self):
         obj, panel = self.analyse()
-        camera = Gui.activeDocument().activeView().getCamera
         source = obj.Analysed[0].Name
         for place in (0, 3):
             before = camera()
@@ -121,14 +119,6 @@ class Panel(WindowCase):
 
     def test_the_worst_point_is_marked_while_its_row_is_chosen(self):
         obj, panel = self.analyse()
-        report = analysis.report_of(obj)
-        defect = next(seam for seam in report["seams"] if seam["class"] == "defect")
-        edge = obj.Analysed[0].Shape.Edges[defect["edges"][0] - 1]
-        defect["worst"] = {"quantity": "angle", "at": 0.25, "point": list(edge.valueAt(2.5))}
-        defect["angle_deg"]["upper"] = defect["angle_deg"]["lower"]
-        defect["certified"] = True
-        obj.Report = json.dumps(report)
-        panel.refresh()
         click_row(panel.table, 0)
         whole_window("window-marker")
         shown = picture("marker")
@@ -137,8 +127,15 @@ class Panel(WindowCase):
         without = count(picture("no-marker"), marker.INK, MODEL)
         self.assertGreater(count(shown, marker.INK, MODEL), without + FEW)
         with mock.patch.object(obj.ViewObject.Proxy.marker, "show") as show:
+            panel.table.clearSelection()
             click_row(panel.table, 0)
-            click_row(panel.table, 1)
+            (number,) = panel.model.row(0).edges
+            ((point, label),) = show.call_args.args[0]
+            panel.reject()
+            settle()
+        self.assertEqual(label, "1°")
+        edge = obj.Analysed[0].Shape.Edges[number - 1]
+        self.assertLess(edge.distToShape(models.point(*point))[0], 1e-9)
         show.assert_called_with([])
 
     def test_the_mark_is_seen_through_the_model(self):
@@ -153,7 +150,7 @@ class Panel(WindowCase):
 
     def test_picking_an_edge_selects_its_row(self):
         obj, panel = self.analyse()
-        camera = Gui.activeDocument().activeView().getCamera()
+        before = camera()
         prism = obj.Analysed[0]
         for name, element, place in ((prism.Name, "Edge%d", 5), (obj.Name, "Edge%d", 0)):
             row = panel.model.row(place)
@@ -165,7 +162,7 @@ class Panel(WindowCase):
             settle()
             chosen = [index.row() for index in panel.table.selectionModel().selectedRows()]
             self.assertEqual(chosen, [place])
-            self.assertEqual(Gui.activeDocument().activeView().getCamera(), camera)
+            self.assertEqual(camera(), before)
         self.assertGreater(count(picture("picked"), (255, 217, 0)), FEW)
 
     def test_picking_an_edge_of_a_filtered_class_shows_all(self):

@@ -37,11 +37,11 @@ def figures(report):
 
 
 def nearly_equal(a, b, path=""):
-    """Equal but for rounding of numbers; where a maximum is taken may move along a flat one."""
+    """Equal but for rounding of numbers; the place of a maximum may move along a flat one."""
     if isinstance(a, dict):
         assert a.keys() == b.keys(), path
         for key in a:
-            if key not in ("at", "note"):
+            if key not in ("at", "point", "note"):
                 nearly_equal(a[key], b[key], f"{path}.{key}")
     elif isinstance(a, list):
         assert len(a) == len(b), path

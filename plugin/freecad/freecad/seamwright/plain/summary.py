@@ -92,13 +92,20 @@ def _total_text(report, total):
 
 
 def _largest_text(report):
-    gap, angle = largest(report, "gap_mm"), largest(report, "angle_deg")
-    if gap is None or angle is None:
+    gap, angle = _largest_enclosed(report, "gap_mm"), _largest_enclosed(report, "angle_deg")
+    if not gap or not angle:
         return ""
-    return "apart from creases, largest gap seen %s mm, largest angle %s\u00b0" % (
-        enclosure.number(gap),
-        enclosure.number(angle),
-    )
+    return "apart from creases, largest gap %s mm, largest angle %s\u00b0" % (gap, angle)
+
+
+def _largest_enclosed(report, name):
+    """The largest figure over the seams that are no creases, written as an enclosure; empty if there is none."""
+    figures = [seam[name] for seam in report["seams"] if seam["class"] != "crease" and seam[name]]
+    if not figures:
+        return ""
+    uppers = [figure["upper"] for figure in figures]
+    largest_figure = {"lower": largest(report, name), "upper": None if None in uppers else max(uppers)}
+    return enclosure.text(largest_figure, limit=report["tolerance"][name])
 
 
 def tolerance_text(report):

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <numbers>
+#include <seamwright/plugin/python/arguments.hpp>
+
+namespace seamwright::python {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+ContinuityTolerance profileOf(const py::object& value) {
+  const auto name = argument<std::string>("profile", value, "a name");
+  if (const auto tolerance = toleranceProfile(name)) return *tolerance;
+  std::string known;
+  for (const ToleranceProfile& profile : toleranceProfiles())
+    known += (known.empty() ? "" : ", ") + std::string(profile.name);
+  throw py::value_error("profile " + shown(value) + ": known are " + known);
+}
+
+double numberOf(const char* name, const py::object& value, double otherwise) {
+  return value.is_none() ? otherwise : argument<double>(name, value, "a number");
+}
+
+}  // namespace
+
+ContinuityTolerance toleranceOf(const ToleranceArguments& given) {
+  const ContinuityTolerance usual = profileOf(given.profile);
+  return {numberOf("gap_mm", given.gap_mm, usual.gap_mm),
+          degree * numberOf("angle_deg", given.angle_deg, usual.angle_rad / degree),
+          numberOf("curvature_rel", given.curvature_rel, usual.curvature_rel),
+          numberOf("flat_radius_mm", given.flat_radius_mm, usual.flat_radius_mm),
+          degree * numberOf("crease_deg", given.crease_deg, usual.crease_rad / degree)};
+}
+
+Level levelOf(const py::object& value) {
+  if (const auto level = levelFromName(argument<std::string>("level", value, "a name"))) return *level;
+  throw py::value_error("level " + shown(value) + ": known are G0, G1, G2 and G3");
+}
+
+}  // namespace seamwright::python

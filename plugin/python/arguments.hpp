@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <seamwright/core/seam/judge.hpp>
+#include <string>
+
+namespace seamwright::python {
+
+namespace py = pybind11;
+
+inline std::string shown(const py::object& value) {
+  return py::cast<std::string>(py::repr(value));
+}
+
+/// The value of a keyword; ValueError with name and value where it has another type.
+template <class T>
+T argument(const char* name, const py::object& value, const char* kind) {
+  const auto refuse = [&] {
+    throw py::value_error(std::string(name) + " is " + shown(value) + ": " + kind + " is needed");
+  };
+  if (PyBool_Check(value.ptr())) refuse();
+  try {
+    return value.cast<T>();
+  } catch (const py::cast_error&) {
+    refuse();
+    throw;
+  }
+}
+
+/// Tolerances as keywords: each is None, for that of the profile, or a number.
+struct ToleranceArguments {
+  const py::object& profile;
+  const py::object& gap_mm;
+  const py::object& angle_deg;
+  const py::object& curvature_rel;
+  const py::object& flat_radius_mm;
+  const py::object& crease_deg;
+};
+
+ContinuityTolerance toleranceOf(const ToleranceArguments& arguments);
+Level levelOf(const py::object& value);
+
+}  // namespace seamwright::python

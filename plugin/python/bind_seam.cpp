@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pybind11/eigen.h>
+#include <pybind11/stl.h>
+
+#include <seamwright/core/differential/arc_length.hpp>
+#include <seamwright/core/seam/curve_joint.hpp>
+#include <seamwright/core/seam/patch_side.hpp>
+#include <seamwright/plugin/python/arguments.hpp>
+#include <seamwright/plugin/python/bindings.hpp>
+#include <seamwright/plugin/report/numbers.hpp>
+
+namespace seamwright::python {
+
+namespace {
+
+PatchEdge edgeOf(const char* argument_name, const py::object& value) {
+  if (const auto edge = patchEdgeFromName(argument<std::string>(argument_name, value, "a name")))
+    return *edge;
+  throw py::value_error(std::string(argument_name) + " " + shown(value) + ": known are u0, u1, v0 and v1");
+}
+
+py::object figureDict(const std::optional<Figure>& figure, double factor = 1) {
+  if (!figure) return py::none();
+  py::dict dict;
+  dict["lower"] = factor * figure->lower;
+  dict["upper"] = figure->upper ? py::cast(factor * *figure->upper) : py::none();
+  dict["at"] = figure->at;
+  return dict;
+}
+
+py::list degenerateList(const std::vector<DegeneratePoint>& points) {
+  py::list list;
+  for (const DegeneratePoint& point : points) {
+    py::dict entry;
+    entry["at"] = point.at;
+    entry["side_a"] = name(point.side_a);
+    entry["side_b"] = name(point.side_b);
+    list.append(std::move(entry));
+  }
+  return list;
+}
+
+py::dict seamDict(const SeamFigures& figures, const ContinuityTolerance& tolerance, const Verdict& verdict) {
+  occ::SeamResult result;
+  result.figures = figures;
+  result.verdict = verdict;
+  py::dict dict;
+  dict["gap_mm"] = figureDict(figures.gap_mm);
+  dict["angle_deg"] = figureDict(figures.angle_rad, report::degrees_per_radian);
+  dict["curvature_per_mm"] = figureDict(figures.curvature_per_mm);
+  dict["curvature_rel"] = figureDict(figures.curvature_rel);
+  dict["level"] = name(verdict.level);
+  dict["class"] = name(verdict.seam_class);
+  dict["certified"] = verdict.certain;
+  dict["degenerate"] = degenerateList(figures.degenerate);
+  dict["note"] = report::noteOf(result, tolerance);
+  return dict;
+}
+
+py::dict encloseSeamOf(const BezierPatch& a, const py::object& edge_a, const BezierPatch& b,
+                       const py::object& edge_b, const py::object& reversed, const py::object& level,
+                       const py::object& profile, const py::object& gap_mm, const py::object& angle_deg,
+                       const py::object& curvature_rel, const py::object& flat_radius_mm,
+                       const py::object& crease_deg) {
+  const SeamSide side_a = seamSide(a, edgeOf("edge_a", edge_a));
+  const SeamSide side_b = seamSide(b, edgeOf("edge_b", edge_b), py::cast<bool>(reversed));
+  const ContinuityTolerance tolerance =
+      toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg});
+  const Level required = levelOf(level);
+  if (required == Level::G3)
+    throw py::value_error("level 'G3': the change of curvature is not enclosed; known are G0, G1 and G2");
+  SeamFigures figures;
+  {
+    const py::gil_scoped_release release;
+    figures = encloseSeam(side_a, side_b, tolerance);
+  }
+  return seamDict(figures, tolerance, judge(figures, tolerance, required));
+}
+
+py::dict measureJointOf(const BezierCurve& a, const BezierCurve& b, const py::object& order,
+                        const py::object& profile, const py::object& gap_mm, const py::object& angle_deg,
+                        const py::object& curvature_rel, const py::object& flat_radius_mm) {
+  const ContinuityTolerance tolerance =
+      toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, py::none()});
+  const CurveJoint joint = measureJoint(a, b, argument<int>("order", order, "a whole number"));
+  py::dict dict;
+  dict["gap_mm"] = joint.gap_mm;
+  dict["angle_rad"] = joint.angle_rad;
+  dict["differences"] = joint.differences;
+  dict["sizes"] = joint.sizes;
+  dict["order_reached"] = orderReached(joint, tolerance);
+  return dict;
+}
+
+}  // namespace
+
+void bindSeam(py::module_& module) {
+  module.def(
+      "enclose_seam", &encloseSeamOf, py::arg("patch_a"), py::arg("edge_a"), py::arg("patch_b"),
+      py::arg("edge_b"), py::kw_only(), py::arg("reversed") = false, py::arg("level") = "G1",
+      py::arg("profile") = "default", py::arg("gap_mm") = py::none(), py::arg("angle_deg") = py::none(),
+      py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
+      py::arg("crease_deg") = py::none(),
+      "Encloses and judges the seam of two patches along an edge of each, 'u0', 'u1', 'v0' or 'v1'.\n\n"
+      "Points correspond by the parameter along the edge; reversed: by 1 minus it on b. Returns a dict with "
+      "the keys of a seam in the JSON that apply, and degenerate: points without a tangent plane. level is "
+      "at most 'G2'.");
+  module.def("arc_length_derivatives", &arcLengthDerivatives, py::arg("derivatives"),
+             py::arg("speed_noise") = 0.0,
+             "Derivatives by arc length (n+1, 3) from those by any parameter, row k of order k; None where "
+             "the speed is no larger than speed_noise.");
+  module.def(
+      "measure_joint", &measureJointOf, py::arg("a"), py::arg("b"), py::arg("order") = 3, py::kw_only(),
+      py::arg("profile") = "default", py::arg("gap_mm") = py::none(), py::arg("angle_deg") = py::none(),
+      py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
+      "How the end of curve a meets the beginning of curve b, to that order: a dict of gap_mm, angle_rad, "
+      "differences and sizes (of the derivatives by arc length) and order_reached, the n of G^n, or -1.");
+}
+
+}  // namespace seamwright::python
