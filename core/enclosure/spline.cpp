@@ -66,10 +66,11 @@ SmallMatrix splineDerivative(const std::vector<double>& knots, int degree, int s
   return matrix;
 }
 
-/// T_0(x), ..., T_degree(x).
+/// T_0(x), ..., T_degree(x), by T_(i + j) = 2 T_i T_j - T_(j - i): halving the index, radii grow like its square, by steps of one they
+/// would grow like 2.4^k.
 std::vector<ChebyshevModel> chebyshevPolynomials(const ChebyshevModel& x, int degree) {
   std::vector<ChebyshevModel> t = {ChebyshevModel(1), x};
-  for (int k = 2; k <= degree; ++k) t.push_back(2 * (x * t[k - 1]) - t[k - 2]);
+  for (int k = 2; k <= degree; ++k) t.push_back(2 * (t[k / 2] * t[k - k / 2]) - t[k % 2]);
   t.resize(degree + 1);
   return t;
 }

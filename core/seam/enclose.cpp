@@ -115,7 +115,7 @@ class Side {
     for (const double knot : met)
       if (knot > range.lower + touch && knot < range.upper - touch) knots.push_back(knot);
     const bool along = range.width() <= std::max(1e-10 * std::min(1.0, uv[1 - d].range().width()), touch);
-    if (!met.empty() && along) return {besideKnot(met[met.size() / 2], d, uv)};
+    if (!met.empty() && along) return {besideKnots(met, d, uv)};
     if (knots.empty()) return {range.middle()};
     if (to - from > shortest_crossing) {
       const double knot = knots[knots.size() / 2];
@@ -142,11 +142,11 @@ class Side {
     return of_path <= 0x1p-36 * reach_[d] ? std::max(of_parameter, of_path) : of_parameter;
   }
 
-  /// Off a knot line to the side of the face.
-  double besideKnot(double knot, int d, const VectorModel& uv) const {
+  /// Off knot lines that but for rounding are one, to the side of the face.
+  double besideKnots(const std::vector<double>& knots, int d, const VectorModel& uv) const {
     const double along = uv[1 - d].coefficient(1);
     const double into = (d == 0 ? -along : along) * (side_.face_on_left ? 1 : -1);
-    return std::nextafter(knot, into > 0 ? infinite : -infinite);
+    return into > 0 ? std::nextafter(knots.back(), infinite) : std::nextafter(knots.front(), -infinite);
   }
 
   const SeamSide& side_;
@@ -157,9 +157,10 @@ struct Piece {
   double from = 0;
   double to = 0;
   PieceFigures figures;
-  bool left_out = false;                                    ///< only the gap counts
-  double excess = std::numeric_limits<double>::infinity();  ///< by what its bounds are too wide
-  int stalled = 0;                                          ///< cuts in a row that did not halve the excess
+  bool left_out = false;  ///< only the gap counts
+  double excess = std::numeric_limits<
+      double>::infinity();  ///< by what its bounds are too wide, in units of what is allowed
+  int stalled = 0;          ///< cuts in a row that helped no part
   double width() const { return to - from; }
   double at(double x) const { return 0.5 * ((1 - x) * from + (1 + x) * to); }
 };
@@ -395,16 +396,15 @@ void Enclosure::lookAtGap(double from, double to) {
   pieces_.push_back(piece);
 }
 
-/// Looks at both halves. Where neither is bounded much better than the whole, rounding is what is wide.
+/// A cut of which no part is much better than the whole is stalled by rounding; beside a kink of a figure one part is.
 void Enclosure::cut(const Piece& piece) {
   const std::size_t first = pieces_.size();
   look(piece.from, piece.at(0));
   look(piece.at(0), piece.to);
-  const auto halves = std::span(pieces_).subspan(first);
-  const bool is_better = std::ranges::any_of(halves, [&](const Piece& half) {
-    return !std::isfinite(half.excess) || half.excess <= 0.5 * piece.excess;
-  });
-  for (Piece& half : halves) half.stalled = is_better ? 0 : piece.stalled + 1;
+  const auto parts = std::span(pieces_).subspan(first);
+  const bool better =
+      std::ranges::any_of(parts, [&](const Piece& part) { return part.excess <= 0.5 * piece.excess; });
+  for (Piece& part : parts) part.stalled = better ? 0 : piece.stalled + 1;
 }
 
 void Enclosure::refine() {
@@ -485,7 +485,10 @@ Interval Enclosure::lengthOf(const Piece& piece) const {
 }
 
 Interval Enclosure::belowCreaseShare() const {
-  if (lower_[Angle] <= tolerance_.crease_rad) return {1, 1};
+  if (std::ranges::none_of(pieces_, [&](const Piece& piece) {
+        return !piece.left_out && piece.figures.angle_rad.upper > tolerance_.crease_rad;
+      }))
+    return {1, 1};
   if (std::ranges::none_of(pieces_, [&](const Piece& piece) {
         return !piece.left_out && piece.figures.smallest_angle_rad <= tolerance_.crease_rad;
       }))
@@ -547,7 +550,7 @@ SeamFigures Enclosure::figures() const {
   figures.degenerate = degenerate_;
   figures.points = looks_;
   figures.shares_known = true;
-  if (share.lower <= 0.5 && share.upper > 0.5 && sharp) {
+  if (share.lower <= 0.5 && share.upper > 0.5) {
     figures.shares_known = false;
     figures.uncertified = "the crease angle is passed near the middle of its length";
   }

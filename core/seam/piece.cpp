@@ -15,6 +15,9 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double rounding =
     1e-14;  ///< relative, of the short computations that follow; far above 2^-52 times their length
 
+/// Relative, of spectralNorm(): next to a double eigenvalue its arccosine turns a rounding of 2^-52 into one of 2^-26.
+constexpr double norm_rounding = 1e-7;
+
 using Tensor = Eigen::Matrix<double, 6, 1>;  ///< as in SymmetricModel
 
 /// Largest absolute eigenvalue of a symmetric matrix.
@@ -111,10 +114,10 @@ PieceBound maximumAlong(const ControlPolygon<Dimension>& polygon, const Function
   return PolygonMaximum<Dimension, Function>(function, slack)(polygon);
 }
 
-/// Widens a bound of a norm by the radius and by rounding.
-PieceBound widened(PieceBound bound, double radius) {
-  bound.lower = std::max(0.0, bound.lower * (1 - rounding) - radius);
-  bound.upper = bound.upper * (1 + rounding) + radius;
+/// Widens a bound of a norm by the radius and by its own rounding.
+PieceBound widened(PieceBound bound, double radius, double relative) {
+  bound.lower = std::max(0.0, bound.lower * (1 - relative) - radius);
+  bound.upper = bound.upper * (1 + relative) + radius;
   if (!std::isfinite(bound.upper)) bound.upper = infinite;
   return bound;
 }
@@ -125,11 +128,12 @@ PieceBound largestNorm(const std::array<ChebyshevModel, Dimension>& model, const
   const auto polygon = controlPolygon(model);
   if constexpr (Dimension == 6)
     return widened(maximumAlong(polygon, spectralNorm, slack),
-                   1.5 * polygon.radius);  // off-diagonals count twice
+                   1.5 * polygon.radius,  // off-diagonals count twice
+                   norm_rounding);
   else
     return widened(maximumAlong(
                        polygon, [](const Eigen::Vector3d& p) { return p.norm(); }, slack),
-                   polygon.radius);
+                   polygon.radius, rounding);
 }
 
 /// A curvature tensor over a piece, with bounds of its norm.
@@ -174,22 +178,22 @@ double largestQuotient(const SymmetricModel& difference, const ChebyshevModel& b
   };
   const PieceBound bound = maximumAlong(joint, quotient, slack);
   at = bound.at;
-  return bound.upper * (1 + rounding);
+  return bound.upper * (1 + norm_rounding);
 }
 
 /// The relative difference, at least, at a point of the piece.
 double relativeAt(const SymmetricModel& a, const SymmetricModel& b, const SymmetricModel& difference,
                   double flat, double x) {
   const auto radius = [](const SymmetricModel& model) { return 1.5 * controlPolygon(model).radius + 1e-300; };
-  const double norm_a = spectralNorm(valueAt(a, x)), radius_a = radius(a) + rounding * norm_a;
-  const double norm_b = spectralNorm(valueAt(b, x)), radius_b = radius(b) + rounding * norm_b;
+  const double norm_a = spectralNorm(valueAt(a, x)), radius_a = radius(a) + norm_rounding * norm_a;
+  const double norm_b = spectralNorm(valueAt(b, x)), radius_b = radius(b) + norm_rounding * norm_b;
   const bool curved_a = norm_a - radius_a >= flat, flat_a = norm_a + radius_a < flat;
   const bool curved_b = norm_b - radius_b >= flat, flat_b = norm_b + radius_b < flat;
   if ((curved_a && flat_b) || (curved_b && flat_a)) return 1;
   if (!curved_a || !curved_b) return 0;
   const double norm = spectralNorm(valueAt(difference, x));
   const double largest = std::max(norm_a + radius_a, norm_b + radius_b);
-  return std::max(0.0, (norm * (1 - rounding) - radius(difference)) / largest);
+  return std::max(0.0, (norm * (1 - norm_rounding) - radius(difference)) / largest);
 }
 
 struct SideTensor {

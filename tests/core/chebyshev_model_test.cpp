@@ -98,8 +98,7 @@ class Models {
   Sample withWave(const std::vector<double>& coefficients) {
     Real total = 0;
     for (const double c : coefficients) total += std::abs(c);
-    const double radius =
-        random_() % 2 == 0 ? 0 : static_cast<double>(total) * logUniform(random_, -18, -2);
+    const double radius = random_() % 2 == 0 ? 0 : static_cast<double>(total) * logUniform(random_, -18, -2);
     const double frequency = uniform(0, 30), phase = uniform(0, 6);
     const Function function = [=](Real x) {
       Real sum = radius * (1 - 1e-15L) * std::cos(frequency * x + phase);
@@ -128,11 +127,10 @@ TEST(ChebyshevModel, Identity1SumsAndProducts) {
     EXPECT_TRUE(holds({a.model + b.model, [=](Real x) { return f(x) + g(x); }}, u64 * ab)) << i;
     EXPECT_TRUE(holds({a.model - b.model, [=](Real x) { return f(x) - g(x); }}, u64 * ab)) << i;
     EXPECT_TRUE(holds({-a.model, [=](Real x) { return -f(x); }}, u64 * ab)) << i;
-    EXPECT_TRUE(holds({factor * a.model, [=](Real x) { return factor * f(x); }},
-                      u64 * std::abs(factor) * ab))
+    EXPECT_TRUE(holds({factor * a.model, [=](Real x) { return factor * f(x); }}, u64 * std::abs(factor) * ab))
         << i;
-    EXPECT_TRUE(holds({a.model * b.model, [=](Real x) { return f(x) * g(x); }},
-                      u64 * scaleOf(a) * scaleOf(b)))
+    EXPECT_TRUE(
+        holds({a.model * b.model, [=](Real x) { return f(x) * g(x); }}, u64 * scaleOf(a) * scaleOf(b)))
         << i;
     const ChebyshevModel sum =
         ProductSum().add(a.model, b.model).add(b.model, c.model, -1).add(c.model, c.model, 0.5).model();
@@ -170,8 +168,7 @@ TEST(ChebyshevModel, Identity1Inverses) {
     if (inverted.isKnown()) {
       const Real lowest = a.model.range().lower > 0 ? a.model.range().lower : -a.model.range().upper;
       EXPECT_GT(lowest, 0);
-      EXPECT_TRUE(
-          holds({inverted, [=](Real x) { return 1 / f(x); }}, u64 * scaleOf(a) / (lowest * lowest)))
+      EXPECT_TRUE(holds({inverted, [=](Real x) { return 1 / f(x); }}, u64 * scaleOf(a) / (lowest * lowest)))
           << i;
     }
     const ChebyshevModel root = inverseSqrt(a.model);
@@ -202,9 +199,9 @@ TEST(ChebyshevModel, Identity1InversesOfFunctionsThatNearlyVanish) {
 }
 
 TEST(ChebyshevModel, InversesOfFunctionsThatMayVanishAreUnknown) {
-  for (const ChebyshevModel& f : {ChebyshevModel::linear(0, 1, 0), ChebyshevModel::linear(1, 1, 0),
-                                  ChebyshevModel::linear(1, 0, 1), ChebyshevModel(0), ChebyshevModel(infinite),
-                                  ChebyshevModel(nan), ChebyshevModel::unknown()}) {
+  for (const ChebyshevModel& f :
+       {ChebyshevModel::linear(0, 1, 0), ChebyshevModel::linear(1, 1, 0), ChebyshevModel::linear(1, 0, 1),
+        ChebyshevModel(0), ChebyshevModel(infinite), ChebyshevModel(nan), ChebyshevModel::unknown()}) {
     EXPECT_FALSE(inverse(f).isKnown());
     EXPECT_FALSE(inverseSqrt(f).isKnown());
   }
@@ -243,9 +240,9 @@ TEST(ChebyshevModel, Identity1DenormalsAndTheEdgeOfTheRange) {
   const ChebyshevModel huge = ChebyshevModel::linear(1e308, 1e307, 0);
   EXPECT_FALSE((huge + huge).isKnown());
   EXPECT_FALSE((huge * huge).isKnown());
-  EXPECT_TRUE(holds({inverse(ChebyshevModel::linear(1e300, 1e299, 0)),
-                     [](Real x) { return 1 / (1e300L + 1e299L * x); }},
-                    1e-316L));
+  EXPECT_TRUE(holds(
+      {inverse(ChebyshevModel::linear(1e300, 1e299, 0)), [](Real x) { return 1 / (1e300L + 1e299L * x); }},
+      1e-316L));
 }
 
 TEST(ChebyshevModel, Identity2TheExcessOfTheRangeFallsWithTheSquareOfTheLength) {
@@ -270,22 +267,26 @@ TEST(ChebyshevModel, Identity2TheExcessOfTheRangeFallsWithTheSquareOfTheLength) 
 TEST(ChebyshevModel, Identity3HalvingDividesTheRadiusBy2ToThe8) {
   std::mt19937_64 random(6);
   const auto check = [&](const auto& operation, double first) {
-    for (int i = 0; i < 50; ++i) {
+    int checked = 0;
+    for (int i = 0; i < 100; ++i) {
       const double middle = std::uniform_real_distribution<double>(1, 2)(random);
       double before = operation(ChebyshevModel::linear(middle, first, 0)).radius();
       for (const double part : {2, 4}) {
-        const double radius = operation(ChebyshevModel::linear(middle, first / part, 0)).radius();
-        if (radius < 1e-12) break;
+        const ChebyshevModel model = operation(ChebyshevModel::linear(middle, first / part, 0));
+        const double radius = model.radius();
+        if (radius < 8 * ChebyshevModel::negligible * model.magnitude()) break;  // of terms left out
         EXPECT_GT(before / radius, 0x1p6);
         EXPECT_LT(before / radius, 0x1p12);
         before = radius;
+        ++checked;
       }
     }
+    EXPECT_GE(checked, 20);
   };
-  check([](const ChebyshevModel& x) { return inverse(x); }, 0.5);
-  check([](const ChebyshevModel& x) { return inverseSqrt(x); }, 0.5);
-  check([](const ChebyshevModel& x) { return cosSin(x).first; }, 1.5);
-  check([](const ChebyshevModel& x) { return x * x * x * x * x * x * x * x * x; }, 0.5);
+  check([](const ChebyshevModel& x) { return inverse(x); }, 0.8);
+  check([](const ChebyshevModel& x) { return inverseSqrt(x); }, 0.8);
+  check([](const ChebyshevModel& x) { return cosSin(x).first; }, 1.95);
+  check([](const ChebyshevModel& x) { return x * x * x * x * x * x * x * x * x; }, 2);
 }
 
 TEST(ChebyshevModel, NothingKnownStaysUnknown) {
@@ -332,7 +333,8 @@ TEST(ChebyshevModel, TermsBeyondTheDegreeAreInTheRadius) {
   std::mt19937_64 random(7);
   for (int i = 0; i < 300; ++i) {
     std::vector<double> coefficients(1 + random() % 26);
-    for (double& c : coefficients) c = std::normal_distribution<double>()(random) * logUniform(random, -12, 2);
+    for (double& c : coefficients)
+      c = std::normal_distribution<double>()(random) * logUniform(random, -12, 2);
     Real total = 0;
     for (const double c : coefficients) total += std::abs(c);
     const auto function = [=](Real x) {

@@ -1,0 +1,799 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Enclosures against measurePair(), closed forms, and seams made to hide something.
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <seamwright/core/seam/enclose.hpp>
+#include <seamwright/core/seam/judge.hpp>
+
+#include "seam_sides.hpp"
+
+namespace seamwright {
+namespace {
+
+using test::linePath;
+using test::logUniform;
+using test::PatchSide;
+using test::Vec;
+
+constexpr double pi = std::numbers::pi;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// Largest values of measurePair() at evenly spaced points and both ends.
+struct Dense {
+  double gap_mm = 0, angle_rad = 0, curvature_per_mm = 0, curvature_rel = 0, norm_per_mm = 0;
+  bool fold = false;
+};
+
+Dense dense(const PatchSide& a, const PatchSide& b, const ContinuityTolerance& tolerance, int points) {
+  Dense most;
+  for (int i = 0; i < points; ++i) {
+    const double s = static_cast<double>(i) / (points - 1);
+    const PairMeasure pair = measurePair(a.at(s), b.at(s));
+    most.gap_mm = std::max(most.gap_mm, *pair.gap_mm);
+    if (!pair.angle_rad) continue;
+    most.angle_rad = std::max(most.angle_rad, *pair.angle_rad);
+    most.fold |= pair.fold;
+    most.curvature_per_mm = std::max(most.curvature_per_mm, pair.curvature->difference_per_mm);
+    most.norm_per_mm =
+        std::max({most.norm_per_mm, pair.curvature->norm_a_per_mm, pair.curvature->norm_b_per_mm});
+    most.curvature_rel =
+        std::max(most.curvature_rel, relativeDifference(*pair.curvature, tolerance.flat_radius_mm));
+  }
+  return most;
+}
+
+/// No value seen is above the upper bound, and the lower bound is a value of its place, but for noise.
+void expectTrue(const std::optional<Figure>& figure, double seen, double there, double noise,
+                const char* quantity) {
+  if (!figure) return;
+  if (figure->upper) {
+    EXPECT_GE(*figure->upper, seen - noise) << quantity;
+    EXPECT_GE(*figure->upper, figure->lower) << quantity;
+  }
+  EXPECT_LE(figure->lower, there * (1 + 1e-9) + noise) << quantity << " at " << figure->at;
+  EXPECT_TRUE(std::isfinite(figure->lower)) << quantity;
+}
+
+void expectTrue(const SeamFigures& figures, const PatchSide& a, const PatchSide& b,
+                const ContinuityTolerance& tolerance, int points) {
+  const Dense seen = dense(a, b, tolerance, points);
+  const auto at = [&](const std::optional<Figure>& figure) {
+    return measurePair(a.at(figure->at), b.at(figure->at));
+  };
+  constexpr double noise = 1e-12;
+  expectTrue(figures.gap_mm, seen.gap_mm, *at(figures.gap_mm).gap_mm, noise, "gap");
+  if (!figures.angle_rad) return;
+  expectTrue(figures.angle_rad, seen.angle_rad, at(figures.angle_rad).angle_rad.value_or(infinite), noise,
+             "angle");
+  if (!figures.curvature_per_mm) return;
+  const auto difference = [&](const PairMeasure& pair) {
+    return pair.curvature ? pair.curvature->difference_per_mm : infinite;
+  };
+  const auto relative = [&](const PairMeasure& pair) {
+    return pair.curvature ? relativeDifference(*pair.curvature, tolerance.flat_radius_mm) : infinite;
+  };
+  const double curvature_noise = 1e-11 * (1 + seen.norm_per_mm);
+  expectTrue(figures.curvature_per_mm, seen.curvature_per_mm, difference(at(figures.curvature_per_mm)),
+             curvature_noise, "curvature");
+  expectTrue(figures.curvature_rel, seen.curvature_rel, relative(at(figures.curvature_rel)),
+             1e-10 + curvature_noise / std::max(seen.norm_per_mm, 1e-300), "relative curvature");
+}
+
+/// upper - lower <= max(1 % of the figure, a hundredth of the tolerance), but for what rounding adds.
+void expectNarrow(const SeamFigures& figures, const ContinuityTolerance& tolerance, double norm_per_mm) {
+  ASSERT_TRUE(figures.certified) << figures.uncertified;
+  const auto narrow = [](const Figure& figure, double tolerated, double rounding, const char* quantity) {
+    EXPECT_LE(*figure.upper - figure.lower, 0.01 * std::max(figure.lower, tolerated) + rounding) << quantity;
+  };
+  narrow(*figures.gap_mm, tolerance.gap_mm, 1e-9, "gap");
+  narrow(*figures.angle_rad, tolerance.angle_rad, 1e-9, "angle");
+  if (!figures.curvature_per_mm) return;
+  narrow(*figures.curvature_per_mm, tolerance.curvature_rel * norm_per_mm, 1e-8, "curvature");
+  narrow(*figures.curvature_rel, tolerance.curvature_rel, 1e-8, "relative curvature");
+}
+
+/// A patch over about [0, 10]^2, rows in u.
+BezierPatch randomPatch(int m, int n, double roughness, bool rational, std::mt19937_64& random) {
+  Poles poles((m + 1) * (n + 1), 3);
+  Eigen::VectorXd weights(poles.rows());
+  for (int i = 0; i <= m; ++i)
+    for (int j = 0; j <= n; ++j) {
+      const Vec grid(10.0 * i / m, 10.0 * j / n, 0);
+      poles.row(i * (n + 1) + j) = (grid + roughness * test::randomVector(random)).transpose();
+      weights(i * (n + 1) + j) = rational ? std::uniform_real_distribution<double>(0.5, 2)(random) : 1;
+    }
+  return {m, n, poles, weights};
+}
+
+/// The patch with every pole moved at random.
+BezierPatch shaken(const BezierPatch& patch, double by, int first_row, std::mt19937_64& random) {
+  Poles poles = patch.poles();
+  for (Eigen::Index i = static_cast<Eigen::Index>(first_row) * (patch.degreeV() + 1); i < poles.rows(); ++i)
+    poles.row(i) += by * test::randomVector(random).transpose();
+  return {patch.degreeU(), patch.degreeV(), poles, patch.weights()};
+}
+
+PatchSide endOf(const BezierPatch& patch) {
+  return {patch, linePath(1, 0, 1, 1), true};
+}
+PatchSide beginOf(const BezierPatch& patch) {
+  return {patch, linePath(0, 0, 0, 1), false};
+}
+
+BezierCurve randomPath(bool rational, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> place(0.15, 0.85);
+  Poles poles(4, 3);
+  Eigen::VectorXd weights = Eigen::VectorXd::Ones(4);
+  for (int i = 0; i < 4; ++i) {
+    poles.row(i) << place(random), 0.1 + 0.25 * i, 0;
+    if (rational) weights(i) = std::uniform_real_distribution<double>(0.4, 2.5)(random);
+  }
+  return {poles, weights};
+}
+
+/// Sides of every kind: same path in a patch and one nearly like it.
+std::pair<PatchSide, PatchSide> randomSeam(std::mt19937_64& random) {
+  const bool rational = random() % 3 == 0;
+  const int m = 1 + static_cast<int>(random() % 4), n = 1 + static_cast<int>(random() % 4);
+  const double defect = random() % 8 == 0 ? 0 : logUniform(random, -9, -0.5);
+  const BezierPatch patch = randomPatch(m, n, logUniform(random, -3, 0), rational, random);
+  switch (random() % 3) {
+    case 0: {  // trimmed, both on nearly the same surface
+      const BezierCurve path = randomPath(random() % 2 == 0, random);
+      return {{patch, path, true}, {shaken(patch, defect, 0, random), path, false}};
+    }
+    case 1: {  // untrimmed, a defect in the cross rows
+      const auto [left, right] = patch.splitU(0.5);
+      return {endOf(left), beginOf(shaken(right, defect, 1, random))};
+    }
+    default: {  // one trimmed by the edge of the other: transposed parametrisation
+      const BezierPatch other = shaken(patch, defect, 0, random).transposed();
+      const double u = std::uniform_real_distribution<double>(0.2, 0.8)(random);
+      return {{patch, linePath(u, 0, u, 1), true}, {other, linePath(0, u, 1, u), true}};
+    }
+  }
+}
+
+ContinuityTolerance randomTolerance(std::mt19937_64& random) {
+  ContinuityTolerance tolerance;
+  tolerance.gap_mm = logUniform(random, -5, -1);
+  tolerance.angle_rad = logUniform(random, -5, -1.2);
+  tolerance.curvature_rel = logUniform(random, -3, -0.5);
+  tolerance.flat_radius_mm = logUniform(random, 2, 6);
+  tolerance.crease_rad = std::max(tolerance.angle_rad, logUniform(random, -1, 0));
+  return tolerance;
+}
+
+TEST(EncloseSeam, Identity1NoValueIsOutsideTheBounds) {
+  std::mt19937_64 random(11);
+  for (int i = 0; i < 600; ++i) {
+    SCOPED_TRACE(i);
+    const auto [a, b] = randomSeam(random);
+    const ContinuityTolerance tolerance = randomTolerance(random);
+    const SeamFigures figures = encloseSeam(a.seamSide(), b.seamSide(), tolerance);
+    expectTrue(figures, a, b, tolerance, 201);
+    if (HasFailure()) break;
+  }
+}
+
+TEST(EncloseSeam, Identity1NoValueOf20001IsOutsideTheBounds) {
+  std::mt19937_64 random(12);
+  for (int i = 0; i < 15; ++i) {
+    SCOPED_TRACE(i);
+    const auto [a, b] = randomSeam(random);
+    const ContinuityTolerance tolerance = randomTolerance(random);
+    expectTrue(encloseSeam(a.seamSide(), b.seamSide(), tolerance), a, b, tolerance, 20001);
+  }
+}
+
+TEST(EncloseSeam, TheBoundsAreAsNarrowAsPromised) {
+  std::mt19937_64 random(13);
+  ContinuityTolerance tolerance;
+  tolerance.crease_rad = 1.5;
+  for (int i = 0; i < 300; ++i) {
+    SCOPED_TRACE(i);
+    const auto [a, b] = randomSeam(random);
+    const Dense seen = dense(a, b, tolerance, 41);
+    if (seen.angle_rad > 1) continue;
+    tolerance.flat_radius_mm = 1e3 / std::max(seen.norm_per_mm, 1e-6);  // far from the flat radius
+    expectNarrow(encloseSeam(a.seamSide(), b.seamSide(), tolerance, {.max_pieces = 100000}), tolerance,
+                 std::max(seen.norm_per_mm * 1.1, 1 / tolerance.flat_radius_mm));
+  }
+}
+
+TEST(EncloseSeam, ACertainVerdictIsThatOfTheDensestSampling) {
+  std::mt19937_64 random(14);
+  int certain = 0;
+  for (int i = 0; i < 400; ++i) {
+    SCOPED_TRACE(i);
+    const auto [a, b] = randomSeam(random);
+    const ContinuityTolerance tolerance = randomTolerance(random);
+    for (const bool figures : {true, false}) {
+      const SeamFigures enclosed = encloseSeam(a.seamSide(), b.seamSide(), tolerance, {.figures = figures});
+      const Verdict verdict = judge(enclosed, tolerance, Level::G2);
+      if (!verdict.certain) continue;
+      ++certain;
+      Dense seen = dense(a, b, tolerance, 201);
+      if (enclosed.curvature_rel) {  // on the rounding of a flat radius a value may occur at one place only
+        const double at = enclosed.curvature_rel->at;
+        const PairMeasure pair = measurePair(a.at(at), b.at(at));
+        seen.curvature_rel =
+            std::max(seen.curvature_rel, relativeDifference(*pair.curvature, tolerance.flat_radius_mm));
+      }
+      const auto beyond = [](double value, double limit) { return value > limit * (1 + 1e-9) + 1e-12; };
+      if (verdict.level >= Level::G0) {
+        EXPECT_FALSE(beyond(seen.gap_mm, tolerance.gap_mm));
+      }
+      if (verdict.level >= Level::G1) {
+        EXPECT_FALSE(beyond(seen.angle_rad, tolerance.angle_rad));
+      }
+      if (verdict.level >= Level::G2) {
+        EXPECT_FALSE(beyond(seen.curvature_rel, tolerance.curvature_rel));
+      }
+      // Sampling misses what is next to a maximum.
+      const auto within = [](double value, double limit) { return value < limit * 0.99 - 1e-12; };
+      const bool g0 = within(seen.gap_mm, tolerance.gap_mm);
+      const bool g1 = g0 && within(seen.angle_rad, tolerance.angle_rad) && !seen.fold;
+      const bool g2 = g1 && within(seen.curvature_rel, tolerance.curvature_rel);
+      if (g0) {
+        EXPECT_GE(verdict.level, Level::G0);
+      }
+      if (g1) {
+        EXPECT_GE(verdict.level, Level::G1);
+      }
+      if (g2) {
+        EXPECT_GE(verdict.level, Level::G2);
+      }
+    }
+  }
+  EXPECT_GT(certain, 600);
+}
+
+// --- exact joins -------------------------------------------------------------------------------------------------------
+
+/// Bernstein coefficients of a polynomial with values in space or of numbers.
+template <class Value>
+using Bernstein = std::vector<Value>;
+
+double choose(int n, int k) {
+  double value = 1;
+  for (int i = 1; i <= k; ++i) value = value * (n - k + i) / i;
+  return value;
+}
+
+Bernstein<Vec> operator*(const Bernstein<double>& a, const Bernstein<Vec>& b) {
+  const int p = static_cast<int>(a.size()) - 1, q = static_cast<int>(b.size()) - 1;
+  Bernstein<Vec> product(p + q + 1, Vec::Zero());
+  for (int i = 0; i <= p; ++i)
+    for (int j = 0; j <= q; ++j)
+      product[i + j] += choose(p, i) * choose(q, j) / choose(p + q, i + j) * a[i] * b[j];
+  return product;
+}
+
+Bernstein<Vec> elevated(const Bernstein<Vec>& a, int degree) {
+  return Bernstein<double>(degree + 2 - a.size(), 1.0) * a;
+}
+
+Bernstein<Vec> sum(const Bernstein<Vec>& a, const Bernstein<Vec>& b) {
+  const int degree = static_cast<int>(std::max(a.size(), b.size())) - 1;
+  Bernstein<Vec> total = elevated(a, degree);
+  const Bernstein<Vec> other = elevated(b, degree);
+  for (int i = 0; i <= degree; ++i) total[i] += other[i];
+  return total;
+}
+
+Bernstein<Vec> derivative(const Bernstein<Vec>& a) {
+  Bernstein<Vec> result;
+  for (std::size_t i = 1; i < a.size(); ++i)
+    result.push_back(static_cast<double>(a.size() - 1) * (a[i] - a[i - 1]));
+  return result;
+}
+
+Bernstein<double> randomFactor(double middle, double spread, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> value(middle - spread, middle + spread);
+  const double first = value(random);
+  return {first, value(random)};
+}
+
+/// A patch Q with Q = P, Q_u = alpha P_u + beta P_v and (order 2) Q_uu by the chain rule along P's edge u = 1, by MATH-surfaces 1.3.
+BezierPatch joined(const BezierPatch& p, int order, std::mt19937_64& random) {
+  const int m = p.degreeU(), n = p.degreeV();
+  const auto row = [&](int i) {
+    Bernstein<Vec> poles;
+    for (int j = 0; j <= n; ++j) poles.push_back(p.pole(i, j));
+    return poles;
+  };
+  const auto minus = [&](const Bernstein<Vec>& a) { return Bernstein<double>{-1} * a; };
+  const Bernstein<Vec> x = row(m), xu = Bernstein<double>{static_cast<double>(m)} * sum(x, minus(row(m - 1)));
+  const Bernstein<Vec> xuu =
+      Bernstein<double>{m * (m - 1.0)} * sum(sum(x, row(m - 2)), Bernstein<double>{-2} * row(m - 1));
+  const Bernstein<double> alpha = randomFactor(1, 0.4, random), beta = randomFactor(0, 0.4, random);
+  const Bernstein<double> gamma = randomFactor(0, 2, random), delta = randomFactor(0, 2, random);
+  const Bernstein<Vec> q1 = sum(alpha * xu, beta * derivative(x));
+  const auto squared = [&](const Bernstein<double>& a, const Bernstein<double>& b, const Bernstein<Vec>& c) {
+    return a * (b * c);
+  };
+  Bernstein<Vec> q2 =
+      sum(sum(squared(alpha, alpha, xuu), Bernstein<double>{2} * squared(alpha, beta, derivative(xu))),
+          squared(beta, beta, derivative(derivative(x))));
+  q2 = sum(q2, sum(gamma * xu, delta * derivative(x)));
+  if (order < 2)
+    for (Vec& pole : q2) pole += test::randomVector(random);
+  const int degree = n + 2, cross = 3;
+  const Bernstein<Vec> b0 = elevated(x, degree), d1 = elevated(q1, degree), d2 = elevated(q2, degree);
+  Poles poles((cross + 1) * (degree + 1), 3);
+  for (int j = 0; j <= degree; ++j) {
+    const Vec b1 = b0[j] + d1[j] / cross, b2 = d2[j] / (cross * (cross - 1)) + 2 * b1 - b0[j];
+    poles.row(j) = b0[j].transpose();
+    poles.row(degree + 1 + j) = b1.transpose();
+    poles.row(2 * (degree + 1) + j) = b2.transpose();
+    poles.row(3 * (degree + 1) + j) = (b2 + d1[j] + test::randomVector(random)).transpose();
+  }
+  return {cross, degree, poles};
+}
+
+/// So tight that bounds are only let off when rounding is all that is left of them.
+ContinuityTolerance tight() {
+  ContinuityTolerance tolerance;
+  tolerance.gap_mm = tolerance.angle_rad = 1e-7;
+  tolerance.curvature_rel = 1e-4;
+  return tolerance;
+}
+
+TEST(EncloseSeam, Identity3ExactJoinsLeaveOnlyRounding) {
+  std::mt19937_64 random(15);
+  const ContinuityTolerance tolerance = tight();
+  for (int i = 0; i < 150; ++i) {
+    SCOPED_TRACE(i);
+    const int n = 2 + static_cast<int>(random() % 3);
+    const BezierPatch p = randomPatch(2 + static_cast<int>(random() % 2), n, 0.4, false, random);
+    for (const int order : {1, 2}) {
+      const PatchSide a = endOf(p), b = beginOf(joined(p, order, random));
+      const SeamFigures figures = encloseSeam(a.seamSide(), b.seamSide(), tolerance);
+      expectTrue(figures, a, b, tolerance, 51);
+      EXPECT_LT(*figures.gap_mm->upper, 2e-9);
+      EXPECT_LT(*figures.angle_rad->upper, 2e-9);
+      const Verdict verdict = judge(figures, tolerance, Level::G2);
+      EXPECT_TRUE(verdict.certain) << figures.uncertified;
+      EXPECT_EQ(verdict.level, order == 2 ? Level::G2 : Level::G1);
+      if (order == 2) {
+        EXPECT_LT(*figures.curvature_per_mm->upper, 1e-7);
+      }
+    }
+  }
+}
+
+TEST(EncloseSeam, Identity3RationalPatchesThatGoOnLeaveOnlyRounding) {
+  std::mt19937_64 random(16);
+  for (int i = 0; i < 100; ++i) {
+    SCOPED_TRACE(i);
+    const BezierPatch whole = randomPatch(3, 3, 0.4, true, random);
+    const auto [left, right] = whole.splitU(0.4);
+    const SeamFigures figures = encloseSeam(endOf(left).seamSide(), beginOf(right).seamSide(), tight());
+    EXPECT_LT(*figures.gap_mm->upper, 2e-9);
+    EXPECT_LT(*figures.angle_rad->upper, 1e-8);
+    EXPECT_LT(*figures.curvature_per_mm->upper, 1e-6);
+    const Verdict verdict = judge(figures, tight(), Level::G2);
+    EXPECT_TRUE(verdict.certain);
+    EXPECT_EQ(verdict.level, Level::G2);
+  }
+}
+
+TEST(EncloseSeam, Identity3JoinsOfHighDegreeLeaveOnlyRounding) {
+  std::mt19937_64 random(17);
+  for (const int degree : {9, 14, 19, 25}) {
+    SCOPED_TRACE(degree);
+    const auto [left, right] = randomPatch(3, degree, 0.3, false, random).splitU(0.5);
+    const SeamFigures figures = encloseSeam(endOf(left).seamSide(), beginOf(right).seamSide(), tight());
+    EXPECT_LT(*figures.angle_rad->upper, 1e-7);
+    EXPECT_LT(*figures.curvature_rel->upper, 1e-4);
+    EXPECT_TRUE(judge(figures, tight(), Level::G2).certain);
+    EXPECT_EQ(judge(figures, tight(), Level::G2).level, Level::G2);
+  }
+}
+
+// --- seams that hide something -----------------------------------------------------------------------------------------
+
+SeamSide planeSide(double u0, bool left) {
+  SeamSide side{LineEvaluator{{u0, 0, 0}, {0, 1, 0}}, planeEvaluator(Frame())};
+  side.face_on_left = left;
+  return side;
+}
+
+/// The strip z = height(v) u over [0, 1]^2, a spline of height with the knots, poles and degree given.
+SeamSide strip(int degree, const std::vector<double>& knots, const std::vector<double>& heights) {
+  std::vector<Vec> poles;
+  for (const int i : {0, 1})
+    for (std::size_t j = 0; j < heights.size(); ++j) {
+      double greville = 0;
+      for (int k = 1; k <= degree; ++k) greville += knots[j + k] / degree;
+      poles.emplace_back(i, greville, i * heights[j]);
+    }
+  SeamSide side{
+      LineEvaluator{{0, 0, 0}, {0, 1, 0}},
+      splineEvaluator(std::make_shared<SplineEvaluator>(
+          test::bezierDirection(1), SplineDirection{degree, knots, 0}, poles, std::vector<double>()))};
+  side.face_on_left = false;
+  return side;
+}
+
+TEST(EncloseSeam, ADefectOfFiveCloseKnotsIsFound) {
+  for (const double width : {1e-2, 1e-3, 1e-5, 1e-7}) {
+    for (const double at : {0.1234567, 0.5, 1 / std::numbers::pi, 0.99}) {
+      SCOPED_TRACE(testing::Message() << width << " at " << at);
+      std::vector<double> knots = {0, 0, 0, 0};
+      for (int k = 0; k < 5; ++k) knots.push_back(at + (k / 4.0 - 0.5) * width);
+      knots.insert(knots.end(), {1, 1, 1, 1});
+      std::vector<double> heights(9, 0.0);
+      heights[4] = 0.01;  // the basis function of the five knots, 2/3 in their middle
+      const SeamFigures figures =
+          encloseSeam(planeSide(0, true), strip(3, knots, heights), {}, {.max_pieces = 5000});
+      const Verdict verdict = judge(figures, {}, Level::G1);
+      const double truth = std::atan(0.01 * 2 / 3);
+      EXPECT_GE(figures.angle_rad->upper.value_or(infinite), truth * (1 - 1e-12));
+      EXPECT_FALSE(verdict.certain && verdict.level > Level::G0);
+      if (width < 1e-6) continue;  // knots nearer than a piece is ever cut: not certain is all that is asked
+      EXPECT_EQ(verdict.level, Level::G0);
+      EXPECT_TRUE(verdict.certain) << figures.uncertified;
+      EXPECT_NEAR(figures.angle_rad->lower, truth, 0.01 * truth);
+      EXPECT_NEAR(figures.angle_rad->at, at, width);
+    }
+  }
+}
+
+/// Bernstein coefficients of T_k on [0, 1], of degree k.
+std::vector<double> chebyshevBernstein(int k) {
+  std::vector<double> b;
+  for (int j = 0; j <= k; ++j) b.push_back(((k - j) % 2 == 0 ? 1 : -1) * choose(2 * k, 2 * j) / choose(k, j));
+  return b;
+}
+
+std::vector<double> bezierKnots(int degree) {
+  return test::bezierDirection(degree).knots;
+}
+
+TEST(EncloseSeam, ADefectThatVanishesAtTheChebyshevPointsIsFound) {
+  for (const int k : {4, 8, 12}) {  // T_k^2 = (1 + T_2k) / 2 vanishes at the k points of T_k
+    SCOPED_TRACE(k);
+    std::vector<double> heights = chebyshevBernstein(2 * k);
+    for (double& h : heights) h = 0.005 * (1 + h);
+    const SeamFigures figures =
+        encloseSeam(planeSide(0, true), strip(2 * k, bezierKnots(2 * k), heights), {}, {.max_pieces = 5000});
+    const double truth = std::atan(0.01);
+    EXPECT_GE(*figures.angle_rad->upper, truth);
+    EXPECT_LE(figures.angle_rad->lower, truth * (1 + 1e-9));
+    EXPECT_LE(*figures.angle_rad->upper - figures.angle_rad->lower, 0.0101 * truth);
+    EXPECT_EQ(judge(figures, {}, Level::G1).level, Level::G0);
+    EXPECT_TRUE(judge(figures, {}, Level::G1).certain);
+  }
+}
+
+TEST(EncloseSeam, KnotsThatCoincideButForRoundingAreOne) {
+  // A C0 boundary along the knot line u = 0.5, one knot of three an ulp away: smooth on the left, a kink to the right.
+  for (const double at : {0.5, std::nextafter(0.5, 1.0)})
+    for (const bool left : {true, false}) {
+      const double near = std::nextafter(0.5, 1.0);
+      std::vector<Vec> poles;
+      for (int i = 0; i < 5; ++i)
+        for (const int j : {0, 1}) poles.emplace_back(i / 4.0, j, i > 2 ? 0.1 * (i - 2) / 4.0 : 0.0);
+      SeamSide kinked{LineEvaluator{{at, 0, 0}, {0, 1, 0}},
+                      splineEvaluator(std::make_shared<SplineEvaluator>(
+                          SplineDirection{2, {0, 0, 0, 0.5, near, 1, 1, 1}, 0}, test::bezierDirection(1),
+                          poles, std::vector<double>()))};
+      kinked.face_on_left = left;  // left of +v is -u
+      SeamSide plane = planeSide(0.5, !left);
+      const SeamFigures figures = encloseSeam(plane, kinked, {});
+      ASSERT_TRUE(figures.angle_rad && figures.angle_rad->upper) << figures.uncertified;
+      const double truth = left ? 0 : std::atan(0.1);
+      EXPECT_GE(*figures.angle_rad->upper, truth - 1e-9) << left;
+      EXPECT_LE(*figures.angle_rad->upper, truth * 1.01 + 1e-6) << left;
+    }
+}
+
+TEST(EncloseSeam, TheGapOutsideTheRangeSeesAllOfThePath) {
+  // A path with a kink at 0.05, off the seam by 0.3 there; the range begins at 0.2.
+  const std::shared_ptr<const SplineEvaluator> path = std::make_shared<SplineEvaluator>(
+      SplineDirection{1, {0, 0, 0.05, 0.1, 1, 1}, 0}, SplineDirection{0, {0, 1}, 0},
+      std::vector<Vec>{{0, 0, 0}, {0.3, 0.05, 0}, {0, 0.1, 0}, {0, 1, 0}}, std::vector<double>());
+  const SeamFigures figures =
+      encloseSeam(SeamSide{path, planeEvaluator(Frame())}, planeSide(0, false), {}, {.range = {0.2, 1}});
+  if (figures.gap_mm->upper) {
+    EXPECT_GE(*figures.gap_mm->upper, 0.3 * (1 - 1e-12));
+  }
+  SeamSide bent = planeSide(0, true);
+  bent.s = bent.t = {0, 0.05, 1};
+  bent.t[1] = 0.3;
+  const SeamFigures stretched = encloseSeam(bent, planeSide(0, false), {}, {.range = {0.2, 1}});
+  if (stretched.gap_mm->upper) {
+    EXPECT_GE(*stretched.gap_mm->upper, 0.25 * (1 - 1e-12));
+  }
+}
+
+// --- limits of the verdict ---------------------------------------------------------------------------------------------
+
+/// The plane z = 0 turned about y by the angle with this cosine and sine.
+SeamSide turnedPlane(double cosine, double sine) {
+  Frame frame;
+  frame.axes << cosine, 0, -sine, 0, 1, 0, sine, 0, cosine;
+  SeamSide side{LineEvaluator{{0, 0, 0}, {0, 1, 0}}, planeEvaluator(frame)};
+  side.face_on_left = false;
+  return side;
+}
+
+TEST(EncloseSeam, AnAngleAtALimitIsNotCertainOrRight) {
+  std::mt19937_64 random(18);
+  for (int i = 0; i < 100; ++i) {
+    const double angle = std::uniform_real_distribution<double>(0.01, 1.5)(random);
+    const double cosine = std::cos(angle), sine = std::sin(angle);
+    const long double truth = std::atan2(static_cast<long double>(sine), static_cast<long double>(cosine));
+    for (const double off : {0.0, 1e-16, -1e-16, 1e-15, -1e-15, 1e-12, -1e-12, 1e-4, -1e-4}) {
+      SCOPED_TRACE(testing::Message() << angle << " " << off);
+      ContinuityTolerance tolerance;
+      tolerance.angle_rad = angle + off;
+      tolerance.crease_rad = pi / 2;
+      const EncloseOptions options{.max_pieces = 100, .figures = i % 2 == 0};
+      Verdict verdict = judge(encloseSeam(planeSide(0, true), turnedPlane(cosine, sine), tolerance, options),
+                              tolerance, Level::G1);
+      if (verdict.certain) {
+        EXPECT_EQ(verdict.level >= Level::G1, truth <= tolerance.angle_rad);
+      }
+      if (std::abs(off) > 1e-5) {
+        EXPECT_TRUE(verdict.certain);
+      }
+      tolerance.crease_rad = tolerance.angle_rad;
+      tolerance.angle_rad = 0.001;
+      verdict = judge(encloseSeam(planeSide(0, true), turnedPlane(cosine, sine), tolerance, options),
+                      tolerance, Level::G1);
+      if (verdict.certain) {
+        EXPECT_EQ(verdict.seam_class == SeamClass::Crease, truth > tolerance.crease_rad);
+      }
+      if (std::abs(off) > 1e-5) {
+        EXPECT_TRUE(verdict.certain);
+      }
+    }
+  }
+}
+
+TEST(EncloseSeam, AGapAtTheToleranceIsNotCertainOrRight) {
+  for (const double gap : {0.01, 1e-3, 0.3, 7.0})
+    for (const double tolerated : {gap, std::nextafter(gap, 0.0), std::nextafter(gap, 10.0), gap * 1.1}) {
+      Frame frame;
+      frame.origin = {0, 0, gap};
+      SeamSide lifted{LineEvaluator{{0, 0, 0}, {0, 1, 0}}, planeEvaluator(frame)};
+      lifted.face_on_left = false;
+      ContinuityTolerance tolerance;
+      tolerance.gap_mm = tolerated;
+      const SeamFigures figures = encloseSeam(planeSide(0, true), lifted, tolerance, {.max_pieces = 100});
+      EXPECT_LE(figures.gap_mm->lower, gap);
+      EXPECT_GE(*figures.gap_mm->upper, gap);
+      const Verdict verdict = judge(figures, tolerance, Level::G0);
+      if (verdict.certain) {
+        EXPECT_EQ(verdict.level >= Level::G0, gap <= tolerated);
+      }
+      if (tolerated > 1.01 * gap) {
+        EXPECT_TRUE(verdict.certain);
+      }
+    }
+}
+
+TEST(EncloseSeam, AKnifeEdgeFolds) {
+  SeamSide back = turnedPlane(1, 0);
+  back.face_on_left = true;  // both faces on the same side
+  const SeamFigures figures = encloseSeam(planeSide(0, true), back, {});
+  EXPECT_TRUE(figures.fold_at);
+  const Verdict verdict = judge(figures, {}, Level::G1);
+  EXPECT_EQ(verdict.seam_class, SeamClass::Crease);
+  EXPECT_TRUE(verdict.certain);
+}
+
+TEST(EncloseSeam, ARightAngleIsACrease) {
+  const SeamFigures figures = encloseSeam(planeSide(0, true), turnedPlane(0, 1), {});
+  EXPECT_LE(figures.angle_rad->lower, pi / 2);
+  EXPECT_GE(*figures.angle_rad->upper, pi / 2 * (1 - 1e-15));
+  EXPECT_LE(*figures.angle_rad->upper, 1.01 * pi / 2);
+  EXPECT_EQ(judge(figures, {}, Level::G1).seam_class, SeamClass::Crease);
+  EXPECT_TRUE(judge(figures, {}, Level::G1).certain);
+}
+
+TEST(EncloseSeam, AnAngleThatPassesTheCreaseAngleIsJudgedByTheLength) {
+  ContinuityTolerance tolerance;
+  for (const double share : {0.1, 0.45, 0.49, 0.499, 0.501, 0.51, 0.55, 0.9}) {
+    SCOPED_TRACE(share);
+    // Height of slope tan(crease) at v = share, rising.
+    const double slope = std::tan(tolerance.crease_rad) / share;
+    const SeamFigures figures =
+        encloseSeam(planeSide(0, true), strip(1, {0, 0, 1, 1}, {0, slope}), tolerance);
+    const Verdict verdict = judge(figures, tolerance, Level::G1);
+    const bool crease = share < 0.5;
+    if (verdict.certain) {
+      EXPECT_EQ(verdict.seam_class == SeamClass::Crease, crease);
+    }
+    if (std::abs(share - 0.5) > 0.03) {
+      EXPECT_TRUE(verdict.certain);
+    }
+    EXPECT_NEAR(figures.below_crease_share, share, 0.02);
+  }
+}
+
+TEST(EncloseSeam, CylindersThatPassTheFlatRadius) {
+  // Cylinders of radii r and r (1 + off), touching along a ruling, about the flat radius of 1000.
+  for (const double radius : {500.0, 999.0, 1000.0, 1001.0, 2000.0})
+    for (const double ratio : {1.0, 0.5, 0.999, 1.001, 2.0, -1.0}) {
+      SCOPED_TRACE(testing::Message() << radius << " " << ratio);
+      const auto side = [](double r, bool left) {
+        Frame frame;
+        frame.origin = {-r, 0, 0};
+        SeamSide result{LineEvaluator{{0, 0, 0}, {0, 1, 0}},
+                        r < 0 ? placedEvaluator(cylinderEvaluator(Frame(), -r),
+                                                {1, Eigen::Vector3d(-1, -1, 1).asDiagonal(), {-r, 0, 0}})
+                              : cylinderEvaluator(frame, r)};
+        result.face_on_left = left;
+        return result;
+      };
+      ContinuityTolerance tolerance;
+      tolerance.flat_radius_mm = 1000;
+      const double other = radius * ratio;
+      const SeamFigures figures =
+          encloseSeam(side(radius, true), side(other, other < 0), tolerance, {.max_pieces = 300});
+      const bool flat_a = radius > 1000, flat_b = std::abs(other) > 1000;
+      const double difference = std::abs(1 / radius - 1 / other);
+      const double largest = std::max(1 / radius, 1 / std::abs(other));
+      const double truth = flat_a && flat_b ? 0 : flat_a != flat_b ? 1 : difference / largest;
+      ASSERT_TRUE(figures.curvature_rel && figures.curvature_rel->upper) << figures.uncertified;
+      EXPECT_GE(*figures.curvature_rel->upper, truth * (1 - 1e-12));
+      EXPECT_LE(figures.curvature_rel->lower, truth * (1 + 1e-12));
+      EXPECT_GE(*figures.curvature_per_mm->upper, difference * (1 - 1e-12));
+      EXPECT_LE(figures.curvature_per_mm->lower, difference * (1 + 1e-12) + 1e-18);
+      const Verdict verdict = judge(figures, tolerance, Level::G2);
+      if (verdict.certain) {
+        EXPECT_EQ(verdict.level >= Level::G2, truth <= tolerance.curvature_rel);
+      }
+    }
+}
+
+TEST(EncloseSeam, SpheresThatTouchAreHeldToThePrecisionOfRounding) {
+  // Umbilic tensors have double eigenvalues, the hard case of an eigenvalue's formula.
+  std::mt19937_64 random(19);
+  for (int i = 0; i < 500; ++i) {
+    const double r = logUniform(random, -1, 3), R = r * (1 + logUniform(random, -9, 1));
+    // At the same parameters the normals are the same, whatever the gap.
+    const Vec uv = test::randomVector(random);
+    const SeamSide a{LineEvaluator{uv, {0, 0, 0}}, sphereEvaluator(Frame(), r)};
+    SeamSide b{LineEvaluator{uv, {0, 0, 0}}, sphereEvaluator(Frame(), R)};
+    b.face_on_left = false;
+    const SeamFigures figures = encloseSeam(a, b, {}, {.max_pieces = 50});
+    const long double truth = std::abs(1 / static_cast<long double>(r) - 1 / static_cast<long double>(R));
+    ASSERT_TRUE(figures.curvature_per_mm && figures.curvature_per_mm->upper);
+    EXPECT_GE(*figures.curvature_per_mm->upper, truth * (1 - 1e-17L)) << i;
+    EXPECT_LE(figures.curvature_per_mm->lower, truth * (1 + 1e-17L)) << i;
+  }
+}
+
+// --- degenerate patches ------------------------------------------------------------------------------------------------
+
+TEST(EncloseSeam, DegenerateEdgesAreNeverCertainlySmoothWithoutAPlane) {
+  std::mt19937_64 random(20);
+  for (int i = 0; i < 60; ++i) {
+    SCOPED_TRACE(i);
+    const auto [patch, next] = randomPatch(3, 3, 0.3, i % 2 == 0, random).splitU(0.5);
+    Poles poles = next.poles();
+    const int kind = i % 4;
+    const auto pole = [&](int row, int column) { return poles.row(row * 4 + column); };
+    if (kind == 0) pole(1, 0) = pole(0, 0);  // corner collapsed in the cross direction
+    if (kind == 1)
+      for (int j = 0; j < 4; ++j) pole(1, j) = pole(0, j);  // no cross derivative at all
+    if (kind == 2)
+      for (int j = 0; j < 4; ++j)  // cross derivative within 1e-7 of the seam's direction
+        pole(1, j) =
+            pole(0, j) + (pole(0, 3) - pole(0, 0)) / 4 + 1e-7 * test::randomVector(random).transpose();
+    if (kind == 3)
+      for (int j = 0; j < 4; ++j) {  // cross derivative turns round: a cusp inside
+        const Eigen::RowVector3d across = pole(1, j) - pole(0, j);
+        pole(1, j) = pole(0, j) + (j < 2 ? 1 : -1) * across;
+      }
+    const PatchSide a = endOf(patch), b = beginOf({3, 3, poles, next.weights()});
+    const SeamFigures figures = encloseSeam(a.seamSide(), b.seamSide(), {}, {.max_pieces = 2000});
+    expectTrue(figures, a, b, {}, 101);
+    const Verdict verdict = judge(figures, {}, Level::G1);
+    if (kind == 1 || kind == 3) {
+      EXPECT_FALSE(verdict.certain && verdict.seam_class == SeamClass::Smooth);
+    }
+  }
+}
+
+// --- laws --------------------------------------------------------------------------------------------------------------
+
+BezierPatch mapped(const BezierPatch& patch, const Eigen::Matrix3d& matrix, const Vec& translation) {
+  Poles poles = patch.poles() * matrix.transpose();
+  poles.rowwise() += translation.transpose();
+  return {patch.degreeU(), patch.degreeV(), poles, patch.weights()};
+}
+
+PatchSide alongTheOtherWay(PatchSide side) {
+  side.reversed = !side.reversed;
+  side.face_on_left = !side.face_on_left;
+  return side;
+}
+
+PatchSide transposed(const PatchSide& side) {
+  Poles poles = side.path.poles();
+  poles.col(0).swap(poles.col(1));
+  return {side.surface.transposed(), BezierCurve(poles, side.path.weights()), !side.face_on_left,
+          side.reversed};
+}
+
+PatchSide reversedU(const PatchSide& side) {
+  Poles poles = side.path.poles();
+  poles.col(0) = 1 - poles.col(0).array();
+  return {side.surface.reversedU(), BezierCurve(poles, side.path.weights()), !side.face_on_left,
+          side.reversed};
+}
+
+TEST(EncloseSeam, Identity2TheVerdictDoesNotDependOnTheDescription) {
+  std::mt19937_64 random(21);
+  for (int i = 0; i < 150; ++i) {
+    SCOPED_TRACE(i);
+    const auto [a, b] = randomSeam(random);
+    const ContinuityTolerance tolerance = randomTolerance(random);
+    const SeamFigures figures = encloseSeam(a.seamSide(), b.seamSide(), tolerance);
+    const Verdict verdict = judge(figures, tolerance, Level::G2);
+    const auto expectSame = [&](const PatchSide& x, const PatchSide& y, const ContinuityTolerance& limits,
+                                double scale, const char* law) {
+      const SeamFigures other = encloseSeam(x.seamSide(), y.seamSide(), limits);
+      const Verdict same = judge(other, limits, Level::G2);
+      if (verdict.certain && same.certain) {
+        EXPECT_EQ(verdict.level, same.level) << law;
+        EXPECT_EQ(verdict.seam_class, same.seam_class) << law;
+      }
+      const auto overlap = [&](const std::optional<Figure>& p, const std::optional<Figure>& q, double factor,
+                               double noise) {
+        if (!p || !q || !p->upper || !q->upper) return;
+        EXPECT_LE(p->lower * factor, *q->upper * (1 + 1e-9) + noise) << law;
+        EXPECT_LE(q->lower, *p->upper * factor * (1 + 1e-9) + noise) << law;
+      };
+      overlap(figures.gap_mm, other.gap_mm, scale, 1e-12 * scale);
+      overlap(figures.angle_rad, other.angle_rad, 1, 1e-12);
+      overlap(figures.curvature_per_mm, other.curvature_per_mm, 1 / scale, 1e-10 / scale);
+      overlap(figures.curvature_rel, other.curvature_rel, 1, 1e-9);
+    };
+    expectSame(b, a, tolerance, 1, "swap");
+    expectSame(alongTheOtherWay(a), alongTheOtherWay(b), tolerance, 1, "reversal");
+    expectSame(transposed(a), b, tolerance, 1, "flip of a");
+    expectSame(a, reversedU(b), tolerance, 1, "flip of b");
+    const auto both = [&](const Eigen::Matrix3d& matrix, const ContinuityTolerance& limits, double scale,
+                          const char* law) {
+      const Vec translation = 3 * test::randomVector(random);
+      PatchSide x = a, y = b;
+      x.surface = mapped(a.surface, matrix, translation);
+      y.surface = mapped(b.surface, matrix, translation);
+      expectSame(x, y, limits, scale, law);
+    };
+    both(test::randomRotation(random), tolerance, 1, "motion");
+    both(Vec(1, 1, -1).asDiagonal(), tolerance, 1, "mirror");
+    ContinuityTolerance scaled = tolerance;
+    const double scale = std::exp2(static_cast<int>(random() % 21) - 10);
+    scaled.gap_mm *= scale;
+    scaled.flat_radius_mm *= scale;
+    both(scale * Eigen::Matrix3d::Identity(), scaled, scale, "scale");
+    SeamSide half = a.seamSide(), other_half = b.seamSide();
+    half.s = other_half.s = {0, 0.3, 1};  // the same pairs, met at another place
+    half.t = other_half.t = {0, 0.6, 1};
+    const Verdict same = judge(encloseSeam(half, other_half, tolerance), tolerance, Level::G2);
+    if (verdict.certain && same.certain) {
+      EXPECT_EQ(verdict.level, same.level) << "another correspondence";
+    }
+  }
+}
+
+TEST(EncloseSeam, RefusesToleranceThatIsNone) {
+  ContinuityTolerance tolerance;
+  tolerance.gap_mm = -1;
+  EXPECT_THROW(encloseSeam(planeSide(0, true), planeSide(0, false), tolerance), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace seamwright
