@@ -41,7 +41,7 @@ double lengthOf(const Seam& seam) {
 /// "at 0" or, for places that lie close together, "from 0 to 0.012".
 std::string stretches(std::vector<double> places) {
   constexpr double close_together = 0.02;
-  constexpr double shortest_told = 1e-5;
+  constexpr double shortest_told = 1e-4;
   std::ranges::sort(places);
   std::ostringstream text;
   text << std::setprecision(3);
