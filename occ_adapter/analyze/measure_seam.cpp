@@ -115,8 +115,8 @@ struct PoleStretches {
 };
 
 PoleStretches poleStretches(const Seam& seam, const std::array<Pcurve, 2>& pcurves) {
-  constexpr double shortest =
-      0x1p-20;  // nearer than that to the pole curvature, which divides by squares, is rounding
+  // Nearer than that to the pole curvature, which divides by squares, is rounding.
+  constexpr double shortest = 0x1p-16;
   PoleStretches poles;
   if (!seam.correspondence.s.empty()) return poles;
   for (const int side : {0, 1})
