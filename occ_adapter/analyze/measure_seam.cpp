@@ -47,7 +47,7 @@ std::string placeText(double place) {
 /// "at 0" or, for places that lie close together, "from 0 to 0.012".
 std::string stretches(std::vector<double> places) {
   constexpr double close_together = 0.02;
-  constexpr double shortest_told = 1e-5;
+  constexpr double shortest_told = 1e-4;
   std::ranges::sort(places);
   std::string text;
   for (std::size_t first = 0, last = 0; first < places.size(); first = last + 1) {
@@ -118,8 +118,8 @@ struct PoleStretches {
 };
 
 PoleStretches poleStretches(const Seam& seam, const std::array<Pcurve, 2>& pcurves) {
-  constexpr double shortest =
-      0x1p-20;  // nearer than that to the pole curvature, which divides by squares, is rounding
+  // Nearer than that to the pole curvature, which divides by squares, is rounding.
+  constexpr double shortest = 0x1p-16;
   PoleStretches poles;
   if (!seam.correspondence.s.empty()) return poles;
   for (const int side : {0, 1})
