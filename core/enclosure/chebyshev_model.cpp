@@ -91,7 +91,7 @@ ChebyshevModel ChebyshevModel::series(std::span<const double> coefficients, doub
   std::copy_n(coefficients.begin(), kept, model.coefficients_.begin());
   double rest = 0;
   for (const double coefficient : coefficients.subspan(kept)) rest += std::abs(coefficient);
-  model.radius_ = rest > 0 ? up(radius + rest) : radius;
+  model.radius_ = rest != 0 ? up(radius + rest) : radius;
   model.degree_ = static_cast<int>(std::max<std::size_t>(kept, 1)) - 1;
   model.trim();
   return model;
@@ -175,6 +175,27 @@ ChebyshevModel& ChebyshevModel::operator+=(const ChebyshevModel& other) {
   return *this;
 }
 
+ChebyshevModel combination(const std::array<double, 3>& factors,
+                           const std::array<const ChebyshevModel*, 3>& models) {
+  ChebyshevModel sum;
+  double absolute = 0;
+  for (int i = 0; i < 3; ++i) {
+    const ChebyshevModel& model = *models[i];
+    const double factor = factors[i];
+    if (factor == 0 && model.isKnown()) continue;
+    for (int k = 0; k <= model.degree_; ++k) {
+      const double term = factor * model.coefficients_[k];
+      sum.coefficients_[k] += term;
+      absolute += std::abs(term);
+    }
+    sum.degree_ = std::max(sum.degree_, model.degree_);
+    sum.radius_ += std::abs(factor) * model.radius_;
+  }
+  sum.radius_ = up(sum.radius_ + 2 * epsilon * absolute);
+  sum.trim();
+  return sum;
+}
+
 ChebyshevModel& ChebyshevModel::operator-=(const ChebyshevModel& other) {
   return *this += -other;
 }
@@ -201,31 +222,19 @@ void ChebyshevModel::widen(double radius) {
 }
 
 ProductSum& ProductSum::add(const ChebyshevModel& a, const ChebyshevModel& b, double sign) {
-  if (a.degree_ > b.degree_) return add(b, a, sign);
-  // T_i T_j = (T_(i + j) + T_|i - j|) / 2: with b continued to b_(-j) = b_j and b_0 doubled, twice the coefficient of T_k is the sum
-  // over i of a_i (b_(k - i) + b_(k + i)), but for k = 0, where every term is counted double.
-  const int reach = a.degree_ + b.degree_ + 1;
-  std::array<double, 4 * size> even{};  // even[size + j] = b_|j|
-  double absolute_b = 0;
-  for (int j = 0; j <= b.degree_; ++j) {
-    even[size + j] = even[size - j] = b.coefficients_[j];
-    absolute_b += std::abs(b.coefficients_[j]);
-  }
-  even[size] *= 2;
   double absolute_a = 0;
-  double constant = 0;
+  double absolute_b = 0;
+  for (int j = 0; j <= b.degree_; ++j) absolute_b += std::abs(b.coefficients_[j]);
   for (int i = 0; i <= a.degree_; ++i) {
     const double factor = sign * a.coefficients_[i];
     absolute_a += std::abs(factor);
-    const double* below = even.data() + size - i;
-    const double* above = below + 2 * i;
-    for (int k = 0; k < reach; ++k) twice_[k] += factor * (below[k] + above[k]);
-    constant += factor * above[0];
+    // T_i T_j = (T_(i + j) + T_|i - j|) / 2.
+    for (int j = 0; j <= b.degree_; ++j) twice_[i + j] += factor * b.coefficients_[j];
+    for (int j = 0; j <= b.degree_; ++j) twice_[std::abs(i - j)] += factor * b.coefficients_[j];
   }
-  twice_[0] -= constant;
   degree_ = std::max(degree_, a.degree_ + b.degree_);
   absolute_ += absolute_a * absolute_b;
-  if (a.radius_ > 0 || b.radius_ > 0)
+  if (a.radius_ != 0 || b.radius_ != 0)  // true for NaN, which is what unknown times zero may give
     radius_ += absolute_a * b.radius_ + (absolute_b + b.radius_) * a.radius_;
   return *this;
 }
@@ -267,12 +276,26 @@ ChebyshevModel inverseSqrt(const ChebyshevModel& f) {
   return guess;
 }
 
-std::pair<ChebyshevModel, ChebyshevModel> cosSin(const ChebyshevModel& f) {
-  const double middle = f.coefficient(0);
-  const ChebyshevModel offset = f - ChebyshevModel(middle);
+namespace {
+
+/// Cosine and sine of f (sign -1), or the hyperbolic ones (sign 1), given both at the middle of f. The addition theorems are those of
+/// cos and sin up to the sign.
+std::pair<ChebyshevModel, ChebyshevModel> aroundMiddle(const ChebyshevModel& f, double sign,
+                                                       double cosine_there, double sine_there) {
+  const ChebyshevModel offset = f - ChebyshevModel(f.coefficient(0));
   const double reach = offset.magnitude();
   if (!(reach <= 2)) return {ChebyshevModel::unknown(), ChebyshevModel::unknown()};
-  // Taylor series in offset, until the next term is below rounding; the remainder is at most the first term left out.
+  ChebyshevModel cos_middle(cosine_there), sin_middle(sine_there);
+  cos_middle.widen(epsilon * std::abs(cosine_there));
+  sin_middle.widen(epsilon * std::abs(sine_there));
+  if (offset.degree() == 0) {
+    const double change =
+        4 * reach * (std::abs(cosine_there) + std::abs(sine_there));  // reach cosh(reach) < 4 reach
+    cos_middle.widen(change);
+    sin_middle.widen(change);
+    return {cos_middle, sin_middle};
+  }
+  // Taylor series in offset, until the next term is below rounding; Lagrange's remainder has that term times at most cosh(2) < 4.
   int terms = 1;
   double next = reach * reach / 2;
   while (next > 0x1p-44 && terms < 16) {
@@ -282,17 +305,24 @@ std::pair<ChebyshevModel, ChebyshevModel> cosSin(const ChebyshevModel& f) {
   const ChebyshevModel square = offset * offset;
   ChebyshevModel cosine(1), sine(1);
   for (int k = terms - 1; k > 0; --k) {
-    cosine = ChebyshevModel(1) - cosine * square * (1.0 / ((2 * k - 1) * (2 * k)));
-    sine = ChebyshevModel(1) - sine * square * (1.0 / ((2 * k) * (2 * k + 1)));
+    cosine = ChebyshevModel(1) + cosine * square * (sign / ((2 * k - 1) * (2 * k)));
+    sine = ChebyshevModel(1) + sine * square * (sign / ((2 * k) * (2 * k + 1)));
   }
   sine = sine * offset;
-  cosine.widen(up(next));
-  sine.widen(up(next * std::max(reach, 1.0)));
-  ChebyshevModel cos_middle(std::cos(middle)), sin_middle(std::sin(middle));
-  cos_middle.widen(epsilon);
-  sin_middle.widen(epsilon);
-  return {ProductSum().add(cos_middle, cosine).add(sin_middle, sine, -1).model(),
+  cosine.widen(up(4 * next));
+  sine.widen(up(4 * next * std::max(reach, 1.0)));
+  return {ProductSum().add(cos_middle, cosine).add(sin_middle, sine, sign).model(),
           ProductSum().add(sin_middle, cosine).add(cos_middle, sine).model()};
+}
+
+}  // namespace
+
+std::pair<ChebyshevModel, ChebyshevModel> cosSin(const ChebyshevModel& f) {
+  return aroundMiddle(f, -1, std::cos(f.coefficient(0)), std::sin(f.coefficient(0)));
+}
+
+std::pair<ChebyshevModel, ChebyshevModel> coshSinh(const ChebyshevModel& f) {
+  return aroundMiddle(f, 1, std::cosh(f.coefficient(0)), std::sinh(f.coefficient(0)));
 }
 
 }  // namespace seamwright

@@ -32,7 +32,7 @@ class ChebyshevModel {
   static constexpr int max_degree = 7;
   static constexpr int size = max_degree + 1;
   /// Leading terms that sum up to less than this part of all terms but the constant go into the radius: short pieces need few.
-  static constexpr double negligible = 0x1p-34;
+  static constexpr double negligible = 0x1p-27;
   using Coefficients = std::array<double, size>;
 
   ChebyshevModel() = default;
@@ -66,6 +66,8 @@ class ChebyshevModel {
 
  private:
   friend class ProductSum;
+  friend ChebyshevModel combination(const std::array<double, 3>& factors,
+                                    const std::array<const ChebyshevModel*, 3>& models);
   void trim();
 
   Coefficients coefficients_{};
@@ -100,11 +102,17 @@ inline ChebyshevModel operator*(double factor, ChebyshevModel a) {
 }
 ChebyshevModel operator*(const ChebyshevModel& a, const ChebyshevModel& b);
 
+/// The sum of three models times numbers.
+ChebyshevModel combination(const std::array<double, 3>& factors,
+                           const std::array<const ChebyshevModel*, 3>& models);
+
 /// 1 / f; unknown if f may vanish.
 ChebyshevModel inverse(const ChebyshevModel& f);
 /// 1 / sqrt(f); unknown if f may fail to be positive.
 ChebyshevModel inverseSqrt(const ChebyshevModel& f);
 /// Cosine and sine of f; unknown if f varies by more than 4 on [-1, 1].
 std::pair<ChebyshevModel, ChebyshevModel> cosSin(const ChebyshevModel& f);
+/// Hyperbolic cosine and sine of f; unknown if f varies by more than 4 on [-1, 1].
+std::pair<ChebyshevModel, ChebyshevModel> coshSinh(const ChebyshevModel& f);
 
 }  // namespace seamwright

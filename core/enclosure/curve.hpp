@@ -25,6 +25,11 @@ struct EllipseEvaluator {
   Eigen::Vector3d center, x, y;
 };
 
+/// center + cosh t x + sinh t y.
+struct HyperbolaEvaluator {
+  Eigen::Vector3d center, x, y;
+};
+
 /// vertex + t^2 axis + t tangent.
 struct ParabolaEvaluator {
   Eigen::Vector3d vertex, axis, tangent;
@@ -35,6 +40,7 @@ class CurveEvaluator {
  public:
   CurveEvaluator(LineEvaluator line) : form_(line) {}
   CurveEvaluator(EllipseEvaluator ellipse) : form_(ellipse) {}
+  CurveEvaluator(HyperbolaEvaluator hyperbola) : form_(hyperbola) {}
   CurveEvaluator(ParabolaEvaluator parabola) : form_(parabola) {}
   /// \pre the spline is of degree 0 in v.
   CurveEvaluator(std::shared_ptr<const SplineEvaluator> spline) : form_(std::move(spline)) {}
@@ -45,7 +51,8 @@ class CurveEvaluator {
   CurveJetModel jet(const ChebyshevModel& t, double hint, int order) const;
 
  private:
-  std::variant<LineEvaluator, EllipseEvaluator, ParabolaEvaluator, std::shared_ptr<const SplineEvaluator>>
+  std::variant<LineEvaluator, EllipseEvaluator, HyperbolaEvaluator, ParabolaEvaluator,
+               std::shared_ptr<const SplineEvaluator>>
       form_;
 };
 

@@ -13,12 +13,15 @@ namespace seamwright {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr int max_size = SplineEvaluator::max_degree + 1;
+using SmallMatrix =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_size, max_size>;
 
 /// Column j: Chebyshev coefficients on [-1, 1] of the Bernstein polynomial B_j of the degree.
-Eigen::MatrixXd bezierToChebyshev(int degree) {
+SmallMatrix bezierToChebyshev(int degree) {
   const int n = degree + 1;
-  Eigen::MatrixXd values(n, n);  // of B_j at the Chebyshev points
-  Eigen::MatrixXd transform(n, n);
+  SmallMatrix values(n, n);  // of B_j at the Chebyshev points
+  SmallMatrix transform(n, n);
   for (int i = 0; i < n; ++i) {
     const double angle = std::numbers::pi * (2 * i + 1) / (2 * n);
     const double t = 0.5 * (1 + std::cos(angle));
@@ -33,11 +36,11 @@ Eigen::MatrixXd bezierToChebyshev(int degree) {
 }
 
 /// Row j: the Bezier point j of the span [knots[s], knots[s + 1]] as a combination of its degree + 1 poles, by blossoming.
-Eigen::MatrixXd splineToBezier(const std::vector<double>& knots, int degree, int s) {
+SmallMatrix splineToBezier(const std::vector<double>& knots, int degree, int s) {
   const int n = degree + 1;
-  Eigen::MatrixXd matrix(n, n);
+  SmallMatrix matrix(n, n);
   for (int j = 0; j < n; ++j) {
-    Eigen::MatrixXd rows = Eigen::MatrixXd::Identity(n, n);
+    SmallMatrix rows = SmallMatrix::Identity(n, n);
     for (int level = 1; level <= degree; ++level) {
       const double argument = level <= degree - j ? knots[s] : knots[s + 1];
       for (int i = 0; i + level <= degree; ++i) {
@@ -53,9 +56,9 @@ Eigen::MatrixXd splineToBezier(const std::vector<double>& knots, int degree, int
 }
 
 /// Row i: the pole i of the derivative on the span [knots[s], knots[s + 1]] as a combination of the poles of the spline.
-Eigen::MatrixXd splineDerivative(const std::vector<double>& knots, int degree, int s) {
-  if (degree == 0) return Eigen::MatrixXd::Zero(1, 1);
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(degree, degree + 1);
+SmallMatrix splineDerivative(const std::vector<double>& knots, int degree, int s) {
+  if (degree == 0) return SmallMatrix::Zero(1, 1);
+  SmallMatrix matrix = SmallMatrix::Zero(degree, degree + 1);
   for (int i = 0; i < degree; ++i) {
     matrix(i, i + 1) = degree / (knots[s + 1 + i] - knots[s - degree + 1 + i]);
     matrix(i, i) = -matrix(i, i + 1);
@@ -93,7 +96,8 @@ JetModel projected(const std::array<HomogeneousModel, 6>& h, int order) {
 }
 
 void requireFit(const SplineDirection& direction, std::size_t poles, const char* name) {
-  if (direction.degree < 0 || direction.knots.size() != poles + direction.degree + 1)
+  if (direction.degree < 0 || direction.degree > SplineEvaluator::max_degree ||
+      direction.knots.size() != poles + direction.degree + 1)
     throw std::invalid_argument(std::string("spline in ") + name + ": " + std::to_string(poles) +
                                 " poles of degree " + std::to_string(direction.degree) + " with " +
                                 std::to_string(direction.knots.size()) + " knots");
@@ -124,24 +128,31 @@ SplineEvaluator::SplineEvaluator(SplineDirection u, SplineDirection v, std::vect
   for (const int d : {0, 1}) {
     const auto& [degree, knots, period] = directions_[d];
     for (int s = degree; s + degree + 1 < static_cast<int>(knots.size()); ++s)
-      if (knots[s] < knots[s + 1]) spans_[d].push_back(makeSpan(directions_[d], s));
+      if (knots[s] < knots[s + 1]) spans_[d].push_back({s, knots[s], knots[s + 1]});
     if (spans_[d].empty()) throw std::invalid_argument("all knots of a spline are the same");
     for (int lowering = 0; lowering < 3; ++lowering)
-      to_chebyshev_[d][lowering] = bezierToChebyshev(std::max(degree - lowering, 0));
+      bezier_to_chebyshev_[d][lowering] = bezierToChebyshev(std::max(degree - lowering, 0));
   }
 }
 
-SplineEvaluator::Span SplineEvaluator::makeSpan(const SplineDirection& direction, int s) {
-  const auto& [degree, knots, period] = direction;
-  Span span{s - degree, knots[s], knots[s + 1], {}, {}};
-  Eigen::MatrixXd derivative = Eigen::MatrixXd::Identity(degree + 1, degree + 1);
+SplineEvaluator::SpanMatrices SplineEvaluator::makeMatrices(int direction, int span) const {
+  const auto& [degree, knots, period] = directions_[direction];
+  const int s = spans_[direction][span].knot;
+  SpanMatrices matrices;
+  matrices.derivative[0] = SmallMatrix::Identity(degree + 1, degree + 1);
   for (int order = 0; order < 3; ++order) {
     const int lower = std::max(degree - order, 0);
-    span.to_bezier[order] = splineToBezier(knots, lower, s);
-    span.derivative[order] = derivative;
-    if (order < 2) derivative = splineDerivative(knots, lower, s) * derivative;
+    matrices.to_chebyshev[order] = bezier_to_chebyshev_[direction][order] * splineToBezier(knots, lower, s);
+    if (order < 2)
+      matrices.derivative[order + 1] = splineDerivative(knots, lower, s) * matrices.derivative[order];
   }
-  return span;
+  return matrices;
+}
+
+const SplineEvaluator::SpanMatrices& SplineEvaluator::matrices(int direction, int span) const {
+  const auto known = matrices_[direction].find(span);
+  if (known != matrices_[direction].end()) return known->second;
+  return matrices_[direction].emplace(span, makeMatrices(direction, span)).first->second;
 }
 
 std::vector<double> SplineEvaluator::knotsInside(int direction, const Interval& range) const {
@@ -179,42 +190,44 @@ SplineEvaluator::Local SplineEvaluator::localize(int direction, const ChebyshevM
   return local;
 }
 
-const SplineEvaluator::Cell& SplineEvaluator::cell(int span_u, int span_v) const {
-  const auto key = std::pair(span_u, span_v);
-  const auto known = cells_.find(key);
-  return known != cells_.end() ? known->second : cells_.emplace(key, makeCell(span_u, span_v)).first->second;
+const SplineEvaluator::Cell& SplineEvaluator::cell(int span_u, int span_v, int nets) const {
+  Cell& cell = cells_[{span_u, span_v}];
+  if (cell.count < nets) cell = makeCell(span_u, span_v, nets);
+  return cell;
 }
 
-SplineEvaluator::Cell SplineEvaluator::makeCell(int span_u, int span_v) const {
-  const Span& su = spans_[0][span_u];
-  const Span& sv = spans_[1][span_v];
+SplineEvaluator::Cell SplineEvaluator::makeCell(int span_u, int span_v, int nets) const {
+  const SpanMatrices& mu = matrices(0, span_u);
+  const SpanMatrices& mv = matrices(1, span_v);
   const int p = directions_[0].degree;
   const int q = directions_[1].degree;
-  const auto index = [&](int i, int j) { return (su.first_pole + i) * count_v_ + sv.first_pole + j; };
+  const int first_u = spans_[0][span_u].knot - p;
+  const int first_v = spans_[1][span_v].knot - q;
+  const auto index = [&](int i, int j) { return (first_u + i) * count_v_ + first_v + j; };
   Cell cell;
+  cell.count = nets;
   cell.origin = poles_[index(0, 0)];
   const int dimension = weights_.empty() ? 3 : 4;
   constexpr std::array<std::array<int, 2>, 6> orders = {{{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}};
   for (int c = 0; c < dimension; ++c) {
-    Eigen::MatrixXd local(p + 1, q + 1);
+    SmallMatrix local(p + 1, q + 1);
     for (int i = 0; i <= p; ++i)
       for (int j = 0; j <= q; ++j) {
         const double weight = weights_.empty() ? 1 : weights_[index(i, j)];
         local(i, j) = c == 3 ? weight : weight * (poles_[index(i, j)][c] - cell.origin[c]);
       }
-    for (std::size_t k = 0; k < orders.size(); ++k) {
+    for (int k = 0; k < nets; ++k) {
       const auto [du, dv] = orders[k];
-      const Eigen::MatrixXd derived = su.derivative[du] * local * sv.derivative[dv].transpose();
-      const Eigen::MatrixXd net = su.to_bezier[du] * derived * sv.to_bezier[dv].transpose();
-      Eigen::MatrixXd series = Eigen::MatrixXd::Zero(p + 1, q + 1);
-      series.topLeftCorner(net.rows(), net.cols()) =
-          to_chebyshev_[0][du] * net * to_chebyshev_[1][dv].transpose();
+      const SmallMatrix derived = mu.derivative[du] * local * mv.derivative[dv].transpose();
+      SmallMatrix series = SmallMatrix::Zero(p + 1, q + 1);
+      series.topLeftCorner(derived.rows(), derived.cols()) =
+          mu.to_chebyshev[du] * derived * mv.to_chebyshev[dv].transpose();
       cell.nets[k].coefficients[c] = Eigen::Map<Eigen::VectorXd>(series.data(), series.size());
       // Differences of poles keep the errors of their terms, 6 roundings a step; what they add to a polynomial is nowhere larger than in
       // its Bezier points. The conversions round sums of p + q + 4 terms in p + q + 4 steps; a polynomial has (p + 1) (q + 1) Chebyshev
       // coefficients, none more than four times its largest value.
       const double of_poles =
-          (su.derivative[du].cwiseAbs() * local.cwiseAbs() * sv.derivative[dv].cwiseAbs().transpose())
+          (mu.derivative[du].cwiseAbs() * local.cwiseAbs() * mv.derivative[dv].cwiseAbs().transpose())
               .maxCoeff();
       const double of_net = derived.cwiseAbs().maxCoeff();
       cell.nets[k].error[c] =
@@ -228,10 +241,10 @@ JetModel SplineEvaluator::jet(const ChebyshevModel& u, const ChebyshevModel& v, 
                               int order) const {
   const Local x = localize(0, u, hint_u);
   const Local y = localize(1, v, hint_v);
-  const Cell& c = cell(x.span, y.span);
+  const int nets = order == 0 ? 1 : order == 1 ? 3 : 6;
+  const Cell& c = cell(x.span, y.span, nets);
   const std::vector<ChebyshevModel> tx = chebyshevPolynomials(x.x, directions_[0].degree);
   const std::vector<ChebyshevModel> ty = chebyshevPolynomials(y.x, directions_[1].degree);
-  const int nets = order == 0 ? 1 : order == 1 ? 3 : 6;
   const int dimension = weights_.empty() ? 3 : 4;
   // Products of Chebyshev polynomials along the path, one a column, and what they may be off and amount to.
   const Eigen::Index terms = static_cast<Eigen::Index>(tx.size() * ty.size());

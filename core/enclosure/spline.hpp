@@ -31,6 +31,8 @@ struct SplineDirection {
 /// Not to be shared between threads: pieces met are kept.
 class SplineEvaluator {
  public:
+  static constexpr int max_degree = 25;
+
   /// \param poles row by row: pole (i, j) is poles[i * count_v + j]; cartesian. \param weights empty: polynomial.
   /// \throws std::invalid_argument if a number is not finite, a weight not positive, or counts and knots do not fit.
   SplineEvaluator(SplineDirection u, SplineDirection v, std::vector<Eigen::Vector3d> poles,
@@ -45,12 +47,17 @@ class SplineEvaluator {
                int order) const;
 
  private:
+  /// Of a degree up to 25, OpenCASCADE's largest, kept without allocation.
+  using SmallMatrix =
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_degree + 1, max_degree + 1>;
   struct Span {
-    int first_pole = 0;
+    int knot = 0;  ///< the span begins at this one
     double lower = 0;
     double upper = 0;
-    /// By order of the derivative: from the poles to those of the derivative, and from these to Bezier points.
-    std::array<Eigen::MatrixXd, 3> derivative, to_bezier;
+  };
+  /// By order of the derivative: from the poles of a span to those of the derivative, and from these to Chebyshev coefficients.
+  struct SpanMatrices {
+    std::array<SmallMatrix, 3> derivative, to_chebyshev;
   };
   struct Net {
     std::array<Eigen::VectorXd, 4> coefficients;  ///< of T_i(x) T_j(y) at i + j (degree_u + 1), by coordinate
@@ -58,6 +65,7 @@ class SplineEvaluator {
   };
   struct Cell {
     Eigen::Vector3d origin;
+    int count = 0;            ///< of nets that are made
     std::array<Net, 6> nets;  ///< p, u, v, uu, uv, vv
   };
   struct Local {
@@ -65,10 +73,11 @@ class SplineEvaluator {
     ChebyshevModel x;  ///< -1..1 over the span
   };
 
-  static Span makeSpan(const SplineDirection& direction, int s);
+  const SpanMatrices& matrices(int direction, int span) const;
+  SpanMatrices makeMatrices(int direction, int span) const;
   Local localize(int direction, const ChebyshevModel& parameter, double hint) const;
-  const Cell& cell(int span_u, int span_v) const;
-  Cell makeCell(int span_u, int span_v) const;
+  const Cell& cell(int span_u, int span_v, int nets) const;
+  Cell makeCell(int span_u, int span_v, int nets) const;
 
   std::array<SplineDirection, 2> directions_;
   std::vector<Eigen::Vector3d> poles_;
@@ -76,7 +85,8 @@ class SplineEvaluator {
   int count_v_ = 0;
   std::array<std::vector<Span>, 2> spans_;
   /// By lowering of the degree: from Bezier points to Chebyshev coefficients.
-  std::array<std::array<Eigen::MatrixXd, 3>, 2> to_chebyshev_;
+  std::array<std::array<SmallMatrix, 3>, 2> bezier_to_chebyshev_;
+  mutable std::array<std::map<int, SpanMatrices>, 2> matrices_;
   mutable std::map<std::pair<int, int>, Cell> cells_;
 };
 

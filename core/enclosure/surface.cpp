@@ -17,7 +17,7 @@ SymmetricModel turned(const Eigen::Matrix3d& m, const SymmetricModel& k) {
   const VectorModel columns[] = {m * VectorModel{k[0], k[3], k[5]}, m * VectorModel{k[3], k[1], k[4]},
                                  m * VectorModel{k[5], k[4], k[2]}};
   const auto entry = [&](int i, int j) {
-    return m(j, 0) * columns[0][i] + m(j, 1) * columns[1][i] + m(j, 2) * columns[2][i];
+    return combination({m(j, 0), m(j, 1), m(j, 2)}, {&columns[0][i], &columns[1][i], &columns[2][i]});
   };
   return {entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(1, 2), entry(2, 0)};
 }

@@ -58,7 +58,8 @@ VectorModel cross(const VectorModel& a, const VectorModel& b) {
 VectorModel operator*(const Eigen::Matrix3d& matrix, const VectorModel& vector) {
   return each<3>([&](std::size_t i) {
     const auto row = static_cast<int>(i);
-    return matrix(row, 0) * vector[0] + matrix(row, 1) * vector[1] + matrix(row, 2) * vector[2];
+    return combination({matrix(row, 0), matrix(row, 1), matrix(row, 2)},
+                       {&vector[0], &vector[1], &vector[2]});
   });
 }
 

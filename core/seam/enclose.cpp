@@ -16,6 +16,8 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double shortest_piece =
     0x1p-24;  ///< of the seam: below it a point without tangent plane is left out
+constexpr double degenerate_reach =
+    0x1p-20;  ///< of the seam: so near a point without tangent plane curvature is rounding
 constexpr double shortest_crossing = 0x1p-30;  ///< below it both sides of a knot line are taken
 
 /// The fields of one side over a piece; more than one where the piece lies across a knot line.
@@ -52,7 +54,13 @@ std::optional<double> crossing(const ChebyshevModel& series, double value) {
 
 class Side {
  public:
-  explicit Side(const SeamSide& side) : side_(side) {}
+  explicit Side(const SeamSide& side) : side_(side) {
+    for (const double s : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+      const ChebyshevModel t = parameter(s, s);
+      const VectorModel uv = side_.path.jet(t, t.coefficient(0), 0).p;
+      for (const int d : {0, 1}) reach_[d] = std::max(reach_[d], uv[d].magnitude());
+    }
+  }
 
   bool faceOnLeft() const { return side_.face_on_left; }
 
@@ -100,13 +108,12 @@ class Side {
   std::vector<double> hints(int d, const VectorModel& uv, double from, double to,
                             std::optional<double>& split) const {
     const Interval range = uv[d].range();
-    const double rounding = 64 * epsilon * (std::abs(range.lower) + std::abs(range.upper) + range.width());
-    const std::vector<double> met =
-        side_.surface->knotsInside(d, {range.lower - rounding, range.upper + rounding});
+    const double touch = touchingDistance(d, uv[d]);
+    const std::vector<double> met = side_.surface->knotsInside(d, {range.lower - touch, range.upper + touch});
     std::vector<double> knots;  // in the way, not only touched at an end
     for (const double knot : met)
-      if (knot > range.lower + rounding && knot < range.upper - rounding) knots.push_back(knot);
-    const bool along = range.width() <= 1e-10 * std::min(1.0, uv[1 - d].range().width());
+      if (knot > range.lower + touch && knot < range.upper - touch) knots.push_back(knot);
+    const bool along = range.width() <= std::max(1e-10 * std::min(1.0, uv[1 - d].range().width()), touch);
     if (!met.empty() && along) return {besideKnot(met[met.size() / 2], d, uv)};
     if (knots.empty()) return {range.middle()};
     if (to - from > shortest_crossing) {
@@ -124,6 +131,16 @@ class Side {
     return hints;
   }
 
+  /// How near a knot line coordinate d of the path is on it: within 2^-46 of the parameter, or within what rounding leaves open of the
+  /// path, which is the same for a piece as for the whole path.
+  double touchingDistance(int d, const ChebyshevModel& coordinate) const {
+    const Interval range = coordinate.range();
+    const double of_parameter =
+        64 * epsilon * (std::abs(range.lower) + std::abs(range.upper) + range.width());
+    const double of_path = 4 * coordinate.radius();
+    return of_path <= 0x1p-36 * reach_[d] ? std::max(of_parameter, of_path) : of_parameter;
+  }
+
   /// Off a knot line to the side of the face.
   double besideKnot(double knot, int d, const VectorModel& uv) const {
     const double along = uv[1 - d].coefficient(1);
@@ -132,6 +149,7 @@ class Side {
   }
 
   const SeamSide& side_;
+  std::array<double, 2> reach_{};  ///< typical size of the parameters along the path
 };
 
 struct Piece {
@@ -193,10 +211,12 @@ class Enclosure {
     return piece.figures.sense != 0 && (a_.faceOnLeft() == b_.faceOnLeft()) == (piece.figures.sense > 0);
   }
   void look(double from, double to, const Piece* parent = nullptr);
-  void lookAtEnds();
+  void lookAtGap(double from, double to);
+  bool mayCut(const Piece& piece, const std::optional<double>& split);
   bool measure(Piece& piece, Detail detail, std::optional<double>& split);
   void see(const Piece& piece);
   void see(Quantity quantity, const PieceBound& bound, const Piece& piece);
+  bool isNearDegenerate(const Piece& piece) const;
   void leaveOut(const Piece& piece, const SideFields& a, const SideFields& b);
   double tolerated(Quantity quantity) const;
   double allowed(Quantity quantity) const;
@@ -219,6 +239,7 @@ class Enclosure {
   std::array<double, Quantities> at_{};
   double curvature_norm_ = 0;
   int looks_ = 0;
+  int cuts_ = 0;  ///< at knot lines
   bool exhausted_ = false;
   std::vector<DegeneratePoint> degenerate_;
 };
@@ -236,6 +257,7 @@ double Enclosure::allowed(Quantity quantity) const {
 }
 
 bool Enclosure::isEnough(Quantity quantity, double upper) const {
+  if (quantity == RelativeCurvature) upper = std::min(upper, largest_relative_difference);
   if (upper <= lower_[quantity] + allowed(quantity)) return true;
   if (options_.figures) return false;
   return quantity == Curvature || upper <= tolerated(quantity) || lower_[quantity] > tolerated(quantity);
@@ -266,6 +288,8 @@ double Enclosure::excess(const PieceFigures& figures) const {
   double largest = std::max(excess(figures.gap_mm, Gap), excess(figures.angle_rad, Angle));
   if (detail() == Detail::TangentPlane) return largest;
   if (!figures.curvature_per_mm) return infinite;
+  // A step from 0 to 1, where one side becomes flat, does not shrink with the piece: it has to be found.
+  if (figures.curvature_rel->upper == 1 && figures.curvature_rel->lower < 1) return infinite;
   return std::max({largest, excess(*figures.curvature_per_mm, Curvature),
                    excess(*figures.curvature_rel, RelativeCurvature)});
 }
@@ -326,6 +350,16 @@ bool Enclosure::measure(Piece& piece, Detail detail, std::optional<double>& spli
   return true;
 }
 
+/// Whether there is work left, and a place, for a cut at a knot line.
+bool Enclosure::mayCut(const Piece& piece, const std::optional<double>& split) {
+  if (cuts_ < options_.max_knot_cuts && piece.from < *split && *split < piece.to) {
+    ++cuts_;
+    return true;
+  }
+  exhausted_ = true;
+  return false;
+}
+
 void Enclosure::look(double from, double to, const Piece* parent) {
   Piece piece{from, to, {}};
   std::optional<double> split;
@@ -337,8 +371,7 @@ void Enclosure::look(double from, double to, const Piece* parent) {
     pieces_.push_back(piece);
     return;
   }
-  if (looks_ >= options_.max_pieces || !(from < *split && *split < to)) {
-    exhausted_ = true;
+  if (!mayCut(piece, split)) {
     piece.figures.gap_mm.upper = piece.figures.angle_rad.upper = infinite;
     pieces_.push_back(piece);
     return;
@@ -348,30 +381,34 @@ void Enclosure::look(double from, double to, const Piece* parent) {
 }
 
 /// Outside the range the gap is all there is to measure.
-void Enclosure::lookAtEnds() {
-  for (const auto& [from, to] :
-       {std::pair(0.0, options_.range.lower), std::pair(options_.range.upper, 1.0)}) {
-    if (!(from < to)) continue;
-    Piece piece{from, to, {}, true};
-    std::optional<double> split;
-    if (!measure(piece, Detail::Position, split)) piece.figures.gap_mm.upper = infinite;
-    see(piece);
-    pieces_.push_back(piece);
+void Enclosure::lookAtGap(double from, double to) {
+  Piece piece{from, to, {}, true};
+  std::optional<double> split;
+  if (!measure(piece, Detail::Position, split)) {
+    if (mayCut(piece, split)) {
+      lookAtGap(from, *split);
+      lookAtGap(*split, to);
+      return;
+    }
+    piece.figures.gap_mm.upper = infinite;
   }
+  see(piece);
+  pieces_.push_back(piece);
 }
 
 void Enclosure::refine() {
+  const int limit = options_.max_pieces + static_cast<int>(pieces_.size());
   for (bool changed = true; changed;) {
     changed = false;
     std::vector<Piece> open;
     const auto is_open = [&](const Piece& piece) {
-      return piece.width() >= shortest_piece && piece.stalled < 3 && !piece.left_out && !isSettled(piece);
+      return piece.width() >= shortest_piece && piece.stalled < 2 && !piece.left_out && !isSettled(piece);
     };
     const auto first_open = std::ranges::stable_partition(pieces_, std::not_fn(is_open));
     open.assign(first_open.begin(), first_open.end());
     pieces_.erase(first_open.begin(), first_open.end());
     for (const Piece& piece : open) {
-      if (looks_ >= options_.max_pieces) {
+      if (looks_ >= limit) {
         exhausted_ = true;
         pieces_.push_back(piece);
       } else if (isSettled(piece)) {  // by what was seen since
@@ -385,27 +422,37 @@ void Enclosure::refine() {
   }
 }
 
+bool Enclosure::isNearDegenerate(const Piece& piece) const {
+  return std::ranges::any_of(degenerate_, [&](const DegeneratePoint& point) {
+    return std::abs(piece.at(0) - point.at) < degenerate_reach;
+  });
+}
+
 SeamFigures Enclosure::run() {
-  std::vector<double> breaks = {options_.range.lower, options_.range.upper};
+  const Interval& range = options_.range;
+  std::vector<double> breaks = {range.lower, range.upper, 1};
   a_.addBreaks(breaks);
   b_.addBreaks(breaks);
   std::ranges::sort(breaks);
   // The middle first: a seam that is a crease there has no curvature figures, which saves their work.
-  Piece middle{0.5 * (options_.range.lower + options_.range.upper), 0, {}};
-  middle.to = middle.from;
+  Piece middle{range.middle(), range.middle(), {}};
   std::optional<double> split;
   if (measure(middle, Detail::TangentPlane, split)) see(middle);
-  lookAtEnds();
-  double from = options_.range.lower;
+  double from = 0;
   for (const double at : breaks) {
     constexpr double apart = 1e-12;  // breaks that only rounding tells apart are one
-    if (at <= from + apart || at > options_.range.upper) continue;
-    const double to = at > options_.range.upper - apart ? options_.range.upper : at;
-    look(from, to);
+    if (at <= from + apart) continue;
+    const double to = at > 1 - apart ? 1 : at;
+    const double inner = 0.5 * (from + to);
+    if (inner > range.lower && inner < range.upper)
+      look(from, to);
+    else
+      lookAtGap(from, to);
     from = to;
-    if (from == options_.range.upper) break;
   }
   refine();
+  for (Piece& piece : pieces_)
+    if (isNearDegenerate(piece)) piece.left_out = true;
   return figures();
 }
 
@@ -476,10 +523,12 @@ SeamFigures Enclosure::figures() const {
   figures.gap_mm = figure(Gap, upper[Gap]);
   if (with_plane > 0) figures.angle_rad = figure(Angle, upper[Angle]);
   const bool sharp = lower_[Angle] > tolerance_.crease_rad;
-  if (with_plane > 0 && !sharp) {
+  if (with_plane > 0 && !sharp && !figures.fold_at) {
     figures.curvature_per_mm = figure(Curvature, upper[Curvature]);
+    if (std::isfinite(upper[Curvature]))
+      upper[RelativeCurvature] = std::min(upper[RelativeCurvature], largest_relative_difference);
     figures.curvature_rel = figure(RelativeCurvature, upper[RelativeCurvature]);
-    if (!unknown_at && !std::isfinite(upper[RelativeCurvature]) && !figures.fold_at)
+    if (!unknown_at && !std::isfinite(upper[RelativeCurvature]))
       figures.uncertified = "the curvature is not bounded";
   }
   const Interval share = belowCreaseShare();
@@ -498,7 +547,9 @@ SeamFigures Enclosure::figures() const {
   }
   if (exhausted_ && figures.uncertified.empty())
     figures.uncertified = "the enclosures are still wide after " + std::to_string(looks_) + " pieces";
-  if (unknown_at) figures.uncertified = "no bound was found at " + placeText(*unknown_at);
+  if (unknown_at)
+    figures.uncertified = "no bound was found at " + placeText(*unknown_at) +
+                          (exhausted_ ? " with " + std::to_string(looks_) + " pieces" : "");
   const auto known = [](const std::optional<Figure>& figure) { return !figure || figure->upper; };
   figures.certified = known(figures.gap_mm) && known(figures.angle_rad) &&
                       (figures.fold_at || (known(figures.curvature_per_mm) && known(figures.curvature_rel)));

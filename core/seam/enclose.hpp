@@ -23,8 +23,10 @@ struct SeamSide {
 
 struct EncloseOptions {
   Interval range = {0, 1};  ///< part of the seam that is enclosed; the rest counts as without tangent plane
-  int max_pieces = 1000;    ///< work limit: pieces looked at before the enclosures are left as they are
-  bool figures = true;      ///< false: stop as soon as the verdict is certain, however wide the enclosures
+  int max_pieces =
+      1000;  ///< work limit: pieces beyond those that knots ask for, before the enclosures are left as they are
+  int max_knot_cuts = 30'000;  ///< work limit: cuts where the sides cross knot lines
+  bool figures = true;         ///< false: stop as soon as the verdict is certain, however wide the enclosures
 };
 
 /// Encloses the largest gap, tangent-plane angle and curvature difference along a seam.
@@ -36,8 +38,10 @@ struct EncloseOptions {
 /// enclosures are wider, but as true.
 ///
 /// Figures are those of measurePair() and relativeDifference(), over all points where both sides have a tangent plane. A piece shorter
-/// than 2^-24 of the seam that holds a point without one is left out and named in \p degenerate. Where the parameters cross a knot
-/// line, both sides of the line count; along a knot line the side of the face counts. A knot line is met to 2^-46 of the parameter.
+/// than 2^-24 of the seam that holds a point without one is left out and named in \p degenerate, and with it what lies within 2^-20 of
+/// the seam, where curvature, which divides by the square of the distance, is rounding. Where the parameters cross a knot line, both
+/// sides of the line count; along a knot line the side of the face counts. A knot line is met to 2^-46 of the parameter, or to the
+/// rounding of the path where that is more (at most 2^-36 of its parameters).
 ///
 /// \p certified is false, and \p uncertified says why, if no finite bound was found on some piece. \p points is the number of pieces.
 ///

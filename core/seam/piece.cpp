@@ -213,10 +213,12 @@ PieceBound relativeBound(const SideTensor& a, const SideTensor& b, const Symmetr
     const double enough = std::max(slack.absolute, slack.relative * bound.upper) / 4;
     if (bound.upper > enough) bound.upper = largestQuotient(difference, larger.below, slack, bound.at);
   } else {
-    bound.upper = infinite;
+    bound.upper = largest_relative_difference + std::max(norm_a.at_most, norm_b.at_most) / flat;
   }
-  bound.upper = std::min(bound.upper, 2.0);  // |D| <= |A| + |B|
-  if (!(norm_a.at_least >= flat && norm_b.at_least >= flat)) bound.upper = std::max(bound.upper, 1.0);
+  if (norm_a.at_most < flat || norm_b.at_most < flat)
+    bound.upper = 1;
+  else if (!(norm_a.at_least >= flat && norm_b.at_least >= flat))
+    bound.upper = std::max(bound.upper, 1.0);
   const double best = bound.at;
   bound.lower = -1;
   for (const double x : {best, -1.0, 0.0, 1.0})

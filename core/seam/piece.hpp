@@ -8,6 +8,9 @@
 
 namespace seamwright {
 
+/// |A - B| <= |A| + |B| <= 2 max(|A|, |B|).
+constexpr double largest_relative_difference = 2;
+
 /// Bounds of the largest value of a quantity over a piece of a seam.
 struct PieceBound {
   double lower = 0;  ///< a value at most the one reached at \p at
@@ -26,6 +29,7 @@ struct PieceFigures {
   double curvature_norm_per_mm = 0;
   /// Nothing: not asked for.
   std::optional<PieceBound> curvature_per_mm;
+  /// Its upper bound may exceed largest_relative_difference: it tells how far from known the figure is.
   std::optional<PieceBound> curvature_rel;
 };
 

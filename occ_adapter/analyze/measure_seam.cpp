@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
 #include <BRep_Tool.hxx>
 #include <GCPnts_AbscissaPoint.hxx>
 #include <Geom_Surface.hxx>
@@ -46,12 +47,14 @@ std::string placeText(double place) {
 /// "at 0" or, for places that lie close together, "from 0 to 0.012".
 std::string stretches(std::vector<double> places) {
   constexpr double close_together = 0.02;
+  constexpr double shortest_told = 1e-5;
   std::ranges::sort(places);
   std::string text;
   for (std::size_t first = 0, last = 0; first < places.size(); first = last + 1) {
     for (last = first; last + 1 < places.size() && places[last + 1] - places[last] < close_together;) ++last;
     const std::string from = placeText(places[first]), to = placeText(places[last]);
-    text += (first == 0 ? "" : ", ") + (from == to ? "at " + from : "from " + from + " to " + to);
+    const bool is_point = from == to || places[last] - places[first] <= shortest_told;
+    text += (first == 0 ? "" : ", ") + (is_point ? "at " + from : "from " + from + " to " + to);
   }
   return text;
 }
@@ -103,20 +106,28 @@ void runAlong(const std::vector<double>& s, const std::vector<double>& places, S
   if (places.back() < places.front()) side.face_on_left = !side.face_on_left;
 }
 
-/// Stretches at the ends where a boundary of a surface collapses, so that its normal is rounding.
+bool isSphere(const TopoDS_Face& face) {
+  return BRepAdaptor_Surface(face, false).GetType() == GeomAbs_Sphere;
+}
+
+/// Stretches at the ends where a boundary of a surface collapses, so that its normal is rounding. Of a sphere the normal is
+/// known at the poles too.
 struct PoleStretches {
   Interval between = {0, 1};
   std::vector<DegeneratePoint> points;
 };
 
 PoleStretches poleStretches(const Seam& seam, const std::array<Pcurve, 2>& pcurves) {
+  constexpr double shortest =
+      0x1p-20;  // nearer than that to the pole curvature, which divides by squares, is rounding
   PoleStretches poles;
   if (!seam.correspondence.s.empty()) return poles;
   for (const int side : {0, 1})
     for (const int end : {0, 1}) {
-      if (seam.sides[side].pole_tolerance_mm[end] == 0) continue;
-      const double reach = FaceStrip(seam.sides[side], pcurves[side]).poleReach(end);
+      if (seam.sides[side].pole_tolerance_mm[end] == 0 || isSphere(seam.sides[side].shape)) continue;
+      double reach = FaceStrip(seam.sides[side], pcurves[side]).poleReach(end);
       if (reach == 0) continue;
+      reach = std::max(reach, shortest);
       if (end == 0)
         poles.between.lower = std::max(poles.between.lower, reach);
       else

@@ -4,6 +4,7 @@
 #include <Geom2d_BezierCurve.hxx>
 #include <Geom2d_Circle.hxx>
 #include <Geom2d_Ellipse.hxx>
+#include <Geom2d_Hyperbola.hxx>
 #include <Geom2d_Line.hxx>
 #include <Geom2d_Parabola.hxx>
 #include <Geom2d_TrimmedCurve.hxx>
@@ -15,6 +16,7 @@
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Ellipse.hxx>
+#include <Geom_Hyperbola.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_OffsetSurface.hxx>
 #include <Geom_Parabola.hxx>
@@ -116,6 +118,10 @@ CurveEvaluator curveEvaluator(const handle<Geom2d_Curve>& curve) {
     return EllipseEvaluator{vector(ellipse->Location().XY()),
                             ellipse->MajorRadius() * vector(ellipse->Position().XDirection().XY()),
                             ellipse->MinorRadius() * vector(ellipse->Position().YDirection().XY())};
+  if (const auto hyperbola = handle<Geom2d_Hyperbola>::DownCast(curve); !hyperbola.IsNull())
+    return HyperbolaEvaluator{vector(hyperbola->Location().XY()),
+                              hyperbola->MajorRadius() * vector(hyperbola->Position().XDirection().XY()),
+                              hyperbola->MinorRadius() * vector(hyperbola->Position().YDirection().XY())};
   if (const auto parabola = handle<Geom2d_Parabola>::DownCast(curve); !parabola.IsNull())
     return ParabolaEvaluator{vector(parabola->Location().XY()),
                              vector(parabola->Position().XDirection().XY()) / (4 * parabola->Focal()),
@@ -141,6 +147,10 @@ CurveEvaluator curveEvaluator(const handle<Geom_Curve>& curve) {
     return EllipseEvaluator{vector(ellipse->Location().XYZ()),
                             ellipse->MajorRadius() * vector(ellipse->Position().XDirection().XYZ()),
                             ellipse->MinorRadius() * vector(ellipse->Position().YDirection().XYZ())};
+  if (const auto hyperbola = handle<Geom_Hyperbola>::DownCast(curve); !hyperbola.IsNull())
+    return HyperbolaEvaluator{vector(hyperbola->Location().XYZ()),
+                              hyperbola->MajorRadius() * vector(hyperbola->Position().XDirection().XYZ()),
+                              hyperbola->MinorRadius() * vector(hyperbola->Position().YDirection().XYZ())};
   if (const auto parabola = handle<Geom_Parabola>::DownCast(curve); !parabola.IsNull())
     return ParabolaEvaluator{vector(parabola->Location().XYZ()),
                              vector(parabola->Position().XDirection().XYZ()) / (4 * parabola->Focal()),

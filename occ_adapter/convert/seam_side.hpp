@@ -11,7 +11,7 @@ namespace seamwright::occ {
 ///
 /// Surfaces: planes, cylinders, cones, spheres, tori, Bezier and B-spline surfaces (rational, periodic), surfaces of revolution and of
 /// extrusion, offsets of all these, trimmed or not. Curves (pcurves, and the curves of revolution and extrusion): lines, circles,
-/// ellipses, parabolas, Bezier and B-spline curves, trimmed or not.
+/// ellipses, hyperbolas, parabolas, Bezier and B-spline curves, trimmed or not.
 ///
 /// s runs with the pcurve over its whole range. Not to be shared between threads.
 /// \throws std::domain_error if the surface or a curve is of another kind, with its name; std::invalid_argument if a number is not finite.

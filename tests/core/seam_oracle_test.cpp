@@ -5,70 +5,29 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <seamwright/core/bezier/patch.hpp>
 #include <seamwright/core/seam/survey.hpp>
+
+#include "seam_sides.hpp"
 
 namespace seamwright {
 namespace {
 
 using nlohmann::json;
 
-double number(const json& value) {
-  return value.is_string() ? std::stod(value.get<std::string>()) : value.get<double>();
-}
-
-BezierPatch patch(const json& net) {
-  const int m = static_cast<int>(net.size()) - 1, n = static_cast<int>(net[0].size()) - 1;
-  Poles poles((m + 1) * (n + 1), 3);
-  Eigen::VectorXd weights = Eigen::VectorXd::Ones(poles.rows());
-  for (int i = 0; i <= m; ++i)
-    for (int j = 0; j <= n; ++j) {
-      const json& pole = net[i][j];
-      const Eigen::Index row = i * (n + 1) + j;
-      if (pole.size() == 4) weights(row) = number(pole[3]);
-      for (int c = 0; c < 3; ++c) poles(row, c) = number(pole[c]) / weights(row);
-    }
-  return {m, n, poles, weights};
-}
-
-/// Patch and path of one side; without a pcurve the path is the edge u = const.
-struct Side {
-  BezierPatch surface;
-  BezierCurve path;
-  bool face_on_left = true;
-
-  SidePoint at(double t) const {
-    const CurveJet uv = path.jet(t);
-    SidePoint point;
-    point.jet = surface.jet(uv.p.x(), uv.p.y());
-    point.noise = surface.noise();
-    point.tangent = uv.d1.x() * point.jet.u + uv.d1.y() * point.jet.v;
-    point.face_on_left = face_on_left;
-    return point;
-  }
-};
-
-BezierCurve path(const json& input, const char* key, double u) {
-  Poles poles(2, 3);
-  poles << u, 0, 0, u, 1, 0;
-  if (input.contains(key)) {
-    poles.setZero(static_cast<Eigen::Index>(input[key].size()), 3);
-    for (Eigen::Index i = 0; i < poles.rows(); ++i)
-      for (int c = 0; c < 2; ++c) poles(i, c) = number(input[key][i][c]);
-  }
-  return BezierCurve(poles);
-}
+using test::hasPositiveWeights;
+using test::patch;
+using test::path;
 
 class SeamOracle : public testing::TestWithParam<json> {
  protected:
   // P ends at the seam (s = 1, or the part below its pcurve), Q begins there.
-  Side p_{patch(GetParam()["input"]["P"]), path(GetParam()["input"], "pcurve_P", 1), true};
-  Side q_{patch(GetParam()["input"]["Q"]), path(GetParam()["input"], "pcurve_Q", 0), false};
+  test::PatchSide p_{patch(GetParam()["input"]["P"]), path(GetParam()["input"], "pcurve_P", 1), true};
+  test::PatchSide q_{patch(GetParam()["input"]["Q"]), path(GetParam()["input"], "pcurve_Q", 0), false};
 
   PairMeasure at(double t) const { return measurePair(p_.at(t), q_.at(t)); }
-  double expected(const char* key) const { return number(GetParam()["expected"][key]["value"]); }
+  double expected(const char* key) const { return test::number(GetParam()["expected"][key]["value"]); }
   bool hasPlace(const char* key) const { return !GetParam()["expected"][key]["t"].is_null(); }
-  double place(const char* key) const { return number(GetParam()["expected"][key]["t"]); }
+  double place(const char* key) const { return test::number(GetParam()["expected"][key]["t"]); }
   double unfoldedAngle(const PairMeasure& pair) const {
     return pair.fold ? std::numbers::pi - *pair.angle_rad : *pair.angle_rad;
   }
@@ -115,11 +74,26 @@ TEST_P(SeamOracle, SurveyComesWithinOnePercentFromBelow) {
   EXPECT_FALSE(figures.certified);
 }
 
-bool hasPositiveWeights(const json& net) {
-  for (const json& row : net)
-    for (const json& pole : row)
-      if (pole.size() == 4 && number(pole[3]) <= 0) return false;
-  return true;
+TEST_P(SeamOracle, EnclosureHoldsTheMaximumAndIsAsNarrowAsPromised) {
+  ContinuityTolerance tolerance;
+  tolerance.gap_mm = tolerance.angle_rad = 1e-9;
+  tolerance.curvature_rel = 1e-7;
+  tolerance.crease_rad = std::numbers::pi / 2;
+  const SeamFigures figures = encloseSeam(p_.seamSide(), q_.seamSide(), tolerance, {.max_pieces = 20000});
+  ASSERT_TRUE(figures.certified) << figures.uncertified;
+  // noise: by which the poles as rounded to double are off. narrow: bounds of rounding at coordinates of 30.
+  const auto expectHeld = [](const Figure& figure, double truth, double noise, double allowed, double narrow) {
+    EXPECT_LE(figure.lower, truth * (1 + 1e-12) + noise);
+    EXPECT_GE(*figure.upper, truth * (1 - 1e-12) - noise);
+    EXPECT_LE(*figure.upper - figure.lower, std::max(0.01 * figure.lower, allowed) + narrow);
+  };
+  expectHeld(*figures.gap_mm, expected("max_gap"), 1e-14, tolerance.gap_mm / 100, 2e-10);
+  EXPECT_EQ(figures.fold_at.has_value(), expected("max_angle_rad") > std::numbers::pi / 2);
+  if (figures.fold_at) return;
+  expectHeld(*figures.angle_rad, expected("max_angle_rad"), rounding, tolerance.angle_rad / 100, 1e-10);
+  if (expected("max_gap") > 1e-12) return;
+  const double truth = expected("max_spectral_II_difference");
+  expectHeld(*figures.curvature_per_mm, truth, 100 * rounding + 1e-9 * truth, truth / 100, 3e-9);
 }
 
 /// \param positive those whose weights are all positive, or the others.

@@ -2,6 +2,14 @@
 #include "dense_oracle.hpp"
 
 #include <BRep_Tool.hxx>
+#include <GeomAdaptor_Surface.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierSurface.hxx>
+#include <Geom_OffsetSurface.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
+#include <Geom_SurfaceOfLinearExtrusion.hxx>
+#include <Geom_SweptSurface.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -10,6 +18,7 @@
 #include <TopoDS_Face.hxx>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace seamwright::test {
@@ -22,7 +31,61 @@ struct Local {
   gp_Vec normal;     ///< unit
   gp_Vec into_face;  ///< unit, in the tangent plane, square to the seam
   bool has_normal = false;
+  double rounding_mm = 0;       ///< of a coordinate
+  double normal_noise_rad = 0;  ///< see DenseValue
+  double second_noise_per_mm = 0;
 };
+
+using Surface = opencascade::handle<Geom_Surface>;
+
+/// Knot span around a parameter over the degree.
+template <class Knot>
+double stepOf(int degree, int first, int last, const Knot& knot, double parameter) {
+  int span = first;
+  while (span + 1 < last && knot(span + 1) <= parameter) ++span;
+  return (knot(span + 1) - knot(span)) / degree;
+}
+
+double stepOf(const opencascade::handle<Geom_Curve>& curve, double parameter) {
+  const auto spline = opencascade::handle<Geom_BSplineCurve>::DownCast(curve);
+  if (spline.IsNull()) return 0.2;  // also a Bezier curve of some degree over 0..1
+  return stepOf(
+      spline->Degree(), 1, spline->NbKnots(), [&](int i) { return spline->Knot(i); }, parameter);
+}
+
+/// Steps over which the partials of a surface are differences, see DenseValue.
+std::array<double, 2> stepsOf(const Surface& surface, double u, double v) {
+  if (const auto trimmed = opencascade::handle<Geom_RectangularTrimmedSurface>::DownCast(surface);
+      !trimmed.IsNull())
+    return stepsOf(trimmed->BasisSurface(), u, v);
+  if (const auto offset = opencascade::handle<Geom_OffsetSurface>::DownCast(surface); !offset.IsNull())
+    return stepsOf(offset->BasisSurface(), u, v);
+  if (const auto spline = opencascade::handle<Geom_BSplineSurface>::DownCast(surface); !spline.IsNull())
+    return {stepOf(
+                spline->UDegree(), 1, spline->NbUKnots(), [&](int i) { return spline->UKnot(i); }, u),
+            stepOf(
+                spline->VDegree(), 1, spline->NbVKnots(), [&](int i) { return spline->VKnot(i); }, v)};
+  if (const auto bezier = opencascade::handle<Geom_BezierSurface>::DownCast(surface); !bezier.IsNull())
+    return {1.0 / bezier->UDegree(), 1.0 / bezier->VDegree()};
+  if (const auto swept = opencascade::handle<Geom_SweptSurface>::DownCast(surface); !swept.IsNull()) {
+    if (surface->IsKind(STANDARD_TYPE(Geom_SurfaceOfLinearExtrusion)))
+      return {stepOf(swept->BasisCurve(), u), 1};
+    return {1, stepOf(swept->BasisCurve(), v)};
+  }
+  return {1, 1};
+}
+
+void addNoise(const Surface& surface, const gp_Pnt2d& uv, double sine, Local& at) {
+  const double size = std::max({std::abs(at.p.X()), std::abs(at.p.Y()), std::abs(at.p.Z()), 1.0});
+  at.rounding_mm = 64 * std::numeric_limits<double>::epsilon() * size;
+  const std::array<double, 2> steps = stepsOf(surface, uv.X(), uv.Y());
+  const std::array<double, 2> lengths = {steps[0] * at.u.Magnitude() * sine,
+                                         steps[1] * at.v.Magnitude() * sine};
+  for (const double length : lengths) {
+    at.normal_noise_rad += at.rounding_mm / length;
+    at.second_noise_per_mm += at.rounding_mm / (length * length);
+  }
+}
 
 Local evaluate(const DenseSide& side, double s) {
   gp_Pnt2d uv;
@@ -36,6 +99,7 @@ Local evaluate(const DenseSide& side, double s) {
   at.has_normal = std::min(at.u.Magnitude(), at.v.Magnitude()) > 1e-7 && cross.Magnitude() > 1e-9 * lengths;
   if (!at.has_normal) return at;
   at.normal = cross.Normalized();
+  addNoise(side.surface, uv, cross.Magnitude() / lengths, at);
   // A step to the left in the parameter plane, made square to the seam.
   gp_Vec2d left(-along.Y(), along.X());
   if (!side.face_on_left) left.Reverse();
@@ -80,14 +144,20 @@ void measureCurvature(const Local& a, const Local& b, double flat_radius_mm, Den
     ka[k] = normalCurvature(a, a.normal, d);
     kb[k] = normalCurvature(b, m, turned(d, a.normal, m));
   }
-  point.curvature_per_mm = largest(ka[0] - kb[0], ka[1] - kb[1], ka[2] - kb[2]);
+  const double difference = largest(ka[0] - kb[0], ka[1] - kb[1], ka[2] - kb[2]);
   const double norm_a = largest(ka[0], ka[1], ka[2]), norm_b = largest(kb[0], kb[1], kb[2]);
   point.norm_per_mm = std::max(norm_a, norm_b);
-  const bool flat_a = norm_a < 1 / flat_radius_mm, flat_b = norm_b < 1 / flat_radius_mm;
+  const double turning = a.normal_noise_rad + b.normal_noise_rad;
+  const double noise = a.second_noise_per_mm + b.second_noise_per_mm + 4 * point.norm_per_mm * turning;
+  point.curvature_per_mm = {difference, noise};
+  const double flat = 1 / flat_radius_mm;
+  const bool flat_a = norm_a < flat, flat_b = norm_b < flat;
   if (flat_a && flat_b)
-    point.curvature_rel = 0;
+    point.curvature_rel.value = 0;
   else
-    point.curvature_rel = flat_a || flat_b ? 1 : point.curvature_per_mm / std::max(norm_a, norm_b);
+    point.curvature_rel.value = flat_a || flat_b ? 1 : difference / point.norm_per_mm;
+  const bool may_be_either = std::abs(norm_a - flat) <= noise || std::abs(norm_b - flat) <= noise;
+  point.curvature_rel.noise = may_be_either ? 1 : 3 * noise / point.norm_per_mm;
 }
 
 std::vector<DenseSide> usesOn(const TopoDS_Face& face, const TopoDS_Shape& edge) {
@@ -123,10 +193,11 @@ std::optional<std::array<DenseSide, 2>> denseSides(const TopoDS_Shape& shape, in
 DensePoint densePoint(const std::array<DenseSide, 2>& sides, double s, double flat_radius_mm) {
   const Local a = evaluate(sides[0], s), b = evaluate(sides[1], s);
   DensePoint point;
-  point.gap_mm = a.p.Distance(b.p);
+  point.gap_mm = {a.p.Distance(b.p), a.rounding_mm + b.rounding_mm + 1e-13};
   point.partials = {a.u.Magnitude(), a.v.Magnitude(), b.u.Magnitude(), b.v.Magnitude()};
   if (!a.has_normal || !b.has_normal) return point;
-  point.angle_rad = std::atan2(a.normal.Crossed(b.normal).Magnitude(), std::abs(a.normal.Dot(b.normal)));
+  point.angle_rad = {std::atan2(a.normal.Crossed(b.normal).Magnitude(), std::abs(a.normal.Dot(b.normal))),
+                     a.normal_noise_rad + b.normal_noise_rad};
   point.fold = a.into_face.Dot(b.into_face) > 0;
   measureCurvature(a, b, flat_radius_mm, point);
   return point;
@@ -141,12 +212,16 @@ std::array<double, 4> longestPartials(const std::vector<DensePoint>& points) {
   return longest;
 }
 
+void take(const DenseValue& value, DenseValue& largest) {
+  if (value.sure() > largest.sure()) largest = value;
+}
+
 void takeCurvature(const DensePoint& point, DenseMaxima& maxima) {
   maxima.fold = maxima.fold || point.fold;
   if (point.fold) return;
-  maxima.curvature_per_mm = std::max(maxima.curvature_per_mm, point.curvature_per_mm);
+  take(point.curvature_per_mm, maxima.curvature_per_mm);
   maxima.norm_per_mm = std::max(maxima.norm_per_mm, point.norm_per_mm);
-  maxima.curvature_rel = std::max(maxima.curvature_rel, point.curvature_rel);
+  take(point.curvature_rel, maxima.curvature_rel);
 }
 
 }  // namespace
@@ -159,7 +234,7 @@ DenseMaxima denseMaxima(const std::array<DenseSide, 2>& sides, int count,
   const std::array<double, 4> longest = longestPartials(points);
   DenseMaxima maxima;
   for (const DensePoint& point : points) {
-    maxima.gap_mm = std::max(maxima.gap_mm, point.gap_mm);
+    take(point.gap_mm, maxima.gap_mm);
     const auto shorter_than = [&](double share) {
       for (std::size_t i = 0; i < 4; ++i)
         if (point.partials[i] <= share * longest[i]) return true;
@@ -170,9 +245,11 @@ DenseMaxima denseMaxima(const std::array<DenseSide, 2>& sides, int count,
       ++maxima.points_without_normal;
       continue;
     }
-    maxima.angle_rad = std::max(maxima.angle_rad.value_or(0), *point.angle_rad);
-    if (*point.angle_rad <= tolerance.crease_rad) maxima.below_crease_share += 1.0 / count;
-    if (*point.angle_rad <= tolerance.crease_rad) takeCurvature(point, maxima);
+    if (!maxima.angle_rad) maxima.angle_rad = DenseValue();
+    take(*point.angle_rad, *maxima.angle_rad);
+    if (point.angle_rad->value > tolerance.crease_rad) continue;
+    maxima.below_crease_share += 1.0 / count;
+    takeCurvature(point, maxima);
   }
   return maxima;
 }

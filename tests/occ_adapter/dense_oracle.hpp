@@ -23,12 +23,24 @@ struct DenseSide {
   bool face_on_left = true;
 };
 
+/// A figure at a point, and what the rounding of its evaluation may have added to it.
+///
+/// Coordinates of size P are rounded by c eps P (c = 64: a sum of some dozens of terms, through OpenCASCADE's caches). A first partial by
+/// a parameter is a difference over a step h, the knot span over the degree, or 1: e_1 = c eps P / h; a second one e_2 = c eps P / h^2.
+/// With x the length of the partial and sin the sine between the partials the normal turns by e_1 / (x sin), and a normal curvature k
+/// changes by e_2 / (x sin)^2 + 4 |k| e_1 / (x sin); the errors of the sides and of the directions add.
+struct DenseValue {
+  double value = 0;
+  double noise = 0;
+  double sure() const { return value - noise; }
+};
+
 /// What a pair of points shows; no angle where a side has no normal.
 struct DensePoint {
-  double gap_mm = 0;
-  std::optional<double> angle_rad;
-  double curvature_per_mm = 0;
-  double curvature_rel = 0;
+  DenseValue gap_mm;
+  std::optional<DenseValue> angle_rad;
+  DenseValue curvature_per_mm;
+  DenseValue curvature_rel;
   double norm_per_mm = 0;  ///< largest absolute normal curvature of the two sides
   bool fold = false;
   std::array<double, 4> partials{};  ///< lengths of X_u, X_v of both sides
@@ -37,10 +49,10 @@ struct DensePoint {
 /// Near a collapsed side of a surface rounding speaks: where a partial is shorter than 1e-5 of its largest length along
 /// the seam there counts as no normal, and curvature and folds, which divide by its square, are taken only above 1e-2.
 struct DenseMaxima {
-  double gap_mm = 0;
-  std::optional<double> angle_rad;
-  double curvature_per_mm = 0;  ///< of the points whose angle is not above the crease angle
-  double curvature_rel = 0;
+  DenseValue gap_mm;  ///< of each figure the point with the largest sure() value
+  std::optional<DenseValue> angle_rad;
+  DenseValue curvature_per_mm;  ///< of the points whose angle is not above the crease angle
+  DenseValue curvature_rel;
   double norm_per_mm = 0;
   bool fold = false;
   double below_crease_share = 0;  ///< of the points, those whose angle is within tolerance

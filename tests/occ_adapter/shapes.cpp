@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "shapes.hpp"
 
+#include <gtest/gtest.h>
+
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepLib.hxx>
 #include <BRep_Builder.hxx>
@@ -187,6 +189,15 @@ TopoDS_Shape facesSwappedAndReversed(const TopoDS_Shape& shape) {
 
 occ::Report analyzed(const TopoDS_Shape& shape, const occ::AnalyzeOptions& options) {
   return occ::analyze(occ::modelFromShape(shape), options);
+}
+
+void expectEncloses(const std::optional<Figure>& figure, double value, double tolerance, double noise) {
+  ASSERT_TRUE(figure && figure->upper);
+  EXPECT_LE(figure->lower, value + noise);
+  EXPECT_GE(*figure->upper, value - noise);
+  const double allowed = 1.001 * std::max(0.01 * value, 0.01 * tolerance);
+  EXPECT_GE(figure->lower, value - allowed - noise);
+  EXPECT_LE(*figure->upper, value + allowed + noise);
 }
 
 double angleDeg(const occ::SeamResult& seam) {

@@ -281,7 +281,8 @@ def test_table_says_what_json_says(path):
                 assert cell == "-"
                 continue
             lower, upper = said(cell)
-            true = [factor * value for value in (seam[figure]["lower"], seam[figure]["upper"] or math.inf)]
+            bound = math.inf if seam[figure]["upper"] is None else seam[figure]["upper"]
+            true = [factor * value for value in (seam[figure]["lower"], bound)]
             assert lower <= 1.06 * true[0] and 1.06 * upper >= true[1], (cell, seam[figure])
 
 
