@@ -38,12 +38,14 @@ struct ParabolaEvaluator {
 /// A curve for evaluation over pieces of it; in the parameter plane of a surface the third coordinate is zero.
 class CurveEvaluator {
  public:
+  // NOLINTBEGIN(google-explicit-constructor): each of these is a curve
   CurveEvaluator(LineEvaluator line) : form_(line) {}
   CurveEvaluator(EllipseEvaluator ellipse) : form_(ellipse) {}
   CurveEvaluator(HyperbolaEvaluator hyperbola) : form_(hyperbola) {}
   CurveEvaluator(ParabolaEvaluator parabola) : form_(parabola) {}
   /// \pre the spline is of degree 0 in v.
   CurveEvaluator(std::shared_ptr<const SplineEvaluator> spline) : form_(std::move(spline)) {}
+  // NOLINTEND(google-explicit-constructor)
 
   /// Parameters strictly inside the range at which the curve may not be smooth, increasing.
   std::vector<double> knotsInside(const Interval& range) const;

@@ -159,6 +159,17 @@ SeamFigures sampled(const Seam& seam, const std::array<Pcurve, 2>& pcurves, cons
   return surveySeam([&](double s) { return strips.measureAt(s); }, strips.breaks(), options.tolerance);
 }
 
+bool isEnclosed(const std::optional<Figure>& figure) {
+  return figure && figure->upper;
+}
+
+/// The larger of both lower bounds, within the upper bound if that is known.
+void raise(const std::optional<Figure>& seen, std::optional<Figure>& figure) {
+  if (!seen || !figure || seen->lower <= figure->lower) return;
+  figure->lower = figure->upper ? std::min(seen->lower, *figure->upper) : seen->lower;
+  figure->at = seen->at;
+}
+
 /// Enclosed if that is wanted and possible; what has no bound then is sampled.
 SeamFigures figuresOf(const Seam& seam, const std::array<Pcurve, 2>& pcurves, const AnalyzeOptions& options) {
   SeamFigures figures;
@@ -173,14 +184,16 @@ SeamFigures figuresOf(const Seam& seam, const std::array<Pcurve, 2>& pcurves, co
     if (figures.certified && options.level != Level::G3) return figures;
   }
   SeamFigures samples = sampled(seam, pcurves, options);
-  if (figures.certified) {
-    figures.curvature_change_per_mm2 = samples.curvature_change_per_mm2;
-    figures.curvature_change_rel = samples.curvature_change_rel;
-    figures.uncertified = "the change of curvature is sampled";
-    return figures;
+  if (!figures.certified && !(isEnclosed(figures.gap_mm) && isEnclosed(figures.angle_rad))) {
+    samples.uncertified = figures.uncertified;
+    return samples;
   }
-  samples.uncertified = figures.uncertified;
-  return samples;
+  raise(samples.curvature_per_mm, figures.curvature_per_mm);
+  raise(samples.curvature_rel, figures.curvature_rel);
+  figures.curvature_change_per_mm2 = samples.curvature_change_per_mm2;
+  figures.curvature_change_rel = samples.curvature_change_rel;
+  if (figures.uncertified.empty()) figures.uncertified = "the change of curvature is sampled";
+  return figures;
 }
 
 Eigen::Vector3d pointOnFirstSide(const Seam& seam, const Pcurve& pcurve, double s) {

@@ -122,7 +122,7 @@ void writeHead(std::ostream& out, const occ::Report& report) {
   out << "  " << counted(report.seams.size(), "seam");
   if (summary.matched > 0) out << ", " << summary.matched << " of them matched";
   out << ": " << counted(summary.defects, "defect") << ", " << summary.smooth << " smooth, "
-      << counted(summary.creases, "crease") << ";";
+      << counted(summary.creases, "crease") << (report.seams.empty() ? "" : ";");
   for (const auto& [level, count] : summary.by_level)
     if (count > 0) out << "  " << name(level) << ' ' << count;
   out << '\n';

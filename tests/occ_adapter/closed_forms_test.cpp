@@ -87,6 +87,22 @@ TEST(ClosedForms, CylinderHasASmoothSeamAndTwoRims) {
   }
 }
 
+TEST(ClosedForms, AnglesWithoutBoundsOfTheCurvatureStayEnclosed) {
+  // At 90 degrees no normal of one side tells which of the other's it is to be aligned with; nothing is sharper than 90 degrees.
+  ContinuityTolerance tolerance;
+  tolerance.crease_rad = std::numbers::pi / 2;
+  const occ::Report report =
+      occ::analyze(occ::modelFromShape(BRepPrimAPI_MakeBox(5, 6, 10).Shape()), {tolerance});
+  ASSERT_EQ(report.seams.size(), 12u);
+  for (const SeamResult& seam : report.seams) {
+    SCOPED_TRACE(describe(seam));
+    expectEncloses(seam.figures.gap_mm, 0, tolerance.gap_mm, 1e-12);
+    expectEncloses(seam.figures.angle_rad, std::numbers::pi / 2, tolerance.angle_rad, 1e-12);
+    EXPECT_EQ(seam.verdict.level, Level::G0);
+    EXPECT_FALSE(seam.figures.certified);
+  }
+}
+
 TEST(ClosedForms, SphereIsSmoothAlsoAtItsPoles) {
   const occ::Report report = analyzed(BRepPrimAPI_MakeSphere(10).Shape());
   ASSERT_EQ(report.seams.size(), 1u) << "the poles are degenerated edges and no seams";

@@ -148,7 +148,8 @@ void measureCurvature(const Local& a, const Local& b, double flat_radius_mm, Den
   const double norm_a = largest(ka[0], ka[1], ka[2]), norm_b = largest(kb[0], kb[1], kb[2]);
   point.norm_per_mm = std::max(norm_a, norm_b);
   const double turning = a.normal_noise_rad + b.normal_noise_rad;
-  constexpr double of_largest = 3.3;  // |mean| + hypot of three values that are each off by one: 1 + sqrt(1 + 2^2)
+  constexpr double of_largest =
+      3.3;  // |mean| + hypot of three values that are each off by one: 1 + sqrt(1 + 2^2)
   const double noise =
       of_largest * (a.second_noise_per_mm + b.second_noise_per_mm + 4 * point.norm_per_mm * turning);
   point.curvature_per_mm = {difference, noise};
