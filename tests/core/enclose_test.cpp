@@ -590,6 +590,27 @@ TEST(EncloseSeam, AKnifeEdgeFolds) {
   EXPECT_TRUE(verdict.certain);
 }
 
+TEST(EncloseSeam, AShortFoldOfASeamThatIsMostlySmoothIsSeenOrLeftOpen) {
+  // The strip turns about the seam: flat up to 0.6, up at 0.8, back onto the plane at the end, or not quite.
+  for (const double last : {180.0, 179.9, 178.0, 176.0, 174.0, 120.0}) {
+    SCOPED_TRACE(last);
+    std::vector<Vec> poles;
+    const std::vector<double> at = {0, 0.6, 0.8, 1}, turned = {0, 0, pi / 2, last * pi / 180};
+    for (const int i : {0, 1})
+      for (std::size_t j = 0; j < at.size(); ++j)
+        poles.emplace_back(i * std::cos(turned[j]), at[j], i * std::sin(turned[j]));
+    SeamSide side{LineEvaluator{{0, 0, 0}, {0, 1, 0}},
+                  splineEvaluator(std::make_shared<SplineEvaluator>(
+                      test::bezierDirection(1), SplineDirection{1, {0, 0, 0.6, 0.8, 1, 1}, 0}, poles,
+                      std::vector<double>()))};
+    side.face_on_left = false;
+    const Verdict verdict = judge(encloseSeam(planeSide(0, true), side, {}), {}, Level::G1);
+    if (verdict.certain) {
+      EXPECT_EQ(verdict.seam_class, last > 175 ? SeamClass::Crease : SeamClass::Defect);
+    }
+  }
+}
+
 TEST(EncloseSeam, ARightAngleIsACrease) {
   const SeamFigures figures = encloseSeam(planeSide(0, true), turnedPlane(0, 1), {});
   EXPECT_LE(figures.angle_rad->lower, pi / 2);
