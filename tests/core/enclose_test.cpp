@@ -253,7 +253,7 @@ TEST(EncloseSeam, ACertainVerdictIsThatOfTheDensestSampling) {
   EXPECT_GT(certain, 600);
 }
 
-// --- exact joins -------------------------------------------------------------------------------------------------------
+// --- exact joins -------------------------------------------------------------------------------------------
 
 /// Bernstein coefficients of a polynomial with values in space or of numbers.
 template <class Value>
@@ -299,7 +299,8 @@ Bernstein<double> randomFactor(double middle, double spread, std::mt19937_64& ra
   return {first, value(random)};
 }
 
-/// A patch Q with Q = P, Q_u = alpha P_u + beta P_v and (order 2) Q_uu by the chain rule along P's edge u = 1, by MATH-surfaces 1.3.
+/// A patch Q with Q = P, Q_u = alpha P_u + beta P_v and (order 2) Q_uu by the chain rule along P's edge u = 1.
+/// Source: MATH-surfaces 1.3.
 BezierPatch joined(const BezierPatch& p, int order, std::mt19937_64& random) {
   const int m = p.degreeU(), n = p.degreeV();
   const auto row = [&](int i) {
@@ -396,7 +397,7 @@ TEST(EncloseSeam, Identity3JoinsOfHighDegreeLeaveOnlyRounding) {
   }
 }
 
-// --- seams that hide something -----------------------------------------------------------------------------------------
+// --- seams that hide something -----------------------------------------------------------------------------
 
 SeamSide planeSide(double u0, bool left) {
   SeamSide side{LineEvaluator{{u0, 0, 0}, {0, 1, 0}}, planeEvaluator(Frame())};
@@ -473,7 +474,7 @@ TEST(EncloseSeam, ADefectThatVanishesAtTheChebyshevPointsIsFound) {
 }
 
 TEST(EncloseSeam, KnotsThatCoincideButForRoundingAreOne) {
-  // A C0 boundary along the knot line u = 0.5, one knot of three an ulp away: smooth on the left, a kink to the right.
+  // A C0 line along the double knot u = 0.5, one of the two an ulp away: flat to the left, bent to the right.
   for (const double at : {0.5, std::nextafter(0.5, 1.0)})
     for (const bool left : {true, false}) {
       const double near = std::nextafter(0.5, 1.0);
@@ -513,7 +514,7 @@ TEST(EncloseSeam, TheGapOutsideTheRangeSeesAllOfThePath) {
   }
 }
 
-// --- limits of the verdict ---------------------------------------------------------------------------------------------
+// --- limits of the verdict ---------------------------------------------------------------------------------
 
 /// The plane z = 0 turned about y by the angle with this cosine and sine.
 SeamSide turnedPlane(double cosine, double sine) {
@@ -694,7 +695,7 @@ TEST(EncloseSeam, SpheresThatTouchAreHeldToThePrecisionOfRounding) {
   }
 }
 
-// --- degenerate patches ------------------------------------------------------------------------------------------------
+// --- degenerate patches ------------------------------------------------------------------------------------
 
 TEST(EncloseSeam, DegenerateEdgesAreNeverCertainlySmoothWithoutAPlane) {
   std::mt19937_64 random(20);
@@ -726,7 +727,7 @@ TEST(EncloseSeam, DegenerateEdgesAreNeverCertainlySmoothWithoutAPlane) {
   }
 }
 
-// --- laws --------------------------------------------------------------------------------------------------------------
+// --- laws --------------------------------------------------------------------------------------------------
 
 BezierPatch mapped(const BezierPatch& patch, const Eigen::Matrix3d& matrix, const Vec& translation) {
   Poles poles = patch.poles() * matrix.transpose();

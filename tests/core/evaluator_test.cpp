@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Fields of surfaces along paths against the same surfaces written as formulas of second-order jets in long double.
+// Fields of surfaces along paths against the same surfaces as formulas of second-order jets in long double.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -147,7 +147,8 @@ void expectHeld(const ChebyshevModel& model, Real x, Real truth, Real noise, con
       << field << " is " << static_cast<double>(truth) << " at " << static_cast<double>(x);
 }
 
-/// \param noise of the input, absolute for the normal, relative to the size of the others: frames are orthonormal but for rounding.
+/// \param noise of the input, absolute for the normal, relative to the size of the others: frames are
+/// orthonormal but for rounding.
 void expectHeld(const SurfaceEvaluator& evaluator, const std::function<Fields(Real, Real)>& truth,
                 const Path& path, double hint_u, double hint_v, Real noise = 4e-16L) {
   const SurfaceFields fields = evaluator.fields(path.u, path.v, hint_u, hint_v, Detail::Curvature);
@@ -276,7 +277,7 @@ TEST(Evaluator, TheSphereHasATangentPlaneAtItsPoles) {
   }
 }
 
-// --- splines -----------------------------------------------------------------------------------------------------------
+// --- splines -----------------------------------------------------------------------------------------------
 
 struct SplineData {
   SplineDirection u, v;
@@ -411,7 +412,7 @@ TEST(Evaluator, PeriodicSplinesRepeat) {
   }
 }
 
-// --- swept, offset and placed surfaces ---------------------------------------------------------------------------------
+// --- swept, offset and placed surfaces ---------------------------------------------------------------------
 
 struct CurveKind {
   const char* name;
