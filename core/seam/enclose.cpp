@@ -271,9 +271,9 @@ bool Enclosure::isSettled(const Piece& piece) const {
   if (piece.left_out) return true;
   const double crease = tolerance_.crease_rad;
   const bool sharp = lower_[Angle] > crease;
-  // The share of the length below the crease angle is told to a hundredth.
+  // The share of the length below the crease angle is told to a hundredth; a fold counts however short.
   const bool across = f.smallest_angle_rad <= crease && f.angle_rad.upper > crease;
-  if (across && (!sharp || piece.width() > 0.01)) return false;
+  if (across && (!sharp || folds(piece) || piece.width() > 0.01)) return false;
   if (!isEnough(Angle, f.angle_rad.upper)) return false;
   if (sharp) return std::isfinite(f.angle_rad.upper);
   return f.curvature_per_mm && isEnough(Curvature, f.curvature_per_mm->upper) &&
@@ -554,7 +554,7 @@ SeamFigures Enclosure::figures() const {
     figures.shares_known = false;
     figures.uncertified = "the crease angle is passed near the middle of its length";
   }
-  if (may_fold && !figures.fold_at && !sharp) {
+  if (may_fold && !figures.fold_at) {
     figures.shares_known = false;
     figures.uncertified = "the faces may fold back on one another";
   }

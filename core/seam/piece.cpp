@@ -15,10 +15,17 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double rounding =
     1e-14;  ///< relative, of the short computations that follow; far above 2^-52 times their length
 
-/// Relative, of spectralNorm(): next to a double eigenvalue its arccosine turns a rounding of 2^-52 into one of 2^-26.
-constexpr double norm_rounding = 1e-7;
+/// Relative, of spectralNorm(): the arccosine turns a rounding of 2^-50 into one of 2^-50 / sqrt(2 nearly_double).
+constexpr double norm_rounding = 1e-12;
+constexpr double nearly_double = 1e-4;
 
 using Tensor = Eigen::Matrix<double, 6, 1>;  ///< as in SymmetricModel
+
+Eigen::Matrix3d matrixOf(const Tensor& k) {
+  Eigen::Matrix3d matrix;
+  matrix << k[0], k[3], k[5], k[3], k[1], k[4], k[5], k[4], k[2];
+  return matrix;
+}
 
 /// Largest absolute eigenvalue of a symmetric matrix.
 double spectralNorm(const Tensor& k) {
@@ -29,16 +36,15 @@ double spectralNorm(const Tensor& k) {
   if (!(spread > 0)) return std::abs(mean);
   const double determinant =
       x * (y * z - k[4] * k[4]) - k[3] * (k[3] * z - k[4] * k[5]) + k[5] * (k[3] * k[4] - y * k[5]);
-  const double angle = std::acos(std::clamp(determinant / (2 * spread * spread * spread), -1.0, 1.0)) / 3;
+  const double cosine = std::clamp(determinant / (2 * spread * spread * spread), -1.0, 1.0);
+  const double angle = std::acos(cosine) / 3;
   const double largest = mean + 2 * spread * std::cos(angle);
   const double smallest = mean + 2 * spread * std::cos(angle + 2 * std::numbers::pi / 3);
-  return std::max(std::abs(largest), std::abs(smallest));
-}
-
-Eigen::Matrix3d matrixOf(const Tensor& k) {
-  Eigen::Matrix3d matrix;
-  matrix << k[0], k[3], k[5], k[3], k[1], k[4], k[5], k[4], k[2];
-  return matrix;
+  const bool is_double = std::abs(cosine) > 1 - nearly_double && cosine * (largest + smallest) < 0;
+  if (std::isfinite(cosine) && !is_double) return std::max(std::abs(largest), std::abs(smallest));
+  // Next to a double eigenvalue the angle is known to half the digits only; cubes may leave the range of a double.
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(matrixOf(k), Eigen::EigenvaluesOnly);
+  return std::max(std::abs(eigen.eigenvalues()[0]), std::abs(eigen.eigenvalues()[2]));
 }
 
 template <std::size_t Dimension>

@@ -226,6 +226,24 @@ TEST(ChebyshevModel, Identity1CosineAndSine) {
   EXPECT_TRUE(cosSin(ChebyshevModel::linear(0, 1.9, 0)).first.isKnown());
 }
 
+TEST(ChebyshevModel, Identity1HyperbolicCosineAndSine) {
+  Models models(10);
+  int known = 0;
+  for (int i = 0; i < 500; ++i) {
+    Sample a = models.sample(-3, 0);
+    const double middle = models.sized(-3, 1.3);
+    a.model += ChebyshevModel(middle);
+    const Function f = [g = a.function, middle](Real x) { return g(x) + middle; };
+    const auto [cosine, sine] = coshSinh(a.model);
+    known += cosine.isKnown();
+    const Real noise = 64 * u64 * std::cosh(std::abs(static_cast<Real>(middle)) + scaleOf(a));
+    EXPECT_TRUE(holds({cosine, [=](Real x) { return std::cosh(f(x)); }}, noise)) << i;
+    EXPECT_TRUE(holds({sine, [=](Real x) { return std::sinh(f(x)); }}, noise)) << i;
+  }
+  EXPECT_GT(known, 200);
+  EXPECT_FALSE(coshSinh(ChebyshevModel::unknown()).first.isKnown());
+}
+
 TEST(ChebyshevModel, Identity1DenormalsAndTheEdgeOfTheRange) {
   for (const double tiny : {5e-324, 1e-310, 2.3e-308}) {
     const ChebyshevModel a = ChebyshevModel::linear(3 * tiny, tiny, 0);

@@ -153,5 +153,65 @@ TEST(Tolerance, EveryFieldIsCheckedAndNamedWithItsValue) {
               AllOf(HasSubstr("crease"), HasSubstr("0.05")));
 }
 
+/// Enclosures from lower to a share of the tolerance more.
+SeamFigures enclosed(double gap_mm, double angle_deg, double curvature_rel, double width) {
+  SeamFigures f = figures(gap_mm, angle_deg, curvature_rel);
+  const ContinuityTolerance tolerance;
+  f.gap_mm->upper = gap_mm + width * tolerance.gap_mm;
+  f.angle_rad->upper = f.angle_rad->lower + width * tolerance.angle_rad;
+  f.curvature_per_mm->upper = 2;
+  f.curvature_rel->upper = curvature_rel + width * tolerance.curvature_rel;
+  f.below_crease_share = angle_deg > 5 ? 0 : 1;
+  f.shares_known = true;
+  return f;
+}
+
+TEST(Judge, CertainIffEveryValueWithinTheEnclosuresGivesTheSame) {
+  const ContinuityTolerance tolerance;
+  for (const double gap : {0.0, 0.009, 0.00999, 0.01, 0.0101, 1.0})
+    for (const double angle : {0.0, 0.09, 0.0999, 0.1, 0.101, 4.9999, 5.1})
+      for (const double curvature : {0.0, 0.0199, 0.02, 0.021})
+        for (const double width : {0.0, 0.005, 0.5, 1e9})
+          for (const Level required : {Level::G0, Level::G1, Level::G2}) {
+            const SeamFigures f = enclosed(gap, angle, curvature, width);
+            const Verdict verdict = judge(f, tolerance, required);
+            // The verdicts of figures that are known exactly, at the corners of the box.
+            bool same = true;
+            for (int corner = 0; corner < 8; ++corner) {
+              SeamFigures exact = f;
+              if (corner & 1) exact.gap_mm->lower = *f.gap_mm->upper;
+              if (corner & 2) exact.angle_rad->lower = *f.angle_rad->upper;
+              if (corner & 4) exact.curvature_rel->lower = *f.curvature_rel->upper;
+              const Verdict at = judge(exact, tolerance, required);
+              same &= at.level == verdict.level && at.seam_class == verdict.seam_class;
+            }
+            EXPECT_EQ(verdict.certain, same) << gap << " " << angle << " " << curvature << " " << width;
+          }
+}
+
+TEST(Judge, SampledFiguresAreNeverCertainUnlessTheGapIsTooLarge) {
+  for (const double gap : {0.0, 0.009, 0.011})
+    for (const double angle : {0.0, 0.2, 4.0, 30.0})
+      for (const double curvature : {0.0, 1.0}) {
+        SeamFigures f = figures(gap, angle, curvature);
+        f.below_crease_share = angle > 5 ? 0 : 1;
+        EXPECT_EQ(judge(f, {}, Level::G1).certain, gap > 0.01) << gap << " " << angle << " " << curvature;
+        EXPECT_EQ(judge(f, {}, Level::G2).certain, gap > 0.01) << gap << " " << angle << " " << curvature;
+      }
+}
+
+TEST(Judge, AnUnknownUpperBoundLeavesTheVerdictOpen) {
+  const auto without = [](std::optional<Figure> SeamFigures::*figure) {
+    SeamFigures f = enclosed(0, 0, 0, 0.1);
+    (f.*figure)->upper.reset();
+    return judge(f, {}, Level::G2).certain;
+  };
+  EXPECT_TRUE(judge(enclosed(0, 0, 0, 0.1), {}, Level::G2).certain);
+  EXPECT_FALSE(without(&SeamFigures::gap_mm));
+  EXPECT_FALSE(without(&SeamFigures::angle_rad));
+  EXPECT_FALSE(without(&SeamFigures::curvature_rel));
+  EXPECT_TRUE(without(&SeamFigures::curvature_per_mm));  // no tolerance asks for it
+}
+
 }  // namespace
 }  // namespace seamwright

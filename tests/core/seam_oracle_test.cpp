@@ -81,20 +81,22 @@ TEST_P(SeamOracle, EnclosureHoldsTheMaximumAndIsAsNarrowAsPromised) {
   tolerance.crease_rad = std::numbers::pi / 2;
   const SeamFigures figures = encloseSeam(p_.seamSide(), q_.seamSide(), tolerance, {.max_pieces = 20000});
   ASSERT_TRUE(figures.certified) << figures.uncertified;
-  // noise: by which the poles as rounded to double are off. narrow: bounds of rounding at coordinates of 30.
+  // noise: by which the poles as rounded to double are off. narrow: by which terms left out widen.
+  constexpr double left_out = ChebyshevModel::negligible;
   const auto expectHeld = [](const Figure& figure, double truth, double noise, double allowed,
                              double narrow) {
     EXPECT_LE(figure.lower, truth * (1 + 1e-12) + noise);
     EXPECT_GE(*figure.upper, truth * (1 - 1e-12) - noise);
     EXPECT_LE(*figure.upper - figure.lower, std::max(0.01 * figure.lower, allowed) + narrow);
   };
-  expectHeld(*figures.gap_mm, expected("max_gap"), 1e-14, tolerance.gap_mm / 100, 1e-8);
+  expectHeld(*figures.gap_mm, expected("max_gap"), 1e-14, tolerance.gap_mm / 100, 4 * left_out);
   EXPECT_EQ(figures.fold_at.has_value(), expected("max_angle_rad") > std::numbers::pi / 2);
   if (figures.fold_at) return;
-  expectHeld(*figures.angle_rad, expected("max_angle_rad"), rounding, tolerance.angle_rad / 100, 1e-9);
+  expectHeld(*figures.angle_rad, expected("max_angle_rad"), rounding, tolerance.angle_rad / 100,
+             2 * left_out);
   if (expected("max_gap") > 1e-12) return;
   const double truth = expected("max_spectral_II_difference");
-  expectHeld(*figures.curvature_per_mm, truth, 100 * rounding + 1e-9 * truth, truth / 100, 3e-9);
+  expectHeld(*figures.curvature_per_mm, truth, 100 * rounding + 1e-9 * truth, truth / 100, 16 * left_out);
 }
 
 /// \param positive those whose weights are all positive, or the others.
