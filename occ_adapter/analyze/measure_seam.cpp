@@ -110,8 +110,8 @@ bool isSphere(const TopoDS_Face& face) {
   return BRepAdaptor_Surface(face, false).GetType() == GeomAbs_Sphere;
 }
 
-/// Stretches at the ends where a boundary of a surface collapses, so that its normal is rounding. Of a sphere the normal is
-/// known at the poles too.
+/// Stretches at the ends where a boundary of a surface collapses, so that its normal is rounding. Of a sphere
+/// the normal is known at the poles too.
 struct PoleStretches {
   Interval between = {0, 1};
   std::vector<DegeneratePoint> points;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Enclosures through the adapter: every kind of surface and curve, defects that sampling misses, and what can't be enclosed.
+// Enclosures through the adapter: every kind of surface and curve, defects that sampling misses, and what can't
+// be enclosed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -146,8 +147,9 @@ Surface flatPlane() {
   return new Geom_Plane(gp::XOY());
 }
 
-/// The sheet z = h N(x) over |x|, |y| < 12 with N the cubic B-spline over four knot spans that end at x = 10, cut along the circle of
-/// radius 10 from the plane z = 0. The circle is inside N for less than a sixteenth of its length.
+/// The sheet z = h N(x) over |x|, |y| < 12 with N the cubic B-spline over four knot spans that end at x = 10,
+/// cut along the circle of radius 10 from the plane z = 0. The circle is inside N for less than a sixteenth
+/// of its length.
 TopoDS_Shape hiddenBump(int spans, double h) {
   const double span = 24.0 / spans;
   const int pole = static_cast<int>(std::round(22 / span)) - 1;  // N ends at knot number pole + 1
@@ -175,7 +177,8 @@ TEST(Certified, WithoutTheBumpItIsSmooth) {
 }
 
 TEST(Certified, ABumpNarrowerThanAThousandthOfTheSeam) {
-  // Along v 100 mm, with four spans of 0.02 mm; at u = 0 the slope across is that of pole row 1 over a third of the width.
+  // Along v 100 mm, with four spans of 0.02 mm; at u = 0 the slope across is that of pole row 1 over a third
+  // of the width.
   std::vector<double> knots = {0, 30};
   for (int i = 1; i <= 8; ++i) knots.push_back(30 + 0.02 * i);
   knots.push_back(100);
@@ -191,8 +194,8 @@ TEST(Certified, ABumpNarrowerThanAThousandthOfTheSeam) {
   expectCertain(seam, Level::G0, SeamClass::Defect);
 }
 
-/// Pieces of the cylinder of radius r about the line x = 0, z = -r, made in every way: u = u0 is its top line z = 0, from where it rolls
-/// away to x > 0 as u grows to u1; v from 0 to 5 mm along y.
+/// Pieces of the cylinder of radius r about the line x = 0, z = -r, made in every way: u = u0 is its top line
+/// z = 0, from where it rolls away to x > 0 as u grows to u1; v from 0 to 5 mm along y.
 struct Rolling {
   std::string what;
   Surface surface;
@@ -259,8 +262,8 @@ TEST(Certified, EveryKindOfSurfaceThatRollsOffAPlane) {
   }
 }
 
-/// Surfaces that touch the sphere of radius r along its parallel of that latitude, and what their curvature differs by: along the
-/// parallel it is that of the sphere (Meusnier), along the meridian their own.
+/// Surfaces that touch the sphere of radius r along its parallel of that latitude, and what their curvature
+/// differs by: along the parallel it is that of the sphere (Meusnier), along the meridian their own.
 TEST(Certified, ConeTorusAndTurnedCurvesThatTouchASphere) {
   const double r = 10, latitude = 0.5, tube = 4;
   const Surface sphere = new Geom_SphericalSurface(gp_Ax3(gp::XOY()), r);
@@ -294,7 +297,8 @@ TEST(Certified, ConeTorusAndTurnedCurvesThatTouchASphere) {
 }
 
 TEST(Certified, EveryKindOfPathInTwoPlanes) {
-  // Plane b is turned by the angle about the x axis: the planes share that line alone, so a path over both is apart by 2 |y| sin(angle / 2).
+  // Plane b is turned by the angle about the x axis: the planes share that line alone, so a path over both is
+  // apart by 2 |y| sin(angle / 2).
   const double angle = 30 * degree;
   const Surface plane = flatPlane();
   const Surface tilted =
@@ -313,7 +317,7 @@ TEST(Certified, EveryKindOfPathInTwoPlanes) {
                         Case{new Geom2d_Circle(axis, small), 0, 2 * pi, small},
                         Case{new Geom2d_Ellipse(axis, 3, small), 0, 2 * pi, small},
                         Case{new Geom2d_Parabola(axis, 2), -small, small, small},
-                        Case{new Geom2d_Hyperbola(axis, 3, small / std::sinh(1.5)), -0.5, 1.5, small},
+                        Case{new Geom2d_Hyperbola(axis, 3, small), -std::asinh(1), std::asinh(1), small},
                         Case{new Geom2d_BezierCurve(poles), 0, 1, small}}) {
     const SeamResult seam = onlySeam(alongEdge(plane, c.path, tilted, c.path, c.first, c.last, 0.01));
     SCOPED_TRACE(std::string(c.path->DynamicType()->Name()) + describe(seam));
@@ -388,7 +392,8 @@ TEST(Certified, MoreKnotsThanTheWorkLimitEndsWithAReason) {
 }
 
 TEST(Certified, PathsThatRunAtDifferentSpeedsAreApart) {
-  // The same line with y = L t on one side, y = L t^2 on the other: at equal parameters L (t - t^2) apart, L / 4 at most.
+  // The same line with y = L t on one side, y = L t^2 on the other: at equal parameters L (t - t^2) apart, L
+  // / 4 at most.
   const double length = 8;
   NCollection_Array1<gp_Pnt2d> poles(1, 3);
   poles(1) = gp_Pnt2d(0, 0);

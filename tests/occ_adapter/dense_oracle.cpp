@@ -111,7 +111,8 @@ Local evaluate(const DenseSide& side, double s) {
   return at;
 }
 
-/// Normal curvature in the direction d of the tangent plane: solve a X_u + b X_v = d, then II(a, b) / I(a, b).
+/// Normal curvature in the direction d of the tangent plane: solve a X_u + b X_v = d, then
+/// II(a, b) / I(a, b).
 double normalCurvature(const Local& at, const gp_Vec& normal, const gp_Vec& d) {
   const double E = at.u.Dot(at.u), F = at.u.Dot(at.v), G = at.v.Dot(at.v);
   const double du = d.Dot(at.u), dv = d.Dot(at.v);
@@ -128,7 +129,8 @@ gp_Vec turned(const gp_Vec& x, const gp_Vec& m, const gp_Vec& n) {
   return cosine * x + axis.Crossed(x) + axis.Dot(x) / (1 + cosine) * axis;
 }
 
-/// Largest absolute value of a function of the form a + b cos 2w + c sin 2w, from its values at 0, 45 and 90 degrees.
+/// Largest absolute value of a function of the form a + b cos 2w + c sin 2w, from its values at 0, 45 and 90
+/// degrees.
 double largest(double at_0, double at_45, double at_90) {
   const double mean = 0.5 * (at_0 + at_90);
   return std::abs(mean) + std::hypot(0.5 * (at_0 - at_90), at_45 - mean);
@@ -148,8 +150,8 @@ void measureCurvature(const Local& a, const Local& b, double flat_radius_mm, Den
   const double norm_a = largest(ka[0], ka[1], ka[2]), norm_b = largest(kb[0], kb[1], kb[2]);
   point.norm_per_mm = std::max(norm_a, norm_b);
   const double turning = a.normal_noise_rad + b.normal_noise_rad;
-  constexpr double of_largest =
-      3.3;  // |mean| + hypot of three values that are each off by one: 1 + sqrt(1 + 2^2)
+  // |mean| + hypot of three values that are each off by one: 1 + sqrt(1 + 2^2).
+  constexpr double of_largest = 3.3;
   const double noise =
       of_largest * (a.second_noise_per_mm + b.second_noise_per_mm + 4 * point.norm_per_mm * turning);
   point.curvature_per_mm = {difference, noise};

@@ -25,10 +25,11 @@ struct DenseSide {
 
 /// A figure at a point, and what the rounding of its evaluation may have added to it.
 ///
-/// Coordinates of size P are rounded by c eps P (c = 64: a sum of some dozens of terms, through OpenCASCADE's caches). A first partial by
-/// a parameter is a difference over a step h, the knot span over the degree, or 1: e_1 = c eps P / h; a second one e_2 = c eps P / h^2.
-/// With x the length of the partial and sin the sine between the partials the normal turns by e_1 / (x sin), and a normal curvature k
-/// changes by e_2 / (x sin)^2 + 4 |k| e_1 / (x sin); the errors of the sides and of the directions add.
+/// Coordinates of size P are rounded by c eps P (c = 64: a sum of some dozens of terms, through OpenCASCADE's
+/// caches). A first partial by a parameter is a difference over a step h, the knot span over the degree, or 1:
+/// e_1 = c eps P / h; a second one e_2 = c eps P / h^2. With x the length of the partial and sin the sine between
+/// the partials the normal turns by e_1 / (x sin), and a normal curvature k changes by
+/// e_2 / (x sin)^2 + 4 |k| e_1 / (x sin); the errors of the sides and of the directions add.
 struct DenseValue {
   double value = 0;
   double noise = 0;

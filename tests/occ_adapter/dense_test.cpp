@@ -31,8 +31,9 @@ DenseValue largestAround(double at, const Value& value_at) {
   return largest;
 }
 
-/// No dense point exceeds the upper bound, and the lower bound is reached where it is said to. Without an upper bound no dense point
-/// exceeds the lower one by more than 1 % or by what a survey leaves open, a hundredth of the tolerance.
+/// No dense point exceeds the upper bound, and the lower bound is reached where it is said to. Without an upper
+/// bound no dense point exceeds the lower one by more than 1 % or by what a survey leaves open, a hundredth of
+/// the tolerance.
 void expectFigure(const char* what, const std::optional<Figure>& figure, const DenseValue& dense,
                   const DenseValue& there, double left_open) {
   SCOPED_TRACE(what);
@@ -41,7 +42,7 @@ void expectFigure(const char* what, const std::optional<Figure>& figure, const D
     EXPECT_LE(dense.sure(), *figure->upper) << "noise " << dense.noise;
   else
     EXPECT_GE(figure->lower, dense.sure() - std::max(0.01 * dense.value, left_open));
-  // At a jump to either side the dense points beside the place may miss the value, but not the whole seam by more than 1 %.
+  // At a jump the points beside the place may miss the value, but the whole seam reaches it to 1 %.
   const double reached = std::max(there.value * (1 + 1e-6) + there.noise, 1.01 * dense.value + dense.noise);
   EXPECT_LE(figure->lower, reached) << "at " << figure->at << " it is " << there.value;
 }
@@ -92,6 +93,8 @@ void expectAgrees(const SeamResult& seam, const std::array<DenseSide, 2>& sides,
                0.01 * tolerance.angle_rad);
   if (dense.angle_rad->value > 1.01 * tolerance.crease_rad) {
     EXPECT_FALSE(figures.curvature_per_mm);
+  } else if (figures.fold_at) {
+    EXPECT_TRUE(dense.fold) << "where the faces fold curvature decides nothing";
   } else if (figures.curvature_per_mm) {
     expectFigure(
         "curvature", figures.curvature_per_mm, dense.curvature_per_mm,
@@ -110,8 +113,8 @@ void expectAgrees(const SeamResult& seam, const std::array<DenseSide, 2>& sides,
   EXPECT_EQ(name(seam.verdict.seam_class), name(seam_class.value_or(seam.verdict.seam_class)));
 }
 
-/// \param least_certified share of the seams that are certified.
-void compareAllSeams(const occ::Model& model, int points, double least_certified = 1) {
+/// \param uncertified number of seams that may be without certificate.
+void compareAllSeams(const occ::Model& model, int points, int uncertified = 0) {
   const occ::Report report = occ::analyze(model);
   ASSERT_FALSE(report.seams.empty());
   int compared = 0;
@@ -129,13 +132,14 @@ void compareAllSeams(const occ::Model& model, int points, double least_certified
       std::ranges::count_if(report.seams, [](const SeamResult& seam) { return seam.verdict.certain; });
   std::printf("%zu seams: %d compared, %td certified, %td with a certain verdict\n", report.seams.size(),
               compared, certified, certain);
-  EXPECT_GE(certified, least_certified * static_cast<double>(report.seams.size()));
+  EXPECT_GE(certified, static_cast<std::ptrdiff_t>(report.seams.size()) - uncertified);
 }
 
 struct File {
   const char* name;
   const char* path;
   int points;
+  int uncertified = 0;  ///< seams that can't be certified: fillets whose contact line has cusps
 };
 
 void PrintTo(const File& file, std::ostream* out) {
@@ -148,7 +152,7 @@ TEST_P(DenseFiles, EveryFigureAndLevel) {
   const fs::path given = GetParam().path;
   const fs::path path = given.is_absolute() ? given : fs::path(SEAMWRIGHT_TEST_MODELS) / given;
   if (!fs::exists(path)) GTEST_SKIP() << path << " is not installed";
-  compareAllSeams(occ::readModel(path), GetParam().points);
+  compareAllSeams(occ::readModel(path), GetParam().points, GetParam().uncertified);
 }
 
 #define OCCT_DATA "/usr/share/opencascade/data/"
@@ -157,11 +161,15 @@ INSTANTIATE_TEST_SUITE_P(Installed, DenseFiles,
                                            File{"screw", OCCT_DATA "step/screw.step", 20001},
                                            File{"hammer", OCCT_DATA "occ/hammer.brep", 2001},
                                            File{"shell1", OCCT_DATA "occ/shell1.brep", 2001},
-                                           File{"Bottom", OCCT_DATA "occ/Bottom.brep", 2001}),
+                                           File{"Bottom", OCCT_DATA "occ/Bottom.brep", 2001},
+                                           File{"Top", OCCT_DATA "occ/Top.brep", 2001, 2},
+                                           File{"Motor_c", OCCT_DATA "occ/Motor-c.brep", 2001},
+                                           File{"Pump_Nut", OCCT_DATA "occ/Pump_Nut.brep", 2001}),
                          [](const auto& file) { return std::string(file.param.name); });
 
 INSTANTIATE_TEST_SUITE_P(Models, DenseFiles,
-                         ::testing::Values(File{"NIST_1", "small/NIST_MBE_PMI_1.stp", 2001},
+                         ::testing::Values(File{"frame", "large/frame.step", 501},
+                                           File{"NIST_1", "small/NIST_MBE_PMI_1.stp", 2001},
                                            File{"NIST_5", "freeform/NIST_MBE_PMI_5.stp", 2001},
                                            File{"NIST_11", "small/NIST_MBE_PMI_11.stp", 20001},
                                            File{"nozzle", "small/nozzle.stp", 20001},

@@ -51,8 +51,8 @@ TopoDS_Shape facesSwappedAndReversed(const TopoDS_Shape& shape);
 occ::Report analyzed(const TopoDS_Shape& shape, const occ::AnalyzeOptions& options = {});
 std::string describe(const occ::SeamResult& seam);
 
-/// The figure encloses the value to what is asked for: it is certified, holds the value but for \p noise, and is no wider than
-/// max(1 % of it, a hundredth of the tolerance) below and as much above.
+/// The figure encloses the value to what is asked for: it has an upper bound, holds the value but for \p noise,
+/// and reaches no further than max(1 % of it, a hundredth of the tolerance) below it and above it.
 void expectEncloses(const std::optional<Figure>& figure, double value, double tolerance, double noise = 0);
 
 double angleDeg(const occ::SeamResult& seam);
