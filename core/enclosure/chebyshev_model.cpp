@@ -27,8 +27,8 @@ double binomial(int n, int k) {
   return value;
 }
 
-/// Column k: the Bernstein coefficients of T_k, elevated to the degree. The coefficients of T_k of degree k are
-/// (-1)^(k - j) C(2 k, 2 j) / C(k, j).
+/// Column k: the Bernstein coefficients of T_k, elevated to the degree. The coefficients of T_k of degree k
+/// are (-1)^(k - j) C(2 k, 2 j) / C(k, j).
 Matrix chebyshevToBernstein(int degree) {
   Matrix matrix{};
   for (int k = 0; k <= degree; ++k)
@@ -57,7 +57,8 @@ Matrix chebyshevAtPoints() {
 const std::array<Matrix, size> to_bernstein = bernsteinTables();
 const Matrix at_points = chebyshevAtPoints();
 
-/// The series that takes the values function(f) at the Chebyshev points: close to function(f), no more is claimed.
+/// The series that takes the values function(f) at the Chebyshev points: close to function(f), no more is
+/// claimed.
 template <class Function>
 ChebyshevModel interpolate(const ChebyshevModel& f, const Function& function) {
   if (f.degree() == 0) return ChebyshevModel(function(f.coefficient(0)));
@@ -156,7 +157,8 @@ ChebyshevModel::Coefficients ChebyshevModel::bernstein(int degree) const {
 }
 
 double ChebyshevModel::bernsteinRounding() const {
-  // The Bernstein coefficients of T_k are at most C(2 k, k') / C(k, k') < 2^k in absolute value; each is rounded a few times.
+  // The Bernstein coefficients of T_k are at most C(2 k, k') / C(k, k') < 2^k in absolute value; each is
+  // rounded a few times.
   double sum = 0;
   double bound = 1;
   for (int k = 0; k <= degree_; ++k, bound *= 2) sum += bound * std::abs(coefficients_[k]);
@@ -278,8 +280,8 @@ ChebyshevModel inverseSqrt(const ChebyshevModel& f) {
 
 namespace {
 
-/// Cosine and sine of f (sign -1), or the hyperbolic ones (sign 1), given both at the middle of f. The addition theorems are those of
-/// cos and sin up to the sign.
+/// Cosine and sine of f (sign -1), or the hyperbolic ones (sign 1), given both at the middle of f. The
+/// addition theorems are those of cos and sin up to the sign.
 std::pair<ChebyshevModel, ChebyshevModel> aroundMiddle(const ChebyshevModel& f, double sign,
                                                        double cosine_there, double sine_there) {
   const ChebyshevModel offset = f - ChebyshevModel(f.coefficient(0));
@@ -295,7 +297,8 @@ std::pair<ChebyshevModel, ChebyshevModel> aroundMiddle(const ChebyshevModel& f, 
     sin_middle.widen(change);
     return {cos_middle, sin_middle};
   }
-  // Taylor series in offset, until the next term is below rounding; Lagrange's remainder has that term times at most cosh(2) < 4.
+  // Taylor series in offset, until the next term is below rounding; Lagrange's remainder has that term times
+  // at most cosh(2) < 4.
   int terms = 1;
   double next = reach * reach / 2;
   while (next > 0x1p-44 && terms < 16) {

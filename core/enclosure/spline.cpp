@@ -35,7 +35,8 @@ SmallMatrix bezierToChebyshev(int degree) {
   return transform * values;
 }
 
-/// Row j: the Bezier point j of the span [knots[s], knots[s + 1]] as a combination of its degree + 1 poles, by blossoming.
+/// Row j: the Bezier point j of the span [knots[s], knots[s + 1]] as a combination of its degree + 1 poles,
+/// by blossoming.
 SmallMatrix splineToBezier(const std::vector<double>& knots, int degree, int s) {
   const int n = degree + 1;
   SmallMatrix matrix(n, n);
@@ -55,7 +56,8 @@ SmallMatrix splineToBezier(const std::vector<double>& knots, int degree, int s) 
   return matrix;
 }
 
-/// Row i: the pole i of the derivative on the span [knots[s], knots[s + 1]] as a combination of the poles of the spline.
+/// Row i: the pole i of the derivative on the span [knots[s], knots[s + 1]] as a combination of the poles of
+/// the spline.
 SmallMatrix splineDerivative(const std::vector<double>& knots, int degree, int s) {
   if (degree == 0) return SmallMatrix::Zero(1, 1);
   SmallMatrix matrix = SmallMatrix::Zero(degree, degree + 1);
@@ -66,8 +68,8 @@ SmallMatrix splineDerivative(const std::vector<double>& knots, int degree, int s
   return matrix;
 }
 
-/// T_0(x), ..., T_degree(x), by T_(i + j) = 2 T_i T_j - T_(j - i): halving the index, radii grow like its square, by steps of one they
-/// would grow like 2.4^k.
+/// T_0(x), ..., T_degree(x), by T_(i + j) = 2 T_i T_j - T_(j - i): halving the index, radii grow like its
+/// square, by steps of one they would grow like 2.4^k.
 std::vector<ChebyshevModel> chebyshevPolynomials(const ChebyshevModel& x, int degree) {
   std::vector<ChebyshevModel> t = {ChebyshevModel(1), x};
   for (int k = 2; k <= degree; ++k) t.push_back(2 * (t[k / 2] * t[k - k / 2]) - t[k % 2]);
@@ -81,7 +83,8 @@ VectorModel space(const HomogeneousModel& h) {
   return {h[0], h[1], h[2]};
 }
 
-/// Partial derivatives of the quotient of h's space part and weight (MATH-surfaces 3.1, 8): the product rule, solved.
+/// Partial derivatives of the quotient of h's space part and weight (MATH-surfaces 3.1, 8): the product rule,
+/// solved.
 JetModel projected(const std::array<HomogeneousModel, 6>& h, int order) {
   const ChebyshevModel w = inverse(h[0][3]);
   JetModel jet;
@@ -224,9 +227,10 @@ SplineEvaluator::Cell SplineEvaluator::makeCell(int span_u, int span_v, int nets
       series.topLeftCorner(derived.rows(), derived.cols()) =
           mu.to_chebyshev[du] * derived * mv.to_chebyshev[dv].transpose();
       cell.nets[k].coefficients[c] = Eigen::Map<Eigen::VectorXd>(series.data(), series.size());
-      // Differences of poles keep the errors of their terms, 6 roundings a step; what they add to a polynomial is nowhere larger than in
-      // its Bezier points. The conversions round sums of p + q + 4 terms in p + q + 4 steps; a polynomial has (p + 1) (q + 1) Chebyshev
-      // coefficients, none more than four times its largest value.
+      // Differences of poles keep the errors of their terms, 6 roundings a step; what they add to a
+      // polynomial is nowhere larger than in its Bezier points. The conversions round sums of p + q + 4 terms
+      // in p + q + 4 steps; a polynomial has (p + 1) (q + 1) Chebyshev coefficients, none more than four
+      // times its largest value.
       const double of_poles =
           (mu.derivative[du].cwiseAbs() * local.cwiseAbs() * mv.derivative[dv].cwiseAbs().transpose())
               .maxCoeff();

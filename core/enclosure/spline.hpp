@@ -22,27 +22,31 @@ struct SplineDirection {
   double period = 0;          ///< 0: none
 };
 
-/// A (rational) tensor-product B-spline in space, for evaluation along a path of its parameter plane. A curve is one of degree 0 in v.
+/// A (rational) tensor-product B-spline in space, for evaluation along a path of its parameter plane. A curve
+/// is one of degree 0 in v.
 ///
-/// Between two knots the spline is one polynomial (or a quotient of two), which is converted to Chebyshev form, about a point of its
-/// own, when first met; so large coordinates cost no accuracy, and a spline of many pieces costs what is used of it. Beyond the ends of
-/// the parameter range the outermost polynomials go on, or the spline repeats if it is periodic.
+/// Between two knots the spline is one polynomial (or a quotient of two), which is converted to Chebyshev
+/// form, about a point of its own, when first met; so large coordinates cost no accuracy, and a spline of
+/// many pieces costs what is used of it. Beyond the ends of the parameter range the outermost polynomials go
+/// on, or the spline repeats if it is periodic.
 ///
 /// Not to be shared between threads: pieces met are kept.
 class SplineEvaluator {
  public:
   static constexpr int max_degree = 25;
 
-  /// \param poles row by row: pole (i, j) is poles[i * count_v + j]; cartesian. \param weights empty: polynomial.
-  /// \throws std::invalid_argument if a number is not finite, a weight not positive, or counts and knots do not fit.
+  /// \param poles row by row: pole (i, j) is poles[i * count_v + j]; cartesian. \param weights empty:
+  /// polynomial.
+  /// \throws std::invalid_argument if a number is not finite, a weight not positive, or counts and knots do
+  /// not fit.
   SplineEvaluator(SplineDirection u, SplineDirection v, std::vector<Eigen::Vector3d> poles,
                   std::vector<double> weights);
 
   /// Knots strictly inside the range, those of other periods too, increasing.
   std::vector<double> knotsInside(int direction, const Interval& range) const;
 
-  /// The jet along (u, v), of the polynomial of the span that holds hint_u and hint_v. \param order 0, 1 or 2: highest derivatives
-  /// wanted.
+  /// The jet along (u, v), of the polynomial of the span that holds hint_u and hint_v. \param order 0, 1 or
+  /// 2: highest derivatives wanted.
   JetModel jet(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u, double hint_v,
                int order) const;
 
@@ -55,7 +59,8 @@ class SplineEvaluator {
     double lower = 0;
     double upper = 0;
   };
-  /// By order of the derivative: from the poles of a span to those of the derivative, and from these to Chebyshev coefficients.
+  /// By order of the derivative: from the poles of a span to those of the derivative, and from these to
+  /// Chebyshev coefficients.
   struct SpanMatrices {
     std::array<SmallMatrix, 3> derivative, to_chebyshev;
   };

@@ -56,8 +56,8 @@ class Plane : public SurfaceEvaluator {
   }
 };
 
-/// A curve (rho(v), height(v)) turned about the z axis, with normal (outward(v), axial(v)) and principal curvatures along the
-/// circle and along the curve.
+/// A curve (rho(v), height(v)) turned about the z axis, with normal (outward(v), axial(v)) and principal
+/// curvatures along the circle and along the curve.
 struct Profile {
   ChebyshevModel rho, height;
   ChebyshevModel outward, axial;
@@ -248,8 +248,9 @@ class Offset : public SurfaceEvaluator {
     SurfaceFields fields;
     fields.point = basis.point + distance_ * basis.normal;
     if (detail == Detail::Position) return fields;
-    // With the Weingarten map S of the basis, X_u moves to (I - d S) X_u and the map becomes S (I - d S)^-1; as S is of rank 2, that is
-    // (S - d K P) / (1 - d tr S + d^2 K), K the Gauss curvature and P the projection onto the tangent plane.
+    // With the Weingarten map S of the basis, X_u moves to (I - d S) X_u and the map becomes S (I - d S)^-1;
+    // as S is of rank 2, that is (S - d K P) / (1 - d tr S + d^2 K), K the Gauss curvature and P the
+    // projection onto the tangent plane.
     const ChebyshevModel mean = trace(basis.tensor);
     const ChebyshevModel gauss = 0.5 * (mean * mean - contraction(basis.tensor, basis.tensor));
     const ChebyshevModel stretch = ChebyshevModel(1) - distance_ * mean + (distance_ * distance_) * gauss;

@@ -12,7 +12,8 @@ namespace seamwright {
 /// How much of a surface is wanted along a path; each level holds those before it.
 enum class Detail { Position, TangentPlane, Curvature };
 
-/// What a surface shows along a path. A field that is not bounded there (no tangent plane at a pole or a cusp) has an infinite radius.
+/// What a surface shows along a path. A field that is not bounded there (no tangent plane at a pole or a
+/// cusp) has an infinite radius.
 struct SurfaceFields {
   VectorModel point;
   VectorModel normal;     ///< unit, in the direction of X_u x X_v
@@ -26,7 +27,8 @@ SurfaceFields fieldsOf(const JetModel& jet, Detail detail);
 class SurfaceEvaluator {
  public:
   virtual ~SurfaceEvaluator() = default;
-  /// Knots of parameter 0 (u) or 1 (v) strictly inside the range: lines across which derivatives may jump. Increasing.
+  /// Knots of parameter 0 (u) or 1 (v) strictly inside the range: lines across which derivatives may jump.
+  /// Increasing.
   virtual std::vector<double> knotsInside(int /*direction*/, const Interval& /*range*/) const { return {}; }
   /// \param hint_u, hint_v a point of the smooth piece that is meant.
   virtual SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u, double hint_v,
@@ -52,7 +54,8 @@ std::unique_ptr<SurfaceEvaluator> planeEvaluator(const Frame& frame);
 std::unique_ptr<SurfaceEvaluator> cylinderEvaluator(const Frame& frame, double radius);
 /// (radius + v sin angle) e(u) + v cos angle z.
 std::unique_ptr<SurfaceEvaluator> coneEvaluator(const Frame& frame, double radius, double half_angle_rad);
-/// radius (cos v e(u) + sin v z). The tangent plane at the poles is taken from the sphere, not from the parametrisation.
+/// radius (cos v e(u) + sin v z). The tangent plane at the poles is taken from the sphere, not from the
+/// parametrisation.
 std::unique_ptr<SurfaceEvaluator> sphereEvaluator(const Frame& frame, double radius);
 /// (major + minor cos v) e(u) + minor sin v z.
 std::unique_ptr<SurfaceEvaluator> torusEvaluator(const Frame& frame, double major, double minor);

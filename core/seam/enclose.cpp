@@ -8,164 +8,32 @@
 
 #include <seamwright/core/seam/enclose.hpp>
 #include <seamwright/core/seam/piece.hpp>
+#include <seamwright/core/seam/side_evaluator.hpp>
 
 namespace seamwright {
 
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double shortest_piece =
-    0x1p-24;  ///< of the seam: below it a point without tangent plane is left out
-constexpr double degenerate_reach =
-    0x1p-20;  ///< of the seam: so near a point without tangent plane curvature is rounding
-constexpr double shortest_crossing = 0x1p-30;  ///< below it both sides of a knot line are taken
-
-/// The fields of one side over a piece; more than one where the piece lies across a knot line.
-struct SideFields {
-  std::vector<SurfaceFields> alternatives;
-  std::optional<double> split;  ///< no fields: the piece is to be cut here first
-};
-
-double mapped(const std::vector<double>& from, const std::vector<double>& to, double value) {
-  const auto upper = std::upper_bound(from.begin() + 1, from.end() - 1, value);
-  const auto i = static_cast<std::size_t>(upper - from.begin());
-  return to[i - 1] + (value - from[i - 1]) * ((to[i] - to[i - 1]) / (from[i] - from[i - 1]));
-}
-
-/// Where on [-1, 1] a series takes a value between two points at which it is on either side of it; nothing if none of 8 steps shows a
-/// change of side.
-std::optional<double> crossing(const ChebyshevModel& series, double value) {
-  constexpr int steps = 8;
-  double low = -1;
-  const auto above = [&](double x) { return series.seriesAt(x) > value; };
-  for (int i = 1; i <= steps; ++i) {
-    double high = -1 + 2.0 * i / steps;
-    if (above(low) != above(high)) {
-      for (int k = 0; k < 60; ++k) {
-        const double middle = 0.5 * (low + high);
-        (above(middle) == above(low) ? low : high) = middle;
-      }
-      return 0.5 * (low + high);
-    }
-    low = high;
-  }
-  return std::nullopt;
-}
-
-class Side {
- public:
-  explicit Side(const SeamSide& side) : side_(side) {
-    for (const double s : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-      const ChebyshevModel t = parameter(s, s);
-      const VectorModel uv = side_.path.jet(t, t.coefficient(0), 0).p;
-      for (const int d : {0, 1}) reach_[d] = std::max(reach_[d], uv[d].magnitude());
-    }
-  }
-
-  bool faceOnLeft() const { return side_.face_on_left; }
-
-  /// Places on the seam where the path is not smooth.
-  void addBreaks(std::vector<double>& breaks) const {
-    const auto [low, high] = std::minmax(side_.t.front(), side_.t.back());
-    breaks.insert(breaks.end(), side_.s.begin() + 1, side_.s.end() - 1);
-    std::vector<double> s = side_.s, t = side_.t;
-    if (t.front() > t.back()) {
-      std::ranges::reverse(s);
-      std::ranges::reverse(t);
-    }
-    for (const double knot : side_.path.knotsInside({low, high})) breaks.push_back(mapped(t, s, knot));
-  }
-
-  SideFields fields(double from, double to, Detail detail) const {
-    const double middle = 0.5 * (from + to);
-    const ChebyshevModel t = parameter(from, to);
-    const VectorModel uv = side_.path.jet(t, t.coefficient(0), 0).p;
-    SideFields result;
-    std::array<std::vector<double>, 2> hints;
-    for (const int d : {0, 1}) {
-      if (!uv[d].isKnown()) {
-        result.split = middle;
-        return result;
-      }
-      hints[d] = this->hints(d, uv, from, to, result.split);
-      if (result.split) return result;
-    }
-    for (const double u : hints[0])
-      for (const double v : hints[1])
-        result.alternatives.push_back(side_.surface->fields(uv[0], uv[1], u, v, detail));
-    return result;
-  }
-
- private:
-  ChebyshevModel parameter(double from, double to) const {
-    const double t0 = mapped(side_.s, side_.t, from);
-    const double t1 = mapped(side_.s, side_.t, to);
-    const double rounding = 8 * epsilon * (std::abs(side_.t.front()) + std::abs(side_.t.back()));
-    return ChebyshevModel::linear(0.5 * (t0 + t1), 0.5 * (t1 - t0), rounding);
-  }
-
-  /// Points of the smooth pieces of the surface that coordinate d of the path meets.
-  std::vector<double> hints(int d, const VectorModel& uv, double from, double to,
-                            std::optional<double>& split) const {
-    const Interval range = uv[d].range();
-    const double touch = touchingDistance(d, uv[d]);
-    const std::vector<double> met = side_.surface->knotsInside(d, {range.lower - touch, range.upper + touch});
-    std::vector<double> knots;  // in the way, not only touched at an end
-    for (const double knot : met)
-      if (knot > range.lower + touch && knot < range.upper - touch) knots.push_back(knot);
-    const bool along = range.width() <= std::max(1e-10 * std::min(1.0, uv[1 - d].range().width()), touch);
-    if (!met.empty() && along) return {besideKnots(met, d, uv)};
-    if (knots.empty()) return {range.middle()};
-    if (to - from > shortest_crossing) {
-      const double knot = knots[knots.size() / 2];
-      const double x = crossing(uv[d], knot).value_or(0);
-      split = 0.5 * ((1 - x) * from + (1 + x) * to);
-      const double margin = 0x1p-10 * (to - from);  // a cut nearer to the end than this makes no progress
-      split = std::clamp(*split, from + (x < -0.999 ? margin : 0), to - (x > 0.999 ? margin : 0));
-      return {};
-    }
-    std::vector<double> hints = {range.lower};
-    hints.insert(hints.end(), knots.begin(), knots.end());
-    for (std::size_t i = 1; i < hints.size(); ++i)
-      hints[i] = 0.5 * (hints[i] + (i + 1 < hints.size() ? hints[i + 1] : range.upper));
-    return hints;
-  }
-
-  /// How near a knot line coordinate d of the path is on it: within 2^-46 of the parameter, or within what rounding leaves open of the
-  /// path, which is the same for a piece as for the whole path.
-  double touchingDistance(int d, const ChebyshevModel& coordinate) const {
-    const Interval range = coordinate.range();
-    const double of_parameter =
-        64 * epsilon * (std::abs(range.lower) + std::abs(range.upper) + range.width());
-    const double of_path = 4 * coordinate.radius();
-    return of_path <= 0x1p-36 * reach_[d] ? std::max(of_parameter, of_path) : of_parameter;
-  }
-
-  /// Off knot lines that but for rounding are one, to the side of the face.
-  double besideKnots(const std::vector<double>& knots, int d, const VectorModel& uv) const {
-    const double along = uv[1 - d].coefficient(1);
-    const double into = (d == 0 ? -along : along) * (side_.face_on_left ? 1 : -1);
-    return into > 0 ? std::nextafter(knots.back(), infinite) : std::nextafter(knots.front(), -infinite);
-  }
-
-  const SeamSide& side_;
-  std::array<double, 2> reach_{};  ///< typical size of the parameters along the path
-};
+/// Of the seam: below it a point without tangent plane is left out
+constexpr double shortest_piece = 0x1p-24;
+/// Of the seam: so near a point without tangent plane curvature is rounding
+constexpr double degenerate_reach = 0x1p-20;
 
 struct Piece {
   double from = 0;
   double to = 0;
   PieceFigures figures;
   bool left_out = false;  ///< only the gap counts
-  double excess = std::numeric_limits<
-      double>::infinity();  ///< by what its bounds are too wide, in units of what is allowed
-  int stalled = 0;          ///< cuts in a row that helped no part
+  /// by what its bounds are too wide, in units of what is allowed
+  double excess = infinite;
+  int stalled = 0;  ///< cuts in a row that helped no part
   double width() const { return to - from; }
   double at(double x) const { return 0.5 * ((1 - x) * from + (1 + x) * to); }
 };
 
-/// Of a piece that lies across knot lines each combination of sides is possible: nothing is known to be reached.
+/// Of a piece that lies across knot lines each combination of sides is possible: nothing is known to be
+/// reached.
 void include(PieceFigures& sum, const PieceFigures& more) {
   const auto merge = [](PieceBound& bound, const PieceBound& other) {
     bound = {0, std::max(bound.upper, other.upper), 0};
@@ -178,12 +46,6 @@ void include(PieceFigures& sum, const PieceFigures& more) {
   if (!sum.curvature_per_mm) return;
   merge(*sum.curvature_per_mm, *more.curvature_per_mm);
   merge(*sum.curvature_rel, *more.curvature_rel);
-}
-
-bool hasPlane(const SideFields& side) {
-  return std::ranges::all_of(side.alternatives, [](const SurfaceFields& fields) {
-    return std::ranges::all_of(fields.normal, [](const ChebyshevModel& n) { return n.isKnown(); });
-  });
 }
 
 std::string placeText(double s) {
@@ -232,8 +94,8 @@ class Enclosure {
   Interval lengthOf(const Piece& piece) const;
   Interval belowCreaseShare() const;
 
-  Side a_;
-  Side b_;
+  SideEvaluator a_;
+  SideEvaluator b_;
   const ContinuityTolerance& tolerance_;
   const EncloseOptions& options_;
   std::vector<Piece> pieces_;
@@ -285,7 +147,8 @@ double Enclosure::excess(const PieceBound& bound, Quantity quantity) const {
   return (bound.upper - bound.lower) / std::max(allowed(quantity), std::numeric_limits<double>::min());
 }
 
-/// Largest width of a bound that is not enough, in units of what is allowed; infinite where no bound is known.
+/// Largest width of a bound that is not enough, in units of what is allowed; infinite where no bound is
+/// known.
 double Enclosure::excess(const PieceFigures& figures) const {
   double largest = std::max(excess(figures.gap_mm, Gap), excess(figures.angle_rad, Angle));
   if (detail() == Detail::TangentPlane) return largest;
@@ -315,7 +178,7 @@ void Enclosure::see(const Piece& piece) {
 
 void Enclosure::leaveOut(const Piece& piece, const SideFields& a, const SideFields& b) {
   const auto kind = [](const SideFields& side) {
-    return hasPlane(side) ? Degeneracy::None : Degeneracy::VanishingNormal;
+    return side.hasPlane() ? Degeneracy::None : Degeneracy::VanishingNormal;
   };
   degenerate_.push_back({piece.at(0), kind(a), kind(b)});
 }
@@ -396,7 +259,8 @@ void Enclosure::lookAtGap(double from, double to) {
   pieces_.push_back(piece);
 }
 
-/// A cut of which no part is much better than the whole is stalled by rounding; beside a kink of a figure one part is.
+/// A cut of which no part is much better than the whole is stalled by rounding; beside a kink of a figure one
+/// part is.
 void Enclosure::cut(const Piece& piece) {
   const std::size_t first = pieces_.size();
   look(piece.from, piece.at(0));

@@ -41,8 +41,8 @@ struct Verdict {
 /// crease_rad over more than half of its length: a sharp spot is a Defect. Otherwise Smooth iff the level
 /// reaches \p required.
 ///
-/// Level and class are those of the lower ends of the enclosures; certain iff the upper ends (infinite where none is known) give
-/// the same, and nothing else they depend on is only sampled.
+/// Level and class are those of the lower ends of the enclosures; certain iff the upper ends (infinite where
+/// none is known) give the same, and nothing else they depend on is only sampled.
 Verdict judge(const SeamFigures& figures, const ContinuityTolerance& tolerance, Level required);
 
 }  // namespace seamwright

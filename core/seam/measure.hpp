@@ -43,8 +43,9 @@ struct PairMeasure {
   Degeneracy degenerate_b = Degeneracy::None;
   /// Angle between the tangent planes, 0..pi/2; nothing where a side has no tangent plane.
   std::optional<double> angle_rad;
-  /// The faces leave the seam to the same side, turning back by more than 90 degrees: the tangent planes of a knife edge
-  /// agree as they do in a smooth join. False also where the tangents of the two sides contradict one another.
+  /// The faces leave the seam to the same side, turning back by more than 90 degrees: the tangent planes of a
+  /// knife edge agree as they do in a smooth join. False also where the tangents of the two sides contradict
+  /// one another.
   bool fold = false;
   /// Nothing where a side has no tangent plane, or where the curvature leaves the range of a double.
   std::optional<CurvatureDifference> curvature;

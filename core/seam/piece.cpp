@@ -15,7 +15,8 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double rounding =
     1e-14;  ///< relative, of the short computations that follow; far above 2^-52 times their length
 
-/// Relative, of spectralNorm(): the arccosine turns a rounding of 2^-50 into one of 2^-50 / sqrt(2 nearly_double).
+/// Relative, of spectralNorm(): the arccosine turns a rounding of 2^-50 into one of 2^-50 / sqrt(2
+/// nearly_double).
 constexpr double norm_rounding = 1e-12;
 constexpr double nearly_double = 1e-4;
 
@@ -42,7 +43,8 @@ double spectralNorm(const Tensor& k) {
   const double smallest = mean + 2 * spread * std::cos(angle + 2 * std::numbers::pi / 3);
   const bool is_double = std::abs(cosine) > 1 - nearly_double && cosine * (largest + smallest) < 0;
   if (std::isfinite(cosine) && !is_double) return std::max(std::abs(largest), std::abs(smallest));
-  // Next to a double eigenvalue the angle is known to half the digits only; cubes may leave the range of a double.
+  // Next to a double eigenvalue the angle is known to half the digits only; cubes may leave the range of a
+  // double.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(matrixOf(k), Eigen::EigenvaluesOnly);
   return std::max(std::abs(eigen.eigenvalues()[0]), std::abs(eigen.eigenvalues()[2]));
 }
@@ -60,7 +62,8 @@ bool isKnown(const std::array<ChebyshevModel, Dimension>& model) {
   return std::ranges::all_of(model, [](const ChebyshevModel& m) { return m.isKnown(); });
 }
 
-/// Bounds the largest value over x in [-1, 1] of a convex function along a polygon's curve, but for the radius, by halving.
+/// Bounds the largest value over x in [-1, 1] of a convex function along a polygon's curve, but for the
+/// radius, by halving.
 template <int Dimension, class Function>
 class PolygonMaximum {
  public:
@@ -164,8 +167,8 @@ TensorNorm normOf(const SymmetricModel& tensor) {
   return norm;
 }
 
-/// Bounds of |D| / |K| over the piece, where K keeps away from zero: the quotient of convex by positive linear along a polygon is at
-/// most the largest quotient of its control points.
+/// Bounds of |D| / |K| over the piece, where K keeps away from zero: the quotient of convex by positive
+/// linear along a polygon is at most the largest quotient of its control points.
 double largestQuotient(const SymmetricModel& difference, const ChebyshevModel& below, const Slack& slack,
                        double& at) {
   const ControlPolygon<6> polygon = controlPolygon(difference);
@@ -237,8 +240,8 @@ PieceBound relativeBound(const SideTensor& a, const SideTensor& b, const Symmetr
   return bound;
 }
 
-/// The tensor of b turned by the smallest rotation that takes n_b to n_a. On the plane of n_b that rotation is I - s n_a^T / (1 + mu)
-/// with s = n_a + n_b and mu = n_a.n_b.
+/// The tensor of b turned by the smallest rotation that takes n_b to n_a. On the plane of n_b that rotation
+/// is I - s n_a^T / (1 + mu) with s = n_a + n_b and mu = n_a.n_b.
 SymmetricModel turned(const SymmetricModel& tensor, const VectorModel& normal_a, const VectorModel& normal_b,
                       const ChebyshevModel& mu) {
   const ChebyshevModel factor = inverse(ChebyshevModel(1) + mu);

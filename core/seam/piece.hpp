@@ -23,7 +23,8 @@ struct PieceFigures {
   PieceBound gap_mm;
   PieceBound angle_rad;
   double smallest_angle_rad = 0;  ///< no angle on the piece is smaller
-  /// 1: the normals of both sides as parametrised agree in direction, -1: they are opposed; 0: both, or not known.
+  /// 1: the normals of both sides as parametrised agree in direction, -1: they are opposed; 0: both, or not
+  /// known.
   int sense = 0;
   /// The larger of the curvature norms of the sides reaches this.
   double curvature_norm_per_mm = 0;

@@ -19,7 +19,8 @@ namespace seamwright::occ {
 
 namespace {
 
-/// Largest rounding of a coordinate of the model, told by its vertices; between them faces reach a few times further at most.
+/// Largest rounding of a coordinate of the model, told by its vertices; between them faces reach a few times
+/// further at most.
 double coordinateNoise(const TopoDS_Shape& shape) {
   double size = 0;
   for (TopExp_Explorer it(shape, TopAbs_VERTEX); it.More(); it.Next()) {

@@ -22,11 +22,11 @@ struct AnalyzeOptions {
 /// Measures and judges every seam of a model.
 ///
 /// Seams are measured in parallel, the result does not depend on the number of threads. A seam that can't be
-/// measured has /// no figures, level None, class Defect and a note that says why; the others are not affected. A model without seams
-/// passes, with a note. The shape is never changed.
+/// measured has /// no figures, level None, class Defect and a note that says why; the others are not
+/// affected. A model without seams passes, with a note. The shape is never changed.
 ///
-/// \throws std::invalid_argument for bad options, also for a gap tolerance or a distance to match below the rounding of the
-/// model's coordinates; Cancelled.
+/// \throws std::invalid_argument for bad options, also for a gap tolerance or a distance to match below the
+/// rounding of the model's coordinates; Cancelled.
 Report analyze(const Model& model, const AnalyzeOptions& options = {}, const Progress& progress = {});
 
 }  // namespace seamwright::occ

@@ -19,7 +19,8 @@ std::vector<double> values(const TColStd_Array1OfReal& array) {
   return {array.begin(), array.end()};
 }
 
-/// Ends and inner limits of the pieces on which the surface has the continuity; by default those on which it is analytic.
+/// Ends and inner limits of the pieces on which the surface has the continuity; by default those on which it
+/// is analytic.
 std::vector<double> knotsU(const BRepAdaptor_Surface& surface, GeomAbs_Shape continuity = GeomAbs_CN) {
   TColStd_Array1OfReal array(1, surface.NbUIntervals(continuity) + 1);
   surface.UIntervals(array, continuity);
@@ -57,8 +58,8 @@ std::vector<double> inner(const std::vector<double>& knots) {
   return {knots.begin() + 1, knots.end() - 1};
 }
 
-/// Mean length of the pieces, at most 1: analytic surfaces turn once in a few units of their parameters. The mean, because
-/// files hold knots that only rounding tells apart.
+/// Mean length of the pieces, at most 1: analytic surfaces turn once in a few units of their parameters. The
+/// mean, because files hold knots that only rounding tells apart.
 double typicalStep(const std::vector<double>& knots) {
   return std::min(1.0, (knots.back() - knots.front()) / static_cast<double>(knots.size() - 1));
 }
@@ -77,7 +78,8 @@ double finiteRange(const std::vector<double>& knots) {
   return Precision::IsInfinite(range) ? 1 : range;
 }
 
-/// Where a coordinate of a path passes inner knots between the parameters t0 and t1, at which it is \p from and \p to.
+/// Where a coordinate of a path passes inner knots between the parameters t0 and t1, at which it is \p from
+/// and \p to.
 template <class Coordinate>
 void addCrossings(const Coordinate& coordinate, double t0, double t1, double from, double to,
                   const std::vector<double>& knots, std::vector<double>& crossings) {
@@ -119,7 +121,8 @@ SidePoint FaceStrip::at(double s) const {
   gp_Vec2d direction;
   path_.D1(parameter(s), uv, direction);
   SidePoint side;
-  // Along a knot line derivatives may jump: those of the face's own side count. The point itself is kept to first order.
+  // Along a knot line derivatives may jump: those of the face's own side count. The point itself is kept to
+  // first order.
   const double into = forward_ ? 1 : -1;
   const double du = nudge(joints_u_, uv.X(), step_u_, -into * direction.Y());
   const double dv = nudge(joints_v_, uv.Y(), step_v_, into * direction.X());
@@ -191,8 +194,9 @@ JetNoise FaceStrip::noise(const SurfaceJet& jet, double s) const {
   // A partial is a difference of coordinates over a step, and each coordinate is rounded.
   const double size = jet.p.lpNorm<Eigen::Infinity>() + step_u_ * jet.u.norm() + step_v_ * jet.v.norm();
   const double rounding = 64 * std::numeric_limits<double>::epsilon() * size;
-  // At a pole the points of a parameter line should coincide and are scattered over its length l. Where the line has grown
-  // to L, its direction is uncertain by l / L rad; up to a five-hundredth, 0.1 degrees, it is taken.
+  // At a pole the points of a parameter line should coincide and are scattered over its length l. Where the
+  // line has grown to L, its direction is uncertain by l / L rad; up to a five-hundredth, 0.1 degrees, it is
+  // taken.
   const double scatter = std::max(Precision::Confusion(), 500 * collapsed_mm_[s < 0.5 ? 0 : 1]);
   return {std::max(rounding / step_u_, scatter / range_u_), std::max(rounding / step_v_, scatter / range_v_)};
 }

@@ -43,7 +43,8 @@ class FaceStrip {
   /// surface's knot lines.
   std::vector<double> breaks() const;
 
-  /// From end 0 or 1 of the path, the share of it over which the surface has no tangent plane because a boundary of it collapses there.
+  /// From end 0 or 1 of the path, the share of it over which the surface has no tangent plane because a
+  /// boundary of it collapses there.
   double poleReach(int end) const;
 
  private:

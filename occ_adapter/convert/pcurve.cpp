@@ -48,8 +48,8 @@ Stray worstStray(const Pcurve& pcurve, const SpaceCurve& space, const BRepAdapto
   return worst;
 }
 
-/// Whether the surface near the point of the pcurve comes closer to the edge than half the distance. True also where no
-/// nearest point is found.
+/// Whether the surface near the point of the pcurve comes closer to the edge than half the distance. True
+/// also where no nearest point is found.
 bool surfaceComesCloser(const Stray& stray, const BRepAdaptor_Surface& surface) {
   Extrema_GenLocateExtPS nearest(surface, Precision::PConfusion(), Precision::PConfusion());
   nearest.Perform(stray.on_edge, stray.uv.X(), stray.uv.Y(), false);
@@ -103,7 +103,8 @@ Pcurve keptOrRebuilt(const Pcurve& stored, const SpaceCurve& space, const TopoDS
   if (stray.distance <= allowed) return stored;
   // Which of the two pcurves of a closed face a projection would give is not known.
   if (BRep_Tool::IsClosed(edge, face)) return stored;
-  // A little off is mostly a surface that lies a little off: one point tells that cheaper than a projected curve.
+  // A little off is mostly a surface that lies a little off: one point tells that cheaper than a projected
+  // curve.
   if (stray.distance <= 10 * allowed && !surfaceComesCloser(stray, surface)) return stored;
   Pcurve rebuilt = projected(space, face);
   if (rebuilt.curve.IsNull()) return stored;

@@ -17,7 +17,8 @@ constexpr int least_pieces = 8;
 constexpr double largest_bend = 0.02;
 constexpr int most_halvings = 8;
 
-/// 0, the breaks of the path apart from one another, 1, and points between them, so that there are enough pieces.
+/// 0, the breaks of the path apart from one another, 1, and points between them, so that there are enough
+/// pieces.
 std::vector<double> firstCuts(const FaceStrip& strip) {
   std::vector<double> breaks = strip.breaks();
   std::ranges::sort(breaks);

@@ -28,7 +28,8 @@ struct PathPiece {
 /// Places are 0..1 of the edge's curve range. Not to be shared between threads.
 class EdgePath {
  public:
-  /// \throws std::runtime_error if the edge has no path on the face or one that is not finite; Standard_Failure.
+  /// \throws std::runtime_error if the edge has no path on the face or one that is not finite;
+  /// Standard_Failure.
   EdgePath(const FaceUse& use, int edge, double gap_mm);
 
   const FaceUse& use() const { return use_; }

@@ -21,13 +21,14 @@ struct FaceUse {
   int face = 0;       ///< from 1, order of TopExp::MapShapes
   TopoDS_Face shape;  ///< oriented FORWARD
   TopoDS_Edge edge;   ///< oriented so that the face lies to its left, seen from the tip of X_u x X_v
-  /// At the first and the last end of the edge's curve: tolerance of the vertex if a boundary of the surface collapses to
-  /// it there (the face has a degenerated edge at that vertex), else 0.
+  /// At the first and the last end of the edge's curve: tolerance of the vertex if a boundary of the surface
+  /// collapses to it there (the face has a degenerated edge at that vertex), else 0.
   std::array<double, 2> pole_tolerance_mm{};
 };
 
-/// Points of the two sides of a seam that belong together: place a[i] of the first edge, 0..1 of the range of its curve, and b[i]
-/// of the second, both linear in s between s[i] and s[i + 1]. s runs from 0 to 1 and a increases; b increases or decreases.
+/// Points of the two sides of a seam that belong together: place a[i] of the first edge, 0..1 of the range of
+/// its curve, and b[i] of the second, both linear in s between s[i] and s[i + 1]. s runs from 0 to 1 and a
+/// increases; b increases or decreases.
 struct Correspondence {
   std::vector<double> s;
   std::vector<double> a;
@@ -57,7 +58,8 @@ struct SeamGraph {
   std::vector<std::string> notes;       ///< what could not be looked at, and why
 };
 
-/// Finds where the faces of a shape meet by shared topology (for loose faces see matchFreeEdges()), in time linear in the number of edges.
+/// Finds where the faces of a shape meet by shared topology (for loose faces see matchFreeEdges()), in time
+/// linear in the number of edges.
 ///
 /// Left out: degenerated edges (the pole of a sphere is no seam), edges that bound no face, and edges that
 /// lie inside a face without bounding it (orientation INTERNAL or EXTERNAL). Faces and edges are told apart

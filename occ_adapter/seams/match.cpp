@@ -53,7 +53,8 @@ class Refinement {
 
   /// The ends and those feet between them that interpolation between the others does not give.
   std::vector<Foot> thinned(const std::vector<Foot>& feet) const;
-  /// Adds feet until interpolation between them is good. \returns the largest error along b that was left, in mm, 0 if none.
+  /// Adds feet until interpolation between them is good. \returns the largest error along b that was left, in
+  /// mm, 0 if none.
   double refine(std::vector<Foot>& feet) const;
 
  private:

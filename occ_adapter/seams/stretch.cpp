@@ -15,7 +15,8 @@ double roundingLength(const EdgePath& path) {
   return 1e-9 * path.length_mm();
 }
 
-/// Linear interpolation between the feet on either side of where \p key has the value; key increases, or decreases.
+/// Linear interpolation between the feet on either side of where \p key has the value; key increases, or
+/// decreases.
 template <class Key, class Value>
 double interpolate(const std::vector<Foot>& feet, const Key& key, const Value& value, double at) {
   const bool rises = key(feet.back()) >= key(feet.front());
@@ -50,7 +51,8 @@ PairWalk::PairWalk(const EdgePath& a, const EdgePath& b, const ClosePieces& clos
   for (const auto& [i, j] : close) near_[i].push_back(j);
 }
 
-/// Where something may begin or end: the ends of the close pieces of a, and what is nearest to the ends of those of b.
+/// Where something may begin or end: the ends of the close pieces of a, and what is nearest to the ends of
+/// those of b.
 std::vector<double> PairWalk::events() const {
   std::vector<double> events;
   std::map<std::size_t, std::vector<std::size_t>> by_b;

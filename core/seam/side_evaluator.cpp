@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <seamwright/core/seam/side_evaluator.hpp>
+
+namespace seamwright {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double shortest_crossing = 0x1p-30;  ///< of the seam: below it both sides of a knot line are taken
+
+double mapped(const std::vector<double>& from, const std::vector<double>& to, double value) {
+  const auto upper = std::upper_bound(from.begin() + 1, from.end() - 1, value);
+  const auto i = static_cast<std::size_t>(upper - from.begin());
+  return to[i - 1] + (value - from[i - 1]) * ((to[i] - to[i - 1]) / (from[i] - from[i - 1]));
+}
+
+/// Where on [-1, 1] a series takes a value between two points at which it is on either side of it; nothing if
+/// none of 8 steps shows a change of side.
+std::optional<double> crossing(const ChebyshevModel& series, double value) {
+  constexpr int steps = 8;
+  double low = -1;
+  const auto above = [&](double x) { return series.seriesAt(x) > value; };
+  for (int i = 1; i <= steps; ++i) {
+    double high = -1 + 2.0 * i / steps;
+    if (above(low) != above(high)) {
+      for (int k = 0; k < 60; ++k) {
+        const double middle = 0.5 * (low + high);
+        (above(middle) == above(low) ? low : high) = middle;
+      }
+      return 0.5 * (low + high);
+    }
+    low = high;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool SideFields::hasPlane() const {
+  return std::ranges::all_of(alternatives, [](const SurfaceFields& fields) {
+    return std::ranges::all_of(fields.normal, [](const ChebyshevModel& n) { return n.isKnown(); });
+  });
+}
+
+SideEvaluator::SideEvaluator(const SeamSide& side) : side_(side) {
+  for (const double s : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    const ChebyshevModel t = parameter(s, s);
+    const VectorModel uv = side_.path.jet(t, t.coefficient(0), 0).p;
+    for (const int d : {0, 1}) reach_[d] = std::max(reach_[d], uv[d].magnitude());
+  }
+}
+
+void SideEvaluator::addBreaks(std::vector<double>& breaks) const {
+  const auto [low, high] = std::minmax(side_.t.front(), side_.t.back());
+  breaks.insert(breaks.end(), side_.s.begin() + 1, side_.s.end() - 1);
+  std::vector<double> s = side_.s, t = side_.t;
+  if (t.front() > t.back()) {
+    std::ranges::reverse(s);
+    std::ranges::reverse(t);
+  }
+  for (const double knot : side_.path.knotsInside({low, high})) breaks.push_back(mapped(t, s, knot));
+}
+
+SideFields SideEvaluator::fields(double from, double to, Detail detail) const {
+  const double middle = 0.5 * (from + to);
+  const ChebyshevModel t = parameter(from, to);
+  const VectorModel uv = side_.path.jet(t, t.coefficient(0), 0).p;
+  SideFields result;
+  std::array<std::vector<double>, 2> hints;
+  for (const int d : {0, 1}) {
+    if (!uv[d].isKnown()) {
+      result.split = middle;
+      return result;
+    }
+    hints[d] = this->hints(d, uv, from, to, result.split);
+    if (result.split) return result;
+  }
+  for (const double u : hints[0])
+    for (const double v : hints[1])
+      result.alternatives.push_back(side_.surface->fields(uv[0], uv[1], u, v, detail));
+  return result;
+}
+
+ChebyshevModel SideEvaluator::parameter(double from, double to) const {
+  const double t0 = mapped(side_.s, side_.t, from);
+  const double t1 = mapped(side_.s, side_.t, to);
+  const double rounding = 8 * epsilon * (std::abs(side_.t.front()) + std::abs(side_.t.back()));
+  return ChebyshevModel::linear(0.5 * (t0 + t1), 0.5 * (t1 - t0), rounding);
+}
+
+/// Points of the smooth pieces of the surface that coordinate d of the path meets.
+std::vector<double> SideEvaluator::hints(int d, const VectorModel& uv, double from, double to,
+                                         std::optional<double>& split) const {
+  const Interval range = uv[d].range();
+  const double touch = touchingDistance(d, uv[d]);
+  const std::vector<double> met = side_.surface->knotsInside(d, {range.lower - touch, range.upper + touch});
+  std::vector<double> knots;  // in the way, not only touched at an end
+  for (const double knot : met)
+    if (knot > range.lower + touch && knot < range.upper - touch) knots.push_back(knot);
+  const bool along = range.width() <= std::max(1e-10 * std::min(1.0, uv[1 - d].range().width()), touch);
+  if (!met.empty() && along) return {besideKnots(met, d, uv)};
+  if (knots.empty()) return {range.middle()};
+  if (to - from > shortest_crossing) {
+    const double knot = knots[knots.size() / 2];
+    const double x = crossing(uv[d], knot).value_or(0);
+    split = 0.5 * ((1 - x) * from + (1 + x) * to);
+    const double margin = 0x1p-10 * (to - from);  // a cut nearer to the end than this makes no progress
+    split = std::clamp(*split, from + (x < -0.999 ? margin : 0), to - (x > 0.999 ? margin : 0));
+    return {};
+  }
+  std::vector<double> hints = {range.lower};
+  hints.insert(hints.end(), knots.begin(), knots.end());
+  for (std::size_t i = 1; i < hints.size(); ++i)
+    hints[i] = 0.5 * (hints[i] + (i + 1 < hints.size() ? hints[i + 1] : range.upper));
+  return hints;
+}
+
+/// How near a knot line coordinate d of the path is on it: within 2^-46 of the parameter, or within what
+/// rounding leaves open of the path, which is the same for a piece as for the whole path.
+double SideEvaluator::touchingDistance(int d, const ChebyshevModel& coordinate) const {
+  const Interval range = coordinate.range();
+  const double of_parameter = 64 * epsilon * (std::abs(range.lower) + std::abs(range.upper) + range.width());
+  const double of_path = 4 * coordinate.radius();
+  return of_path <= 0x1p-36 * reach_[d] ? std::max(of_parameter, of_path) : of_parameter;
+}
+
+/// Off knot lines that but for rounding are one, to the side of the face.
+double SideEvaluator::besideKnots(const std::vector<double>& knots, int d, const VectorModel& uv) const {
+  const double along = uv[1 - d].coefficient(1);
+  const double into = (d == 0 ? -along : along) * (side_.face_on_left ? 1 : -1);
+  return into > 0 ? std::nextafter(knots.back(), infinite) : std::nextafter(knots.front(), -infinite);
+}
+
+}  // namespace seamwright

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include <seamwright/core/seam/seam_side.hpp>
+
+namespace seamwright {
+
+/// The fields of one side over a piece of the seam.
+struct SideFields {
+  std::vector<SurfaceFields> alternatives;  ///< more than one where the piece lies across a knot line
+  std::optional<double> split;              ///< no fields: the piece is to be cut here first
+
+  /// Whether the side is known to have a tangent plane all over the piece.
+  bool hasPlane() const;
+};
+
+/// Evaluates a side over pieces [from, to] of the seam, s in 0..1, and says where pieces are to be cut.
+class SideEvaluator {
+ public:
+  explicit SideEvaluator(const SeamSide& side);
+
+  bool faceOnLeft() const { return side_.face_on_left; }
+
+  /// Adds the places in (0, 1) where the path is not smooth.
+  void addBreaks(std::vector<double>& breaks) const;
+
+  /// Where the path crosses knot lines of the surface inside the piece there are no fields but a place to
+  /// cut; of pieces shorter than 2^-30 of the seam there is one alternative for each side of the line. Along
+  /// a knot line the side of the face counts.
+  SideFields fields(double from, double to, Detail detail) const;
+
+ private:
+  ChebyshevModel parameter(double from, double to) const;
+  std::vector<double> hints(int d, const VectorModel& uv, double from, double to,
+                            std::optional<double>& split) const;
+  double touchingDistance(int d, const ChebyshevModel& coordinate) const;
+  double besideKnots(const std::vector<double>& knots, int d, const VectorModel& uv) const;
+
+  const SeamSide& side_;
+  std::array<double, 2> reach_{};  ///< typical size of the parameters along the path
+};
+
+}  // namespace seamwright
