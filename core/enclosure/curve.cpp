@@ -53,6 +53,11 @@ std::vector<double> CurveEvaluator::knotsInside(const Interval& range) const {
   return spline != nullptr ? (*spline)->knotsInside(0, range) : std::vector<double>();
 }
 
+double CurveEvaluator::parameterSize() const {
+  const auto* spline = std::get_if<std::shared_ptr<const SplineEvaluator>>(&form_);
+  return spline != nullptr ? (*spline)->parameterSize(0) : 0;
+}
+
 CurveJetModel CurveEvaluator::jet(const ChebyshevModel& t, double hint, int order) const {
   if (const auto* spline = std::get_if<std::shared_ptr<const SplineEvaluator>>(&form_)) {
     const JetModel jet = (*spline)->jet(t, ChebyshevModel(0), hint, 0, order);

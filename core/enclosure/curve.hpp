@@ -50,6 +50,8 @@ class CurveEvaluator {
 
   /// Parameters strictly inside the range at which the curve may not be smooth, increasing.
   std::vector<double> knotsInside(const Interval& range) const;
+  /// Largest absolute knot, 0 if there are none.
+  double parameterSize() const;
   /// \param hint a parameter in the smooth piece that is meant. \param order 0, 1 or 2: highest derivative
   /// wanted.
   CurveJetModel jet(const ChebyshevModel& t, double hint, int order) const;

@@ -178,13 +178,22 @@ std::vector<double> SplineEvaluator::knotsInside(int direction, const Interval& 
   return inside;
 }
 
+double SplineEvaluator::parameterSize(int direction) const {
+  return std::max(std::abs(spans_[direction].front().lower), std::abs(spans_[direction].back().upper));
+}
+
 SplineEvaluator::Local SplineEvaluator::localize(int direction, const ChebyshevModel& parameter,
                                                  double hint) const {
   const std::vector<Span>& spans = spans_[direction];
   const double period = directions_[direction].period;
-  const double shift = period == 0 ? 0 : period * std::floor((hint - spans.front().lower) / period);
+  // The same numbers as in knotsInside(), so that a hint next to a knot is on the side of it that is meant.
+  const double base = spans.front().lower;
+  double k = period == 0 ? 0 : std::floor((hint - base) / period);
+  if (period != 0 && hint < base + k * period) --k;
+  if (period != 0 && hint >= base + (k + 1) * period) ++k;
+  const double shift = k * period;
   Local local;
-  while (local.span + 1 < static_cast<int>(spans.size()) && spans[local.span].upper <= hint - shift)
+  while (local.span + 1 < static_cast<int>(spans.size()) && spans[local.span + 1].lower + shift <= hint)
     ++local.span;
   const Span& span = spans[local.span];
   const double middle = span.lower + 0.5 * (span.upper - span.lower);

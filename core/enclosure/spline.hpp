@@ -45,6 +45,9 @@ class SplineEvaluator {
   /// Knots strictly inside the range, those of other periods too, increasing.
   std::vector<double> knotsInside(int direction, const Interval& range) const;
 
+  /// Largest absolute knot: the size by which places in this parameter can be told apart.
+  double parameterSize(int direction) const;
+
   /// The jet along (u, v), of the polynomial of the span that holds hint_u and hint_v. \param order 0, 1 or
   /// 2: highest derivatives wanted.
   JetModel jet(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u, double hint_v,

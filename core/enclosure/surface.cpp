@@ -147,8 +147,14 @@ class Sphere : public SurfaceEvaluator {
   SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double, double,
                        Detail detail) const override {
     const auto [cosine, sine] = cosSin(v);
-    const ChebyshevModel curvature = -inverse(ChebyshevModel(radius_));
-    return turnedFields(u, {radius_ * cosine, radius_ * sine, cosine, sine, curvature, curvature}, detail);
+    // Beyond a pole X_u x X_v points inward; at the pole itself the sphere has its plane all the same.
+    constexpr double rounding = 0x1p-36;
+    const Interval height = cosine.range();
+    const double side = height.lower >= -rounding ? 1 : height.upper <= rounding ? -1 : 0;
+    const ChebyshevModel curvature = -side * inverse(ChebyshevModel(radius_));
+    const SurfaceFields fields = turnedFields(
+        u, {radius_ * cosine, radius_ * sine, side * cosine, side * sine, curvature, curvature}, detail);
+    return side == 0 ? unknownPlane(fields) : fields;
   }
 
  private:
@@ -161,6 +167,7 @@ class Spline : public SurfaceEvaluator {
   std::vector<double> knotsInside(int direction, const Interval& range) const override {
     return spline_->knotsInside(direction, range);
   }
+  double parameterSize(int direction) const override { return spline_->parameterSize(direction); }
   SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u, double hint_v,
                        Detail detail) const override {
     return fieldsOf(spline_->jet(u, v, hint_u, hint_v, static_cast<int>(detail)), detail);
@@ -177,6 +184,7 @@ class Extrusion : public SurfaceEvaluator {
   std::vector<double> knotsInside(int direction, const Interval& range) const override {
     return direction == 0 ? curve_.knotsInside(range) : std::vector<double>();
   }
+  double parameterSize(int direction) const override { return direction == 0 ? curve_.parameterSize() : 0; }
   SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u, double,
                        Detail detail) const override {
     const CurveJetModel curve = curve_.jet(u, hint_u, static_cast<int>(detail));
@@ -194,6 +202,7 @@ class Revolution : public SurfaceEvaluator {
   std::vector<double> knotsInside(int direction, const Interval& range) const override {
     return direction == 1 ? curve_.knotsInside(range) : std::vector<double>();
   }
+  double parameterSize(int direction) const override { return direction == 1 ? curve_.parameterSize() : 0; }
   SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double, double hint_v,
                        Detail detail) const override {
     const CurveJetModel curve = curve_.jet(v, hint_v, static_cast<int>(detail));
@@ -242,6 +251,7 @@ class Offset : public SurfaceEvaluator {
   std::vector<double> knotsInside(int direction, const Interval& range) const override {
     return basis_->knotsInside(direction, range);
   }
+  double parameterSize(int direction) const override { return basis_->parameterSize(direction); }
   SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u, double hint_v,
                        Detail detail) const override {
     const SurfaceFields basis = basis_->fields(u, v, hint_u, hint_v, Detail::Curvature);
@@ -277,6 +287,7 @@ class Placed : public SurfaceEvaluator {
   std::vector<double> knotsInside(int direction, const Interval& range) const override {
     return basis_->knotsInside(direction, range);
   }
+  double parameterSize(int direction) const override { return basis_->parameterSize(direction); }
   SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u, double hint_v,
                        Detail detail) const override {
     return placed(basis_->fields(u, v, hint_u, hint_v, detail), placement_, detail);

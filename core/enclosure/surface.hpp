@@ -30,6 +30,9 @@ class SurfaceEvaluator {
   /// Knots of parameter 0 (u) or 1 (v) strictly inside the range: lines across which derivatives may jump.
   /// Increasing.
   virtual std::vector<double> knotsInside(int /*direction*/, const Interval& /*range*/) const { return {}; }
+  /// Largest absolute knot of parameter 0 or 1, 0 if there are none: the size by which places in it can be
+  /// told apart.
+  virtual double parameterSize(int /*direction*/) const { return 0; }
   /// \param hint_u, hint_v a point of the smooth piece that is meant.
   virtual SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u, double hint_v,
                                Detail detail) const = 0;

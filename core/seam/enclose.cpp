@@ -15,16 +15,19 @@ namespace seamwright {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-/// Of the seam: below it a point without tangent plane is left out
+/// Of the seam, in parameter and in length: a shorter piece without known tangent plane is left out.
 constexpr double shortest_piece = 0x1p-24;
-/// Of the seam: so near a point without tangent plane curvature is rounding
+/// Of the seam's parameter: no piece is cut to less.
+constexpr double last_piece = 0x1p-50;
+/// Of the seam's length: so near a point without tangent plane curvature is rounding.
 constexpr double degenerate_reach = 0x1p-20;
 
 struct Piece {
   double from = 0;
   double to = 0;
   PieceFigures figures;
-  bool left_out = false;  ///< only the gap counts
+  bool left_out = false;            ///< only the gap counts
+  bool curvature_left_out = false;  ///< only gap and angle count
   /// by what its bounds are too wide, in units of what is allowed
   double excess = infinite;
   int stalled = 0;  ///< cuts in a row that helped no part
@@ -80,7 +83,9 @@ class Enclosure {
   bool measure(Piece& piece, Detail detail, std::optional<double>& split);
   void see(const Piece& piece);
   void see(Quantity quantity, const PieceBound& bound, const Piece& piece);
-  bool isNearDegenerate(const Piece& piece) const;
+  bool isShort(double from, double to, double share);
+  double wholeLength();
+  void leaveOutCurvatureNearDegenerate();
   void leaveOut(const Piece& piece, const SideFields& a, const SideFields& b);
   double tolerated(Quantity quantity) const;
   double allowed(Quantity quantity) const;
@@ -89,9 +94,10 @@ class Enclosure {
   double excess(const PieceFigures& figures) const;
   bool isSettled(const Piece& piece) const;
   void refine();
-  SeamFigures figures() const;
+  double planeShare();
+  SeamFigures figures();
   std::optional<Figure> figure(Quantity quantity, double upper) const;
-  Interval lengthOf(const Piece& piece) const;
+  Interval lengthOf(double from, double to, int halvings = 6) const;
   Interval belowCreaseShare() const;
 
   SideEvaluator a_;
@@ -106,6 +112,7 @@ class Enclosure {
   int cuts_ = 0;  ///< at knot lines
   bool exhausted_ = false;
   std::vector<DegeneratePoint> degenerate_;
+  std::optional<double> whole_length_;
 };
 
 double Enclosure::tolerated(Quantity quantity) const {
@@ -208,7 +215,8 @@ bool Enclosure::measure(Piece& piece, Detail detail, std::optional<double>& spli
       first = false;
     }
   const bool without_plane = detail != Detail::Position && !std::isfinite(piece.figures.angle_rad.upper);
-  if (without_plane && piece.width() > 0 && piece.width() < shortest_piece) {
+  if (without_plane && piece.width() > 0 && piece.width() < shortest_piece &&
+      isShort(piece.from, piece.to, shortest_piece)) {
     piece.left_out = true;
     leaveOut(piece, a, b);
   }
@@ -277,7 +285,9 @@ void Enclosure::refine() {
     changed = false;
     std::vector<Piece> open;
     const auto is_open = [&](const Piece& piece) {
-      return piece.width() >= shortest_piece && piece.stalled < 2 && !piece.left_out && !isSettled(piece);
+      const bool is_long_enough =
+          piece.width() >= (std::isfinite(piece.excess) ? shortest_piece : last_piece);
+      return is_long_enough && piece.stalled < 2 && !piece.left_out && !isSettled(piece);
     };
     const auto first_open = std::ranges::stable_partition(pieces_, std::not_fn(is_open));
     open.assign(first_open.begin(), first_open.end());
@@ -296,10 +306,34 @@ void Enclosure::refine() {
   }
 }
 
-bool Enclosure::isNearDegenerate(const Piece& piece) const {
-  return std::ranges::any_of(degenerate_, [&](const DegeneratePoint& point) {
-    return std::abs(piece.at(0) - point.at) < degenerate_reach;
-  });
+/// At least so long is side a: a polygon of its points.
+double Enclosure::wholeLength() {
+  if (whole_length_) return *whole_length_;
+  const auto point = [&](double s) {
+    const VectorModel p = a_.fields(s, s, Detail::Position).alternatives.front().point;
+    return Eigen::Vector3d(p[0].coefficient(0), p[1].coefficient(0), p[2].coefficient(0));
+  };
+  constexpr int chords = 64;
+  Eigen::Vector3d before = point(0);
+  whole_length_ = 0;
+  for (int i = 1; i <= chords; ++i) {
+    const Eigen::Vector3d here = point(static_cast<double>(i) / chords);
+    *whole_length_ += (here - before).norm();
+    before = here;
+  }
+  return *whole_length_;
+}
+
+/// Whether a stretch is no longer than a share of the seam, by length as by parameter.
+bool Enclosure::isShort(double from, double to, double share) {
+  return to - from <= share && !(lengthOf(from, to).upper > share * wholeLength());
+}
+
+void Enclosure::leaveOutCurvatureNearDegenerate() {
+  for (Piece& piece : pieces_)
+    piece.curvature_left_out = std::ranges::any_of(degenerate_, [&](const DegeneratePoint& point) {
+      return isShort(std::min(piece.from, point.at), std::max(piece.to, point.at), 2 * degenerate_reach);
+    });
 }
 
 SeamFigures Enclosure::run() {
@@ -314,7 +348,7 @@ SeamFigures Enclosure::run() {
   if (measure(middle, Detail::TangentPlane, split)) see(middle);
   double from = 0;
   for (const double at : breaks) {
-    constexpr double apart = 1e-12;  // breaks that only rounding tells apart are one
+    constexpr double apart = 0x1p-48;  // breaks that only rounding tells apart are one
     if (at <= from + apart) continue;
     const double to = at > 1 - apart ? 1 : at;
     const double inner = 0.5 * (from + to);
@@ -325,8 +359,7 @@ SeamFigures Enclosure::run() {
     from = to;
   }
   refine();
-  for (Piece& piece : pieces_)
-    if (isNearDegenerate(piece)) piece.left_out = true;
+  leaveOutCurvatureNearDegenerate();
   return figures();
 }
 
@@ -336,21 +369,41 @@ std::optional<Figure> Enclosure::figure(Quantity quantity, double upper) const {
   return figure;
 }
 
-/// Chord and length of the control polygon of side a.
-Interval Enclosure::lengthOf(const Piece& piece) const {
-  const SideFields side = a_.fields(piece.from, piece.to, Detail::Position);
-  if (side.alternatives.size() != 1) return {0, 0};
-  const ControlPolygon<3> polygon = controlPolygon(side.alternatives[0].point);
+/// Bounds of the length of side a: chords and control polygons. Across knot lines as if each side went all
+/// the way; infinite above if there are too many of them.
+Interval Enclosure::lengthOf(double from, double to, int halvings) const {
+  const SideFields side = a_.fields(from, to, Detail::Position);
+  if (side.split) {
+    if (halvings == 0) return {0, infinite};
+    const Interval first = lengthOf(from, *side.split, halvings - 1);
+    const Interval second = lengthOf(*side.split, to, halvings - 1);
+    return {first.lower + second.lower, first.upper + second.upper};
+  }
   Interval length;
-  for (int i = 1; i <= polygon.degree; ++i)
-    length.upper += (polygon.points[i] - polygon.points[i - 1]).norm();
-  length.lower = (polygon.points[polygon.degree] - polygon.points[0]).norm();
+  for (const SurfaceFields& fields : side.alternatives) {
+    const ControlPolygon<3> polygon = controlPolygon(fields.point);
+    double sum = 2 * polygon.radius;
+    for (int i = 1; i <= polygon.degree; ++i) sum += (polygon.points[i] - polygon.points[i - 1]).norm();
+    length.upper = std::max(length.upper, sum);
+    length.lower = (polygon.points[polygon.degree] - polygon.points[0]).norm();
+  }
   return length;
+}
+
+double Enclosure::planeShare() {
+  const Interval& range = options_.range;
+  double left_out = 0;
+  if (range.lower > 0) left_out += lengthOf(0, range.lower).upper;
+  if (range.upper < 1) left_out += lengthOf(range.upper, 1).upper;
+  for (const Piece& piece : pieces_)
+    if (piece.left_out && piece.from >= range.lower && piece.to <= range.upper)
+      left_out += lengthOf(piece.from, piece.to).upper;
+  return left_out > 0 ? std::max(0.0, 1 - left_out / std::max(wholeLength(), left_out)) : 1;
 }
 
 Interval Enclosure::belowCreaseShare() const {
   if (std::ranges::none_of(pieces_, [&](const Piece& piece) {
-        return !piece.left_out && piece.figures.angle_rad.upper > tolerance_.crease_rad;
+        return !piece.left_out && (piece.figures.angle_rad.upper > tolerance_.crease_rad || folds(piece));
       }))
     return {1, 1};
   if (std::ranges::none_of(pieces_, [&](const Piece& piece) {
@@ -362,7 +415,7 @@ Interval Enclosure::belowCreaseShare() const {
     const PieceFigures& f = piece.figures;
     const bool is_above = piece.left_out || f.smallest_angle_rad > tolerance_.crease_rad || folds(piece);
     Interval& sum = is_above ? other : f.angle_rad.upper <= tolerance_.crease_rad ? below : either;
-    const Interval length = lengthOf(piece);
+    const Interval length = lengthOf(piece.from, piece.to);
     sum.lower += length.lower;
     sum.upper += length.upper;
   }
@@ -372,10 +425,9 @@ Interval Enclosure::belowCreaseShare() const {
   return {least, most};
 }
 
-SeamFigures Enclosure::figures() const {
+SeamFigures Enclosure::figures() {
   SeamFigures figures;
   std::array<double, Quantities> upper{};
-  double left_out = options_.range.lower + 1 - options_.range.upper;
   double with_plane = 0;
   bool may_fold = false;
   std::optional<double> unknown_at;
@@ -383,15 +435,15 @@ SeamFigures Enclosure::figures() const {
     const PieceFigures& f = piece.figures;
     upper[Gap] = std::max(upper[Gap], f.gap_mm.upper);
     if (!std::isfinite(f.gap_mm.upper)) unknown_at = piece.at(0);
-    if (piece.left_out) {
-      left_out += piece.from >= options_.range.lower && piece.to <= options_.range.upper ? piece.width() : 0;
-      continue;
-    }
+    if (piece.left_out) continue;
     with_plane += piece.width();
     upper[Angle] = std::max(upper[Angle], f.angle_rad.upper);
-    upper[Curvature] = std::max(upper[Curvature], f.curvature_per_mm ? f.curvature_per_mm->upper : infinite);
-    upper[RelativeCurvature] =
-        std::max(upper[RelativeCurvature], f.curvature_rel ? f.curvature_rel->upper : infinite);
+    if (!piece.curvature_left_out) {
+      upper[Curvature] =
+          std::max(upper[Curvature], f.curvature_per_mm ? f.curvature_per_mm->upper : infinite);
+      upper[RelativeCurvature] =
+          std::max(upper[RelativeCurvature], f.curvature_rel ? f.curvature_rel->upper : infinite);
+    }
     if (!std::isfinite(f.angle_rad.upper)) unknown_at = piece.at(0);
     if (folds(piece) && f.angle_rad.upper <= tolerance_.crease_rad && !figures.fold_at)
       figures.fold_at = piece.at(0);
@@ -409,8 +461,8 @@ SeamFigures Enclosure::figures() const {
       figures.uncertified = "the curvature is not bounded";
   }
   const Interval share = belowCreaseShare();
-  figures.below_crease_share = figures.fold_at ? 0 : share.middle();
-  figures.plane_share = 1 - left_out;
+  figures.below_crease_share = share.middle();
+  figures.plane_share = planeShare();
   figures.degenerate = degenerate_;
   figures.points = looks_;
   figures.shares_known = true;

@@ -102,8 +102,9 @@ std::vector<double> SideEvaluator::hints(int d, const VectorModel& uv, double fr
   std::vector<double> knots;  // in the way, not only touched at an end
   for (const double knot : met)
     if (knot > range.lower + touch && knot < range.upper - touch) knots.push_back(knot);
-  const bool along = range.width() <= std::max(1e-10 * std::min(1.0, uv[1 - d].range().width()), touch);
-  if (!met.empty() && along) return {besideKnots(met, d, uv)};
+  const double size = side_.surface->parameterSize(d);
+  const double along = std::max(std::min(0x1p-36 * size, 1e-10 * uv[1 - d].range().width()), touch);
+  if (!met.empty() && range.width() <= along) return besideKnots(met, d, uv);
   if (knots.empty()) return {range.middle()};
   if (to - from > shortest_crossing) {
     const double knot = knots[knots.size() / 2];
@@ -129,11 +130,15 @@ double SideEvaluator::touchingDistance(int d, const ChebyshevModel& coordinate) 
   return of_path <= 0x1p-36 * reach_[d] ? std::max(of_parameter, of_path) : of_parameter;
 }
 
-/// Off knot lines that but for rounding are one, to the side of the face.
-double SideEvaluator::besideKnots(const std::vector<double>& knots, int d, const VectorModel& uv) const {
+/// Off knot lines that but for rounding are one, to the side of the face; to both if the path has no direction.
+std::vector<double> SideEvaluator::besideKnots(const std::vector<double>& knots, int d,
+                                               const VectorModel& uv) const {
+  const double below = std::nextafter(knots.front(), -infinite);
+  const double above = std::nextafter(knots.back(), infinite);
   const double along = uv[1 - d].coefficient(1);
+  if (along == 0) return {below, above};
   const double into = (d == 0 ? -along : along) * (side_.face_on_left ? 1 : -1);
-  return into > 0 ? std::nextafter(knots.back(), infinite) : std::nextafter(knots.front(), -infinite);
+  return {into > 0 ? above : below};
 }
 
 }  // namespace seamwright

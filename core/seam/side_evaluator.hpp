@@ -38,7 +38,7 @@ class SideEvaluator {
   std::vector<double> hints(int d, const VectorModel& uv, double from, double to,
                             std::optional<double>& split) const;
   double touchingDistance(int d, const ChebyshevModel& coordinate) const;
-  double besideKnots(const std::vector<double>& knots, int d, const VectorModel& uv) const;
+  std::vector<double> besideKnots(const std::vector<double>& knots, int d, const VectorModel& uv) const;
 
   const SeamSide& side_;
   std::array<double, 2> reach_{};  ///< typical size of the parameters along the path
