@@ -72,10 +72,10 @@ double curvatureChange(const SurfaceJet& jet, const Eigen::Vector3d& normal,
                        const Eigen::Vector3d& direction) {
   const double U = jet.u.stableNorm();
   const double V = jet.v.stableNorm();
-  const auto [dual_u, dual_v] = dualBasis(jet.u / U, jet.v / V);
+  const auto dual = dualBasis(jet.u / U, jet.v / V);
   // Parameter vectors in stretched parameters; the partials are stretched in the same measure.
   const auto parameters = [&](const Eigen::Vector3d& vector) {
-    return Eigen::Vector2d(dual_u.dot(vector), dual_v.dot(vector));
+    return Eigen::Vector2d(dual.first.dot(vector), dual.second.dot(vector));
   };
   const auto second = [&](const Eigen::Vector2d& x, const Eigen::Vector2d& y) -> Eigen::Vector3d {
     return x(0) * y(0) * (jet.uu / U / U) + (x(0) * y(1) + x(1) * y(0)) * (jet.uv / U / V) +

@@ -41,7 +41,7 @@ Matrix chebyshevToBernstein(int degree) {
 }
 
 std::array<Matrix, size> bernsteinTables() {
-  std::array<Matrix, size> tables;
+  std::array<Matrix, size> tables{};
   for (int degree = 0; degree < size; ++degree) tables[degree] = chebyshevToBernstein(degree);
   return tables;
 }
@@ -248,7 +248,7 @@ ChebyshevModel ProductSum::model() const {
     result.coefficients_[k] = 0.5 * twice_[k];
   for (int k = size; k <= degree_; ++k) rest += std::abs(twice_[k]);
   result.degree_ = std::min(degree_, ChebyshevModel::max_degree);
-  result.radius_ = up(radius_ + 0.5 * rest + 32 * epsilon * absolute_);
+  result.radius_ = up(radius_ + 0.5 * rest + 64 * epsilon * absolute_);
   result.trim();
   return result;
 }

@@ -18,10 +18,10 @@ namespace seamwright {
 /// smaller radius: the part of a smooth function that is left over falls with the eighth power of the length.
 /// An infinite radius says that nothing is known, for instance after division by a function that may vanish.
 ///
-/// Rounding: with u = 2^-53, a coefficient of a sum is off by u of its value, a coefficient of a product is a
-/// sum of at most 16 products, off by at most 17 u/(1 - 17 u) times the sum of their absolute values. As
-/// |T_k| <= 1, the radius grows by no more than these errors summed up. Radii are computed with a relative
-/// surplus of 2^-48 in place of directed rounding.
+/// Rounding: with u = 2^-53, a coefficient of a sum is off by u of its value, a coefficient of a sum of up to
+/// six products of models is a sum of at most 96 products, off by less than 128 u times the sum of their
+/// absolute values. As |T_k| <= 1, the radius grows by no more than these errors summed up. Radii are
+/// computed with a relative surplus of 2^-48 in place of directed rounding.
 ///
 /// Identities (each has a test of its number):
 ///   (1) The function of a sum, product, inverse, inverse square root, sine, cosine lies in the model of it.
@@ -79,7 +79,7 @@ class ChebyshevModel {
   int degree_ = 0;
 };
 
-/// A sum of products of models, cut to the degree of a model once at its end.
+/// A sum of at most six products of models, cut to the degree of a model once at its end.
 class ProductSum {
  public:
   ProductSum& add(const ChebyshevModel& a, const ChebyshevModel& b, double sign = 1);

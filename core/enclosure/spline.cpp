@@ -156,6 +156,8 @@ SplineEvaluator::SpanMatrices SplineEvaluator::makeMatrices(int direction, int s
 const SplineEvaluator::SpanMatrices& SplineEvaluator::matrices(int direction, int span) const {
   const auto known = matrices_[direction].find(span);
   if (known != matrices_[direction].end()) return known->second;
+  constexpr std::size_t most_kept = 1000;
+  if (matrices_[direction].size() >= most_kept) matrices_[direction].clear();
   return matrices_[direction].emplace(span, makeMatrices(direction, span)).first->second;
 }
 
@@ -204,6 +206,8 @@ SplineEvaluator::Local SplineEvaluator::localize(int direction, const ChebyshevM
 }
 
 const SplineEvaluator::Cell& SplineEvaluator::cell(int span_u, int span_v, int nets) const {
+  constexpr std::size_t most_kept = 1000;
+  if (cells_.size() >= most_kept) cells_.clear();
   Cell& cell = cells_[{span_u, span_v}];
   if (cell.count < nets) cell = makeCell(span_u, span_v, nets);
   return cell;

@@ -220,8 +220,9 @@ class Revolution : public SurfaceEvaluator {
 
  private:
   static SurfaceFields turn(const SurfaceFields& start, const ChebyshevModel& u, Detail detail) {
-    const auto [cosine, sine] = cosSin(u);
+    const std::pair<ChebyshevModel, ChebyshevModel> rotation = cosSin(u);
     const auto turn = [&](const VectorModel& a) {
+      const auto& [cosine, sine] = rotation;
       return vectorModel(ProductSum().add(cosine, a[0]).add(sine, a[1], -1).model(),
                          ProductSum().add(sine, a[0]).add(cosine, a[1]).model(), a[2]);
     };

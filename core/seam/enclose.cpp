@@ -289,9 +289,9 @@ void Enclosure::refine() {
           piece.width() >= (std::isfinite(piece.excess) ? shortest_piece : last_piece);
       return is_long_enough && piece.stalled < 2 && !piece.left_out && !isSettled(piece);
     };
-    const auto first_open = std::ranges::stable_partition(pieces_, std::not_fn(is_open));
-    open.assign(first_open.begin(), first_open.end());
-    pieces_.erase(first_open.begin(), first_open.end());
+    const auto first_open = std::stable_partition(pieces_.begin(), pieces_.end(), std::not_fn(is_open));
+    open.assign(first_open, pieces_.end());
+    pieces_.erase(first_open, pieces_.end());
     for (const Piece& piece : open) {
       if (looks_ >= limit) {
         exhausted_ = true;
@@ -306,19 +306,19 @@ void Enclosure::refine() {
   }
 }
 
-/// At least so long is side a: a polygon of its points.
+/// At least so long is side a: a polygon of those of its points that are known.
 double Enclosure::wholeLength() {
   if (whole_length_) return *whole_length_;
-  const auto point = [&](double s) {
-    const VectorModel p = a_.fields(s, s, Detail::Position).alternatives.front().point;
-    return Eigen::Vector3d(p[0].coefficient(0), p[1].coefficient(0), p[2].coefficient(0));
-  };
   constexpr int chords = 64;
-  Eigen::Vector3d before = point(0);
+  std::optional<Eigen::Vector3d> before;
   whole_length_ = 0;
-  for (int i = 1; i <= chords; ++i) {
-    const Eigen::Vector3d here = point(static_cast<double>(i) / chords);
-    *whole_length_ += (here - before).norm();
+  for (int i = 0; i <= chords; ++i) {
+    const double s = static_cast<double>(i) / chords;
+    const SideFields side = a_.fields(s, s, Detail::Position);
+    if (side.alternatives.empty()) continue;
+    const VectorModel& p = side.alternatives.front().point;
+    const Eigen::Vector3d here(p[0].coefficient(0), p[1].coefficient(0), p[2].coefficient(0));
+    if (before) *whole_length_ += (here - *before).norm();
     before = here;
   }
   return *whole_length_;
@@ -385,7 +385,8 @@ Interval Enclosure::lengthOf(double from, double to, int halvings) const {
     double sum = 2 * polygon.radius;
     for (int i = 1; i <= polygon.degree; ++i) sum += (polygon.points[i] - polygon.points[i - 1]).norm();
     length.upper = std::max(length.upper, sum);
-    length.lower = (polygon.points[polygon.degree] - polygon.points[0]).norm();
+    const double chord = (polygon.points[polygon.degree] - polygon.points[0]).norm();
+    length.lower = std::max(0.0, chord - 2 * polygon.radius);
   }
   return length;
 }

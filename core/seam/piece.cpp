@@ -296,10 +296,11 @@ PieceFigures measurePiece(const SurfaceFields& a, const SurfaceFields& b, Detail
   const double cosine_least = std::max({0.0, cosine.lower, -cosine.upper});
   const double cosine_most = std::min(1.0, cosine.magnitude());
   const double up = 1 + rounding, down = 1 - rounding;
-  figures.angle_rad.upper = std::isfinite(sine.upper)
-                                ? up * std::min(sine.upper < 1 ? std::asin(sine.upper) : infinite,
-                                                std::acos(std::min(1.0, cosine_least)))
-                                : infinite;
+  figures.angle_rad.upper = infinite;
+  if (std::isfinite(sine.upper)) {
+    const double by_cosine = std::acos(std::min(1.0, cosine_least));
+    figures.angle_rad.upper = up * (sine.upper < 1 ? std::min(std::asin(sine.upper), by_cosine) : by_cosine);
+  }
   figures.angle_rad.lower = down * std::asin(std::min(1.0, sine.lower));
   figures.angle_rad.at = sine.at;
   figures.smallest_angle_rad = down * std::acos(cosine_most);

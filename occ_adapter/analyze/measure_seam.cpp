@@ -83,11 +83,16 @@ std::string sharpSpotNote(const SeamFigures& figures, const ContinuityTolerance&
   return text.str();
 }
 
-std::string strayNote(const SeamResult& result, const AnalyzeOptions& options) {
-  constexpr double rounding = 1.001;
+/// What the distance to match has to do with the gap of a matched seam.
+std::string matchNote(const SeamResult& result, const AnalyzeOptions& options) {
   const std::optional<Figure>& gap = result.figures.gap_mm;
-  if (result.kind != SeamKind::Matched || !gap || gap->lower <= rounding * options.match_mm) return {};
-  return "in places the edges are further apart than the distance to match";
+  if (result.kind != SeamKind::Matched || !gap) return {};
+  if (gap->lower > 1.001 * options.match_mm)
+    return "in places the edges are further apart than the distance to match";
+  if (gap->lower > 0.99 * options.match_mm)
+    return "it ends where the edges are further apart than the distance to match, and the gap may go on "
+           "growing";
+  return {};
 }
 
 /// How the sides are told apart in notes.
@@ -220,7 +225,7 @@ void measure(const Seam& seam, const AnalyzeOptions& options, SeamResult& result
                             [&](double at) { return pointOnFirstSide(seam, pcurves[0], at); });
   addNote(result.note, degeneracyNote(result.figures, result.faces));
   addNote(result.note, sharpSpotNote(result.figures, options.tolerance));
-  addNote(result.note, strayNote(result, options));
+  addNote(result.note, matchNote(result, options));
   if (result.figures.fold_at) addNote(result.note, "the faces fold back on one another");
   if (!result.figures.settled)
     addNote(result.note, "figures still changed after " + std::to_string(result.figures.points) + " points");

@@ -69,7 +69,8 @@ class Refinement {
     return foot.b >= std::min(left.b, right.b) && foot.b <= std::max(left.b, right.b);
   }
   double allowed_mm(const Foot& foot) const {
-    return std::max(0.005 * std::max(options_.gap_mm, foot.distance_mm), 1e-9 * b_.length_mm());
+    const double gap_mm = std::min(options_.gap_mm, 1e-3 * b_.length_mm());
+    return std::max(0.005 * std::max(gap_mm, foot.distance_mm), 1e-9 * b_.length_mm());
   }
 
   /// From the end of the piece before.
@@ -227,7 +228,9 @@ std::vector<Stretch> Matcher::walk(const Progress& progress) {
   std::vector<Stretch> stretches;
   const Progress walked = partOf(progress, 0.5, 1);
   std::size_t done = 0;
-  for (const auto& [pair, pieces] : close) {
+  for (const auto& close_pair : close) {
+    const auto& pair = close_pair.first;
+    const auto& pieces = close_pair.second;
     if (walked && done++ % 64 == 0 && !walked(static_cast<double>(done) / static_cast<double>(close.size())))
       throw Cancelled();
     summary_.close_pieces += pieces.size();

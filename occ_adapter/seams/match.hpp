@@ -48,8 +48,8 @@ struct MatchSummary {
 ///
 /// Correspondence: s is proportional to the arc length of n at its knots; b is the place nearest to a.
 /// Halfway between two knots the place that is interpolated is off along m by at most 0.5 % of the larger of
-/// gap_mm and the distance (and 1e-9 of the length of m), unless most_pieces are not enough or m turns back
-/// on itself, which is a note on the seam.
+/// min(gap_mm, length of m / 1000) and the distance (and 1e-9 of the length of m), unless most_pieces are not
+/// enough or m turns back on itself, which is a note on the seam.
 ///
 /// An edge leaves graph.open if matched stretches leave out no more than 4 match_mm and a tenth of it at a
 /// time. An edge that is matched in part is in graph.seams and in graph.open.

@@ -71,7 +71,8 @@ void expectTrue(const SeamFigures& figures, const PatchSide& a, const PatchSide&
              "angle");
   if (!figures.curvature_per_mm) return;
   const auto difference = [&](const PairMeasure& pair) {
-    return pair.curvature ? pair.curvature->difference_per_mm : infinite;
+    if (pair.curvature) return pair.curvature->difference_per_mm;
+    return infinite;
   };
   const auto relative = [&](const PairMeasure& pair) {
     return pair.curvature ? relativeDifference(*pair.curvature, tolerance.flat_radius_mm) : infinite;
@@ -760,7 +761,9 @@ TEST(EncloseSeam, Identity2TheVerdictDoesNotDependOnTheDescription) {
   std::mt19937_64 random(21);
   for (int i = 0; i < 150; ++i) {
     SCOPED_TRACE(i);
-    const auto [a, b] = randomSeam(random);
+    const auto seam = randomSeam(random);
+    const PatchSide& a = std::get<0>(seam);
+    const PatchSide& b = std::get<1>(seam);
     const ContinuityTolerance tolerance = randomTolerance(random);
     const SeamFigures figures = encloseSeam(a.seamSide(), b.seamSide(), tolerance);
     const Verdict verdict = judge(figures, tolerance, Level::G2);

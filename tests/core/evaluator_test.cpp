@@ -26,7 +26,7 @@ using Matrix3 = Eigen::Matrix<Real, 3, 3>;
 struct Jet {
   Real f = 0, u = 0, v = 0, uu = 0, uv = 0, vv = 0;
   Jet() = default;
-  Jet(Real value) : f(value) {}
+  Jet(Real value) : f(value) {}  // NOLINT(google-explicit-constructor)
   Jet(Real value, Real du, Real dv) : f(value), u(du), v(dv) {}
 };
 
