@@ -821,5 +821,46 @@ TEST(EncloseSeam, RefusesToleranceThatIsNone) {
   EXPECT_THROW(encloseSeam(planeSide(0, true), planeSide(0, false), tolerance), std::invalid_argument);
 }
 
+TEST(EncloseSeam, ACreaseWhereAPeriodEndsIsSeen) {
+  // A prism over an equilateral triangle, the period from -pi to pi, which its knots round.
+  const std::vector<Vec> corners = {{0, 0, 0}, {1, 0, 0}, {0.5, std::sqrt(0.75), 0}, {0, 0, 0}};
+  std::vector<Vec> poles;
+  for (const Vec& corner : corners)
+    for (const double height : {0.0, 1.0}) poles.emplace_back(corner + height * Vec::UnitZ());
+  const auto sideAt = [&](double u, bool face_on_left) {
+    SeamSide side{LineEvaluator{{u, 0, 0}, {0, 1, 0}},
+                  splineEvaluator(std::make_shared<SplineEvaluator>(
+                      SplineDirection{1, {-pi, -pi, -1, 1, pi, pi}, 2 * pi}, test::bezierDirection(1), poles,
+                      std::vector<double>()))};
+    side.face_on_left = face_on_left;
+    return side;
+  };
+  const SeamFigures figures = encloseSeam(sideAt(-pi, false), sideAt(pi, true), {});
+  ASSERT_TRUE(figures.angle_rad && figures.angle_rad->upper);
+  EXPECT_NEAR(figures.angle_rad->lower, pi / 3, 1e-9);
+  EXPECT_NEAR(*figures.angle_rad->upper, pi / 3, 1e-9);
+}
+
+TEST(EncloseSeam, AlongAKnotLineTheSideOfTheFaceCounts) {
+  // A roof with its ridge at u = 0, and a plane that goes on from one of its slopes.
+  const std::vector<Vec> poles = {{-1, 0, -1}, {-1, 1, -1}, {0, 0, 0}, {0, 1, 0}, {1, 0, -1}, {1, 1, -1}};
+  SeamSide roof{
+      LineEvaluator{{0, 0, 0}, {0, 1, 0}},
+      splineEvaluator(std::make_shared<SplineEvaluator>(
+          SplineDirection{1, {-1, -1, 0, 1, 1}, 0}, test::bezierDirection(1), poles, std::vector<double>()))};
+  for (const bool rising : {true, false}) {
+    roof.face_on_left = rising;  // left of the ridge it rises
+    Frame frame;
+    frame.axes.col(0) = Vec(1, 0, rising ? 1 : -1).normalized();
+    frame.axes.col(1) = Vec::UnitY();
+    frame.axes.col(2) = frame.axes.col(0).cross(frame.axes.col(1));
+    SeamSide plane{LineEvaluator{{0, 0, 0}, {0, 1, 0}}, planeEvaluator(frame)};
+    plane.face_on_left = !rising;
+    const SeamFigures figures = encloseSeam(roof, plane, {});
+    ASSERT_TRUE(figures.angle_rad && figures.angle_rad->upper);
+    EXPECT_LT(*figures.angle_rad->upper, 1e-9) << "rising " << rising;
+  }
+}
+
 }  // namespace
 }  // namespace seamwright

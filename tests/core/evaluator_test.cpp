@@ -551,5 +551,16 @@ TEST(SplineEvaluator, RefusesWhatIsNoSpline) {
   EXPECT_THROW(make({-1, {0}, 0}, point, 1, {}), std::invalid_argument);
 }
 
+TEST(SurfaceEvaluator, BeyondItsPolesASphereIsSeenFromInside) {
+  const auto sphere = sphereEvaluator({}, 3);
+  for (const double v : {0.0, 1.5, 1.7, 3.0}) {
+    const SurfaceFields fields =
+        sphere->fields(ChebyshevModel(0.3), ChebyshevModel(v), 0.3, v, Detail::TangentPlane);
+    double outward = 0;
+    for (int i = 0; i < 3; ++i) outward += fields.point[i].coefficient(0) * fields.normal[i].coefficient(0);
+    EXPECT_NEAR(outward, std::cos(v) < 0 ? -3 : 3, 1e-12) << v;
+  }
+}
+
 }  // namespace
 }  // namespace seamwright

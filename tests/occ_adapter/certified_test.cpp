@@ -7,8 +7,10 @@
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepLib.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <Geom2d_BezierCurve.hxx>
 #include <Geom2d_Circle.hxx>
 #include <Geom2d_Ellipse.hxx>
@@ -34,11 +36,14 @@
 #include <Geom_TrimmedCurve.hxx>
 #include <ShapeExtend_CompositeSurface.hxx>
 #include <TColGeom_HArray2OfSurface.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -468,4 +473,22 @@ TEST(Certified, TheSameUnderMotionScaleMirrorSwapAndReversal) {
 }
 
 }  // namespace
+
+TEST(Certified, AFaceThatMeetsItselfWithOnePcurveIsNotCertain) {
+  const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(5, 10).Shape();
+  for (TopExp_Explorer faces(cylinder, TopAbs_FACE); faces.More(); faces.Next())
+    for (TopExp_Explorer edges(faces.Current(), TopAbs_EDGE); edges.More(); edges.Next()) {
+      const TopoDS_Face face = TopoDS::Face(faces.Current());
+      const TopoDS_Edge edge = TopoDS::Edge(edges.Current());
+      double first = 0, last = 0;
+      if (BRep_Tool::IsClosed(edge, face))
+        BRep_Builder().UpdateEdge(edge, BRep_Tool::CurveOnSurface(edge, face, first, last), face, 1e-7);
+    }
+  const occ::Report report = analyzed(cylinder);
+  const auto closed = std::ranges::find(report.seams, occ::SeamKind::Closed, &SeamResult::kind);
+  ASSERT_NE(closed, report.seams.end());
+  EXPECT_FALSE(closed->verdict.certain);
+  EXPECT_THAT(closed->figures.uncertified, HasSubstr("one pcurve"));
+}
+
 }  // namespace seamwright::test
