@@ -47,6 +47,22 @@ Eigen::Vector3d vector(const gp_XY& xy) {
   return {xy.X(), xy.Y(), 0};
 }
 
+template <class Vector>
+requires requires(const Vector& v) {
+  v.XYZ();
+}
+Eigen::Vector3d vector(const Vector& v) {
+  return vector(v.XYZ());
+}
+
+template <class Vector>
+requires requires(const Vector& v) {
+  v.XY();
+}
+Eigen::Vector3d vector(const Vector& v) {
+  return vector(v.XY());
+}
+
 Frame frameOf(const gp_Ax3& position) {
   Frame frame;
   frame.origin = vector(position.Location().XYZ());
@@ -101,61 +117,61 @@ CurveEvaluator bsplineCurve(handle<BSpline> curve) {
   return splineCurve(*curve, direction(curve->Degree(), curve->KnotSequence(), period));
 }
 
-CurveEvaluator curveEvaluator(const handle<Geom2d_Curve>& curve) {
-  if (const auto trimmed = handle<Geom2d_TrimmedCurve>::DownCast(curve); !trimmed.IsNull())
-    return curveEvaluator(trimmed->BasisCurve());
-  if (const auto line = handle<Geom2d_Line>::DownCast(curve); !line.IsNull())
-    return LineEvaluator{vector(line->Location().XY()), vector(line->Direction().XY())};
-  if (const auto spline = handle<Geom2d_BSplineCurve>::DownCast(curve); !spline.IsNull())
-    return bsplineCurve(spline);
-  if (const auto bezier = handle<Geom2d_BezierCurve>::DownCast(curve); !bezier.IsNull())
-    return splineCurve(*bezier, {bezier->Degree(), bezierKnots(bezier->Degree()), 0});
-  if (const auto circle = handle<Geom2d_Circle>::DownCast(curve); !circle.IsNull())
-    return EllipseEvaluator{vector(circle->Location().XY()),
-                            circle->Radius() * vector(circle->Position().XDirection().XY()),
-                            circle->Radius() * vector(circle->Position().YDirection().XY())};
-  if (const auto ellipse = handle<Geom2d_Ellipse>::DownCast(curve); !ellipse.IsNull())
-    return EllipseEvaluator{vector(ellipse->Location().XY()),
-                            ellipse->MajorRadius() * vector(ellipse->Position().XDirection().XY()),
-                            ellipse->MinorRadius() * vector(ellipse->Position().YDirection().XY())};
-  if (const auto hyperbola = handle<Geom2d_Hyperbola>::DownCast(curve); !hyperbola.IsNull())
-    return HyperbolaEvaluator{vector(hyperbola->Location().XY()),
-                              hyperbola->MajorRadius() * vector(hyperbola->Position().XDirection().XY()),
-                              hyperbola->MinorRadius() * vector(hyperbola->Position().YDirection().XY())};
-  if (const auto parabola = handle<Geom2d_Parabola>::DownCast(curve); !parabola.IsNull())
-    return ParabolaEvaluator{vector(parabola->Location().XY()),
-                             vector(parabola->Position().XDirection().XY()) / (4 * parabola->Focal()),
-                             vector(parabola->Position().YDirection().XY())};
-  refuse("a pcurve", curve);
+struct InParameterPlane {
+  static constexpr const char* name = "a pcurve";
+  using Curve = Geom2d_Curve;
+  using Trimmed = Geom2d_TrimmedCurve;
+  using Line = Geom2d_Line;
+  using BSpline = Geom2d_BSplineCurve;
+  using Bezier = Geom2d_BezierCurve;
+  using Circle = Geom2d_Circle;
+  using Ellipse = Geom2d_Ellipse;
+  using Hyperbola = Geom2d_Hyperbola;
+  using Parabola = Geom2d_Parabola;
+};
+
+struct InSpace {
+  static constexpr const char* name = "a curve";
+  using Curve = Geom_Curve;
+  using Trimmed = Geom_TrimmedCurve;
+  using Line = Geom_Line;
+  using BSpline = Geom_BSplineCurve;
+  using Bezier = Geom_BezierCurve;
+  using Circle = Geom_Circle;
+  using Ellipse = Geom_Ellipse;
+  using Hyperbola = Geom_Hyperbola;
+  using Parabola = Geom_Parabola;
+};
+
+/// Center and scaled axes of an ellipse or a hyperbola.
+template <class Evaluator, class Conic>
+Evaluator withRadii(const Conic& conic, double major, double minor) {
+  const auto position = conic.Position();
+  return {vector(position.Location()), major * vector(position.XDirection()),
+          minor * vector(position.YDirection())};
 }
 
-CurveEvaluator curveEvaluator(const handle<Geom_Curve>& curve) {
-  if (const auto trimmed = handle<Geom_TrimmedCurve>::DownCast(curve); !trimmed.IsNull())
-    return curveEvaluator(trimmed->BasisCurve());
-  if (const auto line = handle<Geom_Line>::DownCast(curve); !line.IsNull())
-    return LineEvaluator{vector(line->Position().Location().XYZ()),
-                         vector(line->Position().Direction().XYZ())};
-  if (const auto spline = handle<Geom_BSplineCurve>::DownCast(curve); !spline.IsNull())
+template <class Where>
+CurveEvaluator curveEvaluator(const handle<typename Where::Curve>& curve) {
+  if (const auto trimmed = handle<typename Where::Trimmed>::DownCast(curve); !trimmed.IsNull())
+    return curveEvaluator<Where>(trimmed->BasisCurve());
+  if (const auto line = handle<typename Where::Line>::DownCast(curve); !line.IsNull())
+    return LineEvaluator{vector(line->Position().Location()), vector(line->Position().Direction())};
+  if (const auto spline = handle<typename Where::BSpline>::DownCast(curve); !spline.IsNull())
     return bsplineCurve(spline);
-  if (const auto bezier = handle<Geom_BezierCurve>::DownCast(curve); !bezier.IsNull())
+  if (const auto bezier = handle<typename Where::Bezier>::DownCast(curve); !bezier.IsNull())
     return splineCurve(*bezier, {bezier->Degree(), bezierKnots(bezier->Degree()), 0});
-  if (const auto circle = handle<Geom_Circle>::DownCast(curve); !circle.IsNull())
-    return EllipseEvaluator{vector(circle->Location().XYZ()),
-                            circle->Radius() * vector(circle->Position().XDirection().XYZ()),
-                            circle->Radius() * vector(circle->Position().YDirection().XYZ())};
-  if (const auto ellipse = handle<Geom_Ellipse>::DownCast(curve); !ellipse.IsNull())
-    return EllipseEvaluator{vector(ellipse->Location().XYZ()),
-                            ellipse->MajorRadius() * vector(ellipse->Position().XDirection().XYZ()),
-                            ellipse->MinorRadius() * vector(ellipse->Position().YDirection().XYZ())};
-  if (const auto hyperbola = handle<Geom_Hyperbola>::DownCast(curve); !hyperbola.IsNull())
-    return HyperbolaEvaluator{vector(hyperbola->Location().XYZ()),
-                              hyperbola->MajorRadius() * vector(hyperbola->Position().XDirection().XYZ()),
-                              hyperbola->MinorRadius() * vector(hyperbola->Position().YDirection().XYZ())};
-  if (const auto parabola = handle<Geom_Parabola>::DownCast(curve); !parabola.IsNull())
-    return ParabolaEvaluator{vector(parabola->Location().XYZ()),
-                             vector(parabola->Position().XDirection().XYZ()) / (4 * parabola->Focal()),
-                             vector(parabola->Position().YDirection().XYZ())};
-  refuse("a curve", curve);
+  if (const auto circle = handle<typename Where::Circle>::DownCast(curve); !circle.IsNull())
+    return withRadii<EllipseEvaluator>(*circle, circle->Radius(), circle->Radius());
+  if (const auto ellipse = handle<typename Where::Ellipse>::DownCast(curve); !ellipse.IsNull())
+    return withRadii<EllipseEvaluator>(*ellipse, ellipse->MajorRadius(), ellipse->MinorRadius());
+  if (const auto hyperbola = handle<typename Where::Hyperbola>::DownCast(curve); !hyperbola.IsNull())
+    return withRadii<HyperbolaEvaluator>(*hyperbola, hyperbola->MajorRadius(), hyperbola->MinorRadius());
+  if (const auto parabola = handle<typename Where::Parabola>::DownCast(curve); !parabola.IsNull())
+    return ParabolaEvaluator{vector(parabola->Location()),
+                             vector(parabola->Position().XDirection()) / (4 * parabola->Focal()),
+                             vector(parabola->Position().YDirection())};
+  refuse(Where::name, curve);
 }
 
 template <class Surface>
@@ -188,7 +204,7 @@ std::unique_ptr<SurfaceEvaluator> bsplineSurface(handle<Geom_BSplineSurface> sur
 
 std::unique_ptr<SurfaceEvaluator> revolution(const Geom_SurfaceOfRevolution& surface) {
   return revolutionEvaluator(frameOf(gp_Ax3(surface.Location(), surface.Direction())),
-                             curveEvaluator(surface.BasisCurve()));
+                             curveEvaluator<InSpace>(surface.BasisCurve()));
 }
 
 std::unique_ptr<SurfaceEvaluator> surfaceEvaluator(const handle<Geom_Surface>& surface) {
@@ -210,7 +226,8 @@ std::unique_ptr<SurfaceEvaluator> surfaceEvaluator(const handle<Geom_Surface>& s
     return splineSurface(*bezier, {bezier->UDegree(), bezierKnots(bezier->UDegree()), 0},
                          {bezier->VDegree(), bezierKnots(bezier->VDegree()), 0});
   if (const auto extrusion = handle<Geom_SurfaceOfLinearExtrusion>::DownCast(surface); !extrusion.IsNull())
-    return extrusionEvaluator(curveEvaluator(extrusion->BasisCurve()), vector(extrusion->Direction().XYZ()));
+    return extrusionEvaluator(curveEvaluator<InSpace>(extrusion->BasisCurve()),
+                              vector(extrusion->Direction().XYZ()));
   if (const auto turned = handle<Geom_SurfaceOfRevolution>::DownCast(surface); !turned.IsNull())
     return revolution(*turned);
   if (const auto offset = handle<Geom_OffsetSurface>::DownCast(surface); !offset.IsNull())
@@ -236,7 +253,7 @@ SeamSide seamSide(const FaceUse& use, const Pcurve& pcurve) {
   std::unique_ptr<SurfaceEvaluator> evaluator = surfaceEvaluator(surface);
   if (!location.IsIdentity())
     evaluator = placedEvaluator(std::move(evaluator), placementOf(location.Transformation()));
-  return {curveEvaluator(pcurve.curve),
+  return {curveEvaluator<InParameterPlane>(pcurve.curve),
           std::move(evaluator),
           {0, 1},
           {pcurve.first, pcurve.last},
