@@ -104,4 +104,11 @@ inline bool hasPositiveWeights(const nlohmann::json& net) {
   return true;
 }
 
+/// Binomial coefficient.
+inline double choose(int n, int k) {
+  double value = 1;
+  for (int i = 1; i <= k; ++i) value = value * (n - k + i) / i;
+  return value;
+}
+
 }  // namespace seamwright::test
