@@ -36,13 +36,6 @@ LineEvaluator lineAlong(PatchEdge edge) {
 
 }  // namespace
 
-std::optional<PatchEdge> patchEdgeFromName(std::string_view name) {
-  constexpr std::array<std::string_view, 4> names = {"u0", "u1", "v0", "v1"};
-  const auto* found = std::ranges::find(names, name);
-  if (found == names.end()) return std::nullopt;
-  return static_cast<PatchEdge>(found - names.begin());
-}
-
 SeamSide seamSide(const BezierPatch& patch, PatchEdge edge, bool reversed) {
   SeamSide side{lineAlong(edge), evaluatorOf(patch)};
   const bool inside_on_left = edge == PatchEdge::U1 || edge == PatchEdge::V0;
