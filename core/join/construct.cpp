@@ -94,6 +94,7 @@ Ribbon beyond(const Ribbon& given, const Connection& c, int order) {
   Ribbon result;
   result.position = rows::product<4>(c.e0, P);
   result.first = Sum().add(c.e1, P).add(c.e0, first).total();
+  result.second = Field<4>::Zero(1, 4);
   if (order < 2) return result;
   const Field<4> second = Sum()
                               .add(times(c.alpha, c.alpha), P_ss)

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Constructed joins against rows known to 40 digits, against the equations they stand for, and certified by enclosures.
+#include <gmock/gmock.h>
+
+#include <seamwright/core/seam/patch_side.hpp>
+
+#include "joins.hpp"
+
+namespace seamwright {
+namespace {
+
+using nlohmann::json;
+using test::function;
+using test::gentlePatch;
+using test::gentleTriangle;
+using test::relativeError;
+using test::uniform;
+using test::value;
+using test::whole;
+using testing::HasSubstr;
+using testing::Message;
+using testing::ThrowsMessage;
+
+constexpr double wanted = 1e-12;
+
+Ribbon endingAtU1(const json& net) {
+  return ribbon(test::patch(net), PatchEdge::U1, false, Across::OutOf);
+}
+
+Connection connectionOf(const json& input) {
+  Connection c;
+  const auto take = [&](const char* key, Eigen::VectorXd& f) {
+    if (input.contains(key)) f = function(input[key]);
+  };
+  take("alpha", c.alpha);
+  take("beta", c.beta);
+  take("p", c.p);
+  take("q", c.q);
+  take("e0", c.e0);
+  take("e1", c.e1);
+  take("gamma", c.e1);
+  take("e2", c.e2);
+  return c;
+}
+
+// Rows of the data files.
+
+TEST(JoinRowsData, TensorG1) {
+  for (const json& entry : test::dataCases("tensor_joins.json", "construct")) {
+    const JoinRows found =
+        tensorRows(endingAtU1(entry["input"]["P"]), connectionOf(entry["input"]), 1, entry["input"]["l"]);
+    const json& expected = entry["expected"];
+    EXPECT_EQ(found.rows[0].rows() - 1, expected["along_degree"].get<int>()) << entry["id"];
+    EXPECT_LE(relativeError(found.rows[0], test::row(expected["Q_row0"])), wanted) << entry["id"];
+    EXPECT_LE(relativeError(found.rows[1], test::row(expected["Q_row1"])), wanted) << entry["id"];
+  }
+}
+
+TEST(JoinRowsData, TensorG1InTheSameDegree) {
+  for (const json& entry : test::dataCases("tensor_joins.json", "construct_same_degree")) {
+    const json &input = entry["input"], &expected = entry["expected"];
+    const auto build = [&] {
+      return tensorRows(endingAtU1(input["P"]), connectionOf(input), 1, input["l"], input["q"].get<int>());
+    };
+    if (!expected["representable"].get<bool>()) {
+      EXPECT_THAT(build, ThrowsMessage<std::invalid_argument>(HasSubstr("the defect is ")));
+      continue;
+    }
+    EXPECT_LE(relativeError(build().rows[1], test::row(expected["Q_row1"])), wanted) << entry["id"];
+  }
+}
+
+TEST(JoinRowsData, RationalTensorG1) {
+  for (const json& entry : test::dataCases("tensor_joins.json", "rational_construct")) {
+    json input = entry["input"];
+    const JoinRows found = tensorRows(endingAtU1(input["P_hom"]), connectionOf(input), 1, input["l"]);
+    EXPECT_LE(relativeError(found.rows[0], test::row(entry["expected"]["Q_row0"])), wanted) << entry["id"];
+    EXPECT_LE(relativeError(found.rows[1], test::row(entry["expected"]["Q_row1"])), wanted) << entry["id"];
+  }
+}
+
+TEST(JoinRowsData, TensorG2AndRational) {
+  for (const auto& [file, kind, net, rows] :
+       {std::array{"g2_joins.json", "g2_construct", "P", "rows"},
+        std::array{"rational_surface_joins.json", "rational_surface", "P_hom", "rows_hom"}})
+    for (const json& entry : test::dataCases(file, kind)) {
+      const json& input = entry["input"];
+      const int order = input.value("order", 2);
+      const JoinRows found = tensorRows(endingAtU1(input[net]), connectionOf(input), order, input["l"]);
+      const json& expected = entry["expected"];
+      EXPECT_EQ(found.rows[0].rows() - 1, expected["along_degree"].get<int>()) << entry["id"];
+      ASSERT_EQ(found.rows.size(), expected[rows].size()) << entry["id"];
+      for (std::size_t r = 0; r < found.rows.size(); ++r)
+        EXPECT_LE(relativeError(found.rows[r], test::row(expected[rows][r])), wanted)
+            << entry["id"] << " " << r;
+    }
+}
+
+/// The case's cross direction points out of both triangles, with beta < 0 on it and alpha along the seam.
+Connection ofTriangles(const json& input) {
+  Connection c;
+  c.alpha = -function(input["beta"]);
+  c.beta = -function(input["alpha"]);
+  return c;
+}
+
+TEST(JoinRowsData, TriangleFromTriangle) {
+  for (const json& entry : test::dataCases("triangle_joins.json", "tri_construct")) {
+    const json& input = entry["input"];
+    const Ribbon given = ribbon(test::triangle(input["T1"]), TriangleEdge::L0, false, Across::OutOf);
+    const JoinRows found = triangleRows(given, ofTriangles(input));
+    EXPECT_EQ(found.degree_across, input["degree0"].get<int>()) << entry["id"];
+    EXPECT_LE(relativeError(found.rows[0], test::row(entry["expected"]["row0"])), wanted) << entry["id"];
+    EXPECT_LE(relativeError(found.rows[1], test::row(entry["expected"]["row1"])), wanted) << entry["id"];
+  }
+}
+
+TEST(JoinRowsData, TriangleFromTriangleInTheSameDegree) {
+  for (const json& entry : test::dataCases("triangle_joins.json", "tri_construct_same_degree")) {
+    const json &input = entry["input"], &expected = entry["expected"];
+    const Ribbon given = ribbon(test::triangle(input["T1"]), TriangleEdge::L0, false, Across::OutOf);
+    const auto build = [&] { return triangleRows(given, ofTriangles(input), input["degree0"].get<int>()); };
+    if (expected["representable"].get<bool>())
+      EXPECT_LE(relativeError(build().rows[1], test::row(expected["row1"])), wanted) << entry["id"];
+    else
+      EXPECT_THAT(build, ThrowsMessage<std::invalid_argument>(HasSubstr("the defect is ")));
+  }
+}
+
+TEST(JoinRowsData, TensorFromTriangle) {
+  for (const json& entry : test::dataCases("triangle_joins.json", "tensor_from_tri")) {
+    const json& input = entry["input"];
+    // t multiplies P1, so the edge runs backwards; the case's cross direction keeps the weight of P2, not of P1.
+    const Ribbon given = ribbon(test::triangle(input["T"]), TriangleEdge::L0, true, Across::OutOf);
+    Connection c;
+    c.alpha = -function(input["alpha"]);
+    c.beta = function(input["beta"]) - function(input["alpha"]);
+    const JoinRows found = tensorRows(given, c, 1, input["m"]);
+    EXPECT_LE(relativeError(found.rows[0], test::row(entry["expected"]["P_row_m"])), wanted) << entry["id"];
+    EXPECT_LE(relativeError(found.rows[1], test::row(entry["expected"]["P_row_m1"])), wanted) << entry["id"];
+  }
+}
+
+TEST(JoinRowsData, TriangleFromTensor) {
+  for (const json& entry : test::dataCases("triangle_joins.json", "tri_from_tensor")) {
+    const json& input = entry["input"];
+    Connection c;
+    c.alpha = -function(input["alpha_bar"]);
+    c.beta = 1 - function(input["beta_bar"]).array();
+    const JoinRows found = triangleRows(endingAtU1(input["P"]), c);
+    EXPECT_EQ(found.degree_across, input["tri_degree"].get<int>()) << entry["id"];
+    EXPECT_LE(relativeError(found.rows[0], test::row(entry["expected"]["T0"])), wanted) << entry["id"];
+    EXPECT_LE(relativeError(found.rows[1], test::row(entry["expected"]["T1"])), wanted) << entry["id"];
+  }
+}
+
+// The equations of Connection, evaluated pointwise.
+
+Eigen::Vector4d derivativeAt(const HomogeneousPoles& rows, double t) {
+  const Eigen::Index n = rows.rows() - 1;
+  if (n == 0) return Eigen::Vector4d::Zero();
+  return value(HomogeneousPoles(static_cast<double>(n) * (rows.bottomRows(n) - rows.topRows(n))), t);
+}
+
+HomogeneousPoles differenced(const HomogeneousPoles& rows) {
+  const Eigen::Index n = rows.rows() - 1;
+  return n == 0 ? HomogeneousPoles(HomogeneousPoles::Zero(1, 4))
+                : HomogeneousPoles(static_cast<double>(n) * (rows.bottomRows(n) - rows.topRows(n)));
+}
+
+/// By how much b misses the equations with a, relative to the sizes of their terms.
+double equationDefect(const Ribbon& a, const Ribbon& b, const Connection& c, int order, double t) {
+  const auto f = [t](const Eigen::VectorXd& g) { return value(g, t); };
+  const Eigen::Vector4d P = value(a.position, t), P_s = value(a.first, t), P_t = derivativeAt(a.position, t);
+  const Eigen::Vector4d Y1 = f(c.alpha) * P_s + f(c.beta) * P_t;
+  double worst = (value(b.position, t) - f(c.e0) * P).norm() / P.norm();
+  const double scale = P.norm() + P_s.norm() + P_t.norm();
+  worst = std::max(worst, (value(b.first, t) - f(c.e1) * P - f(c.e0) * Y1).norm() / scale);
+  if (order < 2) return worst;
+  const Eigen::Vector4d P_ss = value(a.second, t), P_st = derivativeAt(a.first, t),
+                        P_tt = derivativeAt(differenced(a.position), t);
+  const Eigen::Vector4d Y2 = std::pow(f(c.alpha), 2) * P_ss + 2 * f(c.alpha) * f(c.beta) * P_st +
+                             std::pow(f(c.beta), 2) * P_tt + f(c.p) * P_s + f(c.q) * P_t;
+  const Eigen::Vector4d expected = f(c.e2) * P + 2 * f(c.e1) * Y1 + f(c.e0) * Y2;
+  return std::max(worst,
+                  (value(b.second, t) - expected).norm() / (scale + P_ss.norm() + P_st.norm() + P_tt.norm()));
+}
+
+Connection withScaling(Connection c, std::mt19937_64& random) {
+  c.e0 = test::randomFunction(whole(0, 1, random), 0.8, 1.25, random);
+  c.e1 = test::randomFunction(0, -0.1, 0.1, random);
+  c.e2 = test::randomFunction(0, -0.1, 0.1, random);
+  return c;
+}
+
+/// Continues; of rational ones some come out with weights that are not positive.
+template <class Build>
+auto built(const Build& build) -> std::optional<decltype(build())> {
+  try {
+    return build();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), HasSubstr("weight"));
+    return std::nullopt;
+  }
+}
+
+TEST(JoinConstruct, Identity1EquationsHoldForTensorPatches) {
+  std::mt19937_64 random(21);
+  int count = 0;
+  for (int run = 0; run < 3000; ++run) {
+    const bool rational = run % 3 == 0;
+    const BezierPatch patch = gentlePatch(whole(1, 7, random), whole(1, 7, random), rational, random);
+    const int order = whole(1, 2, random), k = whole(0, 2, random);
+    Connection c = test::randomConnection(k, whole(0, k + 1, random), random);
+    if (rational) c = withScaling(c, random);
+    const Ribbon given = ribbon(patch, test::patch_edges[run % 4], run % 8 < 4, Across::OutOf);
+    const auto next = built([&] { return continuation(given, c, order, whole(order, 7, random)); });
+    if (!next) continue;
+    ++count;
+    const Ribbon found = ribbon(*next, PatchEdge::U0, false, Across::Into);
+    for (const double t : {0.0, 0.3, 1.0}) EXPECT_LE(equationDefect(given, found, c, order, t), 2e-13) << run;
+  }
+  EXPECT_GE(count, 2400);
+}
+
+TEST(JoinConstruct, Identity4EquationsHoldForTriangles) {
+  std::mt19937_64 random(22);
+  for (int run = 0; run < 1000; ++run) {
+    const bool to_tensor = run % 3 == 0, from_tensor = run % 3 == 1;
+    const int n = whole(1, 6, random), k = whole(0, 2, random);
+    const Connection c = test::randomConnection(k, whole(0, k + 1, random), random);
+    const Ribbon given = from_tensor ? ribbon(gentlePatch(whole(1, 5, random), n, false, random),
+                                              test::patch_edges[run % 4], run % 2, Across::OutOf)
+                                     : ribbon(gentleTriangle(n, false, random), test::triangle_edges[run % 3],
+                                              run % 2, Across::OutOf);
+    const Ribbon found = to_tensor
+                             ? ribbon(continuation(given, c, 2, 4), PatchEdge::U0, false, Across::Into)
+                             : ribbon(triangleContinuation(given, c), TriangleEdge::L0, false, Across::Into);
+    for (const double t : {0.0, 0.6, 1.0})
+      EXPECT_LE(equationDefect(given, found, c, to_tensor ? 2 : 1, t), 2e-13) << run;
+  }
+}
+
+TEST(JoinConstruct, ContinuationsAreTheirTaylorPolynomials) {
+  std::mt19937_64 random(23);
+  const Connection c = test::randomConnection(1, 2, random);
+  const Ribbon given = ribbon(gentlePatch(3, 3, false, random), PatchEdge::V1, false, Across::OutOf);
+  const BezierPatch next = continuation(given, c, 2, 5);
+  const Ribbon seam = ribbon(next, PatchEdge::U0, false, Across::Into);
+  const BezierTriangle triangle = triangleContinuation(given, c);
+  const Ribbon edge = ribbon(triangle, TriangleEdge::L0, false, Across::Into);
+  for (const double t : {0.1, 0.7}) {
+    const double s = 0.25;
+    const Eigen::Vector4d taylor =
+        value(seam.position, t) + s * value(seam.first, t) + s * s / 2 * value(seam.second, t);
+    EXPECT_LE((next.point(s, t) - taylor.head<3>()).norm(), 1e-12);
+    const Eigen::Vector4d line = value(edge.position, t) + s * value(edge.first, t);
+    EXPECT_LE((triangle.point(s, 1 - s - t) - line.head<3>()).norm(), 1e-12);
+  }
+}
+
+TEST(JoinConstruct, Identity3OnesAndZerosContinueParametrically) {
+  std::mt19937_64 random(24);
+  const BezierPatch patch = gentlePatch(4, 3, false, random);
+  const BezierPatch next = continuation(ribbon(patch, PatchEdge::U1, false, Across::OutOf), {}, 2, 4);
+  for (const double t : {0.0, 0.4, 1.0}) {
+    const SurfaceJet a = patch.jet(1, t), b = next.jet(0, t);
+    for (const auto part :
+         {&SurfaceJet::p, &SurfaceJet::u, &SurfaceJet::v, &SurfaceJet::uu, &SurfaceJet::uv, &SurfaceJet::vv})
+      EXPECT_LE((a.*part - b.*part).norm(), 1e-11);
+  }
+  EXPECT_FALSE(next.isRational());
+}
+
+TEST(JoinConstruct, DegreesAreThoseOfTheTable) {
+  std::mt19937_64 random(25);
+  const Ribbon tensor = ribbon(gentlePatch(3, 4, false, random), PatchEdge::U1, false, Across::OutOf);
+  const Ribbon triangle = ribbon(gentleTriangle(4, false, random), TriangleEdge::L0, false, Across::OutOf);
+  const auto along = [](const JoinRows& rows) { return rows.rows[0].rows() - 1; };
+  const auto functions = [&](int a, int b) { return test::randomConnection(a, b, random); };
+  EXPECT_EQ(along(tensorRows(tensor, functions(0, 0), 1, 3)), 4);
+  EXPECT_EQ(along(tensorRows(tensor, functions(0, 1), 1, 3)), 4);  // the natural family
+  EXPECT_EQ(along(tensorRows(tensor, functions(0, 1), 2, 3)), 4);
+  EXPECT_EQ(along(tensorRows(tensor, functions(1, 2), 1, 3)), 5);
+  EXPECT_EQ(along(tensorRows(tensor, functions(1, 1), 2, 3)), 6);
+  EXPECT_EQ(along(tensorRows(tensor, functions(2, 3), 2, 3)), 8);
+  EXPECT_EQ(along(tensorRows(triangle, functions(0, 1), 1, 3)), 4);
+  EXPECT_EQ(along(tensorRows(triangle, functions(1, 1), 1, 3)), 4);  // no raise from a triangle
+  EXPECT_EQ(along(triangleRows(triangle, functions(0, 0))), 4);
+  EXPECT_EQ(along(triangleRows(triangle, functions(1, 1))), 5);
+  EXPECT_EQ(along(triangleRows(tensor, functions(0, 0))), 5);
+  Connection same = functions(0, 1);
+  same.alpha = Eigen::Vector2d(1.25, 1.25);
+  EXPECT_EQ(along(tensorRows(tensor, same, 1, 3)), 4);
+  EXPECT_EQ(along(tensorRows(tensor, functions(0, 1), 1, 3, 6)), 6);
+}
+
+// Certified.
+
+constexpr double finest_angle = 1e-10, finest_curvature = 1e-9;
+
+ContinuityTolerance finest() {
+  ContinuityTolerance tolerance;
+  tolerance.gap_mm = 1e-9;
+  tolerance.angle_rad = finest_angle;
+  tolerance.curvature_rel = finest_curvature;
+  return tolerance;
+}
+
+void expectCertified(const SeamSide& a, const SeamSide& b, int order, const Message& what) {
+  const SeamFigures figures = encloseSeam(a, b, finest());
+  ASSERT_TRUE(figures.certified) << what << figures.uncertified;
+  EXPECT_FALSE(figures.fold_at) << what;
+  EXPECT_LT(*figures.gap_mm->upper, 1e-9) << what;
+  EXPECT_LT(*figures.angle_rad->upper, finest_angle) << what;
+  if (order == 2) {
+    EXPECT_LT(*figures.curvature_rel->upper, finest_curvature) << what;
+  }
+}
+
+TEST(JoinCertified, Identity2ContinuationsOfTensorPatches) {
+  std::mt19937_64 random(31);
+  for (int run = 0; run < 100; ++run) {
+    const bool rational = run % 4 == 0;
+    const int m = whole(2, 7, random), n = whole(2, 7, random), order = whole(1, 2, random),
+              k = whole(0, 2, random);
+    const BezierPatch patch = gentlePatch(m, n, rational, random);
+    const PatchEdge edge = test::patch_edges[run % 4];
+    const bool reversed = run % 8 < 4;
+    Connection c = test::randomConnection(k, whole(0, k + 1, random), random);
+    const int l = whole(order, 6, random);
+    const auto next =
+        built([&] { return continuation(ribbon(patch, edge, reversed, Across::OutOf), c, order, l); });
+    if (!next) continue;
+    expectCertified(seamSide(patch, edge, reversed), seamSide(*next, PatchEdge::U0), order,
+                    Message() << "run " << run << " m " << m << " n " << n << " k " << k << " l " << l
+                              << " rational " << rational << ": ");
+  }
+}
+
+}  // namespace
+}  // namespace seamwright
