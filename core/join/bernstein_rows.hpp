@@ -6,7 +6,9 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <seamwright/core/bernstein/coefficients.hpp>
+#include <seamwright/core/bernstein/polynomial.hpp>
 
 /// Vector-valued polynomials in Bernstein form on [0, 1], one coefficient a row; not a public header.
 ///
@@ -146,6 +148,42 @@ inline Eigen::VectorXd trimmed(const Eigen::VectorXd& function) {
 
 inline bool isZero(const Eigen::VectorXd& function) {
   return (function.array() == 0).all();
+}
+
+/// A place where the polynomial is not positive, or too near to zero to tell; nothing where it is positive on
+/// all of [0, 1].
+inline std::optional<double> notPositiveAt(const BernsteinPolynomial& p, double begin = 0, double end = 1) {
+  const double at_begin = p.coefficients()(0), at_end = p.coefficients()(p.degree());
+  if (at_begin <= p.padding()) return begin;
+  if (at_end <= p.padding()) return end;
+  if (p.range().lower > 0) return std::nullopt;
+  const double middle = (begin + end) / 2;
+  if (end - begin < 0x1p-40) return middle;
+  const auto [left, right] = p.split(0.5);
+  if (const auto at = notPositiveAt(left, begin, middle)) return at;
+  return notPositiveAt(right, middle, end);
+}
+
+/// A sum of terms factor times field; those that vanish count for nothing, not even for the degree.
+template <int Size>
+class Sum {
+ public:
+  Sum& add(const Eigen::VectorXd& factor, const Field<Size>& field) {
+    if (isZero(factor) || field.isZero(0)) return *this;
+    const Field<Size> term = product<Size>(factor, field);
+    total_ = empty_ ? term : sum<Size>(total_, term);
+    empty_ = false;
+    return *this;
+  }
+  const Field<Size>& total() const { return total_; }
+
+ private:
+  Field<Size> total_ = Field<Size>::Zero(1, Size);
+  bool empty_ = true;
+};
+
+inline Eigen::VectorXd times(const Eigen::VectorXd& f, const Eigen::VectorXd& g) {
+  return product<1>(f, g);
 }
 
 }  // namespace seamwright::rows

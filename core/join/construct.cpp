@@ -22,22 +22,9 @@ void requireFunction(const char* name, const Eigen::VectorXd& function) {
                                   text(function(i)) + ": it must be finite");
 }
 
-/// A place where the polynomial is not positive, or too near to zero to tell; nothing where it is positive on all of [0, 1].
-std::optional<double> notPositiveAt(const BernsteinPolynomial& p, double begin, double end) {
-  const double at_begin = p.coefficients()(0), at_end = p.coefficients()(p.degree());
-  if (at_begin <= p.padding()) return begin;
-  if (at_end <= p.padding()) return end;
-  if (p.range().lower > 0) return std::nullopt;
-  const double middle = (begin + end) / 2;
-  if (end - begin < 0x1p-40) return middle;
-  const auto [left, right] = p.split(0.5);
-  if (const auto at = notPositiveAt(left, begin, middle)) return at;
-  return notPositiveAt(right, middle, end);
-}
-
 void requirePositive(const char* name, const Eigen::VectorXd& function) {
   const BernsteinPolynomial p(function);
-  if (const auto at = notPositiveAt(p, 0, 1)) {
+  if (const auto at = rows::notPositiveAt(p)) {
     const Interval value = p.evaluate(*at);
     throw std::invalid_argument(std::string(name) + " is " + text((value.lower + value.upper) / 2) +
                                 " at t = " + text(*at) + ": it must be positive on [0, 1]");
@@ -64,46 +51,25 @@ void requireRibbon(const Ribbon& given) {
       throw std::invalid_argument("the given ribbon has a part that is empty or not finite");
 }
 
-/// A sum of terms factor times field; those that vanish count for nothing, not even for the degree.
-class Sum {
- public:
-  Sum& add(const Eigen::VectorXd& factor, const Field<4>& field) {
-    if (rows::isZero(factor) || field.isZero(0)) return *this;
-    const Field<4> term = rows::product<4>(factor, field);
-    total_ = empty_ ? term : rows::sum<4>(total_, term);
-    empty_ = false;
-    return *this;
-  }
-  const Field<4>& total() const { return total_; }
-
- private:
-  Field<4> total_ = Field<4>::Zero(1, 4);
-  bool empty_ = true;
-};
-
-Eigen::VectorXd times(const Eigen::VectorXd& f, const Eigen::VectorXd& g) {
-  return rows::product<1>(f, g);
-}
-
 /// The ribbon that the other patch has at the seam, into it; each part in the lowest degree that takes its terms.
 Ribbon beyond(const Ribbon& given, const Connection& c, int order) {
   requireRibbon(given);
   const Field<4>&P = given.position, &P_s = given.first, &P_ss = given.second;
   const Field<4> P_t = rows::derivative<4>(P);
-  const Field<4> first = Sum().add(c.alpha, P_s).add(c.beta, P_t).total();
+  const Field<4> first = rows::Sum<4>().add(c.alpha, P_s).add(c.beta, P_t).total();
   Ribbon result;
   result.position = rows::product<4>(c.e0, P);
-  result.first = Sum().add(c.e1, P).add(c.e0, first).total();
+  result.first = rows::Sum<4>().add(c.e1, P).add(c.e0, first).total();
   result.second = Field<4>::Zero(1, 4);
   if (order < 2) return result;
-  const Field<4> second = Sum()
-                              .add(times(c.alpha, c.alpha), P_ss)
-                              .add(2 * times(c.alpha, c.beta), rows::derivative<4>(P_s))
-                              .add(times(c.beta, c.beta), rows::derivative<4>(P_t))
+  const Field<4> second = rows::Sum<4>()
+                              .add(rows::times(c.alpha, c.alpha), P_ss)
+                              .add(2 * rows::times(c.alpha, c.beta), rows::derivative<4>(P_s))
+                              .add(rows::times(c.beta, c.beta), rows::derivative<4>(P_t))
                               .add(c.p, P_s)
                               .add(c.q, P_t)
                               .total();
-  result.second = Sum().add(c.e2, P).add(2 * c.e1, first).add(c.e0, second).total();
+  result.second = rows::Sum<4>().add(c.e2, P).add(2 * c.e1, first).add(c.e0, second).total();
   return result;
 }
 
