@@ -105,6 +105,9 @@ Eigen::Vector4d BezierTriangle::blossom(std::span<const Barycentric> arguments) 
   if (arguments.size() != static_cast<std::size_t>(degree_))
     throw std::invalid_argument("arguments " + std::to_string(arguments.size()) + ", degree " +
                                 std::to_string(degree_) + ": the numbers must be equal");
+  for (std::size_t i = 0; i < arguments.size(); ++i)
+    if (!arguments[i].allFinite())
+      throw std::invalid_argument("argument " + std::to_string(i) + " is not finite");
   // In an order of their own, so that rounding is symmetric too; corners first, which only choose poles.
   std::vector<Barycentric> sorted(arguments.begin(), arguments.end());
   std::ranges::sort(sorted, [](const Barycentric& a, const Barycentric& b) {

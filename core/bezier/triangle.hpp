@@ -59,7 +59,7 @@ class BezierTriangle {
 
   /// The homogeneous value of the blossom (polar form), the one function that is affine in each of n
   /// arguments, symmetric, and has the triangle as its diagonal.
-  /// \throws std::invalid_argument unless there are as many arguments as the degree.
+  /// \throws std::invalid_argument unless there are as many arguments as the degree, all finite.
   Eigen::Vector4d blossom(std::span<const Barycentric> arguments) const;
 
   /// The boundary along that edge, in the edge's own sense.

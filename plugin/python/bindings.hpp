@@ -11,5 +11,6 @@ void bindMeasure(pybind11::module_& module);
 void bindModel(pybind11::module_& module);
 void bindPointerBridge(pybind11::module_& module);
 void bindSeam(pybind11::module_& module);
+void bindTriangle(pybind11::module_& module);
 
 }  // namespace seamwright::python

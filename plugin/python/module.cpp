@@ -9,6 +9,7 @@ PYBIND11_MODULE(_core, module) {
   module.attr("OCCT_VERSION") = OCC_VERSION_COMPLETE;
   bindBernstein(module);
   bindBezier(module);
+  bindTriangle(module);
   bindMeasure(module);
   bindSeam(module);
   bindModel(module);
