@@ -23,8 +23,8 @@ using Barycentric = Eigen::Vector3d;
 ///
 /// Identities (each has a test of its number; B is blossom(), equality up to rounding where not said
 /// otherwise):
-///   (1) B(l, ..., l) is the homogeneous point at l; B(P0 i times, P1 j times, P2 k times) is the pole (i, j),
-///       bit by bit.
+///   (1) B(l, ..., l) is the homogeneous point at l; B(P0 i times, P1 j times, P2 k times) is the pole
+///       (i, j), bit by bit.
 ///   (2) B does not change, bit by bit, when its arguments change places; it is affine in each of them.
 ///   (3) elevated(), subtriangle(), splitAt(), quartered() and permuted() are the same surface: the point at
 ///       l of the result is that of this triangle at the combination l of the corners.

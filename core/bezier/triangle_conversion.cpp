@@ -32,8 +32,8 @@ Coefficients elevated(Coefficients c, int degree) {
   return c;
 }
 
-/// The polynomial of that degree, or of the given one where that is lower, with the same ends that is nearest in
-/// the coefficients.
+/// The polynomial of that degree, or of the given one where that is lower, with the same ends whose
+/// coefficients are nearest when raised to the given degree.
 Coefficients lowered(const Coefficients& c, int degree) {
   const int given = static_cast<int>(c.rows()) - 1;
   if (degree >= given) return c;

@@ -26,8 +26,8 @@
 /// each such polynomial occurs.
 namespace seamwright {
 
-/// The triangle as one patch of degrees n, n, whose edge u = 0 is the corner \p apex; the other corners follow
-/// in cyclic order. Natural normals agree.
+/// The triangle as one patch of degrees n, n, whose edge u = 0 is the corner \p apex; the other corners
+/// follow in cyclic order. Natural normals agree.
 /// \throws std::invalid_argument if apex is not 0, 1 or 2.
 BezierPatch degeneratePatch(const BezierTriangle& triangle, int apex = 0);
 
@@ -37,8 +37,8 @@ BezierPatch degeneratePatch(const BezierTriangle& triangle, int apex = 0);
 double conversionNoise(const BezierTriangle& triangle);
 
 /// The triangle as three patches of degrees n, n around its centroid, regular where the triangle is. Natural
-/// normals agree. The outer edges are cut in the middle: what joined the triangle there joins the patches, cut
-/// at t = 1/2.
+/// normals agree. The outer edges are cut in the middle: what joined the triangle there joins the patches,
+/// cut at t = 1/2.
 ///
 /// With the blossom b, q00 = Pk and the corners of (2) the pole (i, j) is the convex combination
 /// sum_d C(i,d) C(n-i,j-d) / C(n,j) b(q00 n-i-j+d times, q10 i-d times, q01 j-d times, q11 d times).
@@ -57,9 +57,9 @@ struct TriangleRecognition {
 /// Looks for the triangle that is the given patch, with any of the four edges as P0.
 ///
 /// Rows are lowered to the degrees of (4) by least squares that keep their end poles, so the triangle has the
-/// poles of the two edges from P0 as they are where the degree in u is not lowered. Of several that fit, the one
-/// of lowest degree is returned. A rational patch is a triangle here if its homogeneous poles are one; a common
-/// factor of numerator and denominator is not looked for.
+/// poles of the two edges from P0 as they are where the degree in u is not lowered. Of several that fit, the
+/// one of lowest degree is returned. A rational patch is a triangle here if its homogeneous poles are one; a
+/// common factor of numerator and denominator is not looked for.
 /// \param tolerance_mm accepted deviation; nothing: 8 (m + n + 4) eps |P|_max w_max / w_min, the rounding of
 /// conversion and fit.
 /// \throws std::invalid_argument if the tolerance is negative or no number.

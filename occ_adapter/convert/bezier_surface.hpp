@@ -24,7 +24,8 @@ namespace seamwright::occ {
 opencascade::handle<Geom_BezierCurve> toBezierCurve(const BezierCurve& curve);
 opencascade::handle<Geom_BezierSurface> toBezierSurface(const BezierPatch& patch);
 
-/// The Bézier curve that a Geom_BezierCurve is, or a Geom_BSplineCurve of one span (its range becomes [0, 1]).
+/// The Bézier curve that a Geom_BezierCurve is, or a Geom_BSplineCurve of one span, whose range becomes
+/// [0, 1].
 /// \throws std::domain_error for other kinds, with the name, and for more spans, with their number.
 BezierCurve bezierCurve(const Geom_Curve& curve);
 /// The same of a Geom_BezierSurface or a Geom_BSplineSurface of one span in both parameters.

@@ -307,6 +307,24 @@ TEST(TriangleConversion, TheDeviationBoundsTheDistance) {
   }
 }
 
+TEST(TriangleConversion, TheDeviationMovesWithThePatch) {
+  std::mt19937_64 random(62);
+  for (int i = 0; i < 50; ++i) {
+    const int degree = 2 + i % 5;
+    HomogeneousPoles h = degeneratePatch(test::randomTriangle(degree, true, random)).homogeneousPoles();
+    for (double& value : h.reshaped()) value += 0.01 * test::randomVector(random).x();
+    const BezierPatch patch = patchOf(degree, degree, h);
+    const double scale = test::logUniform(random, -3, 3);
+    const Eigen::Matrix3d A = scale * test::randomRotation(random);
+    const Eigen::RowVector3d by = scale * 100 * test::randomVector(random).transpose();
+    const BezierPatch moved(degree, degree, (patch.poles() * A.transpose()).rowwise() + by,
+                            7 * patch.weights());
+    const double deviation = recogniseTriangle(patch).deviation_mm;
+    EXPECT_NEAR(recogniseTriangle(moved).deviation_mm, scale * deviation, 1e-9 * scale * deviation);
+    EXPECT_NEAR(recogniseTriangle(turned(patch, PatchEdge::V1)).deviation_mm, deviation, 1e-12 * deviation);
+  }
+}
+
 TEST(TriangleConversion, NaturalNormalsAgree) {
   std::mt19937_64 random(60);
   const BezierTriangle triangle = test::randomTriangle(3, true, random);

@@ -83,8 +83,8 @@ TEST(TriangleSide, ThreeRegularPatchesJoin) {
 
 constexpr double slope = 0.01;
 
-/// Height slope 4 v (1 - v) x over 0 <= x <= 1, or its mirror image in x = 0. It meets the level along x = 0 at angles up to
-/// atan(slope).
+/// Height slope 4 v (1 - v) x over 0 <= x <= 1, or its mirror image in x = 0. It meets the level along x = 0
+/// at angles up to atan(slope).
 BezierPatch bent(double sense) {
   Poles poles(6, 3);
   poles << 0, 0, 0, 0, 0.5, 0, 0, 1, 0, sense, 0, 0, sense, 0.5, 2 * slope * sense, sense, 1, 0;

@@ -65,7 +65,7 @@ Vec partial(const SurfaceJet& x, int a, int b) {
 }
 
 TEST(BezierTriangle, JetsEqualTheDefinitionToThirdOrder) {
-  // With A = (wx, wy, wz) and w from the definition, Leibniz' rule: A_ab = sum C(a,i) C(b,j) w_ij X_(a-i)(b-j).
+  // A = (wx, wy, wz) and w from the definition, Leibniz' rule: A_ab = sum C(a,i) C(b,j) w_ij X_(a-i)(b-j).
   constexpr int binomial[4][4] = {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}};
   std::mt19937_64 random(42);
   for (int degree = 0; degree <= 8; ++degree)

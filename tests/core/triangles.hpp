@@ -8,7 +8,7 @@
 
 #include "surfaces.hpp"
 
-/// Random Bézier triangles, and their values from the definition in long double: an oracle without de Casteljau.
+/// Random Bézier triangles, and their values from the definition in long double, without de Casteljau.
 namespace seamwright::test {
 
 using LongVec4 = Eigen::Matrix<long double, 4, 1>;
@@ -38,7 +38,7 @@ inline Barycentric randomBarycentric(std::mt19937_64& random) {
   return l / l.sum();
 }
 
-/// l^power / power! differentiated d times and multiplied by power!: power (power - 1) ... l^(power - d).
+/// The d-th derivative of l^power: power (power - 1) ... l^(power - d).
 inline long double fallingPower(long double l, int power, int d) {
   if (d > power) return 0;
   long double value = 1;
