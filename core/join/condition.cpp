@@ -83,7 +83,8 @@ double relativeNoise(const Rounded<Size>& x) {
 }
 
 /// \param scale the product of the sizes of the fields. \param noise of a coefficient.
-JoinResidual residual(Eigen::VectorXd coefficients, double scale, double noise, std::optional<double> tolerance) {
+JoinResidual residual(Eigen::VectorXd coefficients, double scale, double noise,
+                      std::optional<double> tolerance) {
   JoinResidual result;
   Eigen::Index largest = 0;
   const double size = coefficients.cwiseAbs().maxCoeff(&largest);
@@ -97,8 +98,8 @@ JoinResidual residual(Eigen::VectorXd coefficients, double scale, double noise, 
 }
 
 /// f A - g B = 0 of vector-valued polynomials A, B, relative to the size of its larger term, or of what the sides are made of.
-JoinResidual agreement(const Eigen::VectorXd& f, const Rounded<3>& a, const Eigen::VectorXd& g, const Rounded<3>& b,
-                       double length, std::optional<double> tolerance) {
+JoinResidual agreement(const Eigen::VectorXd& f, const Rounded<3>& a, const Eigen::VectorXd& g,
+                       const Rounded<3>& b, double length, std::optional<double> tolerance) {
   const Field<3> difference = Sum<3>().add(f, b.field).add(-g, a.field).total();
   const double size_f = f.cwiseAbs().maxCoeff(), size_g = g.cwiseAbs().maxCoeff();
   const double scale = std::max(size_f * b.size(), size_g * a.size());
@@ -118,7 +119,8 @@ std::optional<double> vanishes(const Eigen::VectorXd& square, double size) {
 /// What a join of tangent planes is judged by.
 class TangentPlanes {
  public:
-  TangentPlanes(const NormalizedPair& pair, const Derivatives& a, const Derivatives& b) : pair_(pair), a_(a), b_(b) {
+  TangentPlanes(const NormalizedPair& pair, const Derivatives& a, const Derivatives& b)
+      : pair_(pair), a_(a), b_(b) {
     normal_a_ = rows::cross(a.s.field, a.t.field);
     normal_b_ = rows::cross(b.s.field, a.t.field);
     product_ = rows::dot<3>(normal_a_, normal_b_);
@@ -135,7 +137,8 @@ class TangentPlanes {
   }
 
   JoinResidual condition(std::optional<double> tolerance) const {
-    return a_.w.size() == 1 && b_.w.size() == 1 ? polynomialCondition(tolerance) : rationalCondition(tolerance);
+    return a_.w.size() == 1 && b_.w.size() == 1 ? polynomialCondition(tolerance)
+                                                : rationalCondition(tolerance);
   }
 
   /// tan of the angle is |det| |X_t| / (N_P.N_Q), with the second normal formed by the first side's X_t.
@@ -160,8 +163,8 @@ class TangentPlanes {
   JoinResidual polynomialCondition(std::optional<double> tolerance) const {
     const double cube = std::pow(pair_.length, 3);
     const double noise = scale() * (relativeNoise(a_.s) + relativeNoise(a_.t) + relativeNoise(b_.s));
-    return residual(cube * rows::determinant(a_.s.field, a_.t.field, b_.s.field), cube * scale(), cube * noise,
-                    tolerance);
+    return residual(cube * rows::determinant(a_.s.field, a_.t.field, b_.s.field), cube * scale(),
+                    cube * noise, tolerance);
   }
 
   JoinResidual rationalCondition(std::optional<double> tolerance) const {
@@ -171,7 +174,8 @@ class TangentPlanes {
     const Rounded<4> out{pair_.a.first, 16 * pair_.rounding * pair_.a.degree_across};
     const Rounded<4> into{pair_.b.first, 16 * pair_.rounding * pair_.b.degree_across};
     const double scale = first.size() * along.size() * out.size() * into.size();
-    const double noise = scale * (relativeNoise(first) + relativeNoise(along) + relativeNoise(out) + relativeNoise(into));
+    const double noise =
+        scale * (relativeNoise(first) + relativeNoise(along) + relativeNoise(out) + relativeNoise(into));
     const double cube = std::pow(pair_.length, 3);
     return residual(cube * rows::determinant(first.field, along.field, out.field, into.field), cube * scale,
                     cube * noise, tolerance);
@@ -186,7 +190,8 @@ class TangentPlanes {
 /// Terms factor (normal.field), with their sizes and what rounding may have made of them.
 class NormalSum {
  public:
-  explicit NormalSum(const Field<3>& normal, double normal_noise) : normal_(normal), normal_noise_(normal_noise) {}
+  explicit NormalSum(const Field<3>& normal, double normal_noise)
+      : normal_(normal), normal_noise_(normal_noise) {}
 
   NormalSum& add(const Eigen::VectorXd& factor, double factor_noise, const Rounded<3>& x) {
     if (rows::isZero(factor)) return *this;
@@ -211,8 +216,8 @@ class NormalSum {
 
 /// With the weights: alpha = A w_P / (w_Q^2 mu), N.X_ij w^3 = h_ij, so that
 /// mu^2 w_Q h^Q_ss - w_P (A^2 h_ss + 2 A B h_st + B^2 h_tt) = 0.
-JoinResidual curvatureCondition(const Derivatives& a, const Derivatives& b, const Field<3>& normal, double length,
-                                std::optional<double> tolerance) {
+JoinResidual curvatureCondition(const Derivatives& a, const Derivatives& b, const Field<3>& normal,
+                                double length, std::optional<double> tolerance) {
   const Eigen::VectorXd mu = rows::dot<3>(normal, normal);
   const Eigen::VectorXd A = rows::dot<3>(rows::cross(b.s.field, a.t.field), normal);
   const Eigen::VectorXd B = rows::dot<3>(rows::cross(a.s.field, b.s.field), normal);
@@ -245,8 +250,8 @@ JoinResidual curvatureCondition(const Derivatives& a, const Derivatives& b, cons
   return sum.result(std::pow(length, 3), tolerance);
 }
 
-void judgeParametric(const Derivatives& a, const Derivatives& b, double length, std::optional<double> tolerance,
-                     JoinCondition& result) {
+void judgeParametric(const Derivatives& a, const Derivatives& b, double length,
+                     std::optional<double> tolerance, JoinCondition& result) {
   const Eigen::VectorXd square_a = times(a.w, a.w), square_b = times(b.w, b.w);
   result.position = agreement(a.w, a.p, b.w, b.p, length, tolerance);
   const double least = lowest(a.w) * lowest(b.w);
@@ -301,7 +306,8 @@ JoinCondition joinCondition(const Ribbon& a, const Ribbon& b, const JoinConditio
   result.verdict = sense > 0 ? JoinVerdict::G1 : JoinVerdict::Fold;
   if (result.verdict != JoinVerdict::G1) return result;
   result.curvature = options.connection
-                         ? curvatureCondition(of_a, of_b, planes.normal(), pair.length, *options.connection, options.tolerance)
+                         ? curvatureCondition(of_a, of_b, planes.normal(), pair.length, *options.connection,
+                                              options.tolerance)
                          : curvatureCondition(of_a, of_b, planes.normal(), pair.length, options.tolerance);
   return result;
 }

@@ -15,37 +15,40 @@ struct JoinResidual {
   /// Largest coefficient by the product of the sizes of the fields it is made of: without unit, the same for any size and place of the
   /// patches, and for any speed of their parameters.
   double relative = 0;
-  double noise = 0;    ///< what rounding of the poles and of these computations may make of a relative residual of 0
+  double noise =
+      0;  ///< what rounding of the poles and of these computations may make of a relative residual of 0
   double at = 0;       ///< the parameter that the largest coefficient stands for, k / degree
   bool holds = false;  ///< relative <= the caller's tolerance, or without one <= noise
 };
 
 /// How the tangent planes of two sides meet.
 enum class JoinVerdict {
-  G1,      ///< the same, and the second patch goes on where the first one ends
-  Fold,    ///< the same, but the second patch turns back
-  NotG1,   ///< not the same, or the sides do not even meet
+  G1,       ///< the same, and the second patch goes on where the first one ends
+  Fold,     ///< the same, but the second patch turns back
+  NotG1,    ///< not the same, or the sides do not even meet
   Singular  ///< a side has no tangent plane somewhere
 };
 
 const char* name(JoinVerdict verdict);
 
 struct JoinCondition {
-  JoinResidual position;            ///< Q - P, in mm (rational: by both weights)
-  double gap_bound_mm = 0;          ///< no point of one seam is further from the point at the same t of the other
-  JoinResidual first, second;       ///< parametric: Q_s - P_s and Q_ss - P_ss, of the points themselves
-  int parametric_order = -1;        ///< the sides meet with C^0, C^1 or C^2 in (s, t); -1: not at all
-  JoinResidual tangent_plane;       ///< det(P_s, P_t, Q_s); rational: det(P, P_s, P_t, Q_s) of homogeneous vectors over n
-  double angle_bound_rad = 0;       ///< no angle of the tangent planes is larger; pi where nothing is known
+  JoinResidual position;       ///< Q - P, in mm (rational: by both weights)
+  double gap_bound_mm = 0;     ///< no point of one seam is further from the point at the same t of the other
+  JoinResidual first, second;  ///< parametric: Q_s - P_s and Q_ss - P_ss, of the points themselves
+  int parametric_order = -1;   ///< the sides meet with C^0, C^1 or C^2 in (s, t); -1: not at all
+  JoinResidual
+      tangent_plane;  ///< det(P_s, P_t, Q_s); rational: det(P, P_s, P_t, Q_s) of homogeneous vectors over n
+  double angle_bound_rad = 0;  ///< no angle of the tangent planes is larger; pi where nothing is known
   JoinVerdict verdict = JoinVerdict::NotG1;
-  std::optional<double> singular_at;       ///< where a side has no tangent plane, or too near to that to tell
-  std::optional<JoinResidual> curvature;   ///< only where the verdict is G1
+  std::optional<double> singular_at;      ///< where a side has no tangent plane, or too near to that to tell
+  std::optional<JoinResidual> curvature;  ///< only where the verdict is G1
   bool g2() const { return curvature && curvature->holds; }
 };
 
 struct JoinConditionOptions {
-  std::optional<double> tolerance = std::nullopt;       ///< of relative residuals; nothing: the noise of each
-  std::optional<Connection> connection = std::nullopt;  ///< of b to a, for the condition of curvature; nothing: from the ribbons
+  std::optional<double> tolerance = std::nullopt;  ///< of relative residuals; nothing: the noise of each
+  std::optional<Connection> connection =
+      std::nullopt;  ///< of b to a, for the condition of curvature; nothing: from the ribbons
 };
 
 /// Judges the join of two ribbons over the same t, a out of its patch and b into its own, by polynomials that vanish iff it holds: no

@@ -47,8 +47,10 @@ Solution solve(const std::vector<Unknown>& unknowns, const Field<4>& right) {
   double size = rows::size(right);
   for (const Unknown& term : unknowns)
     for (int i = 0; i <= term.degree; ++i)
-      matrix.col(next++) = column(rows::product<4>(Eigen::VectorXd::Unit(term.degree + 1, i), term.field), degree);
-  const Eigen::VectorXd lengths = matrix.colwise().norm().cwiseMax(std::numeric_limits<double>::min()).transpose();
+      matrix.col(next++) =
+          column(rows::product<4>(Eigen::VectorXd::Unit(term.degree + 1, i), term.field), degree);
+  const Eigen::VectorXd lengths =
+      matrix.colwise().norm().cwiseMax(std::numeric_limits<double>::min()).transpose();
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(matrix * lengths.cwiseInverse().asDiagonal());
   const Eigen::VectorXd wanted = column(right, degree);
   const Eigen::VectorXd scaled = qr.solve(wanted);
@@ -89,7 +91,8 @@ class Recognition {
         P_t_(rows::derivative<4>(pair_.a.position)) {
     const double m = std::max(pair_.a.degree_across, pair_.b.degree_across);
     const double sizes = std::min({rows::size(pair_.a.first), rows::size(pair_.b.first), rows::size(P_t_)});
-    noise_first_ = roundings * eps + (sizes > 0 ? 64 * pair_.rounding * std::max<double>(m, pair_.a.degree()) / sizes : 0);
+    noise_first_ = roundings * eps +
+                   (sizes > 0 ? 64 * pair_.rounding * std::max<double>(m, pair_.a.degree()) / sizes : 0);
   }
 
   ConnectionFit run() {
@@ -115,8 +118,8 @@ class Recognition {
       const Solution solution = attempt(degree, second.value_or(degree + 1), best);
       fit_.condition = std::max(fit_.condition, solution.condition);
       if (!(solution.condition <= options_.largest_condition)) {
-        fit_.note = std::string("the equations for ") + names + " have condition " + text(solution.condition) +
-                    ", above " + text(options_.largest_condition);
+        fit_.note = std::string("the equations for ") + names + " have condition " +
+                    text(solution.condition) + ", above " + text(options_.largest_condition);
         return false;
       }
       best = std::min(best, solution.residual);
@@ -128,13 +131,15 @@ class Recognition {
 
   bool scale() {
     const HomogeneousPoles &P = pair_.a.position, &Q = pair_.b.position;
-    const double allowed = tolerance(roundings * (eps + pair_.rounding) * (rows::degree(P) + rows::degree(Q) + 2));
+    const double allowed =
+        tolerance(roundings * (eps + pair_.rounding) * (rows::degree(P) + rows::degree(Q) + 2));
     const int last = polynomial_ ? 0 : std::max(rows::degree(Q) - rows::degree(P), 0) + 3;
-    const bool found = ascend(std::nullopt, std::nullopt, last, allowed, "e0", [&](int degree, int, double best) {
-      Solution solution = solve({{P, degree}}, Q);
-      if (solution.residual < best) fit_.connection.e0 = solution.factors[0];
-      return solution;
-    });
+    const bool found =
+        ascend(std::nullopt, std::nullopt, last, allowed, "e0", [&](int degree, int, double best) {
+          Solution solution = solve({{P, degree}}, Q);
+          if (solution.residual < best) fit_.connection.e0 = solution.factors[0];
+          return solution;
+        });
     if (!found && fit_.note.empty())
       fit_.note = "the seams are not the same, or their weights differ by no polynomial of degree up to " +
                   std::to_string(last);
@@ -145,10 +150,11 @@ class Recognition {
     Connection& c = fit_.connection;
     const Field<4> out = rows::product<4>(c.e0, pair_.a.first), along = rows::product<4>(c.e0, P_t_);
     const int last = std::max(rows::degree(pair_.b.first) - rows::degree(out), 0) + 2;
-    const bool found = ascend(options_.alpha_degree, options_.beta_degree, last, tolerance(noise_first_), "alpha and beta",
-                              [&](int degree, int other, double best) {
+    const bool found = ascend(options_.alpha_degree, options_.beta_degree, last, tolerance(noise_first_),
+                              "alpha and beta", [&](int degree, int other, double best) {
                                 std::vector<Unknown> unknowns = {{out, degree}, {along, other}};
-                                if (!polynomial_) unknowns.push_back({pair_.a.position, degree + rows::degree(c.e0)});
+                                if (!polynomial_)
+                                  unknowns.push_back({pair_.a.position, degree + rows::degree(c.e0)});
                                 Solution solution = solve(unknowns, pair_.b.first);
                                 if (solution.residual < best) {
                                   c.alpha = solution.factors[0];
@@ -166,8 +172,8 @@ class Recognition {
     if (verdict != JoinVerdict::G1) return std::string("the join is ") + name(verdict);
     if (options_.alpha_degree || options_.beta_degree)
       return "the join is G1, but alpha and beta are no polynomials of these degrees";
-    return "the join is G1, but alpha and beta are no polynomials of degrees up to " + std::to_string(last) + " and " +
-           std::to_string(last + 1);
+    return "the join is G1, but alpha and beta are no polynomials of degrees up to " + std::to_string(last) +
+           " and " + std::to_string(last + 1);
   }
 
   bool curvatures() {
@@ -189,12 +195,13 @@ class Recognition {
     const double m = std::max({pair_.a.degree_across, pair_.b.degree_across, pair_.a.degree()});
     const double terms = rows::size(pair_.b.second) + rows::size(second) + rows::size(P_s) + rows::size(P_t_);
     const double size = std::max(rows::size(rest), std::min(rows::size(P_s), rows::size(P_t_)));
-    const double allowed =
-        tolerance(noise_first_ + (64 * m * m * pair_.rounding + (roundings * eps + noise_first_) * terms) / size);
+    const double allowed = tolerance(
+        noise_first_ + (64 * m * m * pair_.rounding + (roundings * eps + noise_first_) * terms) / size);
     const bool found = ascend(options_.p_degree, options_.q_degree, last, allowed, "p and q",
                               [&](int degree, int other, double best) {
                                 std::vector<Unknown> unknowns = {{out, degree}, {along, other}};
-                                if (!polynomial_) unknowns.push_back({pair_.a.position, degree + rows::degree(c.e0)});
+                                if (!polynomial_)
+                                  unknowns.push_back({pair_.a.position, degree + rows::degree(c.e0)});
                                 Solution solution = solve(unknowns, rest);
                                 if (solution.residual < best) {
                                   c.p = solution.factors[0];

@@ -32,7 +32,8 @@ struct ConnectionFitOptions {
   /// Degrees; nothing: ascending, (0, 1), (1, 2), (2, 3), ... until the residual is within the tolerance.
   std::optional<int> alpha_degree = std::nullopt, beta_degree = std::nullopt, p_degree = std::nullopt,
                      q_degree = std::nullopt;
-  std::optional<double> tolerance = std::nullopt;  ///< of residuals; nothing: what rounding of the poles makes of 0
+  std::optional<double> tolerance =
+      std::nullopt;                 ///< of residuals; nothing: what rounding of the poles makes of 0
   double largest_condition = 1e12;  ///< of the systems of equations; above it nothing is recognised
 };
 
@@ -40,10 +41,11 @@ struct ConnectionFitOptions {
 struct ConnectionFit {
   bool found = false;     ///< all residuals are within the tolerance
   Connection connection;  ///< the best of the degrees tried; of order 1 with p = q = 0
-  double residual = 0;    ///< largest coefficient that remains, relative to the fields, over all equations solved
-  double noise = 0;       ///< what rounding of the poles makes of a residual of 0
-  double condition = 0;   ///< of the worst system of equations, by pivoted QR after scaling its columns
-  std::string note;       ///< what stands in the way where nothing is found
+  double residual =
+      0;             ///< largest coefficient that remains, relative to the fields, over all equations solved
+  double noise = 0;  ///< what rounding of the poles makes of a residual of 0
+  double condition = 0;  ///< of the worst system of equations, by pivoted QR after scaling its columns
+  std::string note;      ///< what stands in the way where nothing is found
 };
 
 /// Recognises the connection functions of two ribbons over the same t, a out of its patch and b into its own, by linear least squares in

@@ -16,8 +16,9 @@ inline void requireUsable(const Ribbon& ribbon, const char* name) {
       throw std::invalid_argument(std::string("ribbon ") + name + " has a part that is empty or not finite");
   for (Eigen::Index k = 0; k < ribbon.position.rows(); ++k)
     if (!(ribbon.position(k, 3) > 0))
-      throw std::invalid_argument(std::string("ribbon ") + name + ", pole " + std::to_string(k) + " has weight " +
-                                  bernstein::text(ribbon.position(k, 3)) + ": it must be positive");
+      throw std::invalid_argument(std::string("ribbon ") + name + ", pole " + std::to_string(k) +
+                                  " has weight " + bernstein::text(ribbon.position(k, 3)) +
+                                  ": it must be positive");
 }
 
 /// The joins of two ribbons do not depend on the place of the origin and on the unit of length.
@@ -46,8 +47,8 @@ struct NormalizedPair {
   static double reach(const Ribbon& ribbon) { return ribbon.position.leftCols<3>().cwiseAbs().maxCoeff(); }
   /// Of poles of the seam and of the row behind it.
   static double size(const Ribbon& ribbon) {
-    return std::max(reach(ribbon), ribbon.first.leftCols<3>().cwiseAbs().maxCoeff() /
-                                       std::max(ribbon.degree_across, 1));
+    return std::max(reach(ribbon),
+                    ribbon.first.leftCols<3>().cwiseAbs().maxCoeff() / std::max(ribbon.degree_across, 1));
   }
 };
 

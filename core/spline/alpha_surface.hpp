@@ -23,10 +23,10 @@ BezierPatch alphaSurfacePatch(const AlphaSurface& surface);
 
 /// How the next alpha-surface goes on at u = 1 of a given one.
 struct AlphaJoin {
-  int order = 1;                 ///< 1, 2 or 3
-  double beta1 = 1, beta2 = 0;   ///< C^1, C^2: 1 and 0. With order 3 beta2 is not free and is not read
-  double length = 1;             ///< of the given surface's u in the common parameter
-  double next_length = 1;        ///< of the next one's
+  int order = 1;                ///< 1, 2 or 3
+  double beta1 = 1, beta2 = 0;  ///< C^1, C^2: 1 and 0. With order 3 beta2 is not free and is not read
+  double length = 1;            ///< of the given surface's u in the common parameter
+  double next_length = 1;       ///< of the next one's
   double next_a_u = 1, next_a_v = 1;
 };
 

@@ -12,6 +12,7 @@ PYBIND11_MODULE(_core, module) {
   bindTriangle(module);
   bindMeasure(module);
   bindSeam(module);
+  bindJoin(module);
   bindModel(module);
   bindPointerBridge(module);
 }

@@ -116,7 +116,8 @@ TEST(AlphaSurface, DerivativesByTheCommonParameter) {
     const AlphaJoin join = randomJoin(order, reshaped ? uniform(0.3, 1, random) : given.a_v, random);
     const BezierPatch before = alphaSurfacePatch(given), after = alphaSurfacePatch(next(given, join, random));
     const double h = join.length, k = join.next_length, b = join.beta1;
-    const double b2 = order == 3 ? -2 * b * (b / h + 1 / k) : join.beta2, b3 = 12 * b * b / h * (b / h + 1 / k);
+    const double b2 = order == 3 ? -2 * b * (b / h + 1 / k) : join.beta2,
+                 b3 = 12 * b * b / h * (b / h + 1 / k);
     for (int i = 0; i <= 7; ++i) {
       const SurfaceJet x = before.jet(1, i / 7.0), y = after.jet(0, i / 7.0);
       EXPECT_LE((y.p - x.p).norm(), 1e-12);
@@ -125,7 +126,8 @@ TEST(AlphaSurface, DerivativesByTheCommonParameter) {
         EXPECT_LE((y.uu / (k * k) - b * b * x.uu / (h * h) - b2 * x.u / h).norm(), 1e-9);
       }
       if (order == 3) {
-        const Eigen::Vector3d third = b * b * b * x.uuu / (h * h * h) + 3 * b * b2 * x.uu / (h * h) + b3 * x.u / h;
+        const Eigen::Vector3d third =
+            b * b * b * x.uuu / (h * h * h) + 3 * b * b2 * x.uu / (h * h) + b3 * x.u / h;
         EXPECT_LE((y.uuu / (k * k * k) - third).norm(), 1e-8);
       }
     }
@@ -143,10 +145,11 @@ TEST(AlphaSurface, OnesAndZerosContinueParametrically) {
   join.order = 2;
   join.next_a_v = given.a_v;
   join.next_a_u = 0.5;
-  EXPECT_EQ(joinCondition(ribbon(alphaSurfacePatch(given), PatchEdge::U1, false, Across::OutOf),
-                          ribbon(alphaSurfacePatch(next(given, join, random)), PatchEdge::U0, false, Across::Into))
-                .parametric_order,
-            2);
+  EXPECT_EQ(
+      joinCondition(ribbon(alphaSurfacePatch(given), PatchEdge::U1, false, Across::OutOf),
+                    ribbon(alphaSurfacePatch(next(given, join, random)), PatchEdge::U0, false, Across::Into))
+          .parametric_order,
+      2);
 }
 
 std::string refusal(const AlphaSurface& given, const AlphaJoin& join) {

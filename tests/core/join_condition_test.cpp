@@ -50,9 +50,12 @@ TEST(JoinConditionData, TensorTests) {
               1e-14)
         << entry["id"];
     const bool g1 = entry["expected"]["g1"], fold = entry["expected"]["fold"];
-    EXPECT_EQ(found.verdict, g1 ? JoinVerdict::G1 : fold ? JoinVerdict::Fold : JoinVerdict::NotG1)
+    EXPECT_EQ(found.verdict, g1     ? JoinVerdict::G1
+                             : fold ? JoinVerdict::Fold
+                                    : JoinVerdict::NotG1)
         << entry["id"] << " " << name(found.verdict) << " " << found.tangent_plane.relative << " noise "
-        << found.tangent_plane.noise << " position " << found.position.relative << " noise " << found.position.noise;
+        << found.tangent_plane.noise << " position " << found.position.relative << " noise "
+        << found.position.noise;
   }
 }
 
@@ -63,7 +66,8 @@ TEST(JoinConditionData, RationalTests) {
     // det[X, Y, P_s, Q_s] with P_s = m (P - R), Q_s = l (S - Q): -m l times det[X, Y, R, S] where Q = e P.
     const double ml = P.degreeU() * Q.degreeU();
     const Eigen::VectorXd expected = -ml * function(entry["expected"]["det4_coeffs"]);
-    EXPECT_LE(error(found.tangent_plane.coefficients, expected, scaleOf(found.tangent_plane)), 1e-14) << entry["id"];
+    EXPECT_LE(error(found.tangent_plane.coefficients, expected, scaleOf(found.tangent_plane)), 1e-14)
+        << entry["id"];
     EXPECT_EQ(found.verdict == JoinVerdict::G1, entry["expected"]["g1"].get<bool>()) << entry["id"];
     EXPECT_TRUE(found.position.holds) << found.position.relative << " " << found.position.noise;
     const Eigen::VectorXd e = function(entry["expected"]["e"]);
@@ -71,7 +75,8 @@ TEST(JoinConditionData, RationalTests) {
     for (const double t : {0.0, 0.3, 1.0}) EXPECT_NEAR(value(fit.connection.e0, t), value(e, t), 1e-13);
     // Made with alpha e a polynomial, so alpha is none.
     EXPECT_FALSE(fit.found);
-    EXPECT_THAT(fit.note, HasSubstr(entry["expected"]["g1"].get<bool>() ? "the join is G1, but" : "the join is not G1"));
+    EXPECT_THAT(fit.note, HasSubstr(entry["expected"]["g1"].get<bool>() ? "the join is G1, but"
+                                                                        : "the join is not G1"));
   }
 }
 
@@ -82,28 +87,32 @@ TEST(JoinConditionData, TrianglesThatDoNotJoin) {
                                               ribbon(T0, TriangleEdge::L0, false, Across::Into));
     // det(P_s, P_t, Q_s) = det(n z1, n a, -n z0) = n^3 det(z0, a, z1).
     const double n3 = std::pow(T0.degree(), 3);
-    EXPECT_LE(error(found.tangent_plane.coefficients / n3, function(entry["expected"]["triple_coeffs"])), 1e-12);
+    EXPECT_LE(error(found.tangent_plane.coefficients / n3, function(entry["expected"]["triple_coeffs"])),
+              1e-12);
     EXPECT_EQ(found.verdict, JoinVerdict::NotG1);
   }
 }
 
 TEST(JoinConditionData, Fits) {
   for (const json& entry : test::dataCases("tensor_joins.json", "fit")) {
-    const Ribbon a = endingAtU1(test::patch(entry["input"]["P"])), b = beginningAtU0(test::patch(entry["input"]["Q"]));
+    const Ribbon a = endingAtU1(test::patch(entry["input"]["P"])),
+                 b = beginningAtU0(test::patch(entry["input"]["Q"]));
     const auto expectFound = [&](const ConnectionFit& fit) {
       EXPECT_TRUE(fit.found) << fit.note;
       EXPECT_LE(error(fit.connection.alpha, function(entry["expected"]["alpha"])), 1e-12);
       EXPECT_LE(error(fit.connection.beta, function(entry["expected"]["beta"])), 1e-12);
     };
-    expectFound(fitConnection(a, b, {.alpha_degree = entry["input"]["deg_alpha"].get<int>(),
-                                     .beta_degree = entry["input"]["deg_beta"].get<int>()}));
+    expectFound(fitConnection(a, b,
+                              {.alpha_degree = entry["input"]["deg_alpha"].get<int>(),
+                               .beta_degree = entry["input"]["deg_beta"].get<int>()}));
     expectFound(fitConnection(a, b));
   }
 }
 
 TEST(JoinConditionData, JumpsOfCurvature) {
   for (const json& entry : test::dataCases("curvature_jumps.json", "g2_measure")) {
-    const Ribbon a = endingAtU1(test::patch(entry["input"]["P"])), b = beginningAtU0(test::patch(entry["input"]["Q"]));
+    const Ribbon a = endingAtU1(test::patch(entry["input"]["P"])),
+                 b = beginningAtU0(test::patch(entry["input"]["Q"]));
     const ConnectionFit fit = fitConnection(a, b);
     ASSERT_TRUE(fit.found) << fit.note;
     const JoinCondition found = joinCondition(a, b, {.connection = fit.connection});
@@ -113,7 +122,9 @@ TEST(JoinConditionData, JumpsOfCurvature) {
     for (const json& sample : entry["expected"]["samples"]) {
       // The condition is |N_P| times the jump times |N_Q|^2 / |P_t|^2.
       const double t = test::number(sample["t"]);
-      const auto at = [t](const HomogeneousPoles& rows) -> Eigen::Vector3d { return value(rows, t).head<3>(); };
+      const auto at = [t](const HomogeneousPoles& rows) -> Eigen::Vector3d {
+        return value(rows, t).head<3>();
+      };
       const Eigen::Index n = a.position.rows() - 1;
       const Eigen::Vector3d along =
           at(HomogeneousPoles(static_cast<double>(n) * (a.position.bottomRows(n) - a.position.topRows(n))));
@@ -151,15 +162,16 @@ Join randomJoin(int run, std::mt19937_64& random) {
     if (rational) join.connection = withScaling(join.connection, random);
     if (rational && to_triangle) join.connection.e1 = Eigen::VectorXd::Zero(1);
     const bool reversed = run % 2 == 0;
-    join.a = from_triangle
-                 ? ribbon(gentleTriangle(n, rational, random), test::triangle_edges[run % 3], reversed, Across::OutOf)
-                 : ribbon(gentlePatch(whole(1, 7, random), n, rational, random), test::patch_edges[run % 4], reversed,
-                          Across::OutOf);
+    join.a = from_triangle ? ribbon(gentleTriangle(n, rational, random), test::triangle_edges[run % 3],
+                                    reversed, Across::OutOf)
+                           : ribbon(gentlePatch(whole(1, 7, random), n, rational, random),
+                                    test::patch_edges[run % 4], reversed, Across::OutOf);
     try {
       if (to_triangle)
         join.b = ribbon(triangleContinuation(join.a, join.connection), TriangleEdge::L0, false, Across::Into);
       else
-        join.b = beginningAtU0(continuation(join.a, join.connection, join.order, whole(join.order, 6, random)));
+        join.b =
+            beginningAtU0(continuation(join.a, join.connection, join.order, whole(join.order, 6, random)));
       return join;
     } catch (const std::invalid_argument&) {
       // a weight that is not positive
@@ -180,7 +192,8 @@ TEST(JoinCondition, Identity1ConstructedJoinsHold) {
     EXPECT_LE(found.tangent_plane.noise, 1e-10) << run;
     EXPECT_GE(found.parametric_order, 0);
     if (join.order == 2) {
-      EXPECT_TRUE(found.g2()) << run << " " << found.curvature->relative << " noise " << found.curvature->noise;
+      EXPECT_TRUE(found.g2()) << run << " " << found.curvature->relative << " noise "
+                              << found.curvature->noise;
       EXPECT_TRUE(joinCondition(join.a, join.b, {.connection = join.connection}).g2()) << run;
     } else if (join.a.second.norm() + join.b.second.norm() > 1) {
       EXPECT_FALSE(found.g2()) << run;
@@ -218,7 +231,8 @@ TEST(JoinCondition, Identity2OneMovedPoleEndsIt) {
       EXPECT_EQ(found.verdict, JoinVerdict::NotG1) << run << " row " << row;
     else
       EXPECT_EQ(found.verdict, JoinVerdict::G1) << run;
-    EXPECT_FALSE(found.g2()) << run << " row " << row << " " << (found.curvature ? found.curvature->relative : 0) << " noise "
+    EXPECT_FALSE(found.g2()) << run << " row " << row << " "
+                             << (found.curvature ? found.curvature->relative : 0) << " noise "
                              << (found.curvature ? found.curvature->noise : 0);
     EXPECT_EQ(found.parametric_order >= 0, row > 0) << run;
   }
@@ -238,7 +252,8 @@ TEST(JoinCondition, Identity3MotionsAndScalesChangeNoVerdict) {
     const Eigen::Matrix3d linear = test::logUniform(random, -3, 3) * test::randomRotation(random);
     const Eigen::RowVector3d translation = 10 * linear.col(0).norm() * test::randomVector(random).transpose();
     const JoinCondition found = joinCondition(join.a, other),
-                        moved = joinCondition(mapped(join.a, linear, translation), mapped(other, linear, translation));
+                        moved = joinCondition(mapped(join.a, linear, translation),
+                                              mapped(other, linear, translation));
     EXPECT_EQ(found.verdict, moved.verdict) << run;
     EXPECT_EQ(found.parametric_order, moved.parametric_order) << run;
     EXPECT_EQ(found.g2(), moved.g2()) << run;
@@ -297,7 +312,8 @@ TEST(JoinCondition, SidesWithoutTangentPlaneAreSingular) {
 TEST(JoinCondition, ParametricOrders) {
   std::mt19937_64 random(47);
   for (int run = 0; run < 60; ++run) {
-    const BezierPatch patch = gentlePatch(3, 4, run % 2 == 1, random);  // with weights so even that they stay positive
+    const BezierPatch patch =
+        gentlePatch(3, 4, run % 2 == 1, random);  // with weights so even that they stay positive
     const Ribbon a = endingAtU1(BezierPatch(3, 4, patch.poles(), patch.weights().array().pow(0.03)));
     const auto order = [&](const Connection& c, int built) {
       return joinCondition(a, beginningAtU0(continuation(a, c, built, 4))).parametric_order;
@@ -343,7 +359,8 @@ TEST(ConnectionFit, Identity1FunctionsComeBack) {
   for (int run = 0; run < 1500; ++run) {
     const Join join = randomJoin(run, random);
     const ConnectionFit fit = fitConnection(join.a, join.b, {.order = join.order});
-    ASSERT_TRUE(fit.found) << run << " order " << join.order << ": " << fit.note << " residual " << fit.residual << " noise " << fit.noise;
+    ASSERT_TRUE(fit.found) << run << " order " << join.order << ": " << fit.note << " residual "
+                           << fit.residual << " noise " << fit.noise;
     const double allowed = 1e-11 * fit.condition;
     EXPECT_LE(apart(fit.connection.alpha, join.connection.alpha), allowed) << run;
     EXPECT_LE(apart(fit.connection.beta, join.connection.beta), allowed) << run;
@@ -376,7 +393,8 @@ TEST(ConnectionFit, Identity3MotionsAndScales) {
     const Eigen::Matrix3d linear = test::logUniform(random, -3, 3) * test::randomRotation(random);
     const Eigen::RowVector3d translation = 10 * linear.col(0).norm() * test::randomVector(random).transpose();
     const ConnectionFit fit = fitConnection(join.a, join.b);
-    const ConnectionFit moved = fitConnection(mapped(join.a, linear, translation), mapped(join.b, linear, translation));
+    const ConnectionFit moved =
+        fitConnection(mapped(join.a, linear, translation), mapped(join.b, linear, translation));
     EXPECT_TRUE(moved.found) << run << moved.note;
     EXPECT_LE(apart(fit.connection.alpha, moved.connection.alpha), 1e-10 * fit.condition) << run;
     EXPECT_LE(apart(fit.connection.beta, moved.connection.beta), 1e-10 * fit.condition) << run;
@@ -392,8 +410,8 @@ TEST(ConnectionFit, WhatStandsInTheWayIsSaid) {
   EXPECT_THAT(fitConnection(a, other).note, HasSubstr("the seams are not the same"));
   EXPECT_THAT(fitConnection(flat, beginningAtU0(continuation(a, {}, 1, 2))).note, HasSubstr("condition"));
   const Connection quadratic = test::randomConnection(2, 3, random);
-  const ConnectionFit low =
-      fitConnection(a, beginningAtU0(continuation(a, quadratic, 1, 2)), {.alpha_degree = 0, .beta_degree = 1});
+  const ConnectionFit low = fitConnection(a, beginningAtU0(continuation(a, quadratic, 1, 2)),
+                                          {.alpha_degree = 0, .beta_degree = 1});
   EXPECT_FALSE(low.found);
   EXPECT_THAT(low.note, HasSubstr("no polynomials of these degrees"));
   EXPECT_THROW(fitConnection(a, other, {.order = 3}), std::invalid_argument);

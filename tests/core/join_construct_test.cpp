@@ -63,7 +63,8 @@ TEST(JoinRowsData, TensorG1InTheSameDegree) {
     const auto build = [&] {
       json functions = input;
       functions.erase("q");  // here the degree
-      return tensorRows(endingAtU1(input["P"]), connectionOf(functions), 1, input["l"], input["q"].get<int>());
+      return tensorRows(endingAtU1(input["P"]), connectionOf(functions), 1, input["l"],
+                        input["q"].get<int>());
     };
     if (!expected["representable"].get<bool>()) {
       EXPECT_THAT(build, ThrowsMessage<std::invalid_argument>(HasSubstr("the defect is ")));
@@ -362,16 +363,21 @@ std::string refusal(const Build& build) {
 TEST(JoinConstruct, Refusals) {
   std::mt19937_64 random(29);
   const Ribbon given = ribbon(gentlePatch(3, 3, false, random), PatchEdge::U1, false, Across::OutOf);
-  const auto refused = [&](const Connection& c, int order = 1, int across = 3, std::optional<int> degree = {}) {
+  const auto refused = [&](const Connection& c, int order = 1, int across = 3,
+                           std::optional<int> degree = {}) {
     return refusal([&] { tensorRows(given, c, order, across, degree); });
   };
   const double nan = std::nan("");
-  EXPECT_THAT(refused(with(&Connection::alpha, Eigen::Vector2d(1, -0.25))), HasSubstr("alpha is -0.25 at t = 1:"));
+  EXPECT_THAT(refused(with(&Connection::alpha, Eigen::Vector2d(1, -0.25))),
+              HasSubstr("alpha is -0.25 at t = 1:"));
   EXPECT_THAT(refused(with(&Connection::alpha, Eigen::Vector3d(1, -3, 1))), HasSubstr("alpha is "));
-  EXPECT_THAT(refused(with(&Connection::alpha, Eigen::Vector3d(1, -1, 1))), HasSubstr("at t = 0.5:"));  // touches 0
-  EXPECT_THAT(refused(with(&Connection::alpha, Eigen::Vector3d(1, -0.9, 1))), HasSubstr("nothing was refused"));
+  EXPECT_THAT(refused(with(&Connection::alpha, Eigen::Vector3d(1, -1, 1))),
+              HasSubstr("at t = 0.5:"));  // touches 0
+  EXPECT_THAT(refused(with(&Connection::alpha, Eigen::Vector3d(1, -0.9, 1))),
+              HasSubstr("nothing was refused"));
   EXPECT_THAT(refused(with(&Connection::alpha, Eigen::VectorXd::Zero(1))), HasSubstr("alpha is 0"));
-  EXPECT_THAT(refused(with(&Connection::beta, Eigen::Vector2d(0, nan))), HasSubstr("beta has coefficient 1 = nan"));
+  EXPECT_THAT(refused(with(&Connection::beta, Eigen::Vector2d(0, nan))),
+              HasSubstr("beta has coefficient 1 = nan"));
   EXPECT_THAT(refused(with(&Connection::q, Eigen::VectorXd())), HasSubstr("q has no coefficient"));
   EXPECT_THAT(refused(with(&Connection::e0, -Eigen::VectorXd::Ones(1))), HasSubstr("e0 is -1"));
   EXPECT_THAT(refused(with(&Connection::e1, Eigen::VectorXd::Constant(1, -4))),
@@ -382,10 +388,15 @@ TEST(JoinConstruct, Refusals) {
   EXPECT_THAT(refused({}, 1, 3, 2), HasSubstr("cannot be written in degree 2"));
   EXPECT_THAT(refused({}, 1, 3, 100000), HasSubstr("degree 100000"));
   EXPECT_THAT(refused({}, 1, 3, -1), HasSubstr("degree -1"));
-  EXPECT_THAT(refusal([&] { triangleRows(given, {}, 3); }), HasSubstr("Q_s has degree 3 and cannot be written in degree 2"));
-  EXPECT_THAT(refusal([&] { withRows(gentlePatch(2, 3, false, random), PatchEdge::U0, false, tensorRows(given, {}, 1, 3)); }),
+  EXPECT_THAT(refusal([&] { triangleRows(given, {}, 3); }),
+              HasSubstr("Q_s has degree 3 and cannot be written in degree 2"));
+  EXPECT_THAT(refusal([&] {
+                withRows(gentlePatch(2, 3, false, random), PatchEdge::U0, false, tensorRows(given, {}, 1, 3));
+              }),
               HasSubstr("the patch has degree 2"));
-  EXPECT_THAT(refusal([&] { withRows(gentleTriangle(2, false, random), TriangleEdge::L0, false, triangleRows(given, {})); }),
+  EXPECT_THAT(refusal([&] {
+                withRows(gentleTriangle(2, false, random), TriangleEdge::L0, false, triangleRows(given, {}));
+              }),
               HasSubstr("rows for a triangle of degree 4"));
   Ribbon broken = given;
   broken.first(0, 0) = nan;
@@ -402,7 +413,8 @@ double resolvedAngle(int p, int q) {
 
 /// \param angle_rad what the bound of the angle has to be below; that of the relative curvature below 60 times it.
 /// \return the bound of the angle.
-double expectCertified(const SeamSide& a, const SeamSide& b, int order, double angle_rad, const Message& what) {
+double expectCertified(const SeamSide& a, const SeamSide& b, int order, double angle_rad,
+                       const Message& what) {
   ContinuityTolerance tolerance;
   tolerance.gap_mm = 1e-9;
   tolerance.angle_rad = 1e-12;
@@ -424,19 +436,22 @@ TEST(JoinCertified, Identity2ContinuationsOfTensorPatches) {
   int count = 0, fine = 0;
   for (int run = 0; run < 160; ++run) {
     const bool rational = run % 8 >= 6;
-    const int m = whole(2, 7, random), n = whole(2, 7, random), order = whole(1, 2, random), k = whole(0, 2, random);
+    const int m = whole(2, 7, random), n = whole(2, 7, random), order = whole(1, 2, random),
+              k = whole(0, 2, random);
     const BezierPatch patch = gentlePatch(m, n, rational, random);
     const PatchEdge edge = test::patch_edges[run % 4];
     const bool reversed = run % 8 < 4;
     const Connection c = test::randomConnection(k, whole(0, k + 1, random), random);
     const int l = whole(order, 6, random);
-    const auto next = built([&] { return continuation(ribbon(patch, edge, reversed, Across::OutOf), c, order, l); });
+    const auto next =
+        built([&] { return continuation(ribbon(patch, edge, reversed, Across::OutOf), c, order, l); });
     if (!next) continue;
     const double angle = resolvedAngle(std::max(m, next->degreeU()), std::max({m, n, next->degreeV()}));
     ++count;
-    fine += 1e-10 > expectCertified(seamSide(patch, edge, reversed), seamSide(*next, PatchEdge::U0), order, angle,
-                    Message() << "run " << run << " m " << m << " n " << n << " to " << next->degreeU() << " " << next->degreeV()
-                              << (rational ? " rational: " : ": "));
+    fine += 1e-10 > expectCertified(
+                        seamSide(patch, edge, reversed), seamSide(*next, PatchEdge::U0), order, angle,
+                        Message() << "run " << run << " m " << m << " n " << n << " to " << next->degreeU()
+                                  << " " << next->degreeV() << (rational ? " rational: " : ": "));
   }
   EXPECT_GT(fine, 0.6 * count);
 }
@@ -475,7 +490,8 @@ TEST(JoinCertified, BlendsMeetBoth) {
     Poles away = gentlePatch(3, 2, false, random).poles();
     away.col(0).array() += 20;
     const BezierPatch second(3, 2, away);
-    const Connection to_first = test::randomConnection(0, 1, random), to_second = test::randomConnection(1, 1, random);
+    const Connection to_first = test::randomConnection(0, 1, random),
+                     to_second = test::randomConnection(1, 1, random);
     const auto between = built([&] {
       return blend(ribbon(first, PatchEdge::U1, false, Across::OutOf), to_first,
                    ribbon(second, PatchEdge::U0, false, Across::OutOf), to_second, order);
@@ -483,8 +499,10 @@ TEST(JoinCertified, BlendsMeetBoth) {
     if (!between) continue;
     EXPECT_EQ(between->degreeU(), 2 * order + 1);
     const double angle = resolvedAngle(between->degreeU(), between->degreeV());
-    expectCertified(seamSide(first, PatchEdge::U1), seamSide(*between, PatchEdge::U0), order, angle, Message() << run << " first ");
-    expectCertified(seamSide(*between, PatchEdge::U1), seamSide(second, PatchEdge::U0), order, angle, Message() << run << " second ");
+    expectCertified(seamSide(first, PatchEdge::U1), seamSide(*between, PatchEdge::U0), order, angle,
+                    Message() << run << " first ");
+    expectCertified(seamSide(*between, PatchEdge::U1), seamSide(second, PatchEdge::U0), order, angle,
+                    Message() << run << " second ");
   }
 }
 
@@ -499,8 +517,8 @@ TEST(JoinCertified, OneMovedPoleIsSeen) {
     tolerance.gap_mm = 1e-9;
     tolerance.angle_rad = 1e-8;
     tolerance.curvature_rel = 1e-7;
-    const SeamFigures figures =
-        encloseSeam(seamSide(patch, PatchEdge::U1), seamSide(BezierPatch(3, 3, poles), PatchEdge::U0), tolerance);
+    const SeamFigures figures = encloseSeam(seamSide(patch, PatchEdge::U1),
+                                            seamSide(BezierPatch(3, 3, poles), PatchEdge::U0), tolerance);
     EXPECT_EQ(figures.gap_mm->lower > tolerance.gap_mm, row == 0);
     EXPECT_EQ(figures.angle_rad->lower > tolerance.angle_rad, row <= 1);
     EXPECT_GT(figures.curvature_rel->lower, tolerance.curvature_rel);
