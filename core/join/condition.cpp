@@ -272,7 +272,7 @@ void requireTolerance(const std::optional<double>& tolerance) {
 
 }  // namespace
 
-const char* name(JoinVerdict verdict) {
+std::string_view name(JoinVerdict verdict) {
   switch (verdict) {
     case JoinVerdict::G1:
       return "G1";

@@ -5,6 +5,7 @@
 #include <optional>
 #include <seamwright/core/join/connection.hpp>
 #include <seamwright/core/join/ribbon.hpp>
+#include <string_view>
 
 namespace seamwright {
 
@@ -29,7 +30,8 @@ enum class JoinVerdict {
   Singular  ///< a side has no tangent plane somewhere
 };
 
-const char* name(JoinVerdict verdict);
+/// "G1", "fold", "not G1", "singular".
+std::string_view name(JoinVerdict verdict);
 
 struct JoinCondition {
   JoinResidual position;       ///< Q - P, in mm (rational: by both weights)

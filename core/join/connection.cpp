@@ -169,7 +169,7 @@ class Recognition {
 
   std::string whyNoTangents(int last) const {
     const JoinVerdict verdict = joinCondition(pair_.a, pair_.b, {options_.tolerance, std::nullopt}).verdict;
-    if (verdict != JoinVerdict::G1) return std::string("the join is ") + name(verdict);
+    if (verdict != JoinVerdict::G1) return "the join is " + std::string(name(verdict));
     if (options_.alpha_degree || options_.beta_degree)
       return "the join is G1, but alpha and beta are no polynomials of these degrees";
     return "the join is G1, but alpha and beta are no polynomials of degrees up to " + std::to_string(last) +

@@ -219,11 +219,14 @@ BezierPatch withRows(const BezierPatch& patch, PatchEdge edge, bool reversed, co
 
 BezierTriangle withRows(const BezierTriangle& triangle, TriangleEdge edge, bool reversed,
                         const JoinRows& rows) {
-  const int n = triangle.degree();
-  if (rows.degree_across != n)
+  if (rows.degree_across < triangle.degree())
     throw std::invalid_argument("rows for a triangle of degree " + std::to_string(rows.degree_across) +
-                                ", the triangle has degree " + std::to_string(n) + ": they must be the same");
-  const HomogeneousPoles net = triangleNet(triangle.homogeneousPoles(), edge, reversed, rows);
+                                ", the triangle has degree " + std::to_string(triangle.degree()) +
+                                ": the rows must be built in its degree");
+  requireDegree(rows.degree_across, triangle.degree());
+  BezierTriangle raised = triangle;
+  while (raised.degree() < rows.degree_across) raised = raised.elevated();
+  const HomogeneousPoles net = triangleNet(raised.homogeneousPoles(), edge, reversed, rows);
   return {affinePoles(net), net.col(3)};
 }
 

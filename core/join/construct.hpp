@@ -68,7 +68,8 @@ BezierPatch blend(const Ribbon& first, const Connection& to_first, const Ribbon&
 /// \throws std::invalid_argument if the patch has another degree across than the rows are for.
 BezierPatch withRows(const BezierPatch& patch, PatchEdge edge, bool reversed, const JoinRows& rows);
 
-/// \throws std::invalid_argument unless the triangle has the degree of the rows.
+/// A triangle of lower degree than the rows is raised first.
+/// \throws std::invalid_argument for rows of lower degree than the triangle: triangleRows() builds them in its degree.
 BezierTriangle withRows(const BezierTriangle& triangle, TriangleEdge edge, bool reversed,
                         const JoinRows& rows);
 

@@ -145,8 +145,10 @@ py::object joinedOf(const py::object& surface, const py::object& edge, const py:
                              tensorRows(from, connection, order, old.degree_across)));
   if (order != 1)
     throw py::value_error("order " + std::to_string(order) + ": triangles are joined with order 1");
-  return py::cast(withRows(surface.cast<const BezierTriangle&>(), triangleEdgeOf("edge", edge), reversed,
-                           triangleRows(from, connection, old.degree_across)));
+  JoinRows rows = triangleRows(from, connection);
+  if (rows.degree_across < old.degree_across) rows = triangleRows(from, connection, old.degree_across);
+  return py::cast(
+      withRows(surface.cast<const BezierTriangle&>(), triangleEdgeOf("edge", edge), reversed, rows));
 }
 
 BezierPatch blendOf(const py::object& a, const py::object& edge_a, const py::object& b,
@@ -279,40 +281,32 @@ Array alphaRowsOf(const Array& net, const py::object& a_u, const py::object& a_v
 void bindConstructions(py::module_& module) {
   module.def("join_rows", &joinRowsOf, py::arg("surface"), py::arg("edge"),
              "The first rows of a patch that joins a BezierPatch or BezierTriangle along an edge: poles "
-             "(order+1, n+1, 3) and "
-             "weights (order+1, n+1), counted from the seam.\n\n"
+             "(order+1, n+1, 3) and weights (order+1, n+1), counted from the seam.\n\n"
              "Keywords: alpha=1, beta=0 and, for order 2, p=0, q=0, each a number or the Bernstein "
-             "coefficients of a "
-             "polynomial along the seam: Q_s = alpha P_s + beta P_t, Q_ss = alpha^2 P_ss + 2 alpha beta P_st "
-             "+ beta^2 P_tt + p "
-             "P_s + q P_t; e0=1, e1=0, e2=0 scale homogeneous poles; order=1 or 2; degree_across of the new "
-             "patch, None: that "
-             "of the given one; degree along the seam, None: the lowest that always does; reversed=False: "
-             "True runs the edge "
-             "backwards. ValueError for functions that do not make a join, with their values.");
+             "coefficients of a polynomial along the seam: Q_s = alpha P_s + beta P_t, Q_ss = alpha^2 P_ss "
+             "+ 2 alpha beta P_st + beta^2 P_tt + p P_s + q P_t; e0=1, e1=0, e2=0 scale homogeneous poles; "
+             "order=1 or 2; degree_across of the new patch, None: that of the given one; degree along the "
+             "seam, None: the lowest that always does; reversed=False: True runs the edge backwards. "
+             "ValueError for functions that do not make a join, with their values.");
   module.def("continuation", &continuationOf, py::arg("surface"), py::arg("edge"),
              "The BezierPatch beyond an edge of a BezierPatch or BezierTriangle that joins it along u = 0, "
-             "with v along the "
-             "edge, and has no derivatives by u above the order. Keywords as of join_rows.");
+             "with v along the edge, and has no derivatives by u above the order. Keywords as of join_rows.");
   module.def("triangle_continuation", &triangleContinuationOf, py::arg("surface"), py::arg("edge"),
              "The BezierTriangle beyond an edge of a BezierPatch or BezierTriangle that joins it G1 along "
-             "its edge 'l0', P1 "
-             "to P2. Keywords: alpha=1, beta=0, e0=1, e1=0 as of join_rows, degree=None and reversed=False.");
+             "its edge 'l0', P1 to P2. Keywords: alpha=1, beta=0, e0=1, e1=0 as of join_rows, degree=None "
+             "and reversed=False.");
   module.def("joined", &joinedOf, py::arg("surface"), py::arg("edge"), py::arg("given"),
              py::arg("given_edge"),
-             "The surface, a BezierPatch or BezierTriangle, with the rows behind its edge replaced by those "
-             "that join the given "
-             "one; the other poles stay. A patch is raised along the seam where that is needed; of a "
-             "triangle the join must be "
-             "possible in its degree. Keywords: those of the functions in join_rows, order=1, "
-             "reversed=False: True runs the "
-             "surface's edge backwards.");
+             "The surface, a BezierPatch or BezierTriangle, with the rows behind its edge replaced by "
+             "those that join the given one; the other poles stay, unless the join needs a higher degree: "
+             "then the surface is raised first. Keywords: those of the functions in join_rows, order=1, "
+             "reversed=False: True runs the surface's edge backwards.");
   module.def("blend", &blendOf, py::arg("a"), py::arg("edge_a"), py::arg("b"), py::arg("edge_b"),
              py::arg("order") = 1, py::kw_only(), py::arg("reversed") = false, py::arg("to_a") = py::dict(),
              py::arg("to_b") = py::dict(),
-             "The BezierPatch of degree 2 order + 1 in u between two surfaces: it joins a at u = 0 and b at "
-             "u = 1. to_a and "
-             "to_b are dicts of the functions in join_rows; reversed runs the edge of b backwards.");
+             "The BezierPatch of degree 2 order + 1 in u between two surfaces: it joins a at u = 0 and b "
+             "at u = 1. to_a and to_b are dicts of the functions in join_rows; reversed runs the edge of b "
+             "backwards.");
   module.def("alpha_surface", &alphaPatchOf, py::arg("net"), py::arg("a_u") = 1.0, py::arg("a_v") = 1.0,
              "The alpha-surface of a net (4, 4, 3) with shapes in [0, 1], exactly, as a BezierPatch of "
              "degrees 5, 5.");
@@ -320,9 +314,8 @@ void bindConstructions(py::module_& module) {
              py::arg("next_a_u") = py::none(), py::arg("next_a_v") = py::none(), py::arg("order") = 1,
              py::arg("beta1") = 1.0, py::arg("beta2") = 0.0, py::arg("length") = 1.0,
              py::arg("next_length") = 1.0,
-             "The first rows, (2, 4, 3) or with order 2 or 3 (3, 4, 3), of the net of the alpha-surface that "
-             "goes on at u = 1; "
-             "C^order with beta1 = 1 and beta2 = 0, else G^order.");
+             "The first rows, (2, 4, 3) or with order 2 or 3 (3, 4, 3), of the net of the alpha-surface "
+             "that goes on at u = 1; C^order with beta1 = 1 and beta2 = 0, else G^order.");
 }
 
 void bindConditions(py::module_& module) {
@@ -330,25 +323,21 @@ void bindConditions(py::module_& module) {
              py::arg("edge_b"), py::kw_only(), py::arg("reversed") = false, py::arg("tolerance") = py::none(),
              py::arg("connection") = py::none(),
              "Whether two surfaces join along an edge of each, from polynomials that vanish iff they do: a "
-             "dict of verdict "
-             "('G1', 'fold', 'not G1', 'singular'), g2, parametric_order, bounds of gap and angle, and the "
-             "residuals.\n\n"
+             "dict of verdict ('G1', 'fold', 'not G1', 'singular'), g2, parametric_order, bounds of gap "
+             "and angle, and the residuals.\n\n"
              "tolerance is of relative residuals, None: what rounding makes of 0. connection is a dict of "
-             "the functions in "
-             "join_rows, None: curvature is judged without.");
+             "the functions in join_rows, None: curvature is judged without.");
   module.def("fit_connection", &fitConnectionOf, py::arg("a"), py::arg("edge_a"), py::arg("b"),
              py::arg("edge_b"), py::kw_only(), py::arg("reversed") = false, py::arg("order") = 1,
              py::arg("alpha_degree") = py::none(), py::arg("beta_degree") = py::none(),
              py::arg("p_degree") = py::none(), py::arg("q_degree") = py::none(),
              py::arg("tolerance") = py::none(),
              "The functions alpha, beta, ... that connect two surfaces, as a dict of found, connection, "
-             "residual, noise, "
-             "condition and note. Degrees of None ascend until the residual is within the tolerance, or "
-             "within noise.");
+             "residual, noise, condition and note. Degrees of None ascend until the residual is within the "
+             "tolerance, or within noise.");
   module.def("orient", &orientOf, py::arg("a"), py::arg("edge_a"), py::arg("b"), py::arg("edge_b"),
              "Two patches in common parameters: (a, b, reversed), with the seam at u = 1 of a and u = 0 of "
-             "b, and v along it on "
-             "both; reversed says whether the edge of b had to be run backwards.");
+             "b, and v along it on both; reversed says whether the edge of b had to be run backwards.");
 }
 
 }  // namespace

@@ -244,6 +244,26 @@ Ribbon mapped(Ribbon ribbon, const Eigen::Matrix3d& linear, const Eigen::RowVect
   return ribbon;
 }
 
+Ribbon backwards(Ribbon ribbon) {
+  for (HomogeneousPoles* part : {&ribbon.position, &ribbon.first, &ribbon.second})
+    *part = part->colwise().reverse().eval();
+  return ribbon;
+}
+
+TEST(JoinCondition, Identity3ReversingTheSeamChangesNoVerdict) {
+  std::mt19937_64 random(49);
+  for (int run = 0; run < 400; ++run) {
+    const Join join = randomJoin(run, random);
+    const Ribbon other = run % 2 ? join.b : randomJoin(run, random).b;
+    const JoinCondition found = joinCondition(join.a, other),
+                        turned = joinCondition(backwards(join.a), backwards(other));
+    EXPECT_EQ(found.verdict, turned.verdict) << run;
+    EXPECT_EQ(found.g2(), turned.g2()) << run;
+    EXPECT_NEAR(found.tangent_plane.relative, turned.tangent_plane.relative,
+                1e-2 * found.tangent_plane.relative + 1e-13);
+  }
+}
+
 TEST(JoinCondition, Identity3MotionsAndScalesChangeNoVerdict) {
   std::mt19937_64 random(44);
   for (int run = 0; run < 400; ++run) {

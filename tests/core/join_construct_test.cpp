@@ -342,6 +342,10 @@ TEST(JoinConstruct, RowsAreRaisedOrRaiseThePatch) {
   const JoinRows rows = tensorRows(given, {}, 1, 3);
   EXPECT_EQ(withRows(gentlePatch(3, 5, false, random), PatchEdge::U0, false, rows).degreeV(), 5);
   EXPECT_EQ(withRows(gentlePatch(3, 2, false, random), PatchEdge::U0, false, rows).degreeV(), 3);
+  const BezierTriangle raised =
+      withRows(gentleTriangle(2, false, random), TriangleEdge::L1, true, triangleRows(given, {}));
+  EXPECT_EQ(raised.degree(), 4);
+  EXPECT_LE(equationDefect(given, ribbon(raised, TriangleEdge::L1, true, Across::Into), {}, 1, 0.3), 1e-13);
 }
 
 Connection with(Eigen::VectorXd Connection::*function, const Eigen::VectorXd& coefficients) {
@@ -395,7 +399,7 @@ TEST(JoinConstruct, Refusals) {
               }),
               HasSubstr("the patch has degree 2"));
   EXPECT_THAT(refusal([&] {
-                withRows(gentleTriangle(2, false, random), TriangleEdge::L0, false, triangleRows(given, {}));
+                withRows(gentleTriangle(5, false, random), TriangleEdge::L0, false, triangleRows(given, {}));
               }),
               HasSubstr("rows for a triangle of degree 4"));
   Ribbon broken = given;
@@ -434,7 +438,7 @@ double expectCertified(const SeamSide& a, const SeamSide& b, int order, double a
 TEST(JoinCertified, Identity2ContinuationsOfTensorPatches) {
   std::mt19937_64 random(31);
   int count = 0, fine = 0;
-  for (int run = 0; run < 160; ++run) {
+  for (int run = 0; run < 300; ++run) {
     const bool rational = run % 8 >= 6;
     const int m = whole(2, 7, random), n = whole(2, 7, random), order = whole(1, 2, random),
               k = whole(0, 2, random);
@@ -453,7 +457,7 @@ TEST(JoinCertified, Identity2ContinuationsOfTensorPatches) {
                         Message() << "run " << run << " m " << m << " n " << n << " to " << next->degreeU()
                                   << " " << next->degreeV() << (rational ? " rational: " : ": "));
   }
-  EXPECT_GT(fine, 0.6 * count);
+  EXPECT_GT(fine, 0.5 * count);
 }
 
 TEST(JoinCertified, Identity2TrianglesAndPatches) {
