@@ -18,9 +18,6 @@ void requireNetSize(int degree_u, int degree_v, Eigen::Index rows) {
                                 ", poles " + std::to_string(rows) + ": (m+1)(n+1) poles are needed");
 }
 
-/// Homogeneous partials h[k][l] = d^(k+l) H / du^k dv^l for k + l <= 3.
-using HomogeneousPartials = std::array<std::array<Eigen::Vector4d, 4>, 4>;
-
 HomogeneousPartials homogeneousPartials(const HomogeneousPoles& poles, int degree_u, int degree_v, double u,
                                         double v) {
   // Along v first: row i of along_v[l] is the l-th v-derivative of the i-th row of the net.
@@ -37,17 +34,6 @@ HomogeneousPartials homogeneousPartials(const HomogeneousPoles& poles, int degre
     for (int k = 0; k + l < 4; ++k) result[k][l] = derivatives.row(k).transpose();
   }
   return result;
-}
-
-/// Leibniz' rule on A = w X: w X_kl = A_kl - sum_{(i,j) != (0,0)} C(k,i) C(l,j) w_ij X_{k-i,l-j}.
-Eigen::Vector3d rationalPartial(const HomogeneousPartials& h, int k, int l,
-                                const std::array<std::array<Eigen::Vector3d, 4>, 4>& lower) {
-  static constexpr double binomial[4][4] = {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}};
-  Eigen::Vector3d sum = h[k][l].head<3>();
-  for (int i = 0; i <= k; ++i)
-    for (int j = 0; j <= l; ++j)
-      if (i + j > 0) sum -= binomial[k][i] * binomial[l][j] * h[i][j](3) * lower[k - i][l - j];
-  return sum / h[0][0](3);
 }
 
 }  // namespace
@@ -80,11 +66,7 @@ Eigen::Vector3d BezierPatch::point(double u, double v) const {
 }
 
 SurfaceJet BezierPatch::jet(double u, double v) const {
-  const HomogeneousPartials h = homogeneousPartials(homogeneous_, degree_u_, degree_v_, u, v);
-  std::array<std::array<Eigen::Vector3d, 4>, 4> x;
-  for (int order = 0; order < 4; ++order)
-    for (int k = order; k >= 0; --k) x[k][order - k] = rationalPartial(h, k, order - k, x);
-  return {x[0][0], x[1][0], x[0][1], x[2][0], x[1][1], x[0][2], x[3][0], x[2][1], x[1][2], x[0][3]};
+  return affineJet(homogeneousPartials(homogeneous_, degree_u_, degree_v_, u, v));
 }
 
 JetNoise BezierPatch::noise() const {

@@ -1,42 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pybind11/eigen.h>
-#include <pybind11/numpy.h>
 #include <pybind11/operators.h>
 #include <pybind11/stl.h>
 
 #include <optional>
 #include <seamwright/core/bezier/patch.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
+#include <seamwright/plugin/python/poles.hpp>
 
 namespace py = pybind11;
 
 namespace seamwright::python {
 
 namespace {
-
-using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
-
-std::string shapeText(const Array& array) {
-  std::string text = "(";
-  for (py::ssize_t i = 0; i < array.ndim(); ++i) text += (i ? ", " : "") + std::to_string(array.shape(i));
-  return text + ")";
-}
-
-/// The rows of an array of shape (..., 3).
-Poles polesOf(const Array& array, py::ssize_t dimensions, const char* wanted) {
-  if (array.ndim() != dimensions || array.shape(dimensions - 1) != 3)
-    throw py::value_error("poles have shape " + shapeText(array) + ": " + wanted + " is needed");
-  return Eigen::Map<const Poles>(array.data(), array.size() / 3, 3);
-}
-
-Eigen::VectorXd weightsOf(const Array& weights, const Array& poles) {
-  bool same = weights.ndim() == poles.ndim() - 1;
-  for (py::ssize_t i = 0; same && i < weights.ndim(); ++i) same = weights.shape(i) == poles.shape(i);
-  if (!same)
-    throw py::value_error("weights have shape " + shapeText(weights) + ", poles " + shapeText(poles) +
-                          ": one weight for each pole is needed");
-  return Eigen::Map<const Eigen::VectorXd>(weights.data(), weights.size());
-}
 
 BezierCurve makeCurve(const Array& poles, const std::optional<Array>& weights) {
   const Poles rows = polesOf(poles, 2, "(n+1, 3)");

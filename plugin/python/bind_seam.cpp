@@ -5,18 +5,24 @@
 #include <seamwright/core/differential/arc_length.hpp>
 #include <seamwright/core/seam/curve_joint.hpp>
 #include <seamwright/core/seam/patch_side.hpp>
+#include <seamwright/core/seam/triangle_side.hpp>
 #include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
+#include <seamwright/plugin/python/edges.hpp>
 #include <seamwright/plugin/report/numbers.hpp>
 
 namespace seamwright::python {
 
 namespace {
 
-PatchEdge edgeOf(const char* argument_name, const py::object& value) {
-  if (const auto edge = patchEdgeFromName(argument<std::string>(argument_name, value, "a name")))
-    return *edge;
-  throw py::value_error(std::string(argument_name) + " " + shown(value) + ": known are u0, u1, v0 and v1");
+SeamSide sideOf(const char* name, const py::object& patch, const char* edge_name, const py::object& edge,
+                bool reversed) {
+  if (py::isinstance<BezierTriangle>(patch))
+    return seamSide(py::cast<const BezierTriangle&>(patch), triangleEdgeOf(edge_name, edge), reversed);
+  if (py::isinstance<BezierPatch>(patch))
+    return seamSide(py::cast<const BezierPatch&>(patch), patchEdgeOf(edge_name, edge), reversed);
+  throw py::type_error(std::string(name) + " is " + shown(patch) +
+                       ": a BezierPatch or a BezierTriangle is needed");
 }
 
 py::object figureDict(const std::optional<Figure>& figure, double factor = 1) {
@@ -57,13 +63,13 @@ py::dict seamDict(const SeamFigures& figures, const ContinuityTolerance& toleran
   return dict;
 }
 
-py::dict encloseSeamOf(const BezierPatch& a, const py::object& edge_a, const BezierPatch& b,
+py::dict encloseSeamOf(const py::object& a, const py::object& edge_a, const py::object& b,
                        const py::object& edge_b, const py::object& reversed, const py::object& level,
                        const py::object& profile, const py::object& gap_mm, const py::object& angle_deg,
                        const py::object& curvature_rel, const py::object& flat_radius_mm,
                        const py::object& crease_deg) {
-  const SeamSide side_a = seamSide(a, edgeOf("edge_a", edge_a));
-  const SeamSide side_b = seamSide(b, edgeOf("edge_b", edge_b), py::cast<bool>(reversed));
+  const SeamSide side_a = sideOf("patch_a", a, "edge_a", edge_a, false);
+  const SeamSide side_b = sideOf("patch_b", b, "edge_b", edge_b, py::cast<bool>(reversed));
   const ContinuityTolerance tolerance =
       toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg});
   const Level required = levelOf(level);
@@ -101,7 +107,8 @@ void bindSeam(py::module_& module) {
       py::arg("profile") = "default", py::arg("gap_mm") = py::none(), py::arg("angle_deg") = py::none(),
       py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
       py::arg("crease_deg") = py::none(),
-      "Encloses and judges the seam of two patches along an edge of each, 'u0', 'u1', 'v0' or 'v1'.\n\n"
+      "Encloses and judges the seam of two patches along an edge of each: 'u0', 'u1', 'v0' or 'v1' of a "
+      "BezierPatch, 'l0' (from P1 to P2), 'l1' (P2 to P0) or 'l2' (P0 to P1) of a BezierTriangle.\n\n"
       "Points correspond by the parameter along the edge; reversed: by 1 minus it on b. Returns a dict with "
       "the keys of a seam in the JSON that apply, and degenerate: points without a tangent plane. level is "
       "at most 'G2'.");

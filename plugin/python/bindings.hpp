@@ -7,9 +7,11 @@ namespace seamwright::python {
 
 void bindBernstein(pybind11::module_& module);
 void bindBezier(pybind11::module_& module);
+void bindJoin(pybind11::module_& module);
 void bindMeasure(pybind11::module_& module);
 void bindModel(pybind11::module_& module);
 void bindPointerBridge(pybind11::module_& module);
 void bindSeam(pybind11::module_& module);
+void bindTriangle(pybind11::module_& module);
 
 }  // namespace seamwright::python

@@ -9,8 +9,10 @@ PYBIND11_MODULE(_core, module) {
   module.attr("OCCT_VERSION") = OCC_VERSION_COMPLETE;
   bindBernstein(module);
   bindBezier(module);
+  bindTriangle(module);
   bindMeasure(module);
   bindSeam(module);
+  bindJoin(module);
   bindModel(module);
   bindPointerBridge(module);
 }

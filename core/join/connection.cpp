@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cmath>
+#include <seamwright/core/join/condition.hpp>
+#include <seamwright/core/join/connection.hpp>
+#include <seamwright/core/join/normalized.hpp>
+#include <vector>
+
+namespace seamwright {
+
+namespace {
+
+using bernstein::text;
+using rows::Field;
+using rows::Sum;
+using rows::times;
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double roundings = 256;
+
+/// A term factor(t) field(t) with an unknown factor of that degree.
+struct Unknown {
+  Field<4> field;
+  int degree;
+};
+
+struct Solution {
+  std::vector<Eigen::VectorXd> factors;
+  double residual = 0;  ///< largest coefficient that remains, relative to the right side and the terms
+  double condition = 0;
+};
+
+/// A field in that degree as one column.
+Eigen::VectorXd column(const Field<4>& field, int degree) {
+  return rows::elevated<4>(field, degree).reshaped();
+}
+
+/// Columns scaled to length 1, so that neither units nor speeds count for the condition.
+Solution solve(const std::vector<Unknown>& unknowns, const Field<4>& right) {
+  int degree = rows::degree(right);
+  Eigen::Index count = 0;
+  for (const Unknown& term : unknowns) {
+    degree = std::max(degree, rows::degree(term.field) + term.degree);
+    count += term.degree + 1;
+  }
+  Eigen::MatrixXd matrix(4 * (degree + 1), count);
+  Eigen::Index next = 0;
+  double size = rows::size(right);
+  for (const Unknown& term : unknowns)
+    for (int i = 0; i <= term.degree; ++i)
+      matrix.col(next++) =
+          column(rows::product<4>(Eigen::VectorXd::Unit(term.degree + 1, i), term.field), degree);
+  const Eigen::VectorXd lengths =
+      matrix.colwise().norm().cwiseMax(std::numeric_limits<double>::min()).transpose();
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(matrix * lengths.cwiseInverse().asDiagonal());
+  const Eigen::VectorXd wanted = column(right, degree);
+  const Eigen::VectorXd scaled = qr.solve(wanted);
+  const auto diagonal = qr.matrixQR().diagonal().cwiseAbs();
+  const Eigen::VectorXd solution = scaled.cwiseQuotient(lengths);
+
+  Solution result;
+  result.condition = diagonal.minCoeff() > 0 ? diagonal.maxCoeff() / diagonal.minCoeff()
+                                             : std::numeric_limits<double>::infinity();
+  next = 0;
+  for (const Unknown& term : unknowns) {
+    result.factors.emplace_back(solution.segment(next, term.degree + 1));
+    next += term.degree + 1;
+    size = std::max(size, result.factors.back().cwiseAbs().maxCoeff() * rows::size(term.field));
+  }
+  const double rest = (matrix * solution - wanted).cwiseAbs().maxCoeff();
+  result.residual = size > 0 ? rest / size : 0;
+  return result;
+}
+
+void requireDegree(const char* name, const std::optional<int>& degree) {
+  if (degree && (*degree < 0 || *degree > 30))
+    throw std::invalid_argument(std::string("degree of ") + name + " is " + std::to_string(*degree) +
+                                ": it must be within 0 to 30");
+}
+
+bool isPolynomial(const Ribbon& ribbon) {
+  return rows::trimmed(ribbon.position.col(3)).size() == 1;
+}
+
+/// The steps of recognition, each of which needs the ones before it.
+class Recognition {
+ public:
+  Recognition(const Ribbon& a, const Ribbon& b, const ConnectionFitOptions& options)
+      : pair_(a, b),
+        options_(options),
+        polynomial_(isPolynomial(a) && isPolynomial(b)),
+        P_t_(rows::derivative<4>(pair_.a.position)) {
+    const double m = std::max(pair_.a.degree_across, pair_.b.degree_across);
+    const double sizes = std::min({rows::size(pair_.a.first), rows::size(pair_.b.first), rows::size(P_t_)});
+    noise_first_ = roundings * eps +
+                   (sizes > 0 ? 64 * pair_.rounding * std::max<double>(m, pair_.a.degree()) / sizes : 0);
+  }
+
+  ConnectionFit run() {
+    const bool found = scale() && tangents() && (options_.order == 1 || curvatures());
+    fit_.found = found;
+    return fit_;
+  }
+
+ private:
+  double tolerance(double noise) {
+    fit_.noise = std::max(fit_.noise, noise);
+    return options_.tolerance.value_or(noise);
+  }
+
+  /// Tries (first, second) degrees, given or ascending, and keeps the first that is within the tolerance, or the best.
+  template <class Try>
+  bool ascend(const std::optional<int>& first, const std::optional<int>& second, int last, double allowed,
+              const char* names, const Try& attempt) {
+    double best = std::numeric_limits<double>::infinity();
+    const bool given = first || second;
+    for (int k = 0; k <= (given ? 0 : last); ++k) {
+      const int degree = first.value_or(second ? std::max(*second - 1, 0) : k);
+      const Solution solution = attempt(degree, second.value_or(degree + 1), best);
+      fit_.condition = std::max(fit_.condition, solution.condition);
+      if (!(solution.condition <= options_.largest_condition)) {
+        fit_.note = std::string("the equations for ") + names + " have condition " +
+                    text(solution.condition) + ", above " + text(options_.largest_condition);
+        return false;
+      }
+      best = std::min(best, solution.residual);
+      if (solution.residual <= allowed) break;
+    }
+    fit_.residual = std::max(fit_.residual, best);
+    return best <= allowed;
+  }
+
+  bool scale() {
+    const HomogeneousPoles &P = pair_.a.position, &Q = pair_.b.position;
+    const double allowed =
+        tolerance(roundings * (eps + pair_.rounding) * (rows::degree(P) + rows::degree(Q) + 2));
+    const int last = polynomial_ ? 0 : std::max(rows::degree(Q) - rows::degree(P), 0) + 3;
+    const bool found =
+        ascend(std::nullopt, std::nullopt, last, allowed, "e0", [&](int degree, int, double best) {
+          Solution solution = solve({{P, degree}}, Q);
+          if (solution.residual < best) fit_.connection.e0 = solution.factors[0];
+          return solution;
+        });
+    if (!found && fit_.note.empty())
+      fit_.note = "the seams are not the same, or their weights differ by no polynomial of degree up to " +
+                  std::to_string(last);
+    return found;
+  }
+
+  bool tangents() {
+    Connection& c = fit_.connection;
+    const Field<4> out = rows::product<4>(c.e0, pair_.a.first), along = rows::product<4>(c.e0, P_t_);
+    const int last = std::max(rows::degree(pair_.b.first) - rows::degree(out), 0) + 2;
+    const bool found = ascend(options_.alpha_degree, options_.beta_degree, last, tolerance(noise_first_),
+                              "alpha and beta", [&](int degree, int other, double best) {
+                                std::vector<Unknown> unknowns = {{out, degree}, {along, other}};
+                                if (!polynomial_)
+                                  unknowns.push_back({pair_.a.position, degree + rows::degree(c.e0)});
+                                Solution solution = solve(unknowns, pair_.b.first);
+                                if (solution.residual < best) {
+                                  c.alpha = solution.factors[0];
+                                  c.beta = solution.factors[1];
+                                  if (!polynomial_) c.e1 = solution.factors[2];
+                                }
+                                return solution;
+                              });
+    if (!found && fit_.note.empty()) fit_.note = whyNoTangents(last);
+    return found;
+  }
+
+  std::string whyNoTangents(int last) const {
+    const JoinVerdict verdict = joinCondition(pair_.a, pair_.b, {options_.tolerance, std::nullopt}).verdict;
+    if (verdict != JoinVerdict::G1) return "the join is " + std::string(name(verdict));
+    if (options_.alpha_degree || options_.beta_degree)
+      return "the join is G1, but alpha and beta are no polynomials of these degrees";
+    return "the join is G1, but alpha and beta are no polynomials of degrees up to " + std::to_string(last) +
+           " and " + std::to_string(last + 1);
+  }
+
+  bool curvatures() {
+    Connection& c = fit_.connection;
+    const Field<4>&P_s = pair_.a.first, &P_ss = pair_.a.second;
+    const Field<4> first = Sum<4>().add(c.alpha, P_s).add(c.beta, P_t_).total();
+    const Field<4> second = Sum<4>()
+                                .add(times(c.alpha, c.alpha), P_ss)
+                                .add(2 * times(c.alpha, c.beta), rows::derivative<4>(P_s))
+                                .add(times(c.beta, c.beta), rows::derivative<4>(P_t_))
+                                .total();
+    const Field<4> rest = Sum<4>()
+                              .add(Eigen::VectorXd::Ones(1), pair_.b.second)
+                              .add(-2 * c.e1, first)
+                              .add(-c.e0, second)
+                              .total();
+    const Field<4> out = rows::product<4>(c.e0, P_s), along = rows::product<4>(c.e0, P_t_);
+    const int last = std::max(rows::degree(rest) - rows::degree(out), 0) + 2;
+    const double m = std::max({pair_.a.degree_across, pair_.b.degree_across, pair_.a.degree()});
+    const double terms = rows::size(pair_.b.second) + rows::size(second) + rows::size(P_s) + rows::size(P_t_);
+    const double size = std::max(rows::size(rest), std::min(rows::size(P_s), rows::size(P_t_)));
+    const double allowed = tolerance(
+        noise_first_ + (64 * m * m * pair_.rounding + (roundings * eps + noise_first_) * terms) / size);
+    const bool found = ascend(options_.p_degree, options_.q_degree, last, allowed, "p and q",
+                              [&](int degree, int other, double best) {
+                                std::vector<Unknown> unknowns = {{out, degree}, {along, other}};
+                                if (!polynomial_)
+                                  unknowns.push_back({pair_.a.position, degree + rows::degree(c.e0)});
+                                Solution solution = solve(unknowns, rest);
+                                if (solution.residual < best) {
+                                  c.p = solution.factors[0];
+                                  c.q = solution.factors[1];
+                                  if (!polynomial_) c.e2 = solution.factors[2];
+                                }
+                                return solution;
+                              });
+    if (!found && fit_.note.empty())
+      fit_.note = "the join is G1 with these alpha and beta, but not G2 with p and q of degrees up to " +
+                  std::to_string(last) + " and " + std::to_string(last + 1);
+    return found;
+  }
+
+  NormalizedPair pair_;
+  ConnectionFitOptions options_;
+  bool polynomial_;
+  Field<4> P_t_;
+  double noise_first_ = 0;
+  ConnectionFit fit_;
+};
+
+}  // namespace
+
+ConnectionFit fitConnection(const Ribbon& a, const Ribbon& b, const ConnectionFitOptions& options) {
+  if (options.order != 1 && options.order != 2)
+    throw std::invalid_argument("order " + std::to_string(options.order) + ": known are 1 and 2");
+  requireDegree("alpha", options.alpha_degree);
+  requireDegree("beta", options.beta_degree);
+  requireDegree("p", options.p_degree);
+  requireDegree("q", options.q_degree);
+  return Recognition(a, b, options).run();
+}
+
+}  // namespace seamwright

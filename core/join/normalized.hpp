@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <seamwright/core/join/bernstein_rows.hpp>
+#include <seamwright/core/join/ribbon.hpp>
+#include <stdexcept>
+
+/// Two ribbons in coordinates in which their size is 1; not a public header.
+namespace seamwright {
+
+inline void requireUsable(const Ribbon& ribbon, const char* name) {
+  for (const HomogeneousPoles* part : {&ribbon.position, &ribbon.first, &ribbon.second})
+    if (part->rows() == 0 || !part->allFinite())
+      throw std::invalid_argument(std::string("ribbon ") + name + " has a part that is empty or not finite");
+  for (Eigen::Index k = 0; k < ribbon.position.rows(); ++k)
+    if (!(ribbon.position(k, 3) > 0))
+      throw std::invalid_argument(std::string("ribbon ") + name + ", pole " + std::to_string(k) +
+                                  " has weight " + bernstein::text(ribbon.position(k, 3)) +
+                                  ": it must be positive");
+}
+
+/// The joins of two ribbons do not depend on the place of the origin and on the unit of length.
+struct NormalizedPair {
+  Ribbon a, b;
+  double length = 1;    ///< mm, what is 1 in the ribbons
+  double rounding = 0;  ///< of a pole, in that unit: an eps of the original coordinates
+
+  NormalizedPair(const Ribbon& given_a, const Ribbon& given_b) : a(given_a), b(given_b) {
+    requireUsable(a, "a");
+    requireUsable(b, "b");
+    const Eigen::RowVector3d origin = a.position.row(0).head<3>() / a.position(0, 3);
+    const double far = std::max(reach(a), reach(b)) * 1.0;
+    for (Ribbon* ribbon : {&a, &b})
+      for (HomogeneousPoles* part : {&ribbon->position, &ribbon->first, &ribbon->second})
+        part->leftCols<3>() -= part->col(3) * origin;
+    length = std::max(size(a), size(b));
+    if (!(length > 0)) length = 1;
+    for (Ribbon* ribbon : {&a, &b})
+      for (HomogeneousPoles* part : {&ribbon->position, &ribbon->first, &ribbon->second})
+        part->leftCols<3>() /= length;
+    rounding = std::numeric_limits<double>::epsilon() * (1 + far / length);
+  }
+
+ private:
+  static double reach(const Ribbon& ribbon) { return ribbon.position.leftCols<3>().cwiseAbs().maxCoeff(); }
+  /// Of poles of the seam and of the row behind it.
+  static double size(const Ribbon& ribbon) {
+    return std::max(reach(ribbon),
+                    ribbon.first.leftCols<3>().cwiseAbs().maxCoeff() / std::max(ribbon.degree_across, 1));
+  }
+};
+
+}  // namespace seamwright

@@ -1,0 +1,442 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Conditions of joins against coefficients known to 40 digits, against joins made to fail, and under the maps that must not matter.
+#include <gmock/gmock.h>
+
+#include <Eigen/Geometry>
+#include <numbers>
+#include <seamwright/core/join/condition.hpp>
+
+#include "joins.hpp"
+
+namespace seamwright {
+namespace {
+
+using nlohmann::json;
+using test::function;
+using test::gentlePatch;
+using test::gentleTriangle;
+using test::uniform;
+using test::value;
+using test::whole;
+using testing::HasSubstr;
+
+Ribbon endingAtU1(const BezierPatch& patch) {
+  return ribbon(patch, PatchEdge::U1, false, Across::OutOf);
+}
+Ribbon beginningAtU0(const BezierPatch& patch) {
+  return ribbon(patch, PatchEdge::U0, false, Across::Into);
+}
+
+/// Largest difference relative to the largest expected value, or to the size given where that is larger.
+double error(const Eigen::VectorXd& found, const Eigen::VectorXd& expected, double size = 0) {
+  if (found.size() != expected.size()) return std::numeric_limits<double>::infinity();
+  return (found - expected).cwiseAbs().maxCoeff() / std::max(expected.cwiseAbs().maxCoeff(), size);
+}
+
+/// Product of the sizes of the fields, from a relative residual.
+double scaleOf(const JoinResidual& residual) {
+  return residual.relative > 0 ? residual.coefficients.cwiseAbs().maxCoeff() / residual.relative : 1;
+}
+
+// The data files.
+
+TEST(JoinConditionData, TensorTests) {
+  for (const json& entry : test::dataCases("tensor_joins.json", "test")) {
+    const BezierPatch P = test::patch(entry["input"]["P"]), Q = test::patch(entry["input"]["Q"]);
+    const JoinCondition found = joinCondition(endingAtU1(P), beginningAtU0(Q));
+    const double mnl = P.degreeU() * P.degreeV() * Q.degreeU();
+    EXPECT_LE(error(found.tangent_plane.coefficients / mnl, function(entry["expected"]["triple_coeffs"]),
+                    scaleOf(found.tangent_plane) / mnl),
+              1e-14)
+        << entry["id"];
+    const bool g1 = entry["expected"]["g1"], fold = entry["expected"]["fold"];
+    EXPECT_EQ(found.verdict, g1     ? JoinVerdict::G1
+                             : fold ? JoinVerdict::Fold
+                                    : JoinVerdict::NotG1)
+        << entry["id"] << " " << name(found.verdict) << " " << found.tangent_plane.relative << " noise "
+        << found.tangent_plane.noise << " position " << found.position.relative << " noise "
+        << found.position.noise;
+  }
+}
+
+TEST(JoinConditionData, RationalTests) {
+  for (const json& entry : test::dataCases("tensor_joins.json", "rational_test")) {
+    const BezierPatch P = test::patch(entry["input"]["P_hom"]), Q = test::patch(entry["input"]["Q_hom"]);
+    const JoinCondition found = joinCondition(endingAtU1(P), beginningAtU0(Q));
+    // det[X, Y, P_s, Q_s] with P_s = m (P - R), Q_s = l (S - Q): -m l times det[X, Y, R, S] where Q = e P.
+    const double ml = P.degreeU() * Q.degreeU();
+    const Eigen::VectorXd expected = -ml * function(entry["expected"]["det4_coeffs"]);
+    EXPECT_LE(error(found.tangent_plane.coefficients, expected, scaleOf(found.tangent_plane)), 1e-14)
+        << entry["id"];
+    EXPECT_EQ(found.verdict == JoinVerdict::G1, entry["expected"]["g1"].get<bool>()) << entry["id"];
+    EXPECT_TRUE(found.position.holds) << found.position.relative << " " << found.position.noise;
+    const Eigen::VectorXd e = function(entry["expected"]["e"]);
+    const ConnectionFit fit = fitConnection(endingAtU1(P), beginningAtU0(Q));
+    for (const double t : {0.0, 0.3, 1.0}) EXPECT_NEAR(value(fit.connection.e0, t), value(e, t), 1e-13);
+    // Made with alpha e a polynomial, so alpha is none.
+    EXPECT_FALSE(fit.found);
+    EXPECT_THAT(fit.note, HasSubstr(entry["expected"]["g1"].get<bool>() ? "the join is G1, but"
+                                                                        : "the join is not G1"));
+  }
+}
+
+TEST(JoinConditionData, TrianglesThatDoNotJoin) {
+  for (const json& entry : test::dataCases("triangle_joins.json", "tri_test")) {
+    const BezierTriangle T0 = test::triangle(entry["input"]["T0"]), T1 = test::triangle(entry["input"]["T1"]);
+    const JoinCondition found = joinCondition(ribbon(T1, TriangleEdge::L0, false, Across::OutOf),
+                                              ribbon(T0, TriangleEdge::L0, false, Across::Into));
+    // det(P_s, P_t, Q_s) = det(n z1, n a, -n z0) = n^3 det(z0, a, z1).
+    const double n3 = std::pow(T0.degree(), 3);
+    EXPECT_LE(error(found.tangent_plane.coefficients / n3, function(entry["expected"]["triple_coeffs"])),
+              1e-12);
+    EXPECT_EQ(found.verdict, JoinVerdict::NotG1);
+  }
+}
+
+TEST(JoinConditionData, Fits) {
+  for (const json& entry : test::dataCases("tensor_joins.json", "fit")) {
+    const Ribbon a = endingAtU1(test::patch(entry["input"]["P"])),
+                 b = beginningAtU0(test::patch(entry["input"]["Q"]));
+    const auto expectFound = [&](const ConnectionFit& fit) {
+      EXPECT_TRUE(fit.found) << fit.note;
+      EXPECT_LE(error(fit.connection.alpha, function(entry["expected"]["alpha"])), 1e-12);
+      EXPECT_LE(error(fit.connection.beta, function(entry["expected"]["beta"])), 1e-12);
+    };
+    expectFound(fitConnection(a, b,
+                              {.alpha_degree = entry["input"]["deg_alpha"].get<int>(),
+                               .beta_degree = entry["input"]["deg_beta"].get<int>()}));
+    expectFound(fitConnection(a, b));
+  }
+}
+
+TEST(JoinConditionData, JumpsOfCurvature) {
+  for (const json& entry : test::dataCases("curvature_jumps.json", "g2_measure")) {
+    const Ribbon a = endingAtU1(test::patch(entry["input"]["P"])),
+                 b = beginningAtU0(test::patch(entry["input"]["Q"]));
+    const ConnectionFit fit = fitConnection(a, b);
+    ASSERT_TRUE(fit.found) << fit.note;
+    const JoinCondition found = joinCondition(a, b, {.connection = fit.connection});
+    EXPECT_EQ(found.verdict, JoinVerdict::G1);
+    EXPECT_FALSE(found.g2());
+    EXPECT_FALSE(joinCondition(a, b).g2());
+    for (const json& sample : entry["expected"]["samples"]) {
+      // The condition is |N_P| times the jump times |N_Q|^2 / |P_t|^2.
+      const double t = test::number(sample["t"]);
+      const auto at = [t](const HomogeneousPoles& rows) -> Eigen::Vector3d {
+        return value(rows, t).head<3>();
+      };
+      const Eigen::Index n = a.position.rows() - 1;
+      const Eigen::Vector3d along =
+          at(HomogeneousPoles(static_cast<double>(n) * (a.position.bottomRows(n) - a.position.topRows(n))));
+      const Eigen::Vector3d normal_a = at(a.first).cross(along), normal_b = at(b.first).cross(along);
+      const double jump = value(found.curvature->coefficients, t) / normal_a.norm() * along.squaredNorm() /
+                          normal_b.squaredNorm();
+      EXPECT_NEAR(jump, test::number(sample["delta_kappa_perp"]), 1e-9 * std::abs(jump) + 1e-13);
+    }
+  }
+}
+
+// Joins that were constructed, of any pairing.
+
+struct Join {
+  Ribbon a, b;
+  Connection connection;
+  int order = 1;
+};
+
+Connection withScaling(Connection c, std::mt19937_64& random) {
+  c.e0 = test::randomFunction(whole(0, 1, random), 0.8, 1.25, random);
+  c.e1 = test::randomFunction(0, -0.1, 0.1, random);
+  c.e2 = test::randomFunction(0, -0.1, 0.1, random);
+  return c;
+}
+
+/// Tensor-product patches and triangles in the four pairings, one in four rational, those whose weights come out well.
+Join randomJoin(int run, std::mt19937_64& random) {
+  for (;;) {
+    const bool rational = run % 4 == 3, from_triangle = run % 3 == 0, to_triangle = run % 5 == 0;
+    const int n = whole(1, 7, random), k = whole(0, 2, random);
+    Join join;
+    join.order = to_triangle ? 1 : whole(1, 2, random);
+    join.connection = test::randomConnection(k, whole(0, k + 1, random), random);
+    if (rational) join.connection = withScaling(join.connection, random);
+    if (rational && to_triangle) join.connection.e1 = Eigen::VectorXd::Zero(1);
+    const bool reversed = run % 2 == 0;
+    join.a = from_triangle ? ribbon(gentleTriangle(n, rational, random), test::triangle_edges[run % 3],
+                                    reversed, Across::OutOf)
+                           : ribbon(gentlePatch(whole(1, 7, random), n, rational, random),
+                                    test::patch_edges[run % 4], reversed, Across::OutOf);
+    try {
+      if (to_triangle)
+        join.b = ribbon(triangleContinuation(join.a, join.connection), TriangleEdge::L0, false, Across::Into);
+      else
+        join.b =
+            beginningAtU0(continuation(join.a, join.connection, join.order, whole(join.order, 6, random)));
+      return join;
+    } catch (const std::invalid_argument&) {
+      // a weight that is not positive
+    }
+  }
+}
+
+constexpr int joins = 3000;
+
+TEST(JoinCondition, Identity1ConstructedJoinsHold) {
+  std::mt19937_64 random(41);
+  for (int run = 0; run < joins; ++run) {
+    const Join join = randomJoin(run, random);
+    const JoinCondition found = joinCondition(join.a, join.b);
+    ASSERT_EQ(found.verdict, JoinVerdict::G1)
+        << run << " residual " << found.tangent_plane.relative << " noise " << found.tangent_plane.noise;
+    EXPECT_LE(found.tangent_plane.relative, 1e-13) << run;
+    EXPECT_LE(found.tangent_plane.noise, 1e-10) << run;
+    EXPECT_GE(found.parametric_order, 0);
+    if (join.order == 2) {
+      EXPECT_TRUE(found.g2()) << run << " " << found.curvature->relative << " noise "
+                              << found.curvature->noise;
+      EXPECT_TRUE(joinCondition(join.a, join.b, {.connection = join.connection}).g2()) << run;
+    } else if (join.a.second.norm() + join.b.second.norm() > 1) {
+      EXPECT_FALSE(found.g2()) << run;
+    }
+  }
+}
+
+TEST(JoinCondition, Identity1NegativeAlphaIsAFold) {
+  std::mt19937_64 random(42);
+  for (int run = 0; run < 300; ++run) {
+    Join join = randomJoin(run, random);
+    join.b.first = -join.b.first;
+    EXPECT_EQ(joinCondition(join.a, join.b).verdict, JoinVerdict::Fold) << run;
+  }
+}
+
+TEST(JoinCondition, Identity2OneMovedPoleEndsIt) {
+  std::mt19937_64 random(43);
+  for (int run = 0; run < joins; ++run) {
+    const BezierPatch a = gentlePatch(whole(2, 6, random), whole(1, 6, random), run % 4 == 0, random);
+    const int k = whole(0, 2, random), l = whole(2, 6, random);
+    const Connection c = test::randomConnection(k, whole(0, k + 1, random), random);
+    std::optional<BezierPatch> b;
+    try {
+      b = continuation(endingAtU1(a), c, 2, l);
+    } catch (const std::invalid_argument&) {
+      continue;
+    }
+    Poles poles = b->poles();
+    const int row = whole(0, 2, random), pole = whole(0, b->degreeV(), random);
+    poles(static_cast<Eigen::Index>(row) * (b->degreeV() + 1) + pole, 2) += 1e-5;  // the patch is 10 mm
+    const JoinCondition found =
+        joinCondition(endingAtU1(a), beginningAtU0(BezierPatch(l, b->degreeV(), poles, b->weights())));
+    if (row < 2)
+      EXPECT_EQ(found.verdict, JoinVerdict::NotG1) << run << " row " << row;
+    else
+      EXPECT_EQ(found.verdict, JoinVerdict::G1) << run;
+    EXPECT_FALSE(found.g2()) << run << " row " << row << " "
+                             << (found.curvature ? found.curvature->relative : 0) << " noise "
+                             << (found.curvature ? found.curvature->noise : 0);
+    EXPECT_EQ(found.parametric_order >= 0, row > 0) << run;
+  }
+}
+
+Ribbon mapped(Ribbon ribbon, const Eigen::Matrix3d& linear, const Eigen::RowVector3d& translation) {
+  for (HomogeneousPoles* part : {&ribbon.position, &ribbon.first, &ribbon.second})
+    part->leftCols<3>() = (part->leftCols<3>() * linear.transpose() + part->col(3) * translation).eval();
+  return ribbon;
+}
+
+Ribbon backwards(Ribbon ribbon) {
+  for (HomogeneousPoles* part : {&ribbon.position, &ribbon.first, &ribbon.second})
+    *part = part->colwise().reverse().eval();
+  return ribbon;
+}
+
+TEST(JoinCondition, Identity3ReversingTheSeamChangesNoVerdict) {
+  std::mt19937_64 random(49);
+  for (int run = 0; run < 400; ++run) {
+    const Join join = randomJoin(run, random);
+    const Ribbon other = run % 2 ? join.b : randomJoin(run, random).b;
+    const JoinCondition found = joinCondition(join.a, other),
+                        turned = joinCondition(backwards(join.a), backwards(other));
+    EXPECT_EQ(found.verdict, turned.verdict) << run;
+    EXPECT_EQ(found.g2(), turned.g2()) << run;
+    EXPECT_NEAR(found.tangent_plane.relative, turned.tangent_plane.relative,
+                1e-2 * found.tangent_plane.relative + 1e-13);
+  }
+}
+
+TEST(JoinCondition, Identity3MotionsAndScalesChangeNoVerdict) {
+  std::mt19937_64 random(44);
+  for (int run = 0; run < 400; ++run) {
+    const Join join = randomJoin(run, random);
+    const Ribbon other = run % 2 ? join.b : randomJoin(run, random).b;  // of every other one nothing holds
+    const Eigen::Matrix3d linear = test::logUniform(random, -3, 3) * test::randomRotation(random);
+    const Eigen::RowVector3d translation = 10 * linear.col(0).norm() * test::randomVector(random).transpose();
+    const JoinCondition found = joinCondition(join.a, other),
+                        moved = joinCondition(mapped(join.a, linear, translation),
+                                              mapped(other, linear, translation));
+    EXPECT_EQ(found.verdict, moved.verdict) << run;
+    EXPECT_EQ(found.parametric_order, moved.parametric_order) << run;
+    EXPECT_EQ(found.g2(), moved.g2()) << run;
+    if (found.singular_at) continue;
+    EXPECT_NEAR(found.angle_bound_rad, moved.angle_bound_rad, 1e-2 * found.angle_bound_rad + 1e-9) << run;
+  }
+}
+
+/// The angle of the tangent planes at t, by the quotient rule.
+double angleAt(const Ribbon& a, const Ribbon& b, double t) {
+  const auto first = [t](const Ribbon& ribbon, const HomogeneousPoles& derivative) -> Eigen::Vector3d {
+    const Eigen::Vector4d h = value(ribbon.position, t), h1 = value(derivative, t);
+    return (h.head<3>() * -h1(3) / h(3) + h1.head<3>()) / h(3);
+  };
+  const Eigen::Index n = a.position.rows() - 1;
+  const HomogeneousPoles along = static_cast<double>(n) * (a.position.bottomRows(n) - a.position.topRows(n));
+  const Eigen::Vector3d normal_a = first(a, a.first).cross(first(a, along)),
+                        normal_b = first(b, b.first).cross(first(a, along));
+  return std::atan2(normal_a.cross(normal_b).norm(), normal_a.dot(normal_b));
+}
+
+TEST(JoinCondition, Identity4TheBoundOfTheAngleIsOne) {
+  std::mt19937_64 random(45);
+  int bounded = 0;
+  for (int run = 0; run < 400; ++run) {
+    Join join = randomJoin(run, random);
+    const double off = test::logUniform(random, -8, -1);
+    join.b.first.leftCols<3>() += off * HomogeneousPoles::Random(join.b.first.rows(), 4).leftCols<3>();
+    const JoinCondition found = joinCondition(join.a, join.b);
+    double largest = 0;
+    for (int i = 0; i <= 20; ++i) largest = std::max(largest, angleAt(join.a, join.b, i / 20.0));
+    EXPECT_GE(found.angle_bound_rad, largest) << run;
+    if (found.angle_bound_rad < 100 * largest) ++bounded;
+  }
+  EXPECT_GE(bounded, 300);
+}
+
+TEST(JoinCondition, SidesWithoutTangentPlaneAreSingular) {
+  std::mt19937_64 random(46);
+  const BezierPatch a = gentlePatch(3, 3, false, random);
+  const Ribbon given = endingAtU1(a), next = beginningAtU0(continuation(given, {}, 1, 2));
+  Ribbon none = given, corner = given, inside = given;
+  none.first.setZero();
+  corner.first.row(3).setZero();
+  // (2 t - 1)^2 along z, and nothing else across
+  inside.first = HomogeneousPoles::Zero(3, 4);
+  inside.first.col(2) << 1, -1, 1;
+  EXPECT_EQ(joinCondition(none, next).verdict, JoinVerdict::Singular);
+  EXPECT_EQ(joinCondition(given, none).verdict, JoinVerdict::Singular);
+  EXPECT_EQ(joinCondition(corner, next).verdict, JoinVerdict::Singular);
+  EXPECT_NEAR(joinCondition(corner, next).singular_at.value(), 1, 1e-6);
+  EXPECT_EQ(joinCondition(inside, next).verdict, JoinVerdict::Singular);
+  EXPECT_NEAR(joinCondition(inside, next).singular_at.value(), 0.5, 1e-3);
+}
+
+TEST(JoinCondition, ParametricOrders) {
+  std::mt19937_64 random(47);
+  for (int run = 0; run < 60; ++run) {
+    const BezierPatch patch =
+        gentlePatch(3, 4, run % 2 == 1, random);  // with weights so even that they stay positive
+    const Ribbon a = endingAtU1(BezierPatch(3, 4, patch.poles(), patch.weights().array().pow(0.03)));
+    const auto order = [&](const Connection& c, int built) {
+      return joinCondition(a, beginningAtU0(continuation(a, c, built, 4))).parametric_order;
+    };
+    Connection scaled;  // of the weights alone
+    scaled.e0 = Eigen::Vector2d(1, 1.25);
+    EXPECT_EQ(order({}, 2), 2);
+    EXPECT_EQ(order({}, 1), 1);
+    EXPECT_EQ(order(scaled, 2), 2);
+    Connection faster, bent;
+    faster.alpha(0) = 1.001;
+    bent.p(0) = 0.001;
+    EXPECT_EQ(order(faster, 2), 0);
+    EXPECT_EQ(order(bent, 2), 1);
+  }
+}
+
+TEST(JoinCondition, ToleranceIsTheCallers) {
+  std::mt19937_64 random(48);
+  const Ribbon a = endingAtU1(gentlePatch(3, 3, false, random));
+  Ribbon b = beginningAtU0(continuation(a, {}, 2, 3));
+  b.first(1, 2) += 1e-4;
+  EXPECT_EQ(joinCondition(a, b).verdict, JoinVerdict::NotG1);
+  EXPECT_EQ(joinCondition(a, b, {.tolerance = 1e-3}).verdict, JoinVerdict::G1);
+  EXPECT_THROW(joinCondition(a, b, {.tolerance = -1}), std::invalid_argument);
+  b.position(0, 3) = 0;
+  EXPECT_THROW(joinCondition(a, b), std::invalid_argument);
+  b.position(0, 3) = std::nan("");
+  EXPECT_THROW(joinCondition(a, b), std::invalid_argument);
+}
+
+// Recognition.
+
+/// Largest difference of two functions, of any degrees.
+double apart(const Eigen::VectorXd& f, const Eigen::VectorXd& g) {
+  double most = 0;
+  for (int i = 0; i <= 10; ++i) most = std::max(most, std::abs(value(f, i / 10.0) - value(g, i / 10.0)));
+  return most;
+}
+
+TEST(ConnectionFit, Identity1FunctionsComeBack) {
+  std::mt19937_64 random(51);
+  for (int run = 0; run < 1500; ++run) {
+    const Join join = randomJoin(run, random);
+    const ConnectionFit fit = fitConnection(join.a, join.b, {.order = join.order});
+    ASSERT_TRUE(fit.found) << run << " order " << join.order << ": " << fit.note << " residual "
+                           << fit.residual << " noise " << fit.noise;
+    const double allowed = 1e-11 * fit.condition;
+    EXPECT_LE(apart(fit.connection.alpha, join.connection.alpha), allowed) << run;
+    EXPECT_LE(apart(fit.connection.beta, join.connection.beta), allowed) << run;
+    EXPECT_LE(apart(fit.connection.e0, join.connection.e0), allowed) << run;
+    EXPECT_LE(apart(fit.connection.e1, join.connection.e1), allowed) << run;
+    if (join.order < 2) continue;
+    EXPECT_LE(apart(fit.connection.p, join.connection.p), 100 * allowed) << run;
+    EXPECT_LE(apart(fit.connection.q, join.connection.q), 100 * allowed) << run;
+    EXPECT_LE(apart(fit.connection.e2, join.connection.e2), 100 * allowed) << run;
+  }
+}
+
+TEST(ConnectionFit, Identity2RationalAlphaIsSaid) {
+  for (const json& entry : test::dataCases("tensor_joins.json", "test")) {
+    if (entry["id"] != "g1_rational_alpha") continue;
+    const ConnectionFit fit = fitConnection(endingAtU1(test::patch(entry["input"]["P"])),
+                                            beginningAtU0(test::patch(entry["input"]["Q"])));
+    EXPECT_FALSE(fit.found);
+    EXPECT_THAT(fit.note, HasSubstr("the join is G1, but alpha and beta are no polynomials"));
+    EXPECT_GT(fit.residual, 1e3 * fit.noise);
+    return;
+  }
+  FAIL() << "the case is missing";
+}
+
+TEST(ConnectionFit, Identity3MotionsAndScales) {
+  std::mt19937_64 random(53);
+  for (int run = 0; run < 200; ++run) {
+    const Join join = randomJoin(run, random);
+    const Eigen::Matrix3d linear = test::logUniform(random, -3, 3) * test::randomRotation(random);
+    const Eigen::RowVector3d translation = 10 * linear.col(0).norm() * test::randomVector(random).transpose();
+    const ConnectionFit fit = fitConnection(join.a, join.b);
+    const ConnectionFit moved =
+        fitConnection(mapped(join.a, linear, translation), mapped(join.b, linear, translation));
+    EXPECT_TRUE(moved.found) << run << moved.note;
+    EXPECT_LE(apart(fit.connection.alpha, moved.connection.alpha), 1e-10 * fit.condition) << run;
+    EXPECT_LE(apart(fit.connection.beta, moved.connection.beta), 1e-10 * fit.condition) << run;
+  }
+}
+
+TEST(ConnectionFit, WhatStandsInTheWayIsSaid) {
+  std::mt19937_64 random(54);
+  const Ribbon a = endingAtU1(gentlePatch(3, 3, false, random));
+  const Ribbon other = beginningAtU0(gentlePatch(3, 3, false, random));
+  Ribbon flat = a;
+  flat.first.setZero();
+  EXPECT_THAT(fitConnection(a, other).note, HasSubstr("the seams are not the same"));
+  EXPECT_THAT(fitConnection(flat, beginningAtU0(continuation(a, {}, 1, 2))).note, HasSubstr("condition"));
+  const Connection quadratic = test::randomConnection(2, 3, random);
+  const ConnectionFit low = fitConnection(a, beginningAtU0(continuation(a, quadratic, 1, 2)),
+                                          {.alpha_degree = 0, .beta_degree = 1});
+  EXPECT_FALSE(low.found);
+  EXPECT_THAT(low.note, HasSubstr("no polynomials of these degrees"));
+  EXPECT_THROW(fitConnection(a, other, {.order = 3}), std::invalid_argument);
+  EXPECT_THROW(fitConnection(a, other, {.alpha_degree = -1}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace seamwright
