@@ -37,8 +37,9 @@ Barycentric degenerateAt(int apex, double u, double v) {
 }
 
 Barycentric quadrangleAt(int k, double u, double v) {
-  const Barycentric a = kCorners[k], b = 0.5 * (a + kCorners[(k + 1) % 3]),
-                    d = 0.5 * (a + kCorners[(k + 2) % 3]), c = Barycentric::Constant(1.0 / 3);
+  const Barycentric& a = kCorners[k];
+  const Barycentric b = 0.5 * (a + kCorners[(k + 1) % 3]), d = 0.5 * (a + kCorners[(k + 2) % 3]);
+  const Barycentric c = Barycentric::Constant(1.0 / 3);
   return (1 - u) * (1 - v) * a + u * (1 - v) * b + u * v * c + (1 - u) * v * d;
 }
 
@@ -258,14 +259,19 @@ BezierPatch patchWithRows(const std::vector<int>& row_degrees, int degree_v, std
 // Identity 4
 TEST(TriangleConversion, RowsOfNoHigherDegreeThanTheirNumberMakeATriangle) {
   std::mt19937_64 random(58);
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 500; ++i) {
     const int m = 1 + static_cast<int>(random() % 6), n = 1 + static_cast<int>(random() % 6);
     std::vector<int> degrees(m + 1, 0);
-    bool triangle = true;
     for (int r = 1; r <= m; ++r) {
-      degrees[r] = static_cast<int>(random() % (std::min(n, r + (random() % 4 == 0 ? 1 : 0)) + 1));
-      triangle = triangle && degrees[r] <= r;
+      const int beyond = random() % 4 == 0 ? 1 : 0;
+      degrees[r] = static_cast<int>(random() % (std::min(n, r + beyond) + 1));
     }
+    bool from_first = true, from_last = true;  // the row that is P0
+    for (int r = 0; r <= m; ++r) {
+      from_first = from_first && degrees[r] <= r;
+      from_last = from_last && degrees[r] <= m - r;
+    }
+    const bool triangle = from_first || from_last;
     const BezierPatch patch = patchWithRows(degrees, n, random);
     const TriangleRecognition found = recogniseTriangle(patch);
     EXPECT_EQ(found.triangle.has_value(), triangle) << m << ' ' << n << ' ' << found.deviation_mm;
