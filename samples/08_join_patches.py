@@ -16,8 +16,7 @@ x, y = np.meshgrid([0.0, 2, 4, 6], [0.0, 2, 4, 6], indexing="ij")
 left = seamwright.BezierPatch(np.stack([x, y, 1.2 - 0.05 * x**2 + 0.02 * (y - 3) ** 2], axis=-1))
 right = seamwright.BezierPatch(np.stack([12 + x, y, 0.3 + 0.6 * x - 0.08 * x**2 + 0.03 * (y - 3) ** 2], axis=-1))
 
-speed = {"alpha": 2.5}  # the blend runs over 6 mm in one unit of u
-blends = {order: seamwright.blend(left, "u1", right, "u0", order, to_a=speed, to_b=speed) for order in (1, 2)}
+blends = {order: seamwright.blend(left, "u1", right, "u0", order) for order in (1, 2)}
 for order, between in blends.items():
     for surface, edge, own in ((left, "u1", "u0"), (right, "u0", "u1")):
         join = seamwright.join_condition(surface, edge, between, own)
@@ -25,7 +24,7 @@ for order, between in blends.items():
         print(f"order {order}, degrees {between.degree_u} by {between.degree_v}: {'G2' if join['g2'] else join['verdict']}, "
               f"angle below {join['angle_bound_rad']:.0e} rad, curvature jumps by {jump:.4f} / mm")
 
-WIDTH, HEIGHT, SCALE, COMB = 760, 340, 40, 140
+WIDTH, HEIGHT, SCALE, COMB = 760, 360, 38, 120
 
 
 def comb(patch):
@@ -54,8 +53,8 @@ def picture():
            'font-size="13">')
     yield f'<rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>'
     for row, (order, between) in enumerate(blends.items()):
-        yield f'<text x="14" y="{24 + 165 * row}" fill="#222">G{order}</text>'
-        yield from drawing((left, between, right), 115 + 165 * row)
+        yield f'<text x="14" y="{24 + 155 * row}" fill="#222">G{order}</text>'
+        yield from drawing((left, between, right), 95 + 155 * row)
     yield "</svg>"
 
 

@@ -82,18 +82,24 @@ double relativeNoise(const Rounded<Size>& x) {
   return roundings * eps + (size > 0 ? x.noise / size : 0);
 }
 
-/// \param scale the product of the sizes of the fields. \param noise of a coefficient.
-JoinResidual residual(Eigen::VectorXd coefficients, double scale, double noise,
-                      std::optional<double> tolerance) {
+/// A condition in the units of NormalizedPair.
+struct Condition {
+  Eigen::VectorXd coefficients;
+  double scale = 0;  ///< the product of the sizes of the fields
+  double noise = 0;  ///< of a coefficient
+};
+
+/// \param unit what the coefficients are multiplied by in the end.
+JoinResidual residual(const Condition& condition, double unit, std::optional<double> tolerance) {
   JoinResidual result;
   Eigen::Index largest = 0;
-  const double size = coefficients.cwiseAbs().maxCoeff(&largest);
-  const Eigen::Index degree = coefficients.size() - 1;
+  const double size = condition.coefficients.cwiseAbs().maxCoeff(&largest);
+  const Eigen::Index degree = condition.coefficients.size() - 1;
   result.at = degree > 0 ? static_cast<double>(largest) / static_cast<double>(degree) : 0;
-  result.relative = scale > 0 ? size / scale : 0;
-  result.noise = scale > 0 ? noise / scale : 0;
+  result.relative = condition.scale > 0 ? size / condition.scale : 0;
+  result.noise = condition.scale > 0 ? condition.noise / condition.scale : 0;
   result.holds = result.relative <= tolerance.value_or(result.noise);
-  result.coefficients = std::move(coefficients);
+  result.coefficients = unit * condition.coefficients;
   return result;
 }
 
@@ -104,7 +110,7 @@ JoinResidual agreement(const Eigen::VectorXd& f, const Rounded<3>& a, const Eige
   const double size_f = f.cwiseAbs().maxCoeff(), size_g = g.cwiseAbs().maxCoeff();
   const double scale = std::max(size_f * b.size(), size_g * a.size());
   const double noise = size_f * b.noise + size_g * a.noise + roundings * eps * scale;
-  return residual(length * difference.rowwise().norm(), length * scale, length * noise, tolerance);
+  return residual({difference.rowwise().norm(), scale, noise}, length, tolerance);
 }
 
 /// A lower bound of a polynomial on [0, 1], within a thousandth of its largest coefficient.
@@ -161,10 +167,9 @@ class TangentPlanes {
   double scale() const { return a_.s.size() * a_.t.size() * b_.s.size(); }
 
   JoinResidual polynomialCondition(std::optional<double> tolerance) const {
-    const double cube = std::pow(pair_.length, 3);
     const double noise = scale() * (relativeNoise(a_.s) + relativeNoise(a_.t) + relativeNoise(b_.s));
-    return residual(cube * rows::determinant(a_.s.field, a_.t.field, b_.s.field), cube * scale(),
-                    cube * noise, tolerance);
+    return residual({rows::determinant(a_.s.field, a_.t.field, b_.s.field), scale(), noise},
+                    std::pow(pair_.length, 3), tolerance);
   }
 
   JoinResidual rationalCondition(std::optional<double> tolerance) const {
@@ -176,9 +181,8 @@ class TangentPlanes {
     const double scale = first.size() * along.size() * out.size() * into.size();
     const double noise =
         scale * (relativeNoise(first) + relativeNoise(along) + relativeNoise(out) + relativeNoise(into));
-    const double cube = std::pow(pair_.length, 3);
-    return residual(cube * rows::determinant(first.field, along.field, out.field, into.field), cube * scale,
-                    cube * noise, tolerance);
+    return residual({rows::determinant(first.field, along.field, out.field, into.field), scale, noise},
+                    std::pow(pair_.length, 3), tolerance);
   }
 
   const NormalizedPair& pair_;
@@ -204,7 +208,7 @@ class NormalSum {
 
   /// \param unit what the coefficients are multiplied by.
   JoinResidual result(double unit, std::optional<double> tolerance) const {
-    return residual(unit * sum_.total(), unit * scale_, unit * noise_, tolerance);
+    return residual({sum_.total(), scale_, noise_}, unit, tolerance);
   }
 
  private:

@@ -11,7 +11,8 @@ namespace seamwright {
 
 /// A polynomial of the seam's parameter that vanishes iff a condition holds.
 struct JoinResidual {
-  /// In Bernstein form; of a vector-valued polynomial the lengths of its coefficients.
+  /// In Bernstein form; of a vector-valued polynomial the lengths of its coefficients. Weights count as divided by the largest one of
+  /// both seams.
   Eigen::VectorXd coefficients;
   /// Largest coefficient by the product of the sizes of the fields it is made of: without unit, the same for any size and place of the
   /// patches, and for any speed of their parameters.

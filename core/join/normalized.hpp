@@ -21,7 +21,7 @@ inline void requireUsable(const Ribbon& ribbon, const char* name) {
                                   ": it must be positive");
 }
 
-/// The joins of two ribbons do not depend on the place of the origin and on the unit of length.
+/// The joins of two ribbons do not depend on the place of the origin, the unit of length and that of weights.
 struct NormalizedPair {
   Ribbon a, b;
   double length = 1;    ///< mm, what is 1 in the ribbons
@@ -30,20 +30,23 @@ struct NormalizedPair {
   NormalizedPair(const Ribbon& given_a, const Ribbon& given_b) : a(given_a), b(given_b) {
     requireUsable(a, "a");
     requireUsable(b, "b");
+    const double weight = std::max(a.position.col(3).maxCoeff(), b.position.col(3).maxCoeff());
+    forEachPart([&](HomogeneousPoles& part) { part /= weight; });
+    const double far = std::max(reach(a), reach(b));
     const Eigen::RowVector3d origin = a.position.row(0).head<3>() / a.position(0, 3);
-    const double far = std::max(reach(a), reach(b)) * 1.0;
-    for (Ribbon* ribbon : {&a, &b})
-      for (HomogeneousPoles* part : {&ribbon->position, &ribbon->first, &ribbon->second})
-        part->leftCols<3>() -= part->col(3) * origin;
+    forEachPart([&](HomogeneousPoles& part) { part.leftCols<3>() -= part.col(3) * origin; });
     length = std::max(size(a), size(b));
     if (!(length > 0)) length = 1;
-    for (Ribbon* ribbon : {&a, &b})
-      for (HomogeneousPoles* part : {&ribbon->position, &ribbon->first, &ribbon->second})
-        part->leftCols<3>() /= length;
+    forEachPart([&](HomogeneousPoles& part) { part.leftCols<3>() /= length; });
     rounding = std::numeric_limits<double>::epsilon() * (1 + far / length);
   }
 
  private:
+  template <class Change>
+  void forEachPart(const Change& change) {
+    for (Ribbon* ribbon : {&a, &b})
+      for (HomogeneousPoles* part : {&ribbon->position, &ribbon->first, &ribbon->second}) change(*part);
+  }
   static double reach(const Ribbon& ribbon) { return ribbon.position.leftCols<3>().cwiseAbs().maxCoeff(); }
   /// Of poles of the seam and of the row behind it.
   static double size(const Ribbon& ribbon) {

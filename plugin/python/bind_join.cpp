@@ -89,7 +89,7 @@ Ribbon givenOf(const py::object& surface, const py::object& edge, const py::dict
 }
 
 struct TensorArguments {
-  int order, degree_across;
+  int order = 1, degree_across = 1;
   std::optional<int> degree;
 };
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Constructed joins against rows known to 40 digits, against the equations they stand for, and certified by enclosures.
+// Constructed joins against rows known to 40 digits, and against the equations they stand for.
 #include <gmock/gmock.h>
-
-#include <seamwright/core/seam/patch_side.hpp>
-#include <seamwright/core/seam/triangle_side.hpp>
 
 #include "joins.hpp"
 
@@ -11,6 +8,7 @@ namespace seamwright {
 namespace {
 
 using nlohmann::json;
+using test::built;
 using test::function;
 using test::gentlePatch;
 using test::gentleTriangle;
@@ -19,13 +17,12 @@ using test::uniform;
 using test::value;
 using test::whole;
 using testing::HasSubstr;
-using testing::Message;
 using testing::ThrowsMessage;
 
 constexpr double wanted = 1e-12;
 
 Ribbon endingAtU1(const json& net) {
-  return ribbon(test::patch(net), PatchEdge::U1, false, Across::OutOf);
+  return test::endingAtU1(test::patch(net));
 }
 
 Connection connectionOf(const json& input) {
@@ -190,24 +187,6 @@ double equationDefect(const Ribbon& a, const Ribbon& b, const Connection& c, int
                   (value(b.second, t) - expected).norm() / (scale + P_ss.norm() + P_st.norm() + P_tt.norm()));
 }
 
-Connection withScaling(Connection c, std::mt19937_64& random) {
-  c.e0 = test::randomFunction(whole(0, 1, random), 0.8, 1.25, random);
-  c.e1 = test::randomFunction(0, -0.1, 0.1, random);
-  c.e2 = test::randomFunction(0, -0.1, 0.1, random);
-  return c;
-}
-
-/// Continues; of rational ones some come out with weights that are not positive.
-template <class Build>
-auto built(const Build& build) -> std::optional<decltype(build())> {
-  try {
-    return build();
-  } catch (const std::invalid_argument& error) {
-    EXPECT_THAT(error.what(), HasSubstr("weight"));
-    return std::nullopt;
-  }
-}
-
 TEST(JoinConstruct, Identity1EquationsHoldForTensorPatches) {
   std::mt19937_64 random(21);
   int count = 0;
@@ -216,7 +195,7 @@ TEST(JoinConstruct, Identity1EquationsHoldForTensorPatches) {
     const BezierPatch patch = gentlePatch(whole(1, 7, random), whole(1, 7, random), rational, random);
     const int order = whole(1, 2, random), k = whole(0, 2, random);
     Connection c = test::randomConnection(k, whole(0, k + 1, random), random);
-    if (rational) c = withScaling(c, random);
+    if (rational) c = test::withScaling(c, random);
     const Ribbon given = ribbon(patch, test::patch_edges[run % 4], run % 8 < 4, Across::OutOf);
     const auto next = built([&] { return continuation(given, c, order, whole(order, 7, random)); });
     if (!next) continue;
@@ -405,128 +384,6 @@ TEST(JoinConstruct, Refusals) {
   Ribbon broken = given;
   broken.first(0, 0) = nan;
   EXPECT_THAT(refusal([&] { continuation(broken, {}, 1, 2); }), HasSubstr("not finite"));
-}
-
-// Certified by enclosures.
-
-/// What an enclosure can tell of sides of degrees up to p, q: the rounding it allows for in the derivatives of a patch is a worst case,
-/// 16 (p+1) (q+1) (p+q+4) eps of the largest one over the whole patch, although the join itself is exact to 1e-14.
-double resolvedAngle(int p, int q) {
-  return std::max(1e-10, 400 * 16 * (p + 1) * (q + 1) * (p + q + 4) * std::numeric_limits<double>::epsilon());
-}
-
-/// \param angle_rad what the bound of the angle has to be below; that of the relative curvature below 60 times it.
-/// \return the bound of the angle.
-double expectCertified(const SeamSide& a, const SeamSide& b, int order, double angle_rad,
-                       const Message& what) {
-  ContinuityTolerance tolerance;
-  tolerance.gap_mm = 1e-9;
-  tolerance.angle_rad = 1e-12;
-  tolerance.curvature_rel = 1e-11;
-  const SeamFigures figures = encloseSeam(a, b, tolerance, {.figures = false});
-  EXPECT_TRUE(figures.certified) << what << figures.uncertified;
-  if (!figures.certified) return 1;
-  EXPECT_FALSE(figures.fold_at) << what;
-  EXPECT_LT(*figures.gap_mm->upper, tolerance.gap_mm) << what;
-  EXPECT_LT(*figures.angle_rad->upper, angle_rad) << what;
-  if (order == 2) {
-    EXPECT_LT(*figures.curvature_rel->upper, 60 * angle_rad) << what;
-  }
-  return *figures.angle_rad->upper;
-}
-
-TEST(JoinCertified, Identity2ContinuationsOfTensorPatches) {
-  std::mt19937_64 random(31);
-  int count = 0, fine = 0;
-  for (int run = 0; run < 300; ++run) {
-    const bool rational = run % 8 >= 6;
-    const int m = whole(2, 7, random), n = whole(2, 7, random), order = whole(1, 2, random),
-              k = whole(0, 2, random);
-    const BezierPatch patch = gentlePatch(m, n, rational, random);
-    const PatchEdge edge = test::patch_edges[run % 4];
-    const bool reversed = run % 8 < 4;
-    const Connection c = test::randomConnection(k, whole(0, k + 1, random), random);
-    const int l = whole(order, 6, random);
-    const auto next =
-        built([&] { return continuation(ribbon(patch, edge, reversed, Across::OutOf), c, order, l); });
-    if (!next) continue;
-    const double angle = resolvedAngle(std::max(m, next->degreeU()), std::max({m, n, next->degreeV()}));
-    ++count;
-    fine += 1e-10 > expectCertified(
-                        seamSide(patch, edge, reversed), seamSide(*next, PatchEdge::U0), order, angle,
-                        Message() << "run " << run << " m " << m << " n " << n << " to " << next->degreeU()
-                                  << " " << next->degreeV() << (rational ? " rational: " : ": "));
-  }
-  EXPECT_GT(fine, 0.5 * count);
-}
-
-TEST(JoinCertified, Identity2TrianglesAndPatches) {
-  std::mt19937_64 random(32);
-  for (int run = 0; run < 60; ++run) {
-    const int n = whole(1, 4, random), k = whole(0, 1, random);
-    const Connection c = test::randomConnection(k, whole(0, k + 1, random), random);
-    const TriangleEdge edge = test::triangle_edges[run % 3];
-    const bool reversed = run % 2 == 0, tensor = run % 3 == 0;
-    const BezierTriangle triangle = gentleTriangle(n, false, random);
-    const BezierPatch patch = gentlePatch(n, n, false, random);
-    const PatchEdge patch_edge = test::patch_edges[run % 4];
-    const Ribbon given = tensor ? ribbon(patch, patch_edge, reversed, Across::OutOf)
-                                : ribbon(triangle, edge, reversed, Across::OutOf);
-    const SeamSide side = tensor ? seamSide(patch, patch_edge, reversed) : seamSide(triangle, edge, reversed);
-    if (tensor || run % 3 == 1) {
-      const BezierTriangle next = triangleContinuation(given, c);
-      expectCertified(side, seamSide(next, TriangleEdge::L0), 1, resolvedAngle(next.degree(), next.degree()),
-                      Message() << "run " << run << " to triangle: ");
-    } else {
-      const int order = whole(1, 2, random);
-      const BezierPatch next = continuation(given, c, order, 4);
-      expectCertified(side, seamSide(next, PatchEdge::U0), order, resolvedAngle(4, next.degreeV()),
-                      Message() << "run " << run << " to patch: ");
-    }
-  }
-}
-
-TEST(JoinCertified, BlendsMeetBoth) {
-  std::mt19937_64 random(33);
-  for (int run = 0; run < 40; ++run) {
-    const int order = run % 2 + 1, n = whole(1, 3, random);
-    const BezierPatch first = gentlePatch(2, n, run % 5 == 0, random);
-    Poles away = gentlePatch(3, 2, false, random).poles();
-    away.col(0).array() += 20;
-    const BezierPatch second(3, 2, away);
-    const Connection to_first = test::randomConnection(0, 1, random),
-                     to_second = test::randomConnection(1, 1, random);
-    const auto between = built([&] {
-      return blend(ribbon(first, PatchEdge::U1, false, Across::OutOf), to_first,
-                   ribbon(second, PatchEdge::U0, false, Across::OutOf), to_second, order);
-    });
-    if (!between) continue;
-    EXPECT_EQ(between->degreeU(), 2 * order + 1);
-    const double angle = resolvedAngle(between->degreeU(), between->degreeV());
-    expectCertified(seamSide(first, PatchEdge::U1), seamSide(*between, PatchEdge::U0), order, angle,
-                    Message() << run << " first ");
-    expectCertified(seamSide(*between, PatchEdge::U1), seamSide(second, PatchEdge::U0), order, angle,
-                    Message() << run << " second ");
-  }
-}
-
-TEST(JoinCertified, OneMovedPoleIsSeen) {
-  std::mt19937_64 random(34);
-  for (int row = 0; row < 3; ++row) {
-    const BezierPatch patch = gentlePatch(3, 3, false, random);
-    const BezierPatch next = continuation(ribbon(patch, PatchEdge::U1, false, Across::OutOf), {}, 2, 3);
-    Poles poles = next.poles();
-    poles(4L * row + 1, 2) += 1e-5;
-    ContinuityTolerance tolerance;
-    tolerance.gap_mm = 1e-9;
-    tolerance.angle_rad = 1e-8;
-    tolerance.curvature_rel = 1e-7;
-    const SeamFigures figures = encloseSeam(seamSide(patch, PatchEdge::U1),
-                                            seamSide(BezierPatch(3, 3, poles), PatchEdge::U0), tolerance);
-    EXPECT_EQ(figures.gap_mm->lower > tolerance.gap_mm, row == 0);
-    EXPECT_EQ(figures.angle_rad->lower > tolerance.angle_rad, row <= 1);
-    EXPECT_GT(figures.curvature_rel->lower, tolerance.curvature_rel);
-  }
 }
 
 }  // namespace

@@ -4,8 +4,10 @@
 #include <array>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <random>
 #include <seamwright/core/join/construct.hpp>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -120,6 +122,71 @@ inline Eigen::Vector4d value(const HomogeneousPoles& rows, double t) {
   Eigen::Vector4d sum;
   for (int c = 0; c < 4; ++c) sum(c) = value(Eigen::VectorXd(rows.col(c)), t);
   return sum;
+}
+
+inline Ribbon endingAtU1(const BezierPatch& patch) {
+  return ribbon(patch, PatchEdge::U1, false, Across::OutOf);
+}
+inline Ribbon beginningAtU0(const BezierPatch& patch) {
+  return ribbon(patch, PatchEdge::U0, false, Across::Into);
+}
+
+/// What is built; nothing where a weight would not be positive, as may be with rational patches.
+template <class Build>
+auto built(const Build& build) -> std::optional<decltype(build())> {
+  try {
+    return build();
+  } catch (const std::invalid_argument& error) {
+    if (std::string(error.what()).find("weight") == std::string::npos) throw;
+    return std::nullopt;
+  }
+}
+
+struct Join {
+  Ribbon a, b;
+  Connection connection;
+  int order = 1;
+};
+
+inline Connection withScaling(Connection c, std::mt19937_64& random) {
+  c.e0 = randomFunction(whole(0, 1, random), 0.8, 1.25, random);
+  c.e1 = randomFunction(0, -0.1, 0.1, random);
+  c.e2 = randomFunction(0, -0.1, 0.1, random);
+  return c;
+}
+
+/// Tensor-product patches and triangles in the four pairings, one in four rational, those whose weights come out well.
+inline Join randomJoin(int run, std::mt19937_64& random) {
+  for (;;) {
+    const bool rational = run % 4 == 3, from_triangle = run % 3 == 0, to_triangle = run % 5 == 0;
+    const int n = whole(1, 7, random), k = whole(0, 2, random);
+    Join join;
+    join.order = to_triangle ? 1 : whole(1, 2, random);
+    join.connection = randomConnection(k, whole(0, k + 1, random), random);
+    if (rational) join.connection = withScaling(join.connection, random);
+    if (rational && to_triangle) join.connection.e1 = Eigen::VectorXd::Zero(1);
+    const bool reversed = run % 2 == 0;
+    join.a = from_triangle ? ribbon(gentleTriangle(n, rational, random), triangle_edges[run % 3], reversed,
+                                    Across::OutOf)
+                           : ribbon(gentlePatch(whole(1, 7, random), n, rational, random),
+                                    patch_edges[run % 4], reversed, Across::OutOf);
+    try {
+      if (to_triangle)
+        join.b = ribbon(triangleContinuation(join.a, join.connection), TriangleEdge::L0, false, Across::Into);
+      else
+        join.b =
+            beginningAtU0(continuation(join.a, join.connection, join.order, whole(join.order, 6, random)));
+      return join;
+    } catch (const std::invalid_argument&) {
+      // a weight that is not positive
+    }
+  }
+}
+
+inline Ribbon mapped(Ribbon ribbon, const Eigen::Matrix3d& linear, const Eigen::RowVector3d& translation) {
+  for (HomogeneousPoles* part : {&ribbon.position, &ribbon.first, &ribbon.second})
+    part->leftCols<3>() = (part->leftCols<3>() * linear.transpose() + part->col(3) * translation).eval();
+  return ribbon;
 }
 
 }  // namespace seamwright::test
