@@ -235,6 +235,7 @@ ProductSum& ProductSum::add(const ChebyshevModel& a, const ChebyshevModel& b, do
     for (int j = 0; j <= b.degree_; ++j) twice_[std::abs(i - j)] += factor * b.coefficients_[j];
   }
   degree_ = std::max(degree_, a.degree_ + b.degree_);
+  terms_ += 2 * std::min(a.degree_, b.degree_) + 3;
   absolute_ += absolute_a * absolute_b;
   if (a.radius_ != 0 || b.radius_ != 0)  // true for NaN, which is what unknown times zero may give
     radius_ += absolute_a * b.radius_ + (absolute_b + b.radius_) * a.radius_;
@@ -248,7 +249,7 @@ ChebyshevModel ProductSum::model() const {
     result.coefficients_[k] = 0.5 * twice_[k];
   for (int k = size; k <= degree_; ++k) rest += std::abs(twice_[k]);
   result.degree_ = std::min(degree_, ChebyshevModel::max_degree);
-  result.radius_ = up(radius_ + 0.5 * rest + 64 * epsilon * absolute_);
+  result.radius_ = up(radius_ + 0.5 * rest + 0.5 * epsilon * (terms_ + 1) * absolute_);
   result.trim();
   return result;
 }

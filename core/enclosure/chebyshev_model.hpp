@@ -18,9 +18,9 @@ namespace seamwright {
 /// smaller radius: the part of a smooth function that is left over falls with the eighth power of the length.
 /// An infinite radius says that nothing is known, for instance after division by a function that may vanish.
 ///
-/// Rounding: with u = 2^-53, a coefficient of a sum is off by u of its value, a coefficient of a sum of up to
-/// six products of models is a sum of at most 96 products, off by less than 128 u times the sum of their
-/// absolute values. As |T_k| <= 1, the radius grows by no more than these errors summed up. Radii are
+/// Rounding: with u = 2^-53, a coefficient of a sum is off by u of its value. A coefficient of a sum of
+/// products of models is a sum of at most 2 min(m, n) + 3 products of coefficients for each product of models
+/// of degrees m and n, off by as many u times the sum of their absolute values. As |T_k| <= 1, the radius grows by no more than these errors summed up. Radii are
 /// computed with a relative surplus of 2^-48 in place of directed rounding.
 ///
 /// Identities (each has a test of its number):
@@ -90,6 +90,7 @@ class ProductSum {
   double radius_ = 0;
   double absolute_ = 0;  ///< sum of the absolute values of all products
   int degree_ = 0;
+  int terms_ = 0;  ///< in a coefficient, at most
 };
 
 inline ChebyshevModel operator+(ChebyshevModel a, const ChebyshevModel& b) {

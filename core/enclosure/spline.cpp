@@ -17,22 +17,28 @@ constexpr int max_size = SplineEvaluator::max_degree + 1;
 using SmallMatrix =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_size, max_size>;
 
-/// Column j: Chebyshev coefficients on [-1, 1] of the Bernstein polynomial B_j of the degree.
+/// Column j: Chebyshev coefficients on [-1, 1] of the Bernstein polynomial
+/// B_j = C(n, j) (1 + x)^j (1 - x)^(n - j) / 2^n of the degree n, each rounded once: without C(n, j) they are
+/// multiples of 4^-n that are at most 1, which doubles hold.
 SmallMatrix bezierToChebyshev(int degree) {
-  const int n = degree + 1;
-  SmallMatrix values(n, n);  // of B_j at the Chebyshev points
-  SmallMatrix transform(n, n);
-  for (int i = 0; i < n; ++i) {
-    const double angle = std::numbers::pi * (2 * i + 1) / (2 * n);
-    const double t = 0.5 * (1 + std::cos(angle));
-    Eigen::VectorXd row = Eigen::VectorXd::Zero(n);
-    row[0] = 1;
-    for (int d = 1; d < n; ++d)
-      for (int j = d; j >= 0; --j) row[j] = (1 - t) * row[j] + (j > 0 ? t * row[j - 1] : 0);
-    values.row(i) = row;
-    for (int k = 0; k < n; ++k) transform(k, i) = (k == 0 ? 1.0 : 2.0) / n * std::cos(k * angle);
+  SmallMatrix matrix(degree + 1, degree + 1);
+  double binomial = 1;
+  for (int j = 0; j <= degree; ++j) {
+    Eigen::VectorXd product = Eigen::VectorXd::Unit(degree + 1, 0);
+    for (int factor = 0; factor < degree; ++factor) {
+      // x T_0 = T_1, x T_k = (T_(k + 1) + T_(k - 1)) / 2.
+      Eigen::VectorXd by_x = Eigen::VectorXd::Zero(degree + 1);
+      by_x[1] = product[0];
+      for (int k = 1; k <= factor; ++k) {
+        by_x[k + 1] += 0.5 * product[k];
+        by_x[k - 1] += 0.5 * product[k];
+      }
+      product = 0.5 * (factor < j ? Eigen::VectorXd(product + by_x) : Eigen::VectorXd(product - by_x));
+    }
+    matrix.col(j) = binomial * product;
+    binomial = binomial * (degree - j) / (j + 1);
   }
-  return transform * values;
+  return matrix;
 }
 
 /// Row j: the Bezier point j of the span [knots[s], knots[s + 1]] as a combination of its degree + 1 poles,
@@ -146,7 +152,9 @@ SplineEvaluator::SpanMatrices SplineEvaluator::makeMatrices(int direction, int s
   matrices.derivative[0] = SmallMatrix::Identity(degree + 1, degree + 1);
   for (int order = 0; order < 3; ++order) {
     const int lower = std::max(degree - order, 0);
-    matrices.to_chebyshev[order] = bezier_to_chebyshev_[direction][order] * splineToBezier(knots, lower, s);
+    const SmallMatrix to_bezier = splineToBezier(knots, lower, s);
+    matrices.to_chebyshev[order] = bezier_to_chebyshev_[direction][order] * to_bezier;
+    matrices.to_chebyshev_terms[order] = bezier_to_chebyshev_[direction][order].cwiseAbs() * to_bezier;
     if (order < 2)
       matrices.derivative[order + 1] = splineDerivative(knots, lower, s) * matrices.derivative[order];
   }
@@ -241,15 +249,14 @@ SplineEvaluator::Cell SplineEvaluator::makeCell(int span_u, int span_v, int nets
           mu.to_chebyshev[du] * derived * mv.to_chebyshev[dv].transpose();
       cell.nets[k].coefficients[c] = Eigen::Map<Eigen::VectorXd>(series.data(), series.size());
       // Differences of poles keep the errors of their terms, 6 roundings a step; what they add to a
-      // polynomial is nowhere larger than in its Bezier points. The conversions round sums of p + q + 4 terms
-      // in p + q + 4 steps; a polynomial has (p + 1) (q + 1) Chebyshev coefficients, none more than four
-      // times its largest value.
+      // polynomial is nowhere larger than in its Bezier points. The factors of the conversions are rounded
+      // 6 times a level of knots and once, their products and those with the poles once a term.
       const double of_poles =
           (mu.derivative[du].cwiseAbs() * local.cwiseAbs() * mv.derivative[dv].cwiseAbs().transpose())
               .maxCoeff();
-      const double of_net = derived.cwiseAbs().maxCoeff();
-      cell.nets[k].error[c] =
-          8 * epsilon * of_poles + 16 * (p + 1) * (q + 1) * (p + q + 4) * epsilon * of_net;
+      const double of_terms =
+          (mu.to_chebyshev_terms[du] * derived.cwiseAbs() * mv.to_chebyshev_terms[dv].transpose()).sum();
+      cell.nets[k].error[c] = 8 * epsilon * of_poles + 5 * (p + q + 2) * epsilon * of_terms;
     }
   }
   return cell;

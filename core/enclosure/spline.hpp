@@ -63,9 +63,9 @@ class SplineEvaluator {
     double upper = 0;
   };
   /// By order of the derivative: from the poles of a span to those of the derivative, and from these to
-  /// Chebyshev coefficients.
+  /// Chebyshev coefficients; and the sums of the absolute values of what makes an entry of the latter.
   struct SpanMatrices {
-    std::array<SmallMatrix, 3> derivative, to_chebyshev;
+    std::array<SmallMatrix, 3> derivative, to_chebyshev, to_chebyshev_terms;
   };
   struct Net {
     std::array<Eigen::VectorXd, 4> coefficients;  ///< of T_i(x) T_j(y) at i + j (degree_u + 1), by coordinate

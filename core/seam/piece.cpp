@@ -250,14 +250,6 @@ SymmetricModel turned(const SymmetricModel& tensor, const VectorModel& normal_a,
   return tensor - 2 * symmetricProduct(s, y) + dot(normal_a, y) * symmetricProduct(s, s);
 }
 
-/// A rotation by a small angle, as widening of the entries: |R K R^T - K| <= 2 angle |K| (1 + angle).
-SymmetricModel blurred(SymmetricModel tensor, double angle_rad) {
-  double size = 0;
-  for (const ChebyshevModel& entry : tensor) size = std::max(size, entry.magnitude());
-  for (ChebyshevModel& entry : tensor) entry.widen(12 * angle_rad * size);
-  return tensor;
-}
-
 void measureCurvature(const SurfaceFields& a, const SurfaceFields& b, const ChebyshevModel& mu,
                       double flat_radius_mm, const PieceSlack& slack, PieceFigures& figures) {
   constexpr PieceBound unknown{0, infinite, 0};
@@ -265,18 +257,27 @@ void measureCurvature(const SurfaceFields& a, const SurfaceFields& b, const Cheb
   figures.curvature_rel = unknown;
   if (figures.sense == 0) return;
   const double sense = figures.sense;
+  // Next to no angle: K_b is not turned. In the plane of a, K_b and R K_b R^T differ by less than
+  // 2 angle^2 |K_b|, so the norm of K_b - K_a is below that of the difference by no more; and above it by no more
+  // than |K_b - R K_b R^T| <= 2 angle |K_b|.
   constexpr double negligible_rad = 1e-9;
-  const SymmetricModel tensor_b = figures.angle_rad.upper < negligible_rad
-                                      ? blurred(sense * b.tensor, figures.angle_rad.upper)
-                                      : turned(sense * b.tensor, a.normal, sense * b.normal, sense * mu);
-  const SymmetricModel difference = tensor_b - a.tensor;
-  if (!isKnown(difference) || !isKnown(a.tensor)) return;
-  figures.curvature_per_mm = largestNorm(difference, slack.curvature_per_mm);
+  const bool as_it_is = figures.angle_rad.upper < negligible_rad;
+  const double angle = as_it_is ? figures.angle_rad.upper : 0;
+  const SymmetricModel tensor_b =
+      as_it_is ? sense * b.tensor : turned(sense * b.tensor, a.normal, sense * b.normal, sense * mu);
   const TensorNorm norm_a = normOf(a.tensor);
   const TensorNorm norm_b = normOf(tensor_b);
+  SymmetricModel difference = tensor_b - a.tensor;
+  if (as_it_is)
+    for (ChebyshevModel& entry : difference) entry.widen(2 * angle * angle * norm_b.at_most);
+  if (!isKnown(difference) || !isKnown(a.tensor)) return;
+  figures.curvature_per_mm = largestNorm(difference, slack.curvature_per_mm);
   figures.curvature_norm_per_mm = std::max(norm_a.at_least, norm_b.at_least);
   figures.curvature_rel = relativeBound({a.tensor, norm_a}, {tensor_b, norm_b}, difference,
                                         figures.curvature_per_mm->upper, flat_radius_mm, slack.curvature_rel);
+  const auto lowered = [](PieceBound& bound, double by) { bound.lower = std::max(0.0, bound.lower - by); };
+  lowered(*figures.curvature_per_mm, 2.1 * angle * norm_b.at_most);
+  lowered(*figures.curvature_rel, 2.1 * angle);
 }
 
 }  // namespace
