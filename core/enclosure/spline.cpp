@@ -62,16 +62,12 @@ SmallMatrix splineToBezier(const std::vector<double>& knots, int degree, int s) 
   return matrix;
 }
 
-/// Row i: the pole i of the derivative on the span [knots[s], knots[s + 1]] as a combination of the poles of
-/// the spline.
-SmallMatrix splineDerivative(const std::vector<double>& knots, int degree, int s) {
-  if (degree == 0) return SmallMatrix::Zero(1, 1);
-  SmallMatrix matrix = SmallMatrix::Zero(degree, degree + 1);
-  for (int i = 0; i < degree; ++i) {
-    matrix(i, i + 1) = degree / (knots[s + 1 + i] - knots[s - degree + 1 + i]);
-    matrix(i, i) = -matrix(i, i + 1);
-  }
-  return matrix;
+/// What the differences of neighbouring poles are multiplied by to give the poles of the derivative on the span
+/// [knots[s], knots[s + 1]]; none for degree 0.
+Eigen::VectorXd derivativeFactors(const std::vector<double>& knots, int degree, int s) {
+  Eigen::VectorXd factors(degree);
+  for (int i = 0; i < degree; ++i) factors[i] = degree / (knots[s + 1 + i] - knots[s - degree + 1 + i]);
+  return factors;
 }
 
 /// T_0(x), ..., T_degree(x), by T_(i + j) = 2 T_i T_j - T_(j - i): halving the index, radii grow like its
@@ -149,14 +145,13 @@ SplineEvaluator::SpanMatrices SplineEvaluator::makeMatrices(int direction, int s
   const auto& [degree, knots, period] = directions_[direction];
   const int s = spans_[direction][span].knot;
   SpanMatrices matrices;
-  matrices.derivative[0] = SmallMatrix::Identity(degree + 1, degree + 1);
   for (int order = 0; order < 3; ++order) {
     const int lower = std::max(degree - order, 0);
     const SmallMatrix to_bezier = splineToBezier(knots, lower, s);
     matrices.to_chebyshev[order] = bezier_to_chebyshev_[direction][order] * to_bezier;
     matrices.to_chebyshev_terms[order] = bezier_to_chebyshev_[direction][order].cwiseAbs() * to_bezier;
-    if (order < 2)
-      matrices.derivative[order + 1] = splineDerivative(knots, lower, s) * matrices.derivative[order];
+    matrices.roundings[order] = to_bezier.isIdentity(0) ? lower + 3 : 8 * lower + 3;
+    if (order < 2) matrices.factors[order] = derivativeFactors(knots, lower, s);
   }
   return matrices;
 }
@@ -221,6 +216,52 @@ const SplineEvaluator::Cell& SplineEvaluator::cell(int span_u, int span_v, int n
   return cell;
 }
 
+/// Poles of one coordinate, and bounds of their errors.
+struct SplineEvaluator::RoundedNet {
+  SmallMatrix value, error;
+
+  RoundedNet transposed() const { return {value.transpose(), error.transpose()}; }
+
+  /// The net of the derivative down the rows. Difference, factor and product are rounded in 5 steps.
+  RoundedNet derivative(const Eigen::VectorXd& factors) const {
+    const Eigen::Index rows = factors.size(), columns = value.cols();
+    if (rows == 0) return {SmallMatrix::Zero(1, columns), SmallMatrix::Zero(1, columns)};
+    RoundedNet result;
+    result.value = factors.asDiagonal() * (value.bottomRows(rows) - value.topRows(rows));
+    result.error = factors.asDiagonal() * (error.bottomRows(rows) + error.topRows(rows)) +
+                   3 * epsilon * result.value.cwiseAbs();
+    return result;
+  }
+};
+
+/// The nets of one coordinate in Chebyshev form: derivatives of \p poles, positions of \p local.
+void SplineEvaluator::addNets(const RoundedNet& poles, const RoundedNet& local, const SpanMatrices& mu,
+                              const SpanMatrices& mv, int coordinate, Cell& cell) {
+  const auto along_u = [&](const RoundedNet& net, int order) { return net.derivative(mu.factors[order]); };
+  const auto along_v = [&](const RoundedNet& net, int order) {
+    return net.transposed().derivative(mv.factors[order]).transposed();
+  };
+  constexpr std::array<std::array<int, 2>, 6> orders = {{{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}};
+  std::array<RoundedNet, 6> nets = {local};
+  if (cell.count > 1) nets[1] = along_u(poles, 0), nets[2] = along_v(poles, 0);
+  if (cell.count > 3)
+    nets[3] = along_u(nets[1], 1), nets[4] = along_v(nets[1], 0), nets[5] = along_v(nets[2], 1);
+  for (int k = 0; k < cell.count; ++k) {
+    const auto [du, dv] = orders[k];
+    const SmallMatrix& net = nets[k].value;
+    SmallMatrix series = SmallMatrix::Zero(mu.to_chebyshev[0].rows(), mv.to_chebyshev[0].rows());
+    series.topLeftCorner(net.rows(), net.cols()) =
+        mu.to_chebyshev[du] * net * mv.to_chebyshev[dv].transpose();
+    cell.nets[k].coefficients[coordinate] = Eigen::Map<Eigen::VectorXd>(series.data(), series.size());
+    // What errors of poles add to a polynomial is nowhere larger than in the poles.
+    const double of_terms =
+        (mu.to_chebyshev_terms[du] * net.cwiseAbs() * mv.to_chebyshev_terms[dv].transpose()).sum();
+    cell.nets[k].error[coordinate] =
+        (nets[k].error.maxCoeff() + 0.5 * epsilon * (mu.roundings[du] + mv.roundings[dv]) * of_terms) *
+        (1 + 1e-12);
+  }
+}
+
 SplineEvaluator::Cell SplineEvaluator::makeCell(int span_u, int span_v, int nets) const {
   const SpanMatrices& mu = matrices(0, span_u);
   const SpanMatrices& mv = matrices(1, span_v);
@@ -233,31 +274,18 @@ SplineEvaluator::Cell SplineEvaluator::makeCell(int span_u, int span_v, int nets
   cell.count = nets;
   cell.origin = poles_[index(0, 0)];
   const int dimension = weights_.empty() ? 3 : 4;
-  constexpr std::array<std::array<int, 2>, 6> orders = {{{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}};
   for (int c = 0; c < dimension; ++c) {
-    SmallMatrix local(p + 1, q + 1);
+    RoundedNet poles{SmallMatrix(p + 1, q + 1), SmallMatrix::Zero(p + 1, q + 1)};
+    RoundedNet local = poles;
     for (int i = 0; i <= p; ++i)
       for (int j = 0; j <= q; ++j) {
         const double weight = weights_.empty() ? 1 : weights_[index(i, j)];
-        local(i, j) = c == 3 ? weight : weight * (poles_[index(i, j)][c] - cell.origin[c]);
+        poles.value(i, j) = c == 3 ? weight : poles_[index(i, j)][c];
+        local.value(i, j) = c == 3 ? weight : weight * (poles_[index(i, j)][c] - cell.origin[c]);
       }
-    for (int k = 0; k < nets; ++k) {
-      const auto [du, dv] = orders[k];
-      const SmallMatrix derived = mu.derivative[du] * local * mv.derivative[dv].transpose();
-      SmallMatrix series = SmallMatrix::Zero(p + 1, q + 1);
-      series.topLeftCorner(derived.rows(), derived.cols()) =
-          mu.to_chebyshev[du] * derived * mv.to_chebyshev[dv].transpose();
-      cell.nets[k].coefficients[c] = Eigen::Map<Eigen::VectorXd>(series.data(), series.size());
-      // Differences of poles keep the errors of their terms, 6 roundings a step; what they add to a
-      // polynomial is nowhere larger than in its Bezier points. The factors of the conversions are rounded
-      // 6 times a level of knots and once, their products and those with the poles once a term.
-      const double of_poles =
-          (mu.derivative[du].cwiseAbs() * local.cwiseAbs() * mv.derivative[dv].cwiseAbs().transpose())
-              .maxCoeff();
-      const double of_terms =
-          (mu.to_chebyshev_terms[du] * derived.cwiseAbs() * mv.to_chebyshev_terms[dv].transpose()).sum();
-      cell.nets[k].error[c] = 8 * epsilon * of_poles + 5 * (p + q + 2) * epsilon * of_terms;
-    }
+    if (c != 3) local.error = epsilon * local.value.cwiseAbs();
+    // Differences of the poles themselves know nothing of the origin, and are rounded once.
+    addNets(weights_.empty() ? poles : local, local, mu, mv, c, cell);
   }
   return cell;
 }

@@ -62,10 +62,12 @@ class SplineEvaluator {
     double lower = 0;
     double upper = 0;
   };
-  /// By order of the derivative: from the poles of a span to those of the derivative, and from these to
-  /// Chebyshev coefficients; and the sums of the absolute values of what makes an entry of the latter.
+  /// By order of the derivative.
   struct SpanMatrices {
-    std::array<SmallMatrix, 3> derivative, to_chebyshev, to_chebyshev_terms;
+    std::array<Eigen::VectorXd, 2> factors;   ///< of differences of poles, which give those of the next order
+    std::array<SmallMatrix, 3> to_chebyshev;  ///< from poles to Chebyshev coefficients
+    std::array<SmallMatrix, 3> to_chebyshev_terms;  ///< absolute values of what its entries are summed from
+    std::array<int, 3> roundings{};  ///< in such a term, times a pole and summed up, in units of 2^-53
   };
   struct Net {
     std::array<Eigen::VectorXd, 4> coefficients;  ///< of T_i(x) T_j(y) at i + j (degree_u + 1), by coordinate
@@ -86,6 +88,9 @@ class SplineEvaluator {
   Local localize(int direction, const ChebyshevModel& parameter, double hint) const;
   const Cell& cell(int span_u, int span_v, int nets) const;
   Cell makeCell(int span_u, int span_v, int nets) const;
+  struct RoundedNet;
+  static void addNets(const RoundedNet& poles, const RoundedNet& local, const SpanMatrices& mu,
+                      const SpanMatrices& mv, int coordinate, Cell& cell);
 
   std::array<SplineDirection, 2> directions_;
   std::vector<Eigen::Vector3d> poles_;
