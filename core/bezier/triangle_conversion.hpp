@@ -48,8 +48,8 @@ std::array<BezierPatch, 3> regularPatches(const BezierTriangle& triangle);
 struct TriangleRecognition {
   std::optional<BezierTriangle> triangle;  ///< of the lowest degree that fits
   PatchEdge apex = PatchEdge::U0;          ///< the edge of the patch that is P0; the natural normals agree
-  /// Bound of the distance of patch and triangle at equal parameters; without a triangle, to the nearest that
-  /// was tried.
+  /// Bound of the distance of patch and triangle at equal parameters, but for rounding; without a triangle,
+  /// to the nearest that was tried.
   double deviation_mm = 0;
   double tolerance_mm = 0;  ///< what was accepted
 };

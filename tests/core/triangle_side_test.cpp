@@ -19,7 +19,7 @@ ContinuityTolerance tight() {
   ContinuityTolerance tolerance;
   tolerance.gap_mm = 1e-10;
   tolerance.angle_rad = 1e-9;
-  tolerance.curvature_rel = 1e-7;
+  tolerance.curvature_rel = 1e-6;
   return tolerance;
 }
 
