@@ -329,6 +329,9 @@ TEST(JoinCondition, ToleranceIsTheCallers) {
   EXPECT_EQ(joinCondition(a, b).verdict, JoinVerdict::NotG1);
   EXPECT_EQ(joinCondition(a, b, {.tolerance = 1e-3}).verdict, JoinVerdict::G1);
   EXPECT_THROW(joinCondition(a, b, {.tolerance = -1}), std::invalid_argument);
+  Ribbon high = a;
+  high.first = HomogeneousPoles::Ones(32, 4);
+  EXPECT_THROW(joinCondition(a, high), std::invalid_argument);
   b.position(0, 3) = 0;
   EXPECT_THROW(joinCondition(a, b), std::invalid_argument);
   b.position(0, 3) = std::nan("");
