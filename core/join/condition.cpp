@@ -118,6 +118,19 @@ double lowest(const Eigen::VectorXd& p) {
   return BernsteinPolynomial(p).range(1e-3 * p.cwiseAbs().maxCoeff()).lower;
 }
 
+/// An upper bound of |field| / divisor on [0, 1], within a tenth; infinite where the divisor is not certain to be positive.
+double largestQuotient(const Field<3>& field, const Eigen::VectorXd& divisor, int halvings) {
+  const double least = divisor.minCoeff(), first = divisor(0), last = divisor(divisor.size() - 1);
+  if (!(first > 0 && last > 0)) return std::numeric_limits<double>::infinity();
+  const double bound = least > 0 ? rows::size(field) / least : std::numeric_limits<double>::infinity();
+  const double reached = std::max(field.row(0).norm() / first, field.bottomRows<1>().norm() / last);
+  if (halvings == 0 || bound <= 1.1 * reached) return bound;
+  const bernstein::Step half = bernstein::Step::at(0.5);
+  const auto [left, right] = bernstein::casteljau(field, half);
+  const auto [below, above] = bernstein::casteljau(divisor, half);
+  return std::max(largestQuotient(left, below, halvings - 1), largestQuotient(right, above, halvings - 1));
+}
+
 std::optional<double> vanishes(const Eigen::VectorXd& square, double size) {
   return rows::notPositiveAt(BernsteinPolynomial(square / size, roundings * eps));
 }
@@ -149,11 +162,11 @@ class TangentPlanes {
 
   /// tan of the angle is |det| |X_t| / (N_P.N_Q), with the second normal formed by the first side's X_t.
   double angleBound() const {
-    const double least = lowest(product_);
-    if (!(least > 0)) return std::numbers::pi;
     const double determinant = rows::determinant(a_.s.field, a_.t.field, b_.s.field).cwiseAbs().maxCoeff();
     const double noise = scale() * (relativeNoise(a_.s) + relativeNoise(a_.t) + relativeNoise(b_.s));
-    return std::atan((determinant + noise) * a_.t.size() / least);
+    const double steepest =
+        largestQuotient(a_.t.field, product_.array() - roundings * eps * scale() * a_.t.size(), 20);
+    return std::isfinite(steepest) ? std::atan((determinant + noise) * steepest) : std::numbers::pi;
   }
 
   /// 1, -1: the normals are nowhere opposed, nowhere alike; 0: neither is certain.

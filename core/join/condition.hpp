@@ -74,8 +74,8 @@ struct JoinConditionOptions {
 ///   (3) Rigid motion, scaling and reversing the seam change no verdict, residuals by their rounding only.
 ///   (4) angle_bound_rad is no less than any angle of the tangent planes.
 ///
-/// \throws std::invalid_argument for a ribbon with an empty or not finite part, weights that are not positive, or a tolerance that is
-/// negative or NaN.
+/// \throws std::invalid_argument for a ribbon with an empty or not finite part, a degree above 30 or weights that are not positive, or a
+/// tolerance that is negative or NaN.
 /// Source: MATH-surfaces 1.2, 2.2, 2.3, 2.5, 6.1, 8.2; text 001, sections 1, 2, 4, 5.
 JoinCondition joinCondition(const Ribbon& a, const Ribbon& b, const JoinConditionOptions& options = {});
 

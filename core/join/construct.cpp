@@ -16,6 +16,10 @@ using rows::Field;
 void requireFunction(const char* name, const Eigen::VectorXd& function) {
   if (function.size() == 0)
     throw std::invalid_argument(std::string(name) + " has no coefficient: at least one is needed");
+  constexpr Eigen::Index most = 100;
+  if (function.size() > most + 1)
+    throw std::invalid_argument(std::string(name) + " has degree " + std::to_string(function.size() - 1) +
+                                ": it must be within " + std::to_string(most));
   for (Eigen::Index i = 0; i < function.size(); ++i)
     if (!std::isfinite(function(i)))
       throw std::invalid_argument(std::string(name) + " has coefficient " + std::to_string(i) + " = " +
@@ -104,7 +108,7 @@ JoinRows tensorRowsOf(const Ribbon& q, int order, int l, int count, std::optiona
   requireDegree(l, 1);
   int along = std::max(rows::degree(q.position), rows::degree(q.first));
   if (order == 2) along = std::max(along, rows::degree(q.second));
-  if (degree) requireDegree(along = *degree, 0);
+  requireDegree(along = degree.value_or(along), 0);
   const double magnitude = rows::size(q.position) + rows::size(q.first) + rows::size(q.second);
   const Field<4> position = written(q.position, along, magnitude, "Q"),
                  first = written(q.first, along, magnitude, "Q_s"),

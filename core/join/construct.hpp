@@ -28,10 +28,10 @@ struct JoinRows {
 /// coefficients are all the same is a constant. So constant alpha and p with linear beta and q keep the degree n of a tensor-product
 /// patch. With a degree asked for, rows are raised to it, or lowered where their sums happen to allow that: see MATH-surfaces 2.1, 4.1.
 ///
-/// \throws std::invalid_argument, with name, index and value, for a function without coefficients, or with one that is not finite; for
-/// alpha or e0 that is not positive everywhere on [0, 1]; for an order other than 1 and 2 or above the degree across; for a degree above
-/// 800; for rows that cannot be written in the degree asked for, with the defect in the size of homogeneous poles; and for a weight that
-/// comes out zero or negative, with its place (e1 and e2 control the weights of rows 1 and 2).
+/// \throws std::invalid_argument, with name, index and value, for a function without coefficients, above degree 100, or with one that is
+/// not finite; for alpha or e0 that is not positive everywhere on [0, 1]; for an order other than 1 and 2 or above the degree across; for
+/// a degree above 800; for rows that cannot be written in the degree asked for, with the defect in the size of homogeneous poles; and for
+/// a weight that comes out zero or negative, with its place (e1 and e2 control the weights of rows 1 and 2).
 /// Source: MATH-surfaces 2.1, 4.1, 4.2, 6.1, 8.2 (text 001, sections 2, 4, 5).
 
 /// The first order + 1 rows of a tensor-product patch of that degree across:

@@ -14,6 +14,13 @@ inline void requireUsable(const Ribbon& ribbon, const char* name) {
   for (const HomogeneousPoles* part : {&ribbon.position, &ribbon.first, &ribbon.second})
     if (part->rows() == 0 || !part->allFinite())
       throw std::invalid_argument(std::string("ribbon ") + name + " has a part that is empty or not finite");
+  constexpr int most =
+      30;  // the condition of curvature has up to 24 times the degree, and binomials end at 800
+  for (const HomogeneousPoles* part : {&ribbon.position, &ribbon.first, &ribbon.second})
+    if (rows::degree(*part) > most)
+      throw std::invalid_argument(std::string("ribbon ") + name + " has degree " +
+                                  std::to_string(rows::degree(*part)) + ": it must be within " +
+                                  std::to_string(most));
   for (Eigen::Index k = 0; k < ribbon.position.rows(); ++k)
     if (!(ribbon.position(k, 3) > 0))
       throw std::invalid_argument(std::string("ribbon ") + name + ", pole " + std::to_string(k) +

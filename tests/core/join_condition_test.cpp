@@ -148,6 +148,7 @@ TEST(JoinCondition, Identity1ConstructedJoinsHold) {
         << run << " residual " << found.tangent_plane.relative << " noise " << found.tangent_plane.noise;
     EXPECT_LE(found.tangent_plane.relative, 1e-13) << run;
     EXPECT_LE(found.tangent_plane.noise, 1e-10) << run;
+    EXPECT_LE(found.angle_bound_rad, run % 4 == 3 ? 1e-9 : 1e-10) << run;  // every fourth one is rational
     EXPECT_GE(found.parametric_order, 0);
     if (join.order == 2) {
       EXPECT_TRUE(found.g2()) << run << " " << found.curvature->relative << " noise "
@@ -328,6 +329,9 @@ TEST(JoinCondition, ToleranceIsTheCallers) {
   EXPECT_EQ(joinCondition(a, b).verdict, JoinVerdict::NotG1);
   EXPECT_EQ(joinCondition(a, b, {.tolerance = 1e-3}).verdict, JoinVerdict::G1);
   EXPECT_THROW(joinCondition(a, b, {.tolerance = -1}), std::invalid_argument);
+  Ribbon high = a;
+  high.first = HomogeneousPoles::Ones(32, 4);
+  EXPECT_THROW(joinCondition(a, high), std::invalid_argument);
   b.position(0, 3) = 0;
   EXPECT_THROW(joinCondition(a, b), std::invalid_argument);
   b.position(0, 3) = std::nan("");

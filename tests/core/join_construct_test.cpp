@@ -365,6 +365,8 @@ TEST(JoinConstruct, Refusals) {
   EXPECT_THAT(refused(with(&Connection::e0, -Eigen::VectorXd::Ones(1))), HasSubstr("e0 is -1"));
   EXPECT_THAT(refused(with(&Connection::e1, Eigen::VectorXd::Constant(1, -4))),
               HasSubstr("row 1, pole 0 has weight -0.33333333333333326: it must be positive; e1"));
+  EXPECT_THAT(refused(with(&Connection::beta, Eigen::VectorXd::Random(200))),
+              HasSubstr("beta has degree 199"));
   EXPECT_THAT(refused({}, 3), HasSubstr("order 3"));
   EXPECT_THAT(refused({}, 0), HasSubstr("order 0"));
   EXPECT_THAT(refused({}, 2, 1), HasSubstr("order 2 needs a degree across of at least as much: 1"));
