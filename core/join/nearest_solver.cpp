@@ -203,13 +203,14 @@ Search::Step Search::step(const Iterate& at, const Eigen::MatrixXd& multiplier) 
 bool Search::advance(Iterate& at, const Step& step) const {
   const int alphas = condition_.degrees()[Alpha] + 1;
   const double before = at.cost / 2 + step.penalty * at.infeasibility();
+  const double rounding = noise_ * (noise_ + std::sqrt(at.cost) + step.penalty);
   for (double share = 1; share > 1e-6; share /= 2) {
     Eigen::VectorXd c = at.c + share * step.direction;
     c.head(alphas) = c.head(alphas).cwiseMax(smallest_alpha_);
     Iterate trial = project(c);
     const double after = trial.cost / 2 + step.penalty * trial.infeasibility();
     const bool positive = !unknowns_.rational || trial.x.col(3).minCoeff() > 0;
-    if (positive && after <= before * (1 + 8 * eps) + noise_ * noise_ + step.penalty * noise_) {
+    if (positive && after <= before + rounding) {
       at = std::move(trial);
       return true;
     }
