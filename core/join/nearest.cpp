@@ -58,13 +58,12 @@ bool alreadyJoined(const Unknowns& u, const NearestOptions& options, const Famil
   Eigen::VectorXd c = family.held;
   if (family.basis.cols() > 0) c = condition.fitted(u.target, family.basis, 0);
   const Eigen::VectorXd alpha = c.head(family.degrees[Alpha] + 1);
-  const bool joined = alpha.minCoeff() > 0 && u.seam_gap <= rounding && u.seam_cost <= rounding * rounding &&
-                      holds(condition.matrix(c), u.target, u.largest);
+  const bool joined =
+      alpha.minCoeff() > 0 && u.seam_gap <= rounding && holds(condition.matrix(c), u.target, u.largest);
   if (!joined) return false;
   result.status = NearestStatus::Unchanged;
   result.connection = connectionOf(u, family.degrees, c);
-  result.residual =
-      (condition.matrix(c) * u.target).rowwise().norm().maxCoeff() / condition.largestDerivative(u.target);
+  result.residual = relativeResidual(condition, c, u.target);
   return true;
 }
 
@@ -129,9 +128,9 @@ NearestJoin nearestJoin(const JoinSide& a, const JoinSide& b, const NearestOptio
   const Solution& solution = found.solution;
   result.connection = connectionOf(u, found.family.degrees, solution.c);
   result.iterations = solution.iterations;
-  result.residual = std::max(found.residual, u.seam_gap / u.size);
+  result.residual = std::max(found.residual, u.fixed_gap / u.size);
   const double rounding = 32 * std::numeric_limits<double>::epsilon() * u.largest;
-  if (!solution.exact || u.seam_gap > rounding) return result;
+  if (!solution.exact || u.fixed_gap > rounding) return result;
   place(u, solution.x, a, b, result);
   result.cost = solution.cost + u.seam_cost;
   result.stationarity = solution.stationarity;
