@@ -3,6 +3,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -114,7 +115,8 @@ Family familyOf(const Degrees& degrees, std::vector<double> vanishing,
     if (degrees[f] < 0) continue;
     const bool vanishes = f == Beta || f == Q;
     std::vector<double> zeros = vanishes ? family.vanishing : std::vector<double>{};
-    Eigen::MatrixXd part = Eigen::MatrixXd::Identity(degrees[f] + 1, degrees[f] + 1);
+    std::vector<int> open(degrees[f] + 1);  // coefficients that no end holds
+    std::iota(open.begin(), open.end(), 0);
     for (const HeldEnd& end : ends) {
       if (f >= P && !end.second) continue;
       if (vanishes) {
@@ -123,9 +125,10 @@ Family familyOf(const Degrees& degrees, std::vector<double> vanishing,
       }
       const int k = end.t == 0 ? 0 : degrees[f];
       family.held(offset[f] + k) = end.value[f];
-      part.row(k).setZero();
+      std::erase(open, k);
     }
-    append(f, vanishes ? vanishingAt(zeros, degrees[f]) : part);
+    const Eigen::MatrixXd all = Eigen::MatrixXd::Identity(degrees[f] + 1, degrees[f] + 1);
+    append(f, vanishes ? vanishingAt(zeros, degrees[f]) : Eigen::MatrixXd(all(Eigen::all, open)));
   }
   return family;
 }

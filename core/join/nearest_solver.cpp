@@ -190,7 +190,7 @@ Search::Step Search::step(const Iterate& at, const Eigen::MatrixXd& multiplier) 
     const double least = 1e-10 * first_order.diagonal().maxCoeff();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(open.transpose() * curvature * open);
     const Eigen::VectorXd values = eigen.eigenvalues();
-    result.convex = values.minCoeff() > -least;
+    result.convex = values.minCoeff() >= -least;
     const Eigen::VectorXd in_eigen = eigen.eigenvectors().transpose() * slope;
     const Eigen::VectorXd size = values.cwiseAbs().cwiseMax(std::max(least, 1e-300));
     result.direction -= open * (eigen.eigenvectors() * in_eigen.cwiseQuotient(size));
@@ -200,10 +200,10 @@ Search::Step Search::step(const Iterate& at, const Eigen::MatrixXd& multiplier) 
   }
   const Eigen::VectorXd forces = -scaled_basis.transpose() * (gradient + curvature * result.direction);
   const Eigen::VectorXd mu = range * inverse_singular.asDiagonal() * (fixed.transpose() * forces);
-  // No step changes the condition by more than its terms in alpha amount to.
+  // No step changes the condition by far more than its terms in alpha amount to.
   const int alphas = condition_.degrees()[Alpha] + 1;
   const double change = result.direction.cwiseProduct(length).norm();
-  const double limit = at.c.head(alphas).cwiseProduct(length.head(alphas)).norm();
+  const double limit = 4 * at.c.head(alphas).cwiseProduct(length.head(alphas)).norm();
   if (change > limit) result.direction *= limit / change;
   result.multiplier = mu.reshaped(at.unreachable.rows(), at.unreachable.cols());
   // So much that the step, which removes the infeasibility to first order, counts as one downwards.

@@ -9,6 +9,7 @@ void bindBernstein(pybind11::module_& module);
 void bindBezier(pybind11::module_& module);
 void bindMeasure(pybind11::module_& module);
 void bindModel(pybind11::module_& module);
+void bindNearest(pybind11::module_& module);
 void bindPointerBridge(pybind11::module_& module);
 void bindSeam(pybind11::module_& module);
 

@@ -26,6 +26,7 @@ from . import bridge
 from ._core import (
     OCCT_VERSION,
     PROFILES,
+    BSplineSurface,
     BernsteinPolynomial,
     BezierCurve,
     BezierPatch,
@@ -38,6 +39,7 @@ from ._core import (
     enclose_seam,
     measure_joint,
     measure_pair,
+    nearest_join,
     principal_curvatures,
     read,
 )
@@ -63,6 +65,7 @@ Model.to_freecad = _to_freecad
 __all__ = [
     "OCCT_VERSION",
     "PROFILES",
+    "BSplineSurface",
     "BernsteinPolynomial",
     "BezierCurve",
     "BezierPatch",
@@ -77,6 +80,7 @@ __all__ = [
     "enclose_seam",
     "measure_joint",
     "measure_pair",
+    "nearest_join",
     "principal_curvatures",
     "read",
 ]
