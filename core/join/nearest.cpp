@@ -14,7 +14,7 @@ namespace {
 
 using namespace nearest;
 
-constexpr double max_entries = 6e6;
+constexpr double max_entries = 1.5e6;
 
 [[noreturn]] void refuse(const std::string& text) {
   throw std::invalid_argument(text);

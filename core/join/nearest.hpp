@@ -74,6 +74,9 @@ struct NearestJoin {
 /// **Nothing to do.** If the surfaces join already, to rounding of their coordinates, with connection functions of the degrees asked for or of
 /// the degrees (k, k + 1, 2k, 2k + 1) of alpha, beta, p, q for k = 0, 1, 2, no number is changed.
 ///
+/// **Tangent planes.** A join at which the tangent plane of a collapses or turns over is none. Where all poles of an end of the seam stay
+/// and the cross derivatives there are parallel, beta (and q) is zero at that end, which keeps the seam's tangent from turning into them.
+///
 /// **Rational surfaces** move in homogeneous coordinates, weights with poles. The squared move of a pole (w x, w) is |w dx + (x - m) dw|^2 /
 /// w^2 + (L dw / w)^2, with m the mean of the seam's poles and L the size of the rows: |dx|^2 where the weight stays. The weights of both
 /// sides are compared after division of those of b by e0, which is constant: the ratio of the seams' weights. Weights stay positive.
@@ -92,7 +95,7 @@ struct NearestJoin {
 /// \throws std::invalid_argument unless both sides have the same degree and knots along the seam (scaled to 0..1); for orders but 1 and 2,
 /// degrees but 0 to 6, a share smallest_alpha that is not in (0, 1], fewer than 0 iterations, weights that are not positive or of
 /// another number than the poles, surfaces that are none (see requireValid()), a side without extent across the seam, a held connection with
-/// an alpha that has a coefficient that is not positive, and seams of so many poles that the matrix has more than 6 million entries.
+/// an alpha that has a coefficient that is not positive, and seams of so many poles that the matrix has more than 1.5 million entries (about 220 cubic spans for G2).
 /// Source: MATH-surfaces 2.6, 6.2, 6.3, 6.5, 8.2 (text 001, sections 2, 4, 5).
 NearestJoin nearestJoin(const JoinSide& a, const JoinSide& b, const NearestOptions& options = {});
 
