@@ -37,7 +37,7 @@ for order in (1, 2):
         gap, angle, curvature = enclosed(join["a"], join["b"])
         text = f"G{order}, {moves:4} moves: {join['status']}, largest move {join['largest_move_mm']:.3f} mm"
         print(text, f"angle < {max(angle, 1e-9):.0e} deg" + (f", curvature < {max(curvature, 1e-9):.0e} / mm" if order == 2 else ""))
-        assert gap < 1e-9 and angle < 1e-7 and (order == 1 or curvature < 1e-8)
+        assert gap < 1e-7 and angle < 1e-7 and (order == 1 or curvature < 1e-8)
 
 WIDTH, HEIGHT, MIDDLE = 760, 300, 190
 
