@@ -13,6 +13,7 @@ PYBIND11_MODULE(_core, module) {
   bindMeasure(module);
   bindSeam(module);
   bindJoin(module);
+  bindNearest(module);
   bindModel(module);
   bindPointerBridge(module);
 }

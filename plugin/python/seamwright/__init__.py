@@ -26,6 +26,7 @@ from . import bridge
 from ._core import (
     OCCT_VERSION,
     PROFILES,
+    BSplineSurface,
     BernsteinPolynomial,
     BezierCurve,
     BezierPatch,
@@ -48,6 +49,7 @@ from ._core import (
     measure_joint,
     measure_pair,
     orient,
+    nearest_join,
     principal_curvatures,
     read,
     triangle_continuation,
@@ -74,6 +76,7 @@ Model.to_freecad = _to_freecad
 __all__ = [
     "OCCT_VERSION",
     "PROFILES",
+    "BSplineSurface",
     "BernsteinPolynomial",
     "BezierCurve",
     "BezierPatch",
@@ -98,6 +101,7 @@ __all__ = [
     "measure_joint",
     "measure_pair",
     "orient",
+    "nearest_join",
     "principal_curvatures",
     "read",
     "triangle_continuation",
