@@ -225,6 +225,26 @@ class NaturalSide {
   Box range_;
 };
 
+/// The pcurve that the edge has on the face, if it stays within the larger of that distance and the edge's tolerance from the curve in
+/// space; else null. A side of a surface is the boundary also where a gap parts it from the edge.
+Pcurve storedPath(const FaceUse& use, double match_mm) {
+  Pcurve path;
+  path.curve = BRep_Tool::CurveOnSurface(use.edge, use.shape, path.first, path.last);
+  double first = 0, last = 0;
+  const handle<Geom_Curve> curve = BRep_Tool::Curve(use.edge, first, last);
+  if (path.curve.IsNull() || curve.IsNull()) return path;
+  TopLoc_Location location;
+  const handle<Geom_Surface> surface = BRep_Tool::Surface(use.shape, location);
+  const double near_mm = std::max(match_mm, BRep_Tool::Tolerance(use.edge));
+  for (int k = 0; k < points_of_a_path; ++k) {
+    const double share = static_cast<double>(k) / (points_of_a_path - 1);
+    const gp_Pnt2d uv = path.curve->Value(path.first + share * (path.last - path.first));
+    const gp_Pnt on_face = surface->Value(uv.X(), uv.Y()).Transformed(location.Transformation());
+    if (on_face.Distance(curve->Value(first + share * (last - first))) > near_mm) return {};
+  }
+  return path;
+}
+
 }  // namespace
 
 TopoDS_Shape pairOf(const std::array<TopoDS_Face, 2>& faces) {
@@ -256,8 +276,10 @@ CommonBoundary commonBoundary(const TopoDS_Shape& model, const std::array<TopoDS
   return boundary;
 }
 
-MatchSide matchSide(const TopoDS_Face& face, const FaceUse& use, double gap_mm) {
-  MatchSide side{face, use, pcurveOf(use.edge, use.shape, gap_mm), {}, PatchEdge::U0, true, {}};
+MatchSide matchSide(const TopoDS_Face& face, const FaceUse& use, const FaceMatchOptions& options) {
+  MatchSide side{face, use, storedPath(use, options.match_mm), {}, PatchEdge::U0, true, {}};
+  const bool is_stored = !side.pcurve.curve.IsNull();
+  if (!is_stored) side.pcurve = pcurveOf(use.edge, use.shape, options.tolerance.gap_mm);
   TopLoc_Location location;
   const handle<Geom_Surface> surface = BRep_Tool::Surface(face, location);
   side.spline = clampedSpline(surface, location);
@@ -265,8 +287,10 @@ MatchSide matchSide(const TopoDS_Face& face, const FaceUse& use, double gap_mm) 
     side.cannot_move = "is " + kindOf(face) + ", which has no poles to move";
     return side;
   }
-  side.cannot_move = NaturalSide(side, gap_mm / 100).set();
-  if (!side.cannot_move.empty()) side.spline.Nullify();
+  side.cannot_move = NaturalSide(side, options.tolerance.gap_mm / 100).set();
+  if (side.cannot_move.empty()) return side;
+  side.spline.Nullify();
+  if (is_stored) side.pcurve = pcurveOf(use.edge, use.shape, options.tolerance.gap_mm);
   return side;
 }
 

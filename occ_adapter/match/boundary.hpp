@@ -39,8 +39,8 @@ struct MatchSide {
   bool isNatural() const { return !spline.IsNull(); }
 };
 
-/// \param gap_mm the boundary may be away from a side of the surface by a hundredth of it.
+/// The boundary may be away from a side of the surface by a hundredth of the gap tolerance.
 /// \throws std::runtime_error if the edge has no path on the face; Standard_Failure.
-MatchSide matchSide(const TopoDS_Face& face, const FaceUse& use, double gap_mm);
+MatchSide matchSide(const TopoDS_Face& face, const FaceUse& use, const FaceMatchOptions& options);
 
 }  // namespace seamwright::occ

@@ -133,7 +133,7 @@ class Matching {
     report(progress_, 0.2);
     if (seam.kind == SeamKind::Shared && reaches(result_.before.figures, options_)) return leave(seam);
     for (const int which : {0, 1})
-      pair_.sides[which] = matchSide(faces_[which], seam.sides[which], options_.tolerance.gap_mm);
+      pair_.sides[which] = matchSide(faces_[which], seam.sides[which], options_);
     pair_.options = options_;
     if (const std::string why = chooseMoves(); !why.empty()) return why;
     return prepareAndJoin();
@@ -141,7 +141,6 @@ class Matching {
 
   std::string leave(const Seam& seam) {
     result_.matched = true;
-    result_.exact = true;
     const TopoDS_Shell shell = shellOf(faces_);
     result_.shape = shell;
     result_.after = measured(shell, seam.sides[0].edge, options_);

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <gtest/gtest.h>
+
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepLib.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2d_BSplineCurve.hxx>
+#include <GeomAPI_Interpolate.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <Geom_Plane.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColStd_HArray1OfReal.hxx>
+#include <TColgp_Array1OfPnt2d.hxx>
+#include <TColgp_Array2OfPnt.hxx>
+#include <TColgp_HArray1OfPnt.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <sstream>
+
+#include "dense_oracle.hpp"
+#include "files.hpp"
+#include "shapes.hpp"
+
+#include <seamwright/occ_adapter/match/match.hpp>
+
+namespace seamwright::test {
+namespace {
+
+using occ::FaceMatchOptions;
+using occ::matchFaces;
+using occ::MatchMoves;
+using occ::MatchReport;
+using opencascade::handle;
+using Spline = handle<Geom_BSplineSurface>;
+
+double random(std::mt19937& generator, double size = 1) {
+  return std::uniform_real_distribution<double>(-size, size)(generator);
+}
+
+Spline splineOf(const TColgp_Array2OfPnt& poles, int degree_u, int degree_v) {
+  const auto knots = [](int count, int degree) {
+    TColStd_Array1OfReal values(1, count - degree + 1);
+    for (int i = 1; i <= values.Length(); ++i) values(i) = (i - 1.0) / (values.Length() - 1);
+    return values;
+  };
+  const auto multiplicities = [](int count, int degree) {
+    TColStd_Array1OfInteger values(1, count - degree + 1);
+    values.Init(1);
+    values(1) = values(values.Length()) = degree + 1;
+    return values;
+  };
+  const int rows = poles.ColLength(), columns = poles.RowLength();
+  return new Geom_BSplineSurface(poles, knots(rows, degree_u), knots(columns, degree_v),
+                                 multiplicities(rows, degree_u), multiplicities(columns, degree_v), degree_u,
+                                 degree_v);
+}
+
+/// A gently curved sheet of 60 mm by 40 mm.
+Spline sheet(std::mt19937& generator, int rows, int columns, int degree_u, int degree_v) {
+  TColgp_Array2OfPnt poles(1, rows, 1, columns);
+  for (int i = 1; i <= rows; ++i)
+    for (int j = 1; j <= columns; ++j) {
+      const double x = 60.0 * (i - 1) / (rows - 1), y = 40.0 * (j - 1) / (columns - 1);
+      poles(i, j) = gp_Pnt(x + random(generator), y + random(generator),
+                           6 * std::sin(x / 25) + 4 * std::cos(y / 20) + random(generator, 0.3));
+    }
+  return splineOf(poles, degree_u, degree_v);
+}
+
+/// The sheet cut at u = 0.4: two surfaces that join smoothly, and share nothing.
+std::array<Spline, 2> cutInTwo(const Spline& whole) {
+  std::array<Spline, 2> parts;
+  for (const int which : {0, 1}) {
+    parts[which] = Spline::DownCast(whole->Copy());
+    parts[which]->Segment(which == 0 ? 0 : 0.4, which == 0 ? 0.4 : 1, 0, 1);
+  }
+  return parts;
+}
+
+/// Moves the poles of the first rows behind u = first.
+void disturb(const Spline& surface, std::mt19937& generator, int rows, double size) {
+  for (int i = 1; i <= rows; ++i)
+    for (int j = 1; j <= surface->NbVPoles(); ++j) {
+      gp_Pnt pole = surface->Pole(i, j);
+      pole.Translate(gp_Vec(random(generator, size), random(generator, size), random(generator, size)));
+      surface->SetPole(i, j, pole);
+    }
+}
+
+/// Turned so that what was the side u = first (or last) becomes that side: 0: v first, 1: u last, 2: v last, 3: u first.
+Polygon withSide(const Spline& surface, bool at_last, int side) {
+  const Spline turned = Spline::DownCast(surface->Copy());
+  if (side == 0 || side == 2) turned->ExchangeUV();
+  const bool wanted_last = side == 1 || side == 2;
+  if (wanted_last != at_last) {
+    if (side == 1 || side == 3)
+      turned->UReverse();
+    else
+      turned->VReverse();
+  }
+  double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
+  turned->Bounds(u0, u1, v0, v1);
+  const handle<Geom_Surface> placed(turned);
+  return {placed, beginningWith(side, rectangle(u0, u1, v0, v1))};
+}
+
+TopoDS_Shape joinedSheets(const std::array<Spline, 2>& parts, int side_a = 1, int side_b = 3) {
+  return joined(withSide(parts[0], true, side_a), withSide(parts[1], false, side_b));
+}
+
+[[maybe_unused]] TopoDS_Face face(const TopoDS_Shape& shape, int number) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  return TopoDS::Face(faces(number));
+}
+
+std::string bytesOf(const TopoDS_Shape& shape) {
+  std::ostringstream stream;
+  occ::writeBinaryShape(shape, stream);
+  return stream.str();
+}
+
+double degrees(double radians) {
+  return radians / degree;
+}
+
+/// What is promised of a pair that is matched, seen by plain evaluation.
+void expectMatched(const MatchReport& report, const FaceMatchOptions& options, const std::string& what) {
+  SCOPED_TRACE(what + ": " + report.reason);
+  ASSERT_TRUE(report.matched);
+  EXPECT_TRUE(BRepCheck_Analyzer(report.shape).IsValid());
+  EXPECT_EQ(report.shape.ShapeType(), TopAbs_SHELL);
+  EXPECT_EQ(report.after.faces, (std::array<int, 2>{1, 2}));
+  EXPECT_EQ(report.after.kind, occ::SeamKind::Shared);
+  ASSERT_EQ(report.after.edges.size(), 1);
+  const auto sides = denseSides(report.shape, report.after.edges[0], {1, 2});
+  ASSERT_TRUE(sides);
+  const DenseMaxima dense = denseMaxima(*sides, 2001, options.tolerance);
+  EXPECT_LE(dense.gap_mm.sure(), options.tolerance.gap_mm);
+  ASSERT_TRUE(dense.angle_rad);
+  EXPECT_LE(dense.angle_rad->sure(), options.tolerance.angle_rad);
+  EXPECT_FALSE(dense.fold);
+  if (options.order == 2) {
+    EXPECT_LE(dense.curvature_rel.sure(), options.tolerance.curvature_rel);
+  }
+  // Enclosures hold what was seen.
+  EXPECT_GE(*report.after.figures.gap_mm->upper, dense.gap_mm.sure());
+  EXPECT_GE(*report.after.figures.angle_rad->upper, dense.angle_rad->sure());
+  if (report.exact) {
+    EXPECT_LE(*report.after.figures.gap_mm->upper, 1e-9);
+    EXPECT_LE(degrees(*report.after.figures.angle_rad->upper), 1e-6);
+  }
+}
+
+MatchReport matchedPair(const TopoDS_Shape& shape, const FaceMatchOptions& options, const std::string& what) {
+  const std::string before = bytesOf(shape);
+  const MatchReport report = matchFaces(shape, 1, 2, options);
+  EXPECT_EQ(bytesOf(shape), before) << what;
+  expectMatched(report, options, what);
+  return report;
+}
+
+/// Two loose faces.
+TopoDS_Shape loose(const TopoDS_Shape& a, const TopoDS_Shape& b) {
+  BRep_Builder builder;
+  TopoDS_Compound compound;
+  builder.MakeCompound(compound);
+  builder.Add(compound, a);
+  builder.Add(compound, b);
+  return compound;
+}
+
+handle<Geom2d_BSplineCurve> curvedPath(const std::vector<gp_Pnt2d>& points) {
+  const int count = static_cast<int>(points.size());
+  TColgp_Array1OfPnt2d poles(1, count);
+  for (int i = 1; i <= count; ++i) poles(i) = points[i - 1];
+  TColStd_Array1OfReal knots(1, 2);
+  knots(1) = 0;
+  knots(2) = 1;
+  TColStd_Array1OfInteger multiplicities(1, 2);
+  multiplicities.Init(count);
+  return new Geom2d_BSplineCurve(poles, knots, multiplicities, count - 1);
+}
+
+/// The part of a surface between a curved path and the same path shifted.
+TopoDS_Face trimmedFace(const handle<Geom_Surface>& surface, const handle<Geom2d_BSplineCurve>& path,
+                        const gp_Vec2d& shift) {
+  const auto edge = [&](const handle<Geom2d_Curve>& curve, double last) {
+    return BRepBuilderAPI_MakeEdge(curve, surface, 0, last).Edge();
+  };
+  const handle<Geom2d_BSplineCurve> far = handle<Geom2d_BSplineCurve>::DownCast(path->Translated(shift));
+  far->Reverse();
+  const auto line = [&](const gp_Pnt2d& p, const gp_Pnt2d& q) { return curvedPath({p, q}); };
+  BRepBuilderAPI_MakeWire wire;
+  wire.Add(edge(path, 1));
+  wire.Add(edge(line(path->EndPoint(), far->StartPoint()), 1));
+  wire.Add(edge(far, 1));
+  wire.Add(edge(line(far->EndPoint(), path->StartPoint()), 1));
+  TopoDS_Face face = BRepBuilderAPI_MakeFace(surface, wire.Wire(), true).Face();
+  BRepLib::BuildCurves3d(face);
+  return face;
+}
+
+/// A strip of degree 3 by 3 whose rows run through points of a surface over a path that is shifted away more and more: it nearly
+/// continues the surface. Row 4 leaves it.
+Spline stripBeside(const handle<Geom_Surface>& surface, const handle<Geom2d_BSplineCurve>& path,
+                   const gp_Vec2d& shift, int points, std::mt19937& generator, double noise_mm) {
+  constexpr int rows = 4;
+  std::vector<handle<Geom_BSplineCurve>> curves;
+  for (int r = 0; r < rows; ++r) {
+    const handle<TColgp_HArray1OfPnt> through = new TColgp_HArray1OfPnt(1, points);
+    const handle<TColStd_HArray1OfReal> at = new TColStd_HArray1OfReal(1, points);
+    for (int k = 0; k < points; ++k) {
+      const double t = static_cast<double>(k) / (points - 1);
+      const gp_Pnt2d uv = path->Value(t).Translated(shift * (r / 3.0));
+      gp_Pnt p = surface->Value(uv.X(), uv.Y());
+      if (r == rows - 1) p.Translate(gp_Vec(0.5, 0.3, 1.0));
+      p.Translate(gp_Vec(random(generator, noise_mm), random(generator, noise_mm), random(generator, noise_mm)));
+      through->SetValue(k + 1, p);
+      at->SetValue(k + 1, t);
+    }
+    GeomAPI_Interpolate interpolation(through, at, false, 1e-9);
+    interpolation.Perform();
+    curves.push_back(interpolation.Curve());
+  }
+  const int columns = curves[0]->NbPoles();
+  TColgp_Array2OfPnt poles(1, rows, 1, columns);
+  for (int r = 0; r < rows; ++r)
+    for (int j = 1; j <= columns; ++j) poles(r + 1, j) = curves[r]->Pole(j);
+  TColStd_Array1OfReal knots(1, 2);
+  knots(1) = 0;
+  knots(2) = 1;
+  TColStd_Array1OfInteger multiplicities(1, 2);
+  multiplicities.Init(rows);
+  return new Geom_BSplineSurface(poles, knots, curves[0]->Knots(), multiplicities,
+                                 curves[0]->Multiplicities(), rows - 1, 3);
+}
+
+TopoDS_Face wholeFace(const Spline& surface) {
+  return BRepBuilderAPI_MakeFace(surface, 1e-7).Face();
+}
+
+struct Trimmed {
+  std::string name;
+  handle<Geom_Surface> surface;
+  handle<Geom2d_BSplineCurve> path;
+  gp_Vec2d into, away;
+};
+
+std::vector<Trimmed> trimmedKinds() {
+  const handle<Geom2d_BSplineCurve> on_plane = curvedPath({{0, 0}, {10, 3}, {20, -4}, {30, 2}, {40, 0}});
+  const handle<Geom2d_BSplineCurve> on_round = curvedPath({{0, 0}, {0.3, 0.1}, {0.6, -0.15}, {0.9, 0.05}});
+  const handle<Geom2d_BSplineCurve> on_cylinder = curvedPath({{0, 0}, {0.3, 3}, {0.6, -4}, {0.9, 2}});
+  return {{"plane", new Geom_Plane(gp::XOY()), on_plane, gp_Vec2d(0, -20), gp_Vec2d(0, 15)},
+          {"cylinder", new Geom_CylindricalSurface(gp::XOY(), 30), on_cylinder, gp_Vec2d(0, -20),
+           gp_Vec2d(0, 12)},
+          {"sphere", new Geom_SphericalSurface(gp::XOY(), 40), on_round, gp_Vec2d(0, -0.5),
+           gp_Vec2d(0, 0.3)}};
+}
+
+FaceMatchOptions ofOrder(int order) {
+  FaceMatchOptions options;
+  options.order = order;
+  return options;
+}
+
+TEST(MatchFaces, SheetsThatWereOneAreJoinedInPolesOnAllSides) {
+  std::mt19937 generator(2);
+  const double noises[] = {0.001, 0.01, 0.1};
+  for (int side_a = 0; side_a < 4; ++side_a)
+    for (int side_b = 0; side_b < 4; ++side_b) {
+      const int order = 1 + (side_a + side_b) % 2, degree_v = 3 + side_b % 2;
+      std::array<Spline, 2> parts = cutInTwo(sheet(generator, 9, 4 + 2 * side_a, 5, std::min(degree_v, 3 + 2 * side_a)));
+      disturb(parts[1], generator, 3, noises[(side_a + 2 * side_b) % 3]);
+      const std::string what = std::to_string(side_a) + "-" + std::to_string(side_b) + " G" + std::to_string(order);
+      const MatchReport report = matchedPair(joinedSheets(parts, side_a, side_b), ofOrder(order), what);
+      EXPECT_TRUE(report.exact) << what << report.reason;
+      std::cout << what << " move " << report.largest_move_mm << " " << report.reason << std::endl;
+    }
+}
+
+TEST(MatchFaces, AStripFollowsATrimmedFace) {
+  std::mt19937 generator(1);
+  for (const Trimmed& kind : trimmedKinds())
+    for (const int order : {1, 2}) {
+      const TopoDS_Shape pair =
+          loose(trimmedFace(kind.surface, kind.path, kind.into),
+                wholeFace(stripBeside(kind.surface, kind.path, kind.away, 9, generator, 0.01)));
+      const MatchReport report =
+          matchedPair(pair, ofOrder(order), kind.name + " G" + std::to_string(order));
+      EXPECT_FALSE(report.exact);
+      EXPECT_EQ(report.before.kind, occ::SeamKind::Matched);
+      std::cout << kind.name << " G" << order << " move " << report.largest_move_mm << " " << report.reason
+                << std::endl;
+    }
+}
+
+}  // namespace
+}  // namespace seamwright::test
