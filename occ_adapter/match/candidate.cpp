@@ -163,7 +163,7 @@ EdgeRows rowsToMove(const MatchSide& side, int order) {
 Candidate joinInPoles(const PairToMatch& pair) {
   Candidate plain = joinWithKnots(pair, 0);
   if (!hasInnerKnots(rowsOf(pair, 0)[0])) return plain;
-  Candidate repeated = joinWithKnots(pair, 1);
+  Candidate repeated = joinWithKnots(pair, pair.options.order);
   if (!repeated.failure.empty()) return plain;
   return !plain.failure.empty() || repeated.largest_move_mm < plain.largest_move_mm ? repeated : plain;
 }

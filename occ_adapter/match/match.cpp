@@ -132,8 +132,7 @@ class Matching {
     result_.before = result_.after = measureSeam(seam, analyzeOptions(options_));
     report(progress_, 0.2);
     if (seam.kind == SeamKind::Shared && reaches(result_.before.figures, options_)) return leave(seam);
-    for (const int which : {0, 1})
-      pair_.sides[which] = matchSide(faces_[which], seam.sides[which], options_);
+    for (const int which : {0, 1}) pair_.sides[which] = matchSide(faces_[which], seam.sides[which], options_);
     pair_.options = options_;
     if (const std::string why = chooseMoves(); !why.empty()) return why;
     return prepareAndJoin();
