@@ -47,12 +47,6 @@ bool isOtherReversed(const PairToMatch& pair) {
   return pair.other().with_edge != with_curve;
 }
 
-bool isCollapsedColumn(const EdgeRows& rows, int column, int order) {
-  for (int row = 1; row <= order; ++row)
-    if (rows.pole(row, column) != rows.pole(0, column)) return false;
-  return true;
-}
-
 JoinSide joinSide(const EdgeRows& rows, bool moves, const FaceMatchOptions& options) {
   JoinSide side;
   side.surface = coreSurface(*rows.surface());
@@ -61,7 +55,7 @@ JoinSide joinSide(const EdgeRows& rows, bool moves, const FaceMatchOptions& opti
   side.moves = moves;
   if (!moves) return side;
   for (const int column : {0, rows.columns() - 1}) {
-    if (!options.hold_sides && !isCollapsedColumn(rows, column, options.order)) continue;
+    if (!options.hold_sides && !isCollapsed(rows, column)) continue;
     side.fixed.resize(static_cast<std::size_t>(side.surface.poles.rows()), false);
     for (int row = 0; row <= options.order; ++row) side.fixed[rows.number(row, column)] = true;
   }
@@ -113,8 +107,9 @@ Candidate joinWithKnots(const PairToMatch& pair, int extra_multiplicity) {
   }
   const EdgeRows driver(candidate.moved[pair.driver].after, rows[pair.driver].edge());
   candidate.plan.curve = driver.boundary(0, 1);
-  candidate.how = extra_multiplicity == 0 ? "joined in poles"
-                                          : "joined in poles, inner knots along the seam repeated once more";
+  constexpr std::array repeated = {"", ", inner knots along the seam repeated once more",
+                                   ", inner knots along the seam repeated twice more"};
+  candidate.how = std::string("joined in poles") + repeated.at(static_cast<std::size_t>(extra_multiplicity));
   return candidate;
 }
 
@@ -161,11 +156,14 @@ EdgeRows rowsToMove(const MatchSide& side, int order) {
 }
 
 Candidate joinInPoles(const PairToMatch& pair) {
-  Candidate plain = joinWithKnots(pair, 0);
-  if (!hasInnerKnots(rowsOf(pair, 0)[0])) return plain;
-  Candidate repeated = joinWithKnots(pair, pair.options.order);
-  if (!repeated.failure.empty()) return plain;
-  return !plain.failure.empty() || repeated.largest_move_mm < plain.largest_move_mm ? repeated : plain;
+  Candidate best = joinWithKnots(pair, 0);
+  if (!hasInnerKnots(rowsOf(pair, 0)[0])) return best;
+  for (int extra = 1; extra <= pair.options.order; ++extra) {
+    Candidate next = joinWithKnots(pair, extra);
+    if (!next.failure.empty()) continue;
+    if (!best.failure.empty() || next.largest_move_mm < best.largest_move_mm) best = std::move(next);
+  }
+  return best;
 }
 
 Candidate joinToTolerance(const PairToMatch& pair, double limit) {

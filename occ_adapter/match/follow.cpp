@@ -178,23 +178,12 @@ class RowSystem {
   std::vector<double> values_;
 };
 
-/// The first or the last column has all its moved poles in one point.
-bool isCollapsed(const EdgeRows& rows, int column, int order) {
-  double size = 0, spread = 0;
-  for (int r = 0; r <= order; ++r) {
-    size = std::max(size, rows.pole(r, column).cwiseAbs().maxCoeff());
-    spread = std::max(spread, (rows.pole(r, column) - rows.pole(0, column)).norm());
-  }
-  return spread <= 64 * std::numeric_limits<double>::epsilon() * size;
-}
-
 /// Moves the rows one after the other.
 class Follower {
  public:
   Follower(EdgeRows& rows, const Reference& reference, const FollowOptions& options)
       : rows_(rows), options_(options), basis_(rows), targets_(targetsOf(rows, basis_, reference)) {
-    for (const int column : {0, rows.columns() - 1})
-      collapsed_.push_back(isCollapsed(rows, column, options.order));
+    for (const int column : {0, rows.columns() - 1}) collapsed_.push_back(isCollapsed(rows, column));
   }
 
   void run() {
@@ -226,6 +215,10 @@ class Follower {
         system.add(target.blend.share[0].row(0), target.blend.first, Eigen::Vector3d::Unit(c), missing[c]);
     }
     apply(0, system);
+    for (const int which : {0, 1})
+      if (collapsed_[which])
+        for (int row = options_.order + 1; row < rows_.rows(); ++row)
+          rows_.setPole(row, end(which), rows_.pole(0, end(which)));
   }
 
   void moveRow(int row) {
@@ -272,6 +265,15 @@ double ratioOf(const PairMeasure& pair, const FollowOptions& options) {
 }
 
 }  // namespace
+
+bool isCollapsed(const EdgeRows& rows, int column) {
+  double size = 0, spread = 0;
+  for (int row = 0; row < rows.rows(); ++row) {
+    size = std::max(size, rows.pole(row, column).cwiseAbs().maxCoeff());
+    spread = std::max(spread, (rows.pole(row, column) - rows.pole(0, column)).norm());
+  }
+  return spread <= 64 * std::numeric_limits<double>::epsilon() * size;
+}
 
 double largestMove_mm(const Geom_BSplineSurface& before, const Geom_BSplineSurface& after) {
   double largest = 0;

@@ -21,11 +21,15 @@ struct MovedSurface {
   double largest_move_mm = 0;
 };
 
+/// All poles of the column are in one point.
+bool isCollapsed(const EdgeRows& rows, int column);
+
 double largestMove_mm(const Geom_BSplineSurface& before, const Geom_BSplineSurface& after);
 
 /// Moves rows 0..order so that the side meets the reference: row 0 by its points, row 1 by its normals n.X_w = 0, row 2 by its curvature
 /// n.X_ww = II(X_w, X_w), where w runs across. Each row is the least-squares solution at some points of each knot span, and of the
-/// rows that meet them alike the one that moves least (Tikhonov, 1e-5 of a unit row). Weights stay.
+/// rows that meet them alike the one that moves least (Tikhonov, 1e-5 of a unit row). A column that is one point stays
+/// one. Weights stay.
 /// Source: MATH-surfaces 7, row by row.
 MovedSurface follow(const EdgeRows& rows, const Reference& reference, const FollowOptions& options);
 
