@@ -4,6 +4,7 @@
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt2d.hxx>
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
@@ -193,8 +194,11 @@ Candidate joinToTolerance(const PairToMatch& pair, double limit) {
     return candidate;
   }
   std::ostringstream text;
-  text << "after " << most_refinements << " halvings of knot spans the worst figure is " << worst
-       << " times its tolerance";
+  if (std::isinf(worst))
+    text << "the faces leave the boundary to the same side and would fold back on one another";
+  else
+    text << "after " << most_refinements << " halvings of knot spans the worst figure is " << worst
+         << " times its tolerance";
   candidate.failure = text.str();
   return candidate;
 }
