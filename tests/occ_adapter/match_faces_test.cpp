@@ -40,6 +40,7 @@
 #include "shapes.hpp"
 
 #include <seamwright/occ_adapter/match/match.hpp>
+#include <seamwright/occ_adapter/model/read.hpp>
 
 namespace seamwright::test {
 namespace {
@@ -666,6 +667,56 @@ TEST(MatchFaces, ProgressGrowsAndCanStopIt) {
   EXPECT_EQ(shares.back(), 1);
   for (const double stop : shares)
     EXPECT_THROW(matchFaces(pair, 1, 2, {}, [&](double share) { return share < stop; }), occ::Cancelled);
+}
+
+/// Seams of a model that fall short and are matched at their second face: how many are, and of these how many exactly. Figures of all that
+/// are matched are looked at again by plain evaluation.
+struct Tally {
+  int tried = 0, matched = 0, exact = 0;
+};
+
+Tally tallyOf(const std::filesystem::path& path, int order, double max_move_mm) {
+  const occ::Model model = occ::readModel(path);
+  occ::AnalyzeOptions analyze;
+  analyze.level = order == 1 ? Level::G1 : Level::G2;
+  Tally tally;
+  for (const occ::SeamResult& seam : occ::analyze(model, analyze).seams) {
+    if (seam.verdict.seam_class != SeamClass::Defect || seam.kind != occ::SeamKind::Shared) continue;
+    FaceMatchOptions options = ofOrder(order);
+    options.edge = seam.edges[0];
+    options.max_move_mm = max_move_mm;
+    const MatchReport report = matchFaces(model.shape, seam.faces[0], seam.faces[1], options);
+    ++tally.tried;
+    EXPECT_FALSE(report.reason.empty());
+    if (!report.matched) continue;
+    ++tally.matched;
+    tally.exact += report.exact ? 1 : 0;
+    EXPECT_LE(report.largest_move_mm, max_move_mm);
+    expectMatched(report, options, path.filename().string() + " edge " + std::to_string(seam.edges[0]));
+  }
+  return tally;
+}
+
+TEST(MatchFaces, SeamsOfModelsFromOtherHandsAreMatched) {
+  struct Case {
+    const char* name;
+    int order;
+    double max_move_mm;
+    int matched, exact;
+  };
+  const Case cases[] = {{"freeform/hammer.brep", 1, 100, 7, 7},
+                        {"freeform/linkrods.step", 1, 1, 4, 2},
+                        {"freeform/Silk_Demo_02_sewn.step", 2, 5, 5, 3}};
+  int found = 0;
+  for (const Case& each : cases) {
+    const std::filesystem::path path = furtherModel(each.name);
+    if (path.empty()) continue;
+    ++found;
+    const Tally tally = tallyOf(path, each.order, each.max_move_mm);
+    EXPECT_GE(tally.matched, each.matched) << each.name;
+    EXPECT_GE(tally.exact, each.exact) << each.name;
+  }
+  if (found == 0) GTEST_SKIP() << "none of the models is here";
 }
 
 }  // namespace
