@@ -158,7 +158,10 @@ EdgeRows rowsToMove(const MatchSide& side, int order) {
 
 Candidate joinInPoles(const PairToMatch& pair) {
   Candidate best = joinWithKnots(pair, 0);
-  if (!hasInnerKnots(rowsOf(pair, 0)[0])) return best;
+  const EdgeRows rows = rowsOf(pair, 0)[0];
+  // The time of a join grows with the third power of the columns; so many take about a second.
+  const int most_columns = 200 / pair.options.order;
+  if (!hasInnerKnots(rows) || rows.columns() > most_columns) return best;
   for (int extra = 1; extra <= pair.options.order; ++extra) {
     Candidate next = joinWithKnots(pair, extra);
     if (!next.failure.empty()) continue;

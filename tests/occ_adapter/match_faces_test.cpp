@@ -10,6 +10,7 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_BSplineCurve.hxx>
+#include <Geom2d_Circle.hxx>
 #include <GeomAPI_Interpolate.hxx>
 #include <GeomConvert.hxx>
 #include <Geom_BSplineCurve.hxx>
@@ -25,6 +26,7 @@
 #include <TColgp_Array2OfPnt.hxx>
 #include <TColgp_HArray1OfPnt.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
@@ -80,8 +82,9 @@ Spline sheet(std::mt19937& generator, int rows, int columns, int degree_u, int d
   for (int i = 1; i <= rows; ++i)
     for (int j = 1; j <= columns; ++j) {
       const double x = 60.0 * (i - 1) / (rows - 1), y = 40.0 * (j - 1) / (columns - 1);
-      poles(i, j) = gp_Pnt(x + random(generator), y + random(generator),
-                           6 * std::sin(x / 25) + 4 * std::cos(y / 20) + random(generator, 0.3));
+      const double jitter = 4.0 / std::max(rows, columns);
+      poles(i, j) = gp_Pnt(x + random(generator, jitter), y + random(generator, jitter),
+                           6 * std::sin(x / 25) + 4 * std::cos(y / 20) + random(generator, jitter / 4));
     }
   return splineOf(poles, degree_u, degree_v);
 }
@@ -154,18 +157,46 @@ std::string bytesOf(const TopoDS_Shape& shape) {
   return stream.str();
 }
 
+/// Every path lies within the tolerance of its edge from the curve in space, and the ends of the curve within that of their vertices.
+void expectTolerancesHold(const TopoDS_Shape& shape) {
+  for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next())
+    for (TopExp_Explorer edges(faces.Current(), TopAbs_EDGE); edges.More(); edges.Next()) {
+      const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
+      if (BRep_Tool::Degenerated(edge)) continue;
+      const TopoDS_Face& on = TopoDS::Face(faces.Current());
+      double first = 0, last = 0, path_first = 0, path_last = 0, worst = 0;
+      const handle<Geom_Curve> curve = BRep_Tool::Curve(edge, first, last);
+      const handle<Geom2d_Curve> path = BRep_Tool::CurveOnSurface(edge, on, path_first, path_last);
+      ASSERT_FALSE(curve.IsNull() || path.IsNull());
+      const handle<Geom_Surface> surface = BRep_Tool::Surface(on);
+      for (int k = 0; k <= 700; ++k) {
+        const double share = k / 700.0;
+        const gp_Pnt2d uv = path->Value(path_first + share * (path_last - path_first));
+        worst = std::max(
+            worst, surface->Value(uv.X(), uv.Y()).Distance(curve->Value(first + share * (last - first))));
+      }
+      EXPECT_LE(worst, BRep_Tool::Tolerance(edge));
+      for (const bool at_start : {true, false}) {
+        const TopoDS_Vertex vertex = at_start ? TopExp::FirstVertex(edge) : TopExp::LastVertex(edge);
+        EXPECT_LE(curve->Value(at_start ? first : last).Distance(BRep_Tool::Pnt(vertex)),
+                  BRep_Tool::Tolerance(vertex));
+      }
+    }
+}
+
 /// What is promised of a pair that is matched, seen by plain evaluation.
 void expectMatched(const MatchReport& report, const FaceMatchOptions& options, const std::string& what) {
   SCOPED_TRACE(what + ": " + report.reason);
   ASSERT_TRUE(report.matched);
   EXPECT_TRUE(BRepCheck_Analyzer(report.shape).IsValid());
   EXPECT_EQ(report.shape.ShapeType(), TopAbs_SHELL);
+  expectTolerancesHold(report.shape);
   EXPECT_EQ(report.after.faces, (std::array<int, 2>{1, 2}));
   EXPECT_EQ(report.after.kind, occ::SeamKind::Shared);
   ASSERT_EQ(report.after.edges.size(), 1);
   const auto sides = denseSides(report.shape, report.after.edges[0], {1, 2});
   ASSERT_TRUE(sides);
-  const DenseMaxima dense = denseMaxima(*sides, 2001, options.tolerance);
+  const DenseMaxima dense = denseMaxima(*sides, 1001, options.tolerance);
   EXPECT_LE(dense.gap_mm.sure(), options.tolerance.gap_mm);
   ASSERT_TRUE(dense.angle_rad);
   EXPECT_LE(dense.angle_rad->sure(), options.tolerance.angle_rad);
@@ -626,6 +657,22 @@ TEST(MatchFaces, ATriangularFaceKeepsItsCorner) {
   for (double u = 0.4; u <= 1; u += 0.1) EXPECT_LT(after->Value(u, 0).Distance(after->Value(0.4, 0)), 1e-9);
 }
 
+TEST(MatchFaces, AKnifeEdgeIsRefused) {
+  // Both sheets lie on the same side of the line x = 0, y = 0..30 and meet in it at 0.5 degrees.
+  TColgp_Array2OfPnt below(1, 4, 1, 4), above(1, 4, 1, 4);
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) {
+      below(i + 1, j + 1) = gp_Pnt(-30 + 10.0 * i, 10.0 * j, 0.02 * i * j * (3 - i));
+      above(i + 1, j + 1) = gp_Pnt(-10.0 * i, 10.0 * j, 0.1 * i);
+    }
+  const TopoDS_Shape pair = loose(wholeFace(splineOf(below, 3, 3)), wholeFace(splineOf(above, 3, 3)));
+  for (const int order : {1, 2}) {
+    const MatchReport report = matchFaces(pair, 1, 2, ofOrder(order));
+    EXPECT_FALSE(report.matched);
+    EXPECT_NE(report.reason.find("fold"), std::string::npos) << report.reason;
+  }
+}
+
 TEST(MatchFaces, BadArgumentsAreNamed) {
   std::mt19937 generator(15);
   const TopoDS_Shape pair = joinedSheets(disturbedSheets(generator, 0.05));
@@ -717,6 +764,35 @@ TEST(MatchFaces, SeamsOfModelsFromOtherHandsAreMatched) {
     EXPECT_GE(tally.exact, each.exact) << each.name;
   }
   if (found == 0) GTEST_SKIP() << "none of the models is here";
+}
+
+/// A sheet with a round hole near its first side.
+TopoDS_Face sheetWithHole(const Spline& surface) {
+  const handle<Geom_Surface> geometry(surface);
+  const handle<Geom2d_Curve> circle = new Geom2d_Circle(gp_Ax2d(gp_Pnt2d(0.47, 0.5), gp_Dir2d(1, 0)), 0.05);
+  const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(circle, geometry, 0, 2 * std::numbers::pi).Edge();
+  BRepLib::BuildCurve3d(edge);
+  BRepBuilderAPI_MakeFace face(wholeFace(surface));
+  face.Add(TopoDS::Wire(BRepBuilderAPI_MakeWire(edge).Wire().Reversed()));
+  return face.Face();
+}
+
+TEST(MatchFaces, TrimmingIsKeptAndItsEdgesFollow) {
+  std::mt19937 generator(17);
+  for (const int order : {1, 2}) {
+    std::array<Spline, 2> parts = cutInTwo(sheet(generator, 9, 6, 3, 3));
+    disturb(parts[1], generator, 3, 0.05);
+    const TopoDS_Shape pair = loose(wholeFace(parts[0]), sheetWithHole(parts[1]));
+    ASSERT_TRUE(BRepCheck_Analyzer(pair).IsValid());
+    FaceMatchOptions options = ofOrder(order);
+    options.match_mm = 0.3;
+    const MatchReport report = matchedPair(pair, options, "hole");
+    int wires = 0;
+    for (TopExp_Explorer it(face(report.shape, 2), TopAbs_WIRE); it.More(); it.Next()) ++wires;
+    EXPECT_EQ(wires, 2);
+    EXPECT_TRUE(report.exact);
+    EXPECT_EQ(report.before.kind, occ::SeamKind::Matched);
+  }
 }
 
 }  // namespace
