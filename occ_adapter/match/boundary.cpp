@@ -64,16 +64,6 @@ std::vector<Seam> seamsBetween(const TopoDS_Shape& model, const TopoDS_Shape& pa
   return seams;
 }
 
-void swapSides(Seam& seam) {
-  std::swap(seam.sides[0], seam.sides[1]);
-  if (seam.edges.size() == 2) std::swap(seam.edges[0], seam.edges[1]);
-  Correspondence& map = seam.correspondence;
-  std::swap(map.a, map.b);
-  if (map.a.empty() || map.a.front() < map.a.back()) return;
-  for (std::vector<double>* list : {&map.s, &map.a, &map.b}) std::ranges::reverse(*list);
-  for (double& s : map.s) s = 1 - s;
-}
-
 std::vector<Seam>::iterator chosen(std::vector<Seam>& seams, int edge) {
   if (edge == 0)
     return std::ranges::max_element(seams, {}, [](const Seam& seam) { return lengthOf_mm(seam); });
@@ -265,7 +255,6 @@ CommonBoundary commonBoundary(const TopoDS_Shape& model, const std::array<TopoDS
     return boundary;
   }
   Seam& seam = *chosen(seams, options.edge);
-  if (seam.sides[0].face == 2) swapSides(seam);
   if (seams.size() > 1) {
     std::vector<int> common;
     for (const Seam& each : seams) common.push_back(each.edges.front());

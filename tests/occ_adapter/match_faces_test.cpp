@@ -433,23 +433,27 @@ TEST(MatchFaces, EitherFaceOrBothMove) {
   }
 }
 
+/// A spline of that degree and number of rows behind the last row of poles of a surface.
+Spline behind(const Spline& surface, int rows, int degree_u) {
+  TColgp_Array2OfPnt poles(1, rows, 1, 6);
+  for (int i = 0; i < rows; ++i)
+    for (int j = 1; j <= 6; ++j) {
+      const double share = static_cast<double>(i) / (rows - 1);
+      poles(i + 1, j) =
+          surface->Pole(surface->NbUPoles(), j).Translated(gp_Vec(20 * share, share, (1 + 0.1 * j) * share));
+    }
+  return splineOf(poles, degree_u, 3);
+}
+
 TEST(MatchFaces, TheOppositeSideAndWhatLiesBeyondStay) {
   std::mt19937 generator(5);
+  struct Net {
+    int rows, degree_u;
+  };
   for (const int order : {1, 2})
-    for (const int degree_u : {1, 3}) {
+    for (const Net& net : {Net{2, 1}, Net{4, 2}, Net{4, 3}, Net{5, 1}, Net{8, 3}}) {
       std::array<Spline, 2> parts = cutInTwo(sheet(generator, 9, 6, 3, 3));
-      if (degree_u == 1)
-        parts[1] = splineOf(
-            [&] {
-              TColgp_Array2OfPnt poles(1, 2, 1, 6);
-              for (int j = 1; j <= 6; ++j) {
-                const gp_Pnt on_seam = parts[0]->Pole(parts[0]->NbUPoles(), j);
-                poles(1, j) = on_seam;
-                poles(2, j) = on_seam.Translated(gp_Vec(20, 1, 1 + 0.1 * j));
-              }
-              return poles;
-            }(),
-            1, 3);
+      parts[1] = behind(parts[0], net.rows, net.degree_u);
       disturb(parts[1], generator, 1, 0.02);
       const MatchReport report = matchedPair(joinedSheets(parts), ofOrder(order), "opposite");
       const Spline after = Spline::DownCast(BRep_Tool::Surface(face(report.shape, 2)));
@@ -487,6 +491,61 @@ TEST(MatchFaces, SidesThatAreHeldStay) {
   const MatchReport refused = matchFaces(joinedSheets(disturbedSheets(generator, 0.09)), 1, 2, options);
   EXPECT_FALSE(refused.matched);
   EXPECT_NE(refused.reason.find("a side ends"), std::string::npos) << refused.reason;
+}
+
+TEST(MatchFaces, SidesOfAFollowerAreHeld) {
+  std::mt19937 generator(18);
+  const handle<Geom_Surface> cylinder = new Geom_CylindricalSurface(gp::XOY(), 30);
+  const handle<Geom2d_BSplineCurve> line = curvedPath({{0.1, 5}, {1.2, 5}});
+  const Spline strip = stripBeside(cylinder, line, gp_Vec2d(0, 8), 7, generator, 0);
+  for (int i = 1; i <= 3; ++i)
+    for (int j = 2; j < strip->NbVPoles(); ++j)
+      strip->SetPole(
+          i, j, strip->Pole(i, j).Translated(gp_Vec(random(generator, 0.03), 0, random(generator, 0.03))));
+  const TopoDS_Shape pair = loose(trimmedFace(cylinder, line, gp_Vec2d(0, -10)), wholeFace(strip));
+  FaceMatchOptions options;
+  options.hold_sides = true;
+  options.tolerance.angle_rad = 0.02 * degree;
+  for (const int order : {1, 2}) {
+    options.order = order;
+    const MatchReport report = matchedPair(pair, options, "held");
+    const Spline after = Spline::DownCast(BRep_Tool::Surface(face(report.shape, 2)));
+    for (double u = 0; u <= 1; u += 0.01)
+      for (const double v : {0.0, 1.0}) {
+        EXPECT_LT(strip->Value(u, v).Distance(after->Value(u, v)), 1e-11);
+      }
+  }
+  // A side that leaves the cylinder's line with another curvature.
+  strip->SetPole(3, 1, strip->Pole(3, 1).Translated(gp_Vec(1, 0.1, 0)));
+  const MatchReport refused =
+      matchFaces(loose(trimmedFace(cylinder, line, gp_Vec2d(0, -10)), wholeFace(strip)), 1, 2, options);
+  EXPECT_FALSE(refused.matched);
+  EXPECT_NE(refused.reason.find("a side ends with a normal curvature of"), std::string::npos)
+      << refused.reason;
+}
+
+TEST(MatchFaces, RationalSurfacesJoinAndFollow) {
+  std::mt19937 generator(19);
+  const auto weigh = [&](const Spline& surface) {
+    for (int i = 1; i <= surface->NbUPoles(); ++i)
+      for (int j = 1; j <= surface->NbVPoles(); ++j) surface->SetWeight(i, j, 1 + random(generator, 0.3));
+  };
+  for (const Trimmed& kind : trimmedKinds())
+    for (const int order : {1, 2}) {
+      const Spline strip = stripBeside(kind.surface, kind.path, kind.away, 9, generator, 0.01);
+      // On the boundary equal weights, so that it stays where it is.
+      weigh(strip);
+      for (int j = 1; j <= strip->NbVPoles(); ++j) strip->SetWeight(1, j, 1);
+      matchedPair(loose(trimmedFace(kind.surface, kind.path, kind.into), wholeFace(strip)), ofOrder(order),
+                  "rational " + kind.name);
+    }
+  for (const int order : {1, 2}) {
+    const Spline whole = sheet(generator, 9, 6, 3, 3);
+    weigh(whole);
+    const std::array<Spline, 2> parts = cutInTwo(whole);
+    disturb(parts[1], generator, 3, 0.02);
+    EXPECT_TRUE(matchedPair(joinedSheets(parts), ofOrder(order), "rational sheets").exact);
+  }
 }
 
 TEST(MatchFaces, ALargerMoveThanAllowedIsRefused) {
@@ -570,11 +629,16 @@ TEST(MatchFaces, AnotherSpeedAlongTheBoundaryIsFollowed) {
       poles_a(i + 1, j + 1) = gp_Pnt(10.0 * i - 30, even[j], 0.3 * (i - 3) * (i - 3));
       poles_b(i + 1, j + 1) = gp_Pnt(10.0 * i, slow[j], (i == 0 ? 0 : 0.2 * i * j) + random(generator, 0.01));
     }
-  const TopoDS_Shape pair = loose(wholeFace(splineOf(poles_a, 3, 3)), wholeFace(splineOf(poles_b, 3, 3)));
-  for (const int order : {1, 2}) {
-    const MatchReport report = matchedPair(pair, ofOrder(order), "speed");
-    EXPECT_LT(report.largest_move_mm, 4) << report.reason;
-  }
+  const Spline a = splineOf(poles_a, 3, 3), b = splineOf(poles_b, 3, 3);
+  for (const int order : {1, 2})
+    for (int turns = 0; turns < 4; ++turns) {
+      const Spline turned_a = Spline::DownCast(a->Copy()), turned_b = Spline::DownCast(b->Copy());
+      if (turns & 1) turned_a->VReverse();
+      if (turns & 2) turned_b->VReverse();
+      const MatchReport report = matchedPair(loose(wholeFace(turned_a), wholeFace(turned_b)), ofOrder(order),
+                                             "speed " + std::to_string(turns));
+      EXPECT_LT(report.largest_move_mm, 4) << report.reason;
+    }
 }
 
 /// Two half tubes of spline surfaces that share two edges.
