@@ -122,7 +122,7 @@ Polygon withSide(const Spline& surface, bool at_last, int side) {
   }
   double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
   turned->Bounds(u0, u1, v0, v1);
-  const handle<Geom_Surface> placed(turned);
+  const handle<Geom_Surface> placed(turned.get());
   return {placed, beginningWith(side, rectangle(u0, u1, v0, v1))};
 }
 
@@ -609,7 +609,7 @@ TEST(MatchFaces, ASideInsideItsSurfaceIsCutOffThere) {
   const Spline whole = sheet(generator, 9, 6, 3, 3);
   const Spline other = Spline::DownCast(whole->Copy());
   disturb(other, generator, 9, 0.02);
-  const handle<Geom_Surface> a(whole), b(other);
+  const handle<Geom_Surface> a(whole.get()), b(other.get());
   const TopoDS_Shape pair = withTolerance(joined({a, beginningWith(1, rectangle(0, 0.4, 0.1, 0.9))},
                                                  {b, beginningWith(3, rectangle(0.4, 0.95, 0.1, 0.9))}),
                                           0.3);
@@ -701,7 +701,7 @@ TEST(MatchFaces, ClosedAndMissingBoundariesAreRefusedWithReasons) {
 TEST(MatchFaces, OnlyAWholeSideCanBeJoined) {
   std::mt19937 generator(13);
   const std::array<Spline, 2> parts = cutInTwo(sheet(generator, 9, 6, 3, 3));
-  const handle<Geom_Surface> a(parts[0]), b(parts[1]);
+  const handle<Geom_Surface> a(parts[0].get());
   const TopoDS_Shape half =
       loose(BRepBuilderAPI_MakeFace(a, 0, 0.4, 0, 0.5, 1e-7).Face(), wholeFace(parts[1]));
   const MatchReport report = matchFaces(half, 1, 2);
@@ -832,7 +832,7 @@ TEST(MatchFaces, SeamsOfModelsFromOtherHandsAreMatched) {
 
 /// A sheet with a round hole near its first side.
 TopoDS_Face sheetWithHole(const Spline& surface) {
-  const handle<Geom_Surface> geometry(surface);
+  const handle<Geom_Surface> geometry(surface.get());
   const handle<Geom2d_Curve> circle = new Geom2d_Circle(gp_Ax2d(gp_Pnt2d(0.47, 0.5), gp_Dir2d(1, 0)), 0.05);
   const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(circle, geometry, 0, 2 * std::numbers::pi).Edge();
   BRepLib::BuildCurve3d(edge);
@@ -854,6 +854,8 @@ TEST(MatchFaces, TrimmingIsKeptAndItsEdgesFollow) {
     int wires = 0;
     for (TopExp_Explorer it(face(report.shape, 2), TopAbs_WIRE); it.More(); it.Next()) ++wires;
     EXPECT_EQ(wires, 2);
+    for (TopExp_Explorer it(report.shape, TopAbs_EDGE); it.More(); it.Next())
+      EXPECT_LT(BRep_Tool::Tolerance(TopoDS::Edge(it.Current())), 2e-5) << "curves follow, not tolerances";
     EXPECT_TRUE(report.exact);
     EXPECT_EQ(report.before.kind, occ::SeamKind::Matched);
   }
