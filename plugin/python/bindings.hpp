@@ -8,6 +8,7 @@ namespace seamwright::python {
 void bindBernstein(pybind11::module_& module);
 void bindBezier(pybind11::module_& module);
 void bindJoin(pybind11::module_& module);
+void bindMatch(pybind11::module_& module);
 void bindMeasure(pybind11::module_& module);
 void bindModel(pybind11::module_& module);
 void bindNearest(pybind11::module_& module);

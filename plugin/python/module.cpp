@@ -15,5 +15,6 @@ PYBIND11_MODULE(_core, module) {
   bindJoin(module);
   bindNearest(module);
   bindModel(module);
+  bindMatch(module);
   bindPointerBridge(module);
 }
