@@ -29,7 +29,7 @@ def solids_and_shells(doc, exclude=None):
 
 
 def _is_candidate(obj, exclude):
-    if not (obj.isDerivedFrom("Part::Feature") or obj.isDerivedFrom("App::Link")):
+    if not has_shape(obj):
         return False
     if exclude is not None and (obj == exclude or exclude in obj.OutListRecursive):
         return False
@@ -40,12 +40,16 @@ def _is_candidate(obj, exclude):
     return not shape.isNull() and bool(shape.Solids or shape.Shells)
 
 
+def has_shape(obj):
+    """Whether an object is of a kind that can hold a shape."""
+    return obj.isDerivedFrom("Part::Feature") or obj.isDerivedFrom("App::Link")
+
+
 def expand(objects):
     """The objects with each group or part replaced by what it contains, without repeats."""
     found = []
     for obj in objects:
-        has_shape = obj.isDerivedFrom("Part::Feature") or obj.isDerivedFrom("App::Link")
-        members = [obj] if has_shape else expand(getattr(obj, "Group", []))
+        members = [obj] if has_shape(obj) else expand(getattr(obj, "Group", []))
         found += [member for member in members if member not in found]
     return found
 

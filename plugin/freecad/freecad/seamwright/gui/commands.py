@@ -3,9 +3,11 @@
 
 import FreeCAD as App
 import FreeCADGui as Gui
+import Part
 
-from freecad.seamwright.document import analysis
+from freecad.seamwright.document import analysis, sources
 from freecad.seamwright.gui import export_dialog, icon_path, messages
+from freecad.seamwright.gui.zebra import zebra
 from freecad.seamwright.plain import kernel
 
 
@@ -85,7 +87,53 @@ class ExportReport:
         export_dialog.ask_and_export(selected_analysis())
 
 
-COMMANDS = (AnalyzeSeams, ExportReport)
+class ZebraStripes:
+    """Draw stripes on the selected objects, or take them off."""
+
+    name = "Seamwright_ZebraStripes"
+
+    def GetResources(self):
+        """Menu text, tool tip and icon."""
+        return {
+            "MenuText": "Zebra Stripes",
+            "ToolTip": "Show how the faces of the selected objects, or of all that are visible, reflect stripes: "
+            "a stripe that breaks at a seam tells of an angle, one that bends of a step of curvature. "
+            "Press again to take the stripes off.",
+            "Pixmap": icon_path("seamwright-zebra"),
+        }
+
+    def IsActive(self):
+        """Whether there is a view of a document."""
+        return App.ActiveDocument is not None and Gui.ActiveDocument is not None
+
+    def Activated(self):
+        """Draw the stripes, or take them off where all of the objects have them."""
+        doc = App.ActiveDocument
+        striped = zebra.objects(doc)
+        chosen = with_faces(sources.expand(dict.fromkeys(Gui.Selection.getSelection())))
+        if Gui.Selection.getSelection() and not chosen:
+            messages.show_error("Zebra stripes are drawn on faces: the selected objects have none.")
+        elif chosen and any(obj not in striped for obj in chosen):
+            self._show([obj for obj in chosen if obj not in striped])
+        elif chosen or striped:
+            zebra.hide(chosen or striped)
+        else:
+            self._show(with_faces(obj for obj in doc.Objects if obj.ViewObject.Visibility))
+
+    def _show(self, objects):
+        if objects:
+            zebra.show(objects)
+            Gui.Selection.clearSelection()  # its colour would lie over the stripes
+        else:
+            messages.show_error("Zebra stripes are drawn on faces: no visible object has any.")
+
+
+def with_faces(objects):
+    """Those of the objects that have faces."""
+    return [obj for obj in objects if sources.has_shape(obj) and Part.getShape(obj).Faces]
+
+
+COMMANDS = (AnalyzeSeams, ExportReport, ZebraStripes)
 
 
 def register():
