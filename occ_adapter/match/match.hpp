@@ -12,27 +12,56 @@ namespace seamwright::occ {
 
 enum class MatchMoves { First, Second, Both };
 
-struct MatchOptions {
+struct FaceMatchOptions {
   int order = 1;  ///< 1: G1, 2: G2
   MatchMoves moves = MatchMoves::Second;
   double max_move_mm = std::numeric_limits<double>::infinity();  ///< no pole may move further
-  bool hold_sides = false;        ///< the two other boundaries that end at the seam stay as they are
-  double match_mm = 0.1;          ///< open edges no further apart than this may be the common boundary
+  bool hold_sides = false;  ///< the two other boundaries that end at the seam stay as they are
+  double match_mm = 0.1;    ///< open edges no further apart than this may be the common boundary
+  int edge = 0;             ///< of several common ones, from 1, order of TopExp::MapShapes; 0: the longest
   ContinuityTolerance tolerance;  ///< what the figures are judged by, and how near a trimmed boundary is met
+
+  /// \throws std::invalid_argument with the offending number.
+  void validate() const;
 };
 
 struct MatchReport {
   bool matched = false;
   std::string reason;  ///< why not, or what the user should know; one line with numbers
   TopoDS_Shape shape;  ///< the two faces as a shell that shares the seam edge; as given where not matched
-  SeamResult before, after;
+  SeamResult before;   ///< faces and edges by their numbers in the model
+  SeamResult after;    ///< faces and edges by their numbers in the shape; as before where not matched
   double largest_move_mm = 0;  ///< of a pole
   bool exact = false;          ///< joined in poles, to rounding; false: to the tolerance
 };
 
-/// Moves one or both of two faces so that they join along their common boundary.
+/// Moves one or both of two faces so that they join G1 or G2 along their common boundary: an edge that both share, or an open edge of
+/// each where these are close together over their whole length. The other faces of the model are not looked at.
+///
+/// A face can move if it lies on a B-spline or Bezier surface and the boundary is the whole of one side of it (u or v is constant there,
+/// and the face ends with it). Only the order + 1 rows of poles behind that side move; where there are too few of them for the
+/// opposite side to stay, the degree across is raised and knots are inserted, which changes no shape. Trimmed edges keep their
+/// paths in the parameter plane.
+///
+/// Where both faces end there with a side of their spline surfaces, the join is one of poles and exact to rounding: the smallest move
+/// (core/join/nearest.hpp), with the knots along the seam as they are or with inner ones repeated \p order times more, whichever moves
+/// less. Otherwise, or where that cannot be or moves more than twice as far, one face follows what the other one shows along the
+/// boundary at several points a knot span (position, tangent plane, curvature), row by row, each by the smallest move that meets it;
+/// knot spans where the tolerance is not met are halved, at most 6 times.
+///
+/// Matched means: the figures of the new seam are enclosed and within the tolerance, OpenCASCADE's checks pass, and the moved
+/// surface's normal nowhere turned by 90 degrees or more at the points of a grid (9 a knot span along the seam, 5 across the moved
+/// rows). Where any of this fails, or a pole would move further than \p max_move_mm, the shape is that of the two faces as given.
+/// A pair that has the level already comes back unchanged.
+///
+/// hold_sides: the first and the last pole of each moved row stay. That needs boundaries that already end in the neighbour, in
+/// its tangent plane (G2: with its curvature); the reason says by how much they do not.
+///
 /// \param face_a, face_b numbers from 1 in the order of TopExp::MapShapes.
-MatchReport matchFaces(const TopoDS_Shape& model, int face_a, int face_b, const MatchOptions& options = {},
-                       const Progress& progress = {});
+/// \throws std::invalid_argument for numbers that name no two faces, an edge that is none of their common ones, or bad options;
+/// Cancelled.
+/// Source: MATH-surfaces 6.2, 6.3, 6.5 (exact), 7 (to the tolerance, here with one row at a time).
+MatchReport matchFaces(const TopoDS_Shape& model, int face_a, int face_b,
+                       const FaceMatchOptions& options = {}, const Progress& progress = {});
 
 }  // namespace seamwright::occ

@@ -12,5 +12,6 @@ PYBIND11_MODULE(_core, module) {
   bindMeasure(module);
   bindSeam(module);
   bindModel(module);
+  bindMatch(module);
   bindPointerBridge(module);
 }

@@ -23,25 +23,6 @@ ordered_json worstJson(const std::optional<occ::WorstPoint>& worst) {
           {"point", {worst->point.x(), worst->point.y(), worst->point.z()}}};
 }
 
-ordered_json seamJson(const occ::SeamResult& seam, const ContinuityTolerance& tolerance) {
-  return {{"id", seam.id},
-          {"kind", name(seam.kind)},
-          {"edges", seam.edges},
-          {"faces", seam.faces},
-          {"length_mm", seam.length_mm},
-          {"gap_mm", figureJson(seam.figures.gap_mm)},
-          {"angle_deg", figureJson(seam.figures.angle_rad, degrees_per_radian)},
-          {"curvature_per_mm", figureJson(seam.figures.curvature_per_mm)},
-          {"curvature_rel", figureJson(seam.figures.curvature_rel)},
-          {"curvature_change_per_mm2", figureJson(seam.figures.curvature_change_per_mm2)},
-          {"curvature_change_rel", figureJson(seam.figures.curvature_change_rel)},
-          {"level", name(seam.verdict.level)},
-          {"class", name(seam.verdict.seam_class)},
-          {"certified", seam.verdict.certain},
-          {"worst", worstJson(seam.worst)},
-          {"note", noteOf(seam, tolerance)}};
-}
-
 ordered_json modelJson(const occ::ModelFacts& model) {
   return {{"path", model.path},   {"format", model.format}, {"length_unit", model.length_unit},
           {"faces", model.faces}, {"edges", model.edges},   {"notes", model.notes}};
@@ -77,9 +58,28 @@ ordered_json summaryJson(const occ::Report& report) {
 
 }  // namespace
 
+ordered_json toJson(const occ::SeamResult& seam, const ContinuityTolerance& tolerance) {
+  return {{"id", seam.id},
+          {"kind", name(seam.kind)},
+          {"edges", seam.edges},
+          {"faces", seam.faces},
+          {"length_mm", seam.length_mm},
+          {"gap_mm", figureJson(seam.figures.gap_mm)},
+          {"angle_deg", figureJson(seam.figures.angle_rad, degrees_per_radian)},
+          {"curvature_per_mm", figureJson(seam.figures.curvature_per_mm)},
+          {"curvature_rel", figureJson(seam.figures.curvature_rel)},
+          {"curvature_change_per_mm2", figureJson(seam.figures.curvature_change_per_mm2)},
+          {"curvature_change_rel", figureJson(seam.figures.curvature_change_rel)},
+          {"level", name(seam.verdict.level)},
+          {"class", name(seam.verdict.seam_class)},
+          {"certified", seam.verdict.certain},
+          {"worst", worstJson(seam.worst)},
+          {"note", noteOf(seam, tolerance)}};
+}
+
 ordered_json toJson(const occ::Report& report) {
   ordered_json seams = ordered_json::array();
-  for (const occ::SeamResult& seam : report.seams) seams.push_back(seamJson(seam, report.tolerance));
+  for (const occ::SeamResult& seam : report.seams) seams.push_back(toJson(seam, report.tolerance));
   ordered_json open = ordered_json::array();
   for (const occ::LooseEdge& edge : report.open)
     open.push_back({{"edge", edge.edge}, {"face", edge.faces.front()}});

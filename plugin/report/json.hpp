@@ -10,7 +10,10 @@ namespace seamwright::report {
 /// The report as the object "seamwright.analysis/1" (docs/analysis-1.schema.json), lengths in mm, angles in degrees.
 nlohmann::ordered_json toJson(const occ::Report& report);
 
-/// That object in one line; bytes of names that are no UTF-8 are replaced.
+/// One seam of it.
+nlohmann::ordered_json toJson(const occ::SeamResult& seam, const ContinuityTolerance& tolerance);
+
+/// The report in one line; bytes of names that are no UTF-8 are replaced.
 std::string toJsonLine(const occ::Report& report);
 
 }  // namespace seamwright::report

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+
+#include <seamwright/core/bspline/basis.hpp>
+
+namespace seamwright::bspline {
+
+namespace {
+
+/// The recursion of Cox, de Boor and Mansfield.
+Eigen::RowVectorXd basisValues(int degree, const std::vector<double>& knots, int span, double t) {
+  Eigen::RowVectorXd values = Eigen::RowVectorXd::Zero(degree + 1);
+  values(0) = 1;
+  for (int p = 1; p <= degree; ++p) {
+    double carried = 0;
+    for (int r = 0; r < p; ++r) {
+      const double right = knots[span + r + 1] - t, left = t - knots[span + 1 - p + r];
+      const double share = values(r) / (right + left);
+      values(r) = carried + right * share;
+      carried = left * share;
+    }
+    values(p) = carried;
+  }
+  return values;
+}
+
+/// A functional of the coefficients of a derivative, of degree p - 1, as one of the coefficients of the spline of degree p.
+Eigen::RowVectorXd onSpline(const Eigen::RowVectorXd& functional, const std::vector<double>& knots,
+                            int span) {
+  const int p = static_cast<int>(functional.size());
+  Eigen::RowVectorXd result = Eigen::RowVectorXd::Zero(p + 1);
+  for (int j = 0; j < p; ++j) {
+    const double factor = p * functional(j) / (knots[span + j + 1] - knots[span - p + j + 1]);
+    result(j + 1) += factor;
+    result(j) -= factor;
+  }
+  return result;
+}
+
+}  // namespace
+
+int spanOf(int degree, const std::vector<double>& knots, double t) {
+  const auto first = knots.begin() + degree, last = knots.end() - degree - 1;
+  auto above = std::upper_bound(first, last, t);
+  if (above == first) above = std::upper_bound(first, last, *first);
+  if (above == last) above = std::lower_bound(first, last, *last);
+  return static_cast<int>(above - knots.begin()) - 1;
+}
+
+Eigen::MatrixXd basisDerivatives(int degree, const std::vector<double>& knots, int span, double t,
+                                 int order) {
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(order + 1, degree + 1);
+  for (int k = 0; k <= std::min(order, degree); ++k) {
+    Eigen::RowVectorXd functional = basisValues(degree - k, knots, span, t);
+    while (functional.size() <= degree) functional = onSpline(functional, knots, span);
+    result.row(k) = functional;
+  }
+  return result;
+}
+
+}  // namespace seamwright::bspline

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include <seamwright/core/bezier/homogeneous.hpp>
+#include <seamwright/core/bspline/basis.hpp>
+#include <seamwright/core/bspline/surface.hpp>
+
+namespace seamwright {
+
+namespace {
+
+/// One row for each pole of a direction.
+using Net = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+[[noreturn]] void refuse(const std::string& text) {
+  throw std::invalid_argument(text);
+}
+
+void requireDirection(int degree, const std::vector<double>& knots, const std::string& name) {
+  if (degree < 1 || degree > SplineEvaluator::max_degree)
+    refuse("degree_" + name + " is " + std::to_string(degree) + ": 1 to " +
+           std::to_string(SplineEvaluator::max_degree) + " is needed");
+  const int count = static_cast<int>(knots.size()) - degree - 1;
+  if (count < degree + 1)
+    refuse("knots_" + name + " are " + std::to_string(knots.size()) + ": degree " + std::to_string(degree) +
+           " needs at least " + std::to_string(2 * degree + 2));
+  const auto refuseKnot = [&](std::size_t i, const std::string& needed) {
+    refuse("knot " + std::to_string(i) + " of knots_" + name + " is " + std::to_string(knots[i]) + ": " +
+           needed);
+  };
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    if (!std::isfinite(knots[i])) refuseKnot(i, "knots must be finite");
+    if (i > 0 && knots[i] < knots[i - 1]) refuseKnot(i, "knots must not decrease");
+  }
+  for (int i = 1; i <= degree; ++i) {
+    if (knots[i] != knots[0]) refuseKnot(i, "the first degree + 1 knots must be equal");
+    if (knots[count + i] != knots[count]) refuseKnot(count + i, "the last degree + 1 knots must be equal");
+  }
+  for (int i = 1; i < count; ++i)
+    if (knots[i + degree] == knots[i])
+      refuseKnot(i, "an inner knot may be repeated as often as the degree, no more");
+}
+
+Net netAlong(const BSplineSurface& surface, SurfaceDirection direction) {
+  const int nu = surface.countU(), nv = surface.countV();
+  if (direction == SurfaceDirection::U) return surface.poles.reshaped<Eigen::RowMajor>(nu, 4 * nv);
+  Net net(nv, 4 * nu);
+  for (int i = 0; i < nu; ++i) net.middleCols(4L * i, 4) = surface.poles.middleRows(i * nv, nv);
+  return net;
+}
+
+/// The surface with another net, knots and degree in one direction.
+BSplineSurface replaced(const BSplineSurface& surface, SurfaceDirection direction, const Net& net, int degree,
+                        std::vector<double> knots) {
+  BSplineSurface result = surface;
+  const Eigen::Index across = net.cols() / 4, count = net.rows();
+  if (direction == SurfaceDirection::U) {
+    result.degree_u = degree;
+    result.knots_u = std::move(knots);
+    result.poles = net.reshaped<Eigen::RowMajor>(count * across, 4);
+    return result;
+  }
+  result.degree_v = degree;
+  result.knots_v = std::move(knots);
+  result.poles.resize(count * across, 4);
+  for (Eigen::Index i = 0; i < across; ++i)
+    result.poles.middleRows(i * count, count) = net.middleCols(4 * i, 4);
+  return result;
+}
+
+struct Direction {
+  int degree;
+  const std::vector<double>& knots;
+};
+
+Direction directionOf(const BSplineSurface& surface, SurfaceDirection direction) {
+  if (direction == SurfaceDirection::U) return {surface.degree_u, surface.knots_u};
+  return {surface.degree_v, surface.knots_v};
+}
+
+bool hasInnerKnots(const Direction& d) {
+  return d.knots.size() > 2 * static_cast<std::size_t>(d.degree + 1);
+}
+
+/// Leibniz' rule on A = w X: w X_kl = A_kl - sum_{(i,j) != (0,0)} C(k,i) C(l,j) w_ij X_{k-i,l-j}.
+SurfaceJet affineJet(const std::array<std::array<Eigen::RowVector4d, 4>, 4>& h) {
+  static constexpr double binomial[4][4] = {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}};
+  std::array<std::array<Eigen::Vector3d, 4>, 4> x;
+  for (int order = 0; order < 4; ++order)
+    for (int k = order; k >= 0; --k) {
+      const int l = order - k;
+      Eigen::Vector3d sum = h[k][l].head<3>();
+      for (int i = 0; i <= k; ++i)
+        for (int j = 0; j <= l; ++j)
+          if (i + j > 0) sum -= binomial[k][i] * binomial[l][j] * h[i][j](3) * x[k - i][l - j];
+      x[k][l] = sum / h[0][0](3);
+    }
+  return {x[0][0], x[1][0], x[0][1], x[2][0], x[1][1], x[0][2], x[3][0], x[2][1], x[1][2], x[0][3]};
+}
+
+}  // namespace
+
+void requireValid(const BSplineSurface& surface) {
+  requireDirection(surface.degree_u, surface.knots_u, "u");
+  requireDirection(surface.degree_v, surface.knots_v, "v");
+  const Eigen::Index count = static_cast<Eigen::Index>(surface.countU()) * surface.countV();
+  if (surface.poles.rows() != count)
+    refuse("poles " + std::to_string(surface.poles.rows()) + ", knots for " +
+           std::to_string(surface.countU()) + " by " + std::to_string(surface.countV()) +
+           ": the numbers must be equal");
+  for (Eigen::Index i = 0; i < count; ++i) {
+    if (!surface.poles.row(i).allFinite()) refuse("pole " + std::to_string(i) + " is not finite");
+    if (!(surface.poles(i, 3) > 0))
+      refuse("weight " + std::to_string(i) + " is " + std::to_string(surface.poles(i, 3)) +
+             ": weights must be positive");
+  }
+}
+
+BSplineSurface splineSurface(const BezierPatch& patch) {
+  const auto knots = [](int degree) {
+    std::vector<double> result(2 * (static_cast<std::size_t>(degree) + 1), 0.0);
+    std::fill(result.begin() + degree + 1, result.end(), 1.0);
+    return result;
+  };
+  return {patch.degreeU(), patch.degreeV(), knots(patch.degreeU()), knots(patch.degreeV()),
+          patch.homogeneousPoles()};
+}
+
+BezierPatch bezierPatch(const BSplineSurface& surface) {
+  requireValid(surface);
+  for (const SurfaceDirection direction : {SurfaceDirection::U, SurfaceDirection::V})
+    if (hasInnerKnots(directionOf(surface, direction)))
+      refuse("a surface with inner knots is no Bezier patch");
+  return {surface.degree_u, surface.degree_v, affinePoles(surface.poles), surface.poles.col(3)};
+}
+
+SurfaceJet jet(const BSplineSurface& surface, double u, double v) {
+  requireValid(surface);
+  using bspline::basisDerivatives, bspline::spanOf;
+  const int span_u = spanOf(surface.degree_u, surface.knots_u, u);
+  const int span_v = spanOf(surface.degree_v, surface.knots_v, v);
+  const Eigen::MatrixXd in_u = basisDerivatives(surface.degree_u, surface.knots_u, span_u, u, 3);
+  const Eigen::MatrixXd in_v = basisDerivatives(surface.degree_v, surface.knots_v, span_v, v, 3);
+  std::array<std::array<Eigen::RowVector4d, 4>, 4> h;
+  for (auto& row : h) row.fill(Eigen::RowVector4d::Zero());
+  for (int i = 0; i <= surface.degree_u; ++i) {
+    const Eigen::Index first = static_cast<Eigen::Index>(span_u - surface.degree_u + i) * surface.countV() +
+                               span_v - surface.degree_v;
+    const Eigen::Matrix4d along_v = in_v * surface.poles.middleRows(first, surface.degree_v + 1);
+    for (int k = 0; k < 4; ++k)
+      for (int l = 0; k + l < 4; ++l) h[k][l] += in_u(k, i) * along_v.row(l);
+  }
+  return affineJet(h);
+}
+
+BSplineSurface withKnot(const BSplineSurface& surface, SurfaceDirection direction, double knot) {
+  requireValid(surface);
+  const auto [degree, knots] = directionOf(surface, direction);
+  if (!(knot > knots.front() && knot < knots.back()))
+    refuse("knot " + std::to_string(knot) + ": it must lie strictly between " +
+           std::to_string(knots.front()) + " and " + std::to_string(knots.back()));
+  if (std::ranges::count(knots, knot) >= degree)
+    refuse("knot " + std::to_string(knot) + " is repeated as often as the degree, " + std::to_string(degree) +
+           ", already");
+  const int span = bspline::spanOf(degree, knots, knot);
+  const Net net = netAlong(surface, direction);
+  Net finer(net.rows() + 1, net.cols());
+  for (int i = 0; i < finer.rows(); ++i) {
+    if (i <= span - degree) {
+      finer.row(i) = net.row(i);
+    } else if (i > span) {
+      finer.row(i) = net.row(i - 1);
+    } else {
+      const double share = (knot - knots[i]) / (knots[i + degree] - knots[i]);
+      finer.row(i) = (1 - share) * net.row(i - 1) + share * net.row(i);
+    }
+  }
+  std::vector<double> more = knots;
+  more.insert(more.begin() + span + 1, knot);
+  return replaced(surface, direction, finer, degree, std::move(more));
+}
+
+BSplineSurface withRaisedKnots(const BSplineSurface& surface, SurfaceDirection direction, int times) {
+  requireValid(surface);
+  if (times < 0) refuse("times is " + std::to_string(times) + ": it must not be negative");
+  const auto [degree, knots] = directionOf(surface, direction);
+  std::vector<double> inner(knots.begin() + degree + 1, knots.end() - degree - 1);
+  inner.erase(std::unique(inner.begin(), inner.end()), inner.end());
+  BSplineSurface result = surface;
+  for (const double knot : inner) {
+    const auto multiplicity = static_cast<int>(std::ranges::count(knots, knot));
+    for (int k = 0; k < std::min(times, degree - multiplicity); ++k)
+      result = withKnot(result, direction, knot);
+  }
+  return result;
+}
+
+BSplineSurface elevated(const BSplineSurface& surface, SurfaceDirection direction) {
+  requireValid(surface);
+  const Direction given = directionOf(surface, direction);
+  if (hasInnerKnots(given)) refuse("a direction with inner knots is not elevated");
+  const Net net = netAlong(surface, direction);
+  const Eigen::Index count = net.rows();
+  Net result(count + 1, net.cols());
+  result.row(0) = net.row(0);
+  result.row(count) = net.row(count - 1);
+  for (Eigen::Index i = 1; i < count; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(count);
+    result.row(i) = share * net.row(i - 1) + (1 - share) * net.row(i);
+  }
+  std::vector<double> knots = given.knots;
+  knots.insert(knots.begin(), knots.front());
+  knots.push_back(knots.back());
+  return replaced(surface, direction, result, given.degree + 1, std::move(knots));
+}
+
+SurfaceDirection along(PatchEdge edge) {
+  return edge == PatchEdge::U0 || edge == PatchEdge::U1 ? SurfaceDirection::V : SurfaceDirection::U;
+}
+
+SeamSide seamSide(const BSplineSurface& surface, PatchEdge edge, bool reversed) {
+  requireValid(surface);
+  const Poles affine = affinePoles(surface.poles);
+  std::vector<Eigen::Vector3d> poles;
+  for (Eigen::Index i = 0; i < affine.rows(); ++i) poles.emplace_back(affine.row(i));
+  std::vector<double> weights;
+  if (isRational(surface.poles))
+    for (Eigen::Index i = 0; i < affine.rows(); ++i) weights.push_back(surface.poles(i, 3));
+  const auto spline = std::make_shared<SplineEvaluator>(SplineDirection{surface.degree_u, surface.knots_u},
+                                                        SplineDirection{surface.degree_v, surface.knots_v},
+                                                        std::move(poles), std::move(weights));
+  const bool at_end = edge == PatchEdge::U1 || edge == PatchEdge::V1;
+  const bool along_v = along(edge) == SurfaceDirection::V;
+  const std::vector<double>& run = along_v ? surface.knots_v : surface.knots_u;
+  const std::vector<double>& fixed = along_v ? surface.knots_u : surface.knots_v;
+  const double place = at_end ? fixed.back() : fixed.front();
+  const Eigen::Vector3d origin = along_v ? Eigen::Vector3d(place, 0, 0) : Eigen::Vector3d(0, place, 0);
+  const Eigen::Vector3d sense = along_v ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitX();
+  SeamSide side{LineEvaluator{origin, sense}, splineEvaluator(spline)};
+  side.t = {run.front(), run.back()};
+  if (reversed) std::swap(side.t[0], side.t[1]);
+  side.face_on_left = (edge == PatchEdge::U1 || edge == PatchEdge::V0) != reversed;
+  return side;
+}
+
+}  // namespace seamwright

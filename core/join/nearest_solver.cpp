@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <seamwright/core/join/nearest_solver.hpp>
+
+namespace seamwright::nearest {
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+/// Share of the largest pivot below which a row of the condition says nothing new.
+constexpr double rank_share = 1e-11;
+
+using Decomposition = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
+using Matrices = std::vector<Eigen::MatrixXd>;
+
+double dot(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  return a.cwiseProduct(b).sum();
+}
+
+/// A point of the feasible set (or near it): the nearest poles for its coefficients.
+struct Iterate {
+  Eigen::VectorXd c;
+  Eigen::VectorXd row_scale;
+  Eigen::MatrixXd matrix;  ///< M, its rows of length 1 or 0
+  Decomposition inverse;
+  Eigen::MatrixXd x, z;
+  Eigen::MatrixXd unreachable;  ///< of the condition, by any move
+  double cost = 0;              ///< |z|^2
+  bool exact = false;           ///< the condition holds to rounding
+
+  double infeasibility() const { return unreachable.norm(); }
+};
+
+class Search {
+ public:
+  Search(const Unknowns& unknowns, const Condition& condition, const Family& family, double smallest_alpha)
+      : unknowns_(unknowns), condition_(condition), family_(family), smallest_alpha_(smallest_alpha) {
+    reach_ = (unknowns.pull.array() > 0).select(unknowns.pull.array().rsqrt(), 0.0);
+    for (Eigen::Index i = 0; i < reach_.size(); ++i)
+      if (reach_(i) > 0) movable_.push_back(i);
+    noise_ = 16 * eps * unknowns.largest * std::sqrt(unknowns.pull.sum());
+  }
+
+  Solution run(int max_iterations);
+
+ private:
+  struct Step {
+    Eigen::VectorXd direction;   ///< of c
+    Eigen::MatrixXd multiplier;  ///< what of the multipliers belongs to unreachable rows
+    double stationarity = 0;     ///< share of the move that lies along the feasible set
+    double decrease = 0;         ///< of the cost, predicted; negative where the condition costs
+    double penalty = 0;          ///< of infeasibility, above the size of the multipliers
+    bool convex = true;
+  };
+
+  Iterate project(const Eigen::VectorXd& c) const;
+  Eigen::MatrixXd reached(const Iterate& at, const Eigen::MatrixXd& rows) const {
+    return at.matrix * at.inverse.solve(rows);
+  }
+  Eigen::MatrixXd freeBasis(const Iterate& at, const Eigen::VectorXd& gradient) const;
+  Eigen::MatrixXd hessian(const Iterate& at, const Matrices& tangent, const Eigen::MatrixXd& nu) const;
+  Step step(const Iterate& at, const Eigen::MatrixXd& multiplier) const;
+  bool advance(Iterate& at, const Step& step) const;
+  double moveSize(const Iterate& at) const { return std::sqrt(at.cost + unknowns_.seam_cost); }
+
+  const Unknowns& unknowns_;
+  const Condition& condition_;
+  const Family& family_;
+  double smallest_alpha_;
+  Eigen::VectorXd reach_;  ///< D
+  std::vector<Eigen::Index> movable_;
+  double noise_ = 0;  ///< of z
+};
+
+Iterate Search::project(const Eigen::VectorXd& c) const {
+  Iterate at;
+  at.c = c;
+  const Eigen::MatrixXd a = condition_.matrix(c);
+  // One column of zeros if no pole moves.
+  at.matrix = Eigen::MatrixXd::Zero(a.rows(), std::max<Eigen::Index>(1, std::ssize(movable_)));
+  for (std::size_t k = 0; k < movable_.size(); ++k)
+    at.matrix.col(static_cast<Eigen::Index>(k)) = reach_(movable_[k]) * a.col(movable_[k]);
+  at.row_scale = at.matrix.rowwise().norm();
+  at.row_scale = (at.row_scale.array() > 0).select(at.row_scale.array().inverse(), 1.0);
+  at.matrix = at.row_scale.asDiagonal() * at.matrix;
+  at.inverse.setThreshold(rank_share);
+  at.inverse.compute(at.matrix);
+  at.x = unknowns_.target;
+  at.z = Eigen::MatrixXd::Zero(at.matrix.cols(), at.x.cols());
+  for (int pass = 0; pass < 3; ++pass) {
+    const Eigen::MatrixXd residual = at.row_scale.asDiagonal() * (a * at.x);
+    at.z -= at.inverse.solve(residual);
+    for (std::size_t k = 0; k < movable_.size(); ++k)
+      at.x.row(movable_[k]) =
+          unknowns_.target.row(movable_[k]) + reach_(movable_[k]) * at.z.row(static_cast<Eigen::Index>(k));
+  }
+  at.unreachable = at.row_scale.asDiagonal() * (a * at.x);
+  at.cost = at.z.squaredNorm();
+  at.exact = holds(a, at.x, unknowns_.largest);
+  return at;
+}
+
+/// The free coefficients but for those of alpha that are at their bound and would fall below it.
+Eigen::MatrixXd Search::freeBasis(const Iterate& at, const Eigen::VectorXd& gradient) const {
+  Eigen::MatrixXd basis = family_.basis;
+  for (int i = 0; i <= condition_.degrees()[Alpha]; ++i)
+    if (at.c(i) <= smallest_alpha_ && gradient(i) > 0) basis.row(i).setZero();
+  return basis;
+}
+
+Eigen::MatrixXd Search::hessian(const Iterate& at, const Matrices& tangent, const Eigen::MatrixXd& nu) const {
+  const Eigen::MatrixXd scaled = at.row_scale.asDiagonal() * nu;
+  const Matrices by_multiplier = condition_.transposed(at.c, scaled);
+  Matrices h, crosswise;
+  for (const Eigen::MatrixXd& whole : by_multiplier) {
+    Eigen::MatrixXd part = Eigen::MatrixXd::Zero(at.matrix.cols(), whole.cols());
+    for (std::size_t k = 0; k < movable_.size(); ++k)
+      part.row(static_cast<Eigen::Index>(k)) = reach_(movable_[k]) * whole.row(movable_[k]);
+    crosswise.push_back(part - at.inverse.solve(at.matrix * part));
+    h.push_back(std::move(part));
+  }
+  Eigen::MatrixXd result = condition_.curvature(scaled, at.x);
+  const auto count = static_cast<Eigen::Index>(h.size());
+  for (Eigen::Index i = 0; i < count; ++i)
+    for (Eigen::Index j = 0; j < count; ++j)
+      result(i, j) += dot(tangent[i], tangent[j]) - dot(tangent[i], h[j]) - dot(h[i], tangent[j]) -
+                      dot(h[i], crosswise[j]);
+  return result;
+}
+
+Search::Step Search::step(const Iterate& at, const Eigen::MatrixXd& multiplier) const {
+  Matrices by_c = condition_.derivatives(at.c, at.x), tangent, beyond;
+  const auto count = static_cast<Eigen::Index>(by_c.size());
+  Eigen::VectorXd gradient(count), length(count);
+  Eigen::MatrixXd conditions(at.unreachable.size(), count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    by_c[i] = (at.row_scale.asDiagonal() * by_c[i]).eval();
+    tangent.push_back(at.inverse.solve(by_c[i]));
+    conditions.col(i) = (by_c[i] - at.matrix * tangent[i]).reshaped();
+    gradient(i) = -dot(at.z, tangent[i]);
+    length(i) = by_c[i].norm();
+  }
+  const Eigen::MatrixXd basis = freeBasis(at, gradient);
+  Step result;
+  result.direction = Eigen::VectorXd::Zero(count);
+  result.multiplier = Eigen::MatrixXd::Zero(at.unreachable.rows(), at.unreachable.cols());
+  if (basis.cols() == 0) return result;
+
+  // Coefficients in units of what they do to the condition; what they do to unreachable rows tells conditions from free directions.
+  Eigen::VectorXd unit = (length.cwiseAbs2().transpose() * basis.cwiseAbs2()).transpose().cwiseSqrt();
+  unit = (unit.array() > 0).select(unit.array().inverse(), 0.0);
+  const Eigen::MatrixXd scaled_basis = basis * unit.asDiagonal();
+  const Eigen::MatrixXd scaled = conditions * scaled_basis;
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeThinU | Eigen::ComputeFullV);
+  const Eigen::VectorXd& singular = svd.singularValues();
+  Eigen::Index rank = 0;
+  while (rank < singular.size() && singular(rank) > 1e-9) ++rank;
+  const Eigen::MatrixXd fixed = svd.matrixV().leftCols(rank), range = svd.matrixU().leftCols(rank);
+  const Eigen::MatrixXd open = scaled_basis * svd.matrixV().rightCols(scaled.cols() - rank);
+  const Eigen::VectorXd inverse_singular = singular.head(rank).cwiseInverse();
+
+  const Eigen::MatrixXd own =
+      multiplier.size() == 0 ? result.multiplier : Eigen::MatrixXd(multiplier - reached(at, multiplier));
+  Eigen::MatrixXd nu = at.inverse.transpose().solve(at.z);
+  nu = own - nu;
+  const Eigen::MatrixXd curvature = hessian(at, tangent, nu);
+  result.direction =
+      -scaled_basis * fixed * inverse_singular.asDiagonal() * (range.transpose() * at.unreachable.reshaped());
+  const Eigen::VectorXd slope = open.transpose() * (gradient + curvature * result.direction);
+
+  // Along the free directions Newton's step, turned downwards where the cost is concave.
+  Eigen::MatrixXd along(at.z.size(), count);
+  for (Eigen::Index i = 0; i < count; ++i) along.col(i) = tangent[i].reshaped();
+  const Eigen::MatrixXd reach = along * open;
+  if (open.cols() > 0) {
+    const Eigen::MatrixXd first_order = reach.transpose() * reach;
+    const double least = 1e-10 * first_order.diagonal().maxCoeff();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(open.transpose() * curvature * open);
+    const Eigen::VectorXd values = eigen.eigenvalues();
+    result.convex = values.minCoeff() > -least;
+    const Eigen::VectorXd in_eigen = eigen.eigenvectors().transpose() * slope;
+    const Eigen::VectorXd size = values.cwiseAbs().cwiseMax(std::max(least, 1e-300));
+    result.direction -= open * (eigen.eigenvectors() * in_eigen.cwiseQuotient(size));
+    const Eigen::VectorXd share = reach.completeOrthogonalDecomposition().solve(at.z.reshaped());
+    const double size_of_move = moveSize(at);
+    result.stationarity = size_of_move > 0 ? (reach * share).norm() / size_of_move : 0;
+  }
+  const Eigen::VectorXd forces = -scaled_basis.transpose() * (gradient + curvature * result.direction);
+  const Eigen::VectorXd mu = range * inverse_singular.asDiagonal() * (fixed.transpose() * forces);
+  result.multiplier = mu.reshaped(at.unreachable.rows(), at.unreachable.cols());
+  result.penalty = 2 * mu.norm();
+  result.decrease = -gradient.dot(result.direction);
+  return result;
+}
+
+/// A step that lowers cost plus penalty times infeasibility; halved until it does. False if none does.
+bool Search::advance(Iterate& at, const Step& step) const {
+  const int alphas = condition_.degrees()[Alpha] + 1;
+  const double before = at.cost / 2 + step.penalty * at.infeasibility();
+  const double rounding = noise_ * (noise_ + std::sqrt(at.cost) + step.penalty);
+  for (double share = 1; share > 1e-6; share /= 2) {
+    Eigen::VectorXd c = at.c + share * step.direction;
+    c.head(alphas) = c.head(alphas).cwiseMax(smallest_alpha_);
+    Iterate trial = project(c);
+    const double after = trial.cost / 2 + step.penalty * trial.infeasibility();
+    const bool positive = !unknowns_.rational || trial.x.col(3).minCoeff() > 0;
+    if (positive && after <= before + rounding) {
+      at = std::move(trial);
+      return true;
+    }
+  }
+  return false;
+}
+
+Solution Search::run(int max_iterations) {
+  Solution result;
+  const bool free = family_.basis.cols() > 0;
+  Iterate at =
+      project(free ? condition_.fitted(unknowns_.target, family_.basis, smallest_alpha_) : family_.held);
+  Iterate best = at;
+  Step now = step(at, {});
+  double best_stationarity = now.stationarity;
+  bool convex = now.convex;
+  const auto resolved = [&](const Iterate& i, double stationarity) {
+    return stationarity * moveSize(i) <= noise_ + 1e-14 * moveSize(i);
+  };
+  int stalls = 0;
+  while (free && result.iterations < max_iterations && stalls < 3) {
+    if (resolved(at, now.stationarity) && at.exact) break;
+    ++result.iterations;
+    if (!advance(at, now)) break;
+    now = step(at, now.multiplier);
+    const bool closer = !at.exact || !best.exact ? at.infeasibility() <= best.infeasibility()
+                                                 : now.stationarity < 0.5 * best_stationarity;
+    stalls = closer || now.stationarity > 1e-7 ? 0 : stalls + 1;
+    if (closer || now.stationarity < best_stationarity || now.stationarity > 1e-7) {
+      best = at;
+      best_stationarity = now.stationarity;
+      convex = now.convex;
+    }
+  }
+  result.c = best.c;
+  result.x = best.x;
+  result.cost = best.cost;
+  result.stationarity = best_stationarity;
+  result.stationary = convex && (best_stationarity <= 1e-10 || resolved(best, best_stationarity));
+  result.exact = best.exact && (!unknowns_.rational || best.x.col(3).minCoeff() > 0);
+  return result;
+}
+
+}  // namespace
+
+bool holds(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& x, double rounding) {
+  const Eigen::VectorXd allowed = 32 * eps * rounding * matrix.cwiseAbs().rowwise().sum();
+  return ((matrix * x).rowwise().norm().array() <= allowed.array()).all();
+}
+
+Solution solve(const Unknowns& unknowns, const Condition& condition, const Family& family,
+               double smallest_alpha, int max_iterations) {
+  return Search(unknowns, condition, family, smallest_alpha).run(max_iterations);
+}
+
+}  // namespace seamwright::nearest

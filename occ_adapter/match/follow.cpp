@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BSplCLib.hxx>
+#include <Eigen/SparseCholesky>
+#include <TColStd_Array1OfReal.hxx>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <math_Matrix.hxx>
+#include <numbers>
+#include <sstream>
+
+#include <seamwright/occ_adapter/match/follow.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+constexpr int most_rows = 3;
+
+/// Values and derivatives (a row each) of the basis functions that do not vanish at a parameter.
+struct Basis {
+  int first = 0;
+  Eigen::MatrixXd values;
+};
+
+Basis basisAt(const std::vector<double>& flat_knots, int degree, double parameter, int derivatives) {
+  TColStd_Array1OfReal knots(1, static_cast<int>(flat_knots.size()));
+  std::ranges::copy(flat_knots, knots.begin());
+  math_Matrix matrix(1, derivatives + 1, 1, degree + 1, 0.0);
+  Basis basis;
+  BSplCLib::EvalBsplineBasis(derivatives, degree + 1, knots, parameter, basis.first, matrix);
+  --basis.first;
+  basis.values.resize(derivatives + 1, degree + 1);
+  for (int k = 0; k <= derivatives; ++k)
+    for (int j = 0; j <= degree; ++j) basis.values(k, j) = matrix(k + 1, j + 1);
+  return basis;
+}
+
+/// Knots across that begin at the side with 0 and grow into the face.
+std::vector<double> knotsFromSide(const EdgeRows& rows) {
+  std::vector<double> knots = rows.knotsAcross();
+  const bool at_end = rows.edge() == PatchEdge::U1 || rows.edge() == PatchEdge::V1;
+  if (at_end) std::ranges::reverse(knots);
+  const double side = knots.front();
+  for (double& knot : knots) knot = std::abs(knot - side);
+  return knots;
+}
+
+/// X^(k) = sum over rows r <= k and columns of share[k](r, j - first) pole(r, j): the k-th derivative across.
+struct Blend {
+  int first = 0;
+  std::array<Eigen::MatrixXd, most_rows> share;
+};
+
+class SideBasis {
+ public:
+  explicit SideBasis(const EdgeRows& rows)
+      : rows_(rows),
+        along_(rows.knotsAlong()),
+        across_(basisAt(knotsFromSide(rows), rows.degreeAcross(), 0, most_rows - 1).values) {
+    count_ = std::min<int>(most_rows, static_cast<int>(across_.cols()));
+  }
+
+  /// Quotient rule: the shares of a derivative of sum N w P / sum N w.
+  Blend at(double t) const {
+    const Basis basis = basisAt(along_, rows_.degreeAlong(), t, 0);
+    Blend blend{basis.first, {}};
+    std::array<Eigen::MatrixXd, most_rows> weighted;
+    std::array<double, most_rows> sum{};
+    for (int k = 0; k < most_rows; ++k) {
+      weighted[k] = Eigen::MatrixXd::Zero(most_rows, basis.values.cols());
+      for (int r = 0; r < count_; ++r)
+        for (int j = 0; j < basis.values.cols(); ++j)
+          weighted[k](r, j) = across_(k, r) * basis.values(0, j) * rows_.weight(r, basis.first + j);
+      sum[k] = weighted[k].sum();
+    }
+    blend.share[0] = weighted[0] / sum[0];
+    blend.share[1] = (weighted[1] - sum[1] * blend.share[0]) / sum[0];
+    blend.share[2] = (weighted[2] - 2 * sum[1] * blend.share[1] - sum[2] * blend.share[0]) / sum[0];
+    return blend;
+  }
+
+  double leading(int order) const { return across_(order, order); }
+
+ private:
+  const EdgeRows& rows_;
+  std::vector<double> along_;
+  Eigen::MatrixXd across_;
+  int count_ = 0;
+};
+
+Eigen::Vector3d derivative(const EdgeRows& rows, const Blend& blend, int order) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (int r = 0; r <= order; ++r)
+    for (int j = 0; j < blend.share[order].cols(); ++j)
+      sum += blend.share[order](r, j) * rows.pole(r, blend.first + j);
+  return sum;
+}
+
+/// Ends and points of each knot span, Chebyshev-Lobatto.
+std::vector<double> places(const std::vector<double>& knots, int per_span) {
+  std::vector<double> t = {0};
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+    if (knots[i + 1] <= knots[i]) continue;
+    for (int k = 1; k <= per_span; ++k)
+      t.push_back(knots[i] + (knots[i + 1] - knots[i]) *
+                                 (k == per_span ? 1 : (1 - std::cos(std::numbers::pi * k / per_span)) / 2));
+  }
+  return t;
+}
+
+/// What the reference shows at a place of the side.
+struct Target {
+  double t = 0;
+  Blend blend;
+  Eigen::Vector3d point;
+  std::optional<Eigen::Vector3d> normal;
+  Eigen::Matrix3d curvature = Eigen::Matrix3d::Zero();
+};
+
+std::vector<Target> targetsOf(const EdgeRows& rows, const SideBasis& basis, const Reference& reference) {
+  std::vector<Target> targets;
+  for (const double t : places(rows.knotsAlong(), std::max(4, rows.degreeAlong() + 1))) {
+    const SidePoint point = reference.at(t);
+    Target target{t, basis.at(t), point.jet.p, unitNormal(point.jet, point.noise), {}};
+    target.curvature.setZero();
+    if (target.normal) target.curvature = curvatureTensor(point.jet, *target.normal);
+    targets.push_back(std::move(target));
+  }
+  return targets;
+}
+
+/// Conditions on the moves of one row's poles, coordinates x, y, z of column 0, of column 1, ...
+class RowSystem {
+ public:
+  explicit RowSystem(int columns) : unknowns_(3 * columns) {}
+
+  void fix(int column, const Eigen::Vector3d& move) {
+    for (int c = 0; c < 3; ++c) fixed_[3 * column + c] = move[c];
+  }
+  void add(const Eigen::RowVectorXd& factors, int first_column, const Eigen::Vector3d& direction,
+           double value) {
+    for (int j = 0; j < factors.size(); ++j)
+      for (int c = 0; c < 3; ++c) {
+        const int unknown = 3 * (first_column + j) + c;
+        const double entry = factors[j] * direction[c];
+        if (const auto fixed = fixed_.find(unknown); fixed != fixed_.end())
+          value -= entry * fixed->second;
+        else
+          entries_.emplace_back(static_cast<int>(values_.size()), unknown, entry);
+      }
+    values_.push_back(value);
+  }
+
+  /// Moves, one column of the net a row.
+  Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> solve() const {
+    constexpr double damping = 1e-5;
+    Eigen::SparseMatrix<double> a(static_cast<int>(values_.size()), unknowns_);
+    a.setFromTriplets(entries_.begin(), entries_.end());
+    const Eigen::VectorXd b = Eigen::Map<const Eigen::VectorXd>(values_.data(), a.rows());
+    Eigen::SparseMatrix<double> normal = a.transpose() * a;
+    Eigen::SparseMatrix<double> identity(unknowns_, unknowns_);
+    identity.setIdentity();
+    normal += damping * damping * identity;
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(normal);
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(unknowns_);
+    for (int pass = 0; pass < 3; ++pass)
+      x += factors.solve(a.transpose() * (b - a * x) - damping * damping * x);
+    for (const auto& [unknown, value] : fixed_) x[unknown] = value;
+    return Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>>(x.data(),
+                                                                                       unknowns_ / 3, 3);
+  }
+
+ private:
+  int unknowns_;
+  std::map<int, double> fixed_;
+  std::vector<Eigen::Triplet<double>> entries_;
+  std::vector<double> values_;
+};
+
+/// Moves the rows one after the other.
+class Follower {
+ public:
+  Follower(EdgeRows& rows, const Reference& reference, const FollowOptions& options)
+      : rows_(rows), options_(options), basis_(rows), targets_(targetsOf(rows, basis_, reference)) {
+    for (const int column : {0, rows.columns() - 1}) collapsed_.push_back(isCollapsed(rows, column));
+  }
+
+  void run() {
+    movePoints();
+    for (int row = 1; row <= options_.order; ++row) moveRow(row);
+  }
+
+ private:
+  int end(int which) const { return which == 0 ? 0 : rows_.columns() - 1; }
+
+  void apply(int row, const RowSystem& system) {
+    const auto moves = system.solve();
+    for (int j = 0; j < rows_.columns(); ++j)
+      rows_.setPole(row, j, rows_.pole(row, j) + moves.row(j).transpose());
+    if (row == 0) first_row_ = moves;
+  }
+
+  void movePoints() {
+    RowSystem system(rows_.columns());
+    for (const int which : {0, 1}) {
+      const Eigen::Vector3d there = which == 0 ? targets_.front().point : targets_.back().point;
+      Eigen::Vector3d move = there - rows_.pole(0, end(which));
+      if (options_.hold_sides) move.setZero();
+      system.fix(end(which), move);
+    }
+    for (const Target& target : targets_) {
+      const Eigen::Vector3d missing = target.point - derivative(rows_, target.blend, 0);
+      for (int c = 0; c < 3; ++c)
+        system.add(target.blend.share[0].row(0), target.blend.first, Eigen::Vector3d::Unit(c), missing[c]);
+    }
+    apply(0, system);
+    for (const int which : {0, 1})
+      if (collapsed_[which])
+        for (int row = options_.order + 1; row < rows_.rows(); ++row)
+          rows_.setPole(row, end(which), rows_.pole(0, end(which)));
+  }
+
+  void moveRow(int row) {
+    RowSystem system(rows_.columns());
+    for (const int which : {0, 1}) {
+      if (collapsed_[which]) system.fix(end(which), first_row_.row(end(which)).transpose());
+      if (options_.hold_sides) system.fix(end(which), Eigen::Vector3d::Zero());
+    }
+    const double scale = 1 / basis_.leading(row);
+    for (const Target& target : targets_) {
+      if (!target.normal) continue;
+      double value = -target.normal->dot(derivative(rows_, target.blend, row));
+      if (row == 2) {
+        const Eigen::Vector3d across = derivative(rows_, target.blend, 1);
+        value += across.dot(target.curvature * across);
+      }
+      system.add(scale * target.blend.share[row].row(row), target.blend.first, *target.normal, scale * value);
+    }
+    apply(row, system);
+  }
+
+  EdgeRows& rows_;
+  const FollowOptions& options_;
+  SideBasis basis_;
+  std::vector<Target> targets_;
+  std::vector<bool> collapsed_;
+  Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> first_row_;
+};
+
+opencascade::handle<Geom_BSplineSurface> copyOf(const Geom_BSplineSurface& surface) {
+  return opencascade::handle<Geom_BSplineSurface>::DownCast(surface.Copy());
+}
+
+double ratioOf(const PairMeasure& pair, const FollowOptions& options) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const auto over = [](double value, double limit) { return value == 0 ? 0 : value / limit; };
+  double ratio = pair.gap_mm ? over(*pair.gap_mm, options.tolerance.gap_mm) : infinite;
+  if (pair.angle_rad) ratio = std::max(ratio, over(*pair.angle_rad, options.tolerance.angle_rad));
+  if (pair.fold) ratio = infinite;
+  if (options.order > 1 && pair.curvature)
+    ratio = std::max(ratio, over(relativeDifference(*pair.curvature, options.tolerance.flat_radius_mm),
+                                 options.tolerance.curvature_rel));
+  return ratio;
+}
+
+}  // namespace
+
+bool isCollapsed(const EdgeRows& rows, int column) {
+  double size = 0, spread = 0;
+  for (int row = 0; row < rows.rows(); ++row) {
+    size = std::max(size, rows.pole(row, column).cwiseAbs().maxCoeff());
+    spread = std::max(spread, (rows.pole(row, column) - rows.pole(0, column)).norm());
+  }
+  return spread <= 64 * std::numeric_limits<double>::epsilon() * size;
+}
+
+double largestMove_mm(const Geom_BSplineSurface& before, const Geom_BSplineSurface& after) {
+  double largest = 0;
+  for (int i = 1; i <= before.NbUPoles(); ++i)
+    for (int j = 1; j <= before.NbVPoles(); ++j)
+      largest = std::max(largest, before.Pole(i, j).Distance(after.Pole(i, j)));
+  return largest;
+}
+
+MovedSurface follow(const EdgeRows& rows, const Reference& reference, const FollowOptions& options) {
+  MovedSurface moved{rows.surface(), copyOf(*rows.surface()), 0};
+  EdgeRows changed(moved.after, rows.edge(), rows.reversed());
+  Follower(changed, reference, options).run();
+  moved.largest_move_mm = largestMove_mm(*moved.before, *moved.after);
+  return moved;
+}
+
+std::vector<double> sampledRatios(const EdgeRows& rows, const Reference& reference,
+                                  const FollowOptions& options) {
+  constexpr int per_span = 9;
+  const std::vector<double> t = places(rows.knotsAlong(), per_span);
+  std::vector<double> ratios;
+  for (std::size_t first = 0; first + 1 < t.size(); first += per_span) {
+    double worst = 0;
+    for (std::size_t k = first; k <= first + per_span; ++k)
+      worst = std::max(worst, ratioOf(measurePair(reference.at(t[k]), sidePoint(rows, t[k])), options));
+    ratios.push_back(worst);
+  }
+  return ratios;
+}
+
+std::string whySidesMove(const EdgeRows& rows, const Reference& reference, const FollowOptions& options) {
+  const SideBasis basis(rows);
+  std::ostringstream text;
+  for (const double t : {0.0, 1.0}) {
+    const SidePoint there = reference.at(t);
+    const Blend blend = basis.at(t);
+    const double gap_mm = (there.jet.p - derivative(rows, blend, 0)).norm();
+    if (gap_mm > options.tolerance.gap_mm) {
+      text << "a side ends " << gap_mm << " mm away from the other face";
+      return text.str();
+    }
+    const std::optional<Eigen::Vector3d> normal = unitNormal(there.jet, there.noise);
+    const Eigen::Vector3d across = derivative(rows, blend, 1);
+    if (!normal || across.norm() == 0) continue;
+    const double angle_rad = std::asin(std::min(1.0, std::abs(normal->dot(across)) / across.norm()));
+    if (angle_rad > options.tolerance.angle_rad) {
+      text << "a side ends at " << angle_rad * 180 / std::numbers::pi
+           << " degrees to the tangent plane of the other face";
+      return text.str();
+    }
+    if (options.order < 2) continue;
+    const Eigen::Matrix3d tensor = curvatureTensor(there.jet, *normal);
+    const double own = normal->dot(derivative(rows, blend, 2)) / across.squaredNorm();
+    const double wanted = across.dot(tensor * across) / across.squaredNorm();
+    const double largest = std::max({tensor.norm(), std::abs(own), 1 / options.tolerance.flat_radius_mm});
+    if (std::abs(own - wanted) > options.tolerance.curvature_rel * largest) {
+      text << "a side ends with a normal curvature of " << own << " per mm where the other face has "
+           << wanted;
+      return text.str();
+    }
+  }
+  return {};
+}
+
+bool isTurnedOver(const EdgeRows& before, const EdgeRows& after, int order) {
+  constexpr int per_span = 9, across_points = 5;
+  const std::vector<double> knots = knotsFromSide(before);
+  const double reach = std::min(1.0, knots[order + before.degreeAcross() + 1] / knots.back());
+  for (const double t : places(before.knotsAlong(), per_span))
+    for (int k = 0; k < across_points; ++k) {
+      const Eigen::Vector2d at = before.parameters(t, reach * k / (across_points - 1));
+      gp_Pnt point;
+      std::array<gp_Vec, 2> u, v;
+      before.surface()->D1(at[0], at[1], point, u[0], v[0]);
+      after.surface()->D1(at[0], at[1], point, u[1], v[1]);
+      if (u[0].Crossed(v[0]).Dot(u[1].Crossed(v[1])) < 0) return true;
+    }
+  return false;
+}
+
+}  // namespace seamwright::occ
