@@ -14,7 +14,7 @@ import FreeCAD as App
 DEFLECTION = 5e-3
 
 #: Largest distance between a unit normal and the mean of its neighbours'; at ten times that stripes look jagged.
-BEND = 1.5e-4
+BEND = 2e-4
 
 #: Edges shorter than this part of their face's size are not split: where a surface has a kink the normal jumps
 #: however near the corners are.

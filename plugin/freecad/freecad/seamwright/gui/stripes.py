@@ -1,20 +1,49 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Scene nodes that draw triangles as a mirror of stripes: dark and light tubes in a bright room.
+"""Scene nodes that draw triangles as a mirror of stripes: light tubes in a dark room, far away.
 
-The graphics card looks up each corner's reflection in a striped texture (a sphere map), so the stripes glide over
-the faces as the view turns. A reflection does not depend on which side of a face its normal points to.
+What a mirror shows is told by its normal, seen from the eye. A shader works it out for each pixel, so the stripes
+glide over the faces as the view turns. They are the same for a normal and its opposite.
 """
+
+import math
 
 from pivy import coin
 
-#: Light stripes from one end of the reflected half space to the other.
-STRIPES = 20
+#: Light stripes over a ball, and the angle they lean by, so that a tube shows them however it lies.
+STRIPES, LEAN = 32, math.radians(30)
 
-DARK, LIGHT = 20, 250
-TEXTURE_PX = 256
+#: Brightness of the dark and the light stripes, and how much of it is left where a face is seen from the side.
+DARK, LIGHT, ASKANCE = 0.07, 0.97, 0.7
 
-#: From dark to light, as a part of a stripe and the next: sharper edges look jagged.
-SOFT = 0.06
+VERTEX = """
+varying vec3 normal;
+void main() {
+  normal = gl_NormalMatrix * gl_Normal;
+  gl_ClipVertex = gl_ModelViewMatrix * gl_Vertex;
+  gl_Position = ftransform();
+}
+"""
+
+#: ``place`` counts pairs of a dark and a light stripe; where a pixel holds much of a pair, it is grey.
+FRAGMENT = """
+varying vec3 normal;
+void main() {
+  vec3 n = normalize(normal);
+  float place = %(pairs).8f * dot(n.xy, vec2(%(x).8f, %(y).8f));
+  float pixel = max(fwidth(place), 1e-6);
+  float inside = 0.25 - abs(fract(place) - 0.5);
+  float part = mix(clamp(0.5 + inside / pixel, 0.0, 1.0), 0.5, clamp(2.0 * pixel - 0.5, 0.0, 1.0));
+  float shade = mix(%(dark).8f, %(light).8f, part) * mix(%(askance).8f, 1.0, abs(n.z));
+  gl_FragColor = vec4(vec3(shade), 1.0);
+}
+""" % {
+    "pairs": STRIPES / 2,  # a normal's components go from -1 to 1
+    "x": math.cos(LEAN),
+    "y": math.sin(LEAN),
+    "dark": DARK,
+    "light": LIGHT,
+    "askance": ASKANCE,
+}
 
 
 def unseen():
@@ -27,37 +56,21 @@ def unseen():
 
 def node(facets):
     """A separator that draws the Facets; they let the mouse through."""
-    group = coin.SoSeparator()
-    pick, hints, material = coin.SoPickStyle(), coin.SoShapeHints(), coin.SoMaterial()
+    group, pick, binding = coin.SoSeparator(), coin.SoPickStyle(), coin.SoNormalBinding()
     pick.style = coin.SoPickStyle.UNPICKABLE
-    hints.vertexOrdering, hints.shapeType = coin.SoShapeHints.COUNTERCLOCKWISE, coin.SoShapeHints.UNKNOWN_SHAPE_TYPE
-    material.ambientColor, material.specularColor = (0, 0, 0), (0, 0, 0)
-    material.diffuseColor, material.emissiveColor = (0.35, 0.35, 0.35), (0.65, 0.65, 0.65)
-    binding, quality = coin.SoNormalBinding(), coin.SoComplexity()
     binding.value = coin.SoNormalBinding.PER_VERTEX_INDEXED
-    quality.textureQuality = 1.0
-    for child in (pick, hints, material, binding, quality, *_mirror(), *_mesh(facets)):
+    for child in (pick, binding, _mirror(), *_mesh(facets)):
         group.addChild(child)
     return group
 
 
 def _mirror():
-    """The striped texture, and that the reflection tells which place of it is seen."""
-    texture, scale = coin.SoTexture2(), coin.SoTexture2Transform()
-    row = bytes(_shade((place + 0.5) / TEXTURE_PX) for place in range(TEXTURE_PX))
-    texture.image.setValue(coin.SbVec2s(TEXTURE_PX, 2), 1, row * 2)
-    texture.wrapS = texture.wrapT = coin.SoTexture2.REPEAT
-    texture.model = coin.SoTexture2.MODULATE
-    scale.scaleFactor = (STRIPES, 1.0)
-    return texture, scale, coin.SoTextureCoordinateEnvironment()
-
-
-def _shade(place):
-    """Brightness at a place 0..1 of one dark and one light stripe."""
-    from_edge = min(abs(place - edge) for edge in (0.0, 0.5, 1.0))
-    inside = min(0.5, from_edge / SOFT)
-    part = 0.5 + inside if place >= 0.5 else 0.5 - inside
-    return round(DARK + part * (LIGHT - DARK))
+    program = coin.SoShaderProgram()
+    for place, (shader, text) in enumerate(((coin.SoVertexShader(), VERTEX), (coin.SoFragmentShader(), FRAGMENT))):
+        shader.sourceType = coin.SoShaderObject.GLSL_PROGRAM
+        shader.sourceProgram = text
+        program.shaderObject.set1Value(place, shader)
+    return program
 
 
 def _mesh(facets):
