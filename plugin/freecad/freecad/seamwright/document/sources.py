@@ -79,6 +79,33 @@ def world_shape(obj):
     return placed
 
 
+class Elements:
+    """The faces and edges that links name, where they stand in the model; what they share stays shared."""
+
+    def __init__(self, links):
+        """``links``: [(object, "Face3"), ...]. Raises SourceError for one that is not there."""
+        self._parts = {obj: world_shape(obj) for obj, _ in links}
+        if len(self._parts) > 1:
+            self._parts = {obj: _without_location(part) for obj, part in self._parts.items()}
+        self.shapes = [self._find(obj, name) for obj, name in links]
+
+    def _find(self, obj, name):
+        kind = name.rstrip("0123456789")
+        shape, digits = self._parts[obj], name[len(kind) :]
+        found = {"Face": shape.Faces, "Edge": shape.Edges}.get(kind, [])
+        if not digits or not 0 < int(digits) <= len(found):
+            raise SourceError("%s has no %s: choose another one." % (obj.Label, name or "such face"))
+        return found[int(digits) - 1]
+
+    def edge_text(self, edge):
+        """An edge of the ``shapes`` as the user reads it: "Plate.Edge3"."""
+        for obj, part in self._parts.items():
+            for number, other in enumerate(part.Edges, 1):
+                if other.isSame(edge):
+                    return "%s.Edge%d" % (obj.Label, number)
+        return "an edge"
+
+
 class Model:
     """The one shape that is analysed, with the owner of each of its faces and edges."""
 

@@ -5,10 +5,10 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import Part
 
-from freecad.seamwright.document import analysis, sources
+from freecad.seamwright.document import analysis, match, sources
 from freecad.seamwright.gui import export_dialog, icon_path, messages
 from freecad.seamwright.gui.zebra import zebra
-from freecad.seamwright.plain import kernel
+from freecad.seamwright.plain import kernel, summary
 
 
 def selected_sources():
@@ -25,6 +25,24 @@ def selected_analysis():
     chosen = [obj for obj in Gui.Selection.getSelection() if analysis.is_analysis(obj)]
     every = [obj for obj in App.ActiveDocument.Objects if analysis.is_analysis(obj)]
     return (chosen or every or [None])[-1]
+
+
+def selected_elements(kind):
+    """[(object, "Face3"), ...]: the selected "Face"s or "Edge"s, in the order they were picked.
+
+    An object that is selected as a whole counts as its face if it has just one.
+    """
+    return [
+        (chosen.Object, name)
+        for chosen in Gui.Selection.getSelectionEx()
+        if sources.has_shape(chosen.Object)
+        for name in chosen.SubElementNames or _only_face(chosen.Object)
+        if name.startswith(kind)
+    ]
+
+
+def _only_face(obj):
+    return ("Face1",) if len(Part.getShape(obj).Faces) == 1 else ()
 
 
 class AnalyzeSeams:
@@ -87,6 +105,46 @@ class ExportReport:
         export_dialog.ask_and_export(selected_analysis())
 
 
+class MatchSurfaces:
+    """Match the two selected faces to each other."""
+
+    name = "Seamwright_MatchSurfaces"
+
+    def GetResources(self):
+        """Menu text, tool tip and icon."""
+        return {
+            "MenuText": "Match Surfaces",
+            "ToolTip": "Move the second of two selected faces, or both, so that they join without a kink (G1) or with "
+            "equal curvature (G2); select a common edge too where they have several",
+            "Pixmap": icon_path("seamwright-match"),
+        }
+
+    def IsActive(self):
+        """Whether there is a document."""
+        return App.ActiveDocument is not None
+
+    def Activated(self):
+        """Create the match as one step that can be undone, and open its panel."""
+        doc = App.ActiveDocument
+        faces, edges = selected_elements("Face"), selected_elements("Edge")
+        if len(faces) != 2 or len(edges) > 1:
+            messages.show_error(
+                "Select two faces, first the one that stays, then the one that moves. Selected: %s, %s."
+                % (summary.counted(len(faces), "face"), summary.counted(len(edges), "edge"))
+            )
+            return
+        doc.openTransaction("Match surfaces")
+        try:
+            obj = match.create(*faces, edge=edges[0] if edges else None)
+        except kernel.KernelUnavailable as error:
+            doc.abortTransaction()
+            messages.show_error(str(error))
+            return
+        Gui.Selection.clearSelection()
+        obj.ViewObject.Proxy.created = True
+        Gui.getDocument(doc.Name).setEdit(obj.Name)
+
+
 class ZebraStripes:
     """Draw stripes on the selected objects, or take them off."""
 
@@ -133,7 +191,7 @@ def with_faces(objects):
     return [obj for obj in objects if sources.has_shape(obj) and Part.getShape(obj).Faces]
 
 
-COMMANDS = (AnalyzeSeams, ExportReport, ZebraStripes)
+COMMANDS = (AnalyzeSeams, ExportReport, MatchSurfaces, ZebraStripes)
 
 
 def register():
