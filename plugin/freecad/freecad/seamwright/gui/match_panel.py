@@ -109,9 +109,8 @@ class MatchPanel:
         self.form.setWindowTitle("Match Surfaces")
         self.form.setWindowIcon(QtGui.QIcon(icon_path("seamwright-match")))
         layout = QtWidgets.QVBoxLayout(self.form)
-        layout.addWidget(self._build_faces())
-        layout.addWidget(self._build_tolerances())
-        layout.addWidget(self._build_result())
+        for box in (self._build_faces(), self._build_result(), self._build_tolerances()):
+            layout.addWidget(box)
 
     def _build_faces(self):
         box = QtWidgets.QGroupBox("Faces")
