@@ -16,6 +16,9 @@ DEFLECTION = 5e-3
 #: Largest distance between a unit normal and the mean of its neighbours'; at ten times that stripes look jagged.
 BEND = 2e-4
 
+#: Largest height of a surface over the middle of an edge, as a part of the face's size.
+SAG = 3e-4
+
 #: Edges shorter than this part of their face's size are not split: where a surface has a kink the normal jumps
 #: however near the corners are.
 SHORTEST = 0.01
@@ -68,7 +71,8 @@ class _Sheet:
         self._sign = -1.0 if face.Orientation == "Reversed" else 1.0
         low_u, high_u, low_v, high_v = face.ParameterRange
         self._middle = ((low_u + high_u) / 2, (low_v + high_v) / 2)
-        self._shortest = SHORTEST * face.BoundBox.DiagonalLength
+        size = face.BoundBox.DiagonalLength
+        self._shortest, self._sag = SHORTEST * size, SAG * size
         self._uv, self.points, self.normals = [], [], []
         self.triangles = self._start(face, deflection)
 
@@ -121,20 +125,26 @@ class _Sheet:
                 continue
         return (0.0, 0.0, 1.0)
 
+    def _height(self, uv, one, other):
+        return math.dist(self._surface.value(*uv), _mean(self.points[one], self.points[other]))
+
     def _bent_edges(self):
-        """{edge: place of its new middle} for the edges along which the normal bends too much."""
+        """{edge: place of its new middle} for the edges along which the normal or the surface bends too much."""
         edges = {edge for triangle in self.triangles for edge in _edges(triangle)}
         split = {}
         for edge in edges:
             one, other = edge
             if math.dist(self.points[one], self.points[other]) < self._shortest:
                 continue
-            uv = tuple((a + b) / 2 for a, b in zip(self._uv[one], self._uv[other]))
-            normal = self._normal(uv)
-            mean = [(a + b) / 2 for a, b in zip(self.normals[one], self.normals[other])]
-            if math.dist(normal, mean) > BEND:
+            uv = _mean(self._uv[one], self._uv[other])
+            bend = math.dist(self._normal(uv), _mean(self.normals[one], self.normals[other]))
+            if bend > BEND or self._height(uv, one, other) > self._sag:
                 split[edge] = self._add(uv)
         return split
+
+
+def _mean(one, other):
+    return tuple((a + b) / 2 for a, b in zip(one, other))
 
 
 def _edges(triangle):

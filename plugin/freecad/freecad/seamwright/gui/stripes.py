@@ -24,14 +24,15 @@ void main() {
 }
 """
 
-#: ``place`` counts pairs of a dark and a light stripe; where a pixel holds much of a pair, it is grey.
+#: ``place`` counts pairs of a light and a dark stripe from the middle of the light one that the eye stands in; where a
+#: pixel holds much of a pair, it is grey.
 FRAGMENT = """
 varying vec3 normal;
 void main() {
   vec3 n = normalize(normal);
   float place = %(pairs).8f * dot(n.xy, vec2(%(x).8f, %(y).8f));
   float pixel = max(fwidth(place), 1e-6);
-  float inside = 0.25 - abs(fract(place) - 0.5);
+  float inside = abs(fract(place) - 0.5) - 0.25;
   float part = mix(clamp(0.5 + inside / pixel, 0.0, 1.0), 0.5, clamp(2.0 * pixel - 0.5, 0.0, 1.0));
   float shade = mix(%(dark).8f, %(light).8f, part) * mix(%(askance).8f, 1.0, abs(n.z));
   gl_FragColor = vec4(vec3(shade), 1.0);
