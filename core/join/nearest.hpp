@@ -14,10 +14,11 @@ namespace seamwright {
 struct JoinSide {
   BSplineSurface surface;
   PatchEdge edge = PatchEdge::U0;
-  bool reversed = false;    ///< the seam's parameter runs against the edge's own sense
-  bool moves = true;        ///< false: no pole of this surface moves
-  Eigen::VectorXd weights;  ///< how dear a move of each pole is, > 0, in the order of the poles; empty: 1
-  std::vector<bool> fixed;  ///< poles that stay, in the order of the poles; empty: none
+  bool reversed = false;  ///< the seam's parameter runs against the edge's own sense
+  bool moves = true;      ///< false: no pole of this surface moves
+  Eigen::VectorXd weights =
+      {};  ///< how dear a move of each pole is, > 0, in the order of the poles; empty: 1
+  std::vector<bool> fixed = {};  ///< poles that stay, in the order of the poles; empty: none
 };
 
 struct NearestOptions {

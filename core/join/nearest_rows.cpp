@@ -120,7 +120,8 @@ void setSeam(Unknowns& u, const Coordinates& a, const Coordinates& b) {
     const int in_a = u.a.pole(0, j), in_b = u.b.pole(0, j);
     const double pull_a = a.pull(in_a), pull_b = b.pull(in_b);
     const Eigen::RowVectorXd x = a.pole(in_a), y = b.pole(in_b);
-    if (pull_a == 0 && pull_b == 0) u.seam_gap = std::max(u.seam_gap, (x - y).norm());
+    u.seam_gap = std::max(u.seam_gap, (x - y).norm());
+    if (pull_a == 0 && pull_b == 0) u.fixed_gap = std::max(u.fixed_gap, (x - y).norm());
     if (pull_a > 0 && pull_b > 0) {
       u.pull(j) = pull_a + pull_b;
       u.target.row(j) = (pull_a * x + pull_b * y) / u.pull(j);

@@ -37,7 +37,8 @@ struct Unknowns {
   double size = 1;
   double scale_b = 1;    ///< homogeneous poles of b are divided by it, so that those of the seams agree
   double seam_cost = 0;  ///< cost of joining the seams alone
-  double seam_gap = 0;   ///< between seam poles that are fixed on both sides
+  double seam_gap = 0;   ///< largest distance between poles of the seams
+  double fixed_gap = 0;  ///< and between those that are fixed on both sides
   double largest = 0;    ///< coordinate, which rounding is measured by
   bool rational = false;
 

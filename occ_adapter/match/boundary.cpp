@@ -64,16 +64,6 @@ std::vector<Seam> seamsBetween(const TopoDS_Shape& model, const TopoDS_Shape& pa
   return seams;
 }
 
-void swapSides(Seam& seam) {
-  std::swap(seam.sides[0], seam.sides[1]);
-  if (seam.edges.size() == 2) std::swap(seam.edges[0], seam.edges[1]);
-  Correspondence& map = seam.correspondence;
-  std::swap(map.a, map.b);
-  if (map.a.empty() || map.a.front() < map.a.back()) return;
-  for (std::vector<double>* list : {&map.s, &map.a, &map.b}) std::ranges::reverse(*list);
-  for (double& s : map.s) s = 1 - s;
-}
-
 std::vector<Seam>::iterator chosen(std::vector<Seam>& seams, int edge) {
   if (edge == 0)
     return std::ranges::max_element(seams, {}, [](const Seam& seam) { return lengthOf_mm(seam); });
@@ -186,16 +176,16 @@ class NaturalSide {
     if (width[across] > noise_[across])
       return "is trimmed along the boundary, which is no parameter line of its surface";
     const int along = 1 - across;
-    const double at = (path.low[across] + path.high[across]) / 2;
-    const bool at_low = at <= face.low[across] + noise_[across];
-    if (!at_low && at < face.high[across] - noise_[across]) return "goes on beyond the boundary";
+    const bool at_low = path.low[across] <= face.low[across] + noise_[across];
+    if (!at_low && path.high[across] < face.high[across] - noise_[across])
+      return "goes on beyond the boundary";
     if (face.low[along] < path.low[along] - noise_[along] ||
         face.high[along] > path.high[along] + noise_[along])
       return "has a side of which the boundary is a part only";
     if (((path.low < range_.low - noise_) || (path.high > range_.high + noise_)).any())
       return "runs across the origin of its periodic surface";
     if (!isMonotonous(points_, along)) return "has a boundary that turns back on itself";
-    cut(across, at, at_low, path);
+    cut(across, at_low, face);
     setEdge(across, at_low);
     return {};
   }
@@ -207,14 +197,15 @@ class NaturalSide {
     side_.with_edge = points_.front()[1 - across] < points_.back()[1 - across];
   }
 
-  void cut(int across, double at, bool at_low, const Box& path) {
+  /// Where the face ends, so that no path of it leaves the surface.
+  void cut(int across, bool at_low, const Box& face) {
     Box kept = range_;
     const auto keep = [&](int parameter, double& bound, double value) {
       if (std::abs(value - bound) > noise_[parameter]) bound = value;
     };
-    keep(across, at_low ? kept.low[across] : kept.high[across], at);
-    keep(1 - across, kept.low[1 - across], path.low[1 - across]);
-    keep(1 - across, kept.high[1 - across], path.high[1 - across]);
+    keep(across, at_low ? kept.low[across] : kept.high[across], (at_low ? face.low : face.high)[across]);
+    keep(1 - across, kept.low[1 - across], face.low[1 - across]);
+    keep(1 - across, kept.high[1 - across], face.high[1 - across]);
     if ((kept.low == range_.low).all() && (kept.high == range_.high).all()) return;
     side_.spline->Segment(kept.low[0], kept.high[0], kept.low[1], kept.high[1]);
   }
@@ -264,7 +255,6 @@ CommonBoundary commonBoundary(const TopoDS_Shape& model, const std::array<TopoDS
     return boundary;
   }
   Seam& seam = *chosen(seams, options.edge);
-  if (seam.sides[0].face == 2) swapSides(seam);
   if (seams.size() > 1) {
     std::vector<int> common;
     for (const Seam& each : seams) common.push_back(each.edges.front());

@@ -4,6 +4,7 @@
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt2d.hxx>
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
@@ -157,7 +158,10 @@ EdgeRows rowsToMove(const MatchSide& side, int order) {
 
 Candidate joinInPoles(const PairToMatch& pair) {
   Candidate best = joinWithKnots(pair, 0);
-  if (!hasInnerKnots(rowsOf(pair, 0)[0])) return best;
+  const EdgeRows rows = rowsOf(pair, 0)[0];
+  // The time of a join grows with the third power of the columns; so many take about a second.
+  const int most_columns = 200 / pair.options.order;
+  if (!hasInnerKnots(rows) || rows.columns() > most_columns) return best;
   for (int extra = 1; extra <= pair.options.order; ++extra) {
     Candidate next = joinWithKnots(pair, extra);
     if (!next.failure.empty()) continue;
@@ -193,8 +197,11 @@ Candidate joinToTolerance(const PairToMatch& pair, double limit) {
     return candidate;
   }
   std::ostringstream text;
-  text << "after " << most_refinements << " halvings of knot spans the worst figure is " << worst
-       << " times its tolerance";
+  if (std::isinf(worst))
+    text << "the faces leave the boundary to the same side and would fold back on one another";
+  else
+    text << "after " << most_refinements << " halvings of knot spans the worst figure is " << worst
+         << " times its tolerance";
   candidate.failure = text.str();
   return candidate;
 }

@@ -64,6 +64,7 @@ std::string figuresText(const SeamResult& seam) {
   add("gap", seam.figures.gap_mm, 1, " mm");
   add("angle", seam.figures.angle_rad, 57.295779513082323, " degrees");
   add("relative curvature difference", seam.figures.curvature_rel, 1, "");
+  if (!seam.figures.uncertified.empty()) text << ", not enclosed: " << seam.figures.uncertified;
   if (!seam.note.empty()) text << ", " << seam.note;
   return text.str();
 }
@@ -262,6 +263,18 @@ class Matching {
     result_.after = after;
     result_.largest_move_mm = candidate.largest_move_mm;
     addReason(result_.reason, candidate.how);
+    for (const Seam& seam : findSeams(shell).seams)
+      if (seam.kind == SeamKind::Shared && seam.edges != after.edges)
+        addReason(result_.reason, gapeText(seam));
+  }
+
+  /// Of another edge that the faces have in common.
+  std::string gapeText(const Seam& seam) const {
+    const SeamFigures figures = measureSeam(seam, analyzeOptions(options_)).figures;
+    if (!figures.gap_mm || figures.gap_mm->lower <= options_.tolerance.gap_mm) return {};
+    std::ostringstream text;
+    text << "at another edge that the faces share they are " << figures.gap_mm->lower << " mm apart now";
+    return text.str();
   }
 
   static constexpr const char* needs_a_move = "the join needs a move of ";

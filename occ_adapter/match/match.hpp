@@ -45,7 +45,7 @@ struct MatchReport {
 ///
 /// Where both faces end there with a side of their spline surfaces, the join is one of poles and exact to rounding: the smallest move
 /// (core/join/nearest.hpp), with the knots along the seam as they are or with inner ones repeated \p order times more, whichever moves
-/// less. Otherwise, or where that cannot be or moves more than twice as far, one face follows what the other one shows along the
+/// less (the latter for at most 200 / order columns of poles, because of the time). Otherwise, or where that cannot be or moves more than twice as far, one face follows what the other one shows along the
 /// boundary at several points a knot span (position, tangent plane, curvature), row by row, each by the smallest move that meets it;
 /// knot spans where the tolerance is not met are halved, at most 6 times.
 ///

@@ -27,7 +27,9 @@ namespace {
 
 using opencascade::handle;
 
-constexpr int points_of_an_edge = 101;
+constexpr int points_of_an_edge = 257;
+/// What lies between the points may be off by more than what they show.
+constexpr double between_points = 1.2;
 
 /// A surface where it lies in space.
 struct Placed {
@@ -70,7 +72,8 @@ handle<Geom_Curve> parameterLine(const Placed& placed, const Path& path) {
   const gp_Pnt2d from = path.at(0), to = path.at(points_of_an_edge - 1);
   std::array<double, 4> range{};
   spline->Bounds(range[0], range[1], range[2], range[3]);
-  const double near_u = 1e-12 * (range[1] - range[0]), near_v = 1e-12 * (range[3] - range[2]);
+  constexpr double near = 1e-8;
+  const double near_u = near * (range[1] - range[0]), near_v = near * (range[3] - range[2]);
   const bool along_v = std::abs(from.X() - to.X()) <= near_u;
   if (!along_v && std::abs(from.Y() - to.Y()) > near_v) return {};
   for (int k = 0; k < points_of_an_edge; ++k) {
@@ -238,7 +241,7 @@ class Rebuilder {
       builder_.UpdateEdge(alone, path.curve, face, Precision::Confusion());
       builder_.Range(alone, path.first, path.last);
       double first = 0, last = 0;
-      if (BRepLib::BuildCurve3d(alone, plan_.gap_mm / 100, GeomAbs_C1, 14, 200))
+      if (BRepLib::BuildCurve3d(alone, plan_.gap_mm / 1000, GeomAbs_C1, 14, 200))
         image = BRep_Tool::Curve(alone, first, last);
     }
     if (image.IsNull()) throw std::runtime_error("no curve in space can be built for a trimmed edge");
@@ -283,7 +286,6 @@ class Rebuilder {
         largest = std::max(largest,
                            placed.at(path.at(k))
                                .Distance(curve->Value(first + (last - first) * k / (points_of_an_edge - 1))));
-    constexpr double between_points = 1.05;
     builder_.UpdateEdge(edge, std::max(Precision::Confusion(), between_points * largest));
   }
 

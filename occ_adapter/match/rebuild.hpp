@@ -27,7 +27,7 @@ struct SeamPlan {
   std::array<FacePlan, 2> faces;
   double first = 0, last = 1;             ///< parameters of both paths and of the curve
   opencascade::handle<Geom_Curve> curve;  ///< in space
-  double gap_mm = 0.01;  ///< curves that have to be approximated keep within a hundredth of it
+  double gap_mm = 0.01;  ///< curves that have to be approximated keep within a thousandth of it
 };
 
 struct RebuiltPair {
@@ -38,7 +38,7 @@ struct RebuiltPair {
 /// Both faces as a shell that shares the seam. Everything is new but the curves and surfaces that stay; the old shape is not touched.
 ///
 /// Edges keep their paths in the parameter plane. Where a surface moved below an edge, its curve in space is the image of the path:
-/// exact along a parameter line, else approximated. Tolerances of edges and vertices are what 101 points of each path show, and not
+/// exact along a parameter line, else approximated. Tolerances of edges and vertices are what 257 points of each path show and a fifth more, and not
 /// below those they had where nothing moved.
 /// \throws std::runtime_error where a curve can't be built; Standard_Failure.
 RebuiltPair rebuild(const SeamPlan& plan);
