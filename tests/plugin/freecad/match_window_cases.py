@@ -261,6 +261,7 @@ class Matching(MatchWindow):
     def test_a_saved_match_opens_with_its_view(self):
         obj, _ = self.start()
         self.ok()
+        self.left.ViewObject.Visibility = True
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "saved.FCStd")
             self.doc.saveAs(path)
@@ -270,7 +271,7 @@ class Matching(MatchWindow):
                 settle()
             (again,) = self.matches()
             self.assertNotIn("Touched", again.State)
-            self.assertEqual(self.visible(), [again.Name])
+            self.assertEqual(self.visible(), ["Left", again.Name])
             self.assertEqual(again.ViewObject.Proxy.claimChildren(), [self.doc.Left, self.doc.Right])
             again.ViewObject.Proxy.doubleClicked(again.ViewObject)
             settle()
@@ -345,6 +346,38 @@ class Stripes(MatchWindow):
         self.doc.removeObject("Left")
         settle()
         self.assertEqual(zebra.objects(self.doc), [])
+
+    def test_stripes_on_a_body_a_link_and_a_part(self):
+        Gui.runCommand(ZEBRA)
+        zebra.hide(zebra.objects(self.doc))  # from now on changes are followed, also those of the new objects below
+        body = self.doc.addObject("PartDesign::Body", "Body")
+        body.addObject(self.doc.addObject("PartDesign::AdditiveSphere", "Ball"))
+        part = self.doc.addObject("App::Part", "Part")
+        part.addObject(models.add(self.doc, models.sheet(1), "Inner"))
+        link = self.doc.addObject("App::Link", "Twin")
+        link.LinkedObject = self.right
+        for moved in (part, link):
+            moved.Placement = App.Placement(App.Vector(0, 60, 0), App.Rotation())
+        self.doc.recompute()
+        for chosen, striped in ((body, "Body"), (part, "Inner"), (link, "Twin")):
+            with self.subTest(striped):
+                for obj in self.doc.Objects:
+                    obj.ViewObject.Visibility = obj.Name in (chosen.Name, striped)
+                settle()
+                self.fit()
+                without = dark_count(picture("zebra-%s-off" % striped))
+                Gui.Selection.clearSelection()
+                Gui.Selection.addSelection(chosen)
+                Gui.runCommand(ZEBRA)
+                settle()
+                self.assertEqual([obj.Name for obj in zebra.objects(self.doc)], [striped])
+                self.assertGreater(dark_count(picture("zebra-%s" % striped)), without + MANY)
+                zebra.hide(zebra.objects(self.doc))
+        for obj in self.doc.Objects:
+            obj.ViewObject.Visibility = True
+        Gui.Selection.clearSelection()
+        Gui.runCommand(ZEBRA)
+        self.assertEqual({obj.Name for obj in zebra.objects(self.doc)}, {"Left", "Right", "Body", "Inner", "Twin"})
 
     def test_a_closed_document_takes_its_stripes_along(self):
         other = App.newDocument("Other")

@@ -74,6 +74,7 @@ class _Sheet:
         size = face.BoundBox.DiagonalLength
         self._shortest, self._sag = SHORTEST * size, SAG * size
         self._uv, self.points, self.normals = [], [], []
+        self._fine = set()  # edges found to be short or straight enough
         self.triangles = self._start(face, deflection)
 
     def refined(self):
@@ -130,7 +131,7 @@ class _Sheet:
 
     def _bent_edges(self):
         """{edge: place of its new middle} for the edges along which the normal or the surface bends too much."""
-        edges = {edge for triangle in self.triangles for edge in _edges(triangle)}
+        edges = {edge for triangle in self.triangles for edge in _edges(triangle)} - self._fine
         split = {}
         for edge in edges:
             one, other = edge
@@ -140,6 +141,7 @@ class _Sheet:
             bend = math.dist(self._normal(uv), _mean(self.normals[one], self.normals[other]))
             if bend > BEND or self._height(uv, one, other) > self._sag:
                 split[edge] = self._add(uv)
+        self._fine |= edges - split.keys()
         return split
 
 

@@ -33,11 +33,16 @@ def _is_candidate(obj, exclude):
         return False
     if exclude is not None and (obj == exclude or exclude in obj.OutListRecursive):
         return False
-    group = obj.getParentGeoFeatureGroup()
-    if group is not None and group.isDerivedFrom("PartDesign::Body"):
+    if in_body(obj):
         return False
     shape = Part.getShape(obj)
     return not shape.isNull() and bool(shape.Solids or shape.Shells)
+
+
+def in_body(obj):
+    """Whether an object is a step of a PartDesign body, which holds the shape itself."""
+    group = obj.getParentGeoFeatureGroup()
+    return group is not None and group.isDerivedFrom("PartDesign::Body")
 
 
 def has_shape(obj):

@@ -176,7 +176,7 @@ class ZebraStripes:
         elif chosen or striped:
             zebra.hide(chosen or striped)
         else:
-            self._show(with_faces(obj for obj in doc.Objects if obj.ViewObject.Visibility))
+            self._show(with_faces(obj for obj in doc.Objects if obj.ViewObject.Visibility and not sources.in_body(obj)))
 
     def _show(self, objects):
         if objects:

@@ -5,7 +5,6 @@ The stripes follow the shape, the place and the visibility of their object, and 
 """
 
 import FreeCAD as App
-import FreeCADGui as Gui
 import Part
 from pivy import coin
 
@@ -42,8 +41,7 @@ class Zebra:
     def show(self, objects):
         """Draw stripes on the objects, as their shapes are now; False when the user cancelled."""
         if not self._follows:
-            App.addDocumentObserver(_Shapes(self))
-            Gui.addDocumentObserver(_Looks(self))
+            App.addDocumentObserver(_Follower(self))
             self._follows = True
         with progress_dialog("Computing zebra stripes\u2026") as progress:
             for place, obj in enumerate(objects):
@@ -67,18 +65,18 @@ class Zebra:
         switch.addChild(stripes.unseen())
         root.insertChild(switch, root.findChild(obj.ViewObject.SwitchNode))
         self._shown[_key(obj)] = (root, switch)
-        self.follow_visibility(obj.ViewObject)
+        self.follow_visibility(obj)
 
     def _drop(self, key):
         if key in self._shown:
             root, switch = self._shown.pop(key)
             root.removeChild(switch)
 
-    def follow_visibility(self, vobj):
+    def follow_visibility(self, obj):
         """Hide the stripes of a hidden object."""
-        _, switch = self._shown.get(_key(vobj.Object), (None, None))
+        _, switch = self._shown.get(_key(obj), (None, None))
         if switch is not None:
-            switch.whichChild = coin.SO_SWITCH_ALL if vobj.Visibility else coin.SO_SWITCH_NONE
+            switch.whichChild = coin.SO_SWITCH_ALL if obj.Visibility else coin.SO_SWITCH_NONE
 
     def follow_shape(self, obj):
         """Draw the stripes of a changed object anew, once FreeCAD is done with its recompute."""
@@ -102,8 +100,11 @@ def _key(obj):
     return obj.Document.Name, obj.Name
 
 
-class _Shapes:
-    """Hears of documents from FreeCAD."""
+class _Follower:
+    """Hears of changes from FreeCAD.
+
+    Of objects only: view providers are announced before they have an object, and asking one for it then ends FreeCAD.
+    """
 
     def __init__(self, zebra):
         self._zebra = zebra
@@ -112,6 +113,8 @@ class _Shapes:
         """A property of an object has a new value."""
         if prop == "Shape":
             self._zebra.follow_shape(obj)
+        elif prop == "Visibility":
+            self._zebra.follow_visibility(obj)
 
     def slotDeletedObject(self, obj):
         """An object goes away."""
@@ -120,18 +123,6 @@ class _Shapes:
     def slotDeletedDocument(self, doc):
         """A document is closed."""
         self._zebra.forget(doc.Name)
-
-
-class _Looks:
-    """Hears of views from FreeCAD."""
-
-    def __init__(self, zebra):
-        self._zebra = zebra
-
-    def slotChangedObject(self, vobj, prop):
-        """A view property has a new value."""
-        if prop == "Visibility":
-            self._zebra.follow_visibility(vobj)
 
 
 zebra = Zebra()
