@@ -70,7 +70,7 @@ class Facets(unittest.TestCase):
     def test_a_break_between_faces_stays(self):
         pair = Part.Compound(models.two_sheets())
         found = facets(pair)
-        at = [place for place, point in enumerate(found.points) if (App.Vector(*point) - App.Vector(0, -15, 0)).Length < 1e-6]
+        at = [place for place, point in enumerate(found.points) if math.dist(point, (0, -15, 0)) < 1e-6]
         angle = App.Vector(*found.normals[at[0]]).getAngle(App.Vector(*found.normals[at[1]]))
         sine = abs(math.sin(angle))
         self.assertEqual(len(at), 2)

@@ -150,6 +150,32 @@ class Matching(MatchWindow):
         self.assertEqual((self.visible(), self.doc.UndoCount), ([obj.Name], steps))
         self.assertTrue(obj.Matched)
 
+    def test_undo_and_closing_while_the_panel_is_open(self):
+        obj, panel = self.start()
+        panel.zebra.setChecked(True)
+        panel.preview()
+        self.ok()
+        Gui.activeDocument().setEdit(obj.Name)
+        settle()
+        panel = obj.ViewObject.Proxy.panel
+        panel.zebra.setChecked(True)
+        panel.tolerances.level.setCurrentText("G2")
+        self.doc.undo()
+        settle(0.8)
+        self.doc.undo()
+        settle()
+        Gui.activeDocument().resetEdit()
+        settle()
+        self.assertEqual(self.matches(), [])
+        self.assertFalse(Gui.Control.activeDialog())
+        _, panel = self.start()
+        panel.zebra.setChecked(True)
+        panel.max_move.setValue(5.0)
+        App.closeDocument(self.doc.Name)
+        settle(0.8)
+        self.assertFalse(Gui.Control.activeDialog())
+        self.doc = App.newDocument("Again")
+
     def test_swap_lets_the_other_face_move(self):
         obj, panel = self.start()
         click(panel.swap, panel.swap.rect().center())

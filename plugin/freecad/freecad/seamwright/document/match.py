@@ -78,7 +78,8 @@ class MatchSurfaces:
         except module.Cancelled:
             raise RuntimeError("Cancelled; the results are those of the last complete run.") from None
         except (sources.SourceError, module.ModelError, ValueError) as error:
-            report, shape = {**match_text.EMPTY_REPORT, "reason": str(error), "tolerance": tolerances(obj)}, Part.Shape()
+            report = {**match_text.EMPTY_REPORT, "reason": str(error), "tolerance": tolerances(obj)}
+            shape = Part.Shape()
         store(obj, report, shape)
         if not report["matched"]:
             raise RuntimeError(obj.Summary)
@@ -212,11 +213,11 @@ def store(obj, report, shape):
 def create(first, second, *, edge=None, target="G1", moves="second", max_move_mm=0.0, hold_sides=False, **tolerances):
     """Match two faces: add a Match Surfaces to their document, compute it and return it.
 
-    ``first``, ``second``: (object, "Face3"); ``edge``: (object, "Edge5") where they have several in common. ``target``: "G1"
-    or "G2". ``moves``: "first", "second" or "both". ``max_move_mm``: no pole may move further; 0: no limit. ``tolerances``:
-    gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg, match_mm, profile, as for an analysis. Raises TypeError
-    and ValueError for bad arguments, kernel.KernelUnavailable when the compiled part is missing. When the faces do not
-    match the object is returned in its error state, see ``error_text``.
+    ``first``, ``second``: (object, "Face3"); ``edge``: (object, "Edge5") where they have several in common.
+    ``target``: "G1" or "G2". ``moves``: "first", "second" or "both". ``max_move_mm``: no pole may move further;
+    0: no limit. ``tolerances``: gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg, match_mm, profile, as
+    for an analysis. Raises TypeError and ValueError for bad arguments, kernel.KernelUnavailable when the compiled
+    part is missing. When the faces do not match the object is returned in its error state, see ``error_text``.
     """
     kernel.load(Part.OCC_VERSION)
     table = TOLERANCES + (("MaxMove", "max_move_mm"),)

@@ -99,7 +99,10 @@ class MatchPanel:
     def _end(self):
         self._ended = True
         self._timer.stop()
-        zebra.hide(self._striped)
+        self._unstripe()
+
+    def _unstripe(self):
+        zebra.hide([obj for obj in map(self._doc.getObject, self._striped) if obj is not None])
         self._striped = []
 
     # The window.
@@ -244,9 +247,8 @@ class MatchPanel:
             source.ViewObject.Visibility = not after
         seen = [self.obj] if after else sources
         if not self.zebra.isChecked():
-            zebra.hide(self._striped)
-            self._striped = []
+            self._unstripe()
             return
         fresh = [each for each in seen if each not in zebra.objects(self._doc)]
         if fresh and zebra.show(fresh):
-            self._striped += fresh
+            self._striped += [each.Name for each in fresh]
