@@ -55,8 +55,8 @@ bool alreadyJoined(const Unknowns& u, const NearestOptions& options, const Famil
                    NearestJoin& result) {
   const Condition condition(u, options.order, family.degrees, {});
   const double rounding = 32 * std::numeric_limits<double>::epsilon() * u.largest;
-  Eigen::VectorXd c = family.held;
-  if (family.basis.cols() > 0) c = condition.fitted(u.target, family.basis, 0);
+  const Eigen::VectorXd c =
+      family.basis.cols() > 0 ? condition.fitted(u.target, family.basis, family.held, 0) : family.held;
   const Eigen::VectorXd alpha = c.head(family.degrees[Alpha] + 1);
   const bool joined =
       alpha.minCoeff() > 0 && u.seam_gap <= rounding && holds(condition.matrix(c), u.target, u.largest);
@@ -76,17 +76,20 @@ struct Candidate {
 Candidate candidate(const Unknowns& u, const NearestOptions& options, const Family& family) {
   const Condition condition(u, options.order, family.degrees, family.vanishing);
   const std::array<double, 2> speeds = condition.crossSpeeds(u.target);
-  if (!(speeds[0] > 0 && speeds[1] > 0))
-    refuse("surface " + std::string(speeds[0] > 0 ? "b" : "a") + " has no extent across the seam");
   const double smallest_alpha = options.smallest_alpha * speeds[1] / speeds[0];
   Solution solution = solve(u, condition, family, smallest_alpha, options.max_iterations);
   const double residual = relativeResidual(condition, solution.c, solution.x);
   return {family, std::move(solution), residual};
 }
 
+/// An alpha that is all but constant can be a way to the join of a constant alpha that never arrives: what did not converge has to be nearer
+/// by more than rounding explains.
 bool better(const Candidate& one, const Candidate& other) {
+  constexpr double clearly = 1e-3;
   if (one.solution.exact != other.solution.exact) return one.solution.exact;
-  return one.solution.exact ? one.solution.cost < other.solution.cost : one.residual < other.residual;
+  if (!one.solution.exact) return one.residual < other.residual;
+  const auto effective = [&](const Solution& s) { return s.cost * (s.stationary ? 1 : 1 + clearly); };
+  return effective(one.solution) < effective(other.solution);
 }
 
 Candidate nearestOf(const Unknowns& u, const NearestOptions& options, const std::vector<Family>& families) {

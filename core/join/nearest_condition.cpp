@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/Geometry>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -76,6 +77,8 @@ Condition::Condition(const Unknowns& unknowns, int order, const Degrees& degrees
       width_(unknowns.a.degree + 1),
       columns_(static_cast<Eigen::Index>(unknowns.blocks()) * unknowns.count()) {
   for (int k = 1; k <= order; ++k) addPoints(k, vanishing);
+  const int n = unknowns.a.degree;
+  ends_ = {pointAt(1, 0, n), pointAt(1, 1, unknowns.count() - 1)};
 }
 
 void Condition::addPoints(int order, const std::vector<double>& vanishing) {
@@ -96,10 +99,10 @@ void Condition::addPoints(int order, const std::vector<double>& vanishing) {
     }
     i += multiplicity;
   }
-  for (const Place& place : places) addPoint(order, place.t, place.span);
+  for (const Place& place : places) points_.push_back(pointAt(order, place.t, place.span));
 }
 
-void Condition::addPoint(int order, double t, int span) {
+Condition::Point Condition::pointAt(int order, double t, int span) const {
   const Unknowns& u = unknowns_;
   const Eigen::MatrixXd basis = bspline::basisDerivatives(u.a.degree, u.a.knots, span, t, 2);
   Point point;
@@ -126,7 +129,7 @@ void Condition::addPoint(int order, double t, int span) {
   }
   const double factor = std::max(std::abs(u.b.across(order, order)), u.b.across(1, 1));
   point.scale = 1 / factor;
-  points_.push_back(std::move(point));
+  return point;
 }
 
 Condition::Values Condition::values(const Point& point, const Eigen::VectorXd& c) const {
@@ -287,15 +290,13 @@ Eigen::VectorXd Condition::fittedPart(const Eigen::MatrixXd& x, const Eigen::Mat
 }
 
 Eigen::VectorXd Condition::fitted(const Eigen::MatrixXd& x, const Eigen::MatrixXd& basis,
-                                  double smallest_alpha) const {
-  Eigen::VectorXd c = Eigen::VectorXd::Zero(coefficients());
-  c += fittedPart(x, basis, 1, c);
+                                  const Eigen::VectorXd& held, double smallest_alpha) const {
+  Eigen::VectorXd c = held + fittedPart(x, basis, 1, held);
   const int alphas = degrees_[Alpha] + 1;
   if (c.head(alphas).minCoeff() < smallest_alpha) {
-    c.head(alphas) = c.head(alphas).cwiseMax(smallest_alpha);
+    c << c.head(alphas).cwiseMax(smallest_alpha), held.tail(held.size() - alphas);
     Eigen::MatrixXd others = basis;
     others.topRows(alphas).setZero();
-    c.tail(c.size() - alphas).setZero();
     c += fittedPart(x, others, 1, c);
   }
   c += fittedPart(x, basis, 2, c);
@@ -311,6 +312,22 @@ std::array<double, 2> Condition::crossSpeeds(const Eigen::MatrixXd& x) const {
   }
   const auto number = static_cast<double>(points_.size());
   return {std::sqrt(p / number), std::sqrt(q / number)};
+}
+
+Eigen::MatrixXd Condition::normals(const Eigen::MatrixXd& x) const {
+  Eigen::MatrixXd result(rows() + 2, 3);
+  for (Eigen::Index i = 0; i < result.rows(); ++i) {
+    const Point& point = i < rows() ? points_[i] : ends_[i - rows()];
+    const Eigen::MatrixXd fields = point.fields * local(point, x);
+    // Of homogeneous coordinates w^2 times the derivative of the point.
+    const auto affine = [&](Field field) -> Eigen::Vector3d {
+      if (x.cols() == 3) return fields.row(field).transpose();
+      return fields(FieldP, 3) * fields.row(field).head<3>() -
+             fields(field, 3) * fields.row(FieldP).head<3>();
+    };
+    result.row(i) = affine(FieldPs).cross(affine(FieldPt)).transpose();
+  }
+  return result;
 }
 
 double Condition::largestDerivative(const Eigen::MatrixXd& x) const {

@@ -49,11 +49,13 @@ class Condition {
   std::vector<Eigen::MatrixXd> transposed(const Eigen::VectorXd& c, const Eigen::MatrixXd& nu) const;
   /// <nu, d2A/dc_i dc_j x>.
   Eigen::MatrixXd curvature(const Eigen::MatrixXd& nu, const Eigen::MatrixXd& x) const;
-  /// The coefficients that fit these poles best, condition by condition (MATH-surfaces 2.6).
-  /// \param basis columns span the coefficients allowed; those of alpha are coordinates. \param smallest_alpha least alpha's coefficients.
-  Eigen::VectorXd fitted(const Eigen::MatrixXd& x, const Eigen::MatrixXd& basis, double smallest_alpha) const;
+  /// The coefficients held + basis y that fit these poles best, condition by condition (MATH-surfaces 2.6), those of alpha not below a bound.
+  Eigen::VectorXd fitted(const Eigen::MatrixXd& x, const Eigen::MatrixXd& basis, const Eigen::VectorXd& held,
+                         double smallest_alpha) const;
   /// Root mean squares of |P_s| and |Q_s| along the seam.
   std::array<double, 2> crossSpeeds(const Eigen::MatrixXd& x) const;
+  /// Along P_s x P_t at the points and at both ends, one a row.
+  Eigen::MatrixXd normals(const Eigen::MatrixXd& x) const;
   /// Largest |Q_s|, and |Q_ss| if of order 2, over the factors of their rows.
   double largestDerivative(const Eigen::MatrixXd& x) const;
 
@@ -70,7 +72,7 @@ class Condition {
   };
 
   void addPoints(int order, const std::vector<double>& vanishing);
-  void addPoint(int order, double t, int span);
+  Point pointAt(int order, double t, int span) const;
   Eigen::MatrixXd local(const Point& point, const Eigen::MatrixXd& x) const;
   Values values(const Point& point, const Eigen::VectorXd& c) const;
   static Combination combination(int order, const Values& f);
@@ -85,6 +87,7 @@ class Condition {
   int width_;  ///< poles of a span
   Eigen::Index columns_;
   std::vector<Point> points_;
+  std::array<Point, 2> ends_;
 };
 
 }  // namespace seamwright::nearest

@@ -3,6 +3,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -39,16 +40,95 @@ Eigen::MatrixXd vanishingAt(const std::vector<double>& places, int degree) {
   return values.fullPivLu().kernel();
 }
 
-Family familyOf(const Degrees& degrees, std::vector<double> vanishing) {
+/// An end of the seam at which the poles of all rows stay and the cross derivatives of both sides are parallel, while the seam's tangent may
+/// turn: there beta is 0. A beta that is not would have to turn the tangent into the cross derivatives.
+struct HeldEnd {
+  double t = 0;
+  bool second = false;  ///< likewise for the condition of order 2
+  std::array<double, function_count> value{};
+};
+
+std::optional<HeldEnd> heldEnd(const Unknowns& u, int order, double t) {
+  constexpr double parallel = 1e-10;
+  const int j = t == 0 ? 0 : u.count() - 1, neighbour = t == 0 ? 1 : u.count() - 2;
+  const auto index = [&](int block, int pole) { return static_cast<Eigen::Index>(block) * u.count() + pole; };
+  const auto stays = [&](int row) {
+    return (row > u.a.depth || u.pull(index(row, j)) == 0) &&
+           (row > u.b.depth || u.pull(index(u.a.depth + row, j)) == 0);
+  };
+  if (u.pull(j) > 0 || !stays(1) || u.pull(neighbour) == 0) return std::nullopt;
+  const auto derivative = [&](const SeamRows& rows, int first_block, int k) {
+    Eigen::VectorXd sum = rows.across(k, 0) * u.target.row(j).transpose();
+    for (int row = 1; row <= rows.depth; ++row)
+      sum += rows.across(k, row) * u.target.row(index(first_block + row, j)).transpose();
+    return sum;
+  };
+  const Eigen::VectorXd p_s = -derivative(u.a, 0, 1), q_s = derivative(u.b, u.a.depth, 1);
+  Eigen::MatrixXd span = p_s;
+  if (u.rational) {
+    span.conservativeResize(Eigen::NoChange, 2);
+    span.col(1) = u.target.row(j).transpose();
+  }
+  const auto solver = span.completeOrthogonalDecomposition();
+  HeldEnd end;
+  end.t = t;
+  const Eigen::VectorXd first = solver.solve(q_s);
+  if ((span * first - q_s).norm() > parallel * q_s.norm() || !(first(0) > 0)) return std::nullopt;
+  end.value[Alpha] = first(0);
+  if (u.rational) end.value[E1] = first(1);
+  if (order == 1 || !stays(2)) return end;
+  const Eigen::VectorXd p_ss = derivative(u.a, 0, 2), q_ss = derivative(u.b, u.a.depth, 2);
+  const Eigen::VectorXd rest = q_ss - first(0) * first(0) * p_ss - 2 * end.value[E1] * first(0) * p_s;
+  const Eigen::VectorXd second = solver.solve(rest);
+  end.second = (span * second - rest).norm() <= parallel * (q_ss.norm() + p_ss.norm());
+  end.value[P] = second(0);
+  if (u.rational) end.value[E2] = second(1);
+  return end;
+}
+
+/// None where a constant alpha (or p, e1, e2) cannot be right at both ends.
+std::vector<HeldEnd> heldEnds(const Unknowns& u, const Degrees& degrees, int order) {
+  std::vector<HeldEnd> ends;
+  for (const double t : {0.0, 1.0})
+    if (const auto end = heldEnd(u, order, t)) ends.push_back(*end);
+  if (ends.size() < 2) return ends;
+  for (const Function f : {Alpha, E1, P, E2}) {
+    const double difference = std::abs(ends[0].value[f] - ends[1].value[f]);
+    const bool counts = f <= E1 || (ends[0].second && ends[1].second);
+    if (counts && degrees[f] == 0 && difference > 1e-10 * (1 + std::abs(ends[0].value[f]))) return {};
+  }
+  return ends;
+}
+
+Family familyOf(const Degrees& degrees, std::vector<double> vanishing,
+                const std::vector<HeldEnd>& ends = {}) {
   Family family{degrees, std::move(vanishing), {}, {}};
   const auto offset = offsets(degrees);
-  for (int f = 0; f < function_count; ++f) {
-    if (degrees[f] < 0) continue;
-    const bool bound = f == Beta || f == Q;
-    const Eigen::MatrixXd part = vanishingAt(bound ? family.vanishing : std::vector<double>{}, degrees[f]);
+  family.held = Eigen::VectorXd::Zero(offset.back());
+  family.basis.resize(offset.back(), 0);
+  const auto append = [&](int f, const Eigen::MatrixXd& part) {
     const Eigen::Index columns = family.basis.cols();
     family.basis.conservativeResizeLike(Eigen::MatrixXd::Zero(offset.back(), columns + part.cols()));
     family.basis.block(offset[f], columns, part.rows(), part.cols()) = part;
+  };
+  for (int f = 0; f < function_count; ++f) {
+    if (degrees[f] < 0) continue;
+    const bool vanishes = f == Beta || f == Q;
+    std::vector<double> zeros = vanishes ? family.vanishing : std::vector<double>{};
+    std::vector<int> open(degrees[f] + 1);  // coefficients that no end holds
+    std::iota(open.begin(), open.end(), 0);
+    for (const HeldEnd& end : ends) {
+      if (f >= P && !end.second) continue;
+      if (vanishes) {
+        zeros.push_back(end.t);
+        continue;
+      }
+      const int k = end.t == 0 ? 0 : degrees[f];
+      family.held(offset[f] + k) = end.value[f];
+      std::erase(open, k);
+    }
+    const Eigen::MatrixXd all = Eigen::MatrixXd::Identity(degrees[f] + 1, degrees[f] + 1);
+    append(f, vanishes ? vanishingAt(zeros, degrees[f]) : Eigen::MatrixXd(all(Eigen::all, open)));
   }
   return family;
 }
@@ -118,11 +198,17 @@ std::vector<double> innerKnots(const SeamRows& rows) {
 
 std::vector<Family> familiesOf(const Unknowns& u, const NearestOptions& options) {
   const Degrees asked = degreesOf(options, u.rational);
-  Degrees natural = asked;
+  Degrees constant = asked, natural = asked;
+  constant[Alpha] = 0;
   for (int f = 0; f < function_count; ++f) natural[f] = std::min(asked[f], f == Beta || f == Q ? 1 : 0);
   const std::vector<double> rough = roughKnots(u, options.order);
-  std::vector<Family> families = {familyOf(asked, rough)};
-  if (asked != natural) families.push_back(familyOf(natural, rough));
+  std::vector<Family> families;
+  const auto add = [&](const Degrees& degrees) {
+    families.push_back(familyOf(degrees, rough, heldEnds(u, degrees, options.order)));
+  };
+  add(asked);
+  if (constant != asked) add(constant);
+  if (natural != constant) add(natural);
   return families;
 }
 

@@ -14,8 +14,8 @@ void requireDegree(int degree, const char* name);
 /// Distinct, increasing.
 std::vector<double> innerKnots(const SeamRows& rows);
 
-/// Those of the degrees asked for and those of the natural degrees at most, with beta and q zero where the rows are not smooth enough for
-/// others.
+/// Those of the degrees asked for, of these but for a constant alpha, and of the natural degrees at most; with beta and q zero where the rows
+/// are not smooth enough for others.
 std::vector<Family> familiesOf(const Unknowns& unknowns, const NearestOptions& options);
 
 /// The joins whose seam becomes smoother than its knots, so that beta is free, unless they cost more than the solution found.

@@ -84,8 +84,16 @@ struct Coordinates {
   }
 };
 
+void requireExtent(const Poles& poles, const SeamRows& rows, const std::string& name) {
+  for (int j = 0; j < rows.count; ++j)
+    if (poles.row(rows.pole(0, j)) != poles.row(rows.pole(1, j))) return;
+  throw std::invalid_argument("surface " + name + " has no extent across the seam");
+}
+
 void measureRows(Unknowns& u, const JoinSide& a, const JoinSide& b) {
   const Poles in_a = affinePoles(a.surface.poles), in_b = affinePoles(b.surface.poles);
+  requireExtent(in_a, u.a, "a");
+  requireExtent(in_b, u.b, "b");
   for (int j = 0; j < u.count(); ++j)
     u.centre += (in_a.row(u.a.pole(0, j)) + in_b.row(u.b.pole(0, j))).transpose() / (2.0 * u.count());
   double sum = 0;
@@ -104,15 +112,15 @@ void measureRows(Unknowns& u, const JoinSide& a, const JoinSide& b) {
   if (!(u.size > 0)) throw std::invalid_argument("all poles along the seam are one point");
 }
 
-/// The factor between the weights of the two seam rows, by least squares.
+/// The factor between the weights of the two seam rows, in the mean square.
 double weightRatio(const Unknowns& u, const JoinSide& a, const JoinSide& b) {
-  double both = 0, square = 0;
+  double in_a = 0, in_b = 0;
   for (int j = 0; j < u.count(); ++j) {
-    const double weight = a.surface.poles(u.a.pole(0, j), 3);
-    both += weight * b.surface.poles(u.b.pole(0, j), 3);
-    square += weight * weight;
+    const double weight_a = a.surface.poles(u.a.pole(0, j), 3), weight_b = b.surface.poles(u.b.pole(0, j), 3);
+    in_a += weight_a * weight_a;
+    in_b += weight_b * weight_b;
   }
-  return both / square;
+  return std::sqrt(in_b / in_a);
 }
 
 void setSeam(Unknowns& u, const Coordinates& a, const Coordinates& b) {

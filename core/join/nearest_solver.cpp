@@ -26,8 +26,7 @@ double dot(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 /// A point of the feasible set (or near it): the nearest poles for its coefficients.
 struct Iterate {
   Eigen::VectorXd c;
-  Eigen::VectorXd row_scale;
-  Eigen::MatrixXd matrix;  ///< M, its rows of length 1 or 0
+  Eigen::MatrixXd matrix;  ///< M, its rows scaled
   Decomposition inverse;
   Eigen::MatrixXd x, z;
   Eigen::MatrixXd unreachable;  ///< of the condition, by any move
@@ -54,19 +53,22 @@ class Search {
     Eigen::VectorXd direction;   ///< of c
     Eigen::MatrixXd multiplier;  ///< what of the multipliers belongs to unreachable rows
     double stationarity = 0;     ///< share of the move that lies along the feasible set
-    double decrease = 0;         ///< of the cost, predicted; negative where the condition costs
     double penalty = 0;          ///< of infeasibility, above the size of the multipliers
     bool convex = true;
   };
 
-  Iterate project(const Eigen::VectorXd& c) const;
+  Iterate project(const Eigen::VectorXd& c);
   Eigen::MatrixXd reached(const Iterate& at, const Eigen::MatrixXd& rows) const {
     return at.matrix * at.inverse.solve(rows);
   }
   Eigen::MatrixXd freeBasis(const Iterate& at, const Eigen::VectorXd& gradient) const;
   Eigen::MatrixXd hessian(const Iterate& at, const Matrices& tangent, const Eigen::MatrixXd& nu) const;
   Step step(const Iterate& at, const Eigen::MatrixXd& multiplier) const;
-  bool advance(Iterate& at, const Step& step) const;
+  bool advance(Iterate& at, const Step& step);
+  bool isRegular(const Eigen::MatrixXd& x) const;
+  bool hasPositiveWeights(const Iterate& at) const {
+    return !unknowns_.rational || at.x.col(3).minCoeff() > 0;
+  }
   double moveSize(const Iterate& at) const { return std::sqrt(at.cost + unknowns_.seam_cost); }
 
   const Unknowns& unknowns_;
@@ -75,10 +77,11 @@ class Search {
   double smallest_alpha_;
   Eigen::VectorXd reach_;  ///< D
   std::vector<Eigen::Index> movable_;
-  double noise_ = 0;  ///< of z
+  double noise_ = 0;           ///< of z
+  Eigen::VectorXd row_scale_;  ///< of the condition, so that rows are comparable; that of the first iterate
 };
 
-Iterate Search::project(const Eigen::VectorXd& c) const {
+Iterate Search::project(const Eigen::VectorXd& c) {
   Iterate at;
   at.c = c;
   const Eigen::MatrixXd a = condition_.matrix(c);
@@ -86,21 +89,25 @@ Iterate Search::project(const Eigen::VectorXd& c) const {
   at.matrix = Eigen::MatrixXd::Zero(a.rows(), std::max<Eigen::Index>(1, std::ssize(movable_)));
   for (std::size_t k = 0; k < movable_.size(); ++k)
     at.matrix.col(static_cast<Eigen::Index>(k)) = reach_(movable_[k]) * a.col(movable_[k]);
-  at.row_scale = at.matrix.rowwise().norm();
-  at.row_scale = (at.row_scale.array() > 0).select(at.row_scale.array().inverse(), 1.0);
-  at.matrix = at.row_scale.asDiagonal() * at.matrix;
+  if (row_scale_.size() == 0) {
+    const Eigen::VectorXd length = at.matrix.rowwise().norm();
+    const double least = 1e-3 * length.maxCoeff();
+    row_scale_ = least > 0 ? Eigen::VectorXd(length.cwiseMax(least).cwiseInverse())
+                           : Eigen::VectorXd::Ones(length.size());
+  }
+  at.matrix = row_scale_.asDiagonal() * at.matrix;
   at.inverse.setThreshold(rank_share);
   at.inverse.compute(at.matrix);
   at.x = unknowns_.target;
   at.z = Eigen::MatrixXd::Zero(at.matrix.cols(), at.x.cols());
   for (int pass = 0; pass < 3; ++pass) {
-    const Eigen::MatrixXd residual = at.row_scale.asDiagonal() * (a * at.x);
+    const Eigen::MatrixXd residual = row_scale_.asDiagonal() * (a * at.x);
     at.z -= at.inverse.solve(residual);
     for (std::size_t k = 0; k < movable_.size(); ++k)
       at.x.row(movable_[k]) =
           unknowns_.target.row(movable_[k]) + reach_(movable_[k]) * at.z.row(static_cast<Eigen::Index>(k));
   }
-  at.unreachable = at.row_scale.asDiagonal() * (a * at.x);
+  at.unreachable = row_scale_.asDiagonal() * (a * at.x);
   at.cost = at.z.squaredNorm();
   at.exact = holds(a, at.x, unknowns_.largest);
   return at;
@@ -115,7 +122,7 @@ Eigen::MatrixXd Search::freeBasis(const Iterate& at, const Eigen::VectorXd& grad
 }
 
 Eigen::MatrixXd Search::hessian(const Iterate& at, const Matrices& tangent, const Eigen::MatrixXd& nu) const {
-  const Eigen::MatrixXd scaled = at.row_scale.asDiagonal() * nu;
+  const Eigen::MatrixXd scaled = row_scale_.asDiagonal() * nu;
   const Matrices by_multiplier = condition_.transposed(at.c, scaled);
   Matrices h, crosswise;
   for (const Eigen::MatrixXd& whole : by_multiplier) {
@@ -140,7 +147,7 @@ Search::Step Search::step(const Iterate& at, const Eigen::MatrixXd& multiplier) 
   Eigen::VectorXd gradient(count), length(count);
   Eigen::MatrixXd conditions(at.unreachable.size(), count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    by_c[i] = (at.row_scale.asDiagonal() * by_c[i]).eval();
+    by_c[i] = (row_scale_.asDiagonal() * by_c[i]).eval();
     tangent.push_back(at.inverse.solve(by_c[i]));
     conditions.col(i) = (by_c[i] - at.matrix * tangent[i]).reshaped();
     gradient(i) = -dot(at.z, tangent[i]);
@@ -183,7 +190,7 @@ Search::Step Search::step(const Iterate& at, const Eigen::MatrixXd& multiplier) 
     const double least = 1e-10 * first_order.diagonal().maxCoeff();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(open.transpose() * curvature * open);
     const Eigen::VectorXd values = eigen.eigenvalues();
-    result.convex = values.minCoeff() > -least;
+    result.convex = values.minCoeff() >= -least;
     const Eigen::VectorXd in_eigen = eigen.eigenvectors().transpose() * slope;
     const Eigen::VectorXd size = values.cwiseAbs().cwiseMax(std::max(least, 1e-300));
     result.direction -= open * (eigen.eigenvectors() * in_eigen.cwiseQuotient(size));
@@ -193,14 +200,21 @@ Search::Step Search::step(const Iterate& at, const Eigen::MatrixXd& multiplier) 
   }
   const Eigen::VectorXd forces = -scaled_basis.transpose() * (gradient + curvature * result.direction);
   const Eigen::VectorXd mu = range * inverse_singular.asDiagonal() * (fixed.transpose() * forces);
+  // No step changes the condition by far more than its terms in alpha amount to.
+  const int alphas = condition_.degrees()[Alpha] + 1;
+  const double change = result.direction.cwiseProduct(length).norm();
+  const double limit = 4 * at.c.head(alphas).cwiseProduct(length.head(alphas)).norm();
+  if (change > limit) result.direction *= limit / change;
   result.multiplier = mu.reshaped(at.unreachable.rows(), at.unreachable.cols());
+  // So much that the step, which removes the infeasibility to first order, counts as one downwards.
+  const double increase = result.direction.dot(gradient + curvature * result.direction / 2);
   result.penalty = 2 * mu.norm();
-  result.decrease = -gradient.dot(result.direction);
+  if (!at.exact && increase > 0) result.penalty = std::max(result.penalty, 2 * increase / at.infeasibility());
   return result;
 }
 
 /// A step that lowers cost plus penalty times infeasibility; halved until it does. False if none does.
-bool Search::advance(Iterate& at, const Step& step) const {
+bool Search::advance(Iterate& at, const Step& step) {
   const int alphas = condition_.degrees()[Alpha] + 1;
   const double before = at.cost / 2 + step.penalty * at.infeasibility();
   const double rounding = noise_ * (noise_ + std::sqrt(at.cost) + step.penalty);
@@ -209,8 +223,7 @@ bool Search::advance(Iterate& at, const Step& step) const {
     c.head(alphas) = c.head(alphas).cwiseMax(smallest_alpha_);
     Iterate trial = project(c);
     const double after = trial.cost / 2 + step.penalty * trial.infeasibility();
-    const bool positive = !unknowns_.rational || trial.x.col(3).minCoeff() > 0;
-    if (positive && after <= before + rounding) {
+    if ((hasPositiveWeights(trial) || !hasPositiveWeights(at)) && after <= before + rounding) {
       at = std::move(trial);
       return true;
     }
@@ -218,11 +231,24 @@ bool Search::advance(Iterate& at, const Step& step) const {
   return false;
 }
 
+/// Nowhere has the normal of a turned by a right angle or lost nearly all of its length.
+bool Search::isRegular(const Eigen::MatrixXd& x) const {
+  constexpr double collapsed = 1e-3, none = 1e-6;
+  const Eigen::MatrixXd before = condition_.normals(unknowns_.target), after = condition_.normals(x);
+  const Eigen::VectorXd length = before.rowwise().norm();
+  for (Eigen::Index i = 0; i < before.rows(); ++i)
+    if (length(i) > none * length.maxCoeff() &&
+        before.row(i).dot(after.row(i)) < collapsed * length(i) * length(i))
+      return false;
+  return true;
+}
+
 Solution Search::run(int max_iterations) {
   Solution result;
   const bool free = family_.basis.cols() > 0;
   Iterate at =
-      project(free ? condition_.fitted(unknowns_.target, family_.basis, smallest_alpha_) : family_.held);
+      project(free ? condition_.fitted(unknowns_.target, family_.basis, family_.held, smallest_alpha_)
+                   : family_.held);
   Iterate best = at;
   Step now = step(at, {});
   double best_stationarity = now.stationarity;
@@ -250,7 +276,7 @@ Solution Search::run(int max_iterations) {
   result.cost = best.cost;
   result.stationarity = best_stationarity;
   result.stationary = convex && (best_stationarity <= 1e-10 || resolved(best, best_stationarity));
-  result.exact = best.exact && (!unknowns_.rational || best.x.col(3).minCoeff() > 0);
+  result.exact = best.exact && hasPositiveWeights(best) && isRegular(best.x);
   return result;
 }
 

@@ -12,14 +12,16 @@ namespace seamwright::nearest {
 struct Family {
   Degrees degrees{};
   std::vector<double> vanishing;  ///< inner knots at which beta and q are zero
-  Eigen::MatrixXd basis;  ///< its columns span the coefficients c that are free; no column: all are held
-  Eigen::VectorXd held;   ///< c where none is free
+  /// The coefficients c are held + basis y with y free.
+  Eigen::MatrixXd basis;
+  Eigen::VectorXd held;
 };
 
 struct Solution {
   Eigen::VectorXd c;
   Eigen::MatrixXd x;
-  bool exact = false;       ///< A(c) x is rounding
+  bool exact =
+      false;  ///< A(c) x is rounding, weights are positive, and the tangent plane has not turned over or collapsed
   bool stationary = false;  ///< and x is a local minimum, as far as rounding tells
   double cost = 0;          ///< sum of pull times squared move from the target
   double stationarity = 0;

@@ -1,113 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <BSplCLib.hxx>
 #include <Eigen/SparseCholesky>
-#include <TColStd_Array1OfReal.hxx>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <math_Matrix.hxx>
+#include <map>
 #include <numbers>
 #include <sstream>
 
 #include <seamwright/occ_adapter/match/follow.hpp>
+#include <seamwright/occ_adapter/match/side_basis.hpp>
 
 namespace seamwright::occ {
 
 namespace {
-
-constexpr int most_rows = 3;
-
-/// Values and derivatives (a row each) of the basis functions that do not vanish at a parameter.
-struct Basis {
-  int first = 0;
-  Eigen::MatrixXd values;
-};
-
-Basis basisAt(const std::vector<double>& flat_knots, int degree, double parameter, int derivatives) {
-  TColStd_Array1OfReal knots(1, static_cast<int>(flat_knots.size()));
-  std::ranges::copy(flat_knots, knots.begin());
-  math_Matrix matrix(1, derivatives + 1, 1, degree + 1, 0.0);
-  Basis basis;
-  BSplCLib::EvalBsplineBasis(derivatives, degree + 1, knots, parameter, basis.first, matrix);
-  --basis.first;
-  basis.values.resize(derivatives + 1, degree + 1);
-  for (int k = 0; k <= derivatives; ++k)
-    for (int j = 0; j <= degree; ++j) basis.values(k, j) = matrix(k + 1, j + 1);
-  return basis;
-}
-
-/// Knots across that begin at the side with 0 and grow into the face.
-std::vector<double> knotsFromSide(const EdgeRows& rows) {
-  std::vector<double> knots = rows.knotsAcross();
-  const bool at_end = rows.edge() == PatchEdge::U1 || rows.edge() == PatchEdge::V1;
-  if (at_end) std::ranges::reverse(knots);
-  const double side = knots.front();
-  for (double& knot : knots) knot = std::abs(knot - side);
-  return knots;
-}
-
-/// X^(k) = sum over rows r <= k and columns of share[k](r, j - first) pole(r, j): the k-th derivative across.
-struct Blend {
-  int first = 0;
-  std::array<Eigen::MatrixXd, most_rows> share;
-};
-
-class SideBasis {
- public:
-  explicit SideBasis(const EdgeRows& rows)
-      : rows_(rows),
-        along_(rows.knotsAlong()),
-        across_(basisAt(knotsFromSide(rows), rows.degreeAcross(), 0, most_rows - 1).values) {
-    count_ = std::min<int>(most_rows, static_cast<int>(across_.cols()));
-  }
-
-  /// Quotient rule: the shares of a derivative of sum N w P / sum N w.
-  Blend at(double t) const {
-    const Basis basis = basisAt(along_, rows_.degreeAlong(), t, 0);
-    Blend blend{basis.first, {}};
-    std::array<Eigen::MatrixXd, most_rows> weighted;
-    std::array<double, most_rows> sum{};
-    for (int k = 0; k < most_rows; ++k) {
-      weighted[k] = Eigen::MatrixXd::Zero(most_rows, basis.values.cols());
-      for (int r = 0; r < count_; ++r)
-        for (int j = 0; j < basis.values.cols(); ++j)
-          weighted[k](r, j) = across_(k, r) * basis.values(0, j) * rows_.weight(r, basis.first + j);
-      sum[k] = weighted[k].sum();
-    }
-    blend.share[0] = weighted[0] / sum[0];
-    blend.share[1] = (weighted[1] - sum[1] * blend.share[0]) / sum[0];
-    blend.share[2] = (weighted[2] - 2 * sum[1] * blend.share[1] - sum[2] * blend.share[0]) / sum[0];
-    return blend;
-  }
-
-  double leading(int order) const { return across_(order, order); }
-
- private:
-  const EdgeRows& rows_;
-  std::vector<double> along_;
-  Eigen::MatrixXd across_;
-  int count_ = 0;
-};
-
-Eigen::Vector3d derivative(const EdgeRows& rows, const Blend& blend, int order) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (int r = 0; r <= order; ++r)
-    for (int j = 0; j < blend.share[order].cols(); ++j)
-      sum += blend.share[order](r, j) * rows.pole(r, blend.first + j);
-  return sum;
-}
-
-/// Ends and points of each knot span, Chebyshev-Lobatto.
-std::vector<double> places(const std::vector<double>& knots, int per_span) {
-  std::vector<double> t = {0};
-  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
-    if (knots[i + 1] <= knots[i]) continue;
-    for (int k = 1; k <= per_span; ++k)
-      t.push_back(knots[i] + (knots[i + 1] - knots[i]) *
-                                 (k == per_span ? 1 : (1 - std::cos(std::numbers::pi * k / per_span)) / 2));
-  }
-  return t;
-}
 
 /// What the reference shows at a place of the side.
 struct Target {
@@ -120,7 +25,7 @@ struct Target {
 
 std::vector<Target> targetsOf(const EdgeRows& rows, const SideBasis& basis, const Reference& reference) {
   std::vector<Target> targets;
-  for (const double t : places(rows.knotsAlong(), std::max(4, rows.degreeAlong() + 1))) {
+  for (const double t : placesInSpans(rows.knotsAlong(), std::max(4, rows.degreeAlong() + 1))) {
     const SidePoint point = reference.at(t);
     Target target{t, basis.at(t), point.jet.p, unitNormal(point.jet, point.noise), {}};
     target.curvature.setZero();
@@ -294,7 +199,7 @@ MovedSurface follow(const EdgeRows& rows, const Reference& reference, const Foll
 std::vector<double> sampledRatios(const EdgeRows& rows, const Reference& reference,
                                   const FollowOptions& options) {
   constexpr int per_span = 9;
-  const std::vector<double> t = places(rows.knotsAlong(), per_span);
+  const std::vector<double> t = placesInSpans(rows.knotsAlong(), per_span);
   std::vector<double> ratios;
   for (std::size_t first = 0; first + 1 < t.size(); first += per_span) {
     double worst = 0;
@@ -343,7 +248,7 @@ bool isTurnedOver(const EdgeRows& before, const EdgeRows& after, int order) {
   constexpr int per_span = 9, across_points = 5;
   const std::vector<double> knots = knotsFromSide(before);
   const double reach = std::min(1.0, knots[order + before.degreeAcross() + 1] / knots.back());
-  for (const double t : places(before.knotsAlong(), per_span))
+  for (const double t : placesInSpans(before.knotsAlong(), per_span))
     for (int k = 0; k < across_points; ++k) {
       const Eigen::Vector2d at = before.parameters(t, reach * k / (across_points - 1));
       gp_Pnt point;

@@ -10,6 +10,7 @@ void bindBezier(pybind11::module_& module);
 void bindMatch(pybind11::module_& module);
 void bindMeasure(pybind11::module_& module);
 void bindModel(pybind11::module_& module);
+void bindNearest(pybind11::module_& module);
 void bindPointerBridge(pybind11::module_& module);
 void bindSeam(pybind11::module_& module);
 

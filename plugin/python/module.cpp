@@ -11,6 +11,7 @@ PYBIND11_MODULE(_core, module) {
   bindBezier(module);
   bindMeasure(module);
   bindSeam(module);
+  bindNearest(module);
   bindModel(module);
   bindMatch(module);
   bindPointerBridge(module);

@@ -26,6 +26,7 @@ from . import bridge
 from ._core import (
     OCCT_VERSION,
     PROFILES,
+    BSplineSurface,
     BernsteinPolynomial,
     BezierCurve,
     BezierPatch,
@@ -39,6 +40,7 @@ from ._core import (
     enclose_seam,
     measure_joint,
     measure_pair,
+    nearest_join,
     principal_curvatures,
     read,
 )
@@ -64,6 +66,7 @@ Model.to_freecad = _to_freecad
 __all__ = [
     "OCCT_VERSION",
     "PROFILES",
+    "BSplineSurface",
     "BernsteinPolynomial",
     "BezierCurve",
     "BezierPatch",
@@ -79,6 +82,7 @@ __all__ = [
     "enclose_seam",
     "measure_joint",
     "measure_pair",
+    "nearest_join",
     "principal_curvatures",
     "read",
 ]

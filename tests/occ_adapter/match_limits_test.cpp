@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <gtest/gtest.h>
+
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <GeomConvert.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <numbers>
+#include <stdexcept>
+
+#include "files.hpp"
+#include "match_pairs.hpp"
+
+namespace seamwright::test {
+namespace {
+
+TEST(MatchFaces, ALargerMoveThanAllowedIsRefused) {
+  std::mt19937 generator(7);
+  const TopoDS_Shape pair = joinedSheets(disturbedSheets(generator, 0.05));
+  FaceMatchOptions options;
+  const double needed = matchedPair(pair, options, "free").largest_move_mm;
+  options.max_move_mm = needed / 2;
+  const MatchReport refused = matchFaces(pair, 1, 2, options);
+  EXPECT_FALSE(refused.matched);
+  EXPECT_NE(refused.reason.find("needs a move of"), std::string::npos) << refused.reason;
+  EXPECT_EQ(refused.largest_move_mm, 0);
+  EXPECT_TRUE(face(refused.shape, 2).IsPartner(face(pair, 2)));
+  EXPECT_EQ(refused.after.verdict.level, refused.before.verdict.level);
+  options.max_move_mm = 1.001 * needed;
+  expectMatched(matchFaces(pair, 1, 2, options), options, "just enough");
+}
+
+TEST(MatchFaces, WhatJoinsAlreadyIsLeftAlone) {
+  std::mt19937 generator(8);
+  const std::array<Spline, 2> parts = cutInTwo(sheet(generator, 9, 6, 5, 3));
+  for (const int order : {1, 2}) {
+    const TopoDS_Shape pair = joinedSheets(parts);
+    const MatchReport report = matchFaces(pair, 1, 2, ofOrder(order));
+    EXPECT_TRUE(report.matched);
+    EXPECT_EQ(report.largest_move_mm, 0);
+    EXPECT_NE(report.reason.find("nothing had to move"), std::string::npos);
+    for (const int number : {1, 2}) EXPECT_TRUE(face(report.shape, number).IsPartner(face(pair, number)));
+    EXPECT_EQ(report.after.faces, (std::array<int, 2>{1, 2}));
+    // Matched once, a pair stays.
+    const MatchReport first =
+        matchFaces(joinedSheets(disturbedSheets(generator, 0.05)), 1, 2, ofOrder(order));
+    const MatchReport second = matchFaces(first.shape, 1, 2, ofOrder(order));
+    EXPECT_TRUE(second.matched);
+    EXPECT_EQ(second.largest_move_mm, 0);
+  }
+}
+
+TEST(MatchFaces, ClosedAndMissingBoundariesAreRefusedWithReasons) {
+  const auto ring = [](double z) {
+    const handle<Geom_Surface> cylinder = new Geom_CylindricalSurface(gp_Ax3(gp_Pnt(0, 0, z), gp::DZ()), 10);
+    return BRepBuilderAPI_MakeFace(cylinder, 0, 2 * std::numbers::pi, 0, 5, 1e-7).Face();
+  };
+  const auto spline_ring = [&](double z) {
+    const handle<Geom_Surface> trimmed =
+        new Geom_RectangularTrimmedSurface(new Geom_CylindricalSurface(gp_Ax3(gp_Pnt(0, 0, z), gp::DZ()), 10),
+                                           0.0, 2 * std::numbers::pi, 0.0, 5.0);
+    return wholeFace(GeomConvert::SurfaceToBSplineSurface(trimmed));
+  };
+  const MatchReport closed = matchFaces(loose(ring(0), spline_ring(5)), 1, 2);
+  EXPECT_FALSE(closed.matched);
+  EXPECT_NE(closed.reason.find("closed loop"), std::string::npos) << closed.reason;
+  const MatchReport apart = matchFaces(loose(ring(0), spline_ring(8)), 1, 2);
+  EXPECT_FALSE(apart.matched);
+  EXPECT_NE(apart.reason.find("3 mm apart"), std::string::npos) << apart.reason;
+  EXPECT_EQ(apart.before.id, 0);
+}
+
+TEST(MatchFaces, OnlyAWholeSideCanBeJoined) {
+  std::mt19937 generator(13);
+  const std::array<Spline, 2> parts = cutInTwo(sheet(generator, 9, 6, 3, 3));
+  const handle<Geom_Surface> a(parts[0].get());
+  const TopoDS_Shape half =
+      loose(BRepBuilderAPI_MakeFace(a, 0, 0.4, 0, 0.5, 1e-7).Face(), wholeFace(parts[1]));
+  const MatchReport report = matchFaces(half, 1, 2);
+  EXPECT_FALSE(report.matched);
+  EXPECT_NE(report.reason.find("the ends of the boundaries are"), std::string::npos) << report.reason;
+}
+
+TEST(MatchFaces, AKnifeEdgeIsRefused) {
+  // Both sheets lie on the same side of the line x = 0, y = 0..30 and meet in it at 0.5 degrees.
+  TColgp_Array2OfPnt below(1, 4, 1, 4), above(1, 4, 1, 4);
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) {
+      below(i + 1, j + 1) = gp_Pnt(-30 + 10.0 * i, 10.0 * j, 0.02 * i * j * (3 - i));
+      above(i + 1, j + 1) = gp_Pnt(-10.0 * i, 10.0 * j, 0.1 * i);
+    }
+  const TopoDS_Shape pair = loose(wholeFace(splineOf(below, 3, 3)), wholeFace(splineOf(above, 3, 3)));
+  for (const int order : {1, 2}) {
+    const MatchReport report = matchFaces(pair, 1, 2, ofOrder(order));
+    EXPECT_FALSE(report.matched);
+    EXPECT_NE(report.reason.find("fold"), std::string::npos) << report.reason;
+  }
+}
+
+TEST(MatchFaces, BadArgumentsAreNamed) {
+  std::mt19937 generator(15);
+  const TopoDS_Shape pair = joinedSheets(disturbedSheets(generator, 0.05));
+  const auto refused = [&](int a, int b,
+                           const std::function<void(FaceMatchOptions&)>& change) -> std::string {
+    FaceMatchOptions options;
+    change(options);
+    try {
+      matchFaces(pair, a, b, options);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "not refused";
+  };
+  const auto nothing = [](FaceMatchOptions&) {};
+  EXPECT_EQ(refused(0, 1, nothing), "face 0: the model has faces 1 to 2");
+  EXPECT_EQ(refused(1, 3, nothing), "face 3: the model has faces 1 to 2");
+  EXPECT_EQ(refused(2, 2, nothing), "face 2 is given twice: two faces are needed");
+  EXPECT_EQ(refused(1, 2, [](FaceMatchOptions& o) { o.order = 3; }), "order is 3: it must be 1 or 2");
+  EXPECT_EQ(refused(1, 2, [](FaceMatchOptions& o) { o.max_move_mm = -1; }),
+            "largest move is -1 mm: it must be zero or larger");
+  EXPECT_EQ(refused(1, 2, [](FaceMatchOptions& o) { o.match_mm = std::nan(""); }),
+            "distance to match is nan mm: it must be zero or larger");
+  EXPECT_EQ(refused(1, 2, [](FaceMatchOptions& o) { o.edge = -2; }), "edge is -2: edges count from 1");
+  EXPECT_NE(refused(1, 2, [](FaceMatchOptions& o) { o.tolerance.gap_mm = -1; }), "not refused");
+  EXPECT_THROW(matchFaces(TopoDS_Shape(), 1, 2), std::invalid_argument);
+}
+
+TEST(MatchFaces, ProgressGrowsAndCanStopIt) {
+  std::mt19937 generator(16);
+  const TopoDS_Shape pair = joinedSheets(disturbedSheets(generator, 0.05));
+  std::vector<double> shares;
+  matchFaces(pair, 1, 2, {}, [&](double share) {
+    shares.push_back(share);
+    return true;
+  });
+  ASSERT_GE(shares.size(), 4);
+  EXPECT_TRUE(std::ranges::is_sorted(shares));
+  EXPECT_EQ(shares.back(), 1);
+  for (const double stop : shares)
+    EXPECT_THROW(matchFaces(pair, 1, 2, {}, [&](double share) { return share < stop; }), occ::Cancelled);
+}
+
+/// Seams of a model that fall short and are matched at their second face: how many are, and of these how many exactly. Figures of all that
+/// are matched are looked at again by plain evaluation.
+struct Tally {
+  int tried = 0, matched = 0, exact = 0;
+};
+
+Tally tallyOf(const std::filesystem::path& path, int order, double max_move_mm) {
+  const occ::Model model = occ::readModel(path);
+  occ::AnalyzeOptions analyze;
+  analyze.level = order == 1 ? Level::G1 : Level::G2;
+  Tally tally;
+  for (const occ::SeamResult& seam : occ::analyze(model, analyze).seams) {
+    if (seam.verdict.seam_class != SeamClass::Defect || seam.kind != occ::SeamKind::Shared) continue;
+    FaceMatchOptions options = ofOrder(order);
+    options.edge = seam.edges[0];
+    options.max_move_mm = max_move_mm;
+    const MatchReport report = matchFaces(model.shape, seam.faces[0], seam.faces[1], options);
+    ++tally.tried;
+    EXPECT_FALSE(report.reason.empty());
+    if (!report.matched) continue;
+    ++tally.matched;
+    tally.exact += report.exact ? 1 : 0;
+    EXPECT_LE(report.largest_move_mm, max_move_mm);
+    expectMatched(report, options, path.filename().string() + " edge " + std::to_string(seam.edges[0]));
+  }
+  return tally;
+}
+
+TEST(MatchFaces, SeamsOfModelsFromOtherHandsAreMatched) {
+  struct Case {
+    const char* name;
+    int order;
+    double max_move_mm;
+    int matched, exact;
+  };
+  const Case cases[] = {{"freeform/hammer.brep", 1, 100, 7, 7},
+                        {"freeform/linkrods.step", 1, 1, 4, 2},
+                        {"freeform/Silk_Demo_02_sewn.step", 2, 5, 5, 3}};
+  int found = 0;
+  for (const Case& each : cases) {
+    const std::filesystem::path path = furtherModel(each.name);
+    if (path.empty()) continue;
+    ++found;
+    const Tally tally = tallyOf(path, each.order, each.max_move_mm);
+    EXPECT_GE(tally.matched, each.matched) << each.name;
+    EXPECT_GE(tally.exact, each.exact) << each.name;
+  }
+  if (found == 0) GTEST_SKIP() << "none of the models is here";
+}
+
+}  // namespace
+}  // namespace seamwright::test
