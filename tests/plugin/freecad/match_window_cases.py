@@ -108,6 +108,14 @@ class Matching(MatchWindow):
         settle()
         self.assertEqual(self.matches(), [])
         self.assertEqual(self.visible(), ["Left", "Right"])
+        self.doc.redo()
+        settle()
+        (again,) = self.matches()
+        self.assertEqual((again.LevelAfter, self.visible()), ("G2", [again.Name]))
+        Gui.activeDocument().setEdit(again.Name)
+        settle()
+        self.assertEqual(again.ViewObject.Proxy.panel.tolerances.level.currentText(), "G2")
+        self.cancel()
 
     def test_cancel_takes_all_of_it_back(self):
         obj, panel = self.start()
