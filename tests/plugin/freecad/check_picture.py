@@ -10,6 +10,7 @@ import tempfile
 
 SKIPPED = 77
 STEP = "/usr/share/opencascade/data/step/linkrods.step"
+BREP = "/usr/share/opencascade/data/occ/Pump_Nut.brep"
 
 
 def run(program, *arguments):
@@ -29,14 +30,21 @@ def png_size(path):
 def main():
     program, addon, out = sys.argv[1:]
     missing = [name for name in ("freecad", "xvfb-run") if not shutil.which(name)]
-    if missing or not os.path.exists(STEP):
-        print("skipped: missing", missing or STEP)
+    if missing or not (os.path.exists(STEP) and os.path.exists(BREP)):
+        print("skipped: missing", missing or (STEP, BREP))
         return SKIPPED
     os.makedirs(out, exist_ok=True)
     target = os.path.join(out, "picture.png")
     good = run(program, STEP, target, "--mod", addon)
     assert good.returncode == 0 and "seams:" in good.stderr, "no picture"
     assert png_size(target) == (1600, 1000)
+    striped = os.path.join(out, "picture-zebra.png")
+    assert run(program, BREP, striped, "--mod", addon, "--zebra", "--view", "front").returncode == 0, "no stripes"
+    assert png_size(striped) == (1600, 1000)
+    both = os.path.join(out, "picture-pair.png")
+    pair = run(program, "--pair", BREP, BREP, both, "--mod", addon, "--zebra")
+    assert pair.returncode == 0 and pair.stderr.count("seams:") == 2, "no pair"
+    assert png_size(both) == (1600, 800)
     with tempfile.TemporaryDirectory() as folder:
         broken = os.path.join(folder, "broken.step")
         with open(broken, "w", encoding="utf-8") as file:
@@ -44,6 +52,8 @@ def main():
         nothing = os.path.join(folder, "nothing.png")
         assert run(program, broken, nothing, "--mod", addon).returncode == 1
         assert run(program, STEP, nothing).returncode == 2
+        assert run(program, STEP, nothing, "--mod", addon, "--view", "left").returncode == 2
+        assert run(program, "--pair", STEP, nothing, "--mod", addon).returncode == 2
         assert run(program, os.path.join(folder, "absent.step"), nothing, "--mod", addon).returncode == 2
         assert os.listdir(folder) == ["broken.step"], "something was left behind"
     return 0

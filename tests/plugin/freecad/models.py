@@ -27,6 +27,29 @@ def three_classes():
     return prism.makeFillet(3.0, corner)
 
 
+#: Largest angle of ``two_sheets``, and how far each reaches.
+SHEETS_DEG, SHEET_MM = 3.0, 20.0
+
+
+def sheet(side, slope_deg=0.0, bend=-0.02):
+    """A bicubic sheet z = slope |x| + bend x^2 / 2 + g(y), to the left (-1) or right (1) of the plane x = 0."""
+    slope = math.tan(math.radians(slope_deg))
+    heights = [0, slope / 3, 2 * slope / 3 + bend * SHEET_MM / 6, slope + bend * SHEET_MM / 2]
+    across = [0, 4, 4, -1]
+    surface = Part.BezierSurface()
+    surface.increase(3, 3)
+    for i in range(4):
+        for j in range(4):
+            z = SHEET_MM * heights[i] + across[j]
+            surface.setPole(i + 1, j + 1, App.Vector(side * SHEET_MM * i / 3, 10 * j - 15, z))
+    return surface.toShape()
+
+
+def two_sheets():
+    """Two sheets that meet at x = 0 with an angle of ``SHEETS_DEG`` where g is level, and less elsewhere."""
+    return [sheet(-1), sheet(1, slope_deg=SHEETS_DEG)]
+
+
 def point(x, y, z):
     """A vertex."""
     return Part.Vertex(x, y, z)

@@ -11,7 +11,7 @@ class SeamwrightWorkbench(Gui.Workbench):
     """Menu and toolbar of Seamwright."""
 
     MenuText = "Seamwright"
-    ToolTip = "Measure the seams of CAD models: gap, angle and curvature between faces"
+    ToolTip = "Measure and mend the seams of CAD models: gap, angle and curvature between faces"
     Icon = icon_path("seamwright")
 
     def Initialize(self):
@@ -28,9 +28,10 @@ class SeamwrightWorkbench(Gui.Workbench):
 
 
 def _attach_view(obj):
-    from freecad.seamwright.gui import view_provider
+    from freecad.seamwright.document import match
+    from freecad.seamwright.gui import match_view, view_provider
 
-    view_provider.attach_view(obj)
+    (match_view if match.is_match(obj) else view_provider).attach_view(obj)
 
 
 def _progress(text):

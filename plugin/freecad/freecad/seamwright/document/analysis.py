@@ -6,37 +6,24 @@ The class path is written into documents: neither rename nor move it.
 """
 
 import json
-import math
 
 import FreeCAD as App
 import Part
 
 from freecad.seamwright import __version__
-from freecad.seamwright.document import sources
+from freecad.seamwright.document import properties, sources
 from freecad.seamwright.document.hooks import hooks
-from freecad.seamwright.plain import kernel, profiles, summary
+from freecad.seamwright.document.properties import error_text
+from freecad.seamwright.plain import kernel, summary
 
 #: property, argument of the kernel, property type, default, help
-TOLERANCES = (
-    ("GapTolerance", "gap_mm", "App::PropertyLength", 0.01,
-     "Largest distance between the two sides of a seam that meets G0, in mm"),
-    ("AngleTolerance", "angle_deg", "App::PropertyAngle", 0.1,
-     "Largest angle between tangent planes of a seam that meets G1, in degrees"),
-    ("CurvatureTolerance", "curvature_rel", "App::PropertyFloat", 0.02,
-     "Largest relative difference of curvature of a seam that meets G2, without unit"),
-    ("FlatRadius", "flat_radius_mm", "App::PropertyLength", 1e5,
-     "A side whose radii of curvature are all larger counts as flat, in mm"),
-    ("CreaseAngle", "crease_deg", "App::PropertyAngle", 5.0,
-     "A seam with a larger angle is an intended crease and no defect, in degrees"),
+TOLERANCES = properties.TOLERANCES + (
     ("MatchDistance", "match_mm", "App::PropertyLength", 0.0,
      "Measure also between open edges no further apart than this, in mm; 0: between none"),
 )  # fmt: skip
 
 LEVELS = ["G0", "G1", "G2", "G3"]
 DEFAULT_LEVEL = "G1"
-
-# Attributes of App::DocumentObject.addProperty.
-READ_ONLY, HIDDEN, OUTPUT = 1, 4, 8
 
 RESULTS = (
     ("Summary", "App::PropertyString", "What was found, in one line"),
@@ -56,6 +43,8 @@ INTERNAL = (
     ("Analysed", "App::PropertyLinkListGlobal", "The objects that were analysed"),
     ("SeamwrightVersion", "App::PropertyString", "The version that wrote this object"),
 )
+
+__all__ = ["SeamAnalysis", "create", "error_text", "is_analysis", "report_of"]
 
 EMPTY_REPORT = {"seams": [], "open": []}
 
@@ -103,26 +92,12 @@ class SeamAnalysis:
 
 def add_properties(obj):
     """Add the properties an object lacks, with their defaults."""
-    present = set(obj.PropertiesList)
-
-    def add(kind, name, group, tip, attributes=0):
-        if name in present:
-            return False
-        obj.addProperty(kind, name, group, tip, attributes)
-        return True
-
-    add("App::PropertyLinkListGlobal", "Sources", "Seams",
-        "The objects to analyse; empty means all solids and shells of the document")  # fmt: skip
-    for name, _, kind, default, tip in TOLERANCES:
-        if add(kind, name, "Tolerances", tip):
-            setattr(obj, name, default)
-    if add("App::PropertyEnumeration", "Level", "Tolerances", "Level every seam should meet"):
-        obj.Level = LEVELS
-        obj.Level = DEFAULT_LEVEL
-    for name, kind, tip in RESULTS:
-        add(kind, name, "Result", tip, READ_ONLY | OUTPUT)
-    for name, kind, tip in INTERNAL:
-        add(kind, name, "Internal", tip, READ_ONLY | HIDDEN | OUTPUT)
+    adder = properties.Adder(obj)
+    adder.add("App::PropertyLinkListGlobal", "Sources", "Seams",
+              "The objects to analyse; empty means all solids and shells of the document")  # fmt: skip
+    adder.add_tolerances(TOLERANCES)
+    adder.add_choice("Level", "Tolerances", "Level every seam should meet", LEVELS, DEFAULT_LEVEL)
+    adder.add_results(RESULTS, INTERNAL)
     obj.setEditorMode("Placement", ["Hidden"])
 
 
@@ -145,11 +120,7 @@ def source_objects(obj):
 
 def tolerances(obj):
     """The tolerances as arguments of the kernel, in mm and degrees."""
-    values = {
-        argument: float(getattr(getattr(obj, name), "Value", getattr(obj, name)))
-        for name, argument, *_ in TOLERANCES
-    }
-    return {**values, "level": obj.Level}
+    return {**properties.arguments(obj, TOLERANCES), "level": obj.Level}
 
 
 def measure(module, model, obj):
@@ -221,7 +192,7 @@ def create(sources=None, doc=None, **tolerances):
     When the analysis itself fails the object is returned in its error state, see ``error_text``.
     """
     kernel.load(Part.OCC_VERSION)
-    values = _checked(tolerances)
+    values = properties.checked(tolerances, TOLERANCES, {"level": ("Level", LEVELS)})
     doc = doc or (sources[0].Document if sources else App.ActiveDocument)
     if doc is None:
         raise ValueError("There is no document to put the analysis into.")
@@ -235,29 +206,3 @@ def create(sources=None, doc=None, **tolerances):
     hooks.attach_view(obj)
     doc.recompute()
     return obj
-
-
-def _checked(tolerances):
-    """Property values for the arguments of ``create``."""
-    names = {argument: name for name, argument, *_ in TOLERANCES}
-    values = {}
-    profile = tolerances.pop("profile", "default")
-    if profile not in profiles.PROFILES:
-        raise ValueError("profile %r: choose one of %s" % (profile, ", ".join(profiles.PROFILES)))
-    for argument, value in {**profiles.PROFILES[profile], **tolerances}.items():
-        if argument == "level":
-            if value not in LEVELS:
-                raise ValueError("level %r: choose one of %s" % (value, ", ".join(LEVELS)))
-            values["Level"] = value
-        elif argument in names:
-            if not (value >= 0 and math.isfinite(value)):
-                raise ValueError("%s = %r: must be a finite number, not negative" % (argument, value))
-            values[names[argument]] = value
-        else:
-            raise TypeError("there is no tolerance %r" % argument)
-    return values
-
-
-def error_text(obj):
-    """Why the last computation failed, or "" when it succeeded."""
-    return obj.getStatusString() if "Invalid" in obj.State else ""

@@ -29,23 +29,32 @@ def solids_and_shells(doc, exclude=None):
 
 
 def _is_candidate(obj, exclude):
-    if not (obj.isDerivedFrom("Part::Feature") or obj.isDerivedFrom("App::Link")):
+    if not has_shape(obj):
         return False
     if exclude is not None and (obj == exclude or exclude in obj.OutListRecursive):
         return False
-    group = obj.getParentGeoFeatureGroup()
-    if group is not None and group.isDerivedFrom("PartDesign::Body"):
+    if in_body(obj):
         return False
     shape = Part.getShape(obj)
     return not shape.isNull() and bool(shape.Solids or shape.Shells)
+
+
+def in_body(obj):
+    """Whether an object is a step of a PartDesign body, which holds the shape itself."""
+    group = obj.getParentGeoFeatureGroup()
+    return group is not None and group.isDerivedFrom("PartDesign::Body")
+
+
+def has_shape(obj):
+    """Whether an object is of a kind that can hold a shape."""
+    return obj.isDerivedFrom("Part::Feature") or obj.isDerivedFrom("App::Link")
 
 
 def expand(objects):
     """The objects with each group or part replaced by what it contains, without repeats."""
     found = []
     for obj in objects:
-        has_shape = obj.isDerivedFrom("Part::Feature") or obj.isDerivedFrom("App::Link")
-        members = [obj] if has_shape else expand(getattr(obj, "Group", []))
+        members = [obj] if has_shape(obj) else expand(getattr(obj, "Group", []))
         found += [member for member in members if member not in found]
     return found
 
@@ -73,6 +82,33 @@ def world_shape(obj):
     placed = Part.Compound([shape])
     placed.Placement = placement
     return placed
+
+
+class Elements:
+    """The faces and edges that links name, where they stand in the model; what they share stays shared."""
+
+    def __init__(self, links):
+        """``links``: [(object, "Face3"), ...]. Raises SourceError for one that is not there."""
+        self._parts = {obj: world_shape(obj) for obj, _ in links}
+        if len(self._parts) > 1:
+            self._parts = {obj: _without_location(part) for obj, part in self._parts.items()}
+        self.shapes = [self._find(obj, name) for obj, name in links]
+
+    def _find(self, obj, name):
+        kind = name.rstrip("0123456789")
+        shape, digits = self._parts[obj], name[len(kind) :]
+        found = {"Face": shape.Faces, "Edge": shape.Edges}.get(kind, [])
+        if not digits or not 0 < int(digits) <= len(found):
+            raise SourceError("%s has no %s: choose another one." % (obj.Label, name or "such face"))
+        return found[int(digits) - 1]
+
+    def edge_text(self, edge):
+        """An edge of the ``shapes`` as the user reads it: "Plate.Edge3"."""
+        for obj, part in self._parts.items():
+            for number, other in enumerate(part.Edges, 1):
+                if other.isSame(edge):
+                    return "%s.Edge%d" % (obj.Label, number)
+        return "an edge"
 
 
 class Model:

@@ -3,10 +3,12 @@
 
 import FreeCAD as App
 import FreeCADGui as Gui
+import Part
 
-from freecad.seamwright.document import analysis
+from freecad.seamwright.document import analysis, match, sources
 from freecad.seamwright.gui import export_dialog, icon_path, messages
-from freecad.seamwright.plain import kernel
+from freecad.seamwright.gui.zebra import zebra
+from freecad.seamwright.plain import kernel, summary
 
 
 def selected_sources():
@@ -23,6 +25,24 @@ def selected_analysis():
     chosen = [obj for obj in Gui.Selection.getSelection() if analysis.is_analysis(obj)]
     every = [obj for obj in App.ActiveDocument.Objects if analysis.is_analysis(obj)]
     return (chosen or every or [None])[-1]
+
+
+def selected_elements(kind):
+    """[(object, "Face3"), ...]: the selected "Face"s or "Edge"s, in the order they were picked.
+
+    An object that is selected as a whole counts as its face if it has just one.
+    """
+    return [
+        (chosen.Object, name)
+        for chosen in Gui.Selection.getSelectionEx()
+        if sources.has_shape(chosen.Object)
+        for name in chosen.SubElementNames or _only_face(chosen.Object)
+        if name.startswith(kind)
+    ]
+
+
+def _only_face(obj):
+    return ("Face1",) if len(Part.getShape(obj).Faces) == 1 else ()
 
 
 class AnalyzeSeams:
@@ -85,7 +105,93 @@ class ExportReport:
         export_dialog.ask_and_export(selected_analysis())
 
 
-COMMANDS = (AnalyzeSeams, ExportReport)
+class MatchSurfaces:
+    """Match the two selected faces to each other."""
+
+    name = "Seamwright_MatchSurfaces"
+
+    def GetResources(self):
+        """Menu text, tool tip and icon."""
+        return {
+            "MenuText": "Match Surfaces",
+            "ToolTip": "Move the second of two selected faces, or both, so that they join without a kink (G1) or with "
+            "equal curvature (G2); select a common edge too where they have several",
+            "Pixmap": icon_path("seamwright-match"),
+        }
+
+    def IsActive(self):
+        """Whether there is a document."""
+        return App.ActiveDocument is not None
+
+    def Activated(self):
+        """Create the match as one step that can be undone, and open its panel."""
+        doc = App.ActiveDocument
+        faces, edges = selected_elements("Face"), selected_elements("Edge")
+        if len(faces) != 2 or len(edges) > 1:
+            messages.show_error(
+                "Select two faces, first the one that stays, then the one that moves. Selected: %s, %s."
+                % (summary.counted(len(faces), "face"), summary.counted(len(edges), "edge"))
+            )
+            return
+        doc.openTransaction("Match surfaces")
+        try:
+            obj = match.create(*faces, edge=edges[0] if edges else None)
+        except kernel.KernelUnavailable as error:
+            doc.abortTransaction()
+            messages.show_error(str(error))
+            return
+        Gui.Selection.clearSelection()
+        obj.ViewObject.Proxy.created = True
+        Gui.getDocument(doc.Name).setEdit(obj.Name)
+
+
+class ZebraStripes:
+    """Draw stripes on the selected objects, or take them off."""
+
+    name = "Seamwright_ZebraStripes"
+
+    def GetResources(self):
+        """Menu text, tool tip and icon."""
+        return {
+            "MenuText": "Zebra Stripes",
+            "ToolTip": "Show how the faces of the selected objects, or of all that are visible, reflect stripes: "
+            "a stripe that breaks at a seam tells of an angle, one that bends of a step of curvature. "
+            "Press again to take the stripes off.",
+            "Pixmap": icon_path("seamwright-zebra"),
+        }
+
+    def IsActive(self):
+        """Whether there is a view of a document."""
+        return App.ActiveDocument is not None and Gui.ActiveDocument is not None
+
+    def Activated(self):
+        """Draw the stripes, or take them off where all of the objects have them."""
+        doc = App.ActiveDocument
+        striped = zebra.objects(doc)
+        chosen = with_faces(sources.expand(dict.fromkeys(Gui.Selection.getSelection())))
+        if Gui.Selection.getSelection() and not chosen:
+            messages.show_error("Zebra stripes are drawn on faces: the selected objects have none.")
+        elif chosen and any(obj not in striped for obj in chosen):
+            self._show([obj for obj in chosen if obj not in striped])
+        elif chosen or striped:
+            zebra.hide(chosen or striped)
+        else:
+            self._show(with_faces(obj for obj in doc.Objects if obj.ViewObject.Visibility and not sources.in_body(obj)))
+
+    def _show(self, objects):
+        if objects:
+            zebra.show(objects)
+            Gui.Selection.clearSelection()  # its colour would lie over the stripes
+        else:
+            messages.show_error("Zebra stripes are drawn on faces: no visible object has any.")
+
+
+def with_faces(objects):
+    """Those of the objects that have faces."""
+    return [obj for obj in objects if sources.has_shape(obj) and Part.getShape(obj).Faces]
+
+
+COMMANDS = (AnalyzeSeams, ExportReport, MatchSurfaces, ZebraStripes)
 
 
 def register():

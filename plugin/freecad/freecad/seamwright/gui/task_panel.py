@@ -5,6 +5,7 @@ import FreeCADGui as Gui
 
 from freecad.seamwright.document import analysis
 from freecad.seamwright.gui import export_dialog, icon_path, seam_view
+from freecad.seamwright.gui.dock import widen_dock
 from freecad.seamwright.gui.picking import EdgePicker
 from freecad.seamwright.gui.qt import QtCore, QtGui, QtWidgets
 from freecad.seamwright.gui.table_model import SeamTableModel
@@ -42,13 +43,7 @@ class TaskPanel:
 
     def open(self):
         """Make the dock that holds the panel wide enough for it."""
-        dock = self.form.parentWidget()
-        while dock is not None and not isinstance(dock, QtWidgets.QDockWidget):
-            dock = dock.parentWidget()
-        window = Gui.getMainWindow()
-        wanted = min(DOCK_WIDTH, window.width() * 2 // 5)
-        if dock is not None and dock.width() < wanted and not dock.isFloating():
-            window.resizeDocks([dock], [wanted], QtCore.Qt.Horizontal)
+        widen_dock(self.form, DOCK_WIDTH)
 
     def reject(self):
         """Close the panel."""
@@ -104,7 +99,7 @@ class TaskPanel:
     def _build_tolerances(self):
         box = QtWidgets.QGroupBox("Level and tolerances")
         layout = QtWidgets.QVBoxLayout(box)
-        self.tolerances = ToleranceForm()
+        self.tolerances = ToleranceForm(analysis.TOLERANCES, ("Level", analysis.LEVELS))
         layout.addWidget(self.tolerances)
         self.recompute_button = QtWidgets.QPushButton("Recompute")
         self.recompute_button.clicked.connect(self.recompute)

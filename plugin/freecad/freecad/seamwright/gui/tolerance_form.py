@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The input fields for level and tolerances."""
 
-from freecad.seamwright.document import analysis
+from freecad.seamwright.document import properties
 from freecad.seamwright.gui.qt import QtCore, QtWidgets
 from freecad.seamwright.plain import profiles
 
@@ -18,7 +18,6 @@ FIELDS = (
 #: Fields whose zero means that the thing is not done.
 OFF_AT_ZERO = ("MatchDistance",)
 
-ARGUMENTS = {name: argument for name, argument, *_ in analysis.TOLERANCES}
 CUSTOM = "Custom"
 
 
@@ -38,24 +37,29 @@ class NumberField(QtWidgets.QDoubleSpinBox):
 
 
 class ToleranceForm(QtWidgets.QWidget):
-    """Fields for the tolerances of an analysis; nothing is written before ``write_to``."""
+    """Fields for the tolerances of an object, by a table of its module; nothing is written before ``write_to``.
+
+    ``choice``: the property for the level of continuity, and its values.
+    """
 
     changed = QtCore.Signal()
 
-    def __init__(self):
+    def __init__(self, table, choice):
         super().__init__()
+        self._level_name, levels = choice
+        self._arguments = {name: argument for name, argument, *_ in table}
         layout = QtWidgets.QFormLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         self.level = QtWidgets.QComboBox()
-        self.level.addItems(analysis.LEVELS)
+        self.level.addItems(levels)
         self.level.currentIndexChanged.connect(lambda *_: self.changed.emit())
         first_line = QtWidgets.QHBoxLayout()
         for widget, stretch in ((self.level, 1), (QtWidgets.QLabel("Tolerances"), 0), (self._build_profile(), 2)):
             first_line.addWidget(widget, stretch)
-        layout.addRow("Level", first_line)
+        layout.addRow(self._level_name, first_line)
         self.fields = {}
-        tips = {name: tip for name, *_, tip in analysis.TOLERANCES}
-        for name, label, unit, largest in FIELDS:
+        tips = {name: tip for name, *_, tip in table}
+        for name, label, unit, largest in (field for field in FIELDS if field[0] in tips):
             field = NumberField(unit, largest)
             field.setToolTip(tips[name])
             if name in OFF_AT_ZERO:
@@ -79,34 +83,31 @@ class ToleranceForm(QtWidgets.QWidget):
         name = self.profile.itemData(place)
         if name is not None:
             for field_name, field in self.fields.items():
-                field.setValue(profiles.PROFILES[name].get(ARGUMENTS[field_name], field.value()))
+                field.setValue(profiles.PROFILES[name].get(self._arguments[field_name], field.value()))
         self._field_changed()  # "Custom" by itself changes nothing
 
     def _field_changed(self, *_):
-        values = {ARGUMENTS[name]: field.value() for name, field in self.fields.items()}
+        values = {self._arguments[name]: field.value() for name, field in self.fields.items()}
         self.profile.setCurrentIndex(self.profile.findData(profiles.name_of(values)))
         self.changed.emit()
 
     def read_from(self, obj):
-        """Show the tolerances of an analysis."""
-        self.level.setCurrentText(obj.Level)
+        """Show the tolerances of an object."""
+        self.level.setCurrentText(getattr(obj, self._level_name))
         for name, field in self.fields.items():
-            value = getattr(obj, name)
-            field.setValue(getattr(value, "Value", value))
+            field.setValue(properties.number(obj, name))
         self._field_changed()
 
     def differs_from(self, obj):
-        """Whether a field says something else than the analysis."""
-        values = {name: getattr(obj, name) for name in self.fields}
-        return self.level.currentText() != obj.Level or any(
-            getattr(value, "Value", value) != self.fields[name].value() for name, value in values.items()
+        """Whether a field says something else than the object."""
+        return self.level.currentText() != getattr(obj, self._level_name) or any(
+            properties.number(obj, name) != field.value() for name, field in self.fields.items()
         )
 
     def write_to(self, obj):
-        """Set the tolerances of an analysis as the fields say."""
-        if obj.Level != self.level.currentText():
-            obj.Level = self.level.currentText()
+        """Set the tolerances of an object as the fields say."""
+        if getattr(obj, self._level_name) != self.level.currentText():
+            setattr(obj, self._level_name, self.level.currentText())
         for name, field in self.fields.items():
-            value = getattr(obj, name)
-            if getattr(value, "Value", value) != field.value():
+            if properties.number(obj, name) != field.value():
                 setattr(obj, name, field.value())

@@ -1,0 +1,241 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The document object Match Surfaces: two faces that join along their common boundary.
+
+Its shape is a shell of the two faces, one or both of them moved; the objects they come from are only read.
+The class path is written into documents: neither rename nor move it.
+"""
+
+import json
+
+import Part
+
+from freecad.seamwright import __version__
+from freecad.seamwright.document import properties, sources
+from freecad.seamwright.document.hooks import hooks
+from freecad.seamwright.document.properties import error_text
+from freecad.seamwright.plain import kernel, match_text
+
+__all__ = ["MatchSurfaces", "create", "error_text", "is_match", "report_of"]
+
+#: property, argument of the kernel, property type, default, help
+TOLERANCES = properties.TOLERANCES + (
+    ("MatchDistance", "match_mm", "App::PropertyLength", 0.1,
+     "Open edges no further apart than this may be the common boundary, in mm"),
+)  # fmt: skip
+
+TARGETS = ["G1", "G2"]
+MOVES = ["First", "Second", "Both"]
+DEFAULT_MOVES = "Second"
+
+LINKS = (
+    ("FirstFace", "The first face"),
+    ("SecondFace", "The second face"),
+    ("CommonEdge", "Along which of several common edges; empty: the longest"),
+)
+
+RESULTS = (
+    ("Summary", "App::PropertyString", "What came of it, in one line"),
+    ("Matched", "App::PropertyBool", "Whether the faces join as the target says, for certain"),
+    ("Exact", "App::PropertyBool", "Whether they join in their poles, to rounding, and not just within the tolerance"),
+    ("Certain", "App::PropertyBool", "Whether the verdict about the new seam is certain"),
+    ("LargestMove", "App::PropertyLength", "How far a pole has moved at most, in mm"),
+    ("GapBefore", "App::PropertyLength", "Largest distance between the sides, as given, in mm"),
+    ("GapAfter", "App::PropertyLength", "Largest distance between the sides, matched, in mm"),
+    ("AngleBefore", "App::PropertyAngle", "Largest angle between tangent planes, as given, in degrees"),
+    ("AngleAfter", "App::PropertyAngle", "Largest angle between tangent planes, matched, in degrees"),
+    ("CurvatureBefore", "App::PropertyFloat", "Largest relative difference of curvature, as given"),
+    ("CurvatureAfter", "App::PropertyFloat", "Largest relative difference of curvature, matched"),
+    ("LevelBefore", "App::PropertyString", "Level of continuity, as given"),
+    ("LevelAfter", "App::PropertyString", "Level of continuity, matched"),
+)
+
+INTERNAL = (
+    ("Report", "App::PropertyString", "What the kernel found, as JSON"),
+    ("SeamwrightVersion", "App::PropertyString", "The version that wrote this object"),
+)
+
+
+class MatchSurfaces:
+    """Proxy of a Part::FeaturePython that holds two faces matched to each other."""
+
+    Type = "MatchSurfaces"
+
+    def __init__(self, obj):
+        add_properties(obj)
+        obj.Proxy = self
+
+    def onDocumentRestored(self, obj):
+        """Complete an object written by an older version; nothing is recomputed."""
+        obj.Proxy = self
+        add_properties(obj)
+        hooks.attach_view(obj)
+
+    def execute(self, obj):
+        """Match the faces. On failure the object is marked, has no shape, and its Summary says why."""
+        module = kernel.load(Part.OCC_VERSION)
+        try:
+            report, shape = match(module, obj)
+        except module.Cancelled:
+            raise RuntimeError("Cancelled; the results are those of the last complete run.") from None
+        except (sources.SourceError, module.ModelError, ValueError) as error:
+            report = {**match_text.EMPTY_REPORT, "reason": str(error), "tolerance": tolerances(obj)}
+            shape = Part.Shape()
+        store(obj, report, shape)
+        if not report["matched"]:
+            raise RuntimeError(obj.Summary)
+
+    def dumps(self):
+        """Nothing is kept beside the properties."""
+        return None
+
+    def loads(self, state):
+        """Nothing is kept beside the properties."""
+
+    # FreeCAD before 0.21.2 asks by these names.
+    __getstate__ = dumps
+    __setstate__ = loads
+
+
+def add_properties(obj):
+    """Add the properties an object lacks, with their defaults."""
+    adder = properties.Adder(obj)
+    for name, tip in LINKS:
+        adder.add("App::PropertyLinkSubGlobal", name, "Faces", tip)
+    adder.add_choice("Target", "Match", "Level of continuity to reach", TARGETS, TARGETS[0])
+    adder.add_choice("Moves", "Match", "The face that is moved", MOVES, DEFAULT_MOVES)
+    adder.add("App::PropertyLength", "MaxMove", "Match", "No pole may move further, in mm; 0: as far as it takes")
+    adder.add("App::PropertyBool", "HoldSides", "Match", "The two other boundaries that end at the seam stay")
+    adder.add_tolerances(TOLERANCES)
+    adder.add_results(RESULTS, INTERNAL)
+    obj.setEditorMode("Placement", ["Hidden"])
+
+
+def is_match(obj):
+    """Whether a document object is a Match Surfaces."""
+    return getattr(getattr(obj, "Proxy", None), "Type", None) == MatchSurfaces.Type
+
+
+def report_of(obj):
+    """The stored report as a dict; an empty report when nothing was matched yet."""
+    if obj.Report:
+        return json.loads(obj.Report)
+    return {**match_text.EMPTY_REPORT, "tolerance": tolerances(obj)}
+
+
+def tolerances(obj):
+    """The tolerances as arguments of the kernel, in mm and degrees."""
+    return properties.arguments(obj, TOLERANCES)
+
+
+def link(obj, name):
+    """(object, "Face3") of one of ``LINKS``; None when it is empty or its object was deleted."""
+    target = getattr(obj, name)
+    if not target or target[0] is None:
+        return None
+    return target[0], (list(target[1]) or [""])[0]
+
+
+def link_text(obj, name):
+    """A link as the user reads it: "Plate.Face3"."""
+    target = link(obj, name)
+    return "not chosen" if target is None else "%s.%s" % (target[0].Label, target[1])
+
+
+def source_objects(obj):
+    """The objects that the two faces belong to, without repeats."""
+    links = [link(obj, name) for name in ("FirstFace", "SecondFace")]
+    return list(dict.fromkeys(target[0] for target in links if target is not None))
+
+
+def match(module, obj):
+    """Run the kernel: (report, shape). Raises SourceError for links that lead nowhere, ValueError for bad values."""
+    found = sources.Elements(_links(obj))
+    if any(face.ShapeType != "Face" for face in found.shapes[:2]):
+        raise sources.SourceError("FirstFace and SecondFace must be faces")
+    shape = Part.Compound(found.shapes[:2])
+    faces = [link_text(obj, name) for name in ("FirstFace", "SecondFace")]
+
+    def named(text):
+        return match_text.named(text, faces, lambda number: found.edge_text(shape.Edges[number - 1]))
+
+    try:
+        with hooks.progress("Matching surfaces\u2026") as progress:
+            result = module.Model.from_freecad(shape).match_faces(
+                1, 2, target=obj.Target, moves=obj.Moves.lower(), hold_sides=bool(obj.HoldSides),
+                max_move_mm=properties.number(obj, "MaxMove") or None, edge=_edge_number(obj, shape, found.shapes[2:]),
+                progress=progress, **tolerances(obj)
+            )  # fmt: skip
+    except ValueError as error:
+        raise ValueError(named(str(error))) from None
+    report = {**result.to_dict(), "target": obj.Target, "tolerance": tolerances(obj), "faces": faces}
+    report["reason"] = named(report["reason"])
+    return report, result.model.to_freecad() if result.matched else Part.Shape()
+
+
+def _links(obj):
+    """The links to the two faces and, where one is chosen, to the common edge."""
+    links = [link(obj, name) for name, _ in LINKS]
+    for target, word, name in zip(links, ("first", "second"), ("FirstFace", "SecondFace")):
+        if target is None:
+            raise sources.SourceError("The %s face is gone: choose another one in the property %s" % (word, name))
+    if links[0] == links[1]:
+        raise sources.SourceError("%s is chosen twice: two faces are needed" % link_text(obj, "FirstFace"))
+    return [target for target in links if target is not None]
+
+
+def _edge_number(obj, shape, chosen):
+    """The number of the chosen edge, a list of none or one, in the shape; 0 for none."""
+    for edge in chosen:
+        for number, other in enumerate(shape.Edges, 1):
+            if other.isSame(edge):
+                return number
+        raise sources.SourceError("%s is no edge of the two faces" % link_text(obj, "CommonEdge"))
+    return 0
+
+
+def store(obj, report, shape):
+    """Put the results into the read-only properties; the Summary last."""
+    before, after = report["before"], report["after"] if report["matched"] else None
+    obj.Report = json.dumps(report)
+    obj.SeamwrightVersion = __version__
+    obj.Matched = report["matched"]
+    obj.Exact = report["exact"]
+    obj.Certain = after is not None and after["certified"]
+    obj.LargestMove = report["largest_move_mm"] if report["matched"] else 0.0
+    for when, seam in (("Before", before), ("After", after)):
+        for word, name in (("Gap", "gap_mm"), ("Angle", "angle_deg"), ("Curvature", "curvature_rel")):
+            setattr(obj, word + when, match_text.value(seam, name))
+        setattr(obj, "Level" + when, "" if seam is None else seam["level"])
+    obj.Shape = shape
+    obj.Summary = match_text.summary(report)
+
+
+def create(first, second, *, edge=None, target="G1", moves="second", max_move_mm=0.0, hold_sides=False, **tolerances):
+    """Match two faces: add a Match Surfaces to their document, compute it and return it.
+
+    ``first``, ``second``: (object, "Face3"); ``edge``: (object, "Edge5") where they have several in common.
+    ``target``: "G1" or "G2". ``moves``: "first", "second" or "both". ``max_move_mm``: no pole may move further;
+    0: no limit. ``tolerances``: gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg, match_mm, profile, as
+    for an analysis. Raises TypeError and ValueError for bad arguments, kernel.KernelUnavailable when the compiled
+    part is missing. When the faces do not match the object is returned in its error state, see ``error_text``.
+    """
+    kernel.load(Part.OCC_VERSION)
+    table = TOLERANCES + (("MaxMove", "max_move_mm"),)
+    choices = {"target": ("Target", TARGETS), "moves": ("Moves", [name.lower() for name in MOVES])}
+    values = properties.checked(
+        {**tolerances, "max_move_mm": max_move_mm, "target": target, "moves": moves}, table, choices
+    )
+    values["Moves"] = values["Moves"].capitalize()
+    doc = first[0].Document
+    obj = doc.addObject("Part::FeaturePython", "MatchSurfaces")
+    obj.Label = "Match Surfaces"
+    MatchSurfaces(obj)
+    for name, target_link in (("FirstFace", first), ("SecondFace", second), ("CommonEdge", edge)):
+        if target_link is not None:
+            setattr(obj, name, (target_link[0], [target_link[1]]))
+    obj.HoldSides = bool(hold_sides)
+    for name, value in values.items():
+        setattr(obj, name, value)
+    hooks.attach_view(obj)
+    doc.recompute()
+    return obj

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Properties that the document objects of the workbench have in common: tolerances, and results for reading."""
+
+import math
+
+from freecad.seamwright.plain import profiles
+
+#: property, argument of the kernel, property type, default, help
+TOLERANCES = (
+    ("GapTolerance", "gap_mm", "App::PropertyLength", 0.01,
+     "Largest distance between the two sides of a seam that meets G0, in mm"),
+    ("AngleTolerance", "angle_deg", "App::PropertyAngle", 0.1,
+     "Largest angle between tangent planes of a seam that meets G1, in degrees"),
+    ("CurvatureTolerance", "curvature_rel", "App::PropertyFloat", 0.02,
+     "Largest relative difference of curvature of a seam that meets G2, without unit"),
+    ("FlatRadius", "flat_radius_mm", "App::PropertyLength", 1e5,
+     "A side whose radii of curvature are all larger counts as flat, in mm"),
+    ("CreaseAngle", "crease_deg", "App::PropertyAngle", 5.0,
+     "A seam with a larger angle is an intended crease and no defect, in degrees"),
+)  # fmt: skip
+
+# Attributes of App::DocumentObject.addProperty.
+READ_ONLY, HIDDEN, OUTPUT = 1, 4, 8
+
+
+class Adder:
+    """Adds the properties an object lacks; those it has keep their values."""
+
+    def __init__(self, obj):
+        self._obj = obj
+        self._present = set(obj.PropertiesList)
+
+    def add(self, kind, name, group, tip, attributes=0):
+        """Add one property; True when it is new."""
+        if name in self._present:
+            return False
+        self._obj.addProperty(kind, name, group, tip, attributes)
+        return True
+
+    def add_with(self, kind, name, group, tip, default):
+        """Add one property with a default value."""
+        if self.add(kind, name, group, tip):
+            setattr(self._obj, name, default)
+
+    def add_choice(self, name, group, tip, choices, default):
+        """Add one property that has one of a few values."""
+        if self.add("App::PropertyEnumeration", name, group, tip):
+            setattr(self._obj, name, list(choices))
+            setattr(self._obj, name, default)
+
+    def add_tolerances(self, table):
+        """Add the properties of a table such as ``TOLERANCES``."""
+        for name, _, kind, default, tip in table:
+            self.add_with(kind, name, "Tolerances", tip, default)
+
+    def add_results(self, shown, internal):
+        """Add (name, kind, tip) that are only read, and those that the user does not see."""
+        for name, kind, tip in shown:
+            self.add(kind, name, "Result", tip, READ_ONLY | OUTPUT)
+        for name, kind, tip in internal:
+            self.add(kind, name, "Internal", tip, READ_ONLY | HIDDEN | OUTPUT)
+
+
+def number(obj, name):
+    """The value of a property as a number, in mm or degrees where it has a unit."""
+    value = getattr(obj, name)
+    return float(getattr(value, "Value", value))
+
+
+def arguments(obj, table):
+    """The tolerances of an object as arguments of the kernel."""
+    return {argument: number(obj, name) for name, argument, *_ in table}
+
+
+def checked(given, table, choices):
+    """{property: value} for tolerances given as arguments of the kernel, and ``profile``.
+
+    ``choices``: {argument: (property, allowed values)} of those that are no numbers. Raises TypeError for another name,
+    ValueError for another value.
+    """
+    given = dict(given)
+    names = {argument: name for name, argument, *_ in table}
+    profile = given.pop("profile", "default")
+    if profile not in profiles.PROFILES:
+        raise ValueError("profile %r: choose one of %s" % (profile, ", ".join(profiles.PROFILES)))
+    values = {}
+    for argument, value in {**profiles.PROFILES[profile], **given}.items():
+        if argument in choices:
+            name, allowed = choices[argument]
+            if value not in allowed:
+                raise ValueError("%s %r: choose one of %s" % (argument, value, ", ".join(allowed)))
+            values[name] = value
+        elif argument in names:
+            if not (value >= 0 and math.isfinite(value)):
+                raise ValueError("%s = %r: must be a finite number, not negative" % (argument, value))
+            values[names[argument]] = value
+        else:
+            raise TypeError("there is no tolerance %r" % argument)
+    return values
+
+
+def error_text(obj):
+    """Why the last computation failed, or "" when it succeeded."""
+    return obj.getStatusString() if "Invalid" in obj.State else ""

@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The dock that holds a task panel."""
+
+import FreeCADGui as Gui
+
+from freecad.seamwright.gui.qt import QtCore, QtWidgets
+
+
+def widen_dock(form, width):
+    """Make the dock around a form so wide, in pixels, if the window has room and it is not wider already."""
+    dock = form.parentWidget()
+    while dock is not None and not isinstance(dock, QtWidgets.QDockWidget):
+        dock = dock.parentWidget()
+    window = Gui.getMainWindow()
+    wanted = min(width, window.width() * 2 // 5)
+    if dock is not None and dock.width() < wanted and not dock.isFloating():
+        window.resizeDocks([dock], [wanted], QtCore.Qt.Horizontal)

@@ -1,0 +1,254 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panel of Match Surfaces: what is matched how, the seam before and after, and ways to look at it.
+
+The document follows the fields: each change is computed at once. OK keeps what is seen, Cancel takes all of it back.
+"""
+
+import FreeCADGui as Gui
+
+from freecad.seamwright.document import match, properties
+from freecad.seamwright.gui import icon_path, messages, seam_view
+from freecad.seamwright.gui.dock import widen_dock
+from freecad.seamwright.gui.qt import QtCore, QtGui, QtWidgets
+from freecad.seamwright.gui.tolerance_form import NumberField, ToleranceForm
+from freecad.seamwright.gui.zebra import zebra
+from freecad.seamwright.plain import match_text
+
+DOCK_WIDTH = 440
+
+#: After the last change, before the preview is computed.
+PREVIEW_AFTER_MS = 400
+
+KEPT = ("FirstFace", "SecondFace", "CommonEdge", "Target", "Moves", "MaxMove", "HoldSides")
+
+
+class MatchPanel:
+    """Shows and changes one Match Surfaces; ``created``: Cancel removes it."""
+
+    def __init__(self, obj, created):
+        self.obj = obj
+        self._created = created
+        self._doc = obj.Document
+        self._name = obj.Name
+        self._kept = {name: getattr(obj, name) for name in self._changeable()}
+        self._swapped = False
+        self._striped = []
+        self._ended = False
+        if not created:
+            self._doc.openTransaction("Edit match surfaces")
+        self._timer = QtCore.QTimer()
+        self._timer.setSingleShot(True)
+        self._timer.setInterval(PREVIEW_AFTER_MS)
+        self._timer.timeout.connect(self.preview)
+        self._build()
+        self._read()
+        self._connect()
+        self.refresh()
+
+    # What FreeCAD asks of a task panel.
+
+    def getStandardButtons(self):
+        """OK and Cancel."""
+        both = QtWidgets.QDialogButtonBox.Ok | QtWidgets.QDialogButtonBox.Cancel
+        return both if hasattr(both, "value") else int(both)  # PySide2 wants the number
+
+    def open(self):
+        """Make the dock that holds the panel wide enough for it."""
+        widen_dock(self.form, DOCK_WIDTH)
+
+    def accept(self):
+        """Keep the match; one that failed is said to have, and the panel stays."""
+        if self._timer.isActive() or not self.obj.Matched or match.error_text(self.obj):
+            self.preview()
+        failure = match.error_text(self.obj)
+        if failure:
+            messages.show_error(failure)
+            return False
+        self.after.setChecked(True)
+        self._end()
+        self._doc.commitTransaction()
+        Gui.getDocument(self._doc.Name).resetEdit()
+        return True
+
+    def reject(self):
+        """Take back what was done since the panel was opened."""
+        self._end()
+        shown = {source: source.ViewObject.Visibility for source in match.source_objects(self.obj)}
+        if self._doc.HasPendingTransaction:
+            self._doc.abortTransaction()
+        elif not self._created:
+            for name, value in self._kept.items():
+                setattr(self.obj, name, value)
+            self._doc.recompute()
+        if self._created:
+            if self._doc.getObject(self._name) is not None:
+                self._doc.removeObject(self._name)
+            for source in shown:
+                source.ViewObject.Visibility = True
+        elif self.obj.Matched:
+            self._show(True)
+        Gui.getDocument(self._doc.Name).resetEdit()
+        return True
+
+    def leave(self):
+        """The panel closes, by OK, by Cancel or because FreeCAD ends the editing."""
+        if not self._ended:
+            self._end()
+            self._doc.commitTransaction()
+
+    def _end(self):
+        self._ended = True
+        self._timer.stop()
+        self._unstripe()
+
+    def _unstripe(self):
+        zebra.hide([obj for obj in map(self._doc.getObject, self._striped) if obj is not None])
+        self._striped = []
+
+    # The window.
+
+    def _build(self):
+        self.form = QtWidgets.QWidget()
+        self.form.setWindowTitle("Match Surfaces")
+        self.form.setWindowIcon(QtGui.QIcon(icon_path("seamwright-match")))
+        layout = QtWidgets.QVBoxLayout(self.form)
+        for box in (self._build_faces(), self._build_result(), self._build_tolerances()):
+            layout.addWidget(box)
+
+    def _build_faces(self):
+        box = QtWidgets.QGroupBox("Faces")
+        layout = QtWidgets.QFormLayout(box)
+        self.first, self.second = QtWidgets.QPushButton(), QtWidgets.QPushButton()
+        for button, word in ((self.first, "First"), (self.second, "Second")):
+            button.setToolTip("Select this face in the view")
+            layout.addRow(word, button)
+        line = QtWidgets.QHBoxLayout()
+        self.moves = QtWidgets.QComboBox()
+        self.moves.addItems(match.MOVES)
+        self.moves.setToolTip("The face that is moved; its shape far from the seam stays")
+        self.swap = QtWidgets.QPushButton("Swap")
+        self.swap.setToolTip("Let first and second change places, and with them the face that is moved")
+        line.addWidget(self.moves, 1)
+        line.addWidget(self.swap)
+        layout.addRow("Moves", line)
+        self.max_move = NumberField(" mm", 1e6)
+        self.max_move.setSpecialValueText("no limit")
+        self.max_move.setToolTip("No pole of a surface may move further")
+        layout.addRow("Largest move", self.max_move)
+        self.hold_sides = QtWidgets.QCheckBox("Hold the boundaries that end at the seam")
+        layout.addRow("", self.hold_sides)
+        return box
+
+    def _build_tolerances(self):
+        box = QtWidgets.QGroupBox("Target and tolerances")
+        layout = QtWidgets.QVBoxLayout(box)
+        self.tolerances = ToleranceForm(match.TOLERANCES, ("Target", match.TARGETS))
+        layout.addWidget(self.tolerances)
+        return box
+
+    def _build_result(self):
+        box = QtWidgets.QGroupBox("Result")
+        layout = QtWidgets.QVBoxLayout(box)
+        self.summary = QtWidgets.QLabel()
+        self.summary.setWordWrap(True)
+        layout.addWidget(self.summary)
+        headings = [heading for heading, *_ in match_text.table(match.report_of(self.obj))]
+        self.table = QtWidgets.QTableWidget(len(headings), 2)
+        self.table.setHorizontalHeaderLabels(["Before", "After"])
+        self.table.setVerticalHeaderLabels(headings)
+        self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
+        self.table.setSelectionMode(QtWidgets.QAbstractItemView.NoSelection)
+        self.table.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.Stretch)
+        height = self.table.fontMetrics().height() + 8
+        self.table.verticalHeader().setDefaultSectionSize(height)
+        self.table.setFixedHeight((len(headings) + 1) * height + 8)
+        layout.addWidget(self.table)
+        line = QtWidgets.QHBoxLayout()
+        line.addWidget(QtWidgets.QLabel("Show"))
+        self.before, self.after = QtWidgets.QRadioButton("Before"), QtWidgets.QRadioButton("After")
+        self.zebra = QtWidgets.QCheckBox("Zebra stripes")
+        for widget in (self.before, self.after, self.zebra):
+            line.addWidget(widget)
+        layout.addLayout(line)
+        return box
+
+    def _connect(self):
+        self.first.clicked.connect(lambda *_: self._select("FirstFace"))
+        self.second.clicked.connect(lambda *_: self._select("SecondFace"))
+        self.moves.currentIndexChanged.connect(self._changed)
+        self.max_move.valueChanged.connect(self._changed)
+        self.hold_sides.toggled.connect(self._changed)
+        self.tolerances.changed.connect(self._changed)
+        self.swap.clicked.connect(self._swap)
+        self.after.toggled.connect(lambda *_: self._show(self.after.isChecked()))
+        self.zebra.toggled.connect(lambda *_: self._show(self.after.isChecked()))
+
+    def _read(self):
+        self.moves.setCurrentText(self.obj.Moves)
+        self.max_move.setValue(properties.number(self.obj, "MaxMove"))
+        self.hold_sides.setChecked(self.obj.HoldSides)
+        self.tolerances.read_from(self.obj)
+        self.after.setChecked(True)
+
+    # What it does.
+
+    def refresh(self):
+        """Show the results as they are stored now."""
+        self.first.setText(match.link_text(self.obj, "FirstFace"))
+        self.second.setText(match.link_text(self.obj, "SecondFace"))
+        self.summary.setText(match.error_text(self.obj) or self.obj.Summary)
+        for line, (_, *cells) in enumerate(match_text.table(match.report_of(self.obj))):
+            for column, text in enumerate(cells):
+                self.table.setItem(line, column, QtWidgets.QTableWidgetItem(text))
+        self.after.setEnabled(self.obj.Matched)
+        self._show(self.after.isChecked())
+
+    def preview(self):
+        """Take over the fields and match anew."""
+        self._timer.stop()
+        if self._swapped:
+            first, second = self.obj.FirstFace, self.obj.SecondFace
+            self.obj.FirstFace, self.obj.SecondFace = second, first
+            self._swapped = False
+        for name, value in (
+            ("Moves", self.moves.currentText()),
+            ("MaxMove", self.max_move.value()),
+            ("HoldSides", self.hold_sides.isChecked()),
+        ):
+            if getattr(getattr(self.obj, name), "Value", getattr(self.obj, name)) != value:
+                setattr(self.obj, name, value)
+        self.tolerances.write_to(self.obj)
+        self.obj.touch()
+        self._doc.recompute()
+        self.refresh()
+
+    def _changed(self, *_):
+        self._timer.start()
+
+    def _swap(self, *_):
+        self._swapped = not self._swapped
+        self.preview()
+
+    def _changeable(self):
+        return KEPT + tuple(name for name, *_ in match.TOLERANCES)
+
+    def _select(self, name):
+        target = match.link(self.obj, name)
+        Gui.Selection.clearSelection()
+        if target is not None:
+            seam_view.select(self._doc, target[0].Name, target[1])
+
+    def _show(self, after):
+        """Show the match or its sources, with stripes where they are wanted."""
+        after = after and self.obj.Matched
+        sources = match.source_objects(self.obj)
+        self.obj.ViewObject.Visibility = after
+        for source in sources:
+            source.ViewObject.Visibility = not after
+        seen = [self.obj] if after else sources
+        if not self.zebra.isChecked():
+            self._unstripe()
+            return
+        fresh = [each for each in seen if each not in zebra.objects(self._doc)]
+        if fresh and zebra.show(fresh):
+            self._striped += [each.Name for each in fresh]

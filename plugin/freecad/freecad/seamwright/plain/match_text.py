@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is said about two matched faces: the table before and after, and the summary.
+
+The report is a dict: what the kernel found (matched, reason, exact, largest_move_mm, before, after; the seams
+are None where the faces have no common boundary), with the ``tolerance`` and the names of the ``faces``.
+"""
+
+import re
+
+from freecad.seamwright.plain import enclosure, rows
+
+#: The figures that the table has a row for.
+FIGURES = ("gap_mm", "angle_deg", "curvature_rel")
+HEADINGS = {"gap_mm": "Gap mm", "angle_deg": "Angle \u00b0", "curvature_rel": "Curvature %"}
+UNKNOWN = "\u2013"
+
+EMPTY_REPORT = {"matched": False, "reason": "", "exact": False, "largest_move_mm": 0.0, "before": None, "after": None}
+
+
+def table(report):
+    """[(heading, before, after)] as the panel shows them."""
+    sides = (report["before"], report["after"] if report["matched"] else None)
+    lines = [(HEADINGS[name], *(_figure(seam, name, report) for seam in sides)) for name in FIGURES]
+    lines.append(("Level", *(UNKNOWN if seam is None else seam["level"] for seam in sides)))
+    lines.append(("Certain", *(_certain(seam) for seam in sides)))
+    return lines
+
+
+def _figure(seam, name, report):
+    return UNKNOWN if seam is None else rows.figure_text(seam, name, report["tolerance"])
+
+
+def _certain(seam):
+    if seam is None:
+        return UNKNOWN
+    return "yes" if seam["certified"] else "no"
+
+
+def summary(report):
+    """One line: that the faces match, by how much they moved and what their seam is like; or why they do not match."""
+    if not report["matched"]:
+        return "Not matched: %s." % report["reason"].rstrip(".")
+    parts = ["%s is met" % report["target"]]
+    for name in FIGURES:
+        if report["after"].get(name) is not None:
+            quantity = rows.QUANTITIES[name]
+            text = rows.figure_text(report["after"], name, report["tolerance"])
+            parts.append("%s %s%s" % (quantity.label.split()[-1].lower(), text, quantity.unit))
+    parts.append("poles moved by up to %s mm" % enclosure.number(report["largest_move_mm"]))
+    return "Matched: %s (%s)." % ("; ".join(parts), report["reason"])
+
+
+def named(text, faces, edge_name):
+    """A sentence of the kernel with its faces 1 and 2, and its edges, called by their names.
+
+    ``edge_name`` is a callable(number).
+    """
+    text = re.sub(r"\bface ([12])\b", lambda found: faces[int(found.group(1)) - 1], text)
+    text = re.sub(r"\bedge (\d+)\b", lambda found: edge_name(int(found.group(1))), text)
+    listed = re.compile(r"(?<=these are: )\d+(?:, \d+)*")
+    return listed.sub(lambda found: ", ".join(edge_name(int(n)) for n in found.group().split(", ")), text)
+
+
+def value(seam, name):
+    """The number for a figure of a seam: its upper bound, else the largest seen, else 0."""
+    return 0.0 if seam is None else rows.figure_value(seam.get(name)) or 0.0

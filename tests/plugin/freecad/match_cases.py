@@ -1,0 +1,270 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The document object Match Surfaces, on FreeCAD's console; run by run_freecad.py."""
+
+import contextlib
+import json
+import math
+import os
+import re
+import tempfile
+from unittest import mock
+
+import FreeCAD as App
+import models
+import Part
+from document_cases import ABSENT, DocumentCase
+
+from freecad.seamwright.document import match
+from freecad.seamwright.document.hooks import hooks
+from freecad.seamwright.plain import kernel
+
+
+class MatchCase(DocumentCase):
+    def sheets(self):
+        """The two sheets as two objects."""
+        self.left, self.right = (
+            models.add(self.doc, shape, name) for shape, name in zip(models.two_sheets(), ("Left", "Right"))
+        )
+        self.doc.recompute()
+
+    def match(self, **options):
+        return match.create((self.left, "Face1"), (self.right, "Face1"), **options)
+
+    def assertNotMatched(self, obj, text):
+        self.assertFailed(obj, text)
+        self.assertFalse(obj.Matched)
+        self.assertTrue(obj.Shape.isNull())
+        self.assertTrue(obj.Summary.startswith("Not matched: "), obj.Summary)
+        self.assertIn(text, obj.Summary)
+
+
+def angle_between(shape):
+    """Largest angle of the normals of a shell's two faces at points of their common edge, in degrees."""
+    first, second = shape.Faces
+    (edge,) = [edge for edge in first.Edges if any(edge.isSame(other) for other in second.Edges)]
+    low, high = edge.ParameterRange
+    worst = 0.0
+    for place in range(41):
+        point = edge.valueAt(low + (high - low) * place / 40)
+        normals = [face.normalAt(*face.Surface.parameter(point)) for face in (first, second)]
+        worst = max(worst, abs(math.sin(normals[0].getAngle(normals[1]))))
+    return math.degrees(math.asin(worst))
+
+
+def text_of(shape):
+    """A shape as text, without the flags of its parts: one says whether a part belongs to another shape."""
+    return re.sub(r"^[01]{7}$", "", shape.exportBrepToString(), flags=re.M)
+
+
+class Results(MatchCase):
+    def test_two_objects_are_matched(self):
+        self.sheets()
+        obj = self.match()
+        self.assertEqual(match.error_text(obj), "")
+        self.assertTrue(obj.Matched and obj.Exact and obj.Certain, obj.Summary)
+        self.assertEqual((obj.LevelBefore, obj.LevelAfter, obj.Shape.ShapeType), ("G0", "G1", "Shell"))
+        self.assertEqual(len(obj.Shape.Faces), 2)
+        self.assertTrue(obj.Shape.isValid())
+        self.assertAlmostEqual(obj.AngleBefore.Value, models.SHEETS_DEG, delta=0.01)
+        self.assertLess(obj.AngleAfter.Value, 1e-4)
+        self.assertLess(angle_between(obj.Shape), 1e-4)
+        self.assertGreater(obj.LargestMove.Value, 0.1)
+        self.assertLess(obj.LargestMove.Value, models.SHEET_MM * math.tan(math.radians(models.SHEETS_DEG)))
+        self.assertTrue(obj.Summary.startswith("Matched: G1 is met; "), obj.Summary)
+
+    def test_curvature_is_matched_for_g2(self):
+        self.sheets()
+        self.right.Shape = models.sheet(1, models.SHEETS_DEG, bend=0.01)
+        obj = self.match(target="G2")
+        self.assertEqual((obj.Matched, obj.LevelAfter), (True, "G2"))
+        self.assertLess(obj.CurvatureAfter, 0.02)
+        self.assertGreater(obj.CurvatureBefore, 0.02)
+
+    def test_the_face_that_moves_is_the_one_said(self):
+        self.sheets()
+        for moves, stays in (("second", (True, False)), ("first", (False, True)), ("both", (False, False))):
+            with self.subTest(moves):
+                obj = self.match(moves=moves)
+                self.assertTrue(obj.Matched)
+                for face, source, still in zip(obj.Shape.Faces, (self.left, self.right), stays):
+                    poles, known = (
+                        [pole for line in shape.Surface.getPoles() for pole in line]
+                        for shape in (face, source.Shape.Faces[0])
+                    )
+                    same = len(poles) == len(known) and max(map(App.Vector.distanceToPoint, poles, known)) < 1e-12
+                    self.assertEqual(same, still)
+
+    def test_two_faces_of_one_object(self):
+        pair = models.add(self.doc, Part.Compound(models.two_sheets()), "Pair")
+        pair.Placement = App.Placement(App.Vector(5, 6, 7), App.Rotation(App.Vector(1, 2, 3), 40))
+        obj = match.create((pair, "Face1"), (pair, "Face2"))
+        self.assertTrue(obj.Matched, obj.Summary)
+        self.assertLess((obj.Shape.BoundBox.Center - pair.Shape.BoundBox.Center).Length, 1.0)
+
+    def test_sources_in_a_part_are_matched_where_they_stand(self):
+        self.sheets()
+        part = self.doc.addObject("App::Part", "Part")
+        part.addObject(self.left)
+        part.addObject(self.right)
+        part.Placement.Base = App.Vector(100, 0, 0)
+        obj = self.match()
+        self.assertTrue(obj.Matched, obj.Summary)
+        self.assertAlmostEqual(obj.Shape.BoundBox.Center.x, 100, delta=1.0)
+
+    def test_sources_are_left_as_they_were(self):
+        self.sheets()
+        before = [text_of(source.Shape) for source in (self.left, self.right)]
+        self.match(moves="both")
+        self.assertEqual([text_of(source.Shape) for source in (self.left, self.right)], before)
+
+    def test_a_common_edge_can_be_chosen(self):
+        self.sheets()
+        edges = self.right.Shape.Edges
+        (at_seam,) = [n for n, edge in enumerate(edges, 1) if abs(edge.CenterOfMass.x) < 1e-6]
+        obj = self.match(edge=(self.right, "Edge%d" % at_seam))
+        self.assertTrue(obj.Matched, obj.Summary)
+        away = next(n for n, edge in enumerate(edges, 1) if abs(edge.CenterOfMass.x) > 15)
+        obj.CommonEdge = (self.right, ["Edge%d" % away])
+        self.doc.recompute()
+        self.assertNotMatched(obj, "Right.Edge%d is no common boundary of the faces; these are: Left.Edge" % away)
+        other = models.add(self.doc, Part.makeBox(1, 1, 1), "Box")
+        obj.CommonEdge = (other, ["Edge1"])
+        self.doc.recompute()
+        self.assertNotMatched(obj, "Box.Edge1 is no edge of the two faces")
+
+
+class Following(MatchCase):
+    def test_a_changed_source_is_followed(self):
+        self.sheets()
+        obj = self.match()
+        before = obj.LargestMove.Value
+        self.right.Shape = models.sheet(1, slope_deg=1.0)
+        self.doc.recompute()
+        self.assertAlmostEqual(obj.AngleBefore.Value, 1.0, delta=0.01)
+        self.assertTrue(0 < obj.LargestMove.Value < before)
+
+    def test_each_change_asks_for_a_recompute(self):
+        self.sheets()
+        obj = self.match()
+        changes = {name: 0.5 for name, *_ in match.TOLERANCES}
+        changes.update(Target="G2", Moves="Both", MaxMove=5, HoldSides=True)
+        for name, value in changes.items():
+            with self.subTest(name):
+                self.doc.recompute()
+                self.assertNotIn("Touched", obj.State)
+                setattr(obj, name, value)
+                self.assertIn("Touched", obj.State)
+
+    def test_a_failure_empties_the_result_and_passes_away(self):
+        self.sheets()
+        obj = self.match()
+        obj.MaxMove = 1e-3
+        self.doc.recompute()
+        self.assertNotMatched(obj, "0.001")
+        self.assertAlmostEqual(obj.AngleBefore.Value, models.SHEETS_DEG, delta=0.01)
+        self.assertEqual((obj.LevelAfter, obj.AngleAfter.Value, obj.LargestMove.Value), ("", 0.0, 0.0))
+        obj.MaxMove = 0
+        self.doc.recompute()
+        self.assertEqual((obj.Matched, match.error_text(obj)), (True, ""))
+
+    def test_cancelling_keeps_the_results(self):
+        self.sheets()
+        obj = self.match()
+        report = obj.Report
+        with mock.patch.object(hooks, "progress", lambda text: contextlib.nullcontext(lambda fraction: False)):
+            obj.touch()
+            self.doc.recompute()
+        self.assertFailed(obj, "Cancelled")
+        self.assertEqual((obj.Report, obj.Matched, len(obj.Shape.Faces)), (report, True, 2))
+
+
+class Errors(MatchCase):
+    def test_the_same_face_twice(self):
+        self.sheets()
+        self.assertNotMatched(match.create((self.left, "Face1"), (self.left, "Face1")), "Left.Face1 is chosen twice")
+
+    def test_faces_that_cannot_move_are_named(self):
+        box = self.doc.addObject("Part::Box", "Box")
+        self.doc.recompute()
+        obj = match.create((box, "Face1"), (box, "Face3"))
+        self.assertNotMatched(obj, "Box.Face3 is a plane")
+
+    def test_no_common_boundary(self):
+        box = self.doc.addObject("Part::Box", "Box")
+        self.doc.recompute()
+        self.assertNotMatched(match.create((box, "Face1"), (box, "Face2")), "no common boundary")
+
+    def test_a_deleted_source(self):
+        self.sheets()
+        obj = self.match()
+        self.doc.removeObject("Right")
+        obj.touch()
+        self.doc.recompute()
+        self.assertNotMatched(obj, "The second face is gone")
+
+    def test_a_face_that_is_no_more(self):
+        self.sheets()
+        self.assertNotMatched(match.create((self.left, "Face1"), (self.right, "Face7")), "Right has no Face7")
+        obj = self.match()
+        self.right.Shape = Part.Shape()
+        self.doc.recompute()
+        self.assertNotMatched(obj, "Right has no shape")
+
+    def test_an_edge_is_no_face(self):
+        self.sheets()
+        self.assertNotMatched(match.create((self.left, "Face1"), (self.right, "Edge1")), "must be faces")
+
+    def test_bad_arguments_leave_nothing_behind(self):
+        self.sheets()
+        for wrong, text in (
+            ({"target": "G3"}, "target 'G3'"),
+            ({"moves": "none"}, "moves 'none'"),
+            ({"max_move_mm": -1.0}, "max_move_mm"),
+            ({"gap_mm": math.nan}, "gap_mm"),
+            ({"profile": "class-b"}, "profile 'class-b'"),
+        ):
+            with self.assertRaisesRegex(ValueError, text):
+                self.match(**wrong)
+        with self.assertRaisesRegex(TypeError, "'gap'"):
+            self.match(gap=0.1)
+        self.assertEqual(self.doc.Objects, [self.left, self.right])
+
+    def test_a_bad_property_is_an_error_of_the_object(self):
+        self.sheets()
+        obj = self.match()
+        obj.AngleTolerance = -1.0
+        self.doc.recompute()
+        self.assertNotMatched(obj, "-1")
+
+
+class Saving(MatchCase):
+    def test_results_survive_without_the_compiled_module(self):
+        self.sheets()
+        obj = self.match(target="G2", moves="both", max_move_mm=7.0)
+        kept = {name: getattr(obj, name) for name in ("Report", "Summary", "Matched", "LevelAfter", "Target", "Moves")}
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "saved.FCStd")
+            self.doc.saveAs(path)
+            App.closeDocument(self.doc.Name)
+            with ABSENT:
+                self.doc = App.openDocument(path)
+                again = self.doc.MatchSurfaces
+                self.assertNotIn("Touched", again.State)
+                self.assertEqual({name: getattr(again, name) for name in kept}, kept)
+                self.assertTrue(match.is_match(again))
+                self.assertEqual((again.MaxMove.Value, len(again.Shape.Faces)), (7.0, 2))
+                self.assertEqual(match.link(again, "SecondFace"), (self.doc.Right, "Face1"))
+                again.touch()
+                self.doc.recompute()
+                self.assertFailed(again, "cannot be loaded")
+                with self.assertRaises(kernel.KernelUnavailable):
+                    match.create((self.doc.Left, "Face1"), (self.doc.Right, "Face1"))
+            self.doc.Right.Shape = models.sheet(1, slope_deg=1.0)
+            self.doc.recompute()
+        self.assertEqual(match.error_text(again), "")
+        self.assertAlmostEqual(again.AngleBefore.Value, 1.0, delta=0.01)
+
+    def test_the_report_is_json_with_the_names_of_the_faces(self):
+        self.sheets()
+        report = json.loads(self.match().Report)
+        self.assertEqual(report["faces"], ["Left.Face1", "Right.Face1"])

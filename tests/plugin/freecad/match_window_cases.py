@@ -1,0 +1,450 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Match Surfaces and Zebra Stripes in FreeCAD's window; run by run_freecad.py --window."""
+
+import contextlib
+import os
+import sys
+import tempfile
+from unittest import mock
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import models
+import numpy
+import Part
+from PySide import QtGui
+from window import OUT, WindowCase, click, messages, picture, settle, whole_window
+
+from freecad.seamwright.document import match
+from freecad.seamwright.document.hooks import hooks
+from freecad.seamwright.gui.qt import QtWidgets
+from freecad.seamwright.gui.zebra import zebra
+
+MATCH, ZEBRA = "Seamwright_MatchSurfaces", "Seamwright_ZebraStripes"
+MANY = 5000  # pixels of a face
+
+
+def greys(image):
+    """The picture's brightness, 0..255, as lines of pixels; colours count as 128."""
+    image = image.convertToFormat(QtGui.QImage.Format_RGBA8888)
+    pixels = numpy.frombuffer(bytes(image.constBits()), numpy.uint8).reshape(image.height(), image.width(), 4)
+    rgb = pixels[:, :, :3].astype(int)
+    return numpy.where(rgb.max(axis=2) - rgb.min(axis=2) <= 6, rgb[:, :, 0], 128)
+
+
+def dark_count(image):
+    """Pixels of dark stripes."""
+    return int((greys(image) < 40).sum())
+
+
+class MatchWindow(WindowCase):
+    def setUp(self):
+        super().setUp()
+        self.doc.UndoMode = 1
+        self.left, self.right = (
+            models.add(self.doc, shape, name) for shape, name in zip(models.two_sheets(), ("Left", "Right"))
+        )
+        self.doc.recompute()
+        self.fit()
+
+    def tearDown(self):
+        zebra.hide(zebra.objects(self.doc))
+        super().tearDown()
+
+    def start(self, *chosen):
+        """Select faces, run the command; the match it made and its open panel."""
+        Gui.Selection.clearSelection()
+        for obj, name in chosen or ((self.left, "Face1"), (self.right, "Face1")):
+            Gui.Selection.addSelection(self.doc.Name, obj.Name, name)
+        Gui.runCommand(MATCH)
+        settle()
+        found = self.matches()
+        return (found[-1], found[-1].ViewObject.Proxy.panel) if found else (None, None)
+
+    def matches(self):
+        return [obj for obj in self.doc.Objects if match.is_match(obj)]
+
+    def visible(self):
+        return [obj.Name for obj in self.doc.Objects if obj.ViewObject.Visibility]
+
+    def press(self, which):
+        """Press OK or Cancel of the task panel."""
+        boxes = Gui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox)
+        (button,) = [box.button(which) for box in boxes if box.isVisible() and box.button(which)]
+        click(button, button.rect().center())
+
+    def ok(self):
+        self.press(QtWidgets.QDialogButtonBox.Ok)
+
+    def cancel(self):
+        self.press(QtWidgets.QDialogButtonBox.Cancel)
+
+    def cells(self, panel):
+        return [
+            [panel.table.item(line, column).text() for column in (0, 1)] for line in range(panel.table.rowCount())
+        ]
+
+
+class Matching(MatchWindow):
+    def test_the_command_matches_and_ok_keeps_it_as_one_step(self):
+        before = self.doc.UndoCount
+        obj, panel = self.start()
+        self.assertIsNotNone(panel)
+        self.assertTrue(obj.Matched)
+        whole_window("match")
+        self.assertEqual((panel.first.text(), panel.second.text()), ("Left.Face1", "Right.Face1"))
+        self.assertEqual(panel.summary.text(), obj.Summary)
+        gap, angle, _, level, certain = self.cells(panel)
+        self.assertEqual((angle[0], level, certain), ("3", ["G0", "G1"], ["yes", "yes"]))
+        self.assertTrue(gap[1].startswith("\u2264") and angle[1].startswith("\u2264"))
+        panel.tolerances.level.setCurrentText("G2")
+        settle(0.8)
+        self.assertEqual((obj.Target, obj.LevelAfter), ("G2", "G2"))
+        self.ok()
+        self.assertIsNone(obj.ViewObject.Proxy.panel)
+        self.assertEqual(self.visible(), [obj.Name])
+        self.assertEqual(self.doc.UndoCount, before + 1)
+        self.doc.undo()
+        settle()
+        self.assertEqual(self.matches(), [])
+        self.assertEqual(self.visible(), ["Left", "Right"])
+        self.doc.redo()
+        settle()
+        (again,) = self.matches()
+        self.assertEqual((again.LevelAfter, self.visible()), ("G2", [again.Name]))
+        Gui.activeDocument().setEdit(again.Name)
+        settle()
+        self.assertEqual(again.ViewObject.Proxy.panel.tolerances.level.currentText(), "G2")
+        self.cancel()
+
+    def test_cancel_takes_all_of_it_back(self):
+        obj, panel = self.start()
+        panel.zebra.setChecked(True)
+        settle()
+        self.cancel()
+        self.assertEqual(self.matches(), [])
+        self.assertEqual((self.visible(), zebra.objects(self.doc)), (["Left", "Right"], []))
+        self.assertFalse(self.doc.HasPendingTransaction)
+
+    def test_cancel_without_undo(self):
+        self.doc.UndoMode = 0
+        self.start()
+        self.cancel()
+        self.assertEqual((self.matches(), self.visible()), ([], ["Left", "Right"]))
+        obj, _ = self.start()
+        self.ok()
+        Gui.activeDocument().setEdit(obj.Name)
+        settle()
+        panel = obj.ViewObject.Proxy.panel
+        panel.moves.setCurrentText("Both")
+        settle(0.8)
+        self.assertEqual(obj.Moves, "Both")
+        self.cancel()
+        self.assertEqual((obj.Moves, self.visible()), ("Second", [obj.Name]))
+
+    def test_cancel_of_a_later_change_restores_the_values(self):
+        obj, _ = self.start()
+        self.ok()
+        report, steps = obj.Report, self.doc.UndoCount
+        Gui.activeDocument().setEdit(obj.Name)
+        settle()
+        panel = obj.ViewObject.Proxy.panel
+        panel.tolerances.level.setCurrentText("G2")
+        panel.moves.setCurrentText("First")
+        settle(0.8)
+        self.assertEqual((obj.Target, obj.Moves), ("G2", "First"))
+        self.cancel()
+        self.assertEqual((obj.Target, obj.Moves, obj.Report), ("G1", "Second", report))
+        self.assertEqual((self.visible(), self.doc.UndoCount), ([obj.Name], steps))
+        self.assertTrue(obj.Matched)
+
+    def test_undo_and_closing_while_the_panel_is_open(self):
+        obj, panel = self.start()
+        panel.zebra.setChecked(True)
+        panel.preview()
+        self.ok()
+        Gui.activeDocument().setEdit(obj.Name)
+        settle()
+        panel = obj.ViewObject.Proxy.panel
+        panel.zebra.setChecked(True)
+        panel.tolerances.level.setCurrentText("G2")
+        self.doc.undo()
+        settle(0.8)
+        self.doc.undo()
+        settle()
+        Gui.activeDocument().resetEdit()
+        settle()
+        self.assertEqual(self.matches(), [])
+        self.assertFalse(Gui.Control.activeDialog())
+        _, panel = self.start()
+        panel.zebra.setChecked(True)
+        panel.max_move.setValue(5.0)
+        App.closeDocument(self.doc.Name)
+        settle(0.8)
+        self.assertFalse(Gui.Control.activeDialog())
+        self.doc = App.newDocument("Again")
+
+    def test_swap_lets_the_other_face_move(self):
+        obj, panel = self.start()
+        click(panel.swap, panel.swap.rect().center())
+        self.assertEqual((panel.first.text(), panel.second.text()), ("Right.Face1", "Left.Face1"))
+        self.assertTrue(obj.Matched)
+        moved = obj.Shape.Faces[1].Surface.getPoles()
+        self.assertLess(moved[-1][0].x, -10)
+        click(panel.first, panel.first.rect().center())
+        (chosen,) = Gui.Selection.getSelectionEx()
+        self.assertEqual((chosen.ObjectName, chosen.SubElementNames), ("Right", ("Face1",)))
+        self.ok()
+
+    def test_before_and_after_with_stripes(self):
+        obj, panel = self.start()
+        plain = dark_count(picture("match-plain"))
+        panel.zebra.setChecked(True)
+        settle()
+        after = picture("match-after")
+        self.assertEqual((self.visible(), zebra.objects(self.doc)), ([obj.Name], [obj]))
+        self.assertGreater(dark_count(after), plain + MANY)
+        panel.before.setChecked(True)
+        settle()
+        before = picture("match-before")
+        self.assertEqual(self.visible(), ["Left", "Right"])
+        self.assertGreater(dark_count(before), plain + MANY)
+        self.assertGreater(int((abs(greys(before) - greys(after)) > 100).sum()), MANY)
+        self.ok()
+        self.assertEqual((self.visible(), zebra.objects(self.doc)), ([obj.Name], []))
+
+    def test_a_limit_too_small_is_said_and_ok_waits(self):
+        obj, panel = self.start()
+        panel.max_move.setValue(0.001)
+        settle(0.8)
+        self.assertIn("0.001", panel.summary.text())
+        self.assertEqual([line[1] for line in self.cells(panel)], ["\u2013"] * 5)
+        self.assertEqual(self.visible(), ["Left", "Right"])
+        self.ok()
+        (text,) = messages()
+        self.assertIn("0.001", text)
+        self.assertIsNotNone(obj.ViewObject.Proxy.panel)
+        panel.max_move.setValue(0.0)
+        self.assertEqual(panel.max_move.text(), "no limit")
+        self.ok()
+        self.assertEqual((obj.Matched, self.visible()), (True, [obj.Name]))
+
+    def test_a_cancelled_preview_says_so(self):
+        obj, panel = self.start()
+        with mock.patch.object(hooks, "progress", lambda text: contextlib.nullcontext(lambda fraction: False)):
+            panel.preview()
+        self.assertIn("Cancelled", panel.summary.text())
+        self.ok()
+        self.assertEqual(match.error_text(obj), "")
+
+    def test_wrong_selections_are_one_message(self):
+        box = self.doc.addObject("Part::Box", "Box")
+        self.doc.recompute()
+        for chosen in (
+            [(self.left, "Face1")],
+            [(self.left, "Face1"), (self.right, "Face1"), (box, "Face1")],
+            [(self.left, "Edge1"), (self.right, "Edge1")],
+        ):
+            obj, _ = self.start(*chosen)
+            (text,) = messages()
+            self.assertIsNone(obj)
+            self.assertIn("Select two faces", text)
+        self.assertEqual(self.doc.UndoCount, 0)
+
+    def test_whole_objects_of_one_face_can_be_selected(self):
+        obj, _ = self.start((self.left, ""), (self.right, ""))
+        self.assertEqual(match.link(obj, "SecondFace"), (self.right, "Face1"))
+        self.cancel()
+
+    def test_faces_that_cannot_be_matched_say_why(self):
+        box = self.doc.addObject("Part::Box", "Box")
+        self.doc.recompute()
+        for names, text in ((("Face1", "Face2"), "no common boundary"), (("Face1", "Face3"), "Box.Face3 is a plane")):
+            obj, panel = self.start(*((box, name) for name in names))
+            self.assertIn(text, panel.summary.text())
+            self.assertNotIn("Traceback", panel.summary.text())
+            self.assertFalse(panel.after.isEnabled())
+            self.assertTrue(box.ViewObject.Visibility)
+            self.cancel()
+            self.assertEqual(self.matches(), [])
+
+    def test_a_missing_kernel_is_one_message(self):
+        with mock.patch.dict(sys.modules, seamwright=None):
+            obj, _ = self.start()
+        (text,) = messages()
+        self.assertIsNone(obj)
+        self.assertIn("It was built for Python", text)
+
+    def test_deleting_the_match_or_failing_shows_the_sources(self):
+        obj, _ = self.start()
+        self.ok()
+        obj.MaxMove = 0.001
+        self.doc.recompute()
+        settle()
+        self.assertEqual(set(self.visible()) - {obj.Name}, {"Left", "Right"})
+        obj.MaxMove = 0
+        self.doc.recompute()
+        settle()
+        self.assertEqual(self.visible(), [obj.Name])
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(obj)
+        Gui.runCommand("Std_Delete")
+        settle()
+        self.assertEqual(self.visible(), ["Left", "Right"])
+
+    def test_a_saved_match_opens_with_its_view(self):
+        obj, _ = self.start()
+        self.ok()
+        self.left.ViewObject.Visibility = True
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "saved.FCStd")
+            self.doc.saveAs(path)
+            App.closeDocument(self.doc.Name)
+            with mock.patch.dict(sys.modules, seamwright=None):
+                self.doc = App.openDocument(path)
+                settle()
+            (again,) = self.matches()
+            self.assertNotIn("Touched", again.State)
+            self.assertEqual(self.visible(), ["Left", again.Name])
+            self.assertEqual(again.ViewObject.Proxy.claimChildren(), [self.doc.Left, self.doc.Right])
+            again.ViewObject.Proxy.doubleClicked(again.ViewObject)
+            settle()
+            self.assertEqual(again.ViewObject.Proxy.panel.summary.text(), again.Summary)
+            self.cancel()
+
+
+class Stripes(MatchWindow):
+    def test_the_command_draws_and_takes_off(self):
+        steps, modified = self.doc.UndoCount, Gui.getDocument(self.doc.Name).Modified
+        nodes = self.left.ViewObject.RootNode.getNumChildren()
+        without = picture("zebra-without")
+        Gui.runCommand(ZEBRA)
+        settle()
+        self.assertEqual(zebra.objects(self.doc), [self.left, self.right])
+        shown = picture("zebra")
+        whole_window("zebra-window")
+        self.assertGreater(dark_count(shown), dark_count(without) + MANY)
+        Gui.runCommand(ZEBRA)
+        settle()
+        self.assertEqual(zebra.objects(self.doc), [])
+        self.assertEqual(int((abs(greys(picture("zebra-off")) - greys(without)) > 30).sum()), 0)
+        self.assertEqual(self.left.ViewObject.RootNode.getNumChildren(), nodes)
+        self.assertEqual((self.doc.UndoCount, Gui.getDocument(self.doc.Name).Modified), (steps, modified))
+
+    def test_the_selected_object_alone(self):
+        Gui.Selection.addSelection(self.left)
+        Gui.runCommand(ZEBRA)
+        settle()
+        self.assertEqual(zebra.objects(self.doc), [self.left])
+        self.assertEqual(Gui.Selection.getSelection(), [])
+        Gui.Selection.addSelection(self.left)
+        Gui.Selection.addSelection(self.right)
+        Gui.runCommand(ZEBRA)
+        self.assertEqual(zebra.objects(self.doc), [self.left, self.right])
+
+    def test_stripes_break_at_a_kink_and_run_on_over_a_smooth_seam(self):
+        view = Gui.activeDocument().activeView()
+        jumps = []
+        for slope in (models.SHEETS_DEG, 0.0):
+            self.right.Shape = models.sheet(1, slope)
+            self.doc.recompute()
+            zebra.show([self.left, self.right])
+            view.viewTop()
+            view.fitAll()
+            settle()
+            lines = greys(picture("zebra-seam-%g" % slope))
+            middle = lines.shape[1] // 2
+            inside = slice(lines.shape[0] // 2 - 150, lines.shape[0] // 2 + 150)
+            jumps.append(int((abs(lines[inside, middle - 1] - lines[inside, middle + 1]) > 150).sum()))
+        self.assertGreater(jumps[0], 3 * jumps[1] + 20)
+
+    def test_stripes_follow_shape_place_and_visibility(self):
+        Gui.Selection.addSelection(self.left)
+        Gui.runCommand(ZEBRA)
+        first = picture("zebra-first")
+        self.left.Shape = models.sheet(-1, bend=0.05)
+        settle()
+        self.assertGreater(int((abs(greys(picture("zebra-changed")) - greys(first)) > 100).sum()), MANY)
+        self.left.ViewObject.Visibility = False
+        settle()
+        hidden = dark_count(picture("zebra-hidden"))
+        zebra.hide([self.left])
+        self.assertEqual(dark_count(picture("zebra-hidden-off")), hidden)
+        zebra.show([self.left])
+        self.assertEqual(dark_count(picture("zebra-hidden-on")), hidden)
+        self.left.ViewObject.Visibility = True
+        self.left.Placement = App.Placement(App.Vector(0, 40, 0), App.Rotation())
+        settle()
+        self.fit()
+        self.assertGreater(dark_count(picture("zebra-moved")), hidden + MANY)
+        self.doc.removeObject("Left")
+        settle()
+        self.assertEqual(zebra.objects(self.doc), [])
+
+    def test_stripes_on_a_body_a_link_and_a_part(self):
+        Gui.runCommand(ZEBRA)
+        zebra.hide(zebra.objects(self.doc))  # from now on changes are followed, also those of the new objects below
+        body = self.doc.addObject("PartDesign::Body", "Body")
+        body.addObject(self.doc.addObject("PartDesign::AdditiveSphere", "Ball"))
+        part = self.doc.addObject("App::Part", "Part")
+        part.addObject(models.add(self.doc, models.sheet(1), "Inner"))
+        link = self.doc.addObject("App::Link", "Twin")
+        link.LinkedObject = self.right
+        for moved in (part, link):
+            moved.Placement = App.Placement(App.Vector(0, 60, 0), App.Rotation())
+        self.doc.recompute()
+        for chosen, striped in ((body, "Body"), (part, "Inner"), (link, "Twin")):
+            with self.subTest(striped):
+                for obj in self.doc.Objects:
+                    obj.ViewObject.Visibility = obj.Name in (chosen.Name, striped)
+                settle()
+                self.fit()
+                without = dark_count(picture("zebra-%s-off" % striped))
+                Gui.Selection.clearSelection()
+                Gui.Selection.addSelection(chosen)
+                Gui.runCommand(ZEBRA)
+                settle()
+                self.assertEqual([obj.Name for obj in zebra.objects(self.doc)], [striped])
+                self.assertGreater(dark_count(picture("zebra-%s" % striped)), without + MANY)
+                zebra.hide(zebra.objects(self.doc))
+        for obj in self.doc.Objects:
+            obj.ViewObject.Visibility = True
+        Gui.Selection.clearSelection()
+        Gui.runCommand(ZEBRA)
+        self.assertEqual({obj.Name for obj in zebra.objects(self.doc)}, {"Left", "Right", "Body", "Inner", "Twin"})
+
+    def test_a_closed_document_takes_its_stripes_along(self):
+        other = App.newDocument("Other")
+        models.add(other, models.sheet(1), "Sheet")
+        Gui.runCommand(ZEBRA)
+        self.assertEqual(len(zebra.objects(other)), 1)
+        App.closeDocument("Other")
+        settle()
+        again = App.newDocument("Other")
+        self.assertEqual(zebra.objects(again), [])
+        App.closeDocument("Other")
+        App.setActiveDocument(self.doc.Name)
+
+    def test_faces_can_still_be_picked(self):
+        Gui.runCommand(ZEBRA)
+        settle()
+        view = Gui.activeDocument().activeView()
+        hit = view.getObjectInfo(view.getPointOnScreen(App.Vector(-10, 3, 1)))
+        self.assertEqual((hit["Object"], hit["Component"]), ("Left", "Face1"))
+
+    def test_nothing_to_stripe_is_one_message(self):
+        line = models.add(self.doc, Part.makeLine((0, 0, 0), (1, 0, 0)), "Line")
+        Gui.Selection.addSelection(line)
+        Gui.runCommand(ZEBRA)
+        settle()
+        (text,) = messages()
+        self.assertIn("have none", text)
+        self.left.ViewObject.Visibility = self.right.ViewObject.Visibility = False
+        Gui.Selection.clearSelection()
+        Gui.runCommand(ZEBRA)
+        settle()
+        (text,) = messages()
+        self.assertIn("no visible object", text)
+
+
+os.makedirs(OUT, exist_ok=True)
