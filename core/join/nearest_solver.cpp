@@ -189,7 +189,7 @@ Search::Step Search::step(const Iterate& at, const Eigen::MatrixXd& multiplier) 
     const Eigen::MatrixXd first_order = reach.transpose() * reach;
     const double least = 1e-10 * first_order.diagonal().maxCoeff();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(open.transpose() * curvature * open);
-    const Eigen::VectorXd values = eigen.eigenvalues();
+    const Eigen::VectorXd& values = eigen.eigenvalues();
     result.convex = values.minCoeff() >= -least;
     const Eigen::VectorXd in_eigen = eigen.eigenvectors().transpose() * slope;
     const Eigen::VectorXd size = values.cwiseAbs().cwiseMax(std::max(least, 1e-300));
