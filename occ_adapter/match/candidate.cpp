@@ -159,9 +159,10 @@ EdgeRows rowsToMove(const MatchSide& side, int order) {
 Candidate joinInPoles(const PairToMatch& pair) {
   Candidate best = joinWithKnots(pair, 0);
   const EdgeRows rows = rowsOf(pair, 0)[0];
-  // The time of a join grows with the third power of the columns; so many take about a second.
-  const int most_columns = 200 / pair.options.order;
-  if (!hasInnerKnots(rows) || rows.columns() > most_columns) return best;
+  // The time of a join grows with the third power of the poles that move; so many take about a second.
+  constexpr int most_poles = 300;
+  const int moved_rows = (pair.options.order + 1) * (pair.moves[0] && pair.moves[1] ? 2 : 1);
+  if (!hasInnerKnots(rows) || rows.columns() * moved_rows > most_poles) return best;
   for (int extra = 1; extra <= pair.options.order; ++extra) {
     Candidate next = joinWithKnots(pair, extra);
     if (!next.failure.empty()) continue;
