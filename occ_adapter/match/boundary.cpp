@@ -257,7 +257,8 @@ CommonBoundary commonBoundary(const TopoDS_Shape& model, const std::array<TopoDS
   Seam& seam = *chosen(seams, options.edge);
   if (seams.size() > 1) {
     std::vector<int> common;
-    for (const Seam& each : seams) common.push_back(each.edges.front());
+    for (const Seam& each : seams)
+      if (std::ranges::count(common, each.edges.front()) == 0) common.push_back(each.edges.front());
     boundary.note = "of the common edges " + listOf(common) + " number " +
                     std::to_string(seam.edges.front()) + (options.edge == 0 ? ", the longest," : "") +
                     " was taken";

@@ -77,11 +77,20 @@ std::array<EdgeRows, 2> rowsOf(const PairToMatch& pair, int extra_multiplicity) 
   return both;
 }
 
+/// The time of a join grows with the third power of the poles that move; with so many a step takes some hundredths of a second.
+bool hasFewPoles(const PairToMatch& pair, const EdgeRows& rows) {
+  constexpr int most_poles = 300;
+  const int moved_rows = (pair.options.order + 1) * (pair.moves[0] && pair.moves[1] ? 2 : 1);
+  return rows.columns() * moved_rows <= most_poles;
+}
+
 Candidate joinWithKnots(const PairToMatch& pair, int extra_multiplicity) {
   const std::array<EdgeRows, 2> rows = rowsOf(pair, extra_multiplicity);
   Candidate candidate;
   NearestOptions options;
   options.order = pair.options.order;
+  constexpr int steps_with_many_poles = 10;
+  if (!hasFewPoles(pair, rows[0])) options.max_iterations = steps_with_many_poles;
   NearestJoin join;
   try {
     join = nearestJoin(joinSide(rows[0], pair.moves[0], pair.options),
@@ -159,9 +168,7 @@ EdgeRows rowsToMove(const MatchSide& side, int order) {
 Candidate joinInPoles(const PairToMatch& pair) {
   Candidate best = joinWithKnots(pair, 0);
   const EdgeRows rows = rowsOf(pair, 0)[0];
-  // The time of a join grows with the third power of the columns; so many take about a second.
-  const int most_columns = 200 / pair.options.order;
-  if (!hasInnerKnots(rows) || rows.columns() > most_columns) return best;
+  if (!hasInnerKnots(rows) || !hasFewPoles(pair, rows)) return best;
   for (int extra = 1; extra <= pair.options.order; ++extra) {
     Candidate next = joinWithKnots(pair, extra);
     if (!next.failure.empty()) continue;

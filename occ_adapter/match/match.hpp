@@ -44,15 +44,18 @@ struct MatchReport {
 /// paths in the parameter plane.
 ///
 /// Where both faces end there with a side of their spline surfaces, the join is one of poles and exact to rounding: the smallest move
-/// (core/join/nearest.hpp), with the knots along the seam as they are or with inner ones repeated \p order times more, whichever moves
-/// less (the latter for at most 200 / order columns of poles, because of the time). Otherwise, or where that cannot be or moves more than twice as far, one face follows what the other one shows along the
-/// boundary at several points a knot span (position, tangent plane, curvature), row by row, each by the smallest move that meets it;
-/// knot spans where the tolerance is not met are halved, at most 6 times.
+/// (core/join/nearest.hpp), with the knots along the seam as they are or, where at most 300 poles move, with inner ones repeated up to
+/// \p order times more, whichever moves less. Otherwise, or where that cannot be or moves more than twice as far, one face follows what
+/// the other one shows along the boundary at several points a knot span (position, tangent plane, curvature), row by row, each by the
+/// smallest move that meets it; knot spans where the tolerance is not met are halved, at most 6 times.
 ///
 /// Matched means: the figures of the new seam are enclosed and within the tolerance, OpenCASCADE's checks pass, and the moved
 /// surface's normal nowhere turned by 90 degrees or more at the points of a grid (9 a knot span along the seam, 5 across the moved
 /// rows). Where any of this fails, or a pole would move further than \p max_move_mm, the shape is that of the two faces as given.
 /// A pair that has the level already comes back unchanged.
+///
+/// A boundary that is a closed loop is refused, and one that is a part of a side. Work can be stopped between its steps, not within an
+/// exact join.
 ///
 /// hold_sides: the first and the last pole of each moved row stay. That needs boundaries that already end in the neighbour, in
 /// its tangent plane (G2: with its curvature); the reason says by how much they do not.
