@@ -200,14 +200,16 @@ Candidate joinToTolerance(const PairToMatch& pair, double limit) {
     candidate.largest_move_mm = moved.largest_move_mm;
     candidate.plan = planAlongPath(pair, after);
     candidate.moved[pair.driver] = std::move(moved);
-    candidate.how = "joined to the tolerance, knot spans halved " + std::to_string(refinements) + " times";
+    candidate.how = "joined to the tolerance";
+    if (refinements > 0)
+      candidate.how += ", knot spans halved " + std::to_string(refinements) + (refinements == 1 ? " time" : " times");
     return candidate;
   }
   std::ostringstream text;
   if (std::isinf(worst))
     text << "the faces leave the boundary to the same side and would fold back on one another";
   else
-    text << "after " << most_refinements << " halvings of knot spans the worst figure is " << worst
+    text << "with knot spans halved up to " << most_refinements << " times the worst figure is " << worst
          << " times its tolerance";
   candidate.failure = text.str();
   return candidate;
