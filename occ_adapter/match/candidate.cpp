@@ -202,7 +202,8 @@ Candidate joinToTolerance(const PairToMatch& pair, double limit) {
     candidate.moved[pair.driver] = std::move(moved);
     candidate.how = "joined to the tolerance";
     if (refinements > 0)
-      candidate.how += ", knot spans halved " + std::to_string(refinements) + (refinements == 1 ? " time" : " times");
+      candidate.how +=
+          ", knot spans halved " + std::to_string(refinements) + (refinements == 1 ? " time" : " times");
     return candidate;
   }
   std::ostringstream text;
