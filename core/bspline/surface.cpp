@@ -86,22 +86,6 @@ bool hasInnerKnots(const Direction& d) {
   return d.knots.size() > 2 * static_cast<std::size_t>(d.degree + 1);
 }
 
-/// Leibniz' rule on A = w X: w X_kl = A_kl - sum_{(i,j) != (0,0)} C(k,i) C(l,j) w_ij X_{k-i,l-j}.
-SurfaceJet affineJet(const std::array<std::array<Eigen::RowVector4d, 4>, 4>& h) {
-  static constexpr double binomial[4][4] = {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}};
-  std::array<std::array<Eigen::Vector3d, 4>, 4> x;
-  for (int order = 0; order < 4; ++order)
-    for (int k = order; k >= 0; --k) {
-      const int l = order - k;
-      Eigen::Vector3d sum = h[k][l].head<3>();
-      for (int i = 0; i <= k; ++i)
-        for (int j = 0; j <= l; ++j)
-          if (i + j > 0) sum -= binomial[k][i] * binomial[l][j] * h[i][j](3) * x[k - i][l - j];
-      x[k][l] = sum / h[0][0](3);
-    }
-  return {x[0][0], x[1][0], x[0][1], x[2][0], x[1][1], x[0][2], x[3][0], x[2][1], x[1][2], x[0][3]};
-}
-
 }  // namespace
 
 void requireValid(const BSplineSurface& surface) {
@@ -145,14 +129,14 @@ SurfaceJet jet(const BSplineSurface& surface, double u, double v) {
   const int span_v = spanOf(surface.degree_v, surface.knots_v, v);
   const Eigen::MatrixXd in_u = basisDerivatives(surface.degree_u, surface.knots_u, span_u, u, 3);
   const Eigen::MatrixXd in_v = basisDerivatives(surface.degree_v, surface.knots_v, span_v, v, 3);
-  std::array<std::array<Eigen::RowVector4d, 4>, 4> h;
-  for (auto& row : h) row.fill(Eigen::RowVector4d::Zero());
+  HomogeneousPartials h;
+  for (auto& row : h) row.fill(Eigen::Vector4d::Zero());
   for (int i = 0; i <= surface.degree_u; ++i) {
     const Eigen::Index first = static_cast<Eigen::Index>(span_u - surface.degree_u + i) * surface.countV() +
                                span_v - surface.degree_v;
     const Eigen::Matrix4d along_v = in_v * surface.poles.middleRows(first, surface.degree_v + 1);
     for (int k = 0; k < 4; ++k)
-      for (int l = 0; k + l < 4; ++l) h[k][l] += in_u(k, i) * along_v.row(l);
+      for (int l = 0; k + l < 4; ++l) h[k][l] += in_u(k, i) * along_v.row(l).transpose();
   }
   return affineJet(h);
 }

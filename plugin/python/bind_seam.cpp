@@ -2,6 +2,7 @@
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
+#include <seamwright/core/bspline/surface.hpp>
 #include <seamwright/core/differential/arc_length.hpp>
 #include <seamwright/core/seam/curve_joint.hpp>
 #include <seamwright/core/seam/patch_side.hpp>
@@ -21,8 +22,10 @@ SeamSide sideOf(const char* name, const py::object& patch, const char* edge_name
     return seamSide(py::cast<const BezierTriangle&>(patch), triangleEdgeOf(edge_name, edge), reversed);
   if (py::isinstance<BezierPatch>(patch))
     return seamSide(py::cast<const BezierPatch&>(patch), patchEdgeOf(edge_name, edge), reversed);
+  if (py::isinstance<BSplineSurface>(patch))
+    return seamSide(py::cast<const BSplineSurface&>(patch), patchEdgeOf(edge_name, edge), reversed);
   throw py::type_error(std::string(name) + " is " + shown(patch) +
-                       ": a BezierPatch or a BezierTriangle is needed");
+                       ": a BezierPatch, a BezierTriangle or a BSplineSurface is needed");
 }
 
 py::object figureDict(const std::optional<Figure>& figure, double factor = 1) {
@@ -108,7 +111,8 @@ void bindSeam(py::module_& module) {
       py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
       py::arg("crease_deg") = py::none(),
       "Encloses and judges the seam of two patches along an edge of each: 'u0', 'u1', 'v0' or 'v1' of a "
-      "BezierPatch, 'l0' (from P1 to P2), 'l1' (P2 to P0) or 'l2' (P0 to P1) of a BezierTriangle.\n\n"
+      "BezierPatch or a BSplineSurface, 'l0' (from P1 to P2), 'l1' (P2 to P0) or 'l2' (P0 to P1) of a "
+      "BezierTriangle.\n\n"
       "Points correspond by the parameter along the edge; reversed: by 1 minus it on b. Returns a dict with "
       "the keys of a seam in the JSON that apply, and degenerate: points without a tangent plane. level is "
       "at most 'G2'.");

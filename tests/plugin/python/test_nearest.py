@@ -49,6 +49,13 @@ def test_patches_join(order, moves):
     assert again["a"] == join["a"] and again["largest_move_mm"] == 0
 
 
+def test_spline_surfaces_join_and_are_enclosed():
+    join = seamwright.nearest_join(spline(-1, 3), "u0", spline(1, 4), "u0")
+    assert_joined(join, 1)
+    with pytest.raises(ValueError, match="known of a patch are u0, u1, v0 and v1"):
+        seamwright.enclose_seam(join["a"], "l0", join["b"], "u0")
+
+
 def test_what_moves_is_dear_or_stays():
     a, b = pair()
     dear, stays = np.full((4, 4), 1e4), np.zeros((4, 4), bool)
