@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cmath>
 #include <numbers>
+#include <seamwright/core/join/checked_connection.hpp>
 #include <seamwright/core/join/condition.hpp>
 #include <seamwright/core/join/normalized.hpp>
 
@@ -118,17 +119,20 @@ double lowest(const Eigen::VectorXd& p) {
   return BernsteinPolynomial(p).range(1e-3 * p.cwiseAbs().maxCoeff()).lower;
 }
 
-/// An upper bound of |field| / divisor on [0, 1], within a tenth; infinite where the divisor is not certain to be positive.
-double largestQuotient(const Field<3>& field, const Eigen::VectorXd& divisor, int halvings) {
+/// An upper bound of (|field| + noise) / divisor on [0, 1], within a tenth; infinite where the divisor is not certain to be positive.
+double largestQuotient(const Field<3>& field, double noise, const Eigen::VectorXd& divisor, int halvings) {
   const double least = divisor.minCoeff(), first = divisor(0), last = divisor(divisor.size() - 1);
   if (!(first > 0 && last > 0)) return std::numeric_limits<double>::infinity();
-  const double bound = least > 0 ? rows::size(field) / least : std::numeric_limits<double>::infinity();
-  const double reached = std::max(field.row(0).norm() / first, field.bottomRows<1>().norm() / last);
+  const double bound =
+      least > 0 ? (rows::size(field) + noise) / least : std::numeric_limits<double>::infinity();
+  const double reached =
+      std::max((field.row(0).norm() + noise) / first, (field.bottomRows<1>().norm() + noise) / last);
   if (halvings == 0 || bound <= 1.1 * reached) return bound;
   const bernstein::Step half = bernstein::Step::at(0.5);
   const auto [left, right] = bernstein::casteljau(field, half);
   const auto [below, above] = bernstein::casteljau(divisor, half);
-  return std::max(largestQuotient(left, below, halvings - 1), largestQuotient(right, above, halvings - 1));
+  return std::max(largestQuotient(left, noise, below, halvings - 1),
+                  largestQuotient(right, noise, above, halvings - 1));
 }
 
 std::optional<double> vanishes(const Eigen::VectorXd& square, double size) {
@@ -141,7 +145,7 @@ class TangentPlanes {
   TangentPlanes(const NormalizedPair& pair, const Derivatives& a, const Derivatives& b)
       : pair_(pair), a_(a), b_(b) {
     normal_a_ = rows::cross(a.s.field, a.t.field);
-    normal_b_ = rows::cross(b.s.field, a.t.field);
+    normal_b_ = rows::cross(b.s.field, b.t.field);
     product_ = rows::dot<3>(normal_a_, normal_b_);
   }
 
@@ -149,7 +153,7 @@ class TangentPlanes {
 
   /// Where a side has no tangent plane, or none that rounding would leave it.
   std::optional<double> singularAt() const {
-    const double size_a = a_.s.size() * a_.t.size(), size_b = b_.s.size() * a_.t.size();
+    const double size_a = a_.s.size() * a_.t.size(), size_b = b_.s.size() * b_.t.size();
     if (!(size_a > 0 && size_b > 0)) return 0.0;
     if (const auto at = vanishes(rows::dot<3>(normal_a_, normal_a_), size_a * size_a)) return at;
     return vanishes(rows::dot<3>(normal_b_, normal_b_), size_b * size_b);
@@ -160,28 +164,29 @@ class TangentPlanes {
                                                 : rationalCondition(tolerance);
   }
 
-  /// tan of the angle is |det| |X_t| / (N_P.N_Q), with the second normal formed by the first side's X_t.
+  /// tan of the angle is |N_P x N_Q| / (N_P.N_Q), with each side's own normal.
   double angleBound() const {
-    const double determinant = rows::determinant(a_.s.field, a_.t.field, b_.s.field).cwiseAbs().maxCoeff();
-    const double noise = scale() * (relativeNoise(a_.s) + relativeNoise(a_.t) + relativeNoise(b_.s));
+    const double noise =
+        sizes() * (relativeNoise(a_.s) + relativeNoise(a_.t) + relativeNoise(b_.s) + relativeNoise(b_.t));
     const double steepest =
-        largestQuotient(a_.t.field, product_.array() - roundings * eps * scale() * a_.t.size(), 20);
-    return std::isfinite(steepest) ? std::atan((determinant + noise) * steepest) : std::numbers::pi;
+        largestQuotient(rows::cross(normal_a_, normal_b_), noise, product_.array() - noise, 20);
+    return std::isfinite(steepest) ? std::atan(steepest) : std::numbers::pi;
   }
 
   /// 1, -1: the normals are nowhere opposed, nowhere alike; 0: neither is certain.
   int sense() const {
-    const double size = a_.s.size() * b_.s.size() * a_.t.size() * a_.t.size();
-    if (!vanishes(product_, size)) return 1;
-    return vanishes(-product_, size) ? 0 : -1;
+    if (!vanishes(product_, sizes())) return 1;
+    return vanishes(-product_, sizes()) ? 0 : -1;
   }
 
  private:
-  double scale() const { return a_.s.size() * a_.t.size() * b_.s.size(); }
+  /// Of all fields that the normals are made of.
+  double sizes() const { return a_.s.size() * a_.t.size() * b_.s.size() * b_.t.size(); }
 
   JoinResidual polynomialCondition(std::optional<double> tolerance) const {
-    const double noise = scale() * (relativeNoise(a_.s) + relativeNoise(a_.t) + relativeNoise(b_.s));
-    return residual({rows::determinant(a_.s.field, a_.t.field, b_.s.field), scale(), noise},
+    const double scale = a_.s.size() * a_.t.size() * b_.s.size();
+    const double noise = scale * (relativeNoise(a_.s) + relativeNoise(a_.t) + relativeNoise(b_.s));
+    return residual({rows::determinant(a_.s.field, a_.t.field, b_.s.field), scale, noise},
                     std::pow(pair_.length, 3), tolerance);
   }
 
@@ -257,7 +262,7 @@ Eigen::VectorXd cube(const Eigen::VectorXd& w) {
 
 JoinResidual curvatureCondition(const Derivatives& a, const Derivatives& b, const Field<3>& normal,
                                 double length, const Connection& c, std::optional<double> tolerance) {
-  const Eigen::VectorXd w = cube(b.w), alpha = rows::trimmed(c.alpha), beta = rows::trimmed(c.beta);
+  const Eigen::VectorXd w = cube(b.w), &alpha = c.alpha, &beta = c.beta;
   const double of_normal = relativeNoise(a.s) + relativeNoise(a.t);
   NormalSum sum(normal, of_normal);
   sum.add(cube(a.w), 0, b.ss)
@@ -305,6 +310,8 @@ std::string_view name(JoinVerdict verdict) {
 
 JoinCondition joinCondition(const Ribbon& a, const Ribbon& b, const JoinConditionOptions& options) {
   requireTolerance(options.tolerance);
+  std::optional<Connection> connection = options.connection;
+  if (connection) connection = checked(*connection);
   const NormalizedPair pair(a, b);
   const Derivatives of_a = derivativesOf(pair.a, pair.rounding), of_b = derivativesOf(pair.b, pair.rounding);
   JoinCondition result;
@@ -322,10 +329,10 @@ JoinCondition joinCondition(const Ribbon& a, const Ribbon& b, const JoinConditio
   if (!result.position.holds || !result.tangent_plane.holds || sense == 0) return result;
   result.verdict = sense > 0 ? JoinVerdict::G1 : JoinVerdict::Fold;
   if (result.verdict != JoinVerdict::G1) return result;
-  result.curvature = options.connection
-                         ? curvatureCondition(of_a, of_b, planes.normal(), pair.length, *options.connection,
-                                              options.tolerance)
-                         : curvatureCondition(of_a, of_b, planes.normal(), pair.length, options.tolerance);
+  result.curvature =
+      connection
+          ? curvatureCondition(of_a, of_b, planes.normal(), pair.length, *connection, options.tolerance)
+          : curvatureCondition(of_a, of_b, planes.normal(), pair.length, options.tolerance);
   return result;
 }
 

@@ -35,13 +35,14 @@ enum class JoinVerdict {
 std::string_view name(JoinVerdict verdict);
 
 struct JoinCondition {
-  JoinResidual position;       ///< Q - P, in mm (rational: by both weights)
-  double gap_bound_mm = 0;     ///< no point of one seam is further from the point at the same t of the other
+  JoinResidual position;  ///< Q - P, in mm (rational: by both weights)
+  double gap_bound_mm =
+      0;  ///< but for rounding, no point of one seam is further from that of the other at the same t
   JoinResidual first, second;  ///< parametric: Q_s - P_s and Q_ss - P_ss, of the points themselves
   int parametric_order = -1;   ///< the sides meet with C^0, C^1 or C^2 in (s, t); -1: not at all
   JoinResidual
       tangent_plane;  ///< det(P_s, P_t, Q_s); rational: det(P, P_s, P_t, Q_s) of homogeneous vectors over n
-  double angle_bound_rad = 0;  ///< no angle of the tangent planes is larger; pi where nothing is known
+  double angle_bound_rad = 0;  ///< no angle of the tangent planes at a t is larger; pi where nothing is known
   JoinVerdict verdict = JoinVerdict::NotG1;
   std::optional<double> singular_at;      ///< where a side has no tangent plane, or too near to that to tell
   std::optional<JoinResidual> curvature;  ///< only where the verdict is G1
@@ -62,20 +63,23 @@ struct JoinConditionOptions {
 /// P ^ P_t = n X ^ Y with X, Y the first and the last n poles. The determinant alone also vanishes for folds and where a side has no
 /// tangent plane; the sign is certified by Bernstein coefficients and subdivision.
 ///
+/// The angle of the tangent planes is that of P_s x P_t and Q_s x Q_t, each side with its own seam: where the seams differ it also counts
+/// how they lean against each other.
+///
 /// G2, of a G1 join. With alpha = A / mu, beta = B / mu, A = (Q_s x P_t).N_P, B = (P_s x Q_s).N_P, mu = N_P.N_P:
 ///   N_P.(mu^2 Q_ss - A^2 P_ss - 2 A B P_st - B^2 P_tt) = 0,
 /// which is necessary and sufficient also where alpha and beta are rational functions. With a connection given, its alpha and beta are
-/// taken: N_P.(Q_ss - alpha^2 P_ss - 2 alpha beta P_st - beta^2 P_tt) = 0. For rational sides these are the derivatives of the points,
-/// times the powers of the weights that make polynomials of them.
+/// taken, on the caller's word that Q_s = alpha P_s + beta P_t: N_P.(Q_ss - alpha^2 P_ss - 2 alpha beta P_st - beta^2 P_tt) = 0. For
+/// rational sides these are the derivatives of the points, times the powers of the weights that make polynomials of them.
 ///
 /// Ribbons of different degrees are compared in the higher one. Identities (each has a test of its number):
 ///   (1) The verdict of a constructed join is G1, with order 2 moreover g2(); with alpha < 0 it is Fold.
 ///   (2) Moving one pole of rows 0 or 1 (of row 2 for g2()) by 1e-6 of the patch's size ends it.
 ///   (3) Rigid motion, scaling and reversing the seam change no verdict, residuals by their rounding only.
-///   (4) angle_bound_rad is no less than any angle of the tangent planes.
+///   (4) angle_bound_rad is no less than any angle of the tangent planes at the same t, also where the seams are not the same.
 ///
-/// \throws std::invalid_argument for a ribbon with an empty or not finite part, a degree above 30 or weights that are not positive, or a
-/// tolerance that is negative or NaN.
+/// \throws std::invalid_argument for a ribbon with an empty or not finite part, a degree above 30 or weights that are not positive, a
+/// tolerance that is negative or NaN, or functions of a given connection that tensorRows() would refuse.
 /// Source: MATH-surfaces 1.2, 2.2, 2.3, 2.5, 6.1, 8.2; text 001, sections 1, 2, 4, 5.
 JoinCondition joinCondition(const Ribbon& a, const Ribbon& b, const JoinConditionOptions& options = {});
 

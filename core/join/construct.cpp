@@ -2,6 +2,7 @@
 #include <seamwright/core/bernstein/polynomial.hpp>
 #include <seamwright/core/bezier/homogeneous.hpp>
 #include <seamwright/core/join/bernstein_rows.hpp>
+#include <seamwright/core/join/checked_connection.hpp>
 #include <seamwright/core/join/construct.hpp>
 #include <stdexcept>
 #include <string>
@@ -12,42 +13,6 @@ namespace {
 
 using bernstein::text;
 using rows::Field;
-
-void requireFunction(const char* name, const Eigen::VectorXd& function) {
-  if (function.size() == 0)
-    throw std::invalid_argument(std::string(name) + " has no coefficient: at least one is needed");
-  constexpr Eigen::Index most = 100;
-  if (function.size() > most + 1)
-    throw std::invalid_argument(std::string(name) + " has degree " + std::to_string(function.size() - 1) +
-                                ": it must be within " + std::to_string(most));
-  for (Eigen::Index i = 0; i < function.size(); ++i)
-    if (!std::isfinite(function(i)))
-      throw std::invalid_argument(std::string(name) + " has coefficient " + std::to_string(i) + " = " +
-                                  text(function(i)) + ": it must be finite");
-}
-
-void requirePositive(const char* name, const Eigen::VectorXd& function) {
-  const BernsteinPolynomial p(function);
-  if (const auto at = rows::notPositiveAt(p)) {
-    const Interval value = p.evaluate(*at);
-    throw std::invalid_argument(std::string(name) + " is " + text((value.lower + value.upper) / 2) +
-                                " at t = " + text(*at) + ": it must be positive on [0, 1]");
-  }
-}
-
-Connection checked(const Connection& c) {
-  requireFunction("alpha", c.alpha);
-  requireFunction("beta", c.beta);
-  requireFunction("p", c.p);
-  requireFunction("q", c.q);
-  requireFunction("e0", c.e0);
-  requireFunction("e1", c.e1);
-  requireFunction("e2", c.e2);
-  requirePositive("alpha", c.alpha);
-  requirePositive("e0", c.e0);
-  return {rows::trimmed(c.alpha), rows::trimmed(c.beta), rows::trimmed(c.p), rows::trimmed(c.q),
-          rows::trimmed(c.e0),    rows::trimmed(c.e1),   rows::trimmed(c.e2)};
-}
 
 void requireRibbon(const Ribbon& given) {
   for (const HomogeneousPoles* part : {&given.position, &given.first, &given.second})

@@ -150,6 +150,14 @@ def test_bad_arguments(arguments, word):
         seamwright.continuation(patch(2, 3), "u1", **arguments)
 
 
+@pytest.mark.parametrize("alpha", [[], float("nan"), float("inf"), -float("inf"), 0, -1, [1, -0.5]])
+def test_bad_functions_of_a_given_connection(alpha):
+    given = patch(2, 3)
+    beyond = seamwright.continuation(given, "u1", order=2)
+    with pytest.raises(ValueError, match="alpha "):
+        seamwright.join_condition(given, "u1", beyond, "u0", connection={"alpha": alpha})
+
+
 def test_bad_surfaces_and_names():
     with pytest.raises(ValueError, match="u9"):
         seamwright.continuation(patch(2, 3), "u9")
