@@ -25,7 +25,8 @@ struct Unknown {
 
 struct Solution {
   std::vector<Eigen::VectorXd> factors;
-  double residual = 0;  ///< largest coefficient that remains, relative to the right side and the terms
+  double residual =
+      0;  ///< largest coefficient that remains, relative to the right side, the terms and the size given
   double condition = 0;
 };
 
@@ -35,7 +36,8 @@ Eigen::VectorXd column(const Field<4>& field, int degree) {
 }
 
 /// Columns scaled to length 1, so that neither units nor speeds count for the condition.
-Solution solve(const std::vector<Unknown>& unknowns, const Field<4>& right) {
+/// \param size what residuals are relative to at least: a right side of rounding alone must not count as one of its own size.
+Solution solve(const std::vector<Unknown>& unknowns, const Field<4>& right, double size) {
   int degree = rows::degree(right);
   Eigen::Index count = 0;
   for (const Unknown& term : unknowns) {
@@ -44,7 +46,7 @@ Solution solve(const std::vector<Unknown>& unknowns, const Field<4>& right) {
   }
   Eigen::MatrixXd matrix(4 * (degree + 1), count);
   Eigen::Index next = 0;
-  double size = rows::size(right);
+  size = std::max(size, rows::size(right));
   for (const Unknown& term : unknowns)
     for (int i = 0; i <= term.degree; ++i)
       matrix.col(next++) =
@@ -136,7 +138,7 @@ class Recognition {
     const int last = polynomial_ ? 0 : std::max(rows::degree(Q) - rows::degree(P), 0) + 3;
     const bool found =
         ascend(std::nullopt, std::nullopt, last, allowed, "e0", [&](int degree, int, double best) {
-          Solution solution = solve({{P, degree}}, Q);
+          Solution solution = solve({{P, degree}}, Q, 0);
           if (solution.residual < best) fit_.connection.e0 = solution.factors[0];
           return solution;
         });
@@ -155,7 +157,7 @@ class Recognition {
                                 std::vector<Unknown> unknowns = {{out, degree}, {along, other}};
                                 if (!polynomial_)
                                   unknowns.push_back({pair_.a.position, degree + rows::degree(c.e0)});
-                                Solution solution = solve(unknowns, pair_.b.first);
+                                Solution solution = solve(unknowns, pair_.b.first, 0);
                                 if (solution.residual < best) {
                                   c.alpha = solution.factors[0];
                                   c.beta = solution.factors[1];
@@ -202,7 +204,7 @@ class Recognition {
                                 std::vector<Unknown> unknowns = {{out, degree}, {along, other}};
                                 if (!polynomial_)
                                   unknowns.push_back({pair_.a.position, degree + rows::degree(c.e0)});
-                                Solution solution = solve(unknowns, rest);
+                                Solution solution = solve(unknowns, rest, size);
                                 if (solution.residual < best) {
                                   c.p = solution.factors[0];
                                   c.q = solution.factors[1];
