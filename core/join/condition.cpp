@@ -86,9 +86,15 @@ double relativeNoise(const Rounded<Size>& x) {
 /// A condition in the units of NormalizedPair.
 struct Condition {
   Eigen::VectorXd coefficients;
-  double scale = 0;  ///< the product of the sizes of the fields
-  double noise = 0;  ///< of a coefficient
+  double scale = 0;     ///< the product of the sizes of the fields
+  double noise = 0;     ///< of a coefficient
+  double ordinary = 0;  ///< what the scale is where the fields are no smaller than usual; 0: they never are
 };
+
+bool canBeTold(const Condition& condition) {
+  return condition.scale == 0 ||
+         condition.noise <= kLargestNoise * std::max(condition.scale, condition.ordinary);
+}
 
 /// \param unit what the coefficients are multiplied by in the end.
 JoinResidual residual(const Condition& condition, double unit, std::optional<double> tolerance) {
@@ -99,19 +105,22 @@ JoinResidual residual(const Condition& condition, double unit, std::optional<dou
   result.at = degree > 0 ? static_cast<double>(largest) / static_cast<double>(degree) : 0;
   result.relative = condition.scale > 0 ? size / condition.scale : 0;
   result.noise = condition.scale > 0 ? condition.noise / condition.scale : 0;
-  result.holds = result.relative <= tolerance.value_or(result.noise);
+  result.holds =
+      tolerance ? result.relative <= *tolerance : result.relative <= result.noise && canBeTold(condition);
   result.coefficients = unit * condition.coefficients;
   return result;
 }
 
-/// f A - g B = 0 of vector-valued polynomials A, B, relative to the size of its larger term, or of what the sides are made of.
+/// f A - g B = 0 of vector-valued polynomials A, B, relative to the size of its larger term.
+/// \param ordinary a usual size of A and B.
 JoinResidual agreement(const Eigen::VectorXd& f, const Rounded<3>& a, const Eigen::VectorXd& g,
-                       const Rounded<3>& b, double length, std::optional<double> tolerance) {
+                       const Rounded<3>& b, double ordinary, double length, std::optional<double> tolerance) {
   const Field<3> difference = Sum<3>().add(f, b.field).add(-g, a.field).total();
   const double size_f = f.cwiseAbs().maxCoeff(), size_g = g.cwiseAbs().maxCoeff();
   const double scale = std::max(size_f * b.size(), size_g * a.size());
   const double noise = size_f * b.noise + size_g * a.noise + roundings * eps * scale;
-  return residual({difference.rowwise().norm(), scale, noise}, length, tolerance);
+  return residual({difference.rowwise().norm(), scale, noise, ordinary * std::max(size_f, size_g)}, length,
+                  tolerance);
 }
 
 /// A lower bound of a polynomial on [0, 1], within a thousandth of its largest coefficient.
@@ -135,8 +144,8 @@ double largestQuotient(const Field<3>& field, double noise, const Eigen::VectorX
                   largestQuotient(right, noise, above, halvings - 1));
 }
 
-std::optional<double> vanishes(const Eigen::VectorXd& square, double size) {
-  return rows::notPositiveAt(BernsteinPolynomial(square / size, roundings * eps));
+std::optional<double> notPositive(const Eigen::VectorXd& polynomial, double size, double noise = 0) {
+  return rows::notPositiveAt(BernsteinPolynomial(polynomial / size, std::clamp(noise, roundings * eps, 2.0)));
 }
 
 /// What a join of tangent planes is judged by.
@@ -155,8 +164,9 @@ class TangentPlanes {
   std::optional<double> singularAt() const {
     const double size_a = a_.s.size() * a_.t.size(), size_b = b_.s.size() * b_.t.size();
     if (!(size_a > 0 && size_b > 0)) return 0.0;
-    if (const auto at = vanishes(rows::dot<3>(normal_a_, normal_a_), size_a * size_a)) return at;
-    return vanishes(rows::dot<3>(normal_b_, normal_b_), size_b * size_b);
+    const double least = std::pow(noise() / kLargestNoise, 2);
+    if (const auto at = notPositive(rows::dot<3>(normal_a_, normal_a_), size_a * size_a, least)) return at;
+    return notPositive(rows::dot<3>(normal_b_, normal_b_), size_b * size_b, least);
   }
 
   JoinResidual condition(std::optional<double> tolerance) const {
@@ -166,21 +176,23 @@ class TangentPlanes {
 
   /// tan of the angle is |N_P x N_Q| / (N_P.N_Q), with each side's own normal.
   double angleBound() const {
-    const double noise =
-        sizes() * (relativeNoise(a_.s) + relativeNoise(a_.t) + relativeNoise(b_.s) + relativeNoise(b_.t));
+    const double off = sizes() * noise();
     const double steepest =
-        largestQuotient(rows::cross(normal_a_, normal_b_), noise, product_.array() - noise, 20);
+        largestQuotient(rows::cross(normal_a_, normal_b_), off, product_.array() - off, 20);
     return std::isfinite(steepest) ? std::atan(steepest) : std::numbers::pi;
   }
 
   /// 1, -1: the normals are nowhere opposed, nowhere alike; 0: neither is certain.
   int sense() const {
-    if (!vanishes(product_, sizes())) return 1;
-    return vanishes(-product_, sizes()) ? 0 : -1;
+    if (!notPositive(product_, sizes())) return 1;
+    return notPositive(-product_, sizes()) ? 0 : -1;
   }
 
  private:
-  /// Of all fields that the normals are made of.
+  /// Of all fields that the normals are made of: rounding, relative; sizes, as a product.
+  double noise() const {
+    return relativeNoise(a_.s) + relativeNoise(a_.t) + relativeNoise(b_.s) + relativeNoise(b_.t);
+  }
   double sizes() const { return a_.s.size() * a_.t.size() * b_.s.size() * b_.t.size(); }
 
   JoinResidual polynomialCondition(std::optional<double> tolerance) const {
@@ -215,10 +227,13 @@ class NormalSum {
   explicit NormalSum(const Field<3>& normal, double normal_noise)
       : normal_(normal), normal_noise_(normal_noise) {}
 
-  NormalSum& add(const Eigen::VectorXd& factor, double factor_noise, const Rounded<3>& x) {
+  /// \param first the first derivative that x is one of.
+  NormalSum& add(const Eigen::VectorXd& factor, double factor_noise, const Rounded<3>& x,
+                 const Rounded<3>& first) {
     if (rows::isZero(factor)) return *this;
     const double weight = factor.cwiseAbs().maxCoeff() * rows::size(normal_);
     scale_ += weight * x.size();
+    ordinary_ += weight * first.size();
     noise_ += weight * (x.noise + x.size() * (factor_noise + normal_noise_ + roundings * eps));
     sum_.add(factor, rows::dot<3>(normal_, x.field));
     return *this;
@@ -226,14 +241,14 @@ class NormalSum {
 
   /// \param unit what the coefficients are multiplied by.
   JoinResidual result(double unit, std::optional<double> tolerance) const {
-    return residual({sum_.total(), scale_, noise_}, unit, tolerance);
+    return residual({sum_.total(), scale_, noise_, ordinary_}, unit, tolerance);
   }
 
  private:
   const Field<3>& normal_;
   double normal_noise_;
   Sum<1> sum_;
-  double scale_ = 0, noise_ = 0;
+  double scale_ = 0, noise_ = 0, ordinary_ = 0;
 };
 
 /// With the weights: alpha = A w_P / (w_Q^2 mu), N.X_ij w^3 = h_ij, so that
@@ -249,10 +264,10 @@ JoinResidual curvatureCondition(const Derivatives& a, const Derivatives& b, cons
   const double size_B = a.s.size() * b.s.size() * rows::size(normal), largest_B = B.cwiseAbs().maxCoeff();
   const double of_B = largest_B > 0 ? of_all * size_B / largest_B : 0;
   NormalSum sum(normal, of_normal);
-  sum.add(times(times(mu, mu), b.w), 4 * of_normal, b.ss)
-      .add(-times(times(A, A), a.w), 2 * of_all, a.ss)
-      .add(-2 * times(times(A, B), a.w), of_all + of_B, a.st)
-      .add(-times(times(B, B), a.w), 2 * of_B, a.tt);
+  sum.add(times(times(mu, mu), b.w), 4 * of_normal, b.ss, b.s)
+      .add(-times(times(A, A), a.w), 2 * of_all, a.ss, a.s)
+      .add(-2 * times(times(A, B), a.w), of_all + of_B, a.st, a.s)
+      .add(-times(times(B, B), a.w), 2 * of_B, a.tt, a.t);
   return sum.result(std::pow(length, 11), tolerance);
 }
 
@@ -265,21 +280,22 @@ JoinResidual curvatureCondition(const Derivatives& a, const Derivatives& b, cons
   const Eigen::VectorXd w = cube(b.w), &alpha = c.alpha, &beta = c.beta;
   const double of_normal = relativeNoise(a.s) + relativeNoise(a.t);
   NormalSum sum(normal, of_normal);
-  sum.add(cube(a.w), 0, b.ss)
-      .add(-times(w, times(alpha, alpha)), 0, a.ss)
-      .add(-2 * times(w, times(alpha, beta)), 0, a.st)
-      .add(-times(w, times(beta, beta)), 0, a.tt);
+  sum.add(cube(a.w), 0, b.ss, b.s)
+      .add(-times(w, times(alpha, alpha)), 0, a.ss, a.s)
+      .add(-2 * times(w, times(alpha, beta)), 0, a.st, a.s)
+      .add(-times(w, times(beta, beta)), 0, a.tt, a.t);
   return sum.result(std::pow(length, 3), tolerance);
 }
 
 void judgeParametric(const Derivatives& a, const Derivatives& b, double length,
                      std::optional<double> tolerance, JoinCondition& result) {
   const Eigen::VectorXd square_a = times(a.w, a.w), square_b = times(b.w, b.w);
-  result.position = agreement(a.w, a.p, b.w, b.p, length, tolerance);
+  result.position = agreement(a.w, a.p, b.w, b.p, 1, length, tolerance);
   const double least = lowest(a.w) * lowest(b.w);
   result.gap_bound_mm = result.position.coefficients.maxCoeff() / least;
-  result.first = agreement(square_a, a.s, square_b, b.s, length, tolerance);
-  result.second = agreement(cube(a.w), a.ss, cube(b.w), b.ss, length, tolerance);
+  result.first = agreement(square_a, a.s, square_b, b.s, 0, length, tolerance);
+  result.second =
+      agreement(cube(a.w), a.ss, cube(b.w), b.ss, std::max(a.s.size(), b.s.size()), length, tolerance);
   result.parametric_order = -1;
   for (const JoinResidual* order : {&result.position, &result.first, &result.second}) {
     if (!order->holds) break;

@@ -19,8 +19,10 @@ struct JoinResidual {
   double relative = 0;
   double noise =
       0;  ///< what rounding of the poles and of these computations may make of a relative residual of 0
-  double at = 0;       ///< the parameter that the largest coefficient stands for, k / degree
-  bool holds = false;  ///< relative <= the caller's tolerance, or without one <= noise
+  double at = 0;  ///< the parameter that the largest coefficient stands for, k / degree
+  /// relative <= the caller's tolerance, or without one <= noise. Without one nothing holds whose noise is above 1e-2 of the fields (of
+  /// second derivatives, of these or of the first ones): it cannot be told.
+  bool holds = false;
 };
 
 /// How the tangent planes of two sides meet.
@@ -39,7 +41,8 @@ struct JoinCondition {
   double gap_bound_mm =
       0;  ///< but for rounding, no point of one seam is further from that of the other at the same t
   JoinResidual first, second;  ///< parametric: Q_s - P_s and Q_ss - P_ss, of the points themselves
-  int parametric_order = -1;   ///< the sides meet with C^0, C^1 or C^2 in (s, t); -1: not at all
+  int parametric_order =
+      -1;  ///< the sides meet with C^0, C^1 or C^2 in (s, t) as far as can be told; -1: not at all
   JoinResidual
       tangent_plane;  ///< det(P_s, P_t, Q_s); rational: det(P, P_s, P_t, Q_s) of homogeneous vectors over n
   double angle_bound_rad = 0;  ///< no angle of the tangent planes at a t is larger; pi where nothing is known
@@ -61,7 +64,8 @@ struct JoinConditionOptions {
 /// G1. det(P_s, P_t, Q_s) = 0 and N_P.N_Q > 0 with N_P = P_s x P_t, N_Q = Q_s x P_t. For rational sides det(P, P_s, P_t, Q_s) of the
 /// homogeneous vectors, which needs no common scale: any e0(t) is allowed. Its coefficients are divided by the degree n of P, as
 /// P ^ P_t = n X ^ Y with X, Y the first and the last n poles. The determinant alone also vanishes for folds and where a side has no
-/// tangent plane; the sign is certified by Bernstein coefficients and subdivision.
+/// tangent plane; the sign is certified by Bernstein coefficients and subdivision. Rounding of the poles blurs a normal; where it leaves
+/// less than two digits, as of a small patch very far from the origin, the verdict is Singular.
 ///
 /// The angle of the tangent planes is that of P_s x P_t and Q_s x Q_t, each side with its own seam: where the seams differ it also counts
 /// how they lean against each other.

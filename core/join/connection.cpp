@@ -113,6 +113,11 @@ class Recognition {
   template <class Try>
   bool ascend(const std::optional<int>& first, const std::optional<int>& second, int last, double allowed,
               const char* names, const Try& attempt) {
+    if (!options_.tolerance && fit_.noise > kLargestNoise) {
+      fit_.note = "rounding of the poles makes up to " + text(fit_.noise) + " of a residual of 0: " + names +
+                  " cannot be told";
+      return false;
+    }
     double best = std::numeric_limits<double>::infinity();
     const bool given = first || second;
     for (int k = 0; k <= (given ? 0 : last); ++k) {

@@ -52,7 +52,7 @@ struct ConnectionFit {
 /// Bernstein coefficients: first e0 from Q = e0 P, then alpha, beta (rational: and e1) from Q_s, then p, q (rational: and e2) from Q_ss.
 ///
 /// If b was constructed from a, its functions come back. A join whose alpha or beta is no polynomial is not found, although it may be G1:
-/// joinCondition() tells; the note says so.
+/// joinCondition() tells; the note says so. Without a tolerance nothing is found where noise is above 1e-2.
 /// Identities (each has a test of its number):
 ///   (1) The functions of a constructed join come back, of order 1 and 2, polynomial and rational, of any pairing.
 ///   (2) Of a G1 join with rational alpha nothing is found, and the note says that it is G1.

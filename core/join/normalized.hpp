@@ -10,6 +10,9 @@
 /// Two ribbons in coordinates in which their size is 1; not a public header.
 namespace seamwright {
 
+/// What rounding may make of a relative residual of 0 without hiding what is to be told.
+inline constexpr double kLargestNoise = 1e-2;
+
 inline void requireUsable(const Ribbon& ribbon, const char* name) {
   for (const HomogeneousPoles* part : {&ribbon.position, &ribbon.first, &ribbon.second})
     if (part->rows() == 0 || !part->allFinite())

@@ -376,6 +376,43 @@ TEST(JoinCondition, ToleranceIsTheCallers) {
   EXPECT_THROW(joinCondition(a, b), std::invalid_argument);
 }
 
+/// Planes of 3 mm that meet with that slope of the second one, so far from the origin.
+std::pair<BezierPatch, BezierPatch> crease(double slope, double far) {
+  Poles flat(16, 3), inclined(16, 3);
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) {
+      flat.row(4 * i + j) << i, j, 0;
+      inclined.row(4 * i + j) << i + 3, j, slope * i;
+    }
+  return {BezierPatch(3, 3, flat.array() + far), BezierPatch(3, 3, inclined.array() + far)};
+}
+
+TEST(JoinCondition, WhatNoiseHidesDoesNotHold) {
+  for (const double far : {0.0, 1e3, 1e6, 1e9, 1e12, 1e13, 1e14, 1e15})
+    for (const double slope : {0.0, 0.1, 1.0}) {
+      const auto [first, second] = crease(slope, far);
+      const Ribbon a = endingAtU1(first), b = beginningAtU0(second);
+      const JoinCondition found = joinCondition(a, b);
+      const ConnectionFit fit = fitConnection(a, b, {.order = 2});
+      if (slope > 0) {
+        EXPECT_NE(found.verdict, JoinVerdict::G1) << far << " " << slope;
+        EXPECT_LE(found.parametric_order, 0) << far << " " << slope;
+        EXPECT_FALSE(fit.found) << far << " " << slope;
+        EXPECT_GE(found.angle_bound_rad, std::atan(slope)) << far;
+      }
+      if (slope == 0 && far < 1e8) {
+        EXPECT_TRUE(found.g2()) << far << " noise " << found.tangent_plane.noise;
+        EXPECT_EQ(found.parametric_order, 2) << far;
+        EXPECT_TRUE(fit.found) << far << " " << fit.note;
+      }
+      if (far >= 1e14) {
+        EXPECT_EQ(found.verdict, JoinVerdict::Singular) << far;
+        EXPECT_EQ(found.parametric_order, -1) << far;
+        EXPECT_THAT(fit.note, HasSubstr("cannot be told")) << far;
+      }
+    }
+}
+
 TEST(JoinCondition, FunctionsOfAGivenConnectionAreChecked) {
   std::mt19937_64 random(51);
   const Ribbon a = endingAtU1(gentlePatch(3, 3, false, random)), b = beginningAtU0(continuation(a, {}, 2, 3));
