@@ -303,11 +303,6 @@ void judgeParametric(const Derivatives& a, const Derivatives& b, double length,
   }
 }
 
-void requireTolerance(const std::optional<double>& tolerance) {
-  if (tolerance && !(*tolerance >= 0))
-    throw std::invalid_argument("tolerance is " + bernstein::text(*tolerance) + ": it must be 0 or positive");
-}
-
 }  // namespace
 
 std::string_view name(JoinVerdict verdict) {

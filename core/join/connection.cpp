@@ -171,12 +171,17 @@ class Recognition {
                                 return solution;
                               });
     if (!found && fit_.note.empty()) fit_.note = whyNoTangents(last);
-    return found;
+    if (!found || !rows::notPositiveAt(BernsteinPolynomial(c.alpha))) return found;
+    fit_.note = "alpha is not positive everywhere: the join is " + std::string(name(verdict()));
+    return false;
+  }
+
+  JoinVerdict verdict() const {
+    return joinCondition(pair_.a, pair_.b, {options_.tolerance, std::nullopt}).verdict;
   }
 
   std::string whyNoTangents(int last) const {
-    const JoinVerdict verdict = joinCondition(pair_.a, pair_.b, {options_.tolerance, std::nullopt}).verdict;
-    if (verdict != JoinVerdict::G1) return "the join is " + std::string(name(verdict));
+    if (verdict() != JoinVerdict::G1) return "the join is " + std::string(name(verdict()));
     if (options_.alpha_degree || options_.beta_degree)
       return "the join is G1, but alpha and beta are no polynomials of these degrees";
     return "the join is G1, but alpha and beta are no polynomials of degrees up to " + std::to_string(last) +
@@ -236,6 +241,7 @@ class Recognition {
 ConnectionFit fitConnection(const Ribbon& a, const Ribbon& b, const ConnectionFitOptions& options) {
   if (options.order != 1 && options.order != 2)
     throw std::invalid_argument("order " + std::to_string(options.order) + ": known are 1 and 2");
+  requireTolerance(options.tolerance);
   requireDegree("alpha", options.alpha_degree);
   requireDegree("beta", options.beta_degree);
   requireDegree("p", options.p_degree);

@@ -39,7 +39,7 @@ struct ConnectionFitOptions {
 
 /// What connects two ribbons.
 struct ConnectionFit {
-  bool found = false;     ///< all residuals are within the tolerance
+  bool found = false;     ///< all residuals are within the tolerance, and alpha is positive on [0, 1]
   Connection connection;  ///< the best of the degrees tried; of order 1 with p = q = 0
   double residual =
       0;             ///< largest coefficient that remains, relative to the fields, over all equations solved
@@ -53,12 +53,14 @@ struct ConnectionFit {
 ///
 /// If b was constructed from a, its functions come back. A join whose alpha or beta is no polynomial is not found, although it may be G1:
 /// joinCondition() tells; the note says so. Without a tolerance nothing is found where noise is above 1e-2.
+/// Of a fold alpha is negative: it is in the connection, but not found.
 /// Identities (each has a test of its number):
 ///   (1) The functions of a constructed join come back, of order 1 and 2, polynomial and rational, of any pairing.
 ///   (2) Of a G1 join with rational alpha nothing is found, and the note says that it is G1.
 ///   (3) Rigid motion and scaling of both sides change nothing but rounding.
 ///
-/// \throws std::invalid_argument for ribbons as in joinCondition(), an order other than 1 and 2, a negative degree, or one above 30.
+/// \throws std::invalid_argument for ribbons and tolerances as in joinCondition(), an order other than 1 and 2, a negative degree, or one
+/// above 30.
 /// Source: MATH-surfaces 2.6, 8.2.
 ConnectionFit fitConnection(const Ribbon& a, const Ribbon& b, const ConnectionFitOptions& options = {});
 

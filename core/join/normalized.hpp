@@ -3,15 +3,22 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <seamwright/core/join/bernstein_rows.hpp>
 #include <seamwright/core/join/ribbon.hpp>
 #include <stdexcept>
+#include <string>
 
 /// Two ribbons in coordinates in which their size is 1; not a public header.
 namespace seamwright {
 
 /// What rounding may make of a relative residual of 0 without hiding what is to be told.
 inline constexpr double kLargestNoise = 1e-2;
+
+inline void requireTolerance(const std::optional<double>& tolerance) {
+  if (tolerance && !(*tolerance >= 0))
+    throw std::invalid_argument("tolerance is " + bernstein::text(*tolerance) + ": it must be 0 or positive");
+}
 
 inline void requireUsable(const Ribbon& ribbon, const char* name) {
   for (const HomogeneousPoles* part : {&ribbon.position, &ribbon.first, &ribbon.second})

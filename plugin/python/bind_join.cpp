@@ -52,6 +52,15 @@ void requireKnown(const py::dict& keywords, std::initializer_list<const char*> o
   }
 }
 
+/// From a dict of functions alone.
+Connection givenConnectionOf(const char* name, const py::object& value) {
+  if (!py::isinstance<py::dict>(value))
+    throw py::value_error(std::string(name) + " is " + shown(value) + ": a dict of functions is needed");
+  const py::dict functions_of = value.cast<py::dict>();
+  requireKnown(functions_of, {});
+  return connectionOf(functions_of);
+}
+
 py::object keyword(const py::dict& keywords, const char* name) {
   return keywords.contains(name) ? py::object(keywords[name]) : py::object(py::none());
 }
@@ -153,12 +162,10 @@ py::object joinedOf(const py::object& surface, const py::object& edge, const py:
 
 BezierPatch blendOf(const py::object& a, const py::object& edge_a, const py::object& b,
                     const py::object& edge_b, const py::object& order, const py::object& reversed,
-                    const py::dict& to_a, const py::dict& to_b) {
-  requireKnown(to_a, {});
-  requireKnown(to_b, {});
-  return blend(ribbonOf("a", a, "edge_a", edge_a, false, Across::OutOf), connectionOf(to_a),
-               ribbonOf("b", b, "edge_b", edge_b, isReversed(reversed), Across::OutOf), connectionOf(to_b),
-               argument<int>("order", order, "a whole number"));
+                    const py::object& to_a, const py::object& to_b) {
+  return blend(ribbonOf("a", a, "edge_a", edge_a, false, Across::OutOf), givenConnectionOf("to_a", to_a),
+               ribbonOf("b", b, "edge_b", edge_b, isReversed(reversed), Across::OutOf),
+               givenConnectionOf("to_b", to_b), argument<int>("order", order, "a whole number"));
 }
 
 py::dict residualDict(const JoinResidual& residual) {
@@ -189,14 +196,11 @@ RibbonPair pairOf(const py::object& a, const py::object& edge_a, const py::objec
 
 py::dict joinConditionOf(const py::object& a, const py::object& edge_a, const py::object& b,
                          const py::object& edge_b, const py::object& reversed, const py::object& tolerance,
-                         const std::optional<py::dict>& connection) {
+                         const py::object& connection) {
   const RibbonPair pair = pairOf(a, edge_a, b, edge_b, reversed);
   JoinConditionOptions options;
   options.tolerance = toleranceOf(tolerance);
-  if (connection) {
-    requireKnown(*connection, {});
-    options.connection = connectionOf(*connection);
-  }
+  if (!connection.is_none()) options.connection = givenConnectionOf("connection", connection);
   const JoinCondition condition = joinCondition(pair.a, pair.b, options);
   const bool planes = condition.verdict != JoinVerdict::Singular;
   py::dict dict;

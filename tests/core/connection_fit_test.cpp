@@ -102,6 +102,14 @@ TEST(ConnectionFit, WhatStandsInTheWayIsSaid) {
                                           {.alpha_degree = 0, .beta_degree = 1});
   EXPECT_FALSE(low.found);
   EXPECT_THAT(low.note, HasSubstr("no polynomials of these degrees"));
+  Ribbon back = beginningAtU0(continuation(a, quadratic, 1, 2));
+  back.first = -back.first;
+  const ConnectionFit fold = fitConnection(a, back);
+  EXPECT_FALSE(fold.found);
+  EXPECT_THAT(fold.note, HasSubstr("alpha is not positive everywhere: the join is fold"));
+  EXPECT_LE(apart(fold.connection.alpha, -quadratic.alpha), 1e-9);
+  for (const double tolerance : {-1.0, std::nan("")})
+    EXPECT_THROW(fitConnection(a, other, {.tolerance = tolerance}), std::invalid_argument);
   EXPECT_THROW(fitConnection(a, other, {.order = 3}), std::invalid_argument);
   EXPECT_THROW(fitConnection(a, other, {.alpha_degree = -1}), std::invalid_argument);
 }

@@ -158,6 +158,27 @@ def test_bad_functions_of_a_given_connection(alpha):
         seamwright.join_condition(given, "u1", beyond, "u0", connection={"alpha": alpha})
 
 
+def test_bad_tolerances_and_dicts():
+    given = patch(2, 3)
+    beyond = seamwright.continuation(given, "u1")
+    for judge in (seamwright.join_condition, seamwright.fit_connection):
+        for tolerance in (-1, float("nan")):
+            with pytest.raises(ValueError, match="tolerance is"):
+                judge(given, "u1", beyond, "u0", tolerance=tolerance)
+    with pytest.raises(ValueError, match="connection is 3: a dict"):
+        seamwright.join_condition(given, "u1", beyond, "u0", connection=3)
+    with pytest.raises(ValueError, match="to_b is 0.5: a dict"):
+        seamwright.blend(given, "u1", beyond, "u1", to_b=0.5)
+
+
+def test_a_fold_is_no_connection():
+    given = patch(2, 3)
+    beyond = seamwright.continuation(given, "u1", alpha=[1, 1.5])
+    fit = seamwright.fit_connection(given, "u1", BezierPatch(2 * beyond.poles[0] - beyond.poles), "u0")
+    assert not fit["found"] and "the join is fold" in fit["note"]
+    assert fit["connection"]["alpha"] == pytest.approx([-1, -1.5])
+
+
 def test_bad_surfaces_and_names():
     with pytest.raises(ValueError, match="u9"):
         seamwright.continuation(patch(2, 3), "u9")
