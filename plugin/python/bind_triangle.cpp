@@ -3,7 +3,10 @@
 #include <pybind11/operators.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
+#include <seamwright/core/bernstein/coefficients.hpp>
 #include <seamwright/core/bezier/triangle_conversion.hpp>
 #include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
@@ -21,22 +24,28 @@ BezierTriangle makeTriangle(const Array& poles, const std::optional<Array>& weig
 }
 
 /// The rows of an array of barycentric coordinates.
-std::vector<Barycentric> barycentricRows(const Array& array) {
+std::vector<Barycentric> barycentricRows(const char* name, const Array& array) {
+  constexpr double slip = 1e-9;  // far above rounding: more is no barycentric coordinate
   const Poles rows = polesOf(array, 2, "(number, 3)");
   std::vector<Barycentric> result;
-  for (const auto& row : rows.rowwise()) result.emplace_back(row);
+  for (const auto& row : rows.rowwise()) {
+    if (std::abs(row.sum() - 1) > slip * std::max(1.0, row.cwiseAbs().maxCoeff()))
+      throw py::value_error(std::string(name) + ", row " + std::to_string(result.size()) + " has the sum " +
+                            bernstein::text(row.sum()) + ": barycentric coordinates have the sum 1");
+    result.emplace_back(row);
+  }
   return result;
 }
 
 BezierTriangle subtriangleOf(const BezierTriangle& triangle, const Array& corners) {
-  const std::vector<Barycentric> rows = barycentricRows(corners);
+  const std::vector<Barycentric> rows = barycentricRows("corners", corners);
   if (rows.size() != 3)
     throw py::value_error("corners are " + std::to_string(rows.size()) + " rows: three are needed");
   return triangle.subtriangle({rows[0], rows[1], rows[2]});
 }
 
 Eigen::Vector4d blossomOf(const BezierTriangle& triangle, const Array& arguments) {
-  return triangle.blossom(barycentricRows(arguments));
+  return triangle.blossom(barycentricRows("arguments", arguments));
 }
 
 std::optional<double> toleranceArgument(const py::object& value) {
