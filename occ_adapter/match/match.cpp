@@ -232,6 +232,10 @@ class Matching {
       addReason(why, text.str());
       return false;
     }
+    if (const std::string moved = movedSides(candidate.plan); !moved.empty()) {
+      addReason(why, moved);
+      return false;
+    }
     for (const int which : {0, 1}) {
       const MovedSurface& moved = candidate.moved[which];
       const PatchEdge edge = pair_.sides[which].edge;
@@ -254,6 +258,20 @@ class Matching {
     }
     accept(candidate, rebuilt.shell, after);
     return true;
+  }
+
+  /// Sides that should be held are held as lines of the surface; trimmed ones run through poles that move.
+  std::string movedSides(const SeamPlan& plan) const {
+    if (!options_.hold_sides) return {};
+    for (const int which : {0, 1}) {
+      const double move_mm = largestSideMove_mm(plan.faces[which], options_.tolerance.gap_mm);
+      if (move_mm <= options_.tolerance.gap_mm / 100) continue;
+      std::ostringstream text;
+      text << "a boundary of face " << numbers_[which] << " that ends at the seam would move by " << move_mm
+           << " mm: it is trimmed, and only whole sides of a surface can be held";
+      return text.str();
+    }
+    return {};
   }
 
   void accept(const Candidate& candidate, const TopoDS_Shell& shell, const SeamResult& after) {
