@@ -55,6 +55,9 @@ struct MatchReport {
 /// rows). Where any of this fails, or a pole would move further than \p max_move_mm, the shape is that of the two faces as given.
 /// A pair that has the level already comes back unchanged.
 ///
+/// A moved face that ends in a point at the seam keeps that point. If its tangent plane had to turn there, its curvature grows without bound
+/// towards it; the reason then says that it may.
+///
 /// A boundary that is a closed loop is refused, and one that is a part of a side. Work can be stopped between its steps, not within an
 /// exact join.
 ///
