@@ -74,11 +74,12 @@ struct NearestJoin {
 /// **Nothing to do.** If the surfaces join already, to rounding of their coordinates, with connection functions of the degrees asked for or of
 /// the degrees (k, k + 1, 2k, 2k + 1) of alpha, beta, p, q for k = 0, 1, 2, no number is changed.
 ///
-/// **Tangent planes.** A join that takes the tangent plane from a side which had one is none: |P_s x P_t| may not fall to 1/1000, nor its
-/// direction turn by a right angle, |Q_s x Q_t| not fall to 1e-6 of what they are in the surface as given. That is looked at in 4 degree + 1
-/// places of each span. So a regular side does not join one that stays and has its seam, or a corner at the seam, in one point. Where a
-/// side has no tangent plane as given, nothing is asked, and the equations do not make one. Where all poles of an end of the seam stay
-/// and the cross derivatives there are parallel, beta (and q) is zero at that end, which keeps the seam's tangent from turning into them.
+/// **Tangent planes.** A join that takes the tangent plane from a side which had one is none. Neither |P_s x P_t| nor |Q_s x Q_t| may fall to
+/// 1e-6 of what it is in the surface as given; and P_s x P_t, with the seam between both, neither to 1/1000 nor turn by a right angle. That
+/// is looked at in 4 degree + 1 places of each span. So a regular side does not join one that stays and has its seam, or a corner at the
+/// seam, in one point. Where a side has no tangent plane as given, nothing is asked, and the equations do not make one. Where all poles of an
+/// end of the seam stay and the cross derivatives there are parallel, beta (and q) is zero at that end, which keeps the seam's tangent from
+/// turning into them.
 ///
 /// **Infeasible** is said if no join was found that holds to rounding, with tangent planes as above and positive weights. Poles that stay,
 /// knots, collapsed edges or corners, weights that would have to become negative can be the cause, and coordinates so large that their

@@ -231,23 +231,23 @@ bool Search::advance(Iterate& at, const Step& step) {
   return false;
 }
 
-/// Nowhere has the normal of a turned by a right angle or lost nearly all of its length; that of b, which alpha keeps on the side of a's,
-/// has not lost all. Surfaces as given are the measure, and ask for nothing where they have no tangent plane.
+/// Where a side as given has a normal it has not lost all of its length; where a has one, it has not turned by a right angle, or lost nearly
+/// all of its length, from that of a with its seam at the target.
 bool Search::isRegular(const Eigen::MatrixXd& x) const {
   constexpr double collapsed = 1e-3, lost = 1e-6, none = 1e-6;
-  const auto given = [&](const Eigen::MatrixXd& seam, bool of_b) {
-    Eigen::MatrixXd poles = unknowns_.target;
-    poles.topRows(seam.rows()) = seam;
-    return condition_.normals(poles, of_b);
-  };
+  const Eigen::MatrixXd target = condition_.normals(unknowns_.target, false);
+  const Eigen::VectorXd length = target.rowwise().norm();
   for (const bool of_b : {false, true}) {
-    const Eigen::MatrixXd before = given(of_b ? unknowns_.seam_b : unknowns_.seam_a, of_b);
+    Eigen::MatrixXd given = unknowns_.target;
+    given.topRows(unknowns_.count()) = of_b ? unknowns_.seam_b : unknowns_.seam_a;
+    const Eigen::VectorXd before = condition_.normals(given, of_b).rowwise().norm();
     const Eigen::MatrixXd after = condition_.normals(x, of_b);
-    const Eigen::VectorXd length = before.rowwise().norm();
-    for (Eigen::Index i = 0; i < before.rows(); ++i) {
-      const double kept = of_b ? after.row(i).norm() * length(i) : before.row(i).dot(after.row(i));
-      const double least = (of_b ? lost : collapsed) * length(i) * length(i);
-      if (length(i) > none * length.maxCoeff() && !(kept >= least)) return false;
+    for (Eigen::Index i = 0; i < after.rows(); ++i) {
+      if (before(i) <= none * before.maxCoeff()) continue;
+      if (after.row(i).norm() < lost * before(i)) return false;
+      if (!of_b && length(i) > none * length.maxCoeff() &&
+          target.row(i).dot(after.row(i)) < collapsed * length(i) * length(i))
+        return false;
     }
   }
   return true;
