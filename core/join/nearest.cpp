@@ -15,6 +15,8 @@ namespace {
 using namespace nearest;
 
 constexpr double max_entries = 1.5e6;
+/// Share of the derivatives above which rounding hides whether a join holds.
+constexpr double largest_rounding = 1e-6;
 
 [[noreturn]] void refuse(const std::string& text) {
   throw std::invalid_argument(text);
@@ -60,10 +62,11 @@ bool alreadyJoined(const Unknowns& u, const NearestOptions& options, const Famil
   const Eigen::VectorXd alpha = c.head(family.degrees[Alpha] + 1);
   const bool joined =
       alpha.minCoeff() > 0 && u.seam_gap <= rounding && holds(condition.matrix(c), u.target, u.largest);
-  if (!joined) return false;
+  const double residual = relativeResidual(condition, c, u.target);
+  if (!joined || !(residual <= largest_rounding)) return false;
   result.status = NearestStatus::Unchanged;
   result.connection = connectionOf(u, family.degrees, c);
-  result.residual = relativeResidual(condition, c, u.target);
+  result.residual = residual;
   return true;
 }
 
@@ -79,6 +82,7 @@ Candidate candidate(const Unknowns& u, const NearestOptions& options, const Fami
   const double smallest_alpha = options.smallest_alpha * speeds[1] / speeds[0];
   Solution solution = solve(u, condition, family, smallest_alpha, options.max_iterations);
   const double residual = relativeResidual(condition, solution.c, solution.x);
+  solution.exact = solution.exact && residual <= largest_rounding;
   return {family, std::move(solution), residual};
 }
 
@@ -134,12 +138,14 @@ NearestJoin nearestJoin(const JoinSide& a, const JoinSide& b, const NearestOptio
   result.residual = std::max(found.residual, u.fixed_gap / u.size);
   const double rounding = 32 * std::numeric_limits<double>::epsilon() * u.largest;
   if (!solution.exact || u.fixed_gap > rounding) return result;
-  place(u, solution.x, a, b, result);
-  result.cost = solution.cost + u.seam_cost;
-  result.stationarity = solution.stationarity;
-  result.residual = storedResidual(a, b, result, found, options.order);
-  result.status = solution.stationary ? NearestStatus::Joined : NearestStatus::NotConverged;
-  return result;
+  NearestJoin placed = result;
+  place(u, solution.x, a, b, placed);
+  placed.residual = result.residual = storedResidual(a, b, placed, found, options.order);
+  if (!(placed.residual <= largest_rounding)) return result;
+  placed.cost = solution.cost + u.seam_cost;
+  placed.stationarity = solution.stationarity;
+  placed.status = solution.stationary ? NearestStatus::Joined : NearestStatus::NotConverged;
+  return placed;
 }
 
 }  // namespace seamwright

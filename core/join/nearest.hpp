@@ -33,9 +33,9 @@ struct NearestOptions {
 };
 
 enum class NearestStatus {
-  Joined,     ///< the join holds to rounding and the move is stationary
-  Unchanged,  ///< the join held already; no number was changed
-  Infeasible,  ///< the fixed poles, or the knots, allow no join of these degrees; the surfaces are returned as given
+  Joined,       ///< the join holds to rounding and the move is stationary
+  Unchanged,    ///< the join held already; no number was changed
+  Infeasible,   ///< no join of these degrees was found, see below; the surfaces are returned as given
   NotConverged  ///< the join holds to rounding, but a smaller move may exist
 };
 
@@ -62,7 +62,7 @@ struct NearestJoin {
 /// is fixed, or of a side that does not move, stays to the bit; on the seam it is met by the other side.
 ///
 /// The result is a local minimum, found from the connection that fits the surfaces as they are. Its residual is rounding: a few units in
-/// the last place of the coordinates, divided by the distance of rows.
+/// the last place of the coordinates, divided by the distance of rows, and 1e-6 at most.
 ///
 /// **Inner knots along the seam.** Where the rows are of class C^r at a knot, beta P_t is only of class C^(r-1). So either beta vanishes
 /// there (and q, for G2), or the seam has to become smoother. Both are tried, and the smaller move is returned; with several simple knots this
@@ -74,8 +74,16 @@ struct NearestJoin {
 /// **Nothing to do.** If the surfaces join already, to rounding of their coordinates, with connection functions of the degrees asked for or of
 /// the degrees (k, k + 1, 2k, 2k + 1) of alpha, beta, p, q for k = 0, 1, 2, no number is changed.
 ///
-/// **Tangent planes.** A join at which the tangent plane of a collapses or turns over is none. Where all poles of an end of the seam stay
-/// and the cross derivatives there are parallel, beta (and q) is zero at that end, which keeps the seam's tangent from turning into them.
+/// **Tangent planes.** A join that takes the tangent plane from a side which had one is none. Neither |P_s x P_t| nor |Q_s x Q_t| may fall to
+/// 1e-6 of what it is in the surface as given; and P_s x P_t, with the seam between both, neither to 1/1000 nor turn by a right angle. That
+/// is looked at in 4 degree + 1 places of each span. So a regular side does not join one that stays and has its seam, or a corner at the
+/// seam, in one point. Where a side has no tangent plane as given, nothing is asked, and the equations do not make one. Where all poles of an
+/// end of the seam stay and the cross derivatives there are parallel, beta (and q) is zero at that end, which keeps the seam's tangent from
+/// turning into them.
+///
+/// **Infeasible** is said if no join was found that holds to rounding, with tangent planes as above and positive weights. Poles that stay,
+/// knots, collapsed edges or corners, weights that would have to become negative can be the cause, and coordinates so large that their
+/// rounding leaves a residual above 1e-6. It does not prove that there is none.
 ///
 /// **Rational surfaces** move in homogeneous coordinates, weights with poles. The squared move of a pole (w x, w) is |w dx + (x - m) dw|^2 /
 /// w^2 + (L dw / w)^2, with m the mean of the seam's poles and L the size of the rows: |dx|^2 where the weight stays. The weights of both

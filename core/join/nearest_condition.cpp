@@ -77,8 +77,6 @@ Condition::Condition(const Unknowns& unknowns, int order, const Degrees& degrees
       width_(unknowns.a.degree + 1),
       columns_(static_cast<Eigen::Index>(unknowns.blocks()) * unknowns.count()) {
   for (int k = 1; k <= order; ++k) addPoints(k, vanishing);
-  const int n = unknowns.a.degree;
-  ends_ = {pointAt(1, 0, n), pointAt(1, 1, unknowns.count() - 1)};
 }
 
 void Condition::addPoints(int order, const std::vector<double>& vanishing) {
@@ -314,20 +312,26 @@ std::array<double, 2> Condition::crossSpeeds(const Eigen::MatrixXd& x) const {
   return {std::sqrt(p / number), std::sqrt(q / number)};
 }
 
-Eigen::MatrixXd Condition::normals(const Eigen::MatrixXd& x) const {
-  Eigen::MatrixXd result(rows() + 2, 3);
-  for (Eigen::Index i = 0; i < result.rows(); ++i) {
-    const Point& point = i < rows() ? points_[i] : ends_[i - rows()];
-    const Eigen::MatrixXd fields = point.fields * local(point, x);
-    // Of homogeneous coordinates w^2 times the derivative of the point.
-    const auto affine = [&](Field field) -> Eigen::Vector3d {
-      if (x.cols() == 3) return fields.row(field).transpose();
-      return fields(FieldP, 3) * fields.row(field).head<3>() -
-             fields(field, 3) * fields.row(FieldP).head<3>();
-    };
-    result.row(i) = affine(FieldPs).cross(affine(FieldPt)).transpose();
+Eigen::MatrixXd Condition::normals(const Eigen::MatrixXd& x, bool of_b) const {
+  const std::vector<double>& knots = unknowns_.a.knots;
+  const int n = unknowns_.a.degree, steps = 4 * n;
+  Eigen::MatrixXd result(static_cast<Eigen::Index>(unknowns_.count() - n) * (steps + 1), 3);
+  Eigen::Index filled = 0;
+  for (int span = n; span < unknowns_.count(); ++span) {
+    if (knots[span] == knots[span + 1]) continue;
+    for (int k = 0; k <= steps; ++k) {
+      const Point point = pointAt(1, std::lerp(knots[span], knots[span + 1], k / (1.0 * steps)), span);
+      const Eigen::MatrixXd fields = point.fields * local(point, x);
+      // Of homogeneous coordinates w^2 times the derivative of the point.
+      const auto affine = [&](Field field) -> Eigen::Vector3d {
+        if (x.cols() == 3) return fields.row(field).transpose();
+        return fields(FieldP, 3) * fields.row(field).head<3>() -
+               fields(field, 3) * fields.row(FieldP).head<3>();
+      };
+      result.row(filled++) = affine(of_b ? FieldQs : FieldPs).cross(affine(FieldPt)).transpose();
+    }
   }
-  return result;
+  return result.topRows(filled);
 }
 
 double Condition::largestDerivative(const Eigen::MatrixXd& x) const {

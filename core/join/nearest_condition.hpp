@@ -54,8 +54,8 @@ class Condition {
                          double smallest_alpha) const;
   /// Root mean squares of |P_s| and |Q_s| along the seam.
   std::array<double, 2> crossSpeeds(const Eigen::MatrixXd& x) const;
-  /// Along P_s x P_t at the points and at both ends, one a row.
-  Eigen::MatrixXd normals(const Eigen::MatrixXd& x) const;
+  /// Along P_s x P_t (for b: Q_s x P_t) at evenly spaced places of each span, its ends among them, one a row.
+  Eigen::MatrixXd normals(const Eigen::MatrixXd& x, bool of_b) const;
   /// Largest |Q_s|, and |Q_ss| if of order 2, over the factors of their rows.
   double largestDerivative(const Eigen::MatrixXd& x) const;
 
@@ -87,7 +87,6 @@ class Condition {
   int width_;  ///< poles of a span
   Eigen::Index columns_;
   std::vector<Point> points_;
-  std::array<Point, 2> ends_;
 };
 
 }  // namespace seamwright::nearest

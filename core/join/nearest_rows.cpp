@@ -124,10 +124,14 @@ double weightRatio(const Unknowns& u, const JoinSide& a, const JoinSide& b) {
 }
 
 void setSeam(Unknowns& u, const Coordinates& a, const Coordinates& b) {
+  u.seam_a.resize(u.count(), u.target.cols());
+  u.seam_b.resize(u.count(), u.target.cols());
   for (int j = 0; j < u.count(); ++j) {
     const int in_a = u.a.pole(0, j), in_b = u.b.pole(0, j);
     const double pull_a = a.pull(in_a), pull_b = b.pull(in_b);
     const Eigen::RowVectorXd x = a.pole(in_a), y = b.pole(in_b);
+    u.seam_a.row(j) = x;
+    u.seam_b.row(j) = y;
     u.seam_gap = std::max(u.seam_gap, (x - y).norm());
     if (pull_a == 0 && pull_b == 0) u.fixed_gap = std::max(u.fixed_gap, (x - y).norm());
     if (pull_a > 0 && pull_b > 0) {

@@ -32,7 +32,8 @@ SeamRows seamRows(const JoinSide& side, int order);
 struct Unknowns {
   SeamRows a, b;
   Eigen::MatrixXd target;  ///< where the poles want to be, one a row; on the seam the mean of both sides
-  Eigen::VectorXd pull;    ///< weight of a move, 0: the pole stays
+  Eigen::MatrixXd seam_a, seam_b;  ///< the seam's poles as each side has them
+  Eigen::VectorXd pull;            ///< weight of a move, 0: the pole stays
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   double size = 1;
   double scale_b = 1;    ///< homogeneous poles of b are divided by it, so that those of the seams agree

@@ -231,15 +231,25 @@ bool Search::advance(Iterate& at, const Step& step) {
   return false;
 }
 
-/// Nowhere has the normal of a turned by a right angle or lost nearly all of its length.
+/// Where a side as given has a normal it has not lost all of its length; where a has one, it has not turned by a right angle, or lost nearly
+/// all of its length, from that of a with its seam at the target.
 bool Search::isRegular(const Eigen::MatrixXd& x) const {
-  constexpr double collapsed = 1e-3, none = 1e-6;
-  const Eigen::MatrixXd before = condition_.normals(unknowns_.target), after = condition_.normals(x);
-  const Eigen::VectorXd length = before.rowwise().norm();
-  for (Eigen::Index i = 0; i < before.rows(); ++i)
-    if (length(i) > none * length.maxCoeff() &&
-        before.row(i).dot(after.row(i)) < collapsed * length(i) * length(i))
-      return false;
+  constexpr double collapsed = 1e-3, lost = 1e-6, none = 1e-6;
+  const Eigen::MatrixXd target = condition_.normals(unknowns_.target, false);
+  const Eigen::VectorXd length = target.rowwise().norm();
+  for (const bool of_b : {false, true}) {
+    Eigen::MatrixXd given = unknowns_.target;
+    given.topRows(unknowns_.count()) = of_b ? unknowns_.seam_b : unknowns_.seam_a;
+    const Eigen::VectorXd before = condition_.normals(given, of_b).rowwise().norm();
+    const Eigen::MatrixXd after = condition_.normals(x, of_b);
+    for (Eigen::Index i = 0; i < after.rows(); ++i) {
+      if (before(i) <= none * before.maxCoeff()) continue;
+      if (after.row(i).norm() < lost * before(i)) return false;
+      if (!of_b && length(i) > none * length.maxCoeff() &&
+          target.row(i).dot(after.row(i)) < collapsed * length(i) * length(i))
+        return false;
+    }
+  }
   return true;
 }
 

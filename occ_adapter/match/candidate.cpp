@@ -111,7 +111,8 @@ Candidate joinWithKnots(const PairToMatch& pair, int extra_multiplicity) {
     if (!pair.moves[which]) continue;
     MovedSurface& moved = candidate.moved[which];
     moved = {rows[which].surface(), geomSurface(*joined[which]), 0};
-    moved.largest_move_mm = largestMove_mm(*moved.before, *moved.after);
+    const EdgeRows after(moved.after, rows[which].edge(), rows[which].reversed());
+    moved.largest_move_mm = largestMove_mm(rows[which], after, options.order);
     candidate.largest_move_mm = std::max(candidate.largest_move_mm, moved.largest_move_mm);
     plan.surface = moved.after;
   }

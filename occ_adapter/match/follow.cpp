@@ -169,6 +169,18 @@ double ratioOf(const PairMeasure& pair, const FollowOptions& options) {
   return ratio;
 }
 
+/// Parameters of points where rows 0..order act.
+std::vector<Eigen::Vector2d> gridOverRows(const EdgeRows& rows, int order, int across_points) {
+  constexpr int per_span = 9;
+  const std::vector<double> knots = knotsFromSide(rows);
+  const double reach = std::min(1.0, knots[order + rows.degreeAcross() + 1] / knots.back());
+  std::vector<Eigen::Vector2d> places;
+  for (const double t : placesInSpans(rows.knotsAlong(), per_span))
+    for (int k = 0; k < across_points; ++k)
+      places.push_back(rows.parameters(t, reach * k / (across_points - 1)));
+  return places;
+}
+
 }  // namespace
 
 bool isCollapsed(const EdgeRows& rows, int column) {
@@ -180,11 +192,19 @@ bool isCollapsed(const EdgeRows& rows, int column) {
   return spread <= 64 * std::numeric_limits<double>::epsilon() * size;
 }
 
-double largestMove_mm(const Geom_BSplineSurface& before, const Geom_BSplineSurface& after) {
+double largestMove_mm(const EdgeRows& before, const EdgeRows& after, int order) {
   double largest = 0;
-  for (int i = 1; i <= before.NbUPoles(); ++i)
-    for (int j = 1; j <= before.NbVPoles(); ++j)
-      largest = std::max(largest, before.Pole(i, j).Distance(after.Pole(i, j)));
+  bool same_weights = true;
+  for (int row = 0; row < before.rows(); ++row)
+    for (int column = 0; column < before.columns(); ++column) {
+      largest = std::max(largest, (after.pole(row, column) - before.pole(row, column)).norm());
+      same_weights = same_weights && before.weight(row, column) == after.weight(row, column);
+    }
+  if (same_weights) return largest;
+  constexpr int across_points = 17;
+  for (const Eigen::Vector2d& at : gridOverRows(before, order, across_points))
+    largest = std::max(largest,
+                       before.surface()->Value(at[0], at[1]).Distance(after.surface()->Value(at[0], at[1])));
   return largest;
 }
 
@@ -192,7 +212,7 @@ MovedSurface follow(const EdgeRows& rows, const Reference& reference, const Foll
   MovedSurface moved{rows.surface(), copyOf(*rows.surface()), 0};
   EdgeRows changed(moved.after, rows.edge(), rows.reversed());
   Follower(changed, reference, options).run();
-  moved.largest_move_mm = largestMove_mm(*moved.before, *moved.after);
+  moved.largest_move_mm = largestMove_mm(rows, changed, options.order);
   return moved;
 }
 
@@ -245,18 +265,14 @@ std::string whySidesMove(const EdgeRows& rows, const Reference& reference, const
 }
 
 bool isTurnedOver(const EdgeRows& before, const EdgeRows& after, int order) {
-  constexpr int per_span = 9, across_points = 5;
-  const std::vector<double> knots = knotsFromSide(before);
-  const double reach = std::min(1.0, knots[order + before.degreeAcross() + 1] / knots.back());
-  for (const double t : placesInSpans(before.knotsAlong(), per_span))
-    for (int k = 0; k < across_points; ++k) {
-      const Eigen::Vector2d at = before.parameters(t, reach * k / (across_points - 1));
-      gp_Pnt point;
-      std::array<gp_Vec, 2> u, v;
-      before.surface()->D1(at[0], at[1], point, u[0], v[0]);
-      after.surface()->D1(at[0], at[1], point, u[1], v[1]);
-      if (u[0].Crossed(v[0]).Dot(u[1].Crossed(v[1])) < 0) return true;
-    }
+  constexpr int across_points = 5;
+  for (const Eigen::Vector2d& at : gridOverRows(before, order, across_points)) {
+    gp_Pnt point;
+    std::array<gp_Vec, 2> u, v;
+    before.surface()->D1(at[0], at[1], point, u[0], v[0]);
+    after.surface()->D1(at[0], at[1], point, u[1], v[1]);
+    if (u[0].Crossed(v[0]).Dot(u[1].Crossed(v[1])) < 0) return true;
+  }
   return false;
 }
 

@@ -24,7 +24,9 @@ struct MovedSurface {
 /// All poles of the column are in one point.
 bool isCollapsed(const EdgeRows& rows, int column);
 
-double largestMove_mm(const Geom_BSplineSurface& before, const Geom_BSplineSurface& after);
+/// Of a pole; where weights changed too, also of the points of a grid over the moved rows (9 a knot span along the side, 17 across), which
+/// can move further than poles do. Degrees and knots must be equal.
+double largestMove_mm(const EdgeRows& before, const EdgeRows& after, int order);
 
 /// Moves rows 0..order so that the side meets the reference: row 0 by its points, row 1 by its normals n.X_w = 0, row 2 by its curvature
 /// n.X_ww = II(X_w, X_w), where w runs across. Each row is the least-squares solution at some points of each knot span, and of the

@@ -17,7 +17,7 @@ namespace seamwright::occ {
 namespace {
 
 void addReason(std::string& reasons, const std::string& reason) {
-  if (reason.empty()) return;
+  if (reason.empty() || reasons.find(reason) != std::string::npos) return;
   if (!reasons.empty()) reasons += "; ";
   reasons += reason;
 }
@@ -155,7 +155,8 @@ class Matching {
   std::string chooseMoves() {
     for (const MatchSide& side : pair_.sides)
       if (isClosedLoop(side, options_.tolerance.gap_mm))
-        return "the common boundary is a closed loop, which is not handled";
+        return "the common boundary is a closed loop, or no longer than the gap tolerance, which is not "
+               "handled";
     const std::array<bool, 2> wanted = {options_.moves != MatchMoves::Second,
                                         options_.moves != MatchMoves::First};
     for (const int which : {0, 1}) pair_.moves[which] = wanted[which] && pair_.sides[which].isNatural();
@@ -232,6 +233,10 @@ class Matching {
       addReason(why, text.str());
       return false;
     }
+    if (const std::string moved = movedSides(candidate.plan); !moved.empty()) {
+      addReason(why, moved);
+      return false;
+    }
     for (const int which : {0, 1}) {
       const MovedSurface& moved = candidate.moved[which];
       const PatchEdge edge = pair_.sides[which].edge;
@@ -256,6 +261,20 @@ class Matching {
     return true;
   }
 
+  /// Sides that should be held are held as lines of the surface; trimmed ones run through poles that move.
+  std::string movedSides(const SeamPlan& plan) const {
+    if (!options_.hold_sides) return {};
+    for (const int which : {0, 1}) {
+      const double move_mm = largestSideMove_mm(plan.faces[which], options_.tolerance.gap_mm);
+      if (move_mm <= options_.tolerance.gap_mm / 100) continue;
+      std::ostringstream text;
+      text << "a boundary of face " << numbers_[which] << " that ends at the seam would move by " << move_mm
+           << " mm: it is trimmed, and only whole sides of a surface can be held";
+      return text.str();
+    }
+    return {};
+  }
+
   void accept(const Candidate& candidate, const TopoDS_Shell& shell, const SeamResult& after) {
     result_.matched = true;
     result_.exact = candidate.exact;
@@ -263,9 +282,18 @@ class Matching {
     result_.after = after;
     result_.largest_move_mm = candidate.largest_move_mm;
     addReason(result_.reason, candidate.how);
+    for (const int which : {0, 1}) addReason(result_.reason, pointText(which, candidate.moved[which]));
     for (const Seam& seam : findSeams(shell).seams)
       if (seam.kind == SeamKind::Shared && seam.edges != after.edges)
         addReason(result_.reason, gapeText(seam));
+  }
+
+  std::string pointText(int which, const MovedSurface& moved) const {
+    if (moved.after.IsNull()) return {};
+    const EdgeRows rows(moved.after, pair_.sides[which].edge);
+    if (!isCollapsed(rows, 0) && !isCollapsed(rows, rows.columns() - 1)) return {};
+    return "face " + std::to_string(numbers_[which]) +
+           " ends in a point at the seam, where its curvature may have become very large";
   }
 
   /// Of another edge that the faces have in common.

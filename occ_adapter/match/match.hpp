@@ -15,7 +15,7 @@ enum class MatchMoves { First, Second, Both };
 struct FaceMatchOptions {
   int order = 1;  ///< 1: G1, 2: G2
   MatchMoves moves = MatchMoves::Second;
-  double max_move_mm = std::numeric_limits<double>::infinity();  ///< no pole may move further
+  double max_move_mm = std::numeric_limits<double>::infinity();  ///< largest_move_mm may not be larger
   bool hold_sides = false;  ///< the two other boundaries that end at the seam stay as they are
   double match_mm = 0.1;    ///< open edges no further apart than this may be the common boundary
   int edge = 0;             ///< of several common ones, from 1, order of TopExp::MapShapes; 0: the longest
@@ -31,8 +31,9 @@ struct MatchReport {
   TopoDS_Shape shape;  ///< the two faces as a shell that shares the seam edge; as given where not matched
   SeamResult before;   ///< faces and edges by their numbers in the model
   SeamResult after;    ///< faces and edges by their numbers in the shape; as before where not matched
-  double largest_move_mm = 0;  ///< of a pole
-  bool exact = false;          ///< joined in poles, to rounding; false: to the tolerance
+  double largest_move_mm =
+      0;               ///< of a pole; where weights change too, also of points of the surface, see below
+  bool exact = false;  ///< joined in poles, to rounding; false: to the tolerance
 };
 
 /// Moves one or both of two faces so that they join G1 or G2 along their common boundary: an edge that both share, or an open edge of
@@ -54,11 +55,18 @@ struct MatchReport {
 /// rows). Where any of this fails, or a pole would move further than \p max_move_mm, the shape is that of the two faces as given.
 /// A pair that has the level already comes back unchanged.
 ///
+/// A moved face that ends in a point at the seam keeps that point. If its tangent plane had to turn there, its curvature grows without bound
+/// towards it; the reason then says that it may.
+///
 /// A boundary that is a closed loop is refused, and one that is a part of a side. Work can be stopped between its steps, not within an
 /// exact join.
 ///
 /// hold_sides: the first and the last pole of each moved row stay. That needs boundaries that already end in the neighbour, in
-/// its tangent plane (G2: with its curvature); the reason says by how much they do not.
+/// its tangent plane (G2: with its curvature); the reason says by how much they do not. A boundary that ends at the seam and is trimmed away
+/// from the sides of the surface is refused where it would move (by more than a hundredth of the gap tolerance).
+///
+/// Points of a surface move no further than its poles where weights stay. An exact join of rational surfaces changes weights; then the largest
+/// move is also that of points at the same parameters, on a grid over the moved rows (9 a knot span along the seam, 17 across).
 ///
 /// \param face_a, face_b numbers from 1 in the order of TopExp::MapShapes.
 /// \throws std::invalid_argument for numbers that name no two faces, an edge that is none of their common ones, or bad options;

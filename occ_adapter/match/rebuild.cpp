@@ -7,6 +7,7 @@
 #include <Precision.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_DataMapOfShapeShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
@@ -56,6 +57,13 @@ Path pathOf(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   Path path;
   path.curve = BRep_Tool::CurveOnSurface(edge, face, path.first, path.last);
   return path;
+}
+
+Path pathOrBuilt(const TopoDS_Edge& edge, const TopoDS_Face& face, double gap_mm) {
+  const Path path = pathOf(edge, face);
+  if (!path.curve.IsNull()) return path;
+  const Pcurve built = pcurveOf(edge, face, gap_mm);
+  return {built.curve, built.first, built.last};
 }
 
 double largestDistance(const Placed& a, const Placed& b, const Path& path) {
@@ -202,11 +210,7 @@ class Rebuilder {
   void addPaths(const TopoDS_Edge& old, const TopoDS_Face& old_face, const TopoDS_Face& face,
                 TopoDS_Edge& edge) {
     const double tolerance = BRep_Tool::Tolerance(old);
-    Path path = pathOf(old, old_face);
-    if (path.curve.IsNull()) {
-      const Pcurve built = pcurveOf(old, old_face, plan_.gap_mm);
-      path = {built.curve, built.first, built.last};
-    }
+    const Path path = pathOrBuilt(old, old_face, plan_.gap_mm);
     if (BRep_Tool::IsClosed(old, old_face))
       builder_.UpdateEdge(edge, path.curve, pathOf(TopoDS::Edge(old.Reversed()), old_face).curve, face,
                           tolerance);
@@ -338,6 +342,24 @@ class Rebuilder {
 
 RebuiltPair rebuild(const SeamPlan& plan) {
   return Rebuilder(plan).run();
+}
+
+double largestSideMove_mm(const FacePlan& plan, double gap_mm) {
+  if (plan.surface.IsNull()) return 0;
+  const TopoDS_Face face = TopoDS::Face(plan.face.Oriented(TopAbs_FORWARD));
+  const Placed before = surfaceOf(face), after{plan.surface, TopLoc_Location()};
+  TopTools_IndexedMapOfShape seam_ends;
+  TopExp::MapShapes(plan.use.edge, TopAbs_VERTEX, seam_ends);
+  double largest = 0;
+  for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
+    const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
+    if (edge.IsSame(plan.use.edge)) continue;
+    const bool ends_at_seam =
+        seam_ends.Contains(TopExp::FirstVertex(edge)) || seam_ends.Contains(TopExp::LastVertex(edge));
+    if (ends_at_seam)
+      largest = std::max(largest, largestDistance(before, after, pathOrBuilt(edge, face, gap_mm)));
+  }
+  return largest;
 }
 
 }  // namespace seamwright::occ

@@ -43,4 +43,8 @@ struct RebuiltPair {
 /// \throws std::runtime_error where a curve can't be built; Standard_Failure.
 RebuiltPair rebuild(const SeamPlan& plan);
 
+/// How far the new surface takes the edges of the face that end at the seam from where they were; of 257 points each.
+/// \throws std::runtime_error for an edge without a path on the face.
+double largestSideMove_mm(const FacePlan& plan, double gap_mm);
+
 }  // namespace seamwright::occ

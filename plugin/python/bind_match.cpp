@@ -117,27 +117,27 @@ void bindMatch(py::module_& module) {
           "The seam as it is, with the numbers of the new model; as before where not matched.")
       .def_property_readonly(
           "largest_move_mm", [](const MatchResult& result) { return result.report.largest_move_mm; },
-          "Of a pole.")
+          "Of a pole; where weights change, also of points, seen on a grid.")
       .def("to_dict", &toDict, "All but the model as a plain dict.")
       .def("__repr__", [](const MatchResult& result) {
         return std::string("<MatchResult ") + (result.report.matched ? "matched" : "not matched") + ": " +
                result.report.reason + ">";
       });
   py::class_<occ::Model> model(module.attr("Model"));
-  model.def(
-      "match_faces", &matchFaces, py::arg("first"), py::arg("second"), py::kw_only(),
-      py::arg("target") = "G1", py::arg("moves") = "second", py::arg("max_move_mm") = py::none(),
-      py::arg("hold_sides") = false, py::arg("match_mm") = 0.1, py::arg("edge") = 0,
-      py::arg("profile") = "default", py::arg("gap_mm") = py::none(), py::arg("angle_deg") = py::none(),
-      py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
-      py::arg("crease_deg") = py::none(), py::arg("progress") = py::none(),
-      "Moves one or both of two faces so that they join along their common boundary. Returns a "
-      "MatchResult; the model is not changed.\n\n"
-      "first, second: numbers of faces, from 1. target: 'G1' or 'G2'. moves: 'first', 'second' or "
-      "'both'; a face that moves lies on a spline surface that ends at the boundary. max_move_mm: no "
-      "pole may move further. hold_sides: the two other boundaries that end at the seam stay. match_mm: "
-      "open edges no further apart may be the boundary. edge: which of several common edges; 0: the "
-      "longest. Tolerances as in analyze().");
+  model.def("match_faces", &matchFaces, py::arg("first"), py::arg("second"), py::kw_only(),
+            py::arg("target") = "G1", py::arg("moves") = "second", py::arg("max_move_mm") = py::none(),
+            py::arg("hold_sides") = false, py::arg("match_mm") = 0.1, py::arg("edge") = 0,
+            py::arg("profile") = "default", py::arg("gap_mm") = py::none(), py::arg("angle_deg") = py::none(),
+            py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
+            py::arg("crease_deg") = py::none(), py::arg("progress") = py::none(),
+            "Moves one or both of two faces so that they join along their common boundary. Returns a "
+            "MatchResult; the model is not changed.\n\n"
+            "first, second: numbers of faces, from 1. target: 'G1' or 'G2'. moves: 'first', 'second' or "
+            "'both'; a face that moves lies on a spline surface that ends at the boundary. max_move_mm: "
+            "largest_move_mm may not be larger. hold_sides: the two other boundaries that end at the seam "
+            "stay. match_mm: "
+            "open edges no further apart may be the boundary. edge: which of several common edges; 0: the "
+            "longest. Tolerances as in analyze().");
 }
 
 }  // namespace seamwright::python

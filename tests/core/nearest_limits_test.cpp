@@ -9,7 +9,7 @@
 namespace seamwright {
 namespace {
 
-using test::strip, test::Vec;
+using test::strip, test::StripShape, test::Vec;
 
 std::vector<double> evenKnots(int spans) {
   std::vector<double> knots;
@@ -203,6 +203,55 @@ TEST(NearestJoinFixed, WhatCannotJoinIsReturnedAsGiven) {
   b.surface.poles.topRows(4) = a.surface.poles.topRows(4);
   for (JoinSide* side : {&a, &b}) std::fill_n(side->fixed.begin(), 8, true);
   expectInfeasible(a, b);
+}
+
+// The seam of b is one point, which a would have to shrink to.
+TEST(NearestJoinRegular, AnEdgeThatWouldCollapseIsRefused) {
+  std::mt19937_64 random(32);
+  for (int round = 0; round < 60; ++round) {
+    JoinSide a{strip({1 + round % 4, 2 + round % 3}, -1, 0.3, random)};
+    JoinSide b{strip({1 + round / 4 % 4, 2 + round % 3}, 1, 0.3, random)};
+    b.surface.poles.topRows(b.surface.countV()).rowwise() = b.surface.poles.row(0).eval();
+    b.moves = false;
+    const NearestJoin join = nearestJoin(a, b, {.order = 1 + round / 2 % 2});
+    EXPECT_EQ(join.status, NearestStatus::Infeasible) << "round " << round;
+    EXPECT_EQ(join.a, a.surface);
+  }
+}
+
+// The end v = 1 of one side is a point, so that its cross derivative is 0 there and that of the other would have to lie along the seam.
+TEST(NearestJoinRegular, ACornerThatWouldCollapseIsRefused) {
+  std::mt19937_64 random(33);
+  for (int round = 0; round < 24; ++round) {
+    const StripShape shape{3, 2 + round / 4 % 3};
+    JoinSide a{strip(shape, -1, 0.1, random)}, b{strip(shape, 1, 0.1, random)};
+    const bool in_a = round % 2 == 0;
+    JoinSide& still = in_a ? a : b;
+    for (int i = 1; i <= 3; ++i)
+      still.surface.poles.row((i + 1) * still.surface.countV() - 1) =
+          still.surface.poles.row(still.surface.countV() - 1);
+    still.moves = false;
+    const NearestJoin join = nearestJoin(a, b, {.order = 1 + round / 2 % 2});
+    EXPECT_EQ(join.status, NearestStatus::Infeasible) << "round " << round;
+    EXPECT_EQ(join.a, a.surface);
+    EXPECT_EQ(join.b, b.surface);
+  }
+}
+
+// Surfaces so small and so far away that rounding of their poles is a share of their size.
+TEST(NearestJoinRegular, NothingIsClaimedWhereRoundingHidesTheJoin) {
+  std::mt19937_64 random(34);
+  for (const double size : {1e-7, 1e-6, 1e-4, 1e-2, 1.0}) {
+    JoinSide a{strip({3, 3}, -1, 0.1, random)}, b{strip({3, 3}, 1, 0.1, random)};
+    for (JoinSide* side : {&a, &b})
+      side->surface =
+          test::mapped(side->surface, size / 10 * Eigen::Matrix3d::Identity(), Vec(1e6, 1e6, 1e6));
+    const NearestJoin join = nearestJoin(a, b);
+    EXPECT_EQ(join.status, size < 1e-3 ? NearestStatus::Infeasible : NearestStatus::Joined) << size;
+    if (join.status == NearestStatus::Joined) {
+      EXPECT_LT(join.residual, 1e-6);
+    }
+  }
 }
 
 TEST(NearestJoinAlpha, DoesNotFallBelowItsShare) {

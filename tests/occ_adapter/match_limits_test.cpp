@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepLib.hxx>
+#include <BRep_Tool.hxx>
 #include <GeomConvert.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
@@ -32,6 +36,62 @@ TEST(MatchFaces, ALargerMoveThanAllowedIsRefused) {
   EXPECT_EQ(refused.after.verdict.level, refused.before.verdict.level);
   options.max_move_mm = 1.001 * needed;
   expectMatched(matchFaces(pair, 1, 2, options), options, "just enough");
+}
+
+// Beside a plane a sheet with a crease in the middle of the seam only: its whole sides can be held, slanted ones inside it can not.
+TEST(MatchFaces, TrimmedSidesThatWouldMoveAreNotCalledHeld) {
+  TColgp_Array2OfPnt flat(1, 4, 1, 4), creased(1, 6, 1, 6);
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) flat(i + 1, j + 1) = gp_Pnt(-30 + 10 * i, 40.0 / 3 * j, 0);
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j) creased(i + 1, j + 1) = gp_Pnt(6 * i, 8 * j, j == 2 || j == 3 ? 0.8 * i : 0);
+  const Spline surface = splineOf(creased, 5, 5);
+  const auto path = [](double u0, double v0, double u1, double v1) {
+    return curvedPath({gp_Pnt2d(u0, v0), gp_Pnt2d(u1, v1)});
+  };
+  BRepBuilderAPI_MakeWire wire;
+  for (const auto& line : {path(0, 0, 1, 0.3), path(1, 0.3, 1, 0.7), path(1, 0.7, 0, 1), path(0, 1, 0, 0)})
+    wire.Add(BRepBuilderAPI_MakeEdge(line, surface, 0, 1).Edge());
+  TopoDS_Face trapezoid = BRepBuilderAPI_MakeFace(surface, wire.Wire(), true).Face();
+  BRepLib::BuildCurves3d(trapezoid);
+  const TopoDS_Face still = wholeFace(splineOf(flat, 3, 3));
+  FaceMatchOptions options;
+  matchedPair(loose(still, trapezoid), options, "sides may move");
+  options.hold_sides = true;
+  matchedPair(loose(still, wholeFace(surface)), options, "whole sides held");
+  const MatchReport report = matchFaces(loose(still, trapezoid), 1, 2, options);
+  EXPECT_FALSE(report.matched);
+  EXPECT_NE(report.reason.find("that ends at the seam would move by 0."), std::string::npos) << report.reason;
+}
+
+// With weights that change, points move further than poles.
+TEST(MatchFaces, NoPointMovesFurtherThanReported) {
+  std::mt19937 generator(41);
+  std::uniform_real_distribution<double> weight(0.3, 3);
+  for (int round = 0; round < 20; ++round) {
+    TColgp_Array2OfPnt flat(1, 4, 1, 4), tilted(1, 4, 1, 4);
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j) {
+        flat(i + 1, j + 1) = gp_Pnt(-30 + 10 * i, 40.0 / 3 * j, 0);
+        tilted(i + 1, j + 1) = gp_Pnt(10 * i, 40.0 / 3 * j, 1.3 * i + (i > 0 ? 2 * std::sin(j) : 0));
+      }
+    const Spline before = splineOf(tilted, 3, 3);
+    for (int i = 1; i <= 4; ++i)
+      for (int j = 1; j <= 4; ++j) before->SetWeight(i, j, weight(generator));
+    const TopoDS_Shape pair = loose(wholeFace(splineOf(flat, 3, 3)), wholeFace(before));
+    const MatchReport report = matchFaces(pair, 1, 2);
+    if (!report.matched) continue;
+    const Spline after = Spline::DownCast(BRep_Tool::Surface(face(report.shape, 2)));
+    double moved = 0;
+    for (int k = 0; k <= 80; ++k)
+      for (int l = 0; l <= 80; ++l)
+        moved = std::max(moved, before->Value(k / 80.0, l / 80.0).Distance(after->Value(k / 80.0, l / 80.0)));
+    EXPECT_LE(moved, 1.02 * report.largest_move_mm) << "round " << round;
+    FaceMatchOptions options;
+    options.max_move_mm = 0.9 * moved;
+    const MatchReport limited = matchFaces(pair, 1, 2, options);
+    EXPECT_TRUE(!limited.matched || limited.largest_move_mm <= options.max_move_mm);
+  }
 }
 
 TEST(MatchFaces, WhatJoinsAlreadyIsLeftAlone) {
