@@ -392,6 +392,41 @@ TEST(Evaluator, SplinesAreHeldWithinAndBeyondTheSpanMeant) {
   EXPECT_GT(known, 20000);
 }
 
+/// Knots so near to one another that differences of differences of poles are all rounding.
+SplineDirection crowdedDirection(int degree, std::mt19937_64& random) {
+  SplineDirection direction = randomDirection(degree, 0, random);
+  double knot = std::uniform_real_distribution<double>(0.1, 0.5)(random);
+  for (int k = 0; k < 3; ++k, knot += logUniform(random, -9, -1))
+    direction.knots.insert(direction.knots.end() - degree - 1, knot);
+  return direction;
+}
+
+TEST(SplineEvaluator, JetsAreHeldWhereRoundingIsAllThereIs) {
+  std::mt19937_64 random(34);
+  for (int i = 0; i < 3000; ++i) {
+    SplineData spline{crowdedDirection(1 + i % 5, random), crowdedDirection(1 + i % 3, random), {}, {}};
+    const std::size_t count =
+        (spline.u.knots.size() - spline.u.degree - 1) * (spline.v.knots.size() - spline.v.degree - 1);
+    for (std::size_t k = 0; k < count; ++k) spline.poles.push_back(test::randomVector(random));
+    const double u = placeIn(spline.u, random), v = placeIn(spline.v, random);
+    const JetModel jet = spline.evaluator()->jet(ChebyshevModel(u), ChebyshevModel(v), u, v, 2);
+    const auto [x, y, z] = formulaOf(spline, u, v)(Jet(u, 1, 0), Jet(v, 0, 1));
+    const std::array<Jet, 3> truth = {x, y, z};
+    for (std::size_t d = 0; d < 3; ++d) {
+      const auto held = [&](const VectorModel& model, Real value, const char* what) {
+        const Real off = std::abs(value - model[d].coefficient(0));
+        EXPECT_LE(off, model[d].radius() + 1e-18L * std::abs(value)) << i << " " << what;
+      };
+      held(jet.p, truth[d].f, "p");
+      held(jet.u, truth[d].u, "u");
+      held(jet.v, truth[d].v, "v");
+      held(jet.uu, truth[d].uu, "uu");
+      held(jet.uv, truth[d].uv, "uv");
+      held(jet.vv, truth[d].vv, "vv");
+    }
+  }
+}
+
 TEST(Evaluator, PeriodicSplinesRepeat) {
   std::mt19937_64 random(34);
   for (int i = 0; i < 60; ++i) {
