@@ -83,7 +83,7 @@ struct JoinConditionOptions {
 ///   (4) angle_bound_rad is no less than any angle of the tangent planes at the same t, also where the seams are not the same.
 ///
 /// \throws std::invalid_argument for a ribbon with an empty or not finite part, a degree above 30 or weights that are not positive, a
-/// tolerance that is negative or NaN, or functions of a given connection that tensorRows() would refuse.
+/// tolerance that is negative or not finite, or functions of a given connection that tensorRows() would refuse.
 /// Source: MATH-surfaces 1.2, 2.2, 2.3, 2.5, 6.1, 8.2; text 001, sections 1, 2, 4, 5.
 JoinCondition joinCondition(const Ribbon& a, const Ribbon& b, const JoinConditionOptions& options = {});
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <seamwright/core/join/bernstein_rows.hpp>
@@ -16,8 +17,9 @@ namespace seamwright {
 inline constexpr double kLargestNoise = 1e-2;
 
 inline void requireTolerance(const std::optional<double>& tolerance) {
-  if (tolerance && !(*tolerance >= 0))
-    throw std::invalid_argument("tolerance is " + bernstein::text(*tolerance) + ": it must be 0 or positive");
+  if (tolerance && !(*tolerance >= 0 && std::isfinite(*tolerance)))
+    throw std::invalid_argument("tolerance is " + bernstein::text(*tolerance) +
+                                ": it must be finite and not negative");
 }
 
 inline void requireUsable(const Ribbon& ribbon, const char* name) {

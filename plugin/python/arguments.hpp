@@ -3,6 +3,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <cmath>
 #include <seamwright/core/seam/judge.hpp>
 #include <string>
 
@@ -27,6 +28,13 @@ T argument(const char* name, const py::object& value, const char* kind) {
     refuse();
     throw;
   }
+}
+
+/// A parameter at which something is evaluated; ValueError where it is not finite.
+inline double parameter(const char* name, double value) {
+  if (!std::isfinite(value))
+    throw py::value_error(std::string(name) + " is " + shown(py::float_(value)) + ": it must be finite");
+  return value;
 }
 
 /// Tolerances as keywords: each is None, for that of the profile, or a number.

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <seamwright/core/bezier/patch.hpp>
+#include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/python/poles.hpp>
 
@@ -40,10 +41,26 @@ Array netWeights(const BezierPatch& patch) {
 }
 
 Poles curveJet(const BezierCurve& curve, double t) {
-  const CurveJet jet = curve.jet(t);
+  const CurveJet jet = curve.jet(parameter("t", t));
   Poles rows(4, 3);
   rows << jet.p.transpose(), jet.d1.transpose(), jet.d2.transpose(), jet.d3.transpose();
   return rows;
+}
+
+Eigen::Vector3d curvePoint(const BezierCurve& curve, double t) {
+  return curve.point(parameter("t", t));
+}
+
+Poles curveDerivatives(const BezierCurve& curve, double t, int order) {
+  return curve.derivatives(parameter("t", t), order);
+}
+
+Eigen::Vector3d patchPoint(const BezierPatch& patch, double u, double v) {
+  return patch.point(parameter("u", u), parameter("v", v));
+}
+
+SurfaceJet patchJet(const BezierPatch& patch, double u, double v) {
+  return patch.jet(parameter("u", u), parameter("v", v));
 }
 
 void bindJet(py::module_& module) {
@@ -73,9 +90,9 @@ void bindBezier(py::module_& module) {
       .def_property_readonly("is_rational", &BezierCurve::isRational)
       .def_property_readonly("poles", &BezierCurve::poles)
       .def_property_readonly("weights", &BezierCurve::weights)
-      .def("point", &BezierCurve::point, py::arg("t"))
+      .def("point", &curvePoint, py::arg("t"))
       .def("jet", &curveJet, py::arg("t"), "Point and derivatives to third order, (4, 3).")
-      .def("derivatives", &BezierCurve::derivatives, py::arg("t"), py::arg("order"),
+      .def("derivatives", &curveDerivatives, py::arg("t"), py::arg("order"),
            "Point and derivatives to that order, (order+1, 3).")
       .def("reversed", &BezierCurve::reversed, "The same curve run backwards.")
       .def("elevated", &BezierCurve::elevated, "The same curve with one degree more.")
@@ -91,9 +108,8 @@ void bindBezier(py::module_& module) {
       .def_property_readonly("is_rational", &BezierPatch::isRational)
       .def_property_readonly("poles", &netPoles)
       .def_property_readonly("weights", &netWeights)
-      .def("point", &BezierPatch::point, py::arg("u"), py::arg("v"))
-      .def("jet", &BezierPatch::jet, py::arg("u"), py::arg("v"),
-           "Point and partials to third order, a SurfaceJet.")
+      .def("point", &patchPoint, py::arg("u"), py::arg("v"))
+      .def("jet", &patchJet, py::arg("u"), py::arg("v"), "Point and partials to third order, a SurfaceJet.")
       .def("transposed", &BezierPatch::transposed, "The same patch with u and v exchanged.")
       .def("reversed_u", &BezierPatch::reversedU, "X(1 - u, v).")
       .def("split_u", &BezierPatch::splitU, py::arg("t"), "The pieces over u in [0, t] and [t, 1].")

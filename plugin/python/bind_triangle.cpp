@@ -37,6 +37,14 @@ std::vector<Barycentric> barycentricRows(const char* name, const Array& array) {
   return result;
 }
 
+Eigen::Vector3d pointOf(const BezierTriangle& triangle, double l0, double l1) {
+  return triangle.point(parameter("l0", l0), parameter("l1", l1));
+}
+
+SurfaceJet jetOf(const BezierTriangle& triangle, double l0, double l1) {
+  return triangle.jet(parameter("l0", l0), parameter("l1", l1));
+}
+
 BezierTriangle subtriangleOf(const BezierTriangle& triangle, const Array& corners) {
   const std::vector<Barycentric> rows = barycentricRows("corners", corners);
   if (rows.size() != 3)
@@ -77,8 +85,8 @@ void bindTriangle(py::module_& module) {
       .def_property_readonly("is_rational", &BezierTriangle::isRational)
       .def_property_readonly("poles", &BezierTriangle::poles)
       .def_property_readonly("weights", &BezierTriangle::weights)
-      .def("point", &BezierTriangle::point, py::arg("l0"), py::arg("l1"))
-      .def("jet", &BezierTriangle::jet, py::arg("l0"), py::arg("l1"),
+      .def("point", &pointOf, py::arg("l0"), py::arg("l1"))
+      .def("jet", &jetOf, py::arg("l0"), py::arg("l1"),
            "Point and partials by u = l0, v = l1 to third order, a SurfaceJet.")
       .def("blossom", &blossomOf, py::arg("arguments"),
            "The homogeneous value (4,) of the blossom at as many barycentric points (n, 3) as the degree.")

@@ -162,7 +162,7 @@ def test_bad_tolerances_and_dicts():
     given = patch(2, 3)
     beyond = seamwright.continuation(given, "u1")
     for judge in (seamwright.join_condition, seamwright.fit_connection):
-        for tolerance in (-1, float("nan")):
+        for tolerance in (-1, float("nan"), float("inf")):
             with pytest.raises(ValueError, match="tolerance is"):
                 judge(given, "u1", beyond, "u0", tolerance=tolerance)
     with pytest.raises(ValueError, match="connection is 3: a dict"):
