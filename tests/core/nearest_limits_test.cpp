@@ -277,6 +277,14 @@ TEST(NearestJoinRegular, UnchangedIsSaidOfJoinsOnly) {
   JoinSide a{strip({3, 3}, -1, 0.1, random)}, b{strip({3, 3}, 1, 0.1, random)};
   // A surface that folds back onto itself: all equations hold, with alpha = -1.
   EXPECT_NE(nearestJoin(a, a).status, NearestStatus::Unchanged);
+  // One whose rows lie along a straight seam: alpha = 0.
+  JoinSide flat = a, line = b;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) {
+      flat.surface.poles.row(4 * i + j) << -3 * i, 3 * j, 0, 1;
+      line.surface.poles.row(4 * i + j) << 0, 3 * j + i, 0, 1;
+    }
+  EXPECT_NE(nearestJoin(flat, line).status, NearestStatus::Unchanged);
   const NearestJoin join = nearestJoin(a, b);
   a.surface = join.a;
   b.surface = join.b;
