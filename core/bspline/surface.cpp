@@ -36,6 +36,8 @@ void requireDirection(int degree, const std::vector<double>& knots, const std::s
     if (!std::isfinite(knots[i])) refuseKnot(i, "knots must be finite");
     if (i > 0 && knots[i] < knots[i - 1]) refuseKnot(i, "knots must not decrease");
   }
+  if (const double range = knots.back() - knots.front(); range != 0 && !std::isnormal(range))
+    refuseKnot(knots.size() - 1, "the range of the knots must not overflow, nor underflow");
   for (int i = 1; i <= degree; ++i) {
     if (knots[i] != knots[0]) refuseKnot(i, "the first degree + 1 knots must be equal");
     if (knots[count + i] != knots[count]) refuseKnot(count + i, "the last degree + 1 knots must be equal");
@@ -124,6 +126,8 @@ BezierPatch bezierPatch(const BSplineSurface& surface) {
 
 SurfaceJet jet(const BSplineSurface& surface, double u, double v) {
   requireValid(surface);
+  if (!std::isfinite(u)) refuse("parameter u is " + std::to_string(u) + ": it must be finite");
+  if (!std::isfinite(v)) refuse("parameter v is " + std::to_string(v) + ": it must be finite");
   using bspline::basisDerivatives, bspline::spanOf;
   const int span_u = spanOf(surface.degree_u, surface.knots_u, u);
   const int span_v = spanOf(surface.degree_v, surface.knots_v, v);

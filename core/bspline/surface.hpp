@@ -32,8 +32,8 @@ struct BSplineSurface {
 enum class SurfaceDirection { U, V };
 
 /// Degrees are 1 to 25; inner knots have multiplicity at most the degree, so the surface is continuous.
-/// \throws std::invalid_argument if counts and knots do not fit, knots decrease or are not clamped, a number is not finite or a weight not
-/// positive; with the index and the value.
+/// \throws std::invalid_argument if counts and knots do not fit, knots decrease or are not clamped, a number or the range of the knots is not
+/// finite (or that range underflows), or a weight is not positive; with the index and the value.
 void requireValid(const BSplineSurface& surface);
 
 /// The same patch with knots 0 and 1.
@@ -47,7 +47,7 @@ BezierPatch bezierPatch(const BSplineSurface& surface);
 /// Identities (each has a test of its number):
 ///   (1) Of splineSurface(patch) it is patch.jet().
 ///   (2) Within a span the partials are derivatives of the point.
-/// \throws std::invalid_argument as requireValid() does.
+/// \throws std::invalid_argument as requireValid() does, and for a parameter that is not finite.
 SurfaceJet jet(const BSplineSurface& surface, double u, double v);
 
 /// The same surface with one more knot there (Boehm's algorithm; each new pole is a convex combination of two).

@@ -17,6 +17,8 @@ using namespace nearest;
 constexpr double max_entries = 1.5e6;
 /// Share of the derivatives above which rounding hides whether a join holds.
 constexpr double largest_rounding = 1e-6;
+/// Share of the ratio of the sides' cross derivatives below which alpha of a join that holds is no more than rounding.
+constexpr double least_alpha = 1e-9;
 
 [[noreturn]] void refuse(const std::string& text) {
   throw std::invalid_argument(text);
@@ -60,8 +62,9 @@ bool alreadyJoined(const Unknowns& u, const NearestOptions& options, const Famil
   const Eigen::VectorXd c =
       family.basis.cols() > 0 ? condition.fitted(u.target, family.basis, family.held, 0) : family.held;
   const Eigen::VectorXd alpha = c.head(family.degrees[Alpha] + 1);
-  const bool joined =
-      alpha.minCoeff() > 0 && u.seam_gap <= rounding && holds(condition.matrix(c), u.target, u.largest);
+  const std::array<double, 2> speeds = condition.crossSpeeds(u.target);
+  const bool joined = alpha.minCoeff() > least_alpha * speeds[1] / speeds[0] && u.seam_gap <= rounding &&
+                      holds(condition.matrix(c), u.target, u.largest);
   const double residual = relativeResidual(condition, c, u.target);
   if (!joined || !(residual <= largest_rounding)) return false;
   result.status = NearestStatus::Unchanged;

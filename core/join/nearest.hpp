@@ -72,7 +72,8 @@ struct NearestJoin {
 /// degrees are tried as well.
 ///
 /// **Nothing to do.** If the surfaces join already, to rounding of their coordinates, with connection functions of the degrees asked for or of
-/// the degrees (k, k + 1, 2k, 2k + 1) of alpha, beta, p, q for k = 0, 1, 2, no number is changed.
+/// the degrees (k, k + 1, 2k, 2k + 1) of alpha, beta, p, q for k = 0, 1, 2, no number is changed. Coefficients of alpha above 1e-9 of
+/// the ratio of the sides' cross derivatives are asked for, so that rounding is not taken for a positive alpha.
 ///
 /// **Tangent planes.** A join that takes the tangent plane from a side which had one is none. Neither |P_s x P_t| nor |Q_s x Q_t| may fall to
 /// 1e-6 of what it is in the surface as given; and P_s x P_t, with the seam between both, neither to 1/1000 nor turn by a right angle. That

@@ -182,8 +182,8 @@ class NaturalSide {
     if (face.low[along] < path.low[along] - noise_[along] ||
         face.high[along] > path.high[along] + noise_[along])
       return "has a side of which the boundary is a part only";
-    if (((path.low < range_.low - noise_) || (path.high > range_.high + noise_)).any())
-      return "runs across the origin of its periodic surface";
+    if (((face.low < range_.low - noise_) || (face.high > range_.high + noise_)).any())
+      return "reaches beyond its surface, or across the origin of a periodic one";
     if (!isMonotonous(points_, along)) return "has a boundary that turns back on itself";
     cut(across, at_low, face);
     setEdge(across, at_low);
@@ -265,6 +265,26 @@ CommonBoundary commonBoundary(const TopoDS_Shape& model, const std::array<TopoDS
   }
   boundary.seam = std::move(seam);
   return boundary;
+}
+
+std::string whyApart(const Seam& seam, const FaceMatchOptions& options) {
+  const double near_mm = std::max(options.match_mm, options.tolerance.gap_mm);
+  for (const int which : {0, 1}) {
+    const std::vector<double>& places = which == 0 ? seam.correspondence.a : seam.correspondence.b;
+    if (places.empty()) continue;
+    const BRepAdaptor_Curve curve(seam.sides[which].edge);
+    const auto [low, high] = std::minmax(places.front(), places.back());
+    const auto length_mm = [&](double from, double to) {
+      const double first = curve.FirstParameter(), range = curve.LastParameter() - first;
+      return GCPnts_AbscissaPoint::Length(curve, first + from * range, first + to * range);
+    };
+    if (std::max(length_mm(0, low), length_mm(high, 1)) <= 4 * near_mm) continue;
+    std::ostringstream text;
+    text << "the boundaries are within " << near_mm << " mm of one another over " << length_mm(low, high)
+         << " of " << length_mm(0, 1) << " mm only";
+    return text.str();
+  }
+  return {};
 }
 
 MatchSide matchSide(const TopoDS_Face& face, const FaceUse& use, const FaceMatchOptions& options) {

@@ -24,6 +24,10 @@ TopoDS_Shape pairOf(const std::array<TopoDS_Face, 2>& faces);
 CommonBoundary commonBoundary(const TopoDS_Shape& model, const std::array<TopoDS_Face, 2>& faces,
                               const FaceMatchOptions& options, const Progress& progress);
 
+/// Why an edge of a matched seam is not near the other over its whole length, with numbers; empty if it is: what is left out at an end
+/// is no longer than four times the larger of the distance to match and the gap tolerance.
+std::string whyApart(const Seam& seam, const FaceMatchOptions& options);
+
 /// A face beside the common boundary.
 struct MatchSide {
   TopoDS_Face face;  ///< as in the model

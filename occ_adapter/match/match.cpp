@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <BRepCheck_Analyzer.hxx>
 #include <BRep_Builder.hxx>
+#include <ShapeAnalysis_ShapeTolerance.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -94,6 +95,12 @@ SeamResult measured(const TopoDS_Shell& shell, const TopoDS_Edge& edge, const Fa
   return nothing;
 }
 
+/// Of edges and vertices.
+double largestTolerance_mm(const TopoDS_Shape& shape) {
+  ShapeAnalysis_ShapeTolerance tolerance;
+  return std::max(tolerance.Tolerance(shape, 1, TopAbs_EDGE), tolerance.Tolerance(shape, 1, TopAbs_VERTEX));
+}
+
 bool isClosedLoop(const MatchSide& side, double gap_mm) {
   const FaceStrip strip(side.use, side.pcurve);
   return (strip.trace(0).p - strip.trace(1).p).norm() <= gap_mm;
@@ -136,7 +143,7 @@ class Matching {
     for (const int which : {0, 1}) pair_.sides[which] = matchSide(faces_[which], seam.sides[which], options_);
     pair_.options = options_;
     if (const std::string why = chooseMoves(); !why.empty()) return why;
-    return prepareAndJoin();
+    return prepareAndJoin(seam);
   }
 
   std::string leave(const Seam& seam) {
@@ -176,7 +183,7 @@ class Matching {
     return why;
   }
 
-  std::string prepareAndJoin() {
+  std::string prepareAndJoin(const Seam& seam) {
     const EdgeRows driver(pair_.sides[pair_.driver].spline, pair_.sides[pair_.driver].edge);
     pair_.path = followedPath(driver, pair_.other(), options_);
     report(progress_, 0.3);
@@ -186,6 +193,7 @@ class Matching {
            << " mm apart: only boundaries that run side by side over their whole length can be joined";
       return text.str();
     }
+    if (const std::string why = whyApart(seam, options_); !why.empty()) return why;
     return join();
   }
 
@@ -251,6 +259,12 @@ class Matching {
     report(progress_, 0.9);
     if (!reaches(after.figures, options_)) {
       addReason(why, candidate.how + ", but then " + figuresText(after));
+      return false;
+    }
+    const double tolerance_mm = largestTolerance_mm(rebuilt.shell);
+    if (tolerance_mm > 2 * std::max(largestTolerance_mm(pairOf(faces_)), options_.tolerance.gap_mm)) {
+      text << candidate.how << ", but then edges are " << tolerance_mm << " mm away from their faces";
+      addReason(why, text.str());
       return false;
     }
     if (!BRepCheck_Analyzer(rebuilt.shell).IsValid()) {

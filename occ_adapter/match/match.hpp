@@ -50,7 +50,8 @@ struct MatchReport {
 /// the other one shows along the boundary at several points a knot span (position, tangent plane, curvature), row by row, each by the
 /// smallest move that meets it; knot spans where the tolerance is not met are halved, at most 6 times.
 ///
-/// Matched means: the figures of the new seam are enclosed and within the tolerance, OpenCASCADE's checks pass, and the moved
+/// Matched means: the figures of the new seam are enclosed and within the tolerance, OpenCASCADE's checks pass, no edge or vertex has a
+/// tolerance above twice the largest that the faces had (or twice the gap tolerance), and the moved
 /// surface's normal nowhere turned by 90 degrees or more at the points of a grid (9 a knot span along the seam, 5 across the moved
 /// rows). Where any of this fails, or a pole would move further than \p max_move_mm, the shape is that of the two faces as given.
 /// A pair that has the level already comes back unchanged.

@@ -178,6 +178,16 @@ TEST(BSplineSurface, WhatIsNoneIsRefused) {
   expectRefused(changed([](S& s) { s.knots_v[3] = 0.1; }), "knot 3 of knots_v");
   expectRefused(changed([](S& s) { s.knots_v[5] = 0.9; }), "knot 6 of knots_v");
   expectRefused(changed([](S& s) { s.knots_u = {0, 0, 0, 0, 0, 0}; }), "knots_u");
+  expectRefused(changed([](S& s) {
+                  for (double& knot : s.knots_u) knot = (2 * knot - 1) * 1e308;
+                }),
+                "range of the knots");
+  expectRefused(changed([](S& s) {
+                  for (double& knot : s.knots_u) knot *= 5e-324;
+                }),
+                "range of the knots");
+  EXPECT_THROW(jet(good, nan, 0.5), std::invalid_argument);
+  EXPECT_THROW(jet(good, 0.5, std::numeric_limits<double>::infinity()), std::invalid_argument);
   expectRefused(changed([](S& s) { s.poles.conservativeResize(14, 4); }), "poles 14");
   expectRefused(changed([](S& s) { s.poles(3, 1) = nan; }), "pole 3");
   expectRefused(changed([](S& s) { s.poles(5, 3) = -2; }), "weight 5 is -2");

@@ -254,6 +254,48 @@ TEST(NearestJoinRegular, NothingIsClaimedWhereRoundingHidesTheJoin) {
   }
 }
 
+TEST(NearestJoinRegular, WeightsStayPositive) {
+  std::mt19937_64 random(35);
+  std::uniform_real_distribution<double> weight(0.1, 6);
+  int refused = 0;
+  for (int round = 0; round < 120; ++round) {
+    JoinSide a{strip({3, 2 + round % 3}, -1, 0.3, random)}, b{strip({3, 2 + round % 3}, 1, 0.3, random)};
+    for (JoinSide* side : {&a, &b})
+      for (Eigen::Index i = 0; i < side->surface.poles.rows(); ++i)
+        side->surface.poles.row(i) *= weight(random) / side->surface.poles(i, 3);
+    a.moves = false;
+    const NearestJoin join = nearestJoin(a, b, {.order = 1 + round / 3 % 2});
+    EXPECT_GT(join.b.poles.col(3).minCoeff(), 0) << "round " << round;
+    refused += join.status == NearestStatus::Infeasible;
+  }
+  EXPECT_GT(refused, 0);
+  EXPECT_LT(refused, 60);
+}
+
+TEST(NearestJoinRegular, UnchangedIsSaidOfJoinsOnly) {
+  std::mt19937_64 random(36);
+  JoinSide a{strip({3, 3}, -1, 0.1, random)}, b{strip({3, 3}, 1, 0.1, random)};
+  // A surface that folds back onto itself: all equations hold, with alpha = -1.
+  EXPECT_NE(nearestJoin(a, a).status, NearestStatus::Unchanged);
+  // One whose rows lie along a straight seam: alpha = 0.
+  JoinSide flat = a, line = b;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) {
+      flat.surface.poles.row(4 * i + j) << -3 * i, 3 * j, 0, 1;
+      line.surface.poles.row(4 * i + j) << 0, 3 * j + i, 0, 1;
+    }
+  EXPECT_NE(nearestJoin(flat, line).status, NearestStatus::Unchanged);
+  const NearestJoin join = nearestJoin(a, b);
+  a.surface = join.a;
+  b.surface = join.b;
+  EXPECT_EQ(nearestJoin(a, b).status, NearestStatus::Unchanged);
+  for (const Eigen::Index pole : {1, 5}) {  // of the seam, and of the row behind it
+    JoinSide other = b;
+    other.surface.poles(pole, 2) += 1e-9;
+    EXPECT_NE(nearestJoin(a, other).status, NearestStatus::Unchanged) << pole;
+  }
+}
+
 TEST(NearestJoinAlpha, DoesNotFallBelowItsShare) {
   std::mt19937_64 random(28);
   JoinSide a{strip({3, 3}, -1, 0.02, random)}, b{strip({3, 3}, -1, 0.02, random)};  // a fold

@@ -145,6 +145,49 @@ TEST(MatchFaces, OnlyAWholeSideCanBeJoined) {
   EXPECT_NE(report.reason.find("the ends of the boundaries are"), std::string::npos) << report.reason;
 }
 
+// The boundaries have their ends in common and bulge apart between them.
+TEST(MatchFaces, BoundariesThatLeaveOneAnotherAreRefused) {
+  for (const double bulge : {0.06, 0.3, 0.7}) {
+    TColgp_Array2OfPnt flat(1, 4, 1, 4), bulging(1, 4, 1, 4);
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j) {
+        flat(i + 1, j + 1) = gp_Pnt(-30 + 10 * i, 40.0 / 3 * j, 0);
+        bulging(i + 1, j + 1) = gp_Pnt(10 * i, 40.0 / 3 * j, i > 0 ? i : (j % 3 > 0 ? bulge / 0.75 : 0));
+      }
+    const TopoDS_Shape pair = loose(wholeFace(splineOf(flat, 3, 3)), wholeFace(splineOf(bulging, 3, 3)));
+    const MatchReport report = matchFaces(pair, 1, 2);
+    EXPECT_EQ(report.matched, bulge < 0.1) << report.reason;
+    if (bulge > 0.1) {
+      EXPECT_NE(report.reason.find("within 0.1 mm of one another over"), std::string::npos) << report.reason;
+    }
+    FaceMatchOptions wide;
+    wide.match_mm = 1.1 * bulge;
+    EXPECT_TRUE(matchFaces(pair, 1, 2, wide).matched) << bulge;
+  }
+}
+
+TEST(MatchFaces, AFaceThatReachesBeyondItsSurfaceIsRefused) {
+  std::mt19937 generator(21);
+  const std::array<Spline, 2> parts = disturbedSheets(generator, 0.05);
+  double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
+  parts[1]->Bounds(u0, u1, v0, v1);
+  BRepBuilderAPI_MakeWire wire;
+  const double beyond = u1 + 0.2 * (u1 - u0);
+  const std::array<gp_Pnt2d, 4> corners = {gp_Pnt2d(u0, v0), gp_Pnt2d(beyond, v0), gp_Pnt2d(beyond, v1),
+                                           gp_Pnt2d(u0, v1)};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const handle<Geom2d_BSplineCurve> line = curvedPath({corners.at(k), corners.at((k + 1) % 4)});
+    wire.Add(BRepBuilderAPI_MakeEdge(line, parts[1], 0, 1).Edge());
+  }
+  TopoDS_Face face = BRepBuilderAPI_MakeFace(handle<Geom_Surface>(parts[1]), wire.Wire(), true).Face();
+  BRepLib::BuildCurves3d(face);
+  FaceMatchOptions options;
+  options.match_mm = 1;
+  const MatchReport report = matchFaces(loose(wholeFace(parts[0]), face), 1, 2, options);
+  EXPECT_FALSE(report.matched);
+  EXPECT_NE(report.reason.find("reaches beyond its surface"), std::string::npos) << report.reason;
+}
+
 TEST(MatchFaces, AKnifeEdgeIsRefused) {
   // Both sheets lie on the same side of the line x = 0, y = 0..30 and meet in it at 0.5 degrees.
   TColgp_Array2OfPnt below(1, 4, 1, 4), above(1, 4, 1, 4);
