@@ -55,6 +55,14 @@ Poles curveDerivatives(const BezierCurve& curve, double t, int order) {
   return curve.derivatives(parameter("t", t), order);
 }
 
+std::pair<BezierCurve, BezierCurve> curveParts(const BezierCurve& curve, double t) {
+  return curve.split(parameter("t", t));
+}
+
+std::pair<BezierPatch, BezierPatch> patchParts(const BezierPatch& patch, double t) {
+  return patch.splitU(parameter("t", t));
+}
+
 Eigen::Vector3d patchPoint(const BezierPatch& patch, double u, double v) {
   return patch.point(parameter("u", u), parameter("v", v));
 }
@@ -96,7 +104,7 @@ void bindBezier(py::module_& module) {
            "Point and derivatives to that order, (order+1, 3).")
       .def("reversed", &BezierCurve::reversed, "The same curve run backwards.")
       .def("elevated", &BezierCurve::elevated, "The same curve with one degree more.")
-      .def("split", &BezierCurve::split, py::arg("t"), "The pieces over [0, t] and [t, 1].")
+      .def("split", &curveParts, py::arg("t"), "The pieces over [0, t] and [t, 1].")
       .def(py::self == py::self)
       .attr("__hash__") = py::none();
   py::class_<BezierPatch>(module, "BezierPatch", py::module_local(),
@@ -112,7 +120,7 @@ void bindBezier(py::module_& module) {
       .def("jet", &patchJet, py::arg("u"), py::arg("v"), "Point and partials to third order, a SurfaceJet.")
       .def("transposed", &BezierPatch::transposed, "The same patch with u and v exchanged.")
       .def("reversed_u", &BezierPatch::reversedU, "X(1 - u, v).")
-      .def("split_u", &BezierPatch::splitU, py::arg("t"), "The pieces over u in [0, t] and [t, 1].")
+      .def("split_u", &patchParts, py::arg("t"), "The pieces over u in [0, t] and [t, 1].")
       .def("iso_curve_u", &BezierPatch::isoCurveU, py::arg("u"), "The curve u = const.")
       .def(py::self == py::self)
       .attr("__hash__") = py::none();

@@ -181,6 +181,8 @@ ONE = BezierTriangle(np.zeros((3, 3)))
     (lambda: ONE.to_patch().point(math.nan, 0), "u is nan"),
     (lambda: ONE.to_patch().jet(0, -math.inf), "v is -inf"),
     (lambda: ONE.edge_curve("l0").point(math.nan), "t is nan"),
+    (lambda: ONE.to_patch().split_u(math.nan), "t is nan"),
+    (lambda: ONE.edge_curve("l0").split(math.nan), "t is nan"),
     (lambda: ONE.edge_curve("l0").jet(math.nan), "t is nan"),
     (lambda: ONE.edge_curve("l0").derivatives(math.nan, 2), "t is nan"),
     (lambda: BezierTriangle.from_patch(ONE.to_patch(), tolerance_mm=-1), "-1"),
