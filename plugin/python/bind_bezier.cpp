@@ -8,6 +8,8 @@
 #include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/python/poles.hpp>
+#include <string>
+#include <utility>
 
 namespace py = pybind11;
 
@@ -52,6 +54,9 @@ Eigen::Vector3d curvePoint(const BezierCurve& curve, double t) {
 }
 
 Poles curveDerivatives(const BezierCurve& curve, double t, int order) {
+  constexpr int most = 1000;  // the quotient rule takes order^2 steps
+  if (order > most)
+    throw py::value_error("order " + std::to_string(order) + ": it must be within " + std::to_string(most));
   return curve.derivatives(parameter("t", t), order);
 }
 
@@ -101,7 +106,7 @@ void bindBezier(py::module_& module) {
       .def("point", &curvePoint, py::arg("t"))
       .def("jet", &curveJet, py::arg("t"), "Point and derivatives to third order, (4, 3).")
       .def("derivatives", &curveDerivatives, py::arg("t"), py::arg("order"),
-           "Point and derivatives to that order, (order+1, 3).")
+           "Point and derivatives to that order, at most 1000: (order+1, 3).")
       .def("reversed", &BezierCurve::reversed, "The same curve run backwards.")
       .def("elevated", &BezierCurve::elevated, "The same curve with one degree more.")
       .def("split", &curveParts, py::arg("t"), "The pieces over [0, t] and [t, 1].")

@@ -185,6 +185,7 @@ ONE = BezierTriangle(np.zeros((3, 3)))
     (lambda: ONE.edge_curve("l0").split(math.nan), "t is nan"),
     (lambda: ONE.edge_curve("l0").jet(math.nan), "t is nan"),
     (lambda: ONE.edge_curve("l0").derivatives(math.nan, 2), "t is nan"),
+    (lambda: ONE.edge_curve("l0").derivatives(0.5, 10**6), "order 1000000"),
     (lambda: BezierTriangle.from_patch(ONE.to_patch(), tolerance_mm=-1), "-1"),
     (lambda: BezierTriangle.from_patch(ONE.to_patch(), tolerance_mm="wide"), "wide"),
     (lambda: seamwright.enclose_seam(ONE, "u0", ONE, "l0"), "edge_a 'u0'"),
