@@ -8,6 +8,8 @@
 #include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/python/poles.hpp>
+#include <string>
+#include <utility>
 
 namespace py = pybind11;
 
@@ -52,7 +54,18 @@ Eigen::Vector3d curvePoint(const BezierCurve& curve, double t) {
 }
 
 Poles curveDerivatives(const BezierCurve& curve, double t, int order) {
+  constexpr int most = 1000;  // the quotient rule takes order^2 steps
+  if (order > most)
+    throw py::value_error("order " + std::to_string(order) + ": it must be within " + std::to_string(most));
   return curve.derivatives(parameter("t", t), order);
+}
+
+std::pair<BezierCurve, BezierCurve> curveParts(const BezierCurve& curve, double t) {
+  return curve.split(parameter("t", t));
+}
+
+std::pair<BezierPatch, BezierPatch> patchParts(const BezierPatch& patch, double t) {
+  return patch.splitU(parameter("t", t));
 }
 
 Eigen::Vector3d patchPoint(const BezierPatch& patch, double u, double v) {
@@ -93,10 +106,10 @@ void bindBezier(py::module_& module) {
       .def("point", &curvePoint, py::arg("t"))
       .def("jet", &curveJet, py::arg("t"), "Point and derivatives to third order, (4, 3).")
       .def("derivatives", &curveDerivatives, py::arg("t"), py::arg("order"),
-           "Point and derivatives to that order, (order+1, 3).")
+           "Point and derivatives to that order, at most 1000: (order+1, 3).")
       .def("reversed", &BezierCurve::reversed, "The same curve run backwards.")
       .def("elevated", &BezierCurve::elevated, "The same curve with one degree more.")
-      .def("split", &BezierCurve::split, py::arg("t"), "The pieces over [0, t] and [t, 1].")
+      .def("split", &curveParts, py::arg("t"), "The pieces over [0, t] and [t, 1].")
       .def(py::self == py::self)
       .attr("__hash__") = py::none();
   py::class_<BezierPatch>(module, "BezierPatch", py::module_local(),
@@ -112,7 +125,7 @@ void bindBezier(py::module_& module) {
       .def("jet", &patchJet, py::arg("u"), py::arg("v"), "Point and partials to third order, a SurfaceJet.")
       .def("transposed", &BezierPatch::transposed, "The same patch with u and v exchanged.")
       .def("reversed_u", &BezierPatch::reversedU, "X(1 - u, v).")
-      .def("split_u", &BezierPatch::splitU, py::arg("t"), "The pieces over u in [0, t] and [t, 1].")
+      .def("split_u", &patchParts, py::arg("t"), "The pieces over u in [0, t] and [t, 1].")
       .def("iso_curve_u", &BezierPatch::isoCurveU, py::arg("u"), "The curve u = const.")
       .def(py::self == py::self)
       .attr("__hash__") = py::none();
