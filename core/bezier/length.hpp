@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <seamwright/core/bezier/curve.hpp>
+
+namespace seamwright {
+
+/// The length of a curve: between lower and upper for certain, rounding included.
+struct ArcLength {
+  double lower_mm = 0, upper_mm = 0;
+  double value_mm = 0;  ///< the best estimate, within both
+  bool reached = true;  ///< upper - lower is within the tolerance asked
+};
+
+/// The length over [first, last], to upper - lower <= tolerance_mm if rounding allows. A curve of degree > 1 that is
+/// no line has no closed form (no rational curve but a line has unit speed).
+///
+/// Chord <= length <= polygon on pieces by halving; where the speed has a positive lower bound a quadrature with a
+/// proved remainder takes over, so tight tolerances stay cheap.
+/// Identities (each has a test of its number):
+///   (1) A line: its length, bracket of rounding. (2) A rational quarter circle: pi r / 2.
+///   (3) Sum of the parts; reversal, elevation and rigid motion change nothing but rounding; scale multiplies.
+///   (4) A cusp inside: the bracket holds the length of both branches.
+/// \throws std::invalid_argument for a tolerance that is not positive, or a range outside 0 <= first <= last <= 1.
+/// Source: MATH-curves 1 (Gravesen).
+ArcLength arcLength(const BezierCurve& curve, double tolerance_mm, double first = 0, double last = 1);
+
+/// The parameter at which the length from t = 0 is \p length_mm: within tolerance_mm of arc length.
+/// \throws std::invalid_argument for a length outside 0 .. the whole (with both numbers), or a tolerance not positive.
+double parameterAtLength(const BezierCurve& curve, double length_mm, double tolerance_mm);
+
+}  // namespace seamwright

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include <seamwright/core/bezier/curve.hpp>
+#include <seamwright/core/differential/jet.hpp>
+
+namespace seamwright {
+
+/// What a point of a space curve is.
+enum class CurvePoint {
+  Regular,     ///< speed and curvature are not zero
+  Inflection,  ///< regular, without curvature: a straight piece, or a point of it
+  Cusp,        ///< without speed; the tangent is that of the first derivative that is not zero, leaving
+  Point        ///< all derivatives given are zero: no tangent
+};
+
+/// Frenet frame, curvature, torsion of a curve at a point.
+///
+/// Where the curvature is zero to rounding, curvature is 0 and normal, binormal and torsion are nothing; at a cusp
+/// curvature and what follows from it are nothing.
+struct FrenetFrame {
+  CurvePoint kind = CurvePoint::Point;
+  double speed = 0;                                ///< |X'|
+  std::optional<Eigen::Vector3d> tangent;          ///< T
+  std::optional<Eigen::Vector3d> normal;           ///< N, towards the centre of curvature
+  std::optional<Eigen::Vector3d> binormal;         ///< B = T x N
+  std::optional<double> curvature_per_mm;          ///< kappa >= 0
+  std::optional<double> torsion_per_mm;            ///< tau
+  std::optional<double> curvature_change_per_mm2;  ///< d kappa / ds
+};
+
+/// Identities (each has a test of its number):
+///   (1) Frenet-Serret: T_s = kappa N, N_s = -kappa T + tau B, B_s = -tau N.
+///   (2) A circle of radius r: 1 / r, torsion 0; a helix of radius r, pitch 2 pi b: r / (r^2 + b^2), b / (r^2 + b^2).
+///   (3) Independent of the parameter; run backwards T and B change sign (N does not), kappa and tau stay.
+///   (4) A rigid motion moves the frame; a scale s divides kappa and tau by s; a mirror changes the sign of tau.
+/// \param derivatives orders 0..n, n >= 1; torsion and change of curvature need n >= 3.
+/// \param speed_noise, acceleration_noise what rounding may have added to the first and second derivative.
+/// \throws std::invalid_argument for fewer than two rows.
+/// Source: text 000 §1; MATH-curves 1; the printed N lacks the norm (ERRATA-curves 0.1).
+FrenetFrame frenetFrame(const CurveDerivatives& derivatives, double speed_noise = 0,
+                        double acceleration_noise = 0);
+FrenetFrame frenetFrame(const BezierCurve& curve, double t);
+
+/// Places of a Bézier curve where the frame is lost, as intervals [first, last] of the parameter that are
+/// certain to hold all of them.
+struct CurveDegeneracies {
+  struct Place {
+    CurvePoint kind;
+    double first, last;
+  };
+  std::vector<Place> places;  ///< in order of the parameter
+  bool straight = false;      ///< the whole curve lies on a line, to rounding of its poles
+  /// A positive lower bound of |X'| over [0, 1]; 0 if there are cusps or none is proved.
+  double speed_lower = 0;
+};
+
+/// All cusps (X' = 0) and inflections (X' x X'' = 0, X' != 0) of a curve: by subdivision of the Bernstein forms of
+/// |X'|^2 and |X' x X''|^2 (rational curves: of their numerators) until an interval is free of them or shorter than
+/// \p resolution. What is not reported is proved free of them; a reported place is no proof that there is one.
+/// \throws std::invalid_argument for a resolution outside 1e-12..1.
+/// Source: MATH-curves 2.3 (1).
+CurveDegeneracies findDegeneracies(const BezierCurve& curve, double resolution = 1e-9);
+
+/// A frame that does not turn about the tangent: rotation minimising, by double reflection.
+struct MovingFrame {
+  double t = 0;
+  Eigen::Vector3d point, tangent, normal, binormal;
+};
+
+/// Frames at the parameters given, increasing; the first normal is \p normal made orthogonal to the tangent (nothing: any).
+/// Goes on through inflections and straight pieces; error of the twist O(step^4).
+/// \throws std::invalid_argument for parameters that do not increase, and at a cusp, with the parameter.
+std::vector<MovingFrame> rotationMinimizingFrames(const BezierCurve& curve,
+                                                  const std::vector<double>& parameters,
+                                                  std::optional<Eigen::Vector3d> normal = std::nullopt);
+
+}  // namespace seamwright

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include <seamwright/core/bezier/curve.hpp>
+
+namespace seamwright {
+
+/// A cubic alpha-curve: X(t) = sum_i P_i b_i(t; a) on [0, 1], with the basis of AlphaSurface.
+struct AlphaCurve {
+  using Polygon = Eigen::Matrix<double, 4, 3, Eigen::RowMajor>;
+
+  Polygon poles = Polygon::Zero();
+  double a = 1;  ///< shape, 0..1; 1 hugs the polygon
+};
+
+/// b_0..b_3 at t.
+///
+/// Identities (each has a test of its number):
+///   (1) b_i >= 0 and they sum to 1 on [0, 1]; b_i(t) = b_{3-i}(1 - t).
+///   (2) The quintic Bézier curve of alphaCurveBezier() has the same points.
+///   (3) No plane meets the curve more often than the polygon (a in 0..1).
+Eigen::Vector4d alphaBasis(double a, double t);
+
+/// The same curve as a quintic Bézier curve: exact. Derivatives, splitting, conversion go through it.
+/// \throws std::invalid_argument for a pole that is not finite, or a shape outside 0..1.
+/// Source: text 002; MATH-curves 8.1.
+BezierCurve alphaCurveBezier(const AlphaCurve& curve);
+
+/// How the next alpha-curve goes on at the end of a given one.
+struct AlphaCurveJoin {
+  int order = 1;                ///< 1, 2 or 3
+  double beta1 = 1, beta2 = 0;  ///< C^1, C^2: 1 and 0. With order 3 beta2 is not free and is not read
+  double length = 1;            ///< of the given curve in the common parameter
+  double next_length = 1;       ///< of the next one
+  double next_a = 1;
+};
+
+/// The poles Q_0, Q_1 and, with order 2 or 3, Q_2 of the next curve; the others are free.
+///
+///   (4) The joint is G^order with beta1, beta2 (with order 3 those of MATH-curves 8.2).
+///   (5) A C2 join has continuous curvature and torsion (FC^3), since alpha-curves have no torsion at their ends,
+///       and is not G3 unless X'' is parallel to X'. A G2 join is G3 only for beta2 = -2 beta1 (beta1 / h + 1 / k).
+/// \throws std::invalid_argument for an order, length, beta1 or shape out of range (shapes of a join are 1e-6 to
+/// 1), and for given poles P_2 = P_3.
+/// Source: text 002; MATH-curves 8.2; ERRATA-curves 2.6, 2.11, 2.12.
+Poles alphaJoinPoles(const AlphaCurve& given, const AlphaCurveJoin& join);
+
+/// What an energy measures: the integral of |X^(k)|^2 over [0, 1], k = 1, 2, 3.
+enum class AlphaEnergy { Length = 1, Curvature = 2, CurvatureVariation = 3 };
+
+struct AlphaOptimum {
+  double a = 1;       ///< within the bounds
+  double free_a = 1;  ///< where the energy is least without bounds
+  double energy = 0;  ///< at a
+  bool any = false;   ///< the energy does not depend on a: P_0 = P_1 and P_2 = P_3
+};
+
+/// The shape of least energy for four poles; exact, since the energy is a quadratic of a.
+///   (6) The derivative of the energy vanishes at free_a, and no shape within the bounds has less than a.
+/// \throws std::invalid_argument for poles not finite or bounds outside 0 <= a_min <= a_max <= 1.
+/// Source: text 002 §2.4; MATH-curves 8.3; the printed sign is wrong (ERRATA-curves 2.2 - 2.4).
+AlphaOptimum energyOptimalAlpha(const AlphaCurve::Polygon& poles, AlphaEnergy energy, double a_min = 0.05,
+                                double a_max = 1);
+
+}  // namespace seamwright
