@@ -46,6 +46,10 @@ HomogeneousPoles homogeneousPoles(const Eigen::Ref<const Poles>& poles, const Ei
   return result;
 }
 
+void requireValid(const HomogeneousPoles& poles) {
+  homogeneousPoles(poles.leftCols<3>(), poles.col(3));
+}
+
 Poles affinePoles(const HomogeneousPoles& poles) {
   return poles.leftCols<3>().array().colwise() / poles.col(3).array();
 }
@@ -56,6 +60,11 @@ bool isRational(const HomogeneousPoles& poles) {
 
 BezierCurve::BezierCurve(const Eigen::Ref<const Poles>& poles)
     : BezierCurve(poles, Eigen::VectorXd::Ones(poles.rows())) {}
+
+BezierCurve BezierCurve::fromHomogeneous(HomogeneousPoles poles) {
+  requireValid(poles);
+  return {Homogeneous{}, std::move(poles)};
+}
 
 BezierCurve::BezierCurve(const Eigen::Ref<const Poles>& poles,
                          const Eigen::Ref<const Eigen::VectorXd>& weights)

@@ -24,6 +24,8 @@ class BezierCurve {
   /// Rational curve. \param weights n+1 positive finite numbers.
   /// \throws std::invalid_argument naming the offending index and value.
   BezierCurve(const Eigen::Ref<const Poles>& poles, const Eigen::Ref<const Eigen::VectorXd>& weights);
+  /// The curve with these homogeneous poles, taken over bit by bit. \throws as the constructors.
+  static BezierCurve fromHomogeneous(HomogeneousPoles poles);
 
   int degree() const { return static_cast<int>(homogeneous_.rows()) - 1; }
   /// Whether the weights differ.

@@ -11,6 +11,10 @@ namespace seamwright {
 /// (w x, w y, w z, w) of each pole. \throws std::invalid_argument naming the index and value that cannot be.
 HomogeneousPoles homogeneousPoles(const Eigen::Ref<const Poles>& poles, const Eigen::VectorXd& weights);
 
+/// \throws std::invalid_argument for no poles, a number that is not finite or a weight that is not positive; with
+/// index and value.
+void requireValid(const HomogeneousPoles& poles);
+
 Poles affinePoles(const HomogeneousPoles& poles);
 
 bool isRational(const HomogeneousPoles& poles);

@@ -48,6 +48,17 @@ Vec polynomialDerivative(const Poles& poles, int k, double t) {
   return sum;
 }
 
+TEST(BezierCurve, HomogeneousPolesAreTakenOverBitByBit) {
+  std::mt19937_64 random(5);
+  HomogeneousPoles poles(4, 4);
+  poles << randomPoles(4, random), randomWeights(4, random);
+  EXPECT_EQ(BezierCurve::fromHomogeneous(poles).homogeneousPoles(), poles);
+  poles(2, 3) = -0.25;
+  EXPECT_THAT([&] { BezierCurve::fromHomogeneous(poles); },
+              testing::ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr("weight 2"), HasSubstr("-0.25"))));
+  EXPECT_THROW(BezierCurve::fromHomogeneous(HomogeneousPoles(0, 4)), std::invalid_argument);
+}
+
 TEST(BezierCurve, PolynomialJetsEqualThePowerForm) {
   std::mt19937_64 random(31);
   for (int degree = 0; degree <= 9; ++degree)
