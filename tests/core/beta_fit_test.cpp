@@ -38,13 +38,7 @@ Pair randomPair(int run, double size, std::mt19937_64& random) {
                     b = test::randomCurve(test::wholeNumber(1, 9, random), kind, false, size, random);
   CurveJoinRule rule;
   rule.beta = test::randomBeta(run % 4, random);
-  while (true) {
-    try {
-      return {a, joinedCurve(a, b, rule), order};
-    } catch (const std::invalid_argument&) {  // a weight that would have to be negative
-      rule.next_length /= 2;
-    }
-  }
+  return {a, test::gentlyJoined(a, b, rule, true), order};
 }
 
 /// How far rounding of the poles may move the defects, relative to them and 1: the largest arc-length derivative,

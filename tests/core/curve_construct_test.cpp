@@ -61,12 +61,16 @@ TEST(CurveConstruct, PolesOfSixtyDigits) {
       wanted.row(k) << row(0), row(1), row.size() > 2 ? row(2) : 0, weight;
     }
     const int degree = in["right_degree"];
+    if (wanted.col(3).minCoeff() <= 0) {
+      EXPECT_THAT(refusal([&] { nextPoles(a, degree, rule); }), HasSubstr("weight 2 comes out as -5.24737"));
+      continue;
+    }
     const HomogeneousPoles poles = nextPoles(a, degree, rule);
     ASSERT_EQ(poles.rows(), wanted.rows());
     EXPECT_LE((poles - wanted).cwiseAbs().maxCoeff(), 1e-13 * wanted.cwiseAbs().maxCoeff());
     ++compared;
   }
-  EXPECT_EQ(compared, 24);
+  EXPECT_EQ(compared, 23);
 }
 
 TEST(CurveConstruct, Identity8WrittenOutForSecondOrder) {
@@ -139,7 +143,7 @@ TEST(CurveConstruct, JoinsReachTheirOrderAndAHairLessDoesNot) {
     const double reach =
         std::max(a.poles().cwiseAbs().maxCoeff(), b.poles().topRows(order + 1).cwiseAbs().maxCoeff());
     const Verdict verdict{b, fit.length_mm, 1e-6 * reach};
-    ASSERT_EQ(verdict.order(fit), order) << run;
+    ASSERT_EQ(verdict.order(fit), order) << run << " n " << order << " kind " << int(kind) << " deg " << a.degree() << " " << b.degree() << " D " << fit.defects[order] << " up " << fit.upper[order] << " eff " << verdict.effect(order) << " b1 " << fit.beta(0) << " size " << size<<" L "<<fit.length_mm<<" reach "<<reach;
     const Vec tangent = a.derivatives(1, 1).row(1);
     const int pole = test::wholeNumber(0, order, random);
     const Vec move = verdict.move * test::across(tangent);
@@ -165,7 +169,8 @@ TEST(CurveConstruct, Identity6TheFitReturnsBeta) {
     const BezierCurve a = test::randomCurve(test::wholeNumber(1, 9, random), kind, true, 1, random),
                       given = test::randomCurve(test::wholeNumber(order, 9, random), kind, false, 1, random);
     CurveJoinRule rule = ruleOf(test::randomBeta(order, random));
-    const BezierCurve b = joinedCurve(a, given, rule, false);
+    const BezierCurve b = test::gentlyJoined(a, given, rule, false);
+    for (int k = 0; k < order; ++k) rule.beta(k) *= std::pow(rule.next_length, k + 1);
     const BetaFit fit = fitBeta(a, b, order);
     ASSERT_EQ(fit.beta.size(), order) << run;
     const CurveDerivatives x = a.derivatives(1, order);
@@ -235,8 +240,7 @@ TEST(CurveConstruct, TheOwnEndStays) {
     const BezierCurve a = test::randomCurve(3, kind, true, 1, random),
                       given = test::randomCurve(test::wholeNumber(1, 9, random), kind, false, 1, random);
     CurveJoinRule rule = ruleOf(test::randomBeta(order, random));
-    rule.next_length = 0.3;
-    const BezierCurve b = joinedCurve(a, given, rule);
+    const BezierCurve b = test::gentlyJoined(a, given, rule, true);
     EXPECT_EQ(b.degree(), std::max(given.degree(), 2 * order + 1));
     BezierCurve raised = given;
     while (raised.degree() < b.degree()) raised = raised.elevated();

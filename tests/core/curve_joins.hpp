@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 #include <seamwright/core/join/beta.hpp>
+#include <stdexcept>
 
 #include "curves.hpp"
 
@@ -48,6 +49,18 @@ inline Eigen::VectorXd randomBeta(int order, std::mt19937_64& random) {
   for (int k = 0; k < order; ++k) beta(k) = randomVector(random).x();
   if (order > 0) beta(0) = logUniform(random, -0.3, 0.3);
   return beta;
+}
+
+/// joinedCurve(), the curve made shorter in the common parameter until no weight comes out negative.
+inline BezierCurve gentlyJoined(const BezierCurve& a, const BezierCurve& b, CurveJoinRule& rule, bool keep_end) {
+  while (true) {
+    try {
+      return joinedCurve(a, b, rule, keep_end);
+    } catch (const std::invalid_argument&) {
+      rule.next_length /= 2;
+      if (rule.next_length < 1e-3) throw;
+    }
+  }
 }
 
 /// n! / (n-k)!
