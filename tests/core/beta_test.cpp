@@ -122,8 +122,7 @@ TEST(Beta, Identity2InverseInClosedForm) {
     mobius(k - 1) = std::tgamma(k + 1) * c * std::pow(d, k - 1);
     back(k - 1) = std::tgamma(k + 1) * std::pow(-d, k - 1) / std::pow(c, k);
   }
-  EXPECT_LE(difference(back, inverseBeta(mobius)),
-            4 * eps * condition(betaMatrix(back), betaMatrix(mobius)));
+  EXPECT_LE(difference(back, inverseBeta(mobius)), 4 * eps * condition(betaMatrix(back), betaMatrix(mobius)));
 }
 
 /// The derivatives of a curve and of a reparametrisation of it, both run backwards and exchanged.

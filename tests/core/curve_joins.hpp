@@ -52,7 +52,8 @@ inline Eigen::VectorXd randomBeta(int order, std::mt19937_64& random) {
 }
 
 /// joinedCurve(), the curve made shorter in the common parameter until no weight comes out negative.
-inline BezierCurve gentlyJoined(const BezierCurve& a, const BezierCurve& b, CurveJoinRule& rule, bool keep_end) {
+inline BezierCurve gentlyJoined(const BezierCurve& a, const BezierCurve& b, CurveJoinRule& rule,
+                                bool keep_end) {
   while (true) {
     try {
       return joinedCurve(a, b, rule, keep_end);
