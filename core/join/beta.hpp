@@ -34,7 +34,7 @@ struct BetaFit {
   Eigen::VectorXd beta;  ///< beta_1 .. beta_n; none where beta_1 <= 0 or a tangent is lost
   /// defects[k], k = 0..n, without unit: |c_k of b - c_k of a| L^(k-1) with c_k the derivatives by arc length
   /// (k = 0: the gap by L). 0 to rounding for all k <= n iff the joint is G^n. The gap alone where a tangent
-  /// is lost.
+  /// is lost or a c_k is beyond the range of a double.
   std::vector<double> defects;
   /// Certain bounds of the defects, rounding of evaluation included, the homogeneous poles and L being exact;
   /// as many as defects. Where lower > 0 the joint is proved not to be G^k.
@@ -63,9 +63,9 @@ struct CurveJoinRule {
   Eigen::VectorXd beta;    ///< beta_1..beta_n by the common parameter; n is the order. (1, 0, ..): C^n
   double length = 1;       ///< of a in the common parameter
   double next_length = 1;  ///< of b
-  /// Value and derivatives e_0 > 0, e_1, .. e_n by the common parameter of the factor between the homogeneous
-  /// curves: H_b^(k) = sum_j C(k,j) e_{k-j} (B(beta) H_a)_j. Empty: 1, 0, .., 0. It changes weights and poles,
-  /// not the order.
+  /// Value and derivatives e_0 > 0, e_1, .. e_n by the common parameter of the factor between the
+  /// homogeneous curves: H_b^(k) = sum_j C(k,j) e_{k-j} (B(beta) H_a)_j. Empty: 1, 0, .., 0. It changes
+  /// weights and poles, not the order.
   Eigen::VectorXd scale;
 };
 
@@ -74,23 +74,23 @@ struct CurveJoinRule {
 ///   (8) Explicit for n = 2 and unit lengths: Q_1 = Q_0 + (m/m') beta_1 (P_m - P_{m-1}), Q_2 = 2 Q_1 - Q_0 +
 ///       (m (m-1) beta_1^2 (P_m - 2 P_{m-1} + P_{m-2}) + m beta_2 (P_m - P_{m-1})) / (m' (m'-1)).
 /// \throws std::invalid_argument for a degree below n or above 100, betas as betaMatrix(), lengths not
-/// positive, a scale of another number than n + 1 or with e_0 <= 0, a without tangent at its end, and a weight
-/// that comes out not positive (index and value): a smaller next_length or smaller e_1, e_2, .. help.
+/// positive, a scale of another number than n + 1 or with e_0 <= 0, a without tangent at its end, and a
+/// weight that comes out not positive (index and value): a smaller next_length or smaller e_1, e_2, .. help.
 /// Source: text 000 §2; MATH-curves 2.2, 3.
 HomogeneousPoles nextPoles(const BezierCurve& a, int degree, const CurveJoinRule& rule);
 
 /// \p b with its first n + 1 homogeneous poles replaced by nextPoles(); elevated first to degree 2n + 1 if
-/// \p keep_end, so that its own end stays as it is to order n, else to n if need be. Poles that stay, stay bit
-/// by bit.
+/// \p keep_end, so that its own end stays as it is to order n, else to n if need be. Poles that stay, stay
+/// bit by bit.
 ///   (9) fitBeta() returns beta_k next_length^k / length, which is beta for unit lengths; C^n equals
 ///       derivatives by the common parameter.
 /// \throws as nextPoles().
 BezierCurve joinedCurve(const BezierCurve& a, const BezierCurve& b, const CurveJoinRule& rule,
                         bool keep_end = true);
 
-/// The curve of degree n + m + 1 between the end of \p a and the beginning of \p b that joins the one G^n, the
-/// other G^m: beta_1..beta_n for the joint with a, beta_end_1..beta_end_m for the joint with b (b's derivatives
-/// are those of the bridge by betaMatrix(beta_end)). Its end is nextPoles() of b backwards, with
+/// The curve of degree n + m + 1 between the end of \p a and the beginning of \p b that joins the one G^n,
+/// the other G^m: beta_1..beta_n for the joint with a, beta_end_1..beta_end_m for the joint with b (b's
+/// derivatives are those of the bridge by betaMatrix(beta_end)). Its end is nextPoles() of b backwards, with
 /// reversedBeta(beta_end).
 /// \throws std::invalid_argument for a rational curve (the first weights that differ), else as nextPoles().
 BezierCurve bridgeCurve(const BezierCurve& a, const BezierCurve& b, const Eigen::VectorXd& beta,

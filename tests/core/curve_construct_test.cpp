@@ -94,7 +94,8 @@ TEST(CurveConstruct, Identity8WrittenOutForSecondOrder) {
   }
 }
 
-/// Judges by a thousandth of what the move of one pole of b, across the tangent, does to the defect of its order.
+/// Judges by a thousandth of what the move of one pole of b, across the tangent, does to the defect of its
+/// order.
 struct Verdict {
   const BezierCurve& b;
   double length, move;
