@@ -108,7 +108,7 @@ void bindSpline(py::module_& module) {
            py::arg("weights") = py::none())
       .def_static("from_bezier", &splineCurve, py::arg("curve"), "The same curve with knots 0 and 1.")
       .def(
-          "to_bezier_spline", [](const BSplineCurve& c, bool closed) { return bezierSpline(c, closed); },
+          "bezier_spline", [](const BSplineCurve& c, bool closed) { return bezierSpline(c, closed); },
           py::arg("closed") = false, "Its Bézier segments; closed: its end is its beginning, bit by bit.");
   bindNumbers(curve);
   spline

@@ -76,6 +76,11 @@ int jointOf(const BezierSpline& spline, std::size_t i) {
   return static_cast<int>(i + 1) % spline.segments();
 }
 
+/// What rounding of poles of that size makes of X''(+) - X''(-) - nu X' between segments of lengths h and k.
+double nielsonNoise(double size, double h, double k, double nu) {
+  return 64 * eps * size * (1 / (h * h) + 1 / (k * k)) * (1 + std::abs(nu) * std::min(h, k));
+}
+
 TEST(G2Spline, Identity1EveryJointIsG2) {
   std::mt19937_64 random(321);
   for (int i = 0; i < 3000; ++i) {
@@ -226,9 +231,9 @@ TEST(G2Spline, GammaOracleOfSixtyDigits) {
       const int before = s > 0 ? s - 1 : spline.segments() - 1;
       const CurveDerivatives a = segment(spline, before).derivatives(1, 2),
                              b = segment(spline, s).derivatives(0, 2);
-      const Eigen::RowVector3d jump = b.row(2) / (l[s] * l[s]) - a.row(2) / (l[before] * l[before]);
-      EXPECT_LT((jump - test::number(out["nu"][j]) * b.row(1) / l[s]).norm(), 1e-12 * size / (l[s] * l[s]))
-          << s;
+      const double nu = test::number(out["nu"][j]), h = l[before], k = l[s];
+      const Eigen::RowVector3d jump = b.row(2) / (k * k) - a.row(2) / (h * h);
+      EXPECT_LT((jump - nu * b.row(1) / k).norm(), nielsonNoise(size, h, k, nu)) << s;
     }
     // The direct spline of these shares is the same but for its parameter.
     EXPECT_LT((directG2Spline(shares).poles - spline.poles).norm(), 1e-13 * size);
@@ -250,7 +255,7 @@ TEST(G2Spline, Identity4NielsonsCondition) {
       EXPECT_LT((b.row(1) / k - a.row(1) / h).norm(), 64 * eps * size * (1 / h + 1 / k))
           << i << " joint " << s;
       EXPECT_LT((b.row(2) / (k * k) - a.row(2) / (h * h) - nu * b.row(1) / k).norm(),
-                64 * eps * size * (1 / (h * h) + 1 / (k * k)) * (1 + std::abs(nu) * std::min(h, k)))
+                nielsonNoise(size, h, k, nu))
           << i << " joint " << s;
     }
   }
@@ -320,7 +325,9 @@ TEST(G2Spline, Identity6SmallGammaRunsIntoThePolygon) {
       std::ranges::fill(polygon.gamma, gamma);
       const double distance = distanceToPolygon(polygon, first, last);
       EXPECT_LT(distance, gamma * longest);
-      if (before > 1e-9) EXPECT_NEAR(distance / before, 0.1, 0.02) << i << " gamma " << gamma;
+      if (gamma < 1e-2 && before > 1e-9) {
+        EXPECT_NEAR(distance / before, 0.1, 0.02) << i << " gamma " << gamma;
+      }
       before = distance;
     }
     if (polygon.closed) continue;
@@ -352,7 +359,7 @@ TEST(G2Spline, PrintedEndIndicesAreFalse) {
 /// The printed omega of gamma-splines is 1 - alpha. Unless lengths and gamma are symmetric the joint then divides
 /// its leg in another ratio than that of the lengths, and gamma = 1 is not the B-spline.
 TEST(G2Spline, PrintedGammaOmegaIsFalse) {
-  GammaPolygon polygon{Poles(5, 3), true, {1, 2, 1.5, 1, 3}, {1, 1, 1, 1, 1}};
+  GammaPolygon polygon{Poles(5, 3), true, {1, 1.2, 1.1, 1, 1.3}, {1, 1, 1, 1, 1}};
   polygon.vertices << 0, 0, 0, 4, 0, 0, 5, 3, 0, 2, 5, 0, -1, 3, 0;
   G2Polygon printed = g2Polygon(polygon);
   for (int e = 0; e < 5; ++e) printed.omega[e] = 1 - printed.alpha[e];
