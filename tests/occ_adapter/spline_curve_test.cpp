@@ -19,6 +19,7 @@
 namespace seamwright::test {
 namespace {
 
+using occ::bezierCurve, occ::coreCurve, occ::toBezierCurve, occ::toBSplineCurve;
 using opencascade::handle;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
