@@ -75,6 +75,24 @@ def _to_freecad(self):
     return bridge.model_to_freecad(self)
 
 
+def curve_to_freecad(curve):
+    """A curve as FreeCAD's: a BezierCurve as ``Part.BezierCurve``, a BSplineCurve as ``Part.BSplineCurve``, a BezierSpline as that of
+    ``to_bspline(continuity())``. Poles, weights and knots are the same numbers.
+
+    Raises ``ValueError`` for degrees above 25, ``TypeError`` for other things, ``RuntimeError`` outside FreeCAD.
+    """
+    return bridge.curve_to_freecad(curve)
+
+
+def curve_from_freecad(curve):
+    """The BezierCurve or BSplineCurve that a ``Part.BezierCurve`` or ``Part.BSplineCurve`` is, number by number; a periodic one is cut
+    open at its first knot, by inserting knots there.
+
+    Raises ``TypeError`` for other things, ``ValueError`` for ends that are not clamped, ``RuntimeError`` outside FreeCAD.
+    """
+    return bridge.curve_from_freecad(curve)
+
+
 Model.from_freecad = staticmethod(_from_freecad)
 Model.to_freecad = _to_freecad
 
@@ -101,6 +119,8 @@ __all__ = [
     "bridge",
     "continuation",
     "curvature_tensor",
+    "curve_from_freecad",
+    "curve_to_freecad",
     "direct_g2_spline",
     "enclose_seam",
     "fit_connection",
