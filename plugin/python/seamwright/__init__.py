@@ -85,10 +85,10 @@ def curve_to_freecad(curve):
 
 
 def curve_from_freecad(curve):
-    """The BezierCurve or BSplineCurve that a ``Part.BezierCurve`` or ``Part.BSplineCurve`` is, number by number; a periodic one is cut
-    open at its first knot, by inserting knots there.
+    """The BezierCurve or BSplineCurve that a ``Part.BezierCurve`` or ``Part.BSplineCurve`` is, number by number. Where one is periodic
+    or its ends are not clamped, knots are inserted at its ends. Of an edge, give ``edge.Curve``; trims are not looked at.
 
-    Raises ``TypeError`` for other things, ``ValueError`` for ends that are not clamped, ``RuntimeError`` outside FreeCAD.
+    Raises ``TypeError`` for other things, ``RuntimeError`` outside FreeCAD.
     """
     return bridge.curve_from_freecad(curve)
 

@@ -220,14 +220,22 @@ def _vector(point):
     return FreeCAD.Vector(*map(float, point))
 
 
+def _is_clamped(spline):
+    multiplicities = spline.getMultiplicities()
+    return not spline.isPeriodic() and multiplicities[0] == multiplicities[-1] == spline.Degree + 1
+
+
 def curve_from_freecad(curve):
     """See ``seamwright.curve_from_freecad``."""
     part = _part()
     if not isinstance(curve, (part.BezierCurve, part.BSplineCurve)):
         raise TypeError(f"a Part.BezierCurve or Part.BSplineCurve is needed, not {type(curve).__name__}")
-    if isinstance(curve, part.BSplineCurve) and curve.isPeriodic():
+    if isinstance(curve, part.BSplineCurve) and not _is_clamped(curve):
+        first, last = curve.FirstParameter, curve.LastParameter
         curve = curve.copy()
-        curve.setNotPeriodic()
+        if curve.isPeriodic():
+            curve.setNotPeriodic()
+        curve.segment(first, last)
     poles = [tuple(pole) for pole in curve.getPoles()]
     weights = curve.getWeights() if curve.isRational() else None
     if isinstance(curve, part.BezierCurve):

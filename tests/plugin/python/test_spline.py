@@ -55,8 +55,8 @@ def test_segments_come_apart_and_together():
 
 def test_degrees_and_gaps():
     line = BezierCurve([(0, 0, 0), (1, 0, 0)])
-    cubic = BezierCurve([(1, 0, 1e-5), (2, 0, 0), (3, 1, 0), (4, 1, 0)])
-    with pytest.raises(ValueError, match=r"joint 1: the ends are 1\.0+[0-9]*e-05 mm apart, allowed 0"):
+    cubic = BezierCurve([(1, 0, 0.5**16), (2, 0, 0), (3, 1, 0), (4, 1, 0)])
+    with pytest.raises(ValueError, match=r"joint 1: the ends are 1.52587890625e-05 mm apart, allowed 0"):
         BezierSpline.from_segments([line, cubic], [0, 1, 2])
     spline = BezierSpline.from_segments([line, cubic], [0, 1, 2], gap_mm=1e-4)
     assert spline.degree == 3 and np.allclose(spline.poles[:3], [(0, 0, 0), (1 / 3, 0, 0), (2 / 3, 0, 0)])
