@@ -29,8 +29,8 @@ struct BezierSpline {
 };
 
 /// \throws std::invalid_argument if counts and knots do not fit, knots do not increase, a number is not finite, a
-/// weight is not positive, or a closed spline does not end where it begins (bit by bit); with the index and the
-/// value.
+/// weight is not positive, or a closed spline does not end where it begins: its last homogeneous pole is the first
+/// one times the ratio of the two weights, bit by bit; with the index and the value.
 void requireValid(const BezierSpline& spline);
 
 /// Segment i with the parameter 0..1. \throws std::invalid_argument for another i.
@@ -40,26 +40,33 @@ BezierCurve segment(const BezierSpline& spline, int i);
 /// makes its first weight the last one of the segment before, which changes no point. The pole between two is
 /// that of the later one. \param knots one more than segments.
 /// \throws std::invalid_argument for no segments, knots as requireValid(), and where ends are further apart than
-/// \p gap_mm, with the index of the joint and the distance.
+/// \p gap_mm, with the index of the joint (that of its knot) and the distance.
 BezierSpline bezierSpline(const std::vector<BezierCurve>& segments, const std::vector<double>& knots,
                           bool closed = false, double gap_mm = 0);
 
 /// Point and derivatives by the spline's own parameter, (order + 1) by 3. At a knot those of the segment after
 /// it; at the end and beyond, those of the outermost segment. O(log segments).
+/// \throws std::invalid_argument if counts do not fit, for a parameter that is not finite and a negative order.
 CurveDerivatives derivatives(const BezierSpline& spline, double t, int order);
 
 /// The joints at knots[1] .. knots[segments - 1], and of a closed spline that of its end with its beginning
 /// last. O(segments).
 std::vector<CurveJoint> measureJoints(const BezierSpline& spline, int order);
 
-/// The same curve with the fewest knots for which derivatives by the parameter agree up to \p continuity at
-/// every inner knot: multiplicity degree - continuity. Exact: poles are blossoms (for C^1 the inner poles
-/// themselves), nothing is fitted.
-/// \param continuity 0 to degree - 1.
-/// \throws std::invalid_argument where a derivative jumps by more than rounding of the poles, with the knot's
-/// index, the order and the jump.
+/// The order, up to degree - 1, to which derivatives by the parameter agree at every inner knot (and, \p around, from
+/// the end of a closed spline to its beginning) but for rounding: 8 (degree + 4) eps relative to what the poles beside
+/// the knot make of it. Of a rational spline it is the derivatives of the homogeneous curve that must agree. -1 for
+/// \p around of a spline that is not closed, or one whose first and last weight differ.
+int continuity(const BezierSpline& spline, bool around = false);
+
+/// The same curve with the fewest knots for which derivatives by the parameter agree up to \p order at every inner
+/// knot: multiplicity degree - order. Exact: poles are blossoms (for C^1 the inner poles themselves), nothing is
+/// fitted.
+/// \param order 0 to degree - 1; at most continuity().
+/// \throws std::invalid_argument for another order, a degree above 25, and where a derivative jumps by more than
+/// continuity() allows, with the knot's index, the order, the jump and what rounding makes of it.
 /// Source: MATH-curves 23.
-BSplineCurve bsplineCurve(const BezierSpline& spline, int continuity);
+BSplineCurve bsplineCurve(const BezierSpline& spline, int order);
 
 /// The Bézier segments of a B-spline curve (knots inserted until they are as many as the degree), with its
 /// knots.
