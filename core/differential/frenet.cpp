@@ -8,6 +8,7 @@
 #include <string>
 
 #include <seamwright/core/bernstein/coefficients.hpp>
+#include <seamwright/core/bezier/casteljau.hpp>
 #include <seamwright/core/differential/frenet.hpp>
 
 namespace seamwright {
@@ -74,34 +75,63 @@ struct EvaluationNoise {
   double speed, acceleration;
 };
 
-/// What rounding may add to X' and X'' of BezierCurve::derivatives. De Casteljau's triangle of the k-th
-/// differences of homogeneous poles of size a is off by at most 2 (n + 4) eps 2^k n! / (n - k)! a; the errors
-/// then go through the quotient rule.
-EvaluationNoise evaluationNoise(const BezierCurve& curve, const CurveDerivatives& x, double t) {
+/// Largest rows of homogeneous poles, and of their differences.
+struct Size {
+  double pole, step;
+};
+
+Size sizeOf(const Eigen::MatrixXd& rows) {
+  const Eigen::Index n = rows.rows() - 1;
+  const double step = n == 0 ? 0 : (rows.bottomRows(n) - rows.topRows(n)).rowwise().stableNorm().maxCoeff();
+  return {rows.rowwise().stableNorm().maxCoeff(), step};
+}
+
+/// Bounds of the rounding in A, A' and A'': de Casteljau's triangle of the k-th differences, of size
+/// 2^(k-1) step, times n! / (n - k)!.
+std::array<double, 3> derivativeNoise(const Size& size, int n, double t) {
+  const double rounding = 2 * (n + 4) * epsilon * std::pow(std::abs(t) + std::abs(1 - t), n);
+  return {rounding * size.pole, rounding * n * size.step, rounding * n * std::max(0, n - 1) * 2 * size.step};
+}
+
+/// What rounding may have added to X' and X'' of BezierCurve::derivatives(): that of A and w, through Leibniz'
+/// rule for A = w X.
+EvaluationNoise evaluationNoise(const BezierCurve& curve, const CurveDerivatives& derivatives, double t) {
   const HomogeneousPoles& poles = curve.homogeneousPoles();
-  const int n = curve.degree();
-  const double size = poles.leftCols<3>().rowwise().norm().maxCoeff(), weight = poles.col(3).maxCoeff();
-  const double outside = std::abs(t) + std::abs(1 - t);
-  std::array<double, 3> error{};
-  double factor = 2 * (n + 4) * epsilon * std::pow(outside, n);
-  for (int k = 0; k < 3; ++k) {
-    error[k] = factor;
-    factor *= 2.0 * std::max(0, n - k);
-  }
-  Eigen::Matrix<double, 3, 1> w;
-  const auto weights = casteljauWeights(poles, t);
-  w << weights[0], weights[1], weights[2];
-  const double size_1 = x.row(1).norm(), size_0 = x.row(0).norm(), size_2 = x.row(2).norm();
-  const double at = w(0);
-  const double of_0 = error[0] * (size + size_0 * weight) / at;
-  const double of_1 =
-      (error[1] * (size + size_0 * weight) + std::abs(w(1)) * of_0 + error[0] * weight * size_1) / at;
-  const double of_2 = (error[2] * (size + size_0 * weight) + std::abs(w(2)) * of_0 +
-                       2 * error[1] * weight * size_1 + 2 * std::abs(w(1)) * of_1 + error[0] * weight * size_2) /
-                      at;
-  return {of_1, of_2};
+  const std::array<double, 3> of_a = derivativeNoise(sizeOf(poles.leftCols<3>()), curve.degree(), t),
+                              of_w = derivativeNoise(sizeOf(poles.col(3)), curve.degree(), t);
+  const Eigen::Vector3d w = casteljau::derivatives<1, 3>(poles.col(3), t).cwiseAbs();
+  const Eigen::Vector3d x = derivatives.topRows<3>().rowwise().stableNorm();
+  const double of_x = (of_a[0] + of_w[0] * x(0)) / w(0);
+  const double of_speed = (of_a[1] + of_w[1] * x(0) + w(1) * of_x + of_w[0] * x(1)) / w(0);
+  const double of_acceleration = (of_a[2] + of_w[2] * x(0) + w(2) * of_x + 2 * of_w[1] * x(1) +
+                                  2 * w(1) * of_speed + of_w[0] * x(2)) /
+                                 w(0);
+  return {of_speed, of_acceleration};
 }
 
 }  // namespace
+
+FrenetFrame frenetFrame(const CurveDerivatives& derivatives, double speed_noise, double acceleration_noise) {
+  requireUsable(derivatives, speed_noise, acceleration_noise);
+  FrenetFrame frame;
+  const Vector3d velocity = derivatives.row(1);
+  frame.speed = velocity.stableNorm();
+  if (frame.speed <= speed_noise) {
+    setLeavingTangent(derivatives, acceleration_noise, frame);
+    return frame;
+  }
+  frame.kind = CurvePoint::Regular;
+  frame.tangent = velocity / frame.speed;
+  if (derivatives.rows() > 2) setCurvature(derivatives, speed_noise, acceleration_noise, frame);
+  return frame;
+}
+
+FrenetFrame frenetFrame(const BezierCurve& curve, double t) {
+  if (!std::isfinite(t))
+    throw std::invalid_argument("parameter is " + bernstein::text(t) + ": it must be finite");
+  const CurveDerivatives derivatives = curve.derivatives(t, std::max(3, curve.degree()));
+  const EvaluationNoise noise = evaluationNoise(curve, derivatives, t);
+  return frenetFrame(derivatives, noise.speed, noise.acceleration);
+}
 
 }  // namespace seamwright
