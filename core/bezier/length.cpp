@@ -37,24 +37,20 @@ Eigen::Matrix<double, nodes, nodes> interpolation() {
   return values.inverse();
 }
 
-/// \pre not negative; rounded downwards, to 0 at least.
+/// Rounded downwards, but not below 0. \pre not negative.
 double down(double x) {
-  return std::max(0.0, std::nextafter(x, 0.0));
+  return x == 0 ? 0 : std::nextafter(x, 0.0);
 }
 
 /// The integral of the speed over a piece, its parameter from 0 to 1.
 struct Estimate {
   Interval bracket;
-  double value = 0;
-  double rounding = 0;  ///< what of the bracket's width no halving takes away
+  double value = 0;     ///< within
+  double rounding = 0;  ///< of the bracket's width, what no halving takes away
 };
 
-Interval meet(const Interval& a, const Interval& b) {
-  return {std::max(a.lower, b.lower), std::min(a.upper, b.upper)};
-}
-
-/// |integral of the velocity| <= length <= integral of its control polygon's norm, both over the divisor: for
-/// polynomial curves chord and polygon. The value is Gravesen's.
+/// |integral of the velocity| <= length <= integral of its control polygon's norm, both over the divisor: of a
+/// polynomial curve chord and polygon. The value is Gravesen's.
 Estimate chordAndPolygon(const VelocityForm& form) {
   const int m = form.velocity[0].degree();
   Eigen::Matrix3Xd c(3, m + 1);
@@ -62,14 +58,13 @@ Estimate chordAndPolygon(const VelocityForm& form) {
   const double chord = c.rowwise().mean().stableNorm(), polygon = c.colwise().stableNorm().mean();
   const double off =
       rounding::sumUp(padding(form.velocity), rounding::productUp(rounding::gamma(m + 8), polygon));
-  const Interval divisor = form.divisor.range();
-  const double least = std::max(divisor.lower, form.divisor.coefficients().minCoeff() * 0x1p-10);
+  const Interval divisor = form.divisorRange();
   Estimate result;
   result.bracket = {down(down(std::max(0.0, chord - off)) / divisor.upper),
-                    rounding::up(rounding::sumUp(polygon, off) / least)};
-  result.rounding = 2 * off / least;
-  const double estimate = (2 * chord / (m + 2) + m * polygon / (m + 2)) / form.divisor.range().middle();
-  result.value = std::clamp(estimate, result.bracket.lower, result.bracket.upper);
+                    rounding::up(rounding::sumUp(polygon, off) / divisor.lower)};
+  result.rounding = 2 * off / divisor.lower;
+  result.value = std::clamp((2 * chord + m * polygon) / (m + 2) / divisor.middle(), result.bracket.lower,
+                            result.bracket.upper);
   return result;
 }
 
@@ -92,43 +87,118 @@ Eigen::Matrix<double, nodes, 1> speeds(const VelocityForm& form) {
 ///
 /// and all that is on the right has Bernstein forms. Whatever rounding did to g is seen there.
 /// Nothing where |v| + g d has no positive lower bound.
-std::optional<Interval> quadrature(const VelocityForm& form) {
+std::optional<Estimate> quadrature(const VelocityForm& form) {
   static const Eigen::Matrix<double, nodes, nodes> to_bernstein = interpolation();
-  const double least_speed = lowerNorm(form.velocity), least_divisor = form.divisor.range().lower;
-  if (!(least_speed > 0 && least_divisor > 0)) return std::nullopt;
+  const double least_speed = lowerNorm(form.velocity);
+  if (!(least_speed > 0)) return std::nullopt;
   const BernsteinPolynomial g(to_bernstein * speeds(form));
   const BernsteinPolynomial guess = g * form.divisor;
-  const double least_guess = guess.range().lower;
-  if (!(least_guess > 0)) return std::nullopt;
+  const double denominator =
+      down(down(least_speed + std::max(0.0, guess.range().lower)) * form.divisorRange().lower);
+  if (!(guess.range().lower >= 0 && denominator > 0)) return std::nullopt;
   const Interval residual = (squaredNorm(form.velocity) - guess * guess).range();
-  const double denominator = down(down(least_speed + least_guess) * least_divisor);
-  if (!(denominator > 0)) return std::nullopt;
-  const double integral = g.coefficients().mean();
+  Estimate result;
+  result.value = g.coefficients().mean();
   const double rounding = rounding::productUp(rounding::gamma(nodes + 2), g.coefficients().cwiseAbs().mean());
-  const double below = rounding::sumUp(rounding, rounding::up(std::max(0.0, -residual.lower) / denominator));
-  const double above = rounding::sumUp(rounding, rounding::up(std::max(0.0, residual.upper) / denominator));
-  return Interval{down(std::max(0.0, integral - below)), rounding::up(integral + above)};
-}
-
-Estimate estimate(const VelocityForm& form) {
-  Estimate result = chordAndPolygon(form);
-  const std::optional<Interval> sharp = quadrature(form);
-  if (!sharp) return result;
-  result.bracket = meet(result.bracket, *sharp);
-  result.value = result.bracket.middle();
+  const auto off = [&](double remainder) {
+    return rounding::sumUp(rounding, rounding::up(std::max(0.0, remainder) / denominator));
+  };
+  result.bracket = {down(std::max(0.0, result.value - off(-residual.lower))),
+                    rounding::up(result.value + off(residual.upper))};
   return result;
 }
 
-/// Over [first, last] of the curve's parameter, in its units.
-struct Piece {
-  VelocityForm form;
-  double share;  ///< of the parameter range
-  Estimate estimate;
+Estimate estimated(const VelocityForm& form) {
+  const Estimate plain = chordAndPolygon(form);
+  std::optional<Estimate> sharp = quadrature(form);
+  if (!sharp || sharp->bracket.width() > plain.bracket.width()) return plain;
+  sharp->rounding = plain.rounding;
+  return *sharp;
+}
 
-  Piece(VelocityForm f, double s) : form(std::move(f)), share(s), estimate(seamwright::estimate(form)) {}
-  double width() const { return share * estimate.bracket.width(); }
-  bool operator<(const Piece& other) const { return width() < other.width(); }
+/// Sums over pieces, halved until each is known to the tolerance or as well as rounding lets it.
+class LengthSum {
+ public:
+  explicit LengthSum(double tolerance) : tolerance_(tolerance) {}
+
+  /// \param share of the range that the form is over.
+  void add(const VelocityForm& form, const Estimate& estimate, double share) {
+    const double width = estimate.bracket.width();
+    constexpr double smallest = 0x1p-100;
+    if (width <= tolerance_ || width <= 2 * estimate.rounding || share < smallest)
+      return take(estimate, share);
+    const auto [left, right] = form.halves();
+    const Estimate of_left = estimated(left), of_right = estimated(right);
+    // The remainder falls with the seventh power; what does not fall at all is rounding.
+    const bool falls = of_left.bracket.width() + of_right.bracket.width() <= width;
+    if (!falls && width <= 0x1p-36 * estimate.bracket.upper) return take(estimate, share);
+    add(left, of_left, 0.5 * share);
+    add(right, of_right, 0.5 * share);
+  }
+
+  Interval bracket() const { return bracket_; }
+  double value() const { return std::clamp(value_, bracket_.lower, bracket_.upper); }
+
+ private:
+  void take(const Estimate& estimate, double share) {
+    bracket_.lower = down(bracket_.lower + down(share * estimate.bracket.lower));
+    bracket_.upper = rounding::sumUp(bracket_.upper, rounding::productUp(share, estimate.bracket.upper));
+    value_ += share * estimate.value;
+  }
+
+  double tolerance_;
+  Interval bracket_;
+  double value_ = 0;
 };
 
+void requirePositive(double tolerance_mm) {
+  if (!(tolerance_mm > 0))
+    throw std::invalid_argument("tolerance is " + bernstein::text(tolerance_mm) + ": it must be positive");
+}
+
 }  // namespace
+
+ArcLength arcLength(const BezierCurve& curve, double tolerance_mm, double first, double last) {
+  requirePositive(tolerance_mm);
+  if (!(0 <= first && first <= last && last <= 1))
+    throw std::invalid_argument("range is " + bernstein::text(first) + " .. " + bernstein::text(last) +
+                                ": 0 <= first <= last <= 1 is needed");
+  if (first == last) return {};
+  VelocityForm form = velocityForm(curve);
+  if (first > 0 || last < 1) form = form.restricted({first, last});
+  const double scale = form.unit_mm * (last - first);
+  LengthSum sum(tolerance_mm / scale);
+  sum.add(form, estimated(form), 1);
+  const Interval bracket = sum.bracket();
+  ArcLength length;
+  length.lower_mm = down(down(down(last - first) * bracket.lower) * form.unit_mm);
+  length.upper_mm =
+      rounding::up(rounding::productUp(rounding::up(last - first), bracket.upper) * form.unit_mm);
+  length.value_mm = std::clamp(scale * sum.value(), length.lower_mm, length.upper_mm);
+  length.reached = length.upper_mm - length.lower_mm <= tolerance_mm;
+  return length;
+}
+
+double parameterAtLength(const BezierCurve& curve, double length_mm, double tolerance_mm) {
+  requirePositive(tolerance_mm);
+  const double accuracy = 0.25 * tolerance_mm;
+  const ArcLength whole = arcLength(curve, accuracy);
+  if (!(length_mm >= 0 && length_mm <= whole.upper_mm))
+    throw std::invalid_argument("length is " + bernstein::text(length_mm) + ": the curve has 0 .. " +
+                                bernstein::text(whole.value_mm) + " mm");
+  Interval range{0, 1};  // what is asked is in here
+  double t = whole.value_mm > 0 ? std::min(1.0, length_mm / whole.value_mm) : 0;
+  for (int step = 1;; ++step) {
+    const ArcLength length = arcLength(curve, accuracy, 0, t);
+    const double missing = length_mm - length.value_mm;
+    if (std::abs(missing) <= std::max(2 * accuracy, length.upper_mm - length.lower_mm)) return t;
+    (missing > 0 ? range.lower : range.upper) = t;
+    if (range.middle() <= range.lower || range.middle() >= range.upper) return t;
+    const double newton = t + missing / curve.derivatives(t, 1).row(1).norm();
+    // Newton's steps may creep where the speed is about zero; every third halves the range.
+    const bool usable = newton > range.lower && newton < range.upper && step % 3 != 0;
+    t = usable ? newton : range.middle();
+  }
+}
+
 }  // namespace seamwright

@@ -32,7 +32,8 @@ HomogeneousForm homogeneousForm(const BezierCurve& curve) {
     return BernsteinPolynomial(bernstein::scaledBy<Eigen::VectorXd>(poles.col(column), -exponent));
   };
   const int exponent = of_weights + of_poles;
-  return {{form(0, exponent), form(1, exponent), form(2, exponent)}, form(3, of_weights),
+  return {{form(0, exponent), form(1, exponent), form(2, exponent)},
+          form(3, of_weights),
           std::ldexp(1, of_poles)};
 }
 
@@ -76,14 +77,18 @@ VelocityForm velocityForm(const BezierCurve& curve) {
   const int n = curve.degree();
   const HomogeneousForm h = homogeneousForm(curve);
   const BernsteinPolynomial weight = constantForm(h.w.coefficients()(0));
-  if (n == 0) return {zeroForm(), weight, h.unit_mm};
+  const double least_weight = h.w.coefficients().minCoeff();
+  if (n == 0) return {zeroForm(), weight, least_weight, h.unit_mm};
   if (!curve.isRational())
-    return {{h.a[0].derivative(), h.a[1].derivative(), h.a[2].derivative()}, weight, h.unit_mm};
+    return {{h.a[0].derivative(), h.a[1].derivative(), h.a[2].derivative()}, weight, least_weight, h.unit_mm};
   const HomogeneousForm g = aboutFirstPole(h);
   const auto component = [&](const BernsteinPolynomial& a) {
     return static_cast<double>(n) * (part(a, 1, 1) * part(g.w, 0, 1) - part(a, 0, 1) * part(g.w, 1, 1));
   };
-  return {{component(g.a[0]), component(g.a[1]), component(g.a[2])}, g.w * g.w, h.unit_mm};
+  return {{component(g.a[0]), component(g.a[1]), component(g.a[2])},
+          g.w * g.w,
+          std::nextafter(least_weight * least_weight, 0.0),
+          h.unit_mm};
 }
 
 VectorForm curvatureForm(const BezierCurve& curve) {
@@ -106,12 +111,18 @@ std::pair<VectorForm, VectorForm> halves(const VectorForm& form) {
 std::pair<VelocityForm, VelocityForm> VelocityForm::halves() const {
   const auto [left, right] = seamwright::halves(velocity);
   const auto [left_divisor, right_divisor] = divisor.split(0.5);
-  return {{left, left_divisor, unit_mm}, {right, right_divisor, unit_mm}};
+  return {{left, left_divisor, least_divisor, unit_mm}, {right, right_divisor, least_divisor, unit_mm}};
+}
+
+Interval VelocityForm::divisorRange() const {
+  const Interval range = divisor.range();
+  return {std::max(range.lower, least_divisor), range.upper};
 }
 
 VelocityForm VelocityForm::restricted(const Interval& domain) const {
   return {{velocity[0].restricted(domain), velocity[1].restricted(domain), velocity[2].restricted(domain)},
           divisor.restricted(domain),
+          least_divisor,
           unit_mm};
 }
 

@@ -20,9 +20,12 @@ using VectorForm = std::array<BernsteinPolynomial, 3>;
 /// constant for divisor.
 struct VelocityForm {
   VectorForm velocity;
-  BernsteinPolynomial divisor;  ///< positive
-  double unit_mm = 1;           ///< a power of two; 1 unless numbers are extreme
+  BernsteinPolynomial divisor;
+  double least_divisor;  ///< over the whole curve, positive
+  double unit_mm;        ///< a power of two; 1 unless numbers are extreme
 
+  /// Contains the divisor over this piece, and is positive.
+  Interval divisorRange() const;
   std::pair<VelocityForm, VelocityForm> halves() const;
   VelocityForm restricted(const Interval& domain) const;
 };

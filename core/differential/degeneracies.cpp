@@ -60,8 +60,7 @@ class SpeedBound {
  private:
   void search(const VelocityForm& form, double width) {
     attained_ = std::min({attained_, endSpeed(form, 0), endSpeed(form, form.velocity[0].degree())});
-    const double bound =
-        lowerNorm(form.velocity) / form.divisor.range().upper * (1 - 4 * rounding::kUnit);
+    const double bound = lowerNorm(form.velocity) / form.divisor.range().upper * (1 - 4 * rounding::kUnit);
     if (bound >= 0.5 * attained_ || width <= resolution_) {
       bound_ = std::min(bound_, bound);
       return;

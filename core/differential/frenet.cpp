@@ -31,7 +31,8 @@ void requireUsable(const CurveDerivatives& derivatives, double speed_noise, doub
                                     ": it must be finite");
   for (const double noise : {speed_noise, acceleration_noise})
     if (!(noise >= 0) || !std::isfinite(noise))
-      throw std::invalid_argument("noise is " + bernstein::text(noise) + ": it must be finite and not negative");
+      throw std::invalid_argument("noise is " + bernstein::text(noise) +
+                                  ": it must be finite and not negative");
 }
 
 /// At a cusp: X(t + h) - X(t) begins with the first derivative that is not zero.
@@ -54,8 +55,7 @@ void setCurvature(const CurveDerivatives& derivatives, double speed_noise, doubl
   const Vector3d d2 = derivatives.row(2).transpose() / speed / speed;
   const Vector3d bend = T.cross(d2);
   const double kappa = bend.stableNorm(), size = d2.stableNorm();
-  const double noise =
-      (speed_noise / speed + 4 * epsilon) * size + acceleration_noise / speed / speed;
+  const double noise = (speed_noise / speed + 4 * epsilon) * size + acceleration_noise / speed / speed;
   if (kappa <= noise) {
     frame.kind = CurvePoint::Inflection;
     frame.curvature_per_mm = 0;
@@ -99,13 +99,13 @@ EvaluationNoise evaluationNoise(const BezierCurve& curve, const CurveDerivatives
   const HomogeneousPoles& poles = curve.homogeneousPoles();
   const std::array<double, 3> of_a = derivativeNoise(sizeOf(poles.leftCols<3>()), curve.degree(), t),
                               of_w = derivativeNoise(sizeOf(poles.col(3)), curve.degree(), t);
-  const Eigen::Vector3d w = casteljau::derivatives<1, 3>(poles.col(3), t).cwiseAbs();
+  const Eigen::Vector3d w = casteljau::derivatives<4, 3>(poles, t).col(3).cwiseAbs();
   const Eigen::Vector3d x = derivatives.topRows<3>().rowwise().stableNorm();
   const double of_x = (of_a[0] + of_w[0] * x(0)) / w(0);
   const double of_speed = (of_a[1] + of_w[1] * x(0) + w(1) * of_x + of_w[0] * x(1)) / w(0);
-  const double of_acceleration = (of_a[2] + of_w[2] * x(0) + w(2) * of_x + 2 * of_w[1] * x(1) +
-                                  2 * w(1) * of_speed + of_w[0] * x(2)) /
-                                 w(0);
+  const double of_acceleration =
+      (of_a[2] + of_w[2] * x(0) + w(2) * of_x + 2 * of_w[1] * x(1) + 2 * w(1) * of_speed + of_w[0] * x(2)) /
+      w(0);
   return {of_speed, of_acceleration};
 }
 

@@ -35,7 +35,8 @@ Vector3d reflected(const Vector3d& vector, const Vector3d& across) {
 
 /// The normal at \p a carried to \p b: reflected in the plane that swaps the points, then in the one that
 /// takes the tangent to that of \p b. Where a step turns too far for that it is halved.
-Vector3d carried(const BezierCurve& curve, const Place& a, const Place& b, const Vector3d& normal, int depth) {
+Vector3d carried(const BezierCurve& curve, const Place& a, const Place& b, const Vector3d& normal,
+                 int depth) {
   const Vector3d chord = b.point - a.point;
   // Points that coincide (a closed curve, a tiny step) leave the reflection that turns the tangent back.
   const Vector3d& across = chord.isZero(0) ? a.tangent : chord.stableNormalized();
