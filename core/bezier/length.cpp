@@ -43,6 +43,11 @@ double down(double x) {
   return x == 0 ? 0 : std::nextafter(x, 0.0);
 }
 
+/// Upper bound of a / b for a >= 0, b > 0; 0 if a is.
+double quotientUp(double a, double b) {
+  return a == 0 ? 0 : rounding::up(a / b);
+}
+
 /// The integral of the speed over a piece, its parameter from 0 to 1.
 struct Estimate {
   Interval bracket;
@@ -62,7 +67,7 @@ Estimate chordAndPolygon(const VelocityForm& form) {
   const Interval divisor = form.divisorRange();
   Estimate result;
   result.bracket = {down(down(std::max(0.0, chord - off)) / divisor.upper),
-                    rounding::up(rounding::sumUp(polygon, off) / divisor.lower)};
+                    quotientUp(rounding::sumUp(polygon, off), divisor.lower)};
   result.rounding = 2 * off / divisor.lower;
   result.value = std::clamp((2 * chord + m * polygon) / (m + 2) / divisor.middle(), result.bracket.lower,
                             result.bracket.upper);
@@ -102,7 +107,7 @@ std::optional<Estimate> quadrature(const VelocityForm& form) {
   result.value = g.coefficients().mean();
   const double rounding = rounding::productUp(rounding::gamma(nodes + 2), g.coefficients().cwiseAbs().mean());
   const auto off = [&](double remainder) {
-    return rounding::sumUp(rounding, rounding::up(std::max(0.0, remainder) / denominator));
+    return rounding::sumUp(rounding, quotientUp(std::max(0.0, remainder), denominator));
   };
   result.bracket = {down(std::max(0.0, result.value - off(-residual.lower))),
                     rounding::up(result.value + off(residual.upper))};
@@ -130,8 +135,8 @@ class LengthSum {
       return take(estimate, share);
     const auto [left, right] = form.halves();
     const Estimate of_left = estimated(left), of_right = estimated(right);
-    // The remainder falls with the seventh power; what does not fall at all is rounding.
-    const bool falls = of_left.bracket.width() + of_right.bracket.width() <= width;
+    // The remainder falls with the seventh power of the length; what falls more slowly is rounding.
+    const bool falls = of_left.bracket.width() + of_right.bracket.width() <= 0.25 * width;
     if (!falls && width <= 0x1p-36 * estimate.bracket.upper) return take(estimate, share);
     add(left, of_left, 0.5 * share);
     add(right, of_right, 0.5 * share);
@@ -174,7 +179,7 @@ ArcLength arcLength(const BezierCurve& curve, double tolerance_mm, double first,
   ArcLength length;
   length.lower_mm = down(down(down(last - first) * bracket.lower) * form.unit_mm);
   length.upper_mm =
-      rounding::up(rounding::productUp(rounding::up(last - first), bracket.upper) * form.unit_mm);
+      rounding::productUp(rounding::productUp(rounding::up(last - first), bracket.upper), form.unit_mm);
   length.value_mm = std::clamp(scale * sum.value(), length.lower_mm, length.upper_mm);
   length.reached = length.upper_mm - length.lower_mm <= tolerance_mm;
   return length;

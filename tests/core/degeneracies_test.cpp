@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <limits>
 #include <random>
 #include <seamwright/core/differential/frenet.hpp>
 
@@ -149,10 +150,23 @@ TEST(Degeneracies, ASmallMoveEndsACusp) {
   EXPECT_LE(none.speed_lower, 0.75e-6);
   EXPECT_GE(none.speed_lower, 0.2e-6);
   poles(1, 2) = 0;
-  poles(1, 1) = 1 + 1e-6;  // in the plane the cusp opens to a pair of inflections or a loop
+  poles(1, 0) = 1 + 1e-6;  // in the plane a loop or two inflections come of it
   const CurveDegeneracies opened = findDegeneracies(BezierCurve(poles));
   EXPECT_TRUE(std::none_of(opened.places.begin(), opened.places.end(),
                            [](const auto& place) { return place.kind == CurvePoint::Cusp; }));
+}
+
+/// The smallest speed on a grid that is made finer about its smallest three times.
+double slowestOf(const BezierCurve& curve) {
+  double slowest = std::numeric_limits<double>::infinity(), at = 0.5, reach = 0.5;
+  for (int level = 0; level < 4; ++level, reach *= 0.02) {
+    const double first = std::max(0.0, at - reach), last = std::min(1.0, at + reach);
+    for (int k = 0; k <= 200; ++k) {
+      const double t = first + (last - first) * k / 200, speed = curve.derivatives(t, 1).row(1).norm();
+      if (speed < slowest) slowest = speed, at = t;
+    }
+  }
+  return slowest;
 }
 
 // Nothing on a fine grid contradicts what is said, and bounds of the speed are not far off.
@@ -171,11 +185,11 @@ TEST(Degeneracies, GridSeesNothingElse) {
     }
     const BezierCurve curve(poles, weights);
     const CurveDegeneracies found = findDegeneracies(curve);
-    double slowest = std::numeric_limits<double>::infinity(), turn_before = 0;
+    const double slowest = slowestOf(curve);
+    double turn_before = 0;
     for (int k = 0; k <= steps; ++k) {
       const double t = static_cast<double>(k) / steps;
       const CurveDerivatives x = curve.derivatives(t, 2);
-      slowest = std::min(slowest, x.row(1).norm());
       if (!planar || degree == 1) continue;
       const double turn = x(1, 0) * x(2, 1) - x(1, 1) * x(2, 0);
       if (turn * turn_before < 0) {  // a planar curve changes the side it turns to: there is an inflection
@@ -187,8 +201,8 @@ TEST(Degeneracies, GridSeesNothingElse) {
       turn_before = turn;
     }
     EXPECT_LE(found.speed_lower, slowest * (1 + 1e-12)) << i;
-    EXPECT_GE(found.speed_lower, 0.3 * slowest) << i;
-    if (!planar && degree > 2) EXPECT_TRUE(found.places.empty()) << i;
+    EXPECT_GE(found.speed_lower, 0.45 * slowest) << i;
+    EXPECT_TRUE(planar || degree < 3 || found.places.empty()) << i;
   }
 }
 
@@ -225,7 +239,7 @@ TEST(Degeneracies, Lines) {
     EXPECT_EQ(turning.places[2].kind, CurvePoint::Inflection);
     EXPECT_EQ(turning.places[0].first, 0);
     EXPECT_EQ(turning.places[0].last, turning.places[1].first);
-    EXPECT_NEAR(turning.places[1].first, 1.0 / 3, 1e-10 * (1 + p.norm() / q.norm()));
+    EXPECT_NEAR(turning.places[1].first, 0.25, 1e-10 * (1 + p.norm() / q.norm()));
     EXPECT_LT(turning.places[1].last - turning.places[1].first, 1e-8);
     EXPECT_EQ(turning.places[2].last, 1);
     poles.row(1) += 1e-6 * q.norm() * q.unitOrthogonal().transpose();
@@ -237,7 +251,7 @@ TEST(Degeneracies, Lines) {
   EXPECT_TRUE(found.straight);
   ASSERT_EQ(found.places.size(), 1u);
   EXPECT_EQ(found.places[0].kind, CurvePoint::Inflection);
-  EXPECT_NEAR(found.speed_lower, 5, 1e-14);
+  EXPECT_NEAR(found.speed_lower, 5, 1e-13);
   EXPECT_LE(found.speed_lower, 5);
 }
 

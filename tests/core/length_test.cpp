@@ -15,7 +15,7 @@ namespace {
 using nlohmann::json;
 using test::Vec;
 
-constexpr int cases = 1000;
+constexpr int cases = 300;
 /// What lengths of a bracket of rounding may be off by, relative.
 constexpr double rounding = 4e-13;
 
@@ -140,11 +140,11 @@ TEST(Length, Identity1Line) {
     BezierCurve curve(poles, Eigen::Vector2d(1, i % 2 ? test::logUniform(random, -1, 1) : 1));
     for (int k = 0; k < i % 5; ++k) curve = curve.elevated();
     const double wanted = (curve.poles().bottomRows(1) - curve.poles().topRows(1)).norm();
-    const ArcLength length = arcLength(curve, 1e-12 * wanted);
+    const ArcLength length = arcLength(curve, 1e-11 * wanted);
     EXPECT_TRUE(length.reached);
-    EXPECT_NEAR(length.value_mm, wanted, 2e-13 * wanted);
-    if (!curve.isRational() && curve.degree() == 1)
-      EXPECT_LT(length.upper_mm - length.lower_mm, 1e-14 * wanted);
+    EXPECT_NEAR(length.value_mm, wanted, 1e-12 * wanted);
+    const bool plain = !curve.isRational() && curve.degree() == 1;
+    EXPECT_LT(length.upper_mm - length.lower_mm, (plain ? 1e-14 : 1e-11) * wanted);
   }
 }
 
@@ -164,7 +164,7 @@ TEST(Length, Identity2QuarterCircle) {
 TEST(Length, BracketsHoldAnotherQuadrature) {
   std::mt19937_64 random(122);
   int loose = 0;
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < cases; ++i) {
     const BezierCurve curve = randomCurve(2 + i % 5, i % 2 == 1, random);
     const double a = i % 3 ? 0 : 0.2, b = i % 3 ? 1 : 0.7;
     const auto wanted = static_cast<double>(romberg(Speed(curve), a, b));
@@ -181,7 +181,7 @@ TEST(Length, BracketsHoldAnotherQuadrature) {
     const double other = arcLength({poles, curve.weights()}, 1e-11 * wanted, a, b).value_mm;
     EXPECT_TRUE(other < tight.lower_mm || other > tight.upper_mm) << i;
   }
-  EXPECT_GT(loose, 20);  // no more work than asked
+  EXPECT_GT(loose, 15);  // no more work than asked
 }
 
 TEST(Length, Identity3PartsReversalElevationMotionScale) {
@@ -189,7 +189,7 @@ TEST(Length, Identity3PartsReversalElevationMotionScale) {
   for (int i = 0; i < cases; ++i) {
     const BezierCurve curve = randomCurve(2 + i % 5, i % 2 == 1, random);
     const double whole = arcLength(curve, 1e-11).value_mm, bound = 1e-11 + rounding * whole;
-    const double t = 0.001 * i;
+    const double t = static_cast<double>(i) / cases;
     EXPECT_NEAR(arcLength(curve, 1e-11, 0, t).value_mm + arcLength(curve, 1e-11, t, 1).value_mm, whole,
                 2 * bound);
     EXPECT_NEAR(arcLength(curve.reversed(), 1e-11).value_mm, whole, bound);
