@@ -27,7 +27,6 @@ struct ArcLength {
 ///   (3) Sum of the parts; reversal, elevation and rigid motion change nothing but rounding; scale multiplies.
 ///   (4) A cusp inside: the bracket holds the length of both branches.
 /// \throws std::invalid_argument for a tolerance that is not positive, or a range outside 0 <= first <= last <= 1.
-/// \throws std::overflow_error where the length is beyond 2^1023.
 /// Source: MATH-curves 1 (Gravesen).
 ArcLength arcLength(const BezierCurve& curve, double tolerance_mm, double first = 0, double last = 1);
 
