@@ -16,6 +16,7 @@ void bindNearest(pybind11::module_& module);
 void bindPointerBridge(pybind11::module_& module);
 void bindSeam(pybind11::module_& module);
 void bindSpline(pybind11::module_& module);
+void bindSpaceCurve(pybind11::module_& module);
 void bindTriangle(pybind11::module_& module);
 
 }  // namespace seamwright::python

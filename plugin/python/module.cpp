@@ -12,6 +12,7 @@ PYBIND11_MODULE(_core, module) {
   bindTriangle(module);
   bindMeasure(module);
   bindSeam(module);
+  bindSpaceCurve(module);
   bindJoin(module);
   bindCurveJoin(module);
   bindNearest(module);
