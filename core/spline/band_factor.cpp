@@ -174,7 +174,7 @@ BandSolution solvePivoted(const BandMatrix& matrix, const Poles& right) {
 template <int Width>
 BandSolution solveOfWidth(const BandMatrix& matrix, const Poles& right) {
   const double bound = dominanceBound(matrix);
-  if (rowNorm(matrix) * bound * kSmallestCondition > 1) return solvePivoted<Width>(matrix, right);
+  if (!(rowNorm(matrix) * bound * kSmallestCondition <= 1)) return solvePivoted<Width>(matrix, right);
   return {BandFactor<Width, false>(matrix).solved(right), bound, false};
 }
 

@@ -18,6 +18,7 @@ namespace {
 using Eigen::Index;
 using test::complaint;
 using test::logUniform;
+using test::Real;
 using test::Vec;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -110,7 +111,7 @@ TEST(NuSpline, Identity1And2JointsAndEnds) {
     requireValid(spline);
     double condition = 0;
     const auto expected = test::referenceDerivatives(test::conditionsOf(data), &condition);
-    ASSERT_LT(difference(result.derivatives, expected.cast<double>()), 1e-15 * condition) << k;
+    ASSERT_LT(difference(result.derivatives, expected.cast<double>()), 1e-14 * condition) << k;
     ASSERT_LT(jumpLeft(spline, data), 2e-15) << k;
     const double size = spline.poles.leftCols<3>().cwiseAbs().maxCoeff();
     const auto start = test::startOf(spline, 0), end = test::endOf(spline, n - 1);
@@ -175,7 +176,7 @@ TEST(NuSpline, Identity4Reversed) {
     double condition = 0;
     test::referenceDerivatives(test::conditionsOf(data), &condition);
     ASSERT_LT(difference(-nuSpline(back).derivatives.colwise().reverse(), nuSpline(data).derivatives),
-              1e-15 * condition)
+              1e-14 * condition)
         << k;
   }
 }
@@ -242,7 +243,7 @@ TEST(NuSpline, MovesAndScalesWithItsPoints) {
     const Poles expected = nuSpline(data).derivatives * turn.transpose();
     const double slopes = moved.points.cwiseAbs().maxCoeff() / 0.1;
     ASSERT_LT((nuSpline(moved).derivatives - expected).cwiseAbs().maxCoeff(),
-              1e-15 * condition * (slopes + expected.cwiseAbs().maxCoeff()))
+              1e-14 * condition * (slopes + expected.cwiseAbs().maxCoeff()))
         << k;
   }
 }
@@ -308,7 +309,7 @@ TEST(NuSpline, CriticalTensionIsSingularAndBeyondItIsSolved) {
       double condition = 0;
       const auto expected = test::referenceDerivatives(test::conditionsOf(data), &condition);
       if (condition > 1e6) continue;
-      EXPECT_LT(difference(nuSpline(data).derivatives, expected.cast<double>()), 1e-15 * condition) << n;
+      EXPECT_LT(difference(nuSpline(data).derivatives, expected.cast<double>()), 1e-14 * condition) << n;
     }
   }
   NuSplineData pair{test::randomPoints(2, 1, false, random), {0, 2}, {-1, -1}, SplineEnds::Natural};
@@ -318,7 +319,7 @@ TEST(NuSpline, CriticalTensionIsSingularAndBeyondItIsSolved) {
     double condition = 0;
     const auto expected = test::referenceDerivatives(test::conditionsOf(data), &condition);
     if (condition > 1e8) continue;
-    ASSERT_LT(difference(nuSpline(data).derivatives, expected.cast<double>()), 1e-15 * condition) << k;
+    ASSERT_LT(difference(nuSpline(data).derivatives, expected.cast<double>()), 1e-14 * condition) << k;
   }
 }
 
@@ -351,7 +352,7 @@ TEST(NuSpline, WhereTheDerivativeVanishesG2IsLost) {
 
 TEST(NuSpline, RandomOnesAreG2) {
   std::mt19937_64 random(11);
-  int joints = 0;
+  int joints = 0, lost = 0;
   for (int k = 0; k < 500; ++k) {
     NuSplineData data = randomData(3 + k % 9, test::all_ends[k % 3], random);
     for (const CurveJoint& joint : measureJoints(nuSpline(data).curve, 2)) {
@@ -360,9 +361,10 @@ TEST(NuSpline, RandomOnesAreG2) {
     }
     NuSpline spoilt = nuSpline(data);
     spoilt.curve.poles(1, 0) += 0.1 * data.points.cwiseAbs().maxCoeff();
-    ASSERT_LT(orderReached(measureJoints(spoilt.curve, 2)[0], {}), 2) << k;
+    lost += orderReached(measureJoints(spoilt.curve, 2)[0], {}) < 2;
   }
   EXPECT_GT(joints, 3000);
+  EXPECT_GT(lost, 450) << "the others are flat there";
 }
 
 TEST(NuSpline, KnotsOfPoints) {

@@ -73,16 +73,15 @@ inline RealPoints referenceDerivatives(const Conditions& c, double* condition = 
     secondAtEnd(n, n - 1, 1);
     a(n, n) += c.end_nu;
   }
-  for (Index i = 0; i <= n; ++i) {
-    const Real size = a.row(i).cwiseAbs().maxCoeff();
-    a.row(i) /= size;
-    b.row(i) /= size;
-  }
-  const Eigen::FullPivLU<RealMatrix> lu(a);
-  if (condition)
-    *condition = static_cast<double>(a.cwiseAbs().rowwise().sum().maxCoeff() *
-                                     lu.inverse().cwiseAbs().rowwise().sum().maxCoeff());
+  // Largest entries first, whatever is left: rows of large tensions, whose unknowns are small, keep their digits.
+  Eigen::FullPivLU<RealMatrix> lu(a);
+  lu.setThreshold(0);
   RealPoints m = lu.solve(b);
+  if (condition) {
+    const RealMatrix scaled = a.cwiseAbs().rowwise().maxCoeff().cwiseInverse().asDiagonal() * a;
+    *condition = static_cast<double>(scaled.cwiseAbs().rowwise().sum().maxCoeff() *
+                                     scaled.fullPivLu().inverse().cwiseAbs().rowwise().sum().maxCoeff());
+  }
   if (closed) m.row(n) = m.row(0);
   return m;
 }
