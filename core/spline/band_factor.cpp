@@ -157,8 +157,20 @@ double dominanceBound(const BandMatrix& m) {
   return margin > 0 ? 1 / margin : std::numeric_limits<double>::infinity();
 }
 
+/// Rows multiplied and columns divided by the scale.
+BandMatrix balanced(const BandMatrix& m) {
+  BandMatrix result = m;
+  const Index n = m.diagonal.size();
+  for (Index i = 0; i < n; ++i) {
+    result.lower(i) *= m.scale(i) / m.scale((i + n - 1) % n);
+    result.upper(i) *= m.scale(i) / m.scale((i + 1) % n);
+  }
+  return result;
+}
+
 template <int Width>
-BandSolution solvePivoted(const BandMatrix& matrix, const Poles& right) {
+BandSolution solvePivoted(const BandMatrix& given, const Poles& right) {
+  const BandMatrix matrix = balanced(given);
   const BandFactor<Width, true> factor(matrix);
   const Index smallest = factor.smallestPivot();
   const double size = std::abs(factor.pivot(smallest));
@@ -168,7 +180,8 @@ BandSolution solvePivoted(const BandMatrix& matrix, const Poles& right) {
     throw std::domain_error("the " + std::to_string(matrix.diagonal.size()) +
                             " equations are singular: pivot " + std::to_string(smallest) + " is " +
                             bernstein::text(size) + ", reciprocal condition " + bernstein::text(condition));
-  return {factor.solved(right), inverse, true};
+  const Poles solution = factor.solved(given.scale.asDiagonal() * right);
+  return {given.scale.cwiseInverse().asDiagonal() * solution, inverse, true};
 }
 
 template <int Width>

@@ -11,13 +11,17 @@ namespace seamwright {
 /// Row i: lower(i) x(i-1) + diagonal(i) x(i) + upper(i) x(i+1). Rows should be of one size, about 1.
 struct BandMatrix {
   Eigen::VectorXd lower, diagonal, upper;
+  /// Powers of two that rows were divided by, and 1 / size of their unknowns: pivots are chosen, and the condition is
+  /// judged, with rows multiplied and columns divided by them, so that small unknowns keep their digits.
+  Eigen::VectorXd scale;
   /// The first and the last unknown are neighbours. Otherwise lower(0) and upper(n-1) are 0.
   bool closed = false;
 };
 
 struct BandSolution {
   Poles x;
-  /// Largest |x| for right sides of up to 1: a bound where the matrix is dominant, else Hager's estimate.
+  /// Largest |x| for right sides of up to 1, both by scale if pivoted: a bound where the matrix is dominant,
+  /// else Hager's estimate.
   double inverse_norm = 0;
   bool pivoted = false;
 };

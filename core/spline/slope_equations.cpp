@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <seamwright/core/bernstein/coefficients.hpp>
@@ -13,6 +14,7 @@ using bernstein::text;
 using Eigen::Index;
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr int kLargestExponent = 1020;
 
 double largest(const Eigen::RowVector3d& v) {
   return v.cwiseAbs().maxCoeff();
@@ -31,18 +33,20 @@ bool isLost(const Eigen::RowVector3d& point, const Eigen::RowVector3d& pole) {
 
 SlopeEquations::SlopeEquations(Index count, bool closed)
     : matrix_{Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count),
-              closed},
+              Eigen::VectorXd::Ones(count), closed},
       right_(Poles::Zero(count, 3)),
       right_size_(Eigen::VectorXd::Zero(count)) {}
 
 void SlopeEquations::set(Index i, double lower, double tension, double upper,
                          const Eigen::RowVector3d& before, const Eigen::RowVector3d& after) {
-  const double scale = 1 + std::abs(tension);
+  const int exponent = std::min(std::ilogb(1 + std::abs(tension)), kLargestExponent);
+  const double scale = matrix_.scale(i) = std::ldexp(1.0, exponent);
   matrix_.lower(i) = lower / scale;
-  matrix_.diagonal(i) = std::isfinite(scale) ? (2 + tension) / scale : std::copysign(1, tension);
+  matrix_.diagonal(i) = std::isfinite(tension) ? (2 + tension) / scale : std::copysign(1, tension);
   matrix_.upper(i) = upper / scale;
   right_.row(i) = (3 / scale) * before + (3 / scale) * after;
   right_size_(i) = (3 / scale) * (largest(before) + largest(after));
+  if (std::isinf(tension)) right_.row(i).setZero();
 }
 
 void SlopeEquations::give(Index i, const Eigen::RowVector3d& derivative) {

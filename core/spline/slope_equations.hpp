@@ -16,7 +16,7 @@ class SlopeEquations {
   /// \param closed the first point follows the last one.
   SlopeEquations(Eigen::Index count, bool closed);
 
-  /// lower x_(i-1) + (2 + tension) x_i + upper x_(i+1) = 3 (before + after), kept divided by 1 + |tension|: so
+  /// lower x_(i-1) + (2 + tension) x_i + upper x_(i+1) = 3 (before + after), kept divided by about 1 + |tension|: so
   /// large tensions make small x_i, exact in their leading digits, and an infinite one makes 0.
   void set(Eigen::Index i, double lower, double tension, double upper, const Eigen::RowVector3d& before,
            const Eigen::RowVector3d& after);

@@ -33,7 +33,8 @@ BandMatrix randomBand(Index n, bool closed, double diagonal, std::mt19937_64& ra
   std::uniform_real_distribution<double> entry(-1, 1);
   BandMatrix m{Eigen::VectorXd::NullaryExpr(n, [&] { return entry(random); }),
                Eigen::VectorXd::NullaryExpr(n, [&] { return diagonal + 0.2 * entry(random); }),
-               Eigen::VectorXd::NullaryExpr(n, [&] { return entry(random); }), closed};
+               Eigen::VectorXd::NullaryExpr(n, [&] { return entry(random); }), Eigen::VectorXd::Ones(n),
+               closed};
   if (!closed) m.lower(0) = m.upper(n - 1) = 0;
   return m;
 }
@@ -74,7 +75,8 @@ TEST(BandFactor, SolvesAsADenseEliminationDoes) {
 TEST(BandFactor, ARingIsSolvedWhereItsOpenPartIsSingular) {
   // Without the last unknown: diagonal 0, neighbours 1, an odd number of rows: singular.
   const Index n = 6;
-  BandMatrix m{Eigen::VectorXd::Ones(n), Eigen::VectorXd::Zero(n), Eigen::VectorXd::Ones(n), true};
+  BandMatrix m{Eigen::VectorXd::Ones(n), Eigen::VectorXd::Zero(n), Eigen::VectorXd::Ones(n),
+               Eigen::VectorXd::Ones(n), true};
   m.upper(n - 1) = 2;
   const Dense a = dense(m);
   EXPECT_LT(std::abs(static_cast<double>(a.topLeftCorner(n - 1, n - 1).determinant())), 1e-15);
@@ -86,7 +88,7 @@ TEST(BandFactor, ARingIsSolvedWhereItsOpenPartIsSingular) {
 
 TEST(BandFactor, ComponentsOfVeryDifferentSizesKeepTheirDigits) {
   BandMatrix m{Eigen::Vector4d(0, 1e-300, 0.5, 1e-200), Eigen::Vector4d(1, 1, 2, 1),
-               Eigen::Vector4d(0.3, 1e-300, 0.5, 0), false};
+               Eigen::Vector4d(0.3, 1e-300, 0.5, 0), Eigen::Vector4d::Ones(), false};
   Poles right = Poles::Zero(4, 3);
   right.col(0) << 1, 2e-300, 3, 5e-200;
   const BandSolution solution = solveBand(m, right);
@@ -107,7 +109,7 @@ TEST(BandFactor, SingularEquationsAreToldWithPivotAndCondition) {
   };
   for (const Index n : {2, 4, 10, 1000}) {
     BandMatrix ring{Eigen::VectorXd::Constant(n, 0.5), Eigen::VectorXd::Ones(n),
-                    Eigen::VectorXd::Constant(n, 0.5), true};
+                    Eigen::VectorXd::Constant(n, 0.5), Eigen::VectorXd::Ones(n), true};
     EXPECT_THAT(complaint(ring), ContainsRegex("the " + std::to_string(n) +
                                                " equations are singular: pivot [0-9]+ is "
                                                ".*, reciprocal condition "))
@@ -119,10 +121,11 @@ TEST(BandFactor, SingularEquationsAreToldWithPivotAndCondition) {
   }
   for (const Index n : {3, 5, 999}) {
     const BandMatrix odd{Eigen::VectorXd::Constant(n, 0.5), Eigen::VectorXd::Ones(n),
-                         Eigen::VectorXd::Constant(n, 0.5), true};
+                         Eigen::VectorXd::Constant(n, 0.5), Eigen::VectorXd::Ones(n), true};
     EXPECT_EQ(complaint(odd), "accepted") << n;
   }
-  const BandMatrix zero{Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1), false};
+  const BandMatrix zero{Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1),
+                        Eigen::VectorXd::Ones(1), false};
   EXPECT_THAT(complaint(zero), ContainsRegex("pivot 0 is 0"));
 }
 
