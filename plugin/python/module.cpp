@@ -17,6 +17,7 @@ PYBIND11_MODULE(_core, module) {
   bindCurveJoin(module);
   bindNearest(module);
   bindSpline(module);
+  bindNuSpline(module);
   bindModel(module);
   bindMatch(module);
   bindPointerBridge(module);
