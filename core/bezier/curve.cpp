@@ -10,25 +10,6 @@
 
 namespace seamwright {
 
-namespace {
-
-/// Leibniz' rule on A = w X: X^(k) = (A^(k) - sum_{i=1..k} C(k,i) w^(i) X^(k-i)) / w.
-template <int Count>
-casteljau::Derivatives<3, Count> affineDerivatives(const casteljau::Derivatives<4, Count>& h) {
-  casteljau::Derivatives<3, Count> x = h.template leftCols<3>();
-  for (Eigen::Index k = 0; k < h.rows(); ++k) {
-    double binomial = 1;
-    for (Eigen::Index i = 1; i <= k; ++i) {
-      binomial *= static_cast<double>(k - i + 1) / static_cast<double>(i);
-      x.row(k) -= binomial * h(i, 3) * x.row(k - i);
-    }
-    x.row(k) /= h(0, 3);
-  }
-  return x;
-}
-
-}  // namespace
-
 HomogeneousPoles homogeneousPoles(const Eigen::Ref<const Poles>& poles, const Eigen::VectorXd& weights) {
   if (poles.rows() == 0) throw std::invalid_argument("no poles: at least one is needed");
   if (weights.size() != poles.rows())

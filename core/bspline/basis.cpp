@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
 #include <seamwright/core/bspline/basis.hpp>
+#include <seamwright/core/enclosure/spline.hpp>
 
 namespace seamwright::bspline {
 
@@ -37,7 +40,39 @@ Eigen::RowVectorXd onSpline(const Eigen::RowVectorXd& functional, const std::vec
   return result;
 }
 
+[[noreturn]] void refuse(const std::string& text) {
+  throw std::invalid_argument(text);
+}
+
 }  // namespace
+
+void requireKnots(int degree, const std::vector<double>& knots, const std::string& suffix) {
+  constexpr int max_degree = SplineEvaluator::max_degree;
+  if (degree < 1 || degree > max_degree)
+    refuse("degree" + suffix + " is " + std::to_string(degree) + ": 1 to " + std::to_string(max_degree) +
+           " is needed");
+  const int count = static_cast<int>(knots.size()) - degree - 1;
+  if (count < degree + 1)
+    refuse("knots" + suffix + " are " + std::to_string(knots.size()) + ": degree " + std::to_string(degree) +
+           " needs at least " + std::to_string(2 * degree + 2));
+  const auto refuseKnot = [&](std::size_t i, const std::string& needed) {
+    refuse("knot " + std::to_string(i) + " of knots" + suffix + " is " + std::to_string(knots[i]) + ": " +
+           needed);
+  };
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    if (!std::isfinite(knots[i])) refuseKnot(i, "knots must be finite");
+    if (i > 0 && knots[i] < knots[i - 1]) refuseKnot(i, "knots must not decrease");
+  }
+  if (const double range = knots.back() - knots.front(); range != 0 && !std::isnormal(range))
+    refuseKnot(knots.size() - 1, "the range of the knots must not overflow, nor underflow");
+  for (int i = 1; i <= degree; ++i) {
+    if (knots[i] != knots[0]) refuseKnot(i, "the first degree + 1 knots must be equal");
+    if (knots[count + i] != knots[count]) refuseKnot(count + i, "the last degree + 1 knots must be equal");
+  }
+  for (int i = 1; i < count; ++i)
+    if (knots[i + degree] == knots[i])
+      refuseKnot(i, "an inner knot may be repeated as often as the degree, no more");
+}
 
 int spanOf(int degree, const std::vector<double>& knots, double t) {
   const auto first = knots.begin() + degree, last = knots.end() - degree - 1;

@@ -2,10 +2,17 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 /// B-spline basis functions over flat, clamped knots; not a public header.
 namespace seamwright::bspline {
+
+/// That degree and flat knots make a clamped spline that is continuous: 1 <= degree <= 25, inner knots of
+/// multiplicity at most the degree, a range that is a normal number. \param suffix of the names in the message, as
+/// "_u".
+/// \throws std::invalid_argument with the index and the value.
+void requireKnots(int degree, const std::vector<double>& knots, const std::string& suffix);
 
 /// The index i of the span with knots[i] <= t < knots[i + 1]; the first (last) span that is not empty for a t below (at or above) the range.
 int spanOf(int degree, const std::vector<double>& knots, double t);

@@ -20,33 +20,6 @@ using Net = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajo
   throw std::invalid_argument(text);
 }
 
-void requireDirection(int degree, const std::vector<double>& knots, const std::string& name) {
-  if (degree < 1 || degree > SplineEvaluator::max_degree)
-    refuse("degree_" + name + " is " + std::to_string(degree) + ": 1 to " +
-           std::to_string(SplineEvaluator::max_degree) + " is needed");
-  const int count = static_cast<int>(knots.size()) - degree - 1;
-  if (count < degree + 1)
-    refuse("knots_" + name + " are " + std::to_string(knots.size()) + ": degree " + std::to_string(degree) +
-           " needs at least " + std::to_string(2 * degree + 2));
-  const auto refuseKnot = [&](std::size_t i, const std::string& needed) {
-    refuse("knot " + std::to_string(i) + " of knots_" + name + " is " + std::to_string(knots[i]) + ": " +
-           needed);
-  };
-  for (std::size_t i = 0; i < knots.size(); ++i) {
-    if (!std::isfinite(knots[i])) refuseKnot(i, "knots must be finite");
-    if (i > 0 && knots[i] < knots[i - 1]) refuseKnot(i, "knots must not decrease");
-  }
-  if (const double range = knots.back() - knots.front(); range != 0 && !std::isnormal(range))
-    refuseKnot(knots.size() - 1, "the range of the knots must not overflow, nor underflow");
-  for (int i = 1; i <= degree; ++i) {
-    if (knots[i] != knots[0]) refuseKnot(i, "the first degree + 1 knots must be equal");
-    if (knots[count + i] != knots[count]) refuseKnot(count + i, "the last degree + 1 knots must be equal");
-  }
-  for (int i = 1; i < count; ++i)
-    if (knots[i + degree] == knots[i])
-      refuseKnot(i, "an inner knot may be repeated as often as the degree, no more");
-}
-
 Net netAlong(const BSplineSurface& surface, SurfaceDirection direction) {
   const int nu = surface.countU(), nv = surface.countV();
   if (direction == SurfaceDirection::U) return surface.poles.reshaped<Eigen::RowMajor>(nu, 4 * nv);
@@ -91,8 +64,8 @@ bool hasInnerKnots(const Direction& d) {
 }  // namespace
 
 void requireValid(const BSplineSurface& surface) {
-  requireDirection(surface.degree_u, surface.knots_u, "u");
-  requireDirection(surface.degree_v, surface.knots_v, "v");
+  bspline::requireKnots(surface.degree_u, surface.knots_u, "_u");
+  bspline::requireKnots(surface.degree_v, surface.knots_v, "_v");
   const Eigen::Index count = static_cast<Eigen::Index>(surface.countU()) * surface.countV();
   if (surface.poles.rows() != count)
     refuse("poles " + std::to_string(surface.poles.rows()) + ", knots for " +

@@ -29,8 +29,8 @@ struct BezierSpline {
 };
 
 /// \throws std::invalid_argument if counts and knots do not fit, knots do not increase, a number is not finite, a
-/// weight is not positive, or a closed spline does not end where it begins (bit by bit); with the index and the
-/// value.
+/// weight is not positive, or a closed spline does not end where it begins: its last homogeneous pole is the first
+/// one times the ratio of the two weights, bit by bit; with the index and the value.
 void requireValid(const BezierSpline& spline);
 
 /// Segment i with the parameter 0..1. \throws std::invalid_argument for another i.
@@ -40,12 +40,13 @@ BezierCurve segment(const BezierSpline& spline, int i);
 /// makes its first weight the last one of the segment before, which changes no point. The pole between two is
 /// that of the later one. \param knots one more than segments.
 /// \throws std::invalid_argument for no segments, knots as requireValid(), and where ends are further apart than
-/// \p gap_mm, with the index of the joint and the distance.
+/// \p gap_mm, with the index of the joint (that of its knot) and the distance.
 BezierSpline bezierSpline(const std::vector<BezierCurve>& segments, const std::vector<double>& knots,
                           bool closed = false, double gap_mm = 0);
 
 /// Point and derivatives by the spline's own parameter, (order + 1) by 3. At a knot those of the segment after
 /// it; at the end and beyond, those of the outermost segment. O(log segments).
+/// \throws std::invalid_argument if counts do not fit, for a parameter that is not finite and a negative order.
 CurveDerivatives derivatives(const BezierSpline& spline, double t, int order);
 
 /// The joints at knots[1] .. knots[segments - 1], and of a closed spline that of its end with its beginning
@@ -54,10 +55,12 @@ std::vector<CurveJoint> measureJoints(const BezierSpline& spline, int order);
 
 /// The same curve with the fewest knots for which derivatives by the parameter agree up to \p continuity at
 /// every inner knot: multiplicity degree - continuity. Exact: poles are blossoms (for C^1 the inner poles
-/// themselves), nothing is fitted.
+/// themselves), nothing is fitted. Of a rational spline it is the derivatives of the homogeneous curve that must
+/// agree.
 /// \param continuity 0 to degree - 1.
-/// \throws std::invalid_argument where a derivative jumps by more than rounding of the poles, with the knot's
-/// index, the order and the jump.
+/// \throws std::invalid_argument for another continuity, a degree above 25, and where a derivative jumps by more
+/// than 8 (degree + 4) eps relative to the poles beside the knot makes of it, with the knot's index, the order, the
+/// jump and that bound.
 /// Source: MATH-curves 23.
 BSplineCurve bsplineCurve(const BezierSpline& spline, int continuity);
 
