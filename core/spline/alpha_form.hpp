@@ -41,6 +41,22 @@ inline Eigen::Matrix<double, 6, 4> quintic(double a) {
   return map;
 }
 
+/// The poles of an alpha-curve, or a row of the net of an alpha-surface.
+using Row = Eigen::Matrix<double, 4, 3, Eigen::RowMajor>;
+
+/// By how much a row misses X_0 + X_3 = X_1 + X_2.
+inline Eigen::RowVector3d defect(const Row& row) {
+  return row.row(0) + row.row(3) - row.row(1) - row.row(2);
+}
+
+/// The row without defect that has the same curve in another shape, ratio the old by the new one.
+inline Row reshaped(const Row& row, double ratio) {
+  Row result = row;
+  result.row(1) = (1 - ratio) * row.row(0) + ratio * row.row(1);
+  result.row(2) = (1 - ratio) * row.row(3) + ratio * row.row(2);
+  return result;
+}
+
 /// One side of a joint: the shape and the length in the common parameter.
 struct Side {
   double a = 1, length = 1;

@@ -11,8 +11,8 @@ namespace {
 
 using alpha::quintic;
 using alpha::requireWithin;
+using alpha::Row;
 using bernstein::text;
-using Row = Eigen::Matrix<double, 4, 3, Eigen::RowMajor>;
 
 void requireFinite(const AlphaSurface& surface) {
   for (int k = 0; k < 16; ++k)
@@ -32,17 +32,12 @@ void requireJoin(const AlphaSurface& given, const AlphaJoin& join) {
     throw std::invalid_argument("rows 2 and 3 are the same: the surface has no derivative across its edge");
 }
 
-/// The row's curve with another shape: the inner poles move in the ratio of the shapes.
-Row reshaped(const Row& row, int index, double ratio, double noise) {
-  const double defect = (row.row(0) + row.row(3) - row.row(1) - row.row(2)).norm();
-  if (defect > noise)
+void requireBalanced(const Row& row, std::size_t index, double noise) {
+  const double miss = alpha::defect(row).norm();
+  if (miss > noise)
     throw std::invalid_argument(
         "a_v and next_a_v differ, which needs Q_i0 + Q_i3 = Q_i1 + Q_i2 in every row: row " +
-        std::to_string(index) + " misses it by " + text(defect) + " mm, rounding " + text(noise));
-  Row result = row;
-  result.row(1) = (1 - ratio) * row.row(0) + ratio * row.row(1);
-  result.row(2) = (1 - ratio) * row.row(3) + ratio * row.row(2);
-  return result;
+        std::to_string(index) + " misses it by " + text(miss) + " mm, rounding " + text(noise));
 }
 
 }  // namespace
@@ -77,8 +72,10 @@ Poles alphaJoinRows(const AlphaSurface& given, const AlphaJoin& join) {
     for (const Row& row : rows) size = std::max(size, row.cwiseAbs().maxCoeff());
     const double noise =
         64 * std::numeric_limits<double>::epsilon() * size * (1 + std::abs(first) + std::abs(second));
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      rows[i] = reshaped(rows[i], static_cast<int>(i), given.a_v / join.next_a_v, noise);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      requireBalanced(rows[i], i, noise);
+      rows[i] = alpha::reshaped(rows[i], given.a_v / join.next_a_v);
+    }
   }
   Poles poles(4 * static_cast<Eigen::Index>(rows.size()), 3);
   for (std::size_t i = 0; i < rows.size(); ++i)
