@@ -14,7 +14,8 @@ using bernstein::text;
 using Quintic = Eigen::Matrix<double, 6, 3>;
 using Quartic = Eigen::Matrix<double, 5, 3>;
 
-constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
+/// What is said to be rounding, by the size of the poles.
+constexpr double slack = 64 * std::numeric_limits<double>::epsilon();
 
 Row rowOf(const AlphaSurface& surface, int i) {
   return surface.poles.middleRows<4>(4 * i);
@@ -90,12 +91,12 @@ void findFamily(const AlphaSurface& given, double next_a_v, AlphaSeamCondition& 
   if (condition.any_net) equations.col(0).setZero();
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(equations, Eigen::ComputeFullV);
   condition.singular = svd.singularValues();
-  condition.rank_noise = rounding * largest(given.poles) * std::max(5 * given.a_u / across, 5 / along);
+  condition.rank_noise = slack * largest(given.poles) * std::max(5 * given.a_u / across, 5 / along);
   const auto rank = (condition.singular.array() > condition.rank_noise).count();
   const Eigen::Vector3d sizes(1 / across, 1 / along, 1 / along);
   condition.first_rows = sizes.asDiagonal() * svd.matrixV().rightCols(3 - rank);
   const double goes_on = (svd.matrixV().rightCols(3 - rank).row(0)).norm();
-  condition.g1 = condition.order >= 0 && rank < 3 && goes_on > std::max(condition.rank_noise, rounding);
+  condition.g1 = condition.order >= 0 && rank < 3 && goes_on > std::max(condition.rank_noise, slack);
 }
 
 void requireOrder(int order) {
@@ -108,7 +109,7 @@ struct Derivatives {
   Quintic position, first, second;
 };
 
-/// \param inward rows counted from the seam; \param sense 1 where u runs into the surface.
+/// \param at_end the seam is u = 1, else u = 0.
 Derivatives derivativesAt(const AlphaSurface& surface, bool at_end, double length) {
   const auto row = [&](int i) { return rowOf(surface, at_end ? 3 - i : i); };
   const Eigen::Matrix<double, 6, 4> map = alpha::quintic(surface.a_v);
@@ -189,7 +190,7 @@ AlphaSeamCondition alphaSeamCondition(const AlphaSurface& given, double next_a_v
   alpha::requireWithin("next_a_v", next_a_v, alpha::kSmallestShape, 1);
   AlphaSeamCondition condition;
   condition.any_net = given.a_v == next_a_v;
-  condition.noise_mm = rounding * largest(given.poles);
+  condition.noise_mm = slack * largest(given.poles);
   for (int i = 0; i < 3; ++i)
     condition.defects_mm[static_cast<std::size_t>(i)] = alpha::defect(rowOf(given, 3 - i)).norm();
   const auto meets = [&](std::size_t i) {
@@ -215,14 +216,14 @@ Poles alphaSlidingRows(const AlphaSurface& given, double next_a_u, double next_a
   const double size = largest(given.poles);
   const double edge_miss = misfit(edge, next_a_v).norm(), miss = misfit(first, next_a_v).norm();
   const double spread = alpha * given.a_u + std::abs(beta0) + std::abs(beta1);
-  if (given.a_v != next_a_v && edge_miss > rounding * size)
+  if (given.a_v != next_a_v && edge_miss > slack * size)
     throw std::invalid_argument(
         "a_v and next_a_v differ, and the edge is no curve of both shapes: it misses that by " +
-        text(edge_miss) + " mm, rounding " + text(rounding * size));
-  if (miss > 10 * rounding * size * spread)
+        text(edge_miss) + " mm, rounding " + text(slack * size));
+  if (miss > 10 * slack * size * spread)
     throw std::invalid_argument(
         "alpha X_u + beta X_v is not the derivative of an alpha-surface: it misses that by " + text(miss) +
-        " mm, rounding " + text(10 * rounding * size * spread));
+        " mm, rounding " + text(10 * slack * size * spread));
   const Row row = given.a_v == next_a_v ? rowOf(given, 3) : alphaRow(edge, next_a_v);
   Poles rows(8, 3);
   rows << row, row + alphaRow(first, next_a_v) / (5 * next_a_u);
@@ -265,8 +266,7 @@ AlphaSeamFit alphaSeamFit(const AlphaSurface& a, const AlphaSurface& b, double l
   const double speed = size * (a.a_u / length * std::abs(fit.beta1) + b.a_u / next_length);
   const double bend = size * (fit.beta1 * fit.beta1 / (length * length) + 1 / (next_length * next_length) +
                               std::abs(fit.beta2) * a.a_u / length);
-  fit.noise = {rounding * size, relative(rounding * 5 * speed, first),
-               relative(rounding * 40 * bend, second)};
+  fit.noise = {slack * size, relative(slack * 5 * speed, first), relative(slack * 40 * bend, second)};
   if (fit.gap_mm > fit.noise[0]) return fit;
   fit.geometric_order = !(fit.beta1 > 0) || fit.first > fit.noise[1] ? 0 : fit.second > fit.noise[2] ? 1 : 2;
   fit.parametric_order = fit.c_first > fit.noise[1] ? 0 : fit.c_second > fit.noise[2] ? 1 : 2;
@@ -280,10 +280,10 @@ std::optional<AlphaNearest> alphaNearestJoin(const AlphaSurface& given, const Al
   requireOrder(options.order);
   alpha::requirePositive("length", options.length);
   alpha::requirePositive("next_length", options.next_length);
-  requireRegular(seamOf(given));
   AlphaNearest result{given, next};
   if (given.a_v != next.a_v && alphaSeamCondition(given, next.a_v).order < options.order)
     result.given = alphaBalanced(given, options.order);
+  requireRegular(seamOf(result.given));
   if (options.order == 0) {
     result.next.poles.topRows<4>() = alpha::reshaped(rowOf(result.given, 3), given.a_v / next.a_v);
   } else {
