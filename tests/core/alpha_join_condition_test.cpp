@@ -343,13 +343,24 @@ double costOf(const AlphaSurface& given, const AlphaSurface& next, const AlphaNe
 
 TEST(AlphaJoinCondition, Identity8NothingIsNearer) {
   std::mt19937_64 random(340);
+  int none = 0;
   for (int i = 0; i < 600; ++i) {
     AlphaSurface given = randomSurface(random), next = randomSurface(random);
     next.poles.col(0).array() += 9;
     if (i % 3 == 0) next.a_v = given.a_v;
     AlphaNearestOptions options{1 + i % 2, false, uniform(0.5, 2, random), uniform(0.5, 2, random)};
     const auto near = alphaNearestJoin(given, next, options);
-    ASSERT_TRUE(near.has_value()) << i;
+    if (!near) {
+      ++none;
+      const AlphaSurface kept = next.a_v == given.a_v ? given : alphaBalanced(given, 1);
+      options.order = 1;
+      double before = costOf(kept, next, options, 1e-3, 0);
+      for (const double beta1 : {0.01, 0.1, 1.0, 10.0}) {
+        EXPECT_GT(costOf(kept, next, options, beta1, 0), before) << "the nearest is beta1 = 0";
+        before = costOf(kept, next, options, beta1, 0);
+      }
+      continue;
+    }
     EXPECT_EQ(alphaSeamFit(near->given, near->next, options.length, options.next_length).geometric_order,
               options.order);
     EXPECT_EQ(near->cost_given == 0, next.a_v == given.a_v);
@@ -375,6 +386,7 @@ TEST(AlphaJoinCondition, Identity8NothingIsNearer) {
     EXPECT_EQ(again->cost_given, 0);
     EXPECT_LE(again->cost_next, 1e-22 * next.poles.squaredNorm()) << "what joins stays";
   }
+  EXPECT_LT(none, 60);
 }
 
 TEST(AlphaJoinCondition, AFoldHasNoNearestJoin) {
@@ -406,6 +418,8 @@ TEST(AlphaJoinCondition, MotionsScalesAndReversal) {
     const auto plain = alphaNearestJoin(given, next, options);
     for (const auto& [a, b, unit] : {std::tuple{&given2, &next2, scale}, std::tuple{&given3, &next3, 1.0}}) {
       const auto other = alphaNearestJoin(*a, *b, options);
+      ASSERT_EQ(other.has_value(), plain.has_value());
+      if (!other) continue;
       EXPECT_NEAR(other->beta1, plain->beta1, 1e-9 * plain->beta1);
       EXPECT_NEAR(other->beta2, plain->beta2, 1e-8 * (1 + std::abs(plain->beta2)));
       EXPECT_NEAR(other->cost_next, unit * unit * plain->cost_next,
