@@ -14,6 +14,7 @@ PYBIND11_MODULE(_core, module) {
   bindSeam(module);
   bindJoin(module);
   bindNearest(module);
+  bindSpline(module);
   bindModel(module);
   bindMatch(module);
   bindPointerBridge(module);

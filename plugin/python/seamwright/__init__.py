@@ -26,10 +26,12 @@ from . import bridge
 from ._core import (
     OCCT_VERSION,
     PROFILES,
+    BSplineCurve,
     BSplineSurface,
     BernsteinPolynomial,
     BezierCurve,
     BezierPatch,
+    BezierSpline,
     BezierTriangle,
     Cancelled,
     MatchResult,
@@ -42,8 +44,10 @@ from ._core import (
     blend,
     continuation,
     curvature_tensor,
+    direct_g2_spline,
     enclose_seam,
     fit_connection,
+    gamma_spline,
     join_condition,
     join_rows,
     joined,
@@ -71,16 +75,36 @@ def _to_freecad(self):
     return bridge.model_to_freecad(self)
 
 
+def curve_to_freecad(curve):
+    """A curve as FreeCAD's: a BezierCurve as ``Part.BezierCurve``, a BSplineCurve as ``Part.BSplineCurve``, a BezierSpline as that of
+    ``to_bspline(continuity())``. Poles, weights and knots are the same numbers.
+
+    Raises ``ValueError`` for degrees above 25, ``TypeError`` for other things, ``RuntimeError`` outside FreeCAD.
+    """
+    return bridge.curve_to_freecad(curve)
+
+
+def curve_from_freecad(curve):
+    """The BezierCurve or BSplineCurve that a ``Part.BezierCurve`` or ``Part.BSplineCurve`` is, number by number; a periodic one is cut
+    open at its first knot, by inserting knots there.
+
+    Raises ``TypeError`` for other things, ``ValueError`` for ends that are not clamped, ``RuntimeError`` outside FreeCAD.
+    """
+    return bridge.curve_from_freecad(curve)
+
+
 Model.from_freecad = staticmethod(_from_freecad)
 Model.to_freecad = _to_freecad
 
 __all__ = [
     "OCCT_VERSION",
     "PROFILES",
+    "BSplineCurve",
     "BSplineSurface",
     "BernsteinPolynomial",
     "BezierCurve",
     "BezierPatch",
+    "BezierSpline",
     "BezierTriangle",
     "Cancelled",
     "MatchResult",
@@ -95,8 +119,12 @@ __all__ = [
     "bridge",
     "continuation",
     "curvature_tensor",
+    "curve_from_freecad",
+    "curve_to_freecad",
+    "direct_g2_spline",
     "enclose_seam",
     "fit_connection",
+    "gamma_spline",
     "join_condition",
     "join_rows",
     "joined",
