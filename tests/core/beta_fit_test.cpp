@@ -27,7 +27,7 @@ BezierCurve mapped(const BezierCurve& curve, const Eigen::Matrix3d& map, const V
 
 struct Pair {
   BezierCurve a, b;
-  int order;
+  int order = 0;
 };
 
 /// Two curves that meet in a point, in some cases with the tangent or more.

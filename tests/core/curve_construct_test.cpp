@@ -108,7 +108,7 @@ struct Verdict {
   /// Whether the rounding of so uneven a parameter is below all that.
   bool decided(const BetaFit& fit) const {
     for (int k = 0; k < static_cast<int>(fit.upper.size()); ++k)
-      if (fit.upper[k] > 1e-3 * effect(k)) return false;
+      if (fit.upper[k] - fit.lower[k] > 1e-3 * effect(k)) return false;
     return true;
   }
   int order(const BetaFit& fit) const {
