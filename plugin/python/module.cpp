@@ -15,6 +15,7 @@ PYBIND11_MODULE(_core, module) {
   bindJoin(module);
   bindNearest(module);
   bindSpline(module);
+  bindAlpha(module);
   bindModel(module);
   bindMatch(module);
   bindPointerBridge(module);
