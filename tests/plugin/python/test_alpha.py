@@ -12,7 +12,7 @@ POLYGON = np.array([[0, 0, 0], [1, 2, 0], [3, 2, 1], [4, 0, 0]], float)
 def net(balanced=0):
     """A net whose last rows have X_0 + X_3 = X_1 + X_2, so many of them."""
     x, y = np.meshgrid([0.0, 3, 6, 9], [0.0, 3, 6, 9], indexing="ij")
-    poles = np.stack([x, y, 0.1 * x * y + np.sin(x + 2 * y)], axis=-1)
+    poles = np.stack([x, y, 0.01 * x * y + np.sin(x + 2 * y)], axis=-1)
     for row in range(4 - balanced, 4):
         poles[row, 3] = poles[row, 1] + poles[row, 2] - poles[row, 0]
     return poles
