@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Alpha-curves: four poles and a shape that pulls the curve to its polygon.   python3 16_alpha_curve.py OUT.svg
 
-Above, one polygon with shapes from 0 to 1 and the cubic Bezier curve of the same poles; in the middle the shapes of least
+Above, one polygon with shapes from 0 to 1 and the cubic Bézier curve of the same poles; in the middle the shapes of least
 energy; below, a spline of eight poles whose five segments have shapes of their own, joined with C2, and its curvature comb.
 """
 
@@ -18,7 +18,7 @@ picture = Picture("One polygon, many shapes", width=760)
 picture.polygon(polygon, "polygon")
 for a, color in zip((0, 0.25, 0.5, 0.75, 1), ("#bcd6ea", "#8fbbdc", "#5c9bcb", "#2f7fbb", "#005a94")):
     picture.curve(seamwright.alpha_curve(polygon, a), color, f"shape {a:g}", width=1.6)
-picture.curve(seamwright.BezierCurve(polygon), "#e69f00", "cubic Bezier curve of these poles", width=1.2)
+picture.curve(seamwright.BezierCurve(polygon), "#e69f00", "cubic Bézier curve of these poles", width=1.2)
 
 aside = polygon + [72, 0, 0]
 picture.polygon(aside)
@@ -27,7 +27,7 @@ for energy, color in (("length", "#009e73"), ("curvature", "#cc79a7"), ("curvatu
     picture.curve(seamwright.alpha_curve(aside, best["a"]), color, f"least energy of {energy}: shape {best['a']:.3f}", width=1.6)
     print(f"least energy of {energy}: a = {best['a']:.4f}")
 
-poles = np.array([[0, -50, 0], [8, -20, 0], [34, -16, 0], [52, -52, 0], [78, -56, 0], [92, -20, 0], [120, -18, 0], [132, -44, 0]], float)
+poles = np.array([[0, -68, 0], [8, -38, 0], [34, -34, 0], [52, -70, 0], [78, -74, 0], [92, -38, 0], [120, -36, 0], [132, -62, 0]], float)
 shapes = [1, 0.7, 1, 0.6, 1]
 spline = seamwright.alpha_spline(poles, shapes)
 picture.polygon(poles)
