@@ -32,12 +32,13 @@ Differences differences(const AlphaCurve::Polygon& legs) {
 
 /// Poles of the k-th derivative from first differences of the poles.
 Poles derivativePoles(Poles differences, int k) {
+  double scale = 5;
   for (int i = 1; i < k; ++i) {
     const Eigen::Index n = differences.rows() - 1;
     differences = (differences.bottomRows(n) - differences.topRows(n)).eval();
+    scale *= 5 - i;
   }
-  constexpr double scales[] = {5, 20, 60};
-  return scales[k - 1] * differences;
+  return scale * differences;
 }
 
 /// The integral over [0, 1] of the scalar product of two curves of the same degree.

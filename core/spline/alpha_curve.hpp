@@ -41,10 +41,11 @@ struct AlphaCurveJoin {
 /// The poles Q_0, Q_1 and, with order 2 or 3, Q_2 of the next curve; the others are free.
 ///
 ///   (4) The joint is G^order with beta1, beta2 (with order 3 those of MATH-curves 8.2).
-///   (5) A C2 join has continuous curvature and torsion (FC^3), since alpha-curves have no torsion at their ends,
-///       and is not G3 unless X'' is parallel to X'. A G2 join is G3 only for beta2 = -2 beta1 (beta1 / h + 1 / k).
-/// \throws std::invalid_argument for an order, length, beta1 or shape out of range (shapes of a join are 1e-6 to
-/// 1), and for given poles P_2 = P_3.
+///   (5) A C2 join has continuous curvature and torsion (FC^3), since alpha-curves have no torsion at their
+///       ends, and is not G3 unless X'' is parallel to X'. A G2 join is G3 only for beta2 = -2 beta1 (beta1 /
+///       h + 1 / k).
+/// \throws std::invalid_argument for an order, length, beta1 or shape out of range (shapes of a join are 1e-6
+/// to 1), and for given poles P_2 = P_3.
 /// Source: text 002; MATH-curves 8.2; ERRATA-curves 2.6, 2.11, 2.12.
 Poles alphaJoinPoles(const AlphaCurve& given, const AlphaCurveJoin& join);
 

@@ -30,9 +30,9 @@ double longest(const Quintic& values) {
 }
 
 void requireUsable(const AlphaSurface& surface, const char* prefix = "") {
-  alphaSurfacePatch(surface);  // refuses poles that are not finite
   alpha::requireWithin(std::string(prefix) + "a_u", surface.a_u, alpha::kSmallestShape, 1);
   alpha::requireWithin(std::string(prefix) + "a_v", surface.a_v, alpha::kSmallestShape, 1);
+  alphaSurfacePatch(surface);  // refuses poles that are not finite
 }
 
 /// What X_u and X_v are along the seam: coefficients of degree 5 and 4.

@@ -38,7 +38,7 @@ struct AlphaJoin {
 ///   order 3   moreover R'''(+) = beta1^3 R'''(-) + 3 beta1 beta2 R''(-) + beta3 R'(-), with beta2 = -2 beta1 (beta1 / h + 1 / k) and
 ///             beta3 = 12 beta1^2 / h (beta1 / h + 1 / k), the only ones for which it can hold
 /// so the surfaces are C^n for beta1 = 1, beta2 = 0, and G^n for any beta1 > 0. For general nets no other G1 join of alpha-surfaces
-/// exists; on a straight boundary there are more, which tensorRows() builds of the Bézier patches.
+/// exists; on special boundaries there are more (alpha_join_condition.hpp), and tensorRows() builds those of the Bézier patches.
 ///
 /// a_v may differ from next_a_v only if every row built has Q_i0 + Q_i3 = Q_i1 + Q_i2: then its curve is the same with the inner poles
 /// moved in the ratio a_v / next_a_v.

@@ -7,7 +7,6 @@
 #include <seamwright/core/bezier/homogeneous.hpp>
 #include <seamwright/core/join/condition.hpp>
 #include <seamwright/core/join/construct.hpp>
-#include <seamwright/core/spline/alpha_surface.hpp>
 #include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/python/edges.hpp>
@@ -248,40 +247,6 @@ py::tuple orientOf(const BezierPatch& a, const py::object& edge_a, const BezierP
   return py::make_tuple(pair.a, pair.b, pair.reversed);
 }
 
-AlphaSurface alphaSurfaceOf(const Array& net, const py::object& a_u, const py::object& a_v) {
-  const Poles poles = polesOf(net, 3, "(4, 4, 3)");
-  if (net.shape(0) != 4 || net.shape(1) != 4)
-    throw py::value_error("poles have shape (" + std::to_string(net.shape(0)) + ", " +
-                          std::to_string(net.shape(1)) + ", 3): (4, 4, 3) is needed");
-  AlphaSurface surface;
-  surface.poles = poles;
-  surface.a_u = argument<double>("a_u", a_u, "a number");
-  surface.a_v = argument<double>("a_v", a_v, "a number");
-  return surface;
-}
-
-BezierPatch alphaPatchOf(const Array& net, const py::object& a_u, const py::object& a_v) {
-  return alphaSurfacePatch(alphaSurfaceOf(net, a_u, a_v));
-}
-
-Array alphaRowsOf(const Array& net, const py::object& a_u, const py::object& a_v, const py::object& next_a_u,
-                  const py::object& next_a_v, const py::object& order, const py::object& beta1,
-                  const py::object& beta2, const py::object& length, const py::object& next_length) {
-  const AlphaSurface surface = alphaSurfaceOf(net, a_u, a_v);
-  AlphaJoin join;
-  join.order = argument<int>("order", order, "a whole number");
-  join.beta1 = argument<double>("beta1", beta1, "a number");
-  join.beta2 = argument<double>("beta2", beta2, "a number");
-  join.length = argument<double>("length", length, "a number");
-  join.next_length = argument<double>("next_length", next_length, "a number");
-  join.next_a_u = next_a_u.is_none() ? surface.a_u : argument<double>("next_a_u", next_a_u, "a number");
-  join.next_a_v = next_a_v.is_none() ? surface.a_v : argument<double>("next_a_v", next_a_v, "a number");
-  const Poles rows = alphaJoinRows(surface, join);
-  Array result({rows.rows() / 4, Eigen::Index{4}, Eigen::Index{3}});
-  Eigen::Map<Poles>(result.mutable_data(), rows.rows(), 3) = rows;
-  return result;
-}
-
 void bindConstructions(py::module_& module) {
   module.def("join_rows", &joinRowsOf, py::arg("surface"), py::arg("edge"),
              "The first rows of a patch that joins a BezierPatch or BezierTriangle along an edge: poles "
@@ -311,15 +276,6 @@ void bindConstructions(py::module_& module) {
              "The BezierPatch of degree 2 order + 1 in u between two surfaces: it joins a at u = 0 and b "
              "at u = 1. to_a and to_b are dicts of the functions in join_rows; reversed runs the edge of b "
              "backwards.");
-  module.def("alpha_surface", &alphaPatchOf, py::arg("net"), py::arg("a_u") = 1.0, py::arg("a_v") = 1.0,
-             "The alpha-surface of a net (4, 4, 3) with shapes in [0, 1], exactly, as a BezierPatch of "
-             "degrees 5, 5.");
-  module.def("alpha_join_rows", &alphaRowsOf, py::arg("net"), py::arg("a_u"), py::arg("a_v"), py::kw_only(),
-             py::arg("next_a_u") = py::none(), py::arg("next_a_v") = py::none(), py::arg("order") = 1,
-             py::arg("beta1") = 1.0, py::arg("beta2") = 0.0, py::arg("length") = 1.0,
-             py::arg("next_length") = 1.0,
-             "The first rows, (2, 4, 3) or with order 2 or 3 (3, 4, 3), of the net of the alpha-surface "
-             "that goes on at u = 1; C^order with beta1 = 1 and beta2 = 0, else G^order.");
 }
 
 void bindConditions(py::module_& module) {

@@ -5,6 +5,7 @@
 
 namespace seamwright::python {
 
+void bindAlpha(pybind11::module_& module);
 void bindBernstein(pybind11::module_& module);
 void bindBezier(pybind11::module_& module);
 void bindCurveJoin(pybind11::module_& module);

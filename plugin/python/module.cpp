@@ -18,6 +18,7 @@ PYBIND11_MODULE(_core, module) {
   bindNearest(module);
   bindSpline(module);
   bindNuSpline(module);
+  bindAlpha(module);
   bindModel(module);
   bindMatch(module);
   bindPointerBridge(module);

@@ -4,6 +4,8 @@
 
 #include <Eigen/LU>
 #include <Eigen/QR>
+#include <Eigen/SVD>
+#include <array>
 #include <seamwright/core/join/condition.hpp>
 #include <seamwright/core/spline/alpha_join_condition.hpp>
 
@@ -178,6 +180,35 @@ TEST(AlphaJoinCondition, Identity4CurvedBoundariesThatSlide) {
     other.a_v = given.a_v - 0.05;
     EXPECT_EQ(alphaSeamCondition(other, other.a_v).first_rows.cols(), 1) << "each belongs to one shape";
   }
+}
+
+/// What A, B, C, D of an edge of shape a fulfil, coordinate by coordinate, that slides with beta(0), beta(1): equations (i) and (ii)
+/// of beta X_v, and that q_2 = q_3 of the edge itself is the middle of its inner poles. If its rank is 3 all four are parallel.
+double thirdSingularValue(double a, double beta0, double beta1) {
+  Eigen::Matrix<double, 3, 4> equations;
+  equations << 0, beta1, -beta0, 0,  //
+      beta1 - 5 * (1 - a) * beta0, 4 * beta0 - 2 * a * beta1, 4 * beta1 - 2 * a * beta0,
+      beta0 - 5 * (1 - a) * beta1,  //
+      -(1 - a), a, -a, 1 - a;
+  equations.rowwise().normalize();
+  return Eigen::JacobiSVD<Eigen::MatrixXd>(equations).singularValues()(2);
+}
+
+TEST(AlphaJoinCondition, NoOtherCurvedBoundarySlides) {
+  const double right = std::acos(0.0);
+  const std::array<std::pair<double, double>, 4> known = {
+      {{2.0 / 3, 1.5 * right}, {0.8, 0}, {0.8, right}, {1, 0.5 * right}}};
+  for (const auto& [a, turn] : known) EXPECT_LE(thirdSingularValue(a, std::cos(turn), std::sin(turn)), 1e-15);
+  for (int i = 1; i <= 200; ++i)
+    for (int k = 0; k < 400; ++k) {
+      const double a = i / 200.0, turn = 2 * right * k / 400;
+      double nearest = 1;
+      for (const auto& [shape, angle] : known)
+        for (const double around : {-2 * right, 0.0, 2 * right})
+          nearest = std::min(nearest, std::hypot(a - shape, turn - angle - around));
+      EXPECT_GT(thirdSingularValue(a, std::cos(turn), std::sin(turn)), nearest < 0.2 ? 0.05 * nearest : 0.01)
+          << a << " " << turn;
+    }
 }
 
 TEST(AlphaJoinCondition, StraightBoundariesSlide) {
