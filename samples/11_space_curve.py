@@ -33,7 +33,8 @@ cusp = curve([0, 0, 24], [0, 0, 0, 20], [0, 0, 0, 0, 14], at=(50, 0, 0))
 for name, one in (("bend", bend), ("cusp", cusp)):
     found = seamwright.find_degeneracies(one)
     for place in found["places"]:
-        print(f"{name}: {place['kind']} within {place['first']:.6f} .. {place['last']:.6f}, nowhere else")
+        middle, reach = (place["last"] + place["first"]) / 2, (place["last"] - place["first"]) / 2
+        print(f"{name}: {place['kind']} within {reach:.0e} of t = {middle:.6f}, certainly nowhere else")
 
 before, after = (seamwright.frenet_frame(bend, t)["normal"] for t in (0.5 - 1e-6, 0.5 + 1e-6))
 carried = seamwright.rotation_minimizing_frames(bend, np.linspace(0, 1, 41), seamwright.frenet_frame(bend, 0)["normal"])
