@@ -20,7 +20,8 @@ struct ArcLength {
 /// nodes takes over: with g the polynomial through the speeds at the nodes, v / d the velocity,
 /// |v| / d - g = (v.v - (g d)^2) / ((|v| + g d) d) has bounds by Bernstein forms, rounding included. So the bracket
 /// narrows with the seventh power of the pieces' length; the value is nearer by far, but that is not proved.
-/// Rounding ends that at about 1e-13 of the length (1e-12 for rational curves of degree 6).
+/// Rounding ends that at a bracket of 1e-13 to 1e-11 of the length, growing with the degree and the ratio of weights;
+/// and at most 2^14 halvings are made.
 ///
 /// Identities (each has a test of its number):
 ///   (1) A line: its length, bracket of rounding. (2) A rational quarter circle: pi r / 2.

@@ -247,6 +247,23 @@ TEST(Length, ParameterAtLengthIsTheInverse) {
   EXPECT_EQ(parameterAtLength(BezierCurve(Poles::Ones(3, 3)), 0, 1e-9), 0);
 }
 
+// What cannot be reached ends where rounding begins, for high degrees and uneven weights too.
+TEST(Length, ImpossibleTolerancesEnd) {
+  std::mt19937_64 random(125);
+  for (const int degree : {10, 25}) {
+    BezierCurve curve = randomCurve(degree, true, random);
+    Eigen::VectorXd weights = curve.weights();
+    weights(3) = 40;
+    curve = {curve.poles(), weights};
+    const ArcLength best = arcLength(curve, 1e-300);
+    EXPECT_FALSE(best.reached);
+    EXPECT_LT(best.upper_mm - best.lower_mm, 1e-9 * best.value_mm);
+    const ArcLength coarse = arcLength(curve, 1e-3 * best.value_mm);
+    EXPECT_TRUE(coarse.lower_mm <= best.upper_mm && best.lower_mm <= coarse.upper_mm);
+    EXPECT_NEAR(coarse.value_mm, best.value_mm, 1e-5 * best.value_mm);
+  }
+}
+
 TEST(Length, ExtremeSizesAndPoints) {
   for (const double size : {1e-150, 1e-12, 1e12, 1e150}) {
     const ArcLength length = arcLength(quarterCircle(size), 1e-11 * size);
