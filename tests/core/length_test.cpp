@@ -184,27 +184,28 @@ TEST(Length, BracketsHoldAnotherQuadrature) {
   EXPECT_GT(loose, 15);  // no more work than asked
 }
 
+// Values are nearer to each other than the brackets asked for.
 TEST(Length, Identity3PartsReversalElevationMotionScale) {
   std::mt19937_64 random(123);
   for (int i = 0; i < cases; ++i) {
     const BezierCurve curve = randomCurve(2 + i % 5, i % 2 == 1, random);
-    const double whole = arcLength(curve, 1e-11).value_mm, bound = 1e-11 + rounding * whole;
+    const double whole = arcLength(curve, 1e-8).value_mm, bound = 1e-10;
     const double t = static_cast<double>(i) / cases;
-    EXPECT_NEAR(arcLength(curve, 1e-11, 0, t).value_mm + arcLength(curve, 1e-11, t, 1).value_mm, whole,
+    EXPECT_NEAR(arcLength(curve, 1e-8, 0, t).value_mm + arcLength(curve, 1e-8, t, 1).value_mm, whole,
                 2 * bound);
-    EXPECT_NEAR(arcLength(curve.reversed(), 1e-11).value_mm, whole, bound);
-    EXPECT_NEAR(arcLength(curve.elevated(), 1e-11).value_mm, whole, bound);
-    EXPECT_NEAR(arcLength(curve.split(t).first, 1e-11).value_mm, arcLength(curve, 1e-11, 0, t).value_mm,
+    EXPECT_NEAR(arcLength(curve.reversed(), 1e-8).value_mm, whole, bound);
+    EXPECT_NEAR(arcLength(curve.elevated(), 1e-8).value_mm, whole, bound);
+    EXPECT_NEAR(arcLength(curve.split(t).first, 1e-8).value_mm, arcLength(curve, 1e-8, 0, t).value_mm,
                 bound);
     const double scale = test::logUniform(random, -6, 6);
     const Poles poles = (scale * curve.poles() * test::randomRotation(random)).rowwise() +
                         Eigen::RowVector3d(scale, -scale, 2 * scale);
-    EXPECT_NEAR(arcLength({poles, curve.weights()}, 1e-11 * scale).value_mm / scale, whole, 2 * bound);
+    EXPECT_NEAR(arcLength({poles, curve.weights()}, 1e-8 * scale).value_mm / scale, whole, 2 * bound);
   }
 }
 
-// X' = (6 u^2 - 1.5 ... ) closed form: with u = 2 t - 1, X = (u^2, u^3) over [-1, 1] has twice the length
-// (13 sqrt(13) - 8) / 27 of a branch of the semicubical parabola.
+// With u = 2 t - 1, X = (u^2, u^3) over [-1, 1]: twice the length (13 sqrt(13) - 8) / 27 of a branch of the
+// semicubical parabola.
 TEST(Length, Identity4BothBranchesOfACusp) {
   Poles poles(4, 3);
   poles << 1, -1, 0, -1.0 / 3, 1, 0, -1.0 / 3, -1, 0, 1, 1, 0;
