@@ -16,7 +16,7 @@ using nlohmann::json;
 using test::Vec;
 
 constexpr int cases = 300;
-/// What lengths of a bracket of rounding may be off by, relative.
+/// A bracket that only rounding keeps apart is no wider, relative to the length.
 constexpr double rounding = 4e-13;
 
 BezierCurve randomCurve(int degree, bool rational, std::mt19937_64& random) {
@@ -195,8 +195,7 @@ TEST(Length, Identity3PartsReversalElevationMotionScale) {
                 2 * bound);
     EXPECT_NEAR(arcLength(curve.reversed(), 1e-8).value_mm, whole, bound);
     EXPECT_NEAR(arcLength(curve.elevated(), 1e-8).value_mm, whole, bound);
-    EXPECT_NEAR(arcLength(curve.split(t).first, 1e-8).value_mm, arcLength(curve, 1e-8, 0, t).value_mm,
-                bound);
+    EXPECT_NEAR(arcLength(curve.split(t).first, 1e-8).value_mm, arcLength(curve, 1e-8, 0, t).value_mm, bound);
     const double scale = test::logUniform(random, -6, 6);
     const Poles poles = (scale * curve.poles() * test::randomRotation(random)).rowwise() +
                         Eigen::RowVector3d(scale, -scale, 2 * scale);
