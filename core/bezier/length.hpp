@@ -12,8 +12,8 @@ struct ArcLength {
   bool reached = true;  ///< upper - lower is within the tolerance asked
 };
 
-/// The length over [first, last], to upper - lower <= tolerance_mm if rounding allows. A curve of degree > 1 that is
-/// no line has no closed form (no rational curve but a line has unit speed).
+/// The length over [first, last], to upper - lower <= tolerance_mm if rounding allows. In general there is no
+/// closed form, and no rational curve but a line has unit speed.
 ///
 /// Chord <= length <= polygon on pieces by halving (rational curves: chord and polygon of the velocity's
 /// numerator, over bounds of the denominator). Where the speed has a positive lower bound Gauss' quadrature of 7

@@ -226,6 +226,24 @@ TEST(Length, Identity4BothBranchesOfACusp) {
   EXPECT_TRUE(arcLength(cusp(), 1e-12).reached);
 }
 
+// Pythagorean hodographs: X' = (u^2 - v^2, 2 u v) with u, v linear has the speed u^2 + v^2.
+TEST(Length, PythagoreanHodographsHaveAClosedForm) {
+  std::mt19937_64 random(126);
+  for (int i = 0; i < cases; ++i) {
+    const Vec u = test::randomVector(random), v = i % 5 ? test::randomVector(random) : Vec(0.5 * u);
+    Poles poles = Poles::Zero(4, 3);
+    const Eigen::Vector3d x(u(0) * u(0) - v(0) * v(0), u(0) * u(1) - v(0) * v(1), u(1) * u(1) - v(1) * v(1));
+    const Eigen::Vector3d y(2 * u(0) * v(0), u(0) * v(1) + u(1) * v(0), 2 * u(1) * v(1));
+    for (int k = 0; k < 3; ++k) poles.row(k + 1) = poles.row(k) + Eigen::RowVector3d(x(k), y(k), 0) / 3;
+    const auto quadratic = [](const Vec& f) { return f(0) * f(0) + f(0) * f(1) + f(1) * f(1); };
+    const double wanted = (quadratic(u) + quadratic(v)) / 3;
+    const ArcLength length = arcLength(BezierCurve(poles), 1e-11 * wanted);
+    EXPECT_TRUE(length.reached) << i;
+    EXPECT_LE(length.lower_mm, wanted * (1 + 2e-15)) << i;  // poles are rounded
+    EXPECT_GE(length.upper_mm, wanted * (1 - 2e-15)) << i;
+  }
+}
+
 TEST(Length, LineThatTurnsBack) {
   Poles poles(3, 3);
   poles << 0, 0, 0, 1, 2, 2, 0, 0, 0;  // up to half of (1, 2, 2) and back
