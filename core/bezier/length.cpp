@@ -52,7 +52,7 @@ double quotientUp(double a, double b) {
 struct Estimate {
   Interval bracket;
   double value = 0;     ///< within
-  double rounding = 0;  ///< of the bracket's width, what no halving takes away
+  double rounding = 0;  ///< what of the bracket's width is due to it
 };
 
 /// |integral of the velocity| <= length <= integral of its control polygon's norm, both over the divisor: of a
@@ -131,14 +131,14 @@ class LengthSum {
   void add(const VelocityForm& form, const Estimate& estimate, double share) {
     const double width = estimate.bracket.width();
     constexpr double shortest = 0x1p-100;
-    if (width <= tolerance_ || width <= 4 * estimate.rounding || share < shortest || halvings_ == most)
-      return take(estimate, share);
+    if (width <= tolerance_ || share < shortest || halvings_ == most) return take(estimate, share);
     ++halvings_;
     const auto [left, right] = form.halves();
     const Estimate of_left = estimated(left), of_right = estimated(right);
-    // The remainder falls with the seventh power of the length; what falls more slowly is rounding.
-    const bool falls = of_left.bracket.width() + of_right.bracket.width() <= 0.25 * width;
-    if (!falls && width <= 0x1p-36 * estimate.bracket.upper) return take(estimate, share);
+    // A remainder falls with the seventh power of the length, rounding only where the speed does.
+    const bool falls = of_left.bracket.width() + of_right.bracket.width() <= width;
+    const bool small = width <= 4 * estimate.rounding || width <= 0x1p-36 * estimate.bracket.upper;
+    if (small && !falls) return take(estimate, share);
     add(left, of_left, 0.5 * share);
     add(right, of_right, 0.5 * share);
   }
