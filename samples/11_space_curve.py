@@ -27,16 +27,17 @@ def curve(*powers, at=(0, 0, 0)):
     return seamwright.BezierCurve(poles)
 
 
-bend = curve([0, 30], [0, 0, 0, 22], [0, 0, 0, 0, 18])
-cusp = curve([0, 0, 24], [0, 0, 0, 20], [0, 0, 0, 0, 14], at=(50, 0, 0))
+bend = curve([0, 34], [0, 0, 0, 26], [0, 0, 0, 0, 12])
+cusp = curve([0, 0, 40], [0, 0, 0, 22], [0, 0, 0, 0, 14], at=(28, -14, 0))
 
 for name, one in (("bend", bend), ("cusp", cusp)):
     found = seamwright.find_degeneracies(one)
     for place in found["places"]:
-        print(f"{name}: {place['kind']} within {place['first']:.6f} .. {place['last']:.6f}, nowhere else")
+        middle, reach = (place["last"] + place["first"]) / 2, (place["last"] - place["first"]) / 2
+        print(f"{name}: {place['kind']} within {reach:.0e} of t = {middle:.6f}, certainly nowhere else")
 
 before, after = (seamwright.frenet_frame(bend, t)["normal"] for t in (0.5 - 1e-6, 0.5 + 1e-6))
-carried = seamwright.rotation_minimizing_frames(bend, np.linspace(0, 1, 41), seamwright.frenet_frame(bend, 0)["normal"])
+carried = seamwright.rotation_minimizing_frames(bend, np.linspace(0, 1, 41), normal=[0, -0.3, 1])
 rest = seamwright.rotation_minimizing_frames(bend, [0.5 - 1e-6, 0.5 + 1e-6], before)["normals"]
 print("across the inflection the Frenet normal turns by %.0f degrees, the moving one by %.0f" % tuple(
     np.degrees(np.arccos(np.clip(a @ b, -1, 1))) for a, b in ((before, after), rest)))
@@ -47,7 +48,7 @@ for tolerance in (1, 1e-4, 1e-11):
 steps = np.linspace(0, length["value_mm"], 17)
 even = [cusp.point(seamwright.parameter_at_length(cusp, s, 1e-9)) for s in steps]
 
-drawing = Picture("Frames along space curves, and where there are none", view=(0.4, -1, 0.55))
+drawing = Picture("Frames along space curves, and where there are none", view=(0.25, -0.9, 0.85))
 drawing.curve(bend, label="an inflection in space")
 drawing.curve(cusp, color="#cc79a7", label="a cusp, with points at equal distances along it")
 frenet = [(bend.point(t), seamwright.frenet_frame(bend, t)["normal"]) for t in np.linspace(0, 1, 41) if abs(t - 0.5) > 1e-9]

@@ -52,7 +52,7 @@ double quotientUp(double a, double b) {
 struct Estimate {
   Interval bracket;
   double value = 0;     ///< within
-  double rounding = 0;  ///< of the bracket's width, what no halving takes away
+  double rounding = 0;  ///< what of the bracket's width is due to it
 };
 
 /// |integral of the velocity| <= length <= integral of its control polygon's norm, both over the divisor: of a
@@ -102,24 +102,24 @@ std::optional<Estimate> quadrature(const VelocityForm& form) {
   const double denominator =
       down(down(least_speed + std::max(0.0, guess.range().lower)) * form.divisorRange().lower);
   if (!(guess.range().lower >= 0 && denominator > 0)) return std::nullopt;
-  const Interval residual = (squaredNorm(form.velocity) - guess * guess).range();
+  const BernsteinPolynomial residual = squaredNorm(form.velocity) - guess * guess;
   Estimate result;
   result.value = g.coefficients().mean();
   const double rounding = rounding::productUp(rounding::gamma(nodes + 2), g.coefficients().cwiseAbs().mean());
-  const auto off = [&](double remainder) {
-    return rounding::sumUp(rounding, quotientUp(std::max(0.0, remainder), denominator));
+  const auto off = [&](double excess) {
+    return rounding::sumUp(rounding, quotientUp(std::max(0.0, excess), denominator));
   };
-  result.bracket = {down(std::max(0.0, result.value - off(-residual.lower))),
-                    rounding::up(result.value + off(residual.upper))};
+  const Interval remainder = residual.range();
+  result.bracket = {down(std::max(0.0, result.value - off(-remainder.lower))),
+                    rounding::up(result.value + off(remainder.upper))};
+  result.rounding = 2 * off(residual.padding());
   return result;
 }
 
 Estimate estimated(const VelocityForm& form) {
   const Estimate plain = chordAndPolygon(form);
-  std::optional<Estimate> sharp = quadrature(form);
-  if (!sharp || sharp->bracket.width() > plain.bracket.width()) return plain;
-  sharp->rounding = plain.rounding;
-  return *sharp;
+  const std::optional<Estimate> sharp = quadrature(form);
+  return sharp && sharp->bracket.width() < plain.bracket.width() ? *sharp : plain;
 }
 
 /// Sums over pieces, halved until each is known to the tolerance or as well as rounding lets it.
@@ -130,14 +130,15 @@ class LengthSum {
   /// \param share of the range that the form is over.
   void add(const VelocityForm& form, const Estimate& estimate, double share) {
     const double width = estimate.bracket.width();
-    constexpr double smallest = 0x1p-100;
-    if (width <= tolerance_ || width <= 2 * estimate.rounding || share < smallest)
-      return take(estimate, share);
+    constexpr double shortest = 0x1p-100;
+    if (width <= tolerance_ || share < shortest || halvings_ == most) return take(estimate, share);
+    ++halvings_;
     const auto [left, right] = form.halves();
     const Estimate of_left = estimated(left), of_right = estimated(right);
-    // The remainder falls with the seventh power of the length; what falls more slowly is rounding.
-    const bool falls = of_left.bracket.width() + of_right.bracket.width() <= 0.25 * width;
-    if (!falls && width <= 0x1p-36 * estimate.bracket.upper) return take(estimate, share);
+    // A remainder falls with the seventh power of the length, rounding only where the speed does.
+    const bool falls = of_left.bracket.width() + of_right.bracket.width() <= width;
+    const bool small = width <= 4 * estimate.rounding || width <= 0x1p-36 * estimate.bracket.upper;
+    if (small && !falls) return take(estimate, share);
     add(left, of_left, 0.5 * share);
     add(right, of_right, 0.5 * share);
   }
@@ -146,6 +147,8 @@ class LengthSum {
   double value() const { return std::clamp(value_, bracket_.lower, bracket_.upper); }
 
  private:
+  static constexpr int most = 1 << 14;
+
   void take(const Estimate& estimate, double share) {
     bracket_.lower = down(bracket_.lower + down(share * estimate.bracket.lower));
     bracket_.upper = rounding::sumUp(bracket_.upper, rounding::productUp(share, estimate.bracket.upper));
@@ -153,6 +156,7 @@ class LengthSum {
   }
 
   double tolerance_;
+  int halvings_ = 0;
   Interval bracket_;
   double value_ = 0;
 };

@@ -12,15 +12,16 @@ struct ArcLength {
   bool reached = true;  ///< upper - lower is within the tolerance asked
 };
 
-/// The length over [first, last], to upper - lower <= tolerance_mm if rounding allows. A curve of degree > 1 that is
-/// no line has no closed form (no rational curve but a line has unit speed).
+/// The length over [first, last], to upper - lower <= tolerance_mm if rounding allows. In general there is no
+/// closed form, and no rational curve but a line has unit speed.
 ///
 /// Chord <= length <= polygon on pieces by halving (rational curves: chord and polygon of the velocity's
 /// numerator, over bounds of the denominator). Where the speed has a positive lower bound Gauss' quadrature of 7
 /// nodes takes over: with g the polynomial through the speeds at the nodes, v / d the velocity,
 /// |v| / d - g = (v.v - (g d)^2) / ((|v| + g d) d) has bounds by Bernstein forms, rounding included. So the bracket
 /// narrows with the seventh power of the pieces' length; the value is nearer by far, but that is not proved.
-/// Rounding ends that at about 1e-13 of the length (1e-12 for rational curves of degree 6).
+/// Rounding ends that at a bracket of 1e-13 to 1e-11 of the length, growing with the degree and the ratio of weights;
+/// and at most 2^14 halvings are made.
 ///
 /// Identities (each has a test of its number):
 ///   (1) A line: its length, bracket of rounding. (2) A rational quarter circle: pi r / 2.

@@ -85,7 +85,7 @@ struct MovingFrame {
 /// any). Goes on through inflections and straight pieces; error of the twist O(step^4). Steps in which the
 /// tangent turns by more than a right angle are halved.
 /// \throws std::invalid_argument for parameters that do not increase; for a normal along the tangent or not finite; at a
-/// cusp, also between the parameters, with the parameter.
+/// cusp (as findDegeneracies() sees it), also between the parameters, with the parameter.
 /// Source: W. Wang, B. Juettler, D. Zheng, Y. Liu, Computation of rotation minimizing frames, ACM TOG 27 (2008).
 std::vector<MovingFrame> rotationMinimizingFrames(const BezierCurve& curve,
                                                   const std::vector<double>& parameters,

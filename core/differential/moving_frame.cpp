@@ -39,7 +39,7 @@ Vector3d carried(const BezierCurve& curve, const Place& a, const Place& b, const
                  int depth) {
   const Vector3d chord = b.point - a.point;
   // Points that coincide (a closed curve, a tiny step) leave the reflection that turns the tangent back.
-  const Vector3d& across = chord.isZero(0) ? a.tangent : chord.stableNormalized();
+  const Vector3d across = chord.isZero(0) ? a.tangent : chord.stableNormalized();
   const Vector3d tangent = reflected(a.tangent, across);
   if (tangent.dot(b.tangent) <= 0 && a.tangent.dot(b.tangent) >= 0)
     return reflected(reflected(normal, across), b.tangent - tangent);
@@ -77,12 +77,21 @@ void requireIncreasing(const std::vector<double>& parameters) {
   }
 }
 
+/// Long steps may not show a cusp that they pass.
+void requireNoCusp(const BezierCurve& curve, double first, double last) {
+  for (const CurveDegeneracies::Place& place : findDegeneracies(curve).places) {
+    const double t = 0.5 * (place.first + place.last);
+    if (place.kind == CurvePoint::Cusp && first < t && t < last) refuseCusp(t);
+  }
+}
+
 }  // namespace
 
 std::vector<MovingFrame> rotationMinimizingFrames(const BezierCurve& curve,
                                                   const std::vector<double>& parameters,
                                                   std::optional<Vector3d> normal) {
   requireIncreasing(parameters);
+  if (parameters.size() > 1) requireNoCusp(curve, parameters.front(), parameters.back());
   std::vector<MovingFrame> frames;
   frames.reserve(parameters.size());
   for (const double t : parameters) {

@@ -385,7 +385,7 @@ TEST(MovingFrame, WhatCannotBe) {
   EXPECT_THAT(message({0}, Vec::Zero()), testing::HasSubstr("must not lie along it"));
   EXPECT_THAT(message({0}, Vec(0, std::nan(""), 0)), testing::HasSubstr("coordinate 1 of the normal is nan"));
   EXPECT_THAT(message({0.1, 0.3}), testing::IsEmpty());
-  // The tangent turns back between parameters: no halving ends that.
+  EXPECT_THAT(message({0, 1}), testing::HasSubstr("cusp at parameter 0.5"));
   EXPECT_THAT(message({0.41, 0.62}), testing::HasSubstr("cusp at parameter 0.5"));
   EXPECT_TRUE(rotationMinimizingFrames(cusp, {}).empty());
 }
