@@ -224,6 +224,27 @@ TEST(BezierSpline, BSplineThereAndBack) {
   }
 }
 
+/// Spans from 1e-9 to 1: segments are convex combinations of the poles, so nothing is lost.
+TEST(BezierSpline, TinySpansLoseNothing) {
+  std::mt19937_64 random(318);
+  for (int i = 0; i < 1000; ++i) {
+    const int degree = 1 + i % 5;
+    std::vector<double> breaks = {0};
+    for (int s = 0; s < 5; ++s) breaks.push_back(breaks.back() + test::logUniform(random, -9, 0));
+    BSplineCurve curve{degree, test::flatKnots(degree, breaks, 1 + i % degree), {}};
+    curve.poles = test::randomPoles(curve.count(), i % 2 == 0, random);
+    const BezierSpline spline = bezierSpline(curve);
+    const double size = curve.poles.cwiseAbs().maxCoeff();
+    EXPECT_LE(spline.poles.cwiseAbs().maxCoeff(), size);
+    for (int s = 0; s < 5; ++s) {
+      const double t = breaks[s] + 0.37 * (breaks[s + 1] - breaks[s]);
+      EXPECT_LT((derivatives(spline, t, 0) - derivatives(curve, t, 0)).norm(), 1e-13 * size) << i;
+    }
+    const BSplineCurve back = bsplineCurve(spline, 0);
+    EXPECT_EQ(bezierSpline(back), spline);
+  }
+}
+
 TEST(BezierSpline, ContinuityIsThatOfTheWorstKnot) {
   std::mt19937_64 random(317);
   for (int i = 0; i < 1000; ++i) {
