@@ -119,6 +119,41 @@ int segmentFor(const std::vector<double>& knots, const double* first, const doub
   return best;
 }
 
+/// The curve of that order whose poles are blossoms of the segments.
+BSplineCurve merged(const BezierSpline& spline, int order) {
+  const int n = spline.degree;
+  BSplineCurve result{n, std::vector<double>(static_cast<std::size_t>(n) + 1, spline.knots.front()), {}};
+  for (int i = 1; i < spline.segments(); ++i)
+    result.knots.insert(result.knots.end(), static_cast<std::size_t>(n - order), spline.knots[i]);
+  result.knots.insert(result.knots.end(), static_cast<std::size_t>(n) + 1, spline.knots.back());
+  result.poles.resize(result.count(), 4);
+  for (int i = 0; i < result.count(); ++i) {
+    const double* arguments = result.knots.data() + i + 1;
+    const int piece = segmentFor(spline.knots, arguments, arguments + n - 1);
+    std::vector<double> ends(2 * static_cast<std::size_t>(n), spline.knots[piece]);
+    std::fill(ends.begin() + n, ends.end(), spline.knots[piece + 1]);
+    result.poles.row(i) = bspline::blossom(polesOf(spline, piece), ends.data(), arguments);
+  }
+  requireValid(result);
+  return result;
+}
+
+/// The first segment whose poles the curve gives back with more than rounding, or -1. Beside a short segment the
+/// jumps alone would not tell: what rounding makes of its derivatives hides those of its neighbours.
+int strayed(const BezierSpline& spline, const BSplineCurve& curve, int order) {
+  const int n = spline.degree;
+  const HomogeneousPoles back = bezierSpline(curve).poles;
+  const double share = std::ldexp(8 * (n + 4) * std::numeric_limits<double>::epsilon(), 2 * order);
+  for (int i = 0; i < spline.segments(); ++i) {
+    const auto own = spline.poles.middleRows(static_cast<Eigen::Index>(i) * n, n + 1);
+    const auto given = back.middleRows(static_cast<Eigen::Index>(i) * n, n + 1);
+    const double size =
+        curve.poles.middleRows(static_cast<Eigen::Index>(i) * (n - order), n + 1).cwiseAbs().maxCoeff();
+    if (!((given - own).cwiseAbs().maxCoeff() <= share * size)) return i;
+  }
+  return -1;
+}
+
 }  // namespace
 
 void requireValid(const BezierSpline& spline) {
@@ -200,6 +235,7 @@ int continuity(const BezierSpline& spline, bool around) {
            !(rows.topRows(order + 1).col(0).array() <= rows.topRows(order + 1).col(1).array()).all())
       --order;
   }
+  while (order > 0 && strayed(spline, merged(spline, order), order) >= 0) --order;
   return order;
 }
 
@@ -210,19 +246,10 @@ BSplineCurve bsplineCurve(const BezierSpline& spline, int order) {
     refuse("order is " + std::to_string(order) + ": 0 to degree - 1, " + std::to_string(n - 1) +
            ", is possible");
   requireContinuity(spline, order);
-  BSplineCurve result{n, std::vector<double>(static_cast<std::size_t>(n) + 1, spline.knots.front()), {}};
-  for (int i = 1; i < spline.segments(); ++i)
-    result.knots.insert(result.knots.end(), static_cast<std::size_t>(n - order), spline.knots[i]);
-  result.knots.insert(result.knots.end(), static_cast<std::size_t>(n) + 1, spline.knots.back());
-  result.poles.resize(result.count(), 4);
-  for (int i = 0; i < result.count(); ++i) {
-    const double* arguments = result.knots.data() + i + 1;
-    const int piece = segmentFor(spline.knots, arguments, arguments + n - 1);
-    std::vector<double> ends(2 * static_cast<std::size_t>(n), spline.knots[piece]);
-    std::fill(ends.begin() + n, ends.end(), spline.knots[piece + 1]);
-    result.poles.row(i) = bspline::blossom(polesOf(spline, piece), ends.data(), arguments);
-  }
-  requireValid(result);
+  BSplineCurve result = merged(spline, order);
+  if (const int i = strayed(spline, result, order); i >= 0)
+    refuse("segment " + std::to_string(i) + " does not go into a curve of order " + std::to_string(order) +
+           ": beside a short segment derivatives jump by more than their rounding shows");
   return result;
 }
 

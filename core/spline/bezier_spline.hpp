@@ -54,9 +54,11 @@ CurveDerivatives derivatives(const BezierSpline& spline, double t, int order);
 std::vector<CurveJoint> measureJoints(const BezierSpline& spline, int order);
 
 /// The order, up to degree - 1, to which derivatives by the parameter agree at every inner knot (and, \p around, from
-/// the end of a closed spline to its beginning) but for rounding: 8 (degree + 4) eps relative to what the poles beside
-/// the knot make of it. Of a rational spline it is the derivatives of the homogeneous curve that must agree. -1 for
+/// the end of a closed spline to its beginning) but for rounding: a jump is at most what 8 (degree + 4) eps, relative to
+/// the poles beside the knot, makes of it, and poles of the merged curve give the segments back to
+/// 4^order times that. Of a rational spline it is the derivatives of the homogeneous curve that must agree. -1 for
 /// \p around of a spline that is not closed, or one whose first and last weight differ.
+/// \throws std::invalid_argument as requireValid(), and for a degree above 25.
 int continuity(const BezierSpline& spline, bool around = false);
 
 /// The same curve with the fewest knots for which derivatives by the parameter agree up to \p order at every inner
@@ -64,7 +66,8 @@ int continuity(const BezierSpline& spline, bool around = false);
 /// fitted.
 /// \param order 0 to degree - 1; at most continuity().
 /// \throws std::invalid_argument for another order, a degree above 25, and where a derivative jumps by more than
-/// continuity() allows, with the knot's index, the order, the jump and what rounding makes of it.
+/// continuity() allows, with the knot's index, the order, the jump and what rounding makes of it; or with the index of
+/// the segment that is not given back.
 /// Source: MATH-curves 23.
 BSplineCurve bsplineCurve(const BezierSpline& spline, int order);
 

@@ -224,6 +224,53 @@ TEST(BezierSpline, BSplineThereAndBack) {
   }
 }
 
+/// Spans from 1e-9 to 1: segments are convex combinations of the poles, so nothing is lost.
+TEST(BezierSpline, TinySpansLoseNothing) {
+  std::mt19937_64 random(318);
+  for (int i = 0; i < 1000; ++i) {
+    const int degree = 1 + i % 5;
+    std::vector<double> breaks = {0};
+    for (int s = 0; s < 5; ++s) breaks.push_back(breaks.back() + test::logUniform(random, -9, 0));
+    BSplineCurve curve{degree, test::flatKnots(degree, breaks, 1 + i % degree), {}};
+    curve.poles = test::randomPoles(curve.count(), i % 2 == 0, random);
+    const BezierSpline spline = bezierSpline(curve);
+    const double size = curve.poles.cwiseAbs().maxCoeff();
+    EXPECT_LE(spline.poles.cwiseAbs().maxCoeff(), size);
+    for (int s = 0; s < 5; ++s) {
+      const double t = breaks[s] + 0.37 * (breaks[s + 1] - breaks[s]);
+      EXPECT_LT((derivatives(spline, t, 0) - derivatives(curve, t, 0)).norm(), 1e-13 * size) << i;
+    }
+    const BSplineCurve back = bsplineCurve(spline, 0);
+    EXPECT_EQ(bezierSpline(back), spline);
+  }
+}
+
+/// Beside a span of 1e-9 the second derivative may jump by 1 unseen by rounding there; still the curve is not C2.
+TEST(BezierSpline, ShortSegmentsHideNoJump) {
+  BezierSpline spline{3, {0, 1, 1 + 0x1p-30, 2 + 0x1p-30}, HomogeneousPoles::Zero(10, 4)};
+  spline.poles.col(3).setOnes();
+  spline.poles.col(1).setConstant(1);
+  // X = t before; after the second knot u X = t + (t - u)^2.
+  const double u = 1 + 0x1p-30;
+  spline.poles.col(0) << 0, 1 / 3.0, 2 / 3.0, 1, 1 + 0x1p-30 / 3, 1 + 0x1p-29 / 3, u, u + 1 / 3.0, u + 1,
+      u + 2;
+  EXPECT_EQ(continuity(spline), 1);
+  expectRefused([&] { bsplineCurve(spline, 2); }, "does not go into a curve of order 2");
+  std::mt19937_64 random(319);
+  for (int i = 0; i < 500; ++i) {
+    std::vector<double> breaks = {0};
+    for (int s = 0; s < 6; ++s) breaks.push_back(breaks.back() + test::logUniform(random, -8, 0));
+    BSplineCurve curve{3, test::flatKnots(3, breaks, 1), {}};
+    curve.poles = test::randomPoles(curve.count(), i % 2 == 0, random);
+    const BezierSpline smooth = bezierSpline(curve);
+    ASSERT_EQ(continuity(smooth), 2) << i;
+    const BSplineCurve back = bsplineCurve(smooth, 2);
+    const double t = std::uniform_real_distribution<double>(0, breaks.back())(random);
+    EXPECT_LT((derivatives(back, t, 0) - derivatives(curve, t, 0)).norm(),
+              1e-12 * curve.poles.cwiseAbs().maxCoeff());
+  }
+}
+
 TEST(BezierSpline, ContinuityIsThatOfTheWorstKnot) {
   std::mt19937_64 random(317);
   for (int i = 0; i < 1000; ++i) {
