@@ -142,10 +142,10 @@ int main(int argc, char** argv) {
          return solved(loose);
        },
        SplineEnds::Natural},
-      {"GeomAPI_Interpolate, natural", 10000, interpolated, SplineEnds::Natural},
-      {"GeomAPI_Interpolate, clamped", 10000, interpolated, SplineEnds::Clamped},
-      {"GeomAPI_Interpolate, periodic", 1000, interpolated, SplineEnds::Periodic},
-      {"GeomAPI_PointsToBSpline", 1000, fitted, SplineEnds::Natural},
+      {"GeomAPI_Interpolate, natural", 100000, interpolated, SplineEnds::Natural},
+      {"GeomAPI_Interpolate, clamped", 100000, interpolated, SplineEnds::Clamped},
+      {"GeomAPI_Interpolate, periodic", 100000, interpolated, SplineEnds::Periodic},
+      {"GeomAPI_PointsToBSpline", 10000, fitted, SplineEnds::Natural},
   };
   std::map<std::pair<std::size_t, int>, double> seconds;
   double checksum = 0;

@@ -84,7 +84,7 @@ NuSpline nuSpline(const NuSplineData& data) {
 std::vector<double> knotsOf(const Poles& points, double exponent) {
   if (!(exponent >= 0 && exponent <= 1))
     throw std::invalid_argument("exponent is " + bernstein::text(exponent) + ": it must be within 0 to 1");
-  for (Index i = 0; i < points.rows(); ++i) requireFinite("point " + std::to_string(i), points.row(i));
+  requireFiniteRows("point", points);
   std::vector<double> knots(static_cast<std::size_t>(points.rows()), 0.0);
   for (std::size_t i = 1; i < knots.size(); ++i) {
     const auto row = static_cast<Index>(i);

@@ -72,21 +72,24 @@ void requireFinite(const std::string& name, const Eigen::Vector3d& vector) {
     throw std::invalid_argument(name + " is " + text(Eigen::RowVector3d(vector)) + ": it must be finite");
 }
 
+void requireFiniteRows(const char* name, const Eigen::Ref<const Poles, 0, Eigen::OuterStride<>>& rows) {
+  for (Index i = 0; i < rows.rows(); ++i)
+    if (!rows.row(i).allFinite()) requireFinite(name + (" " + std::to_string(i)), rows.row(i));
+}
+
 void requirePoints(const Poles& points, bool periodic) {
   const Index least = periodic ? 3 : 2, count = points.rows();
   if (count < least)
     throw std::invalid_argument("points " + std::to_string(count) + ": at least " + std::to_string(least) +
                                 " are needed");
-  for (Index i = 0; i < count; ++i) {
-    requireFinite("point " + std::to_string(i), points.row(i));
-    if (i == 0) continue;
-    const std::string pair = "points " + std::to_string(i - 1) + " and " + std::to_string(i);
-    if (points.row(i) == points.row(i - 1))
-      throw std::invalid_argument(pair + " are the same, " + text(Eigen::RowVector3d(points.row(i))));
-    if (!(points.row(i) - points.row(i - 1)).allFinite())
-      throw std::invalid_argument(pair + " are too far apart, " +
-                                  text(Eigen::RowVector3d(points.row(i - 1))) + " and " +
-                                  text(Eigen::RowVector3d(points.row(i))));
+  requireFiniteRows("point", points);
+  for (Index i = 1; i < count; ++i) {
+    const Eigen::RowVector3d step = points.row(i) - points.row(i - 1);
+    if (step.allFinite() && !step.isZero(0)) continue;
+    throw std::invalid_argument("points " + std::to_string(i - 1) + " and " + std::to_string(i) + ", " +
+                                text(Eigen::RowVector3d(points.row(i - 1))) + " and " +
+                                text(Eigen::RowVector3d(points.row(i))) +
+                                (step.allFinite() ? ", are the same" : ", are too far apart"));
   }
   if (periodic && points.row(count - 1) != points.row(0))
     throw std::invalid_argument(

@@ -40,7 +40,9 @@ class SlopeEquations {
 void requirePoints(const Poles& points, bool periodic);
 /// \throws std::invalid_argument naming the value unless there are \p count, all finite.
 void requireNumbers(const char* name, const std::vector<double>& values, Eigen::Index count);
+/// \throws std::invalid_argument naming what is not finite, with its value.
 void requireFinite(const std::string& name, const Eigen::Vector3d& vector);
+void requireFiniteRows(const char* name, const Eigen::Ref<const Poles, 0, Eigen::OuterStride<>>& rows);
 /// \throws std::invalid_argument unless they increase, by finite steps; \p reason ends the sentence.
 void requireIncreasing(const std::vector<double>& knots, const char* reason);
 
@@ -64,8 +66,7 @@ BezierSpline hermiteSpline(const Poles& points, const Poles& derivatives, const 
     spline.poles.row(3 * i + 2).head<3>() = points.row(i + 1) - r.end * derivatives.row(i + 1);
   }
   spline.poles.row(3 * segments).head<3>() = points.row(segments);
-  for (Eigen::Index k = 0; k < spline.poles.rows(); ++k)
-    requireFinite("pole " + std::to_string(k), spline.poles.row(k).head<3>());
+  requireFiniteRows("pole", spline.poles.leftCols<3>());
   return spline;
 }
 
