@@ -4,6 +4,7 @@
 #include <seamwright/core/spline/nu_spline.hpp>
 #include <seamwright/core/spline/slope_equations.hpp>
 #include <stdexcept>
+#include <utility>
 
 namespace seamwright {
 
@@ -65,19 +66,19 @@ SlopeEquations equationsOf(const NuSplineData& data) {
 
 NuSpline nuSpline(const NuSplineData& data) {
   requireValid(data);
-  const SlopeEquations::Solution solution = equationsOf(data).solve();
+  SlopeEquations::Solution solution = equationsOf(data).solve();
   const Index n = data.points.rows() - 1;
   NuSpline result;
-  result.derivatives.resize(n + 1, 3);
-  result.derivatives.topRows(solution.derivatives.rows()) = solution.derivatives;
-  if (data.ends == SplineEnds::Periodic) result.derivatives.row(n) = solution.derivatives.row(0);
+  result.derivatives = std::move(solution.derivatives);
+  result.derivatives.conservativeResize(n + 1, 3);
+  if (data.ends == SplineEnds::Periodic) result.derivatives.row(n) = result.derivatives.row(0);
   const Edges edges(data);
   result.curve = hermiteSpline(data.points, result.derivatives, data.knots, data.ends == SplineEnds::Periodic,
                                [&](Index i) {
                                  const double reach = edges.length(i) / 3;
                                  return Reach{reach, reach};
                                });
-  result.stationary = stationaryPoints(result.curve, solution);
+  result.stationary = stationaryPoints(result.curve, result.derivatives, solution.noise);
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <seamwright/core/bernstein/coefficients.hpp>
 #include <seamwright/core/spline/slope_equations.hpp>
 #include <stdexcept>
+#include <utility>
 
 namespace seamwright {
 
@@ -54,9 +55,9 @@ void SlopeEquations::give(Index i, const Eigen::RowVector3d& derivative) {
   right_.row(i) = derivative;
 }
 
-SlopeEquations::Solution SlopeEquations::solve() const {
-  const BandSolution solution = solveBand(matrix_, right_);
+SlopeEquations::Solution SlopeEquations::solve() && {
   const Index count = right_.rows();
+  BandSolution solution = solveBand(matrix_, std::move(right_));
   Eigen::VectorXd noise(count);
   for (Index i = 0; i < count; ++i) {
     const double terms = std::abs(matrix_.lower(i)) * largest(solution.x.row((i + count - 1) % count)) +
@@ -64,7 +65,7 @@ SlopeEquations::Solution SlopeEquations::solve() const {
                          std::abs(matrix_.upper(i)) * largest(solution.x.row((i + 1) % count));
     noise(i) = 8 * kEpsilon * std::max(1.0, solution.inverse_norm) * (terms + right_size_(i));
   }
-  return {solution.x, noise};
+  return {std::move(solution.x), std::move(noise)};
 }
 
 void requireFinite(const std::string& name, const Eigen::Vector3d& vector) {
@@ -114,14 +115,14 @@ void requireIncreasing(const std::vector<double>& knots, const char* reason) {
                                   text(knots[i - 1]) + ": " + reason);
 }
 
-std::vector<int> stationaryPoints(const BezierSpline& spline, const SlopeEquations::Solution& solution) {
+std::vector<int> stationaryPoints(const BezierSpline& spline, const Poles& derivatives,
+                                  const Eigen::VectorXd& noise) {
   std::vector<int> result;
   const Index last = spline.poles.rows() - 1, points = last / 3 + 1;
   for (Index i = 0; i < points; ++i) {
-    const Index row = i % solution.derivatives.rows();
     const auto pole = [&](Index k) { return Eigen::RowVector3d(spline.poles.row(k).head<3>()); };
     const bool before = i > 0 || spline.closed, after = i + 1 < points || spline.closed;
-    if (largest(solution.derivatives.row(row)) <= solution.noise(row) ||
+    if (largest(derivatives.row(i)) <= noise(i % noise.size()) ||
         (before && isLost(pole(3 * i), pole(i > 0 ? 3 * i - 1 : last - 1))) ||
         (after && isLost(pole(3 * i), pole(i + 1 < points ? 3 * i + 1 : 1))))
       result.push_back(static_cast<int>(i));

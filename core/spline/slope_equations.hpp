@@ -27,7 +27,7 @@ class SlopeEquations {
     Eigen::VectorXd noise;  ///< what rounding may have added to the largest coordinate of each
   };
   /// \throws std::domain_error as solveBand().
-  Solution solve() const;
+  Solution solve() &&;
 
  private:
   BandMatrix matrix_;
@@ -72,6 +72,8 @@ BezierSpline hermiteSpline(const Poles& points, const Poles& derivatives, const 
 
 /// Points whose derivative is within its noise, or so small that the poles beside the point are it but for
 /// rounding.
-std::vector<int> stationaryPoints(const BezierSpline& spline, const SlopeEquations::Solution& solution);
+/// \param noise of the points; a closed spline's last one is that of the first.
+std::vector<int> stationaryPoints(const BezierSpline& spline, const Poles& derivatives,
+                                  const Eigen::VectorXd& noise);
 
 }  // namespace seamwright
