@@ -142,8 +142,8 @@ int main(int argc, char** argv) {
          return solved(loose);
        },
        SplineEnds::Natural},
-      {"GeomAPI_Interpolate, natural", all, interpolated, SplineEnds::Natural},
-      {"GeomAPI_Interpolate, clamped", all, interpolated, SplineEnds::Clamped},
+      {"GeomAPI_Interpolate, tangents its own", all, interpolated, SplineEnds::Natural},
+      {"GeomAPI_Interpolate, tangents given", all, interpolated, SplineEnds::Clamped},
       {"GeomAPI_Interpolate, periodic", all, interpolated, SplineEnds::Periodic},
       {"GeomAPI_PointsToBSpline", 100000, fitted, SplineEnds::Natural},
   };

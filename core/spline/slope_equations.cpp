@@ -22,7 +22,7 @@ double largest(const Eigen::RowVector3d& v) {
 }
 
 std::string text(const Eigen::RowVector3d& v) {
-  return "(" + text(v(0)) + ", " + text(v(1)) + ", " + text(v(2)) + ")";
+  return std::string("(") + text(v(0)) + ", " + text(v(1)) + ", " + text(v(2)) + ")";
 }
 
 /// Whether moving the point by this is lost in its rounding.
@@ -75,7 +75,7 @@ void requireFinite(const std::string& name, const Eigen::Vector3d& vector) {
 
 void requireFiniteRows(const char* name, const Eigen::Ref<const Poles, 0, Eigen::OuterStride<>>& rows) {
   for (Index i = 0; i < rows.rows(); ++i)
-    if (!rows.row(i).allFinite()) requireFinite(name + (" " + std::to_string(i)), rows.row(i));
+    if (!rows.row(i).allFinite()) requireFinite(std::string(name) + " " + std::to_string(i), rows.row(i));
 }
 
 void requirePoints(const Poles& points, bool periodic) {
