@@ -12,9 +12,12 @@ PYBIND11_MODULE(_core, module) {
   bindTriangle(module);
   bindMeasure(module);
   bindSeam(module);
+  bindSpaceCurve(module);
   bindJoin(module);
+  bindCurveJoin(module);
   bindNearest(module);
   bindSpline(module);
+  bindNuSpline(module);
   bindModel(module);
   bindMatch(module);
   bindPointerBridge(module);

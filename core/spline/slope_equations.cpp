@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <seamwright/core/bernstein/coefficients.hpp>
+#include <seamwright/core/spline/slope_equations.hpp>
+#include <stdexcept>
+
+namespace seamwright {
+
+namespace {
+
+using bernstein::text;
+using Eigen::Index;
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr int kLargestExponent = 1020;
+
+double largest(const Eigen::RowVector3d& v) {
+  return v.cwiseAbs().maxCoeff();
+}
+
+std::string text(const Eigen::RowVector3d& v) {
+  return "(" + text(v(0)) + ", " + text(v(1)) + ", " + text(v(2)) + ")";
+}
+
+/// Whether moving the point by this is lost in its rounding.
+bool isLost(const Eigen::RowVector3d& point, const Eigen::RowVector3d& pole) {
+  return ((pole - point).array().abs() <= 2 * kEpsilon * point.array().abs()).all();
+}
+
+}  // namespace
+
+SlopeEquations::SlopeEquations(Index count, bool closed)
+    : matrix_{Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count),
+              Eigen::VectorXd::Ones(count), closed},
+      right_(Poles::Zero(count, 3)),
+      right_size_(Eigen::VectorXd::Zero(count)) {}
+
+void SlopeEquations::set(Index i, double lower, double tension, double upper,
+                         const Eigen::RowVector3d& before, const Eigen::RowVector3d& after) {
+  const int exponent = std::min(std::ilogb(1 + std::abs(tension)), kLargestExponent);
+  const double scale = matrix_.scale(i) = std::ldexp(1.0, exponent);
+  matrix_.lower(i) = lower / scale;
+  matrix_.diagonal(i) = std::isfinite(tension) ? (2 + tension) / scale : std::copysign(1, tension);
+  matrix_.upper(i) = upper / scale;
+  right_.row(i) = (3 / scale) * before + (3 / scale) * after;
+  right_size_(i) = (3 / scale) * (largest(before) + largest(after));
+  if (std::isinf(tension)) right_.row(i).setZero();
+}
+
+void SlopeEquations::give(Index i, const Eigen::RowVector3d& derivative) {
+  matrix_.diagonal(i) = 1;
+  right_.row(i) = derivative;
+}
+
+SlopeEquations::Solution SlopeEquations::solve() const {
+  const BandSolution solution = solveBand(matrix_, right_);
+  const Index count = right_.rows();
+  Eigen::VectorXd noise(count);
+  for (Index i = 0; i < count; ++i) {
+    const double terms = std::abs(matrix_.lower(i)) * largest(solution.x.row((i + count - 1) % count)) +
+                         std::abs(matrix_.diagonal(i)) * largest(solution.x.row(i)) +
+                         std::abs(matrix_.upper(i)) * largest(solution.x.row((i + 1) % count));
+    noise(i) = 8 * kEpsilon * std::max(1.0, solution.inverse_norm) * (terms + right_size_(i));
+  }
+  return {solution.x, noise};
+}
+
+void requireFinite(const std::string& name, const Eigen::Vector3d& vector) {
+  if (!vector.allFinite())
+    throw std::invalid_argument(name + " is " + text(Eigen::RowVector3d(vector)) + ": it must be finite");
+}
+
+void requirePoints(const Poles& points, bool periodic) {
+  const Index least = periodic ? 3 : 2, count = points.rows();
+  if (count < least)
+    throw std::invalid_argument("points " + std::to_string(count) + ": at least " + std::to_string(least) +
+                                " are needed");
+  for (Index i = 0; i < count; ++i) {
+    requireFinite("point " + std::to_string(i), points.row(i));
+    if (i == 0) continue;
+    const std::string pair = "points " + std::to_string(i - 1) + " and " + std::to_string(i);
+    if (points.row(i) == points.row(i - 1))
+      throw std::invalid_argument(pair + " are the same, " + text(Eigen::RowVector3d(points.row(i))));
+    if (!(points.row(i) - points.row(i - 1)).allFinite())
+      throw std::invalid_argument(pair + " are too far apart, " +
+                                  text(Eigen::RowVector3d(points.row(i - 1))) + " and " +
+                                  text(Eigen::RowVector3d(points.row(i))));
+  }
+  if (periodic && points.row(count - 1) != points.row(0))
+    throw std::invalid_argument(
+        "point " + std::to_string(count - 1) + " is " + text(Eigen::RowVector3d(points.row(count - 1))) +
+        ": of a periodic spline it must be point 0, " + text(Eigen::RowVector3d(points.row(0))));
+}
+
+void requireNumbers(const char* name, const std::vector<double>& values, Index count) {
+  if (static_cast<Index>(values.size()) != count)
+    throw std::invalid_argument(std::string(name) + " has " + std::to_string(values.size()) +
+                                " numbers for " + std::to_string(count) + " points");
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!std::isfinite(values[i]))
+      throw std::invalid_argument(std::string(name) + " " + std::to_string(i) + " is " + text(values[i]) +
+                                  ": it must be finite");
+}
+
+void requireIncreasing(const std::vector<double>& knots, const char* reason) {
+  for (std::size_t i = 1; i < knots.size(); ++i)
+    if (!(knots[i - 1] < knots[i] && std::isfinite(knots[i] - knots[i - 1])))
+      throw std::invalid_argument("knot " + std::to_string(i) + " is " + text(knots[i]) + " after " +
+                                  text(knots[i - 1]) + ": " + reason);
+}
+
+std::vector<int> stationaryPoints(const BezierSpline& spline, const SlopeEquations::Solution& solution) {
+  std::vector<int> result;
+  const Index last = spline.poles.rows() - 1, points = last / 3 + 1;
+  for (Index i = 0; i < points; ++i) {
+    const Index row = i % solution.derivatives.rows();
+    const auto pole = [&](Index k) { return Eigen::RowVector3d(spline.poles.row(k).head<3>()); };
+    const bool before = i > 0 || spline.closed, after = i + 1 < points || spline.closed;
+    if (largest(solution.derivatives.row(row)) <= solution.noise(row) ||
+        (before && isLost(pole(3 * i), pole(i > 0 ? 3 * i - 1 : last - 1))) ||
+        (after && isLost(pole(3 * i), pole(i + 1 < points ? 3 * i + 1 : 1))))
+      result.push_back(static_cast<int>(i));
+  }
+  return result;
+}
+
+}  // namespace seamwright

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pybind11/eigen.h>
+#include <pybind11/stl.h>
+
+#include <seamwright/core/spline/beta_spline.hpp>
+#include <seamwright/plugin/python/arguments.hpp>
+#include <seamwright/plugin/python/bindings.hpp>
+#include <seamwright/plugin/python/poles.hpp>
+#include <string>
+#include <vector>
+
+namespace seamwright::python {
+
+namespace {
+
+/// The value of each point, from one number for all of them or a sequence.
+std::vector<double> each(const char* name, const py::object& value, Eigen::Index count) {
+  constexpr const char* kind = "a number or a sequence of numbers";
+  if (py::isinstance<py::float_>(value) || py::isinstance<py::int_>(value))
+    return std::vector<double>(static_cast<std::size_t>(count), argument<double>(name, value, kind));
+  return argument<std::vector<double>>(name, value, kind);
+}
+
+SplineEnds endsOf(const py::object& value) {
+  const auto name = argument<std::string>("ends", value, "a name");
+  if (name == "natural") return SplineEnds::Natural;
+  if (name == "clamped") return SplineEnds::Clamped;
+  if (name == "periodic") return SplineEnds::Periodic;
+  throw py::value_error("ends is " + shown(value) + ": known are 'natural', 'clamped' and 'periodic'");
+}
+
+/// \p value, given with clamped ends and only with them.
+Eigen::Vector3d derivativeOf(const char* name, const py::object& value, SplineEnds ends) {
+  if (value.is_none() != (ends != SplineEnds::Clamped))
+    throw py::value_error(std::string(name) + " is " + shown(value) +
+                          ": it is needed with clamped ends, and has no meaning with others");
+  if (value.is_none()) return Eigen::Vector3d::Zero();
+  return argument<Eigen::Vector3d>(name, value, "a vector of three numbers");
+}
+
+Poles pointsOf(const Array& points) {
+  return polesOf(points, 2, "(count, 3)");
+}
+
+template <class Spline>
+py::dict dictOf(const Spline& spline) {
+  py::dict dict;
+  dict["curve"] = spline.curve;
+  dict["derivatives"] = spline.derivatives;
+  dict["stationary"] = spline.stationary;
+  return dict;
+}
+
+py::dict nuOf(const Array& points, const py::object& knots, const py::object& nu, const py::object& ends,
+              const py::object& start_derivative, const py::object& end_derivative) {
+  NuSplineData data;
+  data.points = pointsOf(points);
+  data.ends = endsOf(ends);
+  data.knots = knots.is_none() ? knotsOf(data.points)
+                               : argument<std::vector<double>>("knots", knots, "a sequence of numbers");
+  data.nu = each("nu", nu, data.points.rows());
+  data.start_derivative = derivativeOf("start_derivative", start_derivative, data.ends);
+  data.end_derivative = derivativeOf("end_derivative", end_derivative, data.ends);
+  return dictOf([&] {
+    const py::gil_scoped_release release;
+    return nuSpline(data);
+  }());
+}
+
+py::dict betaOf(const Array& points, const py::object& bias, const py::object& tension,
+                const py::object& ends, const py::object& start_nu, const py::object& end_nu,
+                const py::object& start_derivative, const py::object& end_derivative) {
+  BetaSplineData data;
+  data.points = pointsOf(points);
+  data.ends = endsOf(ends);
+  data.bias = each("bias", bias, data.points.rows());
+  data.tension = each("tension", tension, data.points.rows());
+  data.start_nu = argument<double>("start_nu", start_nu, "a number");
+  data.end_nu = argument<double>("end_nu", end_nu, "a number");
+  data.start_derivative = derivativeOf("start_derivative", start_derivative, data.ends);
+  data.end_derivative = derivativeOf("end_derivative", end_derivative, data.ends);
+  return dictOf([&] {
+    const py::gil_scoped_release release;
+    return betaSpline(data);
+  }());
+}
+
+}  // namespace
+
+void bindNuSpline(py::module_& module) {
+  module.def(
+      "nu_spline", &nuOf, py::arg("points"), py::arg("knots") = py::none(), py::kw_only(),
+      py::arg("nu") = 0.0, py::arg("ends") = "natural", py::arg("start_derivative") = py::none(),
+      py::arg("end_derivative") = py::none(),
+      "Nielson's nu-spline through points (count, 3): cubic, C1, X''(+) - X''(-) = nu X' at each point. "
+      "knots: "
+      "one a point, default knots_of(points). nu: a number or one a point. ends: natural, clamped (with the "
+      "derivatives there by the parameter) or periodic (the last point is the first). A dict: curve, a "
+      "BezierSpline; derivatives (count, 3); stationary, the points without a derivative. ValueError where "
+      "the "
+      "equations are singular.");
+  module.def(
+      "beta_spline", &betaOf, py::arg("points"), py::arg("bias") = 1.0, py::arg("tension") = 0.0,
+      py::kw_only(), py::arg("ends") = "natural", py::arg("start_nu") = 0.0, py::arg("end_nu") = 0.0,
+      py::arg("start_derivative") = py::none(), py::arg("end_derivative") = py::none(),
+      "The interpolating beta-spline through points (count, 3), each segment over an interval of length 1: "
+      "X'(-) = bias X'(+), X''(-) = bias^2 X''(+) + tension X'(+) at each joint. bias, tension: a number or "
+      "one a point. It tightens for tension to minus infinity. Ends and result as of nu_spline; natural ones "
+      "have X'' = start_nu X' and X'' = -end_nu X'.");
+  module.def(
+      "knots_of", [](const Array& points, double exponent) { return knotsOf(pointsOf(points), exponent); },
+      py::arg("points"), py::arg("exponent") = 0.5,
+      "Knots that grow by the distance of neighbours to that exponent: 0 uniform, 1/2 centripetal, 1 chord "
+      "length.");
+}
+
+}  // namespace seamwright::python
