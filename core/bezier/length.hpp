@@ -15,8 +15,13 @@ struct ArcLength {
 /// The length over [first, last], to upper - lower <= tolerance_mm if rounding allows. A curve of degree > 1 that is
 /// no line has no closed form (no rational curve but a line has unit speed).
 ///
-/// Chord <= length <= polygon on pieces by halving; where the speed has a positive lower bound a quadrature with a
-/// proved remainder takes over, so tight tolerances stay cheap.
+/// Chord <= length <= polygon on pieces by halving (rational curves: chord and polygon of the velocity's
+/// numerator, over bounds of the denominator). Where the speed has a positive lower bound Gauss' quadrature of 7
+/// nodes takes over: with g the polynomial through the speeds at the nodes, v / d the velocity,
+/// |v| / d - g = (v.v - (g d)^2) / ((|v| + g d) d) has bounds by Bernstein forms, rounding included. So the bracket
+/// narrows with the seventh power of the pieces' length; the value is nearer by far, but that is not proved.
+/// Rounding ends that at about 1e-13 of the length (1e-12 for rational curves of degree 6).
+///
 /// Identities (each has a test of its number):
 ///   (1) A line: its length, bracket of rounding. (2) A rational quarter circle: pi r / 2.
 ///   (3) Sum of the parts; reversal, elevation and rigid motion change nothing but rounding; scale multiplies.
@@ -25,7 +30,8 @@ struct ArcLength {
 /// Source: MATH-curves 1 (Gravesen).
 ArcLength arcLength(const BezierCurve& curve, double tolerance_mm, double first = 0, double last = 1);
 
-/// The parameter at which the length from t = 0 is \p length_mm: within tolerance_mm of arc length.
+/// The parameter at which the length from t = 0 is \p length_mm: within tolerance_mm of arc length, or what
+/// rounding allows. By Newton's method between bounds.
 /// \throws std::invalid_argument for a length outside 0 .. the whole (with both numbers), or a tolerance not positive.
 double parameterAtLength(const BezierCurve& curve, double length_mm, double tolerance_mm);
 

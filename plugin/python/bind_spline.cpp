@@ -108,7 +108,7 @@ void bindSpline(py::module_& module) {
            py::arg("weights") = py::none())
       .def_static("from_bezier", &splineCurve, py::arg("curve"), "The same curve with knots 0 and 1.")
       .def(
-          "to_bezier_spline", [](const BSplineCurve& c, bool closed) { return bezierSpline(c, closed); },
+          "bezier_spline", [](const BSplineCurve& c, bool closed) { return bezierSpline(c, closed); },
           py::arg("closed") = false, "Its Bézier segments; closed: its end is its beginning, bit by bit.");
   bindNumbers(curve);
   spline
@@ -129,6 +129,11 @@ void bindSpline(py::module_& module) {
           py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
           "The joints at the inner knots, then that of a closed spline's end with its beginning: dicts as of "
           "measure_joint.")
+      .def("continuity", &continuity, py::arg("around") = false,
+           "The order, up to degree - 1, to which derivatives by the parameter agree at every inner knot; "
+           "around: from a closed spline's end to its beginning as well; -1 if it is not closed or its "
+           "weights "
+           "there differ.")
       .def(
           "to_bspline", &bsplineCurve, py::arg("continuity"),
           "The same curve as a BSplineCurve with inner knots of multiplicity degree - continuity. ValueError "

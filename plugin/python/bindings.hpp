@@ -7,6 +7,7 @@ namespace seamwright::python {
 
 void bindBernstein(pybind11::module_& module);
 void bindBezier(pybind11::module_& module);
+void bindCurveJoin(pybind11::module_& module);
 void bindJoin(pybind11::module_& module);
 void bindMatch(pybind11::module_& module);
 void bindMeasure(pybind11::module_& module);
@@ -16,6 +17,7 @@ void bindNuSpline(pybind11::module_& module);
 void bindPointerBridge(pybind11::module_& module);
 void bindSeam(pybind11::module_& module);
 void bindSpline(pybind11::module_& module);
+void bindSpaceCurve(pybind11::module_& module);
 void bindTriangle(pybind11::module_& module);
 
 }  // namespace seamwright::python

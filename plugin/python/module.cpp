@@ -12,7 +12,9 @@ PYBIND11_MODULE(_core, module) {
   bindTriangle(module);
   bindMeasure(module);
   bindSeam(module);
+  bindSpaceCurve(module);
   bindJoin(module);
+  bindCurveJoin(module);
   bindNearest(module);
   bindSpline(module);
   bindNuSpline(module);

@@ -40,26 +40,42 @@ from ._core import (
     Report,
     alpha_join_rows,
     alpha_surface,
+    arc_length,
     arc_length_derivatives,
+    beta_matrix,
     beta_spline,
     blend,
+    bridge_curve,
+    composed_beta,
     continuation,
     curvature_tensor,
     direct_g2_spline,
     enclose_seam,
+    fit_beta,
     fit_connection,
+    inverse_beta,
     gamma_spline,
+    find_degeneracies,
+    fit_connection,
+    frenet_frame,
     join_condition,
     join_rows,
     joined,
+    joined_curve,
     knots_of,
     measure_joint,
     measure_pair,
     orient,
     nearest_join,
+    next_poles,
     nu_spline,
     principal_curvatures,
     read,
+    reversed_beta,
+    parameter_at_length,
+    principal_curvatures,
+    read,
+    rotation_minimizing_frames,
     triangle_continuation,
 )
 from ._core import __version__
@@ -76,6 +92,24 @@ def _from_freecad(shape):
 def _to_freecad(self):
     """This model as a FreeCAD ``Part.Shape``; shared, not copied, where the bridge allows it."""
     return bridge.model_to_freecad(self)
+
+
+def curve_to_freecad(curve):
+    """A curve as FreeCAD's: a BezierCurve as ``Part.BezierCurve``, a BSplineCurve as ``Part.BSplineCurve``, a BezierSpline as that of
+    ``to_bspline(continuity())``. Poles, weights and knots are the same numbers.
+
+    Raises ``ValueError`` for degrees above 25, ``TypeError`` for other things, ``RuntimeError`` outside FreeCAD.
+    """
+    return bridge.curve_to_freecad(curve)
+
+
+def curve_from_freecad(curve):
+    """The BezierCurve or BSplineCurve that a ``Part.BezierCurve`` or ``Part.BSplineCurve`` is, number by number. Where one is periodic
+    or its ends are not clamped, knots are inserted at its ends. Of an edge, give ``edge.Curve``; trims are not looked at.
+
+    Raises ``TypeError`` for other things, ``RuntimeError`` outside FreeCAD.
+    """
+    return bridge.curve_from_freecad(curve)
 
 
 Model.from_freecad = staticmethod(_from_freecad)
@@ -99,26 +133,44 @@ __all__ = [
     "__version__",
     "alpha_join_rows",
     "alpha_surface",
+    "arc_length",
     "arc_length_derivatives",
+    "beta_matrix",
     "beta_spline",
     "blend",
     "bridge",
+    "bridge_curve",
+    "composed_beta",
     "continuation",
     "curvature_tensor",
+    "curve_from_freecad",
+    "curve_to_freecad",
     "direct_g2_spline",
     "enclose_seam",
+    "fit_beta",
     "fit_connection",
+    "inverse_beta",
     "gamma_spline",
+    "find_degeneracies",
+    "fit_connection",
+    "frenet_frame",
     "join_condition",
     "join_rows",
     "joined",
+    "joined_curve",
     "knots_of",
     "measure_joint",
     "measure_pair",
     "orient",
     "nearest_join",
+    "next_poles",
     "nu_spline",
     "principal_curvatures",
     "read",
+    "reversed_beta",
+    "parameter_at_length",
+    "principal_curvatures",
+    "read",
+    "rotation_minimizing_frames",
     "triangle_continuation",
 ]

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <queue>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <seamwright/core/bernstein/coefficients.hpp>
+#include <seamwright/core/bezier/length.hpp>
+#include <seamwright/core/bezier/velocity_form.hpp>
+
+namespace seamwright {
+
+namespace {
+
+constexpr int nodes = 7;
+/// Gauss' nodes on [0, 1] are (1 +- x) / 2.
+constexpr std::array<double, nodes> legendre_roots = {
+    -0.94910791234275852453, -0.74153118559939443986, -0.40584515137739716691, 0,
+    0.40584515137739716691,  0.74153118559939443986,  0.94910791234275852453};
+
+double node(int i) {
+  return 0.5 * (1 + legendre_roots[i]);
+}
+
+/// From values at the nodes to the Bernstein coefficients of the polynomial through them.
+Eigen::Matrix<double, nodes, nodes> interpolation() {
+  Eigen::Matrix<double, nodes, nodes> values;
+  const Eigen::VectorXd& binomials = bernstein::binomials(nodes - 1);
+  for (int i = 0; i < nodes; ++i)
+    for (int j = 0; j < nodes; ++j)
+      values(i, j) = binomials(j) * std::pow(node(i), j) * std::pow(1 - node(i), nodes - 1 - j);
+  return values.inverse();
+}
+
+/// Rounded downwards, but not below 0. \pre not negative.
+double down(double x) {
+  return x == 0 ? 0 : std::nextafter(x, 0.0);
+}
+
+/// Upper bound of a / b for a >= 0, b > 0; 0 if a is.
+double quotientUp(double a, double b) {
+  return a == 0 ? 0 : rounding::up(a / b);
+}
+
+/// The integral of the speed over a piece, its parameter from 0 to 1.
+struct Estimate {
+  Interval bracket;
+  double value = 0;     ///< within
+  double rounding = 0;  ///< of the bracket's width, what no halving takes away
+};
+
+/// |integral of the velocity| <= length <= integral of its control polygon's norm, both over the divisor: of a
+/// polynomial curve chord and polygon. The value is Gravesen's.
+Estimate chordAndPolygon(const VelocityForm& form) {
+  const int m = form.velocity[0].degree();
+  Eigen::Matrix3Xd c(3, m + 1);
+  for (int i = 0; i < 3; ++i) c.row(i) = form.velocity[i].coefficients().transpose();
+  const double chord = c.rowwise().mean().stableNorm(), polygon = c.colwise().stableNorm().mean();
+  const double off =
+      rounding::sumUp(padding(form.velocity), rounding::productUp(rounding::gamma(m + 8), polygon));
+  const Interval divisor = form.divisorRange();
+  Estimate result;
+  result.bracket = {down(down(std::max(0.0, chord - off)) / divisor.upper),
+                    quotientUp(rounding::sumUp(polygon, off), divisor.lower)};
+  result.rounding = 2 * off / divisor.lower;
+  result.value = std::clamp((2 * chord + m * polygon) / (m + 2) / divisor.middle(), result.bracket.lower,
+                            result.bracket.upper);
+  return result;
+}
+
+/// Speed at the nodes, rounded.
+Eigen::Matrix<double, nodes, 1> speeds(const VelocityForm& form) {
+  Eigen::Matrix<double, nodes, 1> values;
+  for (int i = 0; i < nodes; ++i) {
+    const bernstein::Step step = bernstein::Step::at(node(i));
+    Eigen::Vector3d velocity;
+    for (int k = 0; k < 3; ++k) velocity(k) = bernstein::collapsed(form.velocity[k].coefficients(), step)(0);
+    values(i) = velocity.norm() / bernstein::collapsed(form.divisor.coefficients(), step)(0);
+  }
+  return values;
+}
+
+/// Gauss' quadrature with its remainder: the polynomial g through the speeds at the nodes has their quadrature
+/// for integral. With v the velocity, d the divisor,
+///
+///   |v| / d - g = (v.v - (g d)^2) / ((|v| + g d) d),
+///
+/// and all that is on the right has Bernstein forms. Whatever rounding did to g is seen there.
+/// Nothing where |v| + g d has no positive lower bound.
+std::optional<Estimate> quadrature(const VelocityForm& form) {
+  static const Eigen::Matrix<double, nodes, nodes> to_bernstein = interpolation();
+  const double least_speed = lowerNorm(form.velocity);
+  if (!(least_speed > 0)) return std::nullopt;
+  const BernsteinPolynomial g(to_bernstein * speeds(form));
+  const BernsteinPolynomial guess = g * form.divisor;
+  const double denominator =
+      down(down(least_speed + std::max(0.0, guess.range().lower)) * form.divisorRange().lower);
+  if (!(guess.range().lower >= 0 && denominator > 0)) return std::nullopt;
+  const Interval residual = (squaredNorm(form.velocity) - guess * guess).range();
+  Estimate result;
+  result.value = g.coefficients().mean();
+  const double rounding = rounding::productUp(rounding::gamma(nodes + 2), g.coefficients().cwiseAbs().mean());
+  const auto off = [&](double remainder) {
+    return rounding::sumUp(rounding, quotientUp(std::max(0.0, remainder), denominator));
+  };
+  result.bracket = {down(std::max(0.0, result.value - off(-residual.lower))),
+                    rounding::up(result.value + off(residual.upper))};
+  return result;
+}
+
+Estimate estimated(const VelocityForm& form) {
+  const Estimate plain = chordAndPolygon(form);
+  std::optional<Estimate> sharp = quadrature(form);
+  if (!sharp || sharp->bracket.width() > plain.bracket.width()) return plain;
+  sharp->rounding = plain.rounding;
+  return *sharp;
+}
+
+/// Sums over pieces, halved until each is known to the tolerance or as well as rounding lets it.
+class LengthSum {
+ public:
+  explicit LengthSum(double tolerance) : tolerance_(tolerance) {}
+
+  /// \param share of the range that the form is over.
+  void add(const VelocityForm& form, const Estimate& estimate, double share) {
+    const double width = estimate.bracket.width();
+    constexpr double smallest = 0x1p-100;
+    if (width <= tolerance_ || width <= 2 * estimate.rounding || share < smallest)
+      return take(estimate, share);
+    const auto [left, right] = form.halves();
+    const Estimate of_left = estimated(left), of_right = estimated(right);
+    // The remainder falls with the seventh power of the length; what falls more slowly is rounding.
+    const bool falls = of_left.bracket.width() + of_right.bracket.width() <= 0.25 * width;
+    if (!falls && width <= 0x1p-36 * estimate.bracket.upper) return take(estimate, share);
+    add(left, of_left, 0.5 * share);
+    add(right, of_right, 0.5 * share);
+  }
+
+  Interval bracket() const { return bracket_; }
+  double value() const { return std::clamp(value_, bracket_.lower, bracket_.upper); }
+
+ private:
+  void take(const Estimate& estimate, double share) {
+    bracket_.lower = down(bracket_.lower + down(share * estimate.bracket.lower));
+    bracket_.upper = rounding::sumUp(bracket_.upper, rounding::productUp(share, estimate.bracket.upper));
+    value_ += share * estimate.value;
+  }
+
+  double tolerance_;
+  Interval bracket_;
+  double value_ = 0;
+};
+
+void requirePositive(double tolerance_mm) {
+  if (!(tolerance_mm > 0))
+    throw std::invalid_argument("tolerance is " + bernstein::text(tolerance_mm) + ": it must be positive");
+}
+
+}  // namespace
+
+ArcLength arcLength(const BezierCurve& curve, double tolerance_mm, double first, double last) {
+  requirePositive(tolerance_mm);
+  if (!(0 <= first && first <= last && last <= 1))
+    throw std::invalid_argument("range is " + bernstein::text(first) + " .. " + bernstein::text(last) +
+                                ": 0 <= first <= last <= 1 is needed");
+  if (first == last) return {};
+  VelocityForm form = velocityForm(curve);
+  if (first > 0 || last < 1) form = form.restricted({first, last});
+  const double scale = form.unit_mm * (last - first);
+  LengthSum sum(tolerance_mm / scale);
+  sum.add(form, estimated(form), 1);
+  const Interval bracket = sum.bracket();
+  ArcLength length;
+  length.lower_mm = down(down(down(last - first) * bracket.lower) * form.unit_mm);
+  length.upper_mm =
+      rounding::productUp(rounding::productUp(rounding::up(last - first), bracket.upper), form.unit_mm);
+  length.value_mm = std::clamp(scale * sum.value(), length.lower_mm, length.upper_mm);
+  length.reached = length.upper_mm - length.lower_mm <= tolerance_mm;
+  return length;
+}
+
+double parameterAtLength(const BezierCurve& curve, double length_mm, double tolerance_mm) {
+  requirePositive(tolerance_mm);
+  const double accuracy = 0.25 * tolerance_mm;
+  const ArcLength whole = arcLength(curve, accuracy);
+  if (!(length_mm >= 0 && length_mm <= whole.upper_mm))
+    throw std::invalid_argument("length is " + bernstein::text(length_mm) + ": the curve has 0 .. " +
+                                bernstein::text(whole.value_mm) + " mm");
+  Interval range{0, 1};  // what is asked is in here
+  double t = whole.value_mm > 0 ? std::min(1.0, length_mm / whole.value_mm) : 0;
+  for (int step = 1;; ++step) {
+    const ArcLength length = arcLength(curve, accuracy, 0, t);
+    const double missing = length_mm - length.value_mm;
+    if (std::abs(missing) <= std::max(2 * accuracy, length.upper_mm - length.lower_mm)) return t;
+    (missing > 0 ? range.lower : range.upper) = t;
+    if (range.middle() <= range.lower || range.middle() >= range.upper) return t;
+    const double newton = t + missing / curve.derivatives(t, 1).row(1).norm();
+    // Newton's steps may creep where the speed is about zero; every third halves the range.
+    const bool usable = newton > range.lower && newton < range.upper && step % 3 != 0;
+    t = usable ? newton : range.middle();
+  }
+}
+
+}  // namespace seamwright

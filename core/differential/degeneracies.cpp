@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include <seamwright/core/bernstein/coefficients.hpp>
+#include <seamwright/core/bezier/velocity_form.hpp>
+#include <seamwright/core/differential/frenet.hpp>
+
+namespace seamwright {
+
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// Where a form is not proved to be free of zeros, as intervals that do not touch.
+class ZeroSearch {
+ public:
+  explicit ZeroSearch(double resolution) : resolution_(resolution) {}
+
+  std::vector<Interval> operator()(const VectorForm& form) {
+    found_.clear();
+    search(form, {0, 1});
+    return found_;
+  }
+
+ private:
+  void search(const VectorForm& form, const Interval& domain) {
+    if (lowerNorm(form) > 0) return;
+    // Below twice the padding a smaller piece would be seen no better.
+    if (domain.width() <= resolution_ || largestNorm(form) <= 2 * padding(form)) return add(domain);
+    const auto [left, right] = halves(form);
+    search(left, {domain.lower, domain.middle()});
+    search(right, {domain.middle(), domain.upper});
+  }
+
+  void add(const Interval& domain) {
+    if (!found_.empty() && found_.back().upper == domain.lower)
+      found_.back().upper = domain.upper;
+    else
+      found_.push_back(domain);
+  }
+
+  double resolution_;
+  std::vector<Interval> found_;
+};
+
+/// A lower bound of |X'| that is at least half of what it is as a rule. \pre no cusps.
+class SpeedBound {
+ public:
+  explicit SpeedBound(double resolution) : resolution_(resolution) {}
+
+  double operator()(const VelocityForm& form) {
+    search(form, 1);
+    return form.unit_mm * bound_;
+  }
+
+ private:
+  void search(const VelocityForm& form, double width) {
+    attained_ = std::min({attained_, endSpeed(form, 0), endSpeed(form, form.velocity[0].degree())});
+    const double bound = lowerNorm(form.velocity) / form.divisor.range().upper * (1 - 4 * rounding::kUnit);
+    if (bound >= 0.5 * attained_ || width <= resolution_) {
+      bound_ = std::min(bound_, bound);
+      return;
+    }
+    const auto [left, right] = form.halves();
+    search(left, 0.5 * width);
+    search(right, 0.5 * width);
+  }
+
+  static double endSpeed(const VelocityForm& form, int i) {
+    const Eigen::Vector3d v(form.velocity[0].coefficients()(i), form.velocity[1].coefficients()(i),
+                            form.velocity[2].coefficients()(i));
+    return v.norm() / form.divisor.coefficients()(i == 0 ? 0 : form.divisor.degree());
+  }
+
+  double resolution_;
+  double attained_ = std::numeric_limits<double>::infinity();
+  double bound_ = std::numeric_limits<double>::infinity();
+};
+
+/// The line that the poles lie on to their rounding.
+struct Line {
+  bool exists = false;
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< zero if all poles are one point
+};
+
+Line lineOf(const BezierCurve& curve) {
+  const Poles poles = curve.poles();
+  const double rounding = 4 * epsilon * poles.cwiseAbs().maxCoeff();
+  const Eigen::Matrix3Xd offsets = (poles.rowwise() - poles.row(0)).transpose();
+  Eigen::Index farthest = 0;
+  const double length = offsets.colwise().stableNorm().maxCoeff(&farthest);
+  if (length <= rounding) return {true};
+  const Eigen::Vector3d direction = offsets.col(farthest) / length;
+  const Eigen::Matrix3Xd beside = offsets - direction * (direction.transpose() * offsets);
+  if (beside.colwise().stableNorm().maxCoeff() > rounding) return {};
+  return {true, direction};
+}
+
+/// The component along a direction.
+VectorForm along(const VectorForm& form, const Eigen::Vector3d& direction) {
+  const BernsteinPolynomial zero(Eigen::VectorXd::Zero(form[0].degree() + 1));
+  return {direction(0) * form[0] + direction(1) * form[1] + direction(2) * form[2], zero, zero};
+}
+
+/// On a line everything but the cusps is without curvature.
+std::vector<CurveDegeneracies::Place> placesOnLine(const std::vector<Interval>& cusps) {
+  std::vector<CurveDegeneracies::Place> places;
+  double last = 0;
+  for (const Interval& cusp : cusps) {
+    if (last < cusp.lower) places.push_back({CurvePoint::Inflection, last, cusp.lower});
+    places.push_back({CurvePoint::Cusp, cusp.lower, cusp.upper});
+    last = cusp.upper;
+  }
+  if (last < 1) places.push_back({CurvePoint::Inflection, last, 1});
+  return places;
+}
+
+/// X' = 0 makes X' x X'' = 0, so each cusp is part of a place. \pre both are in order.
+std::vector<CurveDegeneracies::Place> placesOf(const std::vector<Interval>& without_curvature,
+                                               const std::vector<Interval>& cusps) {
+  std::vector<Interval> all = without_curvature;
+  all.insert(all.end(), cusps.begin(), cusps.end());
+  std::sort(all.begin(), all.end(), [](const Interval& a, const Interval& b) { return a.lower < b.lower; });
+  std::vector<CurveDegeneracies::Place> places;
+  for (const Interval& piece : all) {
+    if (!places.empty() && piece.lower <= places.back().last)
+      places.back().last = std::max(places.back().last, piece.upper);
+    else
+      places.push_back({CurvePoint::Inflection, piece.lower, piece.upper});
+  }
+  for (CurveDegeneracies::Place& place : places)
+    for (const Interval& cusp : cusps)
+      if (cusp.lower <= place.last && cusp.upper >= place.first) place.kind = CurvePoint::Cusp;
+  return places;
+}
+
+}  // namespace
+
+CurveDegeneracies findDegeneracies(const BezierCurve& curve, double resolution) {
+  if (!(resolution >= 1e-12 && resolution <= 1))
+    throw std::invalid_argument("resolution is " + bernstein::text(resolution) + ": 1e-12..1 is needed");
+  const Line line = lineOf(curve);
+  CurveDegeneracies result;
+  result.straight = line.exists;
+  if (line.exists && line.direction.isZero(0)) {
+    result.places = {{CurvePoint::Point, 0, 1}};
+    return result;
+  }
+  VelocityForm form = velocityForm(curve);
+  if (line.exists) form.velocity = along(form.velocity, line.direction);
+  ZeroSearch zeros(resolution);
+  const std::vector<Interval> cusps = zeros(form.velocity);
+  result.places = line.exists ? placesOnLine(cusps) : placesOf(zeros(curvatureForm(curve)), cusps);
+  if (cusps.empty()) result.speed_lower = SpeedBound(resolution)(form);
+  return result;
+}
+
+}  // namespace seamwright

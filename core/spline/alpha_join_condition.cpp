@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/SVD>
+#include <algorithm>
+#include <limits>
+#include <seamwright/core/spline/alpha_form.hpp>
+#include <seamwright/core/spline/alpha_join_condition.hpp>
+
+namespace seamwright {
+
+namespace {
+
+using alpha::Row;
+using bernstein::text;
+using Quintic = Eigen::Matrix<double, 6, 3>;
+using Quartic = Eigen::Matrix<double, 5, 3>;
+
+/// What is said to be rounding, by the size of the poles.
+constexpr double slack = 64 * std::numeric_limits<double>::epsilon();
+
+Row rowOf(const AlphaSurface& surface, int i) {
+  return surface.poles.middleRows<4>(4 * i);
+}
+
+double largest(const Eigen::Ref<const Eigen::MatrixXd>& values) {
+  return values.cwiseAbs().maxCoeff();
+}
+
+double longest(const Quintic& values) {
+  return values.rowwise().norm().maxCoeff();
+}
+
+void requireUsable(const AlphaSurface& surface, const char* prefix = "") {
+  alphaSurfacePatch(surface);  // refuses poles that are not finite
+  alpha::requireWithin(std::string(prefix) + "a_u", surface.a_u, alpha::kSmallestShape, 1);
+  alpha::requireWithin(std::string(prefix) + "a_v", surface.a_v, alpha::kSmallestShape, 1);
+}
+
+/// What X_u and X_v are along the seam: coefficients of degree 5 and 4.
+struct Seam {
+  Quintic across;
+  Quartic along;
+};
+
+Seam seamOf(const AlphaSurface& given) {
+  const Eigen::Matrix<double, 6, 4> map = alpha::quintic(given.a_v);
+  const Row last = rowOf(given, 3);
+  const Quintic edge = map * last;
+  return {5 * given.a_u * map * (last - rowOf(given, 2)), 5 * (edge.bottomRows<5>() - edge.topRows<5>())};
+}
+
+void requireRegular(const Seam& seam) {
+  if (seam.across.isZero(0))
+    throw std::invalid_argument("rows 2 and 3 are the same: the surface has no derivative across its edge");
+  if (seam.along.isZero(0)) throw std::invalid_argument("row 3 is one point: the edge has no direction");
+}
+
+/// The product of a quartic with ((1 - t) beta0 + t beta1).
+Quintic slid(const Quartic& along, double beta0, double beta1) {
+  Quintic result = Quintic::Zero();
+  for (int i = 0; i < 5; ++i) {
+    result.row(i) += (5 - i) / 5.0 * beta0 * along.row(i);
+    result.row(i + 1) += (i + 1) / 5.0 * beta1 * along.row(i);
+  }
+  return result;
+}
+
+/// Equations (i) and (ii): 0 iff the quintic is an alpha-curve of that shape.
+Eigen::Matrix<double, 6, 1> misfit(const Quintic& q, double shape) {
+  Eigen::Matrix<double, 6, 1> result;
+  result << (q.row(2) - q.row(3)).transpose(),
+      (q.row(1) + q.row(4) - (1 - shape) * (q.row(0) + q.row(5)) - shape * (q.row(2) + q.row(3))).transpose();
+  return result;
+}
+
+/// The poles of an alpha-curve from its quintic.
+Row alphaRow(const Quintic& q, double shape) {
+  Row row;
+  row << q.row(0), (q.row(1) - (1 - shape) * q.row(0)) / shape, (q.row(4) - (1 - shape) * q.row(5)) / shape,
+      q.row(5);
+  return row;
+}
+
+/// The family of first rows, of fields divided by their sizes.
+void findFamily(const AlphaSurface& given, double next_a_v, AlphaSeamCondition& condition) {
+  const Seam seam = seamOf(given);
+  requireRegular(seam);
+  const double across = largest(seam.across), along = largest(seam.along);
+  Eigen::Matrix<double, 6, 3> equations;
+  equations << misfit(seam.across / across, next_a_v), misfit(slid(seam.along / along, 1, 0), next_a_v),
+      misfit(slid(seam.along / along, 0, 1), next_a_v);
+  if (condition.any_net) equations.col(0).setZero();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(equations, Eigen::ComputeFullV);
+  condition.singular = svd.singularValues();
+  condition.rank_noise = slack * largest(given.poles) * std::max(5 * given.a_u / across, 5 / along);
+  const auto rank = (condition.singular.array() > condition.rank_noise).count();
+  const Eigen::Vector3d sizes(1 / across, 1 / along, 1 / along);
+  condition.first_rows = sizes.asDiagonal() * svd.matrixV().rightCols(3 - rank);
+  const double goes_on = (svd.matrixV().rightCols(3 - rank).row(0)).norm();
+  condition.g1 = condition.order >= 0 && rank < 3 && goes_on > std::max(condition.rank_noise, slack);
+}
+
+void requireOrder(int order) {
+  if (order < 0 || order > 2)
+    throw std::invalid_argument("order " + std::to_string(order) + ": known are 0, 1 and 2");
+}
+
+/// Coefficients of u-derivatives along the seam by the common parameter.
+struct Derivatives {
+  Quintic position, first, second;
+};
+
+/// \param at_end the seam is u = 1, else u = 0.
+Derivatives derivativesAt(const AlphaSurface& surface, bool at_end, double length) {
+  const auto row = [&](int i) { return rowOf(surface, at_end ? 3 - i : i); };
+  const Eigen::Matrix<double, 6, 4> map = alpha::quintic(surface.a_v);
+  const double sense = at_end ? -1 : 1, a = surface.a_u;
+  const Row leg = row(1) - row(0);
+  return {map * row(0), map * (5 * a * sense / length * leg),
+          map * (10 / (length * length) * ((1 - 4 * a) * leg + row(2) - row(0)))};
+}
+
+double relative(double residual, double size) {
+  return residual == 0 ? 0 : residual / size;
+}
+
+double sumOfSquares(const AlphaSurface& x, const AlphaSurface& y) {
+  return (x.poles - y.poles).squaredNorm();
+}
+
+/// The minimum over b > 0 of a function with derivative c3 b^3 + c1 b + c0, c3 >= 0: the derivative has one change
+/// from - to + there at most. Newton's method from above, where it is convex.
+std::optional<double> positiveMinimum(double c3, double c1, double c0) {
+  if (c0 >= 0 && c1 >= 0) return std::nullopt;
+  double b = std::numeric_limits<double>::infinity();
+  if (c3 > 0) b = std::cbrt(std::abs(c0) / c3) + std::sqrt(std::abs(c1) / c3);
+  if (c1 > 0) b = std::min(b, -c0 / c1);
+  if (!std::isfinite(b)) return std::nullopt;
+  const double turn = c1 < 0 ? std::sqrt(-c1 / (3 * c3)) : 0;
+  if (c1 < 0 && (c3 * turn * turn + c1) * turn + c0 >= 0) return std::nullopt;
+  constexpr int most_steps = 200;
+  for (int step = 0; step < most_steps; ++step) {
+    const double next = b - ((c3 * b * b + c1) * b + c0) / (3 * c3 * b * b + c1);
+    if (!(next < b)) break;
+    b = std::max(next, turn);
+  }
+  return b > 0 ? std::optional(b) : std::nullopt;
+}
+
+double product(const Row& x, const Row& y) {
+  return x.cwiseProduct(y).sum();
+}
+
+struct Betas {
+  double beta1 = 1, beta2 = 0;
+};
+
+/// The cheapest betas; across, before are P_3 - P_2 and P_1 - P_3 in the shape of the next surface.
+std::optional<Betas> cheapest(const AlphaSurface& given, const AlphaSurface& next,
+                              const AlphaNearestOptions& options) {
+  const auto shaped = [&](const Row& row) { return alpha::reshaped(row, given.a_v / next.a_v); };
+  const Row end = shaped(rowOf(given, 3)), across = end - shaped(rowOf(given, 2)),
+            before = shaped(rowOf(given, 1)) - end;
+  const alpha::Side from{given.a_u, options.length}, to{next.a_u, options.next_length};
+  const alpha::Factors unit = alpha::factors(from, to, 1, 0);
+  const Row wanted1 = rowOf(next, 1) - end, wanted2 = rowOf(next, 2) - end;
+  double c3 = 0, c1 = unit.first * unit.first * product(across, across),
+         c0 = -unit.first * product(across, wanted1);
+  const double square = product(across, across);
+  if (options.order == 2) {  // beta2 makes up for what lies along `across`
+    const Row side = before - product(before, across) / square * across;
+    c3 = 2 * unit.third * unit.third * product(side, side);
+    c1 -= 2 * unit.third * product(side, wanted2);
+  }
+  const std::optional<double> beta1 = positiveMinimum(c3, c1, c0);
+  if (!beta1) return std::nullopt;
+  Betas betas{*beta1, 0};
+  if (options.order == 2) {
+    const alpha::Factors without = alpha::factors(from, to, *beta1, 0),
+                         with = alpha::factors(from, to, *beta1, 1);
+    const double second = product(wanted2 - without.third * before, across) / square;
+    betas.beta2 = (second - without.second) / (with.second - without.second);
+  }
+  return betas;
+}
+
+}  // namespace
+
+AlphaSeamCondition alphaSeamCondition(const AlphaSurface& given, double next_a_v) {
+  requireUsable(given);
+  alpha::requireWithin("next_a_v", next_a_v, alpha::kSmallestShape, 1);
+  AlphaSeamCondition condition;
+  condition.any_net = given.a_v == next_a_v;
+  condition.noise_mm = slack * largest(given.poles);
+  for (int i = 0; i < 3; ++i)
+    condition.defects_mm[static_cast<std::size_t>(i)] = alpha::defect(rowOf(given, 3 - i)).norm();
+  const auto meets = [&](std::size_t i) {
+    return condition.any_net || condition.defects_mm[i] <= condition.noise_mm;
+  };
+  while (condition.order < 2 && meets(static_cast<std::size_t>(condition.order + 1))) ++condition.order;
+  findFamily(given, next_a_v, condition);
+  return condition;
+}
+
+Poles alphaSlidingRows(const AlphaSurface& given, double next_a_u, double next_a_v, double alpha,
+                       double beta0, double beta1) {
+  requireUsable(given);
+  alpha::requireWithin("next_a_u", next_a_u, alpha::kSmallestShape, 1);
+  alpha::requireWithin("next_a_v", next_a_v, alpha::kSmallestShape, 1);
+  alpha::requirePositive("alpha", alpha);
+  alpha::requireFinite("beta0", beta0);
+  alpha::requireFinite("beta1", beta1);
+  const Seam seam = seamOf(given);
+  requireRegular(seam);
+  const Quintic edge = alpha::quintic(given.a_v) * rowOf(given, 3),
+                first = alpha * seam.across + slid(seam.along, beta0, beta1);
+  const double size = largest(given.poles);
+  const double edge_miss = misfit(edge, next_a_v).norm(), miss = misfit(first, next_a_v).norm();
+  const double spread = alpha * given.a_u + std::abs(beta0) + std::abs(beta1);
+  if (given.a_v != next_a_v && edge_miss > slack * size)
+    throw std::invalid_argument(
+        "a_v and next_a_v differ, and the edge is no curve of both shapes: it misses that by " +
+        text(edge_miss) + " mm, rounding " + text(slack * size));
+  if (miss > 10 * slack * size * spread)
+    throw std::invalid_argument(
+        "alpha X_u + beta X_v is not the derivative of an alpha-surface: it misses that by " + text(miss) +
+        " mm, rounding " + text(10 * slack * size * spread));
+  const Row row = given.a_v == next_a_v ? rowOf(given, 3) : alphaRow(edge, next_a_v);
+  Poles rows(8, 3);
+  rows << row, row + alphaRow(first, next_a_v) / (5 * next_a_u);
+  return rows;
+}
+
+AlphaSurface alphaBalanced(const AlphaSurface& given, int order) {
+  alphaSurfacePatch(given);  // refuses what is no surface
+  requireOrder(order);
+  AlphaSurface result = given;
+  for (int i = 3; i >= 3 - order; --i) {
+    const Eigen::RowVector3d quarter = alpha::defect(rowOf(given, i)) / 4;
+    for (const int j : {0, 3}) result.poles.row(4 * i + j) -= quarter;
+    for (const int j : {1, 2}) result.poles.row(4 * i + j) += quarter;
+  }
+  return result;
+}
+
+AlphaSeamFit alphaSeamFit(const AlphaSurface& a, const AlphaSurface& b, double length, double next_length) {
+  requireUsable(a);
+  requireUsable(b, "next_");
+  alpha::requirePositive("length", length);
+  alpha::requirePositive("next_length", next_length);
+  requireRegular(seamOf(a));
+  const Derivatives x = derivativesAt(a, true, length), y = derivativesAt(b, false, next_length);
+  AlphaSeamFit fit;
+  const double square = x.first.squaredNorm();
+  fit.gap_mm = longest(y.position - x.position);
+  fit.beta1 = x.first.cwiseProduct(y.first).sum() / square;
+  const Quintic bent = y.second - fit.beta1 * fit.beta1 * x.second;
+  fit.beta2 = x.first.cwiseProduct(bent).sum() / square;
+  const double first = longest(y.first);
+  const double second = std::max(
+      {longest(y.second), fit.beta1 * fit.beta1 * longest(x.second), std::abs(fit.beta2) * longest(x.first)});
+  fit.first = relative(longest(y.first - fit.beta1 * x.first), first);
+  fit.second = relative(longest(bent - fit.beta2 * x.first), second);
+  fit.c_first = relative(longest(y.first - x.first), std::max(first, longest(x.first)));
+  fit.c_second = relative(longest(y.second - x.second), std::max(longest(y.second), longest(x.second)));
+  const double size = std::max(largest(a.poles), largest(b.poles));
+  const double speed = size * (a.a_u / length * std::abs(fit.beta1) + b.a_u / next_length);
+  const double bend = size * (fit.beta1 * fit.beta1 / (length * length) + 1 / (next_length * next_length) +
+                              std::abs(fit.beta2) * a.a_u / length);
+  fit.noise = {slack * size, relative(slack * 5 * speed, first), relative(slack * 40 * bend, second)};
+  if (fit.gap_mm > fit.noise[0]) return fit;
+  fit.geometric_order = !(fit.beta1 > 0) || fit.first > fit.noise[1] ? 0 : fit.second > fit.noise[2] ? 1 : 2;
+  fit.parametric_order = fit.c_first > fit.noise[1] ? 0 : fit.c_second > fit.noise[2] ? 1 : 2;
+  return fit;
+}
+
+std::optional<AlphaNearest> alphaNearestJoin(const AlphaSurface& given, const AlphaSurface& next,
+                                             const AlphaNearestOptions& options) {
+  requireUsable(given);
+  requireUsable(next, "next_");
+  requireOrder(options.order);
+  alpha::requirePositive("length", options.length);
+  alpha::requirePositive("next_length", options.next_length);
+  AlphaNearest result{given, next};
+  if (given.a_v != next.a_v && alphaSeamCondition(given, next.a_v).order < options.order)
+    result.given = alphaBalanced(given, options.order);
+  requireRegular(seamOf(result.given));
+  if (options.order == 0) {
+    result.next.poles.topRows<4>() = alpha::reshaped(rowOf(result.given, 3), given.a_v / next.a_v);
+  } else {
+    const std::optional<Betas> betas = options.parametric ? Betas{} : cheapest(result.given, next, options);
+    if (!betas) return std::nullopt;
+    result.beta1 = betas->beta1;
+    result.beta2 = betas->beta2;
+    const Poles rows = alphaJoinRows(result.given, {options.order, result.beta1, result.beta2, options.length,
+                                                    options.next_length, next.a_u, next.a_v});
+    result.next.poles.topRows(rows.rows()) = rows;
+  }
+  result.cost_given = sumOfSquares(result.given, given);
+  result.cost_next = sumOfSquares(result.next, next);
+  return result;
+}
+
+}  // namespace seamwright

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <seamwright/core/bezier/length.hpp>
+
+#include "curves.hpp"
+#include "surfaces.hpp"
+
+namespace seamwright {
+namespace {
+
+using nlohmann::json;
+using test::Vec;
+
+constexpr int cases = 300;
+/// What lengths of a bracket of rounding may be off by, relative.
+constexpr double rounding = 4e-13;
+
+BezierCurve randomCurve(int degree, bool rational, std::mt19937_64& random) {
+  Poles poles(degree + 1, 3);
+  Eigen::VectorXd weights = Eigen::VectorXd::Ones(degree + 1);
+  for (int i = 0; i <= degree; ++i) {
+    poles.row(i) = test::randomVector(random).transpose();
+    if (rational) weights(i) = test::logUniform(random, -0.3, 0.3);
+  }
+  return {poles, weights};
+}
+
+BezierCurve cusp() {
+  Poles poles(4, 3);
+  poles << 0, 0, 0, 1, 1, 0, 0, 1, 0, 1, 0, 0;
+  return BezierCurve(poles);
+}
+
+BezierCurve quarterCircle(double r) {
+  Poles poles(3, 3);
+  poles << r, 0, 0, r, r, 0, 0, r, 0;
+  return {poles, Eigen::Vector3d(1, std::sqrt(0.5), 1)};
+}
+
+/// The speed of a polynomial or rational curve from powers of t in extended precision, not through the library.
+class Speed {
+ public:
+  explicit Speed(const BezierCurve& curve) {
+    const HomogeneousPoles& h = curve.homogeneousPoles();
+    const auto n = static_cast<int>(h.rows()) - 1;
+    for (int c = 0; c < 4; ++c) {
+      powers_[c].assign(n + 1, 0);
+      for (int i = 0; i <= n; ++i)
+        for (int k = 0; k <= n - i; ++k)
+          powers_[c][i + k] += (k % 2 ? -1.0L : 1.0L) * choose(n, i) * choose(n - i, k) * h(i, c);
+    }
+  }
+
+  long double operator()(long double t) const {
+    long double value[4], slope[4];
+    for (int c = 0; c < 4; ++c) {
+      value[c] = slope[c] = 0;
+      for (std::size_t i = powers_[c].size(); i-- > 0;) {
+        slope[c] = slope[c] * t + value[c];
+        value[c] = value[c] * t + powers_[c][i];
+      }
+    }
+    long double square = 0;
+    for (int c = 0; c < 3; ++c) {
+      const long double v = (slope[c] * value[3] - value[c] * slope[3]) / (value[3] * value[3]);
+      square += v * v;
+    }
+    return std::sqrt(square);
+  }
+
+ private:
+  static long double choose(int n, int k) {
+    long double result = 1;
+    for (int i = 1; i <= k; ++i) result = result * (n - k + i) / i;
+    return result;
+  }
+  std::array<std::vector<long double>, 4> powers_;
+};
+
+/// Romberg's rule in extended precision until it stands still to 1e-15 of the whole; pieces meet at \p breaks.
+long double romberg(const Speed& speed, long double a, long double b) {
+  std::vector<long double> row = {(b - a) / 2 * (speed(a) + speed(b))};
+  for (int level = 1; level < 22; ++level) {
+    const long count = 1L << (level - 1);
+    long double sum = 0;
+    for (long i = 0; i < count; ++i) sum += speed(a + (b - a) * (2 * i + 1) / (2 * count));
+    std::vector<long double> next = {row[0] / 2 + (b - a) / (2 * count) * sum};
+    long double power = 1;
+    for (std::size_t k = 0; k < row.size(); ++k)
+      next.push_back(next[k] + (next[k] - row[k]) / ((power *= 4) - 1));
+    const long double change = std::abs(next.back() - row.back());
+    row = next;
+    if (level > 4 && change <= 1e-17L * row.back()) break;
+  }
+  return row.back();
+}
+
+void expectContains(const ArcLength& length, double wanted, double tolerance) {
+  EXPECT_LE(length.lower_mm, wanted * (1 + 4e-16));
+  EXPECT_GE(length.upper_mm, wanted * (1 - 4e-16));
+  EXPECT_LE(length.lower_mm, length.value_mm);
+  EXPECT_LE(length.value_mm, length.upper_mm);
+  EXPECT_EQ(length.reached, length.upper_mm - length.lower_mm <= tolerance);
+}
+
+TEST(Length, DataTo40Digits) {
+  std::ifstream file(SEAMWRIGHT_TEST_DATA "/frenet.json");
+  const json data = json::parse(file);
+  ASSERT_EQ(data["cases"].size(), 8u);
+  for (const json& entry : data["cases"]) {
+    SCOPED_TRACE(entry["name"]);
+    const BezierCurve curve = test::bezierCurve(entry["in"]["points"], entry["in"]["weights"]);
+    const double wanted = entry["out"]["arclength"], t = entry["in"]["t"];
+    for (const double relative : {0.1, 1e-3, 1e-6, 1e-9, 1e-12}) {
+      const double tolerance = relative * wanted;
+      const ArcLength length = arcLength(curve, tolerance, 0, t);
+      EXPECT_TRUE(length.reached);
+      expectContains(length, wanted, tolerance);
+    }
+    EXPECT_NEAR(arcLength(curve, 1e-12 * wanted, 0, t).value_mm, wanted, 1e-15 * wanted);
+    EXPECT_NEAR(parameterAtLength(curve, wanted, 1e-11), t, 1e-10);
+    const ArcLength impossible = arcLength(curve, 1e-300, 0, t);
+    EXPECT_FALSE(impossible.reached);
+    EXPECT_LT(impossible.upper_mm - impossible.lower_mm, rounding * wanted);
+    expectContains(impossible, wanted, 1e-300);
+  }
+}
+
+TEST(Length, Identity1Line) {
+  std::mt19937_64 random(121);
+  for (int i = 0; i < cases; ++i) {
+    const Vec p = test::randomVector(random),
+              q = test::logUniform(random, -6, 6) * test::randomVector(random);
+    Poles poles(2, 3);
+    poles << p.transpose(), q.transpose();
+    BezierCurve curve(poles, Eigen::Vector2d(1, i % 2 ? test::logUniform(random, -1, 1) : 1));
+    for (int k = 0; k < i % 5; ++k) curve = curve.elevated();
+    const double wanted = (curve.poles().bottomRows(1) - curve.poles().topRows(1)).norm();
+    const ArcLength length = arcLength(curve, 1e-11 * wanted);
+    EXPECT_TRUE(length.reached);
+    EXPECT_NEAR(length.value_mm, wanted, 1e-12 * wanted);
+    const bool plain = !curve.isRational() && curve.degree() == 1;
+    EXPECT_LT(length.upper_mm - length.lower_mm, (plain ? 1e-14 : 1e-11) * wanted);
+  }
+}
+
+TEST(Length, Identity2QuarterCircle) {
+  for (const double r : {1e-6, 0.3, 1.0, 47.0, 1e8}) {
+    const double wanted = r * std::numbers::pi / 2;
+    const ArcLength length = arcLength(quarterCircle(r), 1e-12 * r);
+    EXPECT_TRUE(length.reached);
+    expectContains(length, wanted, 1e-12 * r);
+    EXPECT_NEAR(length.value_mm, wanted, 2e-15 * wanted);  // sqrt(1/2) is rounded
+    EXPECT_NEAR(arcLength(quarterCircle(r), 1e-12 * r, 0, 0.5).value_mm, wanted / 2, 2e-15 * wanted);
+    EXPECT_NEAR(parameterAtLength(quarterCircle(r), wanted / 2, 1e-12 * r), 0.5, 1e-11);
+  }
+}
+
+// Against Romberg's rule on powers of t in extended precision.
+TEST(Length, BracketsHoldAnotherQuadrature) {
+  std::mt19937_64 random(122);
+  int loose = 0;
+  for (int i = 0; i < cases; ++i) {
+    const BezierCurve curve = randomCurve(2 + i % 5, i % 2 == 1, random);
+    const double a = i % 3 ? 0 : 0.2, b = i % 3 ? 1 : 0.7;
+    const auto wanted = static_cast<double>(romberg(Speed(curve), a, b));
+    const double tolerance = wanted * test::logUniform(random, -12, 0);
+    const ArcLength length = arcLength(curve, tolerance, a, b);
+    EXPECT_TRUE(length.reached) << i;
+    EXPECT_LE(length.lower_mm, wanted * (1 + 1e-15)) << i;
+    EXPECT_GE(length.upper_mm, wanted * (1 - 1e-15)) << i;
+    loose += length.upper_mm - length.lower_mm > 0.1 * tolerance;
+    // The bracket is no decoration: the curve with a pole moved by 1e-6 is not in a tight one.
+    Poles poles = curve.poles();
+    poles.row(0) += 1e-6 * (poles.row(0) - poles.row(1));
+    const ArcLength tight = arcLength(curve, 1e-11 * wanted, a, b);
+    const double other = arcLength({poles, curve.weights()}, 1e-11 * wanted, a, b).value_mm;
+    EXPECT_TRUE(other < tight.lower_mm || other > tight.upper_mm) << i;
+  }
+  EXPECT_GT(loose, 15);  // no more work than asked
+}
+
+TEST(Length, Identity3PartsReversalElevationMotionScale) {
+  std::mt19937_64 random(123);
+  for (int i = 0; i < cases; ++i) {
+    const BezierCurve curve = randomCurve(2 + i % 5, i % 2 == 1, random);
+    const double whole = arcLength(curve, 1e-11).value_mm, bound = 1e-11 + rounding * whole;
+    const double t = static_cast<double>(i) / cases;
+    EXPECT_NEAR(arcLength(curve, 1e-11, 0, t).value_mm + arcLength(curve, 1e-11, t, 1).value_mm, whole,
+                2 * bound);
+    EXPECT_NEAR(arcLength(curve.reversed(), 1e-11).value_mm, whole, bound);
+    EXPECT_NEAR(arcLength(curve.elevated(), 1e-11).value_mm, whole, bound);
+    EXPECT_NEAR(arcLength(curve.split(t).first, 1e-11).value_mm, arcLength(curve, 1e-11, 0, t).value_mm,
+                bound);
+    const double scale = test::logUniform(random, -6, 6);
+    const Poles poles = (scale * curve.poles() * test::randomRotation(random)).rowwise() +
+                        Eigen::RowVector3d(scale, -scale, 2 * scale);
+    EXPECT_NEAR(arcLength({poles, curve.weights()}, 1e-11 * scale).value_mm / scale, whole, 2 * bound);
+  }
+}
+
+// X' = (6 u^2 - 1.5 ... ) closed form: with u = 2 t - 1, X = (u^2, u^3) over [-1, 1] has twice the length
+// (13 sqrt(13) - 8) / 27 of a branch of the semicubical parabola.
+TEST(Length, Identity4BothBranchesOfACusp) {
+  Poles poles(4, 3);
+  poles << 1, -1, 0, -1.0 / 3, 1, 0, -1.0 / 3, -1, 0, 1, 1, 0;
+  const BezierCurve curve(poles);
+  const double wanted = 2 * (13 * std::sqrt(13.0) - 8) / 27;
+  for (const double tolerance : {1.0, 1e-2, 1e-5, 1e-8, 1e-12}) {
+    const ArcLength length = arcLength(curve, tolerance);
+    EXPECT_TRUE(length.reached);
+    expectContains(length, wanted, tolerance);
+  }
+  EXPECT_NEAR(arcLength(curve, 1e-12).value_mm, wanted, 1e-13);
+  EXPECT_NEAR(parameterAtLength(curve, wanted / 2, 1e-10), 0.5,
+              1e-4);  // within sqrt(1e-10) where the speed is 0
+  for (int i = 0; i <= 40; ++i) {
+    const double length = wanted * i / 40;
+    EXPECT_NEAR(arcLength(curve, 1e-12, 0, parameterAtLength(curve, length, 1e-9)).value_mm, length, 1e-9)
+        << i;
+  }
+  EXPECT_TRUE(arcLength(cusp(), 1e-12).reached);
+}
+
+TEST(Length, LineThatTurnsBack) {
+  Poles poles(3, 3);
+  poles << 0, 0, 0, 1, 2, 2, 0, 0, 0;  // up to half of (1, 2, 2) and back
+  const ArcLength length = arcLength(BezierCurve(poles), 1e-12);
+  EXPECT_TRUE(length.reached);
+  expectContains(length, 3, 1e-12);
+}
+
+TEST(Length, ParameterAtLengthIsTheInverse) {
+  std::mt19937_64 random(124);
+  for (int i = 0; i < 300; ++i) {
+    const BezierCurve curve = randomCurve(1 + i % 6, i % 2 == 1, random);
+    const double tolerance = test::logUniform(random, -10, -2), t = i / 300.0;
+    const double length = arcLength(curve, 1e-12, 0, t).value_mm;
+    const double found = parameterAtLength(curve, length, tolerance);
+    EXPECT_NEAR(arcLength(curve, 1e-12, 0, found).value_mm, length, tolerance) << i;
+  }
+  EXPECT_EQ(parameterAtLength(cusp(), 0, 1e-9), 0);
+  EXPECT_EQ(parameterAtLength(BezierCurve(Poles::Ones(3, 3)), 0, 1e-9), 0);
+}
+
+TEST(Length, ExtremeSizesAndPoints) {
+  for (const double size : {1e-150, 1e-12, 1e12, 1e150}) {
+    const ArcLength length = arcLength(quarterCircle(size), 1e-11 * size);
+    EXPECT_TRUE(length.reached) << size;
+    EXPECT_NEAR(length.value_mm / size, std::numbers::pi / 2, 1e-14) << size;
+  }
+  const ArcLength point = arcLength(BezierCurve(Poles::Constant(4, 3, 0.1)), 1e-9);
+  EXPECT_EQ(point.value_mm, 0);
+  EXPECT_TRUE(point.reached);
+  EXPECT_EQ(arcLength(BezierCurve(Poles::Ones(1, 3)), 1).upper_mm, 0);
+  EXPECT_EQ(arcLength(cusp(), 1, 0.3, 0.3).upper_mm, 0);
+  // Far from the origin: poles are exact, so only their differences count.
+  Poles far(3, 3);
+  far << 1e9, 0, 0, 1e9 + 1, 0, 0, 1e9 + 1, 1, 0;
+  Poles near = far;
+  near.col(0).array() -= 1e9;
+  EXPECT_EQ(arcLength(BezierCurve(far), 1e-12).value_mm, arcLength(BezierCurve(near), 1e-12).value_mm);
+}
+
+TEST(Length, BadArguments) {
+  const auto message = [](auto call) {
+    try {
+      call();
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_THAT(message([] { arcLength(cusp(), 0); }), testing::HasSubstr("tolerance is 0"));
+  EXPECT_THAT(message([] { arcLength(cusp(), std::nan("")); }), testing::HasSubstr("tolerance is nan"));
+  EXPECT_THAT(message([] { arcLength(cusp(), 1, 0.5, 0.25); }), testing::HasSubstr("range is 0.5 .. 0.25"));
+  EXPECT_THAT(message([] { arcLength(cusp(), 1, 0, std::nan("")); }),
+              testing::HasSubstr("range is 0 .. nan"));
+  EXPECT_THAT(message([] { arcLength(cusp(), 1, -1, 1); }), testing::HasSubstr("range is -1"));
+  EXPECT_THAT(message([] { parameterAtLength(cusp(), 2, 1e-9); }),
+              testing::AllOf(testing::HasSubstr("length is 2"), testing::HasSubstr("0 .. 1.828")));
+  EXPECT_THAT(message([] { parameterAtLength(cusp(), -1, 1e-9); }), testing::HasSubstr("length is -1"));
+  EXPECT_THAT(message([] { parameterAtLength(cusp(), std::nan(""), 1e-9); }),
+              testing::HasSubstr("length is nan"));
+  EXPECT_THAT(message([] { parameterAtLength(cusp(), 1, -1); }), testing::HasSubstr("tolerance is -1"));
+}
+
+}  // namespace
+}  // namespace seamwright
