@@ -7,6 +7,7 @@
 #include <seamwright/core/spline/band_factor.hpp>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace seamwright {
@@ -58,12 +59,19 @@ class BandFactor {
     }
   }
 
-  Poles solved(const Poles& right) const {
-    Poles y = Poles::Zero(count_ + Upper, 3), x(count_, 3);
+  Poles solved(Poles right) const {
+    if (!closed_) {
+      right.conservativeResize(count_ + Upper, 3);
+      right.bottomRows(Upper).setZero();
+      solve(right);
+      right.conservativeResize(count_, 3);
+      return right;
+    }
+    Poles y = Poles::Zero(count_ + Upper, 3);
     for (Index i = 0; i < count_; ++i) y.row(place(i)) = right.row(i);
     solve(y);
-    for (Index i = 0; i < count_; ++i) x.row(i) = y.row(place(i));
-    return x;
+    for (Index i = 0; i < count_; ++i) right.row(i) = y.row(place(i));
+    return right;
   }
 
   /// Hager's estimate of the inverse's maximum norm, from below; N. Higham, ACM TOMS 14 (1988), algorithm 4.1.
@@ -169,7 +177,7 @@ BandMatrix balanced(const BandMatrix& m) {
 }
 
 template <int Width>
-BandSolution solvePivoted(const BandMatrix& given, const Poles& right) {
+BandSolution solvePivoted(const BandMatrix& given, Poles right) {
   const BandMatrix matrix = balanced(given);
   const BandFactor<Width, true> factor(matrix);
   const Index smallest = factor.smallestPivot();
@@ -180,21 +188,25 @@ BandSolution solvePivoted(const BandMatrix& given, const Poles& right) {
     throw std::domain_error("the " + std::to_string(matrix.diagonal.size()) +
                             " equations are singular: pivot " + std::to_string(smallest) + " is " +
                             bernstein::text(size) + ", reciprocal condition " + bernstein::text(condition));
-  const Poles solution = factor.solved(given.scale.asDiagonal() * right);
-  return {given.scale.cwiseInverse().asDiagonal() * solution, inverse, true};
+  right.array().colwise() *= given.scale.array();
+  right = factor.solved(std::move(right));
+  right.array().colwise() /= given.scale.array();
+  return {std::move(right), inverse, true};
 }
 
 template <int Width>
-BandSolution solveOfWidth(const BandMatrix& matrix, const Poles& right) {
+BandSolution solveOfWidth(const BandMatrix& matrix, Poles right) {
   const double bound = dominanceBound(matrix);
-  if (!(rowNorm(matrix) * bound * kSmallestCondition <= 1)) return solvePivoted<Width>(matrix, right);
-  return {BandFactor<Width, false>(matrix).solved(right), bound, false};
+  if (!(rowNorm(matrix) * bound * kSmallestCondition <= 1))
+    return solvePivoted<Width>(matrix, std::move(right));
+  return {BandFactor<Width, false>(matrix).solved(std::move(right)), bound, false};
 }
 
 }  // namespace
 
-BandSolution solveBand(const BandMatrix& matrix, const Poles& right) {
-  return matrix.closed ? solveOfWidth<2>(matrix, right) : solveOfWidth<1>(matrix, right);
+BandSolution solveBand(const BandMatrix& matrix, Poles right) {
+  return matrix.closed ? solveOfWidth<2>(matrix, std::move(right))
+                       : solveOfWidth<1>(matrix, std::move(right));
 }
 
 }  // namespace seamwright

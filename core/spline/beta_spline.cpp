@@ -4,6 +4,7 @@
 #include <seamwright/core/spline/beta_spline.hpp>
 #include <seamwright/core/spline/slope_equations.hpp>
 #include <stdexcept>
+#include <utility>
 
 namespace seamwright {
 
@@ -95,13 +96,13 @@ BetaSpline betaSpline(const BetaSplineData& data) {
   const Index n = data.points.rows() - 1;
   const bool closed = data.ends == SplineEnds::Periodic;
   BetaSpline result;
-  result.derivatives.resize(n + 1, 3);
-  result.derivatives.topRows(units.size()) = solution.derivatives;
-  if (closed) result.derivatives.row(n) = solution.derivatives.row(0);
+  result.derivatives = std::move(solution.derivatives);
+  result.derivatives.conservativeResize(n + 1, 3);
+  if (closed) result.derivatives.row(n) = result.derivatives.row(0);
   result.curve = hermiteSpline(data.points, result.derivatives, knots, closed, [&](Index i) {
     return Reach{1.0 / 3, biasAt(data, i + 1) / 3};
   });
-  result.stationary = stationaryPoints(result.curve, solution);
+  result.stationary = stationaryPoints(result.curve, result.derivatives, solution.noise);
   return result;
 }
 

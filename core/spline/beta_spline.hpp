@@ -39,7 +39,8 @@ struct BetaSpline {
 ///   (2) The end conditions.
 ///   (3) bias = 1, tension = 0: the C2 cubic spline with uniform knots.
 ///   (4) The nu-spline that it is.
-/// \throws as nuSpline(), and std::invalid_argument for a bias that is not positive.
+/// \throws as nuSpline(), and std::invalid_argument for a bias that is not positive, and where the lengths shrink so
+/// far that the knots do not increase; with the index.
 /// Source: text 000 §5; MATH-curves 7; the printed last coefficient is wrong (ERRATA-curves 0.12).
 BetaSpline betaSpline(const BetaSplineData& data);
 

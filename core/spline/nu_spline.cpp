@@ -4,6 +4,7 @@
 #include <seamwright/core/spline/nu_spline.hpp>
 #include <seamwright/core/spline/slope_equations.hpp>
 #include <stdexcept>
+#include <utility>
 
 namespace seamwright {
 
@@ -65,26 +66,26 @@ SlopeEquations equationsOf(const NuSplineData& data) {
 
 NuSpline nuSpline(const NuSplineData& data) {
   requireValid(data);
-  const SlopeEquations::Solution solution = equationsOf(data).solve();
+  SlopeEquations::Solution solution = equationsOf(data).solve();
   const Index n = data.points.rows() - 1;
   NuSpline result;
-  result.derivatives.resize(n + 1, 3);
-  result.derivatives.topRows(solution.derivatives.rows()) = solution.derivatives;
-  if (data.ends == SplineEnds::Periodic) result.derivatives.row(n) = solution.derivatives.row(0);
+  result.derivatives = std::move(solution.derivatives);
+  result.derivatives.conservativeResize(n + 1, 3);
+  if (data.ends == SplineEnds::Periodic) result.derivatives.row(n) = result.derivatives.row(0);
   const Edges edges(data);
   result.curve = hermiteSpline(data.points, result.derivatives, data.knots, data.ends == SplineEnds::Periodic,
                                [&](Index i) {
                                  const double reach = edges.length(i) / 3;
                                  return Reach{reach, reach};
                                });
-  result.stationary = stationaryPoints(result.curve, solution);
+  result.stationary = stationaryPoints(result.curve, result.derivatives, solution.noise);
   return result;
 }
 
 std::vector<double> knotsOf(const Poles& points, double exponent) {
   if (!(exponent >= 0 && exponent <= 1))
     throw std::invalid_argument("exponent is " + bernstein::text(exponent) + ": it must be within 0 to 1");
-  for (Index i = 0; i < points.rows(); ++i) requireFinite("point " + std::to_string(i), points.row(i));
+  requireFiniteRows("point", points);
   std::vector<double> knots(static_cast<std::size_t>(points.rows()), 0.0);
   for (std::size_t i = 1; i < knots.size(); ++i) {
     const auto row = static_cast<Index>(i);

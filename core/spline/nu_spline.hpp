@@ -26,7 +26,8 @@ struct NuSplineData {
 struct NuSpline {
   BezierSpline curve;
   Poles derivatives;  ///< X' at the points, n + 1 rows
-  /// Points where the first derivative is within rounding of zero: G2 is lost there.
+  /// Points where the first derivative is within rounding of zero, or a pole beside the point is it but for
+  /// rounding: G2 is lost there.
   std::vector<int> stationary;
 };
 
@@ -46,13 +47,14 @@ struct NuSpline {
 ///   (6) A knot vector multiplied by c with nu divided by c: the same curve.
 /// \throws std::invalid_argument for fewer than 2 points (periodic: 3), wrong counts, knots that do not increase,
 /// neighbours that are the same point, a last point of a periodic one other than the first, numbers that are not
-/// finite; with index and value. std::domain_error if the system is singular, with its number of the pivot.
+/// finite; with index and value. std::domain_error if the system is singular (reciprocal condition below 1e-12),
+/// with number and size of the smallest pivot.
 /// Source: text 000 §4; MATH-curves 6.
 NuSpline nuSpline(const NuSplineData& data);
 
 /// Knots for points: 0, then growing by |P_i - P_{i-1}|^exponent. 0: uniform, 1/2: centripetal, 1: chord length.
 /// \throws std::invalid_argument for an exponent outside 0..1, and for neighbours that are the same point unless
-/// it is 0; with the index.
+/// it is 0; with the index. Also where a step is lost in the rounding of the knots before it.
 std::vector<double> knotsOf(const Poles& points, double exponent = 0.5);
 
 }  // namespace seamwright

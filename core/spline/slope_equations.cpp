@@ -5,6 +5,7 @@
 #include <seamwright/core/bernstein/coefficients.hpp>
 #include <seamwright/core/spline/slope_equations.hpp>
 #include <stdexcept>
+#include <utility>
 
 namespace seamwright {
 
@@ -21,7 +22,7 @@ double largest(const Eigen::RowVector3d& v) {
 }
 
 std::string text(const Eigen::RowVector3d& v) {
-  return "(" + text(v(0)) + ", " + text(v(1)) + ", " + text(v(2)) + ")";
+  return std::string("(") + text(v(0)) + ", " + text(v(1)) + ", " + text(v(2)) + ")";
 }
 
 /// Whether moving the point by this is lost in its rounding.
@@ -54,9 +55,9 @@ void SlopeEquations::give(Index i, const Eigen::RowVector3d& derivative) {
   right_.row(i) = derivative;
 }
 
-SlopeEquations::Solution SlopeEquations::solve() const {
-  const BandSolution solution = solveBand(matrix_, right_);
+SlopeEquations::Solution SlopeEquations::solve() && {
   const Index count = right_.rows();
+  BandSolution solution = solveBand(matrix_, std::move(right_));
   Eigen::VectorXd noise(count);
   for (Index i = 0; i < count; ++i) {
     const double terms = std::abs(matrix_.lower(i)) * largest(solution.x.row((i + count - 1) % count)) +
@@ -64,7 +65,7 @@ SlopeEquations::Solution SlopeEquations::solve() const {
                          std::abs(matrix_.upper(i)) * largest(solution.x.row((i + 1) % count));
     noise(i) = 8 * kEpsilon * std::max(1.0, solution.inverse_norm) * (terms + right_size_(i));
   }
-  return {solution.x, noise};
+  return {std::move(solution.x), std::move(noise)};
 }
 
 void requireFinite(const std::string& name, const Eigen::Vector3d& vector) {
@@ -72,21 +73,24 @@ void requireFinite(const std::string& name, const Eigen::Vector3d& vector) {
     throw std::invalid_argument(name + " is " + text(Eigen::RowVector3d(vector)) + ": it must be finite");
 }
 
+void requireFiniteRows(const char* name, const Eigen::Ref<const Poles, 0, Eigen::OuterStride<>>& rows) {
+  for (Index i = 0; i < rows.rows(); ++i)
+    if (!rows.row(i).allFinite()) requireFinite(std::string(name) + " " + std::to_string(i), rows.row(i));
+}
+
 void requirePoints(const Poles& points, bool periodic) {
   const Index least = periodic ? 3 : 2, count = points.rows();
   if (count < least)
     throw std::invalid_argument("points " + std::to_string(count) + ": at least " + std::to_string(least) +
                                 " are needed");
-  for (Index i = 0; i < count; ++i) {
-    requireFinite("point " + std::to_string(i), points.row(i));
-    if (i == 0) continue;
-    const std::string pair = "points " + std::to_string(i - 1) + " and " + std::to_string(i);
-    if (points.row(i) == points.row(i - 1))
-      throw std::invalid_argument(pair + " are the same, " + text(Eigen::RowVector3d(points.row(i))));
-    if (!(points.row(i) - points.row(i - 1)).allFinite())
-      throw std::invalid_argument(pair + " are too far apart, " +
-                                  text(Eigen::RowVector3d(points.row(i - 1))) + " and " +
-                                  text(Eigen::RowVector3d(points.row(i))));
+  requireFiniteRows("point", points);
+  for (Index i = 1; i < count; ++i) {
+    const Eigen::RowVector3d step = points.row(i) - points.row(i - 1);
+    if (step.allFinite() && !step.isZero(0)) continue;
+    throw std::invalid_argument("points " + std::to_string(i - 1) + " and " + std::to_string(i) + ", " +
+                                text(Eigen::RowVector3d(points.row(i - 1))) + " and " +
+                                text(Eigen::RowVector3d(points.row(i))) +
+                                (step.allFinite() ? ", are the same" : ", are too far apart"));
   }
   if (periodic && points.row(count - 1) != points.row(0))
     throw std::invalid_argument(
@@ -111,14 +115,14 @@ void requireIncreasing(const std::vector<double>& knots, const char* reason) {
                                   text(knots[i - 1]) + ": " + reason);
 }
 
-std::vector<int> stationaryPoints(const BezierSpline& spline, const SlopeEquations::Solution& solution) {
+std::vector<int> stationaryPoints(const BezierSpline& spline, const Poles& derivatives,
+                                  const Eigen::VectorXd& noise) {
   std::vector<int> result;
   const Index last = spline.poles.rows() - 1, points = last / 3 + 1;
   for (Index i = 0; i < points; ++i) {
-    const Index row = i % solution.derivatives.rows();
     const auto pole = [&](Index k) { return Eigen::RowVector3d(spline.poles.row(k).head<3>()); };
     const bool before = i > 0 || spline.closed, after = i + 1 < points || spline.closed;
-    if (largest(solution.derivatives.row(row)) <= solution.noise(row) ||
+    if (largest(derivatives.row(i)) <= noise(i % noise.size()) ||
         (before && isLost(pole(3 * i), pole(i > 0 ? 3 * i - 1 : last - 1))) ||
         (after && isLost(pole(3 * i), pole(i + 1 < points ? 3 * i + 1 : 1))))
       result.push_back(static_cast<int>(i));

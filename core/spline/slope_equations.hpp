@@ -27,7 +27,7 @@ class SlopeEquations {
     Eigen::VectorXd noise;  ///< what rounding may have added to the largest coordinate of each
   };
   /// \throws std::domain_error as solveBand().
-  Solution solve() const;
+  Solution solve() &&;
 
  private:
   BandMatrix matrix_;
@@ -40,7 +40,9 @@ class SlopeEquations {
 void requirePoints(const Poles& points, bool periodic);
 /// \throws std::invalid_argument naming the value unless there are \p count, all finite.
 void requireNumbers(const char* name, const std::vector<double>& values, Eigen::Index count);
+/// \throws std::invalid_argument naming what is not finite, with its value.
 void requireFinite(const std::string& name, const Eigen::Vector3d& vector);
+void requireFiniteRows(const char* name, const Eigen::Ref<const Poles, 0, Eigen::OuterStride<>>& rows);
 /// \throws std::invalid_argument unless they increase, by finite steps; \p reason ends the sentence.
 void requireIncreasing(const std::vector<double>& knots, const char* reason);
 
@@ -64,13 +66,14 @@ BezierSpline hermiteSpline(const Poles& points, const Poles& derivatives, const 
     spline.poles.row(3 * i + 2).head<3>() = points.row(i + 1) - r.end * derivatives.row(i + 1);
   }
   spline.poles.row(3 * segments).head<3>() = points.row(segments);
-  for (Eigen::Index k = 0; k < spline.poles.rows(); ++k)
-    requireFinite("pole " + std::to_string(k), spline.poles.row(k).head<3>());
+  requireFiniteRows("pole", spline.poles.leftCols<3>());
   return spline;
 }
 
 /// Points whose derivative is within its noise, or so small that the poles beside the point are it but for
 /// rounding.
-std::vector<int> stationaryPoints(const BezierSpline& spline, const SlopeEquations::Solution& solution);
+/// \param noise of the points; a closed spline's last one is that of the first.
+std::vector<int> stationaryPoints(const BezierSpline& spline, const Poles& derivatives,
+                                  const Eigen::VectorXd& noise);
 
 }  // namespace seamwright

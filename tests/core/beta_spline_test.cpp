@@ -295,7 +295,7 @@ TEST(BetaSpline, BadInputIsNamed) {
             "invalid: tension has 4 numbers for 5 points");
   EXPECT_EQ(of([](BetaSplineData& d) { d.points.resize(0, 3); }), "invalid: points 0: at least 2 are needed");
   EXPECT_THAT(of([](BetaSplineData& d) { d.points.row(1) = d.points.row(0); }),
-              HasSubstr("points 0 and 1 are the same"));
+              ::testing::ContainsRegex("points 0 and 1, .* are the same"));
   EXPECT_THAT(of([&](BetaSplineData& d) { d.end_nu = nan; }), HasSubstr("end's nu is nan"));
   EXPECT_THAT(of([](BetaSplineData& d) { d.ends = SplineEnds::Periodic; }), HasSubstr("point 4 is ("));
   EXPECT_THAT(of([&](BetaSplineData& d) { d.end_derivative(2) = nan; }), HasSubstr("end_derivative is ("));

@@ -410,12 +410,12 @@ TEST(NuSpline, BadInputIsNamed) {
   EXPECT_THAT(of([&](NuSplineData& d) { d.nu[4] = infinity; }), HasSubstr("nu 4 is inf"));
   EXPECT_THAT(of([&](NuSplineData& d) { d.points(1, 2) = nan; }), HasSubstr("point 1 is ("));
   EXPECT_THAT(of([](NuSplineData& d) { d.points.row(3) = d.points.row(2); }),
-              HasSubstr("points 2 and 3 are the same, ("));
+              ::testing::ContainsRegex("points 2 and 3, .* are the same"));
   EXPECT_THAT(of([](NuSplineData& d) {
                 d.points(2, 0) = 1.5e308;
                 d.points(3, 0) = -1.5e308;
               }),
-              HasSubstr("points 2 and 3 are too far apart"));
+              ::testing::ContainsRegex("points 2 and 3, .*1.5.*, are too far apart"));
   EXPECT_THAT(of([](NuSplineData& d) { d.ends = SplineEnds::Periodic; }), HasSubstr("point 4 is ("));
   EXPECT_THAT(of([&](NuSplineData& d) { d.start_derivative(1) = nan; }), HasSubstr("start_derivative is ("));
   EXPECT_THAT(of([&](NuSplineData& d) { d.end_derivative(0) = infinity; }),
