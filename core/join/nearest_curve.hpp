@@ -33,14 +33,14 @@ enum class NearestCurveStatus {
 template <typename Curve>
 struct NearestCurveJoin {
   Curve a, b;            ///< the given ones where it is infeasible
-  Eigen::VectorXd beta;  ///< by the parameters of the curves
+  Eigen::VectorXd beta = {};  ///< by the parameters of the curves
   NearestCurveStatus status = NearestCurveStatus::Infeasible;
   double cost = 0;  ///< sum of cost_i |move_i|^2 / 2
   double largest_move_mm = 0;
   double residual = 0;  ///< the largest defect of the joint after it, as BetaFit::defects
   double gradient = 0;  ///< what is left of the derivative of the cost by beta, by the cost
   int iterations = 0;
-  std::string reason;  ///< why it is not solved
+  std::string reason = {};  ///< why it is not solved
 };
 
 /// The smallest move of the poles of one or both curves that makes the end of a and the beginning of b join exactly

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include <seamwright/core/join/beta.hpp>
+#include <seamwright/core/join/bell.hpp>
 #include <seamwright/core/join/nearest_curve_search.hpp>
 
 namespace seamwright::nearest_curve {
@@ -56,11 +56,11 @@ struct Iterate {
   }
   /// The y of the smallest z with upper' C G z = rhs.
   MatrixXd least(const MatrixXd& rhs) const {
-    return triangle().transpose().solve(qr.colsPermutation().transpose() * rhs);
+    return triangle().transpose().triangularView<Eigen::Lower>().solve(qr.colsPermutation().transpose() * rhs);
   }
   /// The m with G' C' upper m = z, where z has these y.
   MatrixXd multipliers(const MatrixXd& y_of_z) const {
-    return qr.colsPermutation() * triangle().solve(y_of_z);
+    return qr.colsPermutation() * triangle().triangularView<Eigen::Upper>().solve(y_of_z);
   }
   double cost() const { return y.squaredNorm() / 2; }
   double infeasibility() const { return open.norm(); }
@@ -72,9 +72,7 @@ struct Iterate {
     result.topRows(rows.rows()) = rows;
     return result;
   }
-  Eigen::TriangularView<const Eigen::Block<const MatrixXd>, Eigen::Upper> triangle() const {
-    return qr.matrixQR().topRows(qr.cols()).triangularView<Eigen::Upper>();
-  }
+  MatrixXd triangle() const { return qr.matrixQR().topRows(qr.cols()); }
 };
 
 struct Step {
@@ -138,7 +136,7 @@ Iterate Search::at(const VectorXd& log_beta) const {
   at.log_beta = log_beta;
   VectorXd beta = log_beta;
   beta(0) = std::exp(beta(0));
-  at.B = betaMatrix(beta);
+  at.B = bellMatrix<double>(beta);
   at.C.resize(count_, 2 * count_);
   at.C << -at.B * p_.a.jet, p_.b.jet;
   at.row_scale = at.C.rowwise().norm().cwiseInverse();
@@ -237,7 +235,8 @@ Step Search::step(const Iterate& at) const {
     while (held < singular.size() && singular(held) > 1e-9) ++held;
     const VectorXd inverse = singular.head(held).cwiseInverse();
     const MatrixXd range = svd.matrixU().leftCols(held), fixed = svd.matrixV().leftCols(held);
-    result.direction = -unit.asDiagonal() * (fixed * inverse.asDiagonal() * (range.transpose() * at.open.reshaped()));
+    result.direction.array() =
+        -unit.array() * (fixed * inverse.asDiagonal() * (range.transpose() * at.open.reshaped())).array();
     const VectorXd mu = -range * inverse.asDiagonal() * (fixed.transpose() * unit.asDiagonal() * gradient);
     multipliers += at.lower * mu.reshaped(at.lower.cols(), 3);
     result.penalty = 2 * mu.norm();
