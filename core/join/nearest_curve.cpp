@@ -3,7 +3,9 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <tuple>
 
+#include <seamwright/core/bernstein/coefficients.hpp>
 #include <seamwright/core/differential/arc_length.hpp>
 #include <seamwright/core/join/beta.hpp>
 #include <seamwright/core/join/nearest_curve.hpp>
@@ -14,6 +16,7 @@ namespace seamwright {
 
 namespace {
 
+using bernstein::text;
 using nearest_curve::End;
 using nearest_curve::Problem;
 using nearest_curve::Side;
@@ -23,6 +26,8 @@ using Solution = NearestCurveJoin<HomogeneousPoles>;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 /// Share of its length to which an end's first derivative may not fall.
 constexpr double lost = 1e-6;
+/// Defect above which rounding hides the join.
+constexpr double largest_rounding = 1e-6;
 
 void requireValid(const Eigen::VectorXd& costs, const End& end, const std::string& name) {
   if (costs.size() == 0) return;
@@ -31,7 +36,7 @@ void requireValid(const Eigen::VectorXd& costs, const End& end, const std::strin
                                 std::to_string(end.poles.rows()) + ": the numbers must be equal");
   for (Eigen::Index i = 0; i < costs.size(); ++i)
     if (!(costs(i) > 0))
-      throw std::invalid_argument(name + "[" + std::to_string(i) + "] is " + std::to_string(costs(i)) +
+      throw std::invalid_argument(name + "[" + std::to_string(i) + "] is " + text(costs(i)) +
                                   ": costs must be positive");
 }
 
@@ -42,7 +47,6 @@ void requireValid(const End& end, const std::string& name, int order) {
 }
 
 void requireValid(const NearestCurveJoinOptions& options) {
-  const auto text = [](double value) { return std::to_string(value); };
   if (options.order < 1 || options.order > 10)
     throw std::invalid_argument("order is " + std::to_string(options.order) + ": 1 to 10 is needed");
   if (!(options.least_beta1 > 0 && options.least_beta1 <= 1))
@@ -101,19 +105,29 @@ double lengthOf(const End& a, const End& b) {
   return longer > 0 ? longer : std::min(diagonal(a), diagonal(b));
 }
 
-/// As the largest of BetaFit::defects; infinite where a tangent is lost.
-double largestDefect(const End& a, const End& b, int order, double length) {
-  const Eigen::Vector3d origin = (a.point() + b.point()) / 2;
+struct Defect {
+  double largest = std::numeric_limits<double>::infinity();  ///< of BetaFit::defects
+  double relative = largest;  ///< the same in units of the curves' own derivatives by arc length, where they are large
+};
+
+/// Infinite where a tangent is lost.
+Defect defectOf(const End& a, const End& b, int order, double length) {
+  const Eigen::Vector3d origin = a.point() + (b.point() - a.point()) / 2;
   const auto derivativesOf = [&](const End& end) {
     const Side side = nearest_curve::sideOf(end, order, origin, {}, false);
     return CurveEnd{side.jet * side.points, 8 * eps * largestCoordinate(end, 1)};
   };
   const CurveJoint joint = measureJoint(derivativesOf(a), derivativesOf(b));
-  if (joint.differences.empty()) return std::numeric_limits<double>::infinity();
-  double largest = 0;
-  for (int k = 0; k <= order; ++k)
-    largest = std::max(largest, joint.differences[k] * std::pow(length, k - 1));
-  return largest;
+  Defect defect;
+  if (joint.differences.empty()) return defect;
+  defect.largest = defect.relative = 0;
+  double scale = 1 / length;
+  for (int k = 0; k <= order; ++k) {
+    if (k >= 2) scale = std::max(scale, std::pow(joint.sizes[k], 1.0 / (k - 1)));
+    defect.largest = std::max(defect.largest, joint.differences[k] * std::pow(length, k - 1));
+    defect.relative = std::max(defect.relative, joint.differences[k] / std::pow(scale, k - 1));
+  }
+  return defect;
 }
 
 /// The problem without units; \p length is set to the unit of length.
@@ -133,7 +147,7 @@ Problem problemOf(const End& a, const End& b, const NearestCurveJoinOptions& opt
     const double size = (side.jet.row(1) * side.points).stableNorm();
     if (!(size > 8 * eps * largest))
       throw std::invalid_argument(std::string("curve ") + name + " has no tangent at the joint: its first derivative is " +
-                                  std::to_string(size * side.unit));
+                                  text(size * side.unit));
     return size;
   };
   const double speed_a = speed(problem.a, "a"), speed_b = speed(problem.b, "b");
@@ -191,7 +205,7 @@ Solution nearestPoles(const End& a, const End& b, const NearestCurveJoinOptions&
   result.beta = betaOf(problem, problem.beta);
   if (nearest_curve::holds(problem)) {
     result.status = NearestCurveStatus::Solved;
-    result.residual = largestDefect(a, b, options.order, length);
+    result.residual = defectOf(a, b, options.order, length).largest;
     return result;
   }
   const nearest_curve::Found found = nearest_curve::search(problem);
@@ -199,21 +213,27 @@ Solution nearestPoles(const End& a, const End& b, const NearestCurveJoinOptions&
   result.iterations = found.iterations;
   result.gradient = found.stationarity;
 
+  const auto refuse = [&](const std::string& reason) {
+    Solution none{a.poles, b.poles};
+    none.beta = result.beta;
+    none.iterations = result.iterations;
+    none.gradient = result.gradient;
+    none.residual = defectOf(a, b, options.order, length).largest;
+    none.reason = reason;
+    return none;
+  };
+  if (!found.exact) return refuse("the poles that may move cannot make the join");
   const Eigen::Index count = options.order + 1;
   const Eigen::MatrixXd moves_a = found.moves.topRows(count), moves_b = found.moves.bottomRows(count);
-  const double least = lost * std::min(speedOf(problem.a, problem.a.points), speedOf(problem.b, problem.b.points));
-  const bool regular = speedOf(problem.a, problem.a.points + moves_a) > least &&
-                       speedOf(problem.b, problem.b.points + moves_b) > least;
-  if (!found.exact || !regular) {
-    result.residual = largestDefect(a, b, options.order, length);
-    result.reason = !found.exact ? "the poles that may move cannot make the join"
-                                 : "the nearest join has no tangent";
-    return result;
-  }
+  for (const auto& [side, moves, name] : {std::tuple<const Side&, const Eigen::MatrixXd&, const char*>(problem.a, moves_a, "a"), {problem.b, moves_b, "b"}})
+    if (!(speedOf(side, side.points + moves) > lost * speedOf(side, side.points)))
+      return refuse(std::string("curve ") + name + " would lose its tangent");
   place(a, problem.a, moves_a * unit, result.a, result);
   place(b, problem.b, moves_b * unit, result.b, result);
-  result.residual = largestDefect({a.degree, a.knots, result.a, true}, {b.degree, b.knots, result.b, false},
-                                  options.order, length);
+  const Defect defect = defectOf({a.degree, a.knots, result.a, true}, {b.degree, b.knots, result.b, false},
+                                 options.order, length);
+  if (!(defect.relative <= largest_rounding)) return refuse("rounding leaves a defect of " + text(defect.largest));
+  result.residual = defect.largest;
   result.status = found.stationary ? NearestCurveStatus::Solved : NearestCurveStatus::NotConverged;
   if (found.bounded)
     result.reason = "beta_1 is at its bound";

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include <seamwright/core/join/bell.hpp>
+#include <seamwright/core/join/beta.hpp>
 #include <seamwright/core/join/nearest_curve_search.hpp>
 
 namespace seamwright::nearest_curve {
@@ -15,7 +16,7 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 /// Share of the largest singular value below which an equation does not reach the poles that move.
-constexpr double rank_share = 1e-10;
+constexpr double rank_share = 1e-13;
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -49,6 +50,7 @@ struct Iterate {
   Eigen::ColPivHouseholderQR<MatrixXd> qr;  ///< of the transposed of upper' C G, G being the reach
   MatrixXd x, y;                           ///< the poles; their move z by the orthonormal columns of qr
   MatrixXd open;                           ///< lower' C x
+  double noise = 0;                        ///< of y
 
   MatrixXd Q(const MatrixXd& rows) const { return qr.householderQ() * padded(rows, qr.rows()); }
   MatrixXd transposedQ(const MatrixXd& rows) const {
@@ -56,6 +58,7 @@ struct Iterate {
   }
   /// The y of the smallest z with upper' C G z = rhs.
   MatrixXd least(const MatrixXd& rhs) const {
+    if (rhs.rows() == 0) return rhs;
     return triangle().transpose().triangularView<Eigen::Lower>().solve(qr.colsPermutation().transpose() * rhs);
   }
   /// The m with G' C' upper m = z, where z has these y.
@@ -95,15 +98,13 @@ class Search {
     reach_.resize(std::ssize(movable_));
     for (Index i = 0; i < reach_.size(); ++i) reach_(i) = reach(movable_[i]);
     if (reach_.size() > 0) reach_ /= reach_.maxCoeff();
-    // A coordinate's rounding as a move, where each pole that moves has it.
-    noise_ = reach_.size() > 0 ? 16 * p_.rounding * reach_.cwiseInverse().norm() : 0;
   }
 
   Iterate at(const VectorXd& log_beta) const;
-  Found run() const;
+  /// \param most_log of log beta_1; the search stops above it.
+  Found run(double most_log) const;
   bool holds(const Iterate& at, const MatrixXd& x) const {
-    const MatrixXd size = at.C.cwiseAbs() * (x.cwiseAbs().array() + p_.rounding / eps).matrix();
-    return ((at.C * x).cwiseAbs().array() <= 32 * eps * size.array()).all();
+    return ((at.C * x).cwiseAbs().array() <= 32 * rounding(at, x).array()).all();
   }
   VectorXd first() const {
     VectorXd log_beta = p_.beta;
@@ -118,6 +119,10 @@ class Search {
     for (Index i = 0; i < reach_.size(); ++i) result.row(i) = rows.row(movable_[i]);
     return result;
   }
+  /// Of the equations.
+  MatrixXd rounding(const Iterate& at, const MatrixXd& x) const {
+    return eps * (at.C.cwiseAbs() * (x.cwiseAbs().array() + p_.rounding / eps).matrix());
+  }
   std::vector<MatrixXd> matrixDerivatives(const Iterate& at) const;
   MatrixXd curvature(const Iterate& at, const MatrixXd& multipliers) const;
   Step step(const Iterate& at) const;
@@ -128,7 +133,6 @@ class Search {
   MatrixXd given_;
   std::vector<Index> movable_;
   VectorXd reach_;  ///< of the movable
-  double noise_ = 0;
 };
 
 Iterate Search::at(const VectorXd& log_beta) const {
@@ -166,6 +170,7 @@ Iterate Search::at(const VectorXd& log_beta) const {
     }
   }
   at.open = at.lower.transpose() * (at.C * at.x);
+  at.noise = 4 * at.least(MatrixXd::Identity(rank, rank)).norm() * rounding(at, at.x).norm();
   return at;
 }
 
@@ -207,7 +212,7 @@ Step Search::step(const Iterate& at) const {
     const MatrixXd change = -by_beta[q] * jet;
     length(q) = change.norm();
     conditions.col(q) = (at.lower.transpose() * change).reshaped();
-    tangent.push_back(rank > 0 ? at.least(at.upper.transpose() * change) : MatrixXd(0, 3));
+    tangent.push_back(at.least(at.upper.transpose() * change));
     along.col(q) = tangent[q].reshaped();
     gradient(q) = -dot(at.y, tangent[q]);
   }
@@ -290,7 +295,7 @@ Step Search::step(const Iterate& at) const {
 /// A step that lowers cost plus penalty times infeasibility; halved until it does. False if none does.
 bool Search::advance(Iterate& from, const Step& step) const {
   const double before = from.cost() + step.penalty * from.infeasibility();
-  const double rounding = noise_ * (noise_ + from.y.norm() + step.penalty);
+  const double rounding = from.noise * (from.noise + from.y.norm() + step.penalty);
   for (double share = 1; share > 1e-9; share /= 2) {
     VectorXd log_beta = from.log_beta + share * step.direction;
     if (!log_beta.allFinite()) continue;
@@ -305,16 +310,16 @@ bool Search::advance(Iterate& from, const Step& step) const {
   return false;
 }
 
-Found Search::run() const {
+Found Search::run(double most_log) const {
   Found result;
   Iterate now = at(first()), best = now;
   if (!p_.held) {
     Step next = step(now), best_step = next;
     const auto resolved = [&](const Iterate& i, double stationarity) {
-      return stationarity * i.y.norm() <= noise_ + 1e-14 * i.y.norm();
+      return stationarity * i.y.norm() <= i.noise + 1e-14 * i.y.norm();
     };
     int stalls = 0;
-    while (result.iterations < p_.max_iterations && stalls < 3) {
+    while (result.iterations < p_.max_iterations && stalls < 3 && now.log_beta(0) <= most_log) {
       if (next.convex && resolved(now, next.stationarity) && holds(now, now.x)) break;
       ++result.iterations;
       if (!advance(now, next)) break;
@@ -336,7 +341,25 @@ Found Search::run() const {
   result.beta = best.log_beta;
   result.beta(0) = std::exp(result.beta(0));
   result.moves = best.x - given_;
+  result.cost = best.cost();
   result.exact = holds(best, best.x);
+  return result;
+}
+
+/// Whether any pole of that side moves.
+bool moves(const Side& side) {
+  return (side.reach.array() > 0).any();
+}
+
+/// Both curves run backwards and exchanged.
+Problem mirrored(const Problem& problem) {
+  Problem result = problem;
+  std::swap(result.a, result.b);
+  for (Side* side : {&result.a, &result.b})
+    for (Index k = 1; k < side->jet.rows(); k += 2) side->jet.row(k) *= -1;
+  result.beta = reversedBeta(problem.beta);
+  result.least_log = -problem.most_log;
+  result.most_log = -problem.least_log;
   return result;
 }
 
@@ -347,8 +370,47 @@ bool holds(const Problem& problem) {
   return search.holds(search.at(search.first()), search.given());
 }
 
+namespace {
+
+/// From one side. Derivatives of b are polynomials in beta, those of a have beta_1 in the denominator: a is the curve
+/// that stays or, where both move, the one whose first derivative does not become much shorter than that of the other. Then beta is small
+/// and the valleys of the cost are straight.
+Found searchFrom(const Problem& problem, bool is_mirrored) {
+  constexpr double turning_log = 0.7;
+  const bool both = moves(problem.a) && moves(problem.b);
+  Problem now = is_mirrored ? mirrored(problem) : problem;
+  Found found = Search(now).run(both ? turning_log : now.most_log);
+  int iterations = found.iterations;
+  while (both && std::log(found.beta(0)) > turning_log && iterations < problem.max_iterations) {
+    now.beta = found.beta;
+    now = mirrored(now);
+    is_mirrored = !is_mirrored;
+    now.max_iterations = problem.max_iterations - iterations;
+    found = Search(now).run(turning_log);
+    iterations += found.iterations;
+  }
+  found.iterations = iterations;
+  if (is_mirrored) {
+    const Index count = found.moves.rows() / 2;
+    const MatrixXd of_b = found.moves.topRows(count), of_a = found.moves.bottomRows(count);
+    found.moves << of_a, of_b;
+    found.beta = reversedBeta(found.beta);
+  }
+  return found;
+}
+
+}  // namespace
+
 Found search(const Problem& problem) {
-  return Search(problem).run();
+  if (problem.held) return Search(problem).run(problem.most_log);
+  if (!moves(problem.b)) return searchFrom(problem, true);
+  Found found = searchFrom(problem, false);
+  if (!moves(problem.a)) return found;
+  // From both sides, so that their roles are alike; where they lead to different joins, to the nearer one.
+  Found other = searchFrom(problem, true);
+  const auto rank = [](const Found& f) { return 2 * f.exact + f.stationary; };
+  const bool better = rank(other) != rank(found) ? rank(other) > rank(found) : other.cost < found.cost;
+  return better ? other : found;
 }
 
 }  // namespace seamwright::nearest_curve
