@@ -58,10 +58,9 @@ Eigen::VectorXd composedBeta(const Eigen::VectorXd& beta, const Eigen::VectorXd&
 
 Eigen::VectorXd inverseBeta(const Eigen::VectorXd& beta) {
   const Index order = beta.size();
-  const Eigen::MatrixXd matrix = betaMatrix(beta);
-  Eigen::VectorXd result = matrix.bottomRightCorner(order, order)
-                               .triangularView<Eigen::Lower>()
-                               .solve(Eigen::VectorXd::Unit(order, 0));
+  Eigen::VectorXd result = Eigen::VectorXd::Identity(order, 1);
+  const Eigen::MatrixXd matrix = betaMatrix(beta).bottomRightCorner(order, order);
+  matrix.triangularView<Eigen::Lower>().solveInPlace(result);
   refuseOverflow(result, "result");
   return result;
 }

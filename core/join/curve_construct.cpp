@@ -151,7 +151,7 @@ BezierCurve joinedCurve(const BezierCurve& a, const BezierCurve& b, const CurveJ
 BezierCurve bridgeCurve(const BezierCurve& a, const BezierCurve& b, const Eigen::VectorXd& beta,
                         const Eigen::VectorXd& beta_end) {
   requireBeta(beta);
-  const CurveJoinRule rule{beta}, rule_end{reversedBeta(beta_end)};
+  const CurveJoinRule rule{beta, 1, 1, {}}, rule_end{reversedBeta(beta_end), 1, 1, {}};
   const int degree = static_cast<int>(beta.size() + beta_end.size()) + 1;
   HomogeneousPoles poles(degree + 1, 4);
   poles.topRows(beta.size() + 1) = nextPoles(polynomial("a", a), degree, rule);

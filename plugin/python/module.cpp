@@ -13,6 +13,7 @@ PYBIND11_MODULE(_core, module) {
   bindMeasure(module);
   bindSeam(module);
   bindJoin(module);
+  bindCurveJoin(module);
   bindNearest(module);
   bindModel(module);
   bindMatch(module);
