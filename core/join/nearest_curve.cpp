@@ -107,7 +107,8 @@ double lengthOf(const End& a, const End& b) {
 
 struct Defect {
   double largest = std::numeric_limits<double>::infinity();  ///< of BetaFit::defects
-  double relative = largest;  ///< the same in units of the curves' own derivatives by arc length, where they are large
+  double relative =
+      largest;  ///< the same in units of the curves' own derivatives by arc length, where they are large
 };
 
 /// Infinite where a tangent is lost.
@@ -146,7 +147,8 @@ Problem problemOf(const End& a, const End& b, const NearestCurveJoinOptions& opt
   const auto speed = [&](const Side& side, const char* name) {
     const double size = (side.jet.row(1) * side.points).stableNorm();
     if (!(size > 8 * eps * largest))
-      throw std::invalid_argument(std::string("curve ") + name + " has no tangent at the joint: its first derivative is " +
+      throw std::invalid_argument(std::string("curve ") + name +
+                                  " has no tangent at the joint: its first derivative is " +
                                   text(size * side.unit));
     return size;
   };
@@ -176,7 +178,8 @@ Eigen::VectorXd betaOf(const Problem& problem, Eigen::VectorXd beta) {
 }
 
 /// Moves poles and adds up what that costs.
-void place(const End& end, const Side& side, const Eigen::MatrixXd& moves, HomogeneousPoles& poles, Solution& solution) {
+void place(const End& end, const Side& side, const Eigen::MatrixXd& moves, HomogeneousPoles& poles,
+           Solution& solution) {
   const Eigen::Index first = end.firstPole(static_cast<int>(moves.rows()) - 1);
   for (Eigen::Index i = 0; i < moves.rows(); ++i) {
     if (side.reach(i) == 0) continue;
@@ -225,14 +228,18 @@ Solution nearestPoles(const End& a, const End& b, const NearestCurveJoinOptions&
   if (!found.exact) return refuse("the poles that may move cannot make the join");
   const Eigen::Index count = options.order + 1;
   const Eigen::MatrixXd moves_a = found.moves.topRows(count), moves_b = found.moves.bottomRows(count);
-  for (const auto& [side, moves, name] : {std::tuple<const Side&, const Eigen::MatrixXd&, const char*>(problem.a, moves_a, "a"), {problem.b, moves_b, "b"}})
+  for (const auto& [side, moves, name] :
+       {std::tuple<const Side&, const Eigen::MatrixXd&, const char*>(problem.a, moves_a, "a"),
+        {problem.b, moves_b, "b"}})
     if (!(speedOf(side, side.points + moves) > lost * speedOf(side, side.points)))
       return refuse(std::string("curve ") + name + " would lose its tangent");
   place(a, problem.a, moves_a * unit, result.a, result);
   place(b, problem.b, moves_b * unit, result.b, result);
   const Defect defect = defectOf({a.degree, a.knots, result.a, true}, {b.degree, b.knots, result.b, false},
                                  options.order, length);
-  if (!(defect.relative <= largest_rounding)) return refuse("rounding leaves a defect of " + text(defect.largest));
+  if (!(defect.relative <= largest_rounding))
+    return refuse(std::string(found.bounded ? "beta_1 is at its bound, and " : "") +
+                  "rounding leaves a defect of " + text(defect.largest));
   result.residual = defect.largest;
   result.status = found.stationary ? NearestCurveStatus::Solved : NearestCurveStatus::NotConverged;
   if (found.bounded)
@@ -244,9 +251,16 @@ Solution nearestPoles(const End& a, const End& b, const NearestCurveJoinOptions&
 
 template <typename Curve>
 NearestCurveJoin<Curve> withCurves(Curve a, Curve b, Solution solution) {
-  return {std::move(a),    std::move(b),  std::move(solution.beta),  solution.status,
-          solution.cost,   solution.largest_move_mm, solution.residual, solution.gradient,
-          solution.iterations, std::move(solution.reason)};
+  return {std::move(a),
+          std::move(b),
+          std::move(solution.beta),
+          solution.status,
+          solution.cost,
+          solution.largest_move_mm,
+          solution.residual,
+          solution.gradient,
+          solution.iterations,
+          std::move(solution.reason)};
 }
 
 }  // namespace
@@ -255,8 +269,10 @@ NearestCurveJoin<BSplineCurve> nearestJoin(const BSplineCurve& a, const BSplineC
                                            const NearestCurveJoinOptions& options) {
   requireValid(a);
   requireValid(b);
-  Solution solution = nearestPoles({a.degree, a.knots, a.poles, true}, {b.degree, b.knots, b.poles, false}, options);
-  BSplineCurve moved_a{a.degree, a.knots, std::move(solution.a)}, moved_b{b.degree, b.knots, std::move(solution.b)};
+  Solution solution =
+      nearestPoles({a.degree, a.knots, a.poles, true}, {b.degree, b.knots, b.poles, false}, options);
+  BSplineCurve moved_a{a.degree, a.knots, std::move(solution.a)},
+      moved_b{b.degree, b.knots, std::move(solution.b)};
   return withCurves(std::move(moved_a), std::move(moved_b), std::move(solution));
 }
 

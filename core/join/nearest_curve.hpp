@@ -32,7 +32,7 @@ enum class NearestCurveStatus {
 /// The nearest join of two curves.
 template <typename Curve>
 struct NearestCurveJoin {
-  Curve a, b;            ///< the given ones where it is infeasible
+  Curve a, b;                 ///< the given ones where it is infeasible
   Eigen::VectorXd beta = {};  ///< by the parameters of the curves
   NearestCurveStatus status = NearestCurveStatus::Infeasible;
   double cost = 0;  ///< sum of cost_i |move_i|^2 / 2

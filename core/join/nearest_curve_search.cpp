@@ -46,11 +46,11 @@ struct Iterate {
   VectorXd log_beta;  ///< log beta_1, beta_2, .., beta_n
   MatrixXd B, C;
   VectorXd row_scale;
-  MatrixXd upper, lower;                   ///< combinations, one a column
+  MatrixXd upper, lower;                    ///< combinations, one a column
   Eigen::ColPivHouseholderQR<MatrixXd> qr;  ///< of the transposed of upper' C G, G being the reach
-  MatrixXd x, y;                           ///< the poles; their move z by the orthonormal columns of qr
-  MatrixXd open;                           ///< lower' C x
-  double noise = 0;                        ///< of y
+  MatrixXd x, y;                            ///< the poles; their move z by the orthonormal columns of qr
+  MatrixXd open;                            ///< lower' C x
+  double noise = 0;                         ///< of y
 
   MatrixXd Q(const MatrixXd& rows) const { return qr.householderQ() * padded(rows, qr.rows()); }
   MatrixXd transposedQ(const MatrixXd& rows) const {
@@ -59,7 +59,8 @@ struct Iterate {
   /// The y of the smallest z with upper' C G z = rhs.
   MatrixXd least(const MatrixXd& rhs) const {
     if (rhs.rows() == 0) return rhs;
-    return triangle().transpose().triangularView<Eigen::Lower>().solve(qr.colsPermutation().transpose() * rhs);
+    return triangle().transpose().triangularView<Eigen::Lower>().solve(qr.colsPermutation().transpose() *
+                                                                       rhs);
   }
   /// The m with G' C' upper m = z, where z has these y.
   MatrixXd multipliers(const MatrixXd& y_of_z) const {
@@ -324,7 +325,8 @@ Found Search::run(double most_log) const {
       ++result.iterations;
       if (!advance(now, next)) break;
       next = step(now);
-      const bool better = now.infeasibility() < 0.5 * best.infeasibility() || next.stationarity < 0.5 * best_step.stationarity;
+      const bool better = now.infeasibility() < 0.5 * best.infeasibility() ||
+                          next.stationarity < 0.5 * best_step.stationarity;
       stalls = better || next.stationarity > 1e-7 || !next.convex ? 0 : stalls + 1;
       if (better || next.stationarity > 1e-7 || next.stationarity < best_step.stationarity) {
         best = now;

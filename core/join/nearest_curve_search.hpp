@@ -18,8 +18,8 @@ struct Problem {
 
 struct Found {
   Eigen::VectorXd beta;
-  Eigen::MatrixXd moves;   ///< of the poles of a, then of b
-  double cost = 0;         ///< where the cheapest pole costs 1
+  Eigen::MatrixXd moves;    ///< of the poles of a, then of b
+  double cost = 0;          ///< where the cheapest pole costs 1
   double stationarity = 0;  ///< share of the move that lies along the joins nearby
   bool exact = false;       ///< the equations of the join hold to rounding
   bool stationary = false;  ///< to rounding, and no join nearby is nearer

@@ -61,8 +61,8 @@ Side sideOf(const End& end, int order, const Eigen::Vector3d& origin, const Eige
   side.rescale(end.degree);
   const Eigen::VectorXd weights = poles.col(3) / poles(end.last ? order : 0, 3);
   if ((weights.array() != 1).any()) divideByWeight(side.jet, weights);
-  side.points = (poles.leftCols<3>().array().colwise() / poles.col(3).array()).rowwise() -
-                origin.transpose().array();
+  side.points =
+      (poles.leftCols<3>().array().colwise() / poles.col(3).array()).rowwise() - origin.transpose().array();
   side.reach = Eigen::VectorXd::Constant(count, moves ? 1 : 0);
   if (moves && costs.size() != 0) side.reach = costs.segment(first, count).array().sqrt().inverse();
   return side;
