@@ -321,7 +321,8 @@ Found Search::run(double most_log) const {
     };
     int stalls = 0;
     while (result.iterations < p_.max_iterations && stalls < 3 && now.log_beta(0) <= most_log) {
-      if (next.convex && resolved(now, next.stationarity) && holds(now, now.x)) break;
+      // On below rounding as long as that helps: Newton's last step is the one that gives beta its last digits.
+      if (next.convex && stalls > 0 && resolved(now, next.stationarity) && holds(now, now.x)) break;
       ++result.iterations;
       if (!advance(now, next)) break;
       next = step(now);
