@@ -34,6 +34,7 @@ CurveDerivatives derivatives(const BSplineCurve& curve, double t, int order) {
   const int span = bspline::spanOf(curve.degree, curve.knots, t);
   const HomogeneousPoles h = bspline::basisDerivatives(curve.degree, curve.knots, span, t, order) *
                              curve.poles.middleRows(span - curve.degree, curve.degree + 1);
+  if (!isRational(curve.poles)) return h.leftCols<3>() / curve.poles(0, 3);
   return affineDerivatives<Eigen::Dynamic>(h);
 }
 

@@ -79,10 +79,11 @@ void requireGap(const Eigen::RowVector4d& end, const Eigen::RowVector4d& start, 
 /// of it: each row (jump, bound).
 Eigen::MatrixX2d jumps(const BezierSpline& spline, int i, int order) {
   const int n = spline.degree;
-  const HomogeneousPoles before = polesOf(spline, i - 1), after = polesOf(spline, i);
+  const int last = i > 0 ? i - 1 : spline.segments() - 1;
+  const HomogeneousPoles before = polesOf(spline, last), after = polesOf(spline, i);
   const auto arriving = casteljau::derivatives<4, Eigen::Dynamic>(before, 1, order + 1);
   const auto leaving = casteljau::derivatives<4, Eigen::Dynamic>(after, 0, order + 1);
-  const double h = spline.knots[i] - spline.knots[i - 1], k = spline.knots[i + 1] - spline.knots[i];
+  const double h = spline.knots[last + 1] - spline.knots[last], k = spline.knots[i + 1] - spline.knots[i];
   double noise_h = 8 * (n + 4) * std::numeric_limits<double>::epsilon() * before.cwiseAbs().maxCoeff();
   double noise_k = 8 * (n + 4) * std::numeric_limits<double>::epsilon() * after.cwiseAbs().maxCoeff();
   double power_h = 1, power_k = 1;
@@ -97,10 +98,10 @@ Eigen::MatrixX2d jumps(const BezierSpline& spline, int i, int order) {
   return result;
 }
 
-void requireContinuity(const BezierSpline& spline, int continuity) {
+void requireContinuity(const BezierSpline& spline, int order) {
   for (int i = 1; i < spline.segments(); ++i) {
-    const Eigen::MatrixX2d rows = jumps(spline, i, continuity);
-    for (int r = 1; r <= continuity; ++r)
+    const Eigen::MatrixX2d rows = jumps(spline, i, order);
+    for (int r = 1; r <= order; ++r)
       if (!(rows(r, 0) <= rows(r, 1)))
         refuse("knot " + std::to_string(i) + ": the derivative of order " + std::to_string(r) + " jumps by " +
                text(rows(r, 0)) + ", rounding " + text(rows(r, 1)));
@@ -189,16 +190,29 @@ std::vector<CurveJoint> measureJoints(const BezierSpline& spline, int order) {
   return joints;
 }
 
-BSplineCurve bsplineCurve(const BezierSpline& spline, int continuity) {
+int continuity(const BezierSpline& spline, bool around) {
+  requireValid(spline);
+  if (around && !spline.closed) return -1;
+  int order = spline.degree - 1;
+  for (int i = around ? 0 : 1; i < spline.segments(); ++i) {
+    const Eigen::MatrixX2d rows = jumps(spline, i, order);
+    while (order >= 0 &&
+           !(rows.topRows(order + 1).col(0).array() <= rows.topRows(order + 1).col(1).array()).all())
+      --order;
+  }
+  return order;
+}
+
+BSplineCurve bsplineCurve(const BezierSpline& spline, int order) {
   requireValid(spline);
   const int n = spline.degree;
-  if (continuity < 0 || continuity >= n)
-    refuse("continuity is " + std::to_string(continuity) + ": 0 to degree - 1, " + std::to_string(n - 1) +
+  if (order < 0 || order >= n)
+    refuse("order is " + std::to_string(order) + ": 0 to degree - 1, " + std::to_string(n - 1) +
            ", is possible");
-  requireContinuity(spline, continuity);
+  requireContinuity(spline, order);
   BSplineCurve result{n, std::vector<double>(static_cast<std::size_t>(n) + 1, spline.knots.front()), {}};
   for (int i = 1; i < spline.segments(); ++i)
-    result.knots.insert(result.knots.end(), static_cast<std::size_t>(n - continuity), spline.knots[i]);
+    result.knots.insert(result.knots.end(), static_cast<std::size_t>(n - order), spline.knots[i]);
   result.knots.insert(result.knots.end(), static_cast<std::size_t>(n) + 1, spline.knots.back());
   result.poles.resize(result.count(), 4);
   for (int i = 0; i < result.count(); ++i) {

@@ -53,16 +53,20 @@ CurveDerivatives derivatives(const BezierSpline& spline, double t, int order);
 /// last. O(segments).
 std::vector<CurveJoint> measureJoints(const BezierSpline& spline, int order);
 
-/// The same curve with the fewest knots for which derivatives by the parameter agree up to \p continuity at
-/// every inner knot: multiplicity degree - continuity. Exact: poles are blossoms (for C^1 the inner poles
-/// themselves), nothing is fitted. Of a rational spline it is the derivatives of the homogeneous curve that must
-/// agree.
-/// \param continuity 0 to degree - 1.
-/// \throws std::invalid_argument for another continuity, a degree above 25, and where a derivative jumps by more
-/// than 8 (degree + 4) eps relative to the poles beside the knot makes of it, with the knot's index, the order, the
-/// jump and that bound.
+/// The order, up to degree - 1, to which derivatives by the parameter agree at every inner knot (and, \p around, from
+/// the end of a closed spline to its beginning) but for rounding: 8 (degree + 4) eps relative to what the poles beside
+/// the knot make of it. Of a rational spline it is the derivatives of the homogeneous curve that must agree. -1 for
+/// \p around of a spline that is not closed, or one whose first and last weight differ.
+int continuity(const BezierSpline& spline, bool around = false);
+
+/// The same curve with the fewest knots for which derivatives by the parameter agree up to \p order at every inner
+/// knot: multiplicity degree - order. Exact: poles are blossoms (for C^1 the inner poles themselves), nothing is
+/// fitted.
+/// \param order 0 to degree - 1; at most continuity().
+/// \throws std::invalid_argument for another order, a degree above 25, and where a derivative jumps by more than
+/// continuity() allows, with the knot's index, the order, the jump and what rounding makes of it.
 /// Source: MATH-curves 23.
-BSplineCurve bsplineCurve(const BezierSpline& spline, int continuity);
+BSplineCurve bsplineCurve(const BezierSpline& spline, int order);
 
 /// The Bézier segments of a B-spline curve (knots inserted until they are as many as the degree), with its
 /// knots.

@@ -39,7 +39,7 @@ struct G2Polygon {
 BezierSpline directG2Spline(const G2Polygon& polygon);
 
 /// A gamma-spline: the direct G2 spline with alpha, omega from lengths of the segments in the parameter and
-/// shapes gamma. gamma = 1 is the C2 B-spline; gamma -> 0 runs into the polygon.
+/// shapes gamma. gamma = 1 is the C2 B-spline; gamma -> 0 runs into the polygon, gamma -> infinity away from it.
 struct GammaPolygon {
   Poles vertices;
   bool closed = false;
@@ -49,14 +49,18 @@ struct GammaPolygon {
 };
 
 /// alpha and omega of the edges of a gamma-spline.
-/// \throws std::invalid_argument for lengths or gamma not positive, or wrong counts; with index and value.
+/// \throws std::invalid_argument for too few vertices, lengths or gamma not positive, or wrong counts; with index
+/// and value.
 G2Polygon g2Polygon(const GammaPolygon& polygon);
 
 /// The gamma-spline, C1 in its knots, whose spacing is \p lengths.
 /// Identities (each has a test of its number):
 ///   (4) At each joint X''(+) - X''(-) = nu X', nu = 2 (1 / l_{s-1} + 1 / l_s) (1 / gamma_s - 1).
 ///   (5) gamma = 1: the C2 cubic B-spline of the polygon with these knots.
-///   (6) gamma -> 0: the distance to the polygon goes to 0 with gamma.
+///   (6) gamma -> 0: the distance to the polygon goes to 0 with gamma. Of an open one, all segments but the first
+///       and the last do so; these go to the cubics with poles d_0, d_1, d_2, d_2 and their mirror image.
+/// \throws std::invalid_argument as g2Polygon() and directG2Spline(): also for gamma so small (below about 1e-16)
+/// that alpha or omega round to 0 or 1.
 /// Source: text 000 §3(b); MATH-curves 5.2; the printed omega is wrong (ERRATA-curves 0.7).
 BezierSpline gammaSpline(const GammaPolygon& polygon);
 

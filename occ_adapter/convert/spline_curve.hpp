@@ -14,13 +14,14 @@ namespace seamwright::occ {
 /// \throws std::invalid_argument as requireValid(), and for inner knots nearer to each other than OpenCASCADE tells apart.
 opencascade::handle<Geom_BSplineCurve> toBSplineCurve(const BSplineCurve& curve);
 
-/// With the highest continuity in its knots, up to degree - 1, that every joint has (bsplineCurve()): nu-, beta-, gamma- and direct G2
+/// With the highest continuity in its knots, up to degree - 1, that every joint has (continuity()): nu-, beta-, gamma- and direct G2
 /// splines get multiplicity 2, C2 ones 1.
 /// \param periodic a closed spline that is as smooth at its seam as at its knots becomes a periodic one.
-/// \throws std::invalid_argument if periodic is asked of what is not.
+/// \throws std::invalid_argument as requireValid(), for a degree above 25, and if periodic is asked of what is not, with both orders.
 opencascade::handle<Geom_BSplineCurve> toBSplineCurve(const BezierSpline& spline, bool periodic = false);
 
-/// The numbers of a Geom_BSplineCurve or Geom_BezierCurve, trimmed or not: clamped, not periodic, over its range.
+/// The numbers of a Geom_BSplineCurve or Geom_BezierCurve, trimmed or not: clamped, not periodic, over its range. Bit by bit where nothing
+/// has to be trimmed, clamped or cut open.
 /// \throws std::domain_error for another kind, with its name.
 BSplineCurve coreCurve(const Geom_Curve& curve);
 

@@ -4,12 +4,12 @@
 
 #include <seamwright/core/bspline/surface.hpp>
 #include <seamwright/core/differential/arc_length.hpp>
-#include <seamwright/core/seam/curve_joint.hpp>
 #include <seamwright/core/seam/patch_side.hpp>
 #include <seamwright/core/seam/triangle_side.hpp>
 #include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/python/edges.hpp>
+#include <seamwright/plugin/python/joint.hpp>
 #include <seamwright/plugin/report/numbers.hpp>
 
 namespace seamwright::python {
@@ -91,14 +91,7 @@ py::dict measureJointOf(const BezierCurve& a, const BezierCurve& b, const py::ob
                         const py::object& curvature_rel, const py::object& flat_radius_mm) {
   const ContinuityTolerance tolerance =
       toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, py::none()});
-  const CurveJoint joint = measureJoint(a, b, argument<int>("order", order, "a whole number"));
-  py::dict dict;
-  dict["gap_mm"] = joint.gap_mm;
-  dict["angle_rad"] = joint.angle_rad;
-  dict["differences"] = joint.differences;
-  dict["sizes"] = joint.sizes;
-  dict["order_reached"] = orderReached(joint, tolerance);
-  return dict;
+  return jointDict(measureJoint(a, b, argument<int>("order", order, "a whole number")), tolerance);
 }
 
 }  // namespace

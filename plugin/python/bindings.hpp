@@ -15,6 +15,7 @@ void bindModel(pybind11::module_& module);
 void bindNearest(pybind11::module_& module);
 void bindPointerBridge(pybind11::module_& module);
 void bindSeam(pybind11::module_& module);
+void bindSpline(pybind11::module_& module);
 void bindTriangle(pybind11::module_& module);
 
 }  // namespace seamwright::python

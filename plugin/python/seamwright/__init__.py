@@ -26,10 +26,12 @@ from . import bridge
 from ._core import (
     OCCT_VERSION,
     PROFILES,
+    BSplineCurve,
     BSplineSurface,
     BernsteinPolynomial,
     BezierCurve,
     BezierPatch,
+    BezierSpline,
     BezierTriangle,
     Cancelled,
     MatchResult,
@@ -45,10 +47,12 @@ from ._core import (
     composed_beta,
     continuation,
     curvature_tensor,
+    direct_g2_spline,
     enclose_seam,
     fit_beta,
     fit_connection,
     inverse_beta,
+    gamma_spline,
     join_condition,
     join_rows,
     joined,
@@ -79,16 +83,36 @@ def _to_freecad(self):
     return bridge.model_to_freecad(self)
 
 
+def curve_to_freecad(curve):
+    """A curve as FreeCAD's: a BezierCurve as ``Part.BezierCurve``, a BSplineCurve as ``Part.BSplineCurve``, a BezierSpline as that of
+    ``to_bspline(continuity())``. Poles, weights and knots are the same numbers.
+
+    Raises ``ValueError`` for degrees above 25, ``TypeError`` for other things, ``RuntimeError`` outside FreeCAD.
+    """
+    return bridge.curve_to_freecad(curve)
+
+
+def curve_from_freecad(curve):
+    """The BezierCurve or BSplineCurve that a ``Part.BezierCurve`` or ``Part.BSplineCurve`` is, number by number. Where one is periodic
+    or its ends are not clamped, knots are inserted at its ends. Of an edge, give ``edge.Curve``; trims are not looked at.
+
+    Raises ``TypeError`` for other things, ``RuntimeError`` outside FreeCAD.
+    """
+    return bridge.curve_from_freecad(curve)
+
+
 Model.from_freecad = staticmethod(_from_freecad)
 Model.to_freecad = _to_freecad
 
 __all__ = [
     "OCCT_VERSION",
     "PROFILES",
+    "BSplineCurve",
     "BSplineSurface",
     "BernsteinPolynomial",
     "BezierCurve",
     "BezierPatch",
+    "BezierSpline",
     "BezierTriangle",
     "Cancelled",
     "MatchResult",
@@ -106,10 +130,14 @@ __all__ = [
     "composed_beta",
     "continuation",
     "curvature_tensor",
+    "curve_from_freecad",
+    "curve_to_freecad",
+    "direct_g2_spline",
     "enclose_seam",
     "fit_beta",
     "fit_connection",
     "inverse_beta",
+    "gamma_spline",
     "join_condition",
     "join_rows",
     "joined",

@@ -182,3 +182,62 @@ def model_from_freecad(shape):
 def model_to_freecad(model):
     """See ``Model.to_freecad``."""
     return _BY_NAME[route()].give(model)
+
+
+def _flat(knots, multiplicities):
+    return [knot for knot, times in zip(knots, multiplicities, strict=True) for _ in range(times)]
+
+
+def curve_to_freecad(curve):
+    """See ``seamwright.curve_to_freecad``."""
+    part = _part()
+    if isinstance(curve, _core.BezierSpline):
+        curve = curve.to_bspline(curve.continuity())
+    if not isinstance(curve, (_core.BezierCurve, _core.BSplineCurve)):
+        raise TypeError(f"a BezierCurve, BSplineCurve or BezierSpline is needed, not {type(curve).__name__}")
+    poles = [_vector(pole) for pole in curve.poles]
+    weights = [float(weight) for weight in curve.weights]
+    if isinstance(curve, _core.BSplineCurve):
+        knots = sorted(set(curve.knots))
+        spline = part.BSplineCurve()
+        given = {"weights": weights} if curve.is_rational else {}
+        spline.buildFromPolesMultsKnots(poles=poles, mults=[curve.knots.count(knot) for knot in knots], knots=knots,
+                                        periodic=False, degree=curve.degree, **given)
+        return spline
+    if not 1 <= curve.degree <= 25:
+        raise ValueError(f"degree {curve.degree}: FreeCAD holds degrees 1 to 25")
+    bezier = part.BezierCurve()
+    bezier.setPoles(poles)
+    if curve.is_rational:
+        for i, weight in enumerate(weights, 1):
+            bezier.setWeight(i, weight)
+    return bezier
+
+
+def _vector(point):
+    import FreeCAD
+
+    return FreeCAD.Vector(*map(float, point))
+
+
+def _is_clamped(spline):
+    multiplicities = spline.getMultiplicities()
+    return not spline.isPeriodic() and multiplicities[0] == multiplicities[-1] == spline.Degree + 1
+
+
+def curve_from_freecad(curve):
+    """See ``seamwright.curve_from_freecad``."""
+    part = _part()
+    if not isinstance(curve, (part.BezierCurve, part.BSplineCurve)):
+        raise TypeError(f"a Part.BezierCurve or Part.BSplineCurve is needed, not {type(curve).__name__}")
+    if isinstance(curve, part.BSplineCurve) and not _is_clamped(curve):
+        first, last = curve.FirstParameter, curve.LastParameter
+        curve = curve.copy()
+        if curve.isPeriodic():
+            curve.setNotPeriodic()
+        curve.segment(first, last)
+    poles = [tuple(pole) for pole in curve.getPoles()]
+    weights = curve.getWeights() if curve.isRational() else None
+    if isinstance(curve, part.BezierCurve):
+        return _core.BezierCurve(poles, weights)
+    return _core.BSplineCurve(curve.Degree, _flat(curve.getKnots(), curve.getMultiplicities()), poles, weights)

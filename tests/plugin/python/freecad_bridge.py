@@ -8,6 +8,7 @@ import sys
 import traceback
 
 import FreeCAD
+import numpy
 import Part
 
 import seamwright
@@ -172,6 +173,73 @@ def check_a_shape_of_a_document():
         assert other.Shape.isPartner(feature.Shape) and abs(other.Shape.Volume - 1000) < 1e-9
     finally:
         FreeCAD.closeDocument(document.Name)
+
+
+def spline_curves():
+    """Bezier and B-spline curves of seamwright, polynomial and rational."""
+    random = numpy.random.default_rng(7)
+    for degree in (1, 2, 3, 7, 25):
+        for weights in (None, random.uniform(0.3, 3, degree + 1)):
+            yield seamwright.BezierCurve(random.normal(size=(degree + 1, 3)), weights)
+        knots = [-0.3] * (degree + 1) + [0.1, 0.7] + [2.25] * (degree + 1)
+        for weights in (None, random.uniform(0.3, 3, degree + 3)):
+            yield seamwright.BSplineCurve(degree, knots, random.normal(size=(degree + 3, 3)), weights)
+
+
+def check_curves_go_there_and_back():
+    for curve in spline_curves():
+        theirs = seamwright.curve_to_freecad(curve)
+        assert type(theirs).__name__ in ("BezierCurve", "BSplineCurve") and theirs.isRational() == curve.is_rational
+        first, last = (0, 1) if isinstance(curve, seamwright.BezierCurve) else (curve.knots[0], curve.knots[-1])
+        for t in numpy.linspace(first, last, 9):
+            assert numpy.allclose(theirs.value(t), curve.point(t), rtol=0, atol=1e-13 * (1 + 4 * curve.degree)), t
+        back = seamwright.curve_from_freecad(theirs)
+        assert type(back) is type(curve)
+        if curve.is_rational:
+            assert numpy.array_equal(back.weights, curve.weights)
+            assert numpy.abs(back.poles - curve.poles).max() < 1e-14
+        else:
+            assert back == curve
+
+
+def check_splines_become_curves_of_freecad():
+    polygon = [(0, 0, 0), (4, 0, 0), (5, 3, 1), (2, 5, 0), (-1, 3, 2)]
+    for closed in (False, True):
+        for spline, multiplicity in ((seamwright.direct_g2_spline(polygon, 0.3, 0.6, closed), 2),
+                                     (seamwright.gamma_spline(polygon, 1, 0.2, closed), 2),
+                                     (seamwright.gamma_spline(polygon, 1, 1, closed), 1)):
+            theirs = seamwright.curve_to_freecad(spline)
+            assert set(theirs.getMultiplicities()[1:-1]) == {multiplicity}
+            for t in numpy.linspace(spline.knots[0], spline.knots[-1], 30):
+                assert numpy.allclose(theirs.value(t), spline.point(t), rtol=0, atol=1e-13)
+            assert abs(theirs.toShape().Length - theirs.length()) < 1e-6
+            again = seamwright.curve_from_freecad(theirs).bezier_spline()
+            assert numpy.allclose(again.poles, spline.poles, rtol=0, atol=1e-13)
+
+
+def check_periodic_curves_and_other_things():
+    ring = Part.BSplineCurve()
+    ring.buildFromPoles([V(1, 0, 0), V(5, 1, 2), V(4, 4, 0), V(0, 5, 1), V(-2, 2, 0)], True, 3)
+    assert ring.isPeriodic()
+    ours = seamwright.curve_from_freecad(ring)
+    assert ring.isPeriodic()
+    for t in numpy.linspace(ring.FirstParameter, ring.LastParameter, 30):
+        assert numpy.allclose(ring.value(t), ours.point(t), rtol=0, atol=1e-13)
+    for bad in (None, "curve", Part.Line(), V(), Part.makeLine(V(), V(1, 0, 0))):
+        for way in (seamwright.curve_from_freecad, seamwright.curve_to_freecad):
+            try:
+                way(bad)
+            except TypeError as error:
+                assert "is needed, not " in str(error)
+            else:
+                raise AssertionError(bad)
+    for poles in (numpy.zeros((1, 3)), numpy.zeros((27, 3))):
+        try:
+            seamwright.curve_to_freecad(seamwright.BezierCurve(poles))
+        except ValueError as error:
+            assert "degree" in str(error)
+        else:
+            raise AssertionError(len(poles))
 
 
 def check_nothing_leaks():
