@@ -9,8 +9,9 @@
 
 namespace seamwright {
 
-/// A computed number and how far the true one may be from it; not a public header. Infinite where nothing is known.
-/// Holds under the conditions of rounding.hpp. A sum with 0 and a difference of equal numbers add nothing.
+/// A computed number and how far the true one may be from it, infinitely far where nothing is known; not a
+/// public header. Holds under the conditions of rounding.hpp. Sums with 0, differences of equal numbers and
+/// products with 0 or 1 are exact.
 struct Bounded {
   double value = 0;
   double error = 0;
@@ -18,9 +19,10 @@ struct Bounded {
   Bounded() = default;
   /// Exact.
   explicit Bounded(double number) : value(number) {}
-  Bounded(double number, double radius) : value(number), error(std::isfinite(number) ? radius : unknown) {}
-
-  static constexpr double unknown = std::numeric_limits<double>::infinity();
+  /// Nothing is known of a number that is not finite.
+  Bounded(double number, double radius) : value(number), error(radius) {
+    if (!std::isfinite(number)) *this = unknown();
+  }
 
   double size() const { return std::abs(value); }
   /// Bounds of the true number's absolute value.
@@ -48,7 +50,7 @@ struct Bounded {
   /// |x / y - a / b| <= (|x - a| + |a / b| |y - b|) / |y|.
   friend Bounded operator/(const Bounded& a, const Bounded& b) {
     const double least = b.sizeLower();
-    if (least == 0) return {0, unknown};
+    if (least == 0) return unknown();
     const double quotient = a.value / b.value;
     const bool exact = a.value == 0 || b.value == 1;
     const double larger = exact ? std::abs(quotient) : rounding::up(std::abs(quotient));
@@ -56,7 +58,8 @@ struct Bounded {
     return {quotient, rounding::sumUp(inherited == 0 ? 0 : rounding::up(inherited / least),
                                       exact ? 0 : ofResult(quotient), exact ? 0 : rounding::kUnderflow)};
   }
-  /// |sqrt(x) - sqrt(a)| is at most |x - a| / sqrt(a), and at most sqrt(|x - a|). \pre the true number is not negative.
+  /// |sqrt(x) - sqrt(a)| is at most |x - a| / sqrt(a), and at most sqrt(|x - a|).
+  /// \pre the true number is not negative.
   friend Bounded sqrt(const Bounded& a) {
     const double root = std::sqrt(std::max(a.value, 0.0));
     double inherited = a.error == 0 ? 0 : rounding::up(std::sqrt(a.error));
@@ -72,6 +75,7 @@ struct Bounded {
   }
 
  private:
+  static Bounded unknown() { return {0, std::numeric_limits<double>::infinity()}; }
   static double ofResult(double result) { return rounding::productUp(rounding::kUnit, std::abs(result)); }
 };
 

@@ -27,7 +27,7 @@ BezierCurve mapped(const BezierCurve& curve, const Eigen::Matrix3d& map, const V
 
 struct Pair {
   BezierCurve a, b;
-  int order;
+  int order = 0;
 };
 
 /// Two curves that meet in a point, in some cases with the tangent or more.
@@ -41,8 +41,8 @@ Pair randomPair(int run, double size, std::mt19937_64& random) {
   return {a, test::gentlyJoined(a, b, rule, true), order};
 }
 
-/// How far rounding of the poles may move the defects, relative to them and 1: the largest arc-length derivative,
-/// powers of the size by the length, and factorials.
+/// How far rounding of the poles may move the defects, relative to them and 1: the largest arc-length
+/// derivative, powers of the size by the length, and factorials.
 double sensitivity(const Pair& pair, const BetaFit& fit) {
   const double size = std::max(pair.a.poles().cwiseAbs().maxCoeff(), pair.b.poles().cwiseAbs().maxCoeff());
   double result = 1;
@@ -147,7 +147,8 @@ DyadicRows exactDerivatives(const BezierCurve& curve, int order) {
   return x;
 }
 
-/// Derivatives by arc length as (1 / speed) d/dt, again and again; without rounding. \pre the speed is 2^exponent.
+/// Derivatives by arc length as (1 / speed) d/dt, again and again; without rounding.
+/// \pre the speed is 2^exponent.
 DyadicRows exactArcLength(const DyadicRows& x, int exponent) {
   const int order = static_cast<int>(x.size()) - 1;
   std::vector<Dyadic> speed(order), inverse(order);
@@ -278,6 +279,38 @@ TEST(BetaFit, Identity7AgainstMeasureJoint) {
       const double wanted = joint.differences[k] * std::pow(fit.length_mm, static_cast<double>(k) - 1);
       EXPECT_NEAR(fit.defects[k], wanted, 1e-13 * sensitivity(pair, fit) * (1 + wanted)) << run << " " << k;
     }
+  }
+}
+
+TEST(BetaFit, ScaleByPowersOfTwoChangesNoBit) {
+  std::mt19937_64 random(314);
+  for (int run = 0; run < 300; ++run) {
+    const Pair pair = randomPair(run, 1, random);
+    const BetaFit fit = fitBeta(pair.a, pair.b, pair.order);
+    for (const int exponent : {-140, 140}) {
+      const auto scaled = [&](const BezierCurve& curve) {
+        HomogeneousPoles poles = curve.homogeneousPoles();
+        poles.leftCols<3>() *= std::ldexp(1.0, exponent);
+        return BezierCurve::fromHomogeneous(poles);
+      };
+      const BetaFit far = fitBeta(scaled(pair.a), scaled(pair.b), pair.order);
+      EXPECT_EQ(far.lower, fit.lower) << run;
+      EXPECT_EQ(far.upper, fit.upper) << run;
+    }
+  }
+}
+
+TEST(BetaFit, HighOrdersHaveBoundsToo) {
+  std::mt19937_64 random(315);
+  for (int run = 0; run < 20; ++run) {
+    const auto [left, right] = test::randomCurve(6, CurveKind::Space, true, 1, random).split(0.5);
+    const BetaFit fit = fitBeta(left, right, 30);
+    ASSERT_EQ(fit.upper.size(), 31u);
+    for (std::size_t k = 0; k <= 30; ++k) {
+      EXPECT_LE(fit.lower[k], fit.defects[k]) << run << " order " << k;
+      EXPECT_LE(fit.defects[k], fit.upper[k]) << run << " order " << k;
+    }
+    EXPECT_LE(fit.upper[6], 1e-3) << run;
   }
 }
 

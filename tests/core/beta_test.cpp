@@ -156,7 +156,8 @@ TEST(Beta, Identity4UnitMatrix) {
   }
 }
 
-/// The other convention: left_1 = p right_1, left_2 = p^2 right_2 + q right_1 is beta_1 = 1 / p, beta_2 = -q / p^3.
+/// The other convention: left_1 = p right_1, left_2 = p^2 right_2 + q right_1 is beta_1 = 1 / p,
+/// beta_2 = -q / p^3.
 /// The text uses both conventions without notice, one cannot stand for the other.
 TEST(Beta, TheTextsOtherConventionIsTheInverse) {
   const double p = 1.6, q = -0.7;

@@ -94,8 +94,8 @@ TEST(CurveConstruct, Identity8WrittenOutForSecondOrder) {
   }
 }
 
-/// What a move of one pole of b by that share of the size does to the defect of its order at least, where it is across
-/// the tangent; the verdict is about a thousandth of it.
+/// Judges by a thousandth of what the move of one pole of b, across the tangent, does to the defect of its
+/// order.
 struct Verdict {
   const BezierCurve& b;
   double length, move;

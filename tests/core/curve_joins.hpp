@@ -23,8 +23,8 @@ inline int wholeNumber(int low, int high, std::mt19937_64& random) {
 
 enum class CurveKind { Space, Planar, Straight, Coincident, Rational };
 
-/// About as long as its degree, of any size from 1 um to 1 km. Coincident: inner poles in one point, where there are
-/// enough. \param end of Coincident, where the curve keeps its tangent.
+/// About as long as its degree times the size. Coincident: the first two poles are one (the last two unless
+/// \p end), so that the curve has a tangent at one end only.
 inline BezierCurve randomCurve(int degree, CurveKind kind, bool end, double size, std::mt19937_64& random) {
   Poles poles(degree + 1, 3);
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(degree + 1);
