@@ -13,6 +13,7 @@ void bindMatch(pybind11::module_& module);
 void bindMeasure(pybind11::module_& module);
 void bindModel(pybind11::module_& module);
 void bindNearest(pybind11::module_& module);
+void bindNearestCurve(pybind11::module_& module);
 void bindPointerBridge(pybind11::module_& module);
 void bindSeam(pybind11::module_& module);
 void bindSpline(pybind11::module_& module);

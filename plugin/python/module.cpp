@@ -15,6 +15,7 @@ PYBIND11_MODULE(_core, module) {
   bindJoin(module);
   bindCurveJoin(module);
   bindNearest(module);
+  bindNearestCurve(module);
   bindSpline(module);
   bindModel(module);
   bindMatch(module);
