@@ -15,7 +15,7 @@ namespace seamwright::python {
 
 namespace {
 
-using Curve = std::variant<BezierCurve, BSplineCurve>;
+using Curve = std::variant<BSplineCurve, BezierCurve>;
 
 Eigen::Index countOf(const Curve& curve) {
   if (const auto* bezier = std::get_if<BezierCurve>(&curve)) return bezier->degree() + 1;

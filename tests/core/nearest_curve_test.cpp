@@ -231,6 +231,20 @@ TEST(NearestCurve, Identity3WhatJoinsStays) {
   }
 }
 
+TEST(NearestCurve, Identity3WhatJoinsInAllBitsKeepsThem) {
+  for (const Moves moves : {Moves::A, Moves::B, Moves::Both}) {
+    Poles a(3, 3), b(4, 3);
+    a << -2, 1, 0, -1, 0, 0, 0, 0, 0;
+    b << 0, 0, 0, 3, 0, 0, 4, 2, 0, 5, 3, 1;
+    const Join join = nearestJoin(BezierCurve(a), BezierCurve(b), optionsOf(1, moves));
+    EXPECT_EQ(join.status, NearestCurveStatus::Solved);
+    EXPECT_EQ(join.a, BezierCurve(a));
+    EXPECT_EQ(join.b, BezierCurve(b));
+    EXPECT_EQ(join.cost, 0);
+    EXPECT_NEAR(join.beta(0), 4.5, 1e-14);
+  }
+}
+
 BezierCurve mapped(const BezierCurve& curve, const Eigen::Matrix3d& map, const Vec& by) {
   Poles poles = curve.poles() * map.transpose();
   poles.rowwise() += by.transpose();
