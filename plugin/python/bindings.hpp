@@ -15,6 +15,7 @@ void bindMeasure(pybind11::module_& module);
 void bindModel(pybind11::module_& module);
 void bindNearest(pybind11::module_& module);
 void bindNuSpline(pybind11::module_& module);
+void bindNearestCurve(pybind11::module_& module);
 void bindPointerBridge(pybind11::module_& module);
 void bindSeam(pybind11::module_& module);
 void bindSpline(pybind11::module_& module);

@@ -16,6 +16,7 @@ PYBIND11_MODULE(_core, module) {
   bindJoin(module);
   bindCurveJoin(module);
   bindNearest(module);
+  bindNearestCurve(module);
   bindSpline(module);
   bindNuSpline(module);
   bindAlpha(module);

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pybind11/eigen.h>
+#include <pybind11/stl.h>
+
+#include <limits>
+#include <optional>
+#include <seamwright/core/join/nearest_curve.hpp>
+#include <seamwright/plugin/python/arguments.hpp>
+#include <seamwright/plugin/python/bindings.hpp>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace seamwright::python {
+
+namespace {
+
+using Curve = std::variant<BSplineCurve, BezierCurve>;
+
+Eigen::Index countOf(const Curve& curve) {
+  if (const auto* bezier = std::get_if<BezierCurve>(&curve)) return bezier->degree() + 1;
+  return std::get<BSplineCurve>(curve).count();
+}
+
+Eigen::VectorXd numbersOf(const std::string& name, const py::object& value) {
+  const auto numbers = argument<std::vector<double>>(name.c_str(), value, "a sequence of numbers");
+  return Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
+}
+
+/// \param fixed indices of poles, negative ones from the end.
+Eigen::VectorXd costsOf(const Curve& curve, const std::string& side, const py::object& costs,
+                        const py::object& fixed) {
+  Eigen::VectorXd result;
+  const Eigen::Index count = countOf(curve);
+  if (!costs.is_none()) result = numbersOf("costs_" + side, costs);
+  if (!costs.is_none() && result.size() != count)
+    throw py::value_error("costs_" + side + " has " + std::to_string(result.size()) + " numbers, the curve " +
+                          std::to_string(count) + " poles: one a pole is needed");
+  if (fixed.is_none()) return result;
+  const std::string name = "fixed_" + side;
+  const auto indices = argument<std::vector<int>>(name.c_str(), fixed, "a sequence of indices of poles");
+  if (result.size() == 0) result = Eigen::VectorXd::Ones(count);
+  for (const int index : indices) {
+    if (index < -count || index >= count)
+      throw py::value_error(name + " has the index " + std::to_string(index) + ", the curve " +
+                            std::to_string(count) + " poles");
+    result(index < 0 ? index + count : index) = std::numeric_limits<double>::infinity();
+  }
+  return result;
+}
+
+NearestCurveJoinOptions::Moves movesOf(const std::string& name) {
+  if (name == "both") return NearestCurveJoinOptions::Moves::Both;
+  if (name == "a") return NearestCurveJoinOptions::Moves::A;
+  if (name == "b") return NearestCurveJoinOptions::Moves::B;
+  throw py::value_error("moves is '" + name + "': both, a or b is needed");
+}
+
+const char* statusName(NearestCurveStatus status) {
+  switch (status) {
+    case NearestCurveStatus::Solved:
+      return "solved";
+    case NearestCurveStatus::Infeasible:
+      return "infeasible";
+    case NearestCurveStatus::NotConverged:
+      return "not converged";
+  }
+  return "";
+}
+
+template <class Type>
+py::dict joinOf(const Type& a, const Type& b, const NearestCurveJoinOptions& options) {
+  const auto join = [&] {
+    const py::gil_scoped_release release;
+    return nearestJoin(a, b, options);
+  }();
+  py::dict result;
+  result["a"] = join.a;
+  result["b"] = join.b;
+  result["beta"] = join.beta;
+  result["status"] = statusName(join.status);
+  result["cost"] = join.cost;
+  result["largest_move_mm"] = join.largest_move_mm;
+  result["residual"] = join.residual;
+  result["gradient"] = join.gradient;
+  result["iterations"] = join.iterations;
+  result["reason"] = join.reason;
+  return result;
+}
+
+BSplineCurve splineOf(const Curve& curve) {
+  if (const auto* bezier = std::get_if<BezierCurve>(&curve)) return splineCurve(*bezier);
+  return std::get<BSplineCurve>(curve);
+}
+
+py::dict nearestCurveJoinOf(const Curve& a, const Curve& b, const py::object& order, const std::string& moves,
+                            const py::object& costs_a, const py::object& costs_b, const py::object& fixed_a,
+                            const py::object& fixed_b, const py::object& beta,
+                            const py::object& max_iterations) {
+  NearestCurveJoinOptions options;
+  options.order = argument<int>("order", order, "a whole number");
+  options.moves = movesOf(moves);
+  options.costs_a = costsOf(a, "a", costs_a, fixed_a);
+  options.costs_b = costsOf(b, "b", costs_b, fixed_b);
+  if (!beta.is_none()) options.beta = numbersOf("beta", beta);
+  options.max_iterations = argument<int>("max_iterations", max_iterations, "a whole number");
+  const auto *bezier_a = std::get_if<BezierCurve>(&a), *bezier_b = std::get_if<BezierCurve>(&b);
+  if (bezier_a && bezier_b) return joinOf(*bezier_a, *bezier_b, options);
+  return joinOf(splineOf(a), splineOf(b), options);
+}
+
+}  // namespace
+
+void bindNearestCurve(py::module_& module) {
+  module.def("nearest_curve_join", &nearestCurveJoinOf, py::arg("a"), py::arg("b"), py::kw_only(),
+             py::arg("order") = 1, py::arg("moves") = "both", py::arg("costs_a") = py::none(),
+             py::arg("costs_b") = py::none(), py::arg("fixed_a") = py::none(),
+             py::arg("fixed_b") = py::none(), py::arg("beta") = py::none(), py::arg("max_iterations") = 100,
+             "Moves the last order + 1 poles of a, the first of b, or both (moves: 'a', 'b', 'both') as "
+             "little as possible, so "
+             "that the curves (BezierCurve or BSplineCurve) join with G^order exactly where a ends and b "
+             "begins. costs_a, "
+             "costs_b: how dear the move of each pole is, one number a pole; fixed_a, fixed_b: indices of "
+             "poles that stay, "
+             "-1 being the last; beta: beta_1..beta_n to be used instead of those that are found. The result "
+             "is a dict of a, b, "
+             "beta, status ('solved', 'infeasible', 'not converged'), cost (half the sum of cost times "
+             "squared move), "
+             "largest_move_mm, residual, gradient, iterations and reason. Of a BezierCurve and a "
+             "BSplineCurve both come back as "
+             "BSplineCurve.");
+}
+
+}  // namespace seamwright::python
