@@ -47,8 +47,8 @@ std::vector<double> knotsOf(const BetaSplineData& data) {
   return knots;
 }
 
-/// The unknowns are m_j / units(j). With units_j = units_(j-1) / bias_j the equations are those of a nu-spline; round a ring
-/// they return to the first by a common factor at each step, with biases of one value to 1 throughout.
+/// The unknowns are m_j / units(j). With units_j = units_(j-1) / bias_j the equations are those of a nu-spline;
+/// round a ring a common factor at each step brings them back to the first, biases of one value to 1 throughout.
 Eigen::VectorXd unitsOf(const BetaSplineData& data) {
   const Index n = data.points.rows() - 1;
   const bool closed = data.ends == SplineEnds::Periodic;
