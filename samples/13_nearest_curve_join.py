@@ -2,7 +2,7 @@
 """Two curves with a kink, made to join with G1, G2 and G3 by the smallest moves of poles.   python3 13_nearest_curve_join.py OUT.svg
 
 The curves are of degree 5 and meet in the origin at an angle. The picture shows them and their combs of curvature before and after; the
-arrows are the moves of the poles.
+arrows are the moves of the poles, five times enlarged.
 """
 
 import sys
@@ -13,8 +13,8 @@ import seamwright
 from seamwright.picture import Picture
 
 a = seamwright.BezierCurve([[-50, 4, 0], [-40, 10, 0], [-30, 13, 0], [-20, 12.5, 0], [-10, 8, 0], [0, 0, 0]])
-b = seamwright.BezierCurve([[0, 0, 0], [11, -4, 0], [21, -8, 0], [31, -8, 0], [41, -4, 0], [52, 4, 0]])
-DOWN = np.array([0, -62, 0])
+b = seamwright.BezierCurve([[0, 0, 0], [11, -4, 0], [21, -7, 0], [31, -8, 0], [41, -4, 0], [52, 4, 0]])
+DOWN = np.array([0, -42, 0])
 
 
 def lowered(curve, steps):
@@ -36,5 +36,6 @@ for order, color in ((1, "#0072b2"), (2, "#009e73"), (3, "#cc79a7")):
         picture.polygon(lowered(given, order).poles, color="#bbbbbb")
         label = f"G{order}, moves of up to {join['largest_move_mm']:.1f} mm" if name == "a" else None
         picture.curve(lowered(join[name], order), color, label, comb=250)
-        picture.arrows(lowered(given, order).poles, join[name].poles - given.poles)
+        moves = "moves of poles, five times" if order == 3 and name == "b" else None
+        picture.arrows(lowered(given, order).poles, 5 * (join[name].poles - given.poles), moves)
 picture.write(sys.argv[1])
