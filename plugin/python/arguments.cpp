@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pybind11/stl.h>
+
 #include <numbers>
 #include <seamwright/plugin/python/arguments.hpp>
 
@@ -35,6 +37,13 @@ ContinuityTolerance toleranceOf(const ToleranceArguments& given) {
 Level levelOf(const py::object& value) {
   if (const auto level = levelFromName(argument<std::string>("level", value, "a name"))) return *level;
   throw py::value_error("level " + shown(value) + ": known are G0, G1, G2 and G3");
+}
+
+std::vector<double> each(const char* name, const py::object& value, Eigen::Index count) {
+  constexpr const char* kind = "a number or a sequence of numbers";
+  if (py::isinstance<py::float_>(value) || py::isinstance<py::int_>(value))
+    return std::vector<double>(static_cast<std::size_t>(count), argument<double>(name, value, kind));
+  return argument<std::vector<double>>(name, value, kind);
 }
 
 }  // namespace seamwright::python

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <seamwright/core/seam/judge.hpp>
 #include <string>
+#include <vector>
 
 namespace seamwright::python {
 
@@ -29,6 +30,9 @@ T argument(const char* name, const py::object& value, const char* kind) {
     throw;
   }
 }
+
+/// As many numbers as \p count from one for all of them, or the numbers of a sequence of any length.
+std::vector<double> each(const char* name, const py::object& value, Eigen::Index count);
 
 /// A parameter at which something is evaluated; ValueError where it is not finite.
 inline double parameter(const char* name, double value) {

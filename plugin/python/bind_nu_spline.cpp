@@ -13,14 +13,6 @@ namespace seamwright::python {
 
 namespace {
 
-/// The value of each point, from one number for all of them or a sequence.
-std::vector<double> each(const char* name, const py::object& value, Eigen::Index count) {
-  constexpr const char* kind = "a number or a sequence of numbers";
-  if (py::isinstance<py::float_>(value) || py::isinstance<py::int_>(value))
-    return std::vector<double>(static_cast<std::size_t>(count), argument<double>(name, value, kind));
-  return argument<std::vector<double>>(name, value, kind);
-}
-
 SplineEnds endsOf(const py::object& value) {
   const auto name = argument<std::string>("ends", value, "a name");
   if (name == "natural") return SplineEnds::Natural;

@@ -55,14 +55,6 @@ py::list jointsOf(const BezierSpline& spline, const py::object& order, const py:
   return list;
 }
 
-/// The value of each edge, from one number for all of them or a sequence.
-std::vector<double> each(const char* name, const py::object& value, Eigen::Index count) {
-  constexpr const char* kind = "a number or a sequence of numbers";
-  if (py::isinstance<py::float_>(value) || py::isinstance<py::int_>(value))
-    return std::vector<double>(static_cast<std::size_t>(count), argument<double>(name, value, kind));
-  return argument<std::vector<double>>(name, value, kind);
-}
-
 BezierSpline directOf(const Array& vertices, const py::object& alpha, const py::object& omega, bool closed) {
   const Poles rows = polesOf(vertices, 2, "(count, 3)");
   const Eigen::Index edges = closed ? rows.rows() : std::max<Eigen::Index>(rows.rows() - 1, 0);
