@@ -152,7 +152,8 @@ TEST(AlphaSpline, Identity5NoPlaneMeetsItMoreOftenThanThePolygon) {
     const BezierSpline bezier = bezierSpline(alphaSpline(made.polygon, made.shape));
     Poles points(60 * bezier.segments(), 3);
     for (Eigen::Index k = 0; k < points.rows(); ++k)
-      points.row(k) = segment(bezier, static_cast<int>(k / 60)).point(static_cast<double>(k % 60) / 59).transpose();
+      points.row(k) =
+          segment(bezier, static_cast<int>(k / 60)).point(static_cast<double>(k % 60) / 59).transpose();
     const int meets = test::signChanges(heights(points));
     EXPECT_LE(meets, test::signChanges(heights(made.polygon)));
     most = std::max(most, meets);

@@ -54,8 +54,9 @@ TEST(BezierCurve, HomogeneousPolesAreTakenOverBitByBit) {
   poles << randomPoles(4, random), randomWeights(4, random);
   EXPECT_EQ(BezierCurve::fromHomogeneous(poles).homogeneousPoles(), poles);
   poles(2, 3) = -0.25;
-  EXPECT_THAT([&] { BezierCurve::fromHomogeneous(poles); },
-              testing::ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr("weight 2"), HasSubstr("-0.25"))));
+  EXPECT_THAT(
+      [&] { BezierCurve::fromHomogeneous(poles); },
+      testing::ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr("weight 2"), HasSubstr("-0.25"))));
   EXPECT_THROW(BezierCurve::fromHomogeneous(HomogeneousPoles(0, 4)), std::invalid_argument);
 }
 
