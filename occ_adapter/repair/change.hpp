@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Geom_Surface.hxx>
+#include <TopoDS_Shape.hxx>
+#include <vector>
+
+/// Faces of a shape with other surfaces; not a public header.
+namespace seamwright::occ {
+
+/// A face's new surface, in the frame of the shape (locations applied), with the parameters of the old one.
+struct FaceChange {
+  int face = 0;  ///< from 1, order of TopExp::MapShapes
+  opencascade::handle<Geom_Surface> surface;
+  double largest_move_mm = 0;  ///< of a pole
+};
+
+/// A copy of the shape in which these faces have their new surfaces: the same faces, edges, vertices in the same order, orientations
+/// and locations; what does not depend on a changed face is shared with the given shape. Edges keep their paths in the parameter planes;
+/// their curves in space are made anew where a face beside them changed, halfway between both sides; vertices are put where their edges
+/// end; tolerances are what is measured, and not below those they had where nothing moved.
+/// \throws std::invalid_argument for a face number that the shape does not have or that is given twice, and for a face that stands in the
+/// shape more than once (a part with several instances); std::runtime_error where a curve can't be built; Standard_Failure.
+TopoDS_Shape withChanges(const TopoDS_Shape& shape, const std::vector<FaceChange>& changes, double gap_mm);
+
+}  // namespace seamwright::occ

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Geom_BSplineSurface.hxx>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <seamwright/core/seam/tolerance.hpp>
+#include <seamwright/occ_adapter/convert/pcurve.hpp>
+
+/// A spline face that is made to meet what is given along paths in its parameter plane; not a public header.
+namespace seamwright::occ {
+
+/// What a face has to meet at a point of a path.
+struct TargetPoint {
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< of length 1, in the sense of the face's X_u x X_v
+  Eigen::Matrix3d curvature =
+      Eigen::Matrix3d::Zero();  ///< curvature tensor for that normal; read for order 2
+};
+
+/// A path that has to be met: s in 0..1 along the pcurve.
+struct FollowPath {
+  Pcurve path;
+  int order = 1;  ///< 0: points, 1: and tangent planes, 2: and curvature
+  std::function<TargetPoint(double s)> target;
+};
+
+struct FaceTask {
+  opencascade::handle<Geom_BSplineSurface> surface;  ///< clamped, placed in space
+  std::vector<FollowPath>
+      paths;  ///< all boundaries of the face: those that stay have what the face shows there as their target
+  ContinuityTolerance tolerance;
+  double share = 0.25;      ///< of the tolerance, to be met at the samples
+  int max_refinements = 5;  ///< halvings of knot spans near the paths
+  int max_poles = 40000;    ///< no refinement beyond
+};
+
+struct FaceFollow {
+  opencascade::handle<Geom_BSplineSurface>
+      surface;                 ///< with the parameters of the given one; its knots may be more
+  double largest_move_mm = 0;  ///< of a pole, against the given surface with the same knots
+  int refinements = 0;
+  /// The worst figure over its tolerance at points between the samples, one a path.
+  std::vector<double> ratios;
+  std::string failure;  ///< why it does not meet them; empty: it does
+};
+
+/// The smallest move of the poles near the paths (least squares, with fairness of the move) that meets the targets.
+/// Weights stay. Poles that no path touches stay to the bit.
+/// \throws Standard_Failure.
+/// Source: MATH-surfaces 7.
+FaceFollow followPaths(const FaceTask& task);
+
+}  // namespace seamwright::occ
