@@ -63,7 +63,7 @@ double jointsLeft(const BezierSpline& spline, const BetaSplineData& data) {
 TEST(BetaSpline, Oracle) {
   for (const auto& c : test::splineCases("beta_splines.json")) {
     const auto& in = c["in"];
-    BetaSplineData data{test::pointsOf(in["Q"]), in["b1"].get<std::vector<double>>(),
+    BetaSplineData data{test::points(in["Q"]), in["b1"].get<std::vector<double>>(),
                         in["b2"].get<std::vector<double>>(), test::endsOf(in["bc"])};
     if (data.ends == SplineEnds::Clamped) {
       data.start_derivative = test::vector(in["m0"]);
@@ -73,7 +73,7 @@ TEST(BetaSpline, Oracle) {
       data.end_nu = in["nun"];
     }
     const BetaSpline spline = betaSpline(data);
-    EXPECT_LT(difference(spline.derivatives, test::pointsOf(c["out"]["m"])), 1e-12) << c["name"];
+    EXPECT_LT(difference(spline.derivatives, test::points(c["out"]["m"])), 1e-12) << c["name"];
     EXPECT_LT(jointsLeft(spline.curve, data), 1e-15) << c["name"];
     if (data.ends == SplineEnds::Periodic) continue;
     for (std::size_t i = 0; i + 1 < spline.curve.knots.size(); ++i)

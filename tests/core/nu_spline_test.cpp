@@ -86,14 +86,14 @@ double jumpLeft(const BezierSpline& spline, const NuSplineData& data) {
 TEST(NuSpline, Oracle) {
   for (const auto& c : test::splineCases("nu_splines.json")) {
     const auto& in = c["in"];
-    NuSplineData data{test::pointsOf(in["P"]), in["u"].get<std::vector<double>>(),
+    NuSplineData data{test::points(in["P"]), in["u"].get<std::vector<double>>(),
                       in["nu"].get<std::vector<double>>(), test::endsOf(in["bc"])};
     if (data.ends == SplineEnds::Clamped) {
       data.start_derivative = test::vector(in["m0"]);
       data.end_derivative = test::vector(in["mn"]);
     }
     const NuSpline spline = nuSpline(data);
-    EXPECT_LT(difference(spline.derivatives, test::pointsOf(c["out"]["m"])), 1e-12) << c["name"];
+    EXPECT_LT(difference(spline.derivatives, test::points(c["out"]["m"])), 1e-12) << c["name"];
     EXPECT_LT(jumpLeft(spline.curve, data), 1e-15) << c["name"];
     EXPECT_THAT(spline.stationary, ElementsAre()) << c["name"];
     requireValid(spline.curve);

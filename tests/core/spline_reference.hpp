@@ -3,13 +3,12 @@
 
 #include <Eigen/LU>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <seamwright/core/spline/beta_spline.hpp>
 
-#include "curves.hpp"
+#include "splines.hpp"
 
 /// Interpolating splines from the conditions of their joints: dense, in extended precision.
 namespace seamwright::test {
@@ -107,21 +106,10 @@ inline Conditions conditionsOf(const BetaSplineData& data) {
   return c;
 }
 
-inline nlohmann::json splineCases(const std::string& file) {
-  std::ifstream stream(std::string(SEAMWRIGHT_TEST_DATA) + "/" + file);
-  return nlohmann::json::parse(stream)["cases"];
-}
-
 inline SplineEnds endsOf(const nlohmann::json& name) {
   return name == "periodic"  ? SplineEnds::Periodic
          : name == "clamped" ? SplineEnds::Clamped
                              : SplineEnds::Natural;
-}
-
-inline Poles pointsOf(const nlohmann::json& rows) {
-  Poles points(static_cast<Eigen::Index>(rows.size()), 3);
-  for (Eigen::Index i = 0; i < points.rows(); ++i) points.row(i) = vector(rows[i]).transpose();
-  return points;
 }
 
 inline Poles randomPoints(Eigen::Index count, double size, bool closed, std::mt19937_64& random) {
