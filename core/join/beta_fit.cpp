@@ -170,14 +170,22 @@ BetaFit fitBeta(const BezierCurve& a, const BezierCurve& b, int order, std::opti
   if (!length_mm) fit.length_mm = lengthOf(a, b);
   if (!(fit.length_mm > 0 && std::isfinite(fit.length_mm)))
     throw std::invalid_argument("length_mm is " + bernstein::text(fit.length_mm) + ": it must be positive");
-  const CurveEnd end{a.derivatives(1, order), a.noise()}, beginning{b.derivatives(0, order), b.noise()};
+  int exponent = 0;
+  const double length = std::frexp(fit.length_mm, &exponent);
+  // In units of the power of two nearest to L, so that powers of lengths stay within the range of a double.
+  const auto scaled = [&](const CurveDerivatives& derivatives, double noise) {
+    return CurveEnd{derivatives.unaryExpr([&](double x) { return std::ldexp(x, -exponent); }),
+                    std::ldexp(noise, -exponent)};
+  };
+  const CurveEnd end = scaled(a.derivatives(1, order), a.noise());
+  const CurveEnd beginning = scaled(b.derivatives(0, order), b.noise());
   const CurveJoint joint = measureJoint(end, beginning);
   if (!joint.gap_mm) throw std::invalid_argument("the curves' ends are beyond the range of a double");
   const bool tangents = !joint.differences.empty();
   boundDefects(a, b, tangents ? order : 0, fit);
   for (std::size_t k = 0; k < fit.upper.size(); ++k) {
     const double difference = k == 0 ? *joint.gap_mm : joint.differences[k];
-    const double defect = difference * std::pow(fit.length_mm, static_cast<double>(k) - 1);
+    const double defect = difference * std::pow(length, static_cast<double>(k) - 1);
     fit.defects.push_back(std::clamp(defect, fit.lower[k], fit.upper[k]));
   }
   if (tangents && order > 0) fit.beta = projectedBeta(end.derivatives, beginning.derivatives);

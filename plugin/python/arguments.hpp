@@ -6,6 +6,7 @@
 #include <cmath>
 #include <seamwright/core/seam/judge.hpp>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace seamwright::python {
@@ -16,7 +17,7 @@ inline std::string shown(const py::object& value) {
   return py::cast<std::string>(py::repr(value));
 }
 
-/// The value of a keyword; ValueError with name and value where it has another type.
+/// The value of a keyword; ValueError with name and value where it has another type. Whole numbers are not made of others.
 template <class T>
 T argument(const char* name, const py::object& value, const char* kind) {
   const auto refuse = [&] {
@@ -24,6 +25,12 @@ T argument(const char* name, const py::object& value, const char* kind) {
   };
   if (PyBool_Check(value.ptr())) refuse();
   try {
+    if constexpr (std::is_integral_v<T>) {
+      const auto index = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
+      if (!index) PyErr_Clear();
+      if (!index) refuse();
+      return index.template cast<T>();
+    }
     return value.cast<T>();
   } catch (const py::cast_error&) {
     refuse();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pybind11/eigen.h>
+#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include <limits>
@@ -27,7 +28,33 @@ Eigen::VectorXd numbersOf(const std::string& name, const py::object& value) {
   return Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
 }
 
-/// \param fixed indices of poles, negative ones from the end.
+/// Indices of poles, negative ones from the end, or a mask of booleans, one a pole.
+std::vector<Eigen::Index> fixedPoles(const std::string& name, const py::object& value, Eigen::Index count) {
+  const auto array = py::array::ensure(value);
+  const auto refuse = [&](const std::string& found) {
+    PyErr_Clear();
+    throw py::value_error(name + " is " + shown(value) + ": " + found + "; the curve has " +
+                          std::to_string(count) +
+                          " poles, and indices of them or one boolean a pole are needed");
+  };
+  if (!array || array.ndim() != 1) refuse("not a sequence of one dimension");
+  std::vector<Eigen::Index> result;
+  if (array.dtype().kind() == 'b') {
+    if (array.shape(0) != count) refuse(std::to_string(array.shape(0)) + " booleans");
+    const auto mask = array.cast<std::vector<bool>>();
+    for (Eigen::Index i = 0; i < count; ++i)
+      if (mask[static_cast<std::size_t>(i)]) result.push_back(i);
+    return result;
+  }
+  if (array.shape(0) > 0 && array.dtype().kind() != 'i' && array.dtype().kind() != 'u')
+    refuse("not whole numbers");
+  for (const auto index : array.cast<std::vector<Eigen::Index>>()) {
+    if (index < -count || index >= count) refuse("no pole " + std::to_string(index));
+    result.push_back(index < 0 ? index + count : index);
+  }
+  return result;
+}
+
 Eigen::VectorXd costsOf(const Curve& curve, const std::string& side, const py::object& costs,
                         const py::object& fixed) {
   Eigen::VectorXd result;
@@ -37,15 +64,9 @@ Eigen::VectorXd costsOf(const Curve& curve, const std::string& side, const py::o
     throw py::value_error("costs_" + side + " has " + std::to_string(result.size()) + " numbers, the curve " +
                           std::to_string(count) + " poles: one a pole is needed");
   if (fixed.is_none()) return result;
-  const std::string name = "fixed_" + side;
-  const auto indices = argument<std::vector<int>>(name.c_str(), fixed, "a sequence of indices of poles");
   if (result.size() == 0) result = Eigen::VectorXd::Ones(count);
-  for (const int index : indices) {
-    if (index < -count || index >= count)
-      throw py::value_error(name + " has the index " + std::to_string(index) + ", the curve " +
-                            std::to_string(count) + " poles");
-    result(index < 0 ? index + count : index) = std::numeric_limits<double>::infinity();
-  }
+  for (const Eigen::Index index : fixedPoles("fixed_" + side, fixed, count))
+    result(index) = std::numeric_limits<double>::infinity();
   return result;
 }
 

@@ -235,6 +235,18 @@ TEST(BetaFit, BoundsHoldTheExactDefect) {
   EXPECT_GE(proved, 1000);
 }
 
+TEST(BetaFit, SizeBeyondPowersOfADouble) {
+  Poles left(5, 3), right(5, 3);
+  left << 0, 0, 0, 1, 0, 0, 2, 1, 0, 3, 1, 1, 4, 0, 0;
+  right << 4, 0, 0, 5, -1, -1, 6, 0, 0, 7, 1, 1, 9, 0, 2;
+  const BetaFit fit = fitBeta(BezierCurve(left), BezierCurve(right), 6);
+  for (const double scale : {1e150, 1e-150}) {
+    const BetaFit scaled = fitBeta(BezierCurve(scale * left), BezierCurve(scale * right), 6);
+    for (std::size_t k = 0; k <= 6; ++k)
+      EXPECT_NEAR(scaled.defects[k], fit.defects[k], 1e-11 * (1 + fit.defects[k])) << scale << " order " << k;
+  }
+}
+
 TEST(BetaFit, Identity5Invariance) {
   std::mt19937_64 random(312);
   double worst = 0;

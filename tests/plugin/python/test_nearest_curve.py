@@ -46,7 +46,7 @@ def test_poles_that_stay_or_are_dear():
     assert (join["a"].poles[-1] == a.poles[-1]).all() and (join["b"].poles[0] == b.poles[0]).all()
     join = seamwright.nearest_curve_join(a, b, costs_a=[1e8] * 4)
     assert np.abs(join["a"].poles - a.poles).max() < 1e-7
-    join = seamwright.nearest_curve_join(a, b, fixed_a=[2, 3], fixed_b=[0, 1])
+    join = seamwright.nearest_curve_join(a, b, fixed_a=[False, False, True, True], fixed_b=[0, 1])
     assert join["status"] == "infeasible"
     assert join["reason"] == "the poles that may move cannot make the join"
     assert join["a"] == a and join["b"] == b
@@ -82,8 +82,13 @@ def test_splines():
     ({"costs_a": [1, 2]}, "costs_a has 2 numbers, the curve 4 poles"),
     ({"costs_b": [1, 1, 0, 1]}, r"costs_b\[2\] is 0"),
     ({"costs_b": "dear"}, "costs_b is 'dear': a sequence of numbers is needed"),
-    ({"fixed_a": [4]}, "fixed_a has the index 4, the curve 4 poles"),
-    ({"fixed_b": [-5]}, "fixed_b has the index -5, the curve 4 poles"),
+    ({"fixed_a": [4]}, r"fixed_a is \[4\]: no pole 4; the curve has 4 poles"),
+    ({"fixed_b": [-5]}, r"fixed_b is \[-5\]: no pole -5; the curve has 4 poles"),
+    ({"fixed_a": [True, False]}, r"fixed_a is \[True, False\]: 2 booleans"),
+    ({"fixed_a": [0.0]}, "not whole numbers"),
+    ({"fixed_a": "ends"}, "fixed_a is 'ends'"),
+    ({"order": np.float32(2.7)}, "order is 2.7"),
+    ({"order": np.array([[2]])}, "order is array"),
     ({"beta": [1, 0]}, "betas 2, order 1"),
     ({"beta": [-1]}, "beta_1 is -1"),
     ({"max_iterations": -1}, "max_iterations is -1"),
