@@ -13,6 +13,9 @@ import numpy as np
 
 import seamwright
 
+if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
+    sys.exit(__doc__)
+
 SPANS = 128
 HIGH_POLE = 69  # it counts in spans 66 to 69, from 0.516 to 0.547 of the seam
 ACCEPTED_DEG = 0.1

@@ -12,6 +12,9 @@ import numpy as np
 
 import seamwright
 
+if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
+    sys.exit(__doc__)
+
 DEGREE = 4
 CORNERS = 20.0 * np.array([[math.cos(a), math.sin(a), 0] for a in (math.pi / 2, 7 * math.pi / 6, 11 * math.pi / 6)])
 

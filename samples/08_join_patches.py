@@ -12,6 +12,9 @@ import numpy as np
 
 import seamwright
 
+if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
+    sys.exit(__doc__)
+
 x, y = np.meshgrid([0.0, 2, 4, 6], [0.0, 2, 4, 6], indexing="ij")
 left = seamwright.BezierPatch(np.stack([x, y, 1.2 - 0.05 * x**2 + 0.02 * (y - 3) ** 2], axis=-1))
 right = seamwright.BezierPatch(np.stack([12 + x, y, 0.3 + 0.6 * x - 0.08 * x**2 + 0.03 * (y - 3) ** 2], axis=-1))

@@ -11,6 +11,9 @@ import numpy as np
 
 import seamwright
 
+if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
+    sys.exit(__doc__)
+
 rows, columns = np.arange(4), np.arange(4)
 
 

@@ -16,6 +16,9 @@ import Part
 
 import seamwright
 
+if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
+    sys.exit(__doc__)
+
 WIDTH, DEPTH = 50.0, 60.0  # mm
 ACROSS = (0.0, 10.0, 10.0, 0.0)  # heights of poles along the seam, mm
 

@@ -13,6 +13,9 @@ import numpy as np
 import seamwright
 from seamwright.picture import Picture
 
+if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
+    sys.exit(__doc__)
+
 
 def curve(*powers, at=(0, 0, 0)):
     """Coordinates by coefficients of 1, u, u^2, ... with u = 2 t - 1, of degree 4."""

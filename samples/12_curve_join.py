@@ -12,6 +12,9 @@ import numpy as np
 import seamwright
 from seamwright.picture import Picture
 
+if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
+    sys.exit(__doc__)
+
 given = seamwright.BezierCurve([[0, 0, 0], [20, -5, 0], [42, 2, 0], [55, 18, 0]])
 towards = seamwright.BezierCurve([[55, 18, 0], [72, 45, 0], [62, 85, 0], [20, 95, 0]])
 

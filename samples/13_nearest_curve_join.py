@@ -12,6 +12,9 @@ import numpy as np
 import seamwright
 from seamwright.picture import Picture
 
+if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
+    sys.exit(__doc__)
+
 a = seamwright.BezierCurve([[-50, 4, 0], [-40, 10, 0], [-30, 13, 0], [-20, 12.5, 0], [-10, 8, 0], [0, 0, 0]])
 b = seamwright.BezierCurve([[0, 0, 0], [11, -4, 0], [21, -7, 0], [31, -8, 0], [41, -4, 0], [52, 4, 0]])
 DOWN = np.array([0, -42, 0])

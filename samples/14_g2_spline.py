@@ -13,6 +13,9 @@ import numpy as np
 import seamwright
 from seamwright.picture import Picture
 
+if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
+    sys.exit(__doc__)
+
 polygon = np.array([(0, 0), (8, 26), (34, 32), (46, 4), (74, 0), (86, 24), (70, 40)], dtype=float)
 polygon = np.column_stack([polygon, np.zeros(len(polygon))])
 RIGHT = np.array([116, 0, 0])

@@ -8,6 +8,9 @@ import numpy as np
 import seamwright
 from seamwright.picture import Picture
 
+if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
+    sys.exit(__doc__)
+
 points = np.array([[0, 0, 0], [10, 22, 0], [26, 18, 0], [34, 2, 0], [52, 6, 0], [60, 24, 0], [78, 20, 0]], dtype=float)
 knots = seamwright.knots_of(points, 1) / np.float64(20)
 

@@ -12,6 +12,9 @@ import numpy as np
 import seamwright
 from seamwright.picture import Picture
 
+if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
+    sys.exit(__doc__)
+
 polygon = np.array([[0, 0, 0], [14, 30, 0], [46, 30, 0], [60, 0, 0]], float)
 picture = Picture("One polygon, many shapes", width=760)
 
