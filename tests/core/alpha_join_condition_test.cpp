@@ -424,7 +424,7 @@ TEST(AlphaJoinCondition, Identity8NothingIsNearer) {
 double costOf(const AlphaSurface& given, const AlphaSurface& next, const AlphaNearestOptions& o,
               double beta1) {
   if (o.order == 1) return costOf(given, next, o, beta1, 0);
-  const double unit = 1 / o.next_length;
+  const double unit = (1 + beta1 * beta1) / o.next_length;
   const double left = costOf(given, next, o, beta1, -unit), middle = costOf(given, next, o, beta1, 0),
                right = costOf(given, next, o, beta1, unit);
   const double bend = left - 2 * middle + right, slope = (right - left) / 2;
@@ -444,7 +444,7 @@ TEST(AlphaJoinCondition, Identity8NorNextToBetaZero) {
     double least = limit;
     bool dips = false;
     double before = limit;
-    for (double beta1 = 1e-4; beta1 < 1e3; beta1 *= 1.1) {
+    for (double beta1 = 1e-4; beta1 < 100; beta1 *= 1.1) {
       const double cost = costOf(given, next, options, beta1);
       least = std::min(least, cost);
       dips = dips || cost < before * (1 - 1e-9);
