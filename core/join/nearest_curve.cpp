@@ -89,7 +89,7 @@ double largestCoordinate(const End& end, int order) {
   return (poles.leftCols<3>().array().colwise() / poles.col(3).array()).abs().maxCoeff();
 }
 
-CurveExtent extentOf(const End& end) {
+CurveExtent extentOfEnd(const End& end) {
   const End other{end.degree, end.knots, end.poles, !end.last};
   const Poles poles = end.poles.leftCols<3>().array().colwise() / end.poles.col(3).array();
   return extentOf(poles, end.point().transpose(), other.point().transpose());
@@ -193,7 +193,7 @@ Solution nearestPoles(const End& a, const End& b, const NearestCurveJoinOptions&
   requireValid(options.costs_b, b, "costs_b");
   double unit = 1;
   const Problem problem = problemOf(a, b, options, unit);
-  const double length = jointLength(extentOf(a), extentOf(b));
+  const double length = jointLength(extentOfEnd(a), extentOfEnd(b));
   Solution result{a.poles, b.poles};
   result.beta = betaOf(problem, problem.beta);
   if (nearest_curve::holds(problem)) {
