@@ -162,8 +162,18 @@ class LengthSum {
 };
 
 void requirePositive(double tolerance_mm) {
-  if (!(tolerance_mm > 0))
-    throw std::invalid_argument("tolerance is " + bernstein::text(tolerance_mm) + ": it must be positive");
+  if (!(tolerance_mm > 0) || !std::isfinite(tolerance_mm))
+    throw std::invalid_argument("tolerance is " + bernstein::text(tolerance_mm) +
+                                ": it must be positive and finite");
+}
+
+/// (g d)^2 of quadrature() has degree 4 n + 12, v.v of a polynomial curve 2 n - 2.
+void requireDegree(const BezierCurve& curve) {
+  const int most = curve.isRational() ? (bernstein::kMaxDegree - 12) / 4 : (bernstein::kMaxDegree + 2) / 2;
+  if (curve.degree() > most)
+    throw std::invalid_argument("degree is " + std::to_string(curve.degree()) + ": the length of a " +
+                                (curve.isRational() ? "rational" : "polynomial") +
+                                " curve is known up to degree " + std::to_string(most));
 }
 
 }  // namespace
@@ -173,6 +183,7 @@ ArcLength arcLength(const BezierCurve& curve, double tolerance_mm, double first,
   if (!(0 <= first && first <= last && last <= 1))
     throw std::invalid_argument("range is " + bernstein::text(first) + " .. " + bernstein::text(last) +
                                 ": 0 <= first <= last <= 1 is needed");
+  requireDegree(curve);
   if (first == last) return {};
   VelocityForm form = velocityForm(curve);
   if (first > 0 || last < 1) form = form.restricted({first, last});
@@ -198,14 +209,21 @@ double parameterAtLength(const BezierCurve& curve, double length_mm, double tole
                                 bernstein::text(whole.value_mm) + " mm");
   Interval range{0, 1};  // what is asked is in here
   double t = whole.value_mm > 0 ? std::min(1.0, length_mm / whole.value_mm) : 0;
+  double nearest = t, least = std::numeric_limits<double>::infinity();
   for (int step = 1;; ++step) {
-    const ArcLength length = arcLength(curve, accuracy, 0, t);
-    const double missing = length_mm - length.value_mm;
-    if (std::abs(missing) <= std::max(2 * accuracy, length.upper_mm - length.lower_mm)) return t;
+    const double length = arcLength(curve, accuracy, 0, t).value_mm, missing = length_mm - length;
+    if (std::abs(missing) < least) {
+      nearest = t;
+      least = std::abs(missing);
+    }
+    constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+    if (least <= std::max(2 * accuracy, rounding * length)) return nearest;
     (missing > 0 ? range.lower : range.upper) = t;
-    if (range.middle() <= range.lower || range.middle() >= range.upper) return t;
-    const double newton = t + missing / curve.derivatives(t, 1).row(1).norm();
-    // Newton's steps may creep where the speed is about zero; every third halves the range.
+    if (range.middle() <= range.lower || range.middle() >= range.upper) return nearest;
+    // Every second step of three goes twice as far, so that the range closes from both sides; every third
+    // halves it, since Newton's may creep where the speed is about zero.
+    const double speed = curve.derivatives(t, 1).row(1).stableNorm();
+    const double newton = t + (step % 3 == 2 ? 2 : 1) * missing / speed;
     const bool usable = newton > range.lower && newton < range.upper && step % 3 != 0;
     t = usable ? newton : range.middle();
   }

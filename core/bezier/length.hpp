@@ -27,13 +27,16 @@ struct ArcLength {
 ///   (1) A line: its length, bracket of rounding. (2) A rational quarter circle: pi r / 2.
 ///   (3) Sum of the parts; reversal, elevation and rigid motion change nothing but rounding; scale multiplies.
 ///   (4) A cusp inside: the bracket holds the length of both branches.
-/// \throws std::invalid_argument for a tolerance that is not positive, or a range outside 0 <= first <= last <= 1.
+/// \throws std::invalid_argument for a tolerance that is not positive and finite, a range outside
+/// 0 <= first <= last <= 1, or a degree above 401, of a rational curve 197.
 /// Source: MATH-curves 1 (Gravesen).
 ArcLength arcLength(const BezierCurve& curve, double tolerance_mm, double first = 0, double last = 1);
 
-/// The parameter at which the length from t = 0 is \p length_mm: within tolerance_mm of arc length, or what
-/// rounding allows. By Newton's method between bounds.
-/// \throws std::invalid_argument for a length outside 0 .. the whole (with both numbers), or a tolerance not positive.
+/// The parameter t at which the length from t = 0 is \p length_mm, by Newton's method between bounds.
+///   (5) arcLength(curve, tolerance_mm / 4, 0, t).value_mm is within tolerance_mm / 2 of it. So where that length is
+///       reached the true one is within tolerance_mm; else it is so near as those bounds are, which weights of very
+///       different size widen. Where no t has such a value it is the one that came nearest, but for rounding.
+/// \throws std::invalid_argument for a length outside 0 .. the whole (with both numbers), else as arcLength().
 double parameterAtLength(const BezierCurve& curve, double length_mm, double tolerance_mm);
 
 }  // namespace seamwright

@@ -47,6 +47,10 @@ void setLeavingTangent(const CurveDerivatives& derivatives, double noise, Frenet
   }
 }
 
+std::optional<double> finite(double value) {
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
 /// \pre X' is not zero. The parameter is scaled to unit speed, so that no power of the speed is needed.
 void setCurvature(const CurveDerivatives& derivatives, double speed_noise, double acceleration_noise,
                   FrenetFrame& frame) {
@@ -66,9 +70,9 @@ void setCurvature(const CurveDerivatives& derivatives, double speed_noise, doubl
   frame.binormal = B;
   frame.normal = B.cross(T);
   if (derivatives.rows() < 4) return;
-  const Vector3d d3 = derivatives.row(3).transpose() / speed / speed / speed;
-  frame.torsion_per_mm = B.dot(d3) / kappa;
-  frame.curvature_change_per_mm2 = B.dot(T.cross(d3)) - 3 * kappa * T.dot(d2);
+  const Vector3d d3_by_kappa = derivatives.row(3).transpose() / speed / speed / (speed * kappa);
+  frame.torsion_per_mm = finite(B.dot(d3_by_kappa));
+  frame.curvature_change_per_mm2 = finite(kappa * (B.dot(T.cross(d3_by_kappa)) - 3 * T.dot(d2)));
 }
 
 struct EvaluationNoise {
@@ -129,9 +133,12 @@ FrenetFrame frenetFrame(const CurveDerivatives& derivatives, double speed_noise,
 FrenetFrame frenetFrame(const BezierCurve& curve, double t) {
   if (!std::isfinite(t))
     throw std::invalid_argument("parameter is " + bernstein::text(t) + ": it must be finite");
-  const CurveDerivatives derivatives = curve.derivatives(t, std::max(3, curve.degree()));
+  const CurveDerivatives derivatives = curve.derivatives(t, 3);
   const EvaluationNoise noise = evaluationNoise(curve, derivatives, t);
-  return frenetFrame(derivatives, noise.speed, noise.acceleration);
+  FrenetFrame frame = frenetFrame(derivatives, noise.speed, noise.acceleration);
+  for (int k = 4; frame.kind == CurvePoint::Point && k <= curve.degree(); ++k)
+    frame = frenetFrame(curve.derivatives(t, k), noise.speed, noise.acceleration);
+  return frame;
 }
 
 }  // namespace seamwright

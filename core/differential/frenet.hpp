@@ -15,13 +15,14 @@ enum class CurvePoint {
   Regular,     ///< speed and curvature are not zero (the curvature only if it is known)
   Inflection,  ///< regular, without curvature: a straight piece, or a point of it
   Cusp,        ///< without speed; the tangent is that of the first derivative that is not zero, leaving
-  Point        ///< all derivatives given are zero: no tangent
+  Point        ///< all derivatives given are zero to rounding: no tangent
 };
 
 /// Frenet frame, curvature, torsion of a curve at a point.
 ///
 /// Where the curvature is zero to rounding, curvature is 0 and normal, binormal, torsion and change of curvature
-/// are nothing; at a cusp curvature and what follows from it are nothing.
+/// are nothing; at a cusp curvature and what follows from it are nothing. Torsion and change of curvature are
+/// nothing, too, beyond the range of a double.
 struct FrenetFrame {
   CurvePoint kind = CurvePoint::Point;
   double speed = 0;                                ///< |X'|
@@ -46,7 +47,8 @@ struct FrenetFrame {
 /// Source: text 000 §1; MATH-curves 1; the printed N lacks the norm (ERRATA-curves 0.1).
 FrenetFrame frenetFrame(const CurveDerivatives& derivatives, double speed_noise = 0,
                         double acceleration_noise = 0);
-/// Of a curve, with bounds of what evaluation there rounds; poles count as exact.
+/// Of a curve, with bounds of what evaluation there rounds; poles count as exact. Orders above 3 are looked at
+/// where the lower ones are zero.
 FrenetFrame frenetFrame(const BezierCurve& curve, double t);
 
 /// Places of a Bézier curve where the frame is lost, as intervals [first, last] of the parameter that are

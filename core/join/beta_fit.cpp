@@ -8,6 +8,7 @@
 #include <seamwright/core/bernstein/bounded.hpp>
 #include <seamwright/core/join/bell.hpp>
 #include <seamwright/core/join/beta.hpp>
+#include <seamwright/core/join/joint_length.hpp>
 
 namespace seamwright {
 
@@ -139,26 +140,6 @@ Eigen::VectorXd projectedBeta(const CurveDerivatives& a, const CurveDerivatives&
   return beta;
 }
 
-double diagonal(const BezierCurve& curve) {
-  const Poles poles = curve.poles();
-  return (poles.colwise().maxCoeff() - poles.colwise().minCoeff()).stableNorm();
-}
-
-/// Nothing for a closed curve, whose ends are within 1e-12 of its size.
-std::optional<double> chord(const BezierCurve& curve) {
-  const Poles poles = curve.poles();
-  const double distance = (poles.row(poles.rows() - 1) - poles.row(0)).stableNorm();
-  if (distance <= 1e-12 * diagonal(curve)) return std::nullopt;
-  return distance;
-}
-
-double lengthOf(const BezierCurve& a, const BezierCurve& b) {
-  const std::optional<double> chord_a = chord(a), chord_b = chord(b);
-  if (chord_a && chord_b) return std::min(*chord_a, *chord_b);
-  if (chord_a || chord_b) return chord_a ? *chord_a : *chord_b;
-  return std::min(diagonal(a), diagonal(b));
-}
-
 }  // namespace
 
 BetaFit fitBeta(const BezierCurve& a, const BezierCurve& b, int order, std::optional<double> length_mm) {
@@ -167,7 +148,7 @@ BetaFit fitBeta(const BezierCurve& a, const BezierCurve& b, int order, std::opti
                                 std::to_string(most_orders));
   BetaFit fit;
   fit.length_mm = length_mm.value_or(0);
-  if (!length_mm) fit.length_mm = lengthOf(a, b);
+  if (!length_mm) fit.length_mm = jointLength(extentOf(a.poles()), extentOf(b.poles()));
   if (!(fit.length_mm > 0 && std::isfinite(fit.length_mm)))
     throw std::invalid_argument("length_mm is " + bernstein::text(fit.length_mm) + ": it must be positive");
   int exponent = 0;

@@ -8,6 +8,7 @@
 #include <seamwright/core/bernstein/coefficients.hpp>
 #include <seamwright/core/differential/arc_length.hpp>
 #include <seamwright/core/join/beta.hpp>
+#include <seamwright/core/join/joint_length.hpp>
 #include <seamwright/core/join/nearest_curve.hpp>
 #include <seamwright/core/join/nearest_curve_search.hpp>
 #include <seamwright/core/seam/curve_joint.hpp>
@@ -88,21 +89,10 @@ double largestCoordinate(const End& end, int order) {
   return (poles.leftCols<3>().array().colwise() / poles.col(3).array()).abs().maxCoeff();
 }
 
-double chord(const End& end) {
+CurveExtent extentOfEnd(const End& end) {
   const End other{end.degree, end.knots, end.poles, !end.last};
-  return (end.point() - other.point()).stableNorm();
-}
-
-double diagonal(const End& end) {
   const Poles poles = end.poles.leftCols<3>().array().colwise() / end.poles.col(3).array();
-  return (poles.colwise().maxCoeff() - poles.colwise().minCoeff()).stableNorm();
-}
-
-/// As BetaFit::length_mm.
-double lengthOf(const End& a, const End& b) {
-  const double shorter = std::min(chord(a), chord(b)), longer = std::max(chord(a), chord(b));
-  if (shorter > 0) return shorter;
-  return longer > 0 ? longer : std::min(diagonal(a), diagonal(b));
+  return extentOf(poles, end.point().transpose(), other.point().transpose());
 }
 
 struct Defect {
@@ -203,7 +193,7 @@ Solution nearestPoles(const End& a, const End& b, const NearestCurveJoinOptions&
   requireValid(options.costs_b, b, "costs_b");
   double unit = 1;
   const Problem problem = problemOf(a, b, options, unit);
-  const double length = lengthOf(a, b);
+  const double length = jointLength(extentOfEnd(a), extentOfEnd(b));
   Solution result{a.poles, b.poles};
   result.beta = betaOf(problem, problem.beta);
   if (nearest_curve::holds(problem)) {

@@ -88,6 +88,7 @@ Poles alphaJoinPoles(const AlphaCurve& given, const AlphaCurveJoin& join) {
   next.row(0) = end;
   next.row(1) = end + factors.first * along;
   if (join.order > 1) next.row(2) = end + factors.second * along + factors.third * (given.poles.row(1) - end);
+  alpha::requireInRange(next);
   return next;
 }
 

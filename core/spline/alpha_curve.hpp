@@ -45,7 +45,7 @@ struct AlphaCurveJoin {
 ///       ends, and is not G3 unless X'' is parallel to X'. A G2 join is G3 only for beta2 = -2 beta1 (beta1 /
 ///       h + 1 / k).
 /// \throws std::invalid_argument for an order, length, beta1 or shape out of range (shapes of a join are 1e-6
-/// to 1), and for given poles P_2 = P_3.
+/// to 1), for given poles P_2 = P_3, and for poles that come out beyond the range of a double (index and value).
 /// Source: text 002; MATH-curves 8.2; ERRATA-curves 2.6, 2.11, 2.12.
 Poles alphaJoinPoles(const AlphaCurve& given, const AlphaCurveJoin& join);
 

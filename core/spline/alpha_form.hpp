@@ -7,6 +7,7 @@
 #include <string>
 
 #include <seamwright/core/bernstein/coefficients.hpp>
+#include <seamwright/core/bezier/curve.hpp>
 
 /// What alpha-curves and alpha-surfaces share; not a public header.
 namespace seamwright::alpha {
@@ -75,11 +76,21 @@ inline double beta2OfG3(double beta1, double length, double next_length) {
 
 /// MATH-curves 8.2.
 inline Factors factors(const Side& given, const Side& next, double beta1, double beta2) {
-  const double ratio = next.length / given.length;
-  const double first = beta1 * given.a * ratio / next.a, third = beta1 * beta1 * ratio * ratio;
+  const double ratio = next.length / given.length, pace = beta1 * ratio;
+  const double first = pace * given.a / next.a, third = pace * pace;
   return {first,
           first * (4 * next.a - 1) + beta2 * given.a * next.length * ratio / 2 + third * (4 * given.a - 1),
           third};
+}
+
+/// Of poles that a join made. \param first the index of the first of them.
+inline void requireInRange(const Eigen::Ref<const Poles>& poles, Eigen::Index first = 0) {
+  for (Eigen::Index i = 0; i < poles.rows(); ++i)
+    if (!poles.row(i).allFinite())
+      throw std::invalid_argument("pole " + std::to_string(first + i) + " of the next one comes out as (" +
+                                  bernstein::text(poles(i, 0)) + ", " + bernstein::text(poles(i, 1)) + ", " +
+                                  bernstein::text(poles(i, 2)) +
+                                  "): beta1, beta2 or the lengths are too large or too small for it");
 }
 
 /// What AlphaCurveJoin and AlphaJoin have in common.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/SVD>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <seamwright/core/spline/alpha_form.hpp>
 #include <seamwright/core/spline/alpha_join_condition.hpp>
@@ -26,7 +27,17 @@ double largest(const Eigen::Ref<const Eigen::MatrixXd>& values) {
 }
 
 double longest(const Quintic& values) {
-  return values.rowwise().norm().maxCoeff();
+  return values.rowwise().stableNorm().maxCoeff();
+}
+
+/// In a unit of length that keeps squares within the range of a double.
+AlphaSurface inUnits(AlphaSurface surface, int exponent) {
+  surface.poles = bernstein::scaledBy<AlphaSurface::Net>(surface.poles, -exponent);
+  return surface;
+}
+
+int unitOf(const AlphaSurface& a, const AlphaSurface& b) {
+  return bernstein::scaleExponent(std::max(largest(a.poles), largest(b.poles)));
 }
 
 void requireUsable(const AlphaSurface& surface, const char* prefix = "") {
@@ -104,19 +115,18 @@ void requireOrder(int order) {
     throw std::invalid_argument("order " + std::to_string(order) + ": known are 0, 1 and 2");
 }
 
-/// Coefficients of u-derivatives along the seam by the common parameter.
+/// Coefficients of u-derivatives along the seam.
 struct Derivatives {
   Quintic position, first, second;
 };
 
 /// \param at_end the seam is u = 1, else u = 0.
-Derivatives derivativesAt(const AlphaSurface& surface, bool at_end, double length) {
+Derivatives derivativesAt(const AlphaSurface& surface, bool at_end) {
   const auto row = [&](int i) { return rowOf(surface, at_end ? 3 - i : i); };
   const Eigen::Matrix<double, 6, 4> map = alpha::quintic(surface.a_v);
   const double sense = at_end ? -1 : 1, a = surface.a_u;
   const Row leg = row(1) - row(0);
-  return {map * row(0), map * (5 * a * sense / length * leg),
-          map * (10 / (length * length) * ((1 - 4 * a) * leg + row(2) - row(0)))};
+  return {map * row(0), map * (5 * a * sense * leg), map * (10 * ((1 - 4 * a) * leg + row(2) - row(0)))};
 }
 
 double relative(double residual, double size) {
@@ -127,8 +137,8 @@ double sumOfSquares(const AlphaSurface& x, const AlphaSurface& y) {
   return (x.poles - y.poles).squaredNorm();
 }
 
-/// The minimum over b > 0 of a function with derivative c3 b^3 + c1 b + c0, c3 >= 0: the derivative has one change
-/// from - to + there at most. Newton's method from above, where it is convex.
+/// The minimum over b > 0 of F with F(0) = 0, F' = c3 b^3 + c1 b + c0, c3 >= 0; nothing if F > 0 there. F' has one
+/// change from - to + at most. Newton's method from above, where it is convex.
 std::optional<double> positiveMinimum(double c3, double c1, double c0) {
   if (c0 >= 0 && c1 >= 0) return std::nullopt;
   double b = std::numeric_limits<double>::infinity();
@@ -143,7 +153,20 @@ std::optional<double> positiveMinimum(double c3, double c1, double c0) {
     if (!(next < b)) break;
     b = std::max(next, turn);
   }
-  return b > 0 ? std::optional(b) : std::nullopt;
+  const bool below = c1 * b + 3 * c0 < 0;  // 4 F(b) / b, where F' = 0
+  return b > 0 && below ? std::optional(b) : std::nullopt;
+}
+
+void requireNumbers(const AlphaSeamFit& fit) {
+  const std::pair<const char*, double> numbers[] = {{"beta1", fit.beta1},
+                                                    {"beta2", fit.beta2},
+                                                    {"gap_mm", fit.gap_mm},
+                                                    {"first", fit.first},
+                                                    {"second", fit.second}};
+  for (const auto& [name, value] : numbers)
+    if (!std::isfinite(value))
+      throw std::invalid_argument(std::string(name) + " comes out as " + text(value) +
+                                  ": the lengths or poles are too large or too small to fit");
 }
 
 double product(const Row& x, const Row& y) {
@@ -154,19 +177,24 @@ struct Betas {
   double beta1 = 1, beta2 = 0;
 };
 
-/// The cheapest betas; across, before are P_3 - P_2 and P_1 - P_3 in the shape of the next surface.
-std::optional<Betas> cheapest(const AlphaSurface& given, const AlphaSurface& next,
-                              const AlphaNearestOptions& options) {
+/// From betas by the surfaces' own u to those by the common parameter.
+Betas byCommonParameter(const Betas& own, double length, double next_length) {
+  return {own.beta1 * (length / next_length), own.beta2 * (length / next_length) / next_length};
+}
+
+/// The cheapest betas by the surfaces' own u. across, before are P_3 - P_2 and P_1 - P_3 in the shape of the next
+/// surface. \pre poles of moderate size.
+std::optional<Betas> cheapest(const AlphaSurface& given, const AlphaSurface& next, int order) {
   const auto shaped = [&](const Row& row) { return alpha::reshaped(row, given.a_v / next.a_v); };
   const Row end = shaped(rowOf(given, 3)), across = end - shaped(rowOf(given, 2)),
             before = shaped(rowOf(given, 1)) - end;
-  const alpha::Side from{given.a_u, options.length}, to{next.a_u, options.next_length};
+  const alpha::Side from{given.a_u}, to{next.a_u};
   const alpha::Factors unit = alpha::factors(from, to, 1, 0);
   const Row wanted1 = rowOf(next, 1) - end, wanted2 = rowOf(next, 2) - end;
   double c3 = 0, c1 = unit.first * unit.first * product(across, across),
          c0 = -unit.first * product(across, wanted1);
   const double square = product(across, across);
-  if (options.order == 2) {  // beta2 makes up for what lies along `across`
+  if (order == 2) {  // beta2 makes up for what lies along `across`
     const Row side = before - product(before, across) / square * across;
     c3 = 2 * unit.third * unit.third * product(side, side);
     c1 -= 2 * unit.third * product(side, wanted2);
@@ -174,7 +202,7 @@ std::optional<Betas> cheapest(const AlphaSurface& given, const AlphaSurface& nex
   const std::optional<double> beta1 = positiveMinimum(c3, c1, c0);
   if (!beta1) return std::nullopt;
   Betas betas{*beta1, 0};
-  if (options.order == 2) {
+  if (order == 2) {
     const alpha::Factors without = alpha::factors(from, to, *beta1, 0),
                          with = alpha::factors(from, to, *beta1, 1);
     const double second = product(wanted2 - without.third * before, across) / square;
@@ -192,7 +220,7 @@ AlphaSeamCondition alphaSeamCondition(const AlphaSurface& given, double next_a_v
   condition.any_net = given.a_v == next_a_v;
   condition.noise_mm = slack * largest(given.poles);
   for (int i = 0; i < 3; ++i)
-    condition.defects_mm[static_cast<std::size_t>(i)] = alpha::defect(rowOf(given, 3 - i)).norm();
+    condition.defects_mm[static_cast<std::size_t>(i)] = alpha::defect(rowOf(given, 3 - i)).stableNorm();
   const auto meets = [&](std::size_t i) {
     return condition.any_net || condition.defects_mm[i] <= condition.noise_mm;
   };
@@ -214,7 +242,7 @@ Poles alphaSlidingRows(const AlphaSurface& given, double next_a_u, double next_a
   const Quintic edge = alpha::quintic(given.a_v) * rowOf(given, 3),
                 first = alpha * seam.across + slid(seam.along, beta0, beta1);
   const double size = largest(given.poles);
-  const double edge_miss = misfit(edge, next_a_v).norm(), miss = misfit(first, next_a_v).norm();
+  const double edge_miss = misfit(edge, next_a_v).stableNorm(), miss = misfit(first, next_a_v).stableNorm();
   const double spread = alpha * given.a_u + std::abs(beta0) + std::abs(beta1);
   if (given.a_v != next_a_v && edge_miss > slack * size)
     throw std::invalid_argument(
@@ -247,27 +275,38 @@ AlphaSeamFit alphaSeamFit(const AlphaSurface& a, const AlphaSurface& b, double l
   requireUsable(b, "next_");
   alpha::requirePositive("length", length);
   alpha::requirePositive("next_length", next_length);
-  requireRegular(seamOf(a));
-  const Derivatives x = derivativesAt(a, true, length), y = derivativesAt(b, false, next_length);
+  const int unit = unitOf(a, b);
+  const AlphaSurface from = inUnits(a, unit), to = inUnits(b, unit);
+  requireRegular(seamOf(from));
+  const Derivatives x = derivativesAt(from, true), y = derivativesAt(to, false);
   AlphaSeamFit fit;
   const double square = x.first.squaredNorm();
-  fit.gap_mm = longest(y.position - x.position);
-  fit.beta1 = x.first.cwiseProduct(y.first).sum() / square;
-  const Quintic bent = y.second - fit.beta1 * fit.beta1 * x.second;
-  fit.beta2 = x.first.cwiseProduct(bent).sum() / square;
+  const double beta1 = x.first.cwiseProduct(y.first).sum() / square;
+  const Quintic bent = y.second - beta1 * beta1 * x.second;
+  const double beta2 = x.first.cwiseProduct(bent).sum() / square;
+  const Betas common = byCommonParameter({beta1, beta2}, length, next_length);
+  fit.beta1 = common.beta1;
+  fit.beta2 = common.beta2;
   const double first = longest(y.first);
-  const double second = std::max(
-      {longest(y.second), fit.beta1 * fit.beta1 * longest(x.second), std::abs(fit.beta2) * longest(x.first)});
-  fit.first = relative(longest(y.first - fit.beta1 * x.first), first);
-  fit.second = relative(longest(bent - fit.beta2 * x.first), second);
-  fit.c_first = relative(longest(y.first - x.first), std::max(first, longest(x.first)));
-  fit.c_second = relative(longest(y.second - x.second), std::max(longest(y.second), longest(x.second)));
-  const double size = std::max(largest(a.poles), largest(b.poles));
-  const double speed = size * (a.a_u / length * std::abs(fit.beta1) + b.a_u / next_length);
-  const double bend = size * (fit.beta1 * fit.beta1 / (length * length) + 1 / (next_length * next_length) +
-                              std::abs(fit.beta2) * a.a_u / length);
-  fit.noise = {slack * size, relative(slack * 5 * speed, first), relative(slack * 40 * bend, second)};
-  if (fit.gap_mm > fit.noise[0]) return fit;
+  const double second =
+      std::max({longest(y.second), beta1 * beta1 * longest(x.second), std::abs(beta2) * longest(x.first)});
+  fit.first = relative(longest(y.first - beta1 * x.first), first);
+  fit.second = relative(longest(bent - beta2 * x.first), second);
+  // Shares of u in the common parameter, the faster one 1.
+  const double of_x = std::min(1.0, next_length / length), of_y = std::min(1.0, length / next_length);
+  fit.c_first =
+      relative(longest(of_y * y.first - of_x * x.first), std::max(of_y * first, of_x * longest(x.first)));
+  fit.c_second = relative(longest(of_y * of_y * y.second - of_x * of_x * x.second),
+                          std::max(of_y * of_y * longest(y.second), of_x * of_x * longest(x.second)));
+  const double size = std::max(largest(from.poles), largest(to.poles));
+  const double speed = size * (a.a_u * std::abs(beta1) + b.a_u);
+  const double bend = size * (beta1 * beta1 + 1 + std::abs(beta2) * a.a_u);
+  const double gap = longest(y.position - x.position);
+  fit.gap_mm = std::ldexp(gap, unit);
+  fit.noise = {std::ldexp(slack * size, unit), relative(slack * 5 * speed, first),
+               relative(slack * 40 * bend, second)};
+  requireNumbers(fit);
+  if (gap > slack * size) return fit;
   fit.geometric_order = !(fit.beta1 > 0) || fit.first > fit.noise[1] ? 0 : fit.second > fit.noise[2] ? 1 : 2;
   fit.parametric_order = fit.c_first > fit.noise[1] ? 0 : fit.c_second > fit.noise[2] ? 1 : 2;
   return fit;
@@ -287,10 +326,15 @@ std::optional<AlphaNearest> alphaNearestJoin(const AlphaSurface& given, const Al
   if (options.order == 0) {
     result.next.poles.topRows<4>() = alpha::reshaped(rowOf(result.given, 3), given.a_v / next.a_v);
   } else {
-    const std::optional<Betas> betas = options.parametric ? Betas{} : cheapest(result.given, next, options);
-    if (!betas) return std::nullopt;
-    result.beta1 = betas->beta1;
-    result.beta2 = betas->beta2;
+    if (!options.parametric) {
+      const int unit = unitOf(result.given, next);
+      const std::optional<Betas> own =
+          cheapest(inUnits(result.given, unit), inUnits(next, unit), options.order);
+      if (!own) return std::nullopt;
+      const Betas common = byCommonParameter(*own, options.length, options.next_length);
+      result.beta1 = common.beta1;
+      result.beta2 = common.beta2;
+    }
     const Poles rows = alphaJoinRows(result.given, {options.order, result.beta1, result.beta2, options.length,
                                                     options.next_length, next.a_u, next.a_v});
     result.next.poles.topRows(rows.rows()) = rows;

@@ -86,6 +86,8 @@ struct AlphaSeamFit {
 };
 
 /// \param length, next_length of u in the common parameter.
+/// \throws std::invalid_argument as alphaSeamCondition(), for a length out of range, and for a result beyond the
+/// range of a double.
 ///   (7) Surfaces of alphaJoinRows() have its order and betas; a pole moved by 1e-6 of the size ends the
 ///       order of its row.
 AlphaSeamFit alphaSeamFit(const AlphaSurface& a, const AlphaSurface& b, double length = 1,
@@ -100,17 +102,20 @@ struct AlphaNearestOptions {
 struct AlphaNearest {
   AlphaSurface given, next;
   double beta1 = 1, beta2 = 0;
-  double cost_given = 0, cost_next = 0;  ///< sums of squared moves, mm^2
+  /// Sums of squared moves, mm^2; 0 or infinite where that is beyond the range of a double.
+  double cost_given = 0, cost_next = 0;
 };
 
 /// The nearest proportional join: the given surface moves only where no join exists as it is
 /// (alphaBalanced()), then the rows of the next one move as little as can be, over all beta1 > 0 and beta2.
 ///
 /// In the sum of squares. beta2 is linear; what is left is a polynomial of degree 4 in beta1 with one minimum
-/// at most at beta1 > 0.
-///   (8) No beta1, beta2 near by cost less, nor any other of a search.
-/// \returns nothing where the cost falls all the way to beta1 = 0: the next surface runs backwards.
-/// \throws std::invalid_argument as alphaSeamCondition(), for an order or length out of range.
+/// at most at beta1 > 0, where it may be dearer than next to beta1 = 0.
+///   (8) No beta1, beta2 near by cost less, nor any other of a search, nor those next to beta1 = 0.
+/// \returns nothing where joins next to beta1 = 0, which have lost the tangent, cost less than all others: as a
+/// rule the next surface runs backwards.
+/// \throws std::invalid_argument as alphaSeamCondition(), for an order or length out of range, and for betas or
+/// poles of the join beyond the range of a double.
 std::optional<AlphaNearest> alphaNearestJoin(const AlphaSurface& given, const AlphaSurface& next,
                                              const AlphaNearestOptions& options = {});
 

@@ -65,7 +65,11 @@ std::vector<Factors> jointFactors(const AlphaSplineShape& shape) {
     const double beta1 = valueAt(shape.beta1, j, 1);
     const double beta2 =
         shape.order == 3 ? alpha::beta2OfG3(beta1, given.length, next.length) : valueAt(shape.beta2, j, 0);
-    joints.push_back(alpha::factors(given, next, beta1, beta2));
+    const Factors& made = joints.emplace_back(alpha::factors(given, next, beta1, beta2));
+    alpha::requireFinite("first of " + at("joint", j), made.first);
+    if (shape.order == 1) continue;
+    alpha::requireFinite("second of " + at("joint", j), made.second);
+    alpha::requireFinite("third of " + at("joint", j), made.third);
   }
   return joints;
 }
@@ -159,6 +163,11 @@ AlphaSpline alphaSpline(const Poles& polygon, const AlphaSplineShape& shape) {
     spline.segments[j].poles.row(3) = pole;
     spline.segments[(j + 1) % shape.a.size()].poles.row(0) = pole;
   }
+  for (std::size_t i = 0; i < shape.a.size(); ++i)
+    if (!spline.segments[i].poles.allFinite())
+      throw std::invalid_argument("segment " + std::to_string(i) +
+                                  " has poles that are not finite: beta1, beta2 or the lengths are too large "
+                                  "or too small for it");
   return spline;
 }
 

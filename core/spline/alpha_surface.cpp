@@ -33,7 +33,7 @@ void requireJoin(const AlphaSurface& given, const AlphaJoin& join) {
 }
 
 void requireBalanced(const Row& row, std::size_t index, double noise) {
-  const double miss = alpha::defect(row).norm();
+  const double miss = alpha::defect(row).stableNorm();
   if (miss > noise)
     throw std::invalid_argument(
         "a_v and next_a_v differ, which needs Q_i0 + Q_i3 = Q_i1 + Q_i2 in every row: row " +
@@ -80,6 +80,7 @@ Poles alphaJoinRows(const AlphaSurface& given, const AlphaJoin& join) {
   Poles poles(4 * static_cast<Eigen::Index>(rows.size()), 3);
   for (std::size_t i = 0; i < rows.size(); ++i)
     poles.middleRows<4>(4 * static_cast<Eigen::Index>(i)) = rows[i];
+  alpha::requireInRange(poles);
   return poles;
 }
 

@@ -43,7 +43,8 @@ struct AlphaJoin {
 /// a_v may differ from next_a_v only if every row built has Q_i0 + Q_i3 = Q_i1 + Q_i2: then its curve is the same with the inner poles
 /// moved in the ratio a_v / next_a_v.
 /// \throws std::invalid_argument for an order, a length, beta1 or a shape out of range (shapes of a join are 1e-6 to 1); for a given
-/// surface whose two last rows are the same; and for a_v other than next_a_v where a row does not allow it, with its defect in mm.
+/// surface whose two last rows are the same; for a_v other than next_a_v where a row does not allow it, with its defect in mm;
+/// and for poles that come out beyond the range of a double (index and value).
 /// Source: MATH-curves 8.2, 9.
 Poles alphaJoinRows(const AlphaSurface& given, const AlphaJoin& join);
 

@@ -25,6 +25,13 @@ double numberOf(const char* name, const py::object& value, double otherwise) {
 
 }  // namespace
 
+bool isReal(const py::handle& value) {
+  if (PyBool_Check(value.ptr()) || PyComplex_Check(value.ptr()) || PyUnicode_Check(value.ptr())) return false;
+  if (!py::hasattr(value, "dtype")) return true;
+  const auto kind = py::cast<std::string>(value.attr("dtype").attr("kind"));
+  return std::string("iuf").find(kind) != std::string::npos && py::cast<int>(value.attr("ndim")) == 0;
+}
+
 ContinuityTolerance toleranceOf(const ToleranceArguments& given) {
   const ContinuityTolerance usual = profileOf(given.profile);
   return {numberOf("gap_mm", given.gap_mm, usual.gap_mm),

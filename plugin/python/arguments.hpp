@@ -17,13 +17,25 @@ inline std::string shown(const py::object& value) {
   return py::cast<std::string>(py::repr(value));
 }
 
-/// The value of a keyword; ValueError with name and value where it has another type. Whole numbers are not made of others.
+/// A number that is not complex, no boolean, no text, no array of one or more dimensions.
+bool isReal(const py::handle& value);
+
+/// The value of a keyword; ValueError with name and value where it has another type. Whole numbers are not made of
+/// others, real numbers and sequences of them not of booleans or complex numbers.
 template <class T>
 T argument(const char* name, const py::object& value, const char* kind) {
   const auto refuse = [&] {
     throw py::value_error(std::string(name) + " is " + shown(value) + ": " + kind + " is needed");
   };
   if (PyBool_Check(value.ptr())) refuse();
+  if constexpr (std::is_floating_point_v<T>)
+    if (!isReal(value)) refuse();
+  if constexpr (std::is_same_v<T, std::vector<double>>) {
+    const bool one_dimension = !py::hasattr(value, "ndim") || py::cast<int>(value.attr("ndim")) == 1;
+    if (!py::isinstance<py::sequence>(value) || !one_dimension) refuse();
+    for (const py::handle item : value)
+      if (!isReal(item)) refuse();
+  }
   try {
     if constexpr (std::is_integral_v<T>) {
       const auto index = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));

@@ -54,7 +54,10 @@ CurveJoinRule ruleOf(const py::object& beta, const py::object& length, const py:
   rule.beta = numbersOf("beta", beta);
   rule.length = argument<double>("length", length, "a number");
   rule.next_length = argument<double>("next_length", next_length, "a number");
-  if (!scale.is_none()) rule.scale = numbersOf("scale", scale);
+  if (scale.is_none()) return rule;
+  rule.scale = numbersOf("scale", scale);
+  if (rule.scale.size() == 0)
+    throw py::value_error("scale is " + shown(scale) + ": n + 1 numbers are needed");
   return rule;
 }
 

@@ -70,11 +70,12 @@ Eigen::VectorXd costsOf(const Curve& curve, const std::string& side, const py::o
   return result;
 }
 
-NearestCurveJoinOptions::Moves movesOf(const std::string& name) {
+NearestCurveJoinOptions::Moves movesOf(const py::object& value) {
+  const auto name = argument<std::string>("moves", value, "'both', 'a' or 'b'");
   if (name == "both") return NearestCurveJoinOptions::Moves::Both;
   if (name == "a") return NearestCurveJoinOptions::Moves::A;
   if (name == "b") return NearestCurveJoinOptions::Moves::B;
-  throw py::value_error("moves is '" + name + "': both, a or b is needed");
+  throw py::value_error("moves is " + shown(value) + ": 'both', 'a' or 'b' is needed");
 }
 
 const char* statusName(NearestCurveStatus status) {
@@ -114,7 +115,7 @@ BSplineCurve splineOf(const Curve& curve) {
   return std::get<BSplineCurve>(curve);
 }
 
-py::dict nearestCurveJoinOf(const Curve& a, const Curve& b, const py::object& order, const std::string& moves,
+py::dict nearestCurveJoinOf(const Curve& a, const Curve& b, const py::object& order, const py::object& moves,
                             const py::object& costs_a, const py::object& costs_b, const py::object& fixed_a,
                             const py::object& fixed_b, const py::object& beta,
                             const py::object& max_iterations) {

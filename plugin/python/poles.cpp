@@ -16,6 +16,22 @@ std::string shapeText(const Array& array) {
 
 }  // namespace
 
+Array arrayOf(const py::handle& value) {
+  const auto refuse = [&](const std::string& why) {
+    PyErr_Clear();
+    throw py::value_error("poles, weights or points are " + py::cast<std::string>(py::repr(value)) + ": " +
+                          why + "an array of real numbers is needed");
+  };
+  const auto array = py::array::ensure(py::reinterpret_borrow<py::object>(value));
+  if (!array) refuse("");
+  const std::string kind(1, array.dtype().kind());
+  if (std::string("iufO").find(kind) == std::string::npos)
+    refuse("numbers of " + py::cast<std::string>(py::str(array.dtype())) + ", but ");
+  const auto numbers = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(array);
+  if (!numbers) refuse("");
+  return Array(numbers);
+}
+
 Poles polesOf(const Array& array, py::ssize_t dimensions, const char* wanted) {
   if (array.ndim() != dimensions || array.shape(dimensions - 1) != 3)
     throw py::value_error("poles have shape " + shapeText(array) + ": " + wanted + " is needed");

@@ -7,7 +7,14 @@
 
 namespace seamwright::python {
 
-using Array = pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>;
+/// An array of real numbers. As an argument it is made of whole and real numbers; a ValueError refuses complex
+/// ones, booleans and text.
+class Array : public pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast> {
+ public:
+  using array_t::array_t;
+};
+
+Array arrayOf(const pybind11::handle& value);
 
 /// The rows of an array of shape (..., 3). \param wanted that shape in words.
 /// \throws ValueError naming the shape if it has another number of dimensions or columns.
@@ -17,3 +24,20 @@ Poles polesOf(const Array& array, pybind11::ssize_t dimensions, const char* want
 Eigen::VectorXd weightsOf(const Array& weights, const Array& poles);
 
 }  // namespace seamwright::python
+
+namespace pybind11::detail {
+
+template <>
+struct type_caster<seamwright::python::Array> {
+  PYBIND11_TYPE_CASTER(seamwright::python::Array, const_name("numpy.ndarray[numpy.float64]"));
+
+  bool load(handle source, bool) {
+    value = seamwright::python::arrayOf(source);
+    return true;
+  }
+  static handle cast(const seamwright::python::Array& array, return_value_policy, handle) {
+    return array.inc_ref();
+  }
+};
+
+}  // namespace pybind11::detail

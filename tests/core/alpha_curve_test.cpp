@@ -466,6 +466,12 @@ TEST(AlphaCurve, Refusals) {
   EXPECT_THAT(with([&](auto& c, auto&) { c.poles(2, 1) = nan; }), HasSubstr("pole 2 is ("));
   EXPECT_THAT(with([](auto& c, auto&) { c.poles.row(2) = c.poles.row(3).eval(); }),
               HasSubstr("poles 2 and 3 are the same"));
+  for (const AlphaCurveJoin& far : {AlphaCurveJoin{2, 1e200}, AlphaCurveJoin{1, 1, 0, 1e-10, 1e308},
+                                    AlphaCurveJoin{3, 1, 0, 1e-300}, AlphaCurveJoin{2, 1, 1e308, 1, 1e10}})
+    EXPECT_THAT(test::complaint([&] { alphaJoinPoles(given, far); }),
+                HasSubstr("of the next one comes out as ("))
+        << far.beta1;
+  EXPECT_NO_THROW(alphaJoinPoles(given, {1, 1e200})) << "order 1 has no square of beta1";
   AlphaCurve odd = given;
   odd.a = -0.5;
   EXPECT_THAT(test::complaint([&] { alphaCurveBezier(odd); }), HasSubstr("a is -0.5"));

@@ -420,6 +420,129 @@ TEST(AlphaJoinCondition, Identity8NothingIsNearer) {
   EXPECT_LT(none, 60);
 }
 
+/// The cost at this beta1 with the best beta2: of a parabola.
+double costOf(const AlphaSurface& given, const AlphaSurface& next, const AlphaNearestOptions& o,
+              double beta1) {
+  if (o.order == 1) return costOf(given, next, o, beta1, 0);
+  const double unit = (1 + beta1 * beta1) / o.next_length;
+  const double left = costOf(given, next, o, beta1, -unit), middle = costOf(given, next, o, beta1, 0),
+               right = costOf(given, next, o, beta1, unit);
+  const double bend = left - 2 * middle + right, slope = (right - left) / 2;
+  return middle - slope * slope / (2 * bend);
+}
+
+TEST(AlphaJoinCondition, Identity8NorNextToBetaZero) {
+  std::mt19937_64 random(344);
+  int none = 0, dearer = 0;
+  for (int i = 0; i < 1500; ++i) {
+    AlphaSurface given = randomSurface(random), next = randomSurface(random);
+    for (int k = 0; k < 16; ++k) next.poles.row(k) += 2 * test::randomVector(random).transpose();
+    next.poles.col(0).array() += uniform(0, 9, random);
+    next.a_v = given.a_v;
+    const AlphaNearestOptions options{1 + i % 2, false, uniform(0.5, 2, random), uniform(0.5, 2, random)};
+    const double limit = costOf(given, next, options, 1e-9);
+    double least = limit;
+    bool dips = false;
+    double before = limit;
+    for (double beta1 = 1e-4; beta1 < 100; beta1 *= 1.1) {
+      const double cost = costOf(given, next, options, beta1);
+      least = std::min(least, cost);
+      dips = dips || cost < before * (1 - 1e-9);
+      before = cost;
+    }
+    const auto near = alphaNearestJoin(given, next, options);
+    if (near) {
+      EXPECT_LE(near->cost_next, least * (1 + 1e-9)) << i;
+      EXPECT_LE(near->cost_next, limit * (1 + 1e-9)) << i;
+    } else {
+      EXPECT_GE(least, limit * (1 - 1e-6)) << i << ": no beta1 is nearer than those next to 0";
+      ++none;
+      dearer += dips;
+    }
+  }
+  EXPECT_GT(none, 50);
+  EXPECT_GT(dearer, 2) << "with a local minimum that is dearer";
+}
+
+TEST(AlphaJoinCondition, ALocalMinimumIsNotTheNearest) {
+  AlphaSurface given, next;
+  const double x[] = {0, 1, 2, 3}, z[] = {0, 1, 0, 0}, next_x[] = {3, 2.9375, 3, 6},
+               next_z[] = {0, 0, 0.7, 0};
+  for (int k = 0; k < 16; ++k) {
+    given.poles.row(k) << x[k / 4], k % 4, z[k / 4];
+    next.poles.row(k) << next_x[k / 4], k % 4, next_z[k / 4];
+  }
+  given.a_u = given.a_v = next.a_u = next.a_v = 0.5;
+  const AlphaNearestOptions options{2};
+  EXPECT_LT(costOf(given, next, options, 0.32), costOf(given, next, options, 0.2)) << "one is there";
+  EXPECT_LT(costOf(given, next, options, 0.32), costOf(given, next, options, 0.4));
+  EXPECT_LT(costOf(given, next, options, 1e-6), costOf(given, next, options, 0.32));
+  EXPECT_FALSE(alphaNearestJoin(given, next, options).has_value());
+}
+
+TEST(AlphaJoinCondition, SizesAndLengthsBeyondSquares) {
+  std::mt19937_64 random(345);
+  for (int i = 0; i < 100; ++i) {
+    AlphaSurface given = randomSurface(random), next = randomSurface(random);
+    next.poles.col(0).array() += 9;
+    if (i % 2) next.a_v = given.a_v;
+    const AlphaNearestOptions options{1 + i % 2};
+    const auto plain = alphaNearestJoin(given, next, options);
+    const AlphaSeamFit fit = alphaSeamFit(given, next);
+    for (const int exponent : {-560, 560}) {
+      AlphaSurface far_given = given, far_next = next;
+      far_given.poles *= std::ldexp(1.0, exponent);
+      far_next.poles *= std::ldexp(1.0, exponent);
+      const auto far = alphaNearestJoin(far_given, far_next, options);
+      ASSERT_EQ(far.has_value(), plain.has_value()) << i;
+      EXPECT_EQ(alphaSeamCondition(far_given, next.a_v).order, alphaSeamCondition(given, next.a_v).order);
+      EXPECT_EQ(alphaSeamFit(far_given, far_next).first, fit.first);
+      EXPECT_EQ(alphaSeamFit(far_given, far_next).beta2, fit.beta2);
+      if (!far) continue;
+      EXPECT_EQ(far->beta1, plain->beta1);
+      EXPECT_EQ(far->beta2, plain->beta2);
+      const AlphaSeamFit joined = alphaSeamFit(far->given, far->next);
+      EXPECT_EQ(joined.geometric_order, options.order) << i;
+    }
+    // Betas go with the lengths: h / k and h / k^2.
+    const AlphaSeamFit slow = alphaSeamFit(given, next, 1e-300, 1),
+                       fast = alphaSeamFit(given, next, 1e100, 1e-50);
+    EXPECT_NEAR(slow.beta1, 1e-300 * fit.beta1, 1e-314);
+    EXPECT_NEAR(slow.beta2 / 1e-300, fit.beta2, 1e-13 * std::abs(fit.beta2));
+    EXPECT_NEAR(fast.beta2 / 1e200, fit.beta2, 1e-13 * std::abs(fit.beta2));
+    EXPECT_NEAR(slow.second, fit.second, 1e-14);
+    EXPECT_EQ(slow.parametric_order, fit.gap_mm > fit.noise[0] ? -1 : 0);
+    if (!plain) continue;
+    const auto other = alphaNearestJoin(given, next, {options.order, false, 1e100, 1e-50});
+    EXPECT_NEAR(other->beta1 / 1e150, plain->beta1, 1e-12 * plain->beta1);
+    EXPECT_LE((other->next.poles - plain->next.poles).norm(), 1e-11 * plain->next.poles.norm());
+  }
+  const AlphaSurface given = randomSurface(random);
+  AlphaSurface next = randomSurface(random);
+  next.a_v = given.a_v;
+  EXPECT_THAT(test::complaint([&] { alphaSeamFit(given, next, 1, 1e-300); }),
+              HasSubstr("beta2 comes out as"));
+  EXPECT_THAT(test::complaint([&] {
+                alphaJoinRows(given, {2, 1e200, 0, 1, 1, 1, given.a_v});
+              }),
+              HasSubstr("pole 8 of the next one comes out as ("));
+}
+
+TEST(AlphaJoinCondition, AFamilyIsNoJoinWhereTheEdgesCannotMeet) {
+  std::mt19937_64 random(346);
+  for (int i = 0; i < 100; ++i) {
+    AlphaSurface given = randomSurface(random);
+    // X_u is balanced, the edge is not: a first row of another shape exists, an edge does not.
+    for (int j = 0; j < 4; ++j)
+      given.poles.row(8 + j) = given.poles.row(12 + j) - Eigen::RowVector3d(3, 0, 0);
+    const AlphaSeamCondition condition = alphaSeamCondition(given, given.a_v > 0.6 ? 0.3 : 0.9);
+    EXPECT_EQ(condition.order, -1);
+    ASSERT_EQ(condition.first_rows.cols(), 1);
+    EXPECT_NE(condition.first_rows(0, 0), 0);
+    EXPECT_FALSE(condition.g1);
+  }
+}
+
 TEST(AlphaJoinCondition, AFoldHasNoNearestJoin) {
   std::mt19937_64 random(341);
   const AlphaSurface given = randomSurface(random);

@@ -260,6 +260,14 @@ TEST(AlphaSpline, Refusals) {
               HasSubstr("the polygon has 4 poles"));
   EXPECT_THAT(with(1, false, [](Case& c) { c.polygon.row(3) = c.polygon.row(2).eval(); }),
               HasSubstr("joint 0: the poles before and after it are the same"));
+  EXPECT_THAT(with(2, false, [](Case& c) { c.shape.beta1[0] = 1e200; }),
+              HasSubstr("second of joint[0] is inf"));
+  EXPECT_THAT(with(1, false,
+                   [](Case& c) {
+                     c.shape.beta1[1] = 1e300;
+                     c.polygon *= 1e20;
+                   }),
+              HasSubstr("segment 1 has poles that are not finite"));
   AlphaLink link;
   link.free_poles = Poles::Zero(1, 3);
   const AlphaCurve first = test::randomAlphaCurve(random);

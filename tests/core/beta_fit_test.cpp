@@ -355,6 +355,16 @@ TEST(BetaFit, LengthOfClosedCurves) {
   EXPECT_NEAR(fitBeta(closed, closed, 1).defects[1], (Vec(-3, -4, 0) / 5 - Vec(1, 0, 0)).norm(), 1e-15);
 }
 
+TEST(BetaFit, LengthOfNearlyClosedCurves) {
+  Poles loop(4, 3), line(2, 3);
+  loop << 0, 0, 0, 3, 0, 0, 3, 4, 0, 1e-14, 0, 0;
+  line << -7, 0, 0, 0, 0, 0;
+  EXPECT_EQ(fitBeta(BezierCurve(line), BezierCurve(loop), 1).length_mm, 7)
+      << "1e-14 of a size of 5 is closed";
+  loop(3, 0) = 1e-10;
+  EXPECT_EQ(fitBeta(BezierCurve(line), BezierCurve(loop), 1).length_mm, 1e-10);
+}
+
 TEST(BetaFit, ACuspAndALostTangent) {
   Poles line(2, 3), still(4, 3);
   line << 0, 0, 0, 1, 2, 3;

@@ -255,6 +255,56 @@ TEST(Degeneracies, Lines) {
   EXPECT_LE(found.speed_lower, 5);
 }
 
+// Whole multiples of a vector, rounded, are on a line to their rounding; bent by 60 units of it they are not.
+TEST(Degeneracies, StraightToRoundingAndNoFurther) {
+  std::mt19937_64 random(116);
+  std::uniform_int_distribution<int> whole(-9, 9);
+  const double eps = std::numeric_limits<double>::epsilon();
+  for (int i = 0; i < 8000; ++i) {
+    Vec v = test::randomVector(random);
+    if (i % 4 == 0) v.setConstant(v(0));
+    if (i == 0) v.setConstant(0.6435995193012394);
+    if (i == 1) v = Vec(1.7628493908712926, 1.7628493908712926, 1.2339945736099047);
+    Poles poles(4, 3);
+    const double x[] = {0, 3, -2, 1};
+    for (int k = 0; k < 4; ++k) poles.row(k) = ((i < 4000 ? x[k] : whole(random)) * v).transpose();
+    const double size = poles.rowwise().norm().maxCoeff();
+    if (size == 0) continue;
+    const CurveDegeneracies found = findDegeneracies(BezierCurve(poles));
+    ASSERT_TRUE(found.straight) << i;
+    if (i < 4000 && i % 40 < 2) {
+      ASSERT_EQ(found.places.size(), 5u) << i;
+      for (const int k : {1, 3}) {
+        EXPECT_EQ(found.places[k].kind, CurvePoint::Cusp);
+        EXPECT_NEAR(found.places[k].first, k == 1 ? 0.25 : 0.75, 1e-8);
+        EXPECT_LT(found.places[k].last - found.places[k].first, 1e-8);
+      }
+    }
+    if (i >= 4000) continue;
+    poles.row(2) += 60 * eps * size * v.unitOrthogonal().transpose();
+    EXPECT_FALSE(findDegeneracies(BezierCurve(poles)).straight) << i;
+  }
+}
+
+// x' = 27 K (t - 3/8)^2, y' = t - 3/8 up to a factor: halving comes to 3/8 with the rounding of x', not 0, on
+// the side of the velocity on either side of it.
+TEST(Degeneracies, RoundingDoesNotHideACusp) {
+  std::mt19937_64 random(117);
+  std::uniform_int_distribution<long> whole(1L << 46, 1L << 47);
+  for (int i = 0; i < 500; ++i) {
+    const auto K = static_cast<double>(2 * whole(random) + 1);
+    Poles poles = Poles::Zero(4, 3);
+    const double x[] = {9, -15, 25}, y[] = {-3, 1, 5};
+    for (int k = 0; k < 3; ++k)
+      poles.row(k + 1) = poles.row(k) + Eigen::RowVector3d(K * x[k], std::exp2(46) * y[k], 0);
+    const CurveDegeneracies found = findDegeneracies(BezierCurve(poles));
+    EXPECT_TRUE(std::any_of(found.places.begin(), found.places.end(), [](const auto& place) {
+      return place.kind == CurvePoint::Cusp && place.first <= 0.375 && 0.375 <= place.last;
+    })) << i;
+    EXPECT_EQ(found.speed_lower, 0) << i;
+  }
+}
+
 TEST(Degeneracies, PointsAndEnds) {
   const CurveDegeneracies point = findDegeneracies(BezierCurve(Poles::Constant(4, 3, 0.1)));
   ASSERT_EQ(point.places.size(), 1u);

@@ -245,6 +245,43 @@ TEST(Frenet, SurvivesExtremeSpeeds) {
   }
 }
 
+// Orders above 3 are not needed here, and beyond the range of a double.
+TEST(Frenet, HighDegreesAndSizes) {
+  for (const auto& [degree, size] :
+       {std::pair{165, 1.0}, std::pair{100, 1e150}, std::pair{25, 1e290}, std::pair{250, 1.0}}) {
+    Poles poles(degree + 1, 3);
+    for (int i = 0; i <= degree; ++i)
+      poles.row(i) = size * Eigen::RowVector3d(i, static_cast<double>(i) * i / degree, std::cos(i));
+    const BezierCurve curve(poles);
+    const FrenetFrame frame = frenetFrame(curve, 0.4);
+    EXPECT_EQ(frame.kind, CurvePoint::Regular) << degree;
+    EXPECT_EQ(rotationMinimizingFrames(curve, {0.4}).size(), 1u);
+  }
+  Poles poles(9, 3);  // X' = 0 to order 6 at the end
+  poles.setOnes();
+  poles.bottomRows<2>() << 1, 1, 3, 7, 7, 7;
+  const FrenetFrame late = frenetFrame(BezierCurve(poles), 0);
+  EXPECT_EQ(late.kind, CurvePoint::Cusp);
+  EXPECT_EQ(*late.tangent, Vec(0, 0, 1));
+}
+
+TEST(Frenet, TorsionOfAnySize) {
+  Poles poles(4, 3);
+  poles << 0, 0, 0, 1, 2, 0, 2, 0, 1, 3, 3, 0;
+  const Figures plain = figures(frenetFrame(BezierCurve(poles), 0.3));
+  for (const int exponent : {-560, -540, 540, 660}) {
+    const double size = std::ldexp(1.0, exponent);
+    const FrenetFrame frame = frenetFrame(BezierCurve(size * poles), 0.3);
+    EXPECT_NEAR(frame.torsion_per_mm.value() * size, plain.tau, 1e-13) << exponent;
+    EXPECT_NEAR(frame.curvature_per_mm.value() * size, plain.kappa, 1e-13) << exponent;
+    if (exponent < 0) {
+      EXPECT_FALSE(frame.curvature_change_per_mm2) << "beyond the range of a double";
+    } else {
+      EXPECT_EQ(frame.curvature_change_per_mm2.value(), 0) << exponent;
+    }
+  }
+}
+
 TEST(Frenet, FewDerivativesAndBadOnes) {
   const CurveDerivatives x = helix(2, 1, 0.4, 3);
   const FrenetFrame first = frenetFrame(x.topRows(2));

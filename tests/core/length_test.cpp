@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <seamwright/core/bezier/length.hpp>
+#include <utility>
 
 #include "curves.hpp"
 #include "surfaces.hpp"
@@ -244,6 +245,49 @@ TEST(Length, PythagoreanHodographsHaveAClosedForm) {
   }
 }
 
+// Of a curve of high degree that turns gently, Bernstein coefficients are near to the values: then the proved
+// remainder is at least the largest |X'| - g, and less than twice that.
+TEST(Length, TheRemainderIsTheLargestOfSpeedLessItsPolynomial) {
+  std::mt19937_64 random(127);
+  for (int i = 0; i < 20; ++i) {
+    Poles poles(4, 3);
+    for (int k = 0; k < 4; ++k) poles.row(k) = (Vec(k, 0, 0) + 0.12 * test::randomVector(random)).transpose();
+    BezierCurve curve(poles);
+    const Speed speed(curve);
+    while (curve.degree() < 40) curve = curve.elevated();
+    const ArcLength length = arcLength(curve, 1e9);
+    std::array<long double, 7> nodes;  // the roots of Legendre's polynomial, by Newton's method
+    for (int k = 0; k < 7; ++k) {
+      long double x = std::cos(std::numbers::pi_v<long double> * (k + 0.75L) / 7.5L);
+      for (int step = 0; step < 20; ++step) {
+        long double before = 1, p = x;
+        for (int n = 2; n <= 7; ++n) before = std::exchange(p, ((2 * n - 1) * x * p - (n - 1) * before) / n);
+        x -= p * (x * x - 1) / (7 * (x * p - before));
+      }
+      nodes[k] = (1 + x) / 2;
+    }
+    long double most = 0, least = 0;
+    for (int k = 0; k <= 1000; ++k) {
+      const long double t = k / 1000.0L;
+      long double g = 0;
+      for (int a = 0; a < 7; ++a) {
+        long double basis = speed(nodes[a]);
+        for (int b = 0; b < 7; ++b)
+          if (b != a) basis *= (t - nodes[b]) / (nodes[a] - nodes[b]);
+        g += basis;
+      }
+      most = std::max(most, speed(t) - g);
+      least = std::min(least, speed(t) - g);
+    }
+    ASSERT_GT(most, 1e-9) << "far above rounding";
+    const double above = length.upper_mm - length.value_mm, below = length.value_mm - length.lower_mm;
+    EXPECT_GE(above, static_cast<double>(most) * (1 - 1e-5)) << i;
+    EXPECT_GE(below, static_cast<double>(-least) * (1 - 1e-5)) << i;
+    EXPECT_LT(above, 2.5 * static_cast<double>(most)) << i;
+    EXPECT_LT(below, 2.5 * static_cast<double>(-least)) << i;
+  }
+}
+
 TEST(Length, LineThatTurnsBack) {
   Poles poles(3, 3);
   poles << 0, 0, 0, 1, 2, 2, 0, 0, 0;  // up to half of (1, 2, 2) and back
@@ -263,6 +307,30 @@ TEST(Length, ParameterAtLengthIsTheInverse) {
   }
   EXPECT_EQ(parameterAtLength(cusp(), 0, 1e-9), 0);
   EXPECT_EQ(parameterAtLength(BezierCurve(Poles::Ones(3, 3)), 0, 1e-9), 0);
+}
+
+// Weights so uneven that the bounds stay apart: the value goes on to meet what is asked, or comes as near as it can.
+TEST(Length, Identity5TheValueMeetsTheLengthAsked) {
+  Poles poles(4, 3);
+  poles << 0, 0, 0, 1, 1, 0, 2, -1, 0.5, 3, 0, 0;
+  for (const Eigen::Vector4d& weights : {Eigen::Vector4d(1, 1, 1e6, 1e6), Eigen::Vector4d(1, 1e-5, 1e5, 1),
+                                         Eigen::Vector4d(1, 1e-4, 1e4, 1), Eigen::Vector4d(1, 1, 1, 1)}) {
+    const BezierCurve curve(poles, weights);
+    const double whole = arcLength(curve, 1e-9).value_mm, tolerance = 1e-9;
+    for (const double share : {0.1, 0.5, 0.9}) {
+      const double wanted = share * whole, t = parameterAtLength(curve, wanted, tolerance);
+      const auto missing = [&](double at) {
+        return std::abs(arcLength(curve, tolerance / 4, 0, at).value_mm - wanted);
+      };
+      const double neighbours = std::min(missing(std::nextafter(t, 0)), missing(std::nextafter(t, 1)));
+      EXPECT_LE(missing(t), std::max(tolerance / 2, neighbours)) << weights.transpose() << " " << share;
+      const ArcLength length = arcLength(curve, tolerance / 4, 0, t);
+      const auto truth = static_cast<double>(romberg(Speed(curve), 0, t));
+      EXPECT_LE(std::abs(truth - wanted),
+                tolerance + (length.reached ? 0 : length.upper_mm - length.lower_mm))
+          << weights.transpose() << " " << share;
+    }
+  }
 }
 
 // What cannot be reached ends where rounding begins, for high degrees and uneven weights too.
@@ -312,6 +380,19 @@ TEST(Length, BadArguments) {
   };
   EXPECT_THAT(message([] { arcLength(cusp(), 0); }), testing::HasSubstr("tolerance is 0"));
   EXPECT_THAT(message([] { arcLength(cusp(), std::nan("")); }), testing::HasSubstr("tolerance is nan"));
+  EXPECT_THAT(message([] { arcLength(cusp(), std::numeric_limits<double>::infinity()); }),
+              testing::HasSubstr("tolerance is inf"));
+  const Poles many = Poles::Ones(403, 3);
+  EXPECT_THAT(
+      message([&] { arcLength(BezierCurve(many), 1); }),
+      testing::HasSubstr("degree is 402: the length of a polynomial curve is known up to degree 401"));
+  EXPECT_THAT(message([&] {
+                arcLength({many.topRows(199), Eigen::VectorXd::LinSpaced(199, 1, 2)}, 1);
+              }),
+              testing::HasSubstr("degree is 198: the length of a rational curve is known up to degree 197"));
+  std::mt19937_64 random(128);
+  EXPECT_EQ(message([&] { arcLength(randomCurve(401, false, random), 1e9); }), "");
+  EXPECT_EQ(message([&] { arcLength(randomCurve(197, true, random), 1e9); }), "");
   EXPECT_THAT(message([] { arcLength(cusp(), 1, 0.5, 0.25); }), testing::HasSubstr("range is 0.5 .. 0.25"));
   EXPECT_THAT(message([] { arcLength(cusp(), 1, 0, std::nan("")); }),
               testing::HasSubstr("range is 0 .. nan"));

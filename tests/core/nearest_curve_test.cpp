@@ -422,6 +422,22 @@ TEST(NearestCurve, BackwardsHasNoNearestJoin) {
   EXPECT_FALSE(join.reason.empty());
 }
 
+TEST(NearestCurve, ResidualIsThatOfFitBeta) {
+  Poles a(4, 3), b(4, 3);
+  b << 0.01, 0, 0, -3, -1.9, 0, -5, -4, 0, -9, -4, 0;
+  for (const double gap : {0.0, 1e-14, 1e-10, 1.0}) {
+    a << gap, 0, 0, 3, -2, 0, 3, 2, 0, 0, 0, 0;
+    const Join join = nearestJoin(BezierCurve(a), BezierCurve(b), optionsOf(2));
+    const BetaFit before = fitBeta(BezierCurve(a), BezierCurve(b), 2),
+                  after = fitBeta(join.a, join.b, 2, before.length_mm);
+    EXPECT_NEAR(join.residual, *std::max_element(after.defects.begin(), after.defects.end()),
+                1e-9 * (1 + 1 / before.length_mm))
+        << gap;
+    if (join.status != NearestCurveStatus::Infeasible) continue;
+    EXPECT_NEAR(join.residual / worstDefect(BezierCurve(a), BezierCurve(b), 2), 1, 1e-9) << gap;
+  }
+}
+
 TEST(NearestCurve, StraightLines) {
   Poles a(3, 3), b(3, 3);
   a << -2, 0, 0, -1, 0, 0, 0, 0, 0;

@@ -119,6 +119,17 @@ def test_nearest(order, parametric):
         (lambda: seamwright.alpha_seam_condition(net(), 1, 1, 0), "next_a_v is 0"),
         (lambda: seamwright.alpha_seam_fit(net(), 1, 1, net(), 2, 1), "a_u is 2"),
         (lambda: seamwright.alpha_nearest_join(net(), 1, 1, net(), 1, 1, order=3), "order 3"),
+        (lambda: seamwright.alpha_curve(POLYGON.astype(str)), "an array of real numbers is needed"),
+        (lambda: seamwright.alpha_curve(POLYGON + 0j), "numbers of complex128"),
+        (lambda: seamwright.alpha_curve(POLYGON > 1), "numbers of bool"),
+        (lambda: seamwright.alpha_curve("abc"), "are 'abc'"),
+        (lambda: seamwright.alpha_curve(None), "are None"),
+        (lambda: seamwright.alpha_curve(POLYGON, np.array([[0.5]])), "a is array"),
+        (lambda: seamwright.alpha_curve(POLYGON, 0.5 + 1j), "a is .*1j"),
+        (lambda: seamwright.alpha_spline(POLYGON, [True]), "a is .True.: a sequence of numbers"),
+        (lambda: seamwright.alpha_spline(POLYGON, "1"), "a is '1'"),
+        (lambda: seamwright.alpha_join_poles(POLYGON, 0.5, order=2, beta1=1e200), "pole 2 of the next one comes out"),
+        (lambda: seamwright.alpha_spline(np.vstack([POLYGON] * 2)[:5], [0.9, 0.9], beta1=[1e200]), r"second of joint\[0\]"),
     ],
 )
 def test_bad_arguments(call, text):

@@ -57,6 +57,14 @@ def test_degeneracies():
     assert seamwright.find_degeneracies(BezierCurve([[0, 0, 0], [1, 2, 3]]))["straight"]
 
 
+@pytest.mark.parametrize("bad", [math.inf, math.nan, 0.0, True, 1j, "1", np.array([1.0])])
+def test_tolerances_that_are_none(bad):
+    with pytest.raises(ValueError, match="tolerance"):
+        seamwright.arc_length(SPACE, bad)
+    with pytest.raises(ValueError, match="tolerance"):
+        seamwright.parameter_at_length(SPACE, 1, bad)
+
+
 def test_length():
     wanted = 2 * (13 * math.sqrt(13) - 8) / 27
     for tolerance in (1e-2, 1e-6, 1e-12):
