@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <seamwright/core/bernstein/coefficients.hpp>
 #include <seamwright/core/bezier/casteljau.hpp>
 #include <seamwright/core/bezier/curve.hpp>
 #include <seamwright/core/bezier/homogeneous.hpp>
@@ -19,7 +20,7 @@ HomogeneousPoles homogeneousPoles(const Eigen::Ref<const Poles>& poles, const Ei
     if (!poles.row(i).allFinite())
       throw std::invalid_argument("pole " + std::to_string(i) + " is not finite");
     if (!(weights(i) > 0) || !std::isfinite(weights(i)))
-      throw std::invalid_argument("weight " + std::to_string(i) + " is " + std::to_string(weights(i)) +
+      throw std::invalid_argument("weight " + std::to_string(i) + " is " + bernstein::text(weights(i)) +
                                   ": weights must be positive and finite");
   }
   HomogeneousPoles result(poles.rows(), 4);

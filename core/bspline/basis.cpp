@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <seamwright/core/bernstein/coefficients.hpp>
 #include <seamwright/core/bspline/basis.hpp>
 #include <seamwright/core/enclosure/spline.hpp>
 
@@ -46,17 +47,21 @@ Eigen::RowVectorXd onSpline(const Eigen::RowVectorXd& functional, const std::vec
 
 }  // namespace
 
-void requireKnots(int degree, const std::vector<double>& knots, const std::string& suffix) {
+void requireDegree(int degree, const std::string& suffix) {
   constexpr int max_degree = SplineEvaluator::max_degree;
   if (degree < 1 || degree > max_degree)
     refuse("degree" + suffix + " is " + std::to_string(degree) + ": 1 to " + std::to_string(max_degree) +
            " is needed");
+}
+
+void requireKnots(int degree, const std::vector<double>& knots, const std::string& suffix) {
+  requireDegree(degree, suffix);
   const int count = static_cast<int>(knots.size()) - degree - 1;
   if (count < degree + 1)
     refuse("knots" + suffix + " are " + std::to_string(knots.size()) + ": degree " + std::to_string(degree) +
            " needs at least " + std::to_string(2 * degree + 2));
   const auto refuseKnot = [&](std::size_t i, const std::string& needed) {
-    refuse("knot " + std::to_string(i) + " of knots" + suffix + " is " + std::to_string(knots[i]) + ": " +
+    refuse("knot " + std::to_string(i) + " of knots" + suffix + " is " + bernstein::text(knots[i]) + ": " +
            needed);
   };
   for (std::size_t i = 0; i < knots.size(); ++i) {

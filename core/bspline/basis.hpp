@@ -8,6 +8,9 @@
 /// B-spline basis functions over flat, clamped knots; not a public header.
 namespace seamwright::bspline {
 
+/// 1 <= degree <= 25. \param suffix of the name in the message, as "_u".
+void requireDegree(int degree, const std::string& suffix);
+
 /// That degree and flat knots make a clamped spline that is continuous: 1 <= degree <= 25, inner knots of
 /// multiplicity at most the degree, a range that is a normal number. \param suffix of the names in the message, as
 /// "_u".

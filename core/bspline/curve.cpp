@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <seamwright/core/bernstein/coefficients.hpp>
 #include <seamwright/core/bezier/homogeneous.hpp>
 #include <seamwright/core/bspline/basis.hpp>
 #include <seamwright/core/bspline/curve.hpp>
@@ -29,7 +30,7 @@ BSplineCurve splineCurve(const BezierCurve& curve) {
 CurveDerivatives derivatives(const BSplineCurve& curve, double t, int order) {
   requireValid(curve);
   if (!std::isfinite(t))
-    throw std::invalid_argument("parameter t is " + std::to_string(t) + ": it must be finite");
+    throw std::invalid_argument("parameter t is " + bernstein::text(t) + ": it must be finite");
   if (order < 0) throw std::invalid_argument("order " + std::to_string(order) + ": it must not be negative");
   const int span = bspline::spanOf(curve.degree, curve.knots, t);
   const HomogeneousPoles h = bspline::basisDerivatives(curve.degree, curve.knots, span, t, order) *

@@ -37,6 +37,8 @@ BSplineCurve splineCurve(const BezierCurve& curve);
 /// Identities (each has a test of its number):
 ///   (1) Of splineCurve(curve) it is curve.derivatives().
 ///   (2) Within a span row k + 1 is the derivative of row k.
+/// O(poles): the whole curve is checked. Where a value is beyond what a double holds, those of a rational curve from its order
+/// on are not numbers.
 /// \throws std::invalid_argument as requireValid() does, for a parameter that is not finite and for a negative
 /// order.
 CurveDerivatives derivatives(const BSplineCurve& curve, double t, int order);

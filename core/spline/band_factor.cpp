@@ -194,11 +194,30 @@ BandSolution solvePivoted(const BandMatrix& given, Poles right) {
   return {std::move(right), inverse, true};
 }
 
+/// Thomas's algorithm, in place.
+Poles solvedOpenDominant(const BandMatrix& m, Poles x) {
+  const Index n = m.diagonal.size();
+  Eigen::VectorXd pivots(n);
+  pivots(0) = m.diagonal(0);
+  for (Index k = 1; k < n; ++k) {
+    const double factor = m.lower(k) / pivots(k - 1);
+    pivots(k) = m.diagonal(k) - factor * m.upper(k - 1);
+    x.row(k) -= factor * x.row(k - 1);
+  }
+  x.row(n - 1) /= pivots(n - 1);
+  for (Index k = n - 1; k-- > 0;) {
+    x.row(k) -= m.upper(k) * x.row(k + 1);
+    x.row(k) /= pivots(k);
+  }
+  return x;
+}
+
 template <int Width>
 BandSolution solveOfWidth(const BandMatrix& matrix, Poles right) {
   const double bound = dominanceBound(matrix);
   if (!(rowNorm(matrix) * bound * kSmallestCondition <= 1))
     return solvePivoted<Width>(matrix, std::move(right));
+  if constexpr (Width == 1) return {solvedOpenDominant(matrix, std::move(right)), bound, false};
   return {BandFactor<Width, false>(matrix).solved(std::move(right)), bound, false};
 }
 

@@ -10,8 +10,8 @@ namespace seamwright {
 /// Points to interpolate, n + 1 of them, with every segment over an interval of length 1, and how they join.
 struct BetaSplineData {
   Poles points;
-  /// n + 1 each; at joint j, X'(-) = bias_j X'(+) and X''(-) = bias_j^2 X''(+) + tension_j X'(+). Entry 0 is not
-  /// read, entry n only of a periodic spline. The curve tightens for tension -> -infinity.
+  /// n + 1 each; at joint j, X'(-) = bias_j X'(+) and X''(-) = bias_j^2 X''(+) + tension_j X'(+). Entry 0
+  /// changes nothing, nor does entry n of an open one; finite they must be. The curve tightens for tension -> -infinity.
   std::vector<double> bias;
   std::vector<double> tension;
   SplineEnds ends = SplineEnds::Natural;
@@ -21,8 +21,10 @@ struct BetaSplineData {
 };
 
 struct BetaSpline {
-  /// In knots in which it is C1: segment lengths h_{j+1} = h_j / bias_j, the first is 1. Round a periodic one the
-  /// biases need not multiply to 1: then it is G2 and not C1 at its seam.
+  /// In knots in which it is C1 as far as they hold the lengths: h_{j+1} = h_j / bias_j, the first is 1. Knots add the
+  /// lengths up, so shrinking ones lose digits, and continuity() then finds 0: the curve, whose poles need no knots, stays
+  /// G2. Reversed points with inverse biases make lengths grow. Round a periodic one the biases need not multiply to 1: then
+  /// it is G2 and not C1 at its seam.
   BezierSpline curve;
   Poles derivatives;            ///< m_j = X'(+) at the points in the parameter of a segment, n + 1 rows
   std::vector<int> stationary;  ///< as of NuSpline

@@ -154,6 +154,28 @@ int strayed(const BezierSpline& spline, const BSplineCurve& curve, int order) {
   return -1;
 }
 
+/// Up to \p degree segments before and after the seam of a closed spline, which is the knot 0: so lengths beside it
+/// keep their digits. Knots that are one but for them end it.
+BezierSpline aroundSeam(const BezierSpline& spline) {
+  const std::vector<double>& knots = spline.knots;
+  const int segments = spline.segments(), most = std::min(segments, spline.degree);
+  BezierSpline result{spline.degree, {0.0}, {}};
+  Eigen::Index before = 0, after = 0;
+  while (after < most && knots[after + 1] - knots.front() > result.knots.back())
+    result.knots.push_back(knots[++after] - knots.front());
+  while (before < most && knots[segments - before - 1] - knots.back() < result.knots.front())
+    result.knots.insert(result.knots.begin(), knots[segments - ++before] - knots.back());
+  result.poles.resize((before + after) * spline.degree + 1, 4);
+  result.poles.topRows(before * spline.degree + 1) = spline.poles.bottomRows(before * spline.degree + 1);
+  result.poles.bottomRows(after * spline.degree + 1) = spline.poles.topRows(after * spline.degree + 1);
+  return result;
+}
+
+/// Whether a curve of that order gives all segments back.
+bool isMerged(const BezierSpline& spline, int order) {
+  return strayed(spline, merged(spline, order), order) < 0;
+}
+
 }  // namespace
 
 void requireValid(const BezierSpline& spline) {
@@ -206,8 +228,7 @@ CurveDerivatives derivatives(const BezierSpline& spline, double t, int order) {
   const auto i = static_cast<int>(above - spline.knots.begin()) - 1;
   const double start = spline.knots[i], length = spline.knots[i + 1] - start;
   CurveDerivatives result = segment(spline, i).derivatives((t - start) / length, order);
-  double power = 1;
-  for (Eigen::Index k = 1; k < result.rows(); ++k) result.row(k) /= power *= length;
+  for (Eigen::Index k = 1; k < result.rows(); ++k) result.bottomRows(result.rows() - k) /= length;
   return result;
 }
 
@@ -235,7 +256,8 @@ int continuity(const BezierSpline& spline, bool around) {
            !(rows.topRows(order + 1).col(0).array() <= rows.topRows(order + 1).col(1).array()).all())
       --order;
   }
-  while (order > 0 && strayed(spline, merged(spline, order), order) >= 0) --order;
+  while (order > 0 && !isMerged(spline, order)) --order;
+  while (around && order > 0 && !isMerged(aroundSeam(spline), order)) --order;
   return order;
 }
 

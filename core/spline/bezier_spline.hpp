@@ -45,7 +45,8 @@ BezierSpline bezierSpline(const std::vector<BezierCurve>& segments, const std::v
                           bool closed = false, double gap_mm = 0);
 
 /// Point and derivatives by the spline's own parameter, (order + 1) by 3. At a knot those of the segment after
-/// it; at the end and beyond, those of the outermost segment. O(log segments).
+/// it; at the end and beyond, those of the outermost segment. O(log segments + order^2). Beyond what a double holds they
+/// are infinite.
 /// \throws std::invalid_argument if counts do not fit, for a parameter that is not finite and a negative order.
 CurveDerivatives derivatives(const BezierSpline& spline, double t, int order);
 

@@ -23,7 +23,8 @@ struct G2Polygon {
 /// lambda = (omega_e - alpha_e) / (1 - omega_e), rho = alpha_f / (omega_f - alpha_f) of the edges e, f before
 /// and after a vertex, the joint divides the inner poles beside it in the ratio sqrt(lambda rho) : 1.
 ///
-/// Knots are those in which it is C1: the lengths of neighbours are as sqrt(lambda rho); the first is 1. (Round
+/// Knots are those in which it is C1: the lengths of neighbours are as sqrt(lambda rho); the first is 1. They add the
+/// lengths up, so lengths that shrink lose digits in them and continuity() may find 0; the curve is G2 all the same. (Round
 /// a closed one the ratios need not multiply to 1: then it is G2 and not C1 at its seam.)
 /// An open one begins and ends in the polygon's end points, along its first and last edge.
 ///
@@ -53,7 +54,8 @@ struct GammaPolygon {
 /// and value.
 G2Polygon g2Polygon(const GammaPolygon& polygon);
 
-/// The gamma-spline, C1 in its knots, whose spacing is \p lengths.
+/// The gamma-spline, C1 in its knots, whose spacing is \p lengths as far as knots hold it: one after lengths 10^k times as
+/// large has k digits less.
 /// Identities (each has a test of its number):
 ///   (4) At each joint X''(+) - X''(-) = nu X', nu = 2 (1 / l_{s-1} + 1 / l_s) (1 / gamma_s - 1).
 ///   (5) gamma = 1: the C2 cubic B-spline of the polygon with these knots.

@@ -17,7 +17,7 @@ enum class SplineEnds {
 struct NuSplineData {
   Poles points;
   std::vector<double> knots;  ///< n + 1, increasing
-  std::vector<double> nu;     ///< n + 1 tensions; those of clamped ends are not read
+  std::vector<double> nu;     ///< n + 1 tensions; those of clamped ends change nothing
   SplineEnds ends = SplineEnds::Natural;
   Eigen::Vector3d start_derivative = Eigen::Vector3d::Zero();  ///< by the parameter, clamped ends
   Eigen::Vector3d end_derivative = Eigen::Vector3d::Zero();
@@ -27,7 +27,8 @@ struct NuSpline {
   BezierSpline curve;
   Poles derivatives;  ///< X' at the points, n + 1 rows
   /// Points where the first derivative is within rounding of zero, or a pole beside the point is it but for
-  /// rounding: G2 is lost there.
+  /// rounding: G2 is lost there. Where derivatives are small but not lost, the poles' rounding, eps |X| / |pole - X|,
+  /// still goes into what can be measured of a joint: little of its tangent is left from tensions of some 1e13.
   std::vector<int> stationary;
 };
 
@@ -45,7 +46,7 @@ struct NuSpline {
 ///   (4) Points in reverse order give the curve run backwards.
 ///   (5) nu -> infinity: the distance to the polygon goes to 0 with 1 / nu.
 ///   (6) A knot vector multiplied by c with nu divided by c: the same curve.
-/// \throws std::invalid_argument for fewer than 2 points (periodic: 3), wrong counts, knots that do not increase,
+/// \throws std::invalid_argument for fewer than 2 points (periodic: 3), wrong counts, knots that do not increase or whose range is no normal number,
 /// neighbours that are the same point, a last point of a periodic one other than the first, numbers that are not
 /// finite; with index and value. std::domain_error if the system is singular (reciprocal condition below 1e-12),
 /// with number and size of the smallest pivot.

@@ -110,9 +110,12 @@ void requireNumbers(const char* name, const std::vector<double>& values, Index c
 
 void requireIncreasing(const std::vector<double>& knots, const char* reason) {
   for (std::size_t i = 1; i < knots.size(); ++i)
-    if (!(knots[i - 1] < knots[i] && std::isfinite(knots[i] - knots[i - 1])))
+    if (!(knots[i - 1] < knots[i] && std::isfinite(knots[i])))
       throw std::invalid_argument("knot " + std::to_string(i) + " is " + text(knots[i]) + " after " +
                                   text(knots[i - 1]) + ": " + reason);
+  if (const double range = knots.back() - knots.front(); knots.size() > 1 && !std::isnormal(range))
+    throw std::invalid_argument("the knots range over " + text(range) +
+                                ": that must not overflow, nor underflow");
 }
 
 std::vector<int> stationaryPoints(const BezierSpline& spline, const Poles& derivatives,

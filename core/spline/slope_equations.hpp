@@ -43,7 +43,7 @@ void requireNumbers(const char* name, const std::vector<double>& values, Eigen::
 /// \throws std::invalid_argument naming what is not finite, with its value.
 void requireFinite(const std::string& name, const Eigen::Vector3d& vector);
 void requireFiniteRows(const char* name, const Eigen::Ref<const Poles, 0, Eigen::OuterStride<>>& rows);
-/// \throws std::invalid_argument unless they increase, by finite steps; \p reason ends the sentence.
+/// \throws std::invalid_argument unless they are finite and increase over a normal number; \p reason ends the sentence.
 void requireIncreasing(const std::vector<double>& knots, const char* reason);
 
 /// How far the inner poles of a segment are from its ends, in units of the derivatives there.

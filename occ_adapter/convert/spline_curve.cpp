@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <seamwright/core/bspline/knot_curve.hpp>
 #include <seamwright/occ_adapter/convert/bezier_surface.hpp>
 #include <seamwright/occ_adapter/convert/spline_curve.hpp>
 
@@ -89,29 +90,19 @@ handle<Geom_BSplineCurve> periodicCurve(const BezierSpline& spline, int order) {
                    true);
 }
 
-bool isClamped(const Geom_BSplineCurve& curve) {
-  return curve.Multiplicity(1) == curve.Degree() + 1 &&
-         curve.Multiplicity(curve.NbKnots()) == curve.Degree() + 1;
-}
-
-/// A copy, clamped and not periodic, over that range.
-handle<Geom_BSplineCurve> clamped(const Geom_BSplineCurve& given, double first, double last) {
-  const auto curve = handle<Geom_BSplineCurve>::DownCast(given.Copy());
-  const bool whole = first == curve->FirstParameter() && last == curve->LastParameter();
-  if (whole && curve->IsPeriodic()) curve->SetNotPeriodic();
-  if (!whole || !isClamped(*curve)) curve->Segment(first, last);
-  return curve;
-}
-
-BSplineCurve numbersOf(const Geom_BSplineCurve& curve) {
-  const TColStd_Array1OfReal& knots = curve.KnotSequence();
-  BSplineCurve result{curve.Degree(), {knots.begin(), knots.end()}, HomogeneousPoles(curve.NbPoles(), 4)};
+KnotCurve numbersOf(const Geom_BSplineCurve& curve) {
+  const TColStd_Array1OfReal& knots = curve.Knots();
+  const TColStd_Array1OfInteger& multiplicities = curve.Multiplicities();
+  KnotCurve result{curve.Degree(),
+                   {knots.begin(), knots.end()},
+                   {multiplicities.begin(), multiplicities.end()},
+                   HomogeneousPoles(curve.NbPoles(), 4),
+                   curve.IsPeriodic()};
   for (int i = 1; i <= curve.NbPoles(); ++i) {
     const gp_Pnt pole = curve.Pole(i);
     const double w = curve.Weight(i);
     result.poles.row(i - 1) << w * pole.X(), w * pole.Y(), w * pole.Z(), w;
   }
-  requireValid(result);
   return result;
 }
 
@@ -119,13 +110,13 @@ BSplineCurve coreCurve(const Geom_Curve& curve, double first, double last) {
   if (const auto* trimmed = dynamic_cast<const Geom_TrimmedCurve*>(&curve))
     return coreCurve(*trimmed->BasisCurve(), first, last);
   if (const auto* spline = dynamic_cast<const Geom_BSplineCurve*>(&curve))
-    return numbersOf(*clamped(*spline, first, last));
+    return clampedCurve(numbersOf(*spline), first, last);
   const auto* bezier = dynamic_cast<const Geom_BezierCurve*>(&curve);
   if (!bezier)
     throw std::domain_error(std::string(curve.DynamicType()->Name()) + " is no Bezier or B-spline curve");
   const BSplineCurve whole = splineCurve(bezierCurve(curve));
-  if (first == 0 && last == 1) return whole;
-  return numbersOf(*clamped(*toBSplineCurve(whole), first, last));
+  const int ends = whole.degree + 1;
+  return clampedCurve({whole.degree, {0, 1}, {ends, ends}, whole.poles}, first, last);
 }
 
 }  // namespace

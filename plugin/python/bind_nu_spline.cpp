@@ -30,6 +30,14 @@ Eigen::Vector3d derivativeOf(const char* name, const py::object& value, SplineEn
   return argument<Eigen::Vector3d>(name, value, "a vector of three numbers");
 }
 
+/// The nu of a natural end, which has no meaning at others; 0 for None.
+double endNuOf(const char* name, const py::object& value, SplineEnds ends) {
+  if (value.is_none()) return 0;
+  if (ends != SplineEnds::Natural)
+    throw py::value_error(std::string(name) + " is " + shown(value) + ": it has no meaning but with natural ends");
+  return argument<double>(name, value, "a number");
+}
+
 Poles pointsOf(const Array& points) {
   return polesOf(points, 2, "(count, 3)");
 }
@@ -67,8 +75,8 @@ py::dict betaOf(const Array& points, const py::object& bias, const py::object& t
   data.ends = endsOf(ends);
   data.bias = each("bias", bias, data.points.rows());
   data.tension = each("tension", tension, data.points.rows());
-  data.start_nu = argument<double>("start_nu", start_nu, "a number");
-  data.end_nu = argument<double>("end_nu", end_nu, "a number");
+  data.start_nu = endNuOf("start_nu", start_nu, data.ends);
+  data.end_nu = endNuOf("end_nu", end_nu, data.ends);
   data.start_derivative = derivativeOf("start_derivative", start_derivative, data.ends);
   data.end_derivative = derivativeOf("end_derivative", end_derivative, data.ends);
   return dictOf([&] {
@@ -93,14 +101,17 @@ void bindNuSpline(py::module_& module) {
       "equations are singular.");
   module.def(
       "beta_spline", &betaOf, py::arg("points"), py::arg("bias") = 1.0, py::arg("tension") = 0.0,
-      py::kw_only(), py::arg("ends") = "natural", py::arg("start_nu") = 0.0, py::arg("end_nu") = 0.0,
+      py::kw_only(), py::arg("ends") = "natural", py::arg("start_nu") = py::none(), py::arg("end_nu") = py::none(),
       py::arg("start_derivative") = py::none(), py::arg("end_derivative") = py::none(),
       "The interpolating beta-spline through points (count, 3), each segment over an interval of length 1: "
       "X'(-) = bias X'(+), X''(-) = bias^2 X''(+) + tension X'(+) at each joint. bias, tension: a number or "
       "one a point. It tightens for tension to minus infinity. Ends and result as of nu_spline; natural ones "
-      "have X'' = start_nu X' and X'' = -end_nu X'.");
+      "have X'' = start_nu X' and X'' = -end_nu X', 0 for None.");
   module.def(
-      "knots_of", [](const Array& points, double exponent) { return knotsOf(pointsOf(points), exponent); },
+      "knots_of",
+      [](const Array& points, const py::object& exponent) {
+        return knotsOf(pointsOf(points), argument<double>("exponent", exponent, "a number"));
+      },
       py::arg("points"), py::arg("exponent") = 0.5,
       "Knots that grow by the distance of neighbours to that exponent: 0 uniform, 1/2 centripetal, 1 chord "
       "length.");

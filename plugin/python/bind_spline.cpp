@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <seamwright/core/bezier/homogeneous.hpp>
+#include <seamwright/core/bspline/knot_curve.hpp>
 #include <seamwright/core/spline/g2_spline.hpp>
 #include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
@@ -22,26 +23,37 @@ HomogeneousPoles homogeneousOf(const Array& poles, const std::optional<Array>& w
   return homogeneousPoles(rows, weights ? weightsOf(*weights, poles) : Eigen::VectorXd::Ones(rows.rows()));
 }
 
-BSplineCurve makeCurve(int degree, std::vector<double> knots, const Array& poles,
+constexpr int kMostOrder = 1000;  // the quotient rule takes order^2 steps
+constexpr int kMostJointOrder = 100;  // a joint's measure takes order^3
+
+/// \throws ValueError for an order above \p most.
+int orderOf(int order, int most) {
+  if (order > most)
+    throw py::value_error("order " + std::to_string(order) + ": it must be within " + std::to_string(most));
+  return order;
+}
+
+int wholeNumber(const char* name, const py::object& value) {
+  return argument<int>(name, value, "a whole number");
+}
+
+BSplineCurve makeCurve(const py::object& degree, std::vector<double> knots, const Array& poles,
                        const std::optional<Array>& weights) {
-  BSplineCurve curve{degree, std::move(knots), homogeneousOf(poles, weights)};
+  BSplineCurve curve{wholeNumber("degree", degree), std::move(knots), homogeneousOf(poles, weights)};
   requireValid(curve);
   return curve;
 }
 
-BezierSpline makeSpline(int degree, std::vector<double> knots, const Array& poles,
+BezierSpline makeSpline(const py::object& degree, std::vector<double> knots, const Array& poles,
                         const std::optional<Array>& weights, bool closed) {
-  BezierSpline spline{degree, std::move(knots), homogeneousOf(poles, weights), closed};
+  BezierSpline spline{wholeNumber("degree", degree), std::move(knots), homogeneousOf(poles, weights), closed};
   requireValid(spline);
   return spline;
 }
 
 template <class Curve>
 CurveDerivatives derivativesOf(const Curve& curve, double t, int order) {
-  constexpr int most = 1000;  // the quotient rule takes order^2 steps
-  if (order > most)
-    throw py::value_error("order " + std::to_string(order) + ": it must be within " + std::to_string(most));
-  return derivatives(curve, parameter("t", t), order);
+  return derivatives(curve, parameter("t", t), orderOf(order, kMostOrder));
 }
 
 py::list jointsOf(const BezierSpline& spline, const py::object& order, const py::object& profile,
@@ -50,9 +62,18 @@ py::list jointsOf(const BezierSpline& spline, const py::object& order, const py:
   const ContinuityTolerance tolerance =
       toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, py::none()});
   py::list list;
-  for (const CurveJoint& joint : measureJoints(spline, argument<int>("order", order, "a whole number")))
-    list.append(jointDict(joint, tolerance));
+  const int asked = orderOf(wholeNumber("order", order), kMostJointOrder);
+  for (const CurveJoint& joint : measureJoints(spline, asked)) list.append(jointDict(joint, tolerance));
   return list;
+}
+
+/// What FreeCAD has, as its numbers, over its range.
+BSplineCurve clampedOf(int degree, std::vector<double> knots, std::vector<int> multiplicities,
+                       const Array& poles, const std::optional<Array>& weights, bool periodic) {
+  const KnotCurve curve{degree, std::move(knots), std::move(multiplicities), homogeneousOf(poles, weights),
+                        periodic};
+  const auto [first, last] = rangeOf(curve);
+  return clampedCurve(curve, first, last);
 }
 
 BezierSpline directOf(const Array& vertices, const py::object& alpha, const py::object& omega, bool closed) {
@@ -119,7 +140,7 @@ void bindSpline(py::module_& module) {
           "measure_joints", &jointsOf, py::arg("order") = 3, py::kw_only(), py::arg("profile") = "default",
           py::arg("gap_mm") = py::none(), py::arg("angle_deg") = py::none(),
           py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
-          "The joints at the inner knots, then that of a closed spline's end with its beginning: dicts as of "
+          "To an order of at most 100. The joints at the inner knots, then that of a closed spline's end with its beginning: dicts as of "
           "measure_joint.")
       .def("continuity", &continuity, py::arg("around") = false,
            "The order, up to degree - 1, to which derivatives by the parameter agree at every inner knot; "
@@ -127,10 +148,16 @@ void bindSpline(py::module_& module) {
            "weights "
            "there differ.")
       .def(
-          "to_bspline", &bsplineCurve, py::arg("continuity"),
+          "to_bspline",
+          [](const BezierSpline& s, const py::object& order) {
+            return bsplineCurve(s, wholeNumber("continuity", order));
+          },
+          py::arg("continuity"),
           "The same curve as a BSplineCurve with inner knots of multiplicity degree - continuity. ValueError "
           "where a derivative up to that order jumps, with knot, order and jump.");
   bindNumbers(spline);
+  module.def("_clamped_curve", &clampedOf, py::arg("degree"), py::arg("knots"), py::arg("multiplicities"),
+             py::arg("poles"), py::arg("weights"), py::arg("periodic"));
   module.def(
       "direct_g2_spline", &directOf, py::arg("vertices"), py::arg("alpha"), py::arg("omega"),
       py::arg("closed") = false,

@@ -129,5 +129,17 @@ TEST(BandFactor, SingularEquationsAreToldWithPivotAndCondition) {
   EXPECT_THAT(complaint(zero), ContainsRegex("pivot 0 is 0"));
 }
 
+/// Rows that need no other order, of which the second of four all but vanishes.
+TEST(BandFactor, TheSmallestPivotIsTold) {
+  const BandMatrix m{Eigen::Vector4d::Zero(), Eigen::Vector4d(1, 1e-14, 1, 1), Eigen::Vector4d::Zero(),
+                     Eigen::Vector4d::Ones(), false};
+  try {
+    solveBand(m, Poles::Ones(4, 3));
+    ADD_FAILURE() << "accepted";
+  } catch (const std::domain_error& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("pivot 1 is 1e-14, reciprocal condition 1e-14"));
+  }
+}
+
 }  // namespace
 }  // namespace seamwright

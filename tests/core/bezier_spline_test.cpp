@@ -369,5 +369,56 @@ TEST(BezierSpline, RefusesWhatIsNoSpline) {
   expectRefused([&] { bsplineCurve(high, 0); }, "degree is 26");
 }
 
+/// Knots [0, h, 30, .., 180] with X'' jumping at 0 alone: the same verdict whether 0 is the seam or an inner knot.
+TEST(BezierSpline, AShortSegmentBesideTheSeamHidesNoJump) {
+  std::mt19937_64 random(320);
+  for (const double h : {1e-3, 1e-5, 1e-7, 1e-9})
+    for (const int times : {1, 2}) {
+      // A long curve of many equal turns in which 0 has that multiplicity.
+      BSplineCurve turns{3, {-360, -360, -360, -360}, {}};
+      for (const double start : {-360, -180, 0, 180}) {
+        if (start > -360) turns.knots.insert(turns.knots.end(), times, start);
+        for (const double knot : {h, 30.0, 60.0, 90.0, 120.0, 150.0}) turns.knots.push_back(start + knot);
+      }
+      turns.knots.insert(turns.knots.end(), 4, 360);
+      turns.poles.resize(turns.count(), 4);
+      const HomogeneousPoles ring = test::randomPoles(6 + times, false, random);
+      for (Eigen::Index i = 0; i < turns.count(); ++i) turns.poles.row(i) = ring.row(i % ring.rows());
+      const BezierSpline whole = bezierSpline(turns);
+      const auto cut = [&](int from) {
+        const auto begin = whole.knots.begin() + from;
+        BezierSpline result{3, {begin, begin + 8}, whole.poles.middleRows(3 * from, 22), true};
+        result.poles.row(21) = result.poles.row(0);
+        return result;
+      };
+      EXPECT_EQ(continuity(cut(14), true), 3 - times) << h << " seam";
+      EXPECT_EQ(continuity(cut(11), true), 3 - times) << h << " inner knot";
+      EXPECT_EQ(continuity(cut(14)), 2) << h;
+    }
+}
+
+TEST(BezierSpline, DerivativesBeyondTheDegreeOfShortSegmentsAreZero) {
+  BezierSpline line{1, {0, 1e-9}, HomogeneousPoles::Ones(2, 4)};
+  line.poles.row(0).head<3>().setZero();
+  const CurveDerivatives rows = derivatives(line, 0, 50);
+  EXPECT_NEAR(rows(1, 0), 1e9, 1e-6);
+  EXPECT_TRUE(rows.bottomRows(49).isZero(0));
+}
+
+/// 8 (degree + 4) eps of the poles, times n / h for each order on both sides: poles of size 4 either way, h = 1 and 2.
+TEST(BezierSpline, RefusalTellsTheRounding) {
+  BezierSpline spline{2, {0, 1, 3}, HomogeneousPoles::Zero(5, 4)};
+  spline.poles.col(3).setOnes();
+  spline.poles.col(0) << 4, 0, 0, 1, 4;
+  try {
+    bsplineCurve(spline, 1);
+    ADD_FAILURE();
+  } catch (const std::invalid_argument& error) {
+    const std::string words = error.what(), part = "rounding ";
+    const double told = std::stod(words.substr(words.find(part) + part.size()));
+    EXPECT_NEAR(told, 8 * 6 * std::numeric_limits<double>::epsilon() * (4 * 4 / 1.0 + 4 * 4 / 2.0), 1e-3 * told);
+  }
+}
+
 }  // namespace
 }  // namespace seamwright

@@ -203,5 +203,21 @@ TEST(BSplineCurve, RefusesWhatIsNoCurve) {
   expectRefused([&] { splineCurve(BezierCurve(Poles(Poles::Zero(27, 3)))); }, "degree is 26");
 }
 
+TEST(BSplineCurve, EqualWeightsOfAnySizeAreNone) {
+  const BSplineCurve one{1, {0, 0, 1, 1}, (HomogeneousPoles(2, 4) << 1, 2, 3, 1, 4, 5, 6, 1).finished()};
+  BSplineCurve three = one;
+  three.poles *= 3;
+  EXPECT_EQ(derivatives(three, 0.25, 1), derivatives(one, 0.25, 1));
+}
+
+TEST(BSplineCurve, ARangeThatUnderflowsIsRefused) {
+  const BSplineCurve tiny{1, {0, 0, 1e-310, 1e-310}, HomogeneousPoles::Ones(2, 4)};
+  expectRefused([&] { requireValid(tiny); }, "the range of the knots must not overflow, nor underflow");
+  const BSplineCurve flat{1, {0, 0, 1, 1}, HomogeneousPoles::Ones(2, 4) * 1e-12};
+  BSplineCurve weightless = flat;
+  weightless.poles(0, 3) = -1e-12;
+  expectRefused([&] { requireValid(weightless); }, "weight 0 is -9.9999999999999998e-13");
+}
+
 }  // namespace
 }  // namespace seamwright

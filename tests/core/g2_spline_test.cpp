@@ -450,5 +450,30 @@ TEST(G2Spline, RefusesBadGamma) {
   expectRefused([&] { g2Polygon({vertices.topRows<2>(), true, {}, {}}); }, "vertices are 2");
 }
 
+/// The inner poles beside a vertex are one but for rounding, or just not.
+TEST(G2Spline, FoldsAreToldFromSharpTurns) {
+  for (const double turn : {4e-16, 1e-13}) {
+    G2Polygon polygon{Poles(5, 3), false, std::vector<double>(4, 1.0 / 3), std::vector<double>(4, 2.0 / 3)};
+    // Edge 2 goes back along edge 1.
+    polygon.vertices << 0, 0, 0, 0, 1, 0, 3, 1, 0, 0, 1 + 3 * turn, 0, 0, 2, 0;
+    const auto make = [&] { directG2Spline(polygon); };
+    if (turn < 1e-14)
+      EXPECT_THROW(make(), std::invalid_argument);
+    else
+      EXPECT_NO_THROW(make());
+  }
+}
+
+/// Its knots add lengths up: what shrinks loses digits there, not in the curve.
+TEST(G2Spline, ShrinkingLengthsLoseDigitsInTheKnots) {
+  GammaPolygon polygon{Poles(6, 3), false, {1, 1e-3, 1e6}, {1, 1, 1}};
+  polygon.vertices << 0, 0, 0, 1, 2, 0, 3, 3, 1, 5, 1, 0, 7, 2, 2, 9, 0, 0;
+  EXPECT_EQ(continuity(gammaSpline(polygon)), 2);
+  polygon.lengths = {1e6, 1e-3, 1};
+  const BezierSpline spline = gammaSpline(polygon);
+  EXPECT_LT(continuity(spline), 2);
+  for (const CurveJoint& joint : measureJoints(spline, 2)) EXPECT_GE(orderReached(joint, {}), 1);
+}
+
 }  // namespace
 }  // namespace seamwright

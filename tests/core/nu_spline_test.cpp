@@ -426,5 +426,25 @@ TEST(NuSpline, BadInputIsNamed) {
               HasSubstr("invalid: "));
 }
 
+TEST(NuSpline, KnotsWhoseRangeIsNoNumberAreRefused) {
+  NuSplineData data{Poles(5, 3), {-1e308, -1e307, 0, 1e307, 1e308}, std::vector<double>(5, 0.0)};
+  data.points << 0, 0, 0, 1, 2, 3, 4, -4, 0.5, 1, 2, 4, 0, 0, 1;
+  EXPECT_THAT(complaint([&] { nuSpline(data); }), HasSubstr("the knots range over inf"));
+  data.knots = {0, 1e-310, 2e-310, 3e-310, 4e-310};
+  EXPECT_THAT(complaint([&] { nuSpline(data); }), HasSubstr("the knots range over 4"));
+}
+
+/// A point is stationary by one side alone: its segment before, or after, is so short that the pole is lost.
+TEST(NuSpline, StationaryByOneSideAlone) {
+  for (const bool before : {true, false}) {
+    NuSplineData data{Poles(3, 3), {0, 1, 2}, {0, 0, 0}, SplineEnds::Clamped};
+    data.points << 1, 1, 1, 2, 3, 4, 3, 3, 5;
+    // At an end there is one side only; the derivative, 1e-15, is far above its own noise.
+    (before ? data.end_derivative : data.start_derivative) = Vec::Constant(1e-15);
+    (before ? data.start_derivative : data.end_derivative) = Vec(1, 2, 3);
+    EXPECT_THAT(nuSpline(data).stationary, ElementsAre(before ? 2 : 0));
+  }
+}
+
 }  // namespace
 }  // namespace seamwright

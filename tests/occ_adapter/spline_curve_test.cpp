@@ -223,6 +223,55 @@ TEST(SplineCurve, UnclampedCurves) {
   expectSameCurve(*uniform, ours, uniform->FirstParameter(), uniform->LastParameter(), random, 1e-12);
 }
 
+/// Fewer spans than the degree, and spacings down to 2^-34: the same poles bit by bit, and those of a round trip.
+TEST(SplineCurve, PeriodicCurvesOfFewAndShortSpans) {
+  std::mt19937_64 random(100);
+  for (int i = 0; i < 60; ++i) {
+    const int degree = 2 + i % 9, spans = 2 + i % 6;
+    TColgp_Array1OfPnt poles(1, spans);
+    for (gp_Pnt& pole : poles) pole = gp_Pnt(drawn(random, -9, 9), drawn(random, -9, 9), drawn(random, -9, 9));
+    TColStd_Array1OfReal knots(1, spans + 1);
+    TColStd_Array1OfInteger multiplicities(1, spans + 1);
+    multiplicities.Init(1);
+    HomogeneousPoles found;
+    for (const double spacing : {1.0, 0x1p-30, 0x1p-34}) {
+      for (int k = 0; k <= spans; ++k) knots(k + 1) = k * spacing;
+      const BSplineCurve ours = coreCurve(Geom_BSplineCurve(poles, knots, multiplicities, degree, true));
+      EXPECT_EQ(ours.knots.back(), spans * spacing);
+      if (spacing == 1) found = ours.poles;
+      EXPECT_EQ(ours.poles, found) << spacing;
+    }
+  }
+  for (const int count : {3, 4}) {
+    const BezierSpline spline = gammaSpline(
+        {star(count).vertices, true, std::vector<double>(count, 1.0), std::vector<double>(count, 0.5)});
+    const handle<Geom_BSplineCurve> theirs = toBSplineCurve(spline, true);
+    EXPECT_LT((bezierSpline(coreCurve(*theirs)).poles - spline.poles).cwiseAbs().maxCoeff(), 1e-14);
+  }
+}
+
+TEST(SplineCurve, TrimmedToLessThanOpenCascadesConfusion) {
+  std::mt19937_64 random(101);
+  const BSplineCurve curve = randomCurve(3, 1, 4, false, random);
+  const handle<Geom_BSplineCurve> whole = toBSplineCurve(curve);
+  const double middle = curve.knots[5];
+  for (const double half : {1e-9, 1e-10}) {
+    const handle<Geom_TrimmedCurve> part = new Geom_TrimmedCurve(whole, middle - half, middle + half);
+    const BSplineCurve ours = coreCurve(*part);
+    EXPECT_EQ(ours.knots.front(), middle - half);
+    EXPECT_EQ(ours.knots.back(), middle + half);
+    for (const double t : {middle - half, middle + half})
+      EXPECT_LT((derivatives(ours, t, 0) - derivatives(curve, t, 0)).norm(), 1e-14);
+  }
+}
+
+TEST(SplineCurve, EqualWeightsComeBackAsOne) {
+  BSplineCurve curve{1, {0, 0, 1, 1}, (HomogeneousPoles(2, 4) << 1, 2, 4, 1, 4, 5, 6, 1).finished()};
+  const BSplineCurve one = curve;
+  curve.poles *= 4;
+  EXPECT_EQ(coreCurve(*toBSplineCurve(curve)), one);
+}
+
 TEST(SplineCurve, KnotsTooNearAreNamed) {
   BSplineCurve curve{1, {0, 0, 1, std::nextafter(1.0, 2.0), 2, 2}, HomogeneousPoles::Ones(4, 4)};
   requireValid(curve);

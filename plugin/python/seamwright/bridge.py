@@ -11,6 +11,7 @@ The first route that passes its self-test (a box goes there and back) is used. `
 ``force()`` sets it, ``why_not()`` tells why the better ones are not used.
 """
 
+import math
 import os
 
 from . import _core
@@ -184,8 +185,11 @@ def model_to_freecad(model):
     return _BY_NAME[route()].give(model)
 
 
-def _flat(knots, multiplicities):
-    return [knot for knot, times in zip(knots, multiplicities, strict=True) for _ in range(times)]
+def _require_apart(knots):
+    for i, (before, knot) in enumerate(zip(knots, knots[1:]), 1):
+        if knot - before <= math.ulp(before):
+            raise ValueError(f"distinct knots {i - 1} and {i} are {before!r} and {knot!r}: OpenCASCADE tells knots apart "
+                             "by one part in 10^16")
 
 
 def curve_to_freecad(curve):
@@ -199,6 +203,7 @@ def curve_to_freecad(curve):
     weights = [float(weight) for weight in curve.weights]
     if isinstance(curve, _core.BSplineCurve):
         knots = sorted(set(curve.knots))
+        _require_apart(knots)
         spline = part.BSplineCurve()
         given = {"weights": weights} if curve.is_rational else {}
         spline.buildFromPolesMultsKnots(poles=poles, mults=[curve.knots.count(knot) for knot in knots], knots=knots,
@@ -210,7 +215,10 @@ def curve_to_freecad(curve):
     bezier.setPoles(poles)
     if curve.is_rational:
         for i, weight in enumerate(weights, 1):
-            bezier.setWeight(i, weight)
+            try:
+                bezier.setWeight(i, weight)
+            except part.OCCError as error:
+                raise ValueError(f"weight {i - 1} is {weight!r}: OpenCASCADE takes none so small") from error
     return bezier
 
 
@@ -220,24 +228,13 @@ def _vector(point):
     return FreeCAD.Vector(*map(float, point))
 
 
-def _is_clamped(spline):
-    multiplicities = spline.getMultiplicities()
-    return not spline.isPeriodic() and multiplicities[0] == multiplicities[-1] == spline.Degree + 1
-
-
 def curve_from_freecad(curve):
     """See ``seamwright.curve_from_freecad``."""
     part = _part()
     if not isinstance(curve, (part.BezierCurve, part.BSplineCurve)):
         raise TypeError(f"a Part.BezierCurve or Part.BSplineCurve is needed, not {type(curve).__name__}")
-    if isinstance(curve, part.BSplineCurve) and not _is_clamped(curve):
-        first, last = curve.FirstParameter, curve.LastParameter
-        curve = curve.copy()
-        if curve.isPeriodic():
-            curve.setNotPeriodic()
-        curve.segment(first, last)
     poles = [tuple(pole) for pole in curve.getPoles()]
     weights = curve.getWeights() if curve.isRational() else None
     if isinstance(curve, part.BezierCurve):
         return _core.BezierCurve(poles, weights)
-    return _core.BSplineCurve(curve.Degree, _flat(curve.getKnots(), curve.getMultiplicities()), poles, weights)
+    return _core._clamped_curve(curve.Degree, curve.getKnots(), curve.getMultiplicities(), poles, weights, curve.isPeriodic())

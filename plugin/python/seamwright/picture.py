@@ -24,7 +24,16 @@ MARGIN = 24
 LEGEND_LINE = 18
 
 
+def _words_of(text):
+    """For XML: what it forbids, even escaped, is shown as a replacement character."""
+    allowed = "".join(c if c in "\t\n" or " " <= c and not "\ud800" <= c <= "\udfff" and c not in "\ufffe\uffff" else "\ufffd"
+                      for c in str(text))
+    return escape(allowed, {'"': "&quot;"})
+
+
 def _segments(curve):
+    if not hasattr(curve, "point"):
+        raise ValueError(f"curve is {curve!r}: a BezierCurve, BezierSpline or BSplineCurve is needed")
     if hasattr(curve, "bezier_spline"):
         curve = curve.bezier_spline()
     if hasattr(curve, "segment"):
@@ -71,6 +80,7 @@ def _basis(view, points):
         towards = np.array(view, dtype=float)
         if towards.shape != (3,) or not np.isfinite(towards).all() or not towards.any():
             raise ValueError(f"view is {view!r}: a direction of three numbers is needed")
+        towards /= np.abs(towards).max()
         towards /= np.linalg.norm(towards)
         up = np.eye(3)[1] if abs(towards[2]) > 0.999 else np.eye(3)[2]
         right = np.cross(up, towards)
@@ -108,7 +118,7 @@ class Picture:
         if color is None:
             color = COLORS[self._curves % len(COLORS)]
         self._curves += 1
-        return escape(str(color), {'"': "&quot;"})
+        return _words_of(color)
 
     def _named(self, label, color, dashed=False):
         if label is not None:
@@ -135,22 +145,24 @@ class Picture:
         """A thin line through points, with a dot at each."""
         rows = _rows(points, "polygon")
         self.line(np.vstack([rows, rows[:1]]) if closed else rows, label, color, dashed=True)
-        self._dots.append((rows, color, 2.5))
+        self._dots.append((rows, _words_of(color), 2.5))
 
     def line(self, points, label=None, color="#888888", dashed=False):
         """A thin line through points."""
-        color = escape(str(color), {'"': "&quot;"})
+        color = _words_of(color)
         dashes = ' stroke-dasharray="5 3"' if dashed else ""
         self._lines.append((_rows(points, "line"), f'stroke="{color}" stroke-width="1"{dashes}'))
         self._named(label, color, dashed)
 
     def points(self, points, label=None, color="#000000"):
         """Dots."""
+        color = _words_of(color)
         self._dots.append((_rows(points, "points"), color, 3.5))
         self._named(label, color)
 
     def arrows(self, points, vectors, label=None, color="#d55e00"):
         """A line from each point along its vector, in mm."""
+        color = _words_of(color)
         for start, vector in zip(_rows(points, "points"), _rows(vectors, "vectors"), strict=True):
             self._lines.append((np.array([start, start + vector]), f'stroke="{color}" stroke-width="1.2"'))
         self._named(label, color)
@@ -209,12 +221,12 @@ class Picture:
     def _words(self):
         words, y = [], MARGIN
         if self.title:
-            words.append(f'<text x="{MARGIN}" y="{y}" font-size="14">{escape(str(self.title))}</text>')
+            words.append(f'<text x="{MARGIN}" y="{y}" font-size="14">{_words_of(self.title)}</text>')
             y += LEGEND_LINE
         for label, color, dashed in self._legend:
             dashes = ' stroke-dasharray="5 3"' if dashed else ""
             words.append(f'<line x1="{MARGIN}" y1="{y - 4}" x2="{MARGIN + 22}" y2="{y - 4}" stroke="{color}" stroke-width="2"{dashes}/>')
-            words.append(f'<text x="{MARGIN + 30}" y="{y}">{escape(label)}</text>')
+            words.append(f'<text x="{MARGIN + 30}" y="{y}">{_words_of(label)}</text>')
             y += LEGEND_LINE
         return words
 

@@ -225,6 +225,25 @@ def check_periodic_curves_and_other_things():
     assert ring.isPeriodic()
     for t in numpy.linspace(ring.FirstParameter, ring.LastParameter, 30):
         assert numpy.allclose(ring.value(t), ours.point(t), rtol=0, atol=1e-13)
+    for degree, spans in ((3, 2), (5, 3), (9, 7), (3, 7)):
+        poles = [V(*row) for row in numpy.random.default_rng(8).uniform(-9, 9, (spans, 3))]
+        found = []
+        for spacing in (1.0, 2.0**-30, 2.0**-34):
+            ring = Part.BSplineCurve()
+            ring.buildFromPolesMultsKnots(poles, [1] * (spans + 1), [i * spacing for i in range(spans + 1)], True, degree)
+            found.append(seamwright.curve_from_freecad(ring))
+            assert found[-1].knots[0] == 0 and found[-1].knots[-1] == spans * spacing
+            assert numpy.array_equal(found[-1].poles, found[0].poles)
+        assert numpy.allclose(found[0].point(0), found[0].point(spans), rtol=0, atol=1e-13)
+    near = seamwright.BSplineCurve(1, [0, 0, 1, numpy.nextafter(1, 2), 2, 2], numpy.eye(4)[:, :3])
+    light = seamwright.BezierCurve([(0, 0, 0), (1, 0, 0)], [1e-310, 1])
+    for curve, words in ((near, "distinct knots 1 and 2 are 1.0 and 1.0000000000000002"), (light, "weight 0 is 1e-310")):
+        try:
+            seamwright.curve_to_freecad(curve)
+        except ValueError as error:
+            assert words in str(error)
+        else:
+            raise AssertionError(words)
     for bad in (None, "curve", Part.Line(), V(), Part.makeLine(V(), V(1, 0, 0))):
         for way in (seamwright.curve_from_freecad, seamwright.curve_to_freecad):
             try:

@@ -103,11 +103,23 @@ def test_bad_arguments(arguments, text):
         nu_spline(**{"points": POINTS} | arguments)
 
 
+def test_shrinking_lengths_lose_digits_in_the_knots_alone():
+    spline = beta_spline(POINTS, 20)["curve"]
+    assert spline.continuity() == 0
+    assert all(joint["order_reached"] == 2 for joint in spline.measure_joints(2))
+    assert beta_spline(POINTS[::-1], 1 / 20)["curve"].continuity() == 1
+
+
 def test_bad_beta_arguments():
     with pytest.raises(ValueError, match="bias 2 is -1"):
         beta_spline(POINTS, [1, 1, -1, 1, 1, 1])
     with pytest.raises(ValueError, match="start_nu is 'x'"):
         beta_spline(POINTS, start_nu="x")
+    for name in ("start_nu", "end_nu"):
+        with pytest.raises(ValueError, match=f"{name} is 5: it has no meaning but with natural ends"):
+            beta_spline(RING, ends="periodic", **{name: 5})
+    with pytest.raises(ValueError, match="exponent is 'a'"):
+        seamwright.knots_of(POINTS, "a")
     with pytest.raises(ValueError, match="the 6 equations are singular"):
         beta_spline(RING, (3 + 5**0.5) / 2, ends="periodic")
     with pytest.raises(ValueError, match="exponent is 2"):

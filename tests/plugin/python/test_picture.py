@@ -82,6 +82,28 @@ def test_words_are_escaped_and_a_written_file_is_whole(tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["x.svg"]
 
 
+def test_whatever_the_words_the_drawing_is_xml():
+    picture = Picture("a\0b\x1b\ud800")
+    for draw in (picture.points, picture.polygon, picture.line):
+        draw([[0, 0], [1, 1]], label="a\0b", color='"><bad')
+    picture.arrows([[0, 0]], [[0, 0.3]], color='"><bad')
+    picture.curve(QUARTER, color='"><bad', comb=True)
+    root = ElementTree.fromstring(picture.svg().encode())
+    assert not list(root.iter("bad")) and not list(root.iter(SVG + "bad"))
+    assert [circle.get("fill") for circle in root.iter(SVG + "circle")] == ['"><bad'] * 4
+    assert next(root.iter(SVG + "text")).text == "a\ufffdb\ufffd\ufffd"
+
+
+@pytest.mark.parametrize("size", [1e-200, 5e-324, 1e200, 1e308])
+def test_a_view_is_a_direction_of_any_length(size, recwarn):
+    drawings = []
+    for view in ((1, 2, 0), (size, 2 * size, 0) if size < 1e308 else (size / 2, size, 0)):
+        picture = Picture(view=view)
+        picture.curve(QUARTER)
+        drawings.append(picture.svg())
+    assert drawings[0] == drawings[1] and "nan" not in drawings[0] and not recwarn
+
+
 def test_one_point_is_a_picture():
     picture = Picture()
     picture.points([[1, 2, 3]])
@@ -94,6 +116,7 @@ def test_one_point_is_a_picture():
     lambda picture: picture.points([]),
     lambda picture: picture.line([1, 2, 3]),
     lambda picture: picture.curve(QUARTER, comb=-1),
+    lambda picture: picture.curve(None),
     lambda picture: picture.curve(QUARTER, width=0),
     lambda picture: Picture(width=np.nan),
 ])
