@@ -70,6 +70,11 @@ struct ToleranceArguments {
   const py::object& crease_deg;
 };
 
+/// The crease angle where there are no creases, as at the joints of curves: any tolerance is below it.
+inline py::object noCrease() {
+  return py::float_(180.0);
+}
+
 ContinuityTolerance toleranceOf(const ToleranceArguments& arguments);
 Level levelOf(const py::object& value);
 

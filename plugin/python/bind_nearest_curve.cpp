@@ -134,8 +134,8 @@ py::dict nearestCurveJoinOf(const Curve& a, const Curve& b, const py::object& or
 }  // namespace
 
 void bindNearestCurve(py::module_& module) {
-  module.def("nearest_curve_join", &nearestCurveJoinOf, py::arg("a"), py::arg("b"), py::kw_only(),
-             py::arg("order") = 1, py::arg("moves") = "both", py::arg("costs_a") = py::none(),
+  module.def("nearest_curve_join", &nearestCurveJoinOf, py::arg("a"), py::arg("b"), py::arg("order") = 1,
+             py::kw_only(), py::arg("moves") = "both", py::arg("costs_a") = py::none(),
              py::arg("costs_b") = py::none(), py::arg("fixed_a") = py::none(),
              py::arg("fixed_b") = py::none(), py::arg("beta") = py::none(), py::arg("max_iterations") = 100,
              "Moves the last order + 1 poles of a, the first of b, or both (moves: 'a', 'b', 'both') as "

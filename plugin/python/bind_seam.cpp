@@ -90,7 +90,7 @@ py::dict measureJointOf(const BezierCurve& a, const BezierCurve& b, const py::ob
                         const py::object& profile, const py::object& gap_mm, const py::object& angle_deg,
                         const py::object& curvature_rel, const py::object& flat_radius_mm) {
   const ContinuityTolerance tolerance =
-      toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, py::none()});
+      toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, noCrease()});
   return jointDict(measureJoint(a, b, argument<int>("order", order, "a whole number")), tolerance);
 }
 

@@ -119,6 +119,22 @@ def curve_from_freecad(curve):
     return bridge.curve_from_freecad(curve)
 
 
+def surface_to_freecad(patch):
+    """A BezierPatch as ``Part.BezierSurface``: the same poles and weights.
+
+    Raises ``ValueError`` for degrees above 25, ``TypeError`` for other things, ``RuntimeError`` outside FreeCAD.
+    """
+    return bridge.surface_to_freecad(patch)
+
+
+def surface_from_freecad(surface):
+    """The BezierPatch that a ``Part.BezierSurface`` is, number by number.
+
+    Raises ``TypeError`` for other things, ``RuntimeError`` outside FreeCAD.
+    """
+    return bridge.surface_from_freecad(surface)
+
+
 Model.from_freecad = staticmethod(_from_freecad)
 Model.to_freecad = _to_freecad
 
@@ -186,5 +202,7 @@ __all__ = [
     "read",
     "reversed_beta",
     "rotation_minimizing_frames",
+    "surface_from_freecad",
+    "surface_to_freecad",
     "triangle_continuation",
 ]

@@ -222,6 +222,34 @@ def curve_to_freecad(curve):
     return bezier
 
 
+def surface_to_freecad(patch):
+    """See ``seamwright.surface_to_freecad``."""
+    part = _part()
+    if not isinstance(patch, _core.BezierPatch):
+        raise TypeError(f"a BezierPatch is needed, not {type(patch).__name__}")
+    degrees = [count - 1 for count in patch.poles.shape[:2]]
+    if not 1 <= min(degrees) <= max(degrees) <= 25:
+        raise ValueError(f"degrees {degrees[0]} and {degrees[1]}: FreeCAD holds degrees 1 to 25")
+    surface = part.BezierSurface()
+    surface.increase(*degrees)
+    for i, row in enumerate(patch.poles, 1):
+        for j, pole in enumerate(row, 1):
+            surface.setPole(i, j, _vector(pole))
+            if patch.is_rational:
+                surface.setWeight(i, j, float(patch.weights[i - 1, j - 1]))
+    return surface
+
+
+def surface_from_freecad(surface):
+    """See ``seamwright.surface_from_freecad``."""
+    part = _part()
+    if not isinstance(surface, part.BezierSurface):
+        raise TypeError(f"a Part.BezierSurface is needed, not {type(surface).__name__}")
+    poles = [[tuple(pole) for pole in row] for row in surface.getPoles()]
+    rational = surface.isURational() or surface.isVRational()
+    return _core.BezierPatch(poles, surface.getWeights() if rational else None)
+
+
 def _vector(point):
     import FreeCAD
 

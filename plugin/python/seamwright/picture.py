@@ -82,19 +82,23 @@ def _basis(view, points):
             raise ValueError(f"view is {view!r}: a direction of three numbers is needed")
         towards /= np.abs(towards).max()
         towards /= np.linalg.norm(towards)
-        up = np.eye(3)[1] if abs(towards[2]) > 0.999 else np.eye(3)[2]
-        right = np.cross(up, towards)
-        right /= np.linalg.norm(right)
-        return np.array([right, np.cross(towards, right)])
+        return _upright(towards, 2 if abs(towards[2]) <= 0.999 else 1)
     spread = points - points.mean(axis=0)
-    if not spread[:, 2].any():
+    if len(points) < 3 or not spread[:, 2].any():
         return np.eye(3)[:2]
-    right, up, normal = np.linalg.svd(spread, full_matrices=True)[2] if len(points) > 2 else np.eye(3)
-    if np.dot(np.cross(right, up), normal) < 0:
-        normal = -normal
-    if right[np.argmax(np.abs(right))] < 0:
-        right, up = -right, -up
-    return np.array([right, up])
+    towards = np.linalg.eigh(spread.T @ spread)[1][:, 0]
+    # From above, from the front or from the right, whichever is nearest.
+    axis = np.argmax(np.abs(towards))
+    if (towards[axis] < 0) != (axis == 1):
+        towards = -towards
+    return _upright(towards, 1 if axis == 2 else 2)
+
+
+def _upright(towards, axis):
+    """Right and up, seen from that direction of length 1 with that axis upwards."""
+    right = np.cross(np.eye(3)[axis], towards)
+    right /= np.linalg.norm(right)
+    return np.array([right, np.cross(towards, right)])
 
 
 class Picture:

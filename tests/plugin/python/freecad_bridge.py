@@ -202,6 +202,35 @@ def check_curves_go_there_and_back():
             assert back == curve
 
 
+def check_patches_go_there_and_back():
+    random = numpy.random.default_rng(3)
+    for shape in ((2, 2), (4, 4), (6, 3), (26, 2)):
+        for weights in (None, random.uniform(0.5, 2, shape)):
+            patch = seamwright.BezierPatch(random.normal(size=(*shape, 3)), weights)
+            theirs = seamwright.surface_to_freecad(patch)
+            for u, v in random.uniform(size=(5, 2)):
+                assert numpy.allclose(theirs.value(u, v), patch.point(u, v), rtol=0, atol=1e-12)
+            back = seamwright.surface_from_freecad(theirs)
+            assert numpy.abs(back.poles - patch.poles).max() < 1e-14 and numpy.array_equal(back.weights, patch.weights)
+    net = random.normal(size=(4, 4, 3))
+    patch = seamwright.alpha_surface(net, 0.5, 0.7)
+    assert seamwright.surface_from_freecad(seamwright.surface_to_freecad(patch)) == patch
+    for bad in (None, Part.Plane(), seamwright.BezierCurve([[0, 0, 0], [1, 0, 0]])):
+        for way in (seamwright.surface_to_freecad, seamwright.surface_from_freecad):
+            try:
+                way(bad)
+            except TypeError as error:
+                assert "is needed, not" in str(error)
+            else:
+                raise AssertionError(bad)
+    try:
+        seamwright.surface_to_freecad(seamwright.BezierPatch(numpy.zeros((27, 2, 3))))
+    except ValueError as error:
+        assert "degrees 26 and 1" in str(error)
+    else:
+        raise AssertionError("degree 26")
+
+
 def check_splines_become_curves_of_freecad():
     polygon = [(0, 0, 0), (4, 0, 0), (5, 3, 1), (2, 5, 0), (-1, 3, 2)]
     for closed in (False, True):

@@ -30,6 +30,20 @@ def test_a_quarter_circle_is_round():
     assert points[0, 1] > points[-1, 1]  # up is up
 
 
+@pytest.mark.parametrize("up, right", [(1, 0), (2, 0), (2, 1)])
+def test_without_a_view_up_stays_up(up, right):
+    random = np.random.default_rng(7)
+    for count in (4, 5, 9, 40):
+        points = 0.05 * random.normal(size=(count, 3))
+        points[:, up] += random.normal(size=count)
+        points[:, right] += 2 * np.arange(count)
+        picture = Picture()
+        picture.line(points)
+        (drawn,) = polylines(picture)
+        assert np.corrcoef(drawn[:, 0], points[:, right])[0, 1] > 0.9
+        assert np.corrcoef(-drawn[:, 1], points[:, up])[0, 1] > 0.9
+
+
 def test_curvature_vectors_point_to_the_centre():
     points, vectors = curvature_vectors(QUARTER, np.linspace(0, 1, 9))
     assert np.allclose(vectors, -points / 4, atol=1e-14)
