@@ -138,8 +138,8 @@ BSplineCurve clampedCurve(const KnotCurve& curve, double first, double last) {
     refuse("first is " + text(first) + ", last " + text(last) + ": first must be below last, both finite");
   const double period = range.second - range.first;
   if (curve.periodic && !(last - first <= 2 * period && std::abs(first - range.first) <= kMostTurns * period))
-    refuse("first is " + text(first) + ", last " + text(last) + ": at most two periods, each " + text(period) +
-           ", within 2^40 of them from its beginning");
+    refuse("first is " + text(first) + ", last " + text(last) + ": at most two periods, each " +
+           text(period) + ", within 2^40 of them from its beginning");
   BSplineCurve result = curve.periodic ? unwound(curve, first, last) : flat(curve);
   if (!isClamped(curve) || std::pair(first, last) != range)
     result = reversed(begunAt(reversed(begunAt(result, first)), -last));

@@ -34,7 +34,8 @@ Eigen::Vector3d derivativeOf(const char* name, const py::object& value, SplineEn
 double endNuOf(const char* name, const py::object& value, SplineEnds ends) {
   if (value.is_none()) return 0;
   if (ends != SplineEnds::Natural)
-    throw py::value_error(std::string(name) + " is " + shown(value) + ": it has no meaning but with natural ends");
+    throw py::value_error(std::string(name) + " is " + shown(value) +
+                          ": it has no meaning but with natural ends");
   return argument<double>(name, value, "a number");
 }
 
@@ -101,8 +102,9 @@ void bindNuSpline(py::module_& module) {
       "equations are singular.");
   module.def(
       "beta_spline", &betaOf, py::arg("points"), py::arg("bias") = 1.0, py::arg("tension") = 0.0,
-      py::kw_only(), py::arg("ends") = "natural", py::arg("start_nu") = py::none(), py::arg("end_nu") = py::none(),
-      py::arg("start_derivative") = py::none(), py::arg("end_derivative") = py::none(),
+      py::kw_only(), py::arg("ends") = "natural", py::arg("start_nu") = py::none(),
+      py::arg("end_nu") = py::none(), py::arg("start_derivative") = py::none(),
+      py::arg("end_derivative") = py::none(),
       "The interpolating beta-spline through points (count, 3), each segment over an interval of length 1: "
       "X'(-) = bias X'(+), X''(-) = bias^2 X''(+) + tension X'(+) at each joint. bias, tension: a number or "
       "one a point. It tightens for tension to minus infinity. Ends and result as of nu_spline; natural ones "

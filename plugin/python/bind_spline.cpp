@@ -23,7 +23,7 @@ HomogeneousPoles homogeneousOf(const Array& poles, const std::optional<Array>& w
   return homogeneousPoles(rows, weights ? weightsOf(*weights, poles) : Eigen::VectorXd::Ones(rows.rows()));
 }
 
-constexpr int kMostOrder = 1000;  // the quotient rule takes order^2 steps
+constexpr int kMostOrder = 1000;      // the quotient rule takes order^2 steps
 constexpr int kMostJointOrder = 100;  // a joint's measure takes order^3
 
 /// \throws ValueError for an order above \p most.
@@ -136,12 +136,12 @@ void bindSpline(py::module_& module) {
       .def_property_readonly("closed", [](const BezierSpline& s) { return s.closed; })
       .def_property_readonly("segments", &BezierSpline::segments, "How many there are.")
       .def("segment", &segment, py::arg("i"), "Segment i as a BezierCurve, its parameter 0..1.")
-      .def(
-          "measure_joints", &jointsOf, py::arg("order") = 3, py::kw_only(), py::arg("profile") = "default",
-          py::arg("gap_mm") = py::none(), py::arg("angle_deg") = py::none(),
-          py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
-          "To an order of at most 100. The joints at the inner knots, then that of a closed spline's end with its beginning: dicts as of "
-          "measure_joint.")
+      .def("measure_joints", &jointsOf, py::arg("order") = 3, py::kw_only(), py::arg("profile") = "default",
+           py::arg("gap_mm") = py::none(), py::arg("angle_deg") = py::none(),
+           py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
+           "To an order of at most 100. The joints at the inner knots, then that of a closed spline's end "
+           "with its beginning: dicts as of "
+           "measure_joint.")
       .def("continuity", &continuity, py::arg("around") = false,
            "The order, up to degree - 1, to which derivatives by the parameter agree at every inner knot; "
            "around: from a closed spline's end to its beginning as well; -1 if it is not closed or its "

@@ -20,7 +20,8 @@ class Reference {
   explicit Reference(const KnotCurve& curve) : curve_(curve) {
     const auto append = [&](Real shift, std::size_t from) {
       for (std::size_t i = from; i < curve.knots.size(); ++i)
-        knots_.insert(knots_.end(), static_cast<std::size_t>(curve.multiplicities[i]), curve.knots[i] + shift);
+        knots_.insert(knots_.end(), static_cast<std::size_t>(curve.multiplicities[i]),
+                      curve.knots[i] + shift);
     };
     const Real period = static_cast<Real>(curve.knots.back()) - curve.knots.front();
     const int turns = curve.periodic ? curve.degree + 3 : 0;
@@ -32,8 +33,7 @@ class Reference {
     const std::size_t n = static_cast<std::size_t>(curve_.degree), rows = curve_.poles.rows();
     for (std::size_t i = 0; i + n + 1 < knots_.size(); ++i)
       if (knots_[i] <= t && t <= knots_[i + n + 1])
-        sum += basis(i, n, t) *
-               curve_.poles.row(curve_.periodic ? (i + n) % rows : i).cast<Real>();
+        sum += basis(i, n, t) * curve_.poles.row(curve_.periodic ? (i + n) % rows : i).cast<Real>();
     return (sum.head<3>() / sum(3)).cast<double>();
   }
 
@@ -41,7 +41,8 @@ class Reference {
   Real basis(std::size_t i, std::size_t n, Real t) const {
     if (n == 0) return knots_[i] <= t && t < knots_[i + 1];
     Real value = 0;
-    if (knots_[i + n] > knots_[i]) value += (t - knots_[i]) / (knots_[i + n] - knots_[i]) * basis(i, n - 1, t);
+    if (knots_[i + n] > knots_[i])
+      value += (t - knots_[i]) / (knots_[i + n] - knots_[i]) * basis(i, n - 1, t);
     if (knots_[i + n + 1] > knots_[i + 1])
       value += (knots_[i + n + 1] - t) / (knots_[i + n + 1] - knots_[i + 1]) * basis(i + 1, n - 1, t);
     return value;
