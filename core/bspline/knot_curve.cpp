@@ -85,7 +85,7 @@ BSplineCurve unwound(const KnotCurve& curve, double first, double last) {
   }
   result.poles.resize(result.count(), 4);
   for (Index i = 0; i < result.poles.rows(); ++i)
-    result.poles.row(i) = curve.poles.row((i + curve.degree) % count);
+    result.poles.row(i) = curve.poles.row((i + curve.degree + 1) % count);
   return result;
 }
 
