@@ -85,7 +85,7 @@ BSplineCurve unwound(const KnotCurve& curve, double first, double last) {
   }
   result.poles.resize(result.count(), 4);
   for (Index i = 0; i < result.poles.rows(); ++i)
-    result.poles.row(i) = curve.poles.row((i + curve.degree) % count);
+    result.poles.row(i) = curve.poles.row((i + curve.degree + 1) % count);
   return result;
 }
 
@@ -138,8 +138,8 @@ BSplineCurve clampedCurve(const KnotCurve& curve, double first, double last) {
     refuse("first is " + text(first) + ", last " + text(last) + ": first must be below last, both finite");
   const double period = range.second - range.first;
   if (curve.periodic && !(last - first <= 2 * period && std::abs(first - range.first) <= kMostTurns * period))
-    refuse("first is " + text(first) + ", last " + text(last) + ": at most two periods, each " + text(period) +
-           ", within 2^40 of them from its beginning");
+    refuse("first is " + text(first) + ", last " + text(last) + ": at most two periods, each " +
+           text(period) + ", within 2^40 of them from its beginning");
   BSplineCurve result = curve.periodic ? unwound(curve, first, last) : flat(curve);
   if (!isClamped(curve) || std::pair(first, last) != range)
     result = reversed(begunAt(reversed(begunAt(result, first)), -last));

@@ -416,7 +416,8 @@ TEST(BezierSpline, RefusalTellsTheRounding) {
   } catch (const std::invalid_argument& error) {
     const std::string words = error.what(), part = "rounding ";
     const double told = std::stod(words.substr(words.find(part) + part.size()));
-    EXPECT_NEAR(told, 8 * 6 * std::numeric_limits<double>::epsilon() * (4 * 4 / 1.0 + 4 * 4 / 2.0), 1e-3 * told);
+    EXPECT_NEAR(told, 8 * 6 * std::numeric_limits<double>::epsilon() * (4 * 4 / 1.0 + 4 * 4 / 2.0),
+                1e-3 * told);
   }
 }
 

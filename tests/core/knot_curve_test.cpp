@@ -20,7 +20,8 @@ class Reference {
   explicit Reference(const KnotCurve& curve) : curve_(curve) {
     const auto append = [&](Real shift, std::size_t from) {
       for (std::size_t i = from; i < curve.knots.size(); ++i)
-        knots_.insert(knots_.end(), static_cast<std::size_t>(curve.multiplicities[i]), curve.knots[i] + shift);
+        knots_.insert(knots_.end(), static_cast<std::size_t>(curve.multiplicities[i]),
+                      curve.knots[i] + shift);
     };
     const Real period = static_cast<Real>(curve.knots.back()) - curve.knots.front();
     const int turns = curve.periodic ? curve.degree + 3 : 0;
@@ -32,8 +33,7 @@ class Reference {
     const std::size_t n = static_cast<std::size_t>(curve_.degree), rows = curve_.poles.rows();
     for (std::size_t i = 0; i + n + 1 < knots_.size(); ++i)
       if (knots_[i] <= t && t <= knots_[i + n + 1])
-        sum += basis(i, n, t) *
-               curve_.poles.row(curve_.periodic ? (i + n) % rows : i).cast<Real>();
+        sum += basis(i, n, t) * curve_.poles.row(curve_.periodic ? (i + n + 1) % rows : i).cast<Real>();
     return (sum.head<3>() / sum(3)).cast<double>();
   }
 
@@ -41,7 +41,8 @@ class Reference {
   Real basis(std::size_t i, std::size_t n, Real t) const {
     if (n == 0) return knots_[i] <= t && t < knots_[i + 1];
     Real value = 0;
-    if (knots_[i + n] > knots_[i]) value += (t - knots_[i]) / (knots_[i + n] - knots_[i]) * basis(i, n - 1, t);
+    if (knots_[i + n] > knots_[i])
+      value += (t - knots_[i]) / (knots_[i + n] - knots_[i]) * basis(i, n - 1, t);
     if (knots_[i + n + 1] > knots_[i + 1])
       value += (knots_[i + n + 1] - t) / (knots_[i + n + 1] - knots_[i + 1]) * basis(i + 1, n - 1, t);
     return value;
@@ -144,6 +145,14 @@ TEST(KnotCurve, ClampedCurvesComeBackBitByBit) {
     curve.poles = test::randomPoles(2 * degree + 3, i % 2 == 0, random);
     EXPECT_EQ(clampedCurve(curve, curve.knots.front(), curve.knots.back()).poles, curve.poles);
   }
+}
+
+/// A polygon's poles are its points at the knots: which pole belongs to which knot of a ring.
+TEST(KnotCurve, APolygonRunsThroughItsPolesAtItsKnots) {
+  std::mt19937_64 random(405);
+  const KnotCurve ring{1, {1, 2, 4, 5}, {1, 1, 1, 1}, test::randomPoles(3, false, random), true};
+  const BSplineCurve ours = clampedCurve(ring, 1, 5);
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(ours.poles.row(i), ring.poles.row(i % 3));
 }
 
 TEST(KnotCurve, RefusesWhatIsNoCurve) {

@@ -229,7 +229,8 @@ TEST(SplineCurve, PeriodicCurvesOfFewAndShortSpans) {
   for (int i = 0; i < 60; ++i) {
     const int degree = 2 + i % 9, spans = 2 + i % 6;
     TColgp_Array1OfPnt poles(1, spans);
-    for (gp_Pnt& pole : poles) pole = gp_Pnt(drawn(random, -9, 9), drawn(random, -9, 9), drawn(random, -9, 9));
+    for (gp_Pnt& pole : poles)
+      pole = gp_Pnt(drawn(random, -9, 9), drawn(random, -9, 9), drawn(random, -9, 9));
     TColStd_Array1OfReal knots(1, spans + 1);
     TColStd_Array1OfInteger multiplicities(1, spans + 1);
     multiplicities.Init(1);
