@@ -431,6 +431,19 @@ double costOf(const AlphaSurface& given, const AlphaSurface& next, const AlphaNe
   return middle - slope * slope / (2 * bend);
 }
 
+/// Nets whose join has a local minimum at a beta1 > 0 that is dearer than those next to 0.
+std::pair<AlphaSurface, AlphaSurface> withLocalMinimum() {
+  AlphaSurface given, next;
+  const double x[] = {0, 1, 2, 3}, z[] = {0, 1, 0, 0}, next_x[] = {3, 2.9375, 3, 6},
+               next_z[] = {0, 0, 0.7, 0};
+  for (int k = 0; k < 16; ++k) {
+    given.poles.row(k) << x[k / 4], k % 4, z[k / 4];
+    next.poles.row(k) << next_x[k / 4], k % 4, next_z[k / 4];
+  }
+  given.a_u = given.a_v = next.a_u = next.a_v = 0.5;
+  return {given, next};
+}
+
 TEST(AlphaJoinCondition, Identity8NorNextToBetaZero) {
   std::mt19937_64 random(344);
   int none = 0, dearer = 0;
@@ -438,6 +451,10 @@ TEST(AlphaJoinCondition, Identity8NorNextToBetaZero) {
     AlphaSurface given = randomSurface(random), next = randomSurface(random);
     for (int k = 0; k < 16; ++k) next.poles.row(k) += 2 * test::randomVector(random).transpose();
     next.poles.col(0).array() += uniform(0, 9, random);
+    if (i % 6 == 1) {
+      std::tie(given, next) = withLocalMinimum();
+      for (int k = 0; k < 16; ++k) next.poles.row(k) += 0.1 * test::randomVector(random).transpose();
+    }
     next.a_v = given.a_v;
     const AlphaNearestOptions options{1 + i % 2, false, uniform(0.5, 2, random), uniform(0.5, 2, random)};
     const double limit = costOf(given, next, options, 1e-9);
@@ -465,14 +482,7 @@ TEST(AlphaJoinCondition, Identity8NorNextToBetaZero) {
 }
 
 TEST(AlphaJoinCondition, ALocalMinimumIsNotTheNearest) {
-  AlphaSurface given, next;
-  const double x[] = {0, 1, 2, 3}, z[] = {0, 1, 0, 0}, next_x[] = {3, 2.9375, 3, 6},
-               next_z[] = {0, 0, 0.7, 0};
-  for (int k = 0; k < 16; ++k) {
-    given.poles.row(k) << x[k / 4], k % 4, z[k / 4];
-    next.poles.row(k) << next_x[k / 4], k % 4, next_z[k / 4];
-  }
-  given.a_u = given.a_v = next.a_u = next.a_v = 0.5;
+  const auto [given, next] = withLocalMinimum();
   const AlphaNearestOptions options{2};
   EXPECT_LT(costOf(given, next, options, 0.32), costOf(given, next, options, 0.2)) << "one is there";
   EXPECT_LT(costOf(given, next, options, 0.32), costOf(given, next, options, 0.4));
