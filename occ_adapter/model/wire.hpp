@@ -15,6 +15,7 @@ enum class Kind : char {
   Progress = 'P',  ///< a double, 0..1
   Facts = 'F',     ///< a model without its shape, as JSON
   Shape = 'S',     ///< the shape, binary
+  File = 'B',      ///< the bytes of a written file
   Error = 'E'      ///< {code, text} as JSON
 };
 
