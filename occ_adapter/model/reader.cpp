@@ -65,6 +65,9 @@ struct Incoming {
       case wire::Kind::File:
         answer.file = std::move(payload);
         break;
+      case wire::Kind::Report:
+        answer.report = wire::reportFromJson(payload);
+        break;
       case wire::Kind::Error:
         error = nlohmann::json::parse(payload);
         break;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <seamwright/occ_adapter/model/model.hpp>
+#include <seamwright/occ_adapter/model/write.hpp>
 #include <seamwright/occ_adapter/progress.hpp>
 
 namespace seamwright::occ {
@@ -16,6 +17,7 @@ struct Answer {
   Model model;  ///< without its shape
   std::optional<std::string> shape;
   std::optional<std::string> file;
+  WriteReport report;
 };
 
 /// A question to the reading program, see reader_main.cpp.

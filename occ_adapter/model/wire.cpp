@@ -78,4 +78,20 @@ void factsFromJson(const std::string& text, Model& model) {
   }
 }
 
+std::string reportToJson(const WriteReport& report) {
+  const nlohmann::json json = {{"format", report.format},
+                               {"followed_source", report.followed_source},
+                               {"changed_faces", report.changed_faces},
+                               {"changed_edges", report.changed_edges},
+                               {"changed_vertices", report.changed_vertices},
+                               {"notes", report.notes}};
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+WriteReport reportFromJson(const std::string& text) {
+  const nlohmann::json json = nlohmann::json::parse(text);
+  return {json.at("format"),        json.at("followed_source"),  json.at("changed_faces"),
+          json.at("changed_edges"), json.at("changed_vertices"), json.at("notes")};
+}
+
 }  // namespace seamwright::occ::wire
