@@ -116,7 +116,8 @@ bool isGeometry(const BRep_CurveRepresentation& representation) {
   return representation.IsCurve3D() || representation.IsCurveOnSurface() || representation.IsRegularity();
 }
 
-void record(BinTools_OStream& out, const BRep_CurveRepresentation& representation, const SurfaceNumbers& numbers) {
+void record(BinTools_OStream& out, const BRep_CurveRepresentation& representation,
+            const SurfaceNumbers& numbers) {
   out << static_cast<int>(representation.IsCurve3D() + 2 * representation.IsCurveOnSurface() +
                           4 * representation.IsCurveOnClosedSurface() + 8 * representation.IsRegularity());
   record(out, representation.Location());
@@ -149,10 +150,11 @@ std::string recordOf(const BRep_TEdge& edge, const SurfaceNumbers& numbers) {
 
 /// One face, edge or vertex in its three states.
 struct Part {
-  TopoDS_Shape into;                    ///< to be changed in place
-  TopoDS_Shape unchanged;               ///< what it would have come back as
-  TopoDS_Shape changed;                 ///< what it came back as
-  std::vector<TopoDS_Shape> elsewhere;  ///< what it came back as in further places, where those are not shared
+  TopoDS_Shape into;       ///< to be changed in place
+  TopoDS_Shape unchanged;  ///< what it would have come back as
+  TopoDS_Shape changed;    ///< what it came back as
+  std::vector<TopoDS_Shape>
+      elsewhere;  ///< what it came back as in further places, where those are not shared
 };
 
 class Carrier {
@@ -244,9 +246,10 @@ class Carrier {
       if (!numbers.empty()) unlike += (unlike.empty() ? "" : "; ") + (name + numbers);
     }
     if (unlike.empty()) return;
-    throw ModelError(ModelErrc::UnlikeInstances, {},
-                     "has one part in several places, changed unlike in each, which its structure can't hold: " +
-                         unlike + "; change all places alike or write it afresh");
+    throw ModelError(
+        ModelErrc::UnlikeInstances, {},
+        "has one part in several places, changed unlike in each, which its structure can't hold: " + unlike +
+            "; change all places alike or write it afresh");
   }
 
   /// "3 and 9, 4 and 10": numbers of parts that were one and are unlike now.
@@ -310,7 +313,7 @@ class Carrier {
     if (!isNew(changed->Surface())) return false;
     into->Surface(changed->Surface());
     into->Location(translated(changed->Location()));
-    into->Triangulation({});
+    into->Triangulation(opencascade::handle<Poly_Triangulation>());
     return true;
   }
 
@@ -364,12 +367,12 @@ class Carrier {
   TopoDS_Shape root_;
   bool same_graph_ = false;
   std::vector<Part> faces_, edges_, vertices_;
-  std::map<const void*, const void*> origins_;     ///< what each part that came back was
-  std::map<const void*, std::size_t> places_;      ///< where each part that was stands in its list
+  std::map<const void*, const void*> origins_;  ///< what each part that came back was
+  std::map<const void*, std::size_t> places_;   ///< where each part that was stands in its list
   std::map<const void*, opencascade::handle<TopLoc_Datum3D>> datums_;
   SurfaceNumbers unchanged_numbers_, changed_numbers_;
   std::set<const Geom_Surface*> new_;
-  std::map<const Geom_Surface*, Surface> kept_;     ///< surfaces that came back as they went
+  std::map<const Geom_Surface*, Surface> kept_;  ///< surfaces that came back as they went
 };
 
 }  // namespace

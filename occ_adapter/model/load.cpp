@@ -263,7 +263,8 @@ void loadBinaryBrep(Model& model, const std::filesystem::path& path, const Messa
 
 }  // namespace
 
-LoadedDocument loadDocument(const std::filesystem::path& path, const std::string& format, const Progress& progress) {
+LoadedDocument loadDocument(const std::filesystem::path& path, const std::string& format,
+                            const Progress& progress) {
   const opencascade::handle<Reporter> reporter = new Reporter(progress);
   LoadedDocument loaded =
       format == "STEP" ? loadStep(path, reporter->Start()) : loadIges(path, reporter->Start());

@@ -35,7 +35,8 @@ struct LoadedDocument {
 /// Reads a STEP or IGES file in this process; only the reading program calls it.
 /// \param format "STEP" or "IGES"
 /// \throws ModelError, Standard_Failure
-LoadedDocument loadDocument(const std::filesystem::path& path, const std::string& format, const Progress& progress);
+LoadedDocument loadDocument(const std::filesystem::path& path, const std::string& format,
+                            const Progress& progress);
 
 /// Reads a model file in this process; only the reading program calls it.
 /// \param format "STEP", "IGES", "BREP" or "binary BREP", as detectFormat() told.

@@ -12,7 +12,8 @@ Model readModel(const std::filesystem::path& path, const Progress& progress) {
   const Format format = detectFormat(path);
   Answer answer = askReader({path, "read", {"read", std::string(name(format)), path.string()}}, progress);
   if (!answer.shape)
-    throw ModelError(ModelErrc::ReaderDied, path, "can't be read: the reading process answered with no shape");
+    throw ModelError(ModelErrc::ReaderDied, path,
+                     "can't be read: the reading process answered with no shape");
   answer.model.shape = decodeShape(std::move(*answer.shape), path);
   answer.model.path = path.string();
   answer.model.read_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

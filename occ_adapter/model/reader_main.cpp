@@ -127,7 +127,8 @@ int main(int argc, char** argv) {
   } catch (const Standard_Failure& failure) {
     sendError(reads ? ModelErrc::Malformed : ModelErrc::NotWritten,
               (reads ? "is malformed " + arguments[1] : std::string("can't be written")) +
-                  ": OpenCASCADE stops at " + failure.DynamicType()->Name() + " " + failure.GetMessageString());
+                  ": OpenCASCADE stops at " + failure.DynamicType()->Name() + " " +
+                  failure.GetMessageString());
   } catch (const std::exception& error) {
     sendError(reads ? ModelErrc::Malformed : ModelErrc::NotWritten,
               "can't be " + deed + ": " + std::string(error.what()));

@@ -54,7 +54,8 @@ std::string withShortestReals(std::string_view step) {
     const std::string_view word = step.substr(i, end - i);
     double value = 0;
     const auto read = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (word.find('E') != std::string_view::npos && read.ec == std::errc() && read.ptr == word.data() + word.size())
+    if (word.find('E') != std::string_view::npos && read.ec == std::errc() &&
+        read.ptr == word.data() + word.size())
       appendReal(text, value);
     else
       text += word;

@@ -6,8 +6,10 @@
 #include <HeaderSection_FileSchema.hxx>
 #include <IGESCAFControl_Writer.hxx>
 #include <IGESControl_Controller.hxx>
+#include <IGESData_IGESEntity.hxx>
 #include <IGESData_IGESModel.hxx>
 #include <IGESData_IGESWriter.hxx>
+#include <IGESData_Protocol.hxx>
 #include <IGESSelect_WorkLibrary.hxx>
 #include <Interface_HArray1OfHAsciiString.hxx>
 #include <Interface_Static.hxx>
@@ -15,6 +17,7 @@
 #include <STEPCAFControl_Controller.hxx>
 #include <STEPCAFControl_Writer.hxx>
 #include <STEPConstruct_UnitContext.hxx>
+#include <StepData_Protocol.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepData_StepWriter.hxx>
 #include <StepGeom_GeomRepContextAndGlobUnitAssCtxAndGlobUncertaintyAssCtx.hxx>
@@ -59,16 +62,17 @@ struct LengthUnit {
   std::array<std::string_view, 4> spellings;
 };
 
-constexpr std::array<LengthUnit, 10> length_units = {{{"MM", 1, {"mm", "millimetre", "millimeter", ""}},
-                                                      {"INCH", 25.4, {"in", "inch", "inches", ""}},
-                                                      {"M", 1000, {"m", "metre", "meter", ""}},
-                                                      {"CM", 10, {"cm", "centimetre", "centimeter", ""}},
-                                                      {"FT", 304.8, {"ft", "foot", "feet", ""}},
-                                                      {"UM", 1e-3, {"um", "micrometre", "micrometer", "micron"}},
-                                                      {"MIL", 0.0254, {"mil", "", "", ""}},
-                                                      {"UIN", 25.4e-6, {"uin", "microinch", "", ""}},
-                                                      {"KM", 1e6, {"km", "kilometre", "kilometer", ""}},
-                                                      {"MI", 1609344, {"mi", "mile", "", ""}}}};
+constexpr std::array<LengthUnit, 10> length_units = {
+    {{"MM", 1, {"mm", "millimetre", "millimeter", ""}},
+     {"INCH", 25.4, {"in", "inch", "inches", ""}},
+     {"M", 1000, {"m", "metre", "meter", ""}},
+     {"CM", 10, {"cm", "centimetre", "centimeter", ""}},
+     {"FT", 304.8, {"ft", "foot", "feet", ""}},
+     {"UM", 1e-3, {"um", "micrometre", "micrometer", "micron"}},
+     {"MIL", 0.0254, {"mil", "", "", ""}},
+     {"UIN", 25.4e-6, {"uin", "microinch", "", ""}},
+     {"KM", 1e6, {"km", "kilometre", "kilometer", ""}},
+     {"MI", 1609344, {"mi", "mile", "", ""}}}};
 
 /// What a file of a source says of itself beside its shapes. What it does not say is left to the defaults.
 struct Manner {
@@ -164,8 +168,7 @@ Manner mannerOfIges(const IGESData_IGESModel& model) {
   chooseUnit(manner, model.GlobalSection().UnitValue());
   manner.iges_solids = false;
   for (int i = 1; i <= model.NbEntities() && !manner.iges_solids; ++i)
-    manner.iges_solids =
-        std::count(brep_types.begin(), brep_types.end(), model.Entity(i)->TypeNumber()) > 0;
+    manner.iges_solids = std::count(brep_types.begin(), brep_types.end(), model.Entity(i)->TypeNumber()) > 0;
   return manner;
 }
 
@@ -181,7 +184,8 @@ TopoDS_Shape withoutPlacement(const TopoDS_Shape& shape) {
   TopoDS_Shape result = shape.EmptyCopied();
   result.Location({});
   result.Orientation(TopAbs_FORWARD);
-  for (TopoDS_Iterator part(shape, false, true); part.More(); part.Next()) BRep_Builder().Add(result, part.Value());
+  for (TopoDS_Iterator part(shape, false, true); part.More(); part.Next())
+    BRep_Builder().Add(result, part.Value());
   return result.Oriented(shape.Orientation());
 }
 
@@ -206,9 +210,10 @@ class NewDocument {
  private:
   bool hasNamedSolids() const {
     return model_.shape.ShapeType() == TopAbs_COMPOUND &&
-           std::any_of(model_.attributes.begin(), model_.attributes.end(), [](const ShapeAttribute& attribute) {
-             return attribute.kind == TopAbs_SOLID && !attribute.name.empty();
-           });
+           std::any_of(model_.attributes.begin(), model_.attributes.end(),
+                       [](const ShapeAttribute& attribute) {
+                         return attribute.kind == TopAbs_SOLID && !attribute.name.empty();
+                       });
   }
 
   /// Notes for each part of each shape the label that it is a part of.
@@ -222,14 +227,16 @@ class NewDocument {
       if (XCAFDoc_ShapeTool::IsAssembly(label)) continue;
       TopTools_IndexedMapOfShape parts;
       TopExp::MapShapes(whole, parts);
-      for (const TopoDS_Shape& part : parts) owners_.emplace(part.TShape().get(), Owner{label, part});
+      for (int i = 1; i <= parts.Extent(); ++i)
+        owners_.emplace(parts(i).TShape().get(), Owner{label, parts(i)});
     }
   }
 
   TDF_Label labelOf(const TopoDS_Shape& part) {
     const auto owner = owners_.find(part.TShape().get());
     if (owner == owners_.end()) return {};
-    if (XCAFDoc_ShapeTool::GetShape(owner->second.label).IsSame(owner->second.part)) return owner->second.label;
+    if (XCAFDoc_ShapeTool::GetShape(owner->second.label).IsSame(owner->second.part))
+      return owner->second.label;
     return shapes_->AddSubShape(owner->second.label, owner->second.part);
   }
 
@@ -272,7 +279,8 @@ class NewDocument {
 };
 
 [[noreturn]] void failToWrite(const char* format) {
-  throw ModelError(ModelErrc::NotWritten, {}, std::string("can't be written as ") + format + ": OpenCASCADE fails");
+  throw ModelError(ModelErrc::NotWritten, {},
+                   std::string("can't be written as ") + format + ": OpenCASCADE fails");
 }
 
 /// Reals with all their digits. The writers keep them in 24 characters, which a sign and an exponent of three digits
@@ -384,7 +392,8 @@ Stored storeModel(const Model& model, Format target, bool afresh, const Progress
                                         : writeIges(prepared.document, prepared.manner, reporter->Start());
   stored.report = std::move(prepared.report);
   stored.report.format = target;
-  stored.report.notes.insert(stored.report.notes.end(), prepared.manner.notes.begin(), prepared.manner.notes.end());
+  stored.report.notes.insert(stored.report.notes.end(), prepared.manner.notes.begin(),
+                             prepared.manner.notes.end());
   return stored;
 }
 

@@ -43,8 +43,8 @@ class Beside {
   explicit Beside(const fs::path& target) : target_(target) {
     std::random_device random;
     do {
-      path_ = folderOf(target) / ("." + target.filename().string().substr(0, 200) + "." +
-                                  std::to_string(random()) + ".part");
+      path_ = folderOf(target) /
+              ("." + target.filename().string().substr(0, 200) + "." + std::to_string(random()) + ".part");
       file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     } while (file_ < 0 && errno == EEXIST);
     if (file_ < 0) fail(target_, errno);
@@ -66,7 +66,7 @@ class Beside {
   }
 
   void takePlace(bool replace) {
-    struct stat old{};
+    struct stat old {};
     if (::stat(target_.c_str(), &old) == 0) ::fchmod(file_, old.st_mode & 07777);
     if (::fsync(file_) != 0) fail(target_, errno);
     const int closed = ::close(file_);
@@ -107,14 +107,17 @@ void requireWritable(const fs::path& target, bool replace) {
   const fs::path real = withoutLinks(target);
   std::error_code error;
   const fs::file_status status = fs::status(real, error);
-  if (fs::is_directory(status)) throw ModelError(ModelErrc::NotAFile, target, "is a folder, not a model file");
+  if (fs::is_directory(status))
+    throw ModelError(ModelErrc::NotAFile, target, "is a folder, not a model file");
   if (fs::exists(status) && !fs::is_regular_file(status))
     throw ModelError(ModelErrc::NotAFile, target, "is not a regular file");
   if (fs::exists(status) && !replace)
-    throw ModelError(ModelErrc::TargetExists, target, "is there already: allow to overwrite it or take another name");
+    throw ModelError(ModelErrc::TargetExists, target,
+                     "is there already: allow to overwrite it or take another name");
   const fs::path folder = folderOf(real);
   if (!fs::is_directory(folder, error))
-    throw ModelError(ModelErrc::NotWritable, target, "can't be written: there is no folder " + folder.string());
+    throw ModelError(ModelErrc::NotWritable, target,
+                     "can't be written: there is no folder " + folder.string());
   if (::access(folder.c_str(), W_OK | X_OK) != 0)
     throw ModelError(ModelErrc::NotWritable, target,
                      "can't be written: no new file may be made in " + folder.string());
@@ -125,8 +128,8 @@ void replaceFile(const fs::path& target, std::string_view content, bool replace,
   Beside beside(withoutLinks(target));
   for (std::size_t at = 0; at < content.size(); at += portion) {
     beside.write(content.substr(at, portion));
-    if (progress &&
-        !progress(static_cast<double>(std::min(at + portion, content.size())) / static_cast<double>(content.size())))
+    if (progress && !progress(static_cast<double>(std::min(at + portion, content.size())) /
+                              static_cast<double>(content.size())))
       throw Cancelled();
   }
   beside.takePlace(replace);

@@ -12,7 +12,8 @@ namespace seamwright::occ {
 ///
 /// \param replace a file that is there may be replaced; it hands its permissions on.
 /// \throws ModelError (NotAFile, TargetExists, NotWritable), Cancelled; the file beside is gone then.
-void replaceFile(const std::filesystem::path& target, std::string_view content, bool replace, const Progress& progress);
+void replaceFile(const std::filesystem::path& target, std::string_view content, bool replace,
+                 const Progress& progress);
 
 /// Throws now what replaceFile() could only say after the work: a folder that is missing or closed, a target that is there.
 void requireWritable(const std::filesystem::path& target, bool replace);

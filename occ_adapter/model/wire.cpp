@@ -52,8 +52,7 @@ void FrameParser::feed(std::string_view bytes) {
 std::string factsToJson(const Model& model) {
   nlohmann::json attributes = nlohmann::json::array();
   for (const ShapeAttribute& attribute : model.attributes) {
-    nlohmann::json entry = {
-        {"kind", attribute.kind}, {"index", attribute.index}, {"name", attribute.name}};
+    nlohmann::json entry = {{"kind", attribute.kind}, {"index", attribute.index}, {"name", attribute.name}};
     if (attribute.color) entry["color"] = *attribute.color;
     if (!attribute.layers.empty()) entry["layers"] = attribute.layers;
     attributes.push_back(std::move(entry));

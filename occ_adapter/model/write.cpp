@@ -59,7 +59,8 @@ Written writeElsewhere(const Model& model, const std::filesystem::path& path, Fo
   question.arguments = {"write", std::string(name(format)), afresh ? "afresh" : "follow", model.path};
   Answer answer = askReader(question, progress);
   if (!answer.file)
-    throw ModelError(ModelErrc::ReaderDied, path, "can't be written: the reading process answered with no file");
+    throw ModelError(ModelErrc::ReaderDied, path,
+                     "can't be written: the reading process answered with no file");
   return {std::move(*answer.file), std::move(answer.report)};
 }
 
@@ -101,11 +102,13 @@ Format targetFormat(const std::filesystem::path& path) {
 WriteReport writeModel(const Model& model, const std::filesystem::path& path, const WriteOptions& options,
                        const Progress& progress) {
   const Format format = targetFormat(path);
-  if (model.shape.IsNull()) throw ModelError(ModelErrc::NoShapes, path, "can't be written: the model has no shape");
+  if (model.shape.IsNull())
+    throw ModelError(ModelErrc::NoShapes, path, "can't be written: the model has no shape");
   const bool is_source = isSource(model, path);
   if (is_source && !options.overwrite_source)
-    throw ModelError(ModelErrc::TargetExists, path,
-                     "is the file the model was read from: allow to overwrite the source or take another name");
+    throw ModelError(
+        ModelErrc::TargetExists, path,
+        "is the file the model was read from: allow to overwrite the source or take another name");
   const bool replace = is_source || options.overwrite;
   requireWritable(path, replace);
   constexpr double made = 0.9;
@@ -116,8 +119,8 @@ WriteReport writeModel(const Model& model, const std::filesystem::path& path, co
                   : writeBrep(model, format);
   } catch (const Standard_Failure& failure) {
     throw ModelError(ModelErrc::NotWritten, path,
-                     std::string("can't be written: OpenCASCADE stops at ") + failure.DynamicType()->Name() + " " +
-                         failure.GetMessageString());
+                     std::string("can't be written: OpenCASCADE stops at ") + failure.DynamicType()->Name() +
+                         " " + failure.GetMessageString());
   } catch (const std::system_error& error) {
     throw ModelError(ModelErrc::NotWritten, path, std::string("can't be written: ") + error.what());
   }

@@ -56,7 +56,7 @@ Format targetFormat(const std::filesystem::path& path);
 /// before, or the new file. A target that is a symbolic link stays one; the file it leads to is replaced.
 ///
 /// \throws ModelError (its code says which kind) or Cancelled; nothing is written then.
-WriteReport writeModel(const Model& model, const std::filesystem::path& path, const WriteOptions& options = {},
-                       const Progress& progress = {});
+WriteReport writeModel(const Model& model, const std::filesystem::path& path,
+                       const WriteOptions& options = {}, const Progress& progress = {});
 
 }  // namespace seamwright::occ
