@@ -159,9 +159,8 @@ void bindModel(py::module_& module) {
   py::register_local_exception<occ::Cancelled>(module, "Cancelled");
   bindReport(module);
   module.attr("PROFILES") = profiles();
-  py::class_<occ::Model> model(module, "Model", py::module_local(),
-                               "A shape with what its file says about it; lengths in mm.");
-  model
+  py::class_<occ::Model>(module, "Model", py::module_local(),
+                         "A shape with what its file says about it; lengths in mm.")
       .def_property_readonly(
           "path", [](const occ::Model& model) { return fileName(model.path); },
           "The file as it was named; empty for a shape from memory.")
@@ -182,18 +181,16 @@ void bindModel(py::module_& module) {
            "Measures and judges every seam. Returns a Report.\n\n"
            "A tolerance that is None is that of the profile, see PROFILES. level: what a seam must reach, "
            "'G0' to 'G3'. match_mm: measure also between open edges no further apart than this; 0: between "
-           "none. jobs: threads; 0: one for each processor.");
-  model.def(
-      "write", &writeFile, py::arg("path"), py::kw_only(), py::arg("overwrite") = false,
-      py::arg("overwrite_source") = false, py::arg("afresh") = false, py::arg("progress") = py::none(),
-      "Writes a STEP, IGES or BREP file, told by the extension: .step, .stp, .iges, .igs, .brep, .brp, .bin "
-      "(binary BREP).\n\n"
-      "A model of a STEP or IGES file is written with that file's structure, names, colours, layers and "
-      "length "
-      "unit; afresh, and from memory: of shape and attributes alone. An existing file needs overwrite=True, "
-      "the "
-      "file that was read overwrite_source=True. Returns a dict of format, followed_source, changed_faces, "
-      "changed_edges, changed_vertices and notes. Raises ModelError; the file is then what it was.");
+           "none. jobs: threads; 0: one for each processor.")
+      .def("write", &writeFile, py::arg("path"), py::kw_only(), py::arg("overwrite") = false,
+           py::arg("overwrite_source") = false, py::arg("afresh") = false, py::arg("progress") = py::none(),
+           "Writes a STEP, IGES or BREP file, told by the extension: .step, .stp, .iges, .igs, .brep, .brp, "
+           ".bin (binary BREP).\n\n"
+           "A model of a STEP or IGES file is written with that file's structure, names, colours, layers and "
+           "length unit; afresh, and from memory: of shape and attributes alone. An existing file needs "
+           "overwrite=True, the file that was read overwrite_source=True. Returns a dict of format, "
+           "followed_source, changed_faces, changed_edges, changed_vertices and notes. Raises ModelError; "
+           "the file is then what it was.");
   module.def(
       "read", &readFile, py::arg("path"), py::arg("progress") = py::none(),
       "Reads a STEP, IGES or BREP file, told by its content, in a process of its own. Returns a Model.");
