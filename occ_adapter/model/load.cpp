@@ -195,7 +195,9 @@ std::string stepLengthUnit(STEPControl_Reader& reader, const std::filesystem::pa
 LoadedDocument loadStep(const std::filesystem::path& path, const Message_ProgressRange& range) {
   LoadedDocument loaded;
   Model& model = loaded.model;
-  STEPCAFControl_Reader reader;
+  const auto owner = std::make_shared<STEPCAFControl_Reader>();
+  STEPCAFControl_Reader& reader = *owner;
+  loaded.reader = owner;
   reader.SetNameMode(true);
   reader.SetColorMode(true);
   reader.SetLayerMode(true);
@@ -226,7 +228,9 @@ void requireIgesLengthUnit(const IGESData_GlobalSection& global, const std::file
 LoadedDocument loadIges(const std::filesystem::path& path, const Message_ProgressRange& range) {
   LoadedDocument loaded;
   Model& model = loaded.model;
-  IGESCAFControl_Reader reader;
+  const auto owner = std::make_shared<IGESCAFControl_Reader>();
+  IGESCAFControl_Reader& reader = *owner;
+  loaded.reader = owner;
   reader.SetNameMode(true);
   reader.SetColorMode(true);
   reader.SetLayerMode(true);

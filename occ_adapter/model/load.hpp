@@ -6,6 +6,7 @@
 #include <Message_ProgressScope.hxx>
 #include <TDocStd_Document.hxx>
 #include <filesystem>
+#include <memory>
 
 #include <seamwright/occ_adapter/model/model.hpp>
 #include <seamwright/occ_adapter/progress.hpp>
@@ -30,6 +31,7 @@ struct LoadedDocument {
   Model model;
   opencascade::handle<TDocStd_Document> document = new TDocStd_Document("BinXCAF");
   opencascade::handle<Interface_InterfaceModel> entities;
+  std::shared_ptr<void> reader;  ///< empties the entities when it goes
 };
 
 /// Reads a STEP or IGES file in this process; only the reading program calls it.

@@ -54,7 +54,6 @@ namespace seamwright::occ {
 namespace {
 
 using Document = opencascade::handle<TDocStd_Document>;
-using Entities = opencascade::handle<Interface_InterfaceModel>;
 
 struct LengthUnit {
   const char* name;  ///< as OpenCASCADE's parameters call it
@@ -112,9 +111,10 @@ void chooseUnit(Manner& manner, const std::string& name) {
 }
 
 void chooseSchema(Manner& manner, const StepData_StepModel& model) {
+  if (!model.HasHeaderEntity(STANDARD_TYPE(HeaderSection_FileSchema))) return;
   const auto schema = opencascade::handle<HeaderSection_FileSchema>::DownCast(
       model.HeaderEntity(STANDARD_TYPE(HeaderSection_FileSchema)));
-  if (schema.IsNull() || schema->NbSchemaIdentifiers() < 1) return;
+  if (schema->NbSchemaIdentifiers() < 1) return;
   const std::string name = schema->SchemaIdentifiersValue(1)->ToCString();
   if (name.starts_with("CONFIG_CONTROL_DESIGN"))
     manner.schema = "AP203";
