@@ -153,7 +153,7 @@ Manner mannerOfStep(const opencascade::handle<StepData_StepModel>& model) {
     if (units.empty()) chooseUnit(manner, factors.LengthFactor());
     units.insert(factors.LengthFactor());
     if (contexts.accuracy.IsNull() || factors.ComputeTolerance(contexts.accuracy) != 0) continue;
-    if (factors.HasUncertainty()) accuracies.insert(factors.Uncertainty());
+    if (factors.HasUncertainty()) accuracies.insert(factors.Uncertainty() * factors.LengthFactor());
   }
   if (units.size() > 1) manner.notes.push_back("the source has several length units: written in the first");
   if (!accuracies.empty()) manner.accuracy_mm = *accuracies.begin();
