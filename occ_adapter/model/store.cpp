@@ -78,7 +78,8 @@ struct Manner {
   std::string unit = "MM";
   std::string schema = "AP214IS";
   std::optional<double> accuracy_mm;
-  opencascade::handle<StepData_StepModel> header;
+  opencascade::handle<HeaderSection_FileName> file_name;
+  opencascade::handle<HeaderSection_FileDescription> description;
   bool iges_solids = true;  ///< solids and shells keep their topology
   std::vector<std::string> notes;
 };
@@ -110,11 +111,8 @@ void chooseUnit(Manner& manner, const std::string& name) {
   manner.notes.push_back("the length unit '" + name + "' is not one OpenCASCADE can write: written in mm");
 }
 
-void chooseSchema(Manner& manner, const StepData_StepModel& model) {
-  if (!model.HasHeaderEntity(STANDARD_TYPE(HeaderSection_FileSchema))) return;
-  const auto schema = opencascade::handle<HeaderSection_FileSchema>::DownCast(
-      model.HeaderEntity(STANDARD_TYPE(HeaderSection_FileSchema)));
-  if (schema->NbSchemaIdentifiers() < 1) return;
+void chooseSchema(Manner& manner, const opencascade::handle<HeaderSection_FileSchema>& schema) {
+  if (schema.IsNull() || schema->NbSchemaIdentifiers() < 1) return;
   const std::string name = schema->SchemaIdentifiersValue(1)->ToCString();
   if (name.starts_with("CONFIG_CONTROL_DESIGN"))
     manner.schema = "AP203";
@@ -143,8 +141,10 @@ Contexts contextsOf(const opencascade::handle<Standard_Transient>& entity) {
 
 Manner mannerOfStep(const opencascade::handle<StepData_StepModel>& model) {
   Manner manner;
-  manner.header = model;
-  chooseSchema(manner, *model);
+  const APIHeaderSection_MakeHeader header(model);
+  manner.file_name = header.FnValue();
+  manner.description = header.FdValue();
+  chooseSchema(manner, header.FsValue());
   std::set<double> units, accuracies;
   for (int i = 1; i <= model->NbEntities(); ++i) {
     const Contexts contexts = contextsOf(model->Value(i));
@@ -290,18 +290,16 @@ void keepAllDigits(Interface_FloatWriter& writer) {
   writer.SetFormatForRange("%.16E", 1e-99, 1e99);
 }
 
-void keepHeader(const opencascade::handle<StepData_StepModel>& model,
-                const opencascade::handle<StepData_StepModel>& source) {
+void keepHeader(const opencascade::handle<StepData_StepModel>& model, const Manner& manner) {
   APIHeaderSection_MakeHeader header(model);
-  const APIHeaderSection_MakeHeader old(source);
-  if (old.HasFn()) {
-    header.SetName(old.Name());
-    header.SetAuthor(old.FnValue()->Author());
-    header.SetOrganization(old.FnValue()->Organization());
-    header.SetOriginatingSystem(old.OriginatingSystem());
-    header.SetAuthorisation(old.Authorisation());
+  if (const auto& old = manner.file_name; !old.IsNull()) {
+    header.SetName(old->Name());
+    header.SetAuthor(old->Author());
+    header.SetOrganization(old->Organization());
+    header.SetOriginatingSystem(old->OriginatingSystem());
+    header.SetAuthorisation(old->Authorisation());
   }
-  if (old.HasFd()) header.SetDescription(old.FdValue()->Description());
+  if (!manner.description.IsNull()) header.SetDescription(manner.description->Description());
 }
 
 std::string writeStep(const Document& document, const Manner& manner, const Message_ProgressRange& range) {
@@ -321,7 +319,7 @@ std::string writeStep(const Document& document, const Manner& manner, const Mess
   writer.SetSHUOMode(true);
   if (!writer.Transfer(document, STEPControl_AsIs, nullptr, range)) failToWrite("STEP");
   const opencascade::handle<StepData_StepModel> model = writer.ChangeWriter().Model();
-  if (!manner.header.IsNull()) keepHeader(model, manner.header);
+  keepHeader(model, manner);
   StepData_StepWriter text(model);
   keepAllDigits(text.FloatWriter());
   text.SendModel(opencascade::handle<StepData_Protocol>::DownCast(writer.ChangeWriter().WS()->Protocol()));
