@@ -19,6 +19,7 @@
 #include <TopLoc_Datum3D.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Iterator.hxx>
+#include <limits>
 #include <map>
 #include <set>
 #include <sstream>
@@ -64,21 +65,50 @@ void record(BinTools_OStream& out, const gp_Trsf& placement) {
     for (int k = 1; k <= 4; ++k) out << placement.Value(i, k);
 }
 
+std::string recordOf(const gp_Trsf& placement) {
+  std::ostringstream bytes;
+  BinTools_OStream out(bytes);
+  record(out, placement);
+  return bytes.str();
+}
+
+/// The placements of two sides told by the same steps: OpenCASCADE tells steps apart by identity, and a journey makes new ones.
+class Steps {
+ public:
+  /// Notes what the steps of the shape that is changed in place come back as.
+  void note(TopLoc_Location into, TopLoc_Location unchanged) {
+    for (; !into.IsIdentity() && !unchanged.IsIdentity();
+         into = into.NextLocation(), unchanged = unchanged.NextLocation())
+      steps_.emplace(recordOf(unchanged.FirstDatum()->Transformation()), into.FirstDatum());
+  }
+
+  TopLoc_Location translated(TopLoc_Location location) const {
+    TopLoc_Location result;
+    for (; !location.IsIdentity(); location = location.NextLocation()) {
+      const auto found = steps_.find(recordOf(location.FirstDatum()->Transformation()));
+      const TopLoc_Location step(found == steps_.end() ? location.FirstDatum() : found->second);
+      result = result * step.Powered(location.FirstPower());
+    }
+    return result;
+  }
+
+ private:
+  std::map<std::string, opencascade::handle<TopLoc_Datum3D>> steps_;
+};
+
 void record(BinTools_OStream& out, TopLoc_Location location) {
   for (; !location.IsIdentity(); location = location.NextLocation()) {
     out << location.FirstPower();
     record(out, location.FirstDatum()->Transformation());
   }
-  out << 0;  // no power of a datum
+  out << 0;  // no power of a step
 }
 
-/// Bytes that are the same for the same placement made of the same number of steps.
-std::string recordOf(const TopLoc_Location& location) {
-  std::ostringstream bytes;
-  BinTools_OStream out(bytes);
-  record(out, location);
-  return bytes.str();
-}
+/// A part and where it stands in the coordinates of the part that is changed in place.
+struct Placed {
+  TopoDS_Shape shape;
+  TopLoc_Location frame;
+};
 
 /// The surfaces of one side, numbered by the first face that has them: edges name surfaces so.
 class SurfaceNumbers {
@@ -95,72 +125,112 @@ class SurfaceNumbers {
   std::map<const Geom_Surface*, int> numbers_;
 };
 
-/// Bytes that are the same for the same surface in the same place.
-std::string recordOf(const BRep_TFace& face) {
-  std::ostringstream bytes;
-  BinTools_OStream out(bytes);
-  if (!face.Surface().IsNull()) BinTools_SurfaceSet::WriteSurface(face.Surface(), out);
-  record(out, face.Location());
-  return bytes.str();
-}
-
-std::string recordOf(const BRep_TVertex& vertex) {
-  std::ostringstream bytes;
-  BinTools_OStream out(bytes);
-  out << vertex.Pnt() << vertex.Tolerance();
-  return bytes.str();
-}
-
 /// Polygons belong to a picture of the shape, not to it.
 bool isGeometry(const BRep_CurveRepresentation& representation) {
   return representation.IsCurve3D() || representation.IsCurveOnSurface() || representation.IsRegularity();
 }
 
-void record(BinTools_OStream& out, const BRep_CurveRepresentation& representation,
-            const SurfaceNumbers& numbers) {
-  out << static_cast<int>(representation.IsCurve3D() + 2 * representation.IsCurveOnSurface() +
-                          4 * representation.IsCurveOnClosedSurface() + 8 * representation.IsRegularity());
-  record(out, representation.Location());
-  if (const auto* curve = dynamic_cast<const BRep_GCurve*>(&representation))
-    out << curve->First() << curve->Last();
-  if (representation.IsCurve3D() && !representation.Curve3D().IsNull())
-    BinTools_CurveSet::WriteCurve(representation.Curve3D(), out);
-  if (representation.IsCurveOnSurface()) {
-    numbers.record(out, representation.Surface());
-    BinTools_Curve2dSet::WriteCurve2d(representation.PCurve(), out);
+/// Bytes that are the same for faces and edges with the same geometry in the same place.
+class Recorder {
+ public:
+  Recorder(const Steps& steps, const SurfaceNumbers& numbers) : steps_(steps), numbers_(numbers) {}
+
+  std::string operator()(const Placed& part) const {
+    std::ostringstream bytes;
+    BinTools_OStream out(bytes);
+    switch (part.shape.ShapeType()) {
+      case TopAbs_FACE:
+        face(out, *contentOf<BRep_TFace>(part.shape), part.frame);
+        break;
+      default:
+        edge(out, *contentOf<BRep_TEdge>(part.shape), part.frame);
+    }
+    return std::move(bytes).str();
   }
-  if (representation.IsCurveOnClosedSurface())
-    BinTools_Curve2dSet::WriteCurve2d(representation.PCurve2(), out);
-  if (representation.IsRegularity()) {
-    numbers.record(out, representation.Surface());
-    numbers.record(out, representation.Surface2());
-    record(out, representation.Location2());
-    out << static_cast<int>(representation.Continuity());
+
+ private:
+  void place(BinTools_OStream& out, const TopLoc_Location& frame, const TopLoc_Location& location) const {
+    record(out, frame * steps_.translated(location));
   }
+
+  void face(BinTools_OStream& out, const BRep_TFace& face, const TopLoc_Location& frame) const {
+    if (!face.Surface().IsNull()) BinTools_SurfaceSet::WriteSurface(face.Surface(), out);
+    place(out, frame, face.Location());
+  }
+
+  /// The order of its representations says nothing.
+  void edge(BinTools_OStream& out, const BRep_TEdge& edge, const TopLoc_Location& frame) const {
+    out << edge.Tolerance() << edge.SameParameter() << edge.SameRange() << edge.Degenerated();
+    std::multiset<std::string> all;
+    for (const Representation& representation : edge.Curves())
+      if (isGeometry(*representation)) all.insert(recordOf(*representation, frame));
+    for (const std::string& one : all)
+      for (const char byte : one) out << static_cast<Standard_Byte>(byte);
+  }
+
+  std::string recordOf(const BRep_CurveRepresentation& representation, const TopLoc_Location& frame) const {
+    std::ostringstream bytes;
+    BinTools_OStream out(bytes);
+    out << static_cast<int>(representation.IsCurve3D() + 2 * representation.IsCurveOnSurface() +
+                            4 * representation.IsCurveOnClosedSurface() + 8 * representation.IsRegularity());
+    place(out, frame, representation.Location());
+    if (const auto* curve = dynamic_cast<const BRep_GCurve*>(&representation))
+      out << curve->First() << curve->Last();
+    if (representation.IsCurve3D() && !representation.Curve3D().IsNull())
+      BinTools_CurveSet::WriteCurve(representation.Curve3D(), out);
+    if (representation.IsCurveOnSurface()) {
+      numbers_.record(out, representation.Surface());
+      BinTools_Curve2dSet::WriteCurve2d(representation.PCurve(), out);
+    }
+    if (representation.IsCurveOnClosedSurface())
+      BinTools_Curve2dSet::WriteCurve2d(representation.PCurve2(), out);
+    if (representation.IsRegularity()) {
+      numbers_.record(out, representation.Surface());
+      numbers_.record(out, representation.Surface2());
+      place(out, frame, representation.Location2());
+      out << static_cast<int>(representation.Continuity());
+    }
+    return std::move(bytes).str();
+  }
+
+  const Steps& steps_;
+  const SurfaceNumbers& numbers_;
+};
+
+gp_Pnt pointOf(const Placed& vertex) {
+  const gp_Pnt point = contentOf<BRep_TVertex>(vertex.shape)->Pnt();
+  return vertex.frame.IsIdentity() ? point : point.Transformed(vertex.frame.Transformation());
 }
 
-std::string recordOf(const BRep_TEdge& edge, const SurfaceNumbers& numbers) {
-  std::ostringstream bytes;
-  BinTools_OStream out(bytes);
-  out << edge.Tolerance() << edge.SameParameter() << edge.SameRange() << edge.Degenerated();
-  for (const Representation& representation : edge.Curves())
-    if (isGeometry(*representation)) record(out, *representation, numbers);
-  return bytes.str();
+/// Whether the points are the same. Where one was placed by its coordinates instead of by a placement, as OpenCASCADE's
+/// modifications do, those were rounded on the way there and back.
+bool samePoint(const Placed& a, const Placed& b) {
+  const gp_Pnt p = pointOf(a), q = pointOf(b);
+  if (a.frame.IsIdentity() && b.frame.IsIdentity()) return p.Distance(q) == 0;
+  double reach = p.XYZ().Modulus();
+  for (const Placed& vertex : {a, b}) reach += 2 * vertex.frame.Transformation().TranslationPart().Modulus();
+  return p.Distance(q) <= 16 * std::numeric_limits<double>::epsilon() * reach;
+}
+
+bool sameVertex(const Placed& a, const Placed& b) {
+  return samePoint(a, b) &&
+         contentOf<BRep_TVertex>(a.shape)->Tolerance() == contentOf<BRep_TVertex>(b.shape)->Tolerance();
 }
 
 /// One face, edge or vertex in its three states.
 struct Part {
-  TopoDS_Shape into;       ///< to be changed in place
-  TopoDS_Shape unchanged;  ///< what it would have come back as
-  TopoDS_Shape changed;    ///< what it came back as
-  std::vector<TopoDS_Shape>
-      elsewhere;  ///< what it came back as in further places, where those are not shared
+  TopoDS_Shape into;              ///< to be changed in place
+  Placed unchanged;               ///< what it would have come back as
+  Placed changed;                 ///< what it came back as
+  std::vector<Placed> elsewhere;  ///< what it came back as in further places, where those are not shared
 };
 
 class Carrier {
  public:
   Carrier(const TopoDS_Shape& changed, const TopoDS_Shape& into) : root_(changed) {
-    same_graph_ = sameExtents(changed, into) && pair(into, throughBinary(throughBinary(into)), changed);
+    const TopoDS_Shape unchanged = throughBinary(throughBinary(into));
+    noteSteps(into, unchanged);
+    same_graph_ = sameExtents(changed, into) && pair(into, unchanged, changed);
   }
 
   bool sameGraph() const { return same_graph_; }
@@ -177,24 +247,31 @@ class Carrier {
   }
 
  private:
-  /// Walks the three graphs side by side. \returns whether they are the same.
+  void noteSteps(const TopoDS_Shape& into, const TopoDS_Shape& unchanged) {
+    steps_.note(into.Location(), unchanged.Location());
+    if (!noted_.insert(into.TShape().get()).second) return;
+    if (into.ShapeType() == TopAbs_FACE)
+      steps_.note(contentOf<BRep_TFace>(into)->Location(), contentOf<BRep_TFace>(unchanged)->Location());
+    TopoDS_Iterator a(into, false, false), b(unchanged, false, false);
+    for (; a.More() && b.More(); a.Next(), b.Next()) noteSteps(a.Value(), b.Value());
+  }
+
+  /// Walks the three graphs side by side, placements added up. \returns whether they are the same.
   bool pair(const TopoDS_Shape& into, const TopoDS_Shape& unchanged, const TopoDS_Shape& changed) {
-    if (into.ShapeType() != changed.ShapeType() || into.Orientation() != changed.Orientation() ||
-        recordOf(unchanged.Location()) != recordOf(changed.Location()))
-      return false;
-    noteDatums(into.Location(), changed.Location());
+    if (into.ShapeType() != changed.ShapeType() || into.Orientation() != changed.Orientation()) return false;
+    const Placed placed{changed, into.Location().Inverted() * steps_.translated(changed.Location())};
     // Two parts that became one are another graph: the shape was sewn.
-    const auto origin = origins_.emplace(changed.TShape().get(), into.TShape().get());
-    if (origin.first->second != into.TShape().get()) return false;
-    if (!origin.second) return true;
-    takeDown(into, unchanged, changed);
-    TopoDS_Iterator a(into, false, false), b(unchanged, false, false), c(changed, false, false);
+    const auto origin = origins_.emplace(changed.TShape().get(), Origin{into.TShape().get(), placed.frame});
+    if (origin.first->second.shape != into.TShape().get()) return false;
+    if (!origin.second && origin.first->second.frame == placed.frame) return true;
+    takeDown(into, unchanged, placed);
+    TopoDS_Iterator a(into, false), b(unchanged, false), c(changed, false);
     for (; a.More() && c.More(); a.Next(), b.Next(), c.Next())
       if (!pair(a.Value(), b.Value(), c.Value())) return false;
     return a.More() == c.More();
   }
 
-  void takeDown(const TopoDS_Shape& into, const TopoDS_Shape& unchanged, const TopoDS_Shape& changed) {
+  void takeDown(const TopoDS_Shape& into, const TopoDS_Shape& unchanged, const Placed& changed) {
     std::vector<Part>* const parts = into.ShapeType() == TopAbs_FACE     ? &faces_
                                      : into.ShapeType() == TopAbs_EDGE   ? &edges_
                                      : into.ShapeType() == TopAbs_VERTEX ? &vertices_
@@ -202,39 +279,16 @@ class Carrier {
     if (parts == nullptr) return;
     const auto place = places_.emplace(into.TShape().get(), parts->size());
     if (place.second)
-      parts->push_back({into, unchanged, changed, {}});
+      parts->push_back({into, {unchanged, {}}, changed, {}});
     else
       (*parts)[place.first->second].elsewhere.push_back(changed);
   }
 
-  void noteDatums(TopLoc_Location into, TopLoc_Location changed) {
-    for (; !into.IsIdentity() && !changed.IsIdentity();
-         into = into.NextLocation(), changed = changed.NextLocation())
-      datums_.emplace(changed.FirstDatum().get(), into.FirstDatum());
-  }
-
-  /// The same placement told by the steps of the shape that is changed in place: OpenCASCADE tells steps by identity.
-  TopLoc_Location translated(TopLoc_Location location) const {
-    TopLoc_Location result;
-    for (; !location.IsIdentity(); location = location.NextLocation()) {
-      const auto found = datums_.find(location.FirstDatum().get());
-      const TopLoc_Location step(found == datums_.end() ? location.FirstDatum() : found->second);
-      result = result * step.Powered(location.FirstPower());
-    }
-    return result;
-  }
-
   void number(const Part& face, int i) {
-    unchanged_numbers_.add(contentOf<BRep_TFace>(face.unchanged)->Surface(), i);
-    changed_numbers_.add(contentOf<BRep_TFace>(face.changed)->Surface(), i);
-    for (const TopoDS_Shape& other : face.elsewhere)
-      changed_numbers_.add(contentOf<BRep_TFace>(other)->Surface(), i);
-  }
-
-  std::string changedRecord(const TopoDS_Shape& shape) const {
-    if (shape.ShapeType() == TopAbs_FACE) return recordOf(*contentOf<BRep_TFace>(shape));
-    if (shape.ShapeType() == TopAbs_EDGE) return recordOf(*contentOf<BRep_TEdge>(shape), changed_numbers_);
-    return recordOf(*contentOf<BRep_TVertex>(shape));
+    unchanged_numbers_.add(contentOf<BRep_TFace>(face.unchanged.shape)->Surface(), i);
+    changed_numbers_.add(contentOf<BRep_TFace>(face.changed.shape)->Surface(), i);
+    for (const Placed& other : face.elsewhere)
+      changed_numbers_.add(contentOf<BRep_TFace>(other.shape)->Surface(), i);
   }
 
   void requireLikeInstances() const {
@@ -259,15 +313,16 @@ class Carrier {
     std::string text;
     for (const Part& part : parts) {
       if (part.elsewhere.empty()) continue;
-      const std::string bytes = changedRecord(part.changed);
-      for (const TopoDS_Shape& other : part.elsewhere) {
-        if (changedRecord(other) == bytes) continue;
+      for (const Placed& other : part.elsewhere) {
+        if (kind == TopAbs_VERTEX ? sameVertex(part.changed, other)
+                                  : changed_record_(part.changed) == changed_record_(other))
+          continue;
         if (first.empty()) {
           TopExp::MapShapes(root_, kind, map);
           for (int i = 1; i <= map.Extent(); ++i) first.emplace(map(i).TShape().get(), i);
         }
-        text += (text.empty() ? "" : ", ") + std::to_string(first.at(part.changed.TShape().get())) + " and " +
-                std::to_string(first.at(other.TShape().get()));
+        text += (text.empty() ? "" : ", ") + std::to_string(first.at(part.changed.shape.TShape().get())) +
+                " and " + std::to_string(first.at(other.shape.TShape().get()));
       }
     }
     return text;
@@ -277,18 +332,14 @@ class Carrier {
   void chooseSurfaces() {
     std::map<const Geom_Surface*, const Geom_Surface*> taken;
     for (const Part& face : faces_) {
-      const opencascade::handle<BRep_TFace> into = contentOf<BRep_TFace>(face.into),
-                                            changed = contentOf<BRep_TFace>(face.changed);
-      if (recordOf(*contentOf<BRep_TFace>(face.unchanged)) == recordOf(*changed)) {
-        noteDatums(into->Location(), changed->Location());
-        // A surface that several faces had in common and have no longer is new to each but the first.
-        if (taken.emplace(into->Surface().get(), changed->Surface().get()).first->second ==
-            changed->Surface().get()) {
-          kept_.emplace(changed->Surface().get(), into->Surface());
-          continue;
-        }
-      }
-      new_.insert(changed->Surface().get());
+      const Surface changed = contentOf<BRep_TFace>(face.changed.shape)->Surface();
+      const Surface into = contentOf<BRep_TFace>(face.into)->Surface();
+      // A surface that several faces had in common and have no longer is new to each but the first.
+      if (unchanged_record_(face.unchanged) == changed_record_(face.changed) &&
+          taken.emplace(into.get(), changed.get()).first->second == changed.get())
+        kept_.emplace(changed.get(), into);
+      else
+        new_.insert(changed.get());
     }
   }
 
@@ -307,21 +358,20 @@ class Carrier {
 
   bool carryFace(const Part& part) const {
     const opencascade::handle<BRep_TFace> into = contentOf<BRep_TFace>(part.into),
-                                          changed = contentOf<BRep_TFace>(part.changed);
+                                          changed = contentOf<BRep_TFace>(part.changed.shape);
     into->Tolerance(changed->Tolerance());
     into->NaturalRestriction(changed->NaturalRestriction());
     if (!isNew(changed->Surface())) return false;
     into->Surface(changed->Surface());
-    into->Location(translated(changed->Location()));
+    into->Location(part.changed.frame * steps_.translated(changed->Location()));
     into->Triangulation(opencascade::handle<Poly_Triangulation>());
     return true;
   }
 
   bool carryEdge(const Part& part) const {
     const opencascade::handle<BRep_TEdge> into = contentOf<BRep_TEdge>(part.into),
-                                          changed = contentOf<BRep_TEdge>(part.changed);
-    const bool differs = recordOf(*contentOf<BRep_TEdge>(part.unchanged), unchanged_numbers_) !=
-                         recordOf(*changed, changed_numbers_);
+                                          changed = contentOf<BRep_TEdge>(part.changed.shape);
+    const bool differs = unchanged_record_(part.unchanged) != changed_record_(part.changed);
     bool moved = differs;
     for (const Representation& representation : changed->Curves())
       moved = moved || namesNewSurface(*representation);
@@ -332,22 +382,23 @@ class Carrier {
     into->Degenerated(changed->Degenerated());
     into->ChangeCurves().Clear();
     for (const Representation& representation : changed->Curves())
-      if (isGeometry(*representation)) into->ChangeCurves().Append(repointed(representation));
+      if (isGeometry(*representation))
+        into->ChangeCurves().Append(repointed(representation, part.changed.frame));
     return differs;
   }
 
   bool carryVertex(const Part& part) const {
     const opencascade::handle<BRep_TVertex> into = contentOf<BRep_TVertex>(part.into),
-                                            changed = contentOf<BRep_TVertex>(part.changed);
-    if (recordOf(*contentOf<BRep_TVertex>(part.unchanged)) == recordOf(*changed)) return false;
-    into->Pnt(changed->Pnt());
+                                            changed = contentOf<BRep_TVertex>(part.changed.shape);
+    if (sameVertex(part.unchanged, part.changed)) return false;
+    if (!samePoint(part.unchanged, part.changed)) into->Pnt(pointOf(part.changed));
     into->Tolerance(changed->Tolerance());
     return true;
   }
 
   /// A copy that names the surfaces and placements of the shape that is changed in place.
-  Representation repointed(const Representation& old) const {
-    const TopLoc_Location location = translated(old->Location());
+  Representation repointed(const Representation& old, const TopLoc_Location& frame) const {
+    const TopLoc_Location location = frame * steps_.translated(old->Location());
     opencascade::handle<BRep_GCurve> curve;
     if (old->IsCurve3D())
       curve = new BRep_Curve3D(old->Curve3D(), location);
@@ -358,19 +409,27 @@ class Carrier {
       curve = new BRep_CurveOnSurface(old->PCurve(), chosen(old->Surface()), location);
     else
       return new BRep_CurveOn2Surfaces(chosen(old->Surface()), chosen(old->Surface2()), location,
-                                       translated(old->Location2()), old->Continuity());
+                                       frame * steps_.translated(old->Location2()), old->Continuity());
     const auto range = opencascade::handle<BRep_GCurve>::DownCast(old);
     curve->SetRange(range->First(), range->Last());
     return curve;
   }
 
+  /// What a part that came back was, and where it stood when it was met first.
+  struct Origin {
+    const void* shape;
+    TopLoc_Location frame;
+  };
+
   TopoDS_Shape root_;
   bool same_graph_ = false;
+  Steps steps_;
+  std::set<const void*> noted_;
+  std::map<const void*, Origin> origins_;
   std::vector<Part> faces_, edges_, vertices_;
-  std::map<const void*, const void*> origins_;  ///< what each part that came back was
-  std::map<const void*, std::size_t> places_;   ///< where each part that was stands in its list
-  std::map<const void*, opencascade::handle<TopLoc_Datum3D>> datums_;
+  std::map<const void*, std::size_t> places_;  ///< where each part that was stands in its list
   SurfaceNumbers unchanged_numbers_, changed_numbers_;
+  Recorder unchanged_record_{steps_, unchanged_numbers_}, changed_record_{steps_, changed_numbers_};
   std::set<const Geom_Surface*> new_;
   std::map<const Geom_Surface*, Surface> kept_;  ///< surfaces that came back as they went
 };
