@@ -125,9 +125,10 @@ class SurfaceNumbers {
   std::map<const Geom_Surface*, int> numbers_;
 };
 
-/// Polygons belong to a picture of the shape, not to it.
+/// Polygons belong to a picture of the shape, not to it; that two faces meet at least without a gap is said of any edge.
 bool isGeometry(const BRep_CurveRepresentation& representation) {
-  return representation.IsCurve3D() || representation.IsCurveOnSurface() || representation.IsRegularity();
+  return representation.IsCurve3D() || representation.IsCurveOnSurface() ||
+         (representation.IsRegularity() && representation.Continuity() > GeomAbs_C0);
 }
 
 /// Bytes that are the same for faces and edges with the same geometry in the same place.

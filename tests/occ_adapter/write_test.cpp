@@ -31,6 +31,7 @@
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_LayerTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <random>
@@ -427,6 +428,19 @@ TEST(Write, AChangeOfTheLastBitIsAChange) {
   EXPECT_EQ(writeModel(changed, folder / "out.step").changed_faces, 1);
 }
 
+TEST(Write, ACopyIsNoChange) {
+  const Folder folder;
+  for (const TopoDS_Shape& shape : {splineBox(), roundedBox()}) {
+    writeStep(shape, folder / "box.step");
+    Model same = readModel(folder / "box.step");
+    same.shape = copied(same.shape);
+    const WriteReport report = writeModel(same, folder / "out.step", {.overwrite = true});
+    EXPECT_EQ(report.changed_faces, 0);
+    EXPECT_EQ(report.changed_edges, 0);
+    EXPECT_EQ(report.changed_vertices, 0);
+  }
+}
+
 TEST(Write, MovedPointsAndTolerancesAreWritten) {
   const Folder folder;
   writeBrep(splineBox(), folder / "unused.brep");
@@ -498,6 +512,15 @@ TEST(Write, NamedSolidsFromMemoryBecomeAnAssembly) {
   expectSameSeams(model, back, 1e-9);
 }
 
+/// Length, level and class of the seams, whatever their numbers: what a shape from memory is written with.
+std::vector<std::tuple<long, Level, SeamClass>> seamsInAnyOrder(const Model& model) {
+  std::vector<std::tuple<long, Level, SeamClass>> seams;
+  for (const occ::SeamResult& seam : occ::analyze(model).seams)
+    seams.emplace_back(std::lround(seam.length_mm * 1e6), seam.verdict.level, seam.verdict.seam_class);
+  std::sort(seams.begin(), seams.end());
+  return seams;
+}
+
 TEST(Write, EveryFormatGivesTheSameSeams) {
   const Folder folder;
   const Model model = occ::modelFromShape(roundedBox());
@@ -505,7 +528,7 @@ TEST(Write, EveryFormatGivesTheSameSeams) {
     SCOPED_TRACE(name);
     const Model back = written(model, folder / name);
     EXPECT_EQ(back.format, occ::name(occ::targetFormat(name)));
-    expectSameSeams(model, back, 1e-6);
+    EXPECT_EQ(seamsInAnyOrder(back), seamsInAnyOrder(model));
   }
 }
 
