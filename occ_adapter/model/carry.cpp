@@ -14,6 +14,7 @@
 #include <BinTools_SurfaceSet.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom_Curve.hxx>
+#include <Geom_Plane.hxx>
 #include <Geom_Surface.hxx>
 #include <TopExp.hxx>
 #include <TopLoc_Datum3D.hxx>
@@ -131,6 +132,12 @@ bool isGeometry(const BRep_CurveRepresentation& representation) {
          (representation.IsRegularity() && representation.Continuity() > GeomAbs_C0);
 }
 
+/// A parameter curve on a plane is the curve itself, and may be missing.
+bool isImplied(const BRep_CurveRepresentation& representation) {
+  return representation.IsCurveOnSurface() && !representation.Surface().IsNull() &&
+         representation.Surface()->IsKind(STANDARD_TYPE(Geom_Plane));
+}
+
 /// Bytes that are the same for faces and edges with the same geometry in the same place.
 class Recorder {
  public:
@@ -164,7 +171,8 @@ class Recorder {
     out << edge.Tolerance() << edge.SameParameter() << edge.SameRange() << edge.Degenerated();
     std::multiset<std::string> all;
     for (const Representation& representation : edge.Curves())
-      if (isGeometry(*representation)) all.insert(recordOf(*representation, frame));
+      if (isGeometry(*representation) && !isImplied(*representation))
+        all.insert(recordOf(*representation, frame));
     for (const std::string& one : all)
       for (const char byte : one) out << static_cast<Standard_Byte>(byte);
   }
