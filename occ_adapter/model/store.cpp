@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <APIHeaderSection_MakeHeader.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <HeaderSection_FileDescription.hxx>
 #include <HeaderSection_FileName.hxx>
 #include <HeaderSection_FileSchema.hxx>
@@ -28,8 +29,10 @@
 #include <TDF_LabelSequence.hxx>
 #include <TDataStd_Name.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Iterator.hxx>
+#include <TopoDS_Shell.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_LayerTool.hxx>
@@ -178,28 +181,97 @@ Manner mannerOf(const LoadedDocument& source) {
   return mannerOfIges(*opencascade::handle<IGESData_IGESModel>::DownCast(source.entities));
 }
 
-/// The same shape with its placement handed down to its parts: a placed root would be written as an assembly of one.
-TopoDS_Shape withoutPlacement(const TopoDS_Shape& shape) {
-  if (shape.Location().IsIdentity() || shape.ShapeType() > TopAbs_SHELL) return shape;
-  TopoDS_Shape result = shape.EmptyCopied();
-  result.Location({});
-  result.Orientation(TopAbs_FORWARD);
-  for (TopoDS_Iterator part(shape, false, true); part.More(); part.Next())
-    BRep_Builder().Add(result, part.Value());
-  return result.Oriented(shape.Orientation());
-}
+/// The same shape as files can hold it. A placed root would be written as an assembly of one, so its placement is handed
+/// down to its parts. Loose faces would be written each with edges of its own, so those that share edges get a shell.
+class Writable {
+ public:
+  explicit Writable(const TopoDS_Shape& shape) : shape_(withShells(withoutPlacement(shape))) {}
+
+  const TopoDS_Shape& shape() const { return shape_; }
+
+  /// What a part was before it was made anew.
+  const void* origin(const TopoDS_Shape& part) const {
+    const auto found = origins_.find(part.TShape().get());
+    return found == origins_.end() ? part.TShape().get() : found->second;
+  }
+
+ private:
+  TopoDS_Shape emptied(const TopoDS_Shape& shape) {
+    TopoDS_Shape result = shape.EmptyCopied();
+    const void* const before = origin(shape);
+    origins_[result.TShape().get()] = before;
+    return result.Oriented(TopAbs_FORWARD);
+  }
+
+  TopoDS_Shape withoutPlacement(const TopoDS_Shape& shape) {
+    if (shape.Location().IsIdentity() || shape.ShapeType() > TopAbs_SHELL) return shape;
+    TopoDS_Shape result = emptied(shape);
+    result.Location({});
+    for (TopoDS_Iterator part(shape, false, true); part.More(); part.Next())
+      BRep_Builder().Add(result, part.Value());
+    return result.Oriented(shape.Orientation());
+  }
+
+  TopoDS_Shape withShells(const TopoDS_Shape& shape) {
+    if (shape.ShapeType() != TopAbs_COMPOUND) return shape;
+    std::vector<TopoDS_Shape> parts;
+    bool same = true;
+    for (TopoDS_Iterator part(shape, false, false); part.More(); part.Next()) {
+      parts.push_back(withShells(part.Value()));
+      same = same && parts.back().IsSame(part.Value());
+    }
+    const std::vector<std::size_t> groups = groupsOf(parts);
+    for (std::size_t i = 0; i < parts.size(); ++i) same = same && groups[i] == i;
+    if (same) return shape;
+    TopoDS_Shape result = emptied(shape);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (groups[i] == i) BRep_Builder().Add(result, joined(parts, groups, i));
+    return result.Oriented(shape.Orientation());
+  }
+
+  /// For each part the first of those that it hangs together with, which is another one for faces only.
+  static std::vector<std::size_t> groupsOf(const std::vector<TopoDS_Shape>& parts) {
+    std::vector<std::size_t> group(parts.size());
+    std::map<const void*, std::size_t> first;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      group[i] = i;
+      if (parts[i].ShapeType() != TopAbs_FACE) continue;
+      for (TopExp_Explorer edge(parts[i], TopAbs_EDGE); edge.More(); edge.Next()) {
+        const std::size_t other = group[first.emplace(edge.Current().TShape().get(), i).first->second];
+        const std::size_t low = std::min(group[i], other), high = std::max(group[i], other);
+        std::replace(group.begin(), group.begin() + static_cast<std::ptrdiff_t>(i) + 1, high, low);
+      }
+    }
+    return group;
+  }
+
+  static TopoDS_Shape joined(const std::vector<TopoDS_Shape>& parts, const std::vector<std::size_t>& groups,
+                             std::size_t group) {
+    if (std::count(groups.begin(), groups.end(), group) == 1) return parts[group];
+    TopoDS_Shell shell;
+    BRep_Builder().MakeShell(shell);
+    for (std::size_t i = group; i < parts.size(); ++i)
+      if (groups[i] == group) BRep_Builder().Add(shell, parts[i]);
+    shell.Closed(BRep_Tool::IsClosed(shell));
+    return shell;
+  }
+
+  std::map<const void*, const void*> origins_;
+  TopoDS_Shape shape_;
+};
 
 /// A document of a shape and of attributes that are told by kind and number.
 class NewDocument {
  public:
   explicit NewDocument(const Model& model)
       : model_(model),
+        writable_(model.shape),
         shapes_(XCAFDoc_DocumentTool::ShapeTool(document_->Main())),
         colors_(XCAFDoc_DocumentTool::ColorTool(document_->Main())),
         layers_(XCAFDoc_DocumentTool::LayerTool(document_->Main())) {
     XCAFDoc_DocumentTool::SetLengthUnit(document_, 1, UnitsMethods_LengthUnit_Millimeter);
     XCAFDoc_ShapeTool::SetAutoNaming(false);
-    shapes_->AddShape(withoutPlacement(model.shape), hasNamedSolids());
+    shapes_->AddShape(writable_.shape(), hasNamedSolids());
     findOwners();
     for (const ShapeAttribute& attribute : model.attributes) assign(attribute);
     shapes_->UpdateAssemblies();
@@ -223,12 +295,12 @@ class NewDocument {
     for (const TDF_Label& label : labels) {
       const TopoDS_Shape whole = XCAFDoc_ShapeTool::GetShape(label);
       if (XCAFDoc_ShapeTool::IsReference(label)) continue;
-      owners_.emplace(whole.TShape().get(), Owner{label, whole});
+      owners_.emplace(writable_.origin(whole), Owner{label, whole});
       if (XCAFDoc_ShapeTool::IsAssembly(label)) continue;
       TopTools_IndexedMapOfShape parts;
       TopExp::MapShapes(whole, parts);
       for (int i = 1; i <= parts.Extent(); ++i)
-        owners_.emplace(parts(i).TShape().get(), Owner{label, parts(i)});
+        owners_.emplace(writable_.origin(parts(i)), Owner{label, parts(i)});
     }
   }
 
@@ -270,6 +342,7 @@ class NewDocument {
   };
 
   const Model& model_;
+  Writable writable_;
   Document document_ = new TDocStd_Document("BinXCAF");
   opencascade::handle<XCAFDoc_ShapeTool> shapes_;
   opencascade::handle<XCAFDoc_ColorTool> colors_;
