@@ -37,23 +37,28 @@ Format targetFormat(const std::filesystem::path& path);
 ///
 /// A model that was read from a STEP or IGES file and has still the faces, edges and vertices of that file, in the same
 /// order and places, is written by reading the file once more and carrying over into it what has changed: surfaces,
-/// curves, parameter curves, points and tolerances. Products, instances, names, colours and layers are those of the file.
-/// What has not changed stays as it was read, to the bit. A part that stands in several places has to be changed
-/// alike in all of them. Where the faces, edges or vertices are others (a sewn model), where the model comes from memory or
-/// from BREP, or with WriteOptions::afresh, a new file is made of the shape and Model::attributes; a compound whose solids
-/// have names becomes an assembly.
+/// curves, parameter curves, points and tolerances. Products, instances, names, colours, layers and order are those of the
+/// file. What has not changed stays as it was read, to the bit. A part that stands in several places has to be changed
+/// alike in all of them; a deep copy of the shape is no change, even where it has made copies of such a part.
+///
+/// Where the faces, edges or vertices are others (a sewn model), where the model comes from memory or from BREP, or with
+/// WriteOptions::afresh, a new file is made of the shape and Model::attributes; a compound whose solids have names becomes
+/// an assembly, loose faces that share edges become shells. Such a file has the faces in their order, but edges within a
+/// reversed face may be numbered otherwise when it is read.
 ///
 /// STEP: schema (AP203, AP214 or AP242), header texts, length unit and stated accuracy of a STEP source are kept, and
 /// parameter curves are written. Numbers are written with the fewest digits that read back as the same double, where
-/// OpenCASCADE's own writer rounds to 13 digits. So in mm and m poles, knots and points come back bit by bit;
-/// in other units the conversion may move the last bit. Beyond 1e-99 and 1e99, 16 digits. OpenCASCADE normalises
-/// directions and knots when it reads, which may move their last bit.
-/// IGES: unit of an IGES or STEP source; 17 digits. BREP: mm, no names, colours or layers; binary is exact, text has 15
-/// digits or more.
+/// OpenCASCADE's own writer rounds to 13 digits; beyond 1e-99 and 1e99, 16 digits. So in mm poles, weights, knots and points
+/// come back bit by bit; in other units the conversion may move the last bit. OpenCASCADE normalises directions when it reads,
+/// which may move their last bit, and it drops what it does not know (texts of faces, validation and tolerance data in
+/// part). Surfaces without a topology (geometrically bounded) get one.
+/// IGES: unit of an IGES or STEP source; 17 digits. A colour of a solid comes back as that of its faces too.
+/// BREP: mm, no names, colours or layers. Binary keeps every number; text keeps poles and knots, and 15 digits of points.
 ///
 /// OpenCASCADE writes in the process that reads (see readModel()), under the same limits. The file is written beside
 /// its place under another name, flushed to the disk and renamed: whenever the work is stopped, the target is what it was
-/// before, or the new file. A target that is a symbolic link stays one; the file it leads to is replaced.
+/// before, or the new file. Only a killed process leaves the file beside (.NAME.NUMBER.part). A target that is a symbolic
+/// link stays one; the file it leads to is replaced.
 ///
 /// \throws ModelError (its code says which kind) or Cancelled; nothing is written then.
 WriteReport writeModel(const Model& model, const std::filesystem::path& path,
