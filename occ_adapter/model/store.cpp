@@ -59,8 +59,8 @@ namespace {
 using Document = opencascade::handle<TDocStd_Document>;
 
 struct LengthUnit {
-  const char* name;  ///< as OpenCASCADE's parameters call it
-  double mm;
+  const char* name = "";  ///< as OpenCASCADE's parameters call it
+  double mm = 1;
   std::array<std::string_view, 4> spellings;
 };
 
