@@ -44,7 +44,7 @@ struct OwnGroup {
 
 }  // namespace
 
-Child::Child(const std::string& program, const std::vector<std::string>& arguments) {
+Child::Child(const std::string& program, const std::vector<std::string>& arguments, int input) {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail(errno, "pipe");
   answer_ = ends[0];
@@ -52,7 +52,10 @@ Child::Child(const std::string& program, const std::vector<std::string>& argumen
   // The answer first: opening the null device may not land on the descriptor of the pipe before it is passed
   // on.
   posix_spawn_file_actions_adddup2(&files.actions, ends[1], answer_descriptor);
-  posix_spawn_file_actions_addopen(&files.actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  if (input >= 0)
+    posix_spawn_file_actions_adddup2(&files.actions, input, STDIN_FILENO);
+  else
+    posix_spawn_file_actions_addopen(&files.actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&files.actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
   posix_spawn_file_actions_addopen(&files.actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
   std::vector<char*> argv = {const_cast<char*>(program.c_str())};

@@ -10,14 +10,15 @@
 
 namespace seamwright::occ {
 
-/// A process that answers on file descriptor 3; its other descriptors lead nowhere. Ended with the object if
-/// it still runs.
+/// A process that answers on file descriptor 3; its other descriptors lead nowhere, but for the input it may be given.
+/// Ended with the object if it still runs.
 class Child {
  public:
   static constexpr int answer_descriptor = 3;
 
+  /// \param input a descriptor above 3 that becomes its standard input; -1: none.
   /// \throws std::system_error if it can't be started.
-  Child(const std::string& program, const std::vector<std::string>& arguments);
+  Child(const std::string& program, const std::vector<std::string>& arguments, int input = -1);
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
   ~Child();

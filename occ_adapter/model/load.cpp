@@ -15,6 +15,7 @@
 #include <StepBasic_SiUnitAndLengthUnit.hxx>
 #include <StepShape_ConnectedFaceSet.hxx>
 #include <StepShape_FaceSurface.hxx>
+#include <TColStd_HSequenceOfExtendedString.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_AsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
@@ -28,9 +29,11 @@
 #include <Transfer_TransientProcess.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_LayerTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
+#include <algorithm>
 #include <fstream>
 #include <map>
 
@@ -40,28 +43,13 @@ namespace seamwright::occ {
 
 namespace {
 
-/// Passes OpenCASCADE's progress on.
-class Reporter : public Message_ProgressIndicator {
- public:
-  explicit Reporter(const Progress& progress) : progress_(progress) {}
-  void Show(const Message_ProgressScope&, bool) override { stopped_ = stopped_ || !progress_(GetPosition()); }
-  bool UserBreak() override { return stopped_; }
-
- private:
-  const Progress& progress_;
-  bool stopped_ = false;
-};
-
-opencascade::handle<TDocStd_Document> newDocument() {
-  return new TDocStd_Document("BinXCAF");
-}
-
-/// Collects names and colours of a document for the parts of one shape.
+/// Collects names, colours and layers of a document for the parts of one shape.
 class AttributeCollector {
  public:
   AttributeCollector(const TopoDS_Shape& shape, const opencascade::handle<TDocStd_Document>& document)
       : shapes_(XCAFDoc_DocumentTool::ShapeTool(document->Main())),
-        colors_(XCAFDoc_DocumentTool::ColorTool(document->Main())) {
+        colors_(XCAFDoc_DocumentTool::ColorTool(document->Main())),
+        layers_(XCAFDoc_DocumentTool::LayerTool(document->Main())) {
     for (const TopAbs_ShapeEnum kind :
          {TopAbs_COMPOUND, TopAbs_SOLID, TopAbs_SHELL, TopAbs_FACE, TopAbs_EDGE})
       addPlaces(shape, kind);
@@ -95,7 +83,8 @@ class AttributeCollector {
     if (shape.IsNull()) return;
     const std::string name = nameOf(label);
     const std::optional<std::array<double, 3>> color = colorOf(label);
-    if (name.empty() && !color) return;
+    const std::vector<std::string> layers = layersOf(label);
+    if (name.empty() && !color && layers.empty()) return;
     const auto [begin, end] = places_.equal_range(shape.TShape().get());
     for (auto it = begin; it != end; ++it) {
       const Place& place = it->second;
@@ -104,6 +93,7 @@ class AttributeCollector {
       attribute.index = place.second;
       if (!name.empty()) attribute.name = name;
       if (color) attribute.color = color;
+      if (!layers.empty()) attribute.layers = layers;
     }
   }
 
@@ -121,8 +111,19 @@ class AttributeCollector {
     return std::nullopt;
   }
 
+  std::vector<std::string> layersOf(const TDF_Label& label) const {
+    std::vector<std::string> names;
+    opencascade::handle<TColStd_HSequenceOfExtendedString> layers;
+    if (!layers_->GetLayers(label, layers)) return names;
+    for (const TCollection_ExtendedString& layer : *layers)
+      names.emplace_back(TCollection_AsciiString(layer).ToCString());
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+
   opencascade::handle<XCAFDoc_ShapeTool> shapes_;
   opencascade::handle<XCAFDoc_ColorTool> colors_;
+  opencascade::handle<XCAFDoc_LayerTool> layers_;
   std::multimap<const void*, Place> places_;
   std::map<Place, ShapeAttribute> found_;
 };
@@ -191,20 +192,26 @@ std::string stepLengthUnit(STEPControl_Reader& reader, const std::filesystem::pa
                    "names no length unit that is understood: sizes would be a guess");
 }
 
-void loadStep(Model& model, const std::filesystem::path& path, const Message_ProgressRange& range) {
-  STEPCAFControl_Reader reader;
+LoadedDocument loadStep(const std::filesystem::path& path, const Message_ProgressRange& range) {
+  LoadedDocument loaded;
+  Model& model = loaded.model;
+  const auto owner = std::make_shared<STEPCAFControl_Reader>();
+  STEPCAFControl_Reader& reader = *owner;
+  loaded.reader = owner;
   reader.SetNameMode(true);
   reader.SetColorMode(true);
   reader.SetLayerMode(true);
+  reader.SetSHUOMode(true);
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
     throw ModelError(ModelErrc::Malformed, path, "is malformed STEP: OpenCASCADE can't read it");
-  opencascade::handle<TDocStd_Document> document = newDocument();
-  const bool transferred = reader.Transfer(document, range);
+  const bool transferred = reader.Transfer(loaded.document, range);
   if (transferred) model.shape = reader.ChangeReader().OneShape();
   requireFaces(model.shape, path);
   model.length_unit = stepLengthUnit(reader.ChangeReader(), path);
   countStepFaces(reader.ChangeReader(), model);
-  model.attributes = AttributeCollector(model.shape, document).collect();
+  model.attributes = AttributeCollector(model.shape, loaded.document).collect();
+  loaded.entities = reader.ChangeReader().Model();
+  return loaded;
 }
 
 void requireIgesLengthUnit(const IGESData_GlobalSection& global, const std::filesystem::path& path) {
@@ -218,19 +225,25 @@ void requireIgesLengthUnit(const IGESData_GlobalSection& global, const std::file
                        ", which IGES does not define: sizes would be a guess");
 }
 
-void loadIges(Model& model, const std::filesystem::path& path, const Message_ProgressRange& range) {
-  IGESCAFControl_Reader reader;
+LoadedDocument loadIges(const std::filesystem::path& path, const Message_ProgressRange& range) {
+  LoadedDocument loaded;
+  Model& model = loaded.model;
+  const auto owner = std::make_shared<IGESCAFControl_Reader>();
+  IGESCAFControl_Reader& reader = *owner;
+  loaded.reader = owner;
   reader.SetNameMode(true);
   reader.SetColorMode(true);
+  reader.SetLayerMode(true);
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
     throw ModelError(ModelErrc::Malformed, path, "is malformed IGES: OpenCASCADE can't read it");
   const IGESData_GlobalSection& global = reader.IGESModel()->GlobalSection();
   requireIgesLengthUnit(global, path);
   model.length_unit = IGESData_BasicEditor::UnitFlagName(global.UnitFlag());
-  opencascade::handle<TDocStd_Document> document = newDocument();
-  if (reader.Transfer(document, range)) model.shape = reader.OneShape();
+  if (reader.Transfer(loaded.document, range)) model.shape = reader.OneShape();
   requireFaces(model.shape, path);
-  model.attributes = AttributeCollector(model.shape, document).collect();
+  model.attributes = AttributeCollector(model.shape, loaded.document).collect();
+  loaded.entities = reader.IGESModel();
+  return loaded;
 }
 
 void loadBrep(Model& model, const std::filesystem::path& path, const Message_ProgressRange& range) {
@@ -254,20 +267,25 @@ void loadBinaryBrep(Model& model, const std::filesystem::path& path, const Messa
 
 }  // namespace
 
+LoadedDocument loadDocument(const std::filesystem::path& path, const std::string& format,
+                            const Progress& progress) {
+  const opencascade::handle<Reporter> reporter = new Reporter(progress);
+  LoadedDocument loaded =
+      format == "STEP" ? loadStep(path, reporter->Start()) : loadIges(path, reporter->Start());
+  loaded.model.format = format;
+  return loaded;
+}
+
 Model loadModel(const std::filesystem::path& path, const std::string& format, const Progress& progress) {
+  if (format == "STEP" || format == "IGES") return loadDocument(path, format, progress).model;
   Model model;
   model.format = format;
   model.length_unit = "mm (assumed)";
   const opencascade::handle<Reporter> reporter = new Reporter(progress);
-  const Message_ProgressRange range = reporter->Start();
-  if (format == "STEP")
-    loadStep(model, path, range);
-  else if (format == "IGES")
-    loadIges(model, path, range);
-  else if (format == "BREP")
-    loadBrep(model, path, range);
+  if (format == "BREP")
+    loadBrep(model, path, reporter->Start());
   else
-    loadBinaryBrep(model, path, range);
+    loadBinaryBrep(model, path, reporter->Start());
   requireFaces(model.shape, path);
   return model;
 }

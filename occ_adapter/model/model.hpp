@@ -14,17 +14,22 @@
 namespace seamwright::occ {
 
 enum class ModelErrc {
-  NotFound,       ///< no such file
-  NotAFile,       ///< a folder or a device
-  NotReadable,    ///< permissions, or the disk
-  Empty,          ///< 0 bytes
-  UnknownFormat,  ///< no STEP, IGES or BREP file
-  Truncated,      ///< the closing record is missing
-  Malformed,      ///< OpenCASCADE could not read it
-  UnknownUnits,   ///< no length unit that is understood
-  NoShapes,       ///< read, but nothing with a face came out
-  ReaderDied,     ///< the reading process crashed or used up its time
-  ReaderMissing   ///< the reading program is not installed where it belongs
+  NotFound,        ///< no such file
+  NotAFile,        ///< a folder or a device
+  NotReadable,     ///< permissions, or the disk
+  Empty,           ///< 0 bytes
+  UnknownFormat,   ///< no STEP, IGES or BREP file
+  Truncated,       ///< the closing record is missing
+  Malformed,       ///< OpenCASCADE could not read it
+  UnknownUnits,    ///< no length unit that is understood
+  NoShapes,        ///< read, but nothing with a face came out
+  ReaderDied,      ///< the reading process crashed or used up its time
+  ReaderMissing,   ///< the reading program is not installed where it belongs
+  UnknownTarget,   ///< the name of the output tells no format
+  TargetExists,    ///< the output is there, or is the file that was read, and may not be replaced
+  NotWritable,     ///< the output's folder is missing or closed, or the disk is full
+  NotWritten,      ///< OpenCASCADE could not write it
+  UnlikeInstances  ///< one part of an assembly was changed in one of its places alone
 };
 
 /// A model that can't be used. what() is one line: the file, what is wrong, what to do.
@@ -38,12 +43,13 @@ class ModelError : public std::runtime_error {
   ModelErrc code_;
 };
 
-/// Name and colour that the file gives to a part of the shape.
+/// Name, colour and layers that the file gives to a part of the shape.
 struct ShapeAttribute {
   TopAbs_ShapeEnum kind = TopAbs_SHAPE;
   int index = 0;                               ///< from 1, in the order of TopExp::MapShapes for that kind
   std::string name;                            ///< UTF-8, may be empty
   std::optional<std::array<double, 3>> color;  ///< red, green, blue; 0..1, linear
+  std::vector<std::string> layers;             ///< UTF-8, sorted
 };
 
 /// A shape with what its file says about it. Lengths are in mm whatever the unit of the file.

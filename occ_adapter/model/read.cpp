@@ -1,136 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <dlfcn.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <BinTools.hxx>
-#include <Standard_Failure.hxx>
-
 #include <chrono>
-#include <cstdlib>
-#include <cstring>
-#include <nlohmann/json.hpp>
-#include <optional>
-#include <sstream>
-#include <system_error>
 
-#include <seamwright/occ_adapter/model/child.hpp>
 #include <seamwright/occ_adapter/model/format.hpp>
 #include <seamwright/occ_adapter/model/read.hpp>
-#include <seamwright/occ_adapter/model/wire.hpp>
+#include <seamwright/occ_adapter/model/reader.hpp>
 
 namespace seamwright::occ {
-
-namespace {
-
-/// The file that holds this code: the command, the Python module, or a shared library.
-std::filesystem::path ownFile() {
-  std::error_code error;
-  Dl_info info{};
-  const bool found = dladdr(reinterpret_cast<const void*>(&ownFile), &info) != 0 && info.dli_fname != nullptr;
-  // For a program dladdr repeats argv[0], which need not be a path; the kernel knows better.
-  if (!found || std::string_view(info.dli_fname).find(".so") == std::string_view::npos)
-    return std::filesystem::read_symlink("/proc/self/exe", error);
-  return std::filesystem::canonical(info.dli_fname, error);
-}
-
-std::filesystem::path readerProgram(const std::filesystem::path& model) {
-  if (const char* named = std::getenv("SEAMWRIGHT_READER")) return named;
-  const std::filesystem::path folder = ownFile().parent_path();
-  const std::filesystem::path libexec = std::filesystem::path("libexec") / "seamwright";
-  for (const std::filesystem::path& place :
-       {folder, folder.parent_path() / "bin", folder.parent_path() / libexec,
-        folder.parent_path().parent_path() / libexec, std::filesystem::path(SEAMWRIGHT_LIBEXEC_DIR)}) {
-    const std::filesystem::path program = place / SEAMWRIGHT_READER;
-    if (std::error_code error; std::filesystem::exists(program, error)) return program;
-  }
-  throw ModelError(ModelErrc::ReaderMissing, model,
-                   "can't be read: the program " SEAMWRIGHT_READER " is not beside " + ownFile().string() +
-                       "; install Seamwright again or name it in SEAMWRIGHT_READER");
-}
-
-/// What the child said, put together.
-struct Answer {
-  Model model;
-  std::optional<std::string> shape;
-  std::optional<nlohmann::json> error;
-  double progress = 0;
-};
-
-void take(Answer& answer, wire::Kind kind, std::string payload) {
-  switch (kind) {
-    case wire::Kind::Progress:
-      if (payload.size() == sizeof answer.progress)
-        std::memcpy(&answer.progress, payload.data(), payload.size());
-      break;
-    case wire::Kind::Facts:
-      wire::factsFromJson(payload, answer.model);
-      break;
-    case wire::Kind::Shape:
-      answer.shape = std::move(payload);
-      break;
-    case wire::Kind::Error:
-      answer.error = nlohmann::json::parse(payload);
-      break;
-  }
-}
-
-/// Throws what went wrong in the child, if anything did.
-void requireSuccess(const Answer& answer, int status, const std::filesystem::path& path) {
-  if (answer.error)
-    throw ModelError(answer.error->at("code").get<ModelErrc>(), path,
-                     answer.error->at("text").get<std::string>());
-  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
-    throw ModelError(ModelErrc::ReaderDied, path,
-                     "can't be read: OpenCASCADE did not come to an end with it");
-  if (WIFSIGNALED(status))
-    throw ModelError(
-        ModelErrc::ReaderDied, path,
-        "can't be read: OpenCASCADE crashed on it (" + std::string(strsignal(WTERMSIG(status))) + ")");
-  if (!answer.shape)
-    throw ModelError(ModelErrc::ReaderDied, path,
-                     "can't be read: the reading process ended with status " +
-                         std::to_string(WEXITSTATUS(status)) + " and no shape");
-}
-
-TopoDS_Shape decodeShape(std::string bytes, const std::filesystem::path& path) {
-  TopoDS_Shape shape;
-  // BinTools complains about other content on standard output.
-  if (bytes.substr(0, 64).find("Open CASCADE Topology V") == std::string::npos)
-    throw ModelError(ModelErrc::ReaderDied, path,
-                     "can't be read: the reading process answered with no shape");
-  try {
-    std::istringstream stream(std::move(bytes));
-    BinTools::Read(shape, stream);
-  } catch (const Standard_Failure& failure) {
-    throw ModelError(ModelErrc::Malformed, path,
-                     std::string("can't be taken over: ") + failure.GetMessageString());
-  }
-  if (shape.IsNull()) throw ModelError(ModelErrc::NoShapes, path, "holds no shapes");
-  return shape;
-}
-
-}  // namespace
 
 Model readModel(const std::filesystem::path& path, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   const Format format = detectFormat(path);
-  Answer answer;
-  wire::FrameParser parser(
-      [&](wire::Kind kind, std::string payload) { take(answer, kind, std::move(payload)); });
-  int status = 0;
-  try {
-    Child child(readerProgram(path), {std::string(name(format)), path.string()});
-    while (child.receive([&](std::string_view bytes) { parser.feed(bytes); }))
-      if (progress && !progress(answer.progress)) throw Cancelled();
-    status = child.wait();
-    requireSuccess(answer, status, path);
-  } catch (const std::system_error& error) {
-    throw ModelError(ModelErrc::ReaderMissing, path, std::string("can't be read: ") + error.what());
-  } catch (const nlohmann::json::exception& error) {
-    throw ModelError(
-        ModelErrc::ReaderDied, path,
-        std::string("can't be read: the reading process answered with no sense: ") + error.what());
-  }
+  Answer answer = askReader({path, "read", {"read", std::string(name(format)), path.string()}}, progress);
+  if (!answer.shape)
+    throw ModelError(ModelErrc::ReaderDied, path,
+                     "can't be read: the reading process answered with no shape");
   answer.model.shape = decodeShape(std::move(*answer.shape), path);
   answer.model.path = path.string();
   answer.model.read_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

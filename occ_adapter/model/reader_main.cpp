@@ -1,17 +1,26 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The reading program: reads one model file and answers on file descriptor 3 (see wire.hpp). What a bad file
-// does to OpenCASCADE it does here, and not to the program that asked.
+// The reading program answers on file descriptor 3 (see wire.hpp). What a bad file does to OpenCASCADE it does here, and
+// not to the program that asked.
+//
+//   read FORMAT PATH            reads a model file: facts and shape
+//   write FORMAT HOW PATH       writes the model whose facts and shape stand on standard input: a report and the bytes of
+//                               the file. HOW: "follow", where the model has one, the file PATH; or "afresh"
 #include <sys/resource.h>
+#include <unistd.h>
 #include <BinTools.hxx>
 #include <Standard_Failure.hxx>
 
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <vector>
 
 #include <seamwright/occ_adapter/model/child.hpp>
 #include <seamwright/occ_adapter/model/load.hpp>
+#include <seamwright/occ_adapter/model/reader.hpp>
+#include <seamwright/occ_adapter/model/store.hpp>
 #include <seamwright/occ_adapter/model/wire.hpp>
 
 namespace {
@@ -20,9 +29,8 @@ using namespace seamwright::occ;
 
 constexpr int answer = Child::answer_descriptor;
 
-void limitResources(const std::filesystem::path& path) {
-  const auto megabytes = static_cast<rlim_t>(std::filesystem::file_size(path) >> 20);
-  const rlim_t seconds = 120 + 60 * megabytes;
+void limitResources(std::uintmax_t bytes) {
+  const rlim_t seconds = 120 + 60 * static_cast<rlim_t>(bytes >> 20);
   const rlimit processor{seconds, seconds};
   setrlimit(RLIMIT_CPU, &processor);
   const rlimit none{0, 0};
@@ -50,6 +58,7 @@ class Announcer {
 };
 
 void readAndSend(const std::filesystem::path& path, const std::string& format) {
+  limitResources(std::filesystem::file_size(path));
   const Model model = loadModel(path, format, Announcer());
   std::ostringstream shape;
   BinTools::Write(model.shape, shape);
@@ -57,31 +66,72 @@ void readAndSend(const std::filesystem::path& path, const std::string& format) {
   wire::send(answer, wire::Kind::Shape, shape.view());
 }
 
+/// The model on standard input.
+Model requestedModel(const std::string& path) {
+  Model model;
+  model.path = path;
+  std::uintmax_t bytes = 0;
+  wire::FrameParser parser([&](wire::Kind kind, std::string payload) {
+    if (kind == wire::Kind::Facts) wire::factsFromJson(payload, model);
+    if (kind == wire::Kind::Shape) model.shape = decodeShape(std::move(payload), {});
+  });
+  std::array<char, 1 << 16> buffer{};
+  for (ssize_t count = 0; (count = ::read(STDIN_FILENO, buffer.data(), buffer.size())) > 0;) {
+    bytes += static_cast<std::uintmax_t>(count);
+    parser.feed({buffer.data(), static_cast<std::size_t>(count)});
+  }
+  std::error_code error;
+  const std::uintmax_t source = path.empty() ? 0 : std::filesystem::file_size(path, error);
+  limitResources(bytes + (error ? 0 : source));
+  return model;
+}
+
+void writeAndSend(const std::string& format, bool afresh, const std::string& path) {
+  const Model model = requestedModel(path);
+  const Stored stored =
+      storeModel(model, format == name(Format::Step) ? Format::Step : Format::Iges, afresh, Announcer());
+  wire::send(answer, wire::Kind::Report, wire::reportToJson(stored.report));
+  wire::send(answer, wire::Kind::File, stored.bytes);
+}
+
+void obey(const std::vector<std::string>& arguments) {
+  if (arguments[0] == "read")
+    readAndSend(arguments[2], arguments[1]);
+  else
+    writeAndSend(arguments[1], arguments[2] == "afresh", arguments[3]);
+}
+
 /// The text of a ModelError without the path, which the asking process puts in front again.
-std::string withoutPath(const ModelError& error, const std::filesystem::path& path) {
-  return std::string(error.what()).substr(path.string().size() + 2);
+std::string withoutPath(const ModelError& error, const std::string& path) {
+  const std::string text = error.what();
+  if (text.starts_with(path + ": ")) return text.substr(path.size() + 2);
+  return text.starts_with("model ") ? text.substr(6) : text;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 3) {
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  const bool reads = arguments.size() == 3 && arguments[0] == "read";
+  const bool writes = arguments.size() == 4 && arguments[0] == "write";
+  if (!reads && !writes) {
     std::fputs("This program reads model files for Seamwright and is not called by hand.\n", stderr);
     return 2;
   }
-  const std::string format = argv[1];
-  const std::filesystem::path path = argv[2];
+  const std::string deed = reads ? "read" : "written";
   try {
-    limitResources(path);
-    readAndSend(path, format);
+    obey(arguments);
     return 0;
   } catch (const ModelError& error) {
-    sendError(error.code(), withoutPath(error, path));
+    sendError(error.code(), reads ? withoutPath(error, arguments[2]) : withoutPath(error, {}));
   } catch (const Standard_Failure& failure) {
-    sendError(ModelErrc::Malformed, std::string("is malformed ") + format + ": OpenCASCADE stops at " +
-                                        failure.DynamicType()->Name() + " " + failure.GetMessageString());
+    sendError(reads ? ModelErrc::Malformed : ModelErrc::NotWritten,
+              (reads ? "is malformed " + arguments[1] : std::string("can't be written")) +
+                  ": OpenCASCADE stops at " + failure.DynamicType()->Name() + " " +
+                  failure.GetMessageString());
   } catch (const std::exception& error) {
-    sendError(ModelErrc::Malformed, "can't be read: " + std::string(error.what()));
+    sendError(reads ? ModelErrc::Malformed : ModelErrc::NotWritten,
+              "can't be " + deed + ": " + std::string(error.what()));
   }
   return 1;
 }

@@ -54,6 +54,7 @@ std::string factsToJson(const Model& model) {
   for (const ShapeAttribute& attribute : model.attributes) {
     nlohmann::json entry = {{"kind", attribute.kind}, {"index", attribute.index}, {"name", attribute.name}};
     if (attribute.color) entry["color"] = *attribute.color;
+    if (!attribute.layers.empty()) entry["layers"] = attribute.layers;
     attributes.push_back(std::move(entry));
   }
   const nlohmann::json facts = {{"format", model.format},
@@ -69,10 +70,27 @@ void factsFromJson(const std::string& text, Model& model) {
   model.length_unit = facts.at("length_unit");
   model.notes = facts.at("notes");
   for (const nlohmann::json& entry : facts.at("attributes")) {
-    ShapeAttribute attribute{entry.at("kind"), entry.at("index"), entry.at("name"), std::nullopt};
+    ShapeAttribute attribute{entry.at("kind"), entry.at("index"), entry.at("name"), std::nullopt, {}};
     if (entry.contains("color")) attribute.color = entry.at("color").get<std::array<double, 3>>();
+    if (entry.contains("layers")) attribute.layers = entry.at("layers").get<std::vector<std::string>>();
     model.attributes.push_back(std::move(attribute));
   }
+}
+
+std::string reportToJson(const WriteReport& report) {
+  const nlohmann::json json = {{"format", report.format},
+                               {"followed_source", report.followed_source},
+                               {"changed_faces", report.changed_faces},
+                               {"changed_edges", report.changed_edges},
+                               {"changed_vertices", report.changed_vertices},
+                               {"notes", report.notes}};
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+WriteReport reportFromJson(const std::string& text) {
+  const nlohmann::json json = nlohmann::json::parse(text);
+  return {json.at("format"),        json.at("followed_source"),  json.at("changed_faces"),
+          json.at("changed_edges"), json.at("changed_vertices"), json.at("notes")};
 }
 
 }  // namespace seamwright::occ::wire

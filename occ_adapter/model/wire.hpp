@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include <seamwright/occ_adapter/model/model.hpp>
+#include <seamwright/occ_adapter/model/write.hpp>
 
 /// What the reading process says to the process that asked: a sequence of frames, each a kind, a length and a
 /// payload.
@@ -15,6 +16,8 @@ enum class Kind : char {
   Progress = 'P',  ///< a double, 0..1
   Facts = 'F',     ///< a model without its shape, as JSON
   Shape = 'S',     ///< the shape, binary
+  File = 'B',      ///< the bytes of a written file
+  Report = 'R',    ///< what was written, as JSON
   Error = 'E'      ///< {code, text} as JSON
 };
 
@@ -36,5 +39,9 @@ class FrameParser {
 std::string factsToJson(const Model& model);
 /// Fills everything but the shape. \throws nlohmann::json::exception
 void factsFromJson(const std::string& text, Model& model);
+
+std::string reportToJson(const WriteReport& report);
+/// \throws nlohmann::json::exception
+WriteReport reportFromJson(const std::string& text);
 
 }  // namespace seamwright::occ::wire

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
 #include <seamwright/occ_adapter/model/read.hpp>
+#include <seamwright/occ_adapter/model/write.hpp>
 #include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/report/csv.hpp>
@@ -29,6 +30,24 @@ occ::Model readFile(const std::filesystem::path& path, const py::object& progres
   const occ::Progress report = progressOf(progress);
   const py::gil_scoped_release release;
   return occ::readModel(path, report);
+}
+
+py::dict writeFile(const occ::Model& model, const std::filesystem::path& path, bool overwrite,
+                   bool overwrite_source, bool afresh, const py::object& progress) {
+  const occ::Progress report = progressOf(progress);
+  occ::WriteReport written;
+  {
+    const py::gil_scoped_release release;
+    written = occ::writeModel(model, path, {overwrite, overwrite_source, afresh}, report);
+  }
+  py::dict dict;
+  dict["format"] = std::string(occ::name(written.format));
+  dict["followed_source"] = written.followed_source;
+  dict["changed_faces"] = written.changed_faces;
+  dict["changed_edges"] = written.changed_edges;
+  dict["changed_vertices"] = written.changed_vertices;
+  dict["notes"] = written.notes;
+  return dict;
 }
 
 constexpr double degree = std::numbers::pi / 180;
@@ -89,6 +108,7 @@ py::list attributes(const occ::Model& model) {
     entry["index"] = attribute.index;
     entry["name"] = attribute.name;
     entry["color"] = attribute.color;
+    entry["layers"] = attribute.layers;
     list.append(std::move(entry));
   }
   return list;
@@ -150,8 +170,9 @@ void bindModel(py::module_& module) {
       .def_readonly("read_s", &occ::Model::read_s)
       .def_property_readonly("face_count", &occ::Model::faceCount)
       .def_property_readonly("edge_count", &occ::Model::edgeCount)
-      .def_property_readonly("attributes", &attributes,
-                             "Names and colours of the file: a list of {kind, index, name, color}.")
+      .def_property_readonly(
+          "attributes", &attributes,
+          "Names, colours and layers of the file: a list of {kind, index, name, color, layers}.")
       .def("analyze", &analyzeModel, py::kw_only(), py::arg("profile") = "default",
            py::arg("gap_mm") = py::none(), py::arg("angle_deg") = py::none(),
            py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
@@ -160,7 +181,16 @@ void bindModel(py::module_& module) {
            "Measures and judges every seam. Returns a Report.\n\n"
            "A tolerance that is None is that of the profile, see PROFILES. level: what a seam must reach, "
            "'G0' to 'G3'. match_mm: measure also between open edges no further apart than this; 0: between "
-           "none. jobs: threads; 0: one for each processor.");
+           "none. jobs: threads; 0: one for each processor.")
+      .def("write", &writeFile, py::arg("path"), py::kw_only(), py::arg("overwrite") = false,
+           py::arg("overwrite_source") = false, py::arg("afresh") = false, py::arg("progress") = py::none(),
+           "Writes a STEP, IGES or BREP file, told by the extension: .step, .stp, .iges, .igs, .brep, .brp, "
+           ".bin (binary BREP).\n\n"
+           "A model of a STEP or IGES file is written with that file's structure, names, colours, layers and "
+           "length unit; afresh, and from memory: of shape and attributes alone. An existing file needs "
+           "overwrite=True, the file that was read overwrite_source=True. Returns a dict of format, "
+           "followed_source, changed_faces, changed_edges, changed_vertices and notes. Raises ModelError; "
+           "the file is then what it was.");
   module.def(
       "read", &readFile, py::arg("path"), py::arg("progress") = py::none(),
       "Reads a STEP, IGES or BREP file, told by its content, in a process of its own. Returns a Model.");

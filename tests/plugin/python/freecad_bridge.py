@@ -5,6 +5,7 @@ import gc
 import os
 import resource
 import sys
+import tempfile
 import traceback
 
 import FreeCAD
@@ -288,6 +289,20 @@ def check_periodic_curves_and_other_things():
             assert "degree" in str(error)
         else:
             raise AssertionError(len(poles))
+
+
+def check_a_model_of_freecad_is_written_from_memory():
+    with tempfile.TemporaryDirectory() as folder:
+        for name in ("rounded", "placed", "compound"):
+            model = seamwright.Model.from_freecad(solids()[name])
+            for extension in ("step", "brep"):
+                path = os.path.join(folder, name + "." + extension)
+                assert model.write(path)["followed_source"] is False
+                back = seamwright.read(path)
+                assert (back.face_count, back.edge_count) == (model.face_count, model.edge_count), path
+                found = [sorted((round(seam["length_mm"], 6), seam["level"]) for seam in each.analyze().seams)
+                         for each in (model, back)]
+                assert found[0] == found[1], path
 
 
 def check_nothing_leaks():

@@ -241,7 +241,7 @@ def test_jobs_change_nothing():
 def test_names_and_colours():
     attributes = seamwright.read(installed(OCCT_DATA / "step/screw.step")).attributes
     for attribute in attributes:
-        assert set(attribute) == {"kind", "index", "name", "color"}
+        assert set(attribute) == {"kind", "index", "name", "color", "layers"}
         assert attribute["index"] >= 1
         assert attribute["color"] is None or all(0 <= part <= 1 for part in attribute["color"])
 

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+
+#include <seamwright/occ_adapter/model/write.hpp>
+
+namespace seamwright::occ {
+
+/// A written file and what was done for it.
+struct Stored {
+  std::string bytes;
+  WriteReport report;
+};
+
+/// Writes a model as STEP or IGES in this process, see writeModel(); only the reading program calls it.
+/// \throws ModelError, Standard_Failure
+Stored storeModel(const Model& model, Format target, bool afresh, const Progress& progress);
+
+}  // namespace seamwright::occ

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <random>
+#include <string>
+#include <system_error>
+
+#include <seamwright/occ_adapter/model/model.hpp>
+#include <seamwright/occ_adapter/model/target_file.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t portion = 1 << 20;
+
+[[noreturn]] void fail(const fs::path& target, int error) {
+  throw ModelError(ModelErrc::NotWritable, target,
+                   "can't be written: " + std::generic_category().message(error));
+}
+
+fs::path folderOf(const fs::path& target) {
+  return target.has_parent_path() ? target.parent_path() : fs::path(".");
+}
+
+/// The file that a name stands for, through symbolic links, whether it is there or not.
+fs::path withoutLinks(const fs::path& target) {
+  std::error_code error;
+  const fs::path real = fs::weakly_canonical(target, error);
+  return error ? target : real;
+}
+
+/// A new file beside the target; gone with the object, unless it took the target's place.
+class Beside {
+ public:
+  explicit Beside(const fs::path& target) : target_(target) {
+    std::random_device random;
+    do {
+      path_ = folderOf(target) /
+              ("." + target.filename().string().substr(0, 200) + "." + std::to_string(random()) + ".part");
+      file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    } while (file_ < 0 && errno == EEXIST);
+    if (file_ < 0) fail(target_, errno);
+  }
+  ~Beside() {
+    if (file_ >= 0) ::close(file_);
+    if (!path_.empty()) ::unlink(path_.c_str());
+  }
+  Beside(const Beside&) = delete;
+  Beside& operator=(const Beside&) = delete;
+
+  void write(std::string_view bytes) {
+    while (!bytes.empty()) {
+      const ssize_t written = ::write(file_, bytes.data(), bytes.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) fail(target_, errno);
+      bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+  }
+
+  void takePlace(bool replace) {
+    struct stat old {};
+    if (::stat(target_.c_str(), &old) == 0) ::fchmod(file_, old.st_mode & 07777);
+    if (::fsync(file_) != 0) fail(target_, errno);
+    const int closed = ::close(file_);
+    file_ = -1;
+    if (closed != 0) fail(target_, errno);
+    rename(replace);
+    path_.clear();
+    flushFolder();
+  }
+
+ private:
+  void rename(bool replace) {
+    if (!replace) {
+      if (::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) == 0) return;
+      // Some file systems can't promise that; the target was missing a moment ago.
+      if (errno != EINVAL && errno != ENOSYS) fail(target_, errno);
+      if (fs::exists(target_)) fail(target_, EEXIST);
+    }
+    if (::rename(path_.c_str(), target_.c_str()) != 0) fail(target_, errno);
+  }
+
+  /// The new name is on the disk too, where the file system can say so.
+  void flushFolder() const {
+    const int folder = ::open(folderOf(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folder < 0) return;
+    ::fsync(folder);
+    ::close(folder);
+  }
+
+  fs::path target_;
+  fs::path path_;
+  int file_ = -1;
+};
+
+}  // namespace
+
+void requireWritable(const fs::path& target, bool replace) {
+  const fs::path real = withoutLinks(target);
+  std::error_code error;
+  const fs::file_status status = fs::status(real, error);
+  if (fs::is_directory(status))
+    throw ModelError(ModelErrc::NotAFile, target, "is a folder, not a model file");
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    throw ModelError(ModelErrc::NotAFile, target, "is not a regular file");
+  if (fs::exists(status) && !replace)
+    throw ModelError(ModelErrc::TargetExists, target,
+                     "is there already: allow to overwrite it or take another name");
+  const fs::path folder = folderOf(real);
+  if (!fs::is_directory(folder, error))
+    throw ModelError(ModelErrc::NotWritable, target,
+                     "can't be written: there is no folder " + folder.string());
+  if (::access(folder.c_str(), W_OK | X_OK) != 0)
+    throw ModelError(ModelErrc::NotWritable, target,
+                     "can't be written: no new file may be made in " + folder.string());
+}
+
+void replaceFile(const fs::path& target, std::string_view content, bool replace, const Progress& progress) {
+  requireWritable(target, replace);
+  Beside beside(withoutLinks(target));
+  for (std::size_t at = 0; at < content.size(); at += portion) {
+    beside.write(content.substr(at, portion));
+    if (progress && !progress(static_cast<double>(std::min(at + portion, content.size())) /
+                              static_cast<double>(content.size())))
+      throw Cancelled();
+  }
+  beside.takePlace(replace);
+}
+
+}  // namespace seamwright::occ

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include <seamwright/occ_adapter/progress.hpp>
+
+namespace seamwright::occ {
+
+/// Gives a file its content at once or not at all: the bytes go to a file beside it, to the disk, and take its place.
+///
+/// \param replace a file that is there may be replaced; it hands its permissions on.
+/// \throws ModelError (NotAFile, TargetExists, NotWritable), Cancelled; the file beside is gone then.
+void replaceFile(const std::filesystem::path& target, std::string_view content, bool replace,
+                 const Progress& progress);
+
+/// Throws now what replaceFile() could only say after the work: a folder that is missing or closed, a target that is there.
+void requireWritable(const std::filesystem::path& target, bool replace);
+
+}  // namespace seamwright::occ

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+#include <BRepTools.hxx>
+#include <BinTools.hxx>
+#include <Standard_Failure.hxx>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <sstream>
+#include <system_error>
+
+#include <seamwright/occ_adapter/model/reader.hpp>
+#include <seamwright/occ_adapter/model/target_file.hpp>
+#include <seamwright/occ_adapter/model/wire.hpp>
+#include <seamwright/occ_adapter/model/write.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+/// A file without a name that holds what the writing program is asked.
+class Request {
+ public:
+  explicit Request(const Model& model) {
+    const int file = ::memfd_create("model", MFD_CLOEXEC);
+    // Above the descriptors that the program itself has.
+    file_ = file < 0 ? -1 : ::fcntl(file, F_DUPFD_CLOEXEC, 10);
+    const int error = errno;
+    if (file >= 0) ::close(file);
+    if (file_ < 0) throw std::system_error(error, std::generic_category(), "memfd_create");
+    std::ostringstream shape;
+    BinTools::Write(model.shape, shape);
+    wire::send(file_, wire::Kind::Facts, wire::factsToJson(model));
+    wire::send(file_, wire::Kind::Shape, shape.view());
+    ::lseek(file_, 0, SEEK_SET);
+  }
+  ~Request() { ::close(file_); }
+  Request(const Request&) = delete;
+  Request& operator=(const Request&) = delete;
+  int descriptor() const { return file_; }
+
+ private:
+  int file_ = -1;
+};
+
+struct Written {
+  std::string bytes;
+  WriteReport report;
+};
+
+Written writeElsewhere(const Model& model, const std::filesystem::path& path, Format format, bool afresh,
+                       const Progress& progress) {
+  const Request request(model);
+  Question question{path, "written", {}, request.descriptor()};
+  question.arguments = {"write", std::string(name(format)), afresh ? "afresh" : "follow", model.path};
+  Answer answer = askReader(question, progress);
+  if (!answer.file)
+    throw ModelError(ModelErrc::ReaderDied, path,
+                     "can't be written: the reading process answered with no file");
+  return {std::move(*answer.file), std::move(answer.report)};
+}
+
+Written writeBrep(const Model& model, Format format) {
+  std::ostringstream bytes;
+  if (format == Format::BrepText)
+    BRepTools::Write(model.shape, bytes);
+  else
+    BinTools::Write(model.shape, bytes);
+  Written written;
+  written.bytes = std::move(bytes).str();
+  written.report.format = format;
+  if (!model.attributes.empty())
+    written.report.notes.push_back("BREP holds no names, colours and layers: those of " +
+                                   std::to_string(model.attributes.size()) + " parts are left out");
+  return written;
+}
+
+bool isSource(const Model& model, const std::filesystem::path& path) {
+  std::error_code error;
+  return !model.path.empty() && std::filesystem::equivalent(model.path, path, error);
+}
+
+}  // namespace
+
+Format targetFormat(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension == ".step" || extension == ".stp") return Format::Step;
+  if (extension == ".iges" || extension == ".igs") return Format::Iges;
+  if (extension == ".brep" || extension == ".brp") return Format::BrepText;
+  if (extension == ".bin") return Format::BrepBinary;
+  throw ModelError(ModelErrc::UnknownTarget, path,
+                   "can't be written: '" + extension +
+                       "' tells no format; .step, .stp, .iges, .igs, .brep, .brp and .bin do");
+}
+
+WriteReport writeModel(const Model& model, const std::filesystem::path& path, const WriteOptions& options,
+                       const Progress& progress) {
+  const Format format = targetFormat(path);
+  if (model.shape.IsNull())
+    throw ModelError(ModelErrc::NoShapes, path, "can't be written: the model has no shape");
+  const bool is_source = isSource(model, path);
+  if (is_source && !options.overwrite_source)
+    throw ModelError(
+        ModelErrc::TargetExists, path,
+        "is the file the model was read from: allow to overwrite the source or take another name");
+  const bool replace = is_source || options.overwrite;
+  requireWritable(path, replace);
+  constexpr double made = 0.9;
+  Written written;
+  try {
+    written = format == Format::Step || format == Format::Iges
+                  ? writeElsewhere(model, path, format, options.afresh, partOf(progress, 0, made))
+                  : writeBrep(model, format);
+  } catch (const Standard_Failure& failure) {
+    throw ModelError(ModelErrc::NotWritten, path,
+                     std::string("can't be written: OpenCASCADE stops at ") + failure.DynamicType()->Name() +
+                         " " + failure.GetMessageString());
+  } catch (const std::system_error& error) {
+    throw ModelError(ModelErrc::NotWritten, path, std::string("can't be written: ") + error.what());
+  }
+  replaceFile(path, written.bytes, replace, partOf(progress, made, 1));
+  return std::move(written.report);
+}
+
+}  // namespace seamwright::occ

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <seamwright/occ_adapter/model/format.hpp>
+#include <seamwright/occ_adapter/model/model.hpp>
+#include <seamwright/occ_adapter/progress.hpp>
+
+namespace seamwright::occ {
+
+struct WriteOptions {
+  bool overwrite = false;         ///< another file of that name may be replaced
+  bool overwrite_source = false;  ///< the file the model was read from may be replaced
+  /// Writes the shape with Model::attributes alone, though the model has a source that could be followed.
+  bool afresh = false;
+};
+
+/// What writeModel() did.
+struct WriteReport {
+  Format format = Format::Step;
+  /// The source was read again and its structure followed; otherwise the file was made of shape and attributes.
+  bool followed_source = false;
+  int changed_faces = 0;  ///< where the source was followed: faces with another surface than there
+  int changed_edges = 0;
+  int changed_vertices = 0;
+  std::vector<std::string> notes;  ///< what a user should know: what the format can't hold, ...
+};
+
+/// The format that a file of this name is written in: .step, .stp; .iges, .igs; .brep, .brp (text); .bin (binary BREP).
+/// Upper case is the same. \throws ModelError (UnknownTarget)
+Format targetFormat(const std::filesystem::path& path);
+
+/// Writes a model to a STEP, IGES or BREP file, told by its extension.
+///
+/// A model that was read from a STEP or IGES file and has still the faces, edges and vertices of that file, in the same
+/// order and places, is written by reading the file once more and carrying over into it what has changed: surfaces,
+/// curves, parameter curves, points and tolerances. Products, instances, names, colours, layers and order are those of the
+/// file. What has not changed stays as it was read, to the bit. A part that stands in several places has to be changed
+/// alike in all of them; a deep copy of the shape is no change, even where it has made copies of such a part.
+///
+/// Where the faces, edges or vertices are others (a sewn model), where the model comes from memory or from BREP, or with
+/// WriteOptions::afresh, a new file is made of the shape and Model::attributes; a compound whose solids have names becomes
+/// an assembly, loose faces that share edges become shells. Such a file has the faces in their order, but edges within a
+/// reversed face may be numbered otherwise when it is read.
+///
+/// STEP: schema (AP203, AP214 or AP242), header texts, length unit and stated accuracy of a STEP source are kept, and
+/// parameter curves are written. Numbers are written with the fewest digits that read back as the same double, where
+/// OpenCASCADE's own writer rounds to 13 digits; beyond 1e-99 and 1e99, 16 digits. So in mm poles, weights, knots and points
+/// come back bit by bit; in other units the conversion may move the last bit. OpenCASCADE normalises directions when it reads,
+/// which may move their last bit, and it drops what it does not know (texts of faces, validation and tolerance data in
+/// part). Surfaces without a topology (geometrically bounded) get one.
+/// IGES: unit of an IGES or STEP source; 17 digits. A colour of a solid comes back as that of its faces too.
+/// BREP: mm, no names, colours or layers. Binary keeps every number; text keeps poles and knots, and 15 digits of points.
+///
+/// OpenCASCADE writes in the process that reads (see readModel()), under the same limits. The file is written beside
+/// its place under another name, flushed to the disk and renamed: whenever the work is stopped, the target is what it was
+/// before, or the new file. Only a killed process leaves the file beside (.NAME.NUMBER.part). A target that is a symbolic
+/// link stays one; the file it leads to is replaced.
+///
+/// \throws ModelError (its code says which kind) or Cancelled; nothing is written then.
+WriteReport writeModel(const Model& model, const std::filesystem::path& path,
+                       const WriteOptions& options = {}, const Progress& progress = {});
+
+}  // namespace seamwright::occ
