@@ -62,9 +62,9 @@ gp_Trsf outOf(const TopLoc_Location& location) {
 
 /// An edge beside a face that changes, with what it is after the change; all in the frame of the shape.
 struct NewEdge {
-  TopoDS_Edge bare;                      ///< a part of its own
-  std::vector<EdgeSide> sides;           ///< after the change
-  opencascade::handle<Geom_Curve> curve; ///< null for a degenerated edge
+  TopoDS_Edge bare;                       ///< a part of its own
+  std::vector<EdgeSide> sides;            ///< after the change
+  opencascade::handle<Geom_Curve> curve;  ///< null for a degenerated edge
   double first = 0, last = 0;
   double tolerance_mm = 0;
   bool moved = false;
@@ -289,8 +289,7 @@ class Changer {
       for (const bool at_first : {true, false}) {
         const TopoDS_Vertex end = at_first ? TopExp::FirstVertex(old) : TopExp::LastVertex(old);
         if (!vertex.IsSame(end)) continue;
-        if (!edge.curve.IsNull())
-          ends.curves.push_back(edge.curve->Value(at_first ? edge.first : edge.last));
+        if (!edge.curve.IsNull()) ends.curves.push_back(edge.curve->Value(at_first ? edge.first : edge.last));
         for (const EdgeSide& side : edge.sides)
           ends.images.push_back(side.at(at_first ? 0 : points_of_an_edge - 1));
       }
