@@ -72,9 +72,10 @@ handle<Geom_BSplineCurve> mean(const std::vector<handle<Geom_BSplineCurve>>& lin
   const handle<Geom_BSplineCurve>& sum = lines.front();
   const double same_knot = 1e-9 * (sum->LastParameter() - sum->FirstParameter());
   for (const handle<Geom_BSplineCurve>& line : lines) line->IncreaseDegree(degree);
-  for (const handle<Geom_BSplineCurve>& line : lines)
+  const std::vector<handle<Geom_BSplineCurve>> others(lines.begin() + 1, lines.end());
+  for (const handle<Geom_BSplineCurve>& line : others)
     sum->InsertKnots(line->Knots(), line->Multiplicities(), same_knot, false);
-  for (const handle<Geom_BSplineCurve>& line : lines) {
+  for (const handle<Geom_BSplineCurve>& line : others) {
     line->InsertKnots(sum->Knots(), sum->Multiplicities(), same_knot, false);
     if (line->NbPoles() != sum->NbPoles()) return {};
   }

@@ -20,6 +20,9 @@ struct RepairOptions {
   double match_mm = 0;  ///< also open edges within this distance of one another; 0: none
   int jobs = 0;         ///< threads; 0: one for each processor
 
+  /// What a seam has to reach.
+  Level level() const { return order == 1 ? Level::G1 : Level::G2; }
+
   /// \throws std::invalid_argument with the offending number.
   void validate() const;
 };

@@ -195,14 +195,15 @@ TEST(Change, AnEdgeLiesHalfwayBetweenItsFaces) {
   const Spline spline = splineOfFace(shape, 2);
   spline->Transform(shift(0, 0, 0.02));
   const TopoDS_Shape changed = withChanges(shape, {{2, handle<Geom_Surface>(spline), 0.02}}, gap_mm);
-  for (int e = 1; e <= partsOf(shape, TopAbs_EDGE).Extent(); ++e) {
-    const bool on_first = partsOf(face(shape, 1), TopAbs_EDGE).Contains(partsOf(shape, TopAbs_EDGE)(e));
-    const bool on_second = partsOf(face(shape, 2), TopAbs_EDGE).Contains(partsOf(shape, TopAbs_EDGE)(e));
-    const TopoDS_Edge& edge = TopoDS::Edge(partsOf(changed, TopAbs_EDGE)(e));
-    const TopoDS_Edge& old = TopoDS::Edge(partsOf(shape, TopAbs_EDGE)(e));
+  const TopTools_IndexedMapOfShape edges = partsOf(shape, TopAbs_EDGE), now = partsOf(changed, TopAbs_EDGE);
+  const TopTools_IndexedMapOfShape of_first = partsOf(face(shape, 1), TopAbs_EDGE);
+  const TopTools_IndexedMapOfShape of_second = partsOf(face(shape, 2), TopAbs_EDGE);
+  for (int e = 1; e <= edges.Extent(); ++e) {
+    const bool on_first = of_first.Contains(edges(e)), on_second = of_second.Contains(edges(e));
+    const TopoDS_Edge edge = TopoDS::Edge(now(e)), old = TopoDS::Edge(edges(e));
     double first = 0, last = 0;
-    const handle<Geom_Curve> curve = BRep_Tool::Curve(edge, first, last),
-                             as_was = BRep_Tool::Curve(old, first, last);
+    const handle<Geom_Curve> as_was = BRep_Tool::Curve(old, first, last);
+    const handle<Geom_Curve> curve = BRep_Tool::Curve(edge, first, last);
     const double up = !on_second ? 0 : on_first ? 0.01 : 0.02;
     for (const double share : {0.0, 0.3, 1.0}) {
       const double t = first + share * (last - first);
@@ -224,10 +225,11 @@ TEST(Change, ASurfaceThatIsTheSameMovesNothing) {
       withChanges(shape, {{1, handle<Geom_Surface>(splineOfFace(shape, 1)), 0}}, gap_mm);
   const TopTools_IndexedMapOfShape vertices = partsOf(shape, TopAbs_VERTEX),
                                    edges = partsOf(shape, TopAbs_EDGE);
-  for (int v = 1; v <= vertices.Extent(); ++v)
-    EXPECT_TRUE(partsOf(changed, TopAbs_VERTEX)(v).IsPartner(vertices(v)));
+  const TopTools_IndexedMapOfShape vertices_now = partsOf(changed, TopAbs_VERTEX),
+                                   edges_now = partsOf(changed, TopAbs_EDGE);
+  for (int v = 1; v <= vertices.Extent(); ++v) EXPECT_TRUE(vertices_now(v).IsPartner(vertices(v)));
   for (int e = 1; e <= edges.Extent(); ++e) {
-    const TopoDS_Edge& edge = TopoDS::Edge(partsOf(changed, TopAbs_EDGE)(e));
+    const TopoDS_Edge& edge = TopoDS::Edge(edges_now(e));
     double first = 0, last = 0;
     EXPECT_EQ(BRep_Tool::Curve(edge, first, last), BRep_Tool::Curve(TopoDS::Edge(edges(e)), first, last));
     EXPECT_EQ(BRep_Tool::Tolerance(edge), BRep_Tool::Tolerance(TopoDS::Edge(edges(e))));
@@ -269,7 +271,7 @@ TEST(Change, PathsThatOnlyFollowedFromTheCurveAreStored) {
   expectTolerancesHold(changed);
   EXPECT_TRUE(BRepCheck_Analyzer(changed).IsValid());
   const int number = partsOf(shape, TopAbs_EDGE).FindIndex(common);
-  const TopoDS_Edge& edge = TopoDS::Edge(partsOf(changed, TopAbs_EDGE)(number));
+  const TopoDS_Edge edge = TopoDS::Edge(partsOf(changed, TopAbs_EDGE)(number));
   BRep_Tool::CurveOnSurface(edge, face(changed, 2), first, last, &is_stored);
   EXPECT_TRUE(is_stored);
   EXPECT_NEAR(BRep_Tool::Curve(edge, first, last)->Value(first).Z(), 0.025, 1e-9);

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <seamwright/occ_adapter/repair/change.hpp>
+#include <seamwright/occ_adapter/repair/choose.hpp>
+
+/// How faces have to move for seams to flow; not a public header.
+namespace seamwright::occ {
+
+/// What has to flow, and what has to stay as it is.
+struct RepairTask {
+  const TopoDS_Shape& shape;
+  const std::vector<Seam>& seams;        ///< of the shape, in the order of the report before
+  const std::vector<SeamResult>& before;
+  const std::vector<FaceChoice>& faces;  ///< from 1
+  std::vector<bool> treated;             ///< by seam; the others may not become worse
+  const RepairOptions& options;
+};
+
+/// Surfaces that make seams flow, as far as the solver can tell.
+struct RepairSolution {
+  std::vector<FaceChange> changes;
+  std::map<std::size_t, std::string> failures;  ///< seams that were to be treated and are not: why
+};
+
+/// \throws Cancelled.
+RepairSolution solve(const RepairTask& task, const Progress& progress);
+
+}  // namespace seamwright::occ
