@@ -56,8 +56,7 @@ std::vector<FaceChoice> chooseFaces(const TopoDS_Shape& shape, const std::vector
 
 bool isWanted(const SeamResult& seam, const std::vector<int>& edges) {
   if (edges.empty()) return seam.verdict.seam_class == SeamClass::Defect;
-  return std::ranges::any_of(seam.edges,
-                             [&edges](int edge) { return std::ranges::count(edges, edge) > 0; });
+  return std::ranges::any_of(seam.edges, [&edges](int edge) { return std::ranges::count(edges, edge) > 0; });
 }
 
 std::string whyNot(const SeamResult& seam, const std::vector<FaceChoice>& faces,

@@ -71,7 +71,8 @@ class PairSolver {
     if (!can_move[0] && !can_move[1]) return why;
     pair.options.hold_sides = hasNeighboursAtEnds(i);
     why.clear();
-    for (const std::array<bool, 2> moves : {std::array{true, true}, std::array{false, true}, std::array{true, false}}) {
+    for (const std::array<bool, 2> moves :
+         {std::array{true, true}, std::array{false, true}, std::array{true, false}}) {
       if ((moves[0] && !can_move[0]) || (moves[1] && !can_move[1])) continue;
       const Candidate candidate = joined(pair, moves);
       if (candidate.failure.empty() && candidate.largest_move_mm <= task_.options.max_move_mm) {
@@ -114,7 +115,8 @@ class PairSolver {
     if (pair.other().isNatural()) candidate = joinInPoles(pair);
     constexpr double share = 0.5;
     const bool can_follow = !(moves[0] && moves[1]) && pair.path.failure.empty();
-    const bool may_follow = !candidate.failure.empty() || candidate.largest_move_mm > pair.options.max_move_mm;
+    const bool may_follow =
+        !candidate.failure.empty() || candidate.largest_move_mm > pair.options.max_move_mm;
     if (!can_follow || !(may_follow || !pair.other().isNatural())) return candidate;
     Candidate follower = joinToTolerance(pair, share);
     return follower.failure.empty() || candidate.failure.empty() ? follower : candidate;
@@ -133,7 +135,7 @@ class PairSolver {
       sum = change;
     }
     shape_ = withChanges(shape_, step, task_.options.tolerance.gap_mm);
-    seams_ = findSeams(shape_).seams;
+    seams_ = seamsIn(shape_, seams_);
   }
 
   const RepairTask& task_;
@@ -145,6 +147,20 @@ class PairSolver {
 };
 
 }  // namespace
+
+std::vector<Seam> seamsIn(const TopoDS_Shape& shape, std::vector<Seam> seams) {
+  TopTools_IndexedMapOfShape faces, edges;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  TopExp::MapShapes(shape, TopAbs_EDGE, edges);
+  for (Seam& seam : seams)
+    for (const int which : {0, 1}) {
+      FaceUse& side = seam.sides[which];
+      const int edge = which == 0 ? seam.edges.front() : seam.edges.back();
+      side.shape = TopoDS::Face(faces(side.face).Oriented(TopAbs_FORWARD));
+      side.edge = TopoDS::Edge(edges(edge).Oriented(side.edge.Orientation()));
+    }
+  return seams;
+}
 
 RepairSolution solve(const RepairTask& task, const Progress& progress) {
   return PairSolver(task, progress).run();

@@ -14,7 +14,7 @@ namespace seamwright::occ {
 /// What has to flow, and what has to stay as it is.
 struct RepairTask {
   const TopoDS_Shape& shape;
-  const std::vector<Seam>& seams;        ///< of the shape, in the order of the report before
+  const std::vector<Seam>& seams;  ///< of the shape, in the order of the report before
   const std::vector<SeamResult>& before;
   const std::vector<FaceChoice>& faces;  ///< from 1
   std::vector<bool> treated;             ///< by seam; the others may not become worse
@@ -26,6 +26,9 @@ struct RepairSolution {
   std::vector<FaceChange> changes;
   std::map<std::size_t, std::string> failures;  ///< seams that were to be treated and are not: why
 };
+
+/// The same seams in a shape that withChanges() made of theirs.
+std::vector<Seam> seamsIn(const TopoDS_Shape& shape, std::vector<Seam> seams);
 
 /// \throws Cancelled.
 RepairSolution solve(const RepairTask& task, const Progress& progress);
