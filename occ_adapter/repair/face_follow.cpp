@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <BRep_Builder.hxx>
+#include <Eigen/Geometry>
 #include <Geom2dAdaptor_Curve.hxx>
 #include <Precision.hxx>
 #include <TColStd_Array1OfInteger.hxx>
@@ -147,6 +148,19 @@ JetNoise noiseOf(const SurfaceJet& jet, const SurfaceBasis& basis) {
   const double rounding = 64 * std::numeric_limits<double>::epsilon() * size;
   return {std::max(rounding / step_u, Precision::Confusion() / (basis.u().last - basis.u().first)),
           std::max(rounding / step_v, Precision::Confusion() / (basis.v().last - basis.v().first))};
+}
+
+/// The step of (u, v) that goes along a tangent vector.
+Eigen::Vector2d parameterStep(const SurfaceJet& jet, const Eigen::Vector3d& way) {
+  const FirstForm form = firstForm(jet);
+  const double a = way.dot(jet.u), b = way.dot(jet.v);
+  return Eigen::Vector2d(form.G * a - form.F * b, form.E * b - form.F * a) / form.determinant();
+}
+
+Eigen::RowVectorXd secondDerivative(const PoleShares& shares, const Eigen::Vector2d& a,
+                                    const Eigen::Vector2d& b) {
+  return a[0] * b[0] * shares.share.row(3) + (a[0] * b[1] + a[1] * b[0]) * shares.share.row(4) +
+         a[1] * b[1] * shares.share.row(5);
 }
 
 /// The worst place of a path.
@@ -422,19 +436,19 @@ class FaceFollower {
     if (!normal) return;
     Eigen::Vector3d tangent = place.along[0] * jet.u + place.along[1] * jet.v;
     if (tangent.norm() == 0) tangent = jet.u;
-    const Eigen::Vector3d across = normal->cross(tangent).normalized();
-    // The parameters' direction whose image is across.
-    const FirstForm form = firstForm(jet);
-    const double a = across.dot(jet.u), b = across.dot(jet.v);
-    const double wu = (form.G * a - form.F * b) / form.determinant(),
-                 wv = (form.E * b - form.F * a) / form.determinant();
-    const auto& share = place.shares.share;
-    conditions.add(place.shares.poles, wu * share.row(1) + wv * share.row(2), target.normal, 0,
-                   1 / (task_.share * tolerance.angle_rad));
+    tangent.normalize();
+    const std::array<Eigen::Vector3d, 2> ways = {tangent, normal->cross(tangent)};
+    std::array<Eigen::Vector2d, 2> steps;
+    for (const int k : {0, 1}) {
+      steps[k] = parameterStep(jet, ways[k]);
+      conditions.add(place.shares.poles,
+                     steps[k][0] * place.shares.share.row(1) + steps[k][1] * place.shares.share.row(2),
+                     target.normal, 0, 1 / (task_.share * tolerance.angle_rad));
+    }
     if (order < 2) return;
-    conditions.add(
-        place.shares.poles, wu * wu * share.row(3) + 2 * wu * wv * share.row(4) + wv * wv * share.row(5),
-        target.normal, across.dot(target.curvature * across), 1 / (task_.share * curvatureLimit(target)));
+    for (const auto& [k, m] : {std::pair(0, 0), std::pair(0, 1), std::pair(1, 1)})
+      conditions.add(place.shares.poles, secondDerivative(place.shares, steps[k], steps[m]), target.normal,
+                     ways[k].dot(target.curvature * ways[m]), 1 / (task_.share * curvatureLimit(target)));
   }
 
   /// Of a move of one millimetre: so little that the rows are met to a millionth of it.

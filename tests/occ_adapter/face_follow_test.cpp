@@ -41,10 +41,14 @@ TEST(FaceFollow, MeetsAnExactAnswerAlongACut) {
         certified(seamBetween(staying, {follow.surface, staying.path, false}), fine(), order);
     ++cases;
     within += follow.largest_move_mm <= 3 * noise;
-    std::printf("%d order %d noise %.4f move %.4f refined %d poles %d ratio %.3g gap %.2e angle %.2e deg curv %.3g %s took %.2f\n",
-                count, order, noise, follow.largest_move_mm, follow.refinements, follow.surface->NbUPoles()*follow.surface->NbVPoles(), follow.ratios[0],
-                *after.figures.gap_mm->upper, *after.figures.angle_rad->upper / degree,
-                after.figures.curvature_rel ? *after.figures.curvature_rel->upper : -1., follow.failure.c_str(), took);
+    std::printf(
+        "%d order %d noise %.4f move %.4f refined %d poles %d ratio %.3g gap %.2e angle %.2e deg curv %.3g "
+        "%s took %.2f\n",
+        count, order, noise, follow.largest_move_mm, follow.refinements,
+        follow.surface->NbUPoles() * follow.surface->NbVPoles(), follow.ratios[0],
+        *after.figures.gap_mm->upper, *after.figures.angle_rad->upper / degree,
+        after.figures.curvature_rel ? *after.figures.curvature_rel->upper : -1., follow.failure.c_str(),
+        took);
   }
   std::printf("%d of %d\n", within, cases);
 }

@@ -2,11 +2,14 @@
 #include "follow_seams.hpp"
 
 #include <BRep_Builder.hxx>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <GeomAPI_Interpolate.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <TColStd_HArray1OfReal.hxx>
 #include <TColgp_HArray1OfPnt.hxx>
 #include <TopLoc_Location.hxx>
+#include <TopoDS.hxx>
 #include <cmath>
 
 #include <seamwright/occ_adapter/analyze/measure_seam.hpp>
@@ -19,7 +22,7 @@ Eigen::Vector3d vector(const gp_XYZ& xyz) {
   return {xyz.X(), xyz.Y(), xyz.Z()};
 }
 
-handle<Geom_Curve> inSpace(const PathOn& side) {
+handle<Geom_BSplineCurve> inSpace(const PathOn& side) {
   constexpr int points = 30;
   const handle<TColgp_HArray1OfPnt> through = new TColgp_HArray1OfPnt(1, points);
   const handle<TColStd_HArray1OfReal> at = new TColStd_HArray1OfReal(1, points);

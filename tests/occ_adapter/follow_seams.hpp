@@ -14,9 +14,12 @@ namespace seamwright::test {
 
 /// A path on a surface, run through from 0 to 1.
 struct PathOn {
+  PathOn(const handle<Geom_Surface>& on, const handle<Geom2d_Curve>& along, bool left = true)
+      : surface(on), path(along), face_on_left(left) {}
+
   handle<Geom_Surface> surface;
   handle<Geom2d_Curve> path;
-  bool face_on_left = true;
+  bool face_on_left;
 };
 
 /// The seam of two faces along paths that belong together at equal parameters.
