@@ -126,18 +126,6 @@ class SpanMeasure {
   std::vector<double> s_, crossed_;
 };
 
-SidePoint sideOf(const TargetPoint& target) {
-  const Eigen::Vector3d x = target.normal.unitOrthogonal(), y = target.normal.cross(x);
-  SidePoint side;
-  side.jet.p = target.point;
-  side.jet.u = x;
-  side.jet.v = y;
-  side.jet.uu = x.dot(target.curvature * x) * target.normal;
-  side.jet.uv = x.dot(target.curvature * y) * target.normal;
-  side.jet.vv = y.dot(target.curvature * y) * target.normal;
-  return side;
-}
-
 /// What may be rounding in a jet, as FaceStrip has it.
 JetNoise noiseOf(const SurfaceJet& jet, const SurfaceBasis& basis) {
   const auto step = [](const SplineAxis& axis) {
@@ -157,27 +145,12 @@ Eigen::Vector2d parameterStep(const SurfaceJet& jet, const Eigen::Vector3d& way)
   return Eigen::Vector2d(form.G * a - form.F * b, form.E * b - form.F * a) / form.determinant();
 }
 
-Eigen::RowVectorXd secondDerivative(const PoleShares& shares, const Eigen::Vector2d& a,
-                                    const Eigen::Vector2d& b) {
-  return a[0] * b[0] * shares.share.row(3) + (a[0] * b[1] + a[1] * b[0]) * shares.share.row(4) +
-         a[1] * b[1] * shares.share.row(5);
-}
-
 /// The worst place of a path.
 struct Worst {
   double ratio = 0;
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   PairMeasure pair;
 };
-
-std::string figures(const PairMeasure& pair, int order, const ContinuityTolerance& tolerance) {
-  std::ostringstream text;
-  text << pair.gap_mm.value_or(infinite) << " mm";
-  if (order > 0 && pair.angle_rad) text << ", " << *pair.angle_rad * 180 / std::numbers::pi << " degrees";
-  if (order > 1 && pair.curvature)
-    text << ", " << 100 * relativeDifference(*pair.curvature, tolerance.flat_radius_mm) << " % of curvature";
-  return text.str();
-}
 
 std::string at(const Eigen::Vector3d& point) {
   std::ostringstream text;
@@ -254,11 +227,8 @@ class FaceFollower {
     judge();
     if (isMet()) return result(copyOf(task_.surface));
     markTouched();
-    for (;;) {
-      move();
-      judge();
-      if (isMet() || result_.refinements == task_.max_refinements || !refine()) break;
-    }
+    do moveFairly();
+    while (!isMet() && result_.refinements < task_.max_refinements && refine());
     const Surface moved = copyOf(before_);
     setPoles(*moved, poles_);
     return result(moved);
@@ -313,13 +283,16 @@ class FaceFollower {
 
   void judge() {
     worst_.assign(task_.paths.size(), {});
+    at_samples_ = 0;
     for (std::size_t i = 0; i < task_.paths.size(); ++i)
-      for (const std::vector<Place>* places : {&samples_[i], &checks_[i]})
+      for (const std::vector<Place>* places : {&samples_[i], &checks_[i]}) {
         for (const Place& place : *places) {
           const PairMeasure pair = measured(place);
           const double ratio = ratioAt(place, task_.paths[i].order, pair);
           if (ratio >= worst_[i].ratio) worst_[i] = {ratio, place.target.point, pair};
         }
+        if (places == &samples_[i]) at_samples_ = std::max(at_samples_, worst_[i].ratio);
+      }
     result_.ratios.clear();
     for (const Worst& worst : worst_) result_.ratios.push_back(worst.ratio);
   }
@@ -446,13 +419,26 @@ class FaceFollower {
                      target.normal, 0, 1 / (task_.share * tolerance.angle_rad));
     }
     if (order < 2) return;
-    for (const auto& [k, m] : {std::pair(0, 0), std::pair(0, 1), std::pair(1, 1)})
-      conditions.add(place.shares.poles, secondDerivative(place.shares, steps[k], steps[m]), target.normal,
-                     ways[k].dot(target.curvature * ways[m]), 1 / (task_.share * curvatureLimit(target)));
+    const Eigen::Vector2d& step = steps[1];
+    const auto& share = place.shares.share;
+    conditions.add(place.shares.poles,
+                   step[0] * step[0] * share.row(3) + 2 * step[0] * step[1] * share.row(4) +
+                       step[1] * step[1] * share.row(5),
+                   target.normal, ways[1].dot(target.curvature * ways[1]),
+                   1 / (task_.share * curvatureLimit(target)));
   }
 
-  /// Of a move of one millimetre: so little that the rows are met to a millionth of it.
-  double fairnessWeight() const {
+  /// As fair as can be: less so only as long as the samples can't be met.
+  void moveFairly() {
+    for (const double fairness : {0.1, 0.01, 0.001}) {
+      move(fairness);
+      judge();
+      if (isMet() || at_samples_ <= task_.share / 2) return;
+    }
+  }
+
+  /// Of a move of one millimetre: so little that the rows are met to the square of the fairness times it.
+  double fairnessWeight(double fairness) const {
     double softest = task_.tolerance.gap_mm;
     for (std::size_t i = 0; i < task_.paths.size(); ++i) {
       if (task_.paths[i].order > 0) softest = std::max(softest, task_.tolerance.angle_rad * span_mm_);
@@ -461,8 +447,7 @@ class FaceFollower {
       for (const Place& place : samples_[i]) limit = std::max(limit, curvatureLimit(place.target));
       softest = std::max(softest, limit * span_mm_ * span_mm_);
     }
-    constexpr double fair = 1e-3;
-    return fair / (task_.share * softest);
+    return fairness / (task_.share * softest);
   }
 
   void addFairness(Conditions& conditions, double weight) const {
@@ -484,12 +469,12 @@ class FaceFollower {
             difference.factors, weight * bending(difference.spacing, spacing_v_));
   }
 
-  void move() {
+  void move(double fairness) {
     int count = 0;
     const std::vector<int> unknown = unknowns(count);
     const bool curved =
         std::ranges::any_of(task_.paths, [](const FollowPath& path) { return path.order > 1; });
-    const double weight = fairnessWeight();
+    const double weight = fairnessWeight(fairness);
     for (int pass = 0; pass < (curved ? 4 : 1); ++pass) {
       Conditions conditions(unknown, count, original_);
       for (std::size_t i = 0; i < task_.paths.size(); ++i)
@@ -567,7 +552,7 @@ class FaceFollower {
     const auto number = worst - worst_.begin();
     std::ostringstream text;
     text << "path " << number + 1 << " is missed at " << at(worst->point) << " by "
-         << figures(worst->pair, task_.paths[number].order, task_.tolerance);
+         << figuresText(worst->pair, task_.paths[number].order, task_.tolerance);
     if (worst->ratio == infinite) text << ", with its normal turned over";
     text << ", after " << result_.refinements << " refinements to " << basis_.u().poles << " by "
          << basis_.v().poles << " poles";
@@ -595,7 +580,7 @@ class FaceFollower {
         std::ostringstream text;
         text << "paths " << ends[a].path + 1 << " and " << ends[b].path + 1
              << " ask for different things where they meet at " << at(ends[a].place->target.point) << ": "
-             << figures(pair, order, task_.tolerance) << " apart";
+             << figuresText(pair, order, task_.tolerance) << " apart";
         return text.str();
       }
     return {};
@@ -639,10 +624,32 @@ class FaceFollower {
   double span_mm_ = 0;  ///< mean length of path in a span
   std::vector<std::vector<Place>> samples_, checks_;
   std::vector<Worst> worst_;
+  double at_samples_ = 0;  ///< largest ratio there
   FaceFollow result_;
 };
 
 }  // namespace
+
+SidePoint sideOf(const TargetPoint& target) {
+  const Eigen::Vector3d x = target.normal.unitOrthogonal(), y = target.normal.cross(x);
+  SidePoint side;
+  side.jet.p = target.point;
+  side.jet.u = x;
+  side.jet.v = y;
+  side.jet.uu = x.dot(target.curvature * x) * target.normal;
+  side.jet.uv = x.dot(target.curvature * y) * target.normal;
+  side.jet.vv = y.dot(target.curvature * y) * target.normal;
+  return side;
+}
+
+std::string figuresText(const PairMeasure& pair, int order, const ContinuityTolerance& tolerance) {
+  std::ostringstream text;
+  text << pair.gap_mm.value_or(infinite) << " mm";
+  if (order > 0 && pair.angle_rad) text << ", " << *pair.angle_rad * 180 / std::numbers::pi << " degrees";
+  if (order > 1 && pair.curvature)
+    text << ", " << 100 * relativeDifference(*pair.curvature, tolerance.flat_radius_mm) << " % of curvature";
+  return text.str();
+}
 
 FaceFollow followPaths(const FaceTask& task) {
   return FaceFollower(task).run();

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <seamwright/core/seam/measure.hpp>
 #include <seamwright/core/seam/tolerance.hpp>
 #include <seamwright/occ_adapter/convert/pcurve.hpp>
 
@@ -19,6 +20,12 @@ struct TargetPoint {
   Eigen::Matrix3d curvature =
       Eigen::Matrix3d::Zero();  ///< curvature tensor for that normal; read for order 2
 };
+
+/// A surface point with these; not degenerate, its tangent unknown.
+SidePoint sideOf(const TargetPoint& target);
+
+/// "0.012 mm, 0.3 degrees, 4 % of curvature", as far as the order needs them.
+std::string figuresText(const PairMeasure& pair, int order, const ContinuityTolerance& tolerance);
 
 /// A path that has to be met: s in 0..1 along the pcurve.
 struct FollowPath {
