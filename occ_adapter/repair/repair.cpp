@@ -38,9 +38,10 @@ class Repairing {
     Choice choice = choose(model_, result_.before, options_);
     reasons_ = std::move(choice.reasons);
     const std::vector<bool> wanted = choice.treated;
+    open_ = wanted;
     if (std::ranges::count(wanted, true) > 0) {
       seams_ = seamsOf(model_.shape, options_, {});
-      repair({model_.shape, seams_, result_.before.seams, choice.faces, wanted, options_});
+      repair(choice.faces);
     }
     tell(wanted);
     result_.repair_s = secondsSince(start);
@@ -54,81 +55,110 @@ class Repairing {
   /// From then on what is connected with a culprit is given up with it.
   static constexpr int rounds_for_culprits_alone = 6;
 
-  void repair(RepairTask task) {
-    const Soundness was = soundnessOf(task.shape);
+  using Solver = RepairSolution (*)(const RepairTask&, const Progress&);
+  using Reasons = std::map<std::size_t, std::string>;
+
+  /// What one solver leaves the next one tries, in the shape as it is then.
+  void repair(const std::vector<FaceChoice>& faces) {
+    constexpr std::array<Solver, 2> solvers = {joinPairs, followTargets};
     double done = share_of_analysis;
-    for (int round = 0; round < most_rounds; ++round) {
-      const double next = done + (1 - done) / 3;
-      const Progress part = partOf(progress_, done, next);
+    for (std::size_t k = 0; k < solvers.size() && std::ranges::count(open_, true) > 0; ++k) {
+      const double next = done + (1 - done) / static_cast<double>(solvers.size() - k);
+      const TopoDS_Shape shape = result_.model.shape;
+      const std::vector<SeamResult> before = result_.after.seams;
+      improve({shape, seams_, before, faces, open_, options_}, solvers.at(k), partOf(progress_, done, next));
       done = next;
-      const std::map<std::size_t, std::string> given_up =
-          attempt(task, was, round >= rounds_for_culprits_alone, part);
+    }
+  }
+
+  void improve(RepairTask task, Solver solver, const Progress& progress) {
+    const Soundness was = soundnessOf(task.shape);
+    double done = 0;
+    for (int round = 0; round < most_rounds && std::ranges::count(task.treated, true) > 0; ++round) {
+      const double next = done + (1 - done) / 3;
+      const Progress part = partOf(progress, done, next);
+      done = next;
+      const Reasons given_up = attempt(task, solver, was, round >= rounds_for_culprits_alone, part);
       if (given_up.empty()) return;
       giveUp(given_up, task);
-      if (std::ranges::count(task.treated, true) == 0) return;
     }
-    std::map<std::size_t, std::string> rest;
-    for (std::size_t i = 0; i < task.treated.size(); ++i)
-      if (task.treated[i]) rest[i] = "no change was proven in " + std::to_string(most_rounds) + " rounds";
-    giveUp(rest, task);
+    giveUp(everything(task, "no change was proven in " + std::to_string(most_rounds) + " rounds"), task);
   }
 
   /// \returns seams to give up; none if the change was kept.
-  std::map<std::size_t, std::string> attempt(RepairTask& task, const Soundness& was, bool with_connected,
-                                             const Progress& progress) {
-    const RepairSolution solution = solve(task, partOf(progress, 0, 0.5));
-    giveUp(solution.failures, task);
-    if (solution.changes.empty()) return everything(task, "the solver moved nothing");
+  Reasons attempt(const RepairTask& task, Solver solver, const Soundness& was, bool with_connected,
+                  const Progress& progress) {
     try {
+      RepairSolution solution = solver(task, partOf(progress, 0, 0.5));
+      if (!solution.complete) return solution.failures;
+      RepairTask rest = task;
+      giveUp(solution.failures, rest);
+      if (solution.changes.empty()) return everything(task, "nothing was moved");
+      for (FaceChange& change : solution.changes) change.largest_move_mm += moves_[change.face];
       const TopoDS_Shape changed = withChanges(task.shape, solution.changes, options_.tolerance.gap_mm);
-      const Proof proof = prove(task, solution.changes, changed, was, partOf(progress, 0.5, 1));
-      if (!proof.holds()) return culprits(task, solution.changes, proof, with_connected);
-      keep(solution.changes, changed, proof);
+      const Proof proof = prove(rest, solution.changes, changed, was, partOf(progress, 0.5, 1));
+      if (!proof.holds()) {
+        Reasons given_up = culprits(rest, solution.changes, proof, with_connected);
+        given_up.merge(solution.failures);
+        return given_up;
+      }
+      keep(rest, solution.changes, changed, proof);
       return {};
+    } catch (const Cancelled&) {
+      throw;
     } catch (const Standard_Failure& failure) {
       return everything(task, std::string("OpenCASCADE failed: ") + failure.DynamicType()->Name() + " " +
                                   failure.GetMessageString());
-    } catch (const Cancelled&) {
-      throw;
     } catch (const std::runtime_error& error) {
       return everything(task, error.what());
     }
   }
 
-  static std::map<std::size_t, std::string> everything(const RepairTask& task, const std::string& why) {
-    std::map<std::size_t, std::string> all;
+  static Reasons everything(const RepairTask& task, const std::string& why) {
+    Reasons all;
     for (std::size_t i = 0; i < task.treated.size(); ++i)
       if (task.treated[i]) all[i] = why;
     return all;
   }
 
-  void giveUp(const std::map<std::size_t, std::string>& seams, RepairTask& task) {
+  void giveUp(const Reasons& seams, RepairTask& task) {
     for (const auto& [i, why] : seams) {
       task.treated[i] = false;
       reasons_[i] = why;
     }
   }
 
-  void keep(const std::vector<FaceChange>& changes, const TopoDS_Shape& changed, const Proof& proof) {
+  void keep(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
+            const Proof& proof) {
     result_.model.shape = changed;
     result_.after.seams = proof.after;
-    for (const FaceChange& change : changes) result_.moves.push_back({change.face, change.largest_move_mm});
-    std::ranges::sort(result_.moves, {}, &FaceMove::face);
+    seams_ = seamsIn(changed, seams_);
+    for (const FaceChange& change : changes) moves_[change.face] = change.largest_move_mm;
+    for (std::size_t i = 0; i < task.treated.size(); ++i) {
+      if (!task.treated[i]) continue;
+      open_[i] = false;
+      reasons_[i].clear();
+    }
   }
 
   void tell(const std::vector<bool>& wanted) {
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       SeamRepair seam{result_.before.seams[i], result_.after.seams[i], wanted[i], false, reasons_[i]};
-      seam.repaired = wanted[i] && seam.reason.empty();
+      seam.repaired = wanted[i] && surelyReaches(seam.after.figures, options_.tolerance, options_.level());
+      if (seam.repaired) seam.reason.clear();
       result_.seams.push_back(std::move(seam));
     }
+    for (const auto& [face, move_mm] : moves_)
+      if (move_mm > 0) result_.moves.push_back({face, move_mm});
   }
 
   const Model& model_;
   const RepairOptions& options_;
   const Progress& progress_;
-  std::vector<Seam> seams_;
-  std::vector<std::string> reasons_;
+  std::vector<Seam> seams_;           ///< of the shape as it is
+  std::vector<bool> open_;            ///< by seam: to be repaired, and not yet
+  std::vector<std::string> reasons_;  ///< by seam
+  std::map<int, double> moves_;       ///< by face
   RepairReport result_;
 };
 

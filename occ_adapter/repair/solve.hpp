@@ -25,12 +25,20 @@ struct RepairTask {
 struct RepairSolution {
   std::vector<FaceChange> changes;
   std::map<std::size_t, std::string> failures;  ///< seams that were to be treated and are not: why
+  bool complete = true;                         ///< false: to be asked again without the failures
 };
 
 /// The same seams in a shape that withChanges() made of theirs.
 std::vector<Seam> seamsIn(const TopoDS_Shape& shape, std::vector<Seam> seams);
 
+/// Joins one pair after the other in poles where both faces end with a side of their surfaces, else one face follows the other; what ends at
+/// the seam stays. What one pair gains the next may spoil.
 /// \throws Cancelled.
-RepairSolution solve(const RepairTask& task, const Progress& progress);
+RepairSolution joinPairs(const RepairTask& task, const Progress& progress);
+
+/// All faces at once follow common targets of their seams, which agree at vertices. A boundary that is not treated keeps its shape, or, where
+/// a vertex has to move, stays as smooth as it is.
+/// \throws Cancelled.
+RepairSolution followTargets(const RepairTask& task, const Progress& progress);
 
 }  // namespace seamwright::occ
