@@ -39,7 +39,12 @@ TEST(FaceFollow, MeetsAnExactAnswerAlongACut) {
     const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const occ::SeamResult after =
         certified(seamBetween(staying, {follow.surface, staying.path, false}), fine(), order);
-    ++cases; static double sum[3]={}, refs[3]={}; sum[order]+=std::log(follow.largest_move_mm/noise); refs[order]+=follow.refinements; if(trial>97) std::printf("order %d mean move %g refine %g\n", order, std::exp(sum[order]/50), refs[order]/50);
+    ++cases;
+    static double sum[3] = {}, refs[3] = {};
+    sum[order] += std::log(follow.largest_move_mm / noise);
+    refs[order] += follow.refinements;
+    if (trial > 97)
+      std::printf("order %d mean move %g refine %g\n", order, std::exp(sum[order] / 50), refs[order] / 50);
     within += follow.largest_move_mm <= 3 * noise;
     std::printf(
         "%d order %d noise %.4f move %.4f refined %d poles %d ratio %.3g gap %.2e angle %.2e deg curv %.3g "
