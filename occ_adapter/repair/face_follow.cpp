@@ -670,12 +670,14 @@ std::string figuresText(const PairMeasure& pair, int order, const ContinuityTole
 }
 
 FaceFollow followPaths(const FaceTask& task) {
+  const auto worst = [](const FaceFollow& follow) {
+    return follow.ratios.empty() ? 0 : std::ranges::max(follow.ratios);
+  };
   FaceFollower gentle(task, true);
   const FaceFollow gently = gentle.run();
-  if (gently.failure.empty() || !gentle.wasHeldBack()) return gently;
+  if (worst(gently) <= 2 * task.share || !gentle.wasHeldBack()) return gently;
   const FaceFollow freely = FaceFollower(task, false).run();
-  const auto worst = [](const FaceFollow& follow) { return std::ranges::max(follow.ratios); };
-  return freely.failure.empty() || worst(freely) < worst(gently) ? freely : gently;
+  return worst(freely) < worst(gently) ? freely : gently;
 }
 
 }  // namespace seamwright::occ
