@@ -213,8 +213,9 @@ std::vector<SecondDifference> secondDifferences(const SplineAxis& axis) {
 
 class FaceFollower {
  public:
-  explicit FaceFollower(const FaceTask& task)
+  FaceFollower(const FaceTask& task, bool gently)
       : task_(task),
+        gently_(gently),
         before_(copyOf(task.surface)),
         basis_(*before_),
         poles_(polesOf(*before_)),
@@ -234,13 +235,17 @@ class FaceFollower {
     return result(moved);
   }
 
+  bool wasHeldBack() const { return was_held_back_; }
+
  private:
   FaceFollow result(const Surface& surface) {
     result_.surface = surface;
-    result_.largest_move_mm = (poles_ - original_).rowwise().norm().maxCoeff();
+    result_.largest_move_mm = largestMove();
     result_.failure = whyNot();
     return result_;
   }
+
+  double largestMove() const { return (poles_ - original_).rowwise().norm().maxCoeff(); }
 
   void sample() {
     constexpr int per_pole = 3, between = 2;
@@ -428,12 +433,23 @@ class FaceFollower {
                    1 / (task_.share * curvatureLimit(target)));
   }
 
-  /// As fair as can be: less so only as long as the samples can't be met.
+  /// As fair as can be: less so only as long as the samples can't be met, and, if gently, as the move stays of its size.
   void moveFairly() {
+    constexpr double better = 0.9, of_its_size = 2;
+    double before = infinite, limit = infinite;
     for (const double fairness : {0.1, 0.01, 0.001}) {
+      const PointRows fairer = poles_;
       move(fairness);
+      if (largestMove() > limit) {
+        poles_ = fairer;
+        was_held_back_ = true;
+        judge();
+        return;
+      }
       judge();
-      if (isMet() || at_samples_ <= task_.share / 2) return;
+      if (isMet() || at_samples_ <= task_.share / 2 || at_samples_ > better * before) return;
+      before = at_samples_;
+      if (gently_) limit = of_its_size * std::max(largestMove(), task_.tolerance.gap_mm);
     }
   }
 
@@ -486,7 +502,7 @@ class FaceFollower {
         if (unknown[pole] >= 0) moved.row(pole) += moves.row(unknown[pole]);
       const double change = (moved - poles_).cwiseAbs().maxCoeff();
       poles_ = moved;
-      if (change <= 1e-3 * task_.share * task_.tolerance.gap_mm) break;
+      if (change <= 1e-2 * task_.share * task_.tolerance.gap_mm) break;
     }
   }
 
@@ -616,6 +632,8 @@ class FaceFollower {
   }
 
   const FaceTask& task_;
+  bool gently_;
+  bool was_held_back_ = false;
   Surface before_;   ///< as given, with the knots of now
   Surface touched_;  ///< one where a pole that a path touches has a share in the pole of now
   SurfaceBasis basis_;
@@ -652,7 +670,14 @@ std::string figuresText(const PairMeasure& pair, int order, const ContinuityTole
 }
 
 FaceFollow followPaths(const FaceTask& task) {
-  return FaceFollower(task).run();
+  const auto worst = [](const FaceFollow& follow) {
+    return follow.ratios.empty() ? 0 : std::ranges::max(follow.ratios);
+  };
+  FaceFollower gentle(task, true);
+  const FaceFollow gently = gentle.run();
+  if (worst(gently) <= 2 * task.share || !gentle.wasHeldBack()) return gently;
+  const FaceFollow freely = FaceFollower(task, false).run();
+  return worst(freely) < worst(gently) ? freely : gently;
 }
 
 }  // namespace seamwright::occ

@@ -182,7 +182,8 @@ SeamTarget::Lead SeamTarget::lead(int end, const TargetPoint& target) const {
   lead.curvature = target.curvature - here.curvature;
   lead.bend.setZero();
   lead.normal_slope.setZero();
-  if (order_ < 2) return lead;
+  if (order_ < 1) return lead;
+  // Also for order 1: what the normals do along the seams at a vertex has to fit one tensor.
   const Eigen::Vector3d along = here.slope + lead.slope;
   const Eigen::Vector3d bend = derivative([&](double s) { return mean(s).slope; }, end);
   lead.bend = (along.dot(target.curvature * along) - bend.dot(target.normal)) * target.normal;

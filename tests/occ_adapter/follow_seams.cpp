@@ -39,11 +39,15 @@ handle<Geom_BSplineCurve> inSpace(const PathOn& side) {
 
 }  // namespace
 
-occ::Seam seamBetween(const PathOn& a, const PathOn& b) {
+occ::Seam seamBetween(const PathOn& a, const PathOn& b, const std::array<int, 2>& faces,
+                      const std::array<TopoDS_Vertex, 2>& ends) {
   const BRep_Builder builder;
   TopoDS_Edge edge;
   builder.MakeEdge(edge, inSpace(a), 1);
   builder.Range(edge, 0, 1);
+  for (const int end : {0, 1})
+    if (!ends[end].IsNull())
+      builder.Add(edge, ends[end].Oriented(end == 0 ? TopAbs_FORWARD : TopAbs_REVERSED));
   occ::Seam seam;
   seam.id = 1;
   seam.edges = {1};
@@ -51,7 +55,7 @@ occ::Seam seamBetween(const PathOn& a, const PathOn& b) {
   for (const PathOn* side : {&a, &b}) {
     builder.UpdateEdge(edge, side->path, side->surface, TopLoc_Location(), 1);
     occ::FaceUse& use = seam.sides[number];
-    use.face = ++number;
+    use.face = faces[number++];
     builder.MakeFace(use.shape, side->surface, 1e-7);
     use.edge = TopoDS::Edge(edge.Oriented(side->face_on_left ? TopAbs_FORWARD : TopAbs_REVERSED));
   }
@@ -80,9 +84,13 @@ occ::TargetPoint shownBy(const handle<Geom_Surface>& surface, const gp_Pnt2d& uv
   return {vector(p.XYZ()), n, j * inverse * second * inverse * j.transpose()};
 }
 
+occ::Pcurve wholePath(const handle<Geom2d_Curve>& path) {
+  return {path, 0, 1, {}};
+}
+
 occ::FollowPath pathTo(const PathOn& own, const PathOn& shown, int order, double sign) {
   occ::FollowPath path;
-  path.path = {own.path, 0, 1, {}};
+  path.path = wholePath(own.path);
   path.order = order;
   path.face_on_left = own.face_on_left;
   path.target = [=](double s) { return shownBy(shown.surface, shown.path->Value(s), sign); };

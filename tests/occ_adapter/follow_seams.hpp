@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Geom2d_Curve.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <array>
 #include <random>
 
 #include "match_pairs.hpp"
@@ -23,13 +25,18 @@ struct PathOn {
 };
 
 /// The seam of two faces along paths that belong together at equal parameters.
-occ::Seam seamBetween(const PathOn& a, const PathOn& b);
+/// \param ends vertices of the edge, or null.
+occ::Seam seamBetween(const PathOn& a, const PathOn& b, const std::array<int, 2>& faces = {1, 2},
+                      const std::array<TopoDS_Vertex, 2>& ends = {});
 
 /// Its figures, enclosed.
 occ::SeamResult certified(const occ::Seam& seam, const ContinuityTolerance& tolerance, int order);
 
 /// What a surface shows along a path, by plain evaluation; \p sign of the normal.
 occ::TargetPoint shownBy(const handle<Geom_Surface>& surface, const gp_Pnt2d& uv, double sign = 1);
+
+/// The whole of it, from 0 to 1.
+occ::Pcurve wholePath(const handle<Geom2d_Curve>& path);
 
 /// The path has to meet what another surface shows along another path.
 occ::FollowPath pathTo(const PathOn& own, const PathOn& shown, int order, double sign = 1);
