@@ -6,6 +6,7 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <stdexcept>
 
@@ -83,8 +84,17 @@ class Following {
     return pcurves_[seam];
   }
 
+  /// Also of order 1 with the curvature of its ends: where two seams of a face meet, the normals along one have to turn as the other one
+  /// wants it, which a common tensor gives.
   std::shared_ptr<SeamTarget> target(std::size_t seam, const std::array<bool, 2>& stays) {
-    return std::make_shared<SeamTarget>(task_.seams[seam], pcurvesOf(seam), stays, orderOf(seam));
+    const int order = orderOf(seam) == 0 ? 0 : 2;
+    return std::make_shared<SeamTarget>(task_.seams[seam], pcurvesOf(seam), stays, order);
+  }
+
+  FollowPath pathTo(std::size_t seam, const std::shared_ptr<SeamTarget>& target, int side) const {
+    FollowPath path = followPath(target, side);
+    path.order = orderOf(seam);
+    return path;
   }
 
   void makeTargets() {
@@ -103,7 +113,7 @@ class Following {
       for (const int side : {0, 1})
         if (moves(sides[side].face))
           paths_[sides[side].face].push_back(
-              {i, followPath(common ? common : target(i, {side == 0, side == 1}), side)});
+              {i, pathTo(i, common ? common : target(i, {side == 0, side == 1}), side)});
     }
   }
 
@@ -132,6 +142,8 @@ class Following {
 
   /// \returns whether seams were carried or given up because vertices ask for it; then once more.
   bool agreeAtVertices() {
+    ContinuityTolerance tolerance = task_.options.tolerance;
+    if (task_.options.order < 2) tolerance.curvature_rel = std::numeric_limits<double>::infinity();
     bool again = false;
     for (const std::vector<TargetEnd>& ends : meetingEnds(targets_)) {
       const std::vector<std::size_t> held_seams = heldAt(verticesOf(ends));
@@ -142,7 +154,7 @@ class Following {
             const auto there = held.emplace(side.face, -1).first;
             there->second = std::max(there->second, orderOf(i));
           }
-      const std::string contradiction = agreeAtVertex(ends, held, task_.options.tolerance);
+      const std::string contradiction = agreeAtVertex(ends, held, tolerance);
       if (contradiction.empty()) continue;
       if (carry(held_seams))
         again = true;
