@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <seamwright/core/join/network_projection.hpp>
+
+namespace seamwright::network {
+
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+/// Of the scaled system, whose rows have length 1.
+constexpr double shift = 1e-12;
+/// Of the parameters, in units of what they do to the scaled system.
+constexpr double damping = 1e-10;
+
+Eigen::VectorXd reachOf(const Eigen::VectorXd& pull) {
+  return (pull.array() > 0).select(pull.array().rsqrt(), 0.0);
+}
+
+Eigen::VectorXd rowLengths(const Sparse& a) {
+  Eigen::VectorXd squared = Eigen::VectorXd::Zero(a.rows());
+  for (int k = 0; k < a.outerSize(); ++k)
+    for (Sparse::InnerIterator it(a, k); it; ++it) squared(it.row()) += it.value() * it.value();
+  return squared.cwiseSqrt();
+}
+
+Sparse shifted(const Sparse& m) {
+  Sparse unit(m.rows(), m.cols());
+  unit.setIdentity();
+  return m + shift * unit;
+}
+
+}  // namespace
+
+Projection project(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::MatrixXd& target) {
+  constexpr int max_passes = 12;
+  const Eigen::VectorXd reach = reachOf(pull);
+  Projection result;
+  result.x = target;
+  result.multipliers = Eigen::MatrixXd::Zero(a.rows(), target.cols());
+  const Sparse reached = a * reach.asDiagonal();
+  const Eigen::VectorXd length = rowLengths(reached), whole = rowLengths(a);
+  result.row_scale = (length.array() > 1e-9 * whole.array()).select(length, whole.cwiseMax(1e-300)).cwiseInverse();
+  if (a.rows() == 0) return result;
+  const Sparse scaled = result.row_scale.asDiagonal() * reached;
+  const Eigen::SimplicialLDLT<Sparse> solver(shifted(scaled * Sparse(scaled.transpose())));
+
+  Eigen::MatrixXd z = Eigen::MatrixXd::Zero(target.rows(), target.cols());
+  Eigen::MatrixXd rest = result.row_scale.asDiagonal() * (a * result.x);
+  double size = rest.norm();
+  for (int pass = 0; pass < max_passes && size > 0; ++pass) {
+    const Eigen::MatrixXd more = solver.solve(rest);
+    const Eigen::MatrixXd next_z = z - scaled.transpose() * more;
+    const Eigen::MatrixXd next_x = target + reach.asDiagonal() * next_z;
+    const Eigen::MatrixXd next_rest = result.row_scale.asDiagonal() * (a * next_x);
+    if (pass > 1 && !(next_rest.norm() < 0.9 * size)) break;
+    result.multipliers += more;
+    z = next_z;
+    result.x = next_x;
+    rest = next_rest;
+    size = rest.norm();
+  }
+  result.unreachable = size;
+  result.cost = z.squaredNorm();
+  return result;
+}
+
+Step step(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::MatrixXd& target, const Projection& at,
+          const Sparse& g) {
+  const Eigen::Index rows = a.rows(), parameters = g.cols(), all = target.cols() * rows + parameters;
+  const Sparse scaled = at.row_scale.asDiagonal() * a * reachOf(pull).asDiagonal();
+  const Sparse m = shifted(scaled * Sparse(scaled.transpose()));
+  const Eigen::VectorXd scale_of_g = at.row_scale.replicate(target.cols(), 1);
+  Sparse by = scale_of_g.asDiagonal() * g;
+  Eigen::VectorXd unit(parameters);
+  for (Eigen::Index k = 0; k < parameters; ++k) {
+    const double length = by.col(k).norm();
+    unit(k) = length > 0 ? 1 / length : 0;
+  }
+  by = by * unit.asDiagonal();
+
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index d = 0; d < target.cols(); ++d)
+    for (int k = 0; k < m.outerSize(); ++k)
+      for (Sparse::InnerIterator it(m, k); it; ++it)
+        if (it.row() >= it.col())
+          entries.emplace_back(d * rows + it.row(), d * rows + it.col(), it.value());
+  for (int k = 0; k < by.outerSize(); ++k)
+    for (Sparse::InnerIterator it(by, k); it; ++it)
+      entries.emplace_back(all - parameters + k, it.row(), -it.value());
+  for (Eigen::Index k = 0; k < parameters; ++k)
+    entries.emplace_back(all - parameters + k, all - parameters + k, -damping);
+  Sparse system(all, all);
+  system.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SimplicialLDLT<Sparse> solver(system);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(all);
+  right.head(all - parameters) = (at.row_scale.asDiagonal() * (a * target)).reshaped();
+  const Eigen::VectorXd found = solver.solve(right);
+  Step result;
+  const Eigen::VectorXd change = found.tail(parameters);
+  result.change = unit.asDiagonal() * change;
+  // The cost falls by -g' dy, g = 2 G' nu being its gradient.
+  result.decrease = -change.dot(by.transpose() * at.multipliers.reshaped());
+  return result;
+}
+
+}  // namespace seamwright::network
