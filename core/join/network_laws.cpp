@@ -4,7 +4,8 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <limits>
+#include <utility>
 
 #include <seamwright/core/join/network_laws.hpp>
 #include <seamwright/core/join/network_projection.hpp>
@@ -12,8 +13,6 @@
 namespace seamwright::network {
 
 namespace {
-
-constexpr double degrees_per_radian = 180 / std::numbers::pi;
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
