@@ -6,6 +6,7 @@
 
 #include <seamwright/core/bezier/homogeneous.hpp>
 #include <seamwright/core/join/network_laws.hpp>
+#include <seamwright/core/join/nearest_solver.hpp>
 #include <seamwright/core/join/network_projection.hpp>
 
 namespace seamwright {

@@ -97,7 +97,7 @@ struct NetworkResult {
 ///   - a *crossing* of two lines through four surfaces, as inside a grid: e (and q) is zero along each seam that ends there, d / c (and p / d) one
 ///     constant along each line. Degrees and knots stay. G2 is possible.
 ///   - a *star* of 3, 5, or more surfaces, or of 4 that is no crossing: e is linear between its values at the ends (quadratic towards a
-///     crossing). First d / c is constant on each seam, with which bicubic patches can do. If the move with linear c and d is less than half as
+///     crossing). First d / c is constant on each seam, with which bicubic patches can do. If the move with linear c and d and quadratic e is less than half as
 ///     large, those are used; surfaces come back in degree 4 along such seams (inner knots: with one multiplicity more), as do all that the
 ///     opposite edges are tied to. A star allows no G2 in general: such seams join with G1, and say so.
 ///   - a *rim* vertex, which seams do not surround: the laws are free there, each seam having d / c constant and e (and q) linear, or zero where

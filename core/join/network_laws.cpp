@@ -158,7 +158,7 @@ void setForm(const Network& network, const Unknowns& u, int seam, bool linear, S
   }
   plan.linear = linear && star && !crossing;
   if (star)
-    plan.e = crossing ? SeamPlan::E::Double : SeamPlan::E::Linear;
+    plan.e = crossing ? SeamPlan::E::Double : plan.linear ? SeamPlan::E::Quadratic : SeamPlan::E::Linear;
   else if (!crossing) {
     const Condition condition = naturalCondition(network, seam, plan.order);
     const bool knots = !innerKnots(condition.side(0)).empty();
@@ -276,6 +276,7 @@ void Laws::addParameters() {
       if (share_slot_[seam.line] < 0) share_slot_[seam.line] = count++;
       own.push_back(slots.share = share_slot_[seam.line]);
     }
+    if (seam.e == SeamPlan::E::Quadratic) add(slots.bulge);
     for (int end = 0; end < 2; ++end) {
       const VertexSort sort = seam.ends[end].sort;
       if (sort == VertexSort::Star) {
@@ -285,7 +286,7 @@ void Laws::addParameters() {
         continue;
       }
       if (seam.linear) add(slots.end_ratio[end]);
-      if (seam.e == SeamPlan::E::Linear) add(slots.e[end]);
+      if (seam.e == SeamPlan::E::Linear || seam.e == SeamPlan::E::Quadratic) add(slots.e[end]);
       if (seam.e == SeamPlan::E::Linear && seam.order == 2) add(slots.q[end]);
     }
   }
@@ -335,10 +336,12 @@ void Laws::setStart(const Network& network, const Unknowns& u) {
     SeamLaw law = this->law(i, start_);
     const Slots& slots = slots_[i];
     // At an end that is a star e is given; the other end's value fits best with it.
-    if (seam.e == SeamPlan::E::Linear && (slots.e[0] >= 0 || slots.e[1] >= 0)) {
+    if (slots.bulge >= 0 || slots.e[0] >= 0 || slots.e[1] >= 0) {
       law = condition.fitted(law, 1, {E}, x);
+      const Eigen::Index last = law.e.size() - 1;
       for (int end = 0; end < 2; ++end)
-        if (slots.e[end] >= 0) start_(slots.e[end]) = law.e(end);
+        if (slots.e[end] >= 0) start_(slots.e[end]) = law.e(end * last);
+      if (slots.bulge >= 0) start_(slots.bulge) = law.e(1) - (law.e(0) + law.e(2)) / 2;
     }
     if (seam.order == 1) return;
     law = condition.fitted(law, 2, {P, Q}, x);
@@ -416,6 +419,7 @@ SeamLaw Laws::law(int seam, const Eigen::VectorXd& y) const {
     if (slots.e[end] >= 0) law.e(e) = y(slots.e[end]);
     if (slots.q[end] >= 0) law.q(end) = y(slots.q[end]);
   }
+  if (slots.bulge >= 0) law.e(1) = (law.e(0) + law.e(2)) / 2 + y(slots.bulge);
   if (slots.share >= 0) law.p(0) = y(slots.share) * law.d(0);
   return law;
 }

@@ -36,7 +36,7 @@ struct SeamPlan {
   bool linear = false;  ///< c and d are; else d / c is a constant
   int line = -1;        ///< whose constant it is; none if linear or held
   int sense = 1;        ///< -1: c / d is
-  enum class E { Zero, Linear, Double } e = E::Zero;  ///< Double: two zeros at the end that is no star
+  enum class E { Zero, Linear, Quadratic, Double } e = E::Zero;  ///< Double: two zeros at the end that is no star
   struct End {
     int vertex = -1;
     int spoke = -1;  ///< of a star or crossing, -1 at the rim
@@ -88,6 +88,7 @@ class Laws {
     int ratio = -1, share = -1;                        ///< of the line: log d / c, p / d
     std::array<int, 2> end_ratio = {-1, -1};           ///< log d / c at a rim, of a linear one
     std::array<int, 2> e = {-1, -1}, q = {-1, -1};
+    int bulge = -1;  ///< of a quadratic e above the mean of its ends
   };
   Eigen::Vector3d starValues(const SeamPlan::End& end, const Eigen::VectorXd& y) const;
   void addParameters();
