@@ -170,6 +170,7 @@ class Attempt {
   Projection at_;
   double stationarity_ = 0;
   bool converged_ = true;
+  double damping_ = 1e-10;
   int iterations_ = 0;
   double largest_move_ = 0;
   std::vector<double> moves_;
@@ -253,27 +254,30 @@ void Attempt::search(const Laws& laws, const NetworkOptions& options) {
 
 /// False if no step makes the cost less, or what cannot be reached; then the search has converged if the promise was small.
 bool Attempt::improve(const Laws& laws) {
-  constexpr double resolved = 1e-12;
-  const Eigen::SparseMatrix<double> a = matrix(laws, y_);
-  const Step newton = step(a, unknowns_.pull, unknowns_.target, at_, derivative(laws, y_, at_.x));
+  constexpr double resolved = 1e-12, small = 1e-6;
+  constexpr double least_damping = 1e-10, most_damping = 1e4;
+  const Eigen::SparseMatrix<double> a = matrix(laws, y_), g = derivative(laws, y_, at_.x);
   const double cost = at_.cost + unknowns_.joining;
-  stationarity_ = cost > 0 ? std::abs(newton.decrease) / cost : 0;
-  if (isExact(at_) && std::abs(newton.decrease) <= resolved * cost + noise_ * noise_) {
-    converged_ = true;
-    return false;
+  for (;; damping_ = std::max(damping_ * 100, least_damping)) {
+    const Step next = step(a, unknowns_.pull, unknowns_.target, at_, g, damping_);
+    stationarity_ = cost > 0 ? std::abs(next.decrease) / cost : 0;
+    converged_ = isExact(at_) && stationarity_ * cost <= resolved * cost + noise_ * noise_;
+    if (converged_) return false;
+    const Eigen::VectorXd y = laws.moved(y_, next.change);
+    if (y.allFinite()) {
+      Projection trial = project(matrix(laws, y), unknowns_.pull, unknowns_.target);
+      const bool nearer = isExact(at_) ? isExact(trial) && trial.cost < at_.cost
+                                       : trial.unreachable < 0.75 * at_.unreachable;
+      if (nearer) {
+        y_ = y;
+        at_ = std::move(trial);
+        damping_ = std::max(damping_ / 100, least_damping);
+        return true;
+      }
+    }
+    if (damping_ > most_damping) break;
   }
-  for (double share = 1; share > 1e-3; share /= 2) {
-    const Eigen::VectorXd y = laws.moved(y_, share * newton.change);
-    if (!y.allFinite()) continue;
-    Projection trial = project(matrix(laws, y), unknowns_.pull, unknowns_.target);
-    const bool nearer = isExact(at_) ? isExact(trial) && trial.cost < at_.cost
-                                     : trial.unreachable < (1 - share / 4) * at_.unreachable;
-    if (!nearer) continue;
-    y_ = y;
-    at_ = std::move(trial);
-    return true;
-  }
-  converged_ = isExact(at_) && std::abs(newton.decrease) <= 1e-6 * cost;
+  converged_ = isExact(at_) && stationarity_ <= small;
   return false;
 }
 

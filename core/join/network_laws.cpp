@@ -118,6 +118,10 @@ Condition naturalCondition(const Network& network, int seam, int order) {
   return {rowsOf(network.surfaces, of, 0, order), rowsOf(network.surfaces, of, 1, order), order, law};
 }
 
+bool hasThree(SeamPlan::E e) {
+  return e == SeamPlan::E::Quadratic || e == SeamPlan::E::Double;
+}
+
 SeamLaw withRatio(double ratio) {
   SeamLaw law;
   law.c(0) = 2 / (1 + ratio);
@@ -218,6 +222,31 @@ void findObstacles(const Network& network, const Unknowns& u, int seam, Plan& pl
   if (!(together > 0)) plan.obstacles.push_back({seam, 0, "the surfaces fold back along it"});
 }
 
+/// e need not be zero on a line of two seams, from the rim to the rim, if it comes from the crossing with the same slope in both.
+void tieSlopes(const Network& network, const Unknowns& u, Plan& plan) {
+  const auto otherEnd = [&](const Spoke& spoke) { return plan.seams[spoke.seam].ends[1 - spoke.end].sort; };
+  for (std::size_t v = 0; v < plan.vertices.size(); ++v) {
+    if (plan.sorts[v].sort != VertexSort::Crossing) continue;
+    const std::vector<Spoke>& spokes = plan.vertices[v].spokes;
+    if (!std::ranges::all_of(spokes, [&](const Spoke& s) {
+          return plan.seams[s.seam].order == 1 && !network.seams[s.seam].held;
+        }))
+      continue;
+    for (int i = 0; i < 2; ++i) {
+      const auto rough = [&](const Spoke& spoke) {
+        const Condition condition = naturalCondition(network, spoke.seam, 1);
+        return !innerKnots(condition.side(0)).empty() &&
+               !needsE(condition, polesOf(u, columnsOf(u, network.seams[spoke.seam], condition)));
+      };
+      const Spoke& one = spokes[i];
+      const Spoke& other = spokes[i + 2];
+      if (otherEnd(one) != VertexSort::Rim || otherEnd(other) != VertexSort::Rim || rough(one) || rough(other))
+        continue;
+      plan.seams[one.seam].e = plan.seams[other.seam].e = SeamPlan::E::Tied;
+    }
+  }
+}
+
 }  // namespace
 
 Plan planOf(const Network& network, const Unknowns& u, const NetworkOptions& options, bool linear) {
@@ -245,6 +274,7 @@ Plan planOf(const Network& network, const Unknowns& u, const NetworkOptions& opt
     }
   }
   setLines(network, plan);
+  tieSlopes(network, u, plan);
   return plan;
 }
 
@@ -258,6 +288,7 @@ void Laws::addParameters() {
   int count = 0;
   line_slot_.assign(plan_.lines, -1);
   share_slot_.assign(plan_.lines, -1);
+  tied_slot_.assign(plan_.lines, -1);
   for (int& slot : line_slot_) slot = count++;
   for (std::size_t v = 0; v < plan_.vertices.size(); ++v)
     if (plan_.sorts[v].sort == VertexSort::Star) {
@@ -275,6 +306,10 @@ void Laws::addParameters() {
     if (seam.line >= 0 && seam.order == 2) {
       if (share_slot_[seam.line] < 0) share_slot_[seam.line] = count++;
       own.push_back(slots.share = share_slot_[seam.line]);
+    }
+    if (seam.e == SeamPlan::E::Tied) {
+      if (tied_slot_[seam.line] < 0) tied_slot_[seam.line] = count++;
+      own.push_back(slots.tied = tied_slot_[seam.line]);
     }
     if (seam.e == SeamPlan::E::Quadratic) add(slots.bulge);
     for (int end = 0; end < 2; ++end) {
@@ -336,6 +371,10 @@ void Laws::setStart(const Network& network, const Unknowns& u) {
     SeamLaw law = this->law(i, start_);
     const Slots& slots = slots_[i];
     // At an end that is a star e is given; the other end's value fits best with it.
+    if (slots.tied >= 0) {
+      law = condition.fitted(law, 1, {E}, x);
+      start_(slots.tied) += (seam.ends[0].sort == VertexSort::Crossing ? law.e(1) : -law.e(0)) / 2;
+    }
     if (slots.bulge >= 0 || slots.e[0] >= 0 || slots.e[1] >= 0) {
       law = condition.fitted(law, 1, {E}, x);
       const Eigen::Index last = law.e.size() - 1;
@@ -396,7 +435,7 @@ SeamLaw Laws::law(int seam, const Eigen::VectorXd& y) const {
   const Slots& slots = slots_[seam];
   SeamLaw law = plan.line >= 0 ? withRatio(std::exp(plan.sense * y(slots.ratio))) : SeamLaw{};
   if (plan.linear) law.c = law.d = Eigen::VectorXd::Zero(2);
-  if (plan.e != SeamPlan::E::Zero) law.e = Eigen::VectorXd::Zero(plan.e == SeamPlan::E::Linear ? 2 : 3);
+  if (plan.e != SeamPlan::E::Zero) law.e = Eigen::VectorXd::Zero(hasThree(plan.e) ? 3 : 2);
   if (plan.order == 2 && plan.e == SeamPlan::E::Linear) law.q = Eigen::VectorXd::Zero(2);
   for (int end = 0; end < 2; ++end) {
     const SeamPlan::End& at = plan.ends[end];
@@ -418,6 +457,10 @@ SeamLaw Laws::law(int seam, const Eigen::VectorXd& y) const {
     }
     if (slots.e[end] >= 0) law.e(e) = y(slots.e[end]);
     if (slots.q[end] >= 0) law.q(end) = y(slots.q[end]);
+  }
+  if (slots.tied >= 0) {
+    const bool begins = plan.ends[0].sort == VertexSort::Crossing;
+    law.e(begins ? 1 : 0) = begins ? y(slots.tied) : -y(slots.tied);
   }
   if (slots.bulge >= 0) law.e(1) = (law.e(0) + law.e(2)) / 2 + y(slots.bulge);
   if (slots.share >= 0) law.p(0) = y(slots.share) * law.d(0);

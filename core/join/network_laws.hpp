@@ -36,7 +36,8 @@ struct SeamPlan {
   bool linear = false;  ///< c and d are; else d / c is a constant
   int line = -1;        ///< whose constant it is; none if linear or held
   int sense = 1;        ///< -1: c / d is
-  enum class E { Zero, Linear, Quadratic, Double } e = E::Zero;  ///< Double: two zeros at the end that is no star
+  /// Double: two zeros at the end that is no star. Tied: linear from a crossing to the rim, and the same on the other half of the line.
+  enum class E { Zero, Linear, Quadratic, Double, Tied } e = E::Zero;
   struct End {
     int vertex = -1;
     int spoke = -1;  ///< of a star or crossing, -1 at the rim
@@ -88,6 +89,7 @@ class Laws {
     int ratio = -1, share = -1;                        ///< of the line: log d / c, p / d
     std::array<int, 2> end_ratio = {-1, -1};           ///< log d / c at a rim, of a linear one
     std::array<int, 2> e = {-1, -1}, q = {-1, -1};
+    int tied = -1;   ///< of the line: e at the rim
     int bulge = -1;  ///< of a quadratic e above the mean of its ends
   };
   Eigen::Vector3d starValues(const SeamPlan::End& end, const Eigen::VectorXd& y) const;
@@ -103,7 +105,7 @@ class Laws {
   const Plan& plan_;
   std::vector<Slots> slots_;
   std::vector<int> star_slot_;  ///< of each vertex; -1: no star
-  std::vector<int> line_slot_, share_slot_;
+  std::vector<int> line_slot_, share_slot_, tied_slot_;
   std::vector<std::vector<int>> of_seam_;
   Eigen::VectorXd start_;
   Eigen::SparseMatrix<double> basis_;

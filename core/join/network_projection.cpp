@@ -2,6 +2,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <seamwright/core/join/network_projection.hpp>
@@ -14,8 +15,6 @@ using Sparse = Eigen::SparseMatrix<double>;
 
 /// Of the scaled system, whose rows have length 1.
 constexpr double shift = 1e-12;
-/// Of the parameters, in units of what they do to the scaled system.
-constexpr double damping = 1e-10;
 
 Eigen::VectorXd reachOf(const Eigen::VectorXd& pull) {
   return (pull.array() > 0).select(pull.array().rsqrt(), 0.0);
@@ -34,10 +33,16 @@ Sparse shifted(const Sparse& m) {
   return m + shift * unit;
 }
 
+/// 0 where there is nothing to divide by.
+Eigen::RowVectorXd quotient(const Eigen::RowVectorXd& a, const Eigen::RowVectorXd& b) {
+  return (b.array() > 0).select(a.array() / b.array(), 0.0);
+}
+
 }  // namespace
 
 Projection project(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::MatrixXd& target) {
-  constexpr int max_passes = 12;
+  constexpr int max_passes = 40;
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
   const Eigen::VectorXd reach = reachOf(pull);
   Projection result;
   result.x = target;
@@ -48,29 +53,42 @@ Projection project(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::Ma
   if (a.rows() == 0) return result;
   const Sparse scaled = result.row_scale.asDiagonal() * reached;
   const Eigen::SimplicialLDLT<Sparse> solver(shifted(scaled * Sparse(scaled.transpose())));
+  const auto rest = [&](const Eigen::MatrixXd& x) -> Eigen::MatrixXd {
+    return result.row_scale.asDiagonal() * (a * x);
+  };
+  const double resolved =
+      rounding * (result.row_scale.asDiagonal() * (a.cwiseAbs() * target.cwiseAbs())).norm();
 
-  Eigen::MatrixXd z = Eigen::MatrixXd::Zero(target.rows(), target.cols());
-  Eigen::MatrixXd rest = result.row_scale.asDiagonal() * (a * result.x);
-  double size = rest.norm();
-  for (int pass = 0; pass < max_passes && size > 0; ++pass) {
-    const Eigen::MatrixXd more = solver.solve(rest);
-    const Eigen::MatrixXd next_z = z - scaled.transpose() * more;
-    const Eigen::MatrixXd next_x = target + reach.asDiagonal() * next_z;
-    const Eigen::MatrixXd next_rest = result.row_scale.asDiagonal() * (a * next_x);
-    if (pass > 1 && !(next_rest.norm() < 0.9 * size)) break;
-    result.multipliers += more;
-    z = next_z;
-    result.x = next_x;
-    rest = next_rest;
-    size = rest.norm();
+  // Conjugate gradients with the shifted matrix as preconditioner; residuals are those of x as it is stored.
+  Eigen::MatrixXd z = Eigen::MatrixXd::Zero(target.rows(), target.cols()), r = rest(result.x);
+  result.unreachable = r.norm();
+  Eigen::MatrixXd nu = result.multipliers, direction;
+  Eigen::RowVectorXd slope;
+  for (int pass = 0; pass < max_passes && result.unreachable > resolved; ++pass) {
+    const Eigen::MatrixXd preconditioned = solver.solve(r);
+    const Eigen::RowVectorXd next_slope = r.cwiseProduct(preconditioned).colwise().sum();
+    if (pass == 0)
+      direction = preconditioned;
+    else
+      direction = preconditioned + direction * quotient(next_slope, slope).asDiagonal();
+    slope = next_slope;
+    const Eigen::MatrixXd along = scaled.transpose() * direction;
+    const Eigen::RowVectorXd share = quotient(slope, along.colwise().squaredNorm());
+    nu += direction * share.asDiagonal();
+    z -= along * share.asDiagonal();
+    const Eigen::MatrixXd x = target + reach.asDiagonal() * z;
+    r = rest(x);
+    if (!(r.norm() < result.unreachable)) continue;
+    result.unreachable = r.norm();
+    result.x = x;
+    result.multipliers = nu;
+    result.cost = z.squaredNorm();
   }
-  result.unreachable = size;
-  result.cost = z.squaredNorm();
   return result;
 }
 
 Step step(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::MatrixXd& target, const Projection& at,
-          const Sparse& g) {
+          const Sparse& g, double damping) {
   const Eigen::Index rows = a.rows(), parameters = g.cols(), all = target.cols() * rows + parameters;
   const Sparse scaled = at.row_scale.asDiagonal() * a * reachOf(pull).asDiagonal();
   const Sparse m = shifted(scaled * Sparse(scaled.transpose()));

@@ -9,7 +9,8 @@ namespace seamwright::network {
 
 /// min 1/2 sum pull |x - target|^2  subject to  A x = 0, the columns of x independently; pull 0: the row of x stays. A may have rows that depend on
 /// each other: with D = pull^(-1/2) (0 where a row stays) the multipliers solve (A D^2 A' + shift) nu = A x, the shift being
-/// far below what counts of A D^2 A', and x is refined until A x is rounding, or is what no move can reach.
+/// far below what counts of A D^2 A', and make the preconditioner of conjugate gradients, which end where A x is rounding, or is what no
+/// move can reach.
 struct Projection {
   Eigen::MatrixXd x;
   Eigen::MatrixXd multipliers;    ///< of the rows of A divided by their lengths
@@ -22,12 +23,13 @@ Projection project(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& 
                    const Eigen::MatrixXd& target);
 
 /// The step of parameters that Gauss and Newton's method takes: A x + A D z + G dy = 0 to first order with the smallest z, G being the
-/// derivative of A x by the parameters, its rows those of x's first column, then of the second, ..
+/// derivative of A x by the parameters, its rows those of x's first column, then of the second, .. The cost includes damping times |dy|^2, dy in
+/// units of what it does to A x, its rows divided by their lengths.
 struct Step {
   Eigen::VectorXd change;  ///< dy
   double decrease = 0;     ///< of the cost, that it promises
 };
 Step step(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& pull, const Eigen::MatrixXd& target,
-          const Projection& at, const Eigen::SparseMatrix<double>& g);
+          const Projection& at, const Eigen::SparseMatrix<double>& g, double damping);
 
 }  // namespace seamwright::network
