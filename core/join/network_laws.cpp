@@ -14,6 +14,9 @@ namespace seamwright::network {
 
 namespace {
 
+/// Share of the largest pivot below which derivatives by differences say nothing.
+constexpr double least_pivot = 1e-7;
+
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
@@ -526,9 +529,12 @@ void Laws::restore(int vertex, Eigen::VectorXd& y) const {
   double size = excess(vertex, y).norm();
   for (int k = 0; k < max_steps && size > 1e-16; ++k) {
     const Eigen::MatrixXd by = excessDerivative(vertex, y);
+    // The ratios around a vertex have the product 1: one of them follows from the others.
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> inverse;
+    inverse.setThreshold(least_pivot);
+    inverse.compute(by);
     Eigen::VectorXd trial = y;
-    trial.segment(star_slot_[vertex], by.cols()) -=
-        by.completeOrthogonalDecomposition().solve(excess(vertex, y));
+    trial.segment(star_slot_[vertex], by.cols()) -= inverse.solve(excess(vertex, y));
     const double next = excess(vertex, trial).norm();
     if (!(next < size)) return;
     y = trial;
@@ -559,7 +565,7 @@ void Laws::setBasis(const std::vector<bool>& stiff) {
     }
     conditions.topRows(ratios) *= rays.norm();
     Eigen::FullPivLU<Eigen::MatrixXd> lu(conditions);
-    lu.setThreshold(1e-9);
+    lu.setThreshold(least_pivot);
     if (lu.dimensionOfKernel() == 0) continue;
     const Eigen::MatrixXd kernel = lu.kernel();
     for (Eigen::Index i = 0; i < kernel.cols(); ++i, ++count)

@@ -41,8 +41,8 @@ Eigen::RowVectorXd quotient(const Eigen::RowVectorXd& a, const Eigen::RowVectorX
 }  // namespace
 
 Projection project(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::MatrixXd& target) {
-  constexpr int max_passes = 40;
-  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  constexpr int max_passes = 40, patience = 3;
+  constexpr double rounding = std::numeric_limits<double>::epsilon() / 4;
   const Eigen::VectorXd reach = reachOf(pull);
   Projection result;
   result.x = target;
@@ -64,7 +64,8 @@ Projection project(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::Ma
   result.unreachable = r.norm();
   Eigen::MatrixXd nu = result.multipliers, direction;
   Eigen::RowVectorXd slope;
-  for (int pass = 0; pass < max_passes && result.unreachable > resolved; ++pass) {
+  int idle = 0;
+  for (int pass = 0; pass < max_passes && idle < patience && result.unreachable > resolved; ++pass) {
     const Eigen::MatrixXd preconditioned = solver.solve(r);
     const Eigen::RowVectorXd next_slope = r.cwiseProduct(preconditioned).colwise().sum();
     if (pass == 0)
@@ -78,6 +79,7 @@ Projection project(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::Ma
     z -= along * share.asDiagonal();
     const Eigen::MatrixXd x = target + reach.asDiagonal() * z;
     r = rest(x);
+    idle = r.norm() < 0.9 * result.unreachable ? 0 : idle + 1;
     if (!(r.norm() < result.unreachable)) continue;
     result.unreachable = r.norm();
     result.x = x;
