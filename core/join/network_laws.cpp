@@ -27,22 +27,21 @@ Eigen::MatrixXd polesOf(const Unknowns& u, const std::vector<int>& columns) {
   return x;
 }
 
-/// The tangent along a ray at its vertex, by its surface's parameter scaled to 0..1.
-Eigen::Vector3d tangent(const Network& network, const Unknowns& u, const Ray& ray, bool& stays) {
-  JoinSide side;
-  side.surface = network.surfaces[ray.surface].surface;
-  side.edge = ray.edge;
-  side.reversed = ray.reversed;
-  const nearest::SeamRows rows = nearest::seamRows(side, 1);
-  const int begin = u.of_pole[ray.surface][rows.pole(0, 0)], next = u.of_pole[ray.surface][rows.pole(0, 1)];
-  stays = u.pull(begin) == 0 && u.pull(next) == 0;
-  return (u.target.row(next) - u.target.row(begin)).transpose() * rows.degree / rows.knots[rows.degree + 1];
+/// The tangent of a seam at its end at a vertex, away from there, by its parameter.
+Eigen::Vector3d tangent(const Network& network, const Unknowns& u, const Spoke& spoke, bool& stays) {
+  const NetworkSeam& seam = network.seams[spoke.seam];
+  const nearest::SeamRows rows = rowsOf(network.surfaces, seam, 0, 1);
+  const bool ends = spoke.end == 1;
+  const auto unknown = [&](int j) { return u.of_pole[seam.surfaces[0]][rows.pole(0, ends ? rows.count - 1 - j : j)]; };
+  stays = u.pull(unknown(0)) == 0 && u.pull(unknown(1)) == 0;
+  const double span = ends ? 1 - rows.knots[rows.count - 1] : rows.knots[rows.degree + 1];
+  return (u.target.row(unknown(1)) - u.target.row(unknown(0))).transpose() * rows.degree / span;
 }
 
 /// The rays in the plane that their sectors' normals have on average; spread as they are in it.
-Eigen::Matrix2Xd flattened(const Eigen::Matrix3Xd& rays, bool closed) {
+Eigen::Matrix2Xd flattened(const Eigen::Matrix3Xd& rays) {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-  for (Eigen::Index i = 0; i + (closed ? 0 : 1) < rays.cols(); ++i) {
+  for (Eigen::Index i = 0; i < rays.cols(); ++i) {
     const Eigen::Vector3d a = rays.col(i), b = rays.col((i + 1) % rays.cols());
     normal += a.cross(b);
   }
@@ -59,12 +58,11 @@ double angleFromOpposite(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 }
 
 /// The first sector whose tangents are parallel or run backwards; -1: none.
-int flatSector(const Vertex& vertex, const Eigen::Matrix2Xd& rays) {
+int flatSector(const Eigen::Matrix2Xd& rays) {
   constexpr double least_sine = 1e-3;
-  const Eigen::Index sectors = std::ssize(vertex.corners);
+  const Eigen::Index sectors = rays.cols();
   for (Eigen::Index i = 0; i < sectors; ++i) {
-    const Eigen::Index next = vertex.closed() ? i : i + 1, before = vertex.closed() ? (i + sectors - 1) % sectors : i;
-    const Eigen::Vector2d a = rays.col(before), b = rays.col(next);
+    const Eigen::Vector2d a = rays.col((i + sectors - 1) % sectors), b = rays.col(i);
     if (!(cross(a, b) > least_sine * a.norm() * b.norm())) return static_cast<int>(i);
   }
   return -1;
@@ -82,18 +80,17 @@ bool isCrossing(const VertexPlan& plan, double crossing_rad) {
 VertexPlan vertexPlan(const Network& network, const Unknowns& u, const Vertex& vertex,
                       const NetworkOptions& options, Plan& plan) {
   VertexPlan result;
-  const auto count = static_cast<Eigen::Index>(vertex.rays.size());
+  const auto count = static_cast<Eigen::Index>(vertex.spokes.size());
   Eigen::Matrix3Xd rays(3, count);
   for (Eigen::Index i = 0; i < count; ++i) {
     bool stays = false;
-    rays.col(i) = tangent(network, u, vertex.rays[i], stays);
+    rays.col(i) = tangent(network, u, vertex.spokes[i], stays);
     result.stays.push_back(stays);
   }
-  // On the rim three tangents that stay rule the laws, fewer do not.
-  if (!vertex.closed() && std::ranges::count(result.stays, true) < 3) return result;
-  result.rays = flattened(rays, vertex.closed());
-  const int flat = flatSector(vertex, result.rays);
-  if (flat >= 0 || (vertex.closed() && vertex.corners.size() < 3)) {
+  if (!vertex.closed()) return result;
+  result.rays = flattened(rays);
+  const int flat = flatSector(result.rays);
+  if (flat >= 0 || vertex.corners.size() < 3) {
     const Corner& corner = vertex.corners[std::max(flat, 0)];
     const std::size_t spoke = std::min<std::size_t>(std::max(flat, 0), vertex.spokes.size() - 1);
     plan.obstacles.push_back(
@@ -102,7 +99,7 @@ VertexPlan vertexPlan(const Network& network, const Unknowns& u, const Vertex& v
              std::to_string(corner.surface) + " has an angle that is not between 0 and 180 degrees"});
     return result;
   }
-  result.sort = vertex.closed() && vertex.corners.size() == 4 && isCrossing(result, options.crossing_rad)
+  result.sort = vertex.corners.size() == 4 && isCrossing(result, options.crossing_rad)
                     ? VertexSort::Crossing
                     : VertexSort::Star;
   return result;
@@ -296,7 +293,7 @@ void Laws::addParameters() {
   for (std::size_t v = 0; v < plan_.vertices.size(); ++v)
     if (plan_.sorts[v].sort == VertexSort::Star) {
       star_slot_[v] = count;
-      count += static_cast<int>(2 * plan_.vertices[v].rays.size());
+      count += static_cast<int>(2 * plan_.vertices[v].spokes.size());
     }
   of_seam_.resize(plan_.seams.size());
   for (std::size_t i = 0; i < plan_.seams.size(); ++i) {
@@ -319,7 +316,7 @@ void Laws::addParameters() {
       const VertexSort sort = seam.ends[end].sort;
       if (sort == VertexSort::Star) {
         const int vertex = seam.ends[end].vertex, begin = star_slot_[vertex];
-        for (std::size_t k = 0; k < 2 * plan_.vertices[vertex].rays.size(); ++k)
+        for (std::size_t k = 0; k < 2 * plan_.vertices[vertex].spokes.size(); ++k)
           own.push_back(begin + static_cast<int>(k));
         continue;
       }
@@ -404,7 +401,7 @@ void Laws::setLines(const Eigen::VectorXd& sum, const Eigen::VectorXd& weight, c
   int rows = 0;
   for (std::size_t v = 0; v < plan_.vertices.size(); ++v) {
     const Vertex& vertex = plan_.vertices[v];
-    const bool all = star_slot_[v] >= 0 && vertex.closed() && std::ranges::all_of(vertex.spokes, [&](const Spoke& s) {
+    const bool all = star_slot_[v] >= 0 && std::ranges::all_of(vertex.spokes, [&](const Spoke& s) {
                        return plan_.seams[s.seam].line >= 0;
                      });
     if (!all) continue;
@@ -424,10 +421,11 @@ void Laws::setLines(const Eigen::VectorXd& sum, const Eigen::VectorXd& weight, c
 
 /// c, d, e of a star at the end of a seam whose side 0 is the corner before its spoke; they change places where it is the corner after it.
 Eigen::Vector3d Laws::starValues(const SeamPlan::End& end, const Eigen::VectorXd& y) const {
-  const Vertex& vertex = plan_.vertices[end.vertex];
-  const auto ray = [&](int k) -> Eigen::Vector2d { return y.segment<2>(star_slot_[end.vertex] + 2L * k); };
-  const Eigen::Vector2d before = ray(vertex.rayBefore(end.spoke)), own = ray(vertex.ray(end.spoke)),
-                        after = ray(vertex.rayAfter(end.spoke));
+  const auto count = static_cast<int>(plan_.vertices[end.vertex].spokes.size());
+  const auto ray = [&](int k) -> Eigen::Vector2d {
+    return y.segment<2>(star_slot_[end.vertex] + 2L * (k % count));
+  };
+  const Eigen::Vector2d before = ray(end.spoke + count - 1), own = ray(end.spoke), after = ray(end.spoke + 1);
   const double c = cross(before, own), d = cross(own, after), e = cross(before, after);
   return 2 * Eigen::Vector3d(c, d, e) / (c + d);
 }

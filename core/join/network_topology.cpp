@@ -209,23 +209,12 @@ std::vector<Vertex> vertices(std::size_t surfaces, const std::vector<NetworkSeam
     }
     Vertex vertex;
     const Corner first = corner;
-    const auto outer = [](const Corner& at, PatchEdge of) {
-      return Ray{at.surface, of, cornerOf(of, 1) == at.corner};
-    };
-    if (walk.useOf(corner, edge).seam < 0) {
-      vertex.rays.push_back(outer(corner, edge));
-      edge = otherEdge(corner.corner, edge);
-    }
+    if (walk.useOf(corner, edge).seam < 0) edge = otherEdge(corner.corner, edge);
     do {
       vertex.corners.push_back(corner);
       seen[4 * corner.surface + corner.corner] = true;
-      if (walk.useOf(corner, edge).seam < 0) {
-        vertex.rays.push_back(outer(corner, edge));
-        break;
-      }
+      if (walk.useOf(corner, edge).seam < 0) break;
       vertex.spokes.push_back(walk.cross(corner, edge));
-      const NetworkSeam& seam = seams[vertex.spokes.back().seam];
-      vertex.rays.push_back({seam.surfaces[0], seam.edges[0], vertex.spokes.back().end == 1});
     } while (corner.surface != first.surface || corner.corner != first.corner);
     if (!vertex.spokes.empty()) result.push_back(std::move(vertex));
   }

@@ -24,27 +24,11 @@ struct Spoke {
   bool first = false;  ///< side 0 of the seam is the corner before it
 };
 
-/// An edge of a surface, in the sense that leads away from a vertex.
-struct Ray {
-  int surface = 0;
-  PatchEdge edge = PatchEdge::U0;
-  bool reversed = false;
-};
-
 /// Corners in turn, and the spokes between them: spoke i follows corner i; as many as corners if the seams surround the vertex, else one less.
 struct Vertex {
   std::vector<Corner> corners;
   std::vector<Spoke> spokes;
-  /// Ray i is spoke i; of a vertex on the rim the first ray comes before spoke 0, and the last is beyond the last corner.
-  std::vector<Ray> rays;
   bool closed() const { return spokes.size() == corners.size(); }
-  /// Number of the ray of a spoke, and of those around it.
-  int ray(int spoke) const { return closed() ? spoke : spoke + 1; }
-  int rayBefore(int spoke) const {
-    const int count = static_cast<int>(rays.size());
-    return (ray(spoke) + count - 1) % count;
-  }
-  int rayAfter(int spoke) const { return (ray(spoke) + 1) % static_cast<int>(rays.size()); }
 };
 
 /// The vertices of the seams that take part.

@@ -201,9 +201,9 @@ inline Net ball(double radius) {
   return net;
 }
 
-/// Poles of the rows of seams, and as many behind them, are moved by normal noise.
+/// Each coordinate of the poles of that many rows along each seam is moved by up to that noise.
 inline void disturb(Net& net, double noise, int rows, std::mt19937_64& random) {
-  std::normal_distribution<double> normal(0, noise);
+  std::uniform_real_distribution<double> offset(-noise, noise);
   std::vector<std::vector<bool>> near;
   for (const NetworkSurface& surface : net.surfaces) near.emplace_back(surface.surface.poles.rows(), false);
   for (const NetworkSeam& seam : net.seams)
@@ -220,7 +220,7 @@ inline void disturb(Net& net, double noise, int rows, std::mt19937_64& random) {
   for (std::size_t s = 0; s < net.surfaces.size(); ++s)
     for (std::size_t k = 0; k < near[s].size(); ++k)
       if (near[s][k])
-        for (int d = 0; d < 3; ++d) net.surfaces[s].surface.poles(static_cast<Eigen::Index>(k), d) += normal(random);
+        for (int d = 0; d < 3; ++d) net.surfaces[s].surface.poles(static_cast<Eigen::Index>(k), d) += offset(random);
 }
 
 }  // namespace seamwright::test
