@@ -41,7 +41,8 @@ Eigen::RowVectorXd quotient(const Eigen::RowVectorXd& a, const Eigen::RowVectorX
 }  // namespace
 
 Projection project(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::MatrixXd& target) {
-  constexpr int max_passes = 40, patience = 3;
+  constexpr int max_passes = 20, patience = 3;
+  constexpr double nearly = 1e-6;
   constexpr double rounding = std::numeric_limits<double>::epsilon() / 4;
   const Eigen::VectorXd reach = reachOf(pull);
   Projection result;
@@ -59,13 +60,34 @@ Projection project(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::Ma
   const double resolved =
       rounding * (result.row_scale.asDiagonal() * (a.cwiseAbs() * target.cwiseAbs())).norm();
 
-  // Conjugate gradients with the shifted matrix as preconditioner; residuals are those of x as it is stored.
   Eigen::MatrixXd z = Eigen::MatrixXd::Zero(target.rows(), target.cols()), r = rest(result.x);
-  result.unreachable = r.norm();
-  Eigen::MatrixXd nu = result.multipliers, direction;
+  const double given = r.norm();
+  result.unreachable = given;
+  Eigen::MatrixXd nu = result.multipliers;
+  // Whether x is nearer to a solution by more than rounding.
+  const auto advance = [&](const Eigen::MatrixXd& change, const Eigen::RowVectorXd& share) {
+    nu += change * share.asDiagonal();
+    z -= scaled.transpose() * change * share.asDiagonal();
+    const Eigen::MatrixXd x = target + reach.asDiagonal() * z;
+    r = rest(x);
+    const bool much = r.norm() < 0.9 * result.unreachable;
+    if (r.norm() < result.unreachable) {
+      result.unreachable = r.norm();
+      result.x = x;
+      result.multipliers = nu;
+      result.cost = z.squaredNorm();
+    }
+    return much;
+  };
+  const Eigen::RowVectorXd whole_step = Eigen::RowVectorXd::Ones(target.cols());
+  for (int pass = 0; pass < max_passes && result.unreachable > resolved; ++pass)
+    if (!advance(solver.solve(r), whole_step)) break;
+  if (result.unreachable > nearly * given) return result;
+
+  // What the shift hides converges slowly: conjugate gradients, preconditioned by the shifted matrix.
+  Eigen::MatrixXd direction;
   Eigen::RowVectorXd slope;
-  int idle = 0;
-  for (int pass = 0; pass < max_passes && idle < patience && result.unreachable > resolved; ++pass) {
+  for (int pass = 0, idle = 0; pass < max_passes && idle < patience && result.unreachable > resolved; ++pass) {
     const Eigen::MatrixXd preconditioned = solver.solve(r);
     const Eigen::RowVectorXd next_slope = r.cwiseProduct(preconditioned).colwise().sum();
     if (pass == 0)
@@ -73,18 +95,8 @@ Projection project(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::Ma
     else
       direction = preconditioned + direction * quotient(next_slope, slope).asDiagonal();
     slope = next_slope;
-    const Eigen::MatrixXd along = scaled.transpose() * direction;
-    const Eigen::RowVectorXd share = quotient(slope, along.colwise().squaredNorm());
-    nu += direction * share.asDiagonal();
-    z -= along * share.asDiagonal();
-    const Eigen::MatrixXd x = target + reach.asDiagonal() * z;
-    r = rest(x);
-    idle = r.norm() < 0.9 * result.unreachable ? 0 : idle + 1;
-    if (!(r.norm() < result.unreachable)) continue;
-    result.unreachable = r.norm();
-    result.x = x;
-    result.multipliers = nu;
-    result.cost = z.squaredNorm();
+    const Eigen::RowVectorXd length_along = (scaled.transpose() * direction).colwise().squaredNorm();
+    idle = advance(direction, quotient(slope, length_along)) ? 0 : idle + 1;
   }
   return result;
 }
