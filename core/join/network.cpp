@@ -312,7 +312,7 @@ void Attempt::check(const Laws& laws) {
         !(join.residual <= largest_rounding))
       obstacles_.push_back({member.seam, join.residual,
                             "what stays, and the laws of the seams around it, leave a residual of " +
-                                std::to_string(join.residual) + " of the derivatives"});
+                                text(join.residual) + " of the derivatives"});
     else if (!keepsNormals(member))
       obstacles_.push_back({member.seam, join.residual, "joined, the surfaces would fold or lose their tangent plane"});
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <utility>
 
 #include <seamwright/core/join/network_laws.hpp>
@@ -214,7 +215,7 @@ void findObstacles(const Network& network, const Unknowns& u, int seam, Plan& pl
   for (int j = 0; j < condition.side(0).count; ++j) gap = std::max(gap, u.contradiction(columns[j]));
   if (gap > rounding) {
     plan.obstacles.push_back(
-        {seam, gap, "poles that stay are " + std::to_string(gap) + " mm apart along it"});
+        {seam, gap, "poles that stay are " + text(gap) + " mm apart along it"});
     return;
   }
   const Eigen::MatrixXd x = polesOf(u, columns);
@@ -248,6 +249,13 @@ void tieSlopes(const Network& network, const Unknowns& u, Plan& plan) {
 }
 
 }  // namespace
+
+std::string text(double value) {
+  std::ostringstream stream;
+  stream.precision(3);
+  stream << value;
+  return stream.str();
+}
 
 Plan planOf(const Network& network, const Unknowns& u, const NetworkOptions& options, bool linear) {
   Plan plan;

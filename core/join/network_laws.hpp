@@ -28,6 +28,9 @@ struct Obstacle {
   std::string why;
 };
 
+/// With three digits.
+std::string text(double value);
+
 /// The form of a seam's law.
 struct SeamPlan {
   bool takes_part = false;
