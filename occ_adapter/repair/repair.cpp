@@ -60,7 +60,7 @@ class Repairing {
 
   /// What one solver leaves the next one tries, in the shape as it is then.
   void repair(const std::vector<FaceChoice>& faces) {
-    constexpr std::array<Solver, 2> solvers = {joinPairs, followTargets};
+    constexpr std::array<Solver, 3> solvers = {joinNetwork, joinPairs, followTargets};
     double done = share_of_analysis;
     for (std::size_t k = 0; k < solvers.size() && std::ranges::count(open_, true) > 0; ++k) {
       const double next = done + (1 - done) / static_cast<double>(solvers.size() - k);
@@ -109,7 +109,7 @@ class Repairing {
     } catch (const Standard_Failure& failure) {
       return everything(task, std::string("OpenCASCADE failed: ") + failure.DynamicType()->Name() + " " +
                                   failure.GetMessageString());
-    } catch (const std::runtime_error& error) {
+    } catch (const std::exception& error) {
       return everything(task, error.what());
     }
   }

@@ -31,6 +31,10 @@ struct RepairSolution {
 /// The same seams in a shape that withChanges() made of theirs.
 std::vector<Seam> seamsIn(const TopoDS_Shape& shape, std::vector<Seam> seams);
 
+/// All seams whose sides are natural sides of polynomial surfaces at once, exactly, with the smallest move. Poles beside other boundaries stay.
+/// \throws Cancelled.
+RepairSolution joinNetwork(const RepairTask& task, const Progress& progress);
+
 /// Joins one pair after the other in poles where both faces end with a side of their surfaces, else one face follows the other; what ends at
 /// the seam stays. What one pair gains the next may spoil.
 /// \throws Cancelled.
