@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
@@ -43,8 +44,8 @@ handle<Geom_BSplineSurface> splineOf(const TopoDS_Face& face) {
 
 class Following {
  public:
-  Following(const RepairTask& task, const Progress& progress)
-      : task_(task), progress_(progress), pcurves_(task.seams.size()) {
+  Following(const RepairTask& task, FollowedFaces& known, const Progress& progress)
+      : task_(task), known_(known), progress_(progress), pcurves_(task.seams.size()) {
     for (const bool treated : task.treated) roles_.push_back(treated ? Role::Treated : Role::Held);
   }
 
@@ -101,6 +102,7 @@ class Following {
     targets_.clear();
     paths_.clear();
     seam_of_.clear();
+    asked_.clear();
     for (std::size_t i = 0; i < roles_.size(); ++i) {
       const auto& sides = task_.seams[i].sides;
       if (!moves(sides[0].face) && !moves(sides[1].face)) continue;
@@ -110,6 +112,10 @@ class Following {
         targets_.push_back(common);
         seam_of_[common.get()] = i;
       }
+      std::ostringstream asked;
+      asked << i << (common ? " common " : " own ") << orderOf(i) << moves(sides[0].face)
+            << moves(sides[1].face) << ';';
+      asked_[i] = asked.str();
       for (const int side : {0, 1})
         if (moves(sides[side].face))
           paths_[sides[side].face].push_back(
@@ -154,6 +160,7 @@ class Following {
             const auto there = held.emplace(side.face, -1).first;
             there->second = std::max(there->second, orderOf(i));
           }
+      noteAsked(ends, held);
       const std::string contradiction = agreeAtVertex(ends, held, tolerance);
       if (contradiction.empty()) continue;
       if (carry(held_seams))
@@ -162,6 +169,13 @@ class Following {
         fail(ends, contradiction);
     }
     return again;
+  }
+
+  void noteAsked(const std::vector<TargetEnd>& ends, const std::map<int, int>& held) {
+    std::ostringstream asked;
+    for (const TargetEnd& end : ends) asked << seam_of_.at(end.target.get()) << ' ' << end.end << ' ';
+    for (const auto& [face, order] : held) asked << "held " << face << ' ' << order << ' ';
+    for (const TargetEnd& end : ends) asked_[seam_of_.at(end.target.get())] += asked.str() + ';';
   }
 
   /// Seams that can't be kept where they are but as smooth as they are. \returns whether there are any.
@@ -204,11 +218,16 @@ class Following {
   };
 
   void follow(int number, const TopoDS_Face& face, const std::vector<PathOfSeam>& paths) {
-    FaceTask task;
-    task.surface = splineOf(face);
-    task.tolerance = task_.options.tolerance;
-    for (const PathOfSeam& path : paths) task.paths.push_back(path.path);
-    const FaceFollow result = followPaths(task);
+    std::string asked = std::to_string(number) + ":";
+    for (const PathOfSeam& path : paths) asked += asked_.at(path.seam);
+    if (known_.count(asked) == 0) {
+      FaceTask task;
+      task.surface = splineOf(face);
+      task.tolerance = task_.options.tolerance;
+      for (const PathOfSeam& path : paths) task.paths.push_back(path.path);
+      known_[asked] = followPaths(task);
+    }
+    const FaceFollow& result = known_.at(asked);
     for (std::size_t k = 0; k < paths.size(); ++k)
       if (result.ratios[k] > 1 && roles_[paths[k].seam] == Role::Treated)
         solution_.failures[paths[k].seam] = "face " + std::to_string(number) + ": " + result.failure;
@@ -217,6 +236,7 @@ class Following {
   }
 
   const RepairTask& task_;
+  FollowedFaces& known_;
   const Progress& progress_;
   std::vector<std::array<Pcurve, 2>> pcurves_;
   std::vector<Role> roles_;  ///< by seam
@@ -224,13 +244,14 @@ class Following {
   std::vector<std::shared_ptr<SeamTarget>> targets_;
   std::map<const SeamTarget*, std::size_t> seam_of_;
   std::map<int, std::vector<PathOfSeam>> paths_;  ///< by face that moves
+  std::map<std::size_t, std::string> asked_;      ///< by seam: all that its target depends on
   RepairSolution solution_;
 };
 
 }  // namespace
 
-RepairSolution followTargets(const RepairTask& task, const Progress& progress) {
-  return Following(task, progress).run();
+RepairSolution followTargets(const RepairTask& task, FollowedFaces& known, const Progress& progress) {
+  return Following(task, known, progress).run();
 }
 
 }  // namespace seamwright::occ

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <sstream>
 #include <stdexcept>
 
@@ -55,12 +56,16 @@ class Repairing {
   /// From then on what is connected with a culprit is given up with it.
   static constexpr int rounds_for_culprits_alone = 6;
 
-  using Solver = RepairSolution (*)(const RepairTask&, const Progress&);
+  using Solver = std::function<RepairSolution(const RepairTask&, const Progress&)>;
   using Reasons = std::map<std::size_t, std::string>;
 
   /// What one solver leaves the next one tries, in the shape as it is then.
   void repair(const std::vector<FaceChoice>& faces) {
-    constexpr std::array<Solver, 3> solvers = {joinNetwork, joinPairs, followTargets};
+    FollowedFaces known;
+    const std::array<Solver, 3> solvers = {joinNetwork, joinPairs,
+                                           [&known](const RepairTask& task, const Progress& progress) {
+                                             return followTargets(task, known, progress);
+                                           }};
     double done = share_of_analysis;
     for (std::size_t k = 0; k < solvers.size() && std::ranges::count(open_, true) > 0; ++k) {
       const double next = done + (1 - done) / static_cast<double>(solvers.size() - k);
@@ -71,7 +76,7 @@ class Repairing {
     }
   }
 
-  void improve(RepairTask task, Solver solver, const Progress& progress) {
+  void improve(RepairTask task, const Solver& solver, const Progress& progress) {
     const Soundness was = soundnessOf(task.shape);
     double done = 0;
     for (int round = 0; round < most_rounds && std::ranges::count(task.treated, true) > 0; ++round) {
@@ -86,7 +91,7 @@ class Repairing {
   }
 
   /// \returns seams to give up; none if the change was kept.
-  Reasons attempt(const RepairTask& task, Solver solver, const Soundness& was, bool with_connected,
+  Reasons attempt(const RepairTask& task, const Solver& solver, const Soundness& was, bool with_connected,
                   const Progress& progress) {
     try {
       RepairSolution solution = solver(task, partOf(progress, 0, 0.5));

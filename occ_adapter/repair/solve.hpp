@@ -7,6 +7,7 @@
 
 #include <seamwright/occ_adapter/repair/change.hpp>
 #include <seamwright/occ_adapter/repair/choose.hpp>
+#include <seamwright/occ_adapter/repair/face_follow.hpp>
 
 /// How faces have to move for seams to flow; not a public header.
 namespace seamwright::occ {
@@ -40,9 +41,12 @@ RepairSolution joinNetwork(const RepairTask& task, const Progress& progress);
 /// \throws Cancelled.
 RepairSolution joinPairs(const RepairTask& task, const Progress& progress);
 
+/// Faces that followed before, by all that was asked of them, in one shape.
+using FollowedFaces = std::map<std::string, FaceFollow>;
+
 /// All faces at once follow common targets of their seams, which agree at vertices. A boundary that is not treated keeps its shape, or, where
 /// a vertex has to move, stays as smooth as it is.
 /// \throws Cancelled.
-RepairSolution followTargets(const RepairTask& task, const Progress& progress);
+RepairSolution followTargets(const RepairTask& task, FollowedFaces& known, const Progress& progress);
 
 }  // namespace seamwright::occ
