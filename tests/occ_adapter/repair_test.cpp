@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <BRepCheck_Analyzer.hxx>
+#include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
 #include <Geom2d_Line.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -14,6 +16,7 @@
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
+#include <filesystem>
 #include <limits>
 #include <map>
 #include <sstream>
@@ -23,6 +26,7 @@
 #include "match_pairs.hpp"
 
 #include <seamwright/occ_adapter/model/model.hpp>
+#include <seamwright/occ_adapter/model/read.hpp>
 #include <seamwright/occ_adapter/repair/repair.hpp>
 
 namespace seamwright::test {
@@ -383,6 +387,34 @@ TEST(Repair, InstancesStay) {
   EXPECT_FALSE(report.changed());
   for (const occ::SeamRepair& seam : report.seams)
     EXPECT_NE(seam.reason.find("stands in the model 2 times"), std::string::npos) << seam.reason;
+}
+
+double volume_mm3(const TopoDS_Shape& shape) {
+  GProp_GProps properties;
+  BRepGProp::VolumeProperties(shape, properties);
+  return properties.Mass();
+}
+
+TEST(Repair, ASolidStaysClosed) {
+  const std::filesystem::path path =
+      std::filesystem::path(SEAMWRIGHT_TEST_MODELS) / "freeform" / "blendsolid_test.step";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << path;
+  const occ::Model model = occ::readModel(path);
+  const RepairReport report = repair(model);
+  EXPECT_EQ(treated(report), 8);
+  EXPECT_EQ(repairedSeams(report), 8);
+  EXPECT_TRUE(report.after.passed());
+  EXPECT_TRUE(BRepCheck_Analyzer(report.model.shape).IsValid());
+  const TopTools_IndexedMapOfShape shells = partsOf(report.model.shape, TopAbs_SHELL);
+  ASSERT_GE(shells.Extent(), 1);
+  for (int s = 1; s <= shells.Extent(); ++s) EXPECT_TRUE(BRep_Tool::IsClosed(shells(s)));
+  GProp_GProps area;
+  BRepGProp::SurfaceProperties(model.shape, area);
+  EXPECT_NEAR(volume_mm3(report.model.shape), volume_mm3(model.shape), area.Mass() * largestMove_mm(report));
+  for (std::size_t i = 0; i < report.seams.size(); ++i) {
+    const occ::SeamRepair& seam = report.seams[i];
+    EXPECT_GE(seam.after.verdict.level, seam.before.verdict.level) << describe(seam.after);
+  }
 }
 
 TEST(Repair, RefusesBadOptions) {
