@@ -145,6 +145,16 @@ Eigen::Vector2d parameterStep(const SurfaceJet& jet, const Eigen::Vector3d& way)
   return Eigen::Vector2d(form.G * a - form.F * b, form.E * b - form.F * a) / form.determinant();
 }
 
+Eigen::RowVectorXd derivative(const PoleShares& shares, const Eigen::Vector2d& step) {
+  return step[0] * shares.share.row(1) + step[1] * shares.share.row(2);
+}
+
+Eigen::RowVectorXd secondDerivative(const PoleShares& shares, const Eigen::Vector2d& a,
+                                    const Eigen::Vector2d& b) {
+  return a[0] * b[0] * shares.share.row(3) + (a[0] * b[1] + a[1] * b[0]) * shares.share.row(4) +
+         a[1] * b[1] * shares.share.row(5);
+}
+
 /// The worst place of a path.
 struct Worst {
   double ratio = 0;
@@ -248,7 +258,7 @@ class FaceFollower {
   double largestMove() const { return (poles_ - original_).rowwise().norm().maxCoeff(); }
 
   void sample() {
-    constexpr int per_pole = 3, between = 2;
+    constexpr int per_pole = 3, between = 4;
     samples_.clear();
     checks_.clear();
     double length = 0, spans = 0;
@@ -416,21 +426,14 @@ class FaceFollower {
     if (tangent.norm() == 0) tangent = jet.u;
     tangent.normalize();
     const std::array<Eigen::Vector3d, 2> ways = {tangent, normal->cross(tangent)};
-    std::array<Eigen::Vector2d, 2> steps;
-    for (const int k : {0, 1}) {
-      steps[k] = parameterStep(jet, ways[k]);
-      conditions.add(place.shares.poles,
-                     steps[k][0] * place.shares.share.row(1) + steps[k][1] * place.shares.share.row(2),
-                     target.normal, 0, 1 / (task_.share * tolerance.angle_rad));
-    }
+    const std::array<Eigen::Vector2d, 2> steps = {parameterStep(jet, ways[0]), parameterStep(jet, ways[1])};
+    for (const Eigen::Vector2d& step : steps)
+      conditions.add(place.shares.poles, derivative(place.shares, step), target.normal, 0,
+                     1 / (task_.share * tolerance.angle_rad));
     if (order < 2) return;
-    const Eigen::Vector2d& step = steps[1];
-    const auto& share = place.shares.share;
-    conditions.add(place.shares.poles,
-                   step[0] * step[0] * share.row(3) + 2 * step[0] * step[1] * share.row(4) +
-                       step[1] * step[1] * share.row(5),
-                   target.normal, ways[1].dot(target.curvature * ways[1]),
-                   1 / (task_.share * curvatureLimit(target)));
+    for (const auto& [k, m] : {std::pair(0, 0), std::pair(0, 1), std::pair(1, 1)})
+      conditions.add(place.shares.poles, secondDerivative(place.shares, steps[k], steps[m]), target.normal,
+                     ways[k].dot(target.curvature * ways[m]), 1 / (task_.share * curvatureLimit(target)));
   }
 
   /// As fair as can be: less so only as long as the samples can't be met, and, if gently, as the move stays of its size.

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <GeomConvert.hxx>
 #include <Geom_CylindricalSurface.hxx>
@@ -191,7 +192,7 @@ TEST(FaceFollow, ACylinderStays) {
     const int order = 1 + trial % 2;
     // Exact, and rational.
     const Spline exact =
-        GeomConvert::SurfaceToBSplineSurface(new Geom_RectangularTrimmedSurface(cylinder, 0, 1.5, 0, 40));
+        GeomConvert::SurfaceToBSplineSurface(new Geom_RectangularTrimmedSurface(cylinder, 0.0, 1.5, 0.0, 40.0));
     exact->IncreaseDegree(4, 3);
     for (int k = 1; k < 10; ++k) {
       exact->InsertUKnot(0.15 * k, 1, 1e-9);
