@@ -440,7 +440,7 @@ class FaceFollower {
   void moveFairly() {
     constexpr double better = 0.9, of_its_size = 2;
     double before = infinite, limit = infinite;
-    for (const double fairness : {0.1, 0.01, 0.001}) {
+    for (const double fairness : {0.1, 0.01, 1e-3, 1e-4}) {
       const PointRows fairer = poles_;
       move(fairness);
       if (largestMove() > limit) {
