@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <set>
 #include <sstream>
@@ -237,12 +238,19 @@ class FaceFollower {
     sample();
     judge();
     if (isMet()) return result(copyOf(task_.surface));
+    raiseDegrees();
     markTouched();
-    do moveFairly();
-    while (!isMet() && result_.refinements < task_.max_refinements && refine());
-    const Surface moved = copyOf(before_);
-    setPoles(*moved, poles_);
-    return result(moved);
+    constexpr double better = 0.9;
+    constexpr int most_idle = 2;
+    std::unique_ptr<FaceFollower> best;
+    for (int idle = 0;;) {
+      moveFairly();
+      if (isMet()) return movedResult();
+      idle = best && worstRatio() > std::max(1.0, better * best->worstRatio()) ? idle + 1 : 0;
+      if (!best || worstRatio() < best->worstRatio()) best = std::make_unique<FaceFollower>(*this);
+      if (idle == most_idle || result_.refinements == task_.max_refinements || !refine())
+        return best->movedResult();
+    }
   }
 
   bool wasHeldBack() const { return was_held_back_; }
@@ -253,6 +261,27 @@ class FaceFollower {
     result_.largest_move_mm = largestMove();
     result_.failure = whyNot();
     return result_;
+  }
+
+  FaceFollow movedResult() {
+    const Surface moved = copyOf(before_);
+    setPoles(*moved, poles_);
+    return result(moved);
+  }
+
+  double worstRatio() const { return result_.ratios.empty() ? 0 : std::ranges::max(result_.ratios); }
+
+  /// So that a knot inserted is no crease.
+  void raiseDegrees() {
+    int order = 0;
+    for (const FollowPath& path : task_.paths) order = std::max(order, path.order);
+    if (basis_.u().degree > order && basis_.v().degree > order) return;
+    before_->IncreaseDegree(std::max(basis_.u().degree, order + 1), std::max(basis_.v().degree, order + 1));
+    basis_ = SurfaceBasis(*before_);
+    poles_ = original_ = polesOf(*before_);
+    spacing_u_ = meanSpacing(basis_.u());
+    spacing_v_ = meanSpacing(basis_.v());
+    sample();
   }
 
   double largestMove() const { return (poles_ - original_).rowwise().norm().maxCoeff(); }
@@ -500,6 +529,7 @@ class FaceFollower {
         for (const Place& place : samples_[i]) addPlace(place, task_.paths[i].order, conditions);
       addFairness(conditions, weight);
       const PointRows moves = conditions.solve(0.05 * weight);
+      if (!moves.allFinite()) return;
       PointRows moved = original_;
       for (int pole = 0; pole < moved.rows(); ++pole)
         if (unknown[pole] >= 0) moved.row(pole) += moves.row(unknown[pole]);
@@ -539,6 +569,8 @@ class FaceFollower {
     if ((middles[0].empty() && middles[1].empty()) || total > task_.max_poles) return false;
     const Surface moved = copyOf(before_);
     setPoles(*moved, poles_);
+    before_ = copyOf(before_);
+    touched_ = copyOf(touched_);
     for (const Surface& surface : {before_, moved, touched_})
       for (const int k : {0, 1}) {
         if (middles[k].empty()) continue;
