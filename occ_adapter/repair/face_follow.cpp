@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <set>
 #include <sstream>
@@ -145,6 +146,16 @@ Eigen::Vector2d parameterStep(const SurfaceJet& jet, const Eigen::Vector3d& way)
   return Eigen::Vector2d(form.G * a - form.F * b, form.E * b - form.F * a) / form.determinant();
 }
 
+Eigen::RowVectorXd derivative(const PoleShares& shares, const Eigen::Vector2d& step) {
+  return step[0] * shares.share.row(1) + step[1] * shares.share.row(2);
+}
+
+Eigen::RowVectorXd secondDerivative(const PoleShares& shares, const Eigen::Vector2d& a,
+                                    const Eigen::Vector2d& b) {
+  return a[0] * b[0] * shares.share.row(3) + (a[0] * b[1] + a[1] * b[0]) * shares.share.row(4) +
+         a[1] * b[1] * shares.share.row(5);
+}
+
 /// The worst place of a path.
 struct Worst {
   double ratio = 0;
@@ -227,12 +238,19 @@ class FaceFollower {
     sample();
     judge();
     if (isMet()) return result(copyOf(task_.surface));
+    raiseDegrees();
     markTouched();
-    do moveFairly();
-    while (!isMet() && result_.refinements < task_.max_refinements && refine());
-    const Surface moved = copyOf(before_);
-    setPoles(*moved, poles_);
-    return result(moved);
+    constexpr double better = 0.9;
+    constexpr int most_idle = 2;
+    std::unique_ptr<FaceFollower> best;
+    for (int idle = 0;;) {
+      moveFairly();
+      if (isMet()) return movedResult();
+      idle = best && worstRatio() > std::max(1.0, better * best->worstRatio()) ? idle + 1 : 0;
+      if (!best || worstRatio() < best->worstRatio()) best = std::make_unique<FaceFollower>(*this);
+      if (idle == most_idle || result_.refinements == task_.max_refinements || !refine())
+        return best->movedResult();
+    }
   }
 
   bool wasHeldBack() const { return was_held_back_; }
@@ -245,10 +263,31 @@ class FaceFollower {
     return result_;
   }
 
+  FaceFollow movedResult() {
+    const Surface moved = copyOf(before_);
+    setPoles(*moved, poles_);
+    return result(moved);
+  }
+
+  double worstRatio() const { return result_.ratios.empty() ? 0 : std::ranges::max(result_.ratios); }
+
+  /// So that a knot inserted is no crease.
+  void raiseDegrees() {
+    int order = 0;
+    for (const FollowPath& path : task_.paths) order = std::max(order, path.order);
+    if (basis_.u().degree > order && basis_.v().degree > order) return;
+    before_->IncreaseDegree(std::max(basis_.u().degree, order + 1), std::max(basis_.v().degree, order + 1));
+    basis_ = SurfaceBasis(*before_);
+    poles_ = original_ = polesOf(*before_);
+    spacing_u_ = meanSpacing(basis_.u());
+    spacing_v_ = meanSpacing(basis_.v());
+    sample();
+  }
+
   double largestMove() const { return (poles_ - original_).rowwise().norm().maxCoeff(); }
 
   void sample() {
-    constexpr int per_pole = 3, between = 2;
+    constexpr int per_pole = 3, between = 4;
     samples_.clear();
     checks_.clear();
     double length = 0, spans = 0;
@@ -416,28 +455,21 @@ class FaceFollower {
     if (tangent.norm() == 0) tangent = jet.u;
     tangent.normalize();
     const std::array<Eigen::Vector3d, 2> ways = {tangent, normal->cross(tangent)};
-    std::array<Eigen::Vector2d, 2> steps;
-    for (const int k : {0, 1}) {
-      steps[k] = parameterStep(jet, ways[k]);
-      conditions.add(place.shares.poles,
-                     steps[k][0] * place.shares.share.row(1) + steps[k][1] * place.shares.share.row(2),
-                     target.normal, 0, 1 / (task_.share * tolerance.angle_rad));
-    }
+    const std::array<Eigen::Vector2d, 2> steps = {parameterStep(jet, ways[0]), parameterStep(jet, ways[1])};
+    for (const Eigen::Vector2d& step : steps)
+      conditions.add(place.shares.poles, derivative(place.shares, step), target.normal, 0,
+                     1 / (task_.share * tolerance.angle_rad));
     if (order < 2) return;
-    const Eigen::Vector2d& step = steps[1];
-    const auto& share = place.shares.share;
-    conditions.add(place.shares.poles,
-                   step[0] * step[0] * share.row(3) + 2 * step[0] * step[1] * share.row(4) +
-                       step[1] * step[1] * share.row(5),
-                   target.normal, ways[1].dot(target.curvature * ways[1]),
-                   1 / (task_.share * curvatureLimit(target)));
+    for (const auto& [k, m] : {std::pair(0, 0), std::pair(0, 1), std::pair(1, 1)})
+      conditions.add(place.shares.poles, secondDerivative(place.shares, steps[k], steps[m]), target.normal,
+                     ways[k].dot(target.curvature * ways[m]), 1 / (task_.share * curvatureLimit(target)));
   }
 
   /// As fair as can be: less so only as long as the samples can't be met, and, if gently, as the move stays of its size.
   void moveFairly() {
     constexpr double better = 0.9, of_its_size = 2;
     double before = infinite, limit = infinite;
-    for (const double fairness : {0.1, 0.01, 0.001}) {
+    for (const double fairness : {0.1, 0.01, 1e-3, 1e-4}) {
       const PointRows fairer = poles_;
       move(fairness);
       if (largestMove() > limit) {
@@ -497,6 +529,7 @@ class FaceFollower {
         for (const Place& place : samples_[i]) addPlace(place, task_.paths[i].order, conditions);
       addFairness(conditions, weight);
       const PointRows moves = conditions.solve(0.05 * weight);
+      if (!moves.allFinite()) return;
       PointRows moved = original_;
       for (int pole = 0; pole < moved.rows(); ++pole)
         if (unknown[pole] >= 0) moved.row(pole) += moves.row(unknown[pole]);
@@ -536,6 +569,8 @@ class FaceFollower {
     if ((middles[0].empty() && middles[1].empty()) || total > task_.max_poles) return false;
     const Surface moved = copyOf(before_);
     setPoles(*moved, poles_);
+    before_ = copyOf(before_);
+    touched_ = copyOf(touched_);
     for (const Surface& surface : {before_, moved, touched_})
       for (const int k : {0, 1}) {
         if (middles[k].empty()) continue;
