@@ -155,7 +155,7 @@ class Attempt {
   void check(const Laws& laws);
   bool keepsNormals(const Member& member) const;
   void place();
-  bool isExact(const Projection& at) const { return at.unreachable <= noise_; }
+  bool isExact(const Projection& at) const { return at.rounding <= 16 * eps * unknowns_.largest; }
 
   std::vector<NetworkSurface> surfaces_;
   const std::vector<NetworkSeam>& seams_;
@@ -165,7 +165,7 @@ class Attempt {
   std::vector<Obstacle> obstacles_;
   std::vector<Member> members_;
   Eigen::Index rows_ = 0;
-  double noise_ = 0;  ///< of the scaled A x
+  double noise_ = 0;  ///< of the length of a move
   Eigen::VectorXd y_;
   Projection at_;
   double stationarity_ = 0;
@@ -254,7 +254,7 @@ void Attempt::search(const Laws& laws, const NetworkOptions& options) {
 
 /// False if no step makes the cost less, or what cannot be reached; then the search has converged if the promise was small.
 bool Attempt::improve(const Laws& laws) {
-  constexpr double resolved = 1e-12, small = 1e-6;
+  constexpr double resolved = 1e-10, small = 1e-6;
   constexpr double least_damping = 1e-10, most_damping = 1e4;
   const Eigen::SparseMatrix<double> a = matrix(laws, y_), g = derivative(laws, y_, at_.x);
   const double cost = at_.cost + unknowns_.joining;

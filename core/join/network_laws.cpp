@@ -400,7 +400,7 @@ void Laws::setStart(const Network& network, const Unknowns& u) {
   });
   for (int line = 0; line < plan_.lines; ++line)
     if (share_slot_[line] >= 0) start_(share_slot_[line]) = share_sum(line) / share_weight(line);
-  setBasis(stiff);
+  setBasis();
 }
 
 /// The mean logarithms, changed as little as possible so that around stars of constant ratios their sum is zero.
@@ -548,7 +548,7 @@ void Laws::restore(int vertex, Eigen::VectorXd& y) const {
   }
 }
 
-void Laws::setBasis(const std::vector<bool>& stiff) {
+void Laws::setBasis() {
   std::vector<Eigen::Triplet<double>> entries;
   int count = 0;
   std::vector<bool> of_star(start_.size(), false), held(start_.size(), false);
@@ -578,11 +578,6 @@ void Laws::setBasis(const std::vector<bool>& stiff) {
       for (Eigen::Index k = 0; k < coordinates; ++k)
         entries.emplace_back(star_slot_[v] + k, count, kernel(k, i));
   }
-  for (int line = 0; line < plan_.lines; ++line)
-    if (stiff[line]) {
-      held[line_slot_[line]] = true;
-      if (share_slot_[line] >= 0) held[share_slot_[line]] = true;
-    }
   for (Eigen::Index k = 0; k < start_.size(); ++k)
     if (!of_star[k] && !held[k]) entries.emplace_back(k, count++, 1.0);
   basis_.resize(start_.size(), count);

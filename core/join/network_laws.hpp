@@ -99,7 +99,7 @@ class Laws {
   void addParameters();
   void setStart(const Network& network, const Unknowns& unknowns);
   void setLines(const Eigen::VectorXd& sum, const Eigen::VectorXd& weight, const std::vector<bool>& stiff);
-  void setBasis(const std::vector<bool>& stiff);
+  void setBasis();
   Eigen::VectorXd excess(int vertex, const Eigen::VectorXd& y) const;
   Eigen::MatrixXd excessDerivative(int vertex, const Eigen::VectorXd& y) const;
   void restore(int vertex, Eigen::VectorXd& y) const;

@@ -38,9 +38,7 @@ Eigen::RowVectorXd quotient(const Eigen::RowVectorXd& a, const Eigen::RowVectorX
   return (b.array() > 0).select(a.array() / b.array(), 0.0);
 }
 
-}  // namespace
-
-Projection project(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::MatrixXd& target) {
+Projection refined(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::MatrixXd& target) {
   constexpr int max_passes = 20, patience = 3;
   constexpr double nearly = 1e-6;
   constexpr double rounding = std::numeric_limits<double>::epsilon() / 4;
@@ -98,6 +96,16 @@ Projection project(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::Ma
     const Eigen::RowVectorXd length_along = (scaled.transpose() * direction).colwise().squaredNorm();
     idle = advance(direction, quotient(slope, length_along)) ? 0 : idle + 1;
   }
+  return result;
+}
+
+}  // namespace
+
+Projection project(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::MatrixXd& target) {
+  Projection result = refined(a, pull, target);
+  if (a.rows() == 0) return result;
+  const Eigen::VectorXd sums = a.cwiseAbs() * Eigen::VectorXd::Ones(a.cols());
+  result.rounding = ((a * result.x).rowwise().norm().array() / sums.array().max(1e-300)).maxCoeff();
   return result;
 }
 

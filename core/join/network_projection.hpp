@@ -17,6 +17,7 @@ struct Projection {
   Eigen::VectorXd row_scale;
   double cost = 0;         ///< sum of pull |x - target|^2
   double unreachable = 0;  ///< length of the scaled A x
+  double rounding = 0;     ///< largest length of a row of A x, relative to the sum of the row's coefficients
 };
 
 Projection project(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& pull,
