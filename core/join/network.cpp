@@ -5,8 +5,8 @@
 #include <utility>
 
 #include <seamwright/core/bezier/homogeneous.hpp>
-#include <seamwright/core/join/network_laws.hpp>
 #include <seamwright/core/join/nearest_solver.hpp>
+#include <seamwright/core/join/network_laws.hpp>
 #include <seamwright/core/join/network_projection.hpp>
 
 namespace seamwright {
@@ -149,7 +149,8 @@ class Attempt {
   Network network() const { return {surfaces_, seams_, takes_part_}; }
   void addMembers(const Laws& laws);
   Eigen::SparseMatrix<double> matrix(const Laws& laws, const Eigen::VectorXd& y) const;
-  Eigen::SparseMatrix<double> derivative(const Laws& laws, const Eigen::VectorXd& y, const Eigen::MatrixXd& x) const;
+  Eigen::SparseMatrix<double> derivative(const Laws& laws, const Eigen::VectorXd& y,
+                                         const Eigen::MatrixXd& x) const;
   void search(const Laws& laws, const NetworkOptions& options);
   bool improve(const Laws& laws);
   void check(const Laws& laws);
@@ -180,7 +181,10 @@ class Attempt {
 
 Attempt::Attempt(const std::vector<NetworkSurface>& surfaces, const std::vector<NetworkSeam>& seams,
                  const std::vector<bool>& takes_part, const NetworkOptions& options, bool linear)
-    : surfaces_(surfaces), seams_(seams), takes_part_(takes_part), unknowns_(unknowns(surfaces, seams, takes_part)) {
+    : surfaces_(surfaces),
+      seams_(seams),
+      takes_part_(takes_part),
+      unknowns_(unknowns(surfaces, seams, takes_part)) {
   plan_ = planOf(network(), unknowns_, options, linear);
   obstacles_ = plan_.obstacles;
   if (!joins()) return;
@@ -244,7 +248,8 @@ void Attempt::search(const Laws& laws, const NetworkOptions& options) {
   y_ = laws.start();
   const Eigen::SparseMatrix<double> a = matrix(laws, y_);
   at_ = project(a, unknowns_.pull, unknowns_.target);
-  noise_ = 64 * eps * unknowns_.largest * std::sqrt(unknowns_.pull.maxCoeff() * static_cast<double>(rows_ + 1));
+  noise_ =
+      64 * eps * unknowns_.largest * std::sqrt(unknowns_.pull.maxCoeff() * static_cast<double>(rows_ + 1));
   converged_ = laws.directions() == 0;
   while (!converged_ && iterations_ < options.max_iterations) {
     ++iterations_;
@@ -266,8 +271,8 @@ bool Attempt::improve(const Laws& laws) {
     const Eigen::VectorXd y = laws.moved(y_, next.change);
     if (y.allFinite()) {
       Projection trial = project(matrix(laws, y), unknowns_.pull, unknowns_.target);
-      const bool nearer = isExact(at_) ? isExact(trial) && trial.cost < at_.cost
-                                       : trial.unreachable < 0.75 * at_.unreachable;
+      const bool nearer =
+          isExact(at_) ? isExact(trial) && trial.cost < at_.cost : trial.unreachable < 0.75 * at_.unreachable;
       if (nearer) {
         y_ = y;
         at_ = std::move(trial);
@@ -314,7 +319,8 @@ void Attempt::check(const Laws& laws) {
                             "what stays, and the laws of the seams around it, leave a residual of " +
                                 text(join.residual) + " of the derivatives"});
     else if (!keepsNormals(member))
-      obstacles_.push_back({member.seam, join.residual, "joined, the surfaces would fold or lose their tangent plane"});
+      obstacles_.push_back(
+          {member.seam, join.residual, "joined, the surfaces would fold or lose their tangent plane"});
   }
 }
 

@@ -33,7 +33,9 @@ Eigen::Vector3d tangent(const Network& network, const Unknowns& u, const Spoke& 
   const NetworkSeam& seam = network.seams[spoke.seam];
   const nearest::SeamRows rows = rowsOf(network.surfaces, seam, 0, 1);
   const bool ends = spoke.end == 1;
-  const auto unknown = [&](int j) { return u.of_pole[seam.surfaces[0]][rows.pole(0, ends ? rows.count - 1 - j : j)]; };
+  const auto unknown = [&](int j) {
+    return u.of_pole[seam.surfaces[0]][rows.pole(0, ends ? rows.count - 1 - j : j)];
+  };
   stays = u.pull(unknown(0)) == 0 && u.pull(unknown(1)) == 0;
   const double span = ends ? 1 - rows.knots[rows.count - 1] : rows.knots[rows.degree + 1];
   return (u.target.row(unknown(1)) - u.target.row(unknown(0))).transpose() * rows.degree / span;
@@ -94,15 +96,14 @@ VertexPlan vertexPlan(const Network& network, const Unknowns& u, const Vertex& v
   if (flat >= 0 || vertex.corners.size() < 3) {
     const Corner& corner = vertex.corners[std::max(flat, 0)];
     const std::size_t spoke = std::min<std::size_t>(std::max(flat, 0), vertex.spokes.size() - 1);
-    plan.obstacles.push_back(
-        {vertex.spokes[spoke].seam, 0,
-         "where " + std::to_string(vertex.corners.size()) + " surfaces meet, the corner of surface " +
-             std::to_string(corner.surface) + " has an angle that is not between 0 and 180 degrees"});
+    plan.obstacles.push_back({vertex.spokes[spoke].seam, 0,
+                              "where " + std::to_string(vertex.corners.size()) +
+                                  " surfaces meet, the corner of surface " + std::to_string(corner.surface) +
+                                  " has an angle that is not between 0 and 180 degrees"});
     return result;
   }
-  result.sort = vertex.corners.size() == 4 && isCrossing(result, options.crossing_rad)
-                    ? VertexSort::Crossing
-                    : VertexSort::Star;
+  result.sort = vertex.corners.size() == 4 && isCrossing(result, options.crossing_rad) ? VertexSort::Crossing
+                                                                                       : VertexSort::Star;
   return result;
 }
 
@@ -167,8 +168,7 @@ void setForm(const Network& network, const Unknowns& u, int seam, bool linear, S
   else if (!crossing) {
     const Condition condition = naturalCondition(network, seam, plan.order);
     const bool knots = !innerKnots(condition.side(0)).empty();
-    const bool free =
-        !knots || needsE(condition, polesOf(u, columnsOf(u, network.seams[seam], condition)));
+    const bool free = !knots || needsE(condition, polesOf(u, columnsOf(u, network.seams[seam], condition)));
     plan.e = free ? SeamPlan::E::Linear : SeamPlan::E::Zero;
   }
 }
@@ -214,8 +214,7 @@ void findObstacles(const Network& network, const Unknowns& u, int seam, Plan& pl
   double gap = 0;
   for (int j = 0; j < condition.side(0).count; ++j) gap = std::max(gap, u.contradiction(columns[j]));
   if (gap > rounding) {
-    plan.obstacles.push_back(
-        {seam, gap, "poles that stay are " + text(gap) + " mm apart along it"});
+    plan.obstacles.push_back({seam, gap, "poles that stay are " + text(gap) + " mm apart along it"});
     return;
   }
   const Eigen::MatrixXd x = polesOf(u, columns);
@@ -241,7 +240,8 @@ void tieSlopes(const Network& network, const Unknowns& u, Plan& plan) {
       };
       const Spoke& one = spokes[i];
       const Spoke& other = spokes[i + 2];
-      if (otherEnd(one) != VertexSort::Rim || otherEnd(other) != VertexSort::Rim || rough(one) || rough(other))
+      if (otherEnd(one) != VertexSort::Rim || otherEnd(other) != VertexSort::Rim || rough(one) ||
+          rough(other))
         continue;
       plan.seams[one.seam].e = plan.seams[other.seam].e = SeamPlan::E::Tied;
     }
@@ -404,7 +404,8 @@ void Laws::setStart(const Network& network, const Unknowns& u) {
 }
 
 /// The mean logarithms, changed as little as possible so that around stars of constant ratios their sum is zero.
-void Laws::setLines(const Eigen::VectorXd& sum, const Eigen::VectorXd& weight, const std::vector<bool>& stiff) {
+void Laws::setLines(const Eigen::VectorXd& sum, const Eigen::VectorXd& weight,
+                    const std::vector<bool>& stiff) {
   std::vector<Eigen::Triplet<double>> entries;
   int rows = 0;
   for (std::size_t v = 0; v < plan_.vertices.size(); ++v) {

@@ -48,7 +48,8 @@ Projection refined(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::Ma
   result.multipliers = Eigen::MatrixXd::Zero(a.rows(), target.cols());
   const Sparse reached = a * reach.asDiagonal();
   const Eigen::VectorXd length = rowLengths(reached), whole = rowLengths(a);
-  result.row_scale = (length.array() > 1e-9 * whole.array()).select(length, whole.cwiseMax(1e-300)).cwiseInverse();
+  result.row_scale =
+      (length.array() > 1e-9 * whole.array()).select(length, whole.cwiseMax(1e-300)).cwiseInverse();
   if (a.rows() == 0) return result;
   const Sparse scaled = result.row_scale.asDiagonal() * reached;
   const Eigen::SimplicialLDLT<Sparse> solver(shifted(scaled * Sparse(scaled.transpose())));
@@ -85,7 +86,8 @@ Projection refined(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::Ma
   // What the shift hides converges slowly: conjugate gradients, preconditioned by the shifted matrix.
   Eigen::MatrixXd direction;
   Eigen::RowVectorXd slope;
-  for (int pass = 0, idle = 0; pass < max_passes && idle < patience && result.unreachable > resolved; ++pass) {
+  for (int pass = 0, idle = 0; pass < max_passes && idle < patience && result.unreachable > resolved;
+       ++pass) {
     const Eigen::MatrixXd preconditioned = solver.solve(r);
     const Eigen::RowVectorXd next_slope = r.cwiseProduct(preconditioned).colwise().sum();
     if (pass == 0)
@@ -127,8 +129,7 @@ Step step(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::MatrixXd& t
   for (Eigen::Index d = 0; d < target.cols(); ++d)
     for (int k = 0; k < m.outerSize(); ++k)
       for (Sparse::InnerIterator it(m, k); it; ++it)
-        if (it.row() >= it.col())
-          entries.emplace_back(d * rows + it.row(), d * rows + it.col(), it.value());
+        if (it.row() >= it.col()) entries.emplace_back(d * rows + it.row(), d * rows + it.col(), it.value());
   for (int k = 0; k < by.outerSize(); ++k)
     for (Sparse::InnerIterator it(by, k); it; ++it)
       entries.emplace_back(all - parameters + k, it.row(), -it.value());

@@ -13,7 +13,7 @@ namespace seamwright::network {
 /// reach.
 struct Projection {
   Eigen::MatrixXd x;
-  Eigen::MatrixXd multipliers;    ///< of the rows of A divided by their lengths
+  Eigen::MatrixXd multipliers;  ///< of the rows of A divided by their lengths
   Eigen::VectorXd row_scale;
   double cost = 0;         ///< sum of pull |x - target|^2
   double unreachable = 0;  ///< length of the scaled A x
