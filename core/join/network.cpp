@@ -5,8 +5,8 @@
 #include <utility>
 
 #include <seamwright/core/bezier/homogeneous.hpp>
-#include <seamwright/core/join/network_laws.hpp>
 #include <seamwright/core/join/nearest_solver.hpp>
+#include <seamwright/core/join/network_laws.hpp>
 #include <seamwright/core/join/network_projection.hpp>
 
 namespace seamwright {
@@ -149,13 +149,14 @@ class Attempt {
   Network network() const { return {surfaces_, seams_, takes_part_}; }
   void addMembers(const Laws& laws);
   Eigen::SparseMatrix<double> matrix(const Laws& laws, const Eigen::VectorXd& y) const;
-  Eigen::SparseMatrix<double> derivative(const Laws& laws, const Eigen::VectorXd& y, const Eigen::MatrixXd& x) const;
+  Eigen::SparseMatrix<double> derivative(const Laws& laws, const Eigen::VectorXd& y,
+                                         const Eigen::MatrixXd& x) const;
   void search(const Laws& laws, const NetworkOptions& options);
   bool improve(const Laws& laws);
   void check(const Laws& laws);
   bool keepsNormals(const Member& member) const;
   void place();
-  bool isExact(const Projection& at) const { return at.unreachable <= noise_; }
+  bool isExact(const Projection& at) const { return at.rounding <= 16 * eps * unknowns_.largest; }
 
   std::vector<NetworkSurface> surfaces_;
   const std::vector<NetworkSeam>& seams_;
@@ -165,7 +166,7 @@ class Attempt {
   std::vector<Obstacle> obstacles_;
   std::vector<Member> members_;
   Eigen::Index rows_ = 0;
-  double noise_ = 0;  ///< of the scaled A x
+  double noise_ = 0;  ///< of the length of a move
   Eigen::VectorXd y_;
   Projection at_;
   double stationarity_ = 0;
@@ -180,7 +181,10 @@ class Attempt {
 
 Attempt::Attempt(const std::vector<NetworkSurface>& surfaces, const std::vector<NetworkSeam>& seams,
                  const std::vector<bool>& takes_part, const NetworkOptions& options, bool linear)
-    : surfaces_(surfaces), seams_(seams), takes_part_(takes_part), unknowns_(unknowns(surfaces, seams, takes_part)) {
+    : surfaces_(surfaces),
+      seams_(seams),
+      takes_part_(takes_part),
+      unknowns_(unknowns(surfaces, seams, takes_part)) {
   plan_ = planOf(network(), unknowns_, options, linear);
   obstacles_ = plan_.obstacles;
   if (!joins()) return;
@@ -244,7 +248,8 @@ void Attempt::search(const Laws& laws, const NetworkOptions& options) {
   y_ = laws.start();
   const Eigen::SparseMatrix<double> a = matrix(laws, y_);
   at_ = project(a, unknowns_.pull, unknowns_.target);
-  noise_ = 64 * eps * unknowns_.largest * std::sqrt(unknowns_.pull.maxCoeff() * static_cast<double>(rows_ + 1));
+  noise_ =
+      64 * eps * unknowns_.largest * std::sqrt(unknowns_.pull.maxCoeff() * static_cast<double>(rows_ + 1));
   converged_ = laws.directions() == 0;
   while (!converged_ && iterations_ < options.max_iterations) {
     ++iterations_;
@@ -254,7 +259,7 @@ void Attempt::search(const Laws& laws, const NetworkOptions& options) {
 
 /// False if no step makes the cost less, or what cannot be reached; then the search has converged if the promise was small.
 bool Attempt::improve(const Laws& laws) {
-  constexpr double resolved = 1e-12, small = 1e-6;
+  constexpr double resolved = 1e-10, small = 1e-6;
   constexpr double least_damping = 1e-10, most_damping = 1e4;
   const Eigen::SparseMatrix<double> a = matrix(laws, y_), g = derivative(laws, y_, at_.x);
   const double cost = at_.cost + unknowns_.joining;
@@ -266,8 +271,8 @@ bool Attempt::improve(const Laws& laws) {
     const Eigen::VectorXd y = laws.moved(y_, next.change);
     if (y.allFinite()) {
       Projection trial = project(matrix(laws, y), unknowns_.pull, unknowns_.target);
-      const bool nearer = isExact(at_) ? isExact(trial) && trial.cost < at_.cost
-                                       : trial.unreachable < 0.75 * at_.unreachable;
+      const bool nearer =
+          isExact(at_) ? isExact(trial) && trial.cost < at_.cost : trial.unreachable < 0.75 * at_.unreachable;
       if (nearer) {
         y_ = y;
         at_ = std::move(trial);
@@ -314,7 +319,8 @@ void Attempt::check(const Laws& laws) {
                             "what stays, and the laws of the seams around it, leave a residual of " +
                                 text(join.residual) + " of the derivatives"});
     else if (!keepsNormals(member))
-      obstacles_.push_back({member.seam, join.residual, "joined, the surfaces would fold or lose their tangent plane"});
+      obstacles_.push_back(
+          {member.seam, join.residual, "joined, the surfaces would fold or lose their tangent plane"});
   }
 }
 

@@ -37,8 +37,8 @@ struct NetworkSurface {
 struct NetworkSeam {
   std::array<int, 2> surfaces = {0, 1};
   std::array<PatchEdge, 2> edges = {PatchEdge::U1, PatchEdge::U0};
-  bool reversed = false;  ///< the edge of surface 1 runs against it
-  int order = 1;          ///< 1: G1, 2: G2
+  bool reversed = false;                       ///< the edge of surface 1 runs against it
+  int order = 1;                               ///< 1: G1, 2: G2
   std::optional<SeamLaw> held = std::nullopt;  ///< the law to be used, instead of one that is sought
 };
 
@@ -57,8 +57,9 @@ enum class SeamStatus {
 
 struct SeamJoin {
   SeamStatus status = SeamStatus::Left;
-  int order = 0;        ///< with which it joins: that asked for, or 1 where a vertex allows no more; see why
-  double residual = 0;  ///< of the law, relative to the largest derivative in it; of a seam that is left: when it was given up
+  int order = 0;  ///< with which it joins: that asked for, or 1 where a vertex allows no more; see why
+  double residual =
+      0;  ///< of the law, relative to the largest derivative in it; of a seam that is left: when it was given up
   SeamLaw law;
   std::string why;  ///< it is left, or joins with another order; empty otherwise
 };
@@ -79,7 +80,7 @@ struct NetworkResult {
   std::vector<double> moves_mm;
   double largest_move_mm = 0;
   double cost = 0;  ///< sum of weight times squared move, in mm^2
-  /// By how much the cost may still fall to first order, relative to it, by better laws; 0 for no move.
+  /// By how much the cost may still fall by better laws, relative to it; the search ends below 1e-10. 0 for no move.
   double stationarity = 0;
   int iterations = 0;
 };

@@ -24,8 +24,8 @@ int conditionDegree(int order, int n, const SeamLaw& law) {
   for (int f = 0; f < law_functions; ++f)
     degree[f] = isZero(*all[f]) ? -n : static_cast<int>(all[f]->size()) - 1;
   if (order == 1) return std::max({n + degree[C], n + degree[D], n - 1 + degree[E]});
-  return std::max({n + 2 * degree[C], n + 2 * degree[D], n - 1 + degree[D] + degree[E],
-                   n - 2 + 2 * degree[E], n + degree[P], n - 1 + degree[Q]});
+  return std::max({n + 2 * degree[C], n + 2 * degree[D], n - 1 + degree[D] + degree[E], n - 2 + 2 * degree[E],
+                   n + degree[P], n - 1 + degree[Q]});
 }
 
 }  // namespace

@@ -33,7 +33,9 @@ Eigen::Vector3d tangent(const Network& network, const Unknowns& u, const Spoke& 
   const NetworkSeam& seam = network.seams[spoke.seam];
   const nearest::SeamRows rows = rowsOf(network.surfaces, seam, 0, 1);
   const bool ends = spoke.end == 1;
-  const auto unknown = [&](int j) { return u.of_pole[seam.surfaces[0]][rows.pole(0, ends ? rows.count - 1 - j : j)]; };
+  const auto unknown = [&](int j) {
+    return u.of_pole[seam.surfaces[0]][rows.pole(0, ends ? rows.count - 1 - j : j)];
+  };
   stays = u.pull(unknown(0)) == 0 && u.pull(unknown(1)) == 0;
   const double span = ends ? 1 - rows.knots[rows.count - 1] : rows.knots[rows.degree + 1];
   return (u.target.row(unknown(1)) - u.target.row(unknown(0))).transpose() * rows.degree / span;
@@ -94,15 +96,14 @@ VertexPlan vertexPlan(const Network& network, const Unknowns& u, const Vertex& v
   if (flat >= 0 || vertex.corners.size() < 3) {
     const Corner& corner = vertex.corners[std::max(flat, 0)];
     const std::size_t spoke = std::min<std::size_t>(std::max(flat, 0), vertex.spokes.size() - 1);
-    plan.obstacles.push_back(
-        {vertex.spokes[spoke].seam, 0,
-         "where " + std::to_string(vertex.corners.size()) + " surfaces meet, the corner of surface " +
-             std::to_string(corner.surface) + " has an angle that is not between 0 and 180 degrees"});
+    plan.obstacles.push_back({vertex.spokes[spoke].seam, 0,
+                              "where " + std::to_string(vertex.corners.size()) +
+                                  " surfaces meet, the corner of surface " + std::to_string(corner.surface) +
+                                  " has an angle that is not between 0 and 180 degrees"});
     return result;
   }
-  result.sort = vertex.corners.size() == 4 && isCrossing(result, options.crossing_rad)
-                    ? VertexSort::Crossing
-                    : VertexSort::Star;
+  result.sort = vertex.corners.size() == 4 && isCrossing(result, options.crossing_rad) ? VertexSort::Crossing
+                                                                                       : VertexSort::Star;
   return result;
 }
 
@@ -167,8 +168,7 @@ void setForm(const Network& network, const Unknowns& u, int seam, bool linear, S
   else if (!crossing) {
     const Condition condition = naturalCondition(network, seam, plan.order);
     const bool knots = !innerKnots(condition.side(0)).empty();
-    const bool free =
-        !knots || needsE(condition, polesOf(u, columnsOf(u, network.seams[seam], condition)));
+    const bool free = !knots || needsE(condition, polesOf(u, columnsOf(u, network.seams[seam], condition)));
     plan.e = free ? SeamPlan::E::Linear : SeamPlan::E::Zero;
   }
 }
@@ -214,8 +214,7 @@ void findObstacles(const Network& network, const Unknowns& u, int seam, Plan& pl
   double gap = 0;
   for (int j = 0; j < condition.side(0).count; ++j) gap = std::max(gap, u.contradiction(columns[j]));
   if (gap > rounding) {
-    plan.obstacles.push_back(
-        {seam, gap, "poles that stay are " + text(gap) + " mm apart along it"});
+    plan.obstacles.push_back({seam, gap, "poles that stay are " + text(gap) + " mm apart along it"});
     return;
   }
   const Eigen::MatrixXd x = polesOf(u, columns);
@@ -241,7 +240,8 @@ void tieSlopes(const Network& network, const Unknowns& u, Plan& plan) {
       };
       const Spoke& one = spokes[i];
       const Spoke& other = spokes[i + 2];
-      if (otherEnd(one) != VertexSort::Rim || otherEnd(other) != VertexSort::Rim || rough(one) || rough(other))
+      if (otherEnd(one) != VertexSort::Rim || otherEnd(other) != VertexSort::Rim || rough(one) ||
+          rough(other))
         continue;
       plan.seams[one.seam].e = plan.seams[other.seam].e = SeamPlan::E::Tied;
     }
@@ -400,11 +400,12 @@ void Laws::setStart(const Network& network, const Unknowns& u) {
   });
   for (int line = 0; line < plan_.lines; ++line)
     if (share_slot_[line] >= 0) start_(share_slot_[line]) = share_sum(line) / share_weight(line);
-  setBasis(stiff);
+  setBasis();
 }
 
 /// The mean logarithms, changed as little as possible so that around stars of constant ratios their sum is zero.
-void Laws::setLines(const Eigen::VectorXd& sum, const Eigen::VectorXd& weight, const std::vector<bool>& stiff) {
+void Laws::setLines(const Eigen::VectorXd& sum, const Eigen::VectorXd& weight,
+                    const std::vector<bool>& stiff) {
   std::vector<Eigen::Triplet<double>> entries;
   int rows = 0;
   for (std::size_t v = 0; v < plan_.vertices.size(); ++v) {
@@ -548,7 +549,7 @@ void Laws::restore(int vertex, Eigen::VectorXd& y) const {
   }
 }
 
-void Laws::setBasis(const std::vector<bool>& stiff) {
+void Laws::setBasis() {
   std::vector<Eigen::Triplet<double>> entries;
   int count = 0;
   std::vector<bool> of_star(start_.size(), false), held(start_.size(), false);
@@ -578,11 +579,6 @@ void Laws::setBasis(const std::vector<bool>& stiff) {
       for (Eigen::Index k = 0; k < coordinates; ++k)
         entries.emplace_back(star_slot_[v] + k, count, kernel(k, i));
   }
-  for (int line = 0; line < plan_.lines; ++line)
-    if (stiff[line]) {
-      held[line_slot_[line]] = true;
-      if (share_slot_[line] >= 0) held[share_slot_[line]] = true;
-    }
   for (Eigen::Index k = 0; k < start_.size(); ++k)
     if (!of_star[k] && !held[k]) entries.emplace_back(k, count++, 1.0);
   basis_.resize(start_.size(), count);

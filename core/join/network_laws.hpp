@@ -89,8 +89,8 @@ class Laws {
 
  private:
   struct Slots {
-    int ratio = -1, share = -1;                        ///< of the line: log d / c, p / d
-    std::array<int, 2> end_ratio = {-1, -1};           ///< log d / c at a rim, of a linear one
+    int ratio = -1, share = -1;               ///< of the line: log d / c, p / d
+    std::array<int, 2> end_ratio = {-1, -1};  ///< log d / c at a rim, of a linear one
     std::array<int, 2> e = {-1, -1}, q = {-1, -1};
     int tied = -1;   ///< of the line: e at the rim
     int bulge = -1;  ///< of a quadratic e above the mean of its ends
@@ -99,7 +99,7 @@ class Laws {
   void addParameters();
   void setStart(const Network& network, const Unknowns& unknowns);
   void setLines(const Eigen::VectorXd& sum, const Eigen::VectorXd& weight, const std::vector<bool>& stiff);
-  void setBasis(const std::vector<bool>& stiff);
+  void setBasis();
   Eigen::VectorXd excess(int vertex, const Eigen::VectorXd& y) const;
   Eigen::MatrixXd excessDerivative(int vertex, const Eigen::VectorXd& y) const;
   void restore(int vertex, Eigen::VectorXd& y) const;

@@ -38,9 +38,7 @@ Eigen::RowVectorXd quotient(const Eigen::RowVectorXd& a, const Eigen::RowVectorX
   return (b.array() > 0).select(a.array() / b.array(), 0.0);
 }
 
-}  // namespace
-
-Projection project(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::MatrixXd& target) {
+Projection refined(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::MatrixXd& target) {
   constexpr int max_passes = 20, patience = 3;
   constexpr double nearly = 1e-6;
   constexpr double rounding = std::numeric_limits<double>::epsilon() / 4;
@@ -50,7 +48,8 @@ Projection project(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::Ma
   result.multipliers = Eigen::MatrixXd::Zero(a.rows(), target.cols());
   const Sparse reached = a * reach.asDiagonal();
   const Eigen::VectorXd length = rowLengths(reached), whole = rowLengths(a);
-  result.row_scale = (length.array() > 1e-9 * whole.array()).select(length, whole.cwiseMax(1e-300)).cwiseInverse();
+  result.row_scale =
+      (length.array() > 1e-9 * whole.array()).select(length, whole.cwiseMax(1e-300)).cwiseInverse();
   if (a.rows() == 0) return result;
   const Sparse scaled = result.row_scale.asDiagonal() * reached;
   const Eigen::SimplicialLDLT<Sparse> solver(shifted(scaled * Sparse(scaled.transpose())));
@@ -87,7 +86,8 @@ Projection project(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::Ma
   // What the shift hides converges slowly: conjugate gradients, preconditioned by the shifted matrix.
   Eigen::MatrixXd direction;
   Eigen::RowVectorXd slope;
-  for (int pass = 0, idle = 0; pass < max_passes && idle < patience && result.unreachable > resolved; ++pass) {
+  for (int pass = 0, idle = 0; pass < max_passes && idle < patience && result.unreachable > resolved;
+       ++pass) {
     const Eigen::MatrixXd preconditioned = solver.solve(r);
     const Eigen::RowVectorXd next_slope = r.cwiseProduct(preconditioned).colwise().sum();
     if (pass == 0)
@@ -98,6 +98,16 @@ Projection project(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::Ma
     const Eigen::RowVectorXd length_along = (scaled.transpose() * direction).colwise().squaredNorm();
     idle = advance(direction, quotient(slope, length_along)) ? 0 : idle + 1;
   }
+  return result;
+}
+
+}  // namespace
+
+Projection project(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::MatrixXd& target) {
+  Projection result = refined(a, pull, target);
+  if (a.rows() == 0) return result;
+  const Eigen::VectorXd sums = a.cwiseAbs() * Eigen::VectorXd::Ones(a.cols());
+  result.rounding = ((a * result.x).rowwise().norm().array() / sums.array().max(1e-300)).maxCoeff();
   return result;
 }
 
@@ -119,8 +129,7 @@ Step step(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::MatrixXd& t
   for (Eigen::Index d = 0; d < target.cols(); ++d)
     for (int k = 0; k < m.outerSize(); ++k)
       for (Sparse::InnerIterator it(m, k); it; ++it)
-        if (it.row() >= it.col())
-          entries.emplace_back(d * rows + it.row(), d * rows + it.col(), it.value());
+        if (it.row() >= it.col()) entries.emplace_back(d * rows + it.row(), d * rows + it.col(), it.value());
   for (int k = 0; k < by.outerSize(); ++k)
     for (Sparse::InnerIterator it(by, k); it; ++it)
       entries.emplace_back(all - parameters + k, it.row(), -it.value());

@@ -13,10 +13,11 @@ namespace seamwright::network {
 /// reach.
 struct Projection {
   Eigen::MatrixXd x;
-  Eigen::MatrixXd multipliers;    ///< of the rows of A divided by their lengths
+  Eigen::MatrixXd multipliers;  ///< of the rows of A divided by their lengths
   Eigen::VectorXd row_scale;
   double cost = 0;         ///< sum of pull |x - target|^2
   double unreachable = 0;  ///< length of the scaled A x
+  double rounding = 0;     ///< largest length of a row of A x, relative to the sum of the row's coefficients
 };
 
 Projection project(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& pull,

@@ -96,8 +96,8 @@ void requireSurface(const NetworkSurface& side, std::size_t index) {
   if (isRational(side.surface.poles)) refuse(name + " is rational: weights of poles must be equal");
   const Eigen::Index count = side.surface.poles.rows();
   if (side.weights.size() != 0 && side.weights.size() != count)
-    refuse("weights of " + name + " are " + std::to_string(side.weights.size()) + ": none, or one for each of " +
-           std::to_string(count) + " poles is needed");
+    refuse("weights of " + name + " are " + std::to_string(side.weights.size()) +
+           ": none, or one for each of " + std::to_string(count) + " poles is needed");
   if (!side.fixed.empty() && static_cast<Eigen::Index>(side.fixed.size()) != count)
     refuse("fixed poles of " + name + " are " + std::to_string(side.fixed.size()) +
            ": none, or one for each of " + std::to_string(count) + " poles is needed");
@@ -152,8 +152,7 @@ void requireNetwork(const std::vector<NetworkSurface>& surfaces, const std::vect
     for (int side = 0; side < 2; ++side) {
       const int surface = seam.surfaces[side];
       if (surface < 0 || surface >= std::ssize(surfaces))
-        refuse(name + " names surface " + std::to_string(surface) + " of " +
-               std::to_string(surfaces.size()));
+        refuse(name + " names surface " + std::to_string(surface) + " of " + std::to_string(surfaces.size()));
       int& use = seam_of[indexOf(surface, seam.edges[side])];
       if (use >= 0)
         refuse("an edge of surface " + std::to_string(surface) + " is in seam " + std::to_string(use) +

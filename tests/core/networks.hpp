@@ -103,7 +103,8 @@ inline Net fan(const std::vector<Eigen::Vector2d>& r, const std::vector<Eigen::V
     for (int j = 0; i + j <= 3; ++j) f[{i, j}] = height(random) * std::pow(0.12, i + j - 1);
   const auto z = [&](const Eigen::Vector2d& p) {
     double sum = 0;
-    for (const auto& [power, factor] : f) sum += factor * std::pow(p.x(), power.first) * std::pow(p.y(), power.second);
+    for (const auto& [power, factor] : f)
+      sum += factor * std::pow(p.x(), power.first) * std::pow(p.y(), power.second);
     return sum;
   };
   // The bicubic polynomial through its values at 4 x 4 places.
@@ -220,7 +221,8 @@ inline void disturb(Net& net, double noise, int rows, std::mt19937_64& random) {
   for (std::size_t s = 0; s < net.surfaces.size(); ++s)
     for (std::size_t k = 0; k < near[s].size(); ++k)
       if (near[s][k])
-        for (int d = 0; d < 3; ++d) net.surfaces[s].surface.poles(static_cast<Eigen::Index>(k), d) += offset(random);
+        for (int d = 0; d < 3; ++d)
+          net.surfaces[s].surface.poles(static_cast<Eigen::Index>(k), d) += offset(random);
 }
 
 }  // namespace seamwright::test
