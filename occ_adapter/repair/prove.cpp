@@ -325,9 +325,11 @@ std::map<std::size_t, std::string> culprits(const RepairTask& task, const std::v
     for (std::size_t i = 0; i < task.seams.size(); ++i)
       if (task.treated[i] && moves(task.seams[i], moved, face))
         given_up.emplace(i, "face " + std::to_string(face) + ": " + why);
-  for (const auto& [worse, why] : proof.worse)
-    for (const std::size_t i : blameFor(task, moved, task.seams[worse])) given_up.emplace(i, why);
   for (const auto& [i, why] : proof.unrepaired) given_up[i] = why;
+  // What is worse may be so for one of these.
+  if (given_up.empty())
+    for (const auto& [worse, why] : proof.worse)
+      for (const std::size_t i : blameFor(task, moved, task.seams[worse])) given_up.emplace(i, why);
   const bool nobody = given_up.empty();
   for (std::size_t i = 0; nobody && i < task.seams.size(); ++i)
     if (task.treated[i]) given_up[i] = proof.whole.empty() ? "the change can't be proven" : proof.whole;
