@@ -12,11 +12,6 @@ namespace seamwright::nearest {
 
 namespace {
 
-struct Place {
-  double t;
-  int span;
-};
-
 /// Degree of the left side of the condition; \p n that of the rows.
 int conditionDegree(int order, int n, const Degrees& d) {
   const auto term = [](int degree, std::initializer_list<int> functions) {
@@ -69,6 +64,26 @@ Eigen::VectorXd bernsteinValues(int degree, double t) {
   return values;
 }
 
+std::vector<Place> places(int n, const std::vector<double>& knots, int order, int degree,
+                          const std::vector<double>& vanishing) {
+  std::vector<Place> result;
+  std::vector<double> part(degree + 1, 0.0);
+  for (std::size_t i = n + 1; i < knots.size();) {
+    const double knot = knots[i];
+    const auto multiplicity = static_cast<int>(std::ranges::count(knots, knot));
+    const bool last = knot == knots.back();
+    const int smoothness = n - multiplicity - (std::ranges::count(vanishing, knot) > 0 ? 0 : order);
+    const int repeats = last || smoothness < 0 ? degree + 1 : degree - smoothness;
+    part.insert(part.end(), repeats, knot);
+    if (last || smoothness < 0) {
+      addPlaces(degree, part, knots, n, result);
+      part.assign(degree + 1, knot);
+    }
+    i += multiplicity;
+  }
+  return result;
+}
+
 Condition::Condition(const Unknowns& unknowns, int order, const Degrees& degrees,
                      const std::vector<double>& vanishing)
     : unknowns_(unknowns),
@@ -80,24 +95,9 @@ Condition::Condition(const Unknowns& unknowns, int order, const Degrees& degrees
 }
 
 void Condition::addPoints(int order, const std::vector<double>& vanishing) {
-  const std::vector<double>& own = unknowns_.a.knots;
   const int n = unknowns_.a.degree, degree = conditionDegree(order, n, degrees_);
-  std::vector<Place> places;
-  std::vector<double> part(degree + 1, 0.0);
-  for (std::size_t i = n + 1; i < own.size();) {
-    const double knot = own[i];
-    const auto multiplicity = static_cast<int>(std::ranges::count(own, knot));
-    const bool last = knot == own.back();
-    const int smoothness = n - multiplicity - (std::ranges::count(vanishing, knot) > 0 ? 0 : order);
-    const int repeats = last || smoothness < 0 ? degree + 1 : degree - smoothness;
-    part.insert(part.end(), repeats, knot);
-    if (last || smoothness < 0) {
-      addPlaces(degree, part, own, n, places);
-      part.assign(degree + 1, knot);
-    }
-    i += multiplicity;
-  }
-  for (const Place& place : places) points_.push_back(pointAt(order, place.t, place.span));
+  for (const Place& place : places(n, unknowns_.a.knots, order, degree, vanishing))
+    points_.push_back(pointAt(order, place.t, place.span));
 }
 
 Condition::Point Condition::pointAt(int order, double t, int span) const {

@@ -22,6 +22,17 @@ std::array<int, function_count + 1> offsets(const Degrees& degrees);
 /// Values of the Bernstein polynomials of that degree; none for degree -1.
 Eigen::VectorXd bernsteinValues(int degree, double t);
 
+/// A point of the seam, and the span of the rows that it counts to.
+struct Place {
+  double t;
+  int span;
+};
+
+/// Places that determine the left side of the condition of that order as a spline of that degree; the rows have degree \p n and flat knots,
+/// and at the inner knots of \p vanishing the condition is as smooth as they are.
+std::vector<Place> places(int n, const std::vector<double>& knots, int order, int degree,
+                          const std::vector<double>& vanishing);
+
 /// The condition of order 1, and of order 2 below it, at as many points of the seam as determine the spline that its left side is:
 ///   Q_s - e1 P - alpha P_s - beta P_t                                                                      = 0
 ///   Q_ss - e2 P - (2 e1 alpha + p) P_s - (2 e1 beta + q) P_t - alpha^2 P_ss - 2 alpha beta P_st - beta^2 P_tt = 0

@@ -45,4 +45,7 @@ struct Verdict {
 /// none is known) give the same, and nothing else they depend on is only sampled.
 Verdict judge(const SeamFigures& figures, const ContinuityTolerance& tolerance, Level required);
 
+/// The level is reached by every value within the enclosures; without an upper end of a figure it is not known, thus false.
+bool surelyReaches(const SeamFigures& figures, const ContinuityTolerance& tolerance, Level level);
+
 }  // namespace seamwright

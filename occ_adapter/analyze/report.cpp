@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <array>
+#include <sstream>
 
 #include <seamwright/occ_adapter/analyze/report.hpp>
 
@@ -29,6 +30,21 @@ std::optional<WorstPoint> worstPoint(const SeamFigures& figures, Level level,
   for (std::size_t i = deciding + 1; i-- > 0;)
     if (const auto [quantity, at] = candidates[i]; at) return WorstPoint{quantity, *at, point_at(*at)};
   return std::nullopt;
+}
+
+std::string figuresText(const SeamResult& seam) {
+  std::ostringstream text;
+  const auto add = [&](const char* name, const std::optional<Figure>& figure, double factor,
+                       const char* unit) {
+    if (figure) text << ", " << name << ' ' << factor * figure->upper.value_or(figure->lower) << unit;
+  };
+  text << "level " << name(seam.verdict.level);
+  add("gap", seam.figures.gap_mm, 1, " mm");
+  add("angle", seam.figures.angle_rad, 57.295779513082323, " degrees");
+  add("relative curvature difference", seam.figures.curvature_rel, 1, "");
+  if (!seam.figures.uncertified.empty()) text << ", not enclosed: " << seam.figures.uncertified;
+  if (!seam.note.empty()) text << ", " << seam.note;
+  return text.str();
 }
 
 }  // namespace seamwright::occ

@@ -55,6 +55,9 @@ struct Report {
   bool passed() const;
 };
 
+/// The level of a seam and its figures, largest values that are known, in one line.
+std::string figuresText(const SeamResult& seam);
+
 /// The worst point of a seam that reaches \p level: where the figure that decides the next level is largest.
 /// That is the gap below G0, the angle at G0 (or the fold), the curvature at G1, its change above. Where that
 /// figure has no value, the last one before it that has; nothing if none has.

@@ -115,29 +115,6 @@ Box boxOfPath(const std::vector<Eigen::Array2d>& points) {
   return box;
 }
 
-std::string kindOf(const TopoDS_Face& face) {
-  switch (BRepAdaptor_Surface(face, false).GetType()) {
-    case GeomAbs_Plane:
-      return "a plane";
-    case GeomAbs_Cylinder:
-      return "a cylinder";
-    case GeomAbs_Cone:
-      return "a cone";
-    case GeomAbs_Sphere:
-      return "a sphere";
-    case GeomAbs_Torus:
-      return "a torus";
-    case GeomAbs_SurfaceOfRevolution:
-      return "a surface of revolution";
-    case GeomAbs_SurfaceOfExtrusion:
-      return "a surface of extrusion";
-    case GeomAbs_OffsetSurface:
-      return "an offset surface";
-    default:
-      return "a surface of another kind";
-  }
-}
-
 /// Lengths of both partials of a surface, the largest at points.
 Eigen::Array2d speeds(const Geom_BSplineSurface& surface, const std::vector<Eigen::Array2d>& points) {
   Eigen::Array2d longest = Eigen::Array2d::Zero();
@@ -237,6 +214,29 @@ Pcurve storedPath(const FaceUse& use, double match_mm) {
 }
 
 }  // namespace
+
+std::string kindOf(const TopoDS_Face& face) {
+  switch (BRepAdaptor_Surface(face, false).GetType()) {
+    case GeomAbs_Plane:
+      return "a plane";
+    case GeomAbs_Cylinder:
+      return "a cylinder";
+    case GeomAbs_Cone:
+      return "a cone";
+    case GeomAbs_Sphere:
+      return "a sphere";
+    case GeomAbs_Torus:
+      return "a torus";
+    case GeomAbs_SurfaceOfRevolution:
+      return "a surface of revolution";
+    case GeomAbs_SurfaceOfExtrusion:
+      return "a surface of extrusion";
+    case GeomAbs_OffsetSurface:
+      return "an offset surface";
+    default:
+      return "a surface of another kind";
+  }
+}
 
 TopoDS_Shape pairOf(const std::array<TopoDS_Face, 2>& faces) {
   BRep_Builder builder;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
+#include <numeric>
 #include <sstream>
 
 #include <seamwright/occ_adapter/match/follow.hpp>
+#include <seamwright/occ_adapter/match/least_moves.hpp>
 #include <seamwright/occ_adapter/match/side_basis.hpp>
 
 namespace seamwright::occ {
@@ -35,53 +35,11 @@ std::vector<Target> targetsOf(const EdgeRows& rows, const SideBasis& basis, cons
   return targets;
 }
 
-/// Conditions on the moves of one row's poles, coordinates x, y, z of column 0, of column 1, ...
-class RowSystem {
- public:
-  explicit RowSystem(int columns) : unknowns_(3 * columns) {}
-
-  void fix(int column, const Eigen::Vector3d& move) {
-    for (int c = 0; c < 3; ++c) fixed_[3 * column + c] = move[c];
-  }
-  void add(const Eigen::RowVectorXd& factors, int first_column, const Eigen::Vector3d& direction,
-           double value) {
-    for (int j = 0; j < factors.size(); ++j)
-      for (int c = 0; c < 3; ++c) {
-        const int unknown = 3 * (first_column + j) + c;
-        const double entry = factors[j] * direction[c];
-        if (const auto fixed = fixed_.find(unknown); fixed != fixed_.end())
-          value -= entry * fixed->second;
-        else
-          entries_.emplace_back(static_cast<int>(values_.size()), unknown, entry);
-      }
-    values_.push_back(value);
-  }
-
-  /// Moves, one column of the net a row.
-  Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> solve() const {
-    constexpr double damping = 1e-5;
-    Eigen::SparseMatrix<double> a(static_cast<int>(values_.size()), unknowns_);
-    a.setFromTriplets(entries_.begin(), entries_.end());
-    const Eigen::VectorXd b = Eigen::Map<const Eigen::VectorXd>(values_.data(), a.rows());
-    Eigen::SparseMatrix<double> normal = a.transpose() * a;
-    Eigen::SparseMatrix<double> identity(unknowns_, unknowns_);
-    identity.setIdentity();
-    normal += damping * damping * identity;
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(normal);
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(unknowns_);
-    for (int pass = 0; pass < 3; ++pass)
-      x += factors.solve(a.transpose() * (b - a * x) - damping * damping * x);
-    for (const auto& [unknown, value] : fixed_) x[unknown] = value;
-    return Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>>(x.data(),
-                                                                                       unknowns_ / 3, 3);
-  }
-
- private:
-  int unknowns_;
-  std::map<int, double> fixed_;
-  std::vector<Eigen::Triplet<double>> entries_;
-  std::vector<double> values_;
-};
+std::vector<int> columnsOf(const Target& target) {
+  std::vector<int> columns(target.blend.share[0].cols());
+  std::iota(columns.begin(), columns.end(), target.blend.first);
+  return columns;
+}
 
 /// Moves the rows one after the other.
 class Follower {
@@ -99,15 +57,16 @@ class Follower {
  private:
   int end(int which) const { return which == 0 ? 0 : rows_.columns() - 1; }
 
-  void apply(int row, const RowSystem& system) {
-    const auto moves = system.solve();
+  void apply(int row, const LeastMoves& system) {
+    constexpr double damping = 1e-5;
+    const PointRows moves = system.solve(damping);
     for (int j = 0; j < rows_.columns(); ++j)
       rows_.setPole(row, j, rows_.pole(row, j) + moves.row(j).transpose());
     if (row == 0) first_row_ = moves;
   }
 
   void movePoints() {
-    RowSystem system(rows_.columns());
+    LeastMoves system(rows_.columns());
     for (const int which : {0, 1}) {
       const Eigen::Vector3d there = which == 0 ? targets_.front().point : targets_.back().point;
       Eigen::Vector3d move = there - rows_.pole(0, end(which));
@@ -117,7 +76,7 @@ class Follower {
     for (const Target& target : targets_) {
       const Eigen::Vector3d missing = target.point - derivative(rows_, target.blend, 0);
       for (int c = 0; c < 3; ++c)
-        system.add(target.blend.share[0].row(0), target.blend.first, Eigen::Vector3d::Unit(c), missing[c]);
+        system.add(columnsOf(target), target.blend.share[0].row(0), Eigen::Vector3d::Unit(c), missing[c]);
     }
     apply(0, system);
     for (const int which : {0, 1})
@@ -127,7 +86,7 @@ class Follower {
   }
 
   void moveRow(int row) {
-    RowSystem system(rows_.columns());
+    LeastMoves system(rows_.columns());
     for (const int which : {0, 1}) {
       if (collapsed_[which]) system.fix(end(which), first_row_.row(end(which)).transpose());
       if (options_.hold_sides) system.fix(end(which), Eigen::Vector3d::Zero());
@@ -140,7 +99,7 @@ class Follower {
         const Eigen::Vector3d across = derivative(rows_, target.blend, 1);
         value += across.dot(target.curvature * across);
       }
-      system.add(scale * target.blend.share[row].row(row), target.blend.first, *target.normal, scale * value);
+      system.add(columnsOf(target), scale * target.blend.share[row].row(row), *target.normal, scale * value);
     }
     apply(row, system);
   }
@@ -150,23 +109,11 @@ class Follower {
   SideBasis basis_;
   std::vector<Target> targets_;
   std::vector<bool> collapsed_;
-  Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> first_row_;
+  PointRows first_row_;
 };
 
 opencascade::handle<Geom_BSplineSurface> copyOf(const Geom_BSplineSurface& surface) {
   return opencascade::handle<Geom_BSplineSurface>::DownCast(surface.Copy());
-}
-
-double ratioOf(const PairMeasure& pair, const FollowOptions& options) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  const auto over = [](double value, double limit) { return value == 0 ? 0 : value / limit; };
-  double ratio = pair.gap_mm ? over(*pair.gap_mm, options.tolerance.gap_mm) : infinite;
-  if (pair.angle_rad) ratio = std::max(ratio, over(*pair.angle_rad, options.tolerance.angle_rad));
-  if (pair.fold) ratio = infinite;
-  if (options.order > 1 && pair.curvature)
-    ratio = std::max(ratio, over(relativeDifference(*pair.curvature, options.tolerance.flat_radius_mm),
-                                 options.tolerance.curvature_rel));
-  return ratio;
 }
 
 /// Parameters of points where rows 0..order act.
@@ -182,6 +129,18 @@ std::vector<Eigen::Vector2d> gridOverRows(const EdgeRows& rows, int order, int a
 }
 
 }  // namespace
+
+double ratioOf(const PairMeasure& pair, int order, const ContinuityTolerance& tolerance) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const auto over = [](double value, double limit) { return value == 0 ? 0 : value / limit; };
+  double ratio = pair.gap_mm ? over(*pair.gap_mm, tolerance.gap_mm) : infinite;
+  if (order > 0 && pair.angle_rad) ratio = std::max(ratio, over(*pair.angle_rad, tolerance.angle_rad));
+  if (order > 0 && pair.fold) ratio = infinite;
+  if (order > 1 && pair.curvature)
+    ratio = std::max(
+        ratio, over(relativeDifference(*pair.curvature, tolerance.flat_radius_mm), tolerance.curvature_rel));
+  return ratio;
+}
 
 bool isCollapsed(const EdgeRows& rows, int column) {
   double size = 0, spread = 0;
@@ -224,7 +183,8 @@ std::vector<double> sampledRatios(const EdgeRows& rows, const Reference& referen
   for (std::size_t first = 0; first + 1 < t.size(); first += per_span) {
     double worst = 0;
     for (std::size_t k = first; k <= first + per_span; ++k)
-      worst = std::max(worst, ratioOf(measurePair(reference.at(t[k]), sidePoint(rows, t[k])), options));
+      worst = std::max(worst, ratioOf(measurePair(reference.at(t[k]), sidePoint(rows, t[k])), options.order,
+                                      options.tolerance));
     ratios.push_back(worst);
   }
   return ratios;

@@ -21,6 +21,9 @@ struct MovedSurface {
   double largest_move_mm = 0;
 };
 
+/// The largest figure over its tolerance, of those that the order needs; infinite where the faces fold.
+double ratioOf(const PairMeasure& pair, int order, const ContinuityTolerance& tolerance);
+
 /// All poles of the column are in one point.
 bool isCollapsed(const EdgeRows& rows, int column);
 

@@ -39,35 +39,8 @@ void report(const Progress& progress, double share) {
   if (progress && !progress(share)) throw Cancelled();
 }
 
-/// The level holds also for the upper ends of the enclosures.
 bool reaches(const SeamFigures& figures, const FaceMatchOptions& options) {
-  const auto upper_end = [](std::optional<Figure>& figure) {
-    if (figure && figure->upper)
-      figure->lower = *figure->upper;
-    else
-      figure.reset();
-  };
-  SeamFigures worst = figures;
-  upper_end(worst.gap_mm);
-  upper_end(worst.angle_rad);
-  upper_end(worst.curvature_rel);
-  const Level wanted = options.order == 1 ? Level::G1 : Level::G2;
-  return figures.shares_known && judge(worst, options.tolerance, wanted).level >= wanted;
-}
-
-std::string figuresText(const SeamResult& seam) {
-  std::ostringstream text;
-  const auto add = [&](const char* name, const std::optional<Figure>& figure, double factor,
-                       const char* unit) {
-    if (figure) text << ", " << name << ' ' << factor * figure->upper.value_or(figure->lower) << unit;
-  };
-  text << "level " << name(seam.verdict.level);
-  add("gap", seam.figures.gap_mm, 1, " mm");
-  add("angle", seam.figures.angle_rad, 57.295779513082323, " degrees");
-  add("relative curvature difference", seam.figures.curvature_rel, 1, "");
-  if (!seam.figures.uncertified.empty()) text << ", not enclosed: " << seam.figures.uncertified;
-  if (!seam.note.empty()) text << ", " << seam.note;
-  return text.str();
+  return surelyReaches(figures, options.tolerance, options.order == 1 ? Level::G1 : Level::G2);
 }
 
 AnalyzeOptions analyzeOptions(const FaceMatchOptions& options) {

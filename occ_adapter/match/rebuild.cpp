@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <BRepLib.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <Geom_BSplineCurve.hxx>
-#include <Geom_BSplineSurface.hxx>
 #include <Precision.hxx>
-#include <TColStd_Array1OfReal.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_DataMapOfShapeShape.hxx>
@@ -15,11 +11,9 @@
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
-#include <cmath>
-#include <stdexcept>
 #include <vector>
 
-#include <seamwright/occ_adapter/convert/pcurve.hpp>
+#include <seamwright/occ_adapter/convert/edge_image.hpp>
 #include <seamwright/occ_adapter/match/rebuild.hpp>
 
 namespace seamwright::occ {
@@ -27,85 +21,6 @@ namespace seamwright::occ {
 namespace {
 
 using opencascade::handle;
-
-constexpr int points_of_an_edge = 257;
-/// What lies between the points may be off by more than what they show.
-constexpr double between_points = 1.2;
-
-/// A surface where it lies in space.
-struct Placed {
-  handle<Geom_Surface> surface;
-  TopLoc_Location location;
-  gp_Pnt at(const gp_Pnt2d& uv) const {
-    return surface->Value(uv.X(), uv.Y()).Transformed(location.Transformation());
-  }
-};
-
-struct Path {
-  handle<Geom2d_Curve> curve;
-  double first = 0, last = 0;
-  gp_Pnt2d at(int k) const { return curve->Value(first + (last - first) * k / (points_of_an_edge - 1)); }
-};
-
-Placed surfaceOf(const TopoDS_Face& face) {
-  Placed placed;
-  placed.surface = BRep_Tool::Surface(face, placed.location);
-  return placed;
-}
-
-Path pathOf(const TopoDS_Edge& edge, const TopoDS_Face& face) {
-  Path path;
-  path.curve = BRep_Tool::CurveOnSurface(edge, face, path.first, path.last);
-  return path;
-}
-
-Path pathOrBuilt(const TopoDS_Edge& edge, const TopoDS_Face& face, double gap_mm) {
-  const Path path = pathOf(edge, face);
-  if (!path.curve.IsNull()) return path;
-  const Pcurve built = pcurveOf(edge, face, gap_mm);
-  return {built.curve, built.first, built.last};
-}
-
-double largestDistance(const Placed& a, const Placed& b, const Path& path) {
-  double largest = 0;
-  for (int k = 0; k < points_of_an_edge; ++k)
-    largest = std::max(largest, a.at(path.at(k)).Distance(b.at(path.at(k))));
-  return largest;
-}
-
-/// The image of a path that runs along a whole parameter line at constant speed; null if it does not.
-handle<Geom_Curve> parameterLine(const Placed& placed, const Path& path) {
-  const auto spline = handle<Geom_BSplineSurface>::DownCast(placed.surface);
-  if (spline.IsNull()) return {};
-  const gp_Pnt2d from = path.at(0), to = path.at(points_of_an_edge - 1);
-  std::array<double, 4> range{};
-  spline->Bounds(range[0], range[1], range[2], range[3]);
-  constexpr double near = 1e-8;
-  const double near_u = near * (range[1] - range[0]), near_v = near * (range[3] - range[2]);
-  const bool along_v = std::abs(from.X() - to.X()) <= near_u;
-  if (!along_v && std::abs(from.Y() - to.Y()) > near_v) return {};
-  for (int k = 0; k < points_of_an_edge; ++k) {
-    const double share = static_cast<double>(k) / (points_of_an_edge - 1);
-    const gp_Pnt2d at = path.at(k);
-    if (std::abs(at.X() - from.X() - share * (to.X() - from.X())) > near_u ||
-        std::abs(at.Y() - from.Y() - share * (to.Y() - from.Y())) > near_v)
-      return {};
-  }
-  const auto iso =
-      handle<Geom_BSplineCurve>::DownCast(along_v ? spline->UIso(from.X()) : spline->VIso(from.Y()));
-  double low = along_v ? from.Y() : from.X(), high = along_v ? to.Y() : to.X();
-  const bool reversed = low > high;
-  if (reversed) std::swap(low, high);
-  iso->Segment(std::max(low, iso->FirstParameter()), std::min(high, iso->LastParameter()));
-  if (reversed) iso->Reverse();
-  TColStd_Array1OfReal knots(1, iso->NbKnots());
-  iso->Knots(knots);
-  const double start = knots.First(), length = knots.Last() - start;
-  for (double& knot : knots) knot = path.first + (knot - start) / length * (path.last - path.first);
-  knots.ChangeLast() = path.last;
-  iso->SetKnots(knots);
-  return handle<Geom_Curve>(iso);
-}
 
 class Rebuilder {
  public:
@@ -141,7 +56,7 @@ class Rebuilder {
 
   TopoDS_Face copy(const FacePlan& plan) {
     const TopoDS_Face old = TopoDS::Face(plan.face.Oriented(TopAbs_FORWARD));
-    Placed placed = surfaceOf(old);
+    PlacedSurface placed = surfaceOf(old);
     if (!plan.surface.IsNull()) placed = {plan.surface, TopLoc_Location()};
     TopoDS_Face face;
     builder_.MakeFace(face, placed.surface, placed.location, BRep_Tool::Tolerance(old));
@@ -210,7 +125,7 @@ class Rebuilder {
   void addPaths(const TopoDS_Edge& old, const TopoDS_Face& old_face, const TopoDS_Face& face,
                 TopoDS_Edge& edge) {
     const double tolerance = BRep_Tool::Tolerance(old);
-    const Path path = pathOrBuilt(old, old_face, plan_.gap_mm);
+    const PlanePath path = pathOrBuilt(old, old_face, plan_.gap_mm);
     if (BRep_Tool::IsClosed(old, old_face))
       builder_.UpdateEdge(edge, path.curve, pathOf(TopoDS::Edge(old.Reversed()), old_face).curve, face,
                           tolerance);
@@ -222,10 +137,10 @@ class Rebuilder {
   /// The old curve in space, or the image of the path where the surface moved below it.
   void addCurve(const TopoDS_Edge& old, const TopoDS_Face& old_face, const FacePlan& plan,
                 const TopoDS_Face& face, TopoDS_Edge& edge) {
-    const Path path = pathOf(edge, face);
+    const PlanePath path = pathOf(edge, face);
     const double noise_mm = BRep_Tool::Tolerance(old) / 100;
     const bool moved =
-        !plan.surface.IsNull() && largestDistance(surfaceOf(old_face), surfaceOf(face), path) > noise_mm;
+        !plan.surface.IsNull() && largestDistance_mm(surfaceOf(old_face), surfaceOf(face), path) > noise_mm;
     TopLoc_Location location;
     double first = 0, last = 0;
     const handle<Geom_Curve> as_was = BRep_Tool::Curve(old, location, first, last);
@@ -237,18 +152,9 @@ class Rebuilder {
     }
   }
 
-  void setImage(const Path& path, const TopoDS_Face& face, TopoDS_Edge& edge) {
-    handle<Geom_Curve> image = parameterLine(surfaceOf(face), path);
-    if (image.IsNull()) {
-      TopoDS_Edge alone;
-      builder_.MakeEdge(alone);
-      builder_.UpdateEdge(alone, path.curve, face, Precision::Confusion());
-      builder_.Range(alone, path.first, path.last);
-      double first = 0, last = 0;
-      if (BRepLib::BuildCurve3d(alone, plan_.gap_mm / 1000, GeomAbs_C1, 14, 200))
-        image = BRep_Tool::Curve(alone, first, last);
-    }
-    if (image.IsNull()) throw std::runtime_error("no curve in space can be built for a trimmed edge");
+  void setImage(const PlanePath& path, const TopoDS_Face& face, TopoDS_Edge& edge) {
+    const handle<Geom_Curve> image =
+        meanImage({{surfaceOf(face), path}}, path.first, path.last, plan_.gap_mm / 1000);
     builder_.UpdateEdge(edge, image, TopLoc_Location(), Precision::Confusion());
   }
 
@@ -263,33 +169,29 @@ class Rebuilder {
   }
 
   /// The path on a face, and the other one where the face meets itself.
-  static std::vector<std::pair<Placed, Path>> pathsOf(const TopoDS_Edge& edge, const TopoDS_Shell& shell) {
-    std::vector<std::pair<Placed, Path>> paths;
+  static std::vector<EdgeSide> sidesOf(const TopoDS_Edge& edge, const TopoDS_Shell& shell) {
+    std::vector<EdgeSide> sides;
     for (TopoDS_Iterator faces(shell); faces.More(); faces.Next()) {
       const TopoDS_Face face = TopoDS::Face(faces.Value().Oriented(TopAbs_FORWARD));
-      const Path path = pathOf(edge, face);
+      const PlanePath path = pathOf(edge, face);
       if (path.curve.IsNull()) continue;
       TopTools_IndexedMapOfShape own;
       TopExp::MapShapes(face, TopAbs_EDGE, own);
       if (!own.Contains(edge)) continue;
-      paths.emplace_back(surfaceOf(face), path);
+      sides.push_back({surfaceOf(face), path});
       if (BRep_Tool::IsClosed(edge, face))
-        paths.emplace_back(surfaceOf(face), pathOf(TopoDS::Edge(edge.Reversed()), face));
+        sides.push_back({surfaceOf(face), pathOf(TopoDS::Edge(edge.Reversed()), face)});
     }
-    return paths;
+    return sides;
   }
 
   void setTolerance(const TopoDS_Edge& edge, const TopoDS_Shell& shell) {
     builder_.SameRange(edge, true);
     builder_.SameParameter(edge, true);
     if (BRep_Tool::Degenerated(edge)) return;
-    double first = 0, last = 0, largest = 0;
+    double first = 0, last = 0;
     const handle<Geom_Curve> curve = BRep_Tool::Curve(edge, first, last);
-    for (const auto& [placed, path] : pathsOf(edge, shell))
-      for (int k = 0; k < points_of_an_edge; ++k)
-        largest = std::max(largest,
-                           placed.at(path.at(k))
-                               .Distance(curve->Value(first + (last - first) * k / (points_of_an_edge - 1))));
+    const double largest = largestDistance_mm(sidesOf(edge, shell), *curve, first, last);
     builder_.UpdateEdge(edge, std::max(Precision::Confusion(), between_points * largest));
   }
 
@@ -318,8 +220,8 @@ class Rebuilder {
       double first = 0, last = 0;
       const handle<Geom_Curve> curve = BRep_Tool::Curve(edge, first, last);
       if (!curve.IsNull()) points.push_back(curve->Value(end == 0 ? first : last));
-      for (const auto& [placed, path] : pathsOf(edge, shell))
-        points.push_back(placed.at(path.at(end == 0 ? 0 : points_of_an_edge - 1)));
+      for (const EdgeSide& side : sidesOf(edge, shell))
+        points.push_back(side.at(end == 0 ? 0 : points_of_an_edge - 1));
       double reach = BRep_Tool::Tolerance(edge);
       for (const gp_Pnt& point : points)
         reach = std::max(reach, 1.001 * point.Distance(BRep_Tool::Pnt(vertex)));
@@ -347,7 +249,7 @@ RebuiltPair rebuild(const SeamPlan& plan) {
 double largestSideMove_mm(const FacePlan& plan, double gap_mm) {
   if (plan.surface.IsNull()) return 0;
   const TopoDS_Face face = TopoDS::Face(plan.face.Oriented(TopAbs_FORWARD));
-  const Placed before = surfaceOf(face), after{plan.surface, TopLoc_Location()};
+  const PlacedSurface before = surfaceOf(face), after{plan.surface, TopLoc_Location()};
   TopTools_IndexedMapOfShape seam_ends;
   TopExp::MapShapes(plan.use.edge, TopAbs_VERTEX, seam_ends);
   double largest = 0;
@@ -357,7 +259,7 @@ double largestSideMove_mm(const FacePlan& plan, double gap_mm) {
     const bool ends_at_seam =
         seam_ends.Contains(TopExp::FirstVertex(edge)) || seam_ends.Contains(TopExp::LastVertex(edge));
     if (ends_at_seam)
-      largest = std::max(largest, largestDistance(before, after, pathOrBuilt(edge, face, gap_mm)));
+      largest = std::max(largest, largestDistance_mm(before, after, pathOrBuilt(edge, face, gap_mm)));
   }
   return largest;
 }

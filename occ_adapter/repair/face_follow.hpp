@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <seamwright/core/seam/measure.hpp>
 #include <seamwright/core/seam/tolerance.hpp>
 #include <seamwright/occ_adapter/convert/pcurve.hpp>
 
@@ -20,15 +21,22 @@ struct TargetPoint {
       Eigen::Matrix3d::Zero();  ///< curvature tensor for that normal; read for order 2
 };
 
+/// A surface point with these; not degenerate, its tangent unknown.
+SidePoint sideOf(const TargetPoint& target);
+
+/// "0.012 mm, 0.3 degrees, 4 % of curvature", as far as the order needs them.
+std::string figuresText(const PairMeasure& pair, int order, const ContinuityTolerance& tolerance);
+
 /// A path that has to be met: s in 0..1 along the pcurve.
 struct FollowPath {
   Pcurve path;
   int order = 1;  ///< 0: points, 1: and tangent planes, 2: and curvature
   std::function<TargetPoint(double s)> target;
+  bool face_on_left = true;  ///< of the path in the parameter plane; on a knot line the face's side counts
 };
 
 struct FaceTask {
-  opencascade::handle<Geom_BSplineSurface> surface;  ///< clamped, placed in space
+  opencascade::handle<Geom_BSplineSurface> surface;  ///< placed in space; it may be periodic
   std::vector<FollowPath>
       paths;  ///< all boundaries of the face: those that stay have what the face shows there as their target
   ContinuityTolerance tolerance;
@@ -42,13 +50,17 @@ struct FaceFollow {
       surface;                 ///< with the parameters of the given one; its knots may be more
   double largest_move_mm = 0;  ///< of a pole, against the given surface with the same knots
   int refinements = 0;
-  /// The worst figure over its tolerance at points between the samples, one a path.
+  /// The worst figure over its tolerance at points between the samples, one a path; infinite where a normal is turned.
   std::vector<double> ratios;
-  std::string failure;  ///< why it does not meet them; empty: it does
+  /// Why a ratio is above the share, with the place and the figures, or where the surface folds; empty: all is well. The surface is the
+  /// best that was found also then.
+  std::string failure;
 };
 
 /// The smallest move of the poles near the paths (least squares, with fairness of the move) that meets the targets.
-/// Weights stay. Poles that no path touches stay to the bit.
+/// Weights stay. Poles that no path touches stay to the bit: the surface stays where their functions alone are not zero, and along a
+/// natural side only rows 0..order move. A side that is one point stays one. A surface that meets its targets comes back as it is.
+/// Where the share is not met, the knot spans that a path crosses there are halved.
 /// \throws Standard_Failure.
 /// Source: MATH-surfaces 7.
 FaceFollow followPaths(const FaceTask& task);

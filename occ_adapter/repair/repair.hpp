@@ -15,10 +15,11 @@ struct RepairOptions {
   /// Edges whose seams are treated, from 1, order of TopExp::MapShapes; empty: all seams of class defect.
   std::vector<int> edges;
   std::vector<int> fixed_faces;  ///< faces that stay
-  bool convert_analytic =
-      false;            ///< planes, cylinders, .. may become B-spline surfaces and move; else they stay
-  double match_mm = 0;  ///< also open edges within this distance of one another; 0: none
-  int jobs = 0;         ///< threads; 0: one for each processor
+  double match_mm = 0;           ///< also open edges within this distance of one another; 0: none
+  int jobs = 0;                  ///< threads; 0: one for each processor
+
+  /// What a seam has to reach.
+  Level level() const { return order == 1 ? Level::G1 : Level::G2; }
 
   /// \throws std::invalid_argument with the offending number.
   void validate() const;
@@ -34,7 +35,8 @@ struct SeamRepair {
 
 struct FaceMove {
   int face = 0;
-  double largest_move_mm = 0;
+  double largest_move_mm =
+      0;  ///< of a pole, against the surface as it was in the knots that it has now; at most
 };
 
 struct RepairReport {
@@ -48,15 +50,23 @@ struct RepairReport {
   bool changed() const { return !moves.empty(); }
 };
 
-/// Moves poles of spline faces, as little as possible, until the seams chosen flow; proves it, or leaves them as they were.
+/// Moves poles of B-spline and Bezier faces, as little as possible, until the seams chosen flow; proves it, or leaves them as they were.
+/// Planes, cylinders and the like stay, and parts with several instances.
+///
+/// Three ways are tried one after the other, each for what the one before left: all seams between natural sides of polynomial surfaces at once,
+/// exactly (core/join/network.hpp); one pair after the other (see matchFaces()); and all faces at once, to a share of the tolerance,
+/// towards common targets of their seams that agree at vertices. What spoils a way is given up until the rest can be proven.
 ///
 /// A treated seam counts as repaired, and its change is kept, only if afterwards its enclosed figures meet the target; no other seam of
-/// the model is worse than it was (a lower level or class, or a figure above both its tolerance and its old upper bound); no pole moved
-/// further than max_move_mm; no face folded; and the shape passes OpenCASCADE's checks, closed solids stay closed, and their volume
-/// changed by no more than the moves explain. What could not be repaired is told with the reason and left as it was.
+/// the model is worse than it was (a lower level or class, less certain, or a figure that the target asks for surely above both its
+/// tolerance and its old upper bound; of a crease the gap alone); no pole moved further than max_move_mm, all ways together; no face
+/// folded; no edge lies further from its faces than twice the gap tolerance or what it had; and the shape passes OpenCASCADE's checks as
+/// before, closed solids stay closed, and their volume changed by no more than the moves explain. What could not be repaired is told with
+/// the reason and left as it was. A seam on a moved face, or between two, may be left better than it was.
 /// A model without seams to treat comes back as it is, sharing everything.
 ///
-/// \throws std::invalid_argument for bad options, also for edges and faces that the model does not have; Cancelled.
+/// \throws std::invalid_argument for bad options, also for edges and faces that the model does not have and edges that are no
+/// seam; Cancelled.
 /// Source: MATH-surfaces 6 and 7.
 RepairReport repair(const Model& model, const RepairOptions& options = {}, const Progress& progress = {});
 

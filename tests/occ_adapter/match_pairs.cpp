@@ -152,9 +152,6 @@ std::string bytesOf(const TopoDS_Shape& shape) {
 
 }  // namespace
 
-namespace {
-
-/// Every path lies within the tolerance of its edge from the curve in space, and the ends of the curve within that of their vertices.
 void expectTolerancesHold(const TopoDS_Shape& shape) {
   for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next())
     for (TopExp_Explorer edges(faces.Current(), TopAbs_EDGE); edges.More(); edges.Next()) {
@@ -180,8 +177,6 @@ void expectTolerancesHold(const TopoDS_Shape& shape) {
       }
     }
 }
-
-}  // namespace
 
 void expectMatched(const MatchReport& report, const FaceMatchOptions& options, const std::string& what) {
   SCOPED_TRACE(what + ": " + report.reason);

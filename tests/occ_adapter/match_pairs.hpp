@@ -47,6 +47,9 @@ std::array<Spline, 2> disturbedSheets(std::mt19937& generator, double noise_mm);
 
 TopoDS_Face face(const TopoDS_Shape& shape, int number);
 
+/// Every path lies within the tolerance of its edge from the curve in space, and the ends of the curve within that of their vertices.
+void expectTolerancesHold(const TopoDS_Shape& shape);
+
 /// What is promised of a pair that is matched, seen by plain evaluation.
 void expectMatched(const MatchReport& report, const FaceMatchOptions& options, const std::string& what);
 

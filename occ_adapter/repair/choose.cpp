@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRep_Tool.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+#include <seamwright/occ_adapter/convert/spline_surface.hpp>
+#include <seamwright/occ_adapter/match/boundary.hpp>
+#include <seamwright/occ_adapter/repair/choose.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+void requireNumbers(const char* kind, const std::vector<int>& numbers, int count) {
+  for (const int number : numbers)
+    if (number < 1 || number > count)
+      throw std::invalid_argument(std::string(kind) + " " + std::to_string(number) + ": the model has " +
+                                  kind + "s 1 to " + std::to_string(count));
+}
+
+void requireSeams(const std::vector<int>& edges, const Report& report) {
+  for (const int edge : edges) {
+    const bool is_seam = std::ranges::any_of(
+        report.seams, [edge](const SeamResult& seam) { return std::ranges::count(seam.edges, edge) > 0; });
+    if (!is_seam)
+      throw std::invalid_argument("edge " + std::to_string(edge) +
+                                  " is no seam: it has not a face on both sides");
+  }
+}
+
+std::vector<FaceChoice> chooseFaces(const TopoDS_Shape& shape, const std::vector<int>& fixed) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  std::map<const TopoDS_TShape*, int> instances;
+  for (int f = 1; f <= faces.Extent(); ++f) ++instances[faces(f).TShape().get()];
+  std::vector<FaceChoice> choices(static_cast<std::size_t>(faces.Extent()) + 1);
+  for (int f = 1; f <= faces.Extent(); ++f) {
+    const TopoDS_Face& face = TopoDS::Face(faces(f));
+    TopLoc_Location location;
+    const int count = instances.at(face.TShape().get());
+    std::string& why = choices[f].cannot_move;
+    if (std::ranges::count(fixed, f) > 0)
+      why = "is fixed";
+    else if (count > 1)
+      why = "stands in the model " + std::to_string(count) + " times";
+    else if (clampedSpline(BRep_Tool::Surface(face, location)).IsNull())
+      why = "is " + kindOf(face) + ", which has no poles to move";
+    choices[f].may_move = why.empty();
+  }
+  return choices;
+}
+
+bool isWanted(const SeamResult& seam, const std::vector<int>& edges) {
+  if (edges.empty()) return seam.verdict.seam_class == SeamClass::Defect;
+  return std::ranges::any_of(seam.edges, [&edges](int edge) { return std::ranges::count(edges, edge) > 0; });
+}
+
+std::string whyNot(const SeamResult& seam, const std::vector<FaceChoice>& faces,
+                   const RepairOptions& options) {
+  if (surelyReaches(seam.figures, options.tolerance, options.level())) return "it has the level already";
+  if (std::ranges::any_of(seam.faces, [&faces](int face) { return faces[face].may_move; })) return {};
+  std::string why;
+  for (const int face : seam.faces) {
+    if (!why.empty() && face == seam.faces[0]) continue;
+    why += (why.empty() ? "face " : "; face ") + std::to_string(face) + " " + faces[face].cannot_move;
+  }
+  return why;
+}
+
+}  // namespace
+
+Choice choose(const Model& model, const Report& before, const RepairOptions& options) {
+  requireNumbers("face", options.fixed_faces, model.faceCount());
+  requireNumbers("edge", options.edges, model.edgeCount());
+  requireSeams(options.edges, before);
+  Choice choice{{}, {}, chooseFaces(model.shape, options.fixed_faces)};
+  for (const SeamResult& seam : before.seams) {
+    const bool wanted = isWanted(seam, options.edges);
+    const std::string why = wanted ? whyNot(seam, choice.faces, options) : "";
+    choice.treated.push_back(wanted && why.empty());
+    choice.reasons.push_back(why);
+  }
+  return choice;
+}
+
+}  // namespace seamwright::occ

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <seamwright/occ_adapter/repair/repair.hpp>
+
+/// What is to be repaired, and what may move for it; not a public header.
+namespace seamwright::occ {
+
+/// A face as repair sees it. Faces count from 1, so the first of a vector stands for none.
+struct FaceChoice {
+  bool may_move = false;
+  std::string cannot_move;  ///< why not, as "face 3 ..." goes on
+};
+
+struct Choice {
+  std::vector<bool> treated;         ///< by seam, in the order of the report
+  std::vector<std::string> reasons;  ///< by seam: why it is not treated though it was meant; else empty
+  std::vector<FaceChoice> faces;
+};
+
+/// Seams of class defect, or those of the edges picked that do not have the level yet; at least one of the faces has to be able to move.
+/// A face can move if it lies on a B-spline or Bezier surface, is not fixed, and stands in the model once.
+/// \throws std::invalid_argument for edges and faces that the model does not have, and for a picked edge that is no seam.
+Choice choose(const Model& model, const Report& before, const RepairOptions& options);
+
+}  // namespace seamwright::occ

@@ -1,0 +1,718 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRep_Builder.hxx>
+#include <Eigen/Geometry>
+#include <Geom2dAdaptor_Curve.hxx>
+#include <Precision.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array2OfPnt.hxx>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <set>
+#include <sstream>
+
+#include <seamwright/occ_adapter/convert/face_strip.hpp>
+#include <seamwright/occ_adapter/match/follow.hpp>
+#include <seamwright/occ_adapter/repair/face_follow.hpp>
+#include <seamwright/occ_adapter/repair/surface_basis.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+using opencascade::handle;
+using Surface = handle<Geom_BSplineSurface>;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+Surface copyOf(const Surface& surface) {
+  return Surface::DownCast(surface->Copy());
+}
+
+/// A place of a path, and what it has to meet there.
+struct Place {
+  double s = 0;
+  Eigen::Vector2d uv = Eigen::Vector2d::Zero();
+  Eigen::Vector2d along = Eigen::Vector2d::Zero();  ///< derivative of uv by s
+  PoleShares shares;
+  TargetPoint target;
+};
+
+/// A plane curve over s in [0, 1].
+class PlanePath {
+ public:
+  explicit PlanePath(const FollowPath& path) : path_(path) {}
+
+  Eigen::Vector2d at(double s) const {
+    const gp_Pnt2d p = path_.path.curve->Value(parameter(s));
+    return {p.X(), p.Y()};
+  }
+  Place place(const SurfaceBasis& basis, double s) const {
+    gp_Pnt2d p;
+    gp_Vec2d d;
+    path_.path.curve->D1(parameter(s), p, d);
+    Place place;
+    place.s = s;
+    place.uv = {p.X(), p.Y()};
+    place.along = (path_.path.last - path_.path.first) * Eigen::Vector2d(d.X(), d.Y());
+    const Eigen::Vector2d left(-place.along.y(), place.along.x());
+    place.shares = basis.at(place.uv, path_.face_on_left ? left : Eigen::Vector2d(-left));
+    place.target = path_.target(s);
+    return place;
+  }
+  /// Where it crosses knots, with 0 and 1.
+  std::vector<double> breaks(const Surface& surface) const {
+    FaceUse use;
+    const BRep_Builder builder;
+    builder.MakeFace(use.shape, surface, Precision::Confusion());
+    builder.MakeEdge(use.edge);
+    std::vector<double> at = FaceStrip(use, path_.path).breaks();
+    at.push_back(0);
+    at.push_back(1);
+    std::ranges::sort(at);
+    std::erase_if(at, [](double s) { return s < 0 || s > 1; });
+    return at;
+  }
+
+ private:
+  double parameter(double s) const { return path_.path.first + s * (path_.path.last - path_.path.first); }
+
+  const FollowPath& path_;
+};
+
+double spanLength(const SplineAxis& axis, double t) {
+  return axis.length(axis.span(t, 0));
+}
+
+/// Poles that a knot span adds, in the mean.
+double polesPerSpan(const SplineAxis& axis) {
+  return static_cast<double>(axis.poles - (axis.periodic ? 0 : axis.degree)) /
+         static_cast<double>(axis.spans().size());
+}
+
+/// Places that are even in the knot spans crossed.
+class SpanMeasure {
+ public:
+  SpanMeasure(const PlanePath& path, const SurfaceBasis& basis, const Surface& surface)
+      : s_(path.breaks(surface)), crossed_{0} {
+    constexpr int steps = 4;
+    for (std::size_t i = 1; i < s_.size(); ++i) {
+      const Eigen::Vector2d middle = path.at((s_[i - 1] + s_[i]) / 2);
+      const Eigen::Vector2d span(spanLength(basis.u(), middle[0]), spanLength(basis.v(), middle[1]));
+      double crossed = 0;
+      Eigen::Vector2d from = path.at(s_[i - 1]);
+      for (int k = 1; k <= steps; ++k) {
+        const Eigen::Vector2d to = path.at(s_[i - 1] + (s_[i] - s_[i - 1]) * k / steps);
+        crossed += (to - from).cwiseQuotient(span).cwiseAbs().maxCoeff();
+        from = to;
+      }
+      crossed_.push_back(crossed_.back() + crossed);
+    }
+  }
+  double spans() const { return crossed_.back(); }
+  double at(double share) const {
+    const double wanted = share * crossed_.back();
+    const std::size_t i = std::clamp<std::size_t>(
+        std::ranges::lower_bound(crossed_, wanted) - crossed_.begin(), 1, crossed_.size() - 1);
+    const double width = crossed_[i] - crossed_[i - 1];
+    const double within = width > 0 ? (wanted - crossed_[i - 1]) / width : 0;
+    return share >= 1 ? 1 : s_[i - 1] + within * (s_[i] - s_[i - 1]);
+  }
+
+ private:
+  std::vector<double> s_, crossed_;
+};
+
+/// What may be rounding in a jet, as FaceStrip has it.
+JetNoise noiseOf(const SurfaceJet& jet, const SurfaceBasis& basis) {
+  const auto step = [](const SplineAxis& axis) {
+    return std::min(1.0, (axis.last - axis.first) / static_cast<double>(axis.spans().size()));
+  };
+  const double step_u = step(basis.u()), step_v = step(basis.v());
+  const double size = jet.p.lpNorm<Eigen::Infinity>() + step_u * jet.u.norm() + step_v * jet.v.norm();
+  const double rounding = 64 * std::numeric_limits<double>::epsilon() * size;
+  return {std::max(rounding / step_u, Precision::Confusion() / (basis.u().last - basis.u().first)),
+          std::max(rounding / step_v, Precision::Confusion() / (basis.v().last - basis.v().first))};
+}
+
+/// The step of (u, v) that goes along a tangent vector.
+Eigen::Vector2d parameterStep(const SurfaceJet& jet, const Eigen::Vector3d& way) {
+  const FirstForm form = firstForm(jet);
+  const double a = way.dot(jet.u), b = way.dot(jet.v);
+  return Eigen::Vector2d(form.G * a - form.F * b, form.E * b - form.F * a) / form.determinant();
+}
+
+Eigen::RowVectorXd derivative(const PoleShares& shares, const Eigen::Vector2d& step) {
+  return step[0] * shares.share.row(1) + step[1] * shares.share.row(2);
+}
+
+Eigen::RowVectorXd secondDerivative(const PoleShares& shares, const Eigen::Vector2d& a,
+                                    const Eigen::Vector2d& b) {
+  return a[0] * b[0] * shares.share.row(3) + (a[0] * b[1] + a[1] * b[0]) * shares.share.row(4) +
+         a[1] * b[1] * shares.share.row(5);
+}
+
+/// The worst place of a path.
+struct Worst {
+  double ratio = 0;
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  PairMeasure pair;
+};
+
+std::string at(const Eigen::Vector3d& point) {
+  std::ostringstream text;
+  text << "(" << point.x() << ", " << point.y() << ", " << point.z() << ")";
+  return text.str();
+}
+
+/// Poles of a side that is one point move as one.
+std::vector<std::vector<int>> collapsedSides(const SurfaceBasis& basis, const PointRows& poles) {
+  std::vector<std::vector<int>> sides;
+  const auto collect = [&](int count, const auto& number) {
+    std::vector<int> side;
+    for (int k = 0; k < count; ++k) side.push_back(number(k));
+    double spread = 0, size = 0;
+    for (const int pole : side) {
+      spread = std::max(spread, (poles.row(pole) - poles.row(side.front())).norm());
+      size = std::max(size, poles.row(pole).cwiseAbs().maxCoeff());
+    }
+    if (spread <= 64 * std::numeric_limits<double>::epsilon() * size) sides.push_back(std::move(side));
+  };
+  const int last_u = basis.u().poles - 1, last_v = basis.v().poles - 1;
+  if (!basis.u().periodic)
+    for (const int i : {0, last_u}) collect(last_v + 1, [&](int j) { return basis.pole(i, j); });
+  if (!basis.v().periodic)
+    for (const int j : {0, last_v}) collect(last_u + 1, [&](int i) { return basis.pole(i, j); });
+  return sides;
+}
+
+double meanSpacing(const SplineAxis& axis) {
+  return (axis.last - axis.first) / std::max(1, axis.poles - (axis.periodic ? 0 : 1));
+}
+
+/// The poles of three neighbours and how far the middle one is off the line between the others.
+struct SecondDifference {
+  std::array<int, 3> functions{};
+  Eigen::RowVector3d factors;
+  double spacing = 0;
+};
+
+std::vector<SecondDifference> secondDifferences(const SplineAxis& axis) {
+  std::vector<SecondDifference> found;
+  const int first = axis.periodic ? 0 : 1, last = axis.periodic ? axis.poles : axis.poles - 1;
+  for (int i = first; i < last; ++i) {
+    // Functions of a periodic direction: i .. i + 2 so that none is negative.
+    const int low = axis.periodic ? i : i - 1;
+    const bool beyond = low + 2 + axis.degree >= static_cast<int>(axis.knots.size());
+    double before = 1, after = 1, spacing = meanSpacing(axis);
+    if (!beyond) {
+      before = axis.greville(low + 1) - axis.greville(low);
+      after = axis.greville(low + 2) - axis.greville(low + 1);
+      spacing = (before + after) / 2;
+    }
+    if (!(before + after > 0)) continue;
+    found.push_back({{axis.pole(low), axis.pole(low + 1), axis.pole(low + 2)},
+                     2 / (before + after) * Eigen::RowVector3d(after, -(before + after), before),
+                     spacing});
+  }
+  return found;
+}
+
+class FaceFollower {
+ public:
+  FaceFollower(const FaceTask& task, bool gently)
+      : task_(task),
+        gently_(gently),
+        before_(copyOf(task.surface)),
+        basis_(*before_),
+        poles_(polesOf(*before_)),
+        original_(poles_),
+        spacing_u_(meanSpacing(basis_.u())),
+        spacing_v_(meanSpacing(basis_.v())) {}
+
+  FaceFollow run() {
+    sample();
+    judge();
+    if (isMet()) return result(copyOf(task_.surface));
+    raiseDegrees();
+    markTouched();
+    constexpr double better = 0.9;
+    constexpr int most_idle = 2;
+    std::unique_ptr<FaceFollower> best;
+    for (int idle = 0;;) {
+      moveFairly();
+      if (isMet()) return movedResult();
+      idle = best && worstRatio() > std::max(1.0, better * best->worstRatio()) ? idle + 1 : 0;
+      if (!best || worstRatio() < best->worstRatio()) best = std::make_unique<FaceFollower>(*this);
+      if (idle == most_idle || result_.refinements == task_.max_refinements || !refine())
+        return best->movedResult();
+    }
+  }
+
+  bool wasHeldBack() const { return was_held_back_; }
+
+ private:
+  FaceFollow result(const Surface& surface) {
+    result_.surface = surface;
+    result_.largest_move_mm = largestMove();
+    result_.failure = whyNot();
+    return result_;
+  }
+
+  FaceFollow movedResult() {
+    const Surface moved = copyOf(before_);
+    setPoles(*moved, poles_);
+    return result(moved);
+  }
+
+  double worstRatio() const { return result_.ratios.empty() ? 0 : std::ranges::max(result_.ratios); }
+
+  /// So that a knot inserted is no crease.
+  void raiseDegrees() {
+    int order = 0;
+    for (const FollowPath& path : task_.paths) order = std::max(order, path.order);
+    if (basis_.u().degree > order && basis_.v().degree > order) return;
+    before_->IncreaseDegree(std::max(basis_.u().degree, order + 1), std::max(basis_.v().degree, order + 1));
+    basis_ = SurfaceBasis(*before_);
+    poles_ = original_ = polesOf(*before_);
+    spacing_u_ = meanSpacing(basis_.u());
+    spacing_v_ = meanSpacing(basis_.v());
+    sample();
+  }
+
+  double largestMove() const { return (poles_ - original_).rowwise().norm().maxCoeff(); }
+
+  void sample() {
+    constexpr int per_pole = 3, between = 4;
+    samples_.clear();
+    checks_.clear();
+    double length = 0, spans = 0;
+    for (const FollowPath& path : task_.paths) {
+      const PlanePath plane(path);
+      const SpanMeasure measure(plane, basis_, before_);
+      const double rate = per_pole * std::max({1.0, polesPerSpan(basis_.u()), polesPerSpan(basis_.v())});
+      const int count = static_cast<int>(std::ceil(rate * measure.spans() - 1e-6)) +
+                        std::max(basis_.u().degree, basis_.v().degree);
+      std::vector<Place> samples, checks;
+      for (int k = 0; k <= count; ++k) {
+        samples.push_back(plane.place(basis_, measure.at(static_cast<double>(k) / count)));
+        for (int m = 1; k < count && m <= between; ++m)
+          checks.push_back(plane.place(
+              basis_, measure.at((k + static_cast<double>(m) / (between + 1)) / static_cast<double>(count))));
+        if (k > 0) length += (samples[k].target.point - samples[k - 1].target.point).norm();
+      }
+      spans += measure.spans();
+      samples_.push_back(std::move(samples));
+      checks_.push_back(std::move(checks));
+    }
+    span_mm_ = spans > 0 ? length / spans : 0;
+  }
+
+  PairMeasure measured(const Place& place) const {
+    SidePoint own;
+    own.jet = jetOf(place.shares, poles_);
+    own.noise = noiseOf(own.jet, basis_);
+    return measurePair(sideOf(place.target), own);
+  }
+
+  double ratioAt(const Place& place, int order, const PairMeasure& pair) const {
+    const SurfaceJet jet = jetOf(place.shares, poles_);
+    if (order > 0 && pair.angle_rad && place.target.normal.dot(jet.u.cross(jet.v)) < 0) return infinite;
+    return ratioOf(pair, order, task_.tolerance);
+  }
+
+  void judge() {
+    worst_.assign(task_.paths.size(), {});
+    at_samples_ = 0;
+    for (std::size_t i = 0; i < task_.paths.size(); ++i)
+      for (const std::vector<Place>* places : {&samples_[i], &checks_[i]}) {
+        for (const Place& place : *places) {
+          const PairMeasure pair = measured(place);
+          const double ratio = ratioAt(place, task_.paths[i].order, pair);
+          if (ratio >= worst_[i].ratio) worst_[i] = {ratio, place.target.point, pair};
+        }
+        if (places == &samples_[i]) at_samples_ = std::max(at_samples_, worst_[i].ratio);
+      }
+    result_.ratios.clear();
+    for (const Worst& worst : worst_) result_.ratios.push_back(worst.ratio);
+  }
+
+  bool isMet() const {
+    return std::ranges::all_of(result_.ratios, [&](double ratio) { return ratio <= task_.share; });
+  }
+
+  /// Only these poles and what knot insertion makes of them move.
+  void markTouched() {
+    constexpr double least_share = 1e-9;
+    constexpr std::array<int, 3> rows = {1, 3, 6};
+    TColgp_Array2OfPnt marks(1, before_->NbUPoles(), 1, before_->NbVPoles());
+    for (std::size_t i = 0; i < task_.paths.size(); ++i)
+      for (const std::vector<Place>* places : {&samples_[i], &checks_[i]})
+        for (const Place& place : *places)
+          for (int row = 0; row < rows[std::clamp(task_.paths[i].order, 0, 2)]; ++row) {
+            const auto share = place.shares.share.row(row);
+            const double least = least_share * share.cwiseAbs().maxCoeff();
+            for (int k = 0; k < share.size(); ++k)
+              if (const int pole = place.shares.poles[k]; std::abs(share[k]) > least)
+                marks(pole / basis_.v().poles + 1, pole % basis_.v().poles + 1).SetX(1);
+          }
+    TColStd_Array1OfReal knots_u(1, before_->NbUKnots()), knots_v(1, before_->NbVKnots());
+    TColStd_Array1OfInteger multiplicities_u(1, before_->NbUKnots()),
+        multiplicities_v(1, before_->NbVKnots());
+    before_->UKnots(knots_u);
+    before_->VKnots(knots_v);
+    before_->UMultiplicities(multiplicities_u);
+    before_->VMultiplicities(multiplicities_v);
+    touched_ = new Geom_BSplineSurface(marks, knots_u, knots_v, multiplicities_u, multiplicities_v,
+                                       before_->UDegree(), before_->VDegree(), before_->IsUPeriodic(),
+                                       before_->IsVPeriodic());
+  }
+
+  /// The unknown of each pole, -1: it stays.
+  std::vector<int> unknowns(int& count) const {
+    const PointRows touched = polesOf(*touched_);
+    std::vector<int> unknown(touched.rows(), -1);
+    const auto moves = [&](int pole) { return touched(pole, 0) > 1e-12; };
+    count = 0;
+    for (const std::vector<int>& side : collapsedSides(basis_, original_))
+      if (std::ranges::any_of(side, moves)) {
+        for (const int pole : side) unknown[pole] = count;
+        ++count;
+      }
+    for (int pole = 0; pole < touched.rows(); ++pole)
+      if (moves(pole) && unknown[pole] < 0) unknown[pole] = count++;
+    return unknown;
+  }
+
+  /// Curvature that counts as none beside the target.
+  double curvatureLimit(const TargetPoint& target) const {
+    const double norm = Eigen::Matrix3d(target.curvature).norm(), flat = 1 / task_.tolerance.flat_radius_mm;
+    return norm < flat ? flat : task_.tolerance.curvature_rel * norm;
+  }
+
+  /// Conditions on all moves since the original.
+  class Conditions {
+   public:
+    Conditions(const std::vector<int>& unknown, int count, const PointRows& original)
+        : unknown_(unknown), original_(original), system_(count) {}
+
+    /// direction . (sum of share times pole) = value
+    void add(const std::vector<int>& poles, const Eigen::RowVectorXd& share, const Eigen::Vector3d& direction,
+             double value, double weight) {
+      numbers_.clear();
+      factors_.clear();
+      for (std::size_t k = 0; k < poles.size(); ++k) {
+        value -= share[static_cast<Eigen::Index>(k)] * direction.dot(original_.row(poles[k]));
+        if (unknown_[poles[k]] < 0) continue;
+        numbers_.push_back(unknown_[poles[k]]);
+        factors_.push_back(share[static_cast<Eigen::Index>(k)]);
+      }
+      addMoves(direction, value, weight);
+    }
+    /// The sum of factor times move is zero.
+    void addFairness(const std::array<int, 3>& poles, const Eigen::RowVector3d& factors, double weight) {
+      numbers_.clear();
+      factors_.clear();
+      for (int k = 0; k < 3; ++k) {
+        if (unknown_[poles[k]] < 0) continue;
+        numbers_.push_back(unknown_[poles[k]]);
+        factors_.push_back(factors[k]);
+      }
+      for (int c = 0; c < 3; ++c) addMoves(Eigen::Vector3d::Unit(c), 0, weight);
+    }
+    PointRows solve(double damping) const { return system_.solve(damping); }
+
+   private:
+    void addMoves(const Eigen::Vector3d& direction, double value, double weight) {
+      if (numbers_.empty()) return;
+      const Eigen::RowVectorXd factors =
+          Eigen::Map<const Eigen::RowVectorXd>(factors_.data(), static_cast<Eigen::Index>(factors_.size()));
+      system_.add(numbers_, weight * factors, direction, weight * value);
+    }
+
+    const std::vector<int>& unknown_;
+    const PointRows& original_;
+    LeastMoves system_;
+    std::vector<int> numbers_;
+    std::vector<double> factors_;
+  };
+
+  void addPlace(const Place& place, int order, Conditions& conditions) const {
+    const ContinuityTolerance& tolerance = task_.tolerance;
+    const TargetPoint& target = place.target;
+    for (int c = 0; c < 3; ++c)
+      conditions.add(place.shares.poles, place.shares.share.row(0), Eigen::Vector3d::Unit(c), target.point[c],
+                     1 / (task_.share * tolerance.gap_mm));
+    if (order < 1) return;
+    const SurfaceJet jet = jetOf(place.shares, poles_);
+    const auto normal = unitNormal(jet, noiseOf(jet, basis_));
+    if (!normal) return;
+    Eigen::Vector3d tangent = place.along[0] * jet.u + place.along[1] * jet.v;
+    if (tangent.norm() == 0) tangent = jet.u;
+    tangent.normalize();
+    const std::array<Eigen::Vector3d, 2> ways = {tangent, normal->cross(tangent)};
+    const std::array<Eigen::Vector2d, 2> steps = {parameterStep(jet, ways[0]), parameterStep(jet, ways[1])};
+    for (const Eigen::Vector2d& step : steps)
+      conditions.add(place.shares.poles, derivative(place.shares, step), target.normal, 0,
+                     1 / (task_.share * tolerance.angle_rad));
+    if (order < 2) return;
+    for (const auto& [k, m] : {std::pair(0, 0), std::pair(0, 1), std::pair(1, 1)})
+      conditions.add(place.shares.poles, secondDerivative(place.shares, steps[k], steps[m]), target.normal,
+                     ways[k].dot(target.curvature * ways[m]), 1 / (task_.share * curvatureLimit(target)));
+  }
+
+  /// As fair as can be: less so only as long as the samples can't be met, and, if gently, as the move stays of its size.
+  void moveFairly() {
+    constexpr double better = 0.9, of_its_size = 2;
+    double before = infinite, limit = infinite;
+    for (const double fairness : {0.1, 0.01, 1e-3, 1e-4}) {
+      const PointRows fairer = poles_;
+      move(fairness);
+      if (largestMove() > limit) {
+        poles_ = fairer;
+        was_held_back_ = true;
+        judge();
+        return;
+      }
+      judge();
+      if (isMet() || at_samples_ <= task_.share / 2 || at_samples_ > better * before) return;
+      before = at_samples_;
+      if (gently_) limit = of_its_size * std::max(largestMove(), task_.tolerance.gap_mm);
+    }
+  }
+
+  /// Of a move of one millimetre: so little that the rows are met to the square of the fairness times it.
+  double fairnessWeight(double fairness) const {
+    double softest = task_.tolerance.gap_mm;
+    for (std::size_t i = 0; i < task_.paths.size(); ++i) {
+      if (task_.paths[i].order > 0) softest = std::max(softest, task_.tolerance.angle_rad * span_mm_);
+      if (task_.paths[i].order < 2) continue;
+      double limit = 0;
+      for (const Place& place : samples_[i]) limit = std::max(limit, curvatureLimit(place.target));
+      softest = std::max(softest, limit * span_mm_ * span_mm_);
+    }
+    return fairness / (task_.share * softest);
+  }
+
+  void addFairness(Conditions& conditions, double weight) const {
+    const std::vector<SecondDifference> u = secondDifferences(basis_.u()), v = secondDifferences(basis_.v());
+    const auto bending = [](double spacing, double mean) {
+      return std::clamp(std::pow(mean / spacing, 1.5), 1e-2, 1e3);
+    };
+    for (const SecondDifference& difference : u)
+      for (int j = 0; j < basis_.v().poles; ++j)
+        conditions.addFairness(
+            {basis_.pole(difference.functions[0], j), basis_.pole(difference.functions[1], j),
+             basis_.pole(difference.functions[2], j)},
+            difference.factors, weight * bending(difference.spacing, spacing_u_));
+    for (const SecondDifference& difference : v)
+      for (int i = 0; i < basis_.u().poles; ++i)
+        conditions.addFairness(
+            {basis_.pole(i, difference.functions[0]), basis_.pole(i, difference.functions[1]),
+             basis_.pole(i, difference.functions[2])},
+            difference.factors, weight * bending(difference.spacing, spacing_v_));
+  }
+
+  void move(double fairness) {
+    int count = 0;
+    const std::vector<int> unknown = unknowns(count);
+    const bool curved =
+        std::ranges::any_of(task_.paths, [](const FollowPath& path) { return path.order > 1; });
+    const double weight = fairnessWeight(fairness);
+    for (int pass = 0; pass < (curved ? 4 : 1); ++pass) {
+      Conditions conditions(unknown, count, original_);
+      for (std::size_t i = 0; i < task_.paths.size(); ++i)
+        for (const Place& place : samples_[i]) addPlace(place, task_.paths[i].order, conditions);
+      addFairness(conditions, weight);
+      const PointRows moves = conditions.solve(0.05 * weight);
+      if (!moves.allFinite()) return;
+      PointRows moved = original_;
+      for (int pole = 0; pole < moved.rows(); ++pole)
+        if (unknown[pole] >= 0) moved.row(pole) += moves.row(unknown[pole]);
+      const double change = (moved - poles_).cwiseAbs().maxCoeff();
+      poles_ = moved;
+      if (change <= 1e-2 * task_.share * task_.tolerance.gap_mm) break;
+    }
+  }
+
+  /// Middles of the spans that are to be halved.
+  std::array<std::set<double>, 2> middlesToInsert() const {
+    std::array<std::set<double>, 2> middles;
+    for (std::size_t i = 0; i < task_.paths.size(); ++i)
+      for (const std::vector<Place>* places : {&samples_[i], &checks_[i]})
+        for (const Place& place : *places) {
+          if (ratioAt(place, task_.paths[i].order, measured(place)) <= task_.share) continue;
+          const std::array<const SplineAxis*, 2> axes = {&basis_.u(), &basis_.v()};
+          std::array<double, 2> crossing{};
+          for (const int k : {0, 1})
+            crossing[k] = std::abs(place.along[k]) / spanLength(*axes[k], place.uv[k]);
+          for (const int k : {0, 1}) {
+            constexpr double lengthwise = 0.05, least = 1e-6;
+            if (crossing[k] < lengthwise * crossing[1 - k]) continue;
+            double t = place.uv[k];
+            const int span = axes[k]->span(t, 0);
+            if (axes[k]->length(span) > least * (axes[k]->last - axes[k]->first))
+              middles[k].insert(axes[k]->middle(span));
+          }
+        }
+    return middles;
+  }
+
+  bool refine() {
+    const auto middles = middlesToInsert();
+    const auto total = (static_cast<double>(basis_.u().poles) + static_cast<double>(middles[0].size())) *
+                       (static_cast<double>(basis_.v().poles) + static_cast<double>(middles[1].size()));
+    if ((middles[0].empty() && middles[1].empty()) || total > task_.max_poles) return false;
+    const Surface moved = copyOf(before_);
+    setPoles(*moved, poles_);
+    before_ = copyOf(before_);
+    touched_ = copyOf(touched_);
+    for (const Surface& surface : {before_, moved, touched_})
+      for (const int k : {0, 1}) {
+        if (middles[k].empty()) continue;
+        TColStd_Array1OfReal knots(1, static_cast<int>(middles[k].size()));
+        std::ranges::copy(middles[k], knots.begin());
+        TColStd_Array1OfInteger multiplicities(1, knots.Length());
+        multiplicities.Init(1);
+        if (k == 0)
+          surface->InsertUKnots(knots, multiplicities);
+        else
+          surface->InsertVKnots(knots, multiplicities);
+      }
+    basis_ = SurfaceBasis(*before_);
+    original_ = polesOf(*before_);
+    poles_ = polesOf(*moved);
+    ++result_.refinements;
+    sample();
+    return true;
+  }
+
+  std::string whyNot() const {
+    for (const std::string& reason : {whyCornersContradict(), whyMissed(), whyFolded()})
+      if (!reason.empty()) return reason;
+    return {};
+  }
+
+  std::string whyMissed() const {
+    const auto worst = std::ranges::max_element(worst_, {}, &Worst::ratio);
+    if (worst == worst_.end() || worst->ratio <= task_.share) return {};
+    const auto number = worst - worst_.begin();
+    std::ostringstream text;
+    text << "path " << number + 1 << " is missed at " << at(worst->point) << " by "
+         << figuresText(worst->pair, task_.paths[number].order, task_.tolerance);
+    if (worst->ratio == infinite) text << ", with its normal turned over";
+    text << ", after " << result_.refinements << " refinements to " << basis_.u().poles << " by "
+         << basis_.v().poles << " poles";
+    return text.str();
+  }
+
+  /// Where ends of paths meet they have to ask for the same.
+  std::string whyCornersContradict() const {
+    struct End {
+      std::size_t path;
+      const Place* place;
+    };
+    std::vector<End> ends;
+    for (std::size_t i = 0; i < samples_.size(); ++i)
+      for (const Place* place : {&samples_[i].front(), &samples_[i].back()}) ends.push_back({i, place});
+    for (std::size_t a = 0; a < ends.size(); ++a)
+      for (std::size_t b = a + 1; b < ends.size(); ++b) {
+        const Eigen::Vector3d here = jetOf(ends[a].place->shares, original_).p,
+                              there = jetOf(ends[b].place->shares, original_).p;
+        if ((here - there).norm() > std::max(task_.tolerance.gap_mm / 10, Precision::Confusion())) continue;
+        const int order = std::min(task_.paths[ends[a].path].order, task_.paths[ends[b].path].order);
+        SidePoint first = sideOf(ends[a].place->target), second = sideOf(ends[b].place->target);
+        const PairMeasure pair = measurePair(first, second);
+        if (ratioOf(pair, order, task_.tolerance) <= 1) continue;
+        std::ostringstream text;
+        text << "paths " << ends[a].path + 1 << " and " << ends[b].path + 1
+             << " ask for different things where they meet at " << at(ends[a].place->target.point) << ": "
+             << figuresText(pair, order, task_.tolerance) << " apart";
+        return text.str();
+      }
+    return {};
+  }
+
+  /// The normal turned by 90 degrees or more, at points of the spans in which something moved.
+  std::string whyFolded() const {
+    constexpr int points = 4;
+    for (const int span_u : basis_.u().spans())
+      for (const int span_v : basis_.v().spans()) {
+        if (!isMoved(span_u, span_v)) continue;
+        for (int k = 0; k < points * points; ++k) {
+          const auto within = [](const SplineAxis& axis, int span, int step) {
+            return axis.knots[span] + axis.length(span) * (step + 0.5) / points;
+          };
+          const PoleShares shares =
+              basis_.at({within(basis_.u(), span_u, k / points), within(basis_.v(), span_v, k % points)});
+          const SurfaceJet old = jetOf(shares, original_), now = jetOf(shares, poles_);
+          if (old.u.cross(old.v).dot(now.u.cross(now.v)) >= 0) continue;
+          return "the surface folds at " + at(now.p);
+        }
+      }
+    return {};
+  }
+
+  bool isMoved(int span_u, int span_v) const {
+    for (int i = span_u - basis_.u().degree; i <= span_u; ++i)
+      for (int j = span_v - basis_.v().degree; j <= span_v; ++j) {
+        const int pole = basis_.pole(basis_.u().pole(i), basis_.v().pole(j));
+        if (poles_.row(pole) != original_.row(pole)) return true;
+      }
+    return false;
+  }
+
+  const FaceTask& task_;
+  bool gently_;
+  bool was_held_back_ = false;
+  Surface before_;   ///< as given, with the knots of now
+  Surface touched_;  ///< one where a pole that a path touches has a share in the pole of now
+  SurfaceBasis basis_;
+  PointRows poles_, original_;
+  double spacing_u_, spacing_v_;
+  double span_mm_ = 0;  ///< mean length of path in a span
+  std::vector<std::vector<Place>> samples_, checks_;
+  std::vector<Worst> worst_;
+  double at_samples_ = 0;  ///< largest ratio there
+  FaceFollow result_;
+};
+
+}  // namespace
+
+SidePoint sideOf(const TargetPoint& target) {
+  const Eigen::Vector3d x = target.normal.unitOrthogonal(), y = target.normal.cross(x);
+  SidePoint side;
+  side.jet.p = target.point;
+  side.jet.u = x;
+  side.jet.v = y;
+  side.jet.uu = x.dot(target.curvature * x) * target.normal;
+  side.jet.uv = x.dot(target.curvature * y) * target.normal;
+  side.jet.vv = y.dot(target.curvature * y) * target.normal;
+  return side;
+}
+
+std::string figuresText(const PairMeasure& pair, int order, const ContinuityTolerance& tolerance) {
+  std::ostringstream text;
+  text << pair.gap_mm.value_or(infinite) << " mm";
+  if (order > 0 && pair.angle_rad) text << ", " << *pair.angle_rad * 180 / std::numbers::pi << " degrees";
+  if (order > 1 && pair.curvature)
+    text << ", " << 100 * relativeDifference(*pair.curvature, tolerance.flat_radius_mm) << " % of curvature";
+  return text.str();
+}
+
+FaceFollow followPaths(const FaceTask& task) {
+  const auto worst = [](const FaceFollow& follow) {
+    return follow.ratios.empty() ? 0 : std::ranges::max(follow.ratios);
+  };
+  FaceFollower gentle(task, true);
+  const FaceFollow gently = gentle.run();
+  if (worst(gently) <= 2 * task.share || !gentle.wasHeldBack()) return gently;
+  const FaceFollow freely = FaceFollower(task, false).run();
+  return worst(freely) < worst(gently) ? freely : gently;
+}
+
+}  // namespace seamwright::occ

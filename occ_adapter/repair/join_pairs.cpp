@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Standard_Failure.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+
+#include <seamwright/occ_adapter/match/candidate.hpp>
+#include <seamwright/occ_adapter/repair/solve.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+FaceMatchOptions matchOptions(const RepairOptions& options) {
+  FaceMatchOptions match;
+  match.order = options.order;
+  match.max_move_mm = options.max_move_mm;
+  match.match_mm = options.match_mm;
+  match.tolerance = options.tolerance;
+  return match;
+}
+
+/// Joins one pair of faces after the other, each in the shape as the ones before left it.
+class PairSolver {
+ public:
+  PairSolver(const RepairTask& task, const Progress& progress)
+      : task_(task), progress_(progress), shape_(task.shape), seams_(task.seams) {}
+
+  RepairSolution run() {
+    const auto all = static_cast<double>(std::ranges::count(task_.treated, true));
+    int done = 0;
+    for (std::size_t i = 0; i < task_.treated.size(); ++i) {
+      if (!task_.treated[i]) continue;
+      if (progress_ && !progress_(done++ / all)) throw Cancelled();
+      if (const std::string why = attempt(i); !why.empty()) solution_.failures[i] = why;
+    }
+    for (const auto& [face, change] : changes_) solution_.changes.push_back(change);
+    return std::move(solution_);
+  }
+
+ private:
+  std::string attempt(std::size_t i) {
+    try {
+      return join(i);
+    } catch (const Standard_Failure& failure) {
+      return std::string("OpenCASCADE failed: ") + failure.DynamicType()->Name() + " " +
+             failure.GetMessageString();
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+  }
+
+  std::string join(std::size_t i) {
+    const Seam& seam = seams_[i];
+    if (seam.sides[0].face == seam.sides[1].face) return "the face meets itself there, which is not handled";
+    PairToMatch pair;
+    pair.options = matchOptions(task_.options);
+    std::array<bool, 2> can_move{};
+    std::string why;
+    for (const int which : {0, 1}) {
+      const int number = seam.sides[which].face;
+      pair.sides[which] = matchSide(seam.sides[which].shape, seam.sides[which], pair.options);
+      can_move[which] = pair.sides[which].isNatural() && task_.faces[number].may_move;
+      if (can_move[which]) continue;
+      why += (why.empty() ? "face " : "; face ") + std::to_string(number) + " " +
+             (task_.faces[number].may_move ? pair.sides[which].cannot_move : task_.faces[number].cannot_move);
+    }
+    if (!can_move[0] && !can_move[1]) return why;
+    pair.options.hold_sides = hasNeighboursAtEnds(i);
+    why.clear();
+    for (const std::array<bool, 2> moves :
+         {std::array{true, true}, std::array{false, true}, std::array{true, false}}) {
+      if ((moves[0] && !can_move[0]) || (moves[1] && !can_move[1])) continue;
+      const Candidate candidate = joined(pair, moves);
+      if (candidate.failure.empty() && candidate.largest_move_mm <= task_.options.max_move_mm) {
+        accept(seam, candidate);
+        return {};
+      }
+      if (!why.empty()) continue;
+      std::ostringstream text;
+      if (candidate.failure.empty())
+        text << "it needs a move of " << candidate.largest_move_mm << " mm, more than "
+             << task_.options.max_move_mm << " mm";
+      else
+        text << candidate.failure;
+      why = text.str();
+    }
+    return why;
+  }
+
+  /// Another seam ends where this one does.
+  bool hasNeighboursAtEnds(std::size_t i) const {
+    TopTools_IndexedMapOfShape ends;
+    TopExp::MapShapes(seams_[i].sides[0].edge, TopAbs_VERTEX, ends);
+    TopExp::MapShapes(seams_[i].sides[1].edge, TopAbs_VERTEX, ends);
+    for (std::size_t other = 0; other < seams_.size(); ++other) {
+      if (other == i) continue;
+      for (const FaceUse& side : seams_[other].sides)
+        if (ends.Contains(TopExp::FirstVertex(side.edge)) || ends.Contains(TopExp::LastVertex(side.edge)))
+          return true;
+    }
+    return false;
+  }
+
+  static Candidate joined(PairToMatch& pair, const std::array<bool, 2>& moves) {
+    pair.moves = moves;
+    pair.driver = moves[1] ? 1 : 0;
+    pair.path = followedPath(EdgeRows(pair.sides[pair.driver].spline, pair.sides[pair.driver].edge),
+                             pair.other(), pair.options);
+    Candidate candidate;
+    candidate.failure = pair.path.failure;
+    if (pair.other().isNatural()) candidate = joinInPoles(pair);
+    constexpr double share = 0.5;
+    const bool can_follow = !(moves[0] && moves[1]) && pair.path.failure.empty();
+    const bool may_follow =
+        !candidate.failure.empty() || candidate.largest_move_mm > pair.options.max_move_mm;
+    if (!can_follow || !(may_follow || !pair.other().isNatural())) return candidate;
+    Candidate follower = joinToTolerance(pair, share);
+    return follower.failure.empty() || candidate.failure.empty() ? follower : candidate;
+  }
+
+  void accept(const Seam& seam, const Candidate& candidate) {
+    std::vector<FaceChange> step;
+    for (const int which : {0, 1}) {
+      const MovedSurface& moved = candidate.moved[which];
+      if (moved.after.IsNull()) continue;
+      FaceChange change{seam.sides[which].face, opencascade::handle<Geom_Surface>(moved.after),
+                        moved.largest_move_mm};
+      step.push_back(change);
+      FaceChange& sum = changes_[change.face];
+      change.largest_move_mm += sum.largest_move_mm;
+      sum = change;
+    }
+    shape_ = withChanges(shape_, step, task_.options.tolerance.gap_mm);
+    seams_ = seamsIn(shape_, seams_);
+  }
+
+  const RepairTask& task_;
+  const Progress& progress_;
+  TopoDS_Shape shape_;
+  std::vector<Seam> seams_;
+  std::map<int, FaceChange> changes_;
+  RepairSolution solution_;
+};
+
+}  // namespace
+
+RepairSolution joinPairs(const RepairTask& task, const Progress& progress) {
+  return PairSolver(task, progress).run();
+}
+
+}  // namespace seamwright::occ

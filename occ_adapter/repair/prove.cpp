@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepGProp.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include <seamwright/occ_adapter/analyze/measure_seam.hpp>
+#include <seamwright/occ_adapter/analyze/workers.hpp>
+#include <seamwright/occ_adapter/repair/prove.hpp>
+#include <seamwright/occ_adapter/seams/match.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+using opencascade::handle;
+
+TopTools_IndexedMapOfShape partsOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
+  TopTools_IndexedMapOfShape parts;
+  TopExp::MapShapes(shape, kind, parts);
+  return parts;
+}
+
+bool isNew(const Seam& after, const Seam& before) {
+  for (const int side : {0, 1})
+    if (!after.sides[side].shape.IsPartner(before.sides[side].shape) ||
+        !after.sides[side].edge.IsPartner(before.sides[side].edge))
+      return true;
+  return false;
+}
+
+/// The seams of the changed shape, in the order of before; a matched one that is found no more has no id.
+std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed, const Progress& progress) {
+  std::vector<Seam> seams = seamsIn(changed, task.seams);
+  const bool any_matched =
+      std::ranges::any_of(seams, [](const Seam& seam) { return seam.kind == SeamKind::Matched; });
+  if (!any_matched) return seams;
+  SeamGraph graph = findSeams(changed);
+  matchFreeEdges({.match_mm = task.options.match_mm, .gap_mm = task.options.tolerance.gap_mm}, graph,
+                 progress);
+  std::vector<bool> taken(graph.seams.size(), false);
+  for (Seam& seam : seams) {
+    if (seam.kind != SeamKind::Matched) continue;
+    const int id = seam.id;
+    seam.id = 0;
+    for (std::size_t i = 0; i < graph.seams.size() && seam.id == 0; ++i) {
+      const Seam& found = graph.seams[i];
+      if (taken[i] || found.kind != SeamKind::Matched || found.edges != seam.edges) continue;
+      taken[i] = true;
+      seam = found;
+      seam.id = id;
+    }
+  }
+  return seams;
+}
+
+std::vector<SeamResult> measured(const RepairTask& task, const std::vector<Seam>& seams,
+                                 const Progress& progress) {
+  std::vector<SeamResult> after = task.before;
+  std::vector<std::size_t> again;
+  for (std::size_t i = 0; i < seams.size(); ++i)
+    if (isNew(seams[i], task.seams[i])) again.push_back(i);
+  const AnalyzeOptions options = analyzeOptions(task.options);
+  const auto measureAgain = [&](std::size_t k) {
+    const std::size_t i = again[k];
+    after[i] = measureSeam(seams[i], options);
+    if (seams[i].id != 0) return;
+    after[i].id = task.before[i].id;
+    after[i].figures = {};
+    after[i].verdict = {};
+    after[i].note = "the edges are no longer close together";
+  };
+  runParallel(again.size(), task.options.jobs, measureAgain, progress);
+  return after;
+}
+
+double known(const Figure& figure) {
+  return figure.upper.value_or(figure.lower);
+}
+
+bool isLarger(const std::optional<Figure>& after, const std::optional<Figure>& before, double tolerance) {
+  if (!after) return before.has_value();
+  return after->lower > std::max(tolerance, before ? known(*before) : 0);
+}
+
+/// Which figure is worse than it was; empty if none.
+std::string whyWorse(const SeamResult& after, const SeamResult& before, const RepairOptions& options) {
+  if (after.verdict.level < before.verdict.level) return "a lower level";
+  const auto rank = [](SeamClass seam_class) { return seam_class == SeamClass::Smooth ? 0 : 1; };
+  if (rank(after.verdict.seam_class) > rank(before.verdict.seam_class)) return "another class";
+  if (before.verdict.certain && !after.verdict.certain) return "less certain";
+  if (isLarger(after.figures.gap_mm, before.figures.gap_mm, options.tolerance.gap_mm)) return "a larger gap";
+  if (before.verdict.seam_class == SeamClass::Crease) return {};
+  if (isLarger(after.figures.angle_rad, before.figures.angle_rad, options.tolerance.angle_rad))
+    return "a larger angle";
+  const bool asked = options.order == 2 && before.figures.curvature_rel;
+  if (asked &&
+      isLarger(after.figures.curvature_rel, before.figures.curvature_rel, options.tolerance.curvature_rel))
+    return "a larger difference of curvature";
+  return {};
+}
+
+void judgeSeams(const RepairTask& task, Proof& proof) {
+  for (std::size_t i = 0; i < proof.after.size(); ++i) {
+    const SeamResult& after = proof.after[i];
+    if (task.treated[i]) {
+      if (!surelyReaches(after.figures, task.options.tolerance, task.options.level()))
+        proof.unrepaired[i] = "after a move it has " + figuresText(after);
+    } else if (const std::string why = whyWorse(after, task.before[i], task.options); !why.empty()) {
+      proof.worse[i] = "edge " + std::to_string(after.edges.front()) + " would get " + why + " (" +
+                       figuresText(after) + "; before " + figuresText(task.before[i]) + ")";
+    }
+  }
+}
+
+/// Places in [first, last]: its ends and, between knots, several.
+std::vector<double> gridOf(const TColStd_Array1OfReal& knots, double first, double last) {
+  constexpr int per_span = 4;
+  std::vector<double> ends = {first};
+  for (const double knot : knots)
+    if (knot > first && knot < last) ends.push_back(knot);
+  ends.push_back(last);
+  std::vector<double> places;
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+    for (int k = 0; k < per_span; ++k) places.push_back(ends[i] + (ends[i + 1] - ends[i]) * k / per_span);
+  places.push_back(last);
+  return places;
+}
+
+gp_Vec normalAt(const Geom_Surface& surface, double u, double v) {
+  gp_Pnt p;
+  gp_Vec along_u, along_v;
+  surface.D1(u, v, p, along_u, along_v);
+  return along_u.Crossed(along_v);
+}
+
+/// Whether the normal turned by 90 degrees or more somewhere on a grid over the face.
+bool isFolded(const TopoDS_Face& face, const handle<Geom_Surface>& surface) {
+  const handle<Geom_Surface> before = BRep_Tool::Surface(face);
+  const auto after = handle<Geom_BSplineSurface>::DownCast(surface);
+  if (after.IsNull()) return false;
+  std::array<double, 4> range{}, whole{};
+  BRepTools::UVBounds(face, range[0], range[1], range[2], range[3]);
+  after->Bounds(whole[0], whole[1], whole[2], whole[3]);
+  for (const int i : {0, 2}) {
+    range[i] = std::max(range[i], whole[i]);
+    range[i + 1] = std::min(range[i + 1], whole[i + 1]);
+  }
+  const std::vector<double> all_v = gridOf(after->VKnots(), range[2], range[3]);
+  for (const double u : gridOf(after->UKnots(), range[0], range[1]))
+    for (const double v : all_v)
+      if (normalAt(*before, u, v).Dot(normalAt(*after, u, v)) < 0) return true;
+  return false;
+}
+
+/// Largest tolerance of an edge of the face beyond what it may have; 0 if there is none.
+double strayEdge_mm(const TopoDS_Face& before, const TopoDS_Face& after, double gap_mm) {
+  double largest = 0;
+  TopExp_Explorer was(before, TopAbs_EDGE), is(after, TopAbs_EDGE);
+  for (; is.More(); is.Next(), was.Next()) {
+    const double tolerance = BRep_Tool::Tolerance(TopoDS::Edge(is.Current()));
+    const double allowed = 2 * std::max(gap_mm, BRep_Tool::Tolerance(TopoDS::Edge(was.Current())));
+    if (tolerance > allowed) largest = std::max(largest, tolerance);
+  }
+  return largest;
+}
+
+void judgeFaces(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
+                const Soundness& was, Proof& proof) {
+  const TopTools_IndexedMapOfShape before = partsOf(task.shape, TopAbs_FACE);
+  const TopTools_IndexedMapOfShape after = partsOf(changed, TopAbs_FACE);
+  const Soundness is = soundnessOf(changed);
+  for (int f = 1; f <= after.Extent(); ++f)
+    if (was.faces[f] && !is.faces[f]) proof.faces[f] = "OpenCASCADE's checks do not pass";
+  if (was.whole && !is.whole && proof.faces.empty()) proof.whole = "OpenCASCADE's checks do not pass";
+  for (const FaceChange& change : changes) {
+    const TopoDS_Face& face = TopoDS::Face(before(change.face));
+    std::ostringstream text;
+    const double stray = strayEdge_mm(face, TopoDS::Face(after(change.face)), task.options.tolerance.gap_mm);
+    if (change.largest_move_mm > task.options.max_move_mm)
+      text << "it needs a move of " << change.largest_move_mm << " mm, more than " << task.options.max_move_mm
+           << " mm";
+    else if (isFolded(face, change.surface))
+      text << "it would fold over";
+    else if (stray > 0)
+      text << "an edge of it would be " << stray << " mm away";
+    if (!text.str().empty()) proof.faces[change.face] = text.str();
+  }
+}
+
+double flux_mm3(const TopoDS_Shape& face, const gp_Pnt& from) {
+  GProp_GProps properties(from);
+  BRepGProp::VolumeProperties(face, properties);
+  return properties.Mass();
+}
+
+double area_mm2(const TopoDS_Shape& face) {
+  GProp_GProps properties;
+  BRepGProp::SurfaceProperties(face, properties);
+  return properties.Mass();
+}
+
+/// The volume of a solid is the sum of what its faces give; faces that stay give the same.
+void judgeVolumes(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
+                  Proof& proof) {
+  const TopTools_IndexedMapOfShape before = partsOf(task.shape, TopAbs_SOLID);
+  const TopTools_IndexedMapOfShape after = partsOf(changed, TopAbs_SOLID);
+  const TopTools_IndexedMapOfShape faces = partsOf(task.shape, TopAbs_FACE);
+  for (int s = 1; s <= before.Extent(); ++s) {
+    double change_mm3 = 0, explained_mm3 = 0, flux = 0;
+    const gp_Pnt from =
+        TopExp_Explorer(before(s), TopAbs_VERTEX).More()
+            ? BRep_Tool::Pnt(TopoDS::Vertex(TopExp_Explorer(before(s), TopAbs_VERTEX).Current()))
+            : gp_Pnt();
+    TopExp_Explorer was(before(s), TopAbs_FACE), is(after(s), TopAbs_FACE);
+    for (; was.More(); was.Next(), is.Next()) {
+      const int number = faces.FindIndex(was.Current());
+      const auto move = std::ranges::find(changes, number, &FaceChange::face);
+      if (move == changes.end()) continue;
+      const double flux_before = flux_mm3(was.Current(), from);
+      change_mm3 += flux_mm3(is.Current(), from) - flux_before;
+      flux += std::abs(flux_before);
+      explained_mm3 += 1.01 * area_mm2(was.Current()) * move->largest_move_mm;
+    }
+    constexpr double noise = 1e-6;
+    if (std::abs(change_mm3) <= explained_mm3 + noise * flux) continue;
+    std::ostringstream text;
+    text << "the volume of solid " << s << " would change by " << change_mm3 << " mm3, more than "
+         << explained_mm3 << " mm3, which the moves explain";
+    proof.whole = text.str();
+  }
+}
+
+std::set<int> movedFaces(const std::vector<FaceChange>& changes) {
+  std::set<int> faces;
+  for (const FaceChange& change : changes) faces.insert(change.face);
+  return faces;
+}
+
+bool moves(const Seam& seam, const std::set<int>& moved, int face) {
+  return moved.count(face) > 0 && (seam.sides[0].face == face || seam.sides[1].face == face);
+}
+
+bool meet(const Seam& a, const Seam& b) {
+  TopTools_IndexedMapOfShape ends;
+  for (const FaceUse& side : a.sides) TopExp::MapShapes(side.edge, TopAbs_VERTEX, ends);
+  for (const FaceUse& side : b.sides)
+    if (ends.Contains(TopExp::FirstVertex(side.edge)) || ends.Contains(TopExp::LastVertex(side.edge)))
+      return true;
+  return false;
+}
+
+/// Treated seams that moved a face of the seam.
+std::vector<std::size_t> blameFor(const RepairTask& task, const std::set<int>& moved, const Seam& worse) {
+  std::vector<std::size_t> near, all;
+  for (std::size_t i = 0; i < task.seams.size(); ++i) {
+    if (!task.treated[i]) continue;
+    const Seam& seam = task.seams[i];
+    if (!moves(seam, moved, worse.sides[0].face) && !moves(seam, moved, worse.sides[1].face)) continue;
+    all.push_back(i);
+    if (meet(seam, worse)) near.push_back(i);
+  }
+  return near.empty() ? all : near;
+}
+
+void addConnected(const RepairTask& task, const std::set<int>& moved,
+                  std::map<std::size_t, std::string>& given_up) {
+  for (bool grew = true; grew;) {
+    grew = false;
+    for (std::size_t i = 0; i < task.seams.size(); ++i) {
+      if (!task.treated[i] || given_up.count(i) > 0) continue;
+      for (const auto& [other, why] : given_up) {
+        const bool connected = moves(task.seams[i], moved, task.seams[other].sides[0].face) ||
+                               moves(task.seams[i], moved, task.seams[other].sides[1].face);
+        if (!connected) continue;
+        given_up[i] = "it depends on edge " + std::to_string(task.seams[other].edges.front()) + ": " + why;
+        grew = true;
+        break;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Soundness soundnessOf(const TopoDS_Shape& shape) {
+  const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE);
+  const BRepCheck_Analyzer analyzer(shape);
+  Soundness soundness;
+  soundness.faces.assign(static_cast<std::size_t>(faces.Extent()) + 1, true);
+  soundness.whole = analyzer.IsValid();
+  if (soundness.whole) return soundness;
+  for (int f = 1; f <= faces.Extent(); ++f) soundness.faces[f] = analyzer.IsValid(faces(f));
+  return soundness;
+}
+
+Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
+            const Soundness& was, const Progress& progress) {
+  Proof proof;
+  proof.after =
+      measured(task, seamsAfter(task, changed, partOf(progress, 0, 0.2)), partOf(progress, 0.2, 0.8));
+  judgeSeams(task, proof);
+  judgeFaces(task, changes, changed, was, proof);
+  judgeVolumes(task, changes, changed, proof);
+  if (progress && !progress(1)) throw Cancelled();
+  return proof;
+}
+
+std::map<std::size_t, std::string> culprits(const RepairTask& task, const std::vector<FaceChange>& changes,
+                                            const Proof& proof, bool with_connected) {
+  const std::set<int> moved = movedFaces(changes);
+  std::map<std::size_t, std::string> given_up;
+  for (const auto& [face, why] : proof.faces)
+    for (std::size_t i = 0; i < task.seams.size(); ++i)
+      if (task.treated[i] && moves(task.seams[i], moved, face))
+        given_up.emplace(i, "face " + std::to_string(face) + ": " + why);
+  for (const auto& [i, why] : proof.unrepaired) given_up[i] = why;
+  // What is worse may be so for one of these.
+  if (given_up.empty())
+    for (const auto& [worse, why] : proof.worse)
+      for (const std::size_t i : blameFor(task, moved, task.seams[worse])) given_up.emplace(i, why);
+  const bool nobody = given_up.empty();
+  for (std::size_t i = 0; nobody && i < task.seams.size(); ++i)
+    if (task.treated[i]) given_up[i] = proof.whole.empty() ? "the change can't be proven" : proof.whole;
+  if (with_connected) addConnected(task, moved, given_up);
+  return given_up;
+}
+
+AnalyzeOptions analyzeOptions(const RepairOptions& options) {
+  AnalyzeOptions analyze;
+  analyze.tolerance = options.tolerance;
+  analyze.level = options.level();
+  analyze.match_mm = options.match_mm;
+  analyze.jobs = options.jobs;
+  return analyze;
+}
+
+}  // namespace seamwright::occ

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <seamwright/occ_adapter/repair/solve.hpp>
+
+/// Whether a changed shape is a repaired one; not a public header.
+namespace seamwright::occ {
+
+/// Faces that pass OpenCASCADE's checks, from 1, and whether the whole does.
+struct Soundness {
+  std::vector<bool> faces;
+  bool whole = true;
+};
+Soundness soundnessOf(const TopoDS_Shape& shape);
+
+/// What is wrong with a change; nothing, and it may be kept.
+struct Proof {
+  std::vector<SeamResult> after;                  ///< in the order of before
+  std::map<std::size_t, std::string> unrepaired;  ///< treated seams that do not have the level
+  std::map<std::size_t, std::string> worse;       ///< other seams
+  std::map<int, std::string> faces;               ///< moved too far, folded, or failing OpenCASCADE's checks
+  std::string whole;                              ///< of the shape as a whole
+
+  bool holds() const { return unrepaired.empty() && worse.empty() && faces.empty() && whole.empty(); }
+};
+
+/// Seams beside faces and edges that are new are measured again, the others have their figures from before.
+/// \param was of the task's shape. \throws Cancelled.
+Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
+            const Soundness& was, const Progress& progress);
+
+/// Treated seams to be given up for the proof to hold, with the reason of each: those that do not have the level, and of a face that is at fault
+/// all of its own. Where there are none, of a seam that is worse those that move one of its faces, and end where it ends if there are such.
+/// \param with_connected also seams that moved faces connect with these.
+std::map<std::size_t, std::string> culprits(const RepairTask& task, const std::vector<FaceChange>& changes,
+                                            const Proof& proof, bool with_connected);
+
+/// How measuring is asked for in a repair.
+AnalyzeOptions analyzeOptions(const RepairOptions& options);
+
+}  // namespace seamwright::occ

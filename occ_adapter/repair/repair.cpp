@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Standard_Failure.hxx>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <sstream>
+#include <stdexcept>
+
+#include <seamwright/occ_adapter/repair/prove.hpp>
+#include <seamwright/occ_adapter/seams/match.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::vector<Seam> seamsOf(const TopoDS_Shape& shape, const RepairOptions& options, const Progress& progress) {
+  SeamGraph graph = findSeams(shape);
+  if (options.match_mm > 0)
+    matchFreeEdges({.match_mm = options.match_mm, .gap_mm = options.tolerance.gap_mm}, graph, progress);
+  return std::move(graph.seams);
+}
+
+/// One call of repair(): what is asked for is tried; what spoils it is given up; until what is left can be proven.
+class Repairing {
+ public:
+  Repairing(const Model& model, const RepairOptions& options, const Progress& progress)
+      : model_(model), options_(options), progress_(progress) {}
+
+  RepairReport run() {
+    const auto start = std::chrono::steady_clock::now();
+    result_.model = model_;
+    result_.before = analyze(model_, analyzeOptions(options_), partOf(progress_, 0, share_of_analysis));
+    result_.after = result_.before;
+    Choice choice = choose(model_, result_.before, options_);
+    reasons_ = std::move(choice.reasons);
+    const std::vector<bool> wanted = choice.treated;
+    open_ = wanted;
+    if (std::ranges::count(wanted, true) > 0) {
+      seams_ = seamsOf(model_.shape, options_, {});
+      repair(choice.faces);
+    }
+    tell(wanted);
+    result_.repair_s = secondsSince(start);
+    if (progress_) progress_(1);
+    return std::move(result_);
+  }
+
+ private:
+  static constexpr double share_of_analysis = 0.2;
+  static constexpr int most_rounds = 12;
+  /// From then on what is connected with a culprit is given up with it.
+  static constexpr int rounds_for_culprits_alone = 6;
+
+  using Solver = std::function<RepairSolution(const RepairTask&, const Progress&)>;
+  using Reasons = std::map<std::size_t, std::string>;
+
+  /// What one solver leaves the next one tries, in the shape as it is then.
+  void repair(const std::vector<FaceChoice>& faces) {
+    FollowedFaces known;
+    const std::array<Solver, 3> solvers = {joinNetwork, joinPairs,
+                                           [&known](const RepairTask& task, const Progress& progress) {
+                                             return followTargets(task, known, progress);
+                                           }};
+    double done = share_of_analysis;
+    for (std::size_t k = 0; k < solvers.size() && std::ranges::count(open_, true) > 0; ++k) {
+      const double next = done + (1 - done) / static_cast<double>(solvers.size() - k);
+      const TopoDS_Shape shape = result_.model.shape;
+      const std::vector<SeamResult> before = result_.after.seams;
+      improve({shape, seams_, before, faces, open_, options_}, solvers.at(k), partOf(progress_, done, next));
+      done = next;
+    }
+  }
+
+  void improve(RepairTask task, const Solver& solver, const Progress& progress) {
+    const Soundness was = soundnessOf(task.shape);
+    double done = 0;
+    for (int round = 0; round < most_rounds && std::ranges::count(task.treated, true) > 0; ++round) {
+      const double next = done + (1 - done) / 3;
+      const Progress part = partOf(progress, done, next);
+      done = next;
+      const Reasons given_up = attempt(task, solver, was, round >= rounds_for_culprits_alone, part);
+      if (given_up.empty()) return;
+      giveUp(given_up, task);
+    }
+    giveUp(everything(task, "no change was proven in " + std::to_string(most_rounds) + " rounds"), task);
+  }
+
+  /// \returns seams to give up; none if the change was kept.
+  Reasons attempt(const RepairTask& task, const Solver& solver, const Soundness& was, bool with_connected,
+                  const Progress& progress) {
+    try {
+      RepairSolution solution = solver(task, partOf(progress, 0, 0.5));
+      if (!solution.complete) return solution.failures;
+      RepairTask rest = task;
+      giveUp(solution.failures, rest);
+      if (solution.changes.empty()) return everything(task, "nothing was moved");
+      for (FaceChange& change : solution.changes) change.largest_move_mm += moves_[change.face];
+      const TopoDS_Shape changed = withChanges(task.shape, solution.changes, options_.tolerance.gap_mm);
+      const Proof proof = prove(rest, solution.changes, changed, was, partOf(progress, 0.5, 1));
+      if (!proof.holds()) {
+        Reasons given_up = culprits(rest, solution.changes, proof, with_connected);
+        given_up.merge(solution.failures);
+        return given_up;
+      }
+      keep(rest, solution.changes, changed, proof);
+      return {};
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Standard_Failure& failure) {
+      return everything(task, std::string("OpenCASCADE failed: ") + failure.DynamicType()->Name() + " " +
+                                  failure.GetMessageString());
+    } catch (const std::exception& error) {
+      return everything(task, error.what());
+    }
+  }
+
+  static Reasons everything(const RepairTask& task, const std::string& why) {
+    Reasons all;
+    for (std::size_t i = 0; i < task.treated.size(); ++i)
+      if (task.treated[i]) all[i] = why;
+    return all;
+  }
+
+  void giveUp(const Reasons& seams, RepairTask& task) {
+    for (const auto& [i, why] : seams) {
+      task.treated[i] = false;
+      reasons_[i] = why;
+    }
+  }
+
+  void keep(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
+            const Proof& proof) {
+    result_.model.shape = changed;
+    result_.after.seams = proof.after;
+    seams_ = seamsIn(changed, seams_);
+    for (const FaceChange& change : changes) moves_[change.face] = change.largest_move_mm;
+    for (std::size_t i = 0; i < task.treated.size(); ++i) {
+      if (!task.treated[i]) continue;
+      open_[i] = false;
+      reasons_[i].clear();
+    }
+  }
+
+  void tell(const std::vector<bool>& wanted) {
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      SeamRepair seam{result_.before.seams[i], result_.after.seams[i], wanted[i], false, reasons_[i]};
+      seam.repaired = wanted[i] && surelyReaches(seam.after.figures, options_.tolerance, options_.level());
+      if (seam.repaired) seam.reason.clear();
+      result_.seams.push_back(std::move(seam));
+    }
+    for (const auto& [face, move_mm] : moves_)
+      if (move_mm > 0) result_.moves.push_back({face, move_mm});
+  }
+
+  const Model& model_;
+  const RepairOptions& options_;
+  const Progress& progress_;
+  std::vector<Seam> seams_;           ///< of the shape as it is
+  std::vector<bool> open_;            ///< by seam: to be repaired, and not yet
+  std::vector<std::string> reasons_;  ///< by seam
+  std::map<int, double> moves_;       ///< by face
+  RepairReport result_;
+};
+
+}  // namespace
+
+void RepairOptions::validate() const {
+  analyzeOptions(*this).validate();
+  if (order != 1 && order != 2)
+    throw std::invalid_argument("order is " + std::to_string(order) + ": it must be 1 or 2");
+  if (!(max_move_mm >= 0)) {
+    std::ostringstream text;
+    text << "largest move is " << max_move_mm << " mm: it must be zero or larger";
+    throw std::invalid_argument(text.str());
+  }
+}
+
+RepairReport repair(const Model& model, const RepairOptions& options, const Progress& progress) {
+  options.validate();
+  return Repairing(model, options, progress).run();
+}
+
+}  // namespace seamwright::occ

@@ -1,0 +1,363 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRep_Tool.hxx>
+#include <Eigen/Geometry>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <sstream>
+
+#include <seamwright/occ_adapter/convert/nearest.hpp>
+#include <seamwright/occ_adapter/convert/seam_strips.hpp>
+#include <seamwright/occ_adapter/match/follow.hpp>
+#include <seamwright/occ_adapter/repair/seam_target.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+/// Of s, over which derivatives are taken as differences.
+constexpr double difference_step = 1e-4;
+
+/// Quintic functions of the distance from an end: 1 for the value, the slope or the second derivative there, 0 for the others and for
+/// all three from the reach on; with their derivatives.
+struct Blends {
+  double value = 0, slope = 0, bend = 0;
+  double d_value = 0, d_slope = 0, d_bend = 0;
+};
+
+Blends blendsAt(double distance) {
+  constexpr double reach = 0.5;
+  const double y = distance / reach;
+  if (y >= 1) return {};
+  const double y2 = y * y, y3 = y2 * y, y4 = y3 * y, y5 = y4 * y;
+  return {1 - 10 * y3 + 15 * y4 - 6 * y5,
+          reach * (y - 6 * y3 + 8 * y4 - 3 * y5),
+          reach * reach * (y2 - 3 * y3 + 3 * y4 - y5) / 2,
+          (-30 * y2 + 60 * y3 - 30 * y4) / reach,
+          1 - 18 * y2 + 32 * y3 - 15 * y4,
+          reach * (y - 4.5 * y2 + 6 * y3 - 2.5 * y4)};
+}
+
+Eigen::Matrix3d inPlane(const Eigen::Matrix3d& tensor, const Eigen::Vector3d& normal) {
+  const Eigen::Matrix3d onto = Eigen::Matrix3d::Identity() - normal * normal.transpose();
+  return onto * tensor * onto;
+}
+
+Eigen::Vector3d orthogonal(const Eigen::Vector3d& normal, const Eigen::Vector3d& tangent) {
+  return (normal - normal.dot(tangent) / tangent.squaredNorm() * tangent).normalized();
+}
+
+TargetPoint turned(TargetPoint target, const Eigen::Vector3d& normal) {
+  if (target.normal.dot(normal) >= 0) return target;
+  return {target.point, -target.normal, -target.curvature};
+}
+
+/// y at x, linear between points of which the x increase or decrease.
+double linear(const std::vector<double>& xs, const std::vector<double>& ys, double x) {
+  const bool rises = xs.back() >= xs.front();
+  std::size_t i = 1;
+  while (i + 1 < xs.size() && (rises ? xs[i] < x : xs[i] > x)) ++i;
+  const double width = xs[i] - xs[i - 1];
+  return ys[i - 1] + (width == 0 ? 0 : (x - xs[i - 1]) / width) * (ys[i] - ys[i - 1]);
+}
+
+/// The derivative at s of a function on [0, 1], by differences.
+template <class Function>
+auto derivative(const Function& function, double s) {
+  constexpr double h = difference_step;
+  if (s < h) return Eigen::Vector3d((4 * function(s + h) - 3 * function(s) - function(s + 2 * h)) / (2 * h));
+  if (s > 1 - h)
+    return Eigen::Vector3d((3 * function(s) - 4 * function(s - h) + function(s - 2 * h)) / (2 * h));
+  return Eigen::Vector3d((function(s + h) - function(s - h)) / (2 * h));
+}
+
+}  // namespace
+
+SeamTarget::SeamTarget(const Seam& seam, const std::array<Pcurve, 2>& pcurves,
+                       const std::array<bool, 2>& stays, int order)
+    : seam_(seam),
+      pcurves_(pcurves),
+      stays_(stays),
+      order_(order),
+      strips_{FaceStrip(seam.sides[0], pcurves[0]), FaceStrip(seam.sides[1], pcurves[1])} {
+  double agreement = 0;
+  for (const double s : {0.2, 0.5, 0.8}) agreement += shown(0, s).normal.dot(shown(1, s).normal);
+  if (agreement < 0) second_sign_ = -1;
+}
+
+double SeamTarget::placeOnSecond(double s) const {
+  const Correspondence& map = seam_.correspondence;
+  const auto [low, high] = std::minmax(map.b.front(), map.b.back());
+  const Eigen::Vector3d on_first = strips_[0].trace(placeOnFirst(map, s)).p;
+  return nearestPlace(strips_[1], on_first, linear(map.s, map.b, s), low, high);
+}
+
+double SeamTarget::place(int side, double s) const {
+  if (seam_.correspondence.s.empty()) return s;
+  return side == 0 ? placeOnFirst(seam_.correspondence, s) : placeOnSecond(s);
+}
+
+double SeamTarget::seamParameter(int side, double place) const {
+  const Correspondence& map = seam_.correspondence;
+  if (map.s.empty()) return place;
+  if (side == 0) return linear(map.a, map.s, place);
+  double s = std::clamp(linear(map.b, map.s, place), 0.0, 1.0);
+  const Eigen::Vector3d own = strips_[1].trace(place).p;
+  constexpr int steps = 4;
+  for (int k = 0; k < steps; ++k) {
+    const Mean there = led(s);
+    s = std::clamp(s - (there.point - own).dot(there.slope) / there.slope.squaredNorm(), 0.0, 1.0);
+  }
+  return s;
+}
+
+SidePoint SeamTarget::regularPoint(int side, double s) const {
+  SidePoint point = strips_[side].at(place(side, s));
+  for (double step = difference_step; step < 0.5 && degeneracy(point.jet, point.noise) != Degeneracy::None;
+       step *= 2)
+    point = strips_[side].at(place(side, s < 0.5 ? s + step : s - step));
+  return point;
+}
+
+TargetPoint SeamTarget::shown(int side, double s) const {
+  const SidePoint point = regularPoint(side, s);
+  TargetPoint target;
+  target.point = strips_[side].trace(place(side, s)).p;
+  if (const auto normal = unitNormal(point.jet, point.noise)) {
+    target.normal = (side == 0 ? 1 : second_sign_) * *normal;
+    target.curvature = curvatureTensor(point.jet, target.normal);
+  }
+  return target;
+}
+
+Eigen::Vector3d SeamTarget::slope(int side, double s) const {
+  const Correspondence& map = seam_.correspondence;
+  if (map.s.empty()) return strips_[side].trace(s).d;
+  const PathPoint first = strips_[0].trace(placeOnFirst(map, s));
+  const auto right = std::lower_bound(map.s.begin() + 1, map.s.end() - 1, s) - map.s.begin();
+  const double rate = (map.a[right] - map.a[right - 1]) / (map.s[right] - map.s[right - 1]);
+  if (side == 0) return rate * first.d;
+  // The foot of the first side's point on the second side's path moves with what it moves along it.
+  const PathPoint second = strips_[1].trace(placeOnSecond(s));
+  return rate * first.d.dot(second.d) / second.d.squaredNorm() * second.d;
+}
+
+SeamTarget::Mean SeamTarget::mean(double s) const {
+  const TargetPoint a = shown(0, s), b = shown(1, s);
+  Mean mean;
+  mean.point = (a.point + b.point) / 2;
+  mean.slope = (slope(0, s) + slope(1, s)) / 2;
+  mean.normal = (a.normal + b.normal).normalized();
+  mean.curvature = (a.curvature + b.curvature) / 2;
+  return mean;
+}
+
+SeamTarget::Mean SeamTarget::led(double s) const {
+  Mean led = mean(s);
+  for (const int end : {0, 1}) {
+    const auto& lead = leads_[end];
+    if (!lead) continue;
+    const Blends blends = blendsAt(end == 0 ? s : 1 - s);
+    const double sense = end == 0 ? 1 : -1;
+    led.point += blends.value * lead->point + sense * blends.slope * lead->slope + blends.bend * lead->bend;
+    led.slope += sense * blends.d_value * lead->point + blends.d_slope * lead->slope +
+                 sense * blends.d_bend * lead->bend;
+    led.normal += blends.value * lead->normal + sense * blends.slope * lead->normal_slope;
+    led.curvature += blends.value * lead->curvature;
+  }
+  led.normal = orthogonal(led.normal, led.slope);
+  return led;
+}
+
+SeamTarget::Lead SeamTarget::lead(int end, const TargetPoint& target) const {
+  const Mean here = mean(end);
+  Lead lead;
+  lead.point = target.point - here.point;
+  lead.slope = -here.slope.dot(target.normal) * target.normal;
+  lead.normal = target.normal - here.normal;
+  lead.curvature = target.curvature - here.curvature;
+  lead.bend.setZero();
+  lead.normal_slope.setZero();
+  if (order_ < 1) return lead;
+  // Also for order 1: what the normals do along the seams at a vertex has to fit one tensor.
+  const Eigen::Vector3d along = here.slope + lead.slope;
+  const Eigen::Vector3d bend = derivative([&](double s) { return mean(s).slope; }, end);
+  lead.bend = (along.dot(target.curvature * along) - bend.dot(target.normal)) * target.normal;
+  lead.normal_slope = -target.curvature * along - derivative([&](double s) { return mean(s).normal; }, end);
+  return lead;
+}
+
+void SeamTarget::setEnd(int end, const TargetPoint& target) {
+  leads_[end] = lead(end, turned(target, mean(end).normal));
+}
+
+TargetPoint SeamTarget::at(double s) const {
+  for (const int side : {0, 1})
+    if (stays_[side]) return shown(side, s);
+  const Mean here = led(s);
+  if (order_ < 2) return {here.point, here.normal, inPlane(here.curvature, here.normal)};
+  // The curve and the normal along it give all of the tensor but the curvature across.
+  const Eigen::Vector3d t = here.slope.normalized(), b = here.normal.cross(t);
+  const Eigen::Vector3d turn = -derivative([&](double at) { return led(at).normal; }, s) / here.slope.norm();
+  const double tt = turn.dot(t), tb = turn.dot(b), bb = b.dot(here.curvature * b);
+  return {here.point, here.normal,
+          tt * t * t.transpose() + tb * (t * b.transpose() + b * t.transpose()) + bb * b * b.transpose()};
+}
+
+TargetPoint SeamTarget::at(int side, double s) const {
+  const Correspondence& map = seam_.correspondence;
+  double place = s;
+  if (!map.s.empty()) {
+    const std::vector<double>& places = side == 0 ? map.a : map.b;
+    const auto [low, high] = std::minmax(places.front(), places.back());
+    place = low + s * (high - low);
+  }
+  TargetPoint target = at(seamParameter(side, place));
+  if (side == 0 || second_sign_ > 0) return target;
+  return {target.point, -target.normal, -target.curvature};
+}
+
+Pcurve SeamTarget::path(int side) const {
+  Pcurve path = pcurves_[side];
+  const Correspondence& map = seam_.correspondence;
+  if (map.s.empty()) return path;
+  const std::vector<double>& places = side == 0 ? map.a : map.b;
+  const auto [low, high] = std::minmax(places.front(), places.back());
+  const double first = path.first, range = path.last - path.first;
+  path.first = first + low * range;
+  path.last = first + high * range;
+  return path;
+}
+
+FollowPath followPath(const std::shared_ptr<const SeamTarget>& target, int side) {
+  FollowPath path;
+  path.path = target->path(side);
+  path.order = target->order();
+  path.target = [target, side](double s) { return target->at(side, s); };
+  path.face_on_left = target->seam().sides[side].edge.Orientation() == TopAbs_FORWARD;
+  return path;
+}
+
+VertexConsensus vertexConsensus(const std::vector<VertexView>& views, int order,
+                                const ContinuityTolerance& tolerance) {
+  std::vector<VertexView> aligned = views;
+  for (VertexView& view : aligned) view.shown = turned(view.shown, views.front().shown.normal);
+  const auto deciding = [&](int quantity) {
+    std::vector<VertexView> held;
+    std::ranges::copy_if(aligned, std::back_inserter(held),
+                         [&](const auto& view) { return view.held >= quantity; });
+    return held.empty() ? aligned : held;
+  };
+  VertexConsensus consensus;
+  TargetPoint& target = consensus.target;
+  target = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero()};
+  const std::vector<VertexView> points = deciding(0), normals = deciding(1), tensors = deciding(2);
+  for (const VertexView& view : points) target.point += view.shown.point / static_cast<double>(points.size());
+  for (const VertexView& view : normals) target.normal += view.shown.normal;
+  target.normal.normalize();
+  for (const VertexView& view : tensors)
+    target.curvature += inPlane(view.shown.curvature, target.normal) / static_cast<double>(tensors.size());
+  for (std::size_t i = 0; i < aligned.size(); ++i)
+    for (std::size_t j = i + 1; j < aligned.size(); ++j) {
+      const int common = std::min({aligned[i].held, aligned[j].held, order});
+      if (common < 0 || aligned[i].face == aligned[j].face) continue;
+      const PairMeasure pair = measurePair(sideOf(aligned[i].shown), sideOf(aligned[j].shown));
+      if (ratioOf(pair, common, tolerance) <= 1) continue;
+      std::ostringstream text;
+      text << "faces " << aligned[i].face << " and " << aligned[j].face << " can't change at ("
+           << target.point.x() << ", " << target.point.y() << ", " << target.point.z() << "), where they are "
+           << figuresText(pair, common, tolerance) << " apart";
+      consensus.contradiction = text.str();
+      return consensus;
+    }
+  return consensus;
+}
+
+namespace {
+
+/// The vertices at an end of a seam; none where a matched stretch ends before its edges do.
+std::vector<TopoDS_Vertex> verticesAt(const Seam& seam, int end) {
+  std::vector<TopoDS_Vertex> vertices;
+  for (const int side : {0, 1}) {
+    const TopoDS_Edge edge = TopoDS::Edge(seam.sides[side].edge.Oriented(TopAbs_FORWARD));
+    double place = end;
+    if (!seam.correspondence.s.empty()) {
+      const std::vector<double>& places = side == 0 ? seam.correspondence.a : seam.correspondence.b;
+      place = end == 0 ? places.front() : places.back();
+    }
+    constexpr double near = 1e-6;
+    if (place > near && place < 1 - near) continue;
+    const TopoDS_Vertex vertex = place < 0.5 ? TopExp::FirstVertex(edge) : TopExp::LastVertex(edge);
+    if (!vertex.IsNull()) vertices.push_back(vertex);
+  }
+  return vertices;
+}
+
+bool shareFace(const SeamTarget& a, const SeamTarget& b) {
+  for (const FaceUse& one : a.seam().sides)
+    for (const FaceUse& other : b.seam().sides)
+      if (one.face == other.face) return true;
+  return false;
+}
+
+}  // namespace
+
+std::vector<std::vector<TargetEnd>> meetingEnds(const std::vector<std::shared_ptr<SeamTarget>>& targets) {
+  std::vector<TargetEnd> ends;
+  TopTools_IndexedMapOfShape numbers;
+  std::map<int, std::vector<std::size_t>> at_vertex;
+  for (const auto& target : targets)
+    for (const int end : {0, 1}) {
+      std::set<int> vertices;
+      for (const TopoDS_Vertex& vertex : verticesAt(target->seam(), end))
+        vertices.insert(numbers.Add(vertex));
+      for (const int vertex : vertices) at_vertex[vertex].push_back(ends.size());
+      ends.push_back({target, end});
+    }
+  std::vector<std::size_t> group(ends.size());
+  for (std::size_t i = 0; i < ends.size(); ++i) group[i] = i;
+  const auto leader = [&](std::size_t i) {
+    while (group[i] != i) i = group[i];
+    return i;
+  };
+  for (const auto& [vertex, meeting] : at_vertex)
+    for (const std::size_t i : meeting)
+      for (const std::size_t j : meeting)
+        if (i < j && shareFace(*ends[i].target, *ends[j].target)) group[leader(j)] = leader(i);
+  std::map<std::size_t, std::vector<TargetEnd>> groups;
+  for (std::size_t i = 0; i < ends.size(); ++i) groups[leader(i)].push_back(ends[i]);
+  std::vector<std::vector<TargetEnd>> found;
+  for (auto& [first, members] : groups) found.push_back(std::move(members));
+  return found;
+}
+
+std::string agreeAtVertex(const std::vector<TargetEnd>& ends, const std::map<int, int>& held,
+                          const ContinuityTolerance& tolerance) {
+  std::vector<VertexView> views;
+  std::set<const SeamTarget*> seams;
+  bool any_held = false;
+  int order = 0;
+  for (const TargetEnd& end : ends) {
+    seams.insert(end.target.get());
+    order = std::max(order, end.target->order());
+    for (const int side : {0, 1}) {
+      VertexView view{end.target->seam().sides[side].face, end.target->shown(side, end.end), -1};
+      if (end.target->stays()[side]) view.held = 2;
+      if (const auto there = held.find(view.face); there != held.end()) {
+        view.held = std::max(view.held, there->second);
+        any_held = true;
+      }
+      views.push_back(std::move(view));
+    }
+  }
+  if (seams.size() < 2 && !any_held) return {};
+  const VertexConsensus consensus = vertexConsensus(views, order, tolerance);
+  for (const TargetEnd& end : ends) end.target->setEnd(end.end, consensus.target);
+  return consensus.contradiction;
+}
+
+}  // namespace seamwright::occ

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <seamwright/occ_adapter/convert/face_strip.hpp>
+#include <seamwright/occ_adapter/repair/face_follow.hpp>
+
+/// What the two faces of a seam should meet; not a public header.
+namespace seamwright::occ {
+
+/// The common target of both sides over the seam's parameter s in [0, 1]. If a side stays, what it shows; else halfway between
+/// both: the mean of the points, of the unit normals and of the curvature tensors, made consistent and, where an end was set, led to
+/// it by quintic blends over half the seam.
+///
+/// Identities (each has a test of its number), if no side stays:
+///   (1) The normal is orthogonal to the curve of the points, to rounding.
+///   (2) Order 2: the tensor W is symmetric, W n = 0, and dn = -W dX along the curve; so W has the curve's normal curvature and
+///       geodesic torsion.
+///   (3) Swapping the sides changes nothing but the sense of the normal, which is that of the first side.
+///   (4) Where an end was set, point and normal are those given, and for order 2 the curvature tensor.
+///   (5) Where both sides are G1 (order 2: G2) already, it is what they show.
+///
+/// Not to be shared between threads: OpenCASCADE's adaptors cache.
+/// Source: MATH-surfaces 1.3 (which curvature is free along a curve), 6.4 (vertices).
+class SeamTarget {
+ public:
+  /// \param pcurves see pcurveOf(). \param order 0, 1, 2.
+  SeamTarget(const Seam& seam, const std::array<Pcurve, 2>& pcurves, const std::array<bool, 2>& stays,
+             int order);
+
+  const Seam& seam() const { return seam_; }
+  const std::array<bool, 2>& stays() const { return stays_; }
+  int order() const { return order_; }
+
+  /// What a side shows at s; where it has no normal, the normal and tensor of the nearest place that has them.
+  /// \throws Standard_Failure where OpenCASCADE can't evaluate.
+  TargetPoint shown(int side, double s) const;
+
+  /// Has no effect if a side stays. The sense of the normal is no matter. \param end 0 or 1.
+  void setEnd(int end, const TargetPoint& target);
+
+  /// \throws Standard_Failure where OpenCASCADE can't evaluate.
+  TargetPoint at(double s) const;
+
+  /// The same for a side over its own path: of the stretch of a matched seam the nearest point, normals in that side's sense.
+  TargetPoint at(int side, double s) const;
+  Pcurve path(int side) const;
+
+ private:
+  /// A point of the curve and the derivative by s.
+  struct Mean {
+    Eigen::Vector3d point, slope, normal;
+    Eigen::Matrix3d curvature;
+  };
+  /// What is added at an end.
+  struct Lead {
+    Eigen::Vector3d point, slope, bend, normal, normal_slope;
+    Eigen::Matrix3d curvature;
+  };
+
+  double place(int side, double s) const;
+  double placeOnSecond(double s) const;
+  double seamParameter(int side, double place) const;
+  SidePoint regularPoint(int side, double s) const;
+  Eigen::Vector3d slope(int side, double s) const;
+  Mean mean(double s) const;
+  Mean led(double s) const;
+  Lead lead(int end, const TargetPoint& target) const;
+
+  Seam seam_;
+  std::array<Pcurve, 2> pcurves_;
+  std::array<bool, 2> stays_;
+  int order_;
+  std::array<FaceStrip, 2> strips_;
+  double second_sign_ = 1;  ///< that turns the second side's normal to the first's
+  std::array<std::optional<Lead>, 2> leads_;
+};
+
+/// The path of a side with its target; it keeps the target alive.
+FollowPath followPath(const std::shared_ptr<const SeamTarget>& target, int side);
+
+/// What a face shows at a vertex.
+struct VertexView {
+  int face = 0;
+  TargetPoint shown;
+  int held =
+      -1;  ///< order to which it can't change there, as it stays or another boundary of it does; -1: it can
+};
+
+struct VertexConsensus {
+  TargetPoint target;         ///< its normal in the sense of the first view
+  std::string contradiction;  ///< of two faces that can't change, with the figures; empty: none
+};
+
+/// The mean of the points, the normals and the curvature tensors of all faces at a vertex, of each those that are held, if any is.
+/// Senses of normals are no matter. \pre there is a view
+VertexConsensus vertexConsensus(const std::vector<VertexView>& views, int order,
+                                const ContinuityTolerance& tolerance);
+
+struct TargetEnd {
+  std::shared_ptr<SeamTarget> target;
+  int end = 0;
+};
+
+/// Ends of the targets' seams at one vertex between faces that are joined there by these seams.
+std::vector<std::vector<TargetEnd>> meetingEnds(const std::vector<std::shared_ptr<SeamTarget>>& targets);
+
+/// Sets the ends that meet at a vertex, unless there is just one seam and nothing held: its own mean is as good.
+/// \param held by face: the order of boundaries that stay there, see VertexView.
+/// \returns a contradiction, see VertexConsensus.
+std::string agreeAtVertex(const std::vector<TargetEnd>& ends, const std::map<int, int>& held,
+                          const ContinuityTolerance& tolerance);
+
+}  // namespace seamwright::occ

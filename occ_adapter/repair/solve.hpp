@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <seamwright/occ_adapter/repair/change.hpp>
+#include <seamwright/occ_adapter/repair/choose.hpp>
+#include <seamwright/occ_adapter/repair/face_follow.hpp>
+
+/// How faces have to move for seams to flow; not a public header.
+namespace seamwright::occ {
+
+/// What has to flow, and what has to stay as it is.
+struct RepairTask {
+  const TopoDS_Shape& shape;
+  const std::vector<Seam>& seams;  ///< of the shape, in the order of the report before
+  const std::vector<SeamResult>& before;
+  const std::vector<FaceChoice>& faces;  ///< from 1
+  std::vector<bool> treated;             ///< by seam; the others may not become worse
+  const RepairOptions& options;
+};
+
+/// Surfaces that make seams flow, as far as the solver can tell.
+struct RepairSolution {
+  std::vector<FaceChange> changes;
+  std::map<std::size_t, std::string> failures;  ///< seams that were to be treated and are not: why
+  bool complete = true;                         ///< false: to be asked again without the failures
+};
+
+/// The same seams in a shape that withChanges() made of theirs.
+std::vector<Seam> seamsIn(const TopoDS_Shape& shape, std::vector<Seam> seams);
+
+/// All seams whose sides are natural sides of polynomial surfaces at once, exactly, with the smallest move. Poles beside other boundaries stay.
+/// \throws Cancelled.
+RepairSolution joinNetwork(const RepairTask& task, const Progress& progress);
+
+/// Joins one pair after the other in poles where both faces end with a side of their surfaces, else one face follows the other; what ends at
+/// the seam stays. What one pair gains the next may spoil.
+/// \throws Cancelled.
+RepairSolution joinPairs(const RepairTask& task, const Progress& progress);
+
+/// Faces that followed before, by all that was asked of them, in one shape.
+using FollowedFaces = std::map<std::string, FaceFollow>;
+
+/// All faces at once follow common targets of their seams, which agree at vertices. A boundary that is not treated keeps its shape, or, where
+/// a vertex has to move, stays as smooth as it is.
+/// \throws Cancelled.
+RepairSolution followTargets(const RepairTask& task, FollowedFaces& known, const Progress& progress);
+
+}  // namespace seamwright::occ

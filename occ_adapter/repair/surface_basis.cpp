@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <TColStd_Array1OfReal.hxx>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <seamwright/core/bspline/basis.hpp>
+#include <seamwright/occ_adapter/repair/surface_basis.hpp>
+
+namespace seamwright::occ {
+
+double SplineAxis::wrapped(double t) const {
+  if (!periodic) return t;
+  const double period = last - first;
+  const double shifted = t - period * std::floor((t - first) / period);
+  return shifted < last ? shifted : first;
+}
+
+int SplineAxis::span(double& t, double toward) const {
+  const double near = 1e-10 * (last - first);
+  t = wrapped(t);
+  const auto begin = knots.begin() + degree;
+  const auto end = std::lower_bound(begin, knots.end(), last);
+  double beside = t;
+  const auto knot = std::lower_bound(begin, end, t - near);
+  if (toward != 0 && std::abs(*knot - t) <= near) beside += std::copysign(2 * near, toward);
+  if (periodic && beside >= last) {
+    t -= last - first;
+    beside -= last - first;
+  } else if (periodic && beside < first) {
+    t += last - first;
+    beside += last - first;
+  }
+  const auto after = std::upper_bound(begin, end, std::clamp(beside, first, last));
+  const int found = static_cast<int>(after - knots.begin()) - 1;
+  return found;
+}
+
+std::vector<int> SplineAxis::spans() const {
+  std::vector<int> found;
+  for (int i = degree; knots[i] < last; ++i)
+    if (knots[i + 1] > knots[i]) found.push_back(i);
+  return found;
+}
+
+double SplineAxis::greville(int function) const {
+  double sum = 0;
+  for (int k = 1; k <= degree; ++k) sum += knots[function + k];
+  return sum / degree;
+}
+
+namespace {
+
+SplineAxis axisU(const Geom_BSplineSurface& surface) {
+  const TColStd_Array1OfReal& knots = surface.UKnotSequence();
+  return {surface.UDegree(),
+          surface.NbUPoles(),
+          surface.IsUPeriodic(),
+          surface.UKnot(surface.FirstUKnotIndex()),
+          surface.UKnot(surface.LastUKnotIndex()),
+          {knots.begin(), knots.end()}};
+}
+
+SplineAxis axisV(const Geom_BSplineSurface& surface) {
+  const TColStd_Array1OfReal& knots = surface.VKnotSequence();
+  return {surface.VDegree(),
+          surface.NbVPoles(),
+          surface.IsVPeriodic(),
+          surface.VKnot(surface.FirstVKnotIndex()),
+          surface.VKnot(surface.LastVKnotIndex()),
+          {knots.begin(), knots.end()}};
+}
+
+}  // namespace
+
+SurfaceBasis::SurfaceBasis(const Geom_BSplineSurface& surface) : u_(axisU(surface)), v_(axisV(surface)) {
+  if (!surface.IsURational() && !surface.IsVRational()) return;
+  weights_.resize(static_cast<Eigen::Index>(u_.poles) * v_.poles);
+  for (int i = 0; i < u_.poles; ++i)
+    for (int j = 0; j < v_.poles; ++j) weights_[pole(i, j)] = surface.Weight(i + 1, j + 1);
+}
+
+PoleShares SurfaceBasis::at(const Eigen::Vector2d& uv, const Eigen::Vector2d& into) const {
+  double u = uv[0], v = uv[1];
+  const int span_u = u_.span(u, into[0]), span_v = v_.span(v, into[1]);
+  const Eigen::MatrixXd a = bspline::basisDerivatives(u_.degree, u_.knots, span_u, u, 2);
+  const Eigen::MatrixXd b = bspline::basisDerivatives(v_.degree, v_.knots, span_v, v, 2);
+  PoleShares shares;
+  const int count = (u_.degree + 1) * (v_.degree + 1);
+  shares.poles.reserve(count);
+  shares.share.resize(6, count);
+  constexpr std::array<std::array<int, 2>, 6> orders = {{{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}};
+  for (int i = 0; i <= u_.degree; ++i)
+    for (int j = 0; j <= v_.degree; ++j) {
+      const int column = static_cast<int>(shares.poles.size());
+      shares.poles.push_back(pole(u_.pole(span_u - u_.degree + i), v_.pole(span_v - v_.degree + j)));
+      const double weight = weights_.size() == 0 ? 1 : weights_[shares.poles.back()];
+      for (int k = 0; k < 6; ++k) shares.share(k, column) = weight * a(orders[k][0], i) * b(orders[k][1], j);
+    }
+  if (weights_.size() == 0) return shares;
+  // The derivatives of sum N w P / sum N w by the rule for quotients.
+  auto& s = shares.share;
+  const Eigen::Matrix<double, 6, 1> w = s.rowwise().sum();
+  s.row(0) /= w[0];
+  s.row(1) = (s.row(1) - w[1] * s.row(0)) / w[0];
+  s.row(2) = (s.row(2) - w[2] * s.row(0)) / w[0];
+  s.row(3) = (s.row(3) - 2 * w[1] * s.row(1) - w[3] * s.row(0)) / w[0];
+  s.row(4) = (s.row(4) - w[1] * s.row(2) - w[2] * s.row(1) - w[4] * s.row(0)) / w[0];
+  s.row(5) = (s.row(5) - 2 * w[2] * s.row(2) - w[5] * s.row(0)) / w[0];
+  return shares;
+}
+
+PointRows polesOf(const Geom_BSplineSurface& surface) {
+  PointRows poles(surface.NbUPoles() * surface.NbVPoles(), 3);
+  for (int i = 1; i <= surface.NbUPoles(); ++i)
+    for (int j = 1; j <= surface.NbVPoles(); ++j) {
+      const gp_Pnt pole = surface.Pole(i, j);
+      poles.row((i - 1) * surface.NbVPoles() + j - 1) << pole.X(), pole.Y(), pole.Z();
+    }
+  return poles;
+}
+
+void setPoles(Geom_BSplineSurface& surface, const PointRows& poles) {
+  const PointRows old = polesOf(surface);
+  for (int i = 1; i <= surface.NbUPoles(); ++i)
+    for (int j = 1; j <= surface.NbVPoles(); ++j) {
+      const int row = (i - 1) * surface.NbVPoles() + j - 1;
+      if (poles.row(row) == old.row(row)) continue;
+      surface.SetPole(i, j, gp_Pnt(poles(row, 0), poles(row, 1), poles(row, 2)));
+    }
+}
+
+SurfaceJet jetOf(const PoleShares& shares, const PointRows& poles) {
+  Eigen::Matrix<double, 6, 3> sum = Eigen::Matrix<double, 6, 3>::Zero();
+  for (std::size_t k = 0; k < shares.poles.size(); ++k)
+    sum += shares.share.col(static_cast<Eigen::Index>(k)) * poles.row(shares.poles[k]);
+  SurfaceJet jet;
+  jet.p = sum.row(0);
+  jet.u = sum.row(1);
+  jet.v = sum.row(2);
+  jet.uu = sum.row(3);
+  jet.uv = sum.row(4);
+  jet.vv = sum.row(5);
+  return jet;
+}
+
+}  // namespace seamwright::occ

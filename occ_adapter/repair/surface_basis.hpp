@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <Geom_BSplineSurface.hxx>
+#include <vector>
+
+#include <seamwright/core/differential/jet.hpp>
+#include <seamwright/occ_adapter/match/least_moves.hpp>
+
+/// Points and derivatives of a spline surface as sums over its poles; not a public header.
+namespace seamwright::occ {
+
+/// X, X_u, X_v, X_uu, X_uv, X_vv (a row each) = sum of share times pole.
+struct PoleShares {
+  std::vector<int> poles;
+  Eigen::Matrix<double, 6, Eigen::Dynamic> share;
+};
+
+/// Flat knots of one direction.
+struct SplineAxis {
+  int degree = 0;
+  int poles = 0;
+  bool periodic = false;
+  double first = 0, last = 0;
+  std::vector<double>
+      knots;  ///< the span of place i holds the functions of the poles i - degree .. i, counted round if periodic
+
+  /// Into [first, last[ if periodic.
+  double wrapped(double t) const;
+  /// The span that holds t; on a knot that on the side \p toward points to.
+  int span(double& t, double toward) const;
+  /// Spans that are not empty.
+  std::vector<int> spans() const;
+  double length(int span) const { return knots[span + 1] - knots[span]; }
+  double middle(int span) const { return (knots[span + 1] + knots[span]) / 2; }
+  int pole(int function) const { return periodic ? function % poles : function; }
+  /// The mean of the knots that a pole's function depends on.
+  double greville(int function) const;
+};
+
+/// Of a surface with given knots and weights; poles are given to it.
+class SurfaceBasis {
+ public:
+  explicit SurfaceBasis(const Geom_BSplineSurface& surface);
+
+  const SplineAxis& u() const { return u_; }
+  const SplineAxis& v() const { return v_; }
+  int pole(int i, int j) const { return i * v_.poles + j; }
+
+  /// \param into on knot lines the polynomials on that side.
+  PoleShares at(const Eigen::Vector2d& uv, const Eigen::Vector2d& into = Eigen::Vector2d::Zero()) const;
+
+ private:
+  SplineAxis u_, v_;
+  Eigen::VectorXd weights_;
+};
+
+PointRows polesOf(const Geom_BSplineSurface& surface);
+/// Poles with equal coordinates are not touched.
+void setPoles(Geom_BSplineSurface& surface, const PointRows& poles);
+
+SurfaceJet jetOf(const PoleShares& shares, const PointRows& poles);
+
+}  // namespace seamwright::occ

@@ -1,0 +1,482 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <gtest/gtest.h>
+
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepGProp.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
+#include <Geom2d_Line.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <TopoDS_Wire.hxx>
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+#include "dense_oracle.hpp"
+#include "match_pairs.hpp"
+
+#include <seamwright/occ_adapter/model/model.hpp>
+#include <seamwright/occ_adapter/model/read.hpp>
+#include <seamwright/occ_adapter/repair/repair.hpp>
+
+namespace seamwright::test {
+namespace {
+
+using occ::modelFromShape;
+using occ::repair;
+using occ::RepairOptions;
+using occ::RepairReport;
+using Patches = std::vector<std::vector<Spline>>;
+
+/// Patches that were one surface, as a shell: [i][j] is the i-th along u, the j-th along v.
+Patches cutUp(const Spline& whole, const std::vector<double>& at_u, const std::vector<double>& at_v) {
+  Patches patches(at_u.size() - 1);
+  for (std::size_t i = 0; i + 1 < at_u.size(); ++i)
+    for (std::size_t j = 0; j + 1 < at_v.size(); ++j) {
+      const Spline part = Spline::DownCast(whole->Copy());
+      part->Segment(at_u[i], at_u[i + 1], at_v[j], at_v[j + 1]);
+      patches[i].push_back(part);
+    }
+  return patches;
+}
+
+/// Noise on the poles of up to so many rows beside the inner seams.
+void disturbSeams(const Patches& patches, std::mt19937& generator, int rows, double noise_mm) {
+  for (std::size_t i = 0; i < patches.size(); ++i)
+    for (std::size_t j = 0; j < patches[i].size(); ++j) {
+      const Spline& patch = patches[i][j];
+      const int nu = patch->NbUPoles(), nv = patch->NbVPoles();
+      for (int k = 1; k <= nu; ++k)
+        for (int l = 1; l <= nv; ++l) {
+          const bool near = (i > 0 && k <= rows) || (i + 1 < patches.size() && k > nu - rows) ||
+                            (j > 0 && l <= rows) || (j + 1 < patches[i].size() && l > nv - rows);
+          if (!near) continue;
+          patch->SetPole(
+              k, l,
+              patch->Pole(k, l).Translated(gp_Vec(random(generator, noise_mm), random(generator, noise_mm),
+                                                  random(generator, noise_mm))));
+        }
+    }
+}
+
+class GridBuilder {
+ public:
+  explicit GridBuilder(const Patches& patches) : patches_(patches) {}
+
+  TopoDS_Shape build() {
+    TopoDS_Shell shell;
+    builder_.MakeShell(shell);
+    for (std::size_t i = 0; i < patches_.size(); ++i)
+      for (std::size_t j = 0; j < patches_[i].size(); ++j) builder_.Add(shell, face(i, j));
+    return withTolerance(shell, 0.3);
+  }
+
+ private:
+  using Key = std::array<std::size_t, 3>;
+
+  TopoDS_Face face(std::size_t i, std::size_t j) {
+    const Spline& patch = patches_[i][j];
+    double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
+    patch->Bounds(u0, u1, v0, v1);
+    TopoDS_Face face;
+    builder_.MakeFace(face, handle<Geom_Surface>(patch), 1e-7);
+    TopoDS_Wire wire;
+    builder_.MakeWire(wire);
+    const auto add = [&](const Key& key, bool along_u, double at, double first, double last, const Key& from,
+                         const Key& to, TopAbs_Orientation sense) {
+      const handle<Geom_Curve> curve = along_u ? patch->VIso(at) : patch->UIso(at);
+      const TopoDS_Edge edge = edgeOf(key, curve, first, last, from, to);
+      builder_.UpdateEdge(edge,
+                          new Geom2d_Line(along_u ? gp_Pnt2d(0, at) : gp_Pnt2d(at, 0),
+                                          along_u ? gp_Dir2d(1, 0) : gp_Dir2d(0, 1)),
+                          face, 1e-7);
+      builder_.Range(edge, face, first, last);
+      builder_.Add(wire, edge.Oriented(sense));
+    };
+    const Key c00 = {i, j, 2}, c10 = {i + 1, j, 2}, c01 = {i, j + 1, 2}, c11 = {i + 1, j + 1, 2};
+    add({i, j, 0}, true, v0, u0, u1, c00, c10, TopAbs_FORWARD);
+    add({i + 1, j, 1}, false, u1, v0, v1, c10, c11, TopAbs_FORWARD);
+    add({i, j + 1, 0}, true, v1, u0, u1, c01, c11, TopAbs_REVERSED);
+    add({i, j, 1}, false, u0, v0, v1, c00, c01, TopAbs_REVERSED);
+    wire.Closed(true);
+    builder_.Add(face, wire);
+    return face;
+  }
+
+  TopoDS_Edge edgeOf(const Key& key, const handle<Geom_Curve>& curve, double first, double last,
+                     const Key& from, const Key& to) {
+    if (edges_.count(key) == 0) {
+      TopoDS_Edge edge;
+      builder_.MakeEdge(edge, curve, 1e-7);
+      builder_.Range(edge, first, last);
+      builder_.Add(edge, vertexOf(from, curve->Value(first)).Oriented(TopAbs_FORWARD));
+      builder_.Add(edge, vertexOf(to, curve->Value(last)).Oriented(TopAbs_REVERSED));
+      edges_[key] = edge;
+    }
+    return edges_[key];
+  }
+
+  TopoDS_Vertex vertexOf(const Key& key, const gp_Pnt& point) {
+    if (vertices_.count(key) == 0) builder_.MakeVertex(vertices_[key], point, 1e-7);
+    return vertices_[key];
+  }
+
+  const Patches& patches_;
+  BRep_Builder builder_;
+  std::map<Key, TopoDS_Edge> edges_;
+  std::map<Key, TopoDS_Vertex> vertices_;
+};
+
+TopoDS_Shape disturbedGrid(std::mt19937& generator, int count_u, int count_v, double noise_mm, int rows = 2) {
+  const auto cuts = [](int count) {
+    std::vector<double> at;
+    for (int k = 0; k <= count; ++k) at.push_back(static_cast<double>(k) / count);
+    return at;
+  };
+  const Patches patches = cutUp(sheet(generator, 9, 8, 3, 3), cuts(count_u), cuts(count_v));
+  disturbSeams(patches, generator, rows, noise_mm);
+  return GridBuilder(patches).build();
+}
+
+TopTools_IndexedMapOfShape partsOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
+  TopTools_IndexedMapOfShape parts;
+  TopExp::MapShapes(shape, kind, parts);
+  return parts;
+}
+
+std::string bytesOf(const TopoDS_Shape& shape) {
+  std::ostringstream stream;
+  occ::writeBinaryShape(shape, stream);
+  return stream.str();
+}
+
+double upper(const std::optional<Figure>& figure) {
+  return figure && figure->upper ? *figure->upper : std::numeric_limits<double>::infinity();
+}
+
+/// What is promised of every seam, seen by plain evaluation.
+void expectSeam(const occ::SeamRepair& seam, const TopoDS_Shape& shape, const RepairOptions& options) {
+  SCOPED_TRACE("edge " + std::to_string(seam.before.edges[0]) + " " + seam.reason + "\n" +
+               describe(seam.before) + "\n" + describe(seam.after));
+  if (seam.treated) {
+    EXPECT_EQ(seam.reason.empty(), seam.repaired);
+  }
+  EXPECT_EQ(seam.before.edges, seam.after.edges);
+  EXPECT_EQ(seam.before.faces, seam.after.faces);
+  if (seam.repaired) {
+    EXPECT_GE(seam.after.verdict.level, options.level());
+    EXPECT_TRUE(seam.after.figures.shares_known);
+    EXPECT_LE(upper(seam.after.figures.gap_mm), options.tolerance.gap_mm);
+    EXPECT_LE(upper(seam.after.figures.angle_rad), options.tolerance.angle_rad);
+    if (options.order == 2) {
+      EXPECT_LE(upper(seam.after.figures.curvature_rel), options.tolerance.curvature_rel);
+    }
+  } else {
+    EXPECT_GE(seam.after.verdict.level, seam.before.verdict.level);
+    EXPECT_LE(seam.after.figures.gap_mm->lower,
+              std::max(options.tolerance.gap_mm, upper(seam.before.figures.gap_mm)));
+  }
+  if (seam.before.kind != occ::SeamKind::Shared) return;
+  const auto sides = denseSides(shape, seam.after.edges[0], seam.after.faces);
+  ASSERT_TRUE(sides);
+  const DenseMaxima dense = denseMaxima(*sides, 501, options.tolerance);
+  EXPECT_GE(upper(seam.after.figures.gap_mm), dense.gap_mm.sure());
+  ASSERT_TRUE(dense.angle_rad);
+  EXPECT_GE(upper(seam.after.figures.angle_rad), dense.angle_rad->sure());
+}
+
+/// What is promised of every repair.
+RepairReport repairedModel(const TopoDS_Shape& shape, const RepairOptions& options) {
+  const std::string before = bytesOf(shape);
+  const RepairReport report = repair(modelFromShape(shape), options);
+  EXPECT_EQ(bytesOf(shape), before);
+  const TopoDS_Shape& repaired = report.model.shape;
+  EXPECT_EQ(BRepCheck_Analyzer(repaired).IsValid(), BRepCheck_Analyzer(shape).IsValid());
+  expectTolerancesHold(repaired);
+  for (const TopAbs_ShapeEnum kind : {TopAbs_FACE, TopAbs_EDGE, TopAbs_VERTEX}) {
+    EXPECT_EQ(partsOf(repaired, kind).Extent(), partsOf(shape, kind).Extent());
+  }
+  const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE),
+                                   faces_now = partsOf(repaired, TopAbs_FACE);
+  for (int f = 1; f <= faces.Extent(); ++f) {
+    const auto move = std::ranges::find(report.moves, f, &occ::FaceMove::face);
+    TopLoc_Location location;
+    const bool same = BRep_Tool::Surface(TopoDS::Face(faces(f)), location) ==
+                      BRep_Tool::Surface(TopoDS::Face(faces_now(f)), location);
+    EXPECT_EQ(same, move == report.moves.end()) << f;
+    if (move == report.moves.end()) continue;
+    EXPECT_GT(move->largest_move_mm, 0);
+    EXPECT_LE(move->largest_move_mm, options.max_move_mm);
+    EXPECT_EQ(std::ranges::count(options.fixed_faces, f), 0);
+  }
+  EXPECT_EQ(report.changed(), !repaired.IsEqual(shape));
+  // Measured anew, all seams are what the report says.
+  occ::AnalyzeOptions analyze;
+  analyze.tolerance = options.tolerance;
+  analyze.level = options.level();
+  analyze.match_mm = options.match_mm;
+  const occ::Report again = analyzed(repaired, analyze);
+  EXPECT_EQ(again.seams.size(), report.seams.size());
+  for (std::size_t i = 0; i < std::min(again.seams.size(), report.seams.size()); ++i) {
+    EXPECT_EQ(upper(again.seams[i].figures.gap_mm), upper(report.after.seams[i].figures.gap_mm));
+    EXPECT_EQ(again.seams[i].verdict.level, report.after.seams[i].verdict.level);
+    expectSeam(report.seams[i], repaired, options);
+  }
+  return report;
+}
+
+int treated(const RepairReport& report) {
+  return static_cast<int>(std::ranges::count(report.seams, true, &occ::SeamRepair::treated));
+}
+int repairedSeams(const RepairReport& report) {
+  return static_cast<int>(std::ranges::count(report.seams, true, &occ::SeamRepair::repaired));
+}
+std::string reasonsOf(const RepairReport& report) {
+  std::string reasons;
+  for (const occ::SeamRepair& seam : report.seams)
+    if (!seam.reason.empty())
+      reasons += "edge " + std::to_string(seam.before.edges[0]) + ": " + seam.reason + "\n";
+  return reasons;
+}
+double largestMove_mm(const RepairReport& report) {
+  double largest = 0;
+  for (const occ::FaceMove& move : report.moves) largest = std::max(largest, move.largest_move_mm);
+  return largest;
+}
+
+RepairOptions strictRepair(int order) {
+  RepairOptions options;
+  options.order = order;
+  options.tolerance = strict(order).tolerance;
+  return options;
+}
+
+TEST(Repair, TwoSheets) {
+  for (const int order : {1, 2})
+    for (const double noise_mm : {0.001, 0.01, 0.1})
+      for (unsigned seed = 1; seed <= 3; ++seed) {
+        std::mt19937 generator(seed);
+        const TopoDS_Shape shape = disturbedGrid(generator, 2, 1, noise_mm);
+        SCOPED_TRACE("order " + std::to_string(order) + ", noise " + std::to_string(noise_mm) + " mm, seed " +
+                     std::to_string(seed));
+        const RepairReport report = repairedModel(shape, strictRepair(order));
+        EXPECT_EQ(treated(report), 1);
+        EXPECT_EQ(repairedSeams(report), 1);
+        EXPECT_LE(largestMove_mm(report), 5 * noise_mm);
+        const RepairReport again = repairedModel(report.model.shape, strictRepair(order));
+        EXPECT_FALSE(again.changed());
+      }
+}
+
+TEST(Repair, Grids) {
+  for (const double noise_mm : {0.001, 0.01, 0.1})
+    for (unsigned seed = 1; seed <= 2; ++seed) {
+      std::mt19937 generator(seed);
+      const TopoDS_Shape shape = disturbedGrid(generator, 2, 2, noise_mm);
+      SCOPED_TRACE("noise " + std::to_string(noise_mm) + " mm, seed " + std::to_string(seed));
+      const RepairReport report = repairedModel(shape, strictRepair(1));
+      EXPECT_EQ(treated(report), 4);
+      EXPECT_EQ(repairedSeams(report), 4) << reasonsOf(report);
+      EXPECT_LE(largestMove_mm(report), 10 * noise_mm);
+    }
+}
+
+TEST(Repair, AFixedFaceStays) {
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    std::mt19937 generator(seed);
+    RepairOptions options = strictRepair(1);
+    options.fixed_faces = {1};
+    const RepairReport report = repairedModel(disturbedGrid(generator, 2, 1, 0.01), options);
+    EXPECT_EQ(repairedSeams(report), 1);
+    ASSERT_EQ(report.moves.size(), 1);
+    EXPECT_EQ(report.moves[0].face, 2);
+    options.fixed_faces = {2, 1};
+    const RepairReport none = repairedModel(disturbedGrid(generator, 2, 1, 0.01), options);
+    EXPECT_FALSE(none.changed());
+    EXPECT_EQ(treated(none), 0);
+    EXPECT_EQ(none.seams[0].reason, "face 1 is fixed; face 2 is fixed");
+  }
+}
+
+TEST(Repair, BesideAnalyticFaces) {
+  std::mt19937 generator(20261);
+  for (const Trimmed& kind : trimmedKinds()) {
+    SCOPED_TRACE(kind.name);
+    const Spline strip = stripBeside(kind.surface, kind.path, kind.away, 15, generator, 0.01);
+    const TopoDS_Shape shape = loose(trimmedFace(kind.surface, kind.path, kind.into), wholeFace(strip));
+    RepairOptions options;
+    options.match_mm = 0.5;
+    options.tolerance.gap_mm = 0.001;
+    const RepairReport report = repairedModel(shape, options);
+    EXPECT_EQ(treated(report), 1);
+    EXPECT_EQ(repairedSeams(report), 1);
+    ASSERT_EQ(report.moves.size(), 1);
+    EXPECT_EQ(report.moves[0].face, 2);
+  }
+}
+
+TEST(Repair, OnlyPickedEdgesAreTreated) {
+  std::mt19937 generator(20262);
+  const TopoDS_Shape shape = disturbedGrid(generator, 3, 1, 0.01);
+  const RepairReport all = repairedModel(shape, strictRepair(1));
+  ASSERT_EQ(all.seams.size(), 2);
+  EXPECT_EQ(repairedSeams(all), 2);
+  RepairOptions options = strictRepair(1);
+  options.edges = all.seams[1].before.edges;
+  const RepairReport one = repairedModel(shape, options);
+  EXPECT_FALSE(one.seams[0].treated);
+  EXPECT_TRUE(one.seams[1].repaired);
+  EXPECT_NE(one.moves.front().face, 1);
+  const RepairReport again = repairedModel(one.model.shape, options);
+  EXPECT_FALSE(again.changed());
+  EXPECT_EQ(again.seams[1].reason, "it has the level already");
+}
+
+TEST(Repair, NoMoveIsLargerThanAllowed) {
+  std::mt19937 generator(20263);
+  RepairOptions options = strictRepair(1);
+  options.max_move_mm = 1e-4;
+  const TopoDS_Shape shape = disturbedGrid(generator, 2, 2, 0.01);
+  const RepairReport report = repairedModel(shape, options);
+  EXPECT_EQ(treated(report), 4);
+  EXPECT_EQ(repairedSeams(report), 0);
+  EXPECT_TRUE(report.model.shape.IsEqual(shape));
+  for (const occ::SeamRepair& seam : report.seams) EXPECT_FALSE(seam.reason.empty());
+}
+
+TEST(Repair, AModelWithoutDefectsIsShared) {
+  std::mt19937 generator(20264);
+  for (const TopoDS_Shape& shape :
+       {disturbedGrid(generator, 2, 2, 0), TopoDS_Shape(BRepPrimAPI_MakeBox(1, 2, 3).Shape())}) {
+    const RepairReport report = repairedModel(shape, {});
+    EXPECT_TRUE(report.model.shape.IsEqual(shape));
+    EXPECT_FALSE(report.changed());
+    EXPECT_EQ(treated(report), 0);
+  }
+}
+
+TEST(Repair, RigidMotionChangesNothing) {
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    std::mt19937 generator(seed);
+    const TopoDS_Shape shape = disturbedGrid(generator, 2, 2, 0.01);
+    const RepairReport here = repairedModel(shape, strictRepair(1));
+    const RepairReport there = repairedModel(transformed(shape, randomMotion(generator)), strictRepair(1));
+    EXPECT_EQ(repairedSeams(here), repairedSeams(there));
+    ASSERT_EQ(here.moves.size(), there.moves.size());
+    for (std::size_t i = 0; i < here.moves.size(); ++i)
+      EXPECT_NEAR(here.moves[i].largest_move_mm, there.moves[i].largest_move_mm, 1e-5);
+  }
+}
+
+TEST(Repair, InstancesStay) {
+  std::mt19937 generator(20265);
+  gp_Trsf away;
+  away.SetTranslation(gp_Vec(0, 300, 0));
+  const TopoDS_Shape shape = disturbedGrid(generator, 2, 1, 0.01);
+  const RepairReport report = repair(modelFromShape(loose(shape, located(shape, away))), strictRepair(1));
+  EXPECT_FALSE(report.changed());
+  for (const occ::SeamRepair& seam : report.seams)
+    EXPECT_NE(seam.reason.find("stands in the model 2 times"), std::string::npos) << seam.reason;
+}
+
+double volume_mm3(const TopoDS_Shape& shape) {
+  GProp_GProps properties;
+  BRepGProp::VolumeProperties(shape, properties);
+  return properties.Mass();
+}
+
+TEST(Repair, ASolidStaysClosed) {
+  const std::filesystem::path path =
+      std::filesystem::path(SEAMWRIGHT_TEST_MODELS) / "freeform" / "blendsolid_test.step";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << path;
+  const occ::Model model = occ::readModel(path);
+  const RepairReport report = repair(model);
+  EXPECT_EQ(treated(report), 8);
+  EXPECT_EQ(repairedSeams(report), 8);
+  EXPECT_TRUE(report.after.passed());
+  EXPECT_TRUE(BRepCheck_Analyzer(report.model.shape).IsValid());
+  const TopTools_IndexedMapOfShape shells = partsOf(report.model.shape, TopAbs_SHELL);
+  ASSERT_GE(shells.Extent(), 1);
+  for (int s = 1; s <= shells.Extent(); ++s) EXPECT_TRUE(BRep_Tool::IsClosed(shells(s)));
+  GProp_GProps area;
+  BRepGProp::SurfaceProperties(model.shape, area);
+  EXPECT_NEAR(volume_mm3(report.model.shape), volume_mm3(model.shape), area.Mass() * largestMove_mm(report));
+  for (std::size_t i = 0; i < report.seams.size(); ++i) {
+    const occ::SeamRepair& seam = report.seams[i];
+    EXPECT_GE(seam.after.verdict.level, seam.before.verdict.level) << describe(seam.after);
+  }
+}
+
+TEST(Repair, RefusesBadOptions) {
+  std::mt19937 generator(20266);
+  const occ::Model model = modelFromShape(disturbedGrid(generator, 2, 1, 0.01));
+  const auto refused = [&model](const RepairOptions& options, const std::string& text) {
+    try {
+      repair(model, options);
+      ADD_FAILURE() << text;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find(text), std::string::npos) << error.what();
+    }
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  RepairOptions options;
+  options.order = 3;
+  refused(options, "order is 3");
+  options = {};
+  options.max_move_mm = -0.1;
+  refused(options, "-0.1 mm");
+  options.max_move_mm = nan;
+  refused(options, "nan");
+  options = {};
+  options.tolerance.gap_mm = nan;
+  refused(options, "nan");
+  options = {};
+  options.match_mm = -1;
+  refused(options, "-1");
+  options = {};
+  options.jobs = -2;
+  refused(options, "-2");
+  options = {};
+  options.edges = {0};
+  refused(options, "edge 0");
+  options.edges = {1, 8};
+  refused(options, "edge 8: the model has edges 1 to 7");
+  options.edges = {1};
+  refused(options, "edge 1 is no seam");
+  options = {};
+  options.fixed_faces = {3};
+  refused(options, "face 3: the model has faces 1 to 2");
+}
+
+TEST(Repair, StopsWhereItIsAskedTo) {
+  std::mt19937 generator(20267);
+  const occ::Model model = modelFromShape(disturbedGrid(generator, 2, 2, 0.01));
+  std::vector<double> shares;
+  const auto note = [&shares](double share) {
+    shares.push_back(share);
+    return true;
+  };
+  repair(model, strictRepair(1), note);
+  EXPECT_TRUE(std::ranges::is_sorted(shares));
+  EXPECT_EQ(shares.back(), 1);
+  EXPECT_GE(shares.front(), 0);
+  for (const double stop : {0.0, 0.1, 0.3, 0.5, 0.7}) {
+    if (stop >= shares[shares.size() - 2]) continue;
+    EXPECT_THROW(repair(model, strictRepair(1), [stop](double share) { return share < stop; }),
+                 occ::Cancelled)
+        << stop;
+  }
+}
+
+}  // namespace
+}  // namespace seamwright::test
