@@ -523,13 +523,16 @@ class FaceFollower {
     const bool curved =
         std::ranges::any_of(task_.paths, [](const FollowPath& path) { return path.order > 1; });
     const double weight = fairnessWeight(fairness);
+    // Beyond, the conditions contradict one another or the passes diverge.
+    constexpr double largest_sense = 0.05;
+    const double extent = (original_.colwise().maxCoeff() - original_.colwise().minCoeff()).norm();
     for (int pass = 0; pass < (curved ? 4 : 1); ++pass) {
       Conditions conditions(unknown, count, original_);
       for (std::size_t i = 0; i < task_.paths.size(); ++i)
         for (const Place& place : samples_[i]) addPlace(place, task_.paths[i].order, conditions);
       addFairness(conditions, weight);
       const PointRows moves = conditions.solve(0.05 * weight);
-      if (!moves.allFinite()) return;
+      if (!moves.allFinite() || moves.cwiseAbs().maxCoeff() > largest_sense * extent) return;
       PointRows moved = original_;
       for (int pole = 0; pole < moved.rows(); ++pole)
         if (unknown[pole] >= 0) moved.row(pole) += moves.row(unknown[pole]);
@@ -710,9 +713,9 @@ FaceFollow followPaths(const FaceTask& task) {
   };
   FaceFollower gentle(task, true);
   const FaceFollow gently = gentle.run();
-  if (worst(gently) <= 2 * task.share || !gentle.wasHeldBack()) return gently;
+  if (gently.failure.empty() || !gentle.wasHeldBack()) return gently;
   const FaceFollow freely = FaceFollower(task, false).run();
-  return worst(freely) < worst(gently) ? freely : gently;
+  return freely.failure.empty() || worst(freely) < worst(gently) ? freely : gently;
 }
 
 }  // namespace seamwright::occ

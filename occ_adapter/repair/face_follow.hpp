@@ -47,10 +47,10 @@ struct FaceTask {
 
 struct FaceFollow {
   opencascade::handle<Geom_BSplineSurface>
-      surface;                 ///< with the parameters of the given one; its knots may be more
-  double largest_move_mm = 0;  ///< of a pole, against the given surface with the same knots
+      surface;  ///< with the parameters of the given one; its knots may be more, its degrees higher
+  double largest_move_mm = 0;  ///< of a pole, against the given surface with the same degrees and knots
   int refinements = 0;
-  /// The worst figure over its tolerance at points between the samples, one a path; infinite where a normal is turned.
+  /// The worst figure over its tolerance at the samples and between them, one a path; infinite where a normal is turned.
   std::vector<double> ratios;
   /// Why a ratio is above the share, with the place and the figures, or where the surface folds; empty: all is well. The surface is the
   /// best that was found also then.
@@ -60,7 +60,10 @@ struct FaceFollow {
 /// The smallest move of the poles near the paths (least squares, with fairness of the move) that meets the targets.
 /// Weights stay. Poles that no path touches stay to the bit: the surface stays where their functions alone are not zero, and along a
 /// natural side only rows 0..order move. A side that is one point stays one. A surface that meets its targets comes back as it is.
-/// Where the share is not met, the knot spans that a path crosses there are halved.
+/// Where the share is not met, the knot spans that a path crosses there are halved; degrees not above the order are raised before, as a
+/// knot would be a crease. The move is as fair as the targets allow; refinement is preferred to moves that grow beyond twice the fairest.
+/// At a corner where curvature is asked for along two paths it is met with the first power of the spans' size, as the changes of both
+/// curvatures mostly contradict one another there.
 /// \throws Standard_Failure.
 /// Source: MATH-surfaces 7.
 FaceFollow followPaths(const FaceTask& task);

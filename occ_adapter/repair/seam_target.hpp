@@ -19,7 +19,8 @@ namespace seamwright::occ {
 /// it by quintic blends over half the seam.
 ///
 /// Identities (each has a test of its number), if no side stays:
-///   (1) The normal is orthogonal to the curve of the points, to rounding.
+///   (1) The normal is orthogonal to the curve of the points, to rounding; of a matched seam to the product of the angle of the sides'
+///       tangents and the gap over the radius of curvature.
 ///   (2) Order 2: the tensor W is symmetric, W n = 0, and dn = -W dX along the curve; so W has the curve's normal curvature and
 ///       geodesic torsion.
 ///   (3) Swapping the sides changes nothing but the sense of the normal, which is that of the first side.

@@ -471,6 +471,38 @@ TEST(FaceFollow, WhatIsOutOfReachIsTold) {
   EXPECT_EQ(capped.refinements, 0);
 }
 
+TEST(FaceFollow, ARuledFaceIsRaisedSoThatItsOtherSideStays) {
+  TColgp_Array2OfPnt poles(1, 8, 1, 2);
+  for (int i = 1; i <= 8; ++i) {
+    poles(i, 1) = gp_Pnt(10 * i, 0, 3 * std::sin(0.7 * i));
+    poles(i, 2) = gp_Pnt(10 * i, 20, 2 * std::cos(0.5 * i));
+  }
+  const Spline ruled = splineOf(poles, 3, 1);
+  const Path side = curvedPath({{0, 0}, {1, 0}});
+  for (const int order : {1, 2}) {
+    FollowPath follows = pathTo({ruled, side}, {ruled, side}, order);
+    follows.target = [&](double s) {
+      gp_Pnt p;
+      gp_Vec along, across;
+      ruled->D1(s, 0, p, along, across);
+      TargetPoint target = shownBy(ruled, gp_Pnt2d(s, 0));
+      const Eigen::Vector3d axis = Eigen::Vector3d(along.X(), along.Y(), along.Z()).normalized();
+      const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.5 * degree, axis).toRotationMatrix();
+      target.normal = turn * target.normal;
+      target.curvature = turn * target.curvature * turn.transpose();
+      return target;
+    };
+    ContinuityTolerance tolerance;
+    tolerance.angle_rad = 0.01 * degree;
+    const FaceFollow follow = followPaths({ruled, {follows}, tolerance});
+    EXPECT_LT(follow.ratios[0], 1) << follow.failure;
+    EXPECT_GT(follow.largest_move_mm, 0.01);
+    EXPECT_EQ(follow.surface->VDegree(), order + 1);
+    for (double u = 0; u <= 1; u += 0.05)
+      EXPECT_LT(follow.surface->Value(u, 1).Distance(ruled->Value(u, 1)), 1e-12);
+  }
+}
+
 /// What a surface that is no spline shows: the graph of a wave.
 TargetPoint wave(double x, double y) {
   const double a = 1, b = 0.8, h = 0.1;

@@ -30,6 +30,8 @@ using occ::VertexView;
 
 constexpr std::array<bool, 2> both_move = {false, false};
 
+using Path = handle<Geom2d_BSplineCurve>;
+
 Spline copyOf(const Spline& surface) {
   return Spline::DownCast(surface->Copy());
 }
@@ -171,6 +173,38 @@ TEST(SeamTarget, OfASideThatStaysIsWhatItShows) {
     target.setEnd(0, near(target.at(0), generator, 0.05, 0.005));
     for (double s = 0; s <= 1; s += 0.1)
       EXPECT_LT(difference(target.at(s), shownBy(pair.sides[side], pair.path->Value(s))), 1e-11);
+  }
+}
+
+TEST(SeamTarget, OfAMatchedSeamIsTheSameFromBothSides) {
+  std::mt19937 generator(11);
+  for (int trial = 0; trial < 20; ++trial) {
+    const int order = 1 + trial % 2;
+    const NearlyJoined pair(generator, 0.01);
+    // The second path runs back, from beyond one end of the first.
+    const Path reversed = Path::DownCast(pair.path->Copy());
+    reversed->Reverse();
+    occ::Seam seam = seamBetween({pair.sides[0], pair.path, true}, {pair.sides[1], reversed, false});
+    seam.kind = occ::SeamKind::Matched;
+    seam.correspondence = {{0, 0.5, 1}, {0.1, 0.5, 1}, {0.9, 0.5, 0}};
+    const SeamTarget matched(seam, {pair.pcurve(), wholePath(reversed)}, both_move, order),
+        shared = pair.target(order);
+    EXPECT_NEAR(matched.path(0).first, 0.1, 1e-15);
+    EXPECT_NEAR(matched.path(1).last, 0.9, 1e-15);
+    for (const double place : {0.15, 0.3, 0.62, 0.9}) {
+      const TargetPoint a = matched.at(0, (place - 0.1) / 0.9), same = shared.at(place),
+                        b = matched.at(1, (1 - place) / 0.9);
+      // Nearest points instead of those of equal parameters: they differ along the seam by no more than the noise.
+      EXPECT_LT((a.point - same.point).norm(), 0.02);
+      EXPECT_LT((a.point - b.point).norm(), 0.02);
+      EXPECT_LT((a.normal - b.normal).norm(), 1e-3);
+      EXPECT_LT((a.normal - same.normal).norm(), 1e-3);
+      // It is a point of one and the same curve.
+      double nearest = 1;
+      for (int k = -400; k <= 400; ++k)
+        nearest = std::min(nearest, (matched.at(0, (place - 0.1) / 0.9 + 2.5e-6 * k).point - b.point).norm());
+      EXPECT_LT(nearest, 2e-4);
+    }
   }
 }
 
