@@ -72,7 +72,7 @@ struct ToleranceArguments {
 
 /// The crease angle where there are no creases, as at the joints of curves: any tolerance is below it.
 inline py::object noCrease() {
-  return py::float_(180.0);
+  return py::float_(90.0);
 }
 
 ContinuityTolerance toleranceOf(const ToleranceArguments& arguments);

@@ -89,6 +89,13 @@ def test_arc_length_of_a_curve():
     assert found == pytest.approx(np.array([[0, 0, 0], [1, 0, 0], [0, 0.25, 0]]))
 
 
+def test_a_joint_has_no_crease():
+    a = seamwright.BezierCurve([[0, 0, 0], [1, 0, 0]])
+    b = seamwright.BezierCurve([[1, 0, 0], [2, 0.1, 0]])
+    assert seamwright.measure_joint(a, b, angle_deg=10)["order_reached"] >= 1
+    assert seamwright.measure_joint(a, b, angle_deg=1)["order_reached"] == 0
+
+
 def test_joint_of_halves_and_of_a_line_with_a_parabola():
     whole = BezierCurve(np.random.default_rng(3).normal(size=(6, 3)))
     joint = seamwright.measure_joint(*whole.split(0.3), order=4)
