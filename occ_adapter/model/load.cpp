@@ -246,9 +246,16 @@ LoadedDocument loadIges(const std::filesystem::path& path, const Message_Progres
   return loaded;
 }
 
+/// Beyond the end of a file OpenCASCADE goes on reading, with whatever is in memory.
+bool isCut(const std::istream& file) {
+  return file.fail();
+}
+
 void loadBrep(Model& model, const std::filesystem::path& path, const Message_ProgressRange& range) {
   BRep_Builder builder;
-  if (!BRepTools::Read(model.shape, path.c_str(), builder, range))
+  std::ifstream file(path);
+  BRepTools::Read(model.shape, file, builder, range);
+  if (model.shape.IsNull() || isCut(file))
     throw ModelError(ModelErrc::Malformed, path, "is malformed or truncated BREP: OpenCASCADE can't read it");
 }
 
@@ -256,6 +263,7 @@ void loadBinaryBrep(Model& model, const std::filesystem::path& path, const Messa
   try {
     std::ifstream file(path, std::ios::binary);
     BinTools::Read(model.shape, file, range);
+    if (isCut(file)) model.shape.Nullify();
   } catch (const Standard_Failure&) {
     model.shape.Nullify();
   }

@@ -104,9 +104,9 @@ TEST(ReadErrors, TruncatedBrepIsMalformed) {
   for (const char* name : {"box.brep", "box.bin"}) {
     const std::string whole = contentOf(folder / name);
     for (const double share : {0.1, 0.3, 0.5, 0.8, 0.95}) {
-      setContent(folder / "cut",
-                 whole.substr(0, static_cast<std::size_t>(share * static_cast<double>(whole.size()))));
-      const occ::ModelError error = errorOf(folder / "cut");
+      const auto cut = folder / ("cut_at_" + std::to_string(share) + "_" + name);
+      setContent(cut, whole.substr(0, static_cast<std::size_t>(share * static_cast<double>(whole.size()))));
+      const occ::ModelError error = errorOf(cut);
       EXPECT_TRUE(error.code() == ModelErrc::Malformed || error.code() == ModelErrc::ReaderDied ||
                   error.code() == ModelErrc::NoShapes)
           << share << " of " << name << ": " << error.what();
