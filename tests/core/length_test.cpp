@@ -256,7 +256,7 @@ TEST(Length, TheRemainderIsTheLargestOfSpeedLessItsPolynomial) {
     const Speed speed(curve);
     while (curve.degree() < 40) curve = curve.elevated();
     const ArcLength length = arcLength(curve, 1e9);
-    std::array<long double, 7> nodes;  // the roots of Legendre's polynomial, by Newton's method
+    std::array<long double, 7> nodes{};  // the roots of Legendre's polynomial, by Newton's method
     for (int k = 0; k < 7; ++k) {
       long double x = std::cos(std::numbers::pi_v<long double> * (k + 0.75L) / 7.5L);
       for (int step = 0; step < 20; ++step) {
