@@ -33,7 +33,9 @@ class Reference {
     const std::size_t n = static_cast<std::size_t>(curve_.degree), rows = curve_.poles.rows();
     for (std::size_t i = 0; i + n + 1 < knots_.size(); ++i)
       if (knots_[i] <= t && t <= knots_[i + n + 1])
-        sum += basis(i, n, t) * curve_.poles.row(curve_.periodic ? (i + n + 1) % rows : i).cast<Real>();
+        sum += basis(i, n, t) *
+               curve_.poles.row(static_cast<Eigen::Index>(curve_.periodic ? (i + n + 1) % rows : i))
+                   .cast<Real>();
     return (sum.head<3>() / sum(3)).cast<double>();
   }
 
