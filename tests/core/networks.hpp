@@ -116,7 +116,8 @@ inline Net fan(const std::vector<Eigen::Vector2d>& r, const std::vector<Eigen::V
   Net net;
   const int count = static_cast<int>(w.size());
   for (int s = 0; s < count; ++s) {
-    const Eigen::Vector2d a = r[s], b = r[(s + 1) % r.size()];
+    const Eigen::Vector2d& a = r[s];
+    const Eigen::Vector2d& b = r[(s + 1) % r.size()];
     BSplineSurface face;
     face.degree_u = face.degree_v = 3;
     face.knots_u = face.knots_v = clampedKnots(3);
