@@ -181,6 +181,15 @@ void place(const End& end, const Side& side, const Eigen::MatrixXd& moves, Homog
   }
 }
 
+/// Ends that are one point but for rounding become it bit by bit, where weights are equal.
+void meet(bool a_moves, Eigen::Ref<Eigen::RowVector4d> a, bool b_moves, Eigen::Ref<Eigen::RowVector4d> b) {
+  if (a(3) != b(3)) return;
+  if (b_moves)
+    b = a;
+  else if (a_moves)
+    a = b;
+}
+
 double speedOf(const Side& side, const Eigen::MatrixXd& points) {
   return (side.jet.row(1) * points).norm();
 }
@@ -225,6 +234,8 @@ Solution nearestPoles(const End& a, const End& b, const NearestCurveJoinOptions&
       return refuse(std::string("curve ") + name + " would lose its tangent");
   place(a, problem.a, moves_a * unit, result.a, result);
   place(b, problem.b, moves_b * unit, result.b, result);
+  meet(problem.a.reach(options.order) > 0, result.a.row(result.a.rows() - 1), problem.b.reach(0) > 0,
+       result.b.row(0));
   const Defect defect = defectOf({a.degree, a.knots, result.a, true}, {b.degree, b.knots, result.b, false},
                                  options.order, length);
   if (!(defect.relative <= largest_rounding))

@@ -52,6 +52,18 @@ def test_poles_that_stay_or_are_dear():
     assert join["a"] == a and join["b"] == b
 
 
+@pytest.mark.parametrize("moves", ["a", "b", "both"])
+def test_the_ends_are_one_point_bit_by_bit(moves):
+    random = np.random.default_rng(11)
+    for _ in range(50):
+        a = seamwright.BezierCurve(np.cumsum(random.uniform(0.5, 1.5, (4, 3)), axis=0))
+        b = seamwright.BezierCurve(a.poles[-1] + np.cumsum(random.uniform(0.2, 1.5, (4, 3)), axis=0) - 0.4)
+        join = seamwright.nearest_curve_join(a, b, order=1, moves=moves)
+        assert join["status"] == "solved"
+        assert (join["a"].poles[-1] == join["b"].poles[0]).all()
+        seamwright.BezierSpline.from_segments([join["a"], join["b"]], [0, 1, 2])
+
+
 def test_given_betas():
     a, b = kinked()
     join = seamwright.nearest_curve_join(a, b, order=2, beta=[1.25, -0.5])
