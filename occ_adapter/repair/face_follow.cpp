@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <BRep_Builder.hxx>
 #include <Eigen/Geometry>
 #include <Geom2dAdaptor_Curve.hxx>
 #include <Precision.hxx>
@@ -17,8 +16,7 @@
 
 #include <seamwright/occ_adapter/convert/face_strip.hpp>
 #include <seamwright/occ_adapter/match/follow.hpp>
-#include <seamwright/occ_adapter/repair/face_follow.hpp>
-#include <seamwright/occ_adapter/repair/surface_basis.hpp>
+#include <seamwright/occ_adapter/repair/path_place.hpp>
 
 namespace seamwright::occ {
 
@@ -32,100 +30,6 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 Surface copyOf(const Surface& surface) {
   return Surface::DownCast(surface->Copy());
 }
-
-/// A place of a path, and what it has to meet there.
-struct Place {
-  double s = 0;
-  Eigen::Vector2d uv = Eigen::Vector2d::Zero();
-  Eigen::Vector2d along = Eigen::Vector2d::Zero();  ///< derivative of uv by s
-  PoleShares shares;
-  TargetPoint target;
-};
-
-/// A plane curve over s in [0, 1].
-class PlanePath {
- public:
-  explicit PlanePath(const FollowPath& path) : path_(path) {}
-
-  Eigen::Vector2d at(double s) const {
-    const gp_Pnt2d p = path_.path.curve->Value(parameter(s));
-    return {p.X(), p.Y()};
-  }
-  Place place(const SurfaceBasis& basis, double s) const {
-    gp_Pnt2d p;
-    gp_Vec2d d;
-    path_.path.curve->D1(parameter(s), p, d);
-    Place place;
-    place.s = s;
-    place.uv = {p.X(), p.Y()};
-    place.along = (path_.path.last - path_.path.first) * Eigen::Vector2d(d.X(), d.Y());
-    const Eigen::Vector2d left(-place.along.y(), place.along.x());
-    place.shares = basis.at(place.uv, path_.face_on_left ? left : Eigen::Vector2d(-left));
-    place.target = path_.target(s);
-    return place;
-  }
-  /// Where it crosses knots, with 0 and 1.
-  std::vector<double> breaks(const Surface& surface) const {
-    FaceUse use;
-    const BRep_Builder builder;
-    builder.MakeFace(use.shape, surface, Precision::Confusion());
-    builder.MakeEdge(use.edge);
-    std::vector<double> at = FaceStrip(use, path_.path).breaks();
-    at.push_back(0);
-    at.push_back(1);
-    std::ranges::sort(at);
-    std::erase_if(at, [](double s) { return s < 0 || s > 1; });
-    return at;
-  }
-
- private:
-  double parameter(double s) const { return path_.path.first + s * (path_.path.last - path_.path.first); }
-
-  const FollowPath& path_;
-};
-
-double spanLength(const SplineAxis& axis, double t) {
-  return axis.length(axis.span(t, 0));
-}
-
-/// Poles that a knot span adds, in the mean.
-double polesPerSpan(const SplineAxis& axis) {
-  return static_cast<double>(axis.poles - (axis.periodic ? 0 : axis.degree)) /
-         static_cast<double>(axis.spans().size());
-}
-
-/// Places that are even in the knot spans crossed.
-class SpanMeasure {
- public:
-  SpanMeasure(const PlanePath& path, const SurfaceBasis& basis, const Surface& surface)
-      : s_(path.breaks(surface)), crossed_{0} {
-    constexpr int steps = 4;
-    for (std::size_t i = 1; i < s_.size(); ++i) {
-      const Eigen::Vector2d middle = path.at((s_[i - 1] + s_[i]) / 2);
-      const Eigen::Vector2d span(spanLength(basis.u(), middle[0]), spanLength(basis.v(), middle[1]));
-      double crossed = 0;
-      Eigen::Vector2d from = path.at(s_[i - 1]);
-      for (int k = 1; k <= steps; ++k) {
-        const Eigen::Vector2d to = path.at(s_[i - 1] + (s_[i] - s_[i - 1]) * k / steps);
-        crossed += (to - from).cwiseQuotient(span).cwiseAbs().maxCoeff();
-        from = to;
-      }
-      crossed_.push_back(crossed_.back() + crossed);
-    }
-  }
-  double spans() const { return crossed_.back(); }
-  double at(double share) const {
-    const double wanted = share * crossed_.back();
-    const std::size_t i = std::clamp<std::size_t>(
-        std::ranges::lower_bound(crossed_, wanted) - crossed_.begin(), 1, crossed_.size() - 1);
-    const double width = crossed_[i] - crossed_[i - 1];
-    const double within = width > 0 ? (wanted - crossed_[i - 1]) / width : 0;
-    return share >= 1 ? 1 : s_[i - 1] + within * (s_[i] - s_[i - 1]);
-  }
-
- private:
-  std::vector<double> s_, crossed_;
-};
 
 /// What may be rounding in a jet, as FaceStrip has it.
 JetNoise noiseOf(const SurfaceJet& jet, const SurfaceBasis& basis) {
@@ -188,38 +92,6 @@ std::vector<std::vector<int>> collapsedSides(const SurfaceBasis& basis, const Po
   if (!basis.v().periodic)
     for (const int j : {0, last_v}) collect(last_u + 1, [&](int i) { return basis.pole(i, j); });
   return sides;
-}
-
-double meanSpacing(const SplineAxis& axis) {
-  return (axis.last - axis.first) / std::max(1, axis.poles - (axis.periodic ? 0 : 1));
-}
-
-/// The poles of three neighbours and how far the middle one is off the line between the others.
-struct SecondDifference {
-  std::array<int, 3> functions{};
-  Eigen::RowVector3d factors;
-  double spacing = 0;
-};
-
-std::vector<SecondDifference> secondDifferences(const SplineAxis& axis) {
-  std::vector<SecondDifference> found;
-  const int first = axis.periodic ? 0 : 1, last = axis.periodic ? axis.poles : axis.poles - 1;
-  for (int i = first; i < last; ++i) {
-    // Functions of a periodic direction: i .. i + 2 so that none is negative.
-    const int low = axis.periodic ? i : i - 1;
-    const bool beyond = low + 2 + axis.degree >= static_cast<int>(axis.knots.size());
-    double before = 1, after = 1, spacing = meanSpacing(axis);
-    if (!beyond) {
-      before = axis.greville(low + 1) - axis.greville(low);
-      after = axis.greville(low + 2) - axis.greville(low + 1);
-      spacing = (before + after) / 2;
-    }
-    if (!(before + after > 0)) continue;
-    found.push_back({{axis.pole(low), axis.pole(low + 1), axis.pole(low + 2)},
-                     2 / (before + after) * Eigen::RowVector3d(after, -(before + after), before),
-                     spacing});
-  }
-  return found;
 }
 
 class FaceFollower {

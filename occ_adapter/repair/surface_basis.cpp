@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <TColStd_Array1OfReal.hxx>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <seamwright/core/bspline/basis.hpp>
@@ -142,6 +141,40 @@ SurfaceJet jetOf(const PoleShares& shares, const PointRows& poles) {
   jet.uv = sum.row(4);
   jet.vv = sum.row(5);
   return jet;
+}
+
+double spanLength(const SplineAxis& axis, double t) {
+  return axis.length(axis.span(t, 0));
+}
+
+double polesPerSpan(const SplineAxis& axis) {
+  return static_cast<double>(axis.poles - (axis.periodic ? 0 : axis.degree)) /
+         static_cast<double>(axis.spans().size());
+}
+
+double meanSpacing(const SplineAxis& axis) {
+  return (axis.last - axis.first) / std::max(1, axis.poles - (axis.periodic ? 0 : 1));
+}
+
+std::vector<SecondDifference> secondDifferences(const SplineAxis& axis) {
+  std::vector<SecondDifference> found;
+  const int first = axis.periodic ? 0 : 1, last = axis.periodic ? axis.poles : axis.poles - 1;
+  for (int i = first; i < last; ++i) {
+    // Functions of a periodic direction: i .. i + 2 so that none is negative.
+    const int low = axis.periodic ? i : i - 1;
+    const bool beyond = low + 2 + axis.degree >= static_cast<int>(axis.knots.size());
+    double before = 1, after = 1, spacing = meanSpacing(axis);
+    if (!beyond) {
+      before = axis.greville(low + 1) - axis.greville(low);
+      after = axis.greville(low + 2) - axis.greville(low + 1);
+      spacing = (before + after) / 2;
+    }
+    if (!(before + after > 0)) continue;
+    found.push_back({{axis.pole(low), axis.pole(low + 1), axis.pole(low + 2)},
+                     2 / (before + after) * Eigen::RowVector3d(after, -(before + after), before),
+                     spacing});
+  }
+  return found;
 }
 
 }  // namespace seamwright::occ

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <Geom_BSplineSurface.hxx>
+#include <array>
 #include <vector>
 
 #include <seamwright/core/differential/jet.hpp>
@@ -61,5 +62,21 @@ PointRows polesOf(const Geom_BSplineSurface& surface);
 void setPoles(Geom_BSplineSurface& surface, const PointRows& poles);
 
 SurfaceJet jetOf(const PoleShares& shares, const PointRows& poles);
+
+/// Length of a knot span at t.
+double spanLength(const SplineAxis& axis, double t);
+/// Poles that a knot span adds, in the mean.
+double polesPerSpan(const SplineAxis& axis);
+/// Of the poles, in the mean.
+double meanSpacing(const SplineAxis& axis);
+
+/// The poles of three neighbours and how far the middle one is off the line between the others.
+struct SecondDifference {
+  std::array<int, 3> functions{};
+  Eigen::RowVector3d factors;
+  double spacing = 0;
+};
+
+std::vector<SecondDifference> secondDifferences(const SplineAxis& axis);
 
 }  // namespace seamwright::occ

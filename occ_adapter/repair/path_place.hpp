@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <vector>
+
+#include <seamwright/occ_adapter/repair/face_follow.hpp>
+#include <seamwright/occ_adapter/repair/surface_basis.hpp>
+
+/// Places along a path in the parameter plane of a spline surface; not a public header.
+namespace seamwright::occ {
+
+/// A place of a path, and what it has to meet there.
+struct Place {
+  double s = 0;
+  Eigen::Vector2d uv = Eigen::Vector2d::Zero();
+  Eigen::Vector2d along = Eigen::Vector2d::Zero();  ///< derivative of uv by s
+  PoleShares shares;
+  TargetPoint target;
+};
+
+/// A plane curve over s in [0, 1]. The path must outlive it.
+class PlanePath {
+ public:
+  explicit PlanePath(const FollowPath& path) : path_(path) {}
+
+  Eigen::Vector2d at(double s) const;
+  Place place(const SurfaceBasis& basis, double s) const;
+  /// Where it crosses knots, with 0 and 1.
+  std::vector<double> breaks(const opencascade::handle<Geom_BSplineSurface>& surface) const;
+
+ private:
+  double parameter(double s) const { return path_.path.first + s * (path_.path.last - path_.path.first); }
+
+  const FollowPath& path_;
+};
+
+/// Places that are even in the knot spans crossed.
+class SpanMeasure {
+ public:
+  SpanMeasure(const PlanePath& path, const SurfaceBasis& basis,
+              const opencascade::handle<Geom_BSplineSurface>& surface);
+
+  double spans() const { return crossed_.back(); }
+  /// The place up to which that share of the spans is crossed.
+  double at(double share) const;
+
+ private:
+  std::vector<double> s_, crossed_;
+};
+
+}  // namespace seamwright::occ
