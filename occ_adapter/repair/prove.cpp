@@ -124,7 +124,7 @@ void judgeSeams(const RepairTask& task, Proof& proof) {
   for (std::size_t i = 0; i < proof.after.size(); ++i) {
     const SeamResult& after = proof.after[i];
     if (task.treated[i]) {
-      if (!surelyReaches(after.figures, task.options.tolerance, task.options.level()))
+      if (!isRepaired(after, task.sharp[i], task.options))
         proof.unrepaired[i] = "after a move it has " + figuresText(after);
     } else if (const std::string why = whyWorse(after, task.before[i], task.options); !why.empty()) {
       proof.worse[i] = "edge " + std::to_string(after.edges.front()) + " would get " + why + " (" +
