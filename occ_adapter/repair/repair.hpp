@@ -39,15 +39,22 @@ struct FaceMove {
       0;  ///< of a pole, against the surface as it was in the knots that it has now; at most
 };
 
+/// An edge that runs elsewhere on the faces beside it, or along them at another speed.
+struct EdgeMove {
+  int edge = 0;
+  double largest_move_mm = 0;  ///< of a point of it on a face
+};
+
 struct RepairReport {
   Model
       model;  ///< same faces, edges and solids in the same order; what did not move is shared with the given one
   Report before, after;
-  std::vector<SeamRepair> seams;  ///< all seams, in the order of before
-  std::vector<FaceMove> moves;    ///< of the faces that moved
+  std::vector<SeamRepair> seams;     ///< all seams, in the order of before
+  std::vector<FaceMove> moves;       ///< of the faces that moved
+  std::vector<EdgeMove> edge_moves;  ///< of the edges that were led anew on faces that stay
   double repair_s = 0;
 
-  bool changed() const { return !moves.empty(); }
+  bool changed() const { return !moves.empty() || !edge_moves.empty(); }
 };
 
 /// Moves poles of B-spline and Bezier faces, as little as possible, until the seams chosen flow; proves it, or leaves them as they were.
