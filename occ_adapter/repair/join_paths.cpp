@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <BRep_Tool.hxx>
+#include <Extrema_GenLocateExtPS.hxx>
+#include <Extrema_POnSurf.hxx>
 #include <Geom2dAPI_Interpolate.hxx>
 #include <Geom2d_BSplineCurve.hxx>
-#include <ShapeAnalysis_Surface.hxx>
+#include <GeomAdaptor_Surface.hxx>
 #include <Standard_Failure.hxx>
 #include <TColStd_HArray1OfReal.hxx>
 #include <TColgp_HArray1OfPnt2d.hxx>
@@ -24,23 +26,25 @@ using opencascade::handle;
 class TrimmedSide {
  public:
   explicit TrimmedSide(const FaceUse& use)
-      : placed_(surfaceOf(use.shape)),
-        path_(pathOf(use.edge, use.shape)),
-        nearest_(new ShapeAnalysis_Surface(placed_.surface)) {}
+      : placed_(surfaceOf(use.shape)), path_(pathOf(use.edge, use.shape)), surface_(placed_.surface) {}
 
   const PlanarPath& path() const { return path_; }
   gp_Pnt2d at(double s) const { return path_.curve->Value(path_.first + s * (path_.last - path_.first)); }
   gp_Pnt point(const gp_Pnt2d& uv) const { return placed_.at(uv); }
+  /// The start where none is found.
   gp_Pnt2d nearest(const gp_Pnt& point, const gp_Pnt2d& start) const {
-    constexpr double precision_mm = 1e-9;
-    return nearest_->NextValueOfUV(start, point.Transformed(placed_.location.Transformation().Inverted()),
-                                   precision_mm);
+    Extrema_GenLocateExtPS search(surface_);
+    search.Perform(point.Transformed(placed_.location.Transformation().Inverted()), start.X(), start.Y());
+    if (!search.IsDone()) return start;
+    double u = 0, v = 0;
+    search.Point().Parameter(u, v);
+    return {u, v};
   }
 
  private:
   PlacedSurface placed_;
   PlanarPath path_;
-  handle<ShapeAnalysis_Surface> nearest_;
+  GeomAdaptor_Surface surface_;
 };
 
 /// Points in both parameter planes that are one in space.
@@ -55,6 +59,9 @@ struct NewPaths {
 
 class PathJoin {
  public:
+  /// Of the gap tolerance that new paths may be apart.
+  static constexpr double share = 0.25;
+
   PathJoin(const Seam& seam, double gap_mm)
       : sides_{TrimmedSide(seam.sides[0]), TrimmedSide(seam.sides[1])}, gap_mm_(gap_mm) {}
 
@@ -62,10 +69,12 @@ class PathJoin {
 
   /// \param may_change by side. \returns nothing where the surfaces do not meet near the edge.
   std::optional<NewPaths> join(const std::array<bool, 2>& may_change) const {
-    constexpr double share = 0.25;
     constexpr int fewest = 16, most = 1024;
     for (int count = fewest; count <= most; count *= 2) {
-      const NewPaths paths = interpolated(count, may_change);
+      const std::vector<Meeting> points = meetings(count, may_change);
+      const double apart_mm = farthest(points);
+      if (apart_mm > share * gap_mm_) return {};
+      NewPaths paths = interpolated(points, may_change);
       if (paths.apart_mm <= share * gap_mm_) return paths;
     }
     return {};
@@ -73,6 +82,11 @@ class PathJoin {
 
  private:
   Meeting shown(double s) const { return {sides_[0].at(s), sides_[1].at(s)}; }
+  double farthest(const std::vector<Meeting>& points) const {
+    double apart_mm = 0;
+    for (const Meeting& at : points) apart_mm = std::max(apart_mm, apart(at));
+    return apart_mm;
+  }
   double apart(const Meeting& at) const { return sides_[0].point(at[0]).Distance(sides_[1].point(at[1])); }
 
   /// By projections to and fro, of which the first is enough where the other side's path lies on the surface.
@@ -102,16 +116,21 @@ class PathJoin {
   }
 
   /// The ends stay, as other edges end there.
-  NewPaths interpolated(int count, const std::array<bool, 2>& may_change) const {
+  std::vector<Meeting> meetings(int count, const std::array<bool, 2>& may_change) const {
     std::vector<Meeting> points;
     for (int k = 0; k <= count; ++k) {
       const double s = static_cast<double>(k) / count;
       points.push_back(k == 0 || k == count ? shown(s) : met(s, may_change));
     }
+    return points;
+  }
+
+  NewPaths interpolated(const std::vector<Meeting>& points, const std::array<bool, 2>& may_change) const {
     NewPaths paths;
     for (const int side : {0, 1})
       if (may_change[side]) paths.curves[side] = interpolated(side, points);
     constexpr int between = 4;
+    const int count = static_cast<int>(points.size()) - 1;
     for (int k = 0; k <= between * count; ++k) {
       const double s = static_cast<double>(k) / (between * count);
       const Meeting before = shown(s);
@@ -157,7 +176,7 @@ class PathSolver {
     const double gap_mm = task_.options.tolerance.gap_mm;
     if (!isOfPathsAlone(i)) return "moving the edge alone does not make it flow";
     const PathJoin paths(seam, gap_mm);
-    if (const double apart_mm = paths.apartAtEnds_mm(); apart_mm > gap_mm) {
+    if (const double apart_mm = paths.apartAtEnds_mm(); apart_mm > PathJoin::share * gap_mm) {
       std::ostringstream text;
       text << "its sides are " << apart_mm << " mm apart at an end";
       return text.str();
