@@ -139,10 +139,13 @@ class Sewing {
     const std::vector<int> edges = after.edges;
     for (int& edge : after.edges) edge = sewn.edges[edge].front();
     if (after.kind != SeamKind::Matched || std::ranges::count(chosen_, i) > 0) return;
-    for (const Seam& found : graph.seams)
-      if (found.kind == SeamKind::Matched && contains(sewn.edges[edges[0]], found.edges[0]) &&
-          contains(sewn.edges[edges[1]], found.edges[1]))
-        after.edges = found.edges;
+    for (const Seam& found : graph.seams) {
+      if (found.kind != SeamKind::Matched) continue;
+      for (const int first : {0, 1})
+        if (contains(sewn.edges[edges[0]], found.edges[first]) &&
+            contains(sewn.edges[edges[1]], found.edges[1 - first]))
+          after.edges = {found.edges[first], found.edges[1 - first]};
+    }
   }
 
   Reasons worse() const {
