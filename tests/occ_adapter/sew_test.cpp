@@ -173,9 +173,9 @@ RepairReport sewn(const TopoDS_Shape& shape, const RepairOptions& options) {
   EXPECT_EQ(again.open.size(), report.after.open.size());
   EXPECT_EQ(again.non_manifold.size(), report.after.non_manifold.size());
   for (const occ::SeamRepair& seam : report.seams) {
-    const auto sorted = [](std::vector<int> edges) {
-      std::ranges::sort(edges);
-      return edges;
+    const auto sorted = [](std::vector<int> numbers) {
+      std::ranges::sort(numbers);
+      return numbers;
     };
     const auto same = std::ranges::find_if(again.seams, [&](const occ::SeamResult& other) {
       return sorted(other.edges) == sorted(seam.after.edges);
