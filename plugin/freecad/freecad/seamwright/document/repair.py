@@ -157,18 +157,29 @@ def repair(module, obj):
 
 
 def foresee(obj):
-    """A report of the seams that a repair would treat, as they are now; nothing is stored.
+    """(report, text): the seams that a repair would treat, as they are now, and a line about them; nothing is stored.
 
-    Raises SourceError and ValueError as ``repair`` does, and Cancelled of the kernel.
+    Where they cannot be told, the report is empty and the text says why.
     """
     module = kernel.load(Part.OCC_VERSION)
-    shape = source_shape(obj)
-    edges, _ = (element_numbers(obj, shape, *entry[:2]) for entry in ELEMENTS)
-    with hooks.progress("Analysing seams\u2026") as progress:
-        found = module.Model.from_freecad(shape).analyze(level=obj.Target, progress=progress, **tolerances(obj))
+    try:
+        shape = source_shape(obj)
+        edges, _ = (element_numbers(obj, shape, *entry[:2]) for entry in ELEMENTS)
+        with hooks.progress("Analysing seams\u2026") as progress:
+            found = module.Model.from_freecad(shape).analyze(level=obj.Target, progress=progress, **tolerances(obj))
+    except module.Cancelled:
+        return empty_report(obj), "Cancelled; Preview analyses and repairs the seams."
+    except (sources.SourceError, module.ModelError, ValueError) as error:
+        return empty_report(obj), str(error)
     before = found.to_dict()
     seams = repair_text.waiting(before, obj.Target, set(edges))
-    return repair_text.build_report(before, None, seams, [], obj.Target, bool(edges))
+    report = repair_text.build_report(before, None, seams, [], obj.Target, bool(edges))
+    return report, repair_text.summary_text(report)
+
+
+def source_objects(obj):
+    """The source, as a list of one object, or of none where it was deleted."""
+    return [] if obj.Source is None else [obj.Source]
 
 
 def source_shape(obj):
