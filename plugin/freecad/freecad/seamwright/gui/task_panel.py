@@ -110,7 +110,7 @@ class TaskPanel:
         line = QtWidgets.QHBoxLayout()
         repair = QtWidgets.QPushButton("Repair\u2026")
         repair.setToolTip("Repair the seams of the chosen rows; with none chosen, all defects")
-        repair.clicked.connect(lambda *_: Gui.runCommand("Seamwright_RepairSeams"))
+        repair.clicked.connect(lambda *_: QtCore.QTimer.singleShot(0, _repair))
         line.addWidget(repair)
         for kind in ("csv", "json"):
             button = QtWidgets.QPushButton("Export %s\u2026" % kind.upper())
@@ -198,6 +198,10 @@ class TaskPanel:
         self._look = True
         if places:
             self.table.scrollTo(self.model.index(places[0], 0))
+
+
+def _repair():
+    Gui.runCommand("Seamwright_RepairSeams")  # it closes the panel
 
 
 def _swatch(rgb):

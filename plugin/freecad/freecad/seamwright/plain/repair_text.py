@@ -8,6 +8,7 @@ largest_move_mm), ``total`` (number of all seams), and of the whole model before
 """
 
 import math
+import re
 from dataclasses import dataclass
 
 from freecad.seamwright.plain import enclosure, rows, summary
@@ -157,15 +158,21 @@ def _row(seam, tolerance, done):
     before, after = seam["before"], seam["after"]
     state = WAITING if not done else REPAIRED if seam["repaired"] else LEFT
     figures = (_change_text(before, after, name, tolerance) for name in ("angle_deg", "gap_mm", "curvature_rel"))
-    result = {WAITING: "", REPAIRED: "repaired", LEFT: seam["reason"]}[state]
+    reason = _named(seam["reason"])
+    result = {WAITING: "", REPAIRED: "repaired", LEFT: reason}[state]
     faces = ", ".join("Face%d" % number for number in before["faces"])
     return Row(
         seam=before["id"],
         edges=tuple(before["edges"]),
         state=state,
         cells=(str(before["id"]), faces, *figures, result),
-        detail=_detail(before, after, seam["reason"], tolerance),
+        detail=_detail(before, after, reason, tolerance),
     )
+
+
+def _named(text):
+    """A sentence of the kernel with its faces and edges as the user reads them: "Face3"."""
+    return re.sub(r"\b(face|edge) (\d+)\b", lambda found: found.group(1).capitalize() + found.group(2), text)
 
 
 def _change_text(before, after, name, tolerance):
