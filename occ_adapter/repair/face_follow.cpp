@@ -145,7 +145,7 @@ class FaceFollower {
 
   /// So that a knot inserted is no crease.
   void raiseDegrees() {
-    int order = 0;
+    int order = 1;
     for (const FollowPath& path : task_.paths) order = std::max(order, path.order);
     if (basis_.u().degree > order && basis_.v().degree > order) return;
     before_->IncreaseDegree(std::max(basis_.u().degree, order + 1), std::max(basis_.v().degree, order + 1));
