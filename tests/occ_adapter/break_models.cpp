@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Breaks smooth models and has them repaired.
-//   break_models [--order 1|2] [--seeds FIRST LAST] [--noise MM]... [--write FOLDER] [KIND...]
-// One line for each kind and noise, then the reasons of what was not repaired. With --write the broken models are
+//   break_models [--order 1|2] [--strictness FACTOR] [--seeds FIRST LAST] [--noise MM]... [--write FOLDER] [KIND...]
+// The tolerances are 0.001 mm, 0.01 degrees and 2 % of curvature, over the factor. One line for each kind and noise, then the reasons of what was not repaired. With --write the broken models are
 // written instead. No KIND: all.
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepTools.hxx>
@@ -19,6 +19,7 @@ using namespace seamwright::test;
 
 struct Job {
   int order = 1;
+  double strictness = 1;
   unsigned first = 1, last = 1;
   std::vector<double> noises_mm;
   std::vector<std::string> kinds;
@@ -31,6 +32,8 @@ Job jobOf(const std::vector<std::string>& words) {
     const auto number = [&] { return std::stod(words.at(++i)); };
     if (words[i] == "--order")
       job.order = static_cast<int>(number());
+    else if (words[i] == "--strictness")
+      job.strictness = number();
     else if (words[i] == "--noise")
       job.noises_mm.push_back(number());
     else if (words[i] == "--write")
@@ -67,7 +70,7 @@ void count(const Job& job) {
     for (const double noise_mm : job.noises_mm) {
       RepairCounts counts;
       for (unsigned seed = job.first; seed <= job.last; ++seed)
-        counts += countsOf(RepairTrial{kind, noise_mm, seed, job.order});
+        counts += countsOf(RepairTrial{kind, noise_mm, seed, job.order, job.strictness});
       std::cout << tableLine(kind, noise_mm, counts) << std::endl;
       for (const auto& [why, times] : counts.reasons) std::cout << "    " << times << " x " << why << "\n";
       all += counts;

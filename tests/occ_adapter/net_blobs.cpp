@@ -19,8 +19,6 @@ using Eigen::Vector3d;
 using opencascade::handle;
 
 constexpr int fit_degree = 5;
-constexpr int fit_spans = 4;
-constexpr int fit_poles = fit_degree + fit_spans;
 
 /// Corners and the faces over them, counter-clockwise from outside.
 struct QuadMesh {
@@ -102,14 +100,14 @@ QuadMesh meshOf(Polyhedron polyhedron) {
 /// Interpolates on the unit square in the means of the knots, so that sides with equal points are equal.
 class Fit {
  public:
-  Fit() : knots_(1, fit_spans + 1), times_(1, fit_spans + 1) {
+  explicit Fit(int spans) : poles_(fit_degree + spans), knots_(1, spans + 1), times_(1, spans + 1) {
     times_.Init(1);
-    times_(1) = times_(fit_spans + 1) = fit_degree + 1;
-    for (int k = 0; k <= fit_spans; ++k) knots_(k + 1) = k / (1.0 * fit_spans);
-    TColStd_Array1OfReal flat(1, fit_poles + fit_degree + 1);
+    times_(1) = times_(spans + 1) = fit_degree + 1;
+    for (int k = 0; k <= spans; ++k) knots_(k + 1) = k / (1.0 * spans);
+    TColStd_Array1OfReal flat(1, poles_ + fit_degree + 1);
     BSplCLib::KnotSequence(knots_, times_, flat);
-    Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(fit_poles, fit_poles);
-    for (int i = 0; i < fit_poles; ++i) {
+    Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(poles_, poles_);
+    for (int i = 0; i < poles_; ++i) {
       double mean = 0;
       for (int k = 1; k <= fit_degree; ++k) mean += flat(i + 1 + k) / fit_degree;
       places_.push_back(std::min(mean, 1.0));
@@ -123,21 +121,22 @@ class Fit {
 
   Spline surface(const std::function<Vector3d(double u, double v)>& point) const {
     std::array<Eigen::MatrixXd, 3> poles;
-    for (Eigen::MatrixXd& matrix : poles) matrix.resize(fit_poles, fit_poles);
-    for (int i = 0; i < fit_poles; ++i)
-      for (int j = 0; j < fit_poles; ++j) {
+    for (Eigen::MatrixXd& matrix : poles) matrix.resize(poles_, poles_);
+    for (int i = 0; i < poles_; ++i)
+      for (int j = 0; j < poles_; ++j) {
         const Vector3d p = point(places_[i], places_[j]);
         for (int d = 0; d < 3; ++d) poles[d](i, j) = p[d];
       }
     for (Eigen::MatrixXd& matrix : poles) matrix = inverse_ * matrix * inverse_.transpose();
-    TColgp_Array2OfPnt result(1, fit_poles, 1, fit_poles);
-    for (int i = 0; i < fit_poles; ++i)
-      for (int j = 0; j < fit_poles; ++j)
+    TColgp_Array2OfPnt result(1, poles_, 1, poles_);
+    for (int i = 0; i < poles_; ++i)
+      for (int j = 0; j < poles_; ++j)
         result(i + 1, j + 1) = gp_Pnt(poles[0](i, j), poles[1](i, j), poles[2](i, j));
     return new Geom_BSplineSurface(result, knots_, knots_, times_, times_, fit_degree, fit_degree);
   }
 
  private:
+  int poles_;
   TColStd_Array1OfReal knots_;
   TColStd_Array1OfInteger times_;
   std::vector<double> places_;
@@ -170,7 +169,7 @@ Net blob(Polyhedron polyhedron, double radius_mm, std::mt19937& random) {
     return radius_mm * away * at.cwiseProduct(wide);
   };
   const QuadMesh mesh = meshOf(polyhedron);
-  const Fit fit;
+  const Fit fit(polyhedron == Polyhedron::Cube ? 8 : 4);
   Net net;
   net.closed = true;
   for (const Vector3d& corner : mesh.corners) {

@@ -91,11 +91,12 @@ RepairCounts& RepairCounts::operator+=(const RepairCounts& other) {
   return *this;
 }
 
-occ::RepairOptions trialOptions(int order) {
+occ::RepairOptions trialOptions(const RepairTrial& trial) {
   occ::RepairOptions options;
-  options.order = order;
-  options.tolerance.gap_mm = 0.001;
-  options.tolerance.angle_rad = 0.01 * degree;
+  options.order = trial.order;
+  options.tolerance.gap_mm = 0.001 / trial.strictness;
+  options.tolerance.angle_rad = 0.01 * degree / trial.strictness;
+  options.tolerance.curvature_rel = 0.02 / trial.strictness;
   return options;
 }
 
@@ -128,8 +129,7 @@ RepairCounts countsOf(const occ::RepairReport& report, double noise_mm) {
 }
 
 RepairCounts countsOf(const RepairTrial& trial) {
-  const occ::RepairReport report =
-      occ::repair(occ::modelFromShape(brokenModel(trial)), trialOptions(trial.order));
+  const occ::RepairReport report = occ::repair(occ::modelFromShape(brokenModel(trial)), trialOptions(trial));
   return countsOf(report, trial.noise_mm);
 }
 

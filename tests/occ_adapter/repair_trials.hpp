@@ -28,6 +28,7 @@ struct RepairTrial {
   double noise_mm = 0.01;
   unsigned seed = 1;
   int order = 1;
+  double strictness = 1;  ///< trialOptions() divided by it
 };
 
 /// What repairs did, by the figures that are proven.
@@ -47,8 +48,8 @@ struct RepairCounts {
   double share() const { return treated > 0 ? repaired / (1.0 * treated) : 1; }
 };
 
-/// 0.001 mm, 0.01 degrees, 2 %.
-occ::RepairOptions trialOptions(int order);
+/// 0.001 mm, 0.01 degrees, 2 % over the strictness.
+occ::RepairOptions trialOptions(const RepairTrial& trial);
 
 /// The model of a trial.
 TopoDS_Shape brokenModel(const RepairTrial& trial);
