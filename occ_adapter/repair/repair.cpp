@@ -39,6 +39,7 @@ class Repairing {
     result_.after = result_.before;
     Choice choice = choose(model_, result_.before, options_);
     reasons_ = std::move(choice.reasons);
+    sharp_ = std::move(choice.sharp);
     const std::vector<bool> wanted = choice.treated;
     open_ = wanted;
     if (std::ranges::count(wanted, true) > 0) {
@@ -74,7 +75,8 @@ class Repairing {
       const double next = done + (all - done) / static_cast<double>(solvers.size() - k);
       const TopoDS_Shape shape = result_.model.shape;
       const std::vector<SeamResult> before = result_.after.seams;
-      improve({shape, seams_, before, faces, open_, options_}, solvers.at(k), partOf(progress_, done, next));
+      improve({shape, seams_, before, faces, sharp_, open_, options_}, solvers.at(k),
+              partOf(progress_, done, next));
       done = next;
     }
   }
@@ -153,7 +155,7 @@ class Repairing {
     if (seams_.empty()) seams_ = seamsOf(model_.shape, options_, {});
     const TopoDS_Shape shape = result_.model.shape;
     const std::vector<SeamResult> before = result_.after.seams;
-    const RepairTask task{shape, seams_, before, {}, open_, options_};
+    const RepairTask task{shape, seams_, before, {}, sharp_, open_, options_};
     const std::vector<Seam> seams = seamsAfter(task, shape, {});
     SewSolution solution =
         sewLoose({shape, seams, before, options_}, partOf(progress_, share_before_sewing, 1));
@@ -175,7 +177,7 @@ class Repairing {
           result_.before.seams[i], result_.after.seams[i], wanted[i], false, reasons_[i], false, {}};
       seam.sewn = seam.before.kind == SeamKind::Matched && seam.after.kind != SeamKind::Matched;
       if (const auto why = not_sewn_.find(i); why != not_sewn_.end()) seam.not_sewn = why->second;
-      seam.repaired = wanted[i] && surelyReaches(seam.after.figures, options_.tolerance, options_.level());
+      seam.repaired = wanted[i] && isRepaired(seam.after, sharp_[i], options_);
       if (seam.repaired) seam.reason.clear();
       result_.seams.push_back(std::move(seam));
     }
@@ -187,6 +189,7 @@ class Repairing {
   const RepairOptions& options_;
   const Progress& progress_;
   std::vector<Seam> seams_;           ///< of the shape as it is
+  std::vector<bool> sharp_;           ///< by seam, see Choice
   std::vector<bool> open_;            ///< by seam: to be repaired, and not yet
   std::vector<std::string> reasons_;  ///< by seam
   std::map<int, double> moves_;       ///< by face

@@ -153,8 +153,12 @@ class Sewing {
     for (const std::size_t i : chosen_) {
       const SeamResult &before = task_.before[i], &after = solution_.after[i];
       const bool is_lower = before.verdict.certain && after.verdict.level < before.verdict.level;
-      const bool is_kept = after.kind != SeamKind::Matched && !is_lower &&
-                           surelyReaches(after.figures, task_.options.tolerance, Level::G0);
+      const auto keeps = [&](Level level) {
+        return !surelyReaches(before.figures, task_.options.tolerance, level) ||
+               surelyReaches(after.figures, task_.options.tolerance, level);
+      };
+      const bool is_kept =
+          after.kind != SeamKind::Matched && !is_lower && keeps(Level::G0) && keeps(task_.options.level());
       if (!is_kept)
         refused[i] = "as one edge it would have " + figuresText(after) + "; before " + figuresText(before);
     }
