@@ -51,6 +51,7 @@ std::vector<FaceChoice> chooseFaces(const TopoDS_Shape& shape, const std::vector
     else if (clampedSpline(BRep_Tool::Surface(face, location)).IsNull())
       why = "is " + kindOf(face) + ", which has no poles to move";
     choices[f].may_move = why.empty();
+    choices[f].may_be_trimmed = count == 1 && std::ranges::count(fixed, f) == 0;
   }
   return choices;
 }

@@ -12,7 +12,8 @@ namespace seamwright::occ {
 /// A face as repair sees it. Faces count from 1, so the first of a vector stands for none.
 struct FaceChoice {
   bool may_move = false;
-  std::string cannot_move;  ///< why not, as "face 3 ..." goes on
+  bool may_be_trimmed = false;  ///< the paths of its edges may be others
+  std::string cannot_move;      ///< why not, as "face 3 ..." goes on
 };
 
 struct Choice {

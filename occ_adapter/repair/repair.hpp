@@ -42,12 +42,19 @@ struct FaceMove {
       0;  ///< of a pole, against the surface as it was in the knots that it has now; at most
 };
 
+/// An edge that runs elsewhere on the faces beside it, or along them at another speed.
+struct EdgeMove {
+  int edge = 0;
+  double largest_move_mm = 0;  ///< of a point of it on a face
+};
+
 struct RepairReport {
   /// Same faces, edges and solids in the same order unless something was sewn; what did not change is shared with the given one.
   Model model;
-  Report before, after;           ///< seams in the same order; each with the numbers of its own model
-  std::vector<SeamRepair> seams;  ///< all seams, in the order of before
-  std::vector<FaceMove> moves;    ///< of the faces that moved
+  Report before, after;              ///< seams in the same order; each with the numbers of its own model
+  std::vector<SeamRepair> seams;     ///< all seams, in the order of before
+  std::vector<FaceMove> moves;       ///< of the faces that moved
+  std::vector<EdgeMove> edge_moves;  ///< of the edges that were led anew on faces that stay; numbers of the given model
   /// What has which number in model, by its number in the given one (from 1; the first stands for none); empty if nothing was sewn. Edges
   /// that were sewn have one number; one that was cut has several, in the sense of its curve, and is in the reports with the first.
   std::vector<int> faces_now;
@@ -55,7 +62,7 @@ struct RepairReport {
   double repair_s = 0;
 
   bool sewn() const { return !faces_now.empty(); }
-  bool changed() const { return !moves.empty() || sewn(); }
+  bool changed() const { return !moves.empty() || !edge_moves.empty() || sewn(); }
 };
 
 /// Moves poles of B-spline and Bezier faces, as little as possible, until the seams chosen flow; proves it, or leaves them as they were.
