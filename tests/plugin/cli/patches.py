@@ -98,11 +98,11 @@ _NUMBER = r"[-+]?\d+\.?\d*(?:[Ee][-+]?\d+)?"
 
 
 def surfaces_of(text):
-    """The B-spline surfaces of a STEP file, in its order: dicts of degrees, poles [a][b] and flat knots."""
+    """The B-spline surfaces of a STEP file by their place (i, j) in the sheet: dicts of degrees, poles [a][b] and flat knots."""
     text = re.sub(r"\s", "", text)
     points = {number: tuple(map(float, values.split(",")))
               for number, values in re.findall(rf"#(\d+)=CARTESIAN_POINT\('[^']*',\(((?:{_NUMBER},){{2}}{_NUMBER})\)\)", text)}
-    found = []
+    found = {}
     pattern = (r"B_SPLINE_SURFACE_WITH_KNOTS\('[^']*',(\d+),(\d+),\(((?:\([#\d,]+\),?)+)\),\.\w+\.,\.\w\.,\.\w\.,\.\w\.,"
                r"\(([\d,]+)\),\(([\d,]+)\),\(([^)]*)\),\(([^)]*)\)")
     for u, v, poles, u_counts, v_counts, u_knots, v_knots in re.findall(pattern, text):
@@ -111,7 +111,8 @@ def surfaces_of(text):
             return [float(knot) for count, knot in pairs for _ in range(int(count))]
 
         rows = [[points[number] for number in re.findall(r"#(\d+)", row)] for row in re.findall(r"\(([^()]*)\)", poles)]
-        found.append({"degrees": (int(u), int(v)), "poles": rows, "knots": (flat(u_counts, u_knots), flat(v_counts, v_knots))})
+        place = tuple(round(coordinate / SIZE) for coordinate in rows[0][0][:2])
+        found[place] = {"degrees": (int(u), int(v)), "poles": rows, "knots": (flat(u_counts, u_knots), flat(v_counts, v_knots))}
     return found
 
 
@@ -152,12 +153,24 @@ def point_and_normal(surface, u, v):
     return x, [value / size for value in normal]
 
 
-def seam_figures(first, second, along, count=60):
-    """Gap and angle between the end of one patch and the start of the next one: along "v" the seam of neighbours in x, "u" in y."""
-    gap_mm = angle_deg = 0.0
-    for k in range(count + 1):
-        sides = [((1.0, k / count), (0.0, k / count)), ((k / count, 1.0), (k / count, 0.0))][along == "u"]
-        (p, n), (q, m) = (point_and_normal(surface, *at) for surface, at in zip((first, second), sides))
-        gap_mm = max(gap_mm, math.dist(p, q))
-        angle_deg = max(angle_deg, math.degrees(2 * math.asin(min(1.0, math.dist(n, m) / 2))))
-    return gap_mm, angle_deg
+def seam_figures(surfaces, place, count=60):
+    """Gap and angle where the patch of a place meets the next one in x, then the next one in y; None where there is none."""
+    i, j = place
+    figures = []
+    for neighbour, sides in (((i + 1, j), lambda t: ((1, t), (0, t))), ((i, j + 1), lambda t: ((t, 1), (t, 0)))):
+        if neighbour not in surfaces:
+            figures.append(None)
+            continue
+        gap_mm = angle_deg = 0.0
+        for k in range(count + 1):
+            (p, n), (q, m) = (point_and_normal(surfaces[key], *at) for key, at in zip((place, neighbour), sides(k / count)))
+            gap_mm = max(gap_mm, math.dist(p, q))
+            angle_deg = max(angle_deg, math.degrees(2 * math.asin(min(1.0, math.dist(n, m) / 2))))
+        figures.append((gap_mm, angle_deg))
+    return figures
+
+
+def worst_figures(surfaces):
+    """The largest gap and the largest angle of all seams."""
+    found = [figures for place in surfaces for figures in seam_figures(surfaces, place) if figures]
+    return max(gap for gap, _ in found), max(angle for _, angle in found)

@@ -4,20 +4,18 @@
 import copy
 import json
 import pathlib
-import warnings
 
 import jsonschema
 
 DOCS = pathlib.Path(__file__).parents[3] / "docs"
 
 
+def schema(name):
+    return json.loads((DOCS / f"{name}-1.schema.json").read_text())
+
+
 def validator(name):
-    """That of docs/NAME-1.schema.json, which may refer to the others."""
-    schemas = {schema["$id"]: schema for schema in map(json.loads, (path.read_text() for path in DOCS.glob("*.schema.json")))}
-    schema = schemas[f"urn:seamwright:{name}:1"]
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", DeprecationWarning)  # later versions of jsonschema do it otherwise
-        return jsonschema.Draft202012Validator(schema, resolver=jsonschema.RefResolver.from_schema(schema, store=schemas))
+    return jsonschema.Draft202012Validator(schema(name))
 
 
 def expect_valid(report, validator):
