@@ -36,7 +36,7 @@ NetKind pieces(const std::string& name, const NetShape& shape) {
 }
 
 NetKind blobOf(const std::string& name, Polyhedron polyhedron) {
-  return {name, [polyhedron](std::mt19937& random) { return blob(polyhedron, 40, random); }};
+  return {name, [polyhedron](std::mt19937& random) { return blob(polyhedron, 100, random); }};
 }
 
 double upper(const std::optional<Figure>& figure) {
