@@ -89,14 +89,23 @@ double known(const Figure& figure) {
   return figure.upper.value_or(figure.lower);
 }
 
+/// By more than a tenth of the tolerance: what the faces that follow leave between samples is no matter to anyone.
 bool isLarger(const std::optional<Figure>& after, const std::optional<Figure>& before, double tolerance) {
+  constexpr double margin = 0.1;
   if (!after) return before.has_value();
-  return after->lower > std::max(tolerance, before ? known(*before) : 0);
+  return after->lower > std::max(tolerance, before ? known(*before) + margin * tolerance : 0);
+}
+
+/// Up to the level asked for what is seen counts, above it what is sure.
+bool isLower(const SeamResult& after, const SeamResult& before, const RepairOptions& options) {
+  const Level level = before.verdict.level;
+  if (after.verdict.level >= level) return false;
+  return after.verdict.level < options.level() || surelyReaches(before.figures, options.tolerance, level);
 }
 
 /// Which figure is worse than it was; empty if none.
 std::string whyWorse(const SeamResult& after, const SeamResult& before, const RepairOptions& options) {
-  if (after.verdict.level < before.verdict.level) return "a lower level";
+  if (isLower(after, before, options)) return "a lower level";
   const auto rank = [](SeamClass seam_class) { return seam_class == SeamClass::Smooth ? 0 : 1; };
   if (rank(after.verdict.seam_class) > rank(before.verdict.seam_class)) return "another class";
   if (before.verdict.certain && !after.verdict.certain) return "less certain";
@@ -115,7 +124,7 @@ void judgeSeams(const RepairTask& task, Proof& proof) {
   for (std::size_t i = 0; i < proof.after.size(); ++i) {
     const SeamResult& after = proof.after[i];
     if (task.treated[i]) {
-      if (!surelyReaches(after.figures, task.options.tolerance, task.options.level()))
+      if (!isRepaired(after, task.sharp[i], task.options))
         proof.unrepaired[i] = "after a move it has " + figuresText(after);
     } else if (const std::string why = whyWorse(after, task.before[i], task.options); !why.empty()) {
       proof.worse[i] = "edge " + std::to_string(after.edges.front()) + " would get " + why + " (" +

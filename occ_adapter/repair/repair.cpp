@@ -38,6 +38,7 @@ class Repairing {
     result_.after = result_.before;
     Choice choice = choose(model_, result_.before, options_);
     reasons_ = std::move(choice.reasons);
+    sharp_ = std::move(choice.sharp);
     const std::vector<bool> wanted = choice.treated;
     open_ = wanted;
     if (std::ranges::count(wanted, true) > 0) {
@@ -71,7 +72,8 @@ class Repairing {
       const double next = done + (1 - done) / static_cast<double>(solvers.size() - k);
       const TopoDS_Shape shape = result_.model.shape;
       const std::vector<SeamResult> before = result_.after.seams;
-      improve({shape, seams_, before, faces, open_, options_}, solvers.at(k), partOf(progress_, done, next));
+      improve({shape, seams_, before, faces, sharp_, open_, options_}, solvers.at(k),
+              partOf(progress_, done, next));
       done = next;
     }
   }
@@ -149,7 +151,7 @@ class Repairing {
   void tell(const std::vector<bool>& wanted) {
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       SeamRepair seam{result_.before.seams[i], result_.after.seams[i], wanted[i], false, reasons_[i]};
-      seam.repaired = wanted[i] && surelyReaches(seam.after.figures, options_.tolerance, options_.level());
+      seam.repaired = wanted[i] && isRepaired(seam.after, sharp_[i], options_);
       if (seam.repaired) seam.reason.clear();
       result_.seams.push_back(std::move(seam));
     }
@@ -161,6 +163,7 @@ class Repairing {
   const RepairOptions& options_;
   const Progress& progress_;
   std::vector<Seam> seams_;           ///< of the shape as it is
+  std::vector<bool> sharp_;           ///< by seam, see Choice
   std::vector<bool> open_;            ///< by seam: to be repaired, and not yet
   std::vector<std::string> reasons_;  ///< by seam
   std::map<int, double> moves_;       ///< by face

@@ -58,11 +58,15 @@ struct RepairReport {
 /// towards common targets of their seams that agree at vertices. What spoils a way is given up until the rest can be proven.
 ///
 /// A treated seam counts as repaired, and its change is kept, only if afterwards its enclosed figures meet the target; no other seam of
-/// the model is worse than it was (a lower level or class, less certain, or a figure that the target asks for surely above both its
-/// tolerance and its old upper bound; of a crease the gap alone); no pole moved further than max_move_mm, all ways together; no face
-/// folded; no edge lies further from its faces than twice the gap tolerance or what it had; and the shape passes OpenCASCADE's checks as
-/// before, closed solids stay closed, and their volume changed by no more than the moves explain. What could not be repaired is told with
-/// the reason and left as it was. A seam on a moved face, or between two, may be left better than it was.
+/// the model is worse than it was; no pole moved further than max_move_mm, all ways together; no face folded; no edge lies further from
+/// its faces than twice the gap tolerance or what it had; and the shape passes OpenCASCADE's checks as before, closed solids stay closed,
+/// and their volume changed by no more than the moves explain. What could not be repaired is told with the reason and left as it was. A
+/// seam on a moved face, or between two, may be left better than it was.
+///
+/// A seam is worse if its class is, or it is less certain; if its level is lower, above the level asked for only where it had the higher
+/// one for sure (where a side is nearly flat the figures often can't tell); or if a figure that the target asks for, of a crease the gap
+/// alone, is surely above its tolerance and exceeds its old upper bound by more than a tenth of the tolerance, in each of the three ways.
+/// Figures within the tolerance are as good as one another, and so are those that differ by less than that tenth.
 /// A model without seams to treat comes back as it is, sharing everything.
 ///
 /// \throws std::invalid_argument for bad options, also for edges and faces that the model does not have and edges that are no
