@@ -85,9 +85,8 @@ class Repairing(RepairWindow):
         self.assertEqual((self.visible(), panel.summary.text()), ([obj.Name], obj.Summary))
         self.fit()
         shown = picture("repair-moves")
-        bands = set(moves.face_bands(6, repair.report_of(obj)["moves"]))
-        for band in bands:
-            self.assertGreater(count(shown, band.rgb, LEGEND), FEW)
+        for sample, _, _ in moves.legend_entries(1.0):
+            self.assertGreater(count(shown, sample.rgb, LEGEND), FEW)
         click_row(panel.table, 0)
         whole_window("repair-row")
         self.ok()

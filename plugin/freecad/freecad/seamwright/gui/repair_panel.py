@@ -16,7 +16,7 @@ from freecad.seamwright.plain import repair_text
 
 TABLE_HEIGHT = 190
 
-PREVIEW, PREVIEW_AGAIN = "Preview", "Preview (the results are for other values)"
+PREVIEW, PREVIEW_AGAIN = "Preview", "Preview anew"
 
 #: Colours of the last column's text, by the state of a row.
 INKS = {repair_text.REPAIRED: (0, 120, 88), repair_text.LEFT: (190, 80, 0)}
@@ -71,8 +71,6 @@ class RepairPanel(ResultPanel):
         layout.addLayout(self._build_show())
         for box in (self._build_seams(), self._build_limits()):
             layout.addWidget(box)
-        self.preview_button = QtWidgets.QPushButton(PREVIEW)
-        layout.addWidget(self.preview_button)
 
     def _build_table(self):
         self.table = QtWidgets.QTableWidget(0, len(repair_text.COLUMNS))
@@ -86,8 +84,10 @@ class RepairPanel(ResultPanel):
         self.table.setMinimumHeight(TABLE_HEIGHT)
         self.table.verticalHeader().hide()
         self.table.verticalHeader().setDefaultSectionSize(self.table.fontMetrics().height() + 6)
-        self.table.horizontalHeader().setHighlightSections(False)
-        self.table.horizontalHeader().setStretchLastSection(True)
+        header = self.table.horizontalHeader()
+        header.setHighlightSections(False)
+        header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
+        header.setSectionResizeMode(len(repair_text.COLUMNS) - 1, QtWidgets.QHeaderView.Stretch)
         return self.table
 
     def _build_show(self):
@@ -95,11 +95,14 @@ class RepairPanel(ResultPanel):
         line.addWidget(QtWidgets.QLabel("Show"))
         self.before, self.after = QtWidgets.QRadioButton("Before"), QtWidgets.QRadioButton("After")
         self.moves = QtWidgets.QCheckBox("Moves in colour")
-        self.moves.setToolTip("Colour each face by how far it moved")
+        self.moves.setToolTip("Colour each point by how far it moved")
         self.moves.setChecked(True)
         for widget in (self.before, self.after, self.moves):
             line.addWidget(widget)
         line.addStretch(1)
+        self.preview_button = QtWidgets.QPushButton(PREVIEW)
+        self.preview_button.setToolTip("Repair the seams as the fields say; nothing is kept before OK is pressed")
+        line.addWidget(self.preview_button)
         return line
 
     def _build_seams(self):
@@ -111,7 +114,7 @@ class RepairPanel(ResultPanel):
         self.all_defects = QtWidgets.QLabel()
         layout.addRow("Repair", self.all_defects)
         layout.addRow("", self.lists["Edges"])
-        layout.addRow("Faces that stay", self.lists["FixedFaces"])
+        layout.addRow("Keep faces", self.lists["FixedFaces"])
         return box
 
     def _build_limits(self):
@@ -188,7 +191,6 @@ class RepairPanel(ResultPanel):
             for column, cell in enumerate(row.cells):
                 self.table.setItem(line, column, _item(cell, row, column))
         self.table.setColumnHidden(repair_text.CURVATURE_COLUMN, report["target"] != "G2")
-        self.table.resizeColumnsToContents()
         for widget in (self.after, self.moves):
             widget.setEnabled(self.has_result())
 
@@ -202,7 +204,7 @@ class RepairPanel(ResultPanel):
 
     def _name_seams(self):
         chosen = self.lists["Edges"].names()
-        self.all_defects.setText("The seams at these edges:" if chosen else "All defects. To choose, select edges or rows:")
+        self.all_defects.setText("The seams at these edges:" if chosen else "All defects; to choose, select rows or edges and add them:")
 
     def _picked(self, kind):
         """The elements of a kind that are selected, on the source or on the result: they have the same names."""
