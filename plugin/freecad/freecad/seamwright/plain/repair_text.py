@@ -158,7 +158,7 @@ def _row(seam, tolerance, done):
     before, after = seam["before"], seam["after"]
     state = WAITING if not done else REPAIRED if seam["repaired"] else LEFT
     figures = (_change_text(before, after, name, tolerance) for name in ("angle_deg", "gap_mm", "curvature_rel"))
-    reason = _named(seam["reason"])
+    reason = named(seam["reason"])
     result = {WAITING: "", REPAIRED: "repaired", LEFT: reason}[state]
     faces = ", ".join("Face%d" % number for number in before["faces"])
     return Row(
@@ -170,7 +170,7 @@ def _row(seam, tolerance, done):
     )
 
 
-def _named(text):
+def named(text):
     """A sentence of the kernel with its faces and edges as the user reads them: "Face3"."""
     return re.sub(r"\b(face|edge) (\d+)\b", lambda found: found.group(1).capitalize() + found.group(2), text)
 
