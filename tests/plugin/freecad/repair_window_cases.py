@@ -216,10 +216,15 @@ class Repairing(RepairWindow):
         obj, panel = self.start()
         panel.max_move.setValue(0.05)
         self.preview(panel)
-        whole_window("repair-left")
         results = self.column(panel, RESULT)
         self.assertTrue(any("0.05 mm" in text for text in results), results)
         self.assertEqual(results.count("repaired"), obj.Repaired)
+        for place, text in enumerate(results):
+            click_row(panel.table, place)
+            self.assertEqual(panel.note.isVisible(), text != "repaired")
+            self.assertTrue(text == "repaired" or panel.note.text().endswith(text))
+        click_row(panel.table, 0)
+        whole_window("repair-left")
         self.ok()
         self.assertEqual(repair.error_text(obj), "")
 

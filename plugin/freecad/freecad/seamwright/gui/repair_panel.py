@@ -68,6 +68,10 @@ class RepairPanel(ResultPanel):
         self.summary.setWordWrap(True)
         layout.addWidget(self.summary)
         layout.addWidget(self._build_table())
+        self.note = QtWidgets.QLabel()
+        self.note.setWordWrap(True)
+        self.note.hide()
+        layout.addWidget(self.note)
         layout.addLayout(self._build_show())
         for box in (self._build_seams(), self._build_limits()):
             layout.addWidget(box)
@@ -84,11 +88,16 @@ class RepairPanel(ResultPanel):
         self.table.setMinimumHeight(TABLE_HEIGHT)
         self.table.verticalHeader().hide()
         self.table.verticalHeader().setDefaultSectionSize(self.table.fontMetrics().height() + 6)
-        header = self.table.horizontalHeader()
-        header.setHighlightSections(False)
-        header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
-        header.setSectionResizeMode(len(repair_text.COLUMNS) - 1, QtWidgets.QHeaderView.Stretch)
+        self.table.horizontalHeader().setHighlightSections(False)
+        self._fit_columns()
         return self.table
+
+    def _fit_columns(self):
+        """Columns as wide as what they say; the last one to the end of the table where there is room."""
+        header, last = self.table.horizontalHeader(), len(repair_text.COLUMNS) - 1
+        header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
+        if header.length() <= self.table.viewport().width():
+            header.setSectionResizeMode(last, QtWidgets.QHeaderView.Stretch)
 
     def _build_show(self):
         line = QtWidgets.QHBoxLayout()
@@ -191,6 +200,7 @@ class RepairPanel(ResultPanel):
             for column, cell in enumerate(row.cells):
                 self.table.setItem(line, column, _item(cell, row, column))
         self.table.setColumnHidden(repair_text.CURVATURE_COLUMN, report["target"] != "G2")
+        self._fit_columns()
         for widget in (self.after, self.moves):
             widget.setEnabled(self.has_result())
 
@@ -223,6 +233,7 @@ class RepairPanel(ResultPanel):
     def _selection_changed(self, *_):
         """Mark the seams of the chosen rows, as they are in what is shown, and zoom to them."""
         places = sorted({index.row() for index in self.table.selectionModel().selectedRows()})
+        self._write_note([self._rows[place] for place in places])
         if not places or not self.sources():
             self.obj.ViewObject.Proxy.mark([], [], [])
             return
@@ -232,6 +243,13 @@ class RepairPanel(ResultPanel):
         chosen = [by_number[self._rows[place].seam] for place in places]
         size = shown.Shape.BoundBox.DiagonalLength
         seam_view.show(self.obj, repair_text.located(self._report, shown.Name), chosen, size)
+
+
+    def _write_note(self, rows):
+        """Why the seams of the chosen rows were not repaired, in full: the column is too narrow for it."""
+        reasons = ["Seam %d: %s" % (row.seam, row.cells[-1]) for row in rows if row.state == repair_text.LEFT]
+        self.note.setText("\n".join(reasons))
+        self.note.setVisible(bool(reasons))
 
 
 def _item(text, row, column):

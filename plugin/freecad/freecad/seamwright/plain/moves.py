@@ -47,7 +47,7 @@ def colours(moves_mm, largest_mm):
 def legend_entries(largest_mm):
     """[(Sample, "0.22 mm", "")], the largest move first; one line where nothing moved."""
     if largest_mm <= 0:
-        return [(Sample(RAMP[0][1]), "0 mm", "nothing moved")]
+        return [(Sample(RAMP[0][1]), "0 mm", "")]
     return [
         (Sample(tuple(round(channel) for channel in colour(share))), "%s mm" % enclosure.number(share * largest_mm), "")
         for share in LEGEND_SHARES
@@ -56,5 +56,7 @@ def legend_entries(largest_mm):
 
 def legend_footer(moves, faces):
     """ "2 of 6 faces moved, poles by up to 0.3 mm"; ``moves``: dicts of face and largest_move_mm."""
-    largest = max((move["largest_move_mm"] for move in moves), default=0.0)
+    if not moves:
+        return "no face moved"
+    largest = max(move["largest_move_mm"] for move in moves)
     return "%d of %d faces moved, poles by up to %s mm" % (len(moves), faces, enclosure.number(largest))
