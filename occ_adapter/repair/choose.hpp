@@ -17,13 +17,19 @@ struct FaceChoice {
 
 struct Choice {
   std::vector<bool> treated;         ///< by seam, in the order of the report
+  std::vector<bool> sharp;           ///< by seam: of a treated one the gap alone is to be closed
   std::vector<std::string> reasons;  ///< by seam: why it is not treated though it was meant; else empty
   std::vector<FaceChoice> faces;
 };
 
 /// Seams of class defect, or those of the edges picked that do not have the level yet; at least one of the faces has to be able to move.
 /// A face can move if it lies on a B-spline or Bezier surface, is not fixed, and stands in the model once.
+/// A defect that would be a crease if its gap were closed is sharp by design: it stays so. Faces that fold back on one another below
+/// the crease angle are not treated, as no small move turns a normal over.
 /// \throws std::invalid_argument for edges and faces that the model does not have, and for a picked edge that is no seam.
 Choice choose(const Model& model, const Report& before, const RepairOptions& options);
+
+/// The seam surely has what the repair asks for. \param sharp see Choice.
+bool isRepaired(const SeamResult& after, bool sharp, const RepairOptions& options);
 
 }  // namespace seamwright::occ

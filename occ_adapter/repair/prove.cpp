@@ -40,31 +40,6 @@ bool isNew(const Seam& after, const Seam& before) {
   return false;
 }
 
-/// The seams of the changed shape, in the order of before; a matched one that is found no more has no id.
-std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed, const Progress& progress) {
-  std::vector<Seam> seams = seamsIn(changed, task.seams);
-  const bool any_matched =
-      std::ranges::any_of(seams, [](const Seam& seam) { return seam.kind == SeamKind::Matched; });
-  if (!any_matched) return seams;
-  SeamGraph graph = findSeams(changed);
-  matchFreeEdges({.match_mm = task.options.match_mm, .gap_mm = task.options.tolerance.gap_mm}, graph,
-                 progress);
-  std::vector<bool> taken(graph.seams.size(), false);
-  for (Seam& seam : seams) {
-    if (seam.kind != SeamKind::Matched) continue;
-    const int id = seam.id;
-    seam.id = 0;
-    for (std::size_t i = 0; i < graph.seams.size() && seam.id == 0; ++i) {
-      const Seam& found = graph.seams[i];
-      if (taken[i] || found.kind != SeamKind::Matched || found.edges != seam.edges) continue;
-      taken[i] = true;
-      seam = found;
-      seam.id = id;
-    }
-  }
-  return seams;
-}
-
 std::vector<SeamResult> measured(const RepairTask& task, const std::vector<Seam>& seams,
                                  const Progress& progress) {
   std::vector<SeamResult> after = task.before;
@@ -89,14 +64,23 @@ double known(const Figure& figure) {
   return figure.upper.value_or(figure.lower);
 }
 
+/// By more than a tenth of the tolerance: what the faces that follow leave between samples is no matter to anyone.
 bool isLarger(const std::optional<Figure>& after, const std::optional<Figure>& before, double tolerance) {
+  constexpr double margin = 0.1;
   if (!after) return before.has_value();
-  return after->lower > std::max(tolerance, before ? known(*before) : 0);
+  return after->lower > std::max(tolerance, before ? known(*before) + margin * tolerance : 0);
+}
+
+/// Up to the level asked for what is seen counts, above it what is sure.
+bool isLower(const SeamResult& after, const SeamResult& before, const RepairOptions& options) {
+  const Level level = before.verdict.level;
+  if (after.verdict.level >= level) return false;
+  return after.verdict.level < options.level() || surelyReaches(before.figures, options.tolerance, level);
 }
 
 /// Which figure is worse than it was; empty if none.
 std::string whyWorse(const SeamResult& after, const SeamResult& before, const RepairOptions& options) {
-  if (after.verdict.level < before.verdict.level) return "a lower level";
+  if (isLower(after, before, options)) return "a lower level";
   const auto rank = [](SeamClass seam_class) { return seam_class == SeamClass::Smooth ? 0 : 1; };
   if (rank(after.verdict.seam_class) > rank(before.verdict.seam_class)) return "another class";
   if (before.verdict.certain && !after.verdict.certain) return "less certain";
@@ -115,7 +99,7 @@ void judgeSeams(const RepairTask& task, Proof& proof) {
   for (std::size_t i = 0; i < proof.after.size(); ++i) {
     const SeamResult& after = proof.after[i];
     if (task.treated[i]) {
-      if (!surelyReaches(after.figures, task.options.tolerance, task.options.level()))
+      if (!isRepaired(after, task.sharp[i], task.options))
         proof.unrepaired[i] = "after a move it has " + figuresText(after);
     } else if (const std::string why = whyWorse(after, task.before[i], task.options); !why.empty()) {
       proof.worse[i] = "edge " + std::to_string(after.edges.front()) + " would get " + why + " (" +
@@ -303,6 +287,30 @@ Soundness soundnessOf(const TopoDS_Shape& shape) {
   if (soundness.whole) return soundness;
   for (int f = 1; f <= faces.Extent(); ++f) soundness.faces[f] = analyzer.IsValid(faces(f));
   return soundness;
+}
+
+std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed, const Progress& progress) {
+  std::vector<Seam> seams = seamsIn(changed, task.seams);
+  const bool any_matched =
+      std::ranges::any_of(seams, [](const Seam& seam) { return seam.kind == SeamKind::Matched; });
+  if (!any_matched) return seams;
+  SeamGraph graph = findSeams(changed);
+  matchFreeEdges({.match_mm = task.options.match_mm, .gap_mm = task.options.tolerance.gap_mm}, graph,
+                 progress);
+  std::vector<bool> taken(graph.seams.size(), false);
+  for (Seam& seam : seams) {
+    if (seam.kind != SeamKind::Matched) continue;
+    const int id = seam.id;
+    seam.id = 0;
+    for (std::size_t i = 0; i < graph.seams.size() && seam.id == 0; ++i) {
+      const Seam& found = graph.seams[i];
+      if (taken[i] || found.kind != SeamKind::Matched || found.edges != seam.edges) continue;
+      taken[i] = true;
+      seam = found;
+      seam.id = id;
+    }
+  }
+  return seams;
 }
 
 Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,

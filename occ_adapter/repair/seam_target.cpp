@@ -51,6 +51,16 @@ Eigen::Vector3d orthogonal(const Eigen::Vector3d& normal, const Eigen::Vector3d&
   return (normal - normal.dot(tangent) / tangent.squaredNorm() * tangent).normalized();
 }
 
+/// The part of a vector that lies in the span of up to two unit normals.
+Eigen::Vector3d alongNormals(const Eigen::Vector3d& vector, const std::vector<Eigen::Vector3d>& normals) {
+  if (normals.empty()) return Eigen::Vector3d::Zero();
+  const Eigen::Vector3d first = vector.dot(normals[0]) * normals[0];
+  if (normals.size() == 1) return first;
+  const Eigen::Vector3d other = normals[1] - normals[0].dot(normals[1]) * normals[0];
+  constexpr double parallel = 1e-3;
+  return other.norm() < parallel ? first : first + vector.dot(other) / other.squaredNorm() * other;
+}
+
 TargetPoint turned(TargetPoint target, const Eigen::Vector3d& normal) {
   if (target.normal.dot(normal) >= 0) return target;
   return {target.point, -target.normal, -target.curvature};
@@ -195,6 +205,19 @@ void SeamTarget::setEnd(int end, const TargetPoint& target) {
   leads_[end] = lead(end, turned(target, mean(end).normal));
 }
 
+void SeamTarget::setSharpEnd(int end, const Eigen::Vector3d& point,
+                             const std::map<int, Eigen::Vector3d>& normals) {
+  const Mean here = mean(end);
+  std::vector<Eigen::Vector3d> planes;
+  for (const FaceUse& side : seam_.sides)
+    if (const auto normal = normals.find(side.face); normal != normals.end())
+      planes.push_back(normal->second);
+  Lead lead{point - here.point, -alongNormals(here.slope, planes), {}, {}, {}, {}};
+  for (Eigen::Vector3d* none : {&lead.bend, &lead.normal, &lead.normal_slope}) none->setZero();
+  lead.curvature.setZero();
+  leads_[end] = lead;
+}
+
 TargetPoint SeamTarget::at(double s) const {
   for (const int side : {0, 1})
     if (stays_[side]) return shown(side, s);
@@ -335,29 +358,76 @@ std::vector<std::vector<TargetEnd>> meetingEnds(const std::vector<std::shared_pt
   return found;
 }
 
-std::string agreeAtVertex(const std::vector<TargetEnd>& ends, const std::map<int, int>& held,
-                          const ContinuityTolerance& tolerance) {
+namespace {
+
+struct Meeting {
   std::vector<VertexView> views;
   std::set<const SeamTarget*> seams;
   bool any_held = false;
   int order = 0;
+};
+
+Meeting meetingOf(const std::vector<TargetEnd>& ends, const std::map<int, int>& held) {
+  Meeting meeting;
   for (const TargetEnd& end : ends) {
-    seams.insert(end.target.get());
-    order = std::max(order, end.target->order());
+    meeting.seams.insert(end.target.get());
+    meeting.order = std::max(meeting.order, end.target->order());
     for (const int side : {0, 1}) {
       VertexView view{end.target->seam().sides[side].face, end.target->shown(side, end.end), -1};
       if (end.target->stays()[side]) view.held = 2;
       if (const auto there = held.find(view.face); there != held.end()) {
         view.held = std::max(view.held, there->second);
-        any_held = true;
+        meeting.any_held = true;
       }
-      views.push_back(std::move(view));
+      meeting.views.push_back(std::move(view));
     }
   }
-  if (seams.size() < 2 && !any_held) return {};
-  const VertexConsensus consensus = vertexConsensus(views, order, tolerance);
-  for (const TargetEnd& end : ends) end.target->setEnd(end.end, consensus.target);
-  return consensus.contradiction;
+  return meeting;
+}
+
+/// Indices from 0 to count - 1 in groups of those that are alike, directly or by others.
+template <class Alike>
+std::vector<std::vector<std::size_t>> groupsOf(std::size_t count, const Alike& alike) {
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::vector<std::size_t> joined = {i};
+    std::erase_if(groups, [&](const std::vector<std::size_t>& group) {
+      if (std::ranges::none_of(group, [&](std::size_t k) { return alike(i, k); })) return false;
+      joined.insert(joined.end(), group.begin(), group.end());
+      return true;
+    });
+    groups.push_back(std::move(joined));
+  }
+  return groups;
+}
+
+}  // namespace
+
+std::string agreeAtVertex(const std::vector<TargetEnd>& ends, const std::map<int, int>& held,
+                          const ContinuityTolerance& tolerance) {
+  const Meeting all = meetingOf(ends, held);
+  if (all.seams.size() < 2 && !all.any_held) return {};
+  const VertexConsensus place = vertexConsensus(all.views, 0, tolerance);
+  if (!place.contradiction.empty()) return place.contradiction;
+  std::vector<TargetEnd> smooth;
+  std::ranges::copy_if(ends, std::back_inserter(smooth),
+                       [](const TargetEnd& end) { return end.target->order() > 0; });
+  std::map<int, Eigen::Vector3d> normals;
+  for (const auto& group : groupsOf(smooth.size(), [&](std::size_t i, std::size_t k) {
+         return shareFace(*smooth[i].target, *smooth[k].target);
+       })) {
+    std::vector<TargetEnd> members;
+    for (const std::size_t k : group) members.push_back(smooth[k]);
+    const Meeting meeting = meetingOf(members, held);
+    VertexConsensus consensus = vertexConsensus(meeting.views, meeting.order, tolerance);
+    if (!consensus.contradiction.empty()) return consensus.contradiction;
+    consensus.target.point = place.target.point;
+    for (const TargetEnd& end : members) end.target->setEnd(end.end, consensus.target);
+    for (const VertexView& view : meeting.views) normals[view.face] = consensus.target.normal;
+  }
+  for (const TargetEnd& end : ends)
+    if (end.target->order() == 0) end.target->setSharpEnd(end.end, place.target.point, normals);
+  return {};
 }
 
 }  // namespace seamwright::occ

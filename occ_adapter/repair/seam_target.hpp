@@ -46,6 +46,10 @@ class SeamTarget {
   /// Has no effect if a side stays. The sense of the normal is no matter. \param end 0 or 1.
   void setEnd(int end, const TargetPoint& target);
 
+  /// The same for order 0: the point, and the curve there in the tangent planes of the sides, as far as they are given.
+  /// \param normals by face.
+  void setSharpEnd(int end, const Eigen::Vector3d& point, const std::map<int, Eigen::Vector3d>& normals);
+
   /// \throws Standard_Failure where OpenCASCADE can't evaluate.
   TargetPoint at(double s) const;
 
@@ -112,7 +116,8 @@ struct TargetEnd {
 /// Ends of the targets' seams at one vertex between faces that are joined there by these seams.
 std::vector<std::vector<TargetEnd>> meetingEnds(const std::vector<std::shared_ptr<SeamTarget>>& targets);
 
-/// Sets the ends that meet at a vertex, unless there is just one seam and nothing held: its own mean is as good.
+/// Sets the ends that meet at a vertex, unless there is just one seam and nothing held: its own mean is as good. All have one point; those
+/// of order 1 or 2 that share faces have one tangent plane and curvature.
 /// \param held by face: the order of boundaries that stay there, see VertexView.
 /// \returns a contradiction, see VertexConsensus.
 std::string agreeAtVertex(const std::vector<TargetEnd>& ends, const std::map<int, int>& held,

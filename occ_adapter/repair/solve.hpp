@@ -18,6 +18,7 @@ struct RepairTask {
   const std::vector<Seam>& seams;  ///< of the shape, in the order of the report before
   const std::vector<SeamResult>& before;
   const std::vector<FaceChoice>& faces;  ///< from 1
+  const std::vector<bool>& sharp;        ///< by seam, see Choice
   std::vector<bool> treated;             ///< by seam; the others may not become worse
   const RepairOptions& options;
 };
@@ -33,6 +34,7 @@ struct RepairSolution {
 std::vector<Seam> seamsIn(const TopoDS_Shape& shape, std::vector<Seam> seams);
 
 /// All seams whose sides are natural sides of polynomial surfaces at once, exactly, with the smallest move. Poles beside other boundaries stay.
+/// Sharp seams are left to followTargets(), also by joinPairs().
 /// \throws Cancelled.
 RepairSolution joinNetwork(const RepairTask& task, const Progress& progress);
 
