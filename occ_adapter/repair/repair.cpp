@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <seamwright/occ_adapter/repair/convert_faces.hpp>
 #include <seamwright/occ_adapter/repair/prove.hpp>
 #include <seamwright/occ_adapter/repair/sew.hpp>
 #include <seamwright/occ_adapter/seams/match.hpp>
@@ -216,7 +217,11 @@ void RepairOptions::validate() const {
 
 RepairReport repair(const Model& model, const RepairOptions& options, const Progress& progress) {
   options.validate();
-  return Repairing(model, options, progress).run();
+  const auto plain = [](const Model& of, const RepairOptions& how, const Progress& part) {
+    return Repairing(of, how, part).run();
+  };
+  return options.convert_analytic ? repairConverting(model, options, plain, progress)
+                                  : plain(model, options, progress);
 }
 
 }  // namespace seamwright::occ
