@@ -274,55 +274,66 @@ class FaceFollower {
     Conditions(const std::vector<int>& unknown, int count, const PointRows& original)
         : unknown_(unknown), original_(original), system_(count) {}
 
-    /// direction . (sum of share times pole) = value
-    void add(const std::vector<int>& poles, const Eigen::RowVectorXd& share, const Eigen::Vector3d& direction,
-             double value, double weight) {
-      numbers_.clear();
-      factors_.clear();
-      for (std::size_t k = 0; k < poles.size(); ++k) {
-        value -= share[static_cast<Eigen::Index>(k)] * direction.dot(original_.row(poles[k]));
-        if (unknown_[poles[k]] < 0) continue;
-        numbers_.push_back(unknown_[poles[k]]);
-        factors_.push_back(share[static_cast<Eigen::Index>(k)]);
-      }
-      addMoves(direction, value, weight);
+    /// Sum of share times pole = point
+    void addPoint(const std::vector<int>& poles, const Eigen::RowVectorXd& share,
+                  const Eigen::Vector3d& point, double weight) {
+      const Selected selected = select(poles, share);
+      if (selected.numbers.empty()) return;
+      const Eigen::RowVector3d now = sumOf(poles, share);
+      system_.addPoint(selected.numbers, weight * selected.factors, weight * (point - now.transpose()));
+    }
+    /// For each row of shares: normal . (sum of share times pole) = value
+    void add(const std::vector<int>& poles, const Eigen::MatrixXd& shares, const Eigen::Vector3d& normal,
+             const Eigen::VectorXd& values, double weight) {
+      const Selected selected = select(poles, shares);
+      if (selected.numbers.empty()) return;
+      const Eigen::VectorXd now = sumOf(poles, shares) * normal;
+      system_.add(selected.numbers, weight * selected.factors, normal, weight * (values - now));
     }
     /// The sum of factor times move is zero.
-    void addFairness(const std::array<int, 3>& poles, const Eigen::RowVector3d& factors, double weight) {
-      numbers_.clear();
-      factors_.clear();
-      for (int k = 0; k < 3; ++k) {
-        if (unknown_[poles[k]] < 0) continue;
-        numbers_.push_back(unknown_[poles[k]]);
-        factors_.push_back(factors[k]);
-      }
-      for (int c = 0; c < 3; ++c) addMoves(Eigen::Vector3d::Unit(c), 0, weight);
+    void addFairness(const std::vector<int>& poles, const Eigen::RowVectorXd& factors, double weight) {
+      const Selected selected = select(poles, factors);
+      if (!selected.numbers.empty())
+        system_.addPoint(selected.numbers, weight * selected.factors, Eigen::Vector3d::Zero());
     }
     PointRows solve(double damping) const { return system_.solve(damping); }
 
    private:
-    void addMoves(const Eigen::Vector3d& direction, double value, double weight) {
-      if (numbers_.empty()) return;
-      const Eigen::RowVectorXd factors =
-          Eigen::Map<const Eigen::RowVectorXd>(factors_.data(), static_cast<Eigen::Index>(factors_.size()));
-      system_.add(numbers_, weight * factors, direction, weight * value);
+    struct Selected {
+      std::vector<int> numbers;
+      Eigen::MatrixXd factors;
+    };
+
+    /// Of the poles that may move.
+    Selected select(const std::vector<int>& poles, const Eigen::MatrixXd& factors) const {
+      Selected selected;
+      std::vector<int> columns;
+      for (std::size_t k = 0; k < poles.size(); ++k) {
+        if (unknown_[poles[k]] < 0) continue;
+        selected.numbers.push_back(unknown_[poles[k]]);
+        columns.push_back(static_cast<int>(k));
+      }
+      selected.factors = factors(Eigen::all, columns);
+      return selected;
+    }
+    Eigen::Matrix<double, Eigen::Dynamic, 3> sumOf(const std::vector<int>& poles,
+                                                   const Eigen::MatrixXd& shares) const {
+      return shares * original_(poles, Eigen::all);
     }
 
     const std::vector<int>& unknown_;
     const PointRows& original_;
     LeastMoves system_;
-    std::vector<int> numbers_;
-    std::vector<double> factors_;
   };
 
   void addPlace(const Place& place, Conditions& conditions) const {
     const ContinuityTolerance& tolerance = task_.tolerance;
     const TargetPoint& target = place.target;
-    for (int c = 0; c < 3; ++c)
-      conditions.add(place.shares.poles, place.shares.share.row(0), Eigen::Vector3d::Unit(c), target.point[c],
-                     1 / (task_.share * tolerance.gap_mm));
+    const PoleShares& shares = place.shares;
+    conditions.addPoint(shares.poles, shares.share.row(0), target.point,
+                        1 / (task_.share * tolerance.gap_mm));
     if (place.order < 1) return;
-    const SurfaceJet jet = jetOf(place.shares, poles_);
+    const SurfaceJet jet = jetOf(shares, poles_);
     const auto normal = unitNormal(jet, noiseOf(jet, basis_));
     if (!normal) return;
     Eigen::Vector3d tangent = place.along[0] * jet.u + place.along[1] * jet.v;
@@ -330,13 +341,17 @@ class FaceFollower {
     tangent.normalize();
     const std::array<Eigen::Vector3d, 2> ways = {tangent, normal->cross(tangent)};
     const std::array<Eigen::Vector2d, 2> steps = {parameterStep(jet, ways[0]), parameterStep(jet, ways[1])};
-    for (const Eigen::Vector2d& step : steps)
-      conditions.add(place.shares.poles, derivative(place.shares, step), target.normal, 0,
-                     1 / (task_.share * tolerance.angle_rad));
+    Eigen::MatrixXd slopes(2, shares.share.cols());
+    slopes << derivative(shares, steps[0]), derivative(shares, steps[1]);
+    conditions.add(shares.poles, slopes, target.normal, Eigen::Vector2d::Zero(),
+                   1 / (task_.share * tolerance.angle_rad));
     if (place.order < 2) return;
-    for (const auto& [k, m] : {std::pair(0, 0), std::pair(0, 1), std::pair(1, 1)})
-      conditions.add(place.shares.poles, secondDerivative(place.shares, steps[k], steps[m]), target.normal,
-                     ways[k].dot(target.curvature * ways[m]), 1 / (task_.share * curvatureLimit(target)));
+    Eigen::MatrixXd bends(3, shares.share.cols());
+    bends << secondDerivative(shares, steps[0], steps[0]), secondDerivative(shares, steps[0], steps[1]),
+        secondDerivative(shares, steps[1], steps[1]);
+    const auto bend = [&](int k, int m) { return ways[k].dot(target.curvature * ways[m]); };
+    conditions.add(shares.poles, bends, target.normal, Eigen::Vector3d(bend(0, 0), bend(0, 1), bend(1, 1)),
+                   1 / (task_.share * curvatureLimit(target)));
   }
 
   /// As fair as can be: less so only as long as the samples can't be met, and, if gently, as the move stays of its size.
@@ -355,7 +370,7 @@ class FaceFollower {
       judge();
       if (isMet() || at_samples_ <= task_.share / 2 || at_samples_ > better * before) return;
       before = at_samples_;
-      if (gently_) limit = of_its_size * std::max(largestMove(), task_.tolerance.gap_mm);
+      if (gently_ && limit == infinite) limit = of_its_size * std::max(largestMove(), task_.tolerance.gap_mm);
     }
   }
 

@@ -29,6 +29,10 @@ struct Proof {
   bool holds() const { return unrepaired.empty() && worse.empty() && faces.empty() && whole.empty(); }
 };
 
+/// The seams of the task in a shape that withChanges() made of its own, or the same one, matched anew; a matched one that is found no
+/// more has no id. \throws Cancelled.
+std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed, const Progress& progress);
+
 /// Seams beside faces and edges that are new are measured again, the others have their figures from before.
 /// \param was of the task's shape. \throws Cancelled.
 Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
