@@ -193,7 +193,6 @@ TEST(RepairDegenerate, PolesThatAreNoNumbers) {
     Geom_BSplineSurface& last = *net.faces[2].surface;
     for (int i = 1; i <= last.NbUPoles(); ++i) last.SetPole(i, 2, gp_Pnt(bad, 0, 0));
     const RepairReport report = repair(modelFromShape(shape), trialOptions({}));
-    std::cout<<report.before.analyze_s<<' '<<report.repair_s<<' '<<reasonsOf(report)<<std::endl;
     ASSERT_EQ(report.seams.size(), 2);
     EXPECT_FALSE(report.seams[1].repaired);
     expectReasons(report);
