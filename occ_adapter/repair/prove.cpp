@@ -40,31 +40,6 @@ bool isNew(const Seam& after, const Seam& before) {
   return false;
 }
 
-/// The seams of the changed shape, in the order of before; a matched one that is found no more has no id.
-std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed, const Progress& progress) {
-  std::vector<Seam> seams = seamsIn(changed, task.seams);
-  const bool any_matched =
-      std::ranges::any_of(seams, [](const Seam& seam) { return seam.kind == SeamKind::Matched; });
-  if (!any_matched) return seams;
-  SeamGraph graph = findSeams(changed);
-  matchFreeEdges({.match_mm = task.options.match_mm, .gap_mm = task.options.tolerance.gap_mm}, graph,
-                 progress);
-  std::vector<bool> taken(graph.seams.size(), false);
-  for (Seam& seam : seams) {
-    if (seam.kind != SeamKind::Matched) continue;
-    const int id = seam.id;
-    seam.id = 0;
-    for (std::size_t i = 0; i < graph.seams.size() && seam.id == 0; ++i) {
-      const Seam& found = graph.seams[i];
-      if (taken[i] || found.kind != SeamKind::Matched || found.edges != seam.edges) continue;
-      taken[i] = true;
-      seam = found;
-      seam.id = id;
-    }
-  }
-  return seams;
-}
-
 std::vector<SeamResult> measured(const RepairTask& task, const std::vector<Seam>& seams,
                                  const Progress& progress) {
   std::vector<SeamResult> after = task.before;
@@ -251,9 +226,10 @@ void judgeVolumes(const RepairTask& task, const std::vector<FaceChange>& changes
   }
 }
 
-std::set<int> movedFaces(const std::vector<FaceChange>& changes) {
+std::set<int> movedFaces(const RepairSolution& solution) {
   std::set<int> faces;
-  for (const FaceChange& change : changes) faces.insert(change.face);
+  for (const FaceChange& change : solution.changes) faces.insert(change.face);
+  for (const PathChange& change : solution.paths) faces.insert(change.face);
   return faces;
 }
 
@@ -314,6 +290,30 @@ Soundness soundnessOf(const TopoDS_Shape& shape) {
   return soundness;
 }
 
+std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed, const Progress& progress) {
+  std::vector<Seam> seams = seamsIn(changed, task.seams);
+  const bool any_matched =
+      std::ranges::any_of(seams, [](const Seam& seam) { return seam.kind == SeamKind::Matched; });
+  if (!any_matched) return seams;
+  SeamGraph graph = findSeams(changed);
+  matchFreeEdges({.match_mm = task.options.match_mm, .gap_mm = task.options.tolerance.gap_mm}, graph,
+                 progress);
+  std::vector<bool> taken(graph.seams.size(), false);
+  for (Seam& seam : seams) {
+    if (seam.kind != SeamKind::Matched) continue;
+    const int id = seam.id;
+    seam.id = 0;
+    for (std::size_t i = 0; i < graph.seams.size() && seam.id == 0; ++i) {
+      const Seam& found = graph.seams[i];
+      if (taken[i] || found.kind != SeamKind::Matched || found.edges != seam.edges) continue;
+      taken[i] = true;
+      seam = found;
+      seam.id = id;
+    }
+  }
+  return seams;
+}
+
 Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
             const Soundness& was, const Progress& progress) {
   Proof proof;
@@ -326,9 +326,9 @@ Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes, cons
   return proof;
 }
 
-std::map<std::size_t, std::string> culprits(const RepairTask& task, const std::vector<FaceChange>& changes,
+std::map<std::size_t, std::string> culprits(const RepairTask& task, const RepairSolution& solution,
                                             const Proof& proof, bool with_connected) {
-  const std::set<int> moved = movedFaces(changes);
+  const std::set<int> moved = movedFaces(solution);
   std::map<std::size_t, std::string> given_up;
   for (const auto& [face, why] : proof.faces)
     for (std::size_t i = 0; i < task.seams.size(); ++i)

@@ -203,6 +203,7 @@ TEST(Repair, BesideAnalyticFaces) {
     const TopoDS_Shape shape = loose(trimmedFace(kind.surface, kind.path, kind.into), wholeFace(strip));
     RepairOptions options;
     options.match_mm = 0.5;
+    options.sew = false;
     options.tolerance.gap_mm = 0.001;
     const RepairReport report = repairedModel(shape, options);
     EXPECT_EQ(treated(report), 1);
