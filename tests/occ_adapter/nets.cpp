@@ -117,7 +117,7 @@ class NetBuilder {
   /// Also sees to the vertices.
   double needed(const NetSide& side, const Spline& surface) {
     constexpr int points = 200;
-    constexpr double margin = 1.05, rounding = 1e-7;
+    constexpr double margin = 1.2, rounding = 1e-7;
     const NetEdge& edge = net_.edges[side.edge];
     const auto at = [&](double t) {
       const gp_Pnt2d uv = side.path->Value(t);
@@ -168,6 +168,7 @@ void disturb(Net& net, double noise_mm, std::mt19937& random) {
 }
 
 void swapParameters(NetFace& face) {
+  face.surface = Spline::DownCast(face.surface->Copy());
   face.surface->ExchangeUV();
   std::ranges::reverse(face.sides);
   for (NetSide& side : face.sides) {

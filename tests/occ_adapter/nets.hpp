@@ -76,7 +76,7 @@ Net blob(Polyhedron polyhedron, double radius_mm, std::mt19937& random);
 /// The upper half of a ball in sectors, from its rim to the top, where a side of each face collapses.
 Net dome(int sectors, double radius_mm);
 
-/// The same face with the parameters of its surface swapped.
+/// The same face with a copy of its surface that has the parameters swapped.
 void swapParameters(NetFace& face);
 
 /// Moves the poles near the seams, by less than noise_mm each: those over places nearer than a knot span to a side of the face that is a seam.
