@@ -20,6 +20,7 @@
 #include <Geom_SurfaceOfRevolution.hxx>
 #include <Geom_ToroidalSurface.hxx>
 #include <TColgp_Array1OfPnt.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
@@ -240,6 +241,45 @@ TEST(Convert, ACylinder) {
       ASSERT_TRUE(sides);
       EXPECT_LE(denseMaxima(*sides, 501, options.tolerance).angle_rad->sure(), options.tolerance.angle_rad);
     }
+}
+
+/// Three sheets at an edge, and a fourth that continues one of them at a small angle.
+TopoDS_Shape threeSheets(double angle_rad) {
+  const auto sheet = [](const gp_Pnt& a, const gp_Pnt& b, const gp_Pnt& c, const gp_Pnt& d) {
+    TColgp_Array2OfPnt poles(1, 4, 1, 4);
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j) {
+        const double u = i / 3.0, v = j / 3.0;
+        poles(i + 1, j + 1) = gp_Pnt((1 - u) * (1 - v) * a.XYZ() + (1 - u) * v * b.XYZ() +
+                                     u * (1 - v) * c.XYZ() + u * v * d.XYZ());
+      }
+    return BRepBuilderAPI_MakeFace(splineOf(poles, 3, 3), 1e-7).Shape();
+  };
+  const double c = std::cos(angle_rad), s = std::sin(angle_rad);
+  BRepBuilderAPI_Sewing sewing(1e-6, true, true, true, true);
+  sewing.Add(sheet({0, 0, 0}, {0, 30, 0}, {20, 0, 0}, {20, 30, 0}));
+  sewing.Add(sheet({0, 0, 0}, {0, 30, 0}, {-20, 0, 0}, {-20, 30, 0}));
+  sewing.Add(sheet({0, 0, 0}, {0, 30, 0}, {0, 0, 20}, {0, 30, 20}));
+  sewing.Add(sheet({20, 0, 0}, {20, 30, 0}, {20 + 20 * c, 0, 20 * s}, {20 + 20 * c, 30, 20 * s}));
+  sewing.Perform();
+  return sewing.SewedShape();
+}
+
+TEST(Convert, FacesAtAnEdgeOfThreeStay) {
+  const TopoDS_Shape shape = threeSheets(0.5 * degree);
+  const occ::Report before = analyzed(shape);
+  ASSERT_EQ(before.non_manifold.size(), 1);
+  const std::vector<int> crowded = before.non_manifold[0].faces;
+  ASSERT_EQ(crowded.size(), 3);
+  RepairOptions options = converting();
+  const RepairReport report = repair(modelFromShape(shape), options);
+  EXPECT_EQ(repairedSeams(report), 1) << reasonsOf(report);
+  ASSERT_EQ(report.moves.size(), 1);
+  EXPECT_EQ(std::ranges::count(crowded, report.moves[0].face), 0);
+  options.fixed_faces = {report.moves[0].face};
+  const RepairReport none = repair(modelFromShape(shape), options);
+  EXPECT_FALSE(none.changed());
+  EXPECT_NE(reasonsOf(none).find("where 3 faces meet"), std::string::npos) << reasonsOf(none);
 }
 
 }  // namespace
