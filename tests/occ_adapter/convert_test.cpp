@@ -243,6 +243,74 @@ TEST(Convert, ACylinder) {
     }
 }
 
+/// Faces of revolution about one axis that meet along a circle at a small angle: the first is a cone, the second starts with its end.
+struct Round {
+  std::string name;
+  TopoDS_Shape shape;
+};
+
+std::vector<Round> roundPairs(double angle_rad, double to) {
+  const double r = 20, cone = 0.3;
+  const auto cone_face =
+      BRepBuilderAPI_MakeFace(new Geom_ConicalSurface(gp::XOY(), cone, r), 0, to, -15, 0, 1e-7).Shape();
+  const auto beside = [&](const handle<Geom_Surface>& surface, double v0, double v1) {
+    return loose(cone_face, BRepBuilderAPI_MakeFace(surface, 0, to, v0, v1, 1e-7).Shape());
+  };
+  // The meridian of the second has the slope of the cone and a little more.
+  const double slope = cone + angle_rad;
+  const double sphere_r = r / std::cos(slope), tube = 6;
+  const auto at = [](double z) { return gp_Ax3(gp_Pnt(0, 0, z), gp::DZ()); };
+  return {
+      {"cone", beside(new Geom_ConicalSurface(gp::XOY(), slope, r), 0, 12)},
+      {"sphere", beside(new Geom_SphericalSurface(at(sphere_r * std::sin(slope)), sphere_r), -slope, 0.4)},
+      {"torus", beside(new Geom_ToroidalSurface(at(tube * std::sin(slope)), r - tube * std::cos(slope), tube),
+                       2 * pi - slope, 2 * pi + 0.5)}};
+}
+
+/// Pairs that are loose are matched, moved and sewn.
+TEST(Convert, RoundFacesOpenAndClosed) {
+  for (const double to : {1.5, 2 * pi})
+    for (const Round& pair : roundPairs(0.4 * degree, to))
+      for (const int fixed : to > 2 ? std::vector{1} : std::vector{1, 2}) {
+        SCOPED_TRACE(pair.name + " to " + std::to_string(to) + ", face " + std::to_string(fixed) + " stays");
+        RepairOptions options = converting();
+        options.match_mm = 0.05;
+        options.fixed_faces = {fixed};
+        const RepairReport report = repair(modelFromShape(pair.shape), options);
+        SCOPED_TRACE(reasonsOf(report));
+        EXPECT_EQ(repairedSeams(report), 1);
+        ASSERT_EQ(report.converted.size(), 1);
+        EXPECT_EQ(report.converted[0].face, 3 - fixed);
+        EXPECT_GT(report.converted[0].error_mm, 0);
+        EXPECT_LE(report.converted[0].error_mm, 1e-5);
+        EXPECT_TRUE(BRepCheck_Analyzer(report.model.shape).IsValid());
+        expectTolerancesHold(report.model.shape);
+        for (const occ::SeamRepair& seam : report.seams) {
+          EXPECT_GE(seam.after.verdict.level, seam.before.verdict.level) << describe(seam.after);
+          EXPECT_EQ(seam.sewn, seam.before.kind == occ::SeamKind::Matched) << seam.not_sewn;
+          const auto sides = denseSides(report.model.shape, seam.after.edges[0], seam.after.faces);
+          if (!sides) continue;
+          EXPECT_LE(denseMaxima(*sides, 301, options.tolerance).angle_rad->sure(),
+                    options.tolerance.angle_rad);
+        }
+      }
+}
+
+TEST(Convert, StopsWhereItIsAskedTo) {
+  const occ::Model model = modelFromShape(kinked(0.5 * degree));
+  std::vector<double> shares;
+  const auto note = [&shares](double share) {
+    shares.push_back(share);
+    return true;
+  };
+  EXPECT_GT(repair(model, converting(), note).repair_s, 0);
+  EXPECT_TRUE(std::ranges::is_sorted(shares));
+  EXPECT_EQ(shares.back(), 1);
+  for (const double stop : {0.0, 0.3, 0.6})
+    EXPECT_THROW(repair(model, converting(), [stop](double share) { return share < stop; }), occ::Cancelled)
+        << stop;
+}
+
 /// Three sheets at an edge, and a fourth that continues one of them at a small angle.
 TopoDS_Shape threeSheets(double angle_rad) {
   const auto sheet = [](const gp_Pnt& a, const gp_Pnt& b, const gp_Pnt& c, const gp_Pnt& d) {
