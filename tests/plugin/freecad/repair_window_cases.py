@@ -139,6 +139,23 @@ class Repairing(RepairWindow):
         self.assertGreater(coloured(picture("repair-again")), MANY)
         self.cancel()
 
+    def test_a_placed_model_is_coloured_and_marked_where_it_stands(self):
+        self.source.Placement = App.Placement(App.Vector(500, 0, 90), App.Rotation(App.Vector(0, 0, 1), 30))
+        self.doc.recompute()
+        self.fit()
+        obj, panel = self.start()
+        self.preview(panel)
+        shown = picture("repair-placed")
+        panel.moves.setChecked(False)
+        settle()
+        plain = picture("repair-placed-plain")
+        white = [count(image, (255, 255, 255), MODEL) for image in (shown, plain)]
+        self.assertLess(abs(white[0] - white[1]), 0.01 * white[1])
+        self.assertGreater(coloured(shown), MANY)
+        click_row(panel.table, 0)
+        self.assertGreater(count(picture("repair-placed-row"), BAND), FEW)
+        self.cancel()
+
     def test_ok_without_preview_repairs(self):
         obj, _ = self.start()
         self.ok()

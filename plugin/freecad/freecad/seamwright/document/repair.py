@@ -220,6 +220,7 @@ def store(obj, report, shape):
     for place, when in enumerate(("Before", "After")):
         for name, figure in (("Defects", "defects"), ("MaxGap", "gap_mm"), ("MaxAngle", "angle_deg")):
             setattr(obj, name + when, report[figure][place] or 0)
+    obj.Placement = shape.Placement  # while it recomputes, FreeCAD puts a shape where the object stands
     obj.Shape = shape
     obj.Summary = repair_text.summary_text(report)
 
