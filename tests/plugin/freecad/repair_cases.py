@@ -268,7 +268,8 @@ class Errors(RepairCase):
     def test_a_source_without_shape_or_faces_and_back(self):
         panel = self.panel()
         obj = repair.create(panel)
-        for shape, text in ((Part.Shape(), "Panel has no shape"), (Part.makeLine((0, 0, 0), (1, 0, 0)), "has no faces")):
+        line = Part.makeLine((0, 0, 0), (1, 0, 0))
+        for shape, text in ((Part.Shape(), "Panel has no shape"), (line, "Panel has no faces")):
             panel.Shape = shape
             self.doc.recompute()
             self.assertNotRepaired(obj, text)

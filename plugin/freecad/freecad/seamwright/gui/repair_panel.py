@@ -18,6 +18,9 @@ TABLE_HEIGHT = 190
 
 PREVIEW, PREVIEW_AGAIN = "Preview", "Preview anew"
 
+CHOSEN = "The seams at these edges:"
+ALL_DEFECTS = "All defects; to choose, select rows or edges and add them:"
+
 #: Colours of the last column's text, by the state of a row.
 INKS = {repair_text.REPAIRED: (0, 120, 88), repair_text.LEFT: (190, 80, 0)}
 
@@ -120,8 +123,8 @@ class RepairPanel(ResultPanel):
         self.lists = {}
         for name, kind, tip in repair.ELEMENTS:
             self.lists[name] = ElementList(lambda kind=kind: self._picked(kind), self._select, tip)
-        self.all_defects = QtWidgets.QLabel()
-        layout.addRow("Repair", self.all_defects)
+        self.which = QtWidgets.QLabel()
+        layout.addRow("Repair", self.which)
         layout.addRow("", self.lists["Edges"])
         layout.addRow("Keep faces", self.lists["FixedFaces"])
         return box
@@ -168,6 +171,7 @@ class RepairPanel(ResultPanel):
         self.obj.touch()
         self._doc.recompute()
         self._set_due(False)
+        (self.after if self.has_result() else self.before).setChecked(True)
         self.refresh()
 
     def refresh(self):
@@ -188,6 +192,7 @@ class RepairPanel(ResultPanel):
     def _foresee(self):
         """Before the first preview: the seams that would be treated."""
         self._fill(*repair.foresee(self.obj))
+        self.before.setChecked(True)
         self.show(False)
 
     def _fill(self, report, text):
@@ -213,8 +218,7 @@ class RepairPanel(ResultPanel):
         self.preview_button.setText(PREVIEW_AGAIN if due and self.has_result() else PREVIEW)
 
     def _name_seams(self):
-        chosen = self.lists["Edges"].names()
-        self.all_defects.setText("The seams at these edges:" if chosen else "All defects; to choose, select rows or edges and add them:")
+        self.which.setText(CHOSEN if self.lists["Edges"].names() else ALL_DEFECTS)
 
     def _picked(self, kind):
         """The elements of a kind that are selected, on the source or on the result: they have the same names."""
