@@ -285,6 +285,26 @@ class Choosing(RepairWindow):
         self.assertIsNone(found.ViewObject.Proxy.panel)
         self.cancel()
 
+    def test_lines_and_legend_of_an_analysis_give_way_to_the_result(self):
+        found = analysis.create([self.source])
+        settle()
+        obj, panel = self.start()
+        self.assertEqual(self.visible(), ["Panel", found.Name])
+        self.preview(panel)
+        whole_window("repair-over-analysis")
+        self.assertEqual(self.visible(), [obj.Name])
+        panel.before.setChecked(True)
+        settle()
+        self.assertEqual(self.visible(), ["Panel", found.Name])
+        self.cancel()
+        self.assertEqual(self.visible(), ["Panel", found.Name])
+        obj, panel = self.start()
+        self.ok()
+        self.assertEqual(self.visible(), [obj.Name])
+        self.doc.undo()
+        settle()
+        self.assertEqual(self.visible(), ["Panel", found.Name])
+
     def test_lines_of_an_analysis_stand_for_their_edges(self):
         found = analysis.create([self.source], level="G2")
         numbers = [seam["edges"][0] for seam in analysis.report_of(found)["seams"]]

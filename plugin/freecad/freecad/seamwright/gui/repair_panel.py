@@ -6,7 +6,7 @@ Nothing is repaired before Preview or OK is pressed.
 
 import FreeCADGui as Gui
 
-from freecad.seamwright.document import properties, repair
+from freecad.seamwright.document import analysis, properties, repair
 from freecad.seamwright.gui import icon_path, seam_view
 from freecad.seamwright.gui.element_list import ElementList
 from freecad.seamwright.gui.qt import QtCore, QtGui, QtWidgets
@@ -34,6 +34,7 @@ class RepairPanel(ResultPanel):
         changeable = ["Target", "MaxMove", *(name for name, *_ in repair.ELEMENTS + repair.TOLERANCES)]
         super().__init__(obj, created, "Edit seam repair", changeable)
         self._rows, self._report, self._due = [], repair.empty_report(obj), False
+        self._lines = [each.Name for each in self._analyses() if each.ViewObject.Visibility]
         self._build()
         self._read()
         self._connect()
@@ -45,6 +46,15 @@ class RepairPanel(ResultPanel):
     def sources(self):
         """The object whose seams are repaired."""
         return repair.source_objects(self.obj)
+
+    def _analyses(self):
+        """Those of the source: their coloured lines tell how it was before."""
+        every = (each for each in self._doc.Objects if analysis.is_analysis(each))
+        return [each for each in every if self.obj.Source in each.Analysed]
+
+    def replaced(self):
+        """The source, and those of its analyses that were seen when the panel was opened."""
+        return self.sources() + [each for each in self._analyses() if each.Name in self._lines]
 
     def has_result(self):
         """Whether a repair was computed."""
@@ -184,8 +194,8 @@ class RepairPanel(ResultPanel):
         after = after and self.has_result()
         self.obj.ViewObject.ShowMoves = after and self.moves.isChecked() and not self._ended
         self.obj.ViewObject.Visibility = after
-        for source in self.sources():
-            source.ViewObject.Visibility = not after
+        for each in self.replaced():
+            each.ViewObject.Visibility = not after
         if not self._ended:
             self._selection_changed()
 
