@@ -316,6 +316,29 @@ class Choosing(RepairWindow):
         self.assertEqual((obj.Source, repair.element_names(obj, "Edges")), (self.source, []))
         self.cancel()
 
+    def test_a_link_and_a_part(self):
+        link = self.doc.addObject("App::Link", "Link")
+        link.LinkedObject = self.source
+        link.Placement.Base.z = 100
+        self.doc.recompute()
+        obj, panel = self.start((link, ""))
+        click_row(panel.table, 0)
+        self.preview(panel)
+        self.assertEqual((obj.Source, obj.Repaired), (link, 7))
+        self.assertGreater(obj.Shape.BoundBox.ZMin, 80)
+        self.cancel()
+        self.doc.removeObject("Link")
+        part = self.doc.addObject("App::Part", "Part")
+        part.addObject(self.source)
+        part.Placement.Base.z = 200
+        self.doc.recompute()
+        obj, panel = self.start((part, ""))
+        click_row(panel.table, 0)
+        self.preview(panel)
+        self.assertEqual((obj.Source, obj.Repaired), (self.source, 7))
+        self.assertGreater(obj.Shape.BoundBox.ZMin, 180)
+        self.ok()
+
     def test_nothing_selected_takes_the_only_model(self):
         Gui.Selection.clearSelection()
         obj, _ = self.run_command()

@@ -5,6 +5,7 @@ Nothing is repaired before Preview or OK is pressed.
 """
 
 import FreeCADGui as Gui
+import Part
 
 from freecad.seamwright.document import analysis, properties, repair
 from freecad.seamwright.gui import icon_path, seam_view
@@ -255,7 +256,7 @@ class RepairPanel(ResultPanel):
         which = "after" if shown == self.obj and repair_text.is_done(self._report) else "before"
         by_number = {seam["before"]["id"]: seam[which] for seam in self._report["seams"]}
         chosen = [by_number[self._rows[place].seam] for place in places]
-        size = shown.Shape.BoundBox.DiagonalLength
+        size = Part.getShape(shown).BoundBox.DiagonalLength
         seam_view.show(self.obj, repair_text.located(self._report, shown.Name), chosen, size)
 
 
