@@ -392,6 +392,28 @@ class Staying(RepairWindow):
         self.assertFalse(Gui.Control.activeDialog())
         self.doc = App.newDocument("Again")
 
+    def test_undo_while_the_panel_is_open(self):
+        obj, panel = self.start()
+        self.preview(panel)
+        self.ok()
+        Gui.activeDocument().setEdit(obj.Name)
+        settle()
+        panel = obj.ViewObject.Proxy.panel
+        panel.max_move.setValue(0.05)
+        self.preview(panel)
+        self.doc.undo()
+        settle()
+        self.doc.undo()
+        settle()
+        Gui.activeDocument().resetEdit()
+        settle()
+        self.assertEqual(self.repairs(), [])
+        self.assertFalse(Gui.Control.activeDialog())
+        self.start()
+        self.doc.undo()
+        settle()
+        self.assertEqual(self.visible(), ["Panel"])
+
     def test_a_saved_repair_opens_with_its_view(self):
         obj, _ = self.start()
         self.ok()
