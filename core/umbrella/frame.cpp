@@ -107,7 +107,6 @@ class Frame {
     if (solution.direction.size() > 0) twists_ += solution.direction * free_.next();
     for (std::size_t i = 0; i < in_.nets.size(); ++i) {
       const Net& net = in_.nets[i];
-      if (net.degree == 1 && net.isTriangle()) continue;
       const Eigen::RowVectorXd corner =
           poles_.row(net.at(1, 0)) + poles_.row(net.at(0, 1)) - poles_.row(net.at(0, 0));
       set(net.at(1, 1),

@@ -47,6 +47,7 @@ struct Net {
   int crossDegree() const { return isTriangle() ? degree - 1 : degree; }
 };
 
+/// \pre the degree of triangles is 2 or more.
 std::vector<Net> netsOf(const std::vector<MemberKind>& kinds, int degree);
 Eigen::Index polesOf(const std::vector<Net>& nets);
 

@@ -125,56 +125,63 @@ LambdaFamily lambdaFamily(const UmbrellaVertex& vertex, const Eigen::VectorXd& s
   return {start, svd.matrixV().rightCols(defects.cols() - 2)};
 }
 
-/// The members of given laws but lambda: all that the vertex, spokes and nets leave open is chosen by the aim.
+/// All poles that the vertex, the spokes and the second order leave open, chosen by the aim.
 class Choice {
  public:
   Choice(const UmbrellaVertex& vertex, const std::vector<BezierCurve>& spokes, const std::vector<Net>& nets,
-         const Aim& aim)
-      : vertex_(vertex), nets_(nets), aim_(aim), capacity_(umbrella::polesOf(nets)) {
-    const FreeVectors free(capacity_);
-    for (const BezierCurve& spoke : spokes) spokes_.push_back(free.constants(spoke.poles()));
+         const Aim& aim, const SpokeSeconds& seconds)
+      : vertex_(vertex), nets_(nets), aim_(aim) {
+    const FreeVectors none = freeVectors();
+    for (const BezierCurve& spoke : spokes) spokes_.push_back(none.constants(spoke.poles()));
+    FreeVectors free = freeVectors();
+    linear_ = umbrella::linearPart(formsWith(seconds, free), free);
+    if (linear_.cols() > 0) solver_.compute(aim_(linear_));
   }
 
   /// The best poles with these second-order terms.
-  Poles poles(const SpokeSeconds& seconds) {
+  Poles poles(const SpokeSeconds& seconds) const {
     const Poles fixed = constantsWith(seconds);
-    return fixed + linear_ * solver_.solve(aim_(aim_.target - fixed));
+    return fixed + linear_ * best(aim_(aim_.target - fixed));
   }
 
   /// The best lambda of the family: what no free vector can mend is affine in it, and made small.
-  Eigen::VectorXd lambda(SpokeSeconds seconds, const LambdaFamily& family) {
+  Eigen::VectorXd lambda(SpokeSeconds seconds, const LambdaFamily& family) const {
     const auto rest = [&](const Eigen::VectorXd& lambda) {
       seconds.lambda = lambda;
       const Eigen::MatrixXd missed = aim_(aim_.target - constantsWith(seconds));
-      return Eigen::VectorXd((missed - aim_(linear_) * solver_.solve(missed)).reshaped());
+      return Eigen::VectorXd((missed - aim_(linear_) * best(missed)).reshaped());
     };
     const Eigen::VectorXd start = rest(family.start);
     Eigen::MatrixXd matrix(start.size(), family.basis.cols());
     for (Eigen::Index i = 0; i < matrix.cols(); ++i)
       matrix.col(i) = rest(family.start + family.basis.col(i)) - start;
-    if (matrix.cols() == 0) return family.start;
     return family.start - family.basis * matrix.completeOrthogonalDecomposition().solve(start);
   }
 
-  Eigen::Index freeVectors() const { return linear_.cols(); }
+  Eigen::Index dimension() const { return linear_.cols(); }
 
  private:
-  /// The constant part of all poles; the other does not depend on a.
-  Poles constantsWith(const SpokeSeconds& seconds) {
-    FreeVectors free(capacity_);
+  FreeVectors freeVectors() const { return FreeVectors(umbrella::polesOf(nets_)); }
+
+  umbrella::Forms formsWith(const SpokeSeconds& seconds, FreeVectors& free) const {
     const std::vector<SpokeLaw> laws = umbrella::lawsOf(vertex_, seconds);
-    const umbrella::Forms forms = umbrella::framed({vertex_, laws, nets_, spokes_}, free);
-    if (linear_.size() == 0) {
-      linear_ = umbrella::linearPart(forms, free);
-      solver_.compute(aim_(linear_));
-    }
-    return umbrella::constantPart(forms);
+    return umbrella::framed({vertex_, laws, nets_, spokes_}, free);
+  }
+
+  /// The constant part of all poles; the linear one does not depend on a.
+  Poles constantsWith(const SpokeSeconds& seconds) const {
+    FreeVectors free = freeVectors();
+    return umbrella::constantPart(formsWith(seconds, free));
+  }
+
+  Eigen::MatrixXd best(const Eigen::MatrixXd& missed) const {
+    if (linear_.cols() == 0) return Eigen::MatrixXd::Zero(0, 3);
+    return solver_.solve(missed);
   }
 
   const UmbrellaVertex& vertex_;
   const std::vector<Net>& nets_;
   const Aim& aim_;
-  Eigen::Index capacity_;
   std::vector<umbrella::Forms> spokes_;
   Eigen::MatrixXd linear_;
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver_;
@@ -257,21 +264,21 @@ Umbrella umbrellaAround(const std::vector<BezierCurve>& given, const UmbrellaOpt
   result.largest_second_change = (seconds.second - second).colwise().norm().maxCoeff();
 
   const int spoke_degree = spokes.front().degree(), degree = chosenDegree(options, kinds, spoke_degree);
+  requireLaws(vertex, seconds, kinds, spoke_degree, degree);
   const std::vector<Net> nets = umbrella::netsOf(kinds, degree);
   const Aim aim = options.members.empty()
                       ? Aim{umbrella::energyRows(nets), Poles::Zero(umbrella::polesOf(nets), 3)}
                       : Aim{{}, raised(options.members, degree)};
-  Choice choice(vertex, spokes, nets, aim);
+  const Choice choice(vertex, spokes, nets, aim, seconds);
   if (options.lambda)
     result.largest_lambda_change = (seconds.lambda - asked).cwiseAbs().maxCoeff();
   else
     seconds.lambda = choice.lambda(seconds, lambdaFamily(vertex, seconds.lambda));
-  requireLaws(vertex, seconds, kinds, spoke_degree, degree);
   const Poles poles = choice.poles(seconds);
 
   result.members = umbrella::membersOf(nets, poles);
   result.laws = umbrella::lawsOf(vertex, seconds);
-  result.free_vectors = choice.freeVectors();
+  result.free_vectors = choice.dimension();
   if (!options.members.empty())
     result.largest_member_move_mm = (poles - aim.target).rowwise().norm().maxCoeff();
   result.largest_spoke_move_mm = umbrella::largestMove(given, spokes);

@@ -98,11 +98,13 @@ inline double worstLaw(const Umbrella& umbrella) {
 
 /// Largest upper bound of the angle of tangent planes along the inner spokes, certified.
 inline double certifiedAngle(const Umbrella& umbrella) {
+  ContinuityTolerance tolerance;
+  tolerance.angle_rad = 1e-10;
   double worst = 0;
   for (int i = 0; i < umbrella.vertex.spokes(); ++i) {
     if (!umbrella.vertex.isInner(i)) continue;
     const SeamFigures figures = encloseSeam(sideBefore(umbrella.members[umbrella.vertex.memberBefore(i)]),
-                                            sideAfter(umbrella.members[i]), ContinuityTolerance{});
+                                            sideAfter(umbrella.members[i]), tolerance);
     worst = std::max(worst, figures.certified && figures.angle_rad
                                 ? figures.angle_rad->upper.value_or(std::numbers::pi)
                                 : std::numbers::pi);

@@ -84,6 +84,8 @@ from ._core import (
     reversed_beta,
     rotation_minimizing_frames,
     triangle_continuation,
+    umbrella,
+    umbrella_inside,
 )
 from ._core import __version__
 
@@ -205,4 +207,6 @@ __all__ = [
     "surface_from_freecad",
     "surface_to_freecad",
     "triangle_continuation",
+    "umbrella",
+    "umbrella_inside",
 ]
