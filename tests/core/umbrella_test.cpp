@@ -118,7 +118,7 @@ Fan randomFan(std::mt19937_64& random, int largest = 9) {
   return fan;
 }
 
-TEST(Umbrella, JoinsAcrossEverySpoke) {
+TEST(Umbrella, Identity1JoinsAcrossEverySpoke) {
   std::mt19937_64 random(201);
   for (int run = 0; run < 250; ++run) {
     const Fan fan = randomFan(random);
@@ -158,7 +158,7 @@ TEST(Umbrella, IsCertified) {
   }
 }
 
-TEST(Umbrella, ComesBackAndDisturbedComesNearer) {
+TEST(Umbrella, Identity2ComesBackAndDisturbedComesNearer) {
   std::mt19937_64 random(203);
   for (int run = 0; run < 100; ++run) {
     Fan fan = randomFan(random, 7);
@@ -186,7 +186,7 @@ TEST(Umbrella, ComesBackAndDisturbedComesNearer) {
   }
 }
 
-TEST(Umbrella, OrderSenseMotionAndScaleDoNotMatter) {
+TEST(Umbrella, Identity3OrderSenseMotionAndScaleDoNotMatter) {
   std::mt19937_64 random(204);
   for (int run = 0; run < 60; ++run) {
     Fan fan = randomFan(random, 7);
@@ -257,7 +257,7 @@ std::vector<BezierCurve> regularSpokes(int m, bool closed = true) {
   return spokes;
 }
 
-TEST(Umbrella, SymmetricSpokesMakeASymmetricOne) {
+TEST(Umbrella, Identity4SymmetricSpokesMakeASymmetricOne) {
   for (int m = 3; m <= 12; ++m)
     for (const MemberKind kind : {MemberKind::Tensor, MemberKind::Triangle}) {
       UmbrellaOptions options;
@@ -308,7 +308,7 @@ double energy(const std::vector<UmbrellaMember>& a, const std::vector<UmbrellaMe
   return sum;
 }
 
-TEST(Umbrella, NoOtherIsFairer) {
+TEST(Umbrella, Identity5NoOtherIsFairer) {
   std::mt19937_64 random(205);
   for (int run = 0; run < 60; ++run) {
     Fan fan = randomFan(random, 7);
