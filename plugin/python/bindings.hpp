@@ -22,5 +22,6 @@ void bindSeam(pybind11::module_& module);
 void bindSpline(pybind11::module_& module);
 void bindSpaceCurve(pybind11::module_& module);
 void bindTriangle(pybind11::module_& module);
+void bindUmbrella(pybind11::module_& module);
 
 }  // namespace seamwright::python

@@ -14,6 +14,7 @@ PYBIND11_MODULE(_core, module) {
   bindSeam(module);
   bindSpaceCurve(module);
   bindJoin(module);
+  bindUmbrella(module);
   bindCurveJoin(module);
   bindNearest(module);
   bindNearestCurve(module);

@@ -85,6 +85,8 @@ from ._core import (
     reversed_beta,
     rotation_minimizing_frames,
     triangle_continuation,
+    umbrella,
+    umbrella_inside,
 )
 from ._core import __version__
 
@@ -207,4 +209,6 @@ __all__ = [
     "surface_from_freecad",
     "surface_to_freecad",
     "triangle_continuation",
+    "umbrella",
+    "umbrella_inside",
 ]
