@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -77,13 +78,14 @@ class Repairing {
   }
 
   void improve(RepairTask task, const Solver& solver, const Progress& progress) {
-    const Soundness was = soundnessOf(task.shape);
+    if (!was_) was_ = soundnessOf(task.shape, options_.jobs);
+    MeasuredSeams measured;
     double done = 0;
     for (int round = 0; round < most_rounds && std::ranges::count(task.treated, true) > 0; ++round) {
       const double next = done + (1 - done) / 3;
       const Progress part = partOf(progress, done, next);
       done = next;
-      const Reasons given_up = attempt(task, solver, was, round >= rounds_for_culprits_alone, part);
+      const Reasons given_up = attempt(task, solver, measured, round >= rounds_for_culprits_alone, part);
       if (given_up.empty()) return;
       giveUp(given_up, task);
     }
@@ -91,7 +93,7 @@ class Repairing {
   }
 
   /// \returns seams to give up; none if the change was kept.
-  Reasons attempt(const RepairTask& task, const Solver& solver, const Soundness& was, bool with_connected,
+  Reasons attempt(const RepairTask& task, const Solver& solver, MeasuredSeams& measured, bool with_connected,
                   const Progress& progress) {
     try {
       RepairSolution solution = solver(task, partOf(progress, 0, 0.5));
@@ -101,7 +103,7 @@ class Repairing {
       if (solution.changes.empty()) return everything(task, "nothing was moved");
       for (FaceChange& change : solution.changes) change.largest_move_mm += moves_[change.face];
       const TopoDS_Shape changed = withChanges(task.shape, solution.changes, options_.tolerance.gap_mm);
-      const Proof proof = prove(rest, solution.changes, changed, was, partOf(progress, 0.5, 1));
+      const Proof proof = prove(rest, solution.changes, changed, *was_, measured, partOf(progress, 0.5, 1));
       if (!proof.holds()) {
         Reasons given_up = culprits(rest, solution.changes, proof, with_connected);
         given_up.merge(solution.failures);
@@ -136,6 +138,7 @@ class Repairing {
   void keep(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
             const Proof& proof) {
     result_.model.shape = changed;
+    was_.reset();
     result_.after.seams = proof.after;
     seams_ = seamsIn(changed, seams_);
     for (const FaceChange& change : changes) moves_[change.face] = change.largest_move_mm;
@@ -164,6 +167,7 @@ class Repairing {
   std::vector<bool> open_;            ///< by seam: to be repaired, and not yet
   std::vector<std::string> reasons_;  ///< by seam
   std::map<int, double> moves_;       ///< by face
+  std::optional<Soundness> was_;      ///< of the shape as it is, once known
   RepairReport result_;
 };
 
