@@ -259,7 +259,7 @@ struct FaceFlux {
   TopoDS_Shape was, is;
   gp_Pnt from;
   double before_mm3 = 0, change_mm3 = 0, area_mm2 = 0;
-  std::exception_ptr error;
+  std::exception_ptr error = {};
 
   void integrate() {
     try {
