@@ -175,14 +175,17 @@ class FaceFollower {
     for (int idle = 0;;) {
       moveFairly();
       if (isMet()) return;
-      const double ratio = worstRatio();
-      const bool gained = !best || (ratio < infinite && ratio <= std::max(1.0, better * best->worstRatio()));
+      const double now = excess();
+      const bool gained = !best || (now < infinite && now <= std::max(1.0, better * best->excess()));
       idle = gained ? 0 : idle + 1;
-      if (!best || ratio < best->worstRatio()) best = *this;
+      if (!best || now < best->excess()) best = *this;
       if (idle == most_idle || result_.refinements == task_->max_refinements || !refine()) break;
     }
     *this = *best;
   }
+
+  /// What is missed, over the tolerance, or the move over the one allowed.
+  double excess() const { return std::max(worstRatio(), largestMove() / task_->max_move_mm); }
 
   double worstRatio() const { return result_.ratios.empty() ? 0 : std::ranges::max(result_.ratios); }
 
