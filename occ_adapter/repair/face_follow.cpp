@@ -398,14 +398,16 @@ class FaceFollower {
                    1 / (task_->share * curvatureLimit(target)));
   }
 
-  /// As fair as can be: less so only as long as the samples can't be met, and, if gently, as the move stays of its size.
+  /// As fair as can be: less so only as long as the samples can't be met, and, if gently, as the move stays of its size. After a refinement
+  /// from one step fairer than before.
   void moveFairly() {
     constexpr double better = 0.9, of_its_size = 2;
+    constexpr std::array<double, 4> fairnesses = {0.1, 0.01, 1e-3, 1e-4};
     double before = infinite, limit = infinite;
     was_held_back_ = false;
-    for (const double fairness : {0.1, 0.01, 1e-3, 1e-4}) {
+    for (std::size_t k = fairness_ > 0 ? fairness_ - 1 : 0; k < fairnesses.size(); ++k) {
       const PointRows fairer = poles_;
-      move(fairness);
+      move(fairnesses[k]);
       if (largestMove() > limit) {
         poles_ = fairer;
         was_held_back_ = true;
@@ -413,6 +415,7 @@ class FaceFollower {
         return;
       }
       judge();
+      fairness_ = k;
       if (isMet() || at_samples_ <= task_->share / 2 || at_samples_ > better * before) return;
       before = at_samples_;
       if (gently_) limit = of_its_size * std::max(largestMove(), task_->tolerance.gap_mm);
@@ -607,8 +610,9 @@ class FaceFollower {
   const FaceTask* task_;
   bool gently_ = true;
   bool was_held_back_ = false;
-  Surface before_;   ///< as given, with the knots of now
-  Surface touched_;  ///< one where a pole that a path touches has a share in the pole of now
+  std::size_t fairness_ = 0;  ///< the last one that was taken
+  Surface before_;            ///< as given, with the knots of now
+  Surface touched_;           ///< one where a pole that a path touches has a share in the pole of now
   SurfaceBasis basis_;
   PointRows poles_, original_;
   double spacing_u_, spacing_v_;

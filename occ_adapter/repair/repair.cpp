@@ -62,10 +62,14 @@ class Repairing {
 
   /// What one solver leaves the next one tries, in the shape as it is then.
   void repair(const std::vector<FaceChoice>& faces) {
-    FollowedFaces known;
-    const std::array<Solver, 3> solvers = {joinNetwork, joinPairs,
-                                           [&known](const RepairTask& task, const Progress& progress) {
-                                             return followTargets(task, known, progress);
+    JoinedPairs pairs;
+    FollowedFaces followed;
+    const std::array<Solver, 3> solvers = {joinNetwork,
+                                           [&pairs](const RepairTask& task, const Progress& progress) {
+                                             return joinPairs(task, pairs, progress);
+                                           },
+                                           [&followed](const RepairTask& task, const Progress& progress) {
+                                             return followTargets(task, followed, progress);
                                            }};
     double done = share_of_analysis;
     for (std::size_t k = 0; k < solvers.size() && std::ranges::count(open_, true) > 0; ++k) {
@@ -92,12 +96,24 @@ class Repairing {
     giveUp(everything(task, "no change was proven in " + std::to_string(most_rounds) + " rounds"), task);
   }
 
-  /// \returns seams to give up; none if the change was kept.
-  Reasons attempt(const RepairTask& task, const Solver& solver, MeasuredSeams& measured, bool with_connected,
+  /// Gives up what fails until the solver knows how all the rest is met.
+  RepairSolution solve(RepairTask& task, const Solver& solver, const Progress& progress) {
+    double done = 0;
+    for (;;) {
+      const double next = done + (1 - done) / 2;
+      RepairSolution solution = solver(task, partOf(progress, done, next));
+      if (solution.complete) return solution;
+      giveUp(solution.failures, task);
+      done = next;
+    }
+  }
+
+  /// \returns seams to give up; none if the change was kept or all were given up.
+  Reasons attempt(RepairTask& task, const Solver& solver, MeasuredSeams& measured, bool with_connected,
                   const Progress& progress) {
     try {
-      RepairSolution solution = solver(task, partOf(progress, 0, 0.5));
-      if (!solution.complete) return solution.failures;
+      RepairSolution solution = solve(task, solver, partOf(progress, 0, 0.5));
+      if (std::ranges::count(task.treated, true) == 0) return {};
       RepairTask rest = task;
       giveUp(solution.failures, rest);
       if (solution.changes.empty()) return everything(task, "nothing was moved");
