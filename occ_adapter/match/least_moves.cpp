@@ -165,7 +165,7 @@ PointRows LeastMoves::solve(double damping) const {
   const Eigen::SimplicialLDLT<SparseMatrix, Eigen::Upper, Eigen::NaturalOrdering<int>> factors(
       normal.inOrder(place, damping * damping));
   PointRows moves = PointRows::Zero(points_, 3), in_order(points_, 3);
-  for (int pass = 0; pass < 3; ++pass) {
+  for (int pass = 0; pass < 2; ++pass) {
     const PointRows pull = pulled(moves) - damping * damping * moves;
     for (int i = 0; i < points_; ++i) in_order.row(place[i]) = pull.row(i);
     const Eigen::VectorXd step =

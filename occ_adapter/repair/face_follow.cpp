@@ -401,7 +401,7 @@ class FaceFollower {
   /// As fair as can be: less so only as long as the samples can't be met, and, if gently, as the move stays of its size. After a refinement
   /// from one step fairer than before.
   void moveFairly() {
-    constexpr double better = 0.9, of_its_size = 2;
+    constexpr double better = 0.5, of_its_size = 2;
     constexpr std::array<double, 4> fairnesses = {0.1, 0.01, 1e-3, 1e-4};
     double before = infinite, limit = infinite;
     was_held_back_ = false;
