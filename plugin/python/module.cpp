@@ -22,5 +22,6 @@ PYBIND11_MODULE(_core, module) {
   bindAlpha(module);
   bindModel(module);
   bindMatch(module);
+  bindRepair(module);
   bindPointerBridge(module);
 }
