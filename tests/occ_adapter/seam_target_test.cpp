@@ -98,6 +98,12 @@ TEST(SeamTarget, IsConsistent_1_2_4) {
           EXPECT_LT((there.curvature - ends[end].curvature).norm(), 2e-6);
         }
       }
+    const SeamTarget renewed = target.renewed();
+    for (const double s : {0.0, 0.1, 0.5, 0.9, 1.0}) {
+      EXPECT_EQ(renewed.at(s).point, target.at(s).point);
+      EXPECT_EQ(renewed.at(s).normal, target.at(s).normal);
+      EXPECT_EQ(renewed.at(s).curvature, target.at(s).curvature);
+    }
     for (int k = 0; k < 40; ++k) {
       // Richardson's central differences: independent of the library's.
       constexpr double h = 1e-3;
