@@ -11,7 +11,7 @@ namespace seamwright::occ {
 struct RepairOptions {
   int order = 1;                  ///< 1: G1, 2: G2
   ContinuityTolerance tolerance;  ///< what a seam must meet to count as repaired
-  double max_move_mm = 0.5;       ///< no pole may move further
+  double max_move_mm = 0.5;       ///< no pole may move further, and no point of an edge on its face
   /// Edges whose seams are treated, from 1, order of TopExp::MapShapes; empty: all seams of class defect.
   std::vector<int> edges;
   std::vector<int> fixed_faces;  ///< faces that stay
@@ -79,19 +79,23 @@ struct RepairReport {
 /// Moves poles of B-spline and Bezier faces, as little as possible, until the seams chosen flow; proves it, or leaves them as they were.
 /// Planes, cylinders and the like stay, and parts with several instances, and faces that have an edge where three or more meet.
 ///
-/// Three ways are tried one after the other, each for what the one before left: all seams between natural sides of polynomial surfaces at once,
-/// exactly (core/join/network.hpp); one pair after the other (see matchFaces()); and all faces at once, to a share of the tolerance,
-/// towards common targets of their seams that agree at vertices. What spoils a way is given up until the rest can be proven.
+/// Four ways are tried one after the other, each for what the one before left: where the gap alone is too large and the surfaces meet near
+/// the edge, it is led anew along them, between the same ends, and no surface moves; all seams between natural sides of polynomial
+/// surfaces at once, exactly (core/join/network.hpp); one pair after the other (see matchFaces()); and all faces at once, to a share of
+/// the tolerance, towards common targets of their seams that agree at vertices. What spoils a way is given up until the rest can be proven.
 ///
-/// A treated seam counts as repaired, and its change is kept, only if afterwards its enclosed figures meet the target; no other seam of
-/// the model is worse than it was; no pole moved further than max_move_mm, all ways together; no face folded; no edge lies further from
-/// its faces than twice the gap tolerance or what it had; and the shape passes OpenCASCADE's checks as before, closed solids stay closed,
-/// and their volume changed by no more than the moves explain. What could not be repaired is told with the reason and left as it was. A
-/// seam on a moved face, or between two, may be left better than it was.
+/// A seam that would be a crease (see judge()) if its sides met gets its gap closed and stays sharp, unless its edge was picked. Where faces
+/// fold back on one another below the crease angle nothing is tried.
+///
+/// A treated seam counts as repaired, and its change is kept, only if afterwards its enclosed figures meet the target (of a sharp one: its
+/// gap does); no other seam of the model is worse than it was; no pole moved further than max_move_mm, all ways together; no face folded;
+/// no edge lies further from its faces than twice the gap tolerance or what it had; and the shape passes OpenCASCADE's checks as before,
+/// closed solids stay closed, and their volume changed by no more than the moves explain. What could not be repaired is told with the
+/// reason and left as it was. A seam on a moved face, or between two, may be left better than it was.
 ///
 /// A seam is worse if its class is, or it is less certain; if its level is lower, above the level asked for only where it had the higher
 /// one for sure (where a side is nearly flat the figures often can't tell); or if a figure that the target asks for, of a crease the gap
-/// alone, is surely above its tolerance and exceeds its old upper bound by more than a tenth of the tolerance, in each of the three ways.
+/// alone, is surely above its tolerance and exceeds its old upper bound by more than a tenth of the tolerance, in each of the ways.
 /// Figures within the tolerance are as good as one another, and so are those that differ by less than that tenth.
 /// A model without seams to treat or to sew comes back as it is, sharing everything.
 ///
