@@ -33,7 +33,17 @@ void requireSeams(const std::vector<int>& edges, const Report& report) {
   }
 }
 
-std::vector<FaceChoice> chooseFaces(const TopoDS_Shape& shape, const std::vector<int>& fixed) {
+/// The first edge of each face where three faces or more meet.
+std::map<int, const LooseEdge*> crowdedEdges(const Report& report) {
+  std::map<int, const LooseEdge*> edges;
+  for (const LooseEdge& edge : report.non_manifold)
+    for (const int face : edge.faces) edges.emplace(face, &edge);
+  return edges;
+}
+
+std::vector<FaceChoice> chooseFaces(const TopoDS_Shape& shape, const Report& before,
+                                    const std::vector<int>& fixed) {
+  const std::map<int, const LooseEdge*> crowded = crowdedEdges(before);
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
   std::map<const TopoDS_TShape*, int> instances;
@@ -48,9 +58,15 @@ std::vector<FaceChoice> chooseFaces(const TopoDS_Shape& shape, const std::vector
       why = "is fixed";
     else if (count > 1)
       why = "stands in the model " + std::to_string(count) + " times";
-    else if (clampedSpline(BRep_Tool::Surface(face, location)).IsNull())
+    else if (const auto edge = crowded.find(f); edge != crowded.end())
+      why = "has edge " + std::to_string(edge->second->edge) + ", where " +
+            std::to_string(edge->second->faces.size()) + " faces meet";
+    else if (clampedSpline(BRep_Tool::Surface(face, location)).IsNull()) {
       why = "is " + kindOf(face) + ", which has no poles to move";
+      choices[f].convertible = true;
+    }
     choices[f].may_move = why.empty();
+    choices[f].may_be_trimmed = count == 1 && std::ranges::count(fixed, f) == 0;
   }
   return choices;
 }
@@ -76,6 +92,8 @@ std::string whyFolded(const SeamFigures& figures) {
 
 std::string whyNot(const SeamResult& seam, const std::vector<FaceChoice>& faces, bool sharp,
                    const RepairOptions& options) {
+  if (!seam.figures.gap_mm)
+    return "it can't be measured" + (seam.note.empty() ? std::string() : ": " + seam.note);
   if (surelyReaches(seam.figures, options.tolerance, options.level())) return "it has the level already";
   if (std::ranges::any_of(seam.faces, [&faces](int face) { return faces[face].may_move; }))
     return seam.figures.fold_at && !sharp ? whyFolded(seam.figures) : "";
@@ -93,7 +111,7 @@ Choice choose(const Model& model, const Report& before, const RepairOptions& opt
   requireNumbers("face", options.fixed_faces, model.faceCount());
   requireNumbers("edge", options.edges, model.edgeCount());
   requireSeams(options.edges, before);
-  Choice choice{{}, {}, {}, chooseFaces(model.shape, options.fixed_faces)};
+  Choice choice{{}, {}, {}, chooseFaces(model.shape, before, options.fixed_faces)};
   for (const SeamResult& seam : before.seams) {
     const bool wanted = isWanted(seam, options.edges);
     const bool sharp = isSharp(seam, options);

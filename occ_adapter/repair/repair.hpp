@@ -17,7 +17,9 @@ struct RepairOptions {
   std::vector<int> fixed_faces;  ///< faces that stay
   double match_mm = 0;           ///< also open edges within this distance of one another; 0: none
   bool sew = true;               ///< matched seams that meet within the gap tolerance become one edge
-  int jobs = 0;                  ///< threads; 0: one for each processor
+  bool convert_analytic =
+      false;     ///< planes, cylinders and the like may become splines where they have to move
+  int jobs = 0;  ///< threads; 0: one for each processor
 
   /// What a seam has to reach.
   Level level() const { return order == 1 ? Level::G1 : Level::G2; }
@@ -42,12 +44,28 @@ struct FaceMove {
       0;  ///< of a pole, against the surface as it was in the knots that it has now; at most
 };
 
+/// An edge that runs elsewhere on the faces beside it, or along them at another speed.
+struct EdgeMove {
+  int edge = 0;
+  double largest_move_mm = 0;  ///< of a point of it on a face
+};
+
+/// A face that was a plane, a cylinder, ... and is a polynomial spline with the same parameters now.
+struct FaceConversion {
+  int face = 0;         ///< number in the given model
+  std::string kind;     ///< what it was
+  double error_mm = 0;  ///< of the spline before it moved; contained in its move
+};
+
 struct RepairReport {
   /// Same faces, edges and solids in the same order unless something was sewn; what did not change is shared with the given one.
   Model model;
-  Report before, after;           ///< seams in the same order; each with the numbers of its own model
-  std::vector<SeamRepair> seams;  ///< all seams, in the order of before
-  std::vector<FaceMove> moves;    ///< of the faces that moved
+  Report before, after;                   ///< seams in the same order; each with the numbers of its own model
+  std::vector<SeamRepair> seams;          ///< all seams, in the order of before
+  std::vector<FaceMove> moves;            ///< of the faces that moved
+  std::vector<FaceConversion> converted;  ///< of the faces that moved
+  /// Of the edges that were led anew on faces that stay; numbers of the given model.
+  std::vector<EdgeMove> edge_moves;
   /// What has which number in model, by its number in the given one (from 1; the first stands for none); empty if nothing was sewn. Edges
   /// that were sewn have one number; one that was cut has several, in the sense of its curve, and is in the reports with the first.
   std::vector<int> faces_now;
@@ -55,11 +73,11 @@ struct RepairReport {
   double repair_s = 0;
 
   bool sewn() const { return !faces_now.empty(); }
-  bool changed() const { return !moves.empty() || sewn(); }
+  bool changed() const { return !moves.empty() || !edge_moves.empty() || sewn(); }
 };
 
 /// Moves poles of B-spline and Bezier faces, as little as possible, until the seams chosen flow; proves it, or leaves them as they were.
-/// Planes, cylinders and the like stay, and parts with several instances.
+/// Planes, cylinders and the like stay, and parts with several instances, and faces that have an edge where three or more meet.
 ///
 /// Three ways are tried one after the other, each for what the one before left: all seams between natural sides of polynomial surfaces at once,
 /// exactly (core/join/network.hpp); one pair after the other (see matchFaces()); and all faces at once, to a share of the tolerance,
@@ -76,6 +94,11 @@ struct RepairReport {
 /// alone, is surely above its tolerance and exceeds its old upper bound by more than a tenth of the tolerance, in each of the three ways.
 /// Figures within the tolerance are as good as one another, and so are those that differ by less than that tenth.
 /// A model without seams to treat or to sew comes back as it is, sharing everything.
+///
+/// With convert_analytic other faces than splines may move too (planes, cylinders, cones, spheres, tori, extrusions, ...), as polynomial
+/// splines with the same parameters, so that edges keep their paths: planes and extrusions of splines exactly, others to a thousandth of
+/// the gap tolerance. That is done where it helps: beside seams where nothing else may move, one face of each first, else beside seams that
+/// were not repaired; what did not move stays what it was. No seam has then a level lower than the model surely had before conversion.
 ///
 /// At last matched seams (of the edges picked, or all) are sewn, creases too, if they surely meet within the gap tolerance: their two edges
 /// become one halfway between them, with a path on both faces and the tolerance that is measured. Of edges that are longer than what lies

@@ -139,10 +139,13 @@ class Sewing {
     const std::vector<int> edges = after.edges;
     for (int& edge : after.edges) edge = sewn.edges[edge].front();
     if (after.kind != SeamKind::Matched || std::ranges::count(chosen_, i) > 0) return;
-    for (const Seam& found : graph.seams)
-      if (found.kind == SeamKind::Matched && contains(sewn.edges[edges[0]], found.edges[0]) &&
-          contains(sewn.edges[edges[1]], found.edges[1]))
-        after.edges = found.edges;
+    for (const Seam& found : graph.seams) {
+      if (found.kind != SeamKind::Matched) continue;
+      for (const int first : {0, 1})
+        if (contains(sewn.edges[edges[0]], found.edges[first]) &&
+            contains(sewn.edges[edges[1]], found.edges[1 - first]))
+          after.edges = {found.edges[first], found.edges[1 - first]};
+    }
   }
 
   Reasons worse() const {
@@ -150,8 +153,12 @@ class Sewing {
     for (const std::size_t i : chosen_) {
       const SeamResult &before = task_.before[i], &after = solution_.after[i];
       const bool is_lower = before.verdict.certain && after.verdict.level < before.verdict.level;
-      const bool is_kept = after.kind != SeamKind::Matched && !is_lower &&
-                           surelyReaches(after.figures, task_.options.tolerance, Level::G0);
+      const auto keeps = [&](Level level) {
+        return !surelyReaches(before.figures, task_.options.tolerance, level) ||
+               surelyReaches(after.figures, task_.options.tolerance, level);
+      };
+      const bool is_kept =
+          after.kind != SeamKind::Matched && !is_lower && keeps(Level::G0) && keeps(task_.options.level());
       if (!is_kept)
         refused[i] = "as one edge it would have " + figuresText(after) + "; before " + figuresText(before);
     }

@@ -77,9 +77,10 @@ class SeamRepair:
         except module.Cancelled:
             raise RuntimeError("Cancelled; the results are those of the last complete run.") from None
         except (sources.SourceError, module.ModelError, ValueError) as error:
+            reason = repair_text.named(str(error))
             store(obj, empty_report(obj), Part.Shape())
-            obj.Summary = "Not repaired: %s" % error
-            raise RuntimeError(str(error)) from None
+            obj.Summary = "Not repaired: %s" % reason
+            raise RuntimeError(reason) from None
         store(obj, report, shape)
 
     def dumps(self):
@@ -101,9 +102,8 @@ def add_properties(obj):
     for name, _, tip in ELEMENTS:
         adder.add("App::PropertyLinkSubGlobal", name, "Seams", tip)
     adder.add_choice("Target", "Repair", "Level of continuity to reach", TARGETS, TARGETS[0])
-    adder.add_with(
-        "App::PropertyLength", "MaxMove", "Repair", "No pole may move further, in mm; 0: as far as it takes", MAX_MOVE_MM
-    )
+    tip = "No pole may move further, in mm; 0: as far as it takes"
+    adder.add_with("App::PropertyLength", "MaxMove", "Repair", tip, MAX_MOVE_MM)
     adder.add_tolerances(TOLERANCES)
     adder.add_results(RESULTS, INTERNAL)
     obj.setEditorMode("Placement", ["Hidden"])
@@ -170,7 +170,7 @@ def foresee(obj):
     except module.Cancelled:
         return empty_report(obj), "Cancelled; Preview analyses and repairs the seams."
     except (sources.SourceError, module.ModelError, ValueError) as error:
-        return empty_report(obj), str(error)
+        return empty_report(obj), repair_text.named(str(error))
     before = found.to_dict()
     seams = repair_text.waiting(before, obj.Target, set(edges))
     report = repair_text.build_report(before, None, seams, [], obj.Target, bool(edges))
@@ -219,6 +219,7 @@ def store(obj, report, shape):
     for place, when in enumerate(("Before", "After")):
         for name, figure in (("Defects", "defects"), ("MaxGap", "gap_mm"), ("MaxAngle", "angle_deg")):
             setattr(obj, name + when, report[figure][place] or 0)
+    obj.Placement = shape.Placement  # while it recomputes, FreeCAD puts a shape where the object stands
     obj.Shape = shape
     obj.Summary = repair_text.summary_text(report)
 

@@ -3,13 +3,13 @@
 
 from freecad.seamwright.gui.qt import QtCore, QtWidgets
 
-LINES = 2.6
+LINES = 1.5
 
 
 class ElementList(QtWidgets.QWidget):
     """Names such as "Face3" with buttons to add what is selected in the view and to remove from the list.
 
-    ``picked``: a callable that returns the names that are selected now; ``select``: one that selects a name in the view.
+    ``picked``: a callable that returns the names that are selected; ``select``: one that selects a name in the view.
     """
 
     changed = QtCore.Signal()
@@ -33,11 +33,9 @@ class ElementList(QtWidgets.QWidget):
         self.remove.setToolTip("Take what is chosen here off the list; all of it if nothing is chosen")
         self.add.clicked.connect(self._add)
         self.remove.clicked.connect(self._remove)
-        buttons = QtWidgets.QVBoxLayout()
-        buttons.addWidget(self.add)
-        buttons.addWidget(self.remove)
         layout.addWidget(self.list, 1)
-        layout.addLayout(buttons)
+        layout.addWidget(self.add)
+        layout.addWidget(self.remove)
 
     def names(self):
         """The names in the list, as they were added."""

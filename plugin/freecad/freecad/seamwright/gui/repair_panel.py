@@ -5,8 +5,9 @@ Nothing is repaired before Preview or OK is pressed.
 """
 
 import FreeCADGui as Gui
+import Part
 
-from freecad.seamwright.document import properties, repair
+from freecad.seamwright.document import analysis, properties, repair
 from freecad.seamwright.gui import icon_path, seam_view
 from freecad.seamwright.gui.element_list import ElementList
 from freecad.seamwright.gui.qt import QtCore, QtGui, QtWidgets
@@ -16,7 +17,10 @@ from freecad.seamwright.plain import repair_text
 
 TABLE_HEIGHT = 190
 
-PREVIEW, PREVIEW_AGAIN = "Preview", "Preview (the results are for other values)"
+PREVIEW, PREVIEW_AGAIN = "Preview", "Preview anew"
+
+CHOSEN = "The seams at these edges:"
+ALL_DEFECTS = "All defects; to choose, select rows or edges and add them:"
 
 #: Colours of the last column's text, by the state of a row.
 INKS = {repair_text.REPAIRED: (0, 120, 88), repair_text.LEFT: (190, 80, 0)}
@@ -31,6 +35,7 @@ class RepairPanel(ResultPanel):
         changeable = ["Target", "MaxMove", *(name for name, *_ in repair.ELEMENTS + repair.TOLERANCES)]
         super().__init__(obj, created, "Edit seam repair", changeable)
         self._rows, self._report, self._due = [], repair.empty_report(obj), False
+        self._lines = [each.Name for each in self._analyses() if each.ViewObject.Visibility]
         self._build()
         self._read()
         self._connect()
@@ -42,6 +47,15 @@ class RepairPanel(ResultPanel):
     def sources(self):
         """The object whose seams are repaired."""
         return repair.source_objects(self.obj)
+
+    def _analyses(self):
+        """Those of the source: their coloured lines tell how it was before."""
+        every = (each for each in self._doc.Objects if analysis.is_analysis(each))
+        return [each for each in every if self.obj.Source in each.Analysed]
+
+    def replaced(self):
+        """The source, and those of its analyses that were seen when the panel was opened."""
+        return self.sources() + [each for each in self._analyses() if each.Name in self._lines]
 
     def has_result(self):
         """Whether a repair was computed."""
@@ -68,11 +82,13 @@ class RepairPanel(ResultPanel):
         self.summary.setWordWrap(True)
         layout.addWidget(self.summary)
         layout.addWidget(self._build_table())
+        self.note = QtWidgets.QLabel()
+        self.note.setWordWrap(True)
+        self.note.hide()
+        layout.addWidget(self.note)
         layout.addLayout(self._build_show())
         for box in (self._build_seams(), self._build_limits()):
             layout.addWidget(box)
-        self.preview_button = QtWidgets.QPushButton(PREVIEW)
-        layout.addWidget(self.preview_button)
 
     def _build_table(self):
         self.table = QtWidgets.QTableWidget(0, len(repair_text.COLUMNS))
@@ -87,19 +103,29 @@ class RepairPanel(ResultPanel):
         self.table.verticalHeader().hide()
         self.table.verticalHeader().setDefaultSectionSize(self.table.fontMetrics().height() + 6)
         self.table.horizontalHeader().setHighlightSections(False)
-        self.table.horizontalHeader().setStretchLastSection(True)
+        self._fit_columns()
         return self.table
+
+    def _fit_columns(self):
+        """Columns as wide as what they say; the last one to the end of the table where there is room."""
+        header, last = self.table.horizontalHeader(), len(repair_text.COLUMNS) - 1
+        header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
+        if header.length() <= self.table.viewport().width():
+            header.setSectionResizeMode(last, QtWidgets.QHeaderView.Stretch)
 
     def _build_show(self):
         line = QtWidgets.QHBoxLayout()
         line.addWidget(QtWidgets.QLabel("Show"))
         self.before, self.after = QtWidgets.QRadioButton("Before"), QtWidgets.QRadioButton("After")
         self.moves = QtWidgets.QCheckBox("Moves in colour")
-        self.moves.setToolTip("Colour each face by how far it moved")
+        self.moves.setToolTip("Colour each point by how far it moved")
         self.moves.setChecked(True)
         for widget in (self.before, self.after, self.moves):
             line.addWidget(widget)
         line.addStretch(1)
+        self.preview_button = QtWidgets.QPushButton(PREVIEW)
+        self.preview_button.setToolTip("Repair the seams as the fields say; nothing is kept before OK is pressed")
+        line.addWidget(self.preview_button)
         return line
 
     def _build_seams(self):
@@ -108,10 +134,10 @@ class RepairPanel(ResultPanel):
         self.lists = {}
         for name, kind, tip in repair.ELEMENTS:
             self.lists[name] = ElementList(lambda kind=kind: self._picked(kind), self._select, tip)
-        self.all_defects = QtWidgets.QLabel()
-        layout.addRow("Repair", self.all_defects)
+        self.which = QtWidgets.QLabel()
+        layout.addRow("Repair", self.which)
         layout.addRow("", self.lists["Edges"])
-        layout.addRow("Faces that stay", self.lists["FixedFaces"])
+        layout.addRow("Keep faces", self.lists["FixedFaces"])
         return box
 
     def _build_limits(self):
@@ -156,6 +182,7 @@ class RepairPanel(ResultPanel):
         self.obj.touch()
         self._doc.recompute()
         self._set_due(False)
+        (self.after if self.has_result() else self.before).setChecked(True)
         self.refresh()
 
     def refresh(self):
@@ -168,14 +195,15 @@ class RepairPanel(ResultPanel):
         after = after and self.has_result()
         self.obj.ViewObject.ShowMoves = after and self.moves.isChecked() and not self._ended
         self.obj.ViewObject.Visibility = after
-        for source in self.sources():
-            source.ViewObject.Visibility = not after
+        for each in self.replaced():
+            each.ViewObject.Visibility = not after
         if not self._ended:
             self._selection_changed()
 
     def _foresee(self):
         """Before the first preview: the seams that would be treated."""
         self._fill(*repair.foresee(self.obj))
+        self.before.setChecked(True)
         self.show(False)
 
     def _fill(self, report, text):
@@ -188,7 +216,7 @@ class RepairPanel(ResultPanel):
             for column, cell in enumerate(row.cells):
                 self.table.setItem(line, column, _item(cell, row, column))
         self.table.setColumnHidden(repair_text.CURVATURE_COLUMN, report["target"] != "G2")
-        self.table.resizeColumnsToContents()
+        self._fit_columns()
         for widget in (self.after, self.moves):
             widget.setEnabled(self.has_result())
 
@@ -201,8 +229,7 @@ class RepairPanel(ResultPanel):
         self.preview_button.setText(PREVIEW_AGAIN if due and self.has_result() else PREVIEW)
 
     def _name_seams(self):
-        chosen = self.lists["Edges"].names()
-        self.all_defects.setText("The seams at these edges:" if chosen else "All defects. To choose, select edges or rows:")
+        self.which.setText(CHOSEN if self.lists["Edges"].names() else ALL_DEFECTS)
 
     def _picked(self, kind):
         """The elements of a kind that are selected, on the source or on the result: they have the same names."""
@@ -221,6 +248,7 @@ class RepairPanel(ResultPanel):
     def _selection_changed(self, *_):
         """Mark the seams of the chosen rows, as they are in what is shown, and zoom to them."""
         places = sorted({index.row() for index in self.table.selectionModel().selectedRows()})
+        self._write_note([self._rows[place] for place in places])
         if not places or not self.sources():
             self.obj.ViewObject.Proxy.mark([], [], [])
             return
@@ -228,8 +256,15 @@ class RepairPanel(ResultPanel):
         which = "after" if shown == self.obj and repair_text.is_done(self._report) else "before"
         by_number = {seam["before"]["id"]: seam[which] for seam in self._report["seams"]}
         chosen = [by_number[self._rows[place].seam] for place in places]
-        size = shown.Shape.BoundBox.DiagonalLength
+        size = Part.getShape(shown).BoundBox.DiagonalLength
         seam_view.show(self.obj, repair_text.located(self._report, shown.Name), chosen, size)
+
+
+    def _write_note(self, rows):
+        """Why the seams of the chosen rows were not repaired, in full: the column is too narrow for it."""
+        reasons = ["Seam %d: %s" % (row.seam, row.cells[-1]) for row in rows if row.state == repair_text.LEFT]
+        self.note.setText("\n".join(reasons))
+        self.note.setVisible(bool(reasons))
 
 
 def _item(text, row, column):
