@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/QR>
 #include <cmath>
+#include <limits>
 #include <seamwright/core/bernstein/coefficients.hpp>
 #include <seamwright/core/umbrella/fill_fairing.hpp>
 
@@ -54,14 +55,33 @@ Substitution substitution(const FillSpace& space, std::optional<double> spoke_sc
   return result;
 }
 
+Poles leastSquares(const Eigen::MatrixXd& matrix, const Poles& right) {
+  return matrix.completeOrthogonalDecomposition().solve(right);
+}
+
+/// Orthonormal columns: what the matrix maps to rounding.
+Eigen::MatrixXd nullSpace(const Eigen::MatrixXd& matrix) {
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(matrix.transpose());
+  qr.setThreshold(16 * std::numeric_limits<double>::epsilon() * static_cast<double>(matrix.rows()));
+  const Eigen::MatrixXd basis = qr.householderQ();
+  return basis.rightCols(matrix.cols() - qr.rank());
+}
+
 }  // namespace
 
 Fairest fairest(const FillSpace& space, int order, std::optional<double> spoke_scale) {
   const Substitution rest = substitution(space, spoke_scale);
-  const Eigen::MatrixXd by_unknowns = differences<Eigen::MatrixXd>(space, space.coefficients, order);
-  const Poles fixed = differences<Poles>(space, space.constants, order) + by_unknowns * rest.offset;
-  const Eigen::MatrixXd matrix = by_unknowns * rest.basis;
-  const Poles solution = matrix.colPivHouseholderQr().solve(-fixed);
+  const Poles offset = space.coefficients * rest.offset + space.constants;
+  const Eigen::MatrixXd coefficients = space.coefficients * rest.basis;
+  const Eigen::MatrixXd matrix = differences<Eigen::MatrixXd>(space, coefficients, order);
+  const Poles fixed = differences<Poles>(space, offset, order);
+  Poles solution = leastSquares(matrix, -fixed);
+  const Eigen::MatrixXd idle = nullSpace(matrix);
+  if (idle.cols() > 0) {
+    const Poles poles = coefficients * solution + offset;
+    solution += idle * leastSquares(differences<Eigen::MatrixXd>(space, coefficients * idle, 2),
+                                    -differences<Poles>(space, poles, 2));
+  }
   return {rest.basis * solution + rest.offset, (matrix * solution + fixed).squaredNorm()};
 }
 

@@ -6,7 +6,8 @@
 /// The fairest of the fills of a space; not a public header.
 namespace seamwright::fill {
 
-/// Fairness is the sum of squared differences of that order along all rows of poles, in both directions.
+/// Fairness is the sum of squared differences of that order along all rows of poles, in both directions. Of fills that are equally
+/// fair, as order 3 leaves with sides of position alone, the one with the least second differences is taken.
 struct Fairest {
   Poles unknowns;
   double fairness_mm2 = 0;

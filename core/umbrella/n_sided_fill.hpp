@@ -27,12 +27,15 @@ FillSide fillSide(const BezierPatch& neighbour, PatchEdge edge, bool reversed);
 
 /// The function a(t) of the seams between the patches of a fill, t running from the centre to the side, c = 2 cos(2 pi / n).
 enum class SpokeLaw {
-  Linear,    ///< c (1 - t): patches of degree 4 for sides and cross fields of degree 3
-  Quadratic  ///< c (1 - t)^2: degree 5, more freedom, cross fields of class C^1 along each side
+  /// c (1 - t): patches of degree 4 for sides and cross fields of degree 3. The law of the regular polygon cut into bilinear patches: a
+  /// paraboloid over one is reproduced.
+  Linear,
+  /// c (1 - t)^2: degree 5, more freedom, and cross fields of class C^1 along each side; less fair where n is far from 4.
+  Quadratic
 };
 
 struct FillOptions {
-  SpokeLaw law = SpokeLaw::Quadratic;
+  SpokeLaw law = SpokeLaw::Linear;
   int fairness_order = 3;  ///< of the differences of poles whose squares are summed, 2 or 3
   /// Largest angle between the tangent planes of two sides at their corner, [0, 0.1], beyond rounding. Such a corner is not met exactly.
   double corner_tolerance_rad = 0;

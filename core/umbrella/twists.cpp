@@ -30,12 +30,11 @@ double sign(int i) {
   return i % 2 == 0 ? 1 : -1;
 }
 
-/// d_i of an inner spoke: y_(i-1) + y_i, with y = X / S.
-Eigen::Vector3d scaledSum(const UmbrellaVertex& vertex, const SpokeSeconds& seconds, int spoke) {
-  const Eigen::Vector3d sum = vertex.alpha(spoke) * seconds.second.col(spoke) +
-                              seconds.lambda(spoke) * vertex.tangents.col(spoke) +
-                              seconds.mu(spoke) * vertex.tangents.col(vertex.before(spoke));
-  return sum / vertex.sectors(spoke);
+/// e_i of an inner spoke.
+Eigen::Vector3d sumAt(const UmbrellaVertex& vertex, const SpokeSeconds& seconds, int spoke) {
+  return vertex.alpha(spoke) * seconds.second.col(spoke) +
+         seconds.lambda(spoke) * vertex.tangents.col(spoke) +
+         seconds.mu(spoke) * vertex.tangents.col(vertex.before(spoke));
 }
 
 /// Two directions that span the plane across N.
@@ -56,7 +55,8 @@ Eigen::Vector3d closingDefect(const UmbrellaVertex& vertex, const SpokeSeconds& 
   requireSeconds(vertex, seconds);
   Eigen::Vector3d defect = Eigen::Vector3d::Zero();
   if (mayFailToClose(vertex))
-    for (int i = 0; i < vertex.spokes(); ++i) defect += sign(i) * scaledSum(vertex, seconds, i);
+    for (int i = 0; i < vertex.spokes(); ++i)
+      defect += sign(i) / vertex.sectors(i) * sumAt(vertex, seconds, i);
   return defect;
 }
 
@@ -88,25 +88,35 @@ SpokeSeconds closed(const UmbrellaVertex& vertex, const SpokeSeconds& seconds,
   return result;
 }
 
-/// y_i = (-1)^i (y_0 + sum_(0 < j <= i) (-1)^j d_j); around an odd fan y_0 is half the alternating sum of all d_i.
-Twists twists(const UmbrellaVertex& vertex, const SpokeSeconds& seconds) {
-  requireSeconds(vertex, seconds);
+/// With y_i = X_i / S_i and d_i = e_i / S_i: y_i = (-1)^i (y_0 + sum_(0 < j <= i) (-1)^j d_j); around an odd fan y_0 is half the
+/// alternating sum of all d_i.
+TwistSolution solveTwists(const UmbrellaVertex& vertex) {
   const int m = vertex.members();
-  Eigen::Matrix3Xd alternating = Eigen::Matrix3Xd::Zero(3, m);  // (-1)^i y_i, but for y_0
-  for (int i = 1; i < m; ++i)
-    alternating.col(i) = alternating.col(i - 1) + sign(i) * scaledSum(vertex, seconds, i);
+  Eigen::MatrixXd alternating = Eigen::MatrixXd::Zero(m, vertex.spokes());  // (-1)^i (y_i - y_0) of e
+  for (int i = 1; i < m; ++i) {
+    alternating.row(i) = alternating.row(i - 1);
+    alternating(i, i) += sign(i) / vertex.sectors(i);
+  }
   const bool unique = vertex.closed && m % 2 == 1;
-  const Eigen::Vector3d first =
-      unique ? Eigen::Vector3d(scaledSum(vertex, seconds, 0) - alternating.col(m - 1)) / 2
-             : Eigen::Vector3d(-alternating.rowwise().mean());
-  Twists result;
-  result.least.resize(3, m);
-  for (int i = 0; i < m; ++i)
-    result.least.col(i) = sign(i) * vertex.sectors(i) * (alternating.col(i) + first);
-  if (unique) return result;
-  result.direction = vertex.sectors;
-  for (int i = 1; i < m; i += 2) result.direction(i) *= -1;
+  Eigen::RowVectorXd first = -alternating.colwise().mean();
+  if (unique) {
+    first = -alternating.row(m - 1) / 2;
+    first(0) += 1 / (2 * vertex.sectors(0));
+  }
+  TwistSolution result;
+  Eigen::VectorXd direction = vertex.sectors;
+  for (int i = 1; i < m; i += 2) direction(i) *= -1;
+  result.of_sums = direction.asDiagonal() * (alternating.rowwise() + first);
+  if (!unique) result.direction = direction;
   return result;
+}
+
+Eigen::Matrix3Xd leastTwists(const UmbrellaVertex& vertex, const SpokeSeconds& seconds) {
+  requireSeconds(vertex, seconds);
+  Eigen::Matrix3Xd sums = Eigen::Matrix3Xd::Zero(3, vertex.spokes());
+  for (int i = 0; i < vertex.spokes(); ++i)
+    if (vertex.isInner(i)) sums.col(i) = sumAt(vertex, seconds, i);
+  return sums * solveTwists(vertex).of_sums.transpose();
 }
 
 Eigen::Matrix3d secondForm(const UmbrellaVertex& vertex, const Eigen::Matrix3Xd& second) {

@@ -36,16 +36,20 @@ Eigen::Vector3d closingDefect(const UmbrellaVertex& vertex, const SpokeSeconds& 
 SpokeSeconds closed(const UmbrellaVertex& vertex, const SpokeSeconds& seconds,
                     const std::optional<Eigen::VectorXd>& weights = std::nullopt);
 
-/// The twists X_i, mixed second derivatives of the members at O: X_i = alpha_i q_i + beta_i X_(i-1) + lambda_i r_i + mu_i r_(i-1).
-struct Twists {
-  Eigen::Matrix3Xd least;  ///< those with the least sum of |X_i|^2 / S_i^2
+/// How the twists X_i, mixed second derivatives of the members at O, follow from the spokes:
+/// X_i - beta_i X_(i-1) = e_i := alpha_i q_i + lambda_i r_i + mu_i r_(i-1).
+struct TwistSolution {
+  Eigen::MatrixXd of_sums;  ///< X = e of_sums^T has the least sum of |X_i|^2 / S_i^2; #members by #spokes
   Eigen::VectorXd
-      direction;  ///< all of them are least + x direction^T with any vector x; empty where they are unique
+      direction;  ///< all X are these + x direction^T with any vector x; empty where they are unique
 };
 
-/// \pre closingDefect() is zero. A closed fan of an odd number of members has unique twists, others have one free vector.
+/// A closed fan of an odd number of members has unique twists, others have one free vector.
 /// Source: MATH-surfaces 5.2.
-Twists twists(const UmbrellaVertex& vertex, const SpokeSeconds& seconds);
+TwistSolution solveTwists(const UmbrellaVertex& vertex);
+
+/// The twists of that solution, 3 by #members. \pre closingDefect() is zero.
+Eigen::Matrix3Xd leastTwists(const UmbrellaVertex& vertex, const SpokeSeconds& seconds);
 
 /// The second fundamental form nearest to the normal curvatures of the spokes: the symmetric matrix M, in 1/mm, of M N = 0, with the least
 /// sum of squares of (r_i^T M r_i - N.q_i) / |r_i|^2; of those the smallest M, where the spokes run along fewer than 3 lines.

@@ -12,8 +12,9 @@ namespace seamwright::occ {
 /// A face as repair sees it. Faces count from 1, so the first of a vector stands for none.
 struct FaceChoice {
   bool may_move = false;
-  std::string cannot_move;   ///< why not, as "face 3 ..." goes on
-  bool convertible = false;  ///< it has no poles; but for that it might move
+  bool may_be_trimmed = false;  ///< the paths of its edges may be others
+  std::string cannot_move;      ///< why not, as "face 3 ..." goes on
+  bool convertible = false;     ///< it has no poles; but for that it might move
 };
 
 struct Choice {

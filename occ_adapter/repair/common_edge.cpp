@@ -32,7 +32,7 @@ double between(const Places& places, double s) {
   return places[0] + s * (places[1] - places[0]);
 }
 
-double parameter(const PlanePath& path, double place) {
+double parameter(const PlanarPath& path, double place) {
   return path.first + place * (path.last - path.first);
 }
 
@@ -123,7 +123,7 @@ bool isLinear(const Along& along, const Places& places, double near_mm) {
 }
 
 /// A cubic spline through points of the path, as many as it needs to lead where \p place tells, or 513.
-handle<Geom2d_Curve> interpolated(const PlacedSurface& surface, const PlanePath& path,
+handle<Geom2d_Curve> interpolated(const PlacedSurface& surface, const PlanarPath& path,
                                   const std::function<double(double)>& place, double first, double last,
                                   double near_mm) {
   constexpr int fewest = 8, most = 512;
@@ -155,7 +155,7 @@ handle<Geom2d_Curve> interpolated(const PlacedSurface& surface, const PlanePath&
 }
 
 /// The path over [first, last], run along at its own speed.
-handle<Geom2d_Curve> linear(const PlacedSurface& surface, const PlanePath& path, const Places& places,
+handle<Geom2d_Curve> linear(const PlacedSurface& surface, const PlanarPath& path, const Places& places,
                             double first, double last, double near_mm) {
   const double from = parameter(path, places[0]), to = parameter(path, places[1]);
   if (from == first && to == last) return path.curve;

@@ -368,7 +368,8 @@ class FaceFollower {
       judge();
       if (isMet() || at_samples_ <= task_.share / 2 || at_samples_ > better * before) return;
       before = at_samples_;
-      if (gently_) limit = of_its_size * std::max(largestMove(), task_.tolerance.gap_mm);
+      if (gently_ && limit == infinite)
+        limit = of_its_size * std::max(largestMove(), task_.tolerance.gap_mm);
     }
   }
 

@@ -226,9 +226,10 @@ void judgeVolumes(const RepairTask& task, const std::vector<FaceChange>& changes
   }
 }
 
-std::set<int> movedFaces(const std::vector<FaceChange>& changes) {
+std::set<int> movedFaces(const RepairSolution& solution) {
   std::set<int> faces;
-  for (const FaceChange& change : changes) faces.insert(change.face);
+  for (const FaceChange& change : solution.changes) faces.insert(change.face);
+  for (const PathChange& change : solution.paths) faces.insert(change.face);
   return faces;
 }
 
@@ -325,9 +326,9 @@ Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes, cons
   return proof;
 }
 
-std::map<std::size_t, std::string> culprits(const RepairTask& task, const std::vector<FaceChange>& changes,
+std::map<std::size_t, std::string> culprits(const RepairTask& task, const RepairSolution& solution,
                                             const Proof& proof, bool with_connected) {
-  const std::set<int> moved = movedFaces(changes);
+  const std::set<int> moved = movedFaces(solution);
   std::map<std::size_t, std::string> given_up;
   for (const auto& [face, why] : proof.faces)
     for (std::size_t i = 0; i < task.seams.size(); ++i)

@@ -41,7 +41,7 @@ Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes, cons
 /// Treated seams to be given up for the proof to hold, with the reason of each: those that do not have the level, and of a face that is at fault
 /// all of its own. Where there are none, of a seam that is worse those that move one of its faces, and end where it ends if there are such.
 /// \param with_connected also seams that moved faces connect with these.
-std::map<std::size_t, std::string> culprits(const RepairTask& task, const std::vector<FaceChange>& changes,
+std::map<std::size_t, std::string> culprits(const RepairTask& task, const RepairSolution& solution,
                                             const Proof& proof, bool with_connected);
 
 /// How measuring is asked for in a repair.

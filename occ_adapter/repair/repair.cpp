@@ -66,7 +66,7 @@ class Repairing {
   /// What one solver leaves the next one tries, in the shape as it is then.
   void repair(const std::vector<FaceChoice>& faces) {
     FollowedFaces known;
-    const std::array<Solver, 3> solvers = {joinNetwork, joinPairs,
+    const std::array<Solver, 4> solvers = {joinPaths, joinNetwork, joinPairs,
                                            [&known](const RepairTask& task, const Progress& progress) {
                                              return followTargets(task, known, progress);
                                            }};
@@ -104,16 +104,17 @@ class Repairing {
       if (!solution.complete) return solution.failures;
       RepairTask rest = task;
       giveUp(solution.failures, rest);
-      if (solution.changes.empty()) return everything(task, "nothing was moved");
+      if (solution.changes.empty() && solution.paths.empty()) return everything(task, "nothing was moved");
       for (FaceChange& change : solution.changes) change.largest_move_mm += moves_[change.face];
-      const TopoDS_Shape changed = withChanges(task.shape, solution.changes, options_.tolerance.gap_mm);
+      const TopoDS_Shape changed =
+          withChanges(task.shape, solution.changes, options_.tolerance.gap_mm, solution.paths);
       const Proof proof = prove(rest, solution.changes, changed, was, partOf(progress, 0.5, 1));
       if (!proof.holds()) {
-        Reasons given_up = culprits(rest, solution.changes, proof, with_connected);
+        Reasons given_up = culprits(rest, solution, proof, with_connected);
         given_up.merge(solution.failures);
         return given_up;
       }
-      keep(rest, solution.changes, changed, proof);
+      keep(rest, solution, changed, proof);
       return {};
     } catch (const Cancelled&) {
       throw;
@@ -139,12 +140,13 @@ class Repairing {
     }
   }
 
-  void keep(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
+  void keep(const RepairTask& task, const RepairSolution& solution, const TopoDS_Shape& changed,
             const Proof& proof) {
     result_.model.shape = changed;
     result_.after.seams = proof.after;
     seams_ = seamsIn(changed, seams_);
-    for (const FaceChange& change : changes) moves_[change.face] = change.largest_move_mm;
+    for (const FaceChange& change : solution.changes) moves_[change.face] = change.largest_move_mm;
+    for (const PathChange& change : solution.paths) edge_moves_[change.edge] = change.largest_move_mm;
     for (std::size_t i = 0; i < task.treated.size(); ++i) {
       if (!task.treated[i]) continue;
       open_[i] = false;
@@ -184,6 +186,7 @@ class Repairing {
     }
     for (const auto& [face, move_mm] : moves_)
       if (move_mm > 0) result_.moves.push_back({face, move_mm});
+    for (const auto& [edge, move_mm] : edge_moves_) result_.edge_moves.push_back({edge, move_mm});
   }
 
   const Model& model_;
@@ -194,6 +197,7 @@ class Repairing {
   std::vector<bool> open_;            ///< by seam: to be repaired, and not yet
   std::vector<std::string> reasons_;  ///< by seam
   std::map<int, double> moves_;       ///< by face
+  std::map<int, double> edge_moves_;  ///< by edge
   Reasons not_sewn_;
   RepairReport result_;
 };

@@ -44,6 +44,12 @@ struct FaceMove {
       0;  ///< of a pole, against the surface as it was in the knots that it has now; at most
 };
 
+/// An edge that runs elsewhere on the faces beside it, or along them at another speed.
+struct EdgeMove {
+  int edge = 0;
+  double largest_move_mm = 0;  ///< of a point of it on a face
+};
+
 /// A face that was a plane, a cylinder, ... and is a polynomial spline with the same parameters now.
 struct FaceConversion {
   int face = 0;         ///< number in the given model
@@ -58,6 +64,8 @@ struct RepairReport {
   std::vector<SeamRepair> seams;          ///< all seams, in the order of before
   std::vector<FaceMove> moves;            ///< of the faces that moved
   std::vector<FaceConversion> converted;  ///< of the faces that moved
+  /// Of the edges that were led anew on faces that stay; numbers of the given model.
+  std::vector<EdgeMove> edge_moves;
   /// What has which number in model, by its number in the given one (from 1; the first stands for none); empty if nothing was sewn. Edges
   /// that were sewn have one number; one that was cut has several, in the sense of its curve, and is in the reports with the first.
   std::vector<int> faces_now;
@@ -65,7 +73,7 @@ struct RepairReport {
   double repair_s = 0;
 
   bool sewn() const { return !faces_now.empty(); }
-  bool changed() const { return !moves.empty() || sewn(); }
+  bool changed() const { return !moves.empty() || !edge_moves.empty() || sewn(); }
 };
 
 /// Moves poles of B-spline and Bezier faces, as little as possible, until the seams chosen flow; proves it, or leaves them as they were.

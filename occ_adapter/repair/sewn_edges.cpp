@@ -178,7 +178,7 @@ class EdgeSewer {
       if (!curve.IsNull()) piece.curve_ends[end].push_back(curve->Value(at(first, last, places[end])));
     for (const TopoDS_Shape& beside : faces_of_edge_.FindFromKey(edges_(edge))) {
       const TopoDS_Face face = TopoDS::Face(beside.Oriented(TopAbs_FORWARD));
-      const PlanePath path = pathOf(old, face);
+      const PlanarPath path = pathOf(old, face);
       if (path.curve.IsNull()) continue;
       const PlacedSurface placed = surfaceOf(face);
       if (is_part)

@@ -195,4 +195,40 @@ Net blob(Polyhedron polyhedron, double radius_mm, std::mt19937& random) {
   return net;
 }
 
+Net dome(int sectors, double radius_mm) {
+  const auto rim = [sectors](double at) -> Vector3d {
+    const double angle = 2 * std::numbers::pi * at / sectors;
+    return {std::cos(angle), std::sin(angle), 0};
+  };
+  const Vector3d top(0, 0, radius_mm);
+  const Fit fit(6);
+  Net net;
+  net.vertices.emplace_back(0, 0, radius_mm);
+  for (int k = 0; k < sectors; ++k)
+    net.vertices.emplace_back(radius_mm * rim(k).x(), radius_mm * rim(k).y(), 0);
+  for (int k = 0; k < sectors; ++k) {
+    NetFace face;
+    face.surface = fit.surface([&](double u, double v) -> Vector3d {
+      const double height = v * std::numbers::pi / 2;
+      return std::cos(height) * radius_mm * rim(k + u) + std::sin(height) * top;
+    });
+    for (int i = 1; i <= face.surface->NbUPoles(); ++i)
+      face.surface->SetPole(i, face.surface->NbVPoles(), net.vertices[0]);
+    net.faces.push_back(face);
+  }
+  // By sector: the rim, the seam at its beginning, the top.
+  for (int k = 0; k < sectors; ++k) {
+    const Spline& surface = net.faces[k].surface;
+    const int next = (k + 1) % sectors;
+    net.edges.push_back({{1 + k, 1 + next}, curveAlong(surface, 0)});
+    net.edges.push_back({{1 + k, 0}, handle<Geom_Curve>(surface->UIso(0))});
+    net.edges.push_back({{0, 0}, {}});
+    net.faces[k].sides = {{3 * k, false, naturalSide(0, false)},
+                          {3 * next + 1, false, naturalSide(1, false)},
+                          {3 * k + 2, false, naturalSide(2, false)},
+                          {3 * k + 1, true, naturalSide(3, true)}};
+  }
+  return net;
+}
+
 }  // namespace seamwright::test

@@ -73,14 +73,20 @@ class NetBuilder {
     }
     for (const NetEdge& edge : net_.edges) {
       edges_.emplace_back();
-      builder_.MakeEdge(edges_.back(), edge.curve, 1e-7);
+      if (edge.curve.IsNull()) {
+        builder_.MakeEdge(edges_.back());
+        builder_.Degenerated(edges_.back(), true);
+      } else {
+        builder_.MakeEdge(edges_.back(), edge.curve, 1e-7);
+      }
       builder_.Range(edges_.back(), 0, 1);
       builder_.Add(edges_.back(), vertices_[edge.ends[0]].Oriented(TopAbs_FORWARD));
       builder_.Add(edges_.back(), vertices_[edge.ends[1]].Oriented(TopAbs_REVERSED));
     }
     TopoDS_Shell shell;
     builder_.MakeShell(shell);
-    for (const NetFace& face : net_.faces) builder_.Add(shell, faceOf(face));
+    for (const NetFace& face : net_.faces)
+      builder_.Add(shell, face.turned ? faceOf(face).Reversed() : TopoDS_Shape(faceOf(face)));
     if (!net_.closed) return shell;
     shell.Closed(true);
     TopoDS_Solid solid;
@@ -111,21 +117,24 @@ class NetBuilder {
   /// Also sees to the vertices.
   double needed(const NetSide& side, const Spline& surface) {
     constexpr int points = 200;
-    constexpr double margin = 1.05, rounding = 1e-7;
+    constexpr double margin = 1.2, rounding = 1e-7;
     const NetEdge& edge = net_.edges[side.edge];
     const auto at = [&](double t) {
       const gp_Pnt2d uv = side.path->Value(t);
       return surface->Value(uv.X(), uv.Y());
     };
+    const auto onEdge = [&](double t) {
+      return edge.curve.IsNull() ? net_.vertices[edge.ends[0]] : edge.curve->Value(t);
+    };
     double largest = 0;
     for (int k = 0; k <= points; ++k) {
       const double t = k / (1.0 * points);
-      largest = std::max(largest, at(t).Distance(edge.curve->Value(t)));
+      largest = std::max(largest, at(t).Distance(onEdge(t)));
     }
     const double tolerance = margin * largest + rounding;
     for (const int end : {0, 1}) {
       const gp_Pnt& vertex = net_.vertices[edge.ends[end]];
-      const double away = std::max(at(end).Distance(vertex), edge.curve->Value(end).Distance(vertex));
+      const double away = std::max(at(end).Distance(vertex), onEdge(end).Distance(vertex));
       builder_.UpdateVertex(vertices_[edge.ends[end]], std::max(tolerance, margin * away + rounding));
     }
     return tolerance;
@@ -156,6 +165,18 @@ void disturb(Net& net, double noise_mm, std::mt19937& random) {
         if (near) surface.SetPole(i, j, surface.Pole(i, j).Translated(anyBelow(noise_mm, random)));
       }
   }
+}
+
+void swapParameters(NetFace& face) {
+  face.surface = Spline::DownCast(face.surface->Copy());
+  face.surface->ExchangeUV();
+  std::ranges::reverse(face.sides);
+  for (NetSide& side : face.sides) {
+    side.reversed = !side.reversed;
+    side.path = opencascade::handle<Geom2d_Curve>::DownCast(
+        side.path->Mirrored(gp_Ax2d(gp_Pnt2d(0, 0), gp_Dir2d(1, 1))));
+  }
+  face.turned = !face.turned;
 }
 
 TopoDS_Shape shapeOf(const Net& net) {

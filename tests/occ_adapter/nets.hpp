@@ -25,11 +25,13 @@ struct NetSide {
 struct NetFace {
   Spline surface;
   std::vector<NetSide> sides;  ///< counter-clockwise in the parameter plane
+  bool turned = false;         ///< it lies in the shell with the other sense
 };
 
 struct NetEdge {
   std::array<int, 2> ends{};
-  opencascade::handle<Geom_Curve> curve;  ///< over 0..1
+  opencascade::handle<Geom_Curve>
+      curve;  ///< over 0..1; null: the edge is one point, where a side of a surface collapses
 };
 
 struct Net {
@@ -70,6 +72,12 @@ enum class Polyhedron {
 
 /// A smooth star-shaped solid, its faces over those of a polyhedron: fits of degree 5 with natural sides, smooth to the error of the fit.
 Net blob(Polyhedron polyhedron, double radius_mm, std::mt19937& random);
+
+/// The upper half of a ball in sectors, from its rim to the top, where a side of each face collapses.
+Net dome(int sectors, double radius_mm);
+
+/// The same face with a copy of its surface that has the parameters swapped.
+void swapParameters(NetFace& face);
 
 /// Moves the poles near the seams, by less than noise_mm each: those over places nearer than a knot span to a side of the face that is a seam.
 void disturb(Net& net, double noise_mm, std::mt19937& random);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <limits>
 #include <stdexcept>
 
 #include "shapes.hpp"
@@ -36,11 +35,7 @@ NetKind pieces(const std::string& name, const NetShape& shape) {
 }
 
 NetKind blobOf(const std::string& name, Polyhedron polyhedron) {
-  return {name, [polyhedron](std::mt19937& random) { return blob(polyhedron, 40, random); }};
-}
-
-double upper(const std::optional<Figure>& figure) {
-  return figure && figure->upper ? *figure->upper : std::numeric_limits<double>::infinity();
+  return {name, [polyhedron](std::mt19937& random) { return blob(polyhedron, 100, random); }};
 }
 
 }  // namespace

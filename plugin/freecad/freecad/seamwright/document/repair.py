@@ -77,9 +77,10 @@ class SeamRepair:
         except module.Cancelled:
             raise RuntimeError("Cancelled; the results are those of the last complete run.") from None
         except (sources.SourceError, module.ModelError, ValueError) as error:
+            reason = repair_text.named(str(error))
             store(obj, empty_report(obj), Part.Shape())
-            obj.Summary = "Not repaired: %s" % error
-            raise RuntimeError(str(error)) from None
+            obj.Summary = "Not repaired: %s" % reason
+            raise RuntimeError(reason) from None
         store(obj, report, shape)
 
     def dumps(self):
@@ -170,7 +171,7 @@ def foresee(obj):
     except module.Cancelled:
         return empty_report(obj), "Cancelled; Preview analyses and repairs the seams."
     except (sources.SourceError, module.ModelError, ValueError) as error:
-        return empty_report(obj), str(error)
+        return empty_report(obj), repair_text.named(str(error))
     before = found.to_dict()
     seams = repair_text.waiting(before, obj.Target, set(edges))
     report = repair_text.build_report(before, None, seams, [], obj.Target, bool(edges))

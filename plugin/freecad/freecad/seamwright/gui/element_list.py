@@ -3,7 +3,7 @@
 
 from freecad.seamwright.gui.qt import QtCore, QtWidgets
 
-LINES = 2.6
+LINES = 1.5
 
 
 class ElementList(QtWidgets.QWidget):
@@ -33,11 +33,9 @@ class ElementList(QtWidgets.QWidget):
         self.remove.setToolTip("Take what is chosen here off the list; all of it if nothing is chosen")
         self.add.clicked.connect(self._add)
         self.remove.clicked.connect(self._remove)
-        buttons = QtWidgets.QVBoxLayout()
-        buttons.addWidget(self.add)
-        buttons.addWidget(self.remove)
         layout.addWidget(self.list, 1)
-        layout.addLayout(buttons)
+        layout.addWidget(self.add)
+        layout.addWidget(self.remove)
 
     def names(self):
         """The names in the list, as they were added."""

@@ -16,7 +16,7 @@ from freecad.seamwright.plain import repair_text
 
 TABLE_HEIGHT = 190
 
-PREVIEW, PREVIEW_AGAIN = "Preview", "Preview (the results are for other values)"
+PREVIEW, PREVIEW_AGAIN = "Preview", "Preview anew"
 
 #: Colours of the last column's text, by the state of a row.
 INKS = {repair_text.REPAIRED: (0, 120, 88), repair_text.LEFT: (190, 80, 0)}
@@ -68,11 +68,13 @@ class RepairPanel(ResultPanel):
         self.summary.setWordWrap(True)
         layout.addWidget(self.summary)
         layout.addWidget(self._build_table())
+        self.note = QtWidgets.QLabel()
+        self.note.setWordWrap(True)
+        self.note.hide()
+        layout.addWidget(self.note)
         layout.addLayout(self._build_show())
         for box in (self._build_seams(), self._build_limits()):
             layout.addWidget(box)
-        self.preview_button = QtWidgets.QPushButton(PREVIEW)
-        layout.addWidget(self.preview_button)
 
     def _build_table(self):
         self.table = QtWidgets.QTableWidget(0, len(repair_text.COLUMNS))
@@ -87,19 +89,29 @@ class RepairPanel(ResultPanel):
         self.table.verticalHeader().hide()
         self.table.verticalHeader().setDefaultSectionSize(self.table.fontMetrics().height() + 6)
         self.table.horizontalHeader().setHighlightSections(False)
-        self.table.horizontalHeader().setStretchLastSection(True)
+        self._fit_columns()
         return self.table
+
+    def _fit_columns(self):
+        """Columns as wide as what they say; the last one to the end of the table where there is room."""
+        header, last = self.table.horizontalHeader(), len(repair_text.COLUMNS) - 1
+        header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
+        if header.length() <= self.table.viewport().width():
+            header.setSectionResizeMode(last, QtWidgets.QHeaderView.Stretch)
 
     def _build_show(self):
         line = QtWidgets.QHBoxLayout()
         line.addWidget(QtWidgets.QLabel("Show"))
         self.before, self.after = QtWidgets.QRadioButton("Before"), QtWidgets.QRadioButton("After")
         self.moves = QtWidgets.QCheckBox("Moves in colour")
-        self.moves.setToolTip("Colour each face by how far it moved")
+        self.moves.setToolTip("Colour each point by how far it moved")
         self.moves.setChecked(True)
         for widget in (self.before, self.after, self.moves):
             line.addWidget(widget)
         line.addStretch(1)
+        self.preview_button = QtWidgets.QPushButton(PREVIEW)
+        self.preview_button.setToolTip("Repair the seams as the fields say; nothing is kept before OK is pressed")
+        line.addWidget(self.preview_button)
         return line
 
     def _build_seams(self):
@@ -111,7 +123,7 @@ class RepairPanel(ResultPanel):
         self.all_defects = QtWidgets.QLabel()
         layout.addRow("Repair", self.all_defects)
         layout.addRow("", self.lists["Edges"])
-        layout.addRow("Faces that stay", self.lists["FixedFaces"])
+        layout.addRow("Keep faces", self.lists["FixedFaces"])
         return box
 
     def _build_limits(self):
@@ -188,7 +200,7 @@ class RepairPanel(ResultPanel):
             for column, cell in enumerate(row.cells):
                 self.table.setItem(line, column, _item(cell, row, column))
         self.table.setColumnHidden(repair_text.CURVATURE_COLUMN, report["target"] != "G2")
-        self.table.resizeColumnsToContents()
+        self._fit_columns()
         for widget in (self.after, self.moves):
             widget.setEnabled(self.has_result())
 
@@ -202,7 +214,7 @@ class RepairPanel(ResultPanel):
 
     def _name_seams(self):
         chosen = self.lists["Edges"].names()
-        self.all_defects.setText("The seams at these edges:" if chosen else "All defects. To choose, select edges or rows:")
+        self.all_defects.setText("The seams at these edges:" if chosen else "All defects; to choose, select rows or edges and add them:")
 
     def _picked(self, kind):
         """The elements of a kind that are selected, on the source or on the result: they have the same names."""
@@ -221,6 +233,7 @@ class RepairPanel(ResultPanel):
     def _selection_changed(self, *_):
         """Mark the seams of the chosen rows, as they are in what is shown, and zoom to them."""
         places = sorted({index.row() for index in self.table.selectionModel().selectedRows()})
+        self._write_note([self._rows[place] for place in places])
         if not places or not self.sources():
             self.obj.ViewObject.Proxy.mark([], [], [])
             return
@@ -230,6 +243,13 @@ class RepairPanel(ResultPanel):
         chosen = [by_number[self._rows[place].seam] for place in places]
         size = shown.Shape.BoundBox.DiagonalLength
         seam_view.show(self.obj, repair_text.located(self._report, shown.Name), chosen, size)
+
+
+    def _write_note(self, rows):
+        """Why the seams of the chosen rows were not repaired, in full: the column is too narrow for it."""
+        reasons = ["Seam %d: %s" % (row.seam, row.cells[-1]) for row in rows if row.state == repair_text.LEFT]
+        self.note.setText("\n".join(reasons))
+        self.note.setVisible(bool(reasons))
 
 
 def _item(text, row, column):

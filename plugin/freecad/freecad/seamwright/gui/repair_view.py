@@ -1,15 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a Seam Repair looks: as its source, or with the faces coloured by how far they moved.
+"""How a Seam Repair looks: as its source, or with its points coloured by how far they moved.
 
 The class path is written into documents: neither rename nor move it.
 """
 
 import FreeCAD as App
 
-from freecad.seamwright.document import repair
+from freecad.seamwright.document import repair, sources
+from freecad.seamwright.document.move_map import move_map
 from freecad.seamwright.gui.halo import Halo
 from freecad.seamwright.gui.legend import Legend
 from freecad.seamwright.gui.marker import Marker
+from freecad.seamwright.gui.move_colours import MoveColours
+from freecad.seamwright.gui.progress import progress_dialog
 from freecad.seamwright.gui.qt import QtCore
 from freecad.seamwright.gui.repair_panel import RepairPanel
 from freecad.seamwright.gui.result_view import ResultView
@@ -32,9 +35,10 @@ class SeamRepairView(ResultView):
         """FreeCAD calls this for a new view and for a restored one."""
         super().attach(vobj)
         add_properties(vobj)
-        self.legend, self.halo, self.marker = Legend(), Halo(), Marker()
-        for node in (self.halo.node, self.marker.node, self.legend.node):
+        self.legend, self.halo, self.marker, self.colours = Legend(), Halo(), Marker(), MoveColours()
+        for node in (self.colours.node, self.halo.node, self.marker.node, self.legend.node):
             vobj.RootNode.insertChild(node, 0)  # before the placement of the shape: what they show stands in the model
+        self._drawn = None  # the report whose moves are drawn
         self._draw_later(vobj.Object)
 
     def sources(self, obj):
@@ -51,14 +55,17 @@ class SeamRepairView(ResultView):
 
     def updateData(self, obj, prop):
         """Follow the results."""
+        had_result = self._had_result
         super().updateData(obj, prop)
-        if prop == "Summary" and hasattr(self, "legend") and "Restore" not in obj.State:
+        if prop == "Summary" and "Restore" not in obj.State:
+            if self._had_result and not had_result:
+                _look_like_source(obj)
             self._draw(obj.ViewObject)
 
     def onChanged(self, vobj, prop):
         """Follow the view properties that concern the colours."""
-        if prop in ("ShowMoves", "Visibility") and hasattr(self, "legend"):
-            self._draw(vobj) if prop == "ShowMoves" else self._show_legend(vobj)
+        if prop in ("ShowMoves", "Visibility") and hasattr(self, "colours"):
+            self._draw(vobj)
 
     def mark(self, edges, classes, worst):
         """Draw a bright band along the edges, which have the given classes; [] takes it away.
@@ -76,32 +83,39 @@ class SeamRepairView(ResultView):
     def _draw_if_there(self, doc_name, name):
         obj = App.getDocument(doc_name).getObject(name) if doc_name in App.listDocuments() else None
         if obj is not None:
-            self._show_legend(obj.ViewObject)
+            self._draw(obj.ViewObject)
 
     def _draw(self, vobj):
-        """Colour the faces by their moves, or as those of the source."""
-        obj = vobj.Object
-        if obj.Shape.isNull():
-            return
-        if vobj.ShowMoves:
-            bands = moves.face_bands(len(obj.Shape.Faces), repair.report_of(obj)["moves"])
-            vobj.DiffuseColor = [(*(channel / 255 for channel in band.rgb), 0.0) for band in bands]
-        else:
-            _look_like(vobj, obj)
-        self._show_legend(vobj)
-
-    def _show_legend(self, vobj):
-        obj = vobj.Object
-        shown = bool(vobj.ShowMoves and vobj.Visibility and not obj.Shape.isNull())
+        """Show the moves in colour, or no longer."""
+        shown = bool(vobj.ShowMoves and vobj.Visibility) and self._map_moves(vobj.Object)
+        self.colours.show(shown)
         self.legend.show(shown)
-        if shown:
-            bands = moves.face_bands(len(obj.Shape.Faces), repair.report_of(obj)["moves"])
-            self.legend.update(obj.Label, moves.legend_entries(bands), "largest move of a face", LEGEND_TEXT_PX)
+
+    def _map_moves(self, obj):
+        """Draw the moves if they are not drawn yet; False where they cannot be, or the user cancelled."""
+        if self._drawn == obj.Report:
+            return True
+        try:
+            before = repair.source_shape(obj)
+        except sources.SourceError:
+            return False
+        if len(before.Faces) != len(obj.Shape.Faces):
+            return False
+        found = repair.report_of(obj)["moves"]
+        with progress_dialog("Computing moves\u2026") as progress:
+            mapped = move_map(before, obj.Shape, found, progress)
+        if mapped is None:
+            return False
+        self.colours.update(mapped, obj.Shape.Edges)
+        entries = moves.legend_entries(mapped.largest_mm)
+        self.legend.update("Moves of points", entries, moves.legend_footer(found, len(before.Faces)), LEGEND_TEXT_PX)
+        self._drawn = obj.Report
+        return True
 
 
-def _look_like(vobj, obj):
+def _look_like_source(obj):
     """Give the faces the colours of the source."""
-    look = obj.Source.ViewObject if obj.Source is not None else None
+    look, vobj = obj.Source.ViewObject, obj.ViewObject
     if not hasattr(look, "ShapeColor"):
         return
     vobj.ShapeColor = look.ShapeColor
@@ -112,7 +126,7 @@ def _look_like(vobj, obj):
 def add_properties(vobj):
     """Add the view properties an object lacks."""
     if "ShowMoves" not in vobj.PropertiesList:
-        tip = "Colour each face by how far it moved, with a legend"
+        tip = "Colour each point by how far it moved, with a legend"
         vobj.addProperty("App::PropertyBool", "ShowMoves", "Repair", tip)
 
 

@@ -42,7 +42,7 @@ class Row:
 #: heading, tool tip
 COLUMNS = (
     ("Seam", "Number of the seam in the model"),
-    ("Faces", "The two faces that meet"),
+    ("Faces", "Numbers of the two faces that meet"),
     ("Angle \u00b0", "Largest angle between the tangent planes, before and after, in degrees"),
     ("Gap mm", "Largest distance between the two sides, before and after, in mm"),
     ("Curvature %", "Largest relative difference of curvature, before and after, in %"),
@@ -158,9 +158,9 @@ def _row(seam, tolerance, done):
     before, after = seam["before"], seam["after"]
     state = WAITING if not done else REPAIRED if seam["repaired"] else LEFT
     figures = (_change_text(before, after, name, tolerance) for name in ("angle_deg", "gap_mm", "curvature_rel"))
-    reason = _named(seam["reason"])
+    reason = named(seam["reason"])
     result = {WAITING: "", REPAIRED: "repaired", LEFT: reason}[state]
-    faces = ", ".join("Face%d" % number for number in before["faces"])
+    faces = ", ".join(str(number) for number in before["faces"])
     return Row(
         seam=before["id"],
         edges=tuple(before["edges"]),
@@ -170,7 +170,7 @@ def _row(seam, tolerance, done):
     )
 
 
-def _named(text):
+def named(text):
     """A sentence of the kernel with its faces and edges as the user reads them: "Face3"."""
     return re.sub(r"\b(face|edge) (\d+)\b", lambda found: found.group(1).capitalize() + found.group(2), text)
 
