@@ -78,9 +78,16 @@ TEST(RepairNoise, OfATenth) {
   expectRepaired(counted(flowing, {"", 0.1}), 200, 3);
 }
 
+/// Where 3 or 5 natural sides meet, the exact join and the common curvature of a corner move more than the noise did.
+TEST(RepairNoise, StarsOfNaturalSides) {
+  const std::vector<Series> stars = {{"blob 6", 1}, {"blob 24", 1}, {"blob 30", 1}};
+  expectRepaired(counted(stars, {"", 0.01}), 100, 25);
+}
+
+/// The tensors of corners ask for larger moves.
 TEST(RepairNoise, CurvatureToo) {
   for (const double noise_mm : {0.001, 0.01}) {
-    const RepairCounts counts = counted(flowing, {"", noise_mm, 1, 2});
+    const RepairCounts counts = counted(flowing, {"", noise_mm, 1, 2, noise_mm < 0.01 ? 5.0 : 1.0});
     expectRepaired(counts, 100, 12);
     EXPECT_LT(counts.largest_curvature_rel, 0.02);
   }
