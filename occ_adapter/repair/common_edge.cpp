@@ -15,6 +15,7 @@
 #include <TColgp_HArray1OfPnt2d.hxx>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 #include <seamwright/occ_adapter/convert/nearest.hpp>

@@ -27,13 +27,13 @@ class Converting {
   }
 
   RepairReport run() {
-    RepairReport plain = repair_(model_, options_, next());
+    RepairReport plain = repaired(model_);
     original_ = plain.before;
     choice_ = choose(model_, original_, options_);
     std::set<int> chosen = fewest(plain);
     RepairReport report;
     for (bool first = true; !chosen.empty(); first = false) {
-      report = repair_(converted(chosen), options_, next());
+      report = repaired(converted(chosen));
       const std::set<int> moved = movedOf(chosen, report), spoilt = besideWorse(chosen, report);
       std::set<int> now = first ? with(chosen, besideUnrepaired(report)) : moved;
       for (const int face : spoilt) now.erase(face);
@@ -41,17 +41,24 @@ class Converting {
       if (now == chosen) return told(std::move(report));
       chosen = std::move(now);
     }
-    if (progress_) progress_(1);
     for (SeamRepair& seam : plain.seams) addReasons(seam);
-    return plain;
+    return finished(std::move(plain));
   }
 
  private:
-  /// Each run takes half of what is left.
-  Progress next() {
+  /// Each run takes half of what is left of the progress.
+  RepairReport repaired(const Model& model) {
     const double from = done_;
     done_ += (1 - done_) / 2;
-    return partOf(progress_, from, done_);
+    RepairReport report = repair_(model, options_, partOf(progress_, from, done_));
+    seconds_ += report.repair_s;
+    return report;
+  }
+
+  RepairReport finished(RepairReport report) const {
+    report.repair_s = seconds_;
+    if (progress_) progress_(1);
+    return report;
   }
 
   bool mayBeConverted(int face) const {
@@ -166,7 +173,7 @@ class Converting {
     for (FaceMove& move : report.moves)
       if (const auto error = errors_mm_.find(move.face); error != errors_mm_.end())
         move.largest_move_mm += error->second;
-    return report;
+    return finished(std::move(report));
   }
 
   void addReasons(SeamRepair& seam) const {
@@ -185,7 +192,7 @@ class Converting {
   Choice choice_;
   std::map<int, double> errors_mm_;      ///< by face converted
   std::map<int, std::string> failures_;  ///< by face that can't be
-  double done_ = 0;
+  double done_ = 0, seconds_ = 0;
 };
 
 }  // namespace

@@ -74,7 +74,8 @@ std::string at(const Eigen::Vector3d& point) {
 }
 
 /// Poles of a side that is one point move as one.
-std::vector<std::vector<int>> collapsedSides(const SurfaceBasis& basis, const PointRows& poles) {
+std::vector<std::vector<int>> collapsedSides(const SurfaceBasis& basis, const PointRows& poles,
+                                             double near_mm) {
   std::vector<std::vector<int>> sides;
   const auto collect = [&](int count, const auto& number) {
     std::vector<int> side;
@@ -84,7 +85,8 @@ std::vector<std::vector<int>> collapsedSides(const SurfaceBasis& basis, const Po
       spread = std::max(spread, (poles.row(pole) - poles.row(side.front())).norm());
       size = std::max(size, poles.row(pole).cwiseAbs().maxCoeff());
     }
-    if (spread <= 64 * std::numeric_limits<double>::epsilon() * size) sides.push_back(std::move(side));
+    if (spread <= std::max(near_mm, 64 * std::numeric_limits<double>::epsilon() * size))
+      sides.push_back(std::move(side));
   };
   const int last_u = basis.u().poles - 1, last_v = basis.v().poles - 1;
   if (!basis.u().periodic)
@@ -191,10 +193,10 @@ class FaceFollower {
     return measurePair(sideOf(place.target), own);
   }
 
-  double ratioAt(const Place& place, int order, const PairMeasure& pair) const {
+  double ratioAt(const Place& place, const PairMeasure& pair) const {
     const SurfaceJet jet = jetOf(place.shares, poles_);
-    if (order > 0 && pair.angle_rad && place.target.normal.dot(jet.u.cross(jet.v)) < 0) return infinite;
-    return ratioOf(pair, order, task_.tolerance);
+    if (place.order > 0 && pair.angle_rad && place.target.normal.dot(jet.u.cross(jet.v)) < 0) return infinite;
+    return ratioOf(pair, place.order, task_.tolerance);
   }
 
   void judge() {
@@ -204,7 +206,7 @@ class FaceFollower {
       for (const std::vector<Place>* places : {&samples_[i], &checks_[i]}) {
         for (const Place& place : *places) {
           const PairMeasure pair = measured(place);
-          const double ratio = ratioAt(place, task_.paths[i].order, pair);
+          const double ratio = ratioAt(place, pair);
           if (ratio >= worst_[i].ratio) worst_[i] = {ratio, place.target.point, pair};
         }
         if (places == &samples_[i]) at_samples_ = std::max(at_samples_, worst_[i].ratio);
@@ -225,7 +227,7 @@ class FaceFollower {
     for (std::size_t i = 0; i < task_.paths.size(); ++i)
       for (const std::vector<Place>* places : {&samples_[i], &checks_[i]})
         for (const Place& place : *places)
-          for (int row = 0; row < rows[std::clamp(task_.paths[i].order, 0, 2)]; ++row) {
+          for (int row = 0; row < rows[std::clamp(place.order, 0, 2)]; ++row) {
             const auto share = place.shares.share.row(row);
             const double least = least_share * share.cwiseAbs().maxCoeff();
             for (int k = 0; k < share.size(); ++k)
@@ -250,7 +252,7 @@ class FaceFollower {
     std::vector<int> unknown(touched.rows(), -1);
     const auto moves = [&](int pole) { return touched(pole, 0) > 1e-12; };
     count = 0;
-    for (const std::vector<int>& side : collapsedSides(basis_, original_))
+    for (const std::vector<int>& side : collapsedSides(basis_, original_, task_.tolerance.gap_mm / 100))
       if (std::ranges::any_of(side, moves)) {
         for (const int pole : side) unknown[pole] = count;
         ++count;
@@ -324,13 +326,13 @@ class FaceFollower {
     LeastMoves system_;
   };
 
-  void addPlace(const Place& place, int order, Conditions& conditions) const {
+  void addPlace(const Place& place, Conditions& conditions) const {
     const ContinuityTolerance& tolerance = task_.tolerance;
     const TargetPoint& target = place.target;
     const PoleShares& shares = place.shares;
     conditions.addPoint(shares.poles, shares.share.row(0), target.point,
                         1 / (task_.share * tolerance.gap_mm));
-    if (order < 1) return;
+    if (place.order < 1) return;
     const SurfaceJet jet = jetOf(shares, poles_);
     const auto normal = unitNormal(jet, noiseOf(jet, basis_));
     if (!normal) return;
@@ -343,7 +345,7 @@ class FaceFollower {
     slopes << derivative(shares, steps[0]), derivative(shares, steps[1]);
     conditions.add(shares.poles, slopes, target.normal, Eigen::Vector2d::Zero(),
                    1 / (task_.share * tolerance.angle_rad));
-    if (order < 2) return;
+    if (place.order < 2) return;
     Eigen::MatrixXd bends(3, shares.share.cols());
     bends << secondDerivative(shares, steps[0], steps[0]), secondDerivative(shares, steps[0], steps[1]),
         secondDerivative(shares, steps[1], steps[1]);
@@ -368,8 +370,7 @@ class FaceFollower {
       judge();
       if (isMet() || at_samples_ <= task_.share / 2 || at_samples_ > better * before) return;
       before = at_samples_;
-      if (gently_ && limit == infinite)
-        limit = of_its_size * std::max(largestMove(), task_.tolerance.gap_mm);
+      if (gently_ && limit == infinite) limit = of_its_size * std::max(largestMove(), task_.tolerance.gap_mm);
     }
   }
 
@@ -417,7 +418,7 @@ class FaceFollower {
     for (int pass = 0; pass < (curved ? 4 : 1); ++pass) {
       Conditions conditions(unknown, count, original_);
       for (std::size_t i = 0; i < task_.paths.size(); ++i)
-        for (const Place& place : samples_[i]) addPlace(place, task_.paths[i].order, conditions);
+        for (const Place& place : samples_[i]) addPlace(place, conditions);
       addFairness(conditions, weight);
       const PointRows moves = conditions.solve(0.05 * weight);
       if (!moves.allFinite() || moves.cwiseAbs().maxCoeff() > largest_sense * extent) return;
@@ -436,7 +437,7 @@ class FaceFollower {
     for (std::size_t i = 0; i < task_.paths.size(); ++i)
       for (const std::vector<Place>* places : {&samples_[i], &checks_[i]})
         for (const Place& place : *places) {
-          if (ratioAt(place, task_.paths[i].order, measured(place)) <= task_.share) continue;
+          if (ratioAt(place, measured(place)) <= task_.share) continue;
           const std::array<const SplineAxis*, 2> axes = {&basis_.u(), &basis_.v()};
           std::array<double, 2> crossing{};
           for (const int k : {0, 1})
@@ -515,7 +516,7 @@ class FaceFollower {
         const Eigen::Vector3d here = jetOf(ends[a].place->shares, original_).p,
                               there = jetOf(ends[b].place->shares, original_).p;
         if ((here - there).norm() > std::max(task_.tolerance.gap_mm / 10, Precision::Confusion())) continue;
-        const int order = std::min(task_.paths[ends[a].path].order, task_.paths[ends[b].path].order);
+        const int order = std::min(ends[a].place->order, ends[b].place->order);
         SidePoint first = sideOf(ends[a].place->target), second = sideOf(ends[b].place->target);
         const PairMeasure pair = measurePair(first, second);
         if (ratioOf(pair, order, task_.tolerance) <= 1) continue;

@@ -129,7 +129,7 @@ gp_Vec normalAt(const Geom_Surface& surface, double u, double v) {
   return along_u.Crossed(along_v);
 }
 
-/// Whether the normal turned by 90 degrees or more somewhere on a grid over the face.
+/// Whether the normal turned by 90 degrees or more somewhere on a grid over the face; not where a side collapses, as it has none there.
 bool isFolded(const TopoDS_Face& face, const handle<Geom_Surface>& surface) {
   const handle<Geom_Surface> before = BRep_Tool::Surface(face);
   const auto after = handle<Geom_BSplineSurface>::DownCast(surface);
@@ -142,10 +142,17 @@ bool isFolded(const TopoDS_Face& face, const handle<Geom_Surface>& surface) {
     range[i + 1] = std::min(range[i + 1], whole[i + 1]);
   }
   const std::vector<double> all_v = gridOf(after->VKnots(), range[2], range[3]);
+  std::vector<std::array<gp_Vec, 2>> normals;
+  double largest = 0;
   for (const double u : gridOf(after->UKnots(), range[0], range[1]))
-    for (const double v : all_v)
-      if (normalAt(*before, u, v).Dot(normalAt(*after, u, v)) < 0) return true;
-  return false;
+    for (const double v : all_v) {
+      normals.push_back({normalAt(*before, u, v), normalAt(*after, u, v)});
+      largest = std::max(largest, normals.back()[0].Magnitude());
+    }
+  constexpr double none = 1e-6;
+  return std::ranges::any_of(normals, [largest](const auto& normal) {
+    return normal[0].Magnitude() > none * largest && normal[0].Dot(normal[1]) < 0;
+  });
 }
 
 /// Largest tolerance of an edge of the face beyond what it may have; 0 if there is none.

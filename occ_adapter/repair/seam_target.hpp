@@ -39,9 +39,13 @@ class SeamTarget {
   const std::array<bool, 2>& stays() const { return stays_; }
   int order() const { return order_; }
 
-  /// What a side shows at s; where it has no normal, the normal and tensor of the nearest place that has them.
+  /// What a side shows at s. Where it has no normal, the normal and tensor of the nearest place that has them; near a pole the normal that
+  /// the path shows a bit further on leads to, and the tensor from there.
   /// \throws Standard_Failure where OpenCASCADE can't evaluate.
   TargetPoint shown(int side, double s) const;
+
+  /// The side has no normal at that end: a boundary of its surface collapses there.
+  bool isPole(int side, int end) const { return pole_reach_.at(side).at(end) > 0; }
 
   /// Has no effect if a side stays. The sense of the normal is no matter. \param end 0 or 1.
   void setEnd(int end, const TargetPoint& target);
@@ -53,7 +57,8 @@ class SeamTarget {
   /// \throws Standard_Failure where OpenCASCADE can't evaluate.
   TargetPoint at(double s) const;
 
-  /// The same for a side over its own path: of the stretch of a matched seam the nearest point, normals in that side's sense.
+  /// The same for a side over its own path: of the stretch of a matched seam the nearest point, normals in that side's sense; none at a
+  /// pole of the side.
   TargetPoint at(int side, double s) const;
   Pcurve path(int side) const;
 
@@ -72,6 +77,8 @@ class SeamTarget {
   double place(int side, double s) const;
   double placeOnSecond(double s) const;
   double seamParameter(int side, double place) const;
+  TargetPoint regular(int side, double s) const;
+  TargetPoint shownNearPole(int side, int end, double distance) const;
   SidePoint regularPoint(int side, double s) const;
   Eigen::Vector3d slope(int side, double s) const;
   Mean mean(double s) const;
@@ -83,7 +90,8 @@ class SeamTarget {
   std::array<bool, 2> stays_;
   int order_;
   std::array<FaceStrip, 2> strips_;
-  double second_sign_ = 1;  ///< that turns the second side's normal to the first's
+  std::array<std::array<double, 2>, 2> pole_reach_{};  ///< by side and end, of s; 0: no pole
+  double second_sign_ = 1;                             ///< that turns the second side's normal to the first's
   std::array<std::optional<Lead>, 2> leads_;
 };
 
@@ -96,6 +104,8 @@ struct VertexView {
   TargetPoint shown;
   int held =
       -1;  ///< order to which it can't change there, as it stays or another boundary of it does; -1: it can
+  bool is_pole =
+      false;  ///< a boundary of the face collapses there: it shows no curvature, and held alone a normal
 };
 
 struct VertexConsensus {

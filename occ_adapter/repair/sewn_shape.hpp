@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <seamwright/occ_adapter/repair/common_edge.hpp>
+#include <seamwright/occ_adapter/seams/find.hpp>
 
 /// Loose faces made one shell; not a public header.
 namespace seamwright::occ {
@@ -21,7 +21,6 @@ struct SewnShape {
   std::map<std::size_t, int> seam_edges;  ///< by sewn seam
   /// Vertices, wires, shells, solids and compounds that were made anew, one for one; not those whose faces are in another shell now.
   TopTools_DataMapOfShapeShape became;
-  double largest_tolerance_mm = 0;  ///< of the edges made
 };
 
 /// Sews these seams: two edges become one with a path on both faces, or cut edges where only a part of one lies along the other; ends

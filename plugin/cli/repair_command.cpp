@@ -22,6 +22,7 @@ occ::RepairOptions optionsOf(const RepairArguments& arguments) {
   options.edges = arguments.edges;
   options.fixed_faces = arguments.fixed_faces;
   options.match_mm = arguments.measure.match_mm;
+  options.sew = arguments.sew;
   options.jobs = arguments.measure.jobs;
   options.validate();
   return options;
@@ -83,6 +84,8 @@ void addRepairOptions(CLI::App& command, RepairArguments& arguments) {
       ->delimiter(',')
       ->allow_extra_args(false);
   addMeasureOptions(command, arguments.measure);
+  command.add_flag("!--no-sew", arguments.sew,
+                   "Edges that --match finds stay two, though they meet within the gap");
   command.add_option("--json", arguments.json, "Write a report to this file")->type_name("FILE");
   command.add_flag("--overwrite", arguments.overwrite, "Another file of OUT's name may be replaced");
   command.add_flag("--overwrite-source", arguments.overwrite_source, "OUT may be MODEL itself");

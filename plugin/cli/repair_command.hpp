@@ -17,6 +17,7 @@ struct RepairArguments {
   double max_move_mm = occ::RepairOptions{}.max_move_mm;
   std::vector<int> edges;
   std::vector<int> fixed_faces;
+  bool sew = true;
   std::string json;
   bool overwrite = false;
   bool overwrite_source = false;

@@ -53,6 +53,12 @@ int orderOf(const py::object& target) {
   throw py::value_error("target " + shown(target) + ": known are G1 and G2");
 }
 
+bool flagOf(const char* name, const py::object& value) {
+  if (!PyBool_Check(value.ptr()))
+    throw py::value_error(std::string(name) + " is " + shown(value) + ": True or False is needed");
+  return value.cast<bool>();
+}
+
 std::vector<int> wholeNumbers(const char* name, const py::object& value) {
   const bool is_text = PyUnicode_Check(value.ptr()) || PyBytes_Check(value.ptr());
   const bool one_dimension = !py::hasattr(value, "ndim") || py::cast<int>(value.attr("ndim")) == 1;

@@ -53,6 +53,9 @@ T argument(const char* name, const py::object& value, const char* kind) {
 /// As many numbers as \p count from one for all of them, or the numbers of a sequence of any length.
 std::vector<double> each(const char* name, const py::object& value, Eigen::Index count);
 
+/// True or False; ValueError for anything else.
+bool flagOf(const char* name, const py::object& value);
+
 /// The numbers of a sequence, all whole.
 std::vector<int> wholeNumbers(const char* name, const py::object& value);
 

@@ -29,12 +29,6 @@ occ::MatchMoves movesOf(const py::object& moves) {
   throw py::value_error("moves " + shown(moves) + ": known are first, second and both");
 }
 
-bool flagOf(const char* name, const py::object& value) {
-  if (!PyBool_Check(value.ptr()))
-    throw py::value_error(std::string(name) + " is " + shown(value) + ": True or False is needed");
-  return value.cast<bool>();
-}
-
 MatchResult matchFaces(const occ::Model& model, const py::object& first, const py::object& second,
                        const py::object& target, const py::object& moves, const py::object& max_move_mm,
                        const py::object& hold_sides, const py::object& match_mm, const py::object& edge,

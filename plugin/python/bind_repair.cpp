@@ -31,8 +31,8 @@ RepairReport repairModel(const occ::Model& model, const py::object& target, cons
                          const py::object& gap_mm, const py::object& angle_deg,
                          const py::object& curvature_rel, const py::object& flat_radius_mm,
                          const py::object& crease_deg, const py::object& max_move_mm, const py::object& edges,
-                         const py::object& fixed_faces, const py::object& match_mm, const py::object& jobs,
-                         const py::object& progress) {
+                         const py::object& fixed_faces, const py::object& match_mm, const py::object& sew,
+                         const py::object& jobs, const py::object& progress) {
   occ::RepairOptions options;
   options.order = orderOf(target);
   options.tolerance = toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg});
@@ -41,6 +41,7 @@ RepairReport repairModel(const occ::Model& model, const py::object& target, cons
   options.edges = edgesOf(edges);
   options.fixed_faces = wholeNumbers("fixed_faces", fixed_faces);
   if (!match_mm.is_none()) options.match_mm = argument<double>("match_mm", match_mm, "a number");
+  options.sew = flagOf("sew", sew);
   options.jobs = argument<int>("jobs", jobs, "a whole number");
   const occ::Progress report = progressOf(progress);
   const py::gil_scoped_release release;
@@ -63,7 +64,8 @@ void bindRepair(py::module_& module) {
   py::class_<RepairReport>(module, "RepairReport", py::module_local(), "What came of Model.repair().")
       .def_property_readonly(
           "model", [](const RepairReport& repair) { return repair.report.model; },
-          "The repaired model: same faces, edges and solids, in the same order.")
+          "The repaired model: same faces, edges and solids, in the same order unless edges were "
+          "sewn.")
       .def_property_readonly(
           "before", [](const RepairReport& repair) { return repair.report.before; },
           "The Report of the model as it was.")
@@ -71,13 +73,14 @@ void bindRepair(py::module_& module) {
           "after", [](const RepairReport& repair) { return repair.report.after; },
           "The Report of the repaired model.")
       .def_property_readonly(
-          "changed", [](const RepairReport& repair) { return repair.report.changed(); }, "Some face moved.")
+          "changed", [](const RepairReport& repair) { return repair.report.changed(); },
+          "Some face moved, or edges were sewn.")
       .def_property_readonly(
           "passed", [](const RepairReport& repair) { return repair.report.after.passed(); },
           "No seam is a defect any more.")
       .def_property_readonly(
           "seams", [](const RepairReport& repair) { return py::object(toDict(repair)["seams"]); },
-          "All seams: a list of dicts {before, after, treated, repaired, reason}.")
+          "All seams: a list of dicts {before, after, treated, repaired, reason, sewn, not_sewn}.")
       .def_property_readonly(
           "moves", [](const RepairReport& repair) { return py::object(toDict(repair)["moves"]); },
           "The faces that moved: a list of dicts {face, largest_move_mm}.")
@@ -86,7 +89,8 @@ void bindRepair(py::module_& module) {
           [](const RepairReport& repair) {
             return plainObject(report::toJson(report::summarize(repair.report)));
           },
-          "A dict {seams, treated, repaired, left, defects_before, defects_after, largest_move_mm, changed}.")
+          "A dict {seams, treated, repaired, left, sewn, defects_before, defects_after, largest_move_mm, "
+          "changed}.")
       .def("to_dict", &toDict, "All but the model as a plain dict with the keys of the JSON.")
       .def(
           "to_json",
@@ -105,13 +109,14 @@ void bindRepair(py::module_& module) {
       py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
       py::arg("crease_deg") = py::none(), py::arg("max_move_mm") = occ::RepairOptions{}.max_move_mm,
       py::arg("edges") = py::none(), py::arg("fixed_faces") = py::tuple(), py::arg("match_mm") = 0.0,
-      py::arg("jobs") = 0, py::arg("progress") = py::none(),
+      py::arg("sew") = true, py::arg("jobs") = 0, py::arg("progress") = py::none(),
       "Moves poles of spline faces, as little as possible, until the seams chosen flow; proves it, or "
       "leaves them as they were. Returns a RepairReport; the model is not changed.\n\n"
       "target: 'G1' or 'G2'. Tolerances as in analyze(). max_move_mm: no pole moves further; None: any "
       "distance. edges: numbers of the edges, from 1, whose seams are treated; None: all defects. "
       "fixed_faces: numbers of faces that stay. match_mm: also open edges no further apart than this; 0: "
-      "none. jobs: threads; 0: one for each processor.");
+      "none. sew: such edges become one where they meet within the gap tolerance. jobs: threads; 0: one for "
+      "each processor.");
 }
 
 }  // namespace seamwright::python

@@ -17,7 +17,17 @@ ordered_json optionsJson(const occ::RepairOptions& options) {
            std::isfinite(options.max_move_mm) ? ordered_json(options.max_move_mm) : ordered_json(nullptr)},
           {"edges", options.edges},
           {"fixed_faces", options.fixed_faces},
-          {"match_mm", options.match_mm}};
+          {"match_mm", options.match_mm},
+          {"sew", options.sew}};
+}
+
+/// Numbers in the repaired model by those in the given one, from 1; null where they are the same.
+ordered_json numbersJson(const occ::RepairReport& report) {
+  if (!report.sewn()) return nullptr;
+  ordered_json faces = report.faces_now, edges = report.edges_now;
+  faces.erase(0);
+  edges.erase(0);
+  return {{"faces", std::move(faces)}, {"edges", std::move(edges)}};
 }
 
 ordered_json outputJson(const std::optional<RepairOutput>& output) {
@@ -34,6 +44,7 @@ RepairSummary summarize(const occ::RepairReport& report) {
   for (const occ::SeamRepair& seam : report.seams) {
     summary.treated += seam.treated;
     summary.repaired += seam.repaired;
+    summary.sewn += seam.sewn;
     summary.left += seam.treated && !seam.repaired;
   }
   summary.defects_before = summarize(report.before).defects;
@@ -48,6 +59,7 @@ ordered_json toJson(const RepairSummary& summary) {
           {"treated", summary.treated},
           {"repaired", summary.repaired},
           {"left", summary.left},
+          {"sewn", summary.sewn},
           {"defects_before", summary.defects_before},
           {"defects_after", summary.defects_after},
           {"largest_move_mm", summary.largest_move_mm},
@@ -59,7 +71,9 @@ ordered_json toJson(const occ::SeamRepair& seam, const ContinuityTolerance& tole
           {"after", toJson(seam.after, tolerance)},
           {"treated", seam.treated},
           {"repaired", seam.repaired},
-          {"reason", seam.reason}};
+          {"reason", seam.reason},
+          {"sewn", seam.sewn},
+          {"not_sewn", seam.not_sewn}};
 }
 
 ordered_json toJson(const occ::FaceMove& move) {
@@ -78,6 +92,7 @@ ordered_json toJson(const occ::RepairReport& report, const occ::RepairOptions& o
     json["seams"].push_back(toJson(seam, report.before.tolerance));
   json["moves"] = ordered_json::array();
   for (const occ::FaceMove& move : report.moves) json["moves"].push_back(toJson(move));
+  json["numbers_now"] = numbersJson(report);
   return json;
 }
 

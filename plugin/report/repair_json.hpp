@@ -15,6 +15,7 @@ struct RepairSummary {
   int treated = 0;
   int repaired = 0;  ///< of those treated
   int left = 0;      ///< of those treated: not repaired
+  int sewn = 0;
   int defects_before = 0;
   int defects_after = 0;
   double largest_move_mm = 0;

@@ -11,15 +11,24 @@ namespace seamwright::report {
 namespace {
 
 std::string verdictOf(const occ::SeamRepair& seam) {
-  if (seam.repaired) return "repaired";
-  return seam.treated ? "left" : "not treated";
+  const std::string result = seam.repaired          ? "repaired"
+                             : seam.treated         ? "left"
+                             : !seam.reason.empty() ? "not treated"
+                                                    : "";
+  if (!seam.sewn) return result;
+  return result.empty() ? "sewn" : result + ", sewn";
 }
 
-/// What was asked for: treated, or a reason why not.
+std::string reasonOf(const occ::SeamRepair& seam) {
+  if (seam.not_sewn.empty()) return seam.reason;
+  return (seam.reason.empty() ? "not sewn: " : seam.reason + "; not sewn: ") + seam.not_sewn;
+}
+
+/// What was asked for: treated or sewn, or a reason why not.
 std::vector<const occ::SeamRepair*> shownSeams(const occ::RepairReport& report) {
   std::vector<const occ::SeamRepair*> shown;
   for (const occ::SeamRepair& seam : report.seams)
-    if (seam.treated || !seam.reason.empty()) shown.push_back(&seam);
+    if (seam.treated || seam.sewn || !reasonOf(seam).empty()) shown.push_back(&seam);
   std::ranges::stable_partition(shown, [](const occ::SeamRepair* seam) { return !seam->repaired; });
   return shown;
 }
@@ -43,20 +52,23 @@ Row headings(const std::vector<Column>& columns) {
 
 Row rowOf(const occ::SeamRepair& seam, const std::vector<Column>& columns) {
   Row row = {
-      verdictOf(seam), edgesText(seam.before), facesText(seam.before),
+      verdictOf(seam), change(edgesText(seam.before), edgesText(seam.after)),
+      change(facesText(seam.before), facesText(seam.after)),
       change(std::string(name(seam.before.verdict.level)), std::string(name(seam.after.verdict.level)))};
   for (const Column& column : columns)
     row.push_back(change(cellOf(seam.before, column), cellOf(seam.after, column)));
-  row.push_back(seam.reason);
+  row.push_back(reasonOf(seam));
   return row;
 }
 
 void writeHead(std::ostream& out, const occ::RepairReport& report, const RepairSummary& summary) {
   writeModel(out, report.before);
   out << "  " << counted(report.seams.size(), "seam") << ": " << summary.treated << " treated, "
-      << summary.repaired << " repaired, " << summary.left << " left;  "
-      << counted(summary.defects_before, "defect") << " before, " << summary.defects_after << " after\n  ";
-  if (summary.changed)
+      << summary.repaired << " repaired, " << summary.left << " left";
+  if (summary.sewn > 0) out << ", " << summary.sewn << " sewn";
+  out << ";  " << counted(summary.defects_before, "defect") << " before, " << summary.defects_after
+      << " after\n  ";
+  if (!report.moves.empty())
     out << counted(report.moves.size(), "face") << " moved, by at most "
         << number(summary.largest_move_mm, "%.3g") << " mm";
   else

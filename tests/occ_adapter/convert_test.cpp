@@ -20,6 +20,7 @@
 #include <Geom_SurfaceOfRevolution.hxx>
 #include <Geom_ToroidalSurface.hxx>
 #include <TColgp_Array1OfPnt.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
@@ -240,6 +241,113 @@ TEST(Convert, ACylinder) {
       ASSERT_TRUE(sides);
       EXPECT_LE(denseMaxima(*sides, 501, options.tolerance).angle_rad->sure(), options.tolerance.angle_rad);
     }
+}
+
+/// Faces of revolution about one axis that meet along a circle at a small angle: the first is a cone, the second starts with its end.
+struct Round {
+  std::string name;
+  TopoDS_Shape shape;
+};
+
+std::vector<Round> roundPairs(double angle_rad, double to) {
+  const double r = 20, cone = 0.3;
+  const auto cone_face =
+      BRepBuilderAPI_MakeFace(new Geom_ConicalSurface(gp::XOY(), cone, r), 0, to, -15, 0, 1e-7).Shape();
+  const auto beside = [&](const handle<Geom_Surface>& surface, double v0, double v1) {
+    return loose(cone_face, BRepBuilderAPI_MakeFace(surface, 0, to, v0, v1, 1e-7).Shape());
+  };
+  // The meridian of the second has the slope of the cone and a little more.
+  const double slope = cone + angle_rad;
+  const double sphere_r = r / std::cos(slope), tube = 6;
+  const auto at = [](double z) { return gp_Ax3(gp_Pnt(0, 0, z), gp::DZ()); };
+  return {
+      {"cone", beside(new Geom_ConicalSurface(gp::XOY(), slope, r), 0, 12)},
+      {"sphere", beside(new Geom_SphericalSurface(at(sphere_r * std::sin(slope)), sphere_r), -slope, 0.4)},
+      {"torus", beside(new Geom_ToroidalSurface(at(tube * std::sin(slope)), r - tube * std::cos(slope), tube),
+                       2 * pi - slope, 2 * pi + 0.5)}};
+}
+
+/// Pairs that are loose are matched, moved and sewn.
+TEST(Convert, RoundFacesOpenAndClosed) {
+  for (const double to : {1.5, 2 * pi})
+    for (const Round& pair : roundPairs(0.4 * degree, to))
+      for (const int fixed : to > 2 ? std::vector{1} : std::vector{1, 2}) {
+        SCOPED_TRACE(pair.name + " to " + std::to_string(to) + ", face " + std::to_string(fixed) + " stays");
+        RepairOptions options = converting();
+        options.match_mm = 0.05;
+        options.fixed_faces = {fixed};
+        const RepairReport report = repair(modelFromShape(pair.shape), options);
+        SCOPED_TRACE(reasonsOf(report));
+        EXPECT_EQ(repairedSeams(report), 1);
+        ASSERT_EQ(report.converted.size(), 1);
+        EXPECT_EQ(report.converted[0].face, 3 - fixed);
+        EXPECT_GT(report.converted[0].error_mm, 0);
+        EXPECT_LE(report.converted[0].error_mm, 1e-5);
+        EXPECT_TRUE(BRepCheck_Analyzer(report.model.shape).IsValid());
+        expectTolerancesHold(report.model.shape);
+        for (const occ::SeamRepair& seam : report.seams) {
+          EXPECT_GE(seam.after.verdict.level, seam.before.verdict.level) << describe(seam.after);
+          EXPECT_EQ(seam.sewn, seam.before.kind == occ::SeamKind::Matched) << seam.not_sewn;
+          const auto sides = denseSides(report.model.shape, seam.after.edges[0], seam.after.faces);
+          if (!sides) continue;
+          EXPECT_LE(denseMaxima(*sides, 301, options.tolerance).angle_rad->sure(),
+                    options.tolerance.angle_rad);
+        }
+      }
+}
+
+TEST(Convert, StopsWhereItIsAskedTo) {
+  const occ::Model model = modelFromShape(kinked(0.5 * degree));
+  std::vector<double> shares;
+  const auto note = [&shares](double share) {
+    shares.push_back(share);
+    return true;
+  };
+  EXPECT_GT(repair(model, converting(), note).repair_s, 0);
+  EXPECT_TRUE(std::ranges::is_sorted(shares));
+  EXPECT_EQ(shares.back(), 1);
+  for (const double stop : {0.0, 0.3, 0.6})
+    EXPECT_THROW(repair(model, converting(), [stop](double share) { return share < stop; }), occ::Cancelled)
+        << stop;
+}
+
+/// Three sheets at an edge, and a fourth that continues one of them at a small angle.
+TopoDS_Shape threeSheets(double angle_rad) {
+  const auto sheet = [](const gp_Pnt& a, const gp_Pnt& b, const gp_Pnt& c, const gp_Pnt& d) {
+    TColgp_Array2OfPnt poles(1, 4, 1, 4);
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j) {
+        const double u = i / 3.0, v = j / 3.0;
+        poles(i + 1, j + 1) = gp_Pnt((1 - u) * (1 - v) * a.XYZ() + (1 - u) * v * b.XYZ() +
+                                     u * (1 - v) * c.XYZ() + u * v * d.XYZ());
+      }
+    return BRepBuilderAPI_MakeFace(splineOf(poles, 3, 3), 1e-7).Shape();
+  };
+  const double c = std::cos(angle_rad), s = std::sin(angle_rad);
+  BRepBuilderAPI_Sewing sewing(1e-6, true, true, true, true);
+  sewing.Add(sheet({0, 0, 0}, {0, 30, 0}, {20, 0, 0}, {20, 30, 0}));
+  sewing.Add(sheet({0, 0, 0}, {0, 30, 0}, {-20, 0, 0}, {-20, 30, 0}));
+  sewing.Add(sheet({0, 0, 0}, {0, 30, 0}, {0, 0, 20}, {0, 30, 20}));
+  sewing.Add(sheet({20, 0, 0}, {20, 30, 0}, {20 + 20 * c, 0, 20 * s}, {20 + 20 * c, 30, 20 * s}));
+  sewing.Perform();
+  return sewing.SewedShape();
+}
+
+TEST(Convert, FacesAtAnEdgeOfThreeStay) {
+  const TopoDS_Shape shape = threeSheets(0.5 * degree);
+  const occ::Report before = analyzed(shape);
+  ASSERT_EQ(before.non_manifold.size(), 1);
+  const std::vector<int> crowded = before.non_manifold[0].faces;
+  ASSERT_EQ(crowded.size(), 3);
+  RepairOptions options = converting();
+  const RepairReport report = repair(modelFromShape(shape), options);
+  EXPECT_EQ(repairedSeams(report), 1) << reasonsOf(report);
+  ASSERT_EQ(report.moves.size(), 1);
+  EXPECT_EQ(std::ranges::count(crowded, report.moves[0].face), 0);
+  options.fixed_faces = {report.moves[0].face};
+  const RepairReport none = repair(modelFromShape(shape), options);
+  EXPECT_FALSE(none.changed());
+  EXPECT_NE(reasonsOf(none).find("where 3 faces meet"), std::string::npos) << reasonsOf(none);
 }
 
 }  // namespace

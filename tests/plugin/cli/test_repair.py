@@ -44,7 +44,9 @@ def check_laws(report, status):
     for key in ("before", "after"):
         assert summary[f"defects_{key}"] == sum(seam[key]["class"] == "defect" for seam in seams)
     assert status == (1 if summary["defects_after"] else 0)
-    assert summary["changed"] == bool(report["moves"])
+    assert summary["sewn"] == sum(seam["sewn"] for seam in seams)
+    assert summary["changed"] == bool(report["moves"] or summary["sewn"])
+    assert (report["numbers_now"] is not None) == bool(summary["sewn"])
     assert summary["largest_move_mm"] == max((move["largest_move_mm"] for move in report["moves"]), default=0)
     limit = report["options"]["max_move_mm"]
     assert limit is None or summary["largest_move_mm"] <= limit
@@ -55,8 +57,14 @@ def check_laws(report, status):
 
 
 def check_seam(seam, report):
-    before, after, tolerance = seam["before"], seam["after"], report["tolerance"]
-    assert (before["id"], before["edges"], before["faces"]) == (after["id"], after["edges"], after["faces"])
+    before, after, tolerance, now = seam["before"], seam["after"], report["tolerance"], report["numbers_now"]
+    assert before["id"] == after["id"]
+    if now is None:
+        assert (before["edges"], before["faces"]) == (after["edges"], after["faces"])
+    else:
+        assert {now["faces"][face - 1] for face in before["faces"]} == set(after["faces"])
+        assert set(after["edges"]) <= {number for edge in before["edges"] for number in now["edges"][edge - 1]}
+    assert seam["sewn"] == (before["kind"] == "matched" != after["kind"]) and not (seam["sewn"] and seam["not_sewn"])
     if seam["treated"]:
         assert seam["repaired"] == (seam["reason"] == "")
     else:
@@ -94,7 +102,7 @@ def test_a_sheet_flows_again(tmp_path, target, seed):
 
 
 def test_the_schema_notices_a_missing_key_a_wrong_type_and_a_foreign_key(tmp_path):
-    _, report, _ = repair(sheet(tmp_path))
+    _, report, _ = repair(sheet(tmp_path, shared=False), "--match", "0.1")
     expect_every_key_matters(report, VALIDATOR)
 
 
@@ -139,10 +147,10 @@ def test_options_arrive(tmp_path):
     model = sheet(tmp_path, count_x=3)
     first, second = (seam["edges"][0] for seam in analysis(model)["seams"])
     _, report, _ = repair(model, "--target", "G2", "--max-move", "0.25", "--edges", f"{second},{first}", "--fix", "1,3",
-                          "--match", "0.05", "--jobs", "1", "--gap", "0.02", "--angle", "0.05", "--curvature", "0.1",
+                          "--match", "0.05", "--no-sew", "--jobs", "1", "--gap", "0.02", "--angle", "0.05", "--curvature", "0.1",
                           "--flat-radius", "5000", "--crease", "7")
     assert report["options"] == {"target": "G2", "max_move_mm": 0.25, "edges": [second, first], "fixed_faces": [1, 3],
-                                 "match_mm": 0.05}
+                                 "match_mm": 0.05, "sew": False}
     tolerance = {"gap_mm": 0.02, "angle_deg": 0.05, "curvature_rel": 0.1, "flat_radius_mm": 5000, "crease_deg": 7}
     assert {key: report["tolerance"][key] for key in tolerance} == pytest.approx(tolerance, rel=1e-12)
     assert [move["face"] for move in report["moves"]] == [2]
@@ -150,7 +158,7 @@ def test_options_arrive(tmp_path):
 
 def test_defaults_are_those_of_the_help(tmp_path):
     _, report, _ = repair(sheet(tmp_path))
-    assert report["options"] == {"target": "G1", "max_move_mm": 0.5, "edges": [], "fixed_faces": [], "match_mm": 0}
+    assert report["options"] == {"target": "G1", "max_move_mm": 0.5, "edges": [], "fixed_faces": [], "match_mm": 0, "sew": True}
     expected = {"gap_mm": 0.01, "angle_deg": 0.1, "curvature_rel": 0.02, "flat_radius_mm": 100000, "crease_deg": 5}
     assert {key: report["tolerance"][key] for key in expected} == pytest.approx(expected, rel=1e-12)
     assert "--max-move MM=0.5" in run("repair", "--help").stdout
@@ -177,15 +185,17 @@ def test_a_crease_is_no_defect_unless_the_user_says_so(tmp_path):
     assert report["seams"][0]["before"]["class"] == "crease"
 
 
-def test_open_edges_are_matched(tmp_path):
+@pytest.mark.parametrize("options,kind,edges", [((), "shared", 7), (("--no-sew",), "matched", 8)])
+def test_open_edges_are_matched_and_sewn(tmp_path, options, kind, edges):
     model = sheet(tmp_path, shared=False)
     assert repair(model)[1]["seams"] == []
-    result, report, out = repair(model, "--match", "0.1")
+    result, report, out = repair(model, "--match", "0.1", *options)
     assert result.returncode == 0
     (seam,) = report["seams"]
-    assert seam["repaired"] and seam["before"]["kind"] == "matched"
+    assert seam["repaired"] and seam["before"]["kind"] == "matched" and seam["after"]["kind"] == kind
     assert worst_figures(surfaces_of(out.read_text()))[1] <= 0.1
-    expect_same_verdicts(report, out, "--match", "0.1")
+    assert expect_same_verdicts(report, out, "--match", "0.1")["model"]["edges"] == edges
+    assert ("repaired, sewn" in result.stdout) == (kind == "shared")
 
 
 @pytest.mark.parametrize("name,format", [("a.step", "STEP"), ("a.STP", "STEP"), ("a.igs", "IGES"), ("a.brep", "BREP"),
@@ -257,7 +267,7 @@ def test_jobs_change_nothing(tmp_path):
     assert reports[0] == reports[1] and written[0] == written[1]
 
 
-REAL = [OCCT_DATA / "occ/shell1.brep", OCCT_DATA / "step/screw.step",
+REAL = [OCCT_DATA / "step/screw.step",
         MODELS / "freeform/blendsolid_test.step", MODELS / "freeform/Silk_Demo_01_sewn.step"]
 
 

@@ -3,7 +3,9 @@
 
 import itertools
 import math
+import pathlib
 import random
+import runpy
 
 import FreeCAD as App
 import Part
@@ -98,6 +100,15 @@ def _disturb(patch, i, j, counts, noise_mm, generator):
         beside_v = (j > 0 and m == 2) or (j + 1 < counts[1] and m == columns - 1)
         if beside_u or beside_v:
             patch.setPole(k, m, patch.getPole(k, m) + App.Vector(0, 0, generator.uniform(-noise_mm, noise_mm)))
+
+
+#: The script that makes the models of the samples.
+SAMPLES = pathlib.Path(__file__).resolve().parents[3] / "samples" / "models" / "make_models.py"
+
+
+def broken_block():
+    """A solid with one seam of 2 degrees, at a Bezier face."""
+    return runpy.run_path(str(SAMPLES))["broken_block"]()
 
 
 def point(x, y, z):

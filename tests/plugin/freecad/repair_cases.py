@@ -168,6 +168,21 @@ class Results(RepairCase):
             self.assertLess((part.Placement.multVec(old.Point) - new.Point).Length, 0.5)
 
 
+    def test_a_placed_solid_stays_a_solid_where_it_stands(self):
+        block = models.add(self.doc, models.broken_block(), "Block")
+        block.Placement = App.Placement(App.Vector(5, 6, 7), App.Rotation(App.Vector(1, 2, 3), 50))
+        self.doc.recompute()
+        obj = repair.create(block, max_move_mm=1.0)
+        self.assertEqual((obj.Wanted, obj.Repaired, obj.MovedFaces), (1, 1, 1), obj.Summary)
+        self.assertEqual(obj.Shape.ShapeType, "Solid")
+        self.assertTrue(obj.Shape.isValid() and obj.Shape.isClosed())
+        for old, new in zip(block.Shape.Vertexes, obj.Shape.Vertexes):
+            self.assertLess((old.Point - new.Point).Length, 1e-9)
+        block.Placement.Base.x = 50
+        self.doc.recompute()
+        self.assertAlmostEqual(obj.Shape.CenterOfMass.x, block.Shape.CenterOfMass.x, delta=0.1)
+
+
 class Options(RepairCase):
     def test_defaults_are_those_of_the_kernel(self):
         obj = repair.create(self.panel())
@@ -253,7 +268,8 @@ class Errors(RepairCase):
     def test_a_source_without_shape_or_faces_and_back(self):
         panel = self.panel()
         obj = repair.create(panel)
-        for shape, text in ((Part.Shape(), "Panel has no shape"), (Part.makeLine((0, 0, 0), (1, 0, 0)), "has no faces")):
+        line = Part.makeLine((0, 0, 0), (1, 0, 0))
+        for shape, text in ((Part.Shape(), "Panel has no shape"), (line, "Panel has no faces")):
             panel.Shape = shape
             self.doc.recompute()
             self.assertNotRepaired(obj, text)

@@ -139,6 +139,23 @@ class Repairing(RepairWindow):
         self.assertGreater(coloured(picture("repair-again")), MANY)
         self.cancel()
 
+    def test_a_placed_model_is_coloured_and_marked_where_it_stands(self):
+        self.source.Placement = App.Placement(App.Vector(500, 0, 90), App.Rotation(App.Vector(0, 0, 1), 30))
+        self.doc.recompute()
+        self.fit()
+        obj, panel = self.start()
+        self.preview(panel)
+        shown = picture("repair-placed")
+        panel.moves.setChecked(False)
+        settle()
+        plain = picture("repair-placed-plain")
+        white = [count(image, (255, 255, 255), MODEL) for image in (shown, plain)]
+        self.assertLess(abs(white[0] - white[1]), 0.01 * white[1])
+        self.assertGreater(coloured(shown), MANY)
+        click_row(panel.table, 0)
+        self.assertGreater(count(picture("repair-placed-row"), BAND), FEW)
+        self.cancel()
+
     def test_ok_without_preview_repairs(self):
         obj, _ = self.start()
         self.ok()
@@ -268,6 +285,26 @@ class Choosing(RepairWindow):
         self.assertIsNone(found.ViewObject.Proxy.panel)
         self.cancel()
 
+    def test_lines_and_legend_of_an_analysis_give_way_to_the_result(self):
+        found = analysis.create([self.source])
+        settle()
+        obj, panel = self.start()
+        self.assertEqual(self.visible(), ["Panel", found.Name])
+        self.preview(panel)
+        whole_window("repair-over-analysis")
+        self.assertEqual(self.visible(), [obj.Name])
+        panel.before.setChecked(True)
+        settle()
+        self.assertEqual(self.visible(), ["Panel", found.Name])
+        self.cancel()
+        self.assertEqual(self.visible(), ["Panel", found.Name])
+        obj, panel = self.start()
+        self.ok()
+        self.assertEqual(self.visible(), [obj.Name])
+        self.doc.undo()
+        settle()
+        self.assertEqual(self.visible(), ["Panel", found.Name])
+
     def test_lines_of_an_analysis_stand_for_their_edges(self):
         found = analysis.create([self.source], level="G2")
         numbers = [seam["edges"][0] for seam in analysis.report_of(found)["seams"]]
@@ -278,6 +315,29 @@ class Choosing(RepairWindow):
         obj, _ = self.start((found, ""))
         self.assertEqual((obj.Source, repair.element_names(obj, "Edges")), (self.source, []))
         self.cancel()
+
+    def test_a_link_and_a_part(self):
+        link = self.doc.addObject("App::Link", "Link")
+        link.LinkedObject = self.source
+        link.Placement.Base.z = 100
+        self.doc.recompute()
+        obj, panel = self.start((link, ""))
+        click_row(panel.table, 0)
+        self.preview(panel)
+        self.assertEqual((obj.Source, obj.Repaired), (link, 7))
+        self.assertGreater(obj.Shape.BoundBox.ZMin, 80)
+        self.cancel()
+        self.doc.removeObject("Link")
+        part = self.doc.addObject("App::Part", "Part")
+        part.addObject(self.source)
+        part.Placement.Base.z = 200
+        self.doc.recompute()
+        obj, panel = self.start((part, ""))
+        click_row(panel.table, 0)
+        self.preview(panel)
+        self.assertEqual((obj.Source, obj.Repaired), (self.source, 7))
+        self.assertGreater(obj.Shape.BoundBox.ZMin, 180)
+        self.ok()
 
     def test_nothing_selected_takes_the_only_model(self):
         Gui.Selection.clearSelection()
@@ -331,6 +391,28 @@ class Staying(RepairWindow):
         settle()
         self.assertFalse(Gui.Control.activeDialog())
         self.doc = App.newDocument("Again")
+
+    def test_undo_while_the_panel_is_open(self):
+        obj, panel = self.start()
+        self.preview(panel)
+        self.ok()
+        Gui.activeDocument().setEdit(obj.Name)
+        settle()
+        panel = obj.ViewObject.Proxy.panel
+        panel.max_move.setValue(0.05)
+        self.preview(panel)
+        self.doc.undo()
+        settle()
+        self.doc.undo()
+        settle()
+        Gui.activeDocument().resetEdit()
+        settle()
+        self.assertEqual(self.repairs(), [])
+        self.assertFalse(Gui.Control.activeDialog())
+        self.start()
+        self.doc.undo()
+        settle()
+        self.assertEqual(self.visible(), ["Panel"])
 
     def test_a_saved_repair_opens_with_its_view(self):
         obj, _ = self.start()

@@ -134,7 +134,8 @@ class Sheet:
     def is_coarse(self, uv, one, other):
         """Whether normal or surface bend too much between two corners, whose middle in the parameters is ``uv``."""
         bend = math.dist(self._normal(uv), mean(self.normals[one], self.normals[other]))
-        return bend > BEND or math.dist(self._surface.value(*uv), mean(self.points[one], self.points[other])) > self._sag
+        height = math.dist(self._surface.value(*uv), mean(self.points[one], self.points[other]))
+        return bend > BEND or height > self._sag
 
     def _bent_edges(self):
         """{edge: place of its new middle} for the edges that are too coarse."""

@@ -35,8 +35,8 @@ class MoveMap(Facets):
 def move_map(before, after, moves, progress=None):
     """The MoveMap of the shape ``after``, whose faces are those of ``before`` in the same order.
 
-    ``moves``: dicts of face, from 1, and largest_move_mm, for the faces that moved. ``progress`` is a callable(fraction)
-    that returns False to stop; then None is returned.
+    ``moves``: dicts of face, from 1, and largest_move_mm, for the faces that moved. ``progress`` is a
+    callable(fraction) that returns False to stop; then None is returned.
     """
     moved = {move["face"]: move["largest_move_mm"] for move in moves}
     rough_mm = ROUGH * max(moved.values(), default=0.0)

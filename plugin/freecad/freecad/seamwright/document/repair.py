@@ -102,9 +102,8 @@ def add_properties(obj):
     for name, _, tip in ELEMENTS:
         adder.add("App::PropertyLinkSubGlobal", name, "Seams", tip)
     adder.add_choice("Target", "Repair", "Level of continuity to reach", TARGETS, TARGETS[0])
-    adder.add_with(
-        "App::PropertyLength", "MaxMove", "Repair", "No pole may move further, in mm; 0: as far as it takes", MAX_MOVE_MM
-    )
+    tip = "No pole may move further, in mm; 0: as far as it takes"
+    adder.add_with("App::PropertyLength", "MaxMove", "Repair", tip, MAX_MOVE_MM)
     adder.add_tolerances(TOLERANCES)
     adder.add_results(RESULTS, INTERNAL)
     obj.setEditorMode("Placement", ["Hidden"])
@@ -220,6 +219,7 @@ def store(obj, report, shape):
     for place, when in enumerate(("Before", "After")):
         for name, figure in (("Defects", "defects"), ("MaxGap", "gap_mm"), ("MaxAngle", "angle_deg")):
             setattr(obj, name + when, report[figure][place] or 0)
+    obj.Placement = shape.Placement  # while it recomputes, FreeCAD puts a shape where the object stands
     obj.Shape = shape
     obj.Summary = repair_text.summary_text(report)
 

@@ -68,7 +68,7 @@ def _edges_of_lines(found, lines):
 
 
 def limits_of_analysis(source):
-    """Target and tolerances of the newest analysis of an object, as arguments of ``repair.prepare``; none without one."""
+    """Target and tolerances of the newest analysis of an object, as ``repair.prepare`` takes them; none without one."""
     every = [obj for obj in source.Document.Objects if analysis.is_analysis(obj) and source in obj.Analysed]
     if not every:
         return {}
@@ -186,8 +186,8 @@ class RepairSeams:
         """Menu text, tool tip and icon."""
         return {
             "MenuText": "Repair Seams",
-            "ToolTip": "Move faces of the selected object, as little as possible, until its seams join without a kink (G1) "
-            "or with equal curvature (G2); select edges, or rows of an analysis, to repair their seams alone",
+            "ToolTip": "Move faces of the selected object, as little as possible, until its seams join without a kink "
+            "(G1) or with equal curvature (G2); select edges, or rows of an analysis, to repair their seams alone",
             "Pixmap": icon_path("seamwright-repair"),
         }
 

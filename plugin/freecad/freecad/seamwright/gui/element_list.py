@@ -9,7 +9,7 @@ LINES = 1.5
 class ElementList(QtWidgets.QWidget):
     """Names such as "Face3" with buttons to add what is selected in the view and to remove from the list.
 
-    ``picked``: a callable that returns the names that are selected now; ``select``: one that selects a name in the view.
+    ``picked``: a callable that returns the names that are selected; ``select``: one that selects a name in the view.
     """
 
     changed = QtCore.Signal()

@@ -5,8 +5,9 @@ Nothing is repaired before Preview or OK is pressed.
 """
 
 import FreeCADGui as Gui
+import Part
 
-from freecad.seamwright.document import properties, repair
+from freecad.seamwright.document import analysis, properties, repair
 from freecad.seamwright.gui import icon_path, seam_view
 from freecad.seamwright.gui.element_list import ElementList
 from freecad.seamwright.gui.qt import QtCore, QtGui, QtWidgets
@@ -17,6 +18,9 @@ from freecad.seamwright.plain import repair_text
 TABLE_HEIGHT = 190
 
 PREVIEW, PREVIEW_AGAIN = "Preview", "Preview anew"
+
+CHOSEN = "The seams at these edges:"
+ALL_DEFECTS = "All defects; to choose, select rows or edges and add them:"
 
 #: Colours of the last column's text, by the state of a row.
 INKS = {repair_text.REPAIRED: (0, 120, 88), repair_text.LEFT: (190, 80, 0)}
@@ -31,6 +35,7 @@ class RepairPanel(ResultPanel):
         changeable = ["Target", "MaxMove", *(name for name, *_ in repair.ELEMENTS + repair.TOLERANCES)]
         super().__init__(obj, created, "Edit seam repair", changeable)
         self._rows, self._report, self._due = [], repair.empty_report(obj), False
+        self._lines = [each.Name for each in self._analyses() if each.ViewObject.Visibility]
         self._build()
         self._read()
         self._connect()
@@ -42,6 +47,15 @@ class RepairPanel(ResultPanel):
     def sources(self):
         """The object whose seams are repaired."""
         return repair.source_objects(self.obj)
+
+    def _analyses(self):
+        """Those of the source: their coloured lines tell how it was before."""
+        every = (each for each in self._doc.Objects if analysis.is_analysis(each))
+        return [each for each in every if self.obj.Source in each.Analysed]
+
+    def replaced(self):
+        """The source, and those of its analyses that were seen when the panel was opened."""
+        return self.sources() + [each for each in self._analyses() if each.Name in self._lines]
 
     def has_result(self):
         """Whether a repair was computed."""
@@ -120,8 +134,8 @@ class RepairPanel(ResultPanel):
         self.lists = {}
         for name, kind, tip in repair.ELEMENTS:
             self.lists[name] = ElementList(lambda kind=kind: self._picked(kind), self._select, tip)
-        self.all_defects = QtWidgets.QLabel()
-        layout.addRow("Repair", self.all_defects)
+        self.which = QtWidgets.QLabel()
+        layout.addRow("Repair", self.which)
         layout.addRow("", self.lists["Edges"])
         layout.addRow("Keep faces", self.lists["FixedFaces"])
         return box
@@ -168,6 +182,7 @@ class RepairPanel(ResultPanel):
         self.obj.touch()
         self._doc.recompute()
         self._set_due(False)
+        (self.after if self.has_result() else self.before).setChecked(True)
         self.refresh()
 
     def refresh(self):
@@ -180,14 +195,15 @@ class RepairPanel(ResultPanel):
         after = after and self.has_result()
         self.obj.ViewObject.ShowMoves = after and self.moves.isChecked() and not self._ended
         self.obj.ViewObject.Visibility = after
-        for source in self.sources():
-            source.ViewObject.Visibility = not after
+        for each in self.replaced():
+            each.ViewObject.Visibility = not after
         if not self._ended:
             self._selection_changed()
 
     def _foresee(self):
         """Before the first preview: the seams that would be treated."""
         self._fill(*repair.foresee(self.obj))
+        self.before.setChecked(True)
         self.show(False)
 
     def _fill(self, report, text):
@@ -213,8 +229,7 @@ class RepairPanel(ResultPanel):
         self.preview_button.setText(PREVIEW_AGAIN if due and self.has_result() else PREVIEW)
 
     def _name_seams(self):
-        chosen = self.lists["Edges"].names()
-        self.all_defects.setText("The seams at these edges:" if chosen else "All defects; to choose, select rows or edges and add them:")
+        self.which.setText(CHOSEN if self.lists["Edges"].names() else ALL_DEFECTS)
 
     def _picked(self, kind):
         """The elements of a kind that are selected, on the source or on the result: they have the same names."""
@@ -241,7 +256,7 @@ class RepairPanel(ResultPanel):
         which = "after" if shown == self.obj and repair_text.is_done(self._report) else "before"
         by_number = {seam["before"]["id"]: seam[which] for seam in self._report["seams"]}
         chosen = [by_number[self._rows[place].seam] for place in places]
-        size = shown.Shape.BoundBox.DiagonalLength
+        size = Part.getShape(shown).BoundBox.DiagonalLength
         seam_view.show(self.obj, repair_text.located(self._report, shown.Name), chosen, size)
 
 

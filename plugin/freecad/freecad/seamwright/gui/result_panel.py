@@ -34,6 +34,10 @@ class ResultPanel:
         """The objects that the result stands for."""
         raise NotImplementedError
 
+    def replaced(self):
+        """The objects that are hidden while the result is shown."""
+        return self.sources()
+
     def has_result(self):
         """Whether the object has a shape of its own to show."""
         raise NotImplementedError
@@ -82,7 +86,7 @@ class ResultPanel:
     def reject(self):
         """Take back what was done since the panel was opened."""
         self._end()
-        sources = self.sources()
+        replaced = self.replaced()
         if self._doc.HasPendingTransaction:
             self._doc.abortTransaction()
         elif not self._created:
@@ -92,8 +96,8 @@ class ResultPanel:
         if self._created:
             if self._doc.getObject(self._name) is not None:
                 self._doc.removeObject(self._name)
-            for source in sources:
-                source.ViewObject.Visibility = True
+            for each in replaced:
+                each.ViewObject.Visibility = True
         elif self.has_result():
             self.show(True)
         Gui.getDocument(self._doc.Name).resetEdit()

@@ -9,7 +9,7 @@ from freecad.seamwright.gui import icon_path
 
 
 class ResultView:
-    """Proxy of a view provider; a subclass says what the sources are, when there is a result, and what panel to show."""
+    """Proxy of a view provider; a subclass says what the sources are, when there is a result, and which panel it has."""
 
     ICON = ""
 
