@@ -10,8 +10,7 @@ namespace {
 /// Multiplication of a polynomial of that degree by a factor, as a matrix.
 Eigen::MatrixXd multiplication(const Eigen::VectorXd& factor, int degree) {
   Eigen::MatrixXd matrix(degree + factor.size(), degree + 1);
-  for (int j = 0; j <= degree; ++j)
-    matrix.col(j) = rows::times(factor, Eigen::VectorXd::Unit(degree + 1, j));
+  for (int j = 0; j <= degree; ++j) matrix.col(j) = rows::times(factor, Eigen::VectorXd::Unit(degree + 1, j));
   return matrix;
 }
 
@@ -25,6 +24,7 @@ Forms elevated(const Forms& field, int degree) {
 
 Forms derivative(const Forms& field) {
   const int n = rows::degree(field);
+  if (n == 0) return Forms::Zero(1, field.cols());
   return n * (field.bottomRows(n) - field.topRows(n));
 }
 
@@ -79,9 +79,7 @@ class Frame {
   }
   Side after(int spoke) const { return {in_.nets[spoke], Edge::V0, spoke, in_.vertex.after(spoke)}; }
 
-  Eigen::RowVectorXd tangent(int spoke) const {
-    return derivative(in_.spokes[spoke]).row(0);
-  }
+  Eigen::RowVectorXd tangent(int spoke) const { return derivative(in_.spokes[spoke]).row(0); }
 
   void placeSpokes() {
     for (std::size_t i = 0; i < in_.nets.size(); ++i) {
@@ -109,10 +107,10 @@ class Frame {
     if (solution.direction.size() > 0) twists_ += solution.direction * free_.next();
     for (std::size_t i = 0; i < in_.nets.size(); ++i) {
       const Net& net = in_.nets[i];
-      if (net.degree == 1 && net.isTriangle()) continue;
       const Eigen::RowVectorXd corner =
           poles_.row(net.at(1, 0)) + poles_.row(net.at(0, 1)) - poles_.row(net.at(0, 0));
-      set(net.at(1, 1), corner + twists_.row(static_cast<Eigen::Index>(i)) / (net.degree * net.crossDegree()));
+      set(net.at(1, 1),
+          corner + twists_.row(static_cast<Eigen::Index>(i)) / (net.degree * net.crossDegree()));
     }
   }
 
@@ -124,9 +122,10 @@ class Frame {
     const double n = side.net.degree;
     for (int k = 2; k <= degree; ++k) {
       const Eigen::Index row = poleAt(side.net, side.edge, 1, k);
-      field.row(k) = degree == side.net.crossDegree() && known_[row]
-                         ? n * (poles_.row(row) - poles_.row(poleAt(side.net, side.edge, 0, k)))
-                         : n * free_.next();
+      if (degree == side.net.crossDegree() && known_[row])
+        field.row(k) = n * (poles_.row(row) - poles_.row(poleAt(side.net, side.edge, 0, k)));
+      else
+        field.row(k) = n * free_.next();
     }
     return field;
   }

@@ -39,12 +39,15 @@ struct Net {
 
   bool isTriangle() const { return kind == MemberKind::Triangle; }
   int last(int r) const { return isTriangle() ? degree - r : degree; }  ///< of the poles (r, 0), (r, 1), ...
-  Eigen::Index size() const { return isTriangle() ? (degree + 1) * (degree + 2) / 2 : (degree + 1) * (degree + 1); }
+  Eigen::Index size() const {
+    return isTriangle() ? (degree + 1) * (degree + 2) / 2 : (degree + 1) * (degree + 1);
+  }
   Eigen::Index at(int r, int s) const;
   /// Of the derivative across an edge through O.
   int crossDegree() const { return isTriangle() ? degree - 1 : degree; }
 };
 
+/// \pre the degree of triangles is 2 or more.
 std::vector<Net> netsOf(const std::vector<MemberKind>& kinds, int degree);
 Eigen::Index polesOf(const std::vector<Net>& nets);
 
@@ -61,7 +64,7 @@ struct FrameInput {
   const UmbrellaVertex& vertex;
   const std::vector<SpokeLaw>& laws;
   const std::vector<Net>& nets;
-  const std::vector<Forms>& spokes;                      ///< of degree 1 or more
+  const std::vector<Forms>& spokes;                ///< of degree 1 or more
   std::optional<GivenPoles> outer = std::nullopt;  ///< must agree with the laws
 };
 

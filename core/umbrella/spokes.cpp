@@ -13,10 +13,6 @@ namespace {
 
 using bernstein::text;
 
-BezierCurve raised(const BezierCurve& curve, int degree) {
-  return BezierCurve(Poles(rows::elevated<3>(curve.poles(), degree)));
-}
-
 [[noreturn]] void refuse(const std::string& what) {
   throw std::invalid_argument(what);
 }
@@ -27,16 +23,17 @@ std::vector<BezierCurve> fromOnePoint(const std::vector<BezierCurve>& curves, do
   if (!(gap_mm >= 0)) refuse("gap_mm is " + text(gap_mm) + ": 0 or more is needed");
   if (curves.empty()) refuse("0 spokes: an umbrella has at least 3");
   int degree = 1;
-  Eigen::RowVector3d start = Eigen::RowVector3d::Zero();
+  Eigen::RowVector3d from_first = Eigen::RowVector3d::Zero();
   double size = 0;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const std::string spoke = "spoke " + std::to_string(i) + " ";
     if (curves[i].isRational()) refuse(spoke + "is rational: only polynomial ones are built around");
     if (curves[i].degree() < 1) refuse(spoke + "has degree 0: it is a point");
     degree = std::max(degree, curves[i].degree());
-    start += curves[i].poles().row(0) / static_cast<double>(curves.size());
+    from_first += curves[i].poles().row(0) - curves[0].poles().row(0);
     size = std::max(size, curves[i].poles().cwiseAbs().maxCoeff());
   }
+  const Eigen::RowVector3d start = curves[0].poles().row(0) + from_first / static_cast<double>(curves.size());
   const double allowed = gap_mm + 16 * std::numeric_limits<double>::epsilon() * size;
   std::vector<BezierCurve> result;
   for (std::size_t i = 0; i < curves.size(); ++i) {
@@ -44,7 +41,7 @@ std::vector<BezierCurve> fromOnePoint(const std::vector<BezierCurve>& curves, do
     if (const double gap = (poles.row(0) - start).norm(); gap > allowed)
       refuse("spoke " + std::to_string(i) + " begins " + text(gap) +
              " mm from the mean of all beginnings: at most " + text(gap_mm) + " is allowed");
-    if (!(poles.rowwise() - poles.row(0)).isZero(0)) poles.row(0) = start;
+    poles.row(0) = start;
     result.emplace_back(poles);
   }
   return result;
@@ -71,36 +68,40 @@ Eigen::Matrix3Xd secondsOf(const std::vector<BezierCurve>& spokes) {
   return seconds;
 }
 
-std::vector<BezierCurve> withDerivatives(const std::vector<BezierCurve>& spokes, const Eigen::Matrix3Xd& tangents,
-                                         const Eigen::Matrix3Xd& old_seconds, const Eigen::Matrix3Xd& seconds) {
-  const bool changed = seconds != old_seconds;
+std::vector<BezierCurve> withTangents(const std::vector<BezierCurve>& spokes,
+                                      const Eigen::Matrix3Xd& tangents) {
+  const Eigen::Matrix3Xd turns = tangents - tangentsOf(spokes);
   std::vector<BezierCurve> result;
   for (std::size_t i = 0; i < spokes.size(); ++i) {
-    const int n = changed ? std::max(3, spokes[i].degree()) : spokes[i].degree();
-    Poles poles = rows::elevated<3>(spokes[i].poles(), n);
-    const Eigen::Index column = static_cast<Eigen::Index>(i);
-    const Eigen::RowVector3d turn =
-        poles.row(0) + tangents.col(column).transpose() / n - poles.row(1);
-    poles.row(1) += turn;
-    if (changed)
-      poles.row(2) += 2 * turn + (seconds - old_seconds).col(column).transpose() / (n * (n - 1));
+    const int n = spokes[i].degree();
+    const Eigen::RowVector3d move = turns.col(static_cast<Eigen::Index>(i)).transpose() / n;
+    Poles poles = spokes[i].poles();
+    poles.row(1) += move;
+    if (n >= 3) poles.row(2) += 2 * move;
     result.emplace_back(poles);
   }
   return result;
 }
 
-SpokeSeconds closedBeyondRounding(const UmbrellaVertex& vertex, const SpokeSeconds& seconds) {
-  SpokeSeconds result = closed(vertex, seconds);
+std::vector<BezierCurve> withSeconds(const std::vector<BezierCurve>& spokes,
+                                     const Eigen::Matrix3Xd& seconds) {
+  const Eigen::Matrix3Xd changes = seconds - secondsOf(spokes);
+  const int degree = spokes.front().degree(), n = std::max(3, degree);
   double size = 0;
-  for (int i = 0; i < vertex.spokes(); ++i)
-    size = std::max({size, seconds.second.col(i).norm(), vertex.tangents.col(i).norm()});
-  const double noise = 64 * std::numeric_limits<double>::epsilon() * size;
-  if ((result.second - seconds.second).colwise().norm().maxCoeff() > noise) return result;
-  result.second = seconds.second;
+  for (const BezierCurve& spoke : spokes) size = std::max(size, spoke.poles().cwiseAbs().maxCoeff());
+  const double noise = 64 * std::numeric_limits<double>::epsilon() * degree * degree * size;
+  if (changes.cwiseAbs().maxCoeff() <= noise) return spokes;
+  std::vector<BezierCurve> result;
+  for (std::size_t i = 0; i < spokes.size(); ++i) {
+    Poles poles = rows::elevated<3>(spokes[i].poles(), n);
+    poles.row(2) += changes.col(static_cast<Eigen::Index>(i)).transpose() / (n * (n - 1));
+    result.emplace_back(poles);
+  }
   return result;
 }
 
-Eigen::Matrix3Xd shaped(const UmbrellaVertex& vertex, const Eigen::Matrix3d& form, const Eigen::Matrix3Xd& second) {
+Eigen::Matrix3Xd shaped(const UmbrellaVertex& vertex, const Eigen::Matrix3d& form,
+                        const Eigen::Matrix3Xd& second) {
   if (!form.allFinite()) refuse("the second fundamental form is not finite");
   if (form != form.transpose()) refuse("the second fundamental form is not symmetric");
   return shapedBy(vertex, form, second);

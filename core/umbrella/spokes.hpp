@@ -17,15 +17,15 @@ std::vector<BezierCurve> fromOnePoint(const std::vector<BezierCurve>& curves, do
 Eigen::Matrix3Xd tangentsOf(const std::vector<BezierCurve>& spokes);
 Eigen::Matrix3Xd secondsOf(const std::vector<BezierCurve>& spokes);
 
-/// The spokes with these derivatives at 0. Raised first where a second one changes and the third pole is the last.
-std::vector<BezierCurve> withDerivatives(const std::vector<BezierCurve>& spokes, const Eigen::Matrix3Xd& tangents,
-                                         const Eigen::Matrix3Xd& old_seconds, const Eigen::Matrix3Xd& seconds);
-
-/// closed(), which leaves the second derivatives as they are where rounding is all they miss.
-SpokeSeconds closedBeyondRounding(const UmbrellaVertex& vertex, const SpokeSeconds& seconds);
+/// The spokes with these tangents, and with the second derivatives that they had if their degree is 3 or more.
+std::vector<BezierCurve> withTangents(const std::vector<BezierCurve>& spokes,
+                                      const Eigen::Matrix3Xd& tangents);
+/// The spokes with these second derivatives, raised to degree 3 first. What differs by rounding stays.
+std::vector<BezierCurve> withSeconds(const std::vector<BezierCurve>& spokes, const Eigen::Matrix3Xd& seconds);
 
 /// shapedBy() with a form that is checked.
-Eigen::Matrix3Xd shaped(const UmbrellaVertex& vertex, const Eigen::Matrix3d& form, const Eigen::Matrix3Xd& second);
+Eigen::Matrix3Xd shaped(const UmbrellaVertex& vertex, const Eigen::Matrix3d& form,
+                        const Eigen::Matrix3Xd& second);
 
 /// Of a pole, after raising the first ones to the degree of the second.
 double largestMove(const std::vector<BezierCurve>& from, const std::vector<BezierCurve>& to);

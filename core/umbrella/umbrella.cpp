@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <Eigen/LU>
 #include <Eigen/QR>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <limits>
 #include <seamwright/core/bernstein/coefficients.hpp>
@@ -27,7 +27,8 @@ bool isRational(const UmbrellaMember& member) {
 }
 
 int degreeOf(const UmbrellaMember& member) {
-  if (const auto* patch = std::get_if<BezierPatch>(&member)) return std::max(patch->degreeU(), patch->degreeV());
+  if (const auto* patch = std::get_if<BezierPatch>(&member))
+    return std::max(patch->degreeU(), patch->degreeV());
   return std::get<BezierTriangle>(member).degree();
 }
 
@@ -45,7 +46,8 @@ std::vector<MemberKind> kindsOf(const UmbrellaOptions& options, int members) {
   std::vector<MemberKind> kinds = options.kinds;
   if (kinds.empty()) kinds.assign(members, MemberKind::Tensor);
   for (std::size_t i = 0; i < options.members.size(); ++i) {
-    if (isRational(options.members[i])) refuse("member " + std::to_string(i) + " is rational: only polynomial ones are built");
+    if (isRational(options.members[i]))
+      refuse("member " + std::to_string(i) + " is rational: only polynomial ones are built");
     const MemberKind kind = kindOf(options.members[i]);
     if (!options.kinds.empty() && kind != kinds[i])
       refuse("member " + std::to_string(i) + " is of another kind than asked for");
@@ -63,12 +65,14 @@ Poles raised(const UmbrellaMember& member, int degree) {
   }
   const BezierPatch& patch = std::get<BezierPatch>(member);
   const Poles poles = patch.poles();
-  const Eigen::MatrixXd u = rows::elevation(patch.degreeU(), degree), v = rows::elevation(patch.degreeV(), degree);
+  const Eigen::MatrixXd u = rows::elevation(patch.degreeU(), degree),
+                        v = rows::elevation(patch.degreeV(), degree);
   Poles result(u.rows() * v.rows(), 3);
   for (int c = 0; c < 3; ++c) {
     using Grid = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     const Eigen::VectorXd coordinate = poles.col(c);
-    const Grid grid = u * Eigen::Map<const Grid>(coordinate.data(), patch.degreeU() + 1, patch.degreeV() + 1) *
+    const Grid grid = u *
+                      Eigen::Map<const Grid>(coordinate.data(), patch.degreeU() + 1, patch.degreeV() + 1) *
                       v.transpose();
     result.col(c) = grid.reshaped<Eigen::RowMajor>();
   }
@@ -109,68 +113,75 @@ struct LambdaFamily {
 
 /// All changes of lambda that let an even fan stay closed.
 LambdaFamily lambdaFamily(const UmbrellaVertex& vertex, const Eigen::VectorXd& start) {
-  Eigen::MatrixXd inner = Eigen::MatrixXd::Zero(vertex.spokes(), vertex.closed ? vertex.spokes() : vertex.spokes() - 2);
+  Eigen::MatrixXd inner =
+      Eigen::MatrixXd::Zero(vertex.spokes(), vertex.closed ? vertex.spokes() : vertex.spokes() - 2);
   for (int i = 0; i < inner.cols(); ++i) inner(vertex.closed ? i : i + 1, i) = 1;
   Eigen::MatrixXd defects(3, inner.cols());
   const Eigen::Matrix3Xd none = Eigen::Matrix3Xd::Zero(3, vertex.spokes());
   for (Eigen::Index i = 0; i < inner.cols(); ++i)
     defects.col(i) = closingDefect(vertex, {none, inner.col(i), Eigen::VectorXd::Zero(vertex.spokes())});
   if (defects.isZero(0)) return {start, inner};
-  Eigen::Matrix<double, 2, Eigen::Dynamic> flat = Eigen::JacobiSVD<Eigen::MatrixXd>(defects, Eigen::ComputeFullU).matrixU().leftCols<2>().transpose() * defects;
-  const Eigen::MatrixXd q = flat.transpose().householderQr().householderQ();
-  return {start, q.rightCols(q.cols() - 2)};
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(defects, Eigen::ComputeFullV);
+  return {start, svd.matrixV().rightCols(defects.cols() - 2)};
 }
 
-/// The members of given laws but lambda: all that the vertex, spokes and nets leave open is chosen by the aim.
+/// All poles that the vertex, the spokes and the second order leave open, chosen by the aim.
 class Choice {
  public:
   Choice(const UmbrellaVertex& vertex, const std::vector<BezierCurve>& spokes, const std::vector<Net>& nets,
-         const Aim& aim)
-      : vertex_(vertex), nets_(nets), aim_(aim), capacity_(umbrella::polesOf(nets)) {
-    const FreeVectors free(capacity_);
-    for (const BezierCurve& spoke : spokes) spokes_.push_back(free.constants(spoke.poles()));
+         const Aim& aim, const SpokeSeconds& seconds)
+      : vertex_(vertex), nets_(nets), aim_(aim) {
+    const FreeVectors none = freeVectors();
+    for (const BezierCurve& spoke : spokes) spokes_.push_back(none.constants(spoke.poles()));
+    FreeVectors free = freeVectors();
+    linear_ = umbrella::linearPart(formsWith(seconds, free), free);
+    if (linear_.cols() > 0) solver_.compute(aim_(linear_));
   }
 
   /// The best poles with these second-order terms.
-  Poles poles(const SpokeSeconds& seconds) {
+  Poles poles(const SpokeSeconds& seconds) const {
     const Poles fixed = constantsWith(seconds);
-    return fixed + linear_ * solver_.solve(aim_(aim_.target - fixed));
+    return fixed + linear_ * best(aim_(aim_.target - fixed));
   }
 
   /// The best lambda of the family: what no free vector can mend is affine in it, and made small.
-  Eigen::VectorXd lambda(SpokeSeconds seconds, const LambdaFamily& family) {
+  Eigen::VectorXd lambda(SpokeSeconds seconds, const LambdaFamily& family) const {
     const auto rest = [&](const Eigen::VectorXd& lambda) {
       seconds.lambda = lambda;
       const Eigen::MatrixXd missed = aim_(aim_.target - constantsWith(seconds));
-      return Eigen::VectorXd((missed - aim_(linear_) * solver_.solve(missed)).reshaped());
+      return Eigen::VectorXd((missed - aim_(linear_) * best(missed)).reshaped());
     };
     const Eigen::VectorXd start = rest(family.start);
     Eigen::MatrixXd matrix(start.size(), family.basis.cols());
     for (Eigen::Index i = 0; i < matrix.cols(); ++i)
       matrix.col(i) = rest(family.start + family.basis.col(i)) - start;
-    if (matrix.cols() == 0) return family.start;
     return family.start - family.basis * matrix.completeOrthogonalDecomposition().solve(start);
   }
 
-  Eigen::Index freeVectors() const { return linear_.cols(); }
+  Eigen::Index dimension() const { return linear_.cols(); }
 
  private:
-  /// The constant part of all poles; the other does not depend on a.
-  Poles constantsWith(const SpokeSeconds& seconds) {
-    FreeVectors free(capacity_);
+  FreeVectors freeVectors() const { return FreeVectors(umbrella::polesOf(nets_)); }
+
+  umbrella::Forms formsWith(const SpokeSeconds& seconds, FreeVectors& free) const {
     const std::vector<SpokeLaw> laws = umbrella::lawsOf(vertex_, seconds);
-    const umbrella::Forms forms = umbrella::framed({vertex_, laws, nets_, spokes_}, free);
-    if (linear_.size() == 0) {
-      linear_ = umbrella::linearPart(forms, free);
-      solver_.compute(aim_(linear_));
-    }
-    return umbrella::constantPart(forms);
+    return umbrella::framed({vertex_, laws, nets_, spokes_}, free);
+  }
+
+  /// The constant part of all poles; the linear one does not depend on a.
+  Poles constantsWith(const SpokeSeconds& seconds) const {
+    FreeVectors free = freeVectors();
+    return umbrella::constantPart(formsWith(seconds, free));
+  }
+
+  Eigen::MatrixXd best(const Eigen::MatrixXd& missed) const {
+    if (linear_.cols() == 0) return Eigen::MatrixXd::Zero(0, 3);
+    return solver_.solve(missed);
   }
 
   const UmbrellaVertex& vertex_;
   const std::vector<Net>& nets_;
   const Aim& aim_;
-  Eigen::Index capacity_;
   std::vector<umbrella::Forms> spokes_;
   Eigen::MatrixXd linear_;
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver_;
@@ -180,13 +191,14 @@ bool betweenTriangles(const std::vector<MemberKind>& kinds, const UmbrellaVertex
   return kinds[vertex.memberBefore(spoke)] == MemberKind::Triangle && kinds[spoke] == MemberKind::Triangle;
 }
 
-void requireLaws(const UmbrellaVertex& vertex, const SpokeSeconds& seconds, const std::vector<MemberKind>& kinds,
-                 int spoke_degree, int degree) {
+void requireLaws(const UmbrellaVertex& vertex, const SpokeSeconds& seconds,
+                 const std::vector<MemberKind>& kinds, int spoke_degree, int degree) {
   for (int i = 0; i < vertex.spokes(); ++i) {
     if (!vertex.isInner(i)) continue;
     const std::string spoke = "spoke " + std::to_string(i) + " ";
     if (seconds.mu(i) != 0 && kinds[i] == MemberKind::Triangle)
-      refuse(spoke + "has mu " + text(seconds.mu(i)) + " before a triangle, which cannot follow: it must be 0");
+      refuse(spoke + "has mu " + text(seconds.mu(i)) +
+             " before a triangle, which cannot follow: it must be 0");
     if (betweenTriangles(kinds, vertex, i) && seconds.lambda(i) != 0 && degree <= spoke_degree)
       refuse(spoke + "of degree " + std::to_string(spoke_degree) + " has lambda " + text(seconds.lambda(i)) +
              " between triangles: they need degree " + std::to_string(spoke_degree + 1));
@@ -201,8 +213,8 @@ int chosenDegree(const UmbrellaOptions& options, const std::vector<MemberKind>& 
   if (options.mu && !options.mu->isZero(0)) degree = std::max(degree, 2);
   if (!options.degree) return degree;
   if (*options.degree < degree || *options.degree > bernstein::kMaxDegree)
-    refuse("degree " + std::to_string(*options.degree) + " of the members is too low or too high: they need " +
-           std::to_string(degree));
+    refuse("degree " + std::to_string(*options.degree) +
+           " of the members is too low or too high: they need " + std::to_string(degree));
   return *options.degree;
 }
 
@@ -232,40 +244,41 @@ int lowestUmbrellaDegree(const std::vector<MemberKind>& kinds, bool closed, int 
   return degree;
 }
 
-Umbrella umbrella(const std::vector<BezierCurve>& given, const UmbrellaOptions& options) {
+Umbrella umbrellaAround(const std::vector<BezierCurve>& given, const UmbrellaOptions& options) {
   Umbrella result;
   std::vector<BezierCurve> spokes = umbrella::fromOnePoint(given, options.gap_mm);
   result.vertex = umbrellaVertex(umbrella::tangentsOf(spokes), options.closed, options.vertex);
   const UmbrellaVertex& vertex = result.vertex;
   const std::vector<MemberKind> kinds = kindsOf(options, vertex.members());
 
-  Eigen::Matrix3Xd second = umbrella::secondsOf(spokes);
+  spokes = umbrella::withTangents(spokes, vertex.tangents);
+  const Eigen::Matrix3Xd second = umbrella::secondsOf(spokes);
   SpokeSeconds seconds = defaultSeconds(vertex, second);
   if (options.form) seconds.second = umbrella::shaped(vertex, *options.form, second);
   seconds.mu = valuesOr(options.mu, seconds.mu, "mu");
   seconds.lambda = valuesOr(options.lambda, seconds.lambda, "lambda");
   const Eigen::VectorXd asked = seconds.lambda;
-  seconds = umbrella::closedBeyondRounding(vertex, seconds);
-  result.largest_second_change = (seconds.second - second).colwise().norm().maxCoeff();
-  spokes = umbrella::withDerivatives(spokes, vertex.tangents, second, seconds.second);
+  seconds = closed(vertex, seconds);
+  spokes = umbrella::withSeconds(spokes, seconds.second);
   seconds.second = umbrella::secondsOf(spokes);
+  result.largest_second_change = (seconds.second - second).colwise().norm().maxCoeff();
 
   const int spoke_degree = spokes.front().degree(), degree = chosenDegree(options, kinds, spoke_degree);
+  requireLaws(vertex, seconds, kinds, spoke_degree, degree);
   const std::vector<Net> nets = umbrella::netsOf(kinds, degree);
   const Aim aim = options.members.empty()
                       ? Aim{umbrella::energyRows(nets), Poles::Zero(umbrella::polesOf(nets), 3)}
                       : Aim{{}, raised(options.members, degree)};
-  Choice choice(vertex, spokes, nets, aim);
+  const Choice choice(vertex, spokes, nets, aim, seconds);
   if (options.lambda)
     result.largest_lambda_change = (seconds.lambda - asked).cwiseAbs().maxCoeff();
   else
     seconds.lambda = choice.lambda(seconds, lambdaFamily(vertex, seconds.lambda));
-  requireLaws(vertex, seconds, kinds, spoke_degree, degree);
   const Poles poles = choice.poles(seconds);
 
   result.members = umbrella::membersOf(nets, poles);
   result.laws = umbrella::lawsOf(vertex, seconds);
-  result.free_vectors = choice.freeVectors();
+  result.free_vectors = choice.dimension();
   if (!options.members.empty())
     result.largest_member_move_mm = (poles - aim.target).rowwise().norm().maxCoeff();
   result.largest_spoke_move_mm = umbrella::largestMove(given, spokes);

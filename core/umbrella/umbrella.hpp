@@ -37,7 +37,7 @@ struct UmbrellaOptions {
   std::optional<Eigen::VectorXd> lambda = std::nullopt, mu = std::nullopt;
   /// A second fundamental form at O, in 1/mm: spokes get the normal curvature it has along them. Nothing: they keep theirs.
   std::optional<Eigen::Matrix3d> form = std::nullopt;
-  double gap_mm = 1e-9;      ///< starts of spokes this near to their mean count as one point
+  double gap_mm = 1e-9;  ///< starts of spokes this near to their mean count as one point
   VertexOptions vertex = {};
 };
 
@@ -84,17 +84,18 @@ int lowestUmbrellaDegree(const std::vector<MemberKind>& kinds, bool closed, int 
 /// point, other numbers of kinds, members, lambda and mu than the spokes ask for, values that are not finite, a degree too low, and
 /// mu that is not zero where no member can follow.
 /// Source: MATH-surfaces 5.1 to 5.5 (text 001, section 3).
-Umbrella umbrella(const std::vector<BezierCurve>& spokes, const UmbrellaOptions& options = {});
+Umbrella umbrellaAround(const std::vector<BezierCurve>& spokes, const UmbrellaOptions& options = {});
 
 struct UmbrellaInsideOptions {
-  int spoke_degree = 3;                      ///< 2 or more
+  int spoke_degree = 3;                      ///< 3 or more
   std::optional<int> degree = std::nullopt;  ///< as of UmbrellaOptions, no lower than that of the sides
+  double gap_mm = 1e-9;                      ///< ends of sides this near to each other count as one point
 };
 
 /// The umbrella inside a closed boundary: one member for each corner, spokes to the middles of the sides.
 ///
 /// The tangents at O are an affine image of those of a regular polygon, so all sectors have one area: b = -1, and a falls from 2 cos(2 pi / n) to
-/// 0 linearly. O, the tangents, the rest of the spokes and of the members are the fairest, as of umbrella(): of the energy over all
+/// 0 linearly. O, the tangents, the rest of the spokes and of the members are the fairest, as of umbrellaAround(): of the energy over all
 /// members at once. The boundary is kept to rounding; across it nothing is asked.
 ///
 /// Member i has the corner between side i and side i + 1 at (u, v) = (1, 1).

@@ -14,9 +14,11 @@ PYBIND11_MODULE(_core, module) {
   bindSeam(module);
   bindSpaceCurve(module);
   bindJoin(module);
+  bindUmbrella(module);
   bindCurveJoin(module);
   bindNearest(module);
   bindNearestCurve(module);
+  bindFill(module);
   bindSpline(module);
   bindNuSpline(module);
   bindAlpha(module);

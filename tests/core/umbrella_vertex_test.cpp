@@ -118,7 +118,7 @@ TEST(UmbrellaVertexData, EvenFansClose) {
 
 // Identities of vertex.hpp.
 
-TEST(UmbrellaVertex, TangentsObeyTheirEquationAndTheProductOfTransfersIsTheIdentity) {
+TEST(UmbrellaVertex, Identities1And2TangentsObeyTheirEquationAndTheProductOfTransfersIsTheIdentity) {
   std::mt19937_64 random(101);
   for (int run = 0; run < 3000; ++run) {
     const bool isClosed = run % 3 != 0;
@@ -142,7 +142,7 @@ TEST(UmbrellaVertex, TangentsObeyTheirEquationAndTheProductOfTransfersIsTheIdent
   }
 }
 
-TEST(UmbrellaVertex, SenseMotionAndLengths) {
+TEST(UmbrellaVertex, Identity3SenseMotionAndLengths) {
   std::mt19937_64 random(102);
   for (int run = 0; run < 1000; ++run) {
     const int m = whole(3, 9, random);

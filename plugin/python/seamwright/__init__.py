@@ -74,6 +74,7 @@ from ._core import (
     knots_of,
     measure_joint,
     measure_pair,
+    n_sided_fill,
     nearest_curve_join,
     nearest_join,
     next_poles,
@@ -85,6 +86,8 @@ from ._core import (
     reversed_beta,
     rotation_minimizing_frames,
     triangle_continuation,
+    umbrella,
+    umbrella_inside,
 )
 from ._core import __version__
 
@@ -194,6 +197,7 @@ __all__ = [
     "knots_of",
     "measure_joint",
     "measure_pair",
+    "n_sided_fill",
     "nearest_curve_join",
     "nearest_join",
     "next_poles",
@@ -207,4 +211,6 @@ __all__ = [
     "surface_from_freecad",
     "surface_to_freecad",
     "triangle_continuation",
+    "umbrella",
+    "umbrella_inside",
 ]
