@@ -23,5 +23,6 @@ PYBIND11_MODULE(_core, module) {
   bindAlpha(module);
   bindModel(module);
   bindMatch(module);
+  bindRepair(module);
   bindPointerBridge(module);
 }

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <seamwright/core/umbrella/fill_space.hpp>
+
+/// The fairest of the fills of a space; not a public header.
+namespace seamwright::fill {
+
+/// Fairness is the sum of squared differences of that order along all rows of poles, in both directions. Of fills that are equally
+/// fair, as order 3 leaves with sides of position alone, the one with the least second differences is taken.
+struct Fairest {
+  Poles unknowns;
+  double fairness_mm2 = 0;
+};
+
+/// \param spoke_scale prescribes the star of the spokes' tangents: so long as the regular star that is nearest to the vectors from the centre
+/// to the middles of the sides, times that scale.
+/// Source: MATH-surfaces 5.6, steps 5 and 11.
+Fairest fairest(const FillSpace& space, int order, std::optional<double> spoke_scale);
+
+}  // namespace seamwright::fill

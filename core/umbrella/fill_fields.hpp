@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <numbers>
+#include <seamwright/core/umbrella/n_sided_fill.hpp>
+
+/// The cross derivatives that a fill has along sides with tangent planes; not a public header.
+namespace seamwright::fill {
+
+/// 2 cos(2 pi / n), exactly 0 for n = 4: a regular star of n tangents r_k has r_(k+1) = c r_k - r_(k-1).
+inline double starFactor(int n) {
+  return n == 4 ? 0 : 2 * std::cos(2 * std::numbers::pi / n);
+}
+
+/// a'(1) of the law.
+inline double slopeAtSide(SpokeLaw law, int n) {
+  return law == SpokeLaw::Linear ? -starFactor(n) : 0;
+}
+
+/// The derivative of the fill out of the hole along the halves [0, 1/2] and [1/2, 1] of a side, each in the degree of the patches.
+struct SideField {
+  std::array<Poles, 2> halves;
+  FillSideJoin joins;
+};
+
+struct CrossFields {
+  std::vector<std::optional<SideField>> sides;  ///< nothing: position alone
+  std::vector<FillCorner> corners;
+};
+
+/// \throws as nSidedFill() for what concerns corners.
+/// Source: MATH-surfaces 5.6, steps 1 to 4 and 6.
+CrossFields crossFields(const std::vector<FillSide>& sides, SpokeLaw law, int degree, double tolerance_rad);
+
+/// Both halves of a polynomial.
+std::array<Poles, 2> halved(const Poles& coefficients);
+
+/// d/dt at the ends of a side.
+Eigen::Vector3d tangentAtBegin(const FillSide& side);
+Eigen::Vector3d tangentAtEnd(const FillSide& side);
+
+}  // namespace seamwright::fill
