@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cmath>
 #include <numbers>
 #include <seamwright/core/umbrella/n_sided_fill.hpp>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <seamwright/core/join/bernstein_rows.hpp>
 #include <seamwright/core/join/ribbon.hpp>

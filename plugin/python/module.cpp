@@ -18,6 +18,7 @@ PYBIND11_MODULE(_core, module) {
   bindCurveJoin(module);
   bindNearest(module);
   bindNearestCurve(module);
+  bindFill(module);
   bindSpline(module);
   bindNuSpline(module);
   bindAlpha(module);

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pybind11/eigen.h>
+#include <pybind11/stl.h>
+
+#include <optional>
+#include <seamwright/core/umbrella/n_sided_fill.hpp>
+#include <seamwright/plugin/python/arguments.hpp>
+#include <seamwright/plugin/python/bindings.hpp>
+#include <seamwright/plugin/python/edges.hpp>
+#include <seamwright/plugin/python/poles.hpp>
+#include <string>
+
+namespace seamwright::python {
+
+namespace {
+
+constexpr const char* side_kinds =
+    "a BezierCurve, (BezierCurve, cross field) or (BezierPatch, edge[, reversed]) is needed";
+
+/// The side that a patch gives, from (patch, edge) or (patch, edge, reversed).
+FillSide neighbourSide(const std::string& name, const py::tuple& value) {
+  const bool against = value.size() == 3;
+  if (against && !PyBool_Check(value[2].ptr()))
+    throw py::value_error(name + ": reversed is " + shown(value[2]) + ": True or False is needed");
+  return fillSide(value[0].cast<const BezierPatch&>(), patchEdgeOf((name + ": edge").c_str(), value[1]),
+                  against && value[2].cast<bool>());
+}
+
+FillSide sideOf(const std::string& name, const py::object& value) {
+  if (py::isinstance<BezierCurve>(value)) return {value.cast<BezierCurve>()};
+  if (py::isinstance<py::tuple>(value) || py::isinstance<py::list>(value)) {
+    const py::tuple parts(value);
+    if (parts.size() >= 2 && parts.size() <= 3 && py::isinstance<BezierPatch>(parts[0]))
+      return neighbourSide(name, parts);
+    if (parts.size() == 2 && py::isinstance<BezierCurve>(parts[0]))
+      return {parts[0].cast<BezierCurve>(), polesOf(arrayOf(parts[1]), 2, "(n, 3)")};
+  }
+  throw py::value_error(name + " is " + shown(value) + ": " + side_kinds);
+}
+
+SpokeLaw lawOf(const py::object& value) {
+  const auto name = argument<std::string>("law", value, "a name");
+  if (name == "linear") return SpokeLaw::Linear;
+  if (name == "quadratic") return SpokeLaw::Quadratic;
+  throw py::value_error("law is " + shown(value) + ": linear or quadratic is needed");
+}
+
+py::dict connectionDict(const Connection& connection) {
+  py::dict dict;
+  dict["alpha"] = connection.alpha;
+  dict["beta"] = connection.beta;
+  return dict;
+}
+
+py::dict cornerDict(const FillCorner& corner) {
+  py::dict dict;
+  dict["angle_rad"] = corner.angle_rad;
+  dict["plane_angle_rad"] = corner.plane_angle_rad;
+  dict["twist_defect_mm"] = corner.twist_defect_mm;
+  dict["exact"] = corner.exact;
+  dict["angle_bound_rad"] = corner.angle_bound_rad;
+  return dict;
+}
+
+py::dict fillDict(const NSidedFill& fill) {
+  py::list sides, corners;
+  for (const std::optional<FillSideJoin>& join : fill.sides) {
+    if (join)
+      sides.append(py::make_tuple(connectionDict((*join)[0]), connectionDict((*join)[1])));
+    else
+      sides.append(py::none());
+  }
+  for (const FillCorner& corner : fill.corners) corners.append(cornerDict(corner));
+  py::dict dict;
+  dict["patches"] = fill.patches;
+  dict["spoke"] = connectionDict(fill.spoke);
+  dict["sides"] = sides;
+  dict["corners"] = corners;
+  dict["fairness_mm2"] = fill.fairness_mm2;
+  dict["regular"] = fill.regular;
+  dict["spoke_scale"] = fill.spoke_scale;
+  return dict;
+}
+
+py::dict nSidedFillOf(const py::sequence& given, const py::object& law, const py::object& fairness_order,
+                      const py::object& corner_tolerance_rad) {
+  std::vector<FillSide> sides;
+  for (const py::handle side : given)
+    sides.push_back(sideOf("side " + std::to_string(sides.size()), py::reinterpret_borrow<py::object>(side)));
+  FillOptions options;
+  options.law = lawOf(law);
+  options.fairness_order = argument<int>("fairness_order", fairness_order, "a whole number");
+  options.corner_tolerance_rad = argument<double>("corner_tolerance_rad", corner_tolerance_rad, "a number");
+  const NSidedFill fill = [&] {
+    const py::gil_scoped_release release;
+    return nSidedFill(sides, options);
+  }();
+  return fillDict(fill);
+}
+
+constexpr const char* n_sided_fill_doc =
+    R"(Fills a hole of 3 to 12 sides with as many patches, which meet each other and the surroundings with G1, exactly.
+
+sides: in order, with the hole to the left, each beginning where the one before ends. A side is
+  (patch, edge[, reversed])   the patch beyond it and that patch's edge, reversed if the hole runs against the edge's own sense;
+  (curve, cross)              a BezierCurve and Bernstein coefficients (m, 3) of a field that spans with the curve's tangent the
+                              tangent planes to be met; it points out of the hole;
+  curve                       a BezierCurve: position alone.
+law: "linear", patches of degree 4 for cubic sides, or "quadratic", degree 5.
+fairness_order: order 2 or 3 of the differences of poles whose sum of squares is least.
+corner_tolerance_rad: largest angle, up to 0.1, between the tangent planes of two sides at their corner, beyond rounding.
+
+Returns a dict:
+  patches          BezierPatches; patch k has corner k, where side k begins, at (1, 1) and the centre at (0, 0). Its edge v1 is the first
+                   half of side k, u1 the second half of side k - 1; u0 and v0 are spokes, u0 that of v0 of patch k + 1
+  spoke            {alpha, beta}, Bernstein coefficients: the connection of patch k + 1 to patch k
+  sides            for each side None, or {alpha, beta} for both halves: the connection of the fill to the neighbour
+  corners          for each {angle_rad, plane_angle_rad, twist_defect_mm, exact, angle_bound_rad}. exact: the tangent planes are met; else
+                   the fill leaves them, on the halves of the sides next to the corner, by at most the bound
+  fairness_mm2     sum of the squared differences
+  regular          it is proved that no normal vanishes or turns back
+  spoke_scale      None, or the prescribed length of the spokes' beginnings, where fairness alone gave no regular patches
+
+ValueError, with side or corner and number, for holes that do not close, angles of pi and more, tangent planes that contradict each
+other in a corner, cross fields parallel to their edge, and rational sides.)";
+
+}  // namespace
+
+void bindFill(py::module_& module) {
+  module.def("n_sided_fill", &nSidedFillOf, n_sided_fill_doc, py::arg("sides"), py::kw_only(),
+             py::arg("law") = "linear", py::arg("fairness_order") = 3, py::arg("corner_tolerance_rad") = 0.0);
+}
+
+}  // namespace seamwright::python

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""n_sided_fill: kinds of sides, keywords and errors; the joins by seams that are enclosed."""
+
+import numpy as np
+import pytest
+
+import seamwright
+from seamwright import BezierCurve, BezierPatch
+
+
+def corners_of(n, radius=10.0):
+    angles = 2 * np.pi * np.arange(n) / n
+    return radius * np.stack([np.cos(angles), np.sin(angles)], axis=-1)
+
+
+def biquadratic(corners):
+    """The patch of z = (2 x^2 - y^2) / 100 above a quadrilateral, corners (u, v) = 00, 01, 10, 11; by values at 3 by 3 places."""
+    t = np.array([0, 0.5, 1])
+    inverse = np.linalg.inv(np.stack([(1 - t) ** 2, 2 * t * (1 - t), t**2], axis=-1))
+    u, v = np.meshgrid(t, t, indexing="ij")
+    xy = np.stack([(1 - u) * (1 - v), (1 - u) * v, u * (1 - v), u * v], axis=-1) @ np.array(corners)
+    values = np.concatenate([xy, (2 * xy[..., :1] ** 2 - xy[..., 1:] ** 2) / 100], axis=-1)
+    return BezierPatch(np.einsum("ai,bj,ijc->abc", inverse, inverse, values))
+
+
+def surroundings(n):
+    inner, outer = corners_of(n), corners_of(n, 15)
+    return [biquadratic([inner[k], inner[(k + 1) % n], outer[k], outer[(k + 1) % n]]) for k in range(n)]
+
+
+def angle(a, edge_a, b, edge_b):
+    return seamwright.enclose_seam(a, edge_a, b, edge_b, angle_deg=1e-8)["angle_deg"]["upper"]
+
+
+@pytest.mark.parametrize("law", ["linear", "quadratic"])
+@pytest.mark.parametrize("n", [3, 5, 6, 12])
+def test_hole_in_a_quadric(n, law):
+    fill = seamwright.n_sided_fill([(patch, "u0") for patch in surroundings(n)], law=law)
+    patches = fill["patches"]
+    degree = 4 if law == "linear" else 5
+    assert [patch.poles.shape for patch in patches] == [(degree + 1, degree + 1, 3)] * n
+    assert fill["regular"] and fill["spoke_scale"] is None
+    assert all(corner["exact"] and corner["angle_bound_rad"] == 0 for corner in fill["corners"])
+    assert fill["corners"][0]["angle_rad"] == pytest.approx(np.pi * (1 - 2 / n), abs=0.15)
+    assert fill["spoke"]["beta"][0] == pytest.approx(2 * np.cos(2 * np.pi / n))
+    assert all(len(side) == 2 and min(side[0]["alpha"]) > 0 for side in fill["sides"])
+    for k in range(n):
+        assert angle(patches[k], "u0", patches[(k + 1) % n], "v0") < 1e-8
+    if law == "linear":
+        points = np.array([patch.point(u, v) for patch in patches for u in (0, 0.3, 0.8) for v in (0, 0.6, 1)])
+        assert np.allclose(points[:, 2], (2 * points[:, 0] ** 2 - points[:, 1] ** 2) / 100, atol=1e-12)
+
+
+def test_kinds_of_sides():
+    around = surroundings(4)
+    given = [(patch, "u0") for patch in around]
+    fill = seamwright.n_sided_fill(given)
+    turned = [(BezierPatch(patch.poles[:, ::-1]), "u0", True) for patch in around]
+    assert np.array_equal(seamwright.n_sided_fill(turned)["patches"][2].poles, fill["patches"][2].poles)
+    fields = [(BezierCurve(patch.poles[0]), 2 * (patch.poles[1] - patch.poles[0])) for patch in around]
+    assert np.allclose(seamwright.n_sided_fill(fields)["patches"][2].poles, fill["patches"][2].poles, atol=1e-13)
+    free = seamwright.n_sided_fill([*given[:3], BezierCurve(around[3].poles[0])])
+    assert free["sides"][3] is None and free["sides"][2] is not None
+    for k in range(4):
+        assert angle(free["patches"][k], "u0", free["patches"][(k + 1) % 4], "v0") < 1e-8
+
+
+def test_incompatible_corner_is_bounded():
+    around = surroundings(4)
+    sides = [(BezierCurve(patch.poles[0]), 2 * (patch.poles[1] - patch.poles[0])) for patch in around]
+    sides[0][1][1, 2] += 0.5
+    corners = seamwright.n_sided_fill(sides)["corners"]
+    assert [corner["exact"] for corner in corners] == [False, False, True, True]
+    assert abs(corners[0]["twist_defect_mm"]) > 0.01 and 0 < corners[0]["angle_bound_rad"] < 0.1
+
+
+@pytest.mark.parametrize("sides, message", [
+    (lambda s: s[:2], "2 sides: a fill has 3 to 12"),
+    (lambda s: [s[0], s[2], s[1], s[3]], "side 1 begins .* mm from where side 0 ends"),
+    (lambda s: [s[0][0], *s[1:]], "side 0 is .*: a BezierCurve, "),
+    (lambda s: [(s[0][0], "w0"), *s[1:]], "side 0: edge 'w0': known of a patch are u0"),
+    (lambda s: [(s[0][0], "u0", 1), *s[1:]], "side 0: reversed is 1: True or False"),
+    (lambda s: [*s[:3], (BezierCurve(s[3][0].poles[0]), [[1, 2]])], "poles have shape"),
+])
+def test_bad_sides(sides, message):
+    with pytest.raises(ValueError, match=message):
+        seamwright.n_sided_fill(sides([(patch, "u0") for patch in surroundings(4)]))
+
+
+@pytest.mark.parametrize("keywords, message", [
+    ({"law": "cubic"}, "law is 'cubic': linear or quadratic"),
+    ({"law": 4}, "law is 4: a name is needed"),
+    ({"fairness_order": 1}, "fairness order 1: known are 2 and 3"),
+    ({"fairness_order": 2.5}, "fairness_order is 2.5: a whole number"),
+    ({"corner_tolerance_rad": float("nan")}, "corner tolerance nan"),
+])
+def test_bad_keywords(keywords, message):
+    with pytest.raises(ValueError, match=message):
+        seamwright.n_sided_fill([(patch, "u0") for patch in surroundings(4)], **keywords)
