@@ -24,7 +24,7 @@ def spoke(k):
     """From (0, 0, 4) outwards and down, first along the plane z = 4, each in its own way."""
     reach = (13, 10, 12, 9, 11)[k]
     plane = around(k + 0.15 * (-1) ** k, 5)[None, :] * reach * np.array([[0], [0.3], [0.7], [1]])
-    return np.column_stack([plane, (4, 4, 3 - 0.3 * k, (k - 2) ** 2 - 3.0)])
+    return np.column_stack([plane, (4, 4, 3, (0, 2.5, 0.5, 2, 1)[k])])
 
 
 def side(k):
@@ -63,7 +63,7 @@ def draw(umbrella, move):
         picture.curve(seamwright.BezierCurve(curve.poles + move), "#d55e00", width=2.5)
 
 
-picture = Picture("Umbrellas: around given spokes, and inside a boundary", view=(0.2, -1.2, 1))
+picture = Picture("Umbrellas: around given spokes, and inside a boundary", view=(0.1, -0.9, 1.2))
 
 mixed = seamwright.umbrella([spoke(k) for k in range(5)], kinds=["patch", "patch", "triangle", "patch", "triangle"])
 draw(mixed, [0, 0, 0])

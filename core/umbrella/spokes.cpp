@@ -36,14 +36,19 @@ std::vector<BezierCurve> fromOnePoint(const std::vector<BezierCurve>& curves, do
   const Eigen::RowVector3d start = curves[0].poles().row(0) + from_first / static_cast<double>(curves.size());
   const double allowed = gap_mm + 16 * std::numeric_limits<double>::epsilon() * size;
   std::vector<BezierCurve> result;
+  double largest = 0;
+  std::size_t furthest = 0;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     Poles poles = rows::elevated<3>(curves[i].poles(), degree);
-    if (const double gap = (poles.row(0) - start).norm(); gap > allowed)
-      refuse("spoke " + std::to_string(i) + " begins " + text(gap) +
-             " mm from the mean of all beginnings: at most " + text(gap_mm) + " is allowed");
+    const double gap = (poles.row(0) - start).norm();
+    if (gap > largest) furthest = i;
+    largest = std::max(largest, gap);
     poles.row(0) = start;
     result.emplace_back(poles);
   }
+  if (largest > allowed)
+    refuse("spoke " + std::to_string(furthest) + " begins " + text(largest) +
+           " mm from the mean of all beginnings: at most " + text(gap_mm) + " is allowed");
   return result;
 }
 

@@ -131,7 +131,7 @@ def test_bad_spokes():
         bad[change[0]][change[1]] = change[2]
         with pytest.raises(ValueError) as error:
             seamwright.umbrella(bad)
-        assert words in str(error.value) or "pole" in str(error.value)
+        assert words in str(error.value)
     with pytest.raises(ValueError, match="rational"):
         seamwright.umbrella([BezierCurve(spokes[0], [1, 2, 1, 1]), *spokes[1:]])
     with pytest.raises(ValueError, match="2 sides"):
