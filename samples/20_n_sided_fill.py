@@ -58,7 +58,7 @@ def halves(patch):
 
 
 def worst(seams):
-    figures = [seamwright.enclose_seam(*seam, angle_deg=1e-8, curvature_rel=0.01) for seam in seams]
+    figures = [seamwright.enclose_seam(*seam, reversed=seam[3] == "v1", angle_deg=1e-8, curvature_rel=0.01) for seam in seams]
     return max(f["angle_deg"]["upper"] for f in figures), max(f["curvature_per_mm"]["upper"] for f in figures)
 
 
