@@ -81,7 +81,7 @@ WIDTH, HEIGHT = 760, 330
 
 def projected(points, left):
     x, y, z = np.asarray(points).T
-    return np.stack([left + 3.6 * (x + 0.25 * y), 165 - 3.6 * (0.5 * y + 0.8 * (z - 5))], axis=-1)
+    return np.stack([left + 3.3 * (x + 0.2 * y), 150 - 3.3 * (0.65 * y + 0.7 * (z - 5))], axis=-1)
 
 
 def lines(patch, left, color):
