@@ -170,20 +170,20 @@ PlacedSurface surfaceOf(const TopoDS_Face& face) {
   return placed;
 }
 
-PlanePath pathOf(const TopoDS_Edge& edge, const TopoDS_Face& face) {
-  PlanePath path;
+PlanarPath pathOf(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+  PlanarPath path;
   path.curve = BRep_Tool::CurveOnSurface(edge, face, path.first, path.last);
   return path;
 }
 
-PlanePath pathOrBuilt(const TopoDS_Edge& edge, const TopoDS_Face& face, double gap_mm) {
-  const PlanePath path = pathOf(edge, face);
+PlanarPath pathOrBuilt(const TopoDS_Edge& edge, const TopoDS_Face& face, double gap_mm) {
+  const PlanarPath path = pathOf(edge, face);
   if (!path.curve.IsNull()) return path;
   const Pcurve built = pcurveOf(edge, face, gap_mm);
   return {built.curve, built.first, built.last};
 }
 
-double largestDistance_mm(const PlacedSurface& a, const PlacedSurface& b, const PlanePath& path) {
+double largestDistance_mm(const PlacedSurface& a, const PlacedSurface& b, const PlanarPath& path) {
   double largest = 0;
   for (int k = 0; k < points_of_an_edge; ++k)
     largest = std::max(largest, a.at(path.at(k)).Distance(b.at(path.at(k))));

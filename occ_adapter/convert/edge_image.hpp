@@ -28,7 +28,7 @@ struct PlacedSurface {
 };
 
 /// A path in a parameter plane.
-struct PlanePath {
+struct PlanarPath {
   opencascade::handle<Geom2d_Curve> curve;
   double first = 0, last = 0;
   gp_Pnt2d at(int k) const { return curve->Value(first + (last - first) * k / (points_of_an_edge - 1)); }
@@ -36,19 +36,19 @@ struct PlanePath {
 
 struct EdgeSide {
   PlacedSurface placed;
-  PlanePath path;
+  PlanarPath path;
   gp_Pnt at(int k) const { return placed.at(path.at(k)); }
 };
 
 PlacedSurface surfaceOf(const TopoDS_Face& face);
 
 /// Without a curve if the edge has no path on the face.
-PlanePath pathOf(const TopoDS_Edge& edge, const TopoDS_Face& face);
+PlanarPath pathOf(const TopoDS_Edge& edge, const TopoDS_Face& face);
 /// \throws std::runtime_error as pcurveOf().
-PlanePath pathOrBuilt(const TopoDS_Edge& edge, const TopoDS_Face& face, double gap_mm);
+PlanarPath pathOrBuilt(const TopoDS_Edge& edge, const TopoDS_Face& face, double gap_mm);
 
 /// Of the images of a path on two surfaces, at points_of_an_edge points.
-double largestDistance_mm(const PlacedSurface& a, const PlacedSurface& b, const PlanePath& path);
+double largestDistance_mm(const PlacedSurface& a, const PlacedSurface& b, const PlanarPath& path);
 /// Of the images of paths from a curve over [first, last], at points_of_an_edge points.
 double largestDistance_mm(const std::vector<EdgeSide>& sides, const Geom_Curve& curve, double first,
                           double last);

@@ -75,8 +75,7 @@ class Follower {
     }
     for (const Target& target : targets_) {
       const Eigen::Vector3d missing = target.point - derivative(rows_, target.blend, 0);
-      for (int c = 0; c < 3; ++c)
-        system.add(columnsOf(target), target.blend.share[0].row(0), Eigen::Vector3d::Unit(c), missing[c]);
+      system.addPoint(columnsOf(target), target.blend.share[0].row(0), missing);
     }
     apply(0, system);
     for (const int which : {0, 1})
@@ -99,7 +98,8 @@ class Follower {
         const Eigen::Vector3d across = derivative(rows_, target.blend, 1);
         value += across.dot(target.curvature * across);
       }
-      system.add(columnsOf(target), scale * target.blend.share[row].row(row), *target.normal, scale * value);
+      system.add(columnsOf(target), scale * target.blend.share[row].row(row), *target.normal,
+                 Eigen::VectorXd::Constant(1, scale * value));
     }
     apply(row, system);
   }

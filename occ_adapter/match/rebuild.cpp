@@ -125,7 +125,7 @@ class Rebuilder {
   void addPaths(const TopoDS_Edge& old, const TopoDS_Face& old_face, const TopoDS_Face& face,
                 TopoDS_Edge& edge) {
     const double tolerance = BRep_Tool::Tolerance(old);
-    const PlanePath path = pathOrBuilt(old, old_face, plan_.gap_mm);
+    const PlanarPath path = pathOrBuilt(old, old_face, plan_.gap_mm);
     if (BRep_Tool::IsClosed(old, old_face))
       builder_.UpdateEdge(edge, path.curve, pathOf(TopoDS::Edge(old.Reversed()), old_face).curve, face,
                           tolerance);
@@ -137,7 +137,7 @@ class Rebuilder {
   /// The old curve in space, or the image of the path where the surface moved below it.
   void addCurve(const TopoDS_Edge& old, const TopoDS_Face& old_face, const FacePlan& plan,
                 const TopoDS_Face& face, TopoDS_Edge& edge) {
-    const PlanePath path = pathOf(edge, face);
+    const PlanarPath path = pathOf(edge, face);
     const double noise_mm = BRep_Tool::Tolerance(old) / 100;
     const bool moved =
         !plan.surface.IsNull() && largestDistance_mm(surfaceOf(old_face), surfaceOf(face), path) > noise_mm;
@@ -152,7 +152,7 @@ class Rebuilder {
     }
   }
 
-  void setImage(const PlanePath& path, const TopoDS_Face& face, TopoDS_Edge& edge) {
+  void setImage(const PlanarPath& path, const TopoDS_Face& face, TopoDS_Edge& edge) {
     const handle<Geom_Curve> image =
         meanImage({{surfaceOf(face), path}}, path.first, path.last, plan_.gap_mm / 1000);
     builder_.UpdateEdge(edge, image, TopLoc_Location(), Precision::Confusion());
@@ -173,7 +173,7 @@ class Rebuilder {
     std::vector<EdgeSide> sides;
     for (TopoDS_Iterator faces(shell); faces.More(); faces.Next()) {
       const TopoDS_Face face = TopoDS::Face(faces.Value().Oriented(TopAbs_FORWARD));
-      const PlanePath path = pathOf(edge, face);
+      const PlanarPath path = pathOf(edge, face);
       if (path.curve.IsNull()) continue;
       TopTools_IndexedMapOfShape own;
       TopExp::MapShapes(face, TopAbs_EDGE, own);

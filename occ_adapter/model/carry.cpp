@@ -20,6 +20,7 @@
 #include <TopLoc_Datum3D.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Iterator.hxx>
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <set>
@@ -250,6 +251,8 @@ class Carrier {
     chooseSurfaces();
     Carried count;
     for (const Part& face : faces_) count.faces += carryFace(face);
+    count.largest_tolerance_mm =
+        std::max(largestNewTolerance<BRep_TEdge>(edges_), largestNewTolerance<BRep_TVertex>(vertices_));
     for (const Part& edge : edges_) count.edges += carryEdge(edge);
     for (const Part& vertex : vertices_) count.vertices += carryVertex(vertex);
     return count;
@@ -363,6 +366,16 @@ class Carrier {
     return (representation.IsCurveOnSurface() && isNew(representation.Surface())) ||
            (representation.IsRegularity() &&
             (isNew(representation.Surface()) || isNew(representation.Surface2())));
+  }
+
+  template <class Content>
+  static double largestNewTolerance(const std::vector<Part>& parts) {
+    double largest = 0;
+    for (const Part& part : parts) {
+      const double now = contentOf<Content>(part.changed.shape)->Tolerance();
+      if (now > contentOf<Content>(part.into)->Tolerance()) largest = std::max(largest, now);
+    }
+    return largest;
   }
 
   bool carryFace(const Part& part) const {

@@ -8,9 +8,10 @@ namespace seamwright::occ {
 
 /// How many parts got other geometry.
 struct Carried {
-  int faces = 0;     ///< another surface
-  int edges = 0;     ///< another curve, parameter curve, range, tolerance or flag
-  int vertices = 0;  ///< another point or tolerance
+  int faces = 0;                    ///< another surface
+  int edges = 0;                    ///< another curve, parameter curve, range, tolerance or flag
+  int vertices = 0;                 ///< another point or tolerance
+  double largest_tolerance_mm = 0;  ///< of the edges and vertices that have a larger one now; 0: of none
 };
 
 /// Carries the geometry of \p changed over into the faces, edges and vertices of \p into, in place.

@@ -442,6 +442,9 @@ Prepared prepare(const Model& model, bool afresh, const Progress& progress) {
     prepared.report.changed_faces = carried->faces;
     prepared.report.changed_edges = carried->edges;
     prepared.report.changed_vertices = carried->vertices;
+    // Readers that find edges and vertices further apart than the stated accuracy make parameter curves of their own.
+    if (carried->largest_tolerance_mm > prepared.manner.accuracy_mm.value_or(0))
+      prepared.manner.accuracy_mm = carried->largest_tolerance_mm;
     return prepared;
   }
   prepared.document = NewDocument(model).document();

@@ -79,9 +79,14 @@ Written writeBrep(const Model& model, Format format) {
   return written;
 }
 
-bool isSource(const Model& model, const std::filesystem::path& path) {
+bool isSource(const std::filesystem::path& source, const std::filesystem::path& target) {
   std::error_code error;
-  return !model.path.empty() && std::filesystem::equivalent(model.path, path, error);
+  return !source.empty() && std::filesystem::equivalent(source, target, error);
+}
+
+bool mayReplace(const std::filesystem::path& source, const std::filesystem::path& target,
+                const WriteOptions& options) {
+  return options.overwrite || isSource(source, target);
 }
 
 }  // namespace
@@ -99,18 +104,22 @@ Format targetFormat(const std::filesystem::path& path) {
                        "' tells no format; .step, .stp, .iges, .igs, .brep, .brp and .bin do");
 }
 
+void requireTarget(const std::filesystem::path& source, const std::filesystem::path& target,
+                   const WriteOptions& options) {
+  targetFormat(target);
+  if (isSource(source, target) && !options.overwrite_source)
+    throw ModelError(
+        ModelErrc::TargetExists, target,
+        "is the file the model was read from: allow to overwrite the source or take another name");
+  requireWritable(target, mayReplace(source, target, options));
+}
+
 WriteReport writeModel(const Model& model, const std::filesystem::path& path, const WriteOptions& options,
                        const Progress& progress) {
   const Format format = targetFormat(path);
   if (model.shape.IsNull())
     throw ModelError(ModelErrc::NoShapes, path, "can't be written: the model has no shape");
-  const bool is_source = isSource(model, path);
-  if (is_source && !options.overwrite_source)
-    throw ModelError(
-        ModelErrc::TargetExists, path,
-        "is the file the model was read from: allow to overwrite the source or take another name");
-  const bool replace = is_source || options.overwrite;
-  requireWritable(path, replace);
+  requireTarget(model.path, path, options);
   constexpr double made = 0.9;
   Written written;
   try {
@@ -124,7 +133,7 @@ WriteReport writeModel(const Model& model, const std::filesystem::path& path, co
   } catch (const std::system_error& error) {
     throw ModelError(ModelErrc::NotWritten, path, std::string("can't be written: ") + error.what());
   }
-  replaceFile(path, written.bytes, replace, partOf(progress, made, 1));
+  replaceFile(path, written.bytes, mayReplace(model.path, path, options), partOf(progress, made, 1));
   return std::move(written.report);
 }
 

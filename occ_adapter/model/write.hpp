@@ -33,6 +33,12 @@ struct WriteReport {
 /// Upper case is the same. \throws ModelError (UnknownTarget)
 Format targetFormat(const std::filesystem::path& path);
 
+/// Throws now what writeModel() says of the target before its work: a name that tells no format, a file that is there, the
+/// source itself, a folder that is missing or closed.
+/// \param source the file that the model is read from; empty if none. \throws ModelError
+void requireTarget(const std::filesystem::path& source, const std::filesystem::path& target,
+                   const WriteOptions& options = {});
+
 /// Writes a model to a STEP, IGES or BREP file, told by its extension.
 ///
 /// A model that was read from a STEP or IGES file and has still the faces, edges and vertices of that file, in the same

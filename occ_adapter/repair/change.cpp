@@ -72,7 +72,8 @@ struct NewEdge {
 
 class Changer {
  public:
-  Changer(const TopoDS_Shape& shape, const std::vector<FaceChange>& changes, double gap_mm)
+  Changer(const TopoDS_Shape& shape, const std::vector<FaceChange>& changes, double gap_mm,
+          const std::vector<PathChange>& paths)
       : shape_(shape),
         faces_(shape, TopAbs_FACE),
         edges_(shape, TopAbs_EDGE),
@@ -82,6 +83,7 @@ class Changer {
     TopExp::MapShapesAndUniqueAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces_of_edge_);
     TopExp::MapShapesAndUniqueAncestors(shape, TopAbs_VERTEX, TopAbs_EDGE, edges_of_vertex_);
     for (const FaceChange& change : changes) add(change);
+    for (const PathChange& change : paths) new_paths_[{change.edge, change.face}] = change.path;
   }
 
   TopoDS_Shape run() {
@@ -90,6 +92,7 @@ class Changer {
       changeFace(face, surface);
       addParts(faces_(face), edges_, edges);
     }
+    for (const auto& [edge_and_face, path] : new_paths_) edges.insert(edge_and_face.first);
     for (const int edge : edges) changeEdge(edge);
     for (const int edge : edges) addParts(edges_(edge), vertices_, vertices);
     for (const int vertex : vertices) changeVertex(vertex);
@@ -142,8 +145,10 @@ class Changer {
   }
 
   /// The path of an edge on a face; two where the face meets itself there.
-  std::vector<PlanePath> pathsOf(const TopoDS_Edge& edge, int number) const {
-    std::vector<PlanePath> paths = {pathOrBuilt(edge, face(number), gap_mm_)};
+  std::vector<PlanarPath> pathsOf(const TopoDS_Edge& edge, int number) const {
+    std::vector<PlanarPath> paths = {pathOrBuilt(edge, face(number), gap_mm_)};
+    if (const auto changed = new_paths_.find({edges_.number(edge), number}); changed != new_paths_.end())
+      paths.front().curve = changed->second;
     if (BRep_Tool::IsClosed(edge, face(number)))
       paths.push_back(pathOf(TopoDS::Edge(edge.Reversed()), face(number)));
     return paths;
@@ -152,7 +157,7 @@ class Changer {
   std::vector<EdgeSide> sidesAfter(const TopoDS_Edge& edge, const std::vector<int>& faces) const {
     std::vector<EdgeSide> sides;
     for (const int number : faces)
-      for (const PlanePath& path : pathsOf(edge, number)) sides.push_back({surfaceAfter(number), path});
+      for (const PlanarPath& path : pathsOf(edge, number)) sides.push_back({surfaceAfter(number), path});
     return sides;
   }
 
@@ -173,10 +178,12 @@ class Changer {
   }
 
   bool isMoved(const TopoDS_Edge& edge, const std::vector<int>& faces) const {
-    for (const int number : faces)
+    for (const int number : faces) {
+      if (hasNewPath(edge, number)) return true;
       if (changes(number))
-        for (const PlanePath& path : pathsOf(edge, number))
+        for (const PlanarPath& path : pathsOf(edge, number))
           if (largestDistance_mm(surfaceOf(face(number)), surfaceAfter(number), path) > near_mm_) return true;
+    }
     return false;
   }
 
@@ -185,13 +192,17 @@ class Changer {
     for (const int number : faces)
       if (changes(number))
         setPath(old, number, stored_.at(number), placed);
-      else if (moved && !hasStoredPath(old, number))
+      else if (hasNewPath(old, number) || (moved && !hasStoredPath(old, number)))
         setPath(old, number, surfaceOf(face(number)), placed);
     for (std::size_t i = 0; i < faces.size(); ++i)
       for (std::size_t j = i; j < faces.size(); ++j)
         if (changes(faces[i]) || changes(faces[j])) setContinuity(old, faces[i], faces[j], placed);
     for (const int number : faces)
       if (changes(number)) forgetOldSurface(number, faces, placed);
+  }
+
+  bool hasNewPath(const TopoDS_Edge& edge, int number) const {
+    return new_paths_.count({edges_.number(edge), number}) > 0;
   }
 
   bool hasStoredPath(const TopoDS_Edge& edge, int number) const {
@@ -202,7 +213,7 @@ class Changer {
   }
 
   void setPath(const TopoDS_Edge& old, int number, const PlacedSurface& on, TopoDS_Edge& placed) {
-    const std::vector<PlanePath> paths = pathsOf(old, number);
+    const std::vector<PlanarPath> paths = pathsOf(old, number);
     if (paths.size() == 2)
       builder_.UpdateEdge(placed, paths[0].curve, paths[1].curve, on.surface, on.location, 0);
     else
@@ -301,7 +312,7 @@ class Changer {
     NewEdge same;
     same.curve = BRep_Tool::Curve(edge, same.first, same.last);
     for (const int beside : facesOf(number))
-      if (const PlanePath path = pathOf(edge, face(beside)); !path.curve.IsNull())
+      if (const PlanarPath path = pathOf(edge, face(beside)); !path.curve.IsNull())
         same.sides.push_back({surfaceOf(face(beside)), path});
     same.tolerance_mm = BRep_Tool::Tolerance(edge);
     return same;
@@ -359,17 +370,19 @@ class Changer {
   TopTools_IndexedDataMapOfShapeListOfShape faces_of_edge_, edges_of_vertex_;
   double near_mm_, gap_mm_;
   BRep_Builder builder_;
-  std::map<int, handle<Geom_Surface>> surfaces_;  ///< by face, in the frame of the shape
-  std::map<int, PlacedSurface> stored_;           ///< the same as the faces have them
+  std::map<int, handle<Geom_Surface>> surfaces_;                   ///< by face, in the frame of the shape
+  std::map<std::pair<int, int>, handle<Geom2d_Curve>> new_paths_;  ///< by edge and face
+  std::map<int, PlacedSurface> stored_;                            ///< the same as the faces have them
   std::map<int, NewEdge> new_edges_;
   TopTools_DataMapOfShapeShape new_parts_, done_;
 };
 
 }  // namespace
 
-TopoDS_Shape withChanges(const TopoDS_Shape& shape, const std::vector<FaceChange>& changes, double gap_mm) {
-  if (changes.empty()) return shape;
-  return Changer(shape, changes, gap_mm).run();
+TopoDS_Shape withChanges(const TopoDS_Shape& shape, const std::vector<FaceChange>& changes, double gap_mm,
+                         const std::vector<PathChange>& paths) {
+  if (changes.empty() && paths.empty()) return shape;
+  return Changer(shape, changes, gap_mm, paths).run();
 }
 
 }  // namespace seamwright::occ

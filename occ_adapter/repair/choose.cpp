@@ -5,6 +5,7 @@
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <map>
+#include <sstream>
 #include <stdexcept>
 
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
@@ -32,7 +33,17 @@ void requireSeams(const std::vector<int>& edges, const Report& report) {
   }
 }
 
-std::vector<FaceChoice> chooseFaces(const TopoDS_Shape& shape, const std::vector<int>& fixed) {
+/// The first edge of each face where three faces or more meet.
+std::map<int, const LooseEdge*> crowdedEdges(const Report& report) {
+  std::map<int, const LooseEdge*> edges;
+  for (const LooseEdge& edge : report.non_manifold)
+    for (const int face : edge.faces) edges.emplace(face, &edge);
+  return edges;
+}
+
+std::vector<FaceChoice> chooseFaces(const TopoDS_Shape& shape, const Report& before,
+                                    const std::vector<int>& fixed) {
+  const std::map<int, const LooseEdge*> crowded = crowdedEdges(before);
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
   std::map<const TopoDS_TShape*, int> instances;
@@ -47,9 +58,15 @@ std::vector<FaceChoice> chooseFaces(const TopoDS_Shape& shape, const std::vector
       why = "is fixed";
     else if (count > 1)
       why = "stands in the model " + std::to_string(count) + " times";
-    else if (clampedSpline(BRep_Tool::Surface(face, location)).IsNull())
+    else if (const auto edge = crowded.find(f); edge != crowded.end())
+      why = "has edge " + std::to_string(edge->second->edge) + ", where " +
+            std::to_string(edge->second->faces.size()) + " faces meet";
+    else if (clampedSpline(BRep_Tool::Surface(face, location)).IsNull()) {
       why = "is " + kindOf(face) + ", which has no poles to move";
+      choices[f].convertible = true;
+    }
     choices[f].may_move = why.empty();
+    choices[f].may_be_trimmed = count == 1 && std::ranges::count(fixed, f) == 0;
   }
   return choices;
 }
@@ -59,10 +76,27 @@ bool isWanted(const SeamResult& seam, const std::vector<int>& edges) {
   return std::ranges::any_of(seam.edges, [&edges](int edge) { return std::ranges::count(edges, edge) > 0; });
 }
 
-std::string whyNot(const SeamResult& seam, const std::vector<FaceChoice>& faces,
+bool isSharp(const SeamResult& seam, const RepairOptions& options) {
+  if (seam.verdict.seam_class != SeamClass::Defect || !options.edges.empty()) return false;
+  SeamFigures closed = seam.figures;
+  closed.gap_mm = Figure{0, 0, 0};
+  return judge(closed, options.tolerance, options.level()).seam_class == SeamClass::Crease;
+}
+
+std::string whyFolded(const SeamFigures& figures) {
+  std::ostringstream text;
+  text << "the faces fold back on one another there, first at " << *figures.fold_at
+       << " of its length: no small move makes that smooth";
+  return text.str();
+}
+
+std::string whyNot(const SeamResult& seam, const std::vector<FaceChoice>& faces, bool sharp,
                    const RepairOptions& options) {
+  if (!seam.figures.gap_mm)
+    return "it can't be measured" + (seam.note.empty() ? std::string() : ": " + seam.note);
   if (surelyReaches(seam.figures, options.tolerance, options.level())) return "it has the level already";
-  if (std::ranges::any_of(seam.faces, [&faces](int face) { return faces[face].may_move; })) return {};
+  if (std::ranges::any_of(seam.faces, [&faces](int face) { return faces[face].may_move; }))
+    return seam.figures.fold_at && !sharp ? whyFolded(seam.figures) : "";
   std::string why;
   for (const int face : seam.faces) {
     if (!why.empty() && face == seam.faces[0]) continue;
@@ -77,14 +111,23 @@ Choice choose(const Model& model, const Report& before, const RepairOptions& opt
   requireNumbers("face", options.fixed_faces, model.faceCount());
   requireNumbers("edge", options.edges, model.edgeCount());
   requireSeams(options.edges, before);
-  Choice choice{{}, {}, chooseFaces(model.shape, options.fixed_faces)};
+  Choice choice{{}, {}, {}, chooseFaces(model.shape, before, options.fixed_faces)};
   for (const SeamResult& seam : before.seams) {
     const bool wanted = isWanted(seam, options.edges);
-    const std::string why = wanted ? whyNot(seam, choice.faces, options) : "";
+    const bool sharp = isSharp(seam, options);
+    const std::string why = wanted ? whyNot(seam, choice.faces, sharp, options) : "";
     choice.treated.push_back(wanted && why.empty());
+    choice.sharp.push_back(sharp);
     choice.reasons.push_back(why);
   }
   return choice;
+}
+
+bool isRepaired(const SeamResult& after, bool sharp, const RepairOptions& options) {
+  if (!sharp) return surelyReaches(after.figures, options.tolerance, options.level());
+  const auto& gap = after.figures.gap_mm;
+  return after.verdict.seam_class == SeamClass::Crease && gap && gap->upper &&
+         *gap->upper <= options.tolerance.gap_mm;
 }
 
 }  // namespace seamwright::occ

@@ -12,18 +12,27 @@ namespace seamwright::occ {
 /// A face as repair sees it. Faces count from 1, so the first of a vector stands for none.
 struct FaceChoice {
   bool may_move = false;
-  std::string cannot_move;  ///< why not, as "face 3 ..." goes on
+  bool may_be_trimmed = false;  ///< the paths of its edges may be others
+  std::string cannot_move;      ///< why not, as "face 3 ..." goes on
+  bool convertible = false;     ///< it has no poles; but for that it might move
 };
 
 struct Choice {
   std::vector<bool> treated;         ///< by seam, in the order of the report
+  std::vector<bool> sharp;           ///< by seam: of a treated one the gap alone is to be closed
   std::vector<std::string> reasons;  ///< by seam: why it is not treated though it was meant; else empty
   std::vector<FaceChoice> faces;
 };
 
 /// Seams of class defect, or those of the edges picked that do not have the level yet; at least one of the faces has to be able to move.
-/// A face can move if it lies on a B-spline or Bezier surface, is not fixed, and stands in the model once.
+/// A face can move if it lies on a B-spline or Bezier surface, is not fixed, stands in the model once, and has no edge where three faces
+/// or more meet.
+/// A defect that would be a crease if its gap were closed is sharp by design: it stays so. Faces that fold back on one another below
+/// the crease angle are not treated, as no small move turns a normal over.
 /// \throws std::invalid_argument for edges and faces that the model does not have, and for a picked edge that is no seam.
 Choice choose(const Model& model, const Report& before, const RepairOptions& options);
+
+/// The seam surely has what the repair asks for. \param sharp see Choice.
+bool isRepaired(const SeamResult& after, bool sharp, const RepairOptions& options);
 
 }  // namespace seamwright::occ

@@ -74,7 +74,8 @@ std::string at(const Eigen::Vector3d& point) {
 }
 
 /// Poles of a side that is one point move as one.
-std::vector<std::vector<int>> collapsedSides(const SurfaceBasis& basis, const PointRows& poles) {
+std::vector<std::vector<int>> collapsedSides(const SurfaceBasis& basis, const PointRows& poles,
+                                             double near_mm) {
   std::vector<std::vector<int>> sides;
   const auto collect = [&](int count, const auto& number) {
     std::vector<int> side;
@@ -84,7 +85,8 @@ std::vector<std::vector<int>> collapsedSides(const SurfaceBasis& basis, const Po
       spread = std::max(spread, (poles.row(pole) - poles.row(side.front())).norm());
       size = std::max(size, poles.row(pole).cwiseAbs().maxCoeff());
     }
-    if (spread <= 64 * std::numeric_limits<double>::epsilon() * size) sides.push_back(std::move(side));
+    if (spread <= std::max(near_mm, 64 * std::numeric_limits<double>::epsilon() * size))
+      sides.push_back(std::move(side));
   };
   const int last_u = basis.u().poles - 1, last_v = basis.v().poles - 1;
   if (!basis.u().periodic)
@@ -145,7 +147,7 @@ class FaceFollower {
 
   /// So that a knot inserted is no crease.
   void raiseDegrees() {
-    int order = 0;
+    int order = 1;
     for (const FollowPath& path : task_.paths) order = std::max(order, path.order);
     if (basis_.u().degree > order && basis_.v().degree > order) return;
     before_->IncreaseDegree(std::max(basis_.u().degree, order + 1), std::max(basis_.v().degree, order + 1));
@@ -191,10 +193,10 @@ class FaceFollower {
     return measurePair(sideOf(place.target), own);
   }
 
-  double ratioAt(const Place& place, int order, const PairMeasure& pair) const {
+  double ratioAt(const Place& place, const PairMeasure& pair) const {
     const SurfaceJet jet = jetOf(place.shares, poles_);
-    if (order > 0 && pair.angle_rad && place.target.normal.dot(jet.u.cross(jet.v)) < 0) return infinite;
-    return ratioOf(pair, order, task_.tolerance);
+    if (place.order > 0 && pair.angle_rad && place.target.normal.dot(jet.u.cross(jet.v)) < 0) return infinite;
+    return ratioOf(pair, place.order, task_.tolerance);
   }
 
   void judge() {
@@ -204,7 +206,7 @@ class FaceFollower {
       for (const std::vector<Place>* places : {&samples_[i], &checks_[i]}) {
         for (const Place& place : *places) {
           const PairMeasure pair = measured(place);
-          const double ratio = ratioAt(place, task_.paths[i].order, pair);
+          const double ratio = ratioAt(place, pair);
           if (ratio >= worst_[i].ratio) worst_[i] = {ratio, place.target.point, pair};
         }
         if (places == &samples_[i]) at_samples_ = std::max(at_samples_, worst_[i].ratio);
@@ -225,7 +227,7 @@ class FaceFollower {
     for (std::size_t i = 0; i < task_.paths.size(); ++i)
       for (const std::vector<Place>* places : {&samples_[i], &checks_[i]})
         for (const Place& place : *places)
-          for (int row = 0; row < rows[std::clamp(task_.paths[i].order, 0, 2)]; ++row) {
+          for (int row = 0; row < rows[std::clamp(place.order, 0, 2)]; ++row) {
             const auto share = place.shares.share.row(row);
             const double least = least_share * share.cwiseAbs().maxCoeff();
             for (int k = 0; k < share.size(); ++k)
@@ -250,7 +252,7 @@ class FaceFollower {
     std::vector<int> unknown(touched.rows(), -1);
     const auto moves = [&](int pole) { return touched(pole, 0) > 1e-12; };
     count = 0;
-    for (const std::vector<int>& side : collapsedSides(basis_, original_))
+    for (const std::vector<int>& side : collapsedSides(basis_, original_, task_.tolerance.gap_mm / 100))
       if (std::ranges::any_of(side, moves)) {
         for (const int pole : side) unknown[pole] = count;
         ++count;
@@ -272,55 +274,66 @@ class FaceFollower {
     Conditions(const std::vector<int>& unknown, int count, const PointRows& original)
         : unknown_(unknown), original_(original), system_(count) {}
 
-    /// direction . (sum of share times pole) = value
-    void add(const std::vector<int>& poles, const Eigen::RowVectorXd& share, const Eigen::Vector3d& direction,
-             double value, double weight) {
-      numbers_.clear();
-      factors_.clear();
-      for (std::size_t k = 0; k < poles.size(); ++k) {
-        value -= share[static_cast<Eigen::Index>(k)] * direction.dot(original_.row(poles[k]));
-        if (unknown_[poles[k]] < 0) continue;
-        numbers_.push_back(unknown_[poles[k]]);
-        factors_.push_back(share[static_cast<Eigen::Index>(k)]);
-      }
-      addMoves(direction, value, weight);
+    /// Sum of share times pole = point
+    void addPoint(const std::vector<int>& poles, const Eigen::RowVectorXd& share,
+                  const Eigen::Vector3d& point, double weight) {
+      const Selected selected = select(poles, share);
+      if (selected.numbers.empty()) return;
+      const Eigen::RowVector3d now = sumOf(poles, share);
+      system_.addPoint(selected.numbers, weight * selected.factors, weight * (point - now.transpose()));
+    }
+    /// For each row of shares: normal . (sum of share times pole) = value
+    void add(const std::vector<int>& poles, const Eigen::MatrixXd& shares, const Eigen::Vector3d& normal,
+             const Eigen::VectorXd& values, double weight) {
+      const Selected selected = select(poles, shares);
+      if (selected.numbers.empty()) return;
+      const Eigen::VectorXd now = sumOf(poles, shares) * normal;
+      system_.add(selected.numbers, weight * selected.factors, normal, weight * (values - now));
     }
     /// The sum of factor times move is zero.
-    void addFairness(const std::array<int, 3>& poles, const Eigen::RowVector3d& factors, double weight) {
-      numbers_.clear();
-      factors_.clear();
-      for (int k = 0; k < 3; ++k) {
-        if (unknown_[poles[k]] < 0) continue;
-        numbers_.push_back(unknown_[poles[k]]);
-        factors_.push_back(factors[k]);
-      }
-      for (int c = 0; c < 3; ++c) addMoves(Eigen::Vector3d::Unit(c), 0, weight);
+    void addFairness(const std::vector<int>& poles, const Eigen::RowVectorXd& factors, double weight) {
+      const Selected selected = select(poles, factors);
+      if (!selected.numbers.empty())
+        system_.addPoint(selected.numbers, weight * selected.factors, Eigen::Vector3d::Zero());
     }
     PointRows solve(double damping) const { return system_.solve(damping); }
 
    private:
-    void addMoves(const Eigen::Vector3d& direction, double value, double weight) {
-      if (numbers_.empty()) return;
-      const Eigen::RowVectorXd factors =
-          Eigen::Map<const Eigen::RowVectorXd>(factors_.data(), static_cast<Eigen::Index>(factors_.size()));
-      system_.add(numbers_, weight * factors, direction, weight * value);
+    struct Selected {
+      std::vector<int> numbers;
+      Eigen::MatrixXd factors;
+    };
+
+    /// Of the poles that may move.
+    Selected select(const std::vector<int>& poles, const Eigen::MatrixXd& factors) const {
+      Selected selected;
+      std::vector<int> columns;
+      for (std::size_t k = 0; k < poles.size(); ++k) {
+        if (unknown_[poles[k]] < 0) continue;
+        selected.numbers.push_back(unknown_[poles[k]]);
+        columns.push_back(static_cast<int>(k));
+      }
+      selected.factors = factors(Eigen::all, columns);
+      return selected;
+    }
+    Eigen::Matrix<double, Eigen::Dynamic, 3> sumOf(const std::vector<int>& poles,
+                                                   const Eigen::MatrixXd& shares) const {
+      return shares * original_(poles, Eigen::all);
     }
 
     const std::vector<int>& unknown_;
     const PointRows& original_;
     LeastMoves system_;
-    std::vector<int> numbers_;
-    std::vector<double> factors_;
   };
 
-  void addPlace(const Place& place, int order, Conditions& conditions) const {
+  void addPlace(const Place& place, Conditions& conditions) const {
     const ContinuityTolerance& tolerance = task_.tolerance;
     const TargetPoint& target = place.target;
-    for (int c = 0; c < 3; ++c)
-      conditions.add(place.shares.poles, place.shares.share.row(0), Eigen::Vector3d::Unit(c), target.point[c],
-                     1 / (task_.share * tolerance.gap_mm));
-    if (order < 1) return;
-    const SurfaceJet jet = jetOf(place.shares, poles_);
+    const PoleShares& shares = place.shares;
+    conditions.addPoint(shares.poles, shares.share.row(0), target.point,
+                        1 / (task_.share * tolerance.gap_mm));
+    if (place.order < 1) return;
+    const SurfaceJet jet = jetOf(shares, poles_);
     const auto normal = unitNormal(jet, noiseOf(jet, basis_));
     if (!normal) return;
     Eigen::Vector3d tangent = place.along[0] * jet.u + place.along[1] * jet.v;
@@ -328,13 +341,17 @@ class FaceFollower {
     tangent.normalize();
     const std::array<Eigen::Vector3d, 2> ways = {tangent, normal->cross(tangent)};
     const std::array<Eigen::Vector2d, 2> steps = {parameterStep(jet, ways[0]), parameterStep(jet, ways[1])};
-    for (const Eigen::Vector2d& step : steps)
-      conditions.add(place.shares.poles, derivative(place.shares, step), target.normal, 0,
-                     1 / (task_.share * tolerance.angle_rad));
-    if (order < 2) return;
-    for (const auto& [k, m] : {std::pair(0, 0), std::pair(0, 1), std::pair(1, 1)})
-      conditions.add(place.shares.poles, secondDerivative(place.shares, steps[k], steps[m]), target.normal,
-                     ways[k].dot(target.curvature * ways[m]), 1 / (task_.share * curvatureLimit(target)));
+    Eigen::MatrixXd slopes(2, shares.share.cols());
+    slopes << derivative(shares, steps[0]), derivative(shares, steps[1]);
+    conditions.add(shares.poles, slopes, target.normal, Eigen::Vector2d::Zero(),
+                   1 / (task_.share * tolerance.angle_rad));
+    if (place.order < 2) return;
+    Eigen::MatrixXd bends(3, shares.share.cols());
+    bends << secondDerivative(shares, steps[0], steps[0]), secondDerivative(shares, steps[0], steps[1]),
+        secondDerivative(shares, steps[1], steps[1]);
+    const auto bend = [&](int k, int m) { return ways[k].dot(target.curvature * ways[m]); };
+    conditions.add(shares.poles, bends, target.normal, Eigen::Vector3d(bend(0, 0), bend(0, 1), bend(1, 1)),
+                   1 / (task_.share * curvatureLimit(target)));
   }
 
   /// As fair as can be: less so only as long as the samples can't be met, and, if gently, as the move stays of its size.
@@ -353,7 +370,7 @@ class FaceFollower {
       judge();
       if (isMet() || at_samples_ <= task_.share / 2 || at_samples_ > better * before) return;
       before = at_samples_;
-      if (gently_) limit = of_its_size * std::max(largestMove(), task_.tolerance.gap_mm);
+      if (gently_ && limit == infinite) limit = of_its_size * std::max(largestMove(), task_.tolerance.gap_mm);
     }
   }
 
@@ -401,7 +418,7 @@ class FaceFollower {
     for (int pass = 0; pass < (curved ? 4 : 1); ++pass) {
       Conditions conditions(unknown, count, original_);
       for (std::size_t i = 0; i < task_.paths.size(); ++i)
-        for (const Place& place : samples_[i]) addPlace(place, task_.paths[i].order, conditions);
+        for (const Place& place : samples_[i]) addPlace(place, conditions);
       addFairness(conditions, weight);
       const PointRows moves = conditions.solve(0.05 * weight);
       if (!moves.allFinite() || moves.cwiseAbs().maxCoeff() > largest_sense * extent) return;
@@ -420,7 +437,7 @@ class FaceFollower {
     for (std::size_t i = 0; i < task_.paths.size(); ++i)
       for (const std::vector<Place>* places : {&samples_[i], &checks_[i]})
         for (const Place& place : *places) {
-          if (ratioAt(place, task_.paths[i].order, measured(place)) <= task_.share) continue;
+          if (ratioAt(place, measured(place)) <= task_.share) continue;
           const std::array<const SplineAxis*, 2> axes = {&basis_.u(), &basis_.v()};
           std::array<double, 2> crossing{};
           for (const int k : {0, 1})
@@ -499,7 +516,7 @@ class FaceFollower {
         const Eigen::Vector3d here = jetOf(ends[a].place->shares, original_).p,
                               there = jetOf(ends[b].place->shares, original_).p;
         if ((here - there).norm() > std::max(task_.tolerance.gap_mm / 10, Precision::Confusion())) continue;
-        const int order = std::min(task_.paths[ends[a].path].order, task_.paths[ends[b].path].order);
+        const int order = std::min(ends[a].place->order, ends[b].place->order);
         SidePoint first = sideOf(ends[a].place->target), second = sideOf(ends[b].place->target);
         const PairMeasure pair = measurePair(first, second);
         if (ratioOf(pair, order, task_.tolerance) <= 1) continue;

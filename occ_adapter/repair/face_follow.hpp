@@ -16,7 +16,8 @@ namespace seamwright::occ {
 /// What a face has to meet at a point of a path.
 struct TargetPoint {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< of length 1, in the sense of the face's X_u x X_v
+  Eigen::Vector3d normal = Eigen::Vector3d::
+      Zero();  ///< of length 1, in the sense of the face's X_u x X_v; zero: only the point is to be met
   Eigen::Matrix3d curvature =
       Eigen::Matrix3d::Zero();  ///< curvature tensor for that normal; read for order 2
 };

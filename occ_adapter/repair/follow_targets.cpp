@@ -66,7 +66,8 @@ class Following {
   bool isActive(std::size_t seam) const { return roles_[seam] != Role::Held; }
   bool moves(int face) const { return moving_.count(face) > 0; }
   int orderOf(std::size_t seam) const {
-    return roles_[seam] == Role::Treated ? task_.options.order : orderToKeep(task_.before[seam]);
+    if (roles_[seam] != Role::Treated) return orderToKeep(task_.before[seam]);
+    return task_.sharp[seam] ? 0 : task_.options.order;
   }
 
   void findMoving() {

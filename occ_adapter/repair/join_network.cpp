@@ -74,6 +74,7 @@ class Network {
  private:
   /// \returns why the seam can't be a part of the network, or nothing.
   std::string add(std::size_t i) {
+    if (task_.sharp[i]) return "it is sharp";
     const Seam& seam = task_.seams[i];
     std::array<NaturalUse, 2> uses;
     for (const int which : {0, 1}) {

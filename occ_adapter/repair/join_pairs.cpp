@@ -55,6 +55,7 @@ class PairSolver {
   }
 
   std::string join(std::size_t i) {
+    if (task_.sharp[i]) return "it is sharp";
     const Seam& seam = seams_[i];
     if (seam.sides[0].face == seam.sides[1].face) return "the face meets itself there, which is not handled";
     PairToMatch pair;

@@ -24,6 +24,7 @@ Place PlanePath::place(const SurfaceBasis& basis, double s) const {
   const Eigen::Vector2d left(-place.along.y(), place.along.x());
   place.shares = basis.at(place.uv, path_.face_on_left ? left : Eigen::Vector2d(-left));
   place.target = path_.target(s);
+  place.order = place.target.normal.isZero() ? 0 : path_.order;
   return place;
 }
 

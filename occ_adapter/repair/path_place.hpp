@@ -16,6 +16,7 @@ struct Place {
   Eigen::Vector2d along = Eigen::Vector2d::Zero();  ///< derivative of uv by s
   PoleShares shares;
   TargetPoint target;
+  int order = 0;  ///< that of the path, or 0 where the target has no normal
 };
 
 /// A plane curve over s in [0, 1]. The path must outlive it.

@@ -40,31 +40,6 @@ bool isNew(const Seam& after, const Seam& before) {
   return false;
 }
 
-/// The seams of the changed shape, in the order of before; a matched one that is found no more has no id.
-std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed, const Progress& progress) {
-  std::vector<Seam> seams = seamsIn(changed, task.seams);
-  const bool any_matched =
-      std::ranges::any_of(seams, [](const Seam& seam) { return seam.kind == SeamKind::Matched; });
-  if (!any_matched) return seams;
-  SeamGraph graph = findSeams(changed);
-  matchFreeEdges({.match_mm = task.options.match_mm, .gap_mm = task.options.tolerance.gap_mm}, graph,
-                 progress);
-  std::vector<bool> taken(graph.seams.size(), false);
-  for (Seam& seam : seams) {
-    if (seam.kind != SeamKind::Matched) continue;
-    const int id = seam.id;
-    seam.id = 0;
-    for (std::size_t i = 0; i < graph.seams.size() && seam.id == 0; ++i) {
-      const Seam& found = graph.seams[i];
-      if (taken[i] || found.kind != SeamKind::Matched || found.edges != seam.edges) continue;
-      taken[i] = true;
-      seam = found;
-      seam.id = id;
-    }
-  }
-  return seams;
-}
-
 std::vector<SeamResult> measured(const RepairTask& task, const std::vector<Seam>& seams,
                                  const Progress& progress) {
   std::vector<SeamResult> after = task.before;
@@ -89,14 +64,23 @@ double known(const Figure& figure) {
   return figure.upper.value_or(figure.lower);
 }
 
+/// By more than a tenth of the tolerance: what the faces that follow leave between samples is no matter to anyone.
 bool isLarger(const std::optional<Figure>& after, const std::optional<Figure>& before, double tolerance) {
+  constexpr double margin = 0.1;
   if (!after) return before.has_value();
-  return after->lower > std::max(tolerance, before ? known(*before) : 0);
+  return after->lower > std::max(tolerance, before ? known(*before) + margin * tolerance : 0);
+}
+
+/// Up to the level asked for what is seen counts, above it what is sure.
+bool isLower(const SeamResult& after, const SeamResult& before, const RepairOptions& options) {
+  const Level level = before.verdict.level;
+  if (after.verdict.level >= level) return false;
+  return after.verdict.level < options.level() || surelyReaches(before.figures, options.tolerance, level);
 }
 
 /// Which figure is worse than it was; empty if none.
 std::string whyWorse(const SeamResult& after, const SeamResult& before, const RepairOptions& options) {
-  if (after.verdict.level < before.verdict.level) return "a lower level";
+  if (isLower(after, before, options)) return "a lower level";
   const auto rank = [](SeamClass seam_class) { return seam_class == SeamClass::Smooth ? 0 : 1; };
   if (rank(after.verdict.seam_class) > rank(before.verdict.seam_class)) return "another class";
   if (before.verdict.certain && !after.verdict.certain) return "less certain";
@@ -115,7 +99,7 @@ void judgeSeams(const RepairTask& task, Proof& proof) {
   for (std::size_t i = 0; i < proof.after.size(); ++i) {
     const SeamResult& after = proof.after[i];
     if (task.treated[i]) {
-      if (!surelyReaches(after.figures, task.options.tolerance, task.options.level()))
+      if (!isRepaired(after, task.sharp[i], task.options))
         proof.unrepaired[i] = "after a move it has " + figuresText(after);
     } else if (const std::string why = whyWorse(after, task.before[i], task.options); !why.empty()) {
       proof.worse[i] = "edge " + std::to_string(after.edges.front()) + " would get " + why + " (" +
@@ -145,7 +129,7 @@ gp_Vec normalAt(const Geom_Surface& surface, double u, double v) {
   return along_u.Crossed(along_v);
 }
 
-/// Whether the normal turned by 90 degrees or more somewhere on a grid over the face.
+/// Whether the normal turned by 90 degrees or more somewhere on a grid over the face; not where a side collapses, as it has none there.
 bool isFolded(const TopoDS_Face& face, const handle<Geom_Surface>& surface) {
   const handle<Geom_Surface> before = BRep_Tool::Surface(face);
   const auto after = handle<Geom_BSplineSurface>::DownCast(surface);
@@ -158,10 +142,17 @@ bool isFolded(const TopoDS_Face& face, const handle<Geom_Surface>& surface) {
     range[i + 1] = std::min(range[i + 1], whole[i + 1]);
   }
   const std::vector<double> all_v = gridOf(after->VKnots(), range[2], range[3]);
+  std::vector<std::array<gp_Vec, 2>> normals;
+  double largest = 0;
   for (const double u : gridOf(after->UKnots(), range[0], range[1]))
-    for (const double v : all_v)
-      if (normalAt(*before, u, v).Dot(normalAt(*after, u, v)) < 0) return true;
-  return false;
+    for (const double v : all_v) {
+      normals.push_back({normalAt(*before, u, v), normalAt(*after, u, v)});
+      largest = std::max(largest, normals.back()[0].Magnitude());
+    }
+  constexpr double none = 1e-6;
+  return std::ranges::any_of(normals, [largest](const auto& normal) {
+    return normal[0].Magnitude() > none * largest && normal[0].Dot(normal[1]) < 0;
+  });
 }
 
 /// Largest tolerance of an edge of the face beyond what it may have; 0 if there is none.
@@ -242,9 +233,10 @@ void judgeVolumes(const RepairTask& task, const std::vector<FaceChange>& changes
   }
 }
 
-std::set<int> movedFaces(const std::vector<FaceChange>& changes) {
+std::set<int> movedFaces(const RepairSolution& solution) {
   std::set<int> faces;
-  for (const FaceChange& change : changes) faces.insert(change.face);
+  for (const FaceChange& change : solution.changes) faces.insert(change.face);
+  for (const PathChange& change : solution.paths) faces.insert(change.face);
   return faces;
 }
 
@@ -305,6 +297,30 @@ Soundness soundnessOf(const TopoDS_Shape& shape) {
   return soundness;
 }
 
+std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed, const Progress& progress) {
+  std::vector<Seam> seams = seamsIn(changed, task.seams);
+  const bool any_matched =
+      std::ranges::any_of(seams, [](const Seam& seam) { return seam.kind == SeamKind::Matched; });
+  if (!any_matched) return seams;
+  SeamGraph graph = findSeams(changed);
+  matchFreeEdges({.match_mm = task.options.match_mm, .gap_mm = task.options.tolerance.gap_mm}, graph,
+                 progress);
+  std::vector<bool> taken(graph.seams.size(), false);
+  for (Seam& seam : seams) {
+    if (seam.kind != SeamKind::Matched) continue;
+    const int id = seam.id;
+    seam.id = 0;
+    for (std::size_t i = 0; i < graph.seams.size() && seam.id == 0; ++i) {
+      const Seam& found = graph.seams[i];
+      if (taken[i] || found.kind != SeamKind::Matched || found.edges != seam.edges) continue;
+      taken[i] = true;
+      seam = found;
+      seam.id = id;
+    }
+  }
+  return seams;
+}
+
 Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
             const Soundness& was, const Progress& progress) {
   Proof proof;
@@ -317,9 +333,9 @@ Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes, cons
   return proof;
 }
 
-std::map<std::size_t, std::string> culprits(const RepairTask& task, const std::vector<FaceChange>& changes,
+std::map<std::size_t, std::string> culprits(const RepairTask& task, const RepairSolution& solution,
                                             const Proof& proof, bool with_connected) {
-  const std::set<int> moved = movedFaces(changes);
+  const std::set<int> moved = movedFaces(solution);
   std::map<std::size_t, std::string> given_up;
   for (const auto& [face, why] : proof.faces)
     for (std::size_t i = 0; i < task.seams.size(); ++i)

@@ -29,6 +29,10 @@ struct Proof {
   bool holds() const { return unrepaired.empty() && worse.empty() && faces.empty() && whole.empty(); }
 };
 
+/// The seams of the task in a shape that withChanges() made of its own, or the same one, matched anew; a matched one that is found no
+/// more has no id. \throws Cancelled.
+std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed, const Progress& progress);
+
 /// Seams beside faces and edges that are new are measured again, the others have their figures from before.
 /// \param was of the task's shape. \throws Cancelled.
 Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
@@ -37,7 +41,7 @@ Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes, cons
 /// Treated seams to be given up for the proof to hold, with the reason of each: those that do not have the level, and of a face that is at fault
 /// all of its own. Where there are none, of a seam that is worse those that move one of its faces, and end where it ends if there are such.
 /// \param with_connected also seams that moved faces connect with these.
-std::map<std::size_t, std::string> culprits(const RepairTask& task, const std::vector<FaceChange>& changes,
+std::map<std::size_t, std::string> culprits(const RepairTask& task, const RepairSolution& solution,
                                             const Proof& proof, bool with_connected);
 
 /// How measuring is asked for in a repair.

@@ -7,7 +7,9 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <seamwright/occ_adapter/repair/convert_faces.hpp>
 #include <seamwright/occ_adapter/repair/prove.hpp>
+#include <seamwright/occ_adapter/repair/sew.hpp>
 #include <seamwright/occ_adapter/seams/match.hpp>
 
 namespace seamwright::occ {
@@ -38,12 +40,14 @@ class Repairing {
     result_.after = result_.before;
     Choice choice = choose(model_, result_.before, options_);
     reasons_ = std::move(choice.reasons);
+    sharp_ = std::move(choice.sharp);
     const std::vector<bool> wanted = choice.treated;
     open_ = wanted;
     if (std::ranges::count(wanted, true) > 0) {
       seams_ = seamsOf(model_.shape, options_, {});
       repair(choice.faces);
     }
+    if (options_.match_mm > 0 && options_.sew) sew();
     tell(wanted);
     result_.repair_s = secondsSince(start);
     if (progress_) progress_(1);
@@ -51,7 +55,7 @@ class Repairing {
   }
 
  private:
-  static constexpr double share_of_analysis = 0.2;
+  static constexpr double share_of_analysis = 0.2, share_before_sewing = 0.9;
   static constexpr int most_rounds = 12;
   /// From then on what is connected with a culprit is given up with it.
   static constexpr int rounds_for_culprits_alone = 6;
@@ -62,16 +66,18 @@ class Repairing {
   /// What one solver leaves the next one tries, in the shape as it is then.
   void repair(const std::vector<FaceChoice>& faces) {
     FollowedFaces known;
-    const std::array<Solver, 3> solvers = {joinNetwork, joinPairs,
+    const std::array<Solver, 4> solvers = {joinPaths, joinNetwork, joinPairs,
                                            [&known](const RepairTask& task, const Progress& progress) {
                                              return followTargets(task, known, progress);
                                            }};
+    const double all = options_.match_mm > 0 && options_.sew ? share_before_sewing : 1;
     double done = share_of_analysis;
     for (std::size_t k = 0; k < solvers.size() && std::ranges::count(open_, true) > 0; ++k) {
-      const double next = done + (1 - done) / static_cast<double>(solvers.size() - k);
+      const double next = done + (all - done) / static_cast<double>(solvers.size() - k);
       const TopoDS_Shape shape = result_.model.shape;
       const std::vector<SeamResult> before = result_.after.seams;
-      improve({shape, seams_, before, faces, open_, options_}, solvers.at(k), partOf(progress_, done, next));
+      improve({shape, seams_, before, faces, sharp_, open_, options_}, solvers.at(k),
+              partOf(progress_, done, next));
       done = next;
     }
   }
@@ -98,16 +104,17 @@ class Repairing {
       if (!solution.complete) return solution.failures;
       RepairTask rest = task;
       giveUp(solution.failures, rest);
-      if (solution.changes.empty()) return everything(task, "nothing was moved");
+      if (solution.changes.empty() && solution.paths.empty()) return everything(task, "nothing was moved");
       for (FaceChange& change : solution.changes) change.largest_move_mm += moves_[change.face];
-      const TopoDS_Shape changed = withChanges(task.shape, solution.changes, options_.tolerance.gap_mm);
+      const TopoDS_Shape changed =
+          withChanges(task.shape, solution.changes, options_.tolerance.gap_mm, solution.paths);
       const Proof proof = prove(rest, solution.changes, changed, was, partOf(progress, 0.5, 1));
       if (!proof.holds()) {
-        Reasons given_up = culprits(rest, solution.changes, proof, with_connected);
+        Reasons given_up = culprits(rest, solution, proof, with_connected);
         given_up.merge(solution.failures);
         return given_up;
       }
-      keep(rest, solution.changes, changed, proof);
+      keep(rest, solution, changed, proof);
       return {};
     } catch (const Cancelled&) {
       throw;
@@ -133,12 +140,13 @@ class Repairing {
     }
   }
 
-  void keep(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
+  void keep(const RepairTask& task, const RepairSolution& solution, const TopoDS_Shape& changed,
             const Proof& proof) {
     result_.model.shape = changed;
     result_.after.seams = proof.after;
     seams_ = seamsIn(changed, seams_);
-    for (const FaceChange& change : changes) moves_[change.face] = change.largest_move_mm;
+    for (const FaceChange& change : solution.changes) moves_[change.face] = change.largest_move_mm;
+    for (const PathChange& change : solution.paths) edge_moves_[change.edge] = change.largest_move_mm;
     for (std::size_t i = 0; i < task.treated.size(); ++i) {
       if (!task.treated[i]) continue;
       open_[i] = false;
@@ -146,24 +154,51 @@ class Repairing {
     }
   }
 
+  void sew() {
+    if (seams_.empty()) seams_ = seamsOf(model_.shape, options_, {});
+    const TopoDS_Shape shape = result_.model.shape;
+    const std::vector<SeamResult> before = result_.after.seams;
+    const RepairTask task{shape, seams_, before, {}, sharp_, open_, options_};
+    const std::vector<Seam> seams = seamsAfter(task, shape, {});
+    SewSolution solution =
+        sewLoose({shape, seams, before, options_}, partOf(progress_, share_before_sewing, 1));
+    not_sewn_ = std::move(solution.reasons);
+    if (solution.sewn.shape.IsNull()) return;
+    result_.model.shape = solution.sewn.shape;
+    result_.model.attributes = attributesAfter(model_.attributes, shape, solution.sewn);
+    result_.after.seams = std::move(solution.after);
+    result_.after.open = std::move(solution.open);
+    result_.after.non_manifold = std::move(solution.non_manifold);
+    result_.after.model.edges = result_.model.edgeCount();
+    result_.faces_now = std::move(solution.sewn.faces);
+    result_.edges_now = std::move(solution.sewn.edges);
+  }
+
   void tell(const std::vector<bool>& wanted) {
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-      SeamRepair seam{result_.before.seams[i], result_.after.seams[i], wanted[i], false, reasons_[i]};
-      seam.repaired = wanted[i] && surelyReaches(seam.after.figures, options_.tolerance, options_.level());
+      SeamRepair seam{
+          result_.before.seams[i], result_.after.seams[i], wanted[i], false, reasons_[i], false, {}};
+      seam.sewn = seam.before.kind == SeamKind::Matched && seam.after.kind != SeamKind::Matched;
+      if (const auto why = not_sewn_.find(i); why != not_sewn_.end()) seam.not_sewn = why->second;
+      seam.repaired = wanted[i] && isRepaired(seam.after, sharp_[i], options_);
       if (seam.repaired) seam.reason.clear();
       result_.seams.push_back(std::move(seam));
     }
     for (const auto& [face, move_mm] : moves_)
       if (move_mm > 0) result_.moves.push_back({face, move_mm});
+    for (const auto& [edge, move_mm] : edge_moves_) result_.edge_moves.push_back({edge, move_mm});
   }
 
   const Model& model_;
   const RepairOptions& options_;
   const Progress& progress_;
   std::vector<Seam> seams_;           ///< of the shape as it is
+  std::vector<bool> sharp_;           ///< by seam, see Choice
   std::vector<bool> open_;            ///< by seam: to be repaired, and not yet
   std::vector<std::string> reasons_;  ///< by seam
   std::map<int, double> moves_;       ///< by face
+  std::map<int, double> edge_moves_;  ///< by edge
+  Reasons not_sewn_;
   RepairReport result_;
 };
 
@@ -182,7 +217,11 @@ void RepairOptions::validate() const {
 
 RepairReport repair(const Model& model, const RepairOptions& options, const Progress& progress) {
   options.validate();
-  return Repairing(model, options, progress).run();
+  const auto plain = [](const Model& of, const RepairOptions& how, const Progress& part) {
+    return Repairing(of, how, part).run();
+  };
+  return options.convert_analytic ? repairConverting(model, options, plain, progress)
+                                  : plain(model, options, progress);
 }
 
 }  // namespace seamwright::occ

@@ -16,7 +16,10 @@ struct RepairOptions {
   std::vector<int> edges;
   std::vector<int> fixed_faces;  ///< faces that stay
   double match_mm = 0;           ///< also open edges within this distance of one another; 0: none
-  int jobs = 0;                  ///< threads; 0: one for each processor
+  bool sew = true;               ///< matched seams that meet within the gap tolerance become one edge
+  bool convert_analytic =
+      false;     ///< planes, cylinders and the like may become splines where they have to move
+  int jobs = 0;  ///< threads; 0: one for each processor
 
   /// What a seam has to reach.
   Level level() const { return order == 1 ? Level::G1 : Level::G2; }
@@ -31,39 +34,82 @@ struct SeamRepair {
   bool treated = false;   ///< it was to be repaired
   bool repaired = false;  ///< it meets the target, and its change was kept
   std::string reason;     ///< why it was not treated or not repaired
+  bool sewn = false;      ///< two edges before, one after
+  std::string not_sewn;   ///< of a matched seam that was to be sewn: why it was not
 };
 
 struct FaceMove {
-  int face = 0;
+  int face = 0;  ///< number in the given model
   double largest_move_mm =
       0;  ///< of a pole, against the surface as it was in the knots that it has now; at most
 };
 
+/// An edge that runs elsewhere on the faces beside it, or along them at another speed.
+struct EdgeMove {
+  int edge = 0;
+  double largest_move_mm = 0;  ///< of a point of it on a face
+};
+
+/// A face that was a plane, a cylinder, ... and is a polynomial spline with the same parameters now.
+struct FaceConversion {
+  int face = 0;         ///< number in the given model
+  std::string kind;     ///< what it was
+  double error_mm = 0;  ///< of the spline before it moved; contained in its move
+};
+
 struct RepairReport {
-  Model
-      model;  ///< same faces, edges and solids in the same order; what did not move is shared with the given one
-  Report before, after;
-  std::vector<SeamRepair> seams;  ///< all seams, in the order of before
-  std::vector<FaceMove> moves;    ///< of the faces that moved
+  /// Same faces, edges and solids in the same order unless something was sewn; what did not change is shared with the given one.
+  Model model;
+  Report before, after;                   ///< seams in the same order; each with the numbers of its own model
+  std::vector<SeamRepair> seams;          ///< all seams, in the order of before
+  std::vector<FaceMove> moves;            ///< of the faces that moved
+  std::vector<FaceConversion> converted;  ///< of the faces that moved
+  /// Of the edges that were led anew on faces that stay; numbers of the given model.
+  std::vector<EdgeMove> edge_moves;
+  /// What has which number in model, by its number in the given one (from 1; the first stands for none); empty if nothing was sewn. Edges
+  /// that were sewn have one number; one that was cut has several, in the sense of its curve, and is in the reports with the first.
+  std::vector<int> faces_now;
+  std::vector<std::vector<int>> edges_now;
   double repair_s = 0;
 
-  bool changed() const { return !moves.empty(); }
+  bool sewn() const { return !faces_now.empty(); }
+  bool changed() const { return !moves.empty() || !edge_moves.empty() || sewn(); }
 };
 
 /// Moves poles of B-spline and Bezier faces, as little as possible, until the seams chosen flow; proves it, or leaves them as they were.
-/// Planes, cylinders and the like stay, and parts with several instances.
+/// Planes, cylinders and the like stay, and parts with several instances, and faces that have an edge where three or more meet.
 ///
 /// Three ways are tried one after the other, each for what the one before left: all seams between natural sides of polynomial surfaces at once,
 /// exactly (core/join/network.hpp); one pair after the other (see matchFaces()); and all faces at once, to a share of the tolerance,
 /// towards common targets of their seams that agree at vertices. What spoils a way is given up until the rest can be proven.
 ///
 /// A treated seam counts as repaired, and its change is kept, only if afterwards its enclosed figures meet the target; no other seam of
-/// the model is worse than it was (a lower level or class, less certain, or a figure that the target asks for surely above both its
-/// tolerance and its old upper bound; of a crease the gap alone); no pole moved further than max_move_mm, all ways together; no face
-/// folded; no edge lies further from its faces than twice the gap tolerance or what it had; and the shape passes OpenCASCADE's checks as
-/// before, closed solids stay closed, and their volume changed by no more than the moves explain. What could not be repaired is told with
-/// the reason and left as it was. A seam on a moved face, or between two, may be left better than it was.
-/// A model without seams to treat comes back as it is, sharing everything.
+/// the model is worse than it was; no pole moved further than max_move_mm, all ways together; no face folded; no edge lies further from
+/// its faces than twice the gap tolerance or what it had; and the shape passes OpenCASCADE's checks as before, closed solids stay closed,
+/// and their volume changed by no more than the moves explain. What could not be repaired is told with the reason and left as it was. A
+/// seam on a moved face, or between two, may be left better than it was.
+///
+/// A seam is worse if its class is, or it is less certain; if its level is lower, above the level asked for only where it had the higher
+/// one for sure (where a side is nearly flat the figures often can't tell); or if a figure that the target asks for, of a crease the gap
+/// alone, is surely above its tolerance and exceeds its old upper bound by more than a tenth of the tolerance, in each of the three ways.
+/// Figures within the tolerance are as good as one another, and so are those that differ by less than that tenth.
+/// A model without seams to treat or to sew comes back as it is, sharing everything.
+///
+/// With convert_analytic other faces than splines may move too (planes, cylinders, cones, spheres, tori, extrusions, ...), as polynomial
+/// splines with the same parameters, so that edges keep their paths: planes and extrusions of splines exactly, others to a thousandth of
+/// the gap tolerance. That is done where it helps: beside seams where nothing else may move, one face of each first, else beside seams that
+/// were not repaired; what did not move stays what it was. No seam has then a level lower than the model surely had before conversion.
+///
+/// At last matched seams (of the edges picked, or all) are sewn, creases too, if they surely meet within the gap tolerance: their two edges
+/// become one halfway between them, with a path on both faces and the tolerance that is measured. Of edges that are longer than what lies
+/// beside them the stretch is cut out. Vertices are merged where edges end together; what ends nearer than the gap tolerance to a vertex
+/// ends there. Faces that hang together so become one shell, turned as the first of them, and a closed one a solid with its inside inward;
+/// it stands where the first part (face, shell, or solid of one shell) stood that it is made of. Surfaces stay, and so do fixed faces.
+/// The order of the faces stays if the faces of each new shell stood one after another. Names, colours and layers stay with their faces,
+/// edges and vertices; those of shells and solids that became part of another go to their faces, as far as these have none.
+/// It is kept only if each sewn seam, measured again as one edge, has the level that it had and a gap within the tolerance; if the faces
+/// and the shape pass OpenCASCADE's checks as before; and if no vertex reaches further than twice the gap tolerance or what it did.
+/// Parts with several instances, solids of several shells and faces that have one surface in common are not sewn.
 ///
 /// \throws std::invalid_argument for bad options, also for edges and faces that the model does not have and edges that are no
 /// seam; Cancelled.

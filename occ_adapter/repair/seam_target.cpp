@@ -7,6 +7,8 @@
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <set>
 #include <sstream>
 
@@ -21,6 +23,8 @@ namespace {
 
 /// Of s, over which derivatives are taken as differences.
 constexpr double difference_step = 1e-4;
+/// Of s, from a pole on: nearer, its normals and curvatures are mostly rounding and what the pole is not smooth by.
+constexpr double pole_stretch = 0.02;
 
 /// Quintic functions of the distance from an end: 1 for the value, the slope or the second derivative there, 0 for the others and for
 /// all three from the reach on; with their derivatives.
@@ -49,6 +53,16 @@ Eigen::Matrix3d inPlane(const Eigen::Matrix3d& tensor, const Eigen::Vector3d& no
 
 Eigen::Vector3d orthogonal(const Eigen::Vector3d& normal, const Eigen::Vector3d& tangent) {
   return (normal - normal.dot(tangent) / tangent.squaredNorm() * tangent).normalized();
+}
+
+/// The part of a vector that lies in the span of up to two unit normals.
+Eigen::Vector3d alongNormals(const Eigen::Vector3d& vector, const std::vector<Eigen::Vector3d>& normals) {
+  if (normals.empty()) return Eigen::Vector3d::Zero();
+  const Eigen::Vector3d first = vector.dot(normals[0]) * normals[0];
+  if (normals.size() == 1) return first;
+  const Eigen::Vector3d other = normals[1] - normals[0].dot(normals[1]) * normals[0];
+  constexpr double parallel = 1e-3;
+  return other.norm() < parallel ? first : first + vector.dot(other) / other.squaredNorm() * other;
 }
 
 TargetPoint turned(TargetPoint target, const Eigen::Vector3d& normal) {
@@ -87,6 +101,14 @@ SeamTarget::SeamTarget(const Seam& seam, const std::array<Pcurve, 2>& pcurves,
   double agreement = 0;
   for (const double s : {0.2, 0.5, 0.8}) agreement += shown(0, s).normal.dot(shown(1, s).normal);
   if (agreement < 0) second_sign_ = -1;
+  for (const int side : {0, 1})
+    for (const int end : {0, 1}) {
+      const SidePoint point = strips_[side].at(place(side, end));
+      const bool has_normal = degeneracy(point.jet, point.noise) == Degeneracy::None;
+      double& reach = pole_reach_.at(side).at(end);
+      if (seam.correspondence.s.empty()) reach = strips_[side].poleReach(end);
+      if (!has_normal) reach = std::max(reach, difference_step);
+    }
 }
 
 double SeamTarget::placeOnSecond(double s) const {
@@ -124,6 +146,25 @@ SidePoint SeamTarget::regularPoint(int side, double s) const {
 }
 
 TargetPoint SeamTarget::shown(int side, double s) const {
+  for (const int end : {0, 1}) {
+    const double distance = end == 0 ? s : 1 - s;
+    if (isPole(side, end) && distance < pole_stretch) return shownNearPole(side, end, distance);
+  }
+  return regular(side, s);
+}
+
+TargetPoint SeamTarget::shownNearPole(int side, int end, double distance) const {
+  const auto at = [end](double from_end) { return end == 0 ? from_end : 1 - from_end; };
+  const Eigen::Vector3d far = regular(side, at(2 * pole_stretch)).normal;
+  TargetPoint target = regular(side, at(pole_stretch));
+  target.point = strips_[side].trace(place(side, at(distance))).p;
+  target.normal += (1 - distance / pole_stretch) * (target.normal - far);
+  target.normal.normalize();
+  target.curvature = inPlane(target.curvature, target.normal);
+  return target;
+}
+
+TargetPoint SeamTarget::regular(int side, double s) const {
   const SidePoint point = regularPoint(side, s);
   TargetPoint target;
   target.point = strips_[side].trace(place(side, s)).p;
@@ -195,6 +236,19 @@ void SeamTarget::setEnd(int end, const TargetPoint& target) {
   leads_[end] = lead(end, turned(target, mean(end).normal));
 }
 
+void SeamTarget::setSharpEnd(int end, const Eigen::Vector3d& point,
+                             const std::map<int, Eigen::Vector3d>& normals) {
+  const Mean here = mean(end);
+  std::vector<Eigen::Vector3d> planes;
+  for (const FaceUse& side : seam_.sides)
+    if (const auto normal = normals.find(side.face); normal != normals.end())
+      planes.push_back(normal->second);
+  Lead lead{point - here.point, -alongNormals(here.slope, planes), {}, {}, {}, {}};
+  for (Eigen::Vector3d* none : {&lead.bend, &lead.normal, &lead.normal_slope}) none->setZero();
+  lead.curvature.setZero();
+  leads_[end] = lead;
+}
+
 TargetPoint SeamTarget::at(double s) const {
   for (const int side : {0, 1})
     if (stays_[side]) return shown(side, s);
@@ -216,7 +270,10 @@ TargetPoint SeamTarget::at(int side, double s) const {
     const auto [low, high] = std::minmax(places.front(), places.back());
     place = low + s * (high - low);
   }
-  TargetPoint target = at(seamParameter(side, place));
+  const double at_seam = seamParameter(side, place);
+  TargetPoint target = at(at_seam);
+  for (const int end : {0, 1})
+    if ((end == 0 ? at_seam : 1 - at_seam) < pole_reach_.at(side).at(end)) target.normal.setZero();
   if (side == 0 || second_sign_ > 0) return target;
   return {target.point, -target.normal, -target.curvature};
 }
@@ -247,10 +304,14 @@ VertexConsensus vertexConsensus(const std::vector<VertexView>& views, int order,
   std::vector<VertexView> aligned = views;
   for (VertexView& view : aligned) view.shown = turned(view.shown, views.front().shown.normal);
   const auto deciding = [&](int quantity) {
-    std::vector<VertexView> held;
-    std::ranges::copy_if(aligned, std::back_inserter(held),
+    std::vector<VertexView> telling, held;
+    std::ranges::copy_if(aligned, std::back_inserter(telling), [&](const auto& view) {
+      return quantity == 0 || !view.is_pole || (quantity == 1 && view.held >= 1);
+    });
+    if (telling.empty()) telling = aligned;
+    std::ranges::copy_if(telling, std::back_inserter(held),
                          [&](const auto& view) { return view.held >= quantity; });
-    return held.empty() ? aligned : held;
+    return held.empty() ? telling : held;
   };
   VertexConsensus consensus;
   TargetPoint& target = consensus.target;
@@ -263,7 +324,8 @@ VertexConsensus vertexConsensus(const std::vector<VertexView>& views, int order,
     target.curvature += inPlane(view.shown.curvature, target.normal) / static_cast<double>(tensors.size());
   for (std::size_t i = 0; i < aligned.size(); ++i)
     for (std::size_t j = i + 1; j < aligned.size(); ++j) {
-      const int common = std::min({aligned[i].held, aligned[j].held, order});
+      const int common = std::min(
+          {aligned[i].held, aligned[j].held, order, aligned[i].is_pole || aligned[j].is_pole ? 1 : order});
       if (common < 0 || aligned[i].face == aligned[j].face) continue;
       const PairMeasure pair = measurePair(sideOf(aligned[i].shown), sideOf(aligned[j].shown));
       if (ratioOf(pair, common, tolerance) <= 1) continue;
@@ -335,29 +397,91 @@ std::vector<std::vector<TargetEnd>> meetingEnds(const std::vector<std::shared_pt
   return found;
 }
 
-std::string agreeAtVertex(const std::vector<TargetEnd>& ends, const std::map<int, int>& held,
-                          const ContinuityTolerance& tolerance) {
+namespace {
+
+struct Meeting {
   std::vector<VertexView> views;
   std::set<const SeamTarget*> seams;
   bool any_held = false;
   int order = 0;
+};
+
+Meeting meetingOf(const std::vector<TargetEnd>& ends, const std::map<int, int>& held) {
+  Meeting meeting;
   for (const TargetEnd& end : ends) {
-    seams.insert(end.target.get());
-    order = std::max(order, end.target->order());
+    meeting.seams.insert(end.target.get());
+    meeting.order = std::max(meeting.order, end.target->order());
     for (const int side : {0, 1}) {
-      VertexView view{end.target->seam().sides[side].face, end.target->shown(side, end.end), -1};
+      VertexView view{end.target->seam().sides[side].face, end.target->shown(side, end.end), -1,
+                      end.target->isPole(side, end.end)};
       if (end.target->stays()[side]) view.held = 2;
       if (const auto there = held.find(view.face); there != held.end()) {
         view.held = std::max(view.held, there->second);
-        any_held = true;
+        meeting.any_held = true;
       }
-      views.push_back(std::move(view));
+      meeting.views.push_back(std::move(view));
     }
   }
-  if (seams.size() < 2 && !any_held) return {};
-  const VertexConsensus consensus = vertexConsensus(views, order, tolerance);
-  for (const TargetEnd& end : ends) end.target->setEnd(end.end, consensus.target);
-  return consensus.contradiction;
+  return meeting;
+}
+
+/// Indices from 0 to count - 1 in groups of those that are alike, directly or by others.
+template <class Alike>
+std::vector<std::vector<std::size_t>> groupsOf(std::size_t count, const Alike& alike) {
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::vector<std::size_t> joined = {i};
+    std::erase_if(groups, [&](const std::vector<std::size_t>& group) {
+      if (std::ranges::none_of(group, [&](std::size_t k) { return alike(i, k); })) return false;
+      joined.insert(joined.end(), group.begin(), group.end());
+      return true;
+    });
+    groups.push_back(std::move(joined));
+  }
+  return groups;
+}
+
+}  // namespace
+
+std::string agreeAtVertex(const std::vector<TargetEnd>& ends, const std::map<int, int>& held,
+                          const ContinuityTolerance& tolerance) {
+  const Meeting all = meetingOf(ends, held);
+  if (all.seams.size() < 2 && !all.any_held) return {};
+  const VertexConsensus place = vertexConsensus(all.views, 0, tolerance);
+  if (!place.contradiction.empty()) return place.contradiction;
+  std::vector<TargetEnd> smooth;
+  std::ranges::copy_if(ends, std::back_inserter(smooth),
+                       [](const TargetEnd& end) { return end.target->order() > 0; });
+  std::map<int, Eigen::Vector3d> normals;
+  for (const auto& group : groupsOf(smooth.size(), [&](std::size_t i, std::size_t k) {
+         return shareFace(*smooth[i].target, *smooth[k].target);
+       })) {
+    std::vector<TargetEnd> members;
+    for (const std::size_t k : group) members.push_back(smooth[k]);
+    const Meeting meeting = meetingOf(members, held);
+    VertexConsensus consensus = vertexConsensus(meeting.views, meeting.order, tolerance);
+    if (getenv("MEET_V")) {
+      fprintf(stderr, "vertex (%g %g %g) n (%g %g %g) %s\n", place.target.point.x(), place.target.point.y(),
+              place.target.point.z(), consensus.target.normal.x(), consensus.target.normal.y(),
+              consensus.target.normal.z(), consensus.contradiction.c_str());
+      for (std::size_t k = 0; k < meeting.views.size(); ++k) {
+        const auto& v = meeting.views[k];
+        auto n = turned(v.shown, consensus.target.normal);
+        fprintf(stderr, "   edge %d face %d held %d off %.3g mm angle %.4g deg  W %.4g\n",
+                members[k / 2].target->seam().edges[0], v.face, v.held,
+                (v.shown.point - place.target.point).norm(),
+                std::acos(std::min(1.0, n.normal.dot(consensus.target.normal))) * 57.29578,
+                v.shown.curvature.norm());
+      }
+    }
+    if (!consensus.contradiction.empty()) return consensus.contradiction;
+    consensus.target.point = place.target.point;
+    for (const TargetEnd& end : members) end.target->setEnd(end.end, consensus.target);
+    for (const VertexView& view : meeting.views) normals[view.face] = consensus.target.normal;
+  }
+  for (const TargetEnd& end : ends)
+    if (end.target->order() == 0) end.target->setSharpEnd(end.end, place.target.point, normals);
+  return {};
 }
 
 }  // namespace seamwright::occ

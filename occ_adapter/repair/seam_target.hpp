@@ -39,17 +39,26 @@ class SeamTarget {
   const std::array<bool, 2>& stays() const { return stays_; }
   int order() const { return order_; }
 
-  /// What a side shows at s; where it has no normal, the normal and tensor of the nearest place that has them.
+  /// What a side shows at s. Where it has no normal, the normal and tensor of the nearest place that has them; near a pole the normal that
+  /// the path shows a bit further on leads to, and the tensor from there.
   /// \throws Standard_Failure where OpenCASCADE can't evaluate.
   TargetPoint shown(int side, double s) const;
+
+  /// The side has no normal at that end: a boundary of its surface collapses there.
+  bool isPole(int side, int end) const { return pole_reach_.at(side).at(end) > 0; }
 
   /// Has no effect if a side stays. The sense of the normal is no matter. \param end 0 or 1.
   void setEnd(int end, const TargetPoint& target);
 
+  /// The same for order 0: the point, and the curve there in the tangent planes of the sides, as far as they are given.
+  /// \param normals by face.
+  void setSharpEnd(int end, const Eigen::Vector3d& point, const std::map<int, Eigen::Vector3d>& normals);
+
   /// \throws Standard_Failure where OpenCASCADE can't evaluate.
   TargetPoint at(double s) const;
 
-  /// The same for a side over its own path: of the stretch of a matched seam the nearest point, normals in that side's sense.
+  /// The same for a side over its own path: of the stretch of a matched seam the nearest point, normals in that side's sense; none at a
+  /// pole of the side.
   TargetPoint at(int side, double s) const;
   Pcurve path(int side) const;
 
@@ -68,6 +77,8 @@ class SeamTarget {
   double place(int side, double s) const;
   double placeOnSecond(double s) const;
   double seamParameter(int side, double place) const;
+  TargetPoint regular(int side, double s) const;
+  TargetPoint shownNearPole(int side, int end, double distance) const;
   SidePoint regularPoint(int side, double s) const;
   Eigen::Vector3d slope(int side, double s) const;
   Mean mean(double s) const;
@@ -79,7 +90,8 @@ class SeamTarget {
   std::array<bool, 2> stays_;
   int order_;
   std::array<FaceStrip, 2> strips_;
-  double second_sign_ = 1;  ///< that turns the second side's normal to the first's
+  std::array<std::array<double, 2>, 2> pole_reach_{};  ///< by side and end, of s; 0: no pole
+  double second_sign_ = 1;                             ///< that turns the second side's normal to the first's
   std::array<std::optional<Lead>, 2> leads_;
 };
 
@@ -92,6 +104,8 @@ struct VertexView {
   TargetPoint shown;
   int held =
       -1;  ///< order to which it can't change there, as it stays or another boundary of it does; -1: it can
+  bool is_pole =
+      false;  ///< a boundary of the face collapses there: it shows no curvature, and held alone a normal
 };
 
 struct VertexConsensus {
@@ -112,7 +126,8 @@ struct TargetEnd {
 /// Ends of the targets' seams at one vertex between faces that are joined there by these seams.
 std::vector<std::vector<TargetEnd>> meetingEnds(const std::vector<std::shared_ptr<SeamTarget>>& targets);
 
-/// Sets the ends that meet at a vertex, unless there is just one seam and nothing held: its own mean is as good.
+/// Sets the ends that meet at a vertex, unless there is just one seam and nothing held: its own mean is as good. All have one point; those
+/// of order 1 or 2 that share faces have one tangent plane and curvature.
 /// \param held by face: the order of boundaries that stay there, see VertexView.
 /// \returns a contradiction, see VertexConsensus.
 std::string agreeAtVertex(const std::vector<TargetEnd>& ends, const std::map<int, int>& held,

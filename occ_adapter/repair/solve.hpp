@@ -18,6 +18,7 @@ struct RepairTask {
   const std::vector<Seam>& seams;  ///< of the shape, in the order of the report before
   const std::vector<SeamResult>& before;
   const std::vector<FaceChoice>& faces;  ///< from 1
+  const std::vector<bool>& sharp;        ///< by seam, see Choice
   std::vector<bool> treated;             ///< by seam; the others may not become worse
   const RepairOptions& options;
 };
@@ -25,6 +26,7 @@ struct RepairTask {
 /// Surfaces that make seams flow, as far as the solver can tell.
 struct RepairSolution {
   std::vector<FaceChange> changes;
+  std::vector<PathChange> paths;
   std::map<std::size_t, std::string> failures;  ///< seams that were to be treated and are not: why
   bool complete = true;                         ///< false: to be asked again without the failures
 };
@@ -32,7 +34,14 @@ struct RepairSolution {
 /// The same seams in a shape that withChanges() made of theirs.
 std::vector<Seam> seamsIn(const TopoDS_Shape& shape, std::vector<Seam> seams);
 
+/// Seams of which the gap alone is too large and the surfaces meet near the edge: its paths in the parameter planes are made to run together,
+/// between the same ends, along the image of one of them or where the surfaces cut one another. No surface moves. (Paths that stray are
+/// mostly approximations of exact curves in files of other programs.)
+/// \throws Cancelled.
+RepairSolution joinPaths(const RepairTask& task, const Progress& progress);
+
 /// All seams whose sides are natural sides of polynomial surfaces at once, exactly, with the smallest move. Poles beside other boundaries stay.
+/// Sharp seams are left to followTargets(), also by joinPairs().
 /// \throws Cancelled.
 RepairSolution joinNetwork(const RepairTask& task, const Progress& progress);
 

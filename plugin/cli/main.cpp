@@ -8,6 +8,7 @@
 #include <seamwright/occ_adapter/progress.hpp>
 #include <seamwright/plugin/cli/analyze_command.hpp>
 #include <seamwright/plugin/cli/interrupt.hpp>
+#include <seamwright/plugin/cli/repair_command.hpp>
 
 namespace seamwright::cli {
 
@@ -27,7 +28,8 @@ int complain(std::string text) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Finds and measures the seams of CAD models: where faces meet, and how well.", "seamwright");
+  CLI::App app("Finds, measures and repairs the seams of CAD models: where faces meet, and how well.",
+               "seamwright");
   app.set_version_flag("--version",
                        "seamwright " SEAMWRIGHT_VERSION " (OpenCASCADE " OCC_VERSION_COMPLETE ")");
   app.require_subcommand(1);
@@ -36,19 +38,24 @@ int run(int argc, char** argv) {
       "input.");
   CLI::App* analyze =
       app.add_subcommand("analyze", "Measure and judge every seam of STEP, IGES or BREP models");
-  AnalyzeArguments arguments;
-  addAnalyzeOptions(*analyze, arguments);
+  AnalyzeArguments to_analyze;
+  addAnalyzeOptions(*analyze, to_analyze);
+  CLI::App* repair =
+      app.add_subcommand("repair", "Move poles of spline faces until the seams of a model flow");
+  RepairArguments to_repair;
+  addRepairOptions(*repair, to_repair);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
     if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty())
       return complain("unknown command '" + std::string(argv[1]) +
-                      "': there is 'analyze' (see 'seamwright --help')");
-    const std::string command = app.get_subcommands().empty() ? "" : " analyze";
+                      "': there are 'analyze' and 'repair' (see 'seamwright --help')");
+    const std::string command =
+        app.get_subcommands().empty() ? "" : ' ' + app.get_subcommands().front()->get_name();
     return complain(std::string(error.what()) + " (see 'seamwright" + command + " --help')");
   }
-  return runAnalyze(arguments);
+  return repair->parsed() ? runRepair(to_repair) : runAnalyze(to_analyze);
 }
 
 }  // namespace

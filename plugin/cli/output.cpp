@@ -21,28 +21,36 @@ void requireWritable(const fs::path& file) {
     throw std::runtime_error(file.string() + ": no right to write in " + folder.string());
 }
 
-void writeFile(const fs::path& file, const std::string& text) {
-  if (fs::exists(file) && !fs::is_regular_file(file)) {  // a pipe or a device can't be renamed onto
-    std::ofstream out(file, std::ios::binary);
-    if (!(out << text << std::flush)) throw std::runtime_error(file.string() + ": can't be written");
+PendingFile::PendingFile(fs::path file, std::string text) : file_(std::move(file)), text_(std::move(text)) {
+  if (fs::exists(file_) && !fs::is_regular_file(file_)) return;  // a pipe or a device can't be renamed onto
+  beside_ = file_;
+  beside_ += ".part" + std::to_string(getpid());
+  std::ofstream out(beside_, std::ios::binary);
+  if (out << text_ << std::flush) return;
+  std::error_code error;
+  fs::remove(beside_, error);
+  throw std::runtime_error(file_.string() + ": can't be written (is the disk full?)");
+}
+
+PendingFile::~PendingFile() {
+  std::error_code error;
+  if (!beside_.empty()) fs::remove(beside_, error);
+}
+
+void PendingFile::takePlace() {
+  if (beside_.empty()) {
+    std::ofstream out(file_, std::ios::binary);
+    if (!(out << text_ << std::flush)) throw std::runtime_error(file_.string() + ": can't be written");
     return;
   }
-  fs::path beside = file;
-  beside += ".part" + std::to_string(getpid());
   std::error_code error;
-  {
-    std::ofstream out(beside, std::ios::binary);
-    if (!(out << text << std::flush)) {
-      fs::remove(beside, error);
-      throw std::runtime_error(file.string() + ": can't be written (is the disk full?)");
-    }
-  }
-  fs::rename(beside, file, error);
-  if (error) {
-    const std::string why = error.message();
-    fs::remove(beside, error);
-    throw std::runtime_error(file.string() + ": can't be written: " + why);
-  }
+  fs::rename(beside_, file_, error);
+  if (error) throw std::runtime_error(file_.string() + ": can't be written: " + error.message());
+  beside_.clear();
+}
+
+void writeFile(const fs::path& file, const std::string& text) {
+  PendingFile(file, text).takePlace();
 }
 
 void writeStandardOutput(const std::string& text) {

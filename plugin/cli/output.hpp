@@ -9,6 +9,25 @@ namespace seamwright::cli {
 /// \throws std::runtime_error, in one line, if a file can't be made there: missing folder, a folder of that name, no rights.
 void requireWritable(const std::filesystem::path& file);
 
+/// A text that waits beside its place, on the disk already; gone with the object unless it took that place.
+/// What is no regular file, as a pipe or a device, is written to when the text takes its place.
+class PendingFile {
+ public:
+  /// \throws std::runtime_error
+  PendingFile(std::filesystem::path file, std::string text);
+  PendingFile(const PendingFile&) = delete;
+  PendingFile& operator=(const PendingFile&) = delete;
+  ~PendingFile();
+
+  /// \throws std::runtime_error; the file is then what it was.
+  void takePlace();
+
+ private:
+  std::filesystem::path file_;
+  std::filesystem::path beside_;  ///< empty: nothing waits there
+  std::string text_;
+};
+
 /// Writes beside the file and renames, so that it is whole or untouched. \throws std::runtime_error
 void writeFile(const std::filesystem::path& file, const std::string& text);
 

@@ -46,6 +46,31 @@ Level levelOf(const py::object& value) {
   throw py::value_error("level " + shown(value) + ": known are G0, G1, G2 and G3");
 }
 
+int orderOf(const py::object& target) {
+  const auto name = argument<std::string>("target", target, "a name");
+  if (name == "G1") return 1;
+  if (name == "G2") return 2;
+  throw py::value_error("target " + shown(target) + ": known are G1 and G2");
+}
+
+bool flagOf(const char* name, const py::object& value) {
+  if (!PyBool_Check(value.ptr()))
+    throw py::value_error(std::string(name) + " is " + shown(value) + ": True or False is needed");
+  return value.cast<bool>();
+}
+
+std::vector<int> wholeNumbers(const char* name, const py::object& value) {
+  const bool is_text = PyUnicode_Check(value.ptr()) || PyBytes_Check(value.ptr());
+  const bool one_dimension = !py::hasattr(value, "ndim") || py::cast<int>(value.attr("ndim")) == 1;
+  if (is_text || !one_dimension || !py::isinstance<py::iterable>(value))
+    throw py::value_error(std::string(name) + " is " + shown(value) +
+                          ": a sequence of whole numbers is needed");
+  std::vector<int> numbers;
+  for (const py::handle item : value)
+    numbers.push_back(argument<int>(name, py::reinterpret_borrow<py::object>(item), "a whole number"));
+  return numbers;
+}
+
 std::vector<double> each(const char* name, const py::object& value, Eigen::Index count) {
   constexpr const char* kind = "a number or a sequence of numbers";
   if (py::isinstance<py::float_>(value) || py::isinstance<py::int_>(value))

@@ -53,6 +53,12 @@ T argument(const char* name, const py::object& value, const char* kind) {
 /// As many numbers as \p count from one for all of them, or the numbers of a sequence of any length.
 std::vector<double> each(const char* name, const py::object& value, Eigen::Index count);
 
+/// True or False; ValueError for anything else.
+bool flagOf(const char* name, const py::object& value);
+
+/// The numbers of a sequence, all whole.
+std::vector<int> wholeNumbers(const char* name, const py::object& value);
+
 /// A parameter at which something is evaluated; ValueError where it is not finite.
 inline double parameter(const char* name, double value) {
   if (!std::isfinite(value))
@@ -77,5 +83,8 @@ inline py::object noCrease() {
 
 ContinuityTolerance toleranceOf(const ToleranceArguments& arguments);
 Level levelOf(const py::object& value);
+
+/// The order of contact that the keyword target asks for: 1 for "G1", 2 for "G2".
+int orderOf(const py::object& target);
 
 }  // namespace seamwright::python

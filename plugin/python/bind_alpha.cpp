@@ -28,12 +28,6 @@ int wholeOf(const char* name, const py::object& value) {
   return argument<int>(name, value, "a whole number");
 }
 
-bool flagOf(const char* name, const py::object& value) {
-  if (!PyBool_Check(value.ptr()))
-    throw py::value_error(std::string(name) + " is " + shown(value) + ": True or False is needed");
-  return value.cast<bool>();
-}
-
 std::vector<double> numbersOf(const char* name, const py::object& value) {
   if (value.is_none()) return {};
   return argument<std::vector<double>>(name, value, "a sequence of numbers");

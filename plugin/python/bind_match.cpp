@@ -7,6 +7,7 @@
 #include <seamwright/occ_adapter/model/model.hpp>
 #include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
+#include <seamwright/plugin/python/model_calls.hpp>
 #include <seamwright/plugin/report/json.hpp>
 
 namespace seamwright::python {
@@ -20,34 +21,12 @@ struct MatchResult {
   ContinuityTolerance tolerance;
 };
 
-/// Calls a Python callable from a thread without the GIL; also lets Ctrl-C through.
-occ::Progress progressOf(const py::object& callable) {
-  return [&callable](double share) {
-    const py::gil_scoped_acquire gil;
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    return callable.is_none() || !callable(share).is(py::bool_(false));
-  };
-}
-
-int orderOf(const py::object& target) {
-  const auto name = argument<std::string>("target", target, "a name");
-  if (name == "G1") return 1;
-  if (name == "G2") return 2;
-  throw py::value_error("target " + shown(target) + ": known are G1 and G2");
-}
-
 occ::MatchMoves movesOf(const py::object& moves) {
   const auto name = argument<std::string>("moves", moves, "a name");
   if (name == "first") return occ::MatchMoves::First;
   if (name == "second") return occ::MatchMoves::Second;
   if (name == "both") return occ::MatchMoves::Both;
   throw py::value_error("moves " + shown(moves) + ": known are first, second and both");
-}
-
-bool flagOf(const char* name, const py::object& value) {
-  if (!PyBool_Check(value.ptr()))
-    throw py::value_error(std::string(name) + " is " + shown(value) + ": True or False is needed");
-  return value.cast<bool>();
 }
 
 MatchResult matchFaces(const occ::Model& model, const py::object& first, const py::object& second,
@@ -76,9 +55,7 @@ MatchResult matchFaces(const occ::Model& model, const py::object& first, const p
 /// None where the faces have no common boundary.
 py::object seamDict(const occ::SeamResult& seam, const ContinuityTolerance& tolerance) {
   if (seam.id == 0) return py::none();
-  constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
-  return py::module_::import("json").attr("loads")(
-      report::toJson(seam, tolerance).dump(-1, ' ', false, replace));
+  return plainObject(report::toJson(seam, tolerance));
 }
 
 py::dict toDict(const MatchResult& result) {

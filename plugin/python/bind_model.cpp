@@ -8,6 +8,7 @@
 #include <seamwright/occ_adapter/model/write.hpp>
 #include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
+#include <seamwright/plugin/python/model_calls.hpp>
 #include <seamwright/plugin/report/csv.hpp>
 #include <seamwright/plugin/report/json.hpp>
 #include <seamwright/plugin/report/table.hpp>
@@ -16,15 +17,6 @@
 namespace seamwright::python {
 
 namespace {
-
-/// Calls a Python callable from a thread without the GIL; also lets Ctrl-C through.
-occ::Progress progressOf(const py::object& callable) {
-  return [&callable](double share) {
-    const py::gil_scoped_acquire gil;
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    return callable.is_none() || !callable(share).is(py::bool_(false));
-  };
-}
 
 occ::Model readFile(const std::filesystem::path& path, const py::object& progress) {
   const occ::Progress report = progressOf(progress);
@@ -82,12 +74,6 @@ py::dict profiles() {
   return all;
 }
 
-/// Text that quotes the name of a file, which may hold any byte; what is no UTF-8 is replaced.
-py::str readable(const std::string& text) {
-  return py::reinterpret_steal<py::str>(
-      PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace"));
-}
-
 /// The name of a file as Python spells it, so that it can be opened again.
 py::str fileName(const std::string& name) {
   return py::reinterpret_steal<py::str>(
@@ -95,7 +81,7 @@ py::str fileName(const std::string& name) {
 }
 
 py::object toDict(const occ::Report& report) {
-  return py::module_::import("json").attr("loads")(report::toJsonLine(report));
+  return plainObject(report::toJson(report));
 }
 
 py::list attributes(const occ::Model& model) {

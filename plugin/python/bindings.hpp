@@ -18,9 +18,11 @@ void bindNearest(pybind11::module_& module);
 void bindNuSpline(pybind11::module_& module);
 void bindNearestCurve(pybind11::module_& module);
 void bindPointerBridge(pybind11::module_& module);
+void bindRepair(pybind11::module_& module);
 void bindSeam(pybind11::module_& module);
 void bindSpline(pybind11::module_& module);
 void bindSpaceCurve(pybind11::module_& module);
 void bindTriangle(pybind11::module_& module);
+void bindUmbrella(pybind11::module_& module);
 
 }  // namespace seamwright::python

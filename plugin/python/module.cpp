@@ -14,6 +14,7 @@ PYBIND11_MODULE(_core, module) {
   bindSeam(module);
   bindSpaceCurve(module);
   bindJoin(module);
+  bindUmbrella(module);
   bindCurveJoin(module);
   bindNearest(module);
   bindNearestCurve(module);
@@ -23,5 +24,6 @@ PYBIND11_MODULE(_core, module) {
   bindAlpha(module);
   bindModel(module);
   bindMatch(module);
+  bindRepair(module);
   bindPointerBridge(module);
 }

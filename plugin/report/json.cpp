@@ -86,20 +86,29 @@ ordered_json toJson(const occ::Report& report) {
   ordered_json non_manifold = ordered_json::array();
   for (const occ::LooseEdge& edge : report.non_manifold)
     non_manifold.push_back({{"edge", edge.edge}, {"faces", edge.faces}});
-  return {{"schema", "seamwright.analysis/1"},
+  ordered_json json = headJson("seamwright.analysis/1", report);
+  json["summary"] = summaryJson(report);
+  json["time_s"] = {{"read", report.read_s}, {"analyze", report.analyze_s}};
+  json["seams"] = std::move(seams);
+  json["open"] = std::move(open);
+  json["non_manifold"] = std::move(non_manifold);
+  return json;
+}
+
+ordered_json headJson(const std::string& schema, const occ::Report& report) {
+  return {{"schema", schema},
           {"generator",
            {{"name", "seamwright"}, {"version", SEAMWRIGHT_VERSION}, {"occt", OCC_VERSION_COMPLETE}}},
           {"model", modelJson(report.model)},
-          {"tolerance", toleranceJson(report)},
-          {"summary", summaryJson(report)},
-          {"time_s", {{"read", report.read_s}, {"analyze", report.analyze_s}}},
-          {"seams", std::move(seams)},
-          {"open", std::move(open)},
-          {"non_manifold", std::move(non_manifold)}};
+          {"tolerance", toleranceJson(report)}};
+}
+
+std::string toLine(const ordered_json& json) {
+  return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 
 std::string toJsonLine(const occ::Report& report) {
-  return toJson(report).dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  return toLine(toJson(report));
 }
 
 }  // namespace seamwright::report

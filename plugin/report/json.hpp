@@ -13,7 +13,11 @@ nlohmann::ordered_json toJson(const occ::Report& report);
 /// One seam of it.
 nlohmann::ordered_json toJson(const occ::SeamResult& seam, const ContinuityTolerance& tolerance);
 
-/// The report in one line; bytes of names that are no UTF-8 are replaced.
+/// What every report begins with: schema, generator, model and tolerance.
+nlohmann::ordered_json headJson(const std::string& schema, const occ::Report& report);
+
+/// An object in one line; bytes of names that are no UTF-8 are replaced.
+std::string toLine(const nlohmann::ordered_json& json);
 std::string toJsonLine(const occ::Report& report);
 
 }  // namespace seamwright::report

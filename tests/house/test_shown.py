@@ -17,10 +17,7 @@ import pytest
 SOURCE = Path(os.environ["SEAMWRIGHT_SOURCE"])
 PREFIX = Path(os.environ["SEAMWRIGHT_PREFIX"])
 MODELS = Path(os.environ["SEAMWRIGHT_MODELS"])
-PAGES = ("README.md", "docs/alpha_curves.md", "docs/curve_joins.md", "docs/curve_joints.md", "docs/enclosures.md", "docs/g2_splines.md",
-         "docs/index.md", "docs/install.md", "docs/joins.md", "docs/match.md", "docs/nearest_curve_joins.md", "docs/nearest_joins.md",
-         "docs/n_sided_fill.md", "docs/nu_splines.md", "docs/python.md", "docs/seams.md", "docs/space_curves.md", "docs/triangles.md", "docs/workbench.md",
-         "docs/writing.md")
+PAGES = ("README.md", *sorted(f"docs/{page.name}" for page in (SOURCE / "docs").glob("*.md")))
 BLOCK = re.compile(r"(<!-- not run[^>]*-->\n)?^```(python|sh)\n(.*?)^```\n(?:\n?^```text\n(.*?)^```)?", re.M | re.S)
 RUN = {"python": ["/usr/bin/python3", "-c"], "sh": ["bash", "-uc"]}
 

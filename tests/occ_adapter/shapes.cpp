@@ -200,6 +200,10 @@ void expectEncloses(const std::optional<Figure>& figure, double value, double to
   EXPECT_LE(*figure->upper, value + allowed + noise);
 }
 
+double upper(const std::optional<Figure>& figure) {
+  return figure && figure->upper ? *figure->upper : std::numeric_limits<double>::infinity();
+}
+
 double angleDeg(const occ::SeamResult& seam) {
   return seam.figures.angle_rad ? seam.figures.angle_rad->lower / degree
                                 : std::numeric_limits<double>::quiet_NaN();

@@ -55,6 +55,9 @@ std::string describe(const occ::SeamResult& seam);
 /// and reaches no further than max(1 % of it, a hundredth of the tolerance) below it and above it.
 void expectEncloses(const std::optional<Figure>& figure, double value, double tolerance, double noise = 0);
 
+/// Infinite where it has none.
+double upper(const std::optional<Figure>& figure);
+
 double angleDeg(const occ::SeamResult& seam);
 double curvature(const occ::SeamResult& seam);
 double relativeCurvature(const occ::SeamResult& seam);

@@ -37,6 +37,7 @@ from ._core import (
     MatchResult,
     Model,
     ModelError,
+    RepairReport,
     Report,
     alpha_basis,
     alpha_curve,
@@ -85,6 +86,8 @@ from ._core import (
     reversed_beta,
     rotation_minimizing_frames,
     triangle_continuation,
+    umbrella,
+    umbrella_inside,
 )
 from ._core import __version__
 
@@ -153,6 +156,7 @@ __all__ = [
     "MatchResult",
     "Model",
     "ModelError",
+    "RepairReport",
     "Report",
     "__version__",
     "alpha_basis",
@@ -207,4 +211,6 @@ __all__ = [
     "surface_from_freecad",
     "surface_to_freecad",
     "triangle_continuation",
+    "umbrella",
+    "umbrella_inside",
 ]

@@ -83,9 +83,13 @@ DATA;
 _MILLIMETRE = "#16=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));\n"
 
 
-def step_text(points, faces, unit=_MILLIMETRE, closed=True):
+def step_text(points, faces, **how):
     """A STEP file of planar faces; each face a list of indices into points, counter-clockwise from outside."""
-    lines, face_ids = _planar_part(points, faces)
+    return file_text(*_planar_part(points, faces), **how)
+
+
+def file_text(lines, face_ids, unit=_MILLIMETRE, closed=True):
+    """A STEP file of these entities, numbered from 100, with one shell of these faces."""
     shell = "CLOSED_SHELL" if closed else "OPEN_SHELL"
     model = "MANIFOLD_SOLID_BREP('',#21)" if closed else "SHELL_BASED_SURFACE_MODEL('',(#21))"
     kind = "ADVANCED_BREP_SHAPE_REPRESENTATION" if closed else "MANIFOLD_SURFACE_SHAPE_REPRESENTATION"

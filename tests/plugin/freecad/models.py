@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Models made by FreeCAD itself, for the tests inside FreeCAD."""
 
+import itertools
 import math
+import pathlib
+import random
+import runpy
 
 import FreeCAD as App
 import Part
@@ -48,6 +52,63 @@ def sheet(side, slope_deg=0.0, bend=-0.02):
 def two_sheets():
     """Two sheets that meet at x = 0 with an angle of ``SHEETS_DEG`` where g is level, and less elsewhere."""
     return [sheet(-1), sheet(1, slope_deg=SHEETS_DEG)]
+
+
+#: Size of ``broken_panel``, and the distance that poles beside its seams are moved by at most.
+PANEL_MM, NOISE_MM = (240.0, 150.0), 0.3
+
+
+def broken_panel(across=3, along=2, noise_mm=NOISE_MM, seed=7):
+    """A curved panel, cut into patches whose poles in the row next to each seam are moved: its seams have kinks."""
+    generator = random.Random(seed)
+    whole = Part.BSplineSurface()
+    whole.interpolate([[_on_panel(i / 9, j / 6) for j in range(7)] for i in range(10)])
+    patches = [
+        _patch(whole, (i / across, (i + 1) / across), (j / along, (j + 1) / along))
+        for i, j in itertools.product(range(across), range(along))
+    ]
+    for place, patch in enumerate(patches):
+        _disturb(patch, place // along, place % along, (across, along), noise_mm, generator)
+    panel = Part.Compound([patch.toShape() for patch in patches])
+    panel.sewShape(1e-4)
+    return panel
+
+
+def _on_panel(u, v):
+    """A point of the panel as it was meant, for u and v in 0..1."""
+    x, y = PANEL_MM[0] * (u - 0.5), PANEL_MM[1] * (v - 0.5)
+    return App.Vector(x, y, 30 - x * x / 600 - y * y / 900 + 6 * math.sin(x / 40) * math.cos(y / 60))
+
+
+def _patch(whole, part_u, part_v):
+    """The part of a surface between knots that lie at these shares of its knots."""
+    ends = [
+        knots[round(share * (len(knots) - 1))]
+        for knots, part in ((whole.getUKnots(), part_u), (whole.getVKnots(), part_v))
+        for share in part
+    ]
+    patch = whole.copy()
+    patch.segment(*ends)
+    return patch
+
+
+def _disturb(patch, i, j, counts, noise_mm, generator):
+    """Move the poles one row from the sides that are seams, and none that lie in a side."""
+    rows, columns = patch.NbUPoles, patch.NbVPoles
+    for k, m in itertools.product(range(2, rows), range(2, columns)):
+        beside_u = (i > 0 and k == 2) or (i + 1 < counts[0] and k == rows - 1)
+        beside_v = (j > 0 and m == 2) or (j + 1 < counts[1] and m == columns - 1)
+        if beside_u or beside_v:
+            patch.setPole(k, m, patch.getPole(k, m) + App.Vector(0, 0, generator.uniform(-noise_mm, noise_mm)))
+
+
+#: The script that makes the models of the samples.
+SAMPLES = pathlib.Path(__file__).resolve().parents[3] / "samples" / "models" / "make_models.py"
+
+
+def broken_block():
+    """A solid with one seam of 2 degrees, at a Bezier face."""
+    return runpy.run_path(str(SAMPLES))["broken_block"]()
 
 
 def point(x, y, z):

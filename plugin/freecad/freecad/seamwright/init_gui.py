@@ -28,10 +28,11 @@ class SeamwrightWorkbench(Gui.Workbench):
 
 
 def _attach_view(obj):
-    from freecad.seamwright.document import match
-    from freecad.seamwright.gui import match_view, view_provider
+    from freecad.seamwright.document import match, repair
+    from freecad.seamwright.gui import match_view, repair_view, view_provider
 
-    (match_view if match.is_match(obj) else view_provider).attach_view(obj)
+    own = match_view if match.is_match(obj) else repair_view if repair.is_repair(obj) else view_provider
+    own.attach_view(obj)
 
 
 def _progress(text):

@@ -52,19 +52,24 @@ def facets(shape, progress=None):
     result = Facets()
     if shape.isNull() or not shape.Faces:
         return result
-    twin = shape.copy(False, False)  # the geometry is shared; triangles are kept in the copy
     deflection = DEFLECTION * shape.BoundBox.DiagonalLength
-    twin.tessellate(deflection)
-    faces = twin.Faces
+    faces = triangulated_faces(shape, deflection)
     for place, face in enumerate(faces):
         if progress is not None and progress(place / len(faces)) is False:
             return None
-        result.append(*_Sheet(face, deflection).refined())
+        result.append(*Sheet(face, deflection).refined())
     return result
 
 
-class _Sheet:
-    """The triangles of one face, as corners in its parameters."""
+def triangulated_faces(shape, deflection):
+    """The faces of a copy of a shape that shares its geometry, with triangles; the shape keeps its own."""
+    twin = shape.copy(False, False)
+    twin.tessellate(deflection)
+    return twin.Faces
+
+
+class Sheet:
+    """The triangles of one face, as corners in its parameters; split where they are too coarse for reflections."""
 
     def __init__(self, face, deflection):
         self._surface = face.Surface
@@ -95,7 +100,7 @@ class _Sheet:
         except RuntimeError:  # the face could not be triangulated
             return []
         for node in nodes:
-            self._add(node)
+            self.add(node)
         corners, triangles = face.tessellate(deflection)
         places = _nearest(corners, self.points)
         found = [self._closest([places[corner] for corner in triangle]) for triangle in triangles]
@@ -110,8 +115,8 @@ class _Sheet:
         anchor = sure[0] if sure else choices[0][0]
         return tuple(min(places, key=lambda place: math.dist(self._uv[place], self._uv[anchor])) for places in choices)
 
-    def _add(self, uv):
-        """Add a corner; its place."""
+    def add(self, uv):
+        """Add a corner at (u, v); its place."""
         self._uv.append(uv)
         self.points.append(tuple(self._surface.value(*uv)))
         self.normals.append(self._normal(uv))
@@ -126,26 +131,29 @@ class _Sheet:
                 continue
         return (0.0, 0.0, 1.0)
 
-    def _height(self, uv, one, other):
-        return math.dist(self._surface.value(*uv), _mean(self.points[one], self.points[other]))
+    def is_coarse(self, uv, one, other):
+        """Whether normal or surface bend too much between two corners, whose middle in the parameters is ``uv``."""
+        bend = math.dist(self._normal(uv), mean(self.normals[one], self.normals[other]))
+        height = math.dist(self._surface.value(*uv), mean(self.points[one], self.points[other]))
+        return bend > BEND or height > self._sag
 
     def _bent_edges(self):
-        """{edge: place of its new middle} for the edges along which the normal or the surface bends too much."""
+        """{edge: place of its new middle} for the edges that are too coarse."""
         edges = {edge for triangle in self.triangles for edge in _edges(triangle)} - self._fine
         split = {}
         for edge in edges:
             one, other = edge
             if math.dist(self.points[one], self.points[other]) < self._shortest:
                 continue
-            uv = _mean(self._uv[one], self._uv[other])
-            bend = math.dist(self._normal(uv), _mean(self.normals[one], self.normals[other]))
-            if bend > BEND or self._height(uv, one, other) > self._sag:
-                split[edge] = self._add(uv)
+            uv = mean(self._uv[one], self._uv[other])
+            if self.is_coarse(uv, one, other):
+                split[edge] = self.add(uv)
         self._fine |= edges - split.keys()
         return split
 
 
-def _mean(one, other):
+def mean(one, other):
+    """The point halfway between two."""
     return tuple((a + b) / 2 for a, b in zip(one, other))
 
 

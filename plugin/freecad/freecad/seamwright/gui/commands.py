@@ -5,10 +5,10 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import Part
 
-from freecad.seamwright.document import analysis, match, sources
+from freecad.seamwright.document import analysis, match, repair, sources
 from freecad.seamwright.gui import export_dialog, icon_path, messages
 from freecad.seamwright.gui.zebra import zebra
-from freecad.seamwright.plain import kernel, summary
+from freecad.seamwright.plain import kernel, rows, summary
 
 
 def selected_sources():
@@ -43,6 +43,38 @@ def selected_elements(kind):
 
 def _only_face(obj):
     return ("Face1",) if len(Part.getShape(obj).Faces) == 1 else ()
+
+
+def selected_seams():
+    """[(object, "Edge3" or ""), ...]: what is selected for a repair, "" for all of an object.
+
+    The lines of an analysis stand for the edges that they lie on, an analysis for what it analysed.
+    """
+    found = []
+    for chosen in Gui.Selection.getSelectionEx():
+        edges = [name for name in chosen.SubElementNames if name.startswith("Edge")]
+        if analysis.is_analysis(chosen.Object):
+            found += _edges_of_lines(chosen.Object, edges) or [(obj, "") for obj in chosen.Object.Analysed]
+        else:
+            found += [(obj, edge) for obj in sources.expand([chosen.Object]) for edge in edges or [""]]
+    return found
+
+
+def _edges_of_lines(found, lines):
+    report = analysis.report_of(found)
+    numbers = [rows.edge_number(report, found.Name, found.Name, line) for line in lines]
+    owners = [rows.owner_of(report, "edges", number) for number in numbers if number is not None]
+    return [(found.Document.getObject(name), edge) for name, edge in (owner for owner in owners if owner)]
+
+
+def limits_of_analysis(source):
+    """Target and tolerances of the newest analysis of an object, as ``repair.prepare`` takes them; none without one."""
+    every = [obj for obj in source.Document.Objects if analysis.is_analysis(obj) and source in obj.Analysed]
+    if not every:
+        return {}
+    given = analysis.tolerances(every[-1])
+    given["target"] = "G2" if given.pop("level") in ("G2", "G3") else "G1"
+    return given
 
 
 class AnalyzeSeams:
@@ -145,6 +177,49 @@ class MatchSurfaces:
         Gui.getDocument(doc.Name).setEdit(obj.Name)
 
 
+class RepairSeams:
+    """Repair the selected seams, or all defects of the selected object."""
+
+    name = "Seamwright_RepairSeams"
+
+    def GetResources(self):
+        """Menu text, tool tip and icon."""
+        return {
+            "MenuText": "Repair Seams",
+            "ToolTip": "Move faces of the selected object, as little as possible, until its seams join without a kink "
+            "(G1) or with equal curvature (G2); select edges, or rows of an analysis, to repair their seams alone",
+            "Pixmap": icon_path("seamwright-repair"),
+        }
+
+    def IsActive(self):
+        """Whether there is a document."""
+        return App.ActiveDocument is not None
+
+    def Activated(self):
+        """Create the repair as one step that can be undone, and open its panel; nothing is repaired yet."""
+        doc = App.ActiveDocument
+        chosen = selected_seams() or [(obj, "") for obj in sources.solids_and_shells(doc)]
+        objects = list(dict.fromkeys(obj for obj, _ in chosen))
+        if len(objects) != 1:
+            messages.show_error(
+                "Select the object whose seams are to be repaired, or some of its edges: one object at a time. "
+                "Found: %s." % (", ".join(obj.Label for obj in objects) or "none")
+            )
+            return
+        Gui.getDocument(doc.Name).resetEdit()
+        doc.openTransaction("Repair seams")
+        try:
+            edges = [edge for _, edge in chosen if edge]
+            obj = repair.prepare(objects[0], edges=edges, **limits_of_analysis(objects[0]))
+        except kernel.KernelUnavailable as error:
+            doc.abortTransaction()
+            messages.show_error(str(error))
+            return
+        Gui.Selection.clearSelection()
+        obj.ViewObject.Proxy.created = True
+        Gui.getDocument(doc.Name).setEdit(obj.Name)
+
+
 class ZebraStripes:
     """Draw stripes on the selected objects, or take them off."""
 
@@ -191,7 +266,7 @@ def with_faces(objects):
     return [obj for obj in objects if sources.has_shape(obj) and Part.getShape(obj).Faces]
 
 
-COMMANDS = (AnalyzeSeams, ExportReport, MatchSurfaces, ZebraStripes)
+COMMANDS = (AnalyzeSeams, ExportReport, MatchSurfaces, RepairSeams, ZebraStripes)
 
 
 def register():

@@ -77,6 +77,8 @@ def draw(title, entries, footer, text_px):
         thick = text_px // 2
         colour = QtGui.QColor(*seam_class.rgb)
         painter.fillRect(pad, top + (line - thick) // 2, bar, thick, colour)
+        painter.setPen(QtGui.QColor(*BORDER))
+        painter.drawRect(pad, top + (line - thick) // 2, bar, thick)
         pen.text(bold, pad + bar + pad, top, name)
         pen.text(font, meaning_x, top, meaning)
     pen.text(font, pad, pad + (len(entries) + 1) * line, footer)

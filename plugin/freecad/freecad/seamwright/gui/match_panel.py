@@ -1,20 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The task panel of Match Surfaces: what is matched how, the seam before and after, and ways to look at it.
 
-The document follows the fields: each change is computed at once. OK keeps what is seen, Cancel takes all of it back.
+The document follows the fields: each change is computed at once.
 """
 
 import FreeCADGui as Gui
 
 from freecad.seamwright.document import match, properties
-from freecad.seamwright.gui import icon_path, messages, seam_view
-from freecad.seamwright.gui.dock import widen_dock
+from freecad.seamwright.gui import icon_path, seam_view
 from freecad.seamwright.gui.qt import QtCore, QtGui, QtWidgets
+from freecad.seamwright.gui.result_panel import ResultPanel
 from freecad.seamwright.gui.tolerance_form import NumberField, ToleranceForm
 from freecad.seamwright.gui.zebra import zebra
 from freecad.seamwright.plain import match_text
-
-DOCK_WIDTH = 440
 
 #: After the last change, before the preview is computed.
 PREVIEW_AFTER_MS = 400
@@ -22,20 +20,13 @@ PREVIEW_AFTER_MS = 400
 KEPT = ("FirstFace", "SecondFace", "CommonEdge", "Target", "Moves", "MaxMove", "HoldSides")
 
 
-class MatchPanel:
+class MatchPanel(ResultPanel):
     """Shows and changes one Match Surfaces; ``created``: Cancel removes it."""
 
     def __init__(self, obj, created):
-        self.obj = obj
-        self._created = created
-        self._doc = obj.Document
-        self._name = obj.Name
-        self._kept = {name: getattr(obj, name) for name in self._changeable()}
+        super().__init__(obj, created, "Edit match surfaces", KEPT + tuple(name for name, *_ in match.TOLERANCES))
         self._swapped = False
         self._striped = []
-        self._ended = False
-        if not created:
-            self._doc.openTransaction("Edit match surfaces")
         self._timer = QtCore.QTimer()
         self._timer.setSingleShot(True)
         self._timer.setInterval(PREVIEW_AFTER_MS)
@@ -45,59 +36,20 @@ class MatchPanel:
         self._connect()
         self.refresh()
 
-    # What FreeCAD asks of a task panel.
+    def sources(self):
+        """The objects that the faces come from."""
+        return match.source_objects(self.obj)
 
-    def getStandardButtons(self):
-        """OK and Cancel."""
-        both = QtWidgets.QDialogButtonBox.Ok | QtWidgets.QDialogButtonBox.Cancel
-        return both if hasattr(both, "value") else int(both)  # PySide2 wants the number
+    def has_result(self):
+        """Whether the faces match."""
+        return bool(self.obj.Matched)
 
-    def open(self):
-        """Make the dock that holds the panel wide enough for it."""
-        widen_dock(self.form, DOCK_WIDTH)
+    def is_due(self):
+        """Whether a change has not been computed yet."""
+        return self._timer.isActive()
 
-    def accept(self):
-        """Keep the match; one that failed is said to have, and the panel stays."""
-        if self._timer.isActive() or not self.obj.Matched or match.error_text(self.obj):
-            self.preview()
-        failure = match.error_text(self.obj)
-        if failure:
-            messages.show_error(failure)
-            return False
-        self.after.setChecked(True)
-        self._end()
-        self._doc.commitTransaction()
-        Gui.getDocument(self._doc.Name).resetEdit()
-        return True
-
-    def reject(self):
-        """Take back what was done since the panel was opened."""
-        self._end()
-        shown = {source: source.ViewObject.Visibility for source in match.source_objects(self.obj)}
-        if self._doc.HasPendingTransaction:
-            self._doc.abortTransaction()
-        elif not self._created:
-            for name, value in self._kept.items():
-                setattr(self.obj, name, value)
-            self._doc.recompute()
-        if self._created:
-            if self._doc.getObject(self._name) is not None:
-                self._doc.removeObject(self._name)
-            for source in shown:
-                source.ViewObject.Visibility = True
-        elif self.obj.Matched:
-            self._show(True)
-        Gui.getDocument(self._doc.Name).resetEdit()
-        return True
-
-    def leave(self):
-        """The panel closes, by OK, by Cancel or because FreeCAD ends the editing."""
-        if not self._ended:
-            self._end()
-            self._doc.commitTransaction()
-
-    def _end(self):
-        self._ended = True
+    def release(self):
+        """Compute no more, and take off the stripes."""
         self._timer.stop()
         self._unstripe()
 
@@ -180,8 +132,8 @@ class MatchPanel:
         self.hold_sides.toggled.connect(self._changed)
         self.tolerances.changed.connect(self._changed)
         self.swap.clicked.connect(self._swap)
-        self.after.toggled.connect(lambda *_: self._show(self.after.isChecked()))
-        self.zebra.toggled.connect(lambda *_: self._show(self.after.isChecked()))
+        self.after.toggled.connect(lambda *_: self.show(self.after.isChecked()))
+        self.zebra.toggled.connect(lambda *_: self.show(self.after.isChecked()))
 
     def _read(self):
         self.moves.setCurrentText(self.obj.Moves)
@@ -201,7 +153,7 @@ class MatchPanel:
             for column, text in enumerate(cells):
                 self.table.setItem(line, column, QtWidgets.QTableWidgetItem(text))
         self.after.setEnabled(self.obj.Matched)
-        self._show(self.after.isChecked())
+        self.show(self.after.isChecked())
 
     def preview(self):
         """Take over the fields and match anew."""
@@ -229,23 +181,19 @@ class MatchPanel:
         self._swapped = not self._swapped
         self.preview()
 
-    def _changeable(self):
-        return KEPT + tuple(name for name, *_ in match.TOLERANCES)
-
     def _select(self, name):
         target = match.link(self.obj, name)
         Gui.Selection.clearSelection()
         if target is not None:
             seam_view.select(self._doc, target[0].Name, target[1])
 
-    def _show(self, after):
+    def show(self, after):
         """Show the match or its sources, with stripes where they are wanted."""
         after = after and self.obj.Matched
-        sources = match.source_objects(self.obj)
         self.obj.ViewObject.Visibility = after
-        for source in sources:
+        for source in self.sources():
             source.ViewObject.Visibility = not after
-        seen = [self.obj] if after else sources
+        seen = [self.obj] if after else self.sources()
         if not self.zebra.isChecked():
             self._unstripe()
             return

@@ -13,10 +13,10 @@ from freecad.seamwright.plain import rows
 CONTEXT = 0.15
 
 
-def show(obj, report, seams, look=True):
-    """Select the edges of the given seams (dicts of the report) on their objects and mark them.
+def show(obj, report, seams, size, look=True):
+    """Select the edges of the given seams (dicts of the report) on their objects and mark them on ``obj``.
 
-    ``look``: turn and zoom the view to them.
+    ``size``: of the model, in mm. ``look``: turn and zoom the view to them.
     """
     Gui.Selection.clearSelection()
     edges, classes = [], []
@@ -40,8 +40,7 @@ def show(obj, report, seams, look=True):
     box = App.BoundBox()
     for edge in edges:
         box.add(edge.BoundBox)
-    least = CONTEXT * obj.Shape.BoundBox.DiagonalLength
-    camera.look_at(view, box, least, _place(obj, report, seams[0], edges[0]))
+    camera.look_at(view, box, CONTEXT * size, _place(obj, report, seams[0], edges[0]))
 
 
 def select(doc, name, element):

@@ -60,7 +60,7 @@ def node(facets):
     group, pick, binding = coin.SoSeparator(), coin.SoPickStyle(), coin.SoNormalBinding()
     pick.style = coin.SoPickStyle.UNPICKABLE
     binding.value = coin.SoNormalBinding.PER_VERTEX_INDEXED
-    for child in (pick, binding, _mirror(), *_mesh(facets)):
+    for child in (pick, binding, _mirror(), *mesh(facets)):
         group.addChild(child)
     return group
 
@@ -74,7 +74,8 @@ def _mirror():
     return program
 
 
-def _mesh(facets):
+def mesh(facets):
+    """The nodes of the triangles of Facets, with a normal at each corner."""
     points, normals, faces = coin.SoCoordinate3(), coin.SoNormal(), coin.SoIndexedFaceSet()
     for field, values in (
         (points.point, facets.points),

@@ -108,6 +108,10 @@ class TaskPanel:
 
     def _build_export(self):
         line = QtWidgets.QHBoxLayout()
+        repair = QtWidgets.QPushButton("Repair\u2026")
+        repair.setToolTip("Repair the seams of the chosen rows; with none chosen, all defects")
+        repair.clicked.connect(lambda *_: QtCore.QTimer.singleShot(0, _repair))
+        line.addWidget(repair)
         for kind in ("csv", "json"):
             button = QtWidgets.QPushButton("Export %s\u2026" % kind.upper())
             button.clicked.connect(lambda *_, kind=kind: export_dialog.ask_and_export(self.obj, (kind,)))
@@ -172,7 +176,7 @@ class TaskPanel:
         if places:
             chosen = [self.seams[self.model.row(place).seam] for place in places]
             with self.picker.paused():
-                seam_view.show(self.obj, self.report, chosen, self._look)
+                seam_view.show(self.obj, self.report, chosen, self.obj.Shape.BoundBox.DiagonalLength, self._look)
 
     def _edge_picked(self, number):
         """Select the rows of an edge, when FreeCAD is done with its own selecting."""
@@ -194,6 +198,10 @@ class TaskPanel:
         self._look = True
         if places:
             self.table.scrollTo(self.model.index(places[0], 0))
+
+
+def _repair():
+    Gui.runCommand("Seamwright_RepairSeams")  # it closes the panel
 
 
 def _swatch(rgb):

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Repairs of more and more seams beside the analysis of the same models: grids of natural and of trimmed faces, and
+// chains of trimmed ones, all broken by noise of 0.01 mm.
+//   bench_repair [--smoke]
+// One process, one thread, medians of processor time of three turns, what is slow once; a table on standard output.
+#include <Standard_Failure.hxx>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include <seamwright/occ_adapter/repair/repair.hpp>
+
+#include "../tests/occ_adapter/nets.hpp"
+
+namespace {
+
+using namespace seamwright;
+
+struct Subject {
+  std::string name;
+  std::vector<int> sizes;
+  std::function<test::NetShape(int size)> shape;
+};
+
+std::vector<Subject> subjects(bool smoke) {
+  const auto grid = [](bool trimmed, int columns, int rows) {
+    test::NetShape shape;
+    shape.columns = columns;
+    shape.rows = rows;
+    if (trimmed) {
+      shape.bend = 0.12;
+      shape.overhang = 0.5;
+    }
+    return shape;
+  };
+  const std::vector<int> sides = smoke ? std::vector<int>{2, 3} : std::vector<int>{2, 4, 8, 16, 24};
+  const std::vector<int> chain = smoke ? std::vector<int>{2, 4} : std::vector<int>{4, 16, 64, 256};
+  return {{"natural faces, n by n", sides, [grid](int n) { return grid(false, n, n); }},
+          {"trimmed faces, n by n", sides, [grid](int n) { return grid(true, n, n); }},
+          {"trimmed faces, a chain of n", chain, [grid](int n) { return grid(true, n, 1); }}};
+}
+
+double processorSeconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double median(std::vector<double> values) {
+  std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
+  return values[values.size() / 2];
+}
+
+struct Times {
+  int seams = 0;
+  int treated = 0;
+  int repaired = 0;
+  double analyze_s = 0;
+  double repair_s = 0;
+};
+
+Times timesOf(const test::NetShape& shape) {
+  constexpr double noise_mm = 0.01;
+  constexpr int turns = 3;
+  constexpr double slow_s = 5;
+  std::mt19937 random(1);
+  test::Net net = test::piecesOfOne(shape, random);
+  test::disturb(net, noise_mm, random);
+  const occ::Model model = occ::modelFromShape(test::shapeOf(net));
+  occ::RepairOptions options;
+  options.jobs = 1;
+  options.tolerance.gap_mm = 0.001;
+  options.tolerance.angle_rad /= 10;
+  occ::AnalyzeOptions analyze;
+  analyze.jobs = 1;
+  analyze.tolerance = options.tolerance;
+  Times times;
+  std::vector<double> analyses, repairs;
+  while (repairs.empty() || (repairs.size() < turns && repairs.front() < slow_s)) {
+    const double start = processorSeconds();
+    times.seams = static_cast<int>(occ::analyze(model, analyze).seams.size());
+    const double between = processorSeconds();
+    const occ::RepairReport report = occ::repair(model, options);
+    analyses.push_back(between - start);
+    repairs.push_back(processorSeconds() - between);
+    times.treated = static_cast<int>(std::ranges::count(report.seams, true, &occ::SeamRepair::treated));
+    times.repaired = static_cast<int>(std::ranges::count(report.seams, true, &occ::SeamRepair::repaired));
+  }
+  times.analyze_s = median(analyses);
+  times.repair_s = median(repairs);
+  return times;
+}
+
+/// Of the time over the seams, between the last two sizes.
+double exponent(const Times& less, const Times& more, double Times::*time) {
+  return std::log(more.*time / less.*time) / std::log(static_cast<double>(more.seams) / less.seams);
+}
+
+void run(const Subject& subject) {
+  std::printf(
+      "\n%s:\n\n| n | seams | to repair | repaired | analysis, ms | repair, ms | ratio | repair, ms a seam "
+      "|\n"
+      "|--:|--:|--:|--:|--:|--:|--:|--:|\n",
+      subject.name.c_str());
+  std::vector<Times> all;
+  for (const int size : subject.sizes) {
+    const Times times = timesOf(subject.shape(size));
+    std::printf("| %d | %d | %d | %d | %.1f | %.1f | %.1f | %.2f |\n", size, times.seams, times.treated,
+                times.repaired, 1e3 * times.analyze_s, 1e3 * times.repair_s, times.repair_s / times.analyze_s,
+                1e3 * times.repair_s / times.seams);
+    std::fflush(stdout);
+    all.push_back(times);
+  }
+  const Times &less = all[all.size() - 2], &more = all.back();
+  std::printf("\nRepair grows as seams^%.2f, analysis as seams^%.2f.\n",
+              exponent(less, more, &Times::repair_s), exponent(less, more, &Times::analyze_s));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  const bool smoke = argc > 1 && std::strcmp(argv[1], "--smoke") == 0;
+  if (argc > 1 && !smoke) {
+    std::fprintf(stderr, "usage: bench_repair [--smoke]\n");
+    return 2;
+  }
+  for (const Subject& subject : subjects(smoke)) run(subject);
+  return 0;
+} catch (const Standard_Failure& failure) {
+  std::cerr << failure << "\n";
+  return 2;
+} catch (const std::exception& error) {
+  std::cerr << error.what() << "\n";
+  return 2;
+}

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seamwright/core/join/bernstein_rows.hpp>
+#include <seamwright/core/umbrella/frame.hpp>
+#include <utility>
+
+namespace seamwright::umbrella {
+
+namespace {
+
+/// Multiplication of a polynomial of that degree by a factor, as a matrix.
+Eigen::MatrixXd multiplication(const Eigen::VectorXd& factor, int degree) {
+  Eigen::MatrixXd matrix(degree + factor.size(), degree + 1);
+  for (int j = 0; j <= degree; ++j) matrix.col(j) = rows::times(factor, Eigen::VectorXd::Unit(degree + 1, j));
+  return matrix;
+}
+
+Forms times(const Eigen::VectorXd& factor, const Forms& field) {
+  return multiplication(factor, rows::degree(field)) * field;
+}
+
+Forms elevated(const Forms& field, int degree) {
+  return rows::elevation(rows::degree(field), degree) * field;
+}
+
+Forms derivative(const Forms& field) {
+  const int n = rows::degree(field);
+  if (n == 0) return Forms::Zero(1, field.cols());
+  return n * (field.bottomRows(n) - field.topRows(n));
+}
+
+double slope(const Eigen::VectorXd& linear) {
+  return linear(linear.size() - 1) - linear(0);
+}
+
+/// A pole of a member, counted from one of its edges through O: r away from it, k along.
+enum class Edge { V0, U0 };
+
+Eigen::Index poleAt(const Net& net, Edge edge, int r, int k) {
+  return edge == Edge::V0 ? net.at(k, r) : net.at(r, k);
+}
+
+class Frame {
+ public:
+  Frame(const FrameInput& input, FreeVectors& free)
+      : in_(input), free_(free), poles_(Forms::Zero(polesOf(input.nets), free.columns())) {
+    known_.assign(poles_.rows(), false);
+    if (!in_.outer) return;
+    known_ = in_.outer->given;
+    poles_ = free_.constants(in_.outer->poles);
+  }
+
+  Forms built() {
+    placeSpokes();
+    placeTwists();
+    for (int i = 0; i < in_.vertex.spokes(); ++i)
+      if (in_.vertex.isInner(i)) placeFields(i);
+    for (Eigen::Index row = 0; row < poles_.rows(); ++row)
+      if (!known_[row]) set(row, free_.next());
+    return std::move(poles_);
+  }
+
+ private:
+  /// One of the two members at a spoke.
+  struct Side {
+    const Net& net;
+    Edge edge;
+    int member;
+    int other_spoke;
+  };
+
+  void set(Eigen::Index row, const Eigen::RowVectorXd& form) {
+    poles_.row(row) = form;
+    known_[row] = true;
+  }
+
+  Side before(int spoke) const {
+    const int member = in_.vertex.memberBefore(spoke);
+    return {in_.nets[member], Edge::U0, member, in_.vertex.before(spoke)};
+  }
+  Side after(int spoke) const { return {in_.nets[spoke], Edge::V0, spoke, in_.vertex.after(spoke)}; }
+
+  Eigen::RowVectorXd tangent(int spoke) const { return derivative(in_.spokes[spoke]).row(0); }
+
+  void placeSpokes() {
+    for (std::size_t i = 0; i < in_.nets.size(); ++i) {
+      const int begin = static_cast<int>(i), end = in_.vertex.after(begin);
+      const Net& net = in_.nets[i];
+      const Forms along_u = elevated(in_.spokes[begin], net.degree),
+                  along_v = elevated(in_.spokes[end], net.degree);
+      for (int k = 0; k <= net.degree; ++k) {
+        set(net.at(k, 0), along_u.row(k));
+        set(net.at(0, k), along_v.row(k));
+      }
+    }
+  }
+
+  void placeTwists() {
+    const TwistSolution solution = solveTwists(in_.vertex);
+    Forms sums = Forms::Zero(in_.vertex.spokes(), free_.columns());
+    for (int i = 0; i < in_.vertex.spokes(); ++i) {
+      if (!in_.vertex.isInner(i)) continue;
+      const Forms first = derivative(in_.spokes[i]);
+      sums.row(i) = in_.laws[i].a(0) * derivative(first).row(0) + slope(in_.laws[i].a) * first.row(0) +
+                    slope(in_.laws[i].b) * tangent(in_.vertex.before(i));
+    }
+    twists_ = solution.of_sums * sums;
+    if (solution.direction.size() > 0) twists_ += solution.direction * free_.next();
+    for (std::size_t i = 0; i < in_.nets.size(); ++i) {
+      const Net& net = in_.nets[i];
+      const Eigen::RowVectorXd corner =
+          poles_.row(net.at(1, 0)) + poles_.row(net.at(0, 1)) - poles_.row(net.at(0, 0));
+      set(net.at(1, 1),
+          corner + twists_.row(static_cast<Eigen::Index>(i)) / (net.degree * net.crossDegree()));
+    }
+  }
+
+  /// The derivative across a spoke into a member, in that degree: two coefficients follow from O, others are given or free.
+  Forms freeField(const Side& side, int degree) {
+    Forms field(degree + 1, free_.columns());
+    field.row(0) = tangent(side.other_spoke);
+    if (degree > 0) field.row(1) = field.row(0) + twists_.row(side.member) / degree;
+    const double n = side.net.degree;
+    for (int k = 2; k <= degree; ++k) {
+      const Eigen::Index row = poleAt(side.net, side.edge, 1, k);
+      if (degree == side.net.crossDegree() && known_[row])
+        field.row(k) = n * (poles_.row(row) - poles_.row(poleAt(side.net, side.edge, 0, k)));
+      else
+        field.row(k) = n * free_.next();
+    }
+    return field;
+  }
+
+  void placeRow(const Side& side, const Forms& field) {
+    const Forms full = elevated(field, side.net.crossDegree());
+    for (int k = 2; k < full.rows(); ++k) {
+      const Eigen::Index row = poleAt(side.net, side.edge, 1, k);
+      if (!known_[row])
+        set(row, poles_.row(poleAt(side.net, side.edge, 0, k)) + full.row(k) / side.net.degree);
+    }
+  }
+
+  /// V = a C' + b U: V follows from U, but if the member behind V alone is a triangle, whose field has the lower degree.
+  void placeFields(int spoke) {
+    const Side u = before(spoke), v = after(spoke);
+    const SpokeLaw& law = in_.laws[spoke];
+    const Forms along = times(law.a, derivative(in_.spokes[spoke]));
+    const bool from_v = v.net.isTriangle() && !u.net.isTriangle();
+    const Side &master = from_v ? v : u, &follower = from_v ? u : v;
+    const int degree = master.net.crossDegree() - (law.b.size() > 1 && !master.net.isTriangle() ? 1 : 0);
+    const Forms field = freeField(master, degree);
+    const Forms scaled = from_v ? field : times(law.b, field);
+    const int common = std::max(rows::degree(scaled), rows::degree(along));
+    const Forms there = from_v ? Forms((elevated(scaled, common) - elevated(along, common)) / law.b(0))
+                               : Forms(elevated(scaled, common) + elevated(along, common));
+    placeRow(master, field);
+    placeRow(follower, there);
+  }
+
+  const FrameInput& in_;
+  FreeVectors& free_;
+  Forms poles_;
+  std::vector<bool> known_;
+  Forms twists_;
+};
+
+}  // namespace
+
+Eigen::RowVectorXd FreeVectors::next() {
+  return Eigen::RowVectorXd::Unit(columns(), count_++);
+}
+
+Forms FreeVectors::constants(const Eigen::Ref<const Poles>& vectors) const {
+  Forms forms = Forms::Zero(vectors.rows(), columns());
+  forms.rightCols<3>() = vectors;
+  return forms;
+}
+
+Eigen::Index Net::at(int r, int s) const {
+  return first + (isTriangle() ? BezierTriangle::row(degree, r, s) : r * (degree + 1) + s);
+}
+
+std::vector<Net> netsOf(const std::vector<MemberKind>& kinds, int degree) {
+  std::vector<Net> nets;
+  Eigen::Index first = 0;
+  for (const MemberKind kind : kinds) {
+    nets.push_back({kind, degree, first});
+    first += nets.back().size();
+  }
+  return nets;
+}
+
+Eigen::Index polesOf(const std::vector<Net>& nets) {
+  return nets.back().first + nets.back().size();
+}
+
+std::vector<SpokeLaw> lawsOf(const UmbrellaVertex& vertex, const SpokeSeconds& seconds) {
+  std::vector<SpokeLaw> laws(vertex.spokes());
+  for (int i = 0; i < vertex.spokes(); ++i) {
+    if (!vertex.isInner(i)) continue;
+    const auto linear = [](double at_0, double slope) {
+      return rows::trimmed(Eigen::Vector2d(at_0, at_0 + slope));
+    };
+    laws[i] = {linear(vertex.alpha(i), seconds.lambda(i)), linear(vertex.beta(i), seconds.mu(i))};
+  }
+  return laws;
+}
+
+Forms framed(const FrameInput& input, FreeVectors& free) {
+  return Frame(input, free).built();
+}
+
+Eigen::MatrixXd energyRows(const std::vector<Net>& nets) {
+  std::vector<std::vector<std::pair<Eigen::Index, double>>> differences;
+  for (const Net& net : nets)
+    for (int r = 0; r <= net.degree; ++r)
+      for (int s = 0; s <= net.last(r); ++s) {
+        const auto has = [&](int i, int j) { return i <= net.degree && j <= net.last(i); };
+        if (has(r + 2, s))
+          differences.push_back({{net.at(r, s), 1}, {net.at(r + 1, s), -2}, {net.at(r + 2, s), 1}});
+        if (has(r, s + 2))
+          differences.push_back({{net.at(r, s), 1}, {net.at(r, s + 1), -2}, {net.at(r, s + 2), 1}});
+        const double twice = std::sqrt(2.0);
+        if (has(r + 1, s + 1))
+          differences.push_back({{net.at(r, s), twice},
+                                 {net.at(r + 1, s), -twice},
+                                 {net.at(r, s + 1), -twice},
+                                 {net.at(r + 1, s + 1), twice}});
+      }
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(std::ssize(differences), polesOf(nets));
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i)
+    for (const auto& [pole, factor] : differences[i]) matrix(i, pole) += factor;
+  return matrix;
+}
+
+Eigen::MatrixXd linearPart(const Forms& forms, const FreeVectors& free) {
+  return forms.leftCols(free.count());
+}
+
+Poles constantPart(const Forms& forms) {
+  return forms.rightCols<3>();
+}
+
+std::vector<UmbrellaMember> membersOf(const std::vector<Net>& nets, const Poles& poles) {
+  std::vector<UmbrellaMember> members;
+  for (const Net& net : nets) {
+    const auto own = poles.middleRows(net.first, net.size());
+    if (net.isTriangle())
+      members.emplace_back(BezierTriangle(own));
+    else
+      members.emplace_back(BezierPatch(net.degree, net.degree, own));
+  }
+  return members;
+}
+
+}  // namespace seamwright::umbrella

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include <seamwright/core/umbrella/twists.hpp>
+#include <seamwright/core/umbrella/umbrella.hpp>
+
+/// The poles of all umbrellas with the same laws across their spokes; not a public header.
+///
+/// With the laws fixed, G1 is linear in the poles, and the three coordinates do not mix. So every pole is a fixed combination of a few free
+/// vectors and a constant one, and any choice of the free vectors makes exact joins.
+namespace seamwright::umbrella {
+
+/// Vectors as combinations: one a row, first the coefficients of the free vectors, then the constant vector.
+using Forms = Eigen::MatrixXd;
+
+/// Where free vectors come from. At most so many are handed out.
+class FreeVectors {
+ public:
+  explicit FreeVectors(Eigen::Index capacity) : capacity_(capacity) {}
+
+  Eigen::Index columns() const { return capacity_ + 3; }
+  Eigen::Index count() const { return count_; }
+  Eigen::RowVectorXd next();
+  Forms constants(const Eigen::Ref<const Poles>& vectors) const;
+
+ private:
+  Eigen::Index capacity_, count_ = 0;
+};
+
+/// The net of a member among the poles of all.
+struct Net {
+  MemberKind kind = MemberKind::Tensor;
+  int degree = 1;
+  Eigen::Index first = 0;
+
+  bool isTriangle() const { return kind == MemberKind::Triangle; }
+  int last(int r) const { return isTriangle() ? degree - r : degree; }  ///< of the poles (r, 0), (r, 1), ...
+  Eigen::Index size() const {
+    return isTriangle() ? (degree + 1) * (degree + 2) / 2 : (degree + 1) * (degree + 1);
+  }
+  Eigen::Index at(int r, int s) const;
+  /// Of the derivative across an edge through O.
+  int crossDegree() const { return isTriangle() ? degree - 1 : degree; }
+};
+
+/// \pre the degree of triangles is 2 or more.
+std::vector<Net> netsOf(const std::vector<MemberKind>& kinds, int degree);
+Eigen::Index polesOf(const std::vector<Net>& nets);
+
+/// The law of an inner spoke; those of a rim are empty.
+std::vector<SpokeLaw> lawsOf(const UmbrellaVertex& vertex, const SpokeSeconds& seconds);
+
+/// Poles that are given, one a row, and which of them are.
+struct GivenPoles {
+  Poles poles;
+  std::vector<bool> given;
+};
+
+struct FrameInput {
+  const UmbrellaVertex& vertex;
+  const std::vector<SpokeLaw>& laws;
+  const std::vector<Net>& nets;
+  const std::vector<Forms>& spokes;                ///< of degree 1 or more
+  std::optional<GivenPoles> outer = std::nullopt;  ///< must agree with the laws
+};
+
+/// All poles: one a row, as combinations of as many free vectors as are handed out by then.
+/// \pre the degrees allow the laws, see requiredDegree().
+Forms framed(const FrameInput& input, FreeVectors& free);
+
+/// Sum of squares of what the rows times the poles are is the energy: second derivatives by u, by v and, twice, mixed, as differences of poles.
+Eigen::MatrixXd energyRows(const std::vector<Net>& nets);
+
+/// The part of the forms that belongs to the free vectors, and the constant part.
+Eigen::MatrixXd linearPart(const Forms& forms, const FreeVectors& free);
+Poles constantPart(const Forms& forms);
+
+/// Members with these poles.
+std::vector<UmbrellaMember> membersOf(const std::vector<Net>& nets, const Poles& poles);
+
+}  // namespace seamwright::umbrella

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <limits>
+#include <seamwright/core/bernstein/coefficients.hpp>
+#include <seamwright/core/join/bernstein_rows.hpp>
+#include <seamwright/core/umbrella/spokes.hpp>
+#include <stdexcept>
+#include <string>
+
+namespace seamwright::umbrella {
+
+namespace {
+
+using bernstein::text;
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw std::invalid_argument(what);
+}
+
+}  // namespace
+
+std::vector<BezierCurve> fromOnePoint(const std::vector<BezierCurve>& curves, double gap_mm) {
+  if (!(gap_mm >= 0)) refuse("gap_mm is " + text(gap_mm) + ": 0 or more is needed");
+  if (curves.empty()) refuse("0 spokes: an umbrella has at least 3");
+  int degree = 1;
+  Eigen::RowVector3d from_first = Eigen::RowVector3d::Zero();
+  double size = 0;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const std::string spoke = "spoke " + std::to_string(i) + " ";
+    if (curves[i].isRational()) refuse(spoke + "is rational: only polynomial ones are built around");
+    if (curves[i].degree() < 1) refuse(spoke + "has degree 0: it is a point");
+    degree = std::max(degree, curves[i].degree());
+    from_first += curves[i].poles().row(0) - curves[0].poles().row(0);
+    size = std::max(size, curves[i].poles().cwiseAbs().maxCoeff());
+  }
+  const Eigen::RowVector3d start = curves[0].poles().row(0) + from_first / static_cast<double>(curves.size());
+  const double allowed = gap_mm + 16 * std::numeric_limits<double>::epsilon() * size;
+  std::vector<BezierCurve> result;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    Poles poles = rows::elevated<3>(curves[i].poles(), degree);
+    if (const double gap = (poles.row(0) - start).norm(); gap > allowed)
+      refuse("spoke " + std::to_string(i) + " begins " + text(gap) +
+             " mm from the mean of all beginnings: at most " + text(gap_mm) + " is allowed");
+    poles.row(0) = start;
+    result.emplace_back(poles);
+  }
+  return result;
+}
+
+Eigen::Matrix3Xd tangentsOf(const std::vector<BezierCurve>& spokes) {
+  Eigen::Matrix3Xd tangents(3, std::ssize(spokes));
+  for (std::size_t i = 0; i < spokes.size(); ++i) {
+    const Poles poles = spokes[i].poles();
+    tangents.col(static_cast<Eigen::Index>(i)) = spokes[i].degree() * (poles.row(1) - poles.row(0));
+  }
+  return tangents;
+}
+
+Eigen::Matrix3Xd secondsOf(const std::vector<BezierCurve>& spokes) {
+  Eigen::Matrix3Xd seconds = Eigen::Matrix3Xd::Zero(3, std::ssize(spokes));
+  for (std::size_t i = 0; i < spokes.size(); ++i) {
+    const int n = spokes[i].degree();
+    const Poles poles = spokes[i].poles();
+    if (n >= 2)
+      seconds.col(static_cast<Eigen::Index>(i)) =
+          n * (n - 1) * ((poles.row(2) - poles.row(1)) - (poles.row(1) - poles.row(0)));
+  }
+  return seconds;
+}
+
+std::vector<BezierCurve> withTangents(const std::vector<BezierCurve>& spokes,
+                                      const Eigen::Matrix3Xd& tangents) {
+  const Eigen::Matrix3Xd turns = tangents - tangentsOf(spokes);
+  std::vector<BezierCurve> result;
+  for (std::size_t i = 0; i < spokes.size(); ++i) {
+    const int n = spokes[i].degree();
+    const Eigen::RowVector3d move = turns.col(static_cast<Eigen::Index>(i)).transpose() / n;
+    Poles poles = spokes[i].poles();
+    poles.row(1) += move;
+    if (n >= 3) poles.row(2) += 2 * move;
+    result.emplace_back(poles);
+  }
+  return result;
+}
+
+std::vector<BezierCurve> withSeconds(const std::vector<BezierCurve>& spokes,
+                                     const Eigen::Matrix3Xd& seconds) {
+  const Eigen::Matrix3Xd changes = seconds - secondsOf(spokes);
+  const int degree = spokes.front().degree(), n = std::max(3, degree);
+  double size = 0;
+  for (const BezierCurve& spoke : spokes) size = std::max(size, spoke.poles().cwiseAbs().maxCoeff());
+  const double noise = 64 * std::numeric_limits<double>::epsilon() * degree * degree * size;
+  if (changes.cwiseAbs().maxCoeff() <= noise) return spokes;
+  std::vector<BezierCurve> result;
+  for (std::size_t i = 0; i < spokes.size(); ++i) {
+    Poles poles = rows::elevated<3>(spokes[i].poles(), n);
+    poles.row(2) += changes.col(static_cast<Eigen::Index>(i)).transpose() / (n * (n - 1));
+    result.emplace_back(poles);
+  }
+  return result;
+}
+
+Eigen::Matrix3Xd shaped(const UmbrellaVertex& vertex, const Eigen::Matrix3d& form,
+                        const Eigen::Matrix3Xd& second) {
+  if (!form.allFinite()) refuse("the second fundamental form is not finite");
+  if (form != form.transpose()) refuse("the second fundamental form is not symmetric");
+  return shapedBy(vertex, form, second);
+}
+
+double largestMove(const std::vector<BezierCurve>& from, const std::vector<BezierCurve>& to) {
+  double largest = 0;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const Poles before = rows::elevated<3>(from[i].poles(), to[i].degree());
+    largest = std::max(largest, (to[i].poles() - before).rowwise().norm().maxCoeff());
+  }
+  return largest;
+}
+
+}  // namespace seamwright::umbrella

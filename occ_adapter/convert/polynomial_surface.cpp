@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRepTools.hxx>
+#include <BRep_Tool.hxx>
+#include <GeomConvert.hxx>
+#include <GeomConvert_ApproxSurface.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
+#include <TopLoc_Location.hxx>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include <seamwright/occ_adapter/convert/polynomial_surface.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+using opencascade::handle;
+using Spline = handle<Geom_BSplineSurface>;
+/// u from, to, v from, to.
+using Range = std::array<double, 4>;
+
+constexpr int points_across = 33;
+
+/// Within the surface's own range, and not longer than a period.
+void keepWithin(double low, double high, bool periodic, double& from, double& to) {
+  if (periodic) {
+    to = std::min(to, from + (high - low));
+  } else {
+    from = std::max(from, low);
+    to = std::min(to, high);
+  }
+}
+
+Range rangeOf(const TopoDS_Face& face, const Geom_Surface& surface) {
+  Range range{}, whole{};
+  BRepTools::UVBounds(face, range[0], range[1], range[2], range[3]);
+  surface.Bounds(whole[0], whole[1], whole[2], whole[3]);
+  keepWithin(whole[0], whole[1], surface.IsUPeriodic(), range[0], range[1]);
+  keepWithin(whole[2], whole[3], surface.IsVPeriodic(), range[2], range[3]);
+  return range;
+}
+
+template <class Visit>
+void visitGrid(const Range& range, const Visit& visit) {
+  for (int i = 0; i < points_across; ++i)
+    for (int j = 0; j < points_across; ++j)
+      visit(range[0] + (range[1] - range[0]) * i / (points_across - 1),
+            range[2] + (range[3] - range[2]) * j / (points_across - 1));
+}
+
+/// At points of the same parameters, and what of it may be rounding.
+struct Distance {
+  double largest_mm = 0, rounding_mm = 0;
+};
+
+Distance distanceOf(const Geom_Surface& a, const Geom_Surface& b, const Range& range) {
+  Distance distance;
+  double size = 0;
+  visitGrid(range, [&](double u, double v) {
+    const gp_Pnt p = a.Value(u, v);
+    size = std::max(size, p.XYZ().Modulus());
+    distance.largest_mm = std::max(distance.largest_mm, p.Distance(b.Value(u, v)));
+  });
+  distance.rounding_mm = 1024 * std::numeric_limits<double>::epsilon() * size;
+  return distance;
+}
+
+/// The surface itself where it is a polynomial in the same parameters; else null.
+PolynomialSurface exact(const handle<Geom_Surface>& trimmed, const Range& range) {
+  const Spline spline = GeomConvert::SurfaceToBSplineSurface(trimmed);
+  if (spline.IsNull() || spline->IsURational() || spline->IsVRational() || spline->IsUPeriodic() ||
+      spline->IsVPeriodic())
+    return {};
+  const Distance distance = distanceOf(*trimmed, *spline, range);
+  if (!(distance.largest_mm <= distance.rounding_mm)) return {};
+  return {spline, distance.largest_mm};
+}
+
+PolynomialSurface approximated(const handle<Geom_Surface>& trimmed, double near_mm) {
+  constexpr int largest_degree = 8, most_spans = 200;
+  const GeomConvert_ApproxSurface approximation(trimmed, near_mm, GeomAbs_C2, GeomAbs_C2, largest_degree,
+                                                largest_degree, most_spans, 0);
+  if (!approximation.HasResult()) throw std::runtime_error("it can't be approximated by a polynomial spline");
+  return {approximation.Surface(), approximation.MaxError()};
+}
+
+/// Poles of a side of the spline that is one point of the surface become that point.
+void collapse(const Geom_Surface& surface, const Range& range, Geom_BSplineSurface& spline) {
+  for (const bool along_u : {true, false})
+    for (const bool at_end : {false, true}) {
+      std::vector<gp_Pnt> side;
+      for (int k = 0; k < points_across; ++k) {
+        const double share = static_cast<double>(k) / (points_across - 1);
+        const double u = along_u ? range[0] + share * (range[1] - range[0]) : range[at_end ? 1 : 0];
+        const double v = along_u ? range[at_end ? 3 : 2] : range[2] + share * (range[3] - range[2]);
+        side.push_back(surface.Value(u, v));
+      }
+      const double rounding =
+          1024 * std::numeric_limits<double>::epsilon() * (1 + side.front().XYZ().Modulus());
+      if (std::ranges::any_of(side, [&](const gp_Pnt& p) { return p.Distance(side.front()) > rounding; }))
+        continue;
+      const int count = along_u ? spline.NbUPoles() : spline.NbVPoles();
+      for (int k = 1; k <= count; ++k)
+        spline.SetPole(along_u ? k : (at_end ? spline.NbUPoles() : 1),
+                       along_u ? (at_end ? spline.NbVPoles() : 1) : k, side.front());
+    }
+}
+
+}  // namespace
+
+PolynomialSurface polynomialSurface(const TopoDS_Face& face, double near_mm) {
+  TopLoc_Location location;
+  const handle<Geom_Surface> surface = BRep_Tool::Surface(face, location);
+  if (surface.IsNull()) throw std::runtime_error("it has no surface");
+  const Range range = rangeOf(face, *surface);
+  const handle<Geom_Surface> trimmed =
+      new Geom_RectangularTrimmedSurface(surface, range[0], range[1], range[2], range[3]);
+  PolynomialSurface polynomial = exact(trimmed, range);
+  if (polynomial.surface.IsNull()) {
+    polynomial = approximated(trimmed, near_mm);
+    collapse(*surface, range, *polynomial.surface);
+    polynomial.error_mm =
+        std::max(polynomial.error_mm, distanceOf(*trimmed, *polynomial.surface, range).largest_mm);
+  }
+  polynomial.surface->Transform(location.Transformation());
+  polynomial.error_mm *= std::abs(location.Transformation().ScaleFactor());
+  if (polynomial.error_mm <= near_mm) return polynomial;
+  std::ostringstream text;
+  text << "a polynomial spline keeps only as near as " << polynomial.error_mm << " mm, not " << near_mm
+       << " mm";
+  throw std::runtime_error(text.str());
+}
+
+}  // namespace seamwright::occ

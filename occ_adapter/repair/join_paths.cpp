@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRep_Tool.hxx>
+#include <Extrema_GenLocateExtPS.hxx>
+#include <Extrema_POnSurf.hxx>
+#include <Geom2dAPI_Interpolate.hxx>
+#include <Geom2d_BSplineCurve.hxx>
+#include <GeomAdaptor_Surface.hxx>
+#include <Standard_Failure.hxx>
+#include <TColStd_HArray1OfReal.hxx>
+#include <TColgp_HArray1OfPnt2d.hxx>
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <sstream>
+
+#include <seamwright/occ_adapter/convert/edge_image.hpp>
+#include <seamwright/occ_adapter/repair/solve.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+using opencascade::handle;
+
+/// A side of an edge, and where on its surface the nearest point of another one is.
+class TrimmedSide {
+ public:
+  explicit TrimmedSide(const FaceUse& use)
+      : placed_(surfaceOf(use.shape)), path_(pathOf(use.edge, use.shape)), surface_(placed_.surface) {}
+
+  const PlanarPath& path() const { return path_; }
+  gp_Pnt2d at(double s) const { return path_.curve->Value(path_.first + s * (path_.last - path_.first)); }
+  gp_Pnt point(const gp_Pnt2d& uv) const { return placed_.at(uv); }
+  /// The start where none is found.
+  gp_Pnt2d nearest(const gp_Pnt& point, const gp_Pnt2d& start) const {
+    Extrema_GenLocateExtPS search(surface_);
+    search.Perform(point.Transformed(placed_.location.Transformation().Inverted()), start.X(), start.Y());
+    if (!search.IsDone()) return start;
+    double u = 0, v = 0;
+    search.Point().Parameter(u, v);
+    return {u, v};
+  }
+
+ private:
+  PlacedSurface placed_;
+  PlanarPath path_;
+  GeomAdaptor_Surface surface_;
+};
+
+/// Points in both parameter planes that are one in space.
+using Meeting = std::array<gp_Pnt2d, 2>;
+
+/// New paths of one edge. A side that has none keeps its path.
+struct NewPaths {
+  std::array<handle<Geom2d_Curve>, 2> curves;
+  double apart_mm = 0;
+  double move_mm = 0;  ///< of a point of the edge
+};
+
+class PathJoin {
+ public:
+  /// Of the gap tolerance that new paths may be apart.
+  static constexpr double share = 0.25;
+
+  PathJoin(const Seam& seam, double gap_mm)
+      : sides_{TrimmedSide(seam.sides[0]), TrimmedSide(seam.sides[1])}, gap_mm_(gap_mm) {}
+
+  double apartAtEnds_mm() const { return std::max(apart(shown(0)), apart(shown(1))); }
+
+  /// \param may_change by side. \returns nothing where the surfaces do not meet near the edge.
+  std::optional<NewPaths> join(const std::array<bool, 2>& may_change) const {
+    constexpr int fewest = 16, most = 1024;
+    for (int count = fewest; count <= most; count *= 2) {
+      const std::vector<Meeting> points = meetings(count, may_change);
+      const double apart_mm = farthest(points);
+      if (apart_mm > share * gap_mm_) return {};
+      NewPaths paths = interpolated(points, may_change);
+      if (paths.apart_mm <= share * gap_mm_) return paths;
+    }
+    return {};
+  }
+
+ private:
+  Meeting shown(double s) const { return {sides_[0].at(s), sides_[1].at(s)}; }
+  double farthest(const std::vector<Meeting>& points) const {
+    double apart_mm = 0;
+    for (const Meeting& at : points) apart_mm = std::max(apart_mm, apart(at));
+    return apart_mm;
+  }
+  double apart(const Meeting& at) const { return sides_[0].point(at[0]).Distance(sides_[1].point(at[1])); }
+
+  /// By projections to and fro, of which the first is enough where the other side's path lies on the surface.
+  Meeting met(double s, const std::array<bool, 2>& may_change) const {
+    constexpr int most = 100;
+    constexpr double near = 1e-3;
+    Meeting at = shown(s);
+    for (int k = 0; k < most && apart(at) > near * gap_mm_; ++k)
+      for (const int side : {0, 1})
+        if (may_change[side]) at[side] = sides_[side].nearest(sides_[1 - side].point(at[1 - side]), at[side]);
+    return at;
+  }
+
+  handle<Geom2d_Curve> interpolated(int side, const std::vector<Meeting>& points) const {
+    const PlanarPath& path = sides_[side].path();
+    const int count = static_cast<int>(points.size());
+    const handle<TColgp_HArray1OfPnt2d> places = new TColgp_HArray1OfPnt2d(1, count);
+    const handle<TColStd_HArray1OfReal> parameters = new TColStd_HArray1OfReal(1, count);
+    for (int k = 0; k < count; ++k) {
+      places->SetValue(k + 1, points[k][side]);
+      parameters->SetValue(k + 1, path.first + (path.last - path.first) * k / (count - 1));
+    }
+    parameters->SetValue(count, path.last);
+    Geom2dAPI_Interpolate interpolation(places, parameters, false, 0);
+    interpolation.Perform();
+    return handle<Geom2d_Curve>(interpolation.Curve());
+  }
+
+  /// The ends stay, as other edges end there.
+  std::vector<Meeting> meetings(int count, const std::array<bool, 2>& may_change) const {
+    std::vector<Meeting> points;
+    for (int k = 0; k <= count; ++k) {
+      const double s = static_cast<double>(k) / count;
+      points.push_back(k == 0 || k == count ? shown(s) : met(s, may_change));
+    }
+    return points;
+  }
+
+  NewPaths interpolated(const std::vector<Meeting>& points, const std::array<bool, 2>& may_change) const {
+    NewPaths paths;
+    for (const int side : {0, 1})
+      if (may_change[side]) paths.curves[side] = interpolated(side, points);
+    constexpr int between = 4;
+    const int count = static_cast<int>(points.size()) - 1;
+    for (int k = 0; k <= between * count; ++k) {
+      const double s = static_cast<double>(k) / (between * count);
+      const Meeting before = shown(s);
+      Meeting after = before;
+      for (const int side : {0, 1}) {
+        if (paths.curves[side].IsNull()) continue;
+        const PlanarPath& path = sides_[side].path();
+        after[side] = paths.curves[side]->Value(path.first + s * (path.last - path.first));
+        paths.move_mm = std::max(paths.move_mm,
+                                 sides_[side].point(before[side]).Distance(sides_[side].point(after[side])));
+      }
+      paths.apart_mm = std::max(paths.apart_mm, apart(after));
+    }
+    return paths;
+  }
+
+  std::array<TrimmedSide, 2> sides_;
+  double gap_mm_;
+};
+
+class PathSolver {
+ public:
+  explicit PathSolver(const RepairTask& task) : task_(task) {}
+
+  RepairSolution run(const Progress& progress) {
+    const auto all = static_cast<double>(std::ranges::count(task_.treated, true));
+    int done = 0;
+    for (std::size_t i = 0; i < task_.treated.size(); ++i) {
+      if (!task_.treated[i]) continue;
+      if (progress && !progress(done++ / all)) throw Cancelled();
+      try {
+        if (const std::string why = join(i); !why.empty()) solution_.failures[i] = why;
+      } catch (const Standard_Failure& failure) {
+        solution_.failures[i] = std::string("OpenCASCADE failed: ") + failure.DynamicType()->Name();
+      }
+    }
+    return std::move(solution_);
+  }
+
+ private:
+  std::string join(std::size_t i) {
+    const Seam& seam = task_.seams[i];
+    const double gap_mm = task_.options.tolerance.gap_mm;
+    if (!isOfPathsAlone(i)) return "moving the edge alone does not make it flow";
+    const PathJoin paths(seam, gap_mm);
+    if (const double apart_mm = paths.apartAtEnds_mm(); apart_mm > PathJoin::share * gap_mm) {
+      std::ostringstream text;
+      text << "its sides are " << apart_mm << " mm apart at an end";
+      return text.str();
+    }
+    const bool first = mayTrim(seam, 0), second = mayTrim(seam, 1);
+    for (const std::array<bool, 2> change :
+         {std::array{false, true}, std::array{true, false}, std::array{true, true}}) {
+      if ((change[0] && !first) || (change[1] && !second)) continue;
+      const std::optional<NewPaths> joined = paths.join(change);
+      if (!joined || joined->move_mm > task_.options.max_move_mm) continue;
+      for (const int side : {0, 1})
+        if (change[side])
+          solution_.paths.push_back(
+              {seam.edges.front(), seam.sides[side].face, joined->curves[side], joined->move_mm});
+      return {};
+    }
+    return "the surfaces do not meet near the edge";
+  }
+
+  /// But for its gap the seam is as it should be, and the paths are the edge's own.
+  bool isOfPathsAlone(std::size_t i) const {
+    const Seam& seam = task_.seams[i];
+    if (seam.kind != SeamKind::Shared || seam.sides[0].face == seam.sides[1].face) return false;
+    for (const FaceUse& side : seam.sides)
+      if (pathOf(side.edge, side.shape).curve.IsNull()) return false;
+    const SeamResult& before = task_.before[i];
+    if (before.verdict.level != Level::None) return false;
+    SeamFigures closed = before.figures;
+    closed.gap_mm = Figure{0, 0, 0};
+    return task_.sharp[i] || judge(closed, task_.options.tolerance, Level::G1).level >= task_.options.level();
+  }
+
+  bool mayTrim(const Seam& seam, int side) const { return task_.faces[seam.sides[side].face].may_be_trimmed; }
+
+  const RepairTask& task_;
+  RepairSolution solution_;
+};
+
+}  // namespace
+
+RepairSolution joinPaths(const RepairTask& task, const Progress& progress) {
+  return PathSolver(task).run(progress);
+}
+
+}  // namespace seamwright::occ

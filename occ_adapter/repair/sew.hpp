@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <seamwright/occ_adapter/repair/repair.hpp>
+#include <seamwright/occ_adapter/repair/sewn_shape.hpp>
+
+/// Matched seams that become edges; not a public header.
+namespace seamwright::occ {
+
+/// A shape with its seams, and what they are.
+struct SewTask {
+  const TopoDS_Shape& shape;
+  const std::vector<Seam>& seams;         ///< matched ones that are found no more have no id
+  const std::vector<SeamResult>& before;  ///< in the same order
+  const RepairOptions& options;
+};
+
+struct SewSolution {
+  SewnShape sewn;                              ///< without a shape if nothing is sewn
+  std::vector<SeamResult> after;               ///< in the order of before, with the numbers of the sewn shape
+  std::vector<LooseEdge> open, non_manifold;   ///< of the sewn shape
+  std::map<std::size_t, std::string> reasons;  ///< seams that were to be sewn and are not
+};
+
+/// Sews what can be proven. \throws Cancelled.
+SewSolution sewLoose(const SewTask& task, const Progress& progress);
+
+/// What the attributes of a shape are for the sewn one.
+std::vector<ShapeAttribute> attributesAfter(const std::vector<ShapeAttribute>& attributes,
+                                            const TopoDS_Shape& before, const SewnShape& sewn);
+
+}  // namespace seamwright::occ

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <seamwright/occ_adapter/repair/stretches.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+class Cutter {
+ public:
+  Cutter(const std::vector<Seam>& seams, const std::vector<std::size_t>& chosen, double gap_mm)
+      : seams_(seams), gap_mm_(gap_mm) {
+    for (const std::size_t seam : chosen) add(seam);
+  }
+
+  SewnStretches run() {
+    for (auto& [edge, cuts] : result_.cuts) cuts = merged(edge, cuts);
+    for (SewnStretch& stretch : result_.stretches) settle(stretch);
+    return std::move(result_);
+  }
+
+ private:
+  void add(std::size_t number) {
+    const Seam& seam = seams_[number];
+    SewnStretch stretch;
+    stretch.seam = number;
+    stretch.places = {Places{seam.correspondence.a.front(), seam.correspondence.a.back()},
+                      Places{seam.correspondence.b.front(), seam.correspondence.b.back()}};
+    for (const int side : {0, 1}) {
+      const int edge = seam.edges[side];
+      stretch.edges[side] = edge;
+      if (paths_.count(edge) == 0) {
+        const FaceUse& use = seam.sides[side];
+        paths_[edge] = {surfaceOf(use.shape), pathOrBuilt(use.edge, use.shape, gap_mm_)};
+      }
+      for (const double place : stretch.places[side]) result_.cuts[edge].push_back(place);
+    }
+    result_.stretches.push_back(stretch);
+  }
+
+  gp_Pnt point(int edge, double place) const {
+    const EdgeSide& side = paths_.at(edge);
+    return side.placed.at(
+        side.path.curve->Value(side.path.first + place * (side.path.last - side.path.first)));
+  }
+
+  bool areOne(int edge, double a, double b) const {
+    constexpr double half_way_round = 0.5;
+    return std::abs(a - b) < half_way_round && point(edge, a).Distance(point(edge, b)) <= gap_mm_;
+  }
+
+  std::vector<double> merged(int edge, std::vector<double> places) const {
+    std::ranges::sort(places);
+    std::vector<double> kept = {0};
+    for (const double place : places)
+      if (!areOne(edge, kept.back(), place) && !areOne(edge, place, 1)) kept.push_back(place);
+    kept.push_back(1);
+    return kept;
+  }
+
+  static int nearest(const std::vector<double>& cuts, double place) {
+    const auto found =
+        std::ranges::min_element(cuts, {}, [place](double cut) { return std::abs(cut - place); });
+    return static_cast<int>(found - cuts.begin());
+  }
+
+  void settle(SewnStretch& stretch) {
+    for (const int side : {0, 1}) {
+      const std::vector<double>& cuts = result_.cuts.at(stretch.edges[side]);
+      Places& places = stretch.places[side];
+      const int from = nearest(cuts, places[0]), to = nearest(cuts, places[1]);
+      const std::string edge = "edge " + std::to_string(stretch.edges[side]);
+      if (std::abs(to - from) > 1)
+        result_.refused[stretch.seam] = "along it another stretch of " + edge + " begins or ends";
+      else if (to == from)
+        result_.refused[stretch.seam] = "its stretch of " + edge + " is no longer than the gap tolerance";
+      stretch.pieces[side] = std::min(from, to);
+      places = {cuts[from], cuts[to]};
+      if (!taken_.insert({stretch.edges[side], stretch.pieces[side]}).second)
+        result_.refused[stretch.seam] = edge + " lies along another edge there too";
+    }
+  }
+
+  const std::vector<Seam>& seams_;
+  double gap_mm_;
+  std::map<int, EdgeSide> paths_;
+  std::set<std::pair<int, int>> taken_;
+  SewnStretches result_;
+};
+
+}  // namespace
+
+SewnStretches sewnStretches(const std::vector<Seam>& seams, const std::vector<std::size_t>& chosen,
+                            double gap_mm) {
+  return Cutter(seams, chosen, gap_mm).run();
+}
+
+}  // namespace seamwright::occ

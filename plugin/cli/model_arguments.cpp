@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <numbers>
+#include <seamwright/occ_adapter/model/read.hpp>
+#include <seamwright/plugin/cli/model_arguments.hpp>
+#include <seamwright/plugin/cli/progress_bar.hpp>
+#include <sstream>
+#include <stdexcept>
+
+namespace seamwright::cli {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+std::vector<std::string> profileNames() {
+  std::vector<std::string> names;
+  for (const ToleranceProfile& profile : toleranceProfiles()) names.emplace_back(profile.name);
+  return names;
+}
+
+std::string profilesHelp() {
+  std::ostringstream text;
+  text << "Profiles (an option given by itself overrides that figure of the profile, in any order):\n";
+  for (const ToleranceProfile& profile : toleranceProfiles()) {
+    const ContinuityTolerance& t = profile.tolerance;
+    text << "  " << std::left << std::setw(9) << profile.name << "gap " << t.gap_mm << " mm, angle "
+         << t.angle_rad / degree << " deg, curvature " << t.curvature_rel << ", flat radius "
+         << t.flat_radius_mm << " mm, crease " << t.crease_rad / degree << " deg\n           "
+         << profile.purpose << '\n';
+  }
+  return text.str();
+}
+
+}  // namespace
+
+void addMeasureOptions(CLI::App& command, MeasureArguments& arguments) {
+  command.add_option("--profile", arguments.profile, "What is accepted, by name (see below)")
+      ->check(CLI::IsMember(profileNames()))
+      ->capture_default_str();
+  command.add_option("--gap", arguments.gap_mm, "G0: largest distance of the two sides, mm")->type_name("MM");
+  command.add_option("--angle", arguments.angle_deg, "G1: largest angle of the tangent planes, degrees")
+      ->type_name("DEG");
+  command
+      .add_option("--curvature", arguments.curvature_rel,
+                  "G2: largest relative difference of normal curvature")
+      ->type_name("REL");
+  command
+      .add_option("--flat-radius", arguments.flat_radius_mm, "Flatter than this radius counts as flat, mm")
+      ->type_name("MM");
+  command
+      .add_option("--crease", arguments.crease_deg, "Above this angle a seam is an edge by design, degrees")
+      ->type_name("DEG");
+  command
+      .add_option("--match", arguments.match_mm,
+                  "Measure also between open edges no further apart than this, mm; 0: between none")
+      ->type_name("MM")
+      ->capture_default_str();
+  command.add_option("--jobs", arguments.jobs, "Threads; 0: one for each processor")->capture_default_str();
+  command.footer(profilesHelp());
+}
+
+ContinuityTolerance toleranceOf(const MeasureArguments& arguments) {
+  ContinuityTolerance tolerance = toleranceProfile(arguments.profile).value();
+  if (arguments.gap_mm) tolerance.gap_mm = *arguments.gap_mm;
+  if (arguments.angle_deg) tolerance.angle_rad = *arguments.angle_deg * degree;
+  if (arguments.curvature_rel) tolerance.curvature_rel = *arguments.curvature_rel;
+  if (arguments.flat_radius_mm) tolerance.flat_radius_mm = *arguments.flat_radius_mm;
+  if (arguments.crease_deg) tolerance.crease_rad = *arguments.crease_deg * degree;
+  return tolerance;
+}
+
+std::string doing(const std::string& what, const std::string& path) {
+  return what + ' ' + std::filesystem::path(path).filename().string();
+}
+
+occ::Model readUnderBar(const std::string& path) {
+  ProgressBar bar(doing("reading", path));
+  return occ::readModel(path, bar.progress());
+}
+
+void requireOutputIsNoModel(const std::string& output, const std::vector<std::string>& models) {
+  for (const std::string& model : models) {
+    std::error_code error;
+    if (std::filesystem::equivalent(model, output, error))
+      throw std::runtime_error(output + ": is a model to be read, it would be overwritten");
+  }
+}
+
+void warn(const std::string& path, const std::vector<std::string>& notes) {
+  for (const std::string& note : notes)
+    std::cerr << "seamwright: warning: " << path << ": " << note << std::endl;
+}
+
+}  // namespace seamwright::cli

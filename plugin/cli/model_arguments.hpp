@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <optional>
+#include <seamwright/core/seam/judge.hpp>
+#include <seamwright/occ_adapter/model/model.hpp>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+/// What the commands on models share.
+namespace seamwright::cli {
+
+/// How seams are measured; angles in degrees as the user types them. A tolerance without a value is that of the profile.
+struct MeasureArguments {
+  std::string profile = "default";
+  std::optional<double> gap_mm;
+  std::optional<double> angle_deg;
+  std::optional<double> curvature_rel;
+  std::optional<double> flat_radius_mm;
+  std::optional<double> crease_deg;
+  double match_mm = 0;
+  int jobs = 0;
+};
+
+/// Adds the options to a command, and the profiles to its help; they are parsed into \p arguments.
+void addMeasureOptions(CLI::App& command, MeasureArguments& arguments);
+
+/// The profile's tolerances, with those given one by one in their place.
+ContinuityTolerance toleranceOf(const MeasureArguments& arguments);
+
+/// "reading part.step": what a progress bar says of a file.
+std::string doing(const std::string& what, const std::string& path);
+
+/// The model of a file, read under a progress bar.
+occ::Model readUnderBar(const std::string& path);
+
+/// \throws std::runtime_error if the output is one of the files to be read.
+void requireOutputIsNoModel(const std::string& output, const std::vector<std::string>& models);
+
+/// Notes of a file on standard error.
+void warn(const std::string& path, const std::vector<std::string>& notes);
+
+}  // namespace seamwright::cli

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <seamwright/occ_adapter/model/write.hpp>
+#include <seamwright/plugin/cli/output.hpp>
+#include <seamwright/plugin/cli/progress_bar.hpp>
+#include <seamwright/plugin/cli/repair_command.hpp>
+#include <seamwright/plugin/report/json.hpp>
+#include <seamwright/plugin/report/repair_json.hpp>
+#include <seamwright/plugin/report/repair_table.hpp>
+#include <stdexcept>
+
+namespace seamwright::cli {
+
+namespace {
+
+occ::RepairOptions optionsOf(const RepairArguments& arguments) {
+  occ::RepairOptions options;
+  options.order = arguments.target == "G2" ? 2 : 1;
+  options.tolerance = toleranceOf(arguments.measure);
+  options.max_move_mm = arguments.max_move_mm;
+  options.edges = arguments.edges;
+  options.fixed_faces = arguments.fixed_faces;
+  options.match_mm = arguments.measure.match_mm;
+  options.sew = arguments.sew;
+  options.jobs = arguments.measure.jobs;
+  options.validate();
+  return options;
+}
+
+/// What can be told of the files before the model is read.
+void requireFiles(const RepairArguments& arguments, const occ::WriteOptions& options) {
+  occ::requireTarget(arguments.model, arguments.output, options);
+  if (arguments.json.empty()) return;
+  requireWritable(arguments.json);
+  requireOutputIsNoModel(arguments.json, {arguments.model});
+  if (std::filesystem::weakly_canonical(arguments.json) ==
+      std::filesystem::weakly_canonical(arguments.output))
+    throw std::runtime_error(arguments.json + ": is the repaired model; name another file for the report");
+}
+
+occ::RepairReport repairFile(const std::string& path, const occ::RepairOptions& options) {
+  const occ::Model model = readUnderBar(path);
+  ProgressBar bar(doing("repairing", path));
+  return occ::repair(model, options, bar.progress());
+}
+
+occ::WriteReport writeUnderBar(const occ::Model& model, const std::string& path,
+                               const occ::WriteOptions& options) {
+  ProgressBar bar(doing("writing", path));
+  return occ::writeModel(model, path, options, bar.progress());
+}
+
+/// The report as it is once the model is written.
+std::string jsonOf(const occ::RepairReport& report, const occ::RepairOptions& options,
+                   const std::string& output) {
+  return report::toLine(
+             report::toJson(report, options, report::RepairOutput{output, occ::targetFormat(output)})) +
+         '\n';
+}
+
+}  // namespace
+
+void addRepairOptions(CLI::App& command, RepairArguments& arguments) {
+  command.add_option("MODEL", arguments.model, "STEP, IGES or BREP file, told by its content")->required();
+  command
+      .add_option("-o", arguments.output,
+                  "The repaired model: .step, .stp, .iges, .igs, .brep, .brp or .bin (binary BREP)")
+      ->type_name("OUT")
+      ->required();
+  command.add_option("--target", arguments.target, "What the seams must reach: G1 or G2")
+      ->check(CLI::IsMember({"G1", "G2"}))
+      ->capture_default_str();
+  command.add_option("--max-move", arguments.max_move_mm, "No pole moves further than this, mm")
+      ->type_name("MM")
+      ->capture_default_str();
+  command
+      .add_option("--edges", arguments.edges, "Edges whose seams are treated, as 3,7,12; else all defects")
+      ->type_name("EDGES")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command.add_option("--fix", arguments.fixed_faces, "Faces that stay, as 1,4")
+      ->type_name("FACES")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  addMeasureOptions(command, arguments.measure);
+  command.add_flag("!--no-sew", arguments.sew,
+                   "Edges that --match finds stay two, though they meet within the gap");
+  command.add_option("--json", arguments.json, "Write a report to this file")->type_name("FILE");
+  command.add_flag("--overwrite", arguments.overwrite, "Another file of OUT's name may be replaced");
+  command.add_flag("--overwrite-source", arguments.overwrite_source, "OUT may be MODEL itself");
+}
+
+int runRepair(const RepairArguments& arguments) {
+  const occ::RepairOptions options = optionsOf(arguments);
+  const occ::WriteOptions how = {.overwrite = arguments.overwrite,
+                                 .overwrite_source = arguments.overwrite_source};
+  requireFiles(arguments, how);
+  const occ::RepairReport report = repairFile(arguments.model, options);
+  std::optional<PendingFile> json;
+  if (!arguments.json.empty()) json.emplace(arguments.json, jsonOf(report, options, arguments.output));
+  const occ::WriteReport written = writeUnderBar(report.model, arguments.output, how);
+  if (json) json->takePlace();
+  writeStandardOutput(report::toTable(report));
+  warn(arguments.model, report.before.model.notes);
+  warn(arguments.output, written.notes);
+  return report.after.passed() ? 0 : 1;
+}
+
+}  // namespace seamwright::cli

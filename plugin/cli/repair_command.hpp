@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <seamwright/occ_adapter/repair/repair.hpp>
+#include <seamwright/plugin/cli/model_arguments.hpp>
+#include <string>
+#include <vector>
+
+namespace seamwright::cli {
+
+/// What `seamwright repair` was asked to do.
+struct RepairArguments {
+  std::string model;
+  std::string output;
+  std::string target = "G1";
+  MeasureArguments measure;
+  double max_move_mm = occ::RepairOptions{}.max_move_mm;
+  std::vector<int> edges;
+  std::vector<int> fixed_faces;
+  bool sew = true;
+  std::string json;
+  bool overwrite = false;
+  bool overwrite_source = false;
+};
+
+/// Adds the options to a command; they are parsed into \p arguments.
+void addRepairOptions(CLI::App& command, RepairArguments& arguments);
+
+/// \returns exit status 0 (all seams of the result meet the level) or 1. Writes neither model nor report if it throws for
+/// another reason than standard output.
+int runRepair(const RepairArguments& arguments);
+
+}  // namespace seamwright::cli

@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is said about a repair: the table of the seams that were to be repaired, and the summary.
+
+The report is a dict: ``target`` ("G1"), ``tolerance``, ``chosen`` (whether the user named the seams), ``seams`` (each a
+dict of before, after, repaired and reason; of those that were to be repaired), ``moves`` (each a dict of face and
+largest_move_mm), ``total`` (number of all seams), and of the whole model before and after: ``defects``, ``gap_mm``,
+``angle_deg``. What stands for "after" is None where nothing was repaired yet.
+"""
+
+import math
+import re
+from dataclasses import dataclass
+
+from freecad.seamwright.plain import enclosure, rows, summary
+
+ARROW = " \u2192 "
+
+REPAIRED, LEFT, WAITING = "repaired", "left", "waiting"
+
+EMPTY_REPORT = {
+    "target": "G1",
+    "tolerance": {},
+    "chosen": False,
+    "seams": [],
+    "moves": [],
+    "total": 0,
+    **{name: [None, None] for name in ("defects", "gap_mm", "angle_deg")},
+}
+
+
+@dataclass(frozen=True)
+class Row:
+    """One seam that was to be repaired, ready to be shown."""
+
+    seam: int
+    edges: tuple
+    state: str  # REPAIRED, LEFT or WAITING
+    cells: tuple  # texts, one for each of COLUMNS
+    detail: str
+
+
+#: heading, tool tip
+COLUMNS = (
+    ("Seam", "Number of the seam in the model"),
+    ("Faces", "Numbers of the two faces that meet"),
+    ("Angle \u00b0", "Largest angle between the tangent planes, before and after, in degrees"),
+    ("Gap mm", "Largest distance between the two sides, before and after, in mm"),
+    ("Curvature %", "Largest relative difference of curvature, before and after, in %"),
+    ("Result", "Repaired, or why not"),
+)
+
+#: The column that is shown for the target G2 alone.
+CURVATURE_COLUMN = 4
+
+
+def build_report(before, after, seams, moves, target, chosen):
+    """The report from what the kernel found.
+
+    ``before``, ``after``: reports of the analysis; ``after`` is None before the repair. ``seams``: dicts of before,
+    after, treated, repaired and reason, of all seams.
+    """
+    wanted = [
+        {name: seam[name] for name in ("before", "after", "repaired", "reason")}
+        for seam in seams
+        if seam["treated"] or seam["reason"]
+    ]
+    both = (before, after)
+    return {
+        "target": target,
+        "tolerance": before["tolerance"],
+        "chosen": chosen,
+        "seams": wanted,
+        "moves": moves,
+        "total": len(before["seams"]),
+        "defects": [None if each is None else summary.class_counts(each)["defect"] for each in both],
+        **{name: [_largest(each, name) for each in both] for name in ("gap_mm", "angle_deg")},
+    }
+
+
+def _largest(report, name):
+    return None if report is None else summary.largest(report, name)
+
+
+def waiting(before, target, edges):
+    """The seams that a repair would treat, as ``build_report`` takes them.
+
+    ``before``: the report of an analysis at the level ``target``; ``edges``: the numbers of those that the user named,
+    none for all defects.
+    """
+
+    def is_wanted(seam):
+        if not edges:
+            return seam["class"] == "defect"
+        short = rows.LEVELS.index(seam["level"]) < rows.LEVELS.index(target)
+        return short and not edges.isdisjoint(seam["edges"])
+
+    return [
+        {"before": seam, "after": None, "treated": is_wanted(seam), "repaired": False, "reason": ""}
+        for seam in before["seams"]
+    ]
+
+
+def is_done(report):
+    """Whether a repair has been tried, not only foreseen."""
+    return report["defects"][1] is not None
+
+
+def repaired_count(report):
+    """How many seams were repaired."""
+    return sum(seam["repaired"] for seam in report["seams"])
+
+
+def largest_move_mm(report):
+    """The largest move of a pole; 0 when nothing moved."""
+    return max((move["largest_move_mm"] for move in report["moves"]), default=0.0)
+
+
+def summary_text(report):
+    """One line: how many seams were repaired to what, what moved, what is left."""
+    wanted, target = len(report["seams"]), report["target"]
+    if not wanted:
+        return _nothing_text(report)
+    if not is_done(report):
+        return "%s to repair to %s." % (summary.counted(wanted, "seam"), target)
+    done = repaired_count(report)
+    parts = ["%d of %s repaired to %s" % (done, summary.counted(wanted, "seam"), target)]
+    if report["moves"]:
+        moved = summary.counted(len(report["moves"]), "face")
+        parts.append("%s moved by up to %s mm" % (moved, enclosure.number(largest_move_mm(report))))
+    else:
+        parts.append("nothing moved")
+    parts.append("defects before %d, after %d" % tuple(report["defects"]))
+    return "; ".join(parts) + "."
+
+
+def _nothing_text(report):
+    if not report["total"]:
+        return "Nothing to repair: no two faces share an edge, and none are matched."
+    seams = "the chosen seams meet" if report["chosen"] else "no seam falls short of"
+    return "Nothing to repair: %s %s; the model is as it was." % (seams, report["target"])
+
+
+def build_rows(report):
+    """The rows of the table, the worst before the repair first."""
+    tolerance, target = report["tolerance"], report["target"]
+    ranked = sorted(
+        report["seams"], key=lambda seam: (-_severity(seam["before"], tolerance, target), seam["before"]["id"])
+    )
+    return [_row(seam, tolerance, is_done(report)) for seam in ranked]
+
+
+def _severity(seam, tolerance, target):
+    severity = rows.severity(seam, tolerance, target)
+    return math.inf if math.isnan(severity) else severity
+
+
+def _row(seam, tolerance, done):
+    before, after = seam["before"], seam["after"]
+    state = WAITING if not done else REPAIRED if seam["repaired"] else LEFT
+    figures = (_change_text(before, after, name, tolerance) for name in ("angle_deg", "gap_mm", "curvature_rel"))
+    reason = named(seam["reason"])
+    result = {WAITING: "", REPAIRED: "repaired", LEFT: reason}[state]
+    faces = ", ".join(str(number) for number in before["faces"])
+    return Row(
+        seam=before["id"],
+        edges=tuple(before["edges"]),
+        state=state,
+        cells=(str(before["id"]), faces, *figures, result),
+        detail=_detail(before, after, reason, tolerance),
+    )
+
+
+def named(text):
+    """A sentence of the kernel with its faces and edges as the user reads them: "Face3"."""
+    return re.sub(r"\b(face|edge) (\d+)\b", lambda found: found.group(1).capitalize() + found.group(2), text)
+
+
+def _change_text(before, after, name, tolerance):
+    """ "0.62 \u2192 \u22641e-9", or the figure before alone where there is none after."""
+    texts = [rows.figure_text(seam, name, tolerance) for seam in (before, after) if seam is not None]
+    return ARROW.join(texts)
+
+
+def _detail(before, after, reason, tolerance):
+    parts = [("Before", before)] + ([("After", after)] if after is not None else [])
+    texts = ["%s: %s" % (when, rows.detail_text(seam, tolerance)) for when, seam in parts]
+    return "\n\n".join(texts + ([reason] if reason else []))
+
+
+def located(report, name):
+    """The report as the view wants it, with each face and edge of the seams as part of the object ``name``."""
+    seams = [seam["before"] for seam in report["seams"]]
+    return {
+        "tolerance": report["tolerance"],
+        "freecad": {
+            kind: {str(n): [name, prefix + str(n)] for seam in seams for n in seam[kind]}
+            for kind, prefix in (("faces", "Face"), ("edges", "Edge"))
+        },
+    }

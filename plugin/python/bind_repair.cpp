@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <limits>
+#include <seamwright/occ_adapter/repair/repair.hpp>
+#include <seamwright/plugin/python/arguments.hpp>
+#include <seamwright/plugin/python/bindings.hpp>
+#include <seamwright/plugin/python/model_calls.hpp>
+#include <seamwright/plugin/report/json.hpp>
+#include <seamwright/plugin/report/repair_json.hpp>
+#include <seamwright/plugin/report/repair_table.hpp>
+
+namespace seamwright::python {
+
+namespace {
+
+/// What came of a repair, with what was asked for.
+struct RepairReport {
+  occ::RepairReport report;
+  occ::RepairOptions options;
+};
+
+/// Edges by their numbers; none given means all defects, so an empty choice is told from that.
+std::vector<int> edgesOf(const py::object& edges) {
+  if (edges.is_none()) return {};
+  std::vector<int> numbers = wholeNumbers("edges", edges);
+  if (numbers.empty())
+    throw py::value_error("edges is " + shown(edges) + ": name one at least, or None for all defects");
+  return numbers;
+}
+
+RepairReport repairModel(const occ::Model& model, const py::object& target, const py::object& profile,
+                         const py::object& gap_mm, const py::object& angle_deg,
+                         const py::object& curvature_rel, const py::object& flat_radius_mm,
+                         const py::object& crease_deg, const py::object& max_move_mm, const py::object& edges,
+                         const py::object& fixed_faces, const py::object& match_mm, const py::object& sew,
+                         const py::object& jobs, const py::object& progress) {
+  occ::RepairOptions options;
+  options.order = orderOf(target);
+  options.tolerance = toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg});
+  options.max_move_mm = max_move_mm.is_none() ? std::numeric_limits<double>::infinity()
+                                              : argument<double>("max_move_mm", max_move_mm, "a number");
+  options.edges = edgesOf(edges);
+  options.fixed_faces = wholeNumbers("fixed_faces", fixed_faces);
+  if (!match_mm.is_none()) options.match_mm = argument<double>("match_mm", match_mm, "a number");
+  options.sew = flagOf("sew", sew);
+  options.jobs = argument<int>("jobs", jobs, "a whole number");
+  const occ::Progress report = progressOf(progress);
+  const py::gil_scoped_release release;
+  return {occ::repair(model, options, report), options};
+}
+
+py::object toDict(const RepairReport& repair) {
+  return plainObject(report::toJson(repair.report, repair.options));
+}
+
+std::string shortly(const RepairReport& repair) {
+  const report::RepairSummary summary = report::summarize(repair.report);
+  return "<RepairReport: " + std::to_string(summary.repaired) + " of " + std::to_string(summary.treated) +
+         " seams repaired, " + std::to_string(summary.defects_after) + " defects left>";
+}
+
+}  // namespace
+
+void bindRepair(py::module_& module) {
+  py::class_<RepairReport>(module, "RepairReport", py::module_local(), "What came of Model.repair().")
+      .def_property_readonly(
+          "model", [](const RepairReport& repair) { return repair.report.model; },
+          "The repaired model: same faces, edges and solids, in the same order unless edges were "
+          "sewn.")
+      .def_property_readonly(
+          "before", [](const RepairReport& repair) { return repair.report.before; },
+          "The Report of the model as it was.")
+      .def_property_readonly(
+          "after", [](const RepairReport& repair) { return repair.report.after; },
+          "The Report of the repaired model.")
+      .def_property_readonly(
+          "changed", [](const RepairReport& repair) { return repair.report.changed(); },
+          "Some face moved, or edges were sewn.")
+      .def_property_readonly(
+          "passed", [](const RepairReport& repair) { return repair.report.after.passed(); },
+          "No seam is a defect any more.")
+      .def_property_readonly(
+          "seams", [](const RepairReport& repair) { return py::object(toDict(repair)["seams"]); },
+          "All seams: a list of dicts {before, after, treated, repaired, reason, sewn, not_sewn}.")
+      .def_property_readonly(
+          "moves", [](const RepairReport& repair) { return py::object(toDict(repair)["moves"]); },
+          "The faces that moved: a list of dicts {face, largest_move_mm}.")
+      .def_property_readonly(
+          "summary",
+          [](const RepairReport& repair) {
+            return plainObject(report::toJson(report::summarize(repair.report)));
+          },
+          "A dict {seams, treated, repaired, left, sewn, defects_before, defects_after, largest_move_mm, "
+          "changed}.")
+      .def("to_dict", &toDict, "All but the model as a plain dict with the keys of the JSON.")
+      .def(
+          "to_json",
+          [](const RepairReport& repair) {
+            return report::toLine(report::toJson(repair.report, repair.options));
+          },
+          "The report as one line of JSON, schema seamwright.repair/1.")
+      .def(
+          "to_table", [](const RepairReport& repair) { return readable(report::toTable(repair.report)); },
+          "The report as text for people.")
+      .def("__repr__", &shortly);
+  py::class_<occ::Model> model(module.attr("Model"));
+  model.def(
+      "repair", &repairModel, py::kw_only(), py::arg("target") = "G1", py::arg("profile") = "default",
+      py::arg("gap_mm") = py::none(), py::arg("angle_deg") = py::none(),
+      py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
+      py::arg("crease_deg") = py::none(), py::arg("max_move_mm") = occ::RepairOptions{}.max_move_mm,
+      py::arg("edges") = py::none(), py::arg("fixed_faces") = py::tuple(), py::arg("match_mm") = 0.0,
+      py::arg("sew") = true, py::arg("jobs") = 0, py::arg("progress") = py::none(),
+      "Moves poles of spline faces, as little as possible, until the seams chosen flow; proves it, or "
+      "leaves them as they were. Returns a RepairReport; the model is not changed.\n\n"
+      "target: 'G1' or 'G2'. Tolerances as in analyze(). max_move_mm: no pole moves further; None: any "
+      "distance. edges: numbers of the edges, from 1, whose seams are treated; None: all defects. "
+      "fixed_faces: numbers of faces that stay. match_mm: also open edges no further apart than this; 0: "
+      "none. sew: such edges become one where they meet within the gap tolerance. jobs: threads; 0: one for "
+      "each processor.");
+}
+
+}  // namespace seamwright::python

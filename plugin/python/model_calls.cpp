@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seamwright/plugin/python/model_calls.hpp>
+#include <seamwright/plugin/report/json.hpp>
+
+namespace seamwright::python {
+
+occ::Progress progressOf(const py::object& callable) {
+  return [&callable](double share) {
+    const py::gil_scoped_acquire gil;
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    return callable.is_none() || !callable(share).is(py::bool_(false));
+  };
+}
+
+py::object plainObject(const nlohmann::ordered_json& json) {
+  return py::module_::import("json").attr("loads")(report::toLine(json));
+}
+
+py::str readable(const std::string& text) {
+  return py::reinterpret_steal<py::str>(
+      PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace"));
+}
+
+}  // namespace seamwright::python

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <cmath>
+#include <seamwright/plugin/report/json.hpp>
+#include <seamwright/plugin/report/numbers.hpp>
+#include <seamwright/plugin/report/repair_json.hpp>
+
+namespace seamwright::report {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json optionsJson(const occ::RepairOptions& options) {
+  return {{"target", name(options.level())},
+          {"max_move_mm",
+           std::isfinite(options.max_move_mm) ? ordered_json(options.max_move_mm) : ordered_json(nullptr)},
+          {"edges", options.edges},
+          {"fixed_faces", options.fixed_faces},
+          {"match_mm", options.match_mm},
+          {"sew", options.sew}};
+}
+
+/// Numbers in the repaired model by those in the given one, from 1; null where they are the same.
+ordered_json numbersJson(const occ::RepairReport& report) {
+  if (!report.sewn()) return nullptr;
+  ordered_json faces = report.faces_now, edges = report.edges_now;
+  faces.erase(0);
+  edges.erase(0);
+  return {{"faces", std::move(faces)}, {"edges", std::move(edges)}};
+}
+
+ordered_json outputJson(const std::optional<RepairOutput>& output) {
+  if (!output) return nullptr;
+  return {{"path", output->path.string()}, {"format", name(output->format)}};
+}
+
+}  // namespace
+
+RepairSummary summarize(const occ::RepairReport& report) {
+  RepairSummary summary;
+  summary.seams = static_cast<int>(report.seams.size());
+  summary.changed = report.changed();
+  for (const occ::SeamRepair& seam : report.seams) {
+    summary.treated += seam.treated;
+    summary.repaired += seam.repaired;
+    summary.sewn += seam.sewn;
+    summary.left += seam.treated && !seam.repaired;
+  }
+  summary.defects_before = summarize(report.before).defects;
+  summary.defects_after = summarize(report.after).defects;
+  for (const occ::FaceMove& move : report.moves)
+    summary.largest_move_mm = std::max(summary.largest_move_mm, move.largest_move_mm);
+  return summary;
+}
+
+ordered_json toJson(const RepairSummary& summary) {
+  return {{"seams", summary.seams},
+          {"treated", summary.treated},
+          {"repaired", summary.repaired},
+          {"left", summary.left},
+          {"sewn", summary.sewn},
+          {"defects_before", summary.defects_before},
+          {"defects_after", summary.defects_after},
+          {"largest_move_mm", summary.largest_move_mm},
+          {"changed", summary.changed}};
+}
+
+ordered_json toJson(const occ::SeamRepair& seam, const ContinuityTolerance& tolerance) {
+  return {{"before", toJson(seam.before, tolerance)},
+          {"after", toJson(seam.after, tolerance)},
+          {"treated", seam.treated},
+          {"repaired", seam.repaired},
+          {"reason", seam.reason},
+          {"sewn", seam.sewn},
+          {"not_sewn", seam.not_sewn}};
+}
+
+ordered_json toJson(const occ::FaceMove& move) {
+  return {{"face", move.face}, {"largest_move_mm", move.largest_move_mm}};
+}
+
+ordered_json toJson(const occ::RepairReport& report, const occ::RepairOptions& options,
+                    const std::optional<RepairOutput>& output) {
+  ordered_json json = headJson("seamwright.repair/1", report.before);
+  json["options"] = optionsJson(options);
+  json["summary"] = toJson(summarize(report));
+  json["time_s"] = {{"read", report.before.read_s}, {"repair", report.repair_s}};
+  json["output"] = outputJson(output);
+  json["seams"] = ordered_json::array();
+  for (const occ::SeamRepair& seam : report.seams)
+    json["seams"].push_back(toJson(seam, report.before.tolerance));
+  json["moves"] = ordered_json::array();
+  for (const occ::FaceMove& move : report.moves) json["moves"].push_back(toJson(move));
+  json["numbers_now"] = numbersJson(report);
+  return json;
+}
+
+}  // namespace seamwright::report

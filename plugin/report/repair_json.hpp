@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <seamwright/occ_adapter/model/format.hpp>
+#include <seamwright/occ_adapter/repair/repair.hpp>
+
+namespace seamwright::report {
+
+/// Counts and the largest move of a repair.
+struct RepairSummary {
+  int seams = 0;
+  int treated = 0;
+  int repaired = 0;  ///< of those treated
+  int left = 0;      ///< of those treated: not repaired
+  int sewn = 0;
+  int defects_before = 0;
+  int defects_after = 0;
+  double largest_move_mm = 0;
+  bool changed = false;
+};
+
+RepairSummary summarize(const occ::RepairReport& report);
+
+/// Where the repaired model was written.
+struct RepairOutput {
+  std::filesystem::path path;
+  occ::Format format = occ::Format::Step;
+};
+
+nlohmann::ordered_json toJson(const RepairSummary& summary);
+nlohmann::ordered_json toJson(const occ::SeamRepair& seam, const ContinuityTolerance& tolerance);
+nlohmann::ordered_json toJson(const occ::FaceMove& move);
+
+/// The report as the object "seamwright.repair/1" (docs/repair-1.schema.json), lengths in mm, angles in degrees.
+/// \param output nothing where the model was not written.
+nlohmann::ordered_json toJson(const occ::RepairReport& report, const occ::RepairOptions& options,
+                              const std::optional<RepairOutput>& output = {});
+
+}  // namespace seamwright::report

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <seamwright/plugin/report/numbers.hpp>
+#include <seamwright/plugin/report/repair_json.hpp>
+#include <seamwright/plugin/report/repair_table.hpp>
+#include <seamwright/plugin/report/text.hpp>
+#include <sstream>
+
+namespace seamwright::report {
+
+namespace {
+
+std::string verdictOf(const occ::SeamRepair& seam) {
+  const std::string result = seam.repaired          ? "repaired"
+                             : seam.treated         ? "left"
+                             : !seam.reason.empty() ? "not treated"
+                                                    : "";
+  if (!seam.sewn) return result;
+  return result.empty() ? "sewn" : result + ", sewn";
+}
+
+std::string reasonOf(const occ::SeamRepair& seam) {
+  if (seam.not_sewn.empty()) return seam.reason;
+  return (seam.reason.empty() ? "not sewn: " : seam.reason + "; not sewn: ") + seam.not_sewn;
+}
+
+/// What was asked for: treated or sewn, or a reason why not.
+std::vector<const occ::SeamRepair*> shownSeams(const occ::RepairReport& report) {
+  std::vector<const occ::SeamRepair*> shown;
+  for (const occ::SeamRepair& seam : report.seams)
+    if (seam.treated || seam.sewn || !reasonOf(seam).empty()) shown.push_back(&seam);
+  std::ranges::stable_partition(shown, [](const occ::SeamRepair* seam) { return !seam->repaired; });
+  return shown;
+}
+
+std::string change(const std::string& before, const std::string& after) {
+  return before == after ? before : before + " -> " + after;
+}
+
+std::vector<Column> columnsOf(const occ::Report& report) {
+  std::vector<Column> columns = figureColumns(report.tolerance);
+  if (report.level < Level::G2) columns.pop_back();
+  return columns;
+}
+
+Row headings(const std::vector<Column>& columns) {
+  Row row = {"result", "edge", "faces", "level"};
+  for (const Column& column : columns) row.emplace_back(column.title);
+  row.emplace_back("reason");
+  return row;
+}
+
+Row rowOf(const occ::SeamRepair& seam, const std::vector<Column>& columns) {
+  Row row = {
+      verdictOf(seam), change(edgesText(seam.before), edgesText(seam.after)),
+      change(facesText(seam.before), facesText(seam.after)),
+      change(std::string(name(seam.before.verdict.level)), std::string(name(seam.after.verdict.level)))};
+  for (const Column& column : columns)
+    row.push_back(change(cellOf(seam.before, column), cellOf(seam.after, column)));
+  row.push_back(reasonOf(seam));
+  return row;
+}
+
+void writeHead(std::ostream& out, const occ::RepairReport& report, const RepairSummary& summary) {
+  writeModel(out, report.before);
+  out << "  " << counted(report.seams.size(), "seam") << ": " << summary.treated << " treated, "
+      << summary.repaired << " repaired, " << summary.left << " left";
+  if (summary.sewn > 0) out << ", " << summary.sewn << " sewn";
+  out << ";  " << counted(summary.defects_before, "defect") << " before, " << summary.defects_after
+      << " after\n  ";
+  if (!report.moves.empty())
+    out << counted(report.moves.size(), "face") << " moved, by at most "
+        << number(summary.largest_move_mm, "%.3g") << " mm";
+  else
+    out << "nothing moved";
+  out << ";  read in " << number(report.before.read_s, "%.2f") << " s, repaired in "
+      << number(report.repair_s, "%.2f") << " s\n";
+}
+
+}  // namespace
+
+std::string toTable(const occ::RepairReport& report) {
+  std::ostringstream out;
+  const RepairSummary summary = summarize(report);
+  writeHead(out, report, summary);
+  const std::vector<const occ::SeamRepair*> shown = shownSeams(report);
+  if (!shown.empty()) {
+    const std::vector<Column> columns = columnsOf(report.before);
+    std::vector<Row> rows = {headings(columns)};
+    for (const occ::SeamRepair* seam : shown) rows.push_back(rowOf(*seam, columns));
+    constexpr std::size_t first_figure = 4;
+    out << '\n';
+    writeRows(out, rows, first_figure);
+  }
+  out << '\n'
+      << (report.after.passed()
+              ? "PASSED: no defects"
+              : "FAILED: " + counted(static_cast<std::size_t>(summary.defects_after), "defect"))
+      << " at level " << name(report.after.level) << '\n';
+  return out.str();
+}
+
+}  // namespace seamwright::report

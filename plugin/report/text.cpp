@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <ostream>
+#include <seamwright/plugin/report/enclosure.hpp>
+#include <seamwright/plugin/report/numbers.hpp>
+#include <seamwright/plugin/report/text.hpp>
+
+namespace seamwright::report {
+
+std::vector<Column> figureColumns(const ContinuityTolerance& tolerance) {
+  return {
+      {"gap mm", &SeamFigures::gap_mm, 1, tolerance.gap_mm},
+      {"angle deg", &SeamFigures::angle_rad, degrees_per_radian, degrees_per_radian * tolerance.angle_rad},
+      {"curvature %", &SeamFigures::curvature_rel, 100, 100 * tolerance.curvature_rel}};
+}
+
+std::string cellOf(const occ::SeamResult& seam, const Column& column) {
+  const std::optional<Figure>& figure = seam.figures.*column.figure;
+  return figure ? enclosureText(*figure, column.factor, column.limit) : "-";
+}
+
+std::string edgesText(const occ::SeamResult& seam) {
+  std::string text;
+  for (const int edge : seam.edges) text += (text.empty() ? "Edge" : ",Edge") + std::to_string(edge);
+  return text;
+}
+
+std::string facesText(const occ::SeamResult& seam) {
+  return std::to_string(seam.faces[0]) + '-' + std::to_string(seam.faces[1]);
+}
+
+std::string counted(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
+}
+
+std::string number(double value, const char* format) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), format, value);
+  return text.data();
+}
+
+void writeModel(std::ostream& out, const occ::Report& report) {
+  const ContinuityTolerance& tolerance = report.tolerance;
+  out << (report.model.path.empty() ? "model in memory" : report.model.path) << "  (" << report.model.format
+      << ", unit " << report.model.length_unit << ", " << report.model.faces << " faces, "
+      << report.model.edges << " edges)\n";
+  for (const std::string& note : report.model.notes) out << "  note: " << note << '\n';
+  out << "  asked for " << name(report.level) << ": gap <= " << tolerance.gap_mm
+      << " mm, angle <= " << degrees_per_radian * tolerance.angle_rad
+      << " deg, curvature <= " << 100 * tolerance.curvature_rel << " %, crease above "
+      << degrees_per_radian * tolerance.crease_rad << " deg\n";
+}
+
+void writeRows(std::ostream& out, const std::vector<Row>& rows, std::size_t first_number) {
+  const std::size_t last = rows.front().size() - 1;
+  std::vector<std::size_t> width(rows.front().size());
+  for (const Row& row : rows)
+    for (std::size_t c = 0; c < row.size(); ++c) width[c] = std::max(width[c], shownWidth(row[c]));
+  for (const Row& row : rows) {
+    std::string line;
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const std::string padding(width[c] - shownWidth(row[c]), ' ');
+      const bool is_number = c >= first_number && c < last;
+      line += (c == 0 ? "" : "  ") + (is_number ? padding + row[c] : row[c] + padding);
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    out << line << '\n';
+  }
+}
+
+}  // namespace seamwright::report

@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Patches around a point that join with common tangent planes.   python3 19_umbrella.py OUT.svg
+
+Left, five spokes with three patches and two triangles between them; right, an umbrella that needs no spokes: it fills a
+boundary of five sides. Lines at constant u and v; the spokes are drawn thick. enclose_seam() certifies every one of them.
+"""
+
+import sys
+
+import numpy as np
+
+import seamwright
+from seamwright.picture import Picture
+
+if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
+    sys.exit(__doc__)
+
+
+def around(k, n):
+    return np.array([np.cos(2 * np.pi * k / n), np.sin(2 * np.pi * k / n)])
+
+
+def spoke(k):
+    """From (0, 0, 4) outwards and down, first along the plane z = 4, each in its own way."""
+    reach = (13, 10, 12, 9, 11)[k]
+    plane = around(k + 0.15 * (-1) ** k, 5)[None, :] * reach * np.array([[0], [0.3], [0.7], [1]])
+    return np.column_stack([plane, (4, 4, 3 - 0.3 * k, (k - 2) ** 2 - 3.0)])
+
+
+def side(k):
+    """From corner k to corner k + 1, bent upwards and inwards."""
+    begin, end = 12 * around(k, 5), 12 * around(k + 1, 5)
+    plane = [begin, 0.9 * (2 * begin + end) / 3, 0.9 * (begin + 2 * end) / 3, end]
+    height = (0, 4, 2, 3, 1)
+    return np.column_stack([plane, (height[k], 5, 5, height[(k + 1) % 5])])
+
+
+def certified(umbrella):
+    """The largest angle of the tangent planes along the spokes, in rad: an upper bound."""
+    largest = 0
+    for i, after in enumerate(umbrella["members"]):
+        before = umbrella["members"][i - 1]
+        edges = [names[isinstance(member, seamwright.BezierTriangle)]
+                 for member, names in ((before, ("u0", "l0")), (after, ("v0", "l1")))]
+        backwards = isinstance(before, seamwright.BezierTriangle)
+        seam = seamwright.enclose_seam(before, edges[0], after, edges[1], reversed=backwards, angle_deg=1e-8)
+        assert seam["certified"]
+        largest = max(largest, np.radians(seam["angle_deg"]["upper"]))
+    return largest
+
+
+def draw(umbrella, move):
+    for k, member in enumerate(umbrella["members"]):
+        triangle = isinstance(member, seamwright.BezierTriangle)
+        color = ("#0072b2", "#009e73")[triangle]
+        for fixed in np.linspace(0, 1, 9)[1:]:
+            free = np.linspace(0, 1 - fixed if triangle else 1, 25)
+            picture.line([member.point(fixed, x) + move for x in free], color=color)
+            picture.line([member.point(x, fixed) + move for x in free], color=color)
+        if triangle:
+            picture.line([member.point(x, 1 - x) + move for x in np.linspace(0, 1, 25)], color=color)
+    for curve in umbrella["spokes"]:
+        picture.curve(seamwright.BezierCurve(curve.poles + move), "#d55e00", width=2.5)
+
+
+picture = Picture("Umbrellas: around given spokes, and inside a boundary", view=(0.2, -1.2, 1))
+
+mixed = seamwright.umbrella([spoke(k) for k in range(5)], kinds=["patch", "patch", "triangle", "patch", "triangle"])
+draw(mixed, [0, 0, 0])
+print(f"around 5 spokes: members of degree {mixed['members'][0].degree_u}, angle below {certified(mixed):.0e} rad, "
+      f"condition {mixed['condition']:.1f}")
+
+filled = seamwright.umbrella_inside([side(k) for k in range(5)])
+draw(filled, [28, 0, 0])
+print(f"inside 5 sides: members of degree {filled['members'][0].degree_u}, angle below {certified(filled):.0e} rad, "
+      f"sectors of {np.degrees(filled['angles_rad']).round().astype(int)} degrees")
+
+picture.write(sys.argv[1])

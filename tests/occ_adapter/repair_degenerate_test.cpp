@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <gtest/gtest.h>
+
+#include <BRepBuilderAPI_NurbsConvert.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2d_BSplineCurve.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <TopExp.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "match_pairs.hpp"
+#include "repair_checks.hpp"
+#include "repair_trials.hpp"
+
+namespace seamwright::test {
+namespace {
+
+using occ::modelFromShape;
+using occ::repair;
+using occ::RepairReport;
+
+Net brokenSheet(int columns, unsigned seed, double noise_mm = 0.01) {
+  NetShape shape;
+  shape.columns = columns;
+  shape.rows = 1;
+  shape.bend = 0.1;
+  shape.overhang = 0.5;
+  std::mt19937 random(seed);
+  Net net = piecesOfOne(shape, random);
+  disturb(net, noise_mm, random);
+  return net;
+}
+
+/// Every seam that was to be repaired is, or says why not.
+void expectReasons(const RepairReport& report) {
+  for (const occ::SeamRepair& seam : report.seams)
+    if (seam.treated) {
+      EXPECT_EQ(seam.repaired, seam.reason.empty()) << seam.reason;
+    }
+}
+
+TEST(RepairDegenerate, FacesWithAPole) {
+  for (const int sectors : {3, 4, 5})
+    for (const double noise_mm : {0.001, 0.01}) {
+      SCOPED_TRACE(std::to_string(sectors) + " sectors, noise " + std::to_string(noise_mm) + " mm");
+      std::mt19937 random(20311);
+      Net net = dome(sectors, 50);
+      EXPECT_EQ(countsOf(repairedModel(shapeOf(net), trialOptions({})), 1).treated, 0);
+      disturb(net, noise_mm, random);
+      // The top stays one point.
+      for (const NetFace& face : net.faces)
+        for (int i = 1; i <= face.surface->NbUPoles(); ++i)
+          face.surface->SetPole(i, face.surface->NbVPoles(), net.vertices[0]);
+      const RepairReport report = repairedModel(shapeOf(net), trialOptions({}));
+      EXPECT_EQ(report.seams.size(), static_cast<std::size_t>(sectors));
+      EXPECT_GT(treated(report), 0);
+      expectReasons(report);
+      RecordProperty("repaired_of_" + std::to_string(sectors), repairedSeams(report));
+    }
+}
+
+/// Each pole of all surfaces moved; weights stay.
+TopoDS_Shape convertedAndBroken(const TopoDS_Shape& solid, double noise_mm) {
+  std::mt19937 generator(20312);
+  const TopoDS_Shape shape = BRepBuilderAPI_NurbsConvert(solid, true).Shape();
+  for (int f = 1; f <= partsOf(shape, TopAbs_FACE).Extent(); ++f) {
+    const auto surface = Spline::DownCast(BRep_Tool::Surface(face(shape, f)));
+    if (surface.IsNull()) continue;
+    for (int i = 1; i <= surface->NbUPoles(); ++i)
+      for (int j = 1; j <= surface->NbVPoles(); ++j)
+        surface->SetPole(
+            i, j,
+            surface->Pole(i, j).Translated(gp_Vec(random(generator, noise_mm), random(generator, noise_mm),
+                                                  random(generator, noise_mm))));
+  }
+  return withTolerance(shape, 3 * noise_mm);
+}
+
+TEST(RepairDegenerate, AFaceThatMeetsItself) {
+  for (const TopoDS_Shape& solid :
+       {TopoDS_Shape(BRepPrimAPI_MakeSphere(20).Shape()), TopoDS_Shape(BRepPrimAPI_MakeTorus(30, 10).Shape()),
+        TopoDS_Shape(BRepPrimAPI_MakeCylinder(20, 30).Shape())})
+    for (const double noise_mm : {0.0, 0.01}) {
+      const TopoDS_Shape shape = convertedAndBroken(solid, noise_mm);
+      occ::RepairOptions options = trialOptions({});
+      const RepairReport report = repair(modelFromShape(shape), options);
+      expectReasons(report);
+      if (noise_mm == 0) {
+        EXPECT_FALSE(report.changed());
+        EXPECT_TRUE(report.model.shape.IsEqual(shape));
+      }
+      const occ::Report again = analyzed(report.model.shape);
+      EXPECT_EQ(again.seams.size(), report.seams.size());
+    }
+}
+
+TEST(RepairDegenerate, AnEdgeWithoutLength) {
+  // Between the two faces and the rim at the end of their seam.
+  Net net = brokenSheet(2, 20313);
+  const std::vector<NetSide>& first = net.faces[0].sides;
+  const auto side = std::ranges::find_if(first, [&net](const NetSide& own) {
+    return std::ranges::any_of(net.faces[1].sides,
+                               [&own](const NetSide& other) { return own.edge == other.edge; });
+  });
+  const int shared = side->edge, end = net.edges[shared].ends[1];
+  const auto extra = static_cast<int>(net.edges.size()), twin = static_cast<int>(net.vertices.size());
+  const gp_Pnt place = net.vertices[end];
+  net.vertices.push_back(place);
+  for (std::size_t e = 0; e < net.edges.size(); ++e)
+    for (int& vertex : net.edges[e].ends)
+      if (static_cast<int>(e) != shared && vertex == end) vertex = twin;
+  constexpr double length_mm = 1e-9;
+  TColgp_Array1OfPnt ends(1, 2);
+  ends(1) = place;
+  ends(2) = place.Translated(gp_Vec(length_mm, 0, 0));
+  TColStd_Array1OfReal knots(1, 2);
+  knots(1) = 0;
+  knots(2) = 1;
+  TColStd_Array1OfInteger times(1, 2);
+  times.Init(2);
+  net.edges.push_back({{end, twin}, handle<Geom_Curve>(new Geom_BSplineCurve(ends, knots, times, 1))});
+  for (NetFace& face : net.faces) {
+    const auto at = std::ranges::find(face.sides, shared, &NetSide::edge);
+    const gp_Pnt2d uv = at->path->Value(1);
+    TColgp_Array1OfPnt2d still(1, 2);
+    still.Init(uv);
+    const bool reversed = at->reversed;
+    face.sides.insert(
+        reversed ? at : at + 1,
+        {extra, reversed, handle<Geom2d_Curve>(new Geom2d_BSplineCurve(still, knots, times, 1))});
+  }
+  const RepairReport report = repair(modelFromShape(shapeOf(net)), trialOptions({}));
+  EXPECT_EQ(report.seams.size(), 2);
+  expectReasons(report);
+}
+
+TEST(RepairDegenerate, AMissingPath) {
+  const Net net = brokenSheet(2, 20314);
+  const TopoDS_Shape shape = shapeOf(net);
+  const RepairReport whole = repair(modelFromShape(shape), trialOptions({}));
+  ASSERT_EQ(whole.seams.size(), 1);
+  EXPECT_TRUE(whole.seams[0].repaired);
+  const TopoDS_Shape broken = shapeOf(net);
+  const TopoDS_Edge edge = TopoDS::Edge(partsOf(broken, TopAbs_EDGE)(whole.seams[0].before.edges[0]));
+  BRep_Builder().UpdateEdge(edge, handle<Geom2d_Curve>(), face(broken, 1), 0.1);
+  const RepairReport report = repair(modelFromShape(broken), trialOptions({}));
+  ASSERT_EQ(report.seams.size(), 1);
+  expectReasons(report);
+  EXPECT_FALSE(report.seams[0].repaired && upper(report.seams[0].after.figures.angle_rad) > 0.01 * degree);
+}
+
+TEST(RepairDegenerate, AnEdgeOfThreeFaces) {
+  Net net = brokenSheet(3, 20315);
+  // A fourth face on the edges of the first.
+  NetFace copy = net.faces[0];
+  copy.surface = Spline::DownCast(copy.surface->Copy());
+  net.faces.push_back(copy);
+  const TopoDS_Shape shape = shapeOf(net);
+  const RepairReport report = repair(modelFromShape(shape), trialOptions({}));
+  EXPECT_FALSE(report.before.non_manifold.empty());
+  EXPECT_EQ(report.before.non_manifold.size(), report.after.non_manifold.size());
+  expectReasons(report);
+}
+
+TEST(RepairDegenerate, AFaceBesideInstances) {
+  gp_Trsf away;
+  away.SetTranslation(gp_Vec(0, 0, 200));
+  const TopoDS_Shape twice = shapeOf(brokenSheet(2, 20316)), once = shapeOf(brokenSheet(2, 20317));
+  const RepairReport report =
+      repair(modelFromShape(loose(loose(twice, located(twice, away)), once)), trialOptions({}));
+  ASSERT_EQ(report.seams.size(), 3);
+  EXPECT_EQ(repairedSeams(report), 1);
+  EXPECT_TRUE(report.seams[2].repaired);
+  for (const std::size_t i : {0, 1})
+    EXPECT_NE(report.seams[i].reason.find("stands in the model 2 times"), std::string::npos);
+  for (const occ::FaceMove& move : report.moves) EXPECT_GE(move.face, 5);
+}
+
+TEST(RepairDegenerate, PolesThatAreNoNumbers) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    Net net = brokenSheet(3, 20318);
+    const TopoDS_Shape shape = shapeOf(net);
+    Geom_BSplineSurface& last = *net.faces[2].surface;
+    for (int i = 1; i <= last.NbUPoles(); ++i) last.SetPole(i, 2, gp_Pnt(bad, 0, 0));
+    const RepairReport report = repair(modelFromShape(shape), trialOptions({}));
+    ASSERT_EQ(report.seams.size(), 2);
+    expectReasons(report);
+    EXPECT_FALSE(report.seams[1].treated);
+    EXPECT_NE(report.seams[1].reason.find("can't be measured"), std::string::npos) << report.seams[1].reason;
+    for (const occ::FaceMove& move : report.moves) EXPECT_NE(move.face, 3);
+  }
+}
+
+TEST(RepairDegenerate, OptionsThatAreNoNumbers) {
+  const occ::Model model = modelFromShape(shapeOf(brokenSheet(2, 20319)));
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), -1.0})
+    for (double* (*const field)(occ::RepairOptions&) : {
+             +[](occ::RepairOptions& options) { return &options.max_move_mm; },
+             +[](occ::RepairOptions& options) { return &options.match_mm; },
+             +[](occ::RepairOptions& options) { return &options.tolerance.gap_mm; },
+             +[](occ::RepairOptions& options) { return &options.tolerance.angle_rad; },
+             +[](occ::RepairOptions& options) { return &options.tolerance.curvature_rel; },
+             +[](occ::RepairOptions& options) { return &options.tolerance.crease_rad; },
+             +[](occ::RepairOptions& options) { return &options.tolerance.flat_radius_mm; },
+         }) {
+      occ::RepairOptions options;
+      *field(options) = bad;
+      EXPECT_THROW(repair(model, options), std::invalid_argument);
+    }
+}
+
+}  // namespace
+}  // namespace seamwright::test

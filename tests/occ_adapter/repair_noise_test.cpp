@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <gtest/gtest.h>
+
+#include <BRepCheck_Analyzer.hxx>
+#include <iostream>
+
+#include "repair_trials.hpp"
+#include "shapes.hpp"
+
+namespace seamwright::test {
+namespace {
+
+struct Series {
+  std::string kind;
+  unsigned seeds = 1;
+};
+
+/// Runs the trials and tells their figures, each kind by itself.
+RepairCounts counted(const std::vector<Series>& series, RepairTrial trial) {
+  std::cout << tableHead() << "\n";
+  RepairCounts all;
+  for (const Series& of : series) {
+    trial.kind = of.kind;
+    RepairCounts counts;
+    for (trial.seed = 1; trial.seed <= of.seeds; ++trial.seed) counts += countsOf(trial);
+    std::cout << tableLine(of.kind, trial.noise_mm, counts) << "\n";
+    for (const auto& [why, times] : counts.reasons) std::cout << "    " << times << " x " << why << "\n";
+    all += counts;
+  }
+  std::cout << tableLine("all", trial.noise_mm, all) << "\n";
+  testing::Test::RecordProperty("treated", all.treated);
+  testing::Test::RecordProperty("repaired", all.repaired);
+  testing::Test::RecordProperty("angle_deg", std::to_string(all.largest_angle_deg));
+  testing::Test::RecordProperty("move_over_noise", std::to_string(all.largest_move));
+  return all;
+}
+
+void expectRepaired(const RepairCounts& counts, int at_least_treated, double largest_move) {
+  constexpr double share = 0.95;
+  EXPECT_GE(counts.treated, at_least_treated);
+  EXPECT_GE(counts.share(), share);
+  EXPECT_LT(counts.largest_angle_deg, 0.01);
+  EXPECT_LE(counts.largest_move, largest_move);
+}
+
+const std::vector<Series> flowing = {{"sheet", 2},          {"ring", 1},          {"mixed sheet", 1},
+                                     {"trimmed bricks", 2}, {"trimmed quads", 2}, {"trimmed triangles", 2},
+                                     {"refitted quads", 1}, {"ring of bricks", 1}};
+
+TEST(RepairNoise, TheModelsAreSmoothBeforeTheyAreBroken) {
+  for (const NetKind& kind : netKinds()) {
+    SCOPED_TRACE(kind.name);
+    RepairTrial trial{kind.name, 0, 1, 2};
+    const TopoDS_Shape shape = brokenModel(trial);
+    EXPECT_TRUE(BRepCheck_Analyzer(shape).IsValid());
+    occ::AnalyzeOptions options;
+    options.tolerance = trialOptions(trial).tolerance;
+    options.level = Level::G2;
+    const occ::Report report = analyzed(shape, options);
+    EXPECT_TRUE(report.passed());
+    EXPECT_GE(report.seams.size(), 9);
+    for (const occ::SeamResult& seam : report.seams) {
+      EXPECT_TRUE(seam.verdict.certain);
+      EXPECT_GE(seam.verdict.level, Level::G2) << describe(seam);
+    }
+  }
+}
+
+TEST(RepairNoise, OfAThousandth) {
+  expectRepaired(counted(flowing, {"", 0.001, 1, 1, 10}), 200, 3);
+}
+
+TEST(RepairNoise, OfAHundredth) {
+  expectRepaired(counted(flowing, {"", 0.01}), 200, 3);
+}
+
+TEST(RepairNoise, OfATenth) {
+  expectRepaired(counted(flowing, {"", 0.1}), 200, 3);
+}
+
+/// Where 3 or 5 natural sides meet, the exact join and the common curvature of a corner move more than the noise did.
+TEST(RepairNoise, StarsOfNaturalSides) {
+  const std::vector<Series> stars = {{"blob 6", 1}, {"blob 24", 1}, {"blob 30", 1}};
+  expectRepaired(counted(stars, {"", 0.01}), 100, 25);
+}
+
+/// The tensors of corners ask for larger moves.
+TEST(RepairNoise, CurvatureToo) {
+  for (const double noise_mm : {0.001, 0.01}) {
+    const RepairCounts counts = counted(flowing, {"", noise_mm, 1, 2, noise_mm < 0.01 ? 5.0 : 1.0});
+    expectRepaired(counts, 100, 12);
+    EXPECT_LT(counts.largest_curvature_rel, 0.02);
+  }
+}
+
+}  // namespace
+}  // namespace seamwright::test

@@ -1,0 +1,281 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What repair writes: the model, the table and the JSON, and that they say the same."""
+
+import json
+
+import pytest
+
+from command import run
+from models import MODELS, OCCT_DATA, box_text, installed, roof_text
+from patches import sheet_text, surfaces_of, worst_figures
+from schemas import expect_every_key_matters, expect_valid, schema, validator
+
+VALIDATOR = validator("repair")
+
+
+def sheet(folder, name="sheet.step", **how):
+    path = folder / name
+    path.write_text(sheet_text(**how))
+    return path
+
+
+def repair(model, *options, out=None):
+    """Exit status, report and the written model."""
+    out = out or model.parent / "out.step"
+    json_file = out.parent / (out.name + ".json")
+    result = run("repair", model, "-o", out, "--json", json_file, "--overwrite", *options)
+    assert result.returncode in (0, 1), result.stderr
+    report = json.loads(json_file.read_text())
+    expect_valid(report, VALIDATOR)
+    check_laws(report, result.returncode)
+    return result, report, out
+
+
+def analysis(path, *options):
+    return json.loads(run("analyze", "--format", "json", *options, path).stdout)
+
+
+def check_laws(report, status):
+    seams, summary = report["seams"], report["summary"]
+    assert summary["seams"] == len(seams)
+    assert summary["treated"] == sum(seam["treated"] for seam in seams)
+    assert summary["repaired"] == sum(seam["repaired"] for seam in seams)
+    assert summary["left"] == summary["treated"] - summary["repaired"]
+    for key in ("before", "after"):
+        assert summary[f"defects_{key}"] == sum(seam[key]["class"] == "defect" for seam in seams)
+    assert status == (1 if summary["defects_after"] else 0)
+    assert summary["sewn"] == sum(seam["sewn"] for seam in seams)
+    assert summary["changed"] == bool(report["moves"] or summary["sewn"])
+    assert (report["numbers_now"] is not None) == bool(summary["sewn"])
+    assert summary["largest_move_mm"] == max((move["largest_move_mm"] for move in report["moves"]), default=0)
+    limit = report["options"]["max_move_mm"]
+    assert limit is None or summary["largest_move_mm"] <= limit
+    assert not {move["face"] for move in report["moves"]} & set(report["options"]["fixed_faces"])
+    assert report["tolerance"]["level"] == report["options"]["target"]
+    for seam in seams:
+        check_seam(seam, report)
+
+
+def check_seam(seam, report):
+    before, after, tolerance, now = seam["before"], seam["after"], report["tolerance"], report["numbers_now"]
+    assert before["id"] == after["id"]
+    if now is None:
+        assert (before["edges"], before["faces"]) == (after["edges"], after["faces"])
+    else:
+        assert {now["faces"][face - 1] for face in before["faces"]} == set(after["faces"])
+        assert set(after["edges"]) <= {number for edge in before["edges"] for number in now["edges"][edge - 1]}
+    assert seam["sewn"] == (before["kind"] == "matched" != after["kind"]) and not (seam["sewn"] and seam["not_sewn"])
+    if seam["treated"]:
+        assert seam["repaired"] == (seam["reason"] == "")
+    else:
+        assert not seam["repaired"]
+    if seam["repaired"]:
+        assert after["class"] == "smooth" and after["certified"]
+        limits = ["gap_mm", "angle_deg"] + ["curvature_rel"] * (report["options"]["target"] == "G2")
+        assert all(after[figure]["upper"] <= tolerance[figure] for figure in limits)
+
+
+def expect_same_verdicts(report, out, *options):
+    """analyze finds in the written model what the report says of it, the seams in any order."""
+    def verdicts(seams):
+        return sorted((seam["faces"], seam["edges"], seam["level"], seam["class"], seam["certified"]) for seam in seams)
+
+    found = analysis(out, "--level", report["options"]["target"], *options)
+    assert verdicts(found["seams"]) == verdicts([seam["after"] for seam in report["seams"]])
+    return found
+
+
+@pytest.mark.parametrize("target", ["G1", "G2"])
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_a_sheet_flows_again(tmp_path, target, seed):
+    model = sheet(tmp_path, count_x=2, count_y=2, seed=seed)
+    before = worst_figures(surfaces_of(model.read_text()))
+    result, report, out = repair(model, "--target", target)
+    assert result.returncode == 0 and result.stderr == ""
+    assert before[1] > 0.1 and report["summary"]["repaired"] > 1
+    assert max(seam["before"]["angle_deg"]["upper"] for seam in report["seams"]) == pytest.approx(before[1], rel=1e-3)
+    gap_mm, angle_deg = worst_figures(surfaces_of(out.read_text()))
+    assert gap_mm <= 1e-9 and angle_deg <= 0.1
+    assert angle_deg <= max(seam["after"]["angle_deg"]["upper"] for seam in report["seams"]) + 1e-6
+    expect_same_verdicts(report, out)
+    assert report["output"] == {"path": str(out), "format": "STEP"}
+
+
+def test_the_schema_notices_a_missing_key_a_wrong_type_and_a_foreign_key(tmp_path):
+    _, report, _ = repair(sheet(tmp_path, shared=False), "--match", "0.1")
+    expect_every_key_matters(report, VALIDATOR)
+
+
+def test_what_both_schemas_describe_is_the_same():
+    analyzed, repaired = schema("analysis"), schema("repair")["$defs"]
+    parts = {**analyzed["$defs"], **{key: analyzed["properties"][key] for key in ("generator", "model", "tolerance")}}
+    assert {key: repaired[key] for key in parts} == parts
+
+
+@pytest.mark.parametrize("make", [lambda: sheet_text(noise_mm=0), box_text, lambda: roof_text(30)])
+def test_what_has_no_defect_is_written_as_it_was(tmp_path, make):
+    model = tmp_path / "model.step"
+    model.write_text(make())
+    result, report, out = repair(model)
+    assert result.returncode == 0
+    assert not report["summary"]["changed"] and report["summary"]["treated"] == 0
+    assert "nothing moved" in result.stdout
+    assert surfaces_of(out.read_text()) == surfaces_of(model.read_text()), "number by number"
+    for seam, again in zip(report["seams"], expect_same_verdicts(report, out)["seams"]):
+        assert again == seam["before"] == seam["after"]
+
+
+def test_what_cannot_be_repaired_is_written_as_it_was(tmp_path):
+    model = sheet(tmp_path)
+    result, report, out = repair(model, "--max-move", "1e-6")
+    assert result.returncode == 1
+    assert report["summary"]["left"] == 1 and not report["summary"]["changed"]
+    assert surfaces_of(out.read_text()) == surfaces_of(model.read_text())
+    assert "mm" in report["seams"][0]["reason"]
+
+
+def test_planes_stay_and_the_reason_says_so(tmp_path):
+    model = tmp_path / "roof.step"
+    model.write_text(roof_text(1))
+    result, report, _ = repair(model)
+    assert result.returncode == 1
+    (seam,) = report["seams"]
+    assert not seam["treated"] and "plane" in seam["reason"]
+
+
+def test_options_arrive(tmp_path):
+    model = sheet(tmp_path, count_x=3)
+    first, second = (seam["edges"][0] for seam in analysis(model)["seams"])
+    _, report, _ = repair(model, "--target", "G2", "--max-move", "0.25", "--edges", f"{second},{first}", "--fix", "1,3",
+                          "--match", "0.05", "--no-sew", "--jobs", "1", "--gap", "0.02", "--angle", "0.05", "--curvature", "0.1",
+                          "--flat-radius", "5000", "--crease", "7")
+    assert report["options"] == {"target": "G2", "max_move_mm": 0.25, "edges": [second, first], "fixed_faces": [1, 3],
+                                 "match_mm": 0.05, "sew": False}
+    tolerance = {"gap_mm": 0.02, "angle_deg": 0.05, "curvature_rel": 0.1, "flat_radius_mm": 5000, "crease_deg": 7}
+    assert {key: report["tolerance"][key] for key in tolerance} == pytest.approx(tolerance, rel=1e-12)
+    assert [move["face"] for move in report["moves"]] == [2]
+
+
+def test_defaults_are_those_of_the_help(tmp_path):
+    _, report, _ = repair(sheet(tmp_path))
+    assert report["options"] == {"target": "G1", "max_move_mm": 0.5, "edges": [], "fixed_faces": [], "match_mm": 0, "sew": True}
+    expected = {"gap_mm": 0.01, "angle_deg": 0.1, "curvature_rel": 0.02, "flat_radius_mm": 100000, "crease_deg": 5}
+    assert {key: report["tolerance"][key] for key in expected} == pytest.approx(expected, rel=1e-12)
+    assert "--max-move MM=0.5" in run("repair", "--help").stdout
+    _, report, _ = repair(sheet(tmp_path), "--max-move", "inf", "--profile", "class-a")
+    assert report["options"]["max_move_mm"] is None and report["tolerance"]["gap_mm"] == 0.001
+
+
+def test_only_the_edges_named_are_treated(tmp_path):
+    model = sheet(tmp_path, count_x=3)
+    first, second = (seam["edges"][0] for seam in analysis(model)["seams"])
+    result, report, out = repair(model, "--edges", second)
+    assert result.returncode == 1, "the other one is a defect still"
+    treated = [seam["before"]["edges"] for seam in report["seams"] if seam["treated"]]
+    assert treated == [[second]]
+    result, report, _ = repair(out, "--edges", f"{first}", out=tmp_path / "again.step")
+    assert result.returncode == 0
+    assert repair(out, "--edges", second, out=tmp_path / "again.step")[1]["seams"][1]["reason"] == "it has the level already"
+
+
+def test_a_crease_is_no_defect_unless_the_user_says_so(tmp_path):
+    model = sheet(tmp_path)
+    result, report, _ = repair(model, "--angle", "0.01", "--crease", "0.02")
+    assert result.returncode == 0 and report["summary"]["treated"] == 0
+    assert report["seams"][0]["before"]["class"] == "crease"
+
+
+@pytest.mark.parametrize("options,kind,edges", [((), "shared", 7), (("--no-sew",), "matched", 8)])
+def test_open_edges_are_matched_and_sewn(tmp_path, options, kind, edges):
+    model = sheet(tmp_path, shared=False)
+    assert repair(model)[1]["seams"] == []
+    result, report, out = repair(model, "--match", "0.1", *options)
+    assert result.returncode == 0
+    (seam,) = report["seams"]
+    assert seam["repaired"] and seam["before"]["kind"] == "matched" and seam["after"]["kind"] == kind
+    assert worst_figures(surfaces_of(out.read_text()))[1] <= 0.1
+    assert expect_same_verdicts(report, out, "--match", "0.1")["model"]["edges"] == edges
+    assert ("repaired, sewn" in result.stdout) == (kind == "shared")
+
+
+@pytest.mark.parametrize("name,format", [("a.step", "STEP"), ("a.STP", "STEP"), ("a.igs", "IGES"), ("a.brep", "BREP"),
+                                         ("a.bin", "binary BREP")])
+def test_the_name_of_the_output_tells_its_format(tmp_path, name, format):
+    result, report, out = repair(sheet(tmp_path, count_y=2), out=tmp_path / name)
+    assert result.returncode == 0
+    assert report["output"] == {"path": str(out), "format": format}
+    found = analysis(out)
+    assert found["model"]["format"] == format and found["model"]["faces"] == 4
+    # Other formats may number edges otherwise.
+    levels = sorted((seam["faces"], seam["level"], seam["class"]) for seam in found["seams"])
+    assert levels == sorted((seam["after"]["faces"], seam["after"]["level"], seam["after"]["class"]) for seam in report["seams"])
+
+
+def table_rows(text):
+    """The rows below the headings: result, edges, faces and level."""
+    lines = text.splitlines()
+    start = next((k for k, line in enumerate(lines) if line.startswith("result")), None)
+    if start is None:
+        return []
+    at = [lines[start].index(title) for title in ("result", "edge", "faces", "level", "gap mm")]
+    rows = []
+    for line in lines[start + 1:lines.index("", start)]:
+        cells = [line[a:b].strip() for a, b in zip(at, at[1:])]
+        cells[3] = " ".join(cells[3].split()[:3 if "->" in cells[3] else 1])
+        rows.append(tuple(cells))
+    return rows
+
+
+@pytest.mark.parametrize("options", [(), ("--fix", "1,2"), ("--target", "G2", "--max-move", "0.001"), ("--max-move", "0.012")])
+def test_the_table_says_what_json_says(tmp_path, options):
+    result, report, _ = repair(sheet(tmp_path, count_x=3), *options)
+    text, summary = result.stdout, report["summary"]
+    assert f"{summary['seams']} seams: {summary['treated']} treated, {summary['repaired']} repaired, {summary['left']} left;" in text
+    assert f"{summary['defects_before']} defect" in text and f"before, {summary['defects_after']} after" in text
+    if summary["changed"]:
+        assert f"moved, by at most {summary['largest_move_mm']:.3g} mm" in text
+    assert ("PASSED" in text) == (result.returncode == 0) == ("FAILED" not in text)
+
+    def row(seam):
+        verdict = "repaired" if seam["repaired"] else "left" if seam["treated"] else "not treated"
+        levels = seam["before"]["level"], seam["after"]["level"]
+        return (verdict, ",".join(f"Edge{edge}" for edge in seam["before"]["edges"]), "{}-{}".format(*seam["before"]["faces"]),
+                " -> ".join(dict.fromkeys(levels)))
+
+    shown = [seam for seam in report["seams"] if seam["treated"] or seam["reason"]]
+    assert sorted(table_rows(text)) == sorted(map(row, shown))
+    assert all(seam["reason"] in text for seam in shown)
+
+
+def test_standard_output_says_the_same_without_json(tmp_path):
+    model = sheet(tmp_path)
+    shown, _, _ = repair(model)
+    again = run("repair", model, "-o", tmp_path / "other.step")
+    assert again.returncode == shown.returncode
+    strip = [[line for line in text.splitlines() if "read in" not in line] for text in (shown.stdout, again.stdout)]
+    assert strip[0] == strip[1]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["other.step", "out.step", "out.step.json", "sheet.step"]
+
+
+def test_jobs_change_nothing(tmp_path):
+    model, reports, written = sheet(tmp_path, count_x=3, count_y=2), [], []
+    for jobs in (1, 3):
+        _, report, out = repair(model, "--jobs", jobs)
+        del report["time_s"]
+        reports.append(report)
+        written.append(surfaces_of(out.read_text()))
+    assert reports[0] == reports[1] and written[0] == written[1]
+
+
+REAL = [OCCT_DATA / "step/screw.step",
+        MODELS / "freeform/blendsolid_test.step", MODELS / "freeform/Silk_Demo_01_sewn.step"]
+
+
+@pytest.mark.parametrize("path", REAL, ids=lambda path: path.name)
+def test_real_models(tmp_path, path):
+    model = tmp_path / path.name
+    model.write_bytes(installed(path).read_bytes())
+    content = model.read_bytes()
+    _, report, out = repair(model, out=tmp_path / ("out" + path.suffix))
+    assert model.read_bytes() == content
+    expect_same_verdicts(report, out)

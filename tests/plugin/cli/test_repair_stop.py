@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Repair stopped: Ctrl-C ends it with status 130 and nothing left behind; killed at any moment, the files are whole or absent."""
+
+import json
+import os
+import pty
+import random
+import signal
+import subprocess
+import time
+
+import pytest
+
+from command import PROGRAM, run
+from patches import sheet_text
+
+
+@pytest.fixture
+def model(tmp_path):
+    """A folder with a sheet that takes a second or more."""
+    path = tmp_path / "sheet.step"
+    path.write_text(sheet_text(count_x=6, count_y=5))
+    return path
+
+
+def start(model, **streams):
+    streams = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **streams}
+    return subprocess.Popen([PROGRAM, "repair", str(model), "-o", str(model.parent / "out.step"),
+                             "--json", str(model.parent / "out.json")], stdin=subprocess.DEVNULL, text=True, **streams)
+
+
+def whole_run(model):
+    """Seconds that it takes, and the two files."""
+    began = time.monotonic()
+    process = start(model)
+    process.communicate(timeout=60)
+    assert process.returncode in (0, 1)
+    seconds = time.monotonic() - began
+    files = [model.parent / name for name in ("out.step", "out.json")]
+    content = [file.read_text() for file in files]
+    for file in files:
+        file.unlink()
+    return seconds, content
+
+
+def without_time(text):
+    """A STEP file but for the time of day in its header."""
+    return [line for line in text.splitlines() if "FILE_NAME" not in line]
+
+
+@pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGTERM])
+def test_interrupted(model, how):
+    content = model.read_bytes()
+    seconds, _ = whole_run(model)
+    moments, stopped = random.Random(7), 0
+    for _ in range(5):
+        process = start(model)
+        time.sleep(moments.uniform(0.05, 0.8) * seconds)
+        asked = time.monotonic()
+        process.send_signal(how)
+        out, error = process.communicate(timeout=30)
+        assert time.monotonic() - asked < 5, "it took long to stop"
+        if process.returncode == 130:
+            stopped += 1
+            assert out == "" and error == "seamwright: stopped, nothing was written\n"
+            assert os.listdir(model.parent) == [model.name]
+        elif process.returncode == -how:
+            assert time.monotonic() - asked < 1, "it had not begun"
+        else:
+            assert process.returncode in (0, 1)
+        for name in ("out.step", "out.json"):
+            (model.parent / name).unlink(missing_ok=True)
+    assert stopped >= 2
+    assert model.read_bytes() == content
+
+
+def test_killed_at_random_moments(model):
+    content = model.read_bytes()
+    seconds, (step, report) = whole_run(model)
+    moments, seen = random.Random(11), set()
+    for _ in range(30):
+        process = start(model, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        time.sleep(moments.uniform(0, 1.05) * seconds)
+        process.send_signal(signal.SIGKILL)
+        process.wait(timeout=20)
+        assert model.read_bytes() == content
+        left = {name: (model.parent / name).read_text() for name in os.listdir(model.parent) if name != model.name}
+        seen.add("out.step" in left)
+        if "out.step" in left:
+            assert without_time(left["out.step"]) == without_time(step)
+        if "out.json" in left:
+            assert "out.step" in left, "the report speaks of a model that is there"
+            assert {**json.loads(left["out.json"]), "time_s": 0} == {**json.loads(report), "time_s": 0}
+        for name in left:
+            assert name in ("out.step", "out.json") or ".part" in name
+            (model.parent / name).unlink()
+    assert False in seen
+
+
+def test_a_bar_on_a_terminal_and_none_in_a_pipe(tmp_path):
+    model = tmp_path / "small.step"
+    model.write_text(sheet_text())
+    try:
+        master, slave = pty.openpty()
+    except OSError as error:
+        pytest.skip(f"no terminal to be had here: {error}")
+    process = start(model, stderr=slave)
+    os.close(slave)
+    text, shown = process.communicate(timeout=30)[0], b""
+    while True:
+        try:
+            data = os.read(master, 65536)
+        except OSError:
+            break
+        if not data:
+            break
+        shown += data
+    os.close(master)
+    shown = shown.decode()
+    assert process.returncode == 0
+    for what in ("reading small.step", "repairing small.step", "writing out.step"):
+        assert what in shown
+    assert shown.endswith("\r\x1b[K"), "the line is clear in the end"
+    assert "\r" not in text and "\x1b" not in text and "PASSED" in text
+    again = run("repair", model, "-o", tmp_path / "again.step")
+    assert again.stderr == "" and "\r" not in again.stdout
