@@ -73,14 +73,14 @@ TEST_P(RepairModels, BrokenByNoise) {
     }
     EXPECT_GE(seam.after.verdict.level, seam.before.verdict.level) << seam.before.edges[0];
   }
+  EXPECT_GT(counts.treated, 0);
+  EXPECT_GE(counts.share(), 0.95);
   EXPECT_LE(counts.largest_angle_deg, 0.1);
+  EXPECT_LE(counts.largest_move, 3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Further, RepairModels,
-                         testing::Values("freeform/blendsolid_test.step", "freeform/bottle.brep",
-                                         "freeform/linkrods.step", "freeform/Silk_Demo_01_sewn.step",
-                                         "freeform/Silk_Demo_02_sewn.step", "small/SurfaceTest-1.step",
-                                         "small/DTMB-5415_bulbous_bow.iges", "freeform/pygeo_fuse.igs"),
+                         testing::Values("freeform/blendsolid_test.step", "freeform/bottle.brep"),
                          [](const auto& model) {
                            std::string name = std::filesystem::path(model.param).stem();
                            std::ranges::replace_if(
