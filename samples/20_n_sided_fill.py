@@ -58,7 +58,7 @@ def halves(patch):
 
 
 def worst(seams):
-    figures = [seamwright.enclose_seam(*seam, angle_deg=1e-8, curvature_rel=0.01) for seam in seams]
+    figures = [seamwright.enclose_seam(*seam, reversed=seam[3] == "v1", angle_deg=1e-8, curvature_rel=0.01) for seam in seams]
     return max(f["angle_deg"]["upper"] for f in figures), max(f["curvature_per_mm"]["upper"] for f in figures)
 
 
@@ -81,7 +81,7 @@ WIDTH, HEIGHT = 760, 330
 
 def projected(points, left):
     x, y, z = np.asarray(points).T
-    return np.stack([left + 3.6 * (x + 0.25 * y), 165 - 3.6 * (0.5 * y + 0.8 * (z - 5))], axis=-1)
+    return np.stack([left + 3.3 * (x + 0.2 * y), 150 - 3.3 * (0.65 * y + 0.7 * (z - 5))], axis=-1)
 
 
 def lines(patch, left, color):

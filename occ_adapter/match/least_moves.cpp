@@ -119,13 +119,13 @@ LeastMoves::Normal LeastMoves::normalMatrix() const {
     see(j);
     for (const Use& use : uses[j]) {
       const Group& group = groups_[use.group];
-      const Eigen::RowVectorXd products = group.factors.col(use.column).transpose() * group.factors;
       const Eigen::Matrix3d square = group.direction * group.direction.transpose();
       for (std::size_t k = 0; k < group.points.size(); ++k) {
         const int i = group.points[k];
         if (i > j) continue;
         see(i);
-        const double product = products[static_cast<Eigen::Index>(k)];
+        const double product =
+            group.factors.col(use.column).dot(group.factors.col(static_cast<Eigen::Index>(k)));
         if (group.is_point)
           column[i].diagonal().array() += product;
         else
@@ -145,18 +145,17 @@ LeastMoves::Normal LeastMoves::normalMatrix() const {
 /// Half the gradient of the sum of squares, downwards.
 PointRows LeastMoves::pulled(const PointRows& moves) const {
   PointRows pull = PointRows::Zero(points_, 3);
-  for (const Group& group : groups_) {
-    Eigen::Matrix<double, Eigen::Dynamic, 3> sums =
-        Eigen::Matrix<double, Eigen::Dynamic, 3>::Zero(group.factors.rows(), 3);
-    for (std::size_t k = 0; k < group.points.size(); ++k)
-      sums += group.factors.col(static_cast<Eigen::Index>(k)) * moves.row(group.points[k]);
-    if (group.is_point)
-      sums = group.direction.transpose() - sums;
-    else
-      sums = ((group.values - sums * group.direction) * group.direction.transpose()).eval();
-    for (std::size_t k = 0; k < group.points.size(); ++k)
-      pull.row(group.points[k]) += group.factors.col(static_cast<Eigen::Index>(k)).transpose() * sums;
-  }
+  for (const Group& group : groups_)
+    for (Eigen::Index row = 0; row < group.factors.rows(); ++row) {
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      for (std::size_t k = 0; k < group.points.size(); ++k)
+        sum += group.factors(row, static_cast<Eigen::Index>(k)) * moves.row(group.points[k]).transpose();
+      const Eigen::Vector3d missing =
+          group.is_point ? Eigen::Vector3d(group.direction - sum)
+                         : Eigen::Vector3d((group.values[row] - group.direction.dot(sum)) * group.direction);
+      for (std::size_t k = 0; k < group.points.size(); ++k)
+        pull.row(group.points[k]) += group.factors(row, static_cast<Eigen::Index>(k)) * missing.transpose();
+    }
   return pull;
 }
 
@@ -166,7 +165,7 @@ PointRows LeastMoves::solve(double damping) const {
   const Eigen::SimplicialLDLT<SparseMatrix, Eigen::Upper, Eigen::NaturalOrdering<int>> factors(
       normal.inOrder(place, damping * damping));
   PointRows moves = PointRows::Zero(points_, 3), in_order(points_, 3);
-  for (int pass = 0; pass < 3; ++pass) {
+  for (int pass = 0; pass < 2; ++pass) {
     const PointRows pull = pulled(moves) - damping * damping * moves;
     for (int i = 0; i < points_; ++i) in_order.row(place[i]) = pull.row(i);
     const Eigen::VectorXd step =

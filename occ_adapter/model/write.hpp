@@ -53,7 +53,8 @@ void requireTarget(const std::filesystem::path& source, const std::filesystem::p
 /// reversed face may be numbered otherwise when it is read.
 ///
 /// STEP: schema (AP203, AP214 or AP242), header texts, length unit and stated accuracy of a STEP source are kept, and
-/// parameter curves are written. Numbers are written with the fewest digits that read back as the same double, where
+/// parameter curves are written. Where edges or vertices got larger tolerances than that accuracy, it becomes the largest of those, for readers
+/// throw away parameter curves that miss their vertices by more. Numbers are written with the fewest digits that read back as the same double, where
 /// OpenCASCADE's own writer rounds to 13 digits; beyond 1e-99 and 1e99, 16 digits. So in mm poles, weights, knots and points
 /// come back bit by bit; in other units the conversion may move the last bit. OpenCASCADE normalises directions when it reads,
 /// which may move their last bit, and it drops what it does not know (texts of faces, validation and tolerance data in

@@ -66,7 +66,7 @@ std::vector<FaceChoice> chooseFaces(const TopoDS_Shape& shape, const Report& bef
       choices[f].convertible = true;
     }
     choices[f].may_move = why.empty();
-    choices[f].may_be_trimmed = count == 1 && std::ranges::count(fixed, f) == 0;
+    choices[f].may_be_trimmed = why.empty() || choices[f].convertible;
   }
   return choices;
 }

@@ -34,6 +34,7 @@ class Converting {
     RepairReport report;
     for (bool first = true; !chosen.empty(); first = false) {
       report = repaired(converted(chosen));
+      noteTried(chosen, report);
       const std::set<int> moved = movedOf(chosen, report), spoilt = besideWorse(chosen, report);
       std::set<int> now = first ? with(chosen, besideUnrepaired(report)) : moved;
       for (const int face : spoilt) now.erase(face);
@@ -41,11 +42,24 @@ class Converting {
       if (now == chosen) return told(std::move(report));
       chosen = std::move(now);
     }
-    for (SeamRepair& seam : plain.seams) addReasons(seam);
+    for (std::size_t i = 0; i < plain.seams.size(); ++i) {
+      addReasons(plain.seams[i]);
+      if (const auto tried = tried_.find(i); tried != tried_.end() && isOpen(plain.seams[i]))
+        plain.seams[i].reason += "; as splines: " + tried->second;
+    }
     return finished(std::move(plain));
   }
 
  private:
+  /// What keeps seams beside converted faces from being repaired.
+  void noteTried(const std::set<int>& chosen, const RepairReport& report) {
+    for (std::size_t i = 0; i < report.seams.size(); ++i) {
+      const SeamRepair& seam = report.seams[i];
+      const auto& faces = seam.before.faces;
+      if (isOpen(seam) && (chosen.count(faces[0]) > 0 || chosen.count(faces[1]) > 0)) tried_[i] = seam.reason;
+    }
+  }
+
   /// Each run takes half of what is left of the progress.
   RepairReport repaired(const Model& model) {
     const double from = done_;
@@ -190,8 +204,9 @@ class Converting {
   TopTools_IndexedMapOfShape faces_;
   Report original_;
   Choice choice_;
-  std::map<int, double> errors_mm_;      ///< by face converted
-  std::map<int, std::string> failures_;  ///< by face that can't be
+  std::map<int, double> errors_mm_;           ///< by face converted
+  std::map<int, std::string> failures_;       ///< by face that can't be
+  std::map<std::size_t, std::string> tried_;  ///< by seam
   double done_ = 0, seconds_ = 0;
 };
 

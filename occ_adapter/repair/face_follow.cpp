@@ -9,8 +9,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -98,9 +98,8 @@ std::vector<std::vector<int>> collapsedSides(const SurfaceBasis& basis, const Po
 
 class FaceFollower {
  public:
-  FaceFollower(const FaceTask& task, bool gently)
-      : task_(task),
-        gently_(gently),
+  explicit FaceFollower(const FaceTask& task)
+      : task_(&task),
         before_(copyOf(task.surface)),
         basis_(*before_),
         poles_(polesOf(*before_)),
@@ -111,44 +110,91 @@ class FaceFollower {
   FaceFollow run() {
     sample();
     judge();
-    if (isMet()) return result(copyOf(task_.surface));
+    if (isMet()) return result(copyOf(task_->surface));
+    if (refuse()) return result_;
     raiseDegrees();
     markTouched();
-    constexpr double better = 0.9;
-    constexpr int most_idle = 2;
-    std::unique_ptr<FaceFollower> best;
-    for (int idle = 0;;) {
-      moveFairly();
-      if (isMet()) return movedResult();
-      idle = best && worstRatio() > std::max(1.0, better * best->worstRatio()) ? idle + 1 : 0;
-      if (!best || worstRatio() < best->worstRatio()) best = std::make_unique<FaceFollower>(*this);
-      if (idle == most_idle || result_.refinements == task_.max_refinements || !refine())
-        return best->movedResult();
+    improve();
+    if (worstRatio() > 1 && was_held_back_) {
+      gently_ = false;
+      improve();
     }
+    const Surface moved = copyOf(before_);
+    setPoles(*moved, poles_);
+    return result(moved);
   }
-
-  bool wasHeldBack() const { return was_held_back_; }
 
  private:
   FaceFollow result(const Surface& surface) {
     result_.surface = surface;
     result_.largest_move_mm = largestMove();
     result_.failure = whyNot();
+    for (const double ratio : result_.ratios) result_.missed.push_back(ratio > 1);
     return result_;
   }
 
-  FaceFollow movedResult() {
-    const Surface moved = copyOf(before_);
-    setPoles(*moved, poles_);
-    return result(moved);
+  /// Without a look at the poles: what a path asks for is beyond the moves allowed or turns the face over.
+  bool refuse() {
+    for (std::size_t i = 0; i < task_->paths.size(); ++i) {
+      const std::string why = whyBeyondReach(i);
+      result_.missed.push_back(!why.empty());
+      if (result_.failure.empty()) result_.failure = why;
+    }
+    if (result_.failure.empty()) {
+      result_.missed.clear();
+      return false;
+    }
+    result_.surface = copyOf(task_->surface);
+    return true;
   }
+
+  std::string whyBeyondReach(std::size_t path) const {
+    for (const std::vector<Place>* places : {&samples_[path], &checks_[path]})
+      for (const Place& place : *places) {
+        const SurfaceJet jet = jetOf(place.shares, original_);
+        const double move_mm = (place.target.point - jet.p).norm();
+        std::ostringstream text;
+        if (move_mm > task_->max_move_mm + task_->tolerance.gap_mm)
+          text << "path " << path + 1 << " asks for a move of " << move_mm << " mm at "
+               << at(place.target.point) << ", more than " << task_->max_move_mm << " mm";
+        else if (const auto normal = unitNormal(jet, noiseOf(jet, basis_));
+                 place.order > 0 && normal &&
+                 normal->dot(place.target.normal) < -std::sin(task_->tolerance.angle_rad))
+          text << "path " << path + 1 << " is missed at " << at(place.target.point) << " by "
+               << figuresText(measured(place), place.order, task_->tolerance)
+               << ", with its normal turned over";
+        if (!text.str().empty()) return text.str();
+      }
+    return {};
+  }
+
+  /// Moves and refines as long as that gains something; ends in the best that was found.
+  void improve() {
+    constexpr double better = 0.9;
+    const int most_idle = gently_ ? 2 : 1;
+    std::optional<FaceFollower> best;
+    if (!gently_) best = *this;
+    for (int idle = 0;;) {
+      moveFairly();
+      if (isMet()) return;
+      const double now = excess();
+      const bool gained = !best || (now < infinite && now <= std::max(1.0, better * best->excess()));
+      idle = gained ? 0 : idle + 1;
+      if (!best || now < best->excess()) best = *this;
+      if (idle == most_idle || result_.refinements == task_->max_refinements || !refine()) break;
+    }
+    *this = *best;
+  }
+
+  /// What is missed, over the tolerance, or the move over the one allowed.
+  double excess() const { return std::max(worstRatio(), largestMove() / task_->max_move_mm); }
 
   double worstRatio() const { return result_.ratios.empty() ? 0 : std::ranges::max(result_.ratios); }
 
   /// So that a knot inserted is no crease.
   void raiseDegrees() {
     int order = 1;
-    for (const FollowPath& path : task_.paths) order = std::max(order, path.order);
+    for (const FollowPath& path : task_->paths) order = std::max(order, path.order);
     if (basis_.u().degree > order && basis_.v().degree > order) return;
     before_->IncreaseDegree(std::max(basis_.u().degree, order + 1), std::max(basis_.v().degree, order + 1));
     basis_ = SurfaceBasis(*before_);
@@ -165,7 +211,7 @@ class FaceFollower {
     samples_.clear();
     checks_.clear();
     double length = 0, spans = 0;
-    for (const FollowPath& path : task_.paths) {
+    for (const FollowPath& path : task_->paths) {
       const PlanePath plane(path);
       const SpanMeasure measure(plane, basis_, before_);
       const double rate = per_pole * std::max({1.0, polesPerSpan(basis_.u()), polesPerSpan(basis_.v())});
@@ -196,13 +242,13 @@ class FaceFollower {
   double ratioAt(const Place& place, const PairMeasure& pair) const {
     const SurfaceJet jet = jetOf(place.shares, poles_);
     if (place.order > 0 && pair.angle_rad && place.target.normal.dot(jet.u.cross(jet.v)) < 0) return infinite;
-    return ratioOf(pair, place.order, task_.tolerance);
+    return ratioOf(pair, place.order, task_->tolerance);
   }
 
   void judge() {
-    worst_.assign(task_.paths.size(), {});
+    worst_.assign(task_->paths.size(), {});
     at_samples_ = 0;
-    for (std::size_t i = 0; i < task_.paths.size(); ++i)
+    for (std::size_t i = 0; i < task_->paths.size(); ++i)
       for (const std::vector<Place>* places : {&samples_[i], &checks_[i]}) {
         for (const Place& place : *places) {
           const PairMeasure pair = measured(place);
@@ -216,7 +262,7 @@ class FaceFollower {
   }
 
   bool isMet() const {
-    return std::ranges::all_of(result_.ratios, [&](double ratio) { return ratio <= task_.share; });
+    return std::ranges::all_of(result_.ratios, [&](double ratio) { return ratio <= task_->share; });
   }
 
   /// Only these poles and what knot insertion makes of them move.
@@ -224,7 +270,7 @@ class FaceFollower {
     constexpr double least_share = 1e-9;
     constexpr std::array<int, 3> rows = {1, 3, 6};
     TColgp_Array2OfPnt marks(1, before_->NbUPoles(), 1, before_->NbVPoles());
-    for (std::size_t i = 0; i < task_.paths.size(); ++i)
+    for (std::size_t i = 0; i < task_->paths.size(); ++i)
       for (const std::vector<Place>* places : {&samples_[i], &checks_[i]})
         for (const Place& place : *places)
           for (int row = 0; row < rows[std::clamp(place.order, 0, 2)]; ++row) {
@@ -252,7 +298,7 @@ class FaceFollower {
     std::vector<int> unknown(touched.rows(), -1);
     const auto moves = [&](int pole) { return touched(pole, 0) > 1e-12; };
     count = 0;
-    for (const std::vector<int>& side : collapsedSides(basis_, original_, task_.tolerance.gap_mm / 100))
+    for (const std::vector<int>& side : collapsedSides(basis_, original_, task_->tolerance.gap_mm / 100))
       if (std::ranges::any_of(side, moves)) {
         for (const int pole : side) unknown[pole] = count;
         ++count;
@@ -264,8 +310,8 @@ class FaceFollower {
 
   /// Curvature that counts as none beside the target.
   double curvatureLimit(const TargetPoint& target) const {
-    const double norm = Eigen::Matrix3d(target.curvature).norm(), flat = 1 / task_.tolerance.flat_radius_mm;
-    return norm < flat ? flat : task_.tolerance.curvature_rel * norm;
+    const double norm = Eigen::Matrix3d(target.curvature).norm(), flat = 1 / task_->tolerance.flat_radius_mm;
+    return norm < flat ? flat : task_->tolerance.curvature_rel * norm;
   }
 
   /// Conditions on all moves since the original.
@@ -327,11 +373,11 @@ class FaceFollower {
   };
 
   void addPlace(const Place& place, Conditions& conditions) const {
-    const ContinuityTolerance& tolerance = task_.tolerance;
+    const ContinuityTolerance& tolerance = task_->tolerance;
     const TargetPoint& target = place.target;
     const PoleShares& shares = place.shares;
     conditions.addPoint(shares.poles, shares.share.row(0), target.point,
-                        1 / (task_.share * tolerance.gap_mm));
+                        1 / (task_->share * tolerance.gap_mm));
     if (place.order < 1) return;
     const SurfaceJet jet = jetOf(shares, poles_);
     const auto normal = unitNormal(jet, noiseOf(jet, basis_));
@@ -344,23 +390,26 @@ class FaceFollower {
     Eigen::MatrixXd slopes(2, shares.share.cols());
     slopes << derivative(shares, steps[0]), derivative(shares, steps[1]);
     conditions.add(shares.poles, slopes, target.normal, Eigen::Vector2d::Zero(),
-                   1 / (task_.share * tolerance.angle_rad));
+                   1 / (task_->share * tolerance.angle_rad));
     if (place.order < 2) return;
     Eigen::MatrixXd bends(3, shares.share.cols());
     bends << secondDerivative(shares, steps[0], steps[0]), secondDerivative(shares, steps[0], steps[1]),
         secondDerivative(shares, steps[1], steps[1]);
     const auto bend = [&](int k, int m) { return ways[k].dot(target.curvature * ways[m]); };
     conditions.add(shares.poles, bends, target.normal, Eigen::Vector3d(bend(0, 0), bend(0, 1), bend(1, 1)),
-                   1 / (task_.share * curvatureLimit(target)));
+                   1 / (task_->share * curvatureLimit(target)));
   }
 
-  /// As fair as can be: less so only as long as the samples can't be met, and, if gently, as the move stays of its size.
+  /// As fair as can be: less so only as long as the samples can't be met, and, if gently, as the move stays of its size. After a refinement
+  /// from one step fairer than before.
   void moveFairly() {
-    constexpr double better = 0.9, of_its_size = 2;
+    constexpr double better = 0.5, of_its_size = 2;
+    constexpr std::array<double, 4> fairnesses = {0.1, 0.01, 1e-3, 1e-4};
     double before = infinite, limit = infinite;
-    for (const double fairness : {0.1, 0.01, 1e-3, 1e-4}) {
+    was_held_back_ = false;
+    for (std::size_t k = fairness_ > 0 ? fairness_ - 1 : 0; k < fairnesses.size(); ++k) {
       const PointRows fairer = poles_;
-      move(fairness);
+      move(fairnesses[k]);
       if (largestMove() > limit) {
         poles_ = fairer;
         was_held_back_ = true;
@@ -368,23 +417,25 @@ class FaceFollower {
         return;
       }
       judge();
-      if (isMet() || at_samples_ <= task_.share / 2 || at_samples_ > better * before) return;
+      fairness_ = k;
+      if (isMet() || at_samples_ <= task_->share / 2 || at_samples_ > better * before) return;
       before = at_samples_;
-      if (gently_ && limit == infinite) limit = of_its_size * std::max(largestMove(), task_.tolerance.gap_mm);
+      if (gently_ && limit == infinite)
+        limit = of_its_size * std::max(largestMove(), task_->tolerance.gap_mm);
     }
   }
 
   /// Of a move of one millimetre: so little that the rows are met to the square of the fairness times it.
   double fairnessWeight(double fairness) const {
-    double softest = task_.tolerance.gap_mm;
-    for (std::size_t i = 0; i < task_.paths.size(); ++i) {
-      if (task_.paths[i].order > 0) softest = std::max(softest, task_.tolerance.angle_rad * span_mm_);
-      if (task_.paths[i].order < 2) continue;
+    double softest = task_->tolerance.gap_mm;
+    for (std::size_t i = 0; i < task_->paths.size(); ++i) {
+      if (task_->paths[i].order > 0) softest = std::max(softest, task_->tolerance.angle_rad * span_mm_);
+      if (task_->paths[i].order < 2) continue;
       double limit = 0;
       for (const Place& place : samples_[i]) limit = std::max(limit, curvatureLimit(place.target));
       softest = std::max(softest, limit * span_mm_ * span_mm_);
     }
-    return fairness / (task_.share * softest);
+    return fairness / (task_->share * softest);
   }
 
   void addFairness(Conditions& conditions, double weight) const {
@@ -410,14 +461,15 @@ class FaceFollower {
     int count = 0;
     const std::vector<int> unknown = unknowns(count);
     const bool curved =
-        std::ranges::any_of(task_.paths, [](const FollowPath& path) { return path.order > 1; });
+        std::ranges::any_of(task_->paths, [](const FollowPath& path) { return path.order > 1; });
     const double weight = fairnessWeight(fairness);
     // Beyond, the conditions contradict one another or the passes diverge.
     constexpr double largest_sense = 0.05;
     const double extent = (original_.colwise().maxCoeff() - original_.colwise().minCoeff()).norm();
     for (int pass = 0; pass < (curved ? 4 : 1); ++pass) {
+      if (task_->is_cancelled && task_->is_cancelled()) throw Cancelled();
       Conditions conditions(unknown, count, original_);
-      for (std::size_t i = 0; i < task_.paths.size(); ++i)
+      for (std::size_t i = 0; i < task_->paths.size(); ++i)
         for (const Place& place : samples_[i]) addPlace(place, conditions);
       addFairness(conditions, weight);
       const PointRows moves = conditions.solve(0.05 * weight);
@@ -427,17 +479,17 @@ class FaceFollower {
         if (unknown[pole] >= 0) moved.row(pole) += moves.row(unknown[pole]);
       const double change = (moved - poles_).cwiseAbs().maxCoeff();
       poles_ = moved;
-      if (change <= 1e-2 * task_.share * task_.tolerance.gap_mm) break;
+      if (change <= 1e-2 * task_->share * task_->tolerance.gap_mm) break;
     }
   }
 
   /// Middles of the spans that are to be halved.
   std::array<std::set<double>, 2> middlesToInsert() const {
     std::array<std::set<double>, 2> middles;
-    for (std::size_t i = 0; i < task_.paths.size(); ++i)
+    for (std::size_t i = 0; i < task_->paths.size(); ++i)
       for (const std::vector<Place>* places : {&samples_[i], &checks_[i]})
         for (const Place& place : *places) {
-          if (ratioAt(place, measured(place)) <= task_.share) continue;
+          if (ratioAt(place, measured(place)) <= task_->share) continue;
           const std::array<const SplineAxis*, 2> axes = {&basis_.u(), &basis_.v()};
           std::array<double, 2> crossing{};
           for (const int k : {0, 1})
@@ -458,7 +510,7 @@ class FaceFollower {
     const auto middles = middlesToInsert();
     const auto total = (static_cast<double>(basis_.u().poles) + static_cast<double>(middles[0].size())) *
                        (static_cast<double>(basis_.v().poles) + static_cast<double>(middles[1].size()));
-    if ((middles[0].empty() && middles[1].empty()) || total > task_.max_poles) return false;
+    if ((middles[0].empty() && middles[1].empty()) || total > task_->max_poles) return false;
     const Surface moved = copyOf(before_);
     setPoles(*moved, poles_);
     before_ = copyOf(before_);
@@ -491,11 +543,11 @@ class FaceFollower {
 
   std::string whyMissed() const {
     const auto worst = std::ranges::max_element(worst_, {}, &Worst::ratio);
-    if (worst == worst_.end() || worst->ratio <= task_.share) return {};
+    if (worst == worst_.end() || worst->ratio <= task_->share) return {};
     const auto number = worst - worst_.begin();
     std::ostringstream text;
     text << "path " << number + 1 << " is missed at " << at(worst->point) << " by "
-         << figuresText(worst->pair, task_.paths[number].order, task_.tolerance);
+         << figuresText(worst->pair, task_->paths[number].order, task_->tolerance);
     if (worst->ratio == infinite) text << ", with its normal turned over";
     text << ", after " << result_.refinements << " refinements to " << basis_.u().poles << " by "
          << basis_.v().poles << " poles";
@@ -515,15 +567,15 @@ class FaceFollower {
       for (std::size_t b = a + 1; b < ends.size(); ++b) {
         const Eigen::Vector3d here = jetOf(ends[a].place->shares, original_).p,
                               there = jetOf(ends[b].place->shares, original_).p;
-        if ((here - there).norm() > std::max(task_.tolerance.gap_mm / 10, Precision::Confusion())) continue;
+        if ((here - there).norm() > std::max(task_->tolerance.gap_mm / 10, Precision::Confusion())) continue;
         const int order = std::min(ends[a].place->order, ends[b].place->order);
         SidePoint first = sideOf(ends[a].place->target), second = sideOf(ends[b].place->target);
         const PairMeasure pair = measurePair(first, second);
-        if (ratioOf(pair, order, task_.tolerance) <= 1) continue;
+        if (ratioOf(pair, order, task_->tolerance) <= 1) continue;
         std::ostringstream text;
         text << "paths " << ends[a].path + 1 << " and " << ends[b].path + 1
              << " ask for different things where they meet at " << at(ends[a].place->target.point) << ": "
-             << figuresText(pair, order, task_.tolerance) << " apart";
+             << figuresText(pair, order, task_->tolerance) << " apart";
         return text.str();
       }
     return {};
@@ -558,11 +610,12 @@ class FaceFollower {
     return false;
   }
 
-  const FaceTask& task_;
-  bool gently_;
+  const FaceTask* task_;
+  bool gently_ = true;
   bool was_held_back_ = false;
-  Surface before_;   ///< as given, with the knots of now
-  Surface touched_;  ///< one where a pole that a path touches has a share in the pole of now
+  std::size_t fairness_ = 0;  ///< the last one that was taken
+  Surface before_;            ///< as given, with the knots of now
+  Surface touched_;           ///< one where a pole that a path touches has a share in the pole of now
   SurfaceBasis basis_;
   PointRows poles_, original_;
   double spacing_u_, spacing_v_;
@@ -597,14 +650,7 @@ std::string figuresText(const PairMeasure& pair, int order, const ContinuityTole
 }
 
 FaceFollow followPaths(const FaceTask& task) {
-  const auto worst = [](const FaceFollow& follow) {
-    return follow.ratios.empty() ? 0 : std::ranges::max(follow.ratios);
-  };
-  FaceFollower gentle(task, true);
-  const FaceFollow gently = gentle.run();
-  if (gently.failure.empty() || !gentle.wasHeldBack()) return gently;
-  const FaceFollow freely = FaceFollower(task, false).run();
-  return freely.failure.empty() || worst(freely) < worst(gently) ? freely : gently;
+  return FaceFollower(task).run();
 }
 
 }  // namespace seamwright::occ

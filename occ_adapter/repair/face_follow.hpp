@@ -3,12 +3,14 @@
 
 #include <Geom_BSplineSurface.hxx>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include <seamwright/core/seam/measure.hpp>
 #include <seamwright/core/seam/tolerance.hpp>
 #include <seamwright/occ_adapter/convert/pcurve.hpp>
+#include <seamwright/occ_adapter/progress.hpp>
 
 /// A spline face that is made to meet what is given along paths in its parameter plane; not a public header.
 namespace seamwright::occ {
@@ -44,6 +46,9 @@ struct FaceTask {
   double share = 0.25;      ///< of the tolerance, to be met at the samples
   int max_refinements = 5;  ///< halvings of knot spans near the paths
   int max_poles = 40000;    ///< no refinement beyond
+  double max_move_mm =
+      std::numeric_limits<double>::infinity();  ///< targets further away are refused before any work
+  std::function<bool()> is_cancelled = {};      ///< asked before each solution; may be none
 };
 
 struct FaceFollow {
@@ -53,6 +58,8 @@ struct FaceFollow {
   int refinements = 0;
   /// The worst figure over its tolerance at the samples and between them, one a path; infinite where a normal is turned.
   std::vector<double> ratios;
+  /// By path: it can't be met to the tolerance. Of a task that was refused only the paths that are the reason.
+  std::vector<bool> missed;
   /// Why a ratio is above the share, with the place and the figures, or where the surface folds; empty: all is well. The surface is the
   /// best that was found also then.
   std::string failure;
@@ -65,7 +72,9 @@ struct FaceFollow {
 /// knot would be a crease. The move is as fair as the targets allow; refinement is preferred to moves that grow beyond twice the fairest.
 /// At a corner where curvature is asked for along two paths it is met with the first power of the spans' size, as the changes of both
 /// curvatures mostly contradict one another there.
-/// \throws Standard_Failure.
+/// No work is done where it is in vain for certain: a path's point is further from the face than poles may move, or its normal turned by
+/// more than 90 degrees. Refinement ends where two in a row gained nothing.
+/// \throws Standard_Failure; Cancelled.
 /// Source: MATH-surfaces 7.
 FaceFollow followPaths(const FaceTask& task);
 

@@ -6,11 +6,14 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
+#include <atomic>
+#include <exception>
 #include <limits>
 #include <set>
 #include <sstream>
 #include <stdexcept>
 
+#include <seamwright/occ_adapter/analyze/workers.hpp>
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
 #include <seamwright/occ_adapter/repair/seam_target.hpp>
 #include <seamwright/occ_adapter/repair/solve.hpp>
@@ -93,11 +96,12 @@ class Following {
     return std::make_shared<SeamTarget>(task_.seams[seam], pcurvesOf(seam), stays, order);
   }
 
-  FollowPath pathTo(std::size_t seam, const std::shared_ptr<SeamTarget>& target, int side) const {
-    FollowPath path = followPath(target, side);
-    path.order = orderOf(seam);
-    return path;
-  }
+  /// A side of a seam, which follows the target.
+  struct PathOfSeam {
+    std::size_t seam = 0;
+    std::shared_ptr<SeamTarget> target;
+    int side = 0;
+  };
 
   void makeTargets() {
     targets_.clear();
@@ -119,8 +123,7 @@ class Following {
       asked_[i] = asked.str();
       for (const int side : {0, 1})
         if (moves(sides[side].face))
-          paths_[sides[side].face].push_back(
-              {i, pathTo(i, common ? common : target(i, {side == 0, side == 1}), side)});
+          paths_[sides[side].face].push_back({i, common ? common : target(i, {side == 0, side == 1}), side});
     }
   }
 
@@ -199,41 +202,69 @@ class Following {
     }
   }
 
-  void followAll() {
-    const TopTools_IndexedMapOfShape faces = [this] {
-      TopTools_IndexedMapOfShape map;
-      TopExp::MapShapes(task_.shape, TopAbs_FACE, map);
-      return map;
-    }();
-    std::size_t done = 0;
-    for (const auto& [number, paths] : paths_) {
-      if (progress_ && !progress_(static_cast<double>(done++) / static_cast<double>(paths_.size())))
-        throw Cancelled();
-      follow(number, TopoDS::Face(faces(number)), paths);
-    }
-  }
-
-  struct PathOfSeam {
-    std::size_t seam = 0;
-    FollowPath path;
+  /// A face that has not followed all this before.
+  struct NewFace {
+    int number = 0;
+    std::string asked;
+    FaceFollow follow;
+    std::exception_ptr error;
   };
 
-  void follow(int number, const TopoDS_Face& face, const std::vector<PathOfSeam>& paths) {
-    std::string asked = std::to_string(number) + ":";
-    for (const PathOfSeam& path : paths) asked += asked_.at(path.seam);
-    if (known_.count(asked) == 0) {
-      FaceTask task;
-      task.surface = splineOf(face);
-      task.tolerance = task_.options.tolerance;
-      for (const PathOfSeam& path : paths) task.paths.push_back(path.path);
-      known_[asked] = followPaths(task);
+  void followAll() {
+    std::vector<NewFace> faces;
+    for (const auto& [number, paths] : paths_)
+      if (std::string asked = askedOf(number); known_.count(asked) == 0)
+        faces.push_back({number, std::move(asked), {}, {}});
+    TopTools_IndexedMapOfShape shapes;
+    TopExp::MapShapes(task_.shape, TopAbs_FACE, shapes);
+    std::atomic<bool> cancelled = false;
+    const auto work = [&](std::size_t k) {
+      NewFace& face = faces[k];
+      try {
+        face.follow = follow(face.number, TopoDS::Face(shapes(face.number)), cancelled);
+      } catch (...) {
+        face.error = std::current_exception();
+      }
+    };
+    const Progress watched = [&](double share) {
+      cancelled = progress_ && !progress_(share);
+      return !cancelled;
+    };
+    runParallel(faces.size(), task_.options.jobs, work, watched);
+    for (NewFace& face : faces) {
+      if (face.error) std::rethrow_exception(face.error);
+      known_[face.asked] = std::move(face.follow);
     }
-    const FaceFollow& result = known_.at(asked);
+    for (const auto& [number, paths] : paths_) take(number, known_.at(askedOf(number)));
+  }
+
+  std::string askedOf(int face) const {
+    std::string asked = std::to_string(face) + ":";
+    for (const PathOfSeam& path : paths_.at(face)) asked += asked_.at(path.seam);
+    return asked;
+  }
+
+  /// On a thread of its own: nothing that others read is evaluated.
+  FaceFollow follow(int number, const TopoDS_Face& face, const std::atomic<bool>& cancelled) const {
+    FaceTask task;
+    task.surface = splineOf(face);
+    task.tolerance = task_.options.tolerance;
+    task.max_move_mm = task_.options.max_move_mm;
+    task.is_cancelled = [&cancelled] { return cancelled.load(); };
+    for (const PathOfSeam& path : paths_.at(number)) {
+      task.paths.push_back(followPath(std::make_shared<const SeamTarget>(path.target->renewed()), path.side));
+      task.paths.back().order = orderOf(path.seam);
+    }
+    return followPaths(task);
+  }
+
+  void take(int number, const FaceFollow& follow) {
+    const std::vector<PathOfSeam>& paths = paths_.at(number);
     for (std::size_t k = 0; k < paths.size(); ++k)
-      if (result.ratios[k] > 1 && roles_[paths[k].seam] == Role::Treated)
-        solution_.failures[paths[k].seam] = "face " + std::to_string(number) + ": " + result.failure;
-    if (result.largest_move_mm > 0)
-      solution_.changes.push_back({number, handle<Geom_Surface>(result.surface), result.largest_move_mm});
+      if (follow.missed[k] && roles_[paths[k].seam] == Role::Treated)
+        solution_.failures[paths[k].seam] = "face " + std::to_string(number) + ": " + follow.failure;
+    if (follow.largest_move_mm > 0)
+      solution_.changes.push_back({number, handle<Geom_Surface>(follow.surface), follow.largest_move_mm});
   }
 
   const RepairTask& task_;

@@ -27,8 +27,8 @@ FaceMatchOptions matchOptions(const RepairOptions& options) {
 /// Joins one pair of faces after the other, each in the shape as the ones before left it.
 class PairSolver {
  public:
-  PairSolver(const RepairTask& task, const Progress& progress)
-      : task_(task), progress_(progress), shape_(task.shape), seams_(task.seams) {}
+  PairSolver(const RepairTask& task, JoinedPairs& known, const Progress& progress)
+      : task_(task), known_(known), progress_(progress), shape_(task.shape), seams_(task.seams) {}
 
   RepairSolution run() {
     const auto all = static_cast<double>(std::ranges::count(task_.treated, true));
@@ -44,8 +44,21 @@ class PairSolver {
 
  private:
   std::string attempt(std::size_t i) {
+    const auto& sides = task_.seams[i].sides;
+    const std::array<std::size_t, 3> asked = {i, state_[sides[0].face], state_[sides[1].face]};
+    const auto [at, is_new] = known_.try_emplace(asked);
+    JoinedPair& pair = at->second;
+    if (is_new) {
+      pair.state = known_.size();
+      pair.why_not = tryToJoin(i, pair.changes);
+    }
+    if (pair.why_not.empty()) accept(pair);
+    return pair.why_not;
+  }
+
+  std::string tryToJoin(std::size_t i, std::vector<FaceChange>& changes) {
     try {
-      return join(i);
+      return join(i, changes);
     } catch (const Standard_Failure& failure) {
       return std::string("OpenCASCADE failed: ") + failure.DynamicType()->Name() + " " +
              failure.GetMessageString();
@@ -54,7 +67,20 @@ class PairSolver {
     }
   }
 
-  std::string join(std::size_t i) {
+  /// The shape as the pairs before left it, if they changed a face of the seam.
+  void bringUpToDate(std::size_t i) {
+    const bool is_changed = std::ranges::any_of(
+        task_.seams[i].sides, [this](const FaceUse& side) { return changed_since_.count(side.face) > 0; });
+    if (!is_changed) return;
+    std::vector<FaceChange> changes;
+    for (const auto& [face, change] : changed_since_) changes.push_back(change);
+    shape_ = withChanges(shape_, changes, task_.options.tolerance.gap_mm);
+    seams_ = seamsIn(shape_, seams_);
+    changed_since_.clear();
+  }
+
+  std::string join(std::size_t i, std::vector<FaceChange>& changes) {
+    bringUpToDate(i);
     if (task_.sharp[i]) return "it is sharp";
     const Seam& seam = seams_[i];
     if (seam.sides[0].face == seam.sides[1].face) return "the face meets itself there, which is not handled";
@@ -78,7 +104,7 @@ class PairSolver {
       if ((moves[0] && !can_move[0]) || (moves[1] && !can_move[1])) continue;
       const Candidate candidate = joined(pair, moves);
       if (candidate.failure.empty() && candidate.largest_move_mm <= task_.options.max_move_mm) {
-        accept(seam, candidate);
+        changes = changesOf(seam, candidate);
         return {};
       }
       if (!why.empty()) continue;
@@ -124,34 +150,41 @@ class PairSolver {
     return follower.failure.empty() || candidate.failure.empty() ? follower : candidate;
   }
 
-  void accept(const Seam& seam, const Candidate& candidate) {
-    std::vector<FaceChange> step;
+  static std::vector<FaceChange> changesOf(const Seam& seam, const Candidate& candidate) {
+    std::vector<FaceChange> changes;
     for (const int which : {0, 1}) {
       const MovedSurface& moved = candidate.moved[which];
-      if (moved.after.IsNull()) continue;
-      FaceChange change{seam.sides[which].face, opencascade::handle<Geom_Surface>(moved.after),
-                        moved.largest_move_mm};
-      step.push_back(change);
-      FaceChange& sum = changes_[change.face];
-      change.largest_move_mm += sum.largest_move_mm;
-      sum = change;
+      if (!moved.after.IsNull())
+        changes.push_back(
+            {seam.sides[which].face, opencascade::handle<Geom_Surface>(moved.after), moved.largest_move_mm});
     }
-    shape_ = withChanges(shape_, step, task_.options.tolerance.gap_mm);
-    seams_ = seamsIn(shape_, seams_);
+    return changes;
+  }
+
+  void accept(const JoinedPair& pair) {
+    for (const FaceChange& step : pair.changes) {
+      FaceChange& sum = changes_[step.face];
+      sum = {step.face, step.surface, sum.largest_move_mm + step.largest_move_mm};
+      changed_since_[step.face] = step;
+      state_[step.face] = pair.state;
+    }
   }
 
   const RepairTask& task_;
+  JoinedPairs& known_;
   const Progress& progress_;
   TopoDS_Shape shape_;
-  std::vector<Seam> seams_;
-  std::map<int, FaceChange> changes_;
+  std::vector<Seam> seams_;                  ///< of that shape
+  std::map<int, FaceChange> changes_;        ///< by face, all since the task's shape
+  std::map<int, FaceChange> changed_since_;  ///< by face, since shape_
+  std::map<int, std::size_t> state_;         ///< of a face: the pair that left it so; 0: as in the task
   RepairSolution solution_;
 };
 
 }  // namespace
 
-RepairSolution joinPairs(const RepairTask& task, const Progress& progress) {
-  return PairSolver(task, progress).run();
+RepairSolution joinPairs(const RepairTask& task, JoinedPairs& known, const Progress& progress) {
+  return PairSolver(task, known, progress).run();
 }
 
 }  // namespace seamwright::occ

@@ -13,6 +13,7 @@
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <sstream>
 
 #include <seamwright/occ_adapter/analyze/measure_seam.hpp>
@@ -40,25 +41,63 @@ bool isNew(const Seam& after, const Seam& before) {
   return false;
 }
 
-std::vector<SeamResult> measured(const RepairTask& task, const std::vector<Seam>& seams,
-                                 const Progress& progress) {
-  std::vector<SeamResult> after = task.before;
-  std::vector<std::size_t> again;
-  for (std::size_t i = 0; i < seams.size(); ++i)
-    if (isNew(seams[i], task.seams[i])) again.push_back(i);
-  const AnalyzeOptions options = analyzeOptions(task.options);
-  const auto measureAgain = [&](std::size_t k) {
-    const std::size_t i = again[k];
-    after[i] = measureSeam(seams[i], options);
-    if (seams[i].id != 0) return;
-    after[i].id = task.before[i].id;
-    after[i].figures = {};
-    after[i].verdict = {};
-    after[i].note = "the edges are no longer close together";
-  };
-  runParallel(again.size(), task.options.jobs, measureAgain, progress);
-  return after;
-}
+/// Measures what is new, but no seam of one shape with the same surfaces twice.
+class Remeasuring {
+ public:
+  Remeasuring(const RepairTask& task, const std::vector<FaceChange>& changes, std::vector<Seam> seams,
+              MeasuredSeams& known)
+      : task_(task), seams_(std::move(seams)), known_(known) {
+    for (const FaceChange& change : changes) surfaces_[change.face] = change.surface;
+    for (const Seam& seam : seams_)
+      for (const int edge : seam.edges)
+        for (const FaceUse& side : seam.sides) faces_of_edge_[edge].insert(side.face);
+  }
+
+  /// Of the seams that are treated, or of the others.
+  void measure(bool treated, std::vector<SeamResult>& after, const Progress& progress) {
+    std::vector<std::size_t> again;
+    for (std::size_t i = 0; i < seams_.size(); ++i) {
+      if (task_.treated[i] != treated || !isNew(seams_[i], task_.seams[i])) continue;
+      if (const auto there = known_.find(keyOf(i)); there != known_.end())
+        after[i] = there->second;
+      else
+        again.push_back(i);
+    }
+    const AnalyzeOptions options = analyzeOptions(task_.options);
+    const auto measureAgain = [&](std::size_t k) { after[again[k]] = measured(again[k], options); };
+    runParallel(again.size(), task_.options.jobs, measureAgain, progress);
+    for (const std::size_t i : again) known_[keyOf(i)] = after[i];
+  }
+
+ private:
+  MeasuredSeams::key_type keyOf(std::size_t i) const {
+    std::set<int> faces;
+    for (const int edge : seams_[i].edges)
+      faces.insert(faces_of_edge_.at(edge).begin(), faces_of_edge_.at(edge).end());
+    MeasuredSeams::key_type key{i, {}};
+    for (const int face : faces) {
+      const auto changed = surfaces_.find(face);
+      key.second.push_back(changed == surfaces_.end() ? handle<Geom_Surface>() : changed->second);
+    }
+    return key;
+  }
+
+  SeamResult measured(std::size_t i, const AnalyzeOptions& options) const {
+    SeamResult after = measureSeam(seams_[i], options);
+    if (seams_[i].id != 0) return after;
+    after.id = task_.before[i].id;
+    after.figures = {};
+    after.verdict = {};
+    after.note = "the edges are no longer close together";
+    return after;
+  }
+
+  const RepairTask& task_;
+  const std::vector<Seam> seams_;
+  MeasuredSeams& known_;
+  std::map<int, handle<Geom_Surface>> surfaces_;  ///< by face that changes
+  std::map<int, std::set<int>> faces_of_edge_;
+};
 
 double known(const Figure& figure) {
   return figure.upper.value_or(figure.lower);
@@ -95,16 +134,19 @@ std::string whyWorse(const SeamResult& after, const SeamResult& before, const Re
   return {};
 }
 
-void judgeSeams(const RepairTask& task, Proof& proof) {
+void judgeTreated(const RepairTask& task, Proof& proof) {
+  for (std::size_t i = 0; i < proof.after.size(); ++i)
+    if (task.treated[i] && !isRepaired(proof.after[i], task.sharp[i], task.options))
+      proof.unrepaired[i] = "after a move it has " + figuresText(proof.after[i]);
+}
+
+void judgeOthers(const RepairTask& task, Proof& proof) {
   for (std::size_t i = 0; i < proof.after.size(); ++i) {
+    if (task.treated[i]) continue;
     const SeamResult& after = proof.after[i];
-    if (task.treated[i]) {
-      if (!isRepaired(after, task.sharp[i], task.options))
-        proof.unrepaired[i] = "after a move it has " + figuresText(after);
-    } else if (const std::string why = whyWorse(after, task.before[i], task.options); !why.empty()) {
+    if (const std::string why = whyWorse(after, task.before[i], task.options); !why.empty())
       proof.worse[i] = "edge " + std::to_string(after.edges.front()) + " would get " + why + " (" +
                        figuresText(after) + "; before " + figuresText(task.before[i]) + ")";
-    }
   }
 }
 
@@ -171,7 +213,7 @@ void judgeFaces(const RepairTask& task, const std::vector<FaceChange>& changes, 
                 const Soundness& was, Proof& proof) {
   const TopTools_IndexedMapOfShape before = partsOf(task.shape, TopAbs_FACE);
   const TopTools_IndexedMapOfShape after = partsOf(changed, TopAbs_FACE);
-  const Soundness is = soundnessOf(changed);
+  const Soundness is = soundnessOf(changed, task.options.jobs);
   for (int f = 1; f <= after.Extent(); ++f)
     if (was.faces[f] && !is.faces[f]) proof.faces[f] = "OpenCASCADE's checks do not pass";
   if (was.whole && !is.whole && proof.faces.empty()) proof.whole = "OpenCASCADE's checks do not pass";
@@ -202,30 +244,55 @@ double area_mm2(const TopoDS_Shape& face) {
   return properties.Mass();
 }
 
+/// What a face gives to the volume of its solid.
+struct FaceFlux {
+  TopoDS_Shape was, is;
+  gp_Pnt from;
+  double before_mm3 = 0, change_mm3 = 0, area_mm2 = 0;
+  std::exception_ptr error = {};
+
+  void integrate() {
+    try {
+      before_mm3 = flux_mm3(was, from);
+      change_mm3 = flux_mm3(is, from) - before_mm3;
+      area_mm2 = occ::area_mm2(was);
+    } catch (...) {
+      error = std::current_exception();
+    }
+  }
+};
+
 /// The volume of a solid is the sum of what its faces give; faces that stay give the same.
 void judgeVolumes(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
-                  Proof& proof) {
+                  Proof& proof, const Progress& progress) {
   const TopTools_IndexedMapOfShape before = partsOf(task.shape, TopAbs_SOLID);
   const TopTools_IndexedMapOfShape after = partsOf(changed, TopAbs_SOLID);
   const TopTools_IndexedMapOfShape faces = partsOf(task.shape, TopAbs_FACE);
   for (int s = 1; s <= before.Extent(); ++s) {
-    double change_mm3 = 0, explained_mm3 = 0, flux = 0;
     const gp_Pnt from =
         TopExp_Explorer(before(s), TopAbs_VERTEX).More()
             ? BRep_Tool::Pnt(TopoDS::Vertex(TopExp_Explorer(before(s), TopAbs_VERTEX).Current()))
             : gp_Pnt();
+    std::vector<FaceFlux> fluxes;
+    std::vector<double> moves_mm;
     TopExp_Explorer was(before(s), TopAbs_FACE), is(after(s), TopAbs_FACE);
     for (; was.More(); was.Next(), is.Next()) {
-      const int number = faces.FindIndex(was.Current());
-      const auto move = std::ranges::find(changes, number, &FaceChange::face);
+      const auto move = std::ranges::find(changes, faces.FindIndex(was.Current()), &FaceChange::face);
       if (move == changes.end()) continue;
-      const double flux_before = flux_mm3(was.Current(), from);
-      change_mm3 += flux_mm3(is.Current(), from) - flux_before;
-      flux += std::abs(flux_before);
-      explained_mm3 += 1.01 * area_mm2(was.Current()) * move->largest_move_mm;
+      fluxes.push_back({was.Current(), is.Current(), from});
+      moves_mm.push_back(move->largest_move_mm);
+    }
+    runParallel(
+        fluxes.size(), task.options.jobs, [&fluxes](std::size_t k) { fluxes[k].integrate(); }, progress);
+    double change_mm3 = 0, explained_mm3 = 0, flux_mm3 = 0;
+    for (std::size_t k = 0; k < fluxes.size(); ++k) {
+      if (fluxes[k].error) std::rethrow_exception(fluxes[k].error);
+      change_mm3 += fluxes[k].change_mm3;
+      flux_mm3 += std::abs(fluxes[k].before_mm3);
+      explained_mm3 += 1.01 * fluxes[k].area_mm2 * moves_mm[k];
     }
     constexpr double noise = 1e-6;
-    if (std::abs(change_mm3) <= explained_mm3 + noise * flux) continue;
+    if (std::abs(change_mm3) <= explained_mm3 + noise * flux_mm3) continue;
     std::ostringstream text;
     text << "the volume of solid " << s << " would change by " << change_mm3 << " mm3, more than "
          << explained_mm3 << " mm3, which the moves explain";
@@ -286,9 +353,9 @@ void addConnected(const RepairTask& task, const std::set<int>& moved,
 
 }  // namespace
 
-Soundness soundnessOf(const TopoDS_Shape& shape) {
+Soundness soundnessOf(const TopoDS_Shape& shape, int jobs) {
   const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE);
-  const BRepCheck_Analyzer analyzer(shape);
+  const BRepCheck_Analyzer analyzer(shape, true, jobs != 1);
   Soundness soundness;
   soundness.faces.assign(static_cast<std::size_t>(faces.Extent()) + 1, true);
   soundness.whole = analyzer.IsValid();
@@ -322,14 +389,17 @@ std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed
 }
 
 Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
-            const Soundness& was, const Progress& progress) {
+            const Soundness& was, MeasuredSeams& known, const Progress& progress) {
   Proof proof;
-  proof.after =
-      measured(task, seamsAfter(task, changed, partOf(progress, 0, 0.2)), partOf(progress, 0.2, 0.8));
-  judgeSeams(task, proof);
+  proof.after = task.before;
+  Remeasuring again(task, changes, seamsAfter(task, changed, partOf(progress, 0, 0.2)), known);
+  again.measure(true, proof.after, partOf(progress, 0.2, 0.4));
+  judgeTreated(task, proof);
   judgeFaces(task, changes, changed, was, proof);
-  judgeVolumes(task, changes, changed, proof);
-  if (progress && !progress(1)) throw Cancelled();
+  if (!proof.unrepaired.empty() || !proof.faces.empty()) return proof;
+  again.measure(false, proof.after, partOf(progress, 0.4, 0.8));
+  judgeOthers(task, proof);
+  if (proof.holds()) judgeVolumes(task, changes, changed, proof, partOf(progress, 0.8, 1));
   return proof;
 }
 

@@ -16,7 +16,11 @@ struct Soundness {
   std::vector<bool> faces;
   bool whole = true;
 };
-Soundness soundnessOf(const TopoDS_Shape& shape);
+Soundness soundnessOf(const TopoDS_Shape& shape, int jobs);
+
+/// Seams of one shape measured after changes of it, by the seam and the surfaces of the faces beside its edges (none: it stays).
+using MeasuredSeams =
+    std::map<std::pair<std::size_t, std::vector<opencascade::handle<Geom_Surface>>>, SeamResult>;
 
 /// What is wrong with a change; nothing, and it may be kept.
 struct Proof {
@@ -33,10 +37,11 @@ struct Proof {
 /// more has no id. \throws Cancelled.
 std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed, const Progress& progress);
 
-/// Seams beside faces and edges that are new are measured again, the others have their figures from before.
-/// \param was of the task's shape. \throws Cancelled.
+/// Seams beside faces and edges that are new are measured again, the others have their figures from before. What costs much is looked at only
+/// where nothing before it speaks against the change: first the faces and the treated seams, then the other seams, then the whole.
+/// \param was of the task's shape. \param known of the task's shape; it grows. \throws Cancelled.
 Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
-            const Soundness& was, const Progress& progress);
+            const Soundness& was, MeasuredSeams& known, const Progress& progress);
 
 /// Treated seams to be given up for the proof to hold, with the reason of each: those that do not have the level, and of a face that is at fault
 /// all of its own. Where there are none, of a seam that is worse those that move one of its faces, and end where it ends if there are such.

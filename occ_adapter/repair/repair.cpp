@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -65,10 +66,14 @@ class Repairing {
 
   /// What one solver leaves the next one tries, in the shape as it is then.
   void repair(const std::vector<FaceChoice>& faces) {
-    FollowedFaces known;
-    const std::array<Solver, 4> solvers = {joinPaths, joinNetwork, joinPairs,
-                                           [&known](const RepairTask& task, const Progress& progress) {
-                                             return followTargets(task, known, progress);
+    JoinedPairs pairs;
+    FollowedFaces followed;
+    const std::array<Solver, 4> solvers = {joinPaths, joinNetwork,
+                                           [&pairs](const RepairTask& task, const Progress& progress) {
+                                             return joinPairs(task, pairs, progress);
+                                           },
+                                           [&followed](const RepairTask& task, const Progress& progress) {
+                                             return followTargets(task, followed, progress);
                                            }};
     const double all = options_.match_mm > 0 && options_.sew ? share_before_sewing : 1;
     double done = share_of_analysis;
@@ -83,32 +88,48 @@ class Repairing {
   }
 
   void improve(RepairTask task, const Solver& solver, const Progress& progress) {
-    const Soundness was = soundnessOf(task.shape);
+    if (!was_) was_ = soundnessOf(task.shape, options_.jobs);
+    MeasuredSeams measured;
     double done = 0;
     for (int round = 0; round < most_rounds && std::ranges::count(task.treated, true) > 0; ++round) {
       const double next = done + (1 - done) / 3;
       const Progress part = partOf(progress, done, next);
       done = next;
-      const Reasons given_up = attempt(task, solver, was, round >= rounds_for_culprits_alone, part);
+      const Reasons given_up = attempt(task, solver, measured, round >= rounds_for_culprits_alone, part);
       if (given_up.empty()) return;
       giveUp(given_up, task);
     }
     giveUp(everything(task, "no change was proven in " + std::to_string(most_rounds) + " rounds"), task);
   }
 
-  /// \returns seams to give up; none if the change was kept.
-  Reasons attempt(const RepairTask& task, const Solver& solver, const Soundness& was, bool with_connected,
+  /// Gives up what fails until the solver knows how all the rest is met.
+  RepairSolution solve(RepairTask& task, const Solver& solver, const Progress& progress) {
+    double done = 0;
+    for (;;) {
+      const double next = done + (1 - done) / 2;
+      RepairSolution solution = solver(task, partOf(progress, done, next));
+      if (solution.complete) return solution;
+      giveUp(solution.failures, task);
+      done = next;
+    }
+  }
+
+  /// \returns seams to give up; none if the change was kept or all were given up.
+  Reasons attempt(RepairTask& task, const Solver& solver, MeasuredSeams& measured, bool with_connected,
                   const Progress& progress) {
     try {
-      RepairSolution solution = solver(task, partOf(progress, 0, 0.5));
-      if (!solution.complete) return solution.failures;
+      RepairSolution solution = solve(task, solver, partOf(progress, 0, 0.5));
+      if (std::ranges::count(task.treated, true) == 0) return {};
       RepairTask rest = task;
       giveUp(solution.failures, rest);
       if (solution.changes.empty() && solution.paths.empty()) return everything(task, "nothing was moved");
       for (FaceChange& change : solution.changes) change.largest_move_mm += moves_[change.face];
       const TopoDS_Shape changed =
           withChanges(task.shape, solution.changes, options_.tolerance.gap_mm, solution.paths);
-      const Proof proof = prove(rest, solution.changes, changed, was, partOf(progress, 0.5, 1));
+      // Figures known are of edges with the paths that they have in the shape.
+      MeasuredSeams of_paths;
+      MeasuredSeams& known = solution.paths.empty() ? measured : of_paths;
+      const Proof proof = prove(rest, solution.changes, changed, *was_, known, partOf(progress, 0.5, 1));
       if (!proof.holds()) {
         Reasons given_up = culprits(rest, solution, proof, with_connected);
         given_up.merge(solution.failures);
@@ -143,6 +164,7 @@ class Repairing {
   void keep(const RepairTask& task, const RepairSolution& solution, const TopoDS_Shape& changed,
             const Proof& proof) {
     result_.model.shape = changed;
+    was_.reset();
     result_.after.seams = proof.after;
     seams_ = seamsIn(changed, seams_);
     for (const FaceChange& change : solution.changes) moves_[change.face] = change.largest_move_mm;
@@ -197,6 +219,7 @@ class Repairing {
   std::vector<bool> open_;            ///< by seam: to be repaired, and not yet
   std::vector<std::string> reasons_;  ///< by seam
   std::map<int, double> moves_;       ///< by face
+  std::optional<Soundness> was_;      ///< of the shape as it is, once known
   std::map<int, double> edge_moves_;  ///< by edge
   Reasons not_sewn_;
   RepairReport result_;

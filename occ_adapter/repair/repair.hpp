@@ -11,7 +11,7 @@ namespace seamwright::occ {
 struct RepairOptions {
   int order = 1;                  ///< 1: G1, 2: G2
   ContinuityTolerance tolerance;  ///< what a seam must meet to count as repaired
-  double max_move_mm = 0.5;       ///< no pole may move further
+  double max_move_mm = 0.5;       ///< no pole may move further, and no point of an edge on its face
   /// Edges whose seams are treated, from 1, order of TopExp::MapShapes; empty: all seams of class defect.
   std::vector<int> edges;
   std::vector<int> fixed_faces;  ///< faces that stay
@@ -63,7 +63,7 @@ struct RepairReport {
   Report before, after;                   ///< seams in the same order; each with the numbers of its own model
   std::vector<SeamRepair> seams;          ///< all seams, in the order of before
   std::vector<FaceMove> moves;            ///< of the faces that moved
-  std::vector<FaceConversion> converted;  ///< of the faces that moved
+  std::vector<FaceConversion> converted;  ///< of moved faces
   /// Of the edges that were led anew on faces that stay; numbers of the given model.
   std::vector<EdgeMove> edge_moves;
   /// What has which number in model, by its number in the given one (from 1; the first stands for none); empty if nothing was sewn. Edges
@@ -79,19 +79,23 @@ struct RepairReport {
 /// Moves poles of B-spline and Bezier faces, as little as possible, until the seams chosen flow; proves it, or leaves them as they were.
 /// Planes, cylinders and the like stay, and parts with several instances, and faces that have an edge where three or more meet.
 ///
-/// Three ways are tried one after the other, each for what the one before left: all seams between natural sides of polynomial surfaces at once,
-/// exactly (core/join/network.hpp); one pair after the other (see matchFaces()); and all faces at once, to a share of the tolerance,
-/// towards common targets of their seams that agree at vertices. What spoils a way is given up until the rest can be proven.
+/// Four ways are tried one after the other, each for what the one before left: where the gap alone is too large and the surfaces meet near
+/// the edge, it is led anew along them, between the same ends, and no surface moves; all seams between natural sides of polynomial
+/// surfaces at once, exactly (core/join/network.hpp); one pair after the other (see matchFaces()); and all faces at once, to a share of
+/// the tolerance, towards common targets of their seams that agree at vertices. What spoils a way is given up until the rest can be proven.
 ///
-/// A treated seam counts as repaired, and its change is kept, only if afterwards its enclosed figures meet the target; no other seam of
-/// the model is worse than it was; no pole moved further than max_move_mm, all ways together; no face folded; no edge lies further from
-/// its faces than twice the gap tolerance or what it had; and the shape passes OpenCASCADE's checks as before, closed solids stay closed,
-/// and their volume changed by no more than the moves explain. What could not be repaired is told with the reason and left as it was. A
-/// seam on a moved face, or between two, may be left better than it was.
+/// A seam that would be a crease (see judge()) if its sides met gets its gap closed and stays sharp, unless its edge was picked. Where faces
+/// fold back on one another below the crease angle nothing is tried.
+///
+/// A treated seam counts as repaired, and its change is kept, only if afterwards its enclosed figures meet the target (of a sharp one: its
+/// gap does); no other seam of the model is worse than it was; no pole moved further than max_move_mm, all ways together; no face folded;
+/// no edge lies further from its faces than twice the gap tolerance or what it had; and the shape passes OpenCASCADE's checks as before,
+/// closed solids stay closed, and their volume changed by no more than the moves explain. What could not be repaired is told with the
+/// reason and left as it was. A seam on a moved face, or between two, may be left better than it was.
 ///
 /// A seam is worse if its class is, or it is less certain; if its level is lower, above the level asked for only where it had the higher
 /// one for sure (where a side is nearly flat the figures often can't tell); or if a figure that the target asks for, of a crease the gap
-/// alone, is surely above its tolerance and exceeds its old upper bound by more than a tenth of the tolerance, in each of the three ways.
+/// alone, is surely above its tolerance and exceeds its old upper bound by more than a tenth of the tolerance, in each of the ways.
 /// Figures within the tolerance are as good as one another, and so are those that differ by less than that tenth.
 /// A model without seams to treat or to sew comes back as it is, sharing everything.
 ///
@@ -103,11 +107,11 @@ struct RepairReport {
 /// At last matched seams (of the edges picked, or all) are sewn, creases too, if they surely meet within the gap tolerance: their two edges
 /// become one halfway between them, with a path on both faces and the tolerance that is measured. Of edges that are longer than what lies
 /// beside them the stretch is cut out. Vertices are merged where edges end together; what ends nearer than the gap tolerance to a vertex
-/// ends there. Faces that hang together so become one shell, turned as the first of them, and a closed one a solid with its inside inward;
+/// ends there. Faces that hang together so become one shell, turned as the first of them, and a closed one a solid, turned outward;
 /// it stands where the first part (face, shell, or solid of one shell) stood that it is made of. Surfaces stay, and so do fixed faces.
 /// The order of the faces stays if the faces of each new shell stood one after another. Names, colours and layers stay with their faces,
 /// edges and vertices; those of shells and solids that became part of another go to their faces, as far as these have none.
-/// It is kept only if each sewn seam, measured again as one edge, has the level that it had and a gap within the tolerance; if the faces
+/// It is kept only if each sewn seam, measured again as one edge, has a gap within the tolerance and the level that it surely had; if the faces
 /// and the shape pass OpenCASCADE's checks as before; and if no vertex reaches further than twice the gap tolerance or what it did.
 /// Parts with several instances, solids of several shells and faces that have one surface in common are not sewn.
 ///

@@ -111,6 +111,12 @@ SeamTarget::SeamTarget(const Seam& seam, const std::array<Pcurve, 2>& pcurves,
     }
 }
 
+SeamTarget SeamTarget::renewed() const {
+  SeamTarget target(seam_, pcurves_, stays_, order_);
+  target.leads_ = leads_;
+  return target;
+}
+
 double SeamTarget::placeOnSecond(double s) const {
   const Correspondence& map = seam_.correspondence;
   const auto [low, high] = std::minmax(map.b.front(), map.b.back());

@@ -35,6 +35,9 @@ class SeamTarget {
   SeamTarget(const Seam& seam, const std::array<Pcurve, 2>& pcurves, const std::array<bool, 2>& stays,
              int order);
 
+  /// The same with adaptors of its own, for another thread.
+  SeamTarget renewed() const;
+
   const Seam& seam() const { return seam_; }
   const std::array<bool, 2>& stays() const { return stays_; }
   int order() const { return order_; }

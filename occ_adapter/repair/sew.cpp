@@ -36,7 +36,7 @@ class Sewing {
 
   SewSolution run() {
     choose();
-    const Soundness was = soundnessOf(task_.shape);
+    const Soundness was = soundnessOf(task_.shape, task_.options.jobs);
     double done = 0;
     while (!chosen_.empty()) {
       const double next = done + (1 - done) / 3;
@@ -96,7 +96,7 @@ class Sewing {
 
   Reasons unsound(const Soundness& was) const {
     const SewnShape& sewn = solution_.sewn;
-    const Soundness is = soundnessOf(sewn.shape);
+    const Soundness is = soundnessOf(sewn.shape, task_.options.jobs);
     Reasons refused;
     for (const std::size_t i : chosen_)
       for (const FaceUse& side : task_.seams[i].sides)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -45,10 +46,20 @@ RepairSolution joinPaths(const RepairTask& task, const Progress& progress);
 /// \throws Cancelled.
 RepairSolution joinNetwork(const RepairTask& task, const Progress& progress);
 
+/// A pair that was joined before, or was not.
+struct JoinedPair {
+  std::vector<FaceChange> changes;
+  std::string why_not;    ///< empty: it was
+  std::size_t state = 0;  ///< number of what its faces are then
+};
+
+/// In one shape by the seam and the states of its two faces, 0: as they are in the shape.
+using JoinedPairs = std::map<std::array<std::size_t, 3>, JoinedPair>;
+
 /// Joins one pair after the other in poles where both faces end with a side of their surfaces, else one face follows the other; what ends at
 /// the seam stays. What one pair gains the next may spoil.
 /// \throws Cancelled.
-RepairSolution joinPairs(const RepairTask& task, const Progress& progress);
+RepairSolution joinPairs(const RepairTask& task, JoinedPairs& known, const Progress& progress);
 
 /// Faces that followed before, by all that was asked of them, in one shape.
 using FollowedFaces = std::map<std::string, FaceFollow>;

@@ -45,11 +45,11 @@ MatchResult matchFaces(const occ::Model& model, const py::object& first, const p
   options.match_mm = argument<double>("match_mm", match_mm, "a number");
   options.edge = argument<int>("edge", edge, "the number of an edge");
   options.tolerance = toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg});
-  const occ::Progress report = progressOf(progress);
-  const py::gil_scoped_release release;
-  MatchResult result{occ::matchFaces(model.shape, face_a, face_b, options, report), {}, options.tolerance};
-  result.model = occ::modelFromShape(result.report.shape);
-  return result;
+  return longCall(progress, [&](const occ::Progress& report) {
+    MatchResult result{occ::matchFaces(model.shape, face_a, face_b, options, report), {}, options.tolerance};
+    result.model = occ::modelFromShape(result.report.shape);
+    return result;
+  });
 }
 
 /// None where the faces have no common boundary.

@@ -19,19 +19,14 @@ namespace seamwright::python {
 namespace {
 
 occ::Model readFile(const std::filesystem::path& path, const py::object& progress) {
-  const occ::Progress report = progressOf(progress);
-  const py::gil_scoped_release release;
-  return occ::readModel(path, report);
+  return longCall(progress, [&](const occ::Progress& report) { return occ::readModel(path, report); });
 }
 
 py::dict writeFile(const occ::Model& model, const std::filesystem::path& path, bool overwrite,
                    bool overwrite_source, bool afresh, const py::object& progress) {
-  const occ::Progress report = progressOf(progress);
-  occ::WriteReport written;
-  {
-    const py::gil_scoped_release release;
-    written = occ::writeModel(model, path, {overwrite, overwrite_source, afresh}, report);
-  }
+  const occ::WriteReport written = longCall(progress, [&](const occ::Progress& report) {
+    return occ::writeModel(model, path, {overwrite, overwrite_source, afresh}, report);
+  });
   py::dict dict;
   dict["format"] = std::string(occ::name(written.format));
   dict["followed_source"] = written.followed_source;
@@ -54,9 +49,8 @@ occ::Report analyzeModel(const occ::Model& model, const py::object& profile, con
   options.level = levelOf(level);
   if (!match_mm.is_none()) options.match_mm = argument<double>("match_mm", match_mm, "a number");
   options.jobs = argument<int>("jobs", jobs, "a whole number");
-  const occ::Progress report = progressOf(progress);
-  const py::gil_scoped_release release;
-  return occ::analyze(model, options, report);
+  return longCall(progress,
+                  [&](const occ::Progress& report) { return occ::analyze(model, options, report); });
 }
 
 py::dict profiles() {

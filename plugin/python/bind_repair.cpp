@@ -43,9 +43,9 @@ RepairReport repairModel(const occ::Model& model, const py::object& target, cons
   if (!match_mm.is_none()) options.match_mm = argument<double>("match_mm", match_mm, "a number");
   options.sew = flagOf("sew", sew);
   options.jobs = argument<int>("jobs", jobs, "a whole number");
-  const occ::Progress report = progressOf(progress);
-  const py::gil_scoped_release release;
-  return {occ::repair(model, options, report), options};
+  return longCall(progress, [&](const occ::Progress& report) {
+    return RepairReport{occ::repair(model, options, report), options};
+  });
 }
 
 py::object toDict(const RepairReport& repair) {

@@ -4,11 +4,16 @@
 
 namespace seamwright::python {
 
-occ::Progress progressOf(const py::object& callable) {
-  return [&callable](double share) {
+occ::Progress progressOf(const py::object& callable, std::exception_ptr& raised) {
+  return [&callable, &raised](double share) {
     const py::gil_scoped_acquire gil;
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    return callable.is_none() || !callable(share).is(py::bool_(false));
+    try {
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+      return callable.is_none() || !callable(share).is(py::bool_(false));
+    } catch (const py::error_already_set&) {
+      raised = std::current_exception();
+      return false;
+    }
   };
 }
 

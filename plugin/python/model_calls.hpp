@@ -3,6 +3,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <exception>
 #include <nlohmann/json.hpp>
 #include <seamwright/occ_adapter/progress.hpp>
 #include <string>
@@ -12,8 +13,27 @@ namespace seamwright::python {
 
 namespace py = pybind11;
 
-/// Calls a Python callable from a thread without the GIL; also lets Ctrl-C through. The callable has to outlive it.
-occ::Progress progressOf(const py::object& callable);
+/// Calls a Python callable from a thread without the GIL. What it raises, and Ctrl-C, asks the work to stop and is kept in \p raised.
+/// Both arguments have to outlive it.
+occ::Progress progressOf(const py::object& callable, std::exception_ptr& raised);
+
+/// Does long work without the GIL: work(progress). What the callable raises is raised, however the work took being stopped.
+template <class Work>
+auto longCall(const py::object& callable, const Work& work) {
+  std::exception_ptr raised;
+  const occ::Progress progress = progressOf(callable, raised);
+  try {
+    auto result = [&] {
+      const py::gil_scoped_release release;
+      return work(progress);
+    }();
+    if (raised) std::rethrow_exception(raised);
+    return result;
+  } catch (const occ::Cancelled&) {
+    if (raised) std::rethrow_exception(raised);
+    throw;
+  }
+}
 
 /// Dicts, lists, numbers, texts and None.
 py::object plainObject(const nlohmann::ordered_json& json);

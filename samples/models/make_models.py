@@ -53,7 +53,31 @@ def broken_block():
     return Part.Solid(Part.Shell(shell.Faces))
 
 
-MODELS = {"rounded_block.step": rounded_block, "broken_block.step": broken_block}
+def sheet():
+    """A wavy bicubic sheet of 120 by 80 mm, cut into 3 by 2 faces that share their edges: each seam is G2."""
+    count_x, count_y = 9, 6
+    poles = [[FreeCAD.Vector(15.0 * i, 16.0 * j, 8 * math.sin(0.9 * i) * math.cos(0.7 * j)) for j in range(count_y)]
+             for i in range(count_x)]
+
+    def knots(count):
+        inner = count - 4
+        return [4, *[1] * inner, 4], [k / (inner + 1) for k in range(inner + 2)]
+
+    (u_counts, u_knots), (v_counts, v_knots) = knots(count_x), knots(count_y)
+    whole = Part.BSplineSurface()
+    whole.buildFromPolesMultsKnots(poles, u_counts, v_counts, u_knots, v_knots, False, False, 3, 3)
+    faces = []
+    for i in range(3):
+        for j in range(2):
+            part = whole.copy()
+            part.segment(i / 3, (i + 1) / 3, j / 2, (j + 1) / 2)
+            faces.append(part.toShape())
+    shell = Part.makeShell(faces)
+    shell.sewShape()
+    return shell
+
+
+MODELS = {"rounded_block.step": rounded_block, "broken_block.step": broken_block, "sheet.step": sheet}
 
 
 def write_step(shape, path):

@@ -30,3 +30,9 @@ def test_broken_block_has_one_defect_of_two_degrees():
     (defect,) = [seam for seam in report.to_dict()["seams"] if seam["class"] == "defect"]
     assert abs(defect["angle_deg"]["lower"] - 2) < 1e-9
     assert abs(defect["angle_deg"]["at"] - 0.5) < 0.01
+
+
+def test_the_sheet_is_curvature_continuous_everywhere():
+    report = seamwright.read(MODELS / "sheet.step").analyze(level="G2")
+    assert report.passed
+    assert len(report) == 7

@@ -296,6 +296,17 @@ TEST(Convert, RoundFacesOpenAndClosed) {
       }
 }
 
+TEST(Convert, WhatDoesNotHelpIsNotDone) {
+  RepairOptions options = converting();
+  options.max_move_mm = 1e-6;
+  const TopoDS_Shape shape = kinked(0.5 * degree);
+  const RepairReport report = repair(modelFromShape(shape), options);
+  EXPECT_FALSE(report.changed());
+  EXPECT_TRUE(report.converted.empty());
+  EXPECT_TRUE(report.model.shape.IsEqual(shape));
+  EXPECT_NE(reasonsOf(report).find("as splines: face "), std::string::npos) << reasonsOf(report);
+}
+
 TEST(Convert, StopsWhereItIsAskedTo) {
   const occ::Model model = modelFromShape(kinked(0.5 * degree));
   std::vector<double> shares;

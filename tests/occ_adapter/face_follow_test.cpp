@@ -301,6 +301,27 @@ TEST(FaceFollow, AHoleFollowsAndTheOuterSidesAreHeld) {
   }
 }
 
+TEST(FaceFollow, WhereATargetHasNoNormalThePointAloneIsMet) {
+  std::mt19937 generator(31);
+  for (int trial = 0; trial < 5; ++trial) {
+    const Spline truth = sheet(generator, 12, 12, 3, 3), moving = Spline::DownCast(truth->Copy());
+    addNoise(moving, generator, 0.05);
+    const auto path = curvedPath({{0.1, 0.4}, {0.4, 0.6}, {0.7, 0.4}, {0.9, 0.6}});
+    occ::FollowPath bare = pathTo({moving, path}, {truth, path}, 2);
+    bare.target = [target = bare.target](double s) {
+      occ::TargetPoint point = target(s);
+      point.normal.setZero();
+      return point;
+    };
+    const FaceFollow follow = followPaths({moving, {bare}, fine()});
+    EXPECT_EQ(follow.failure, "");
+    for (double s = 0; s <= 1; s += 0.01) {
+      const gp_Pnt2d uv = path->Value(s);
+      EXPECT_LE(follow.surface->Value(uv.X(), uv.Y()).Distance(truth->Value(uv.X(), uv.Y())), fine().gap_mm);
+    }
+  }
+}
+
 TEST(FaceFollow, ASurfaceThatMeetsItsTargetsComesBackAsItIs) {
   std::mt19937 generator(78);
   const Spline truth = sheet(generator, 10, 10, 3, 3);

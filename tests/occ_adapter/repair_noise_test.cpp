@@ -44,8 +44,11 @@ void expectRepaired(const RepairCounts& counts, int at_least_treated, double lar
 }
 
 const std::vector<Series> flowing = {{"sheet", 2},          {"ring", 1},          {"mixed sheet", 1},
-                                     {"trimmed bricks", 2}, {"trimmed quads", 2}, {"trimmed triangles", 2},
+                                     {"trimmed bricks", 1}, {"trimmed quads", 2}, {"trimmed triangles", 1},
                                      {"refitted quads", 1}, {"ring of bricks", 1}};
+
+/// Without the slowest.
+const std::vector<Series> fewer(flowing.begin(), flowing.end() - 1);
 
 TEST(RepairNoise, TheModelsAreSmoothBeforeTheyAreBroken) {
   for (const NetKind& kind : netKinds()) {
@@ -67,27 +70,27 @@ TEST(RepairNoise, TheModelsAreSmoothBeforeTheyAreBroken) {
 }
 
 TEST(RepairNoise, OfAThousandth) {
-  expectRepaired(counted(flowing, {"", 0.001, 1, 1, 10}), 200, 3);
+  expectRepaired(counted(flowing, {"", 0.001, 1, 1, 10}), 180, 3);
 }
 
 TEST(RepairNoise, OfAHundredth) {
-  expectRepaired(counted(flowing, {"", 0.01}), 200, 3);
+  expectRepaired(counted(flowing, {"", 0.01}), 180, 3);
 }
 
 TEST(RepairNoise, OfATenth) {
-  expectRepaired(counted(flowing, {"", 0.1}), 200, 3);
+  expectRepaired(counted(fewer, {"", 0.1}), 140, 3);
 }
 
 /// Where 3 or 5 natural sides meet, the exact join and the common curvature of a corner move more than the noise did.
 TEST(RepairNoise, StarsOfNaturalSides) {
-  const std::vector<Series> stars = {{"blob 6", 1}, {"blob 24", 1}, {"blob 30", 1}};
-  expectRepaired(counted(stars, {"", 0.01}), 100, 25);
+  const std::vector<Series> stars = {{"blob 6", 1}, {"blob 24", 1}};
+  expectRepaired(counted(stars, {"", 0.01}), 60, 25);
 }
 
 /// The tensors of corners ask for larger moves.
 TEST(RepairNoise, CurvatureToo) {
   for (const double noise_mm : {0.001, 0.01}) {
-    const RepairCounts counts = counted(flowing, {"", noise_mm, 1, 2, noise_mm < 0.01 ? 5.0 : 1.0});
+    const RepairCounts counts = counted(flowing, {"", noise_mm, 1, 2, noise_mm < 0.01 ? 10.0 : 1.0});
     expectRepaired(counts, 100, 12);
     EXPECT_LT(counts.largest_curvature_rel, 0.02);
   }

@@ -305,6 +305,26 @@ TEST(Repair, ASolidStaysClosed) {
   }
 }
 
+TEST(Repair, ThreadsChangeNothing) {
+  std::mt19937 generator(20268);
+  std::vector<occ::Model> models = {modelFromShape(disturbedGrid(generator, 3, 2, 0.1))};
+  const std::filesystem::path path =
+      std::filesystem::path(SEAMWRIGHT_TEST_MODELS) / "freeform" / "Silk_Demo_02_sewn.step";
+  if (std::filesystem::exists(path)) models.push_back(occ::readModel(path));
+  for (const occ::Model& model : models) {
+    RepairOptions one, four;
+    one.jobs = 1;
+    four.jobs = 4;
+    const RepairReport alone = repair(model, one), together = repair(model, four);
+    EXPECT_TRUE(alone.changed());
+    EXPECT_EQ(bytesOf(alone.model.shape), bytesOf(together.model.shape));
+    EXPECT_EQ(reasonsOf(alone), reasonsOf(together));
+    ASSERT_EQ(alone.moves.size(), together.moves.size());
+    for (std::size_t i = 0; i < alone.moves.size(); ++i)
+      EXPECT_EQ(alone.moves[i].largest_move_mm, together.moves[i].largest_move_mm);
+  }
+}
+
 TEST(Repair, RefusesBadOptions) {
   std::mt19937 generator(20266);
   const occ::Model model = modelFromShape(disturbedGrid(generator, 2, 1, 0.01));

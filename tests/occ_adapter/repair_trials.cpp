@@ -109,7 +109,7 @@ RepairCounts countsOf(const occ::RepairReport& report, double noise_mm) {
     counts.treated += seam.treated ? 1 : 0;
     counts.repaired += seam.repaired ? 1 : 0;
     if (!seam.reason.empty()) ++counts.reasons[seam.reason];
-    if (!seam.repaired) continue;
+    if (!seam.repaired || seam.after.verdict.seam_class == SeamClass::Crease) continue;
     const SeamFigures& figures = seam.after.figures;
     counts.largest_gap_mm = std::max(counts.largest_gap_mm, upper(figures.gap_mm));
     counts.largest_angle_deg = std::max(counts.largest_angle_deg, upper(figures.angle_rad) / degree);

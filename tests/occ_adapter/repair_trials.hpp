@@ -36,9 +36,9 @@ struct RepairCounts {
   int seams = 0;
   int treated = 0;
   int repaired = 0;
-  double largest_gap_mm = 0;         ///< upper bound, of the repaired seams
-  double largest_angle_deg = 0;      ///< upper bound, of the repaired seams
-  double largest_curvature_rel = 0;  ///< upper bound, of the repaired seams; order 2
+  double largest_gap_mm = 0;         ///< upper bound, of the repaired seams but creases
+  double largest_angle_deg = 0;      ///< upper bound, of the repaired seams but creases
+  double largest_curvature_rel = 0;  ///< upper bound, of the repaired seams but creases; order 2
   double largest_move = 0;           ///< over the noise
   double analyze_s = 0;
   double repair_s = 0;

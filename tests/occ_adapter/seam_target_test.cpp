@@ -98,6 +98,12 @@ TEST(SeamTarget, IsConsistent_1_2_4) {
           EXPECT_LT((there.curvature - ends[end].curvature).norm(), 2e-6);
         }
       }
+    const SeamTarget renewed = target.renewed();
+    for (const double s : {0.0, 0.1, 0.5, 0.9, 1.0}) {
+      EXPECT_EQ(renewed.at(s).point, target.at(s).point);
+      EXPECT_EQ(renewed.at(s).normal, target.at(s).normal);
+      EXPECT_EQ(renewed.at(s).curvature, target.at(s).curvature);
+    }
     for (int k = 0; k < 40; ++k) {
       // Richardson's central differences: independent of the library's.
       constexpr double h = 1e-3;
@@ -248,6 +254,32 @@ TEST(VertexConsensus, TwoThatCantChangeAndDifferAreTold) {
   EXPECT_EQ(vertexConsensus({{3, a, 1}, {5, b, -1}}, 1, {}).contradiction, "");
   b.point = a.point;
   EXPECT_EQ(vertexConsensus({{3, a, 0}, {5, b, 1}}, 1, {}).contradiction, "");
+}
+
+TEST(VertexConsensus, APoleShowsNoCurvatureAndANormalOnlyWhereItIsHeld) {
+  std::mt19937 generator(12);
+  for (int trial = 0; trial < 100; ++trial) {
+    const TargetPoint middle{Eigen::Vector3d::Random() * 50, Eigen::Vector3d::Random().normalized(), {}};
+    std::vector<VertexView> views;
+    for (int face = 1; face <= 3; ++face) views.push_back({face, near(middle, generator, 0.01, 0.001), -1});
+    const TargetPoint without = vertexConsensus(views, 2, {}).target;
+    TargetPoint rounding = near(middle, generator, 0, 0.5);
+    rounding.point = without.point;
+    rounding.curvature = 1e3 * Eigen::Matrix3d::Identity();
+    views.push_back({4, rounding, -1, true});
+    const TargetPoint with = vertexConsensus(views, 2, {}).target;
+    EXPECT_LT(difference(with, without), 1e-12);
+    views.back().held = 2;
+    const TargetPoint held = vertexConsensus(views, 2, {}).target;
+    EXPECT_GT(std::abs(held.normal.dot(rounding.normal)), 1 - 1e-12);
+    EXPECT_LT(held.curvature.norm(), 10);
+    // Two poles that are held contradict one another in their normals alone.
+    views.push_back({5, {rounding.point, rounding.normal, -rounding.curvature}, 2, true});
+    EXPECT_EQ(vertexConsensus(views, 2, {}).contradiction, "");
+    // Of poles alone all count.
+    const TargetPoint alone = vertexConsensus({views[3], views[4]}, 1, {}).target;
+    EXPECT_GT(std::abs(alone.normal.dot(rounding.normal)), 1 - 1e-12);
+  }
 }
 
 /// Four faces of one sheet about a vertex, each disturbed on its own, and the seams between them.

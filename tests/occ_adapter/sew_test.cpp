@@ -24,6 +24,7 @@
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Shell.hxx>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <gp_Pln.hxx>
 #include <numbers>
@@ -217,6 +218,19 @@ TEST(Sew, ABoxTakenApart) {
     for (int f = 1; f <= 6; ++f) EXPECT_EQ(report.faces_now[f], f);
     EXPECT_TRUE(report.moves.empty());
     EXPECT_TRUE(report.after.open.empty());
+  }
+}
+
+TEST(Sew, OfAnySize) {
+  for (const double scale : {0.01, 1.0, 100.0}) {
+    gp_Trsf larger;
+    larger.SetScale(gp::Origin(), scale);
+    RepairOptions options = matching(0.1 * scale);
+    options.tolerance.gap_mm *= scale;
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 20, 30).Shape();
+    const RepairReport report = sewn(transformed(compoundOf(apart(box)), larger), options);
+    EXPECT_EQ(sewnSeams(report), 12) << scale << whyNot(report);
+    expectSolid(report.model.shape, 6000 * std::pow(scale, 3), 1e-6 * std::pow(scale, 3));
   }
 }
 

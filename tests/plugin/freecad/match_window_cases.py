@@ -17,7 +17,6 @@ from window import OUT, WindowCase, click, messages, picture, settle, whole_wind
 
 from freecad.seamwright.document import match
 from freecad.seamwright.document.hooks import hooks
-from freecad.seamwright.gui.qt import QtWidgets
 from freecad.seamwright.gui.zebra import zebra
 
 MATCH, ZEBRA = "Seamwright_MatchSurfaces", "Seamwright_ZebraStripes"
@@ -63,21 +62,6 @@ class MatchWindow(WindowCase):
 
     def matches(self):
         return [obj for obj in self.doc.Objects if match.is_match(obj)]
-
-    def visible(self):
-        return [obj.Name for obj in self.doc.Objects if obj.ViewObject.Visibility]
-
-    def press(self, which):
-        """Press OK or Cancel of the task panel."""
-        boxes = Gui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox)
-        (button,) = [box.button(which) for box in boxes if box.isVisible() and box.button(which)]
-        click(button, button.rect().center())
-
-    def ok(self):
-        self.press(QtWidgets.QDialogButtonBox.Ok)
-
-    def cancel(self):
-        self.press(QtWidgets.QDialogButtonBox.Cancel)
 
     def cells(self, panel):
         return [

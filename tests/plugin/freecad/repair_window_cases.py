@@ -61,21 +61,6 @@ class RepairWindow(WindowCase):
     def repairs(self):
         return [obj for obj in self.doc.Objects if repair.is_repair(obj)]
 
-    def visible(self):
-        return [obj.Name for obj in self.doc.Objects if obj.ViewObject.Visibility]
-
-    def press(self, which):
-        """Press OK or Cancel of the task panel."""
-        boxes = Gui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox)
-        (button,) = [box.button(which) for box in boxes if box.isVisible() and box.button(which)]
-        click(button, button.rect().center())
-
-    def ok(self):
-        self.press(QtWidgets.QDialogButtonBox.Ok)
-
-    def cancel(self):
-        self.press(QtWidgets.QDialogButtonBox.Cancel)
-
     def preview(self, panel):
         click(panel.preview_button, panel.preview_button.rect().center())
 

@@ -125,3 +125,18 @@ class WindowCase(unittest.TestCase):
         settle()
         obj = analyses(self.doc)[-1]
         return obj, obj.ViewObject.Proxy.panel
+
+    def visible(self):
+        return [obj.Name for obj in self.doc.Objects if obj.ViewObject.Visibility]
+
+    def press(self, which):
+        """Press OK or Cancel of the task panel."""
+        boxes = Gui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox)
+        (button,) = [box.button(which) for box in boxes if box.isVisible() and box.button(which)]
+        click(button, button.rect().center())
+
+    def ok(self):
+        self.press(QtWidgets.QDialogButtonBox.Ok)
+
+    def cancel(self):
+        self.press(QtWidgets.QDialogButtonBox.Cancel)

@@ -130,9 +130,10 @@ def test_progress_rises_and_cancels(tmp_path):
     shares = []
     model.repair(progress=shares.append)
     assert shares == sorted(shares) and 0 <= shares[0] and shares[-1] == 1
-    for stop in (0, 0.3):
+    for stop in (0, 0.1):
         with pytest.raises(seamwright.Cancelled):
             model.repair(progress=lambda share: share < stop)
+    for stop in (0, 0.1, 0.3, 1):
         with pytest.raises(ZeroDivisionError):
             model.repair(progress=lambda share: share < stop or 1 / 0)
     assert model.repair().passed, "the model is usable still"

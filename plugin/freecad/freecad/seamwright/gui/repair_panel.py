@@ -10,7 +10,7 @@ import Part
 from freecad.seamwright.document import analysis, properties, repair
 from freecad.seamwright.gui import icon_path, seam_view
 from freecad.seamwright.gui.element_list import ElementList
-from freecad.seamwright.gui.qt import QtCore, QtGui, QtWidgets
+from freecad.seamwright.gui.qt import QtGui, QtWidgets
 from freecad.seamwright.gui.result_panel import ResultPanel
 from freecad.seamwright.gui.tolerance_form import NumberField, ToleranceForm
 from freecad.seamwright.plain import repair_text

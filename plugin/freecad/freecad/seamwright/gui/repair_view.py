@@ -4,16 +4,14 @@
 The class path is written into documents: neither rename nor move it.
 """
 
-import FreeCAD as App
-
 from freecad.seamwright.document import repair, sources
 from freecad.seamwright.document.move_map import move_map
 from freecad.seamwright.gui.halo import Halo
+from freecad.seamwright.gui.later import later
 from freecad.seamwright.gui.legend import Legend
 from freecad.seamwright.gui.marker import Marker
 from freecad.seamwright.gui.move_colours import MoveColours
 from freecad.seamwright.gui.progress import progress_dialog
-from freecad.seamwright.gui.qt import QtCore
 from freecad.seamwright.gui.repair_panel import RepairPanel
 from freecad.seamwright.gui.result_view import ResultView
 from freecad.seamwright.plain import moves, palette
@@ -39,7 +37,7 @@ class SeamRepairView(ResultView):
         for node in (self.colours.node, self.halo.node, self.marker.node, self.legend.node):
             vobj.RootNode.insertChild(node, 0)  # before the placement of the shape: what they show stands in the model
         self._drawn = None  # the report whose moves are drawn
-        self._draw_later(vobj.Object)
+        later(vobj.Object, lambda obj: self._draw(obj.ViewObject))
 
     def sources(self, obj):
         """The object whose seams are repaired."""
@@ -74,16 +72,6 @@ class SeamRepairView(ResultView):
         """
         self.halo.show(edges, [palette.BY_KEY[key].unit_rgb for key in classes], SEAM_WIDTH)
         self.marker.show(worst)
-
-    def _draw_later(self, obj):
-        """Draw once FreeCAD has opened the document."""
-        doc_name, name = obj.Document.Name, obj.Name
-        QtCore.QTimer.singleShot(0, lambda: self._draw_if_there(doc_name, name))
-
-    def _draw_if_there(self, doc_name, name):
-        obj = App.getDocument(doc_name).getObject(name) if doc_name in App.listDocuments() else None
-        if obj is not None:
-            self._draw(obj.ViewObject)
 
     def _draw(self, vobj):
         """Show the moves in colour, or no longer."""

@@ -4,15 +4,14 @@
 The class path is written into documents: neither rename nor move it.
 """
 
-import FreeCAD as App
 import FreeCADGui as Gui
 
 from freecad.seamwright.document import analysis
 from freecad.seamwright.gui import icon_path
 from freecad.seamwright.gui.halo import SEAM_LIFT, Halo, nearer
+from freecad.seamwright.gui.later import later
 from freecad.seamwright.gui.legend import Legend
 from freecad.seamwright.gui.marker import Marker
-from freecad.seamwright.gui.qt import QtCore
 from freecad.seamwright.gui.task_panel import TaskPanel
 from freecad.seamwright.plain import palette, summary
 
@@ -109,14 +108,7 @@ class SeamAnalysisView:
 
     def _refresh_later(self, obj):
         """Refresh once FreeCAD has drawn: drawing the edges anew drops their colours."""
-        doc_name, name = obj.Document.Name, obj.Name
-        QtCore.QTimer.singleShot(0, lambda: self._refresh_if_there(doc_name, name))
-
-    def _refresh_if_there(self, doc_name, name):
-        if doc_name in App.listDocuments():
-            obj = App.getDocument(doc_name).getObject(name)
-            if obj is not None:
-                self._refresh(obj.ViewObject)
+        later(obj, lambda found: self._refresh(found.ViewObject))
 
     def _refresh(self, vobj):
         report = analysis.report_of(vobj.Object)

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <gtest/gtest.h>
+
+#include <BRepBuilderAPI_NurbsConvert.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2dAPI_Interpolate.hxx>
+#include <Geom2d_BSplineCurve.hxx>
+#include <TColgp_HArray1OfPnt2d.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <algorithm>
+#include <filesystem>
+#include <numbers>
+
+#include "dense_oracle.hpp"
+#include "repair_checks.hpp"
+#include "shapes.hpp"
+
+#include <seamwright/occ_adapter/model/read.hpp>
+#include <seamwright/occ_adapter/repair/repair.hpp>
+
+/// What kept repairs of real models from succeeding, each cause alone.
+namespace seamwright::test {
+namespace {
+
+using occ::RepairOptions;
+using occ::RepairReport;
+using opencascade::handle;
+
+constexpr double pi = std::numbers::pi;
+
+/// A spline through points of the path over the same range, each moved by \p aside across it and \p ahead along it, which vanish at both ends.
+handle<Geom2d_Curve> strayed(const handle<Geom2d_Curve>& path, double first, double last, double aside,
+                             double ahead) {
+  constexpr int points = 33;
+  const handle<TColgp_HArray1OfPnt2d> through = new TColgp_HArray1OfPnt2d(1, points);
+  const handle<TColStd_HArray1OfReal> parameters = new TColStd_HArray1OfReal(1, points);
+  for (int k = 0; k < points; ++k) {
+    const double share = static_cast<double>(k) / (points - 1), t = first + (last - first) * share;
+    gp_Pnt2d p;
+    gp_Vec2d d;
+    path->D1(t, p, d);
+    d.Normalize();
+    const double wave = k == 0 || k == points - 1 ? 0 : std::sin(2 * pi * share);
+    p.Translate(wave * (ahead * d + aside * gp_Vec2d(-d.Y(), d.X())));
+    through->SetValue(k + 1, p);
+    parameters->SetValue(k + 1, t);
+  }
+  Geom2dAPI_Interpolate interpolation(through, parameters, false, 1e-9);
+  interpolation.Perform();
+  return handle<Geom2d_Curve>(interpolation.Curve());
+}
+
+/// The shape as splines, the path of one edge on one of its faces led astray. \param edge from 1.
+TopoDS_Shape withStrayPath(const TopoDS_Shape& shape, int edge, double aside, double ahead) {
+  const TopoDS_Shape splines = BRepBuilderAPI_NurbsConvert(shape, true).Shape();
+  TopTools_IndexedDataMapOfShapeListOfShape faces;
+  TopExp::MapShapesAndAncestors(splines, TopAbs_EDGE, TopAbs_FACE, faces);
+  const TopoDS_Edge changed = TopoDS::Edge(faces.FindKey(edge));
+  const TopoDS_Face face = TopoDS::Face(faces(edge).First());
+  double first = 0, last = 0;
+  const handle<Geom2d_Curve> path = BRep_Tool::CurveOnSurface(changed, face, first, last);
+  BRep_Builder().UpdateEdge(changed, strayed(path, first, last, aside, ahead), face, 0.3);
+  return splines;
+}
+
+const occ::SeamRepair& seamOf(const RepairReport& report, int edge) {
+  return *std::ranges::find(report.seams, edge,
+                            [](const occ::SeamRepair& seam) { return seam.before.edges[0]; });
+}
+
+/// By plain evaluation.
+double gap_mm(const TopoDS_Shape& shape, const occ::SeamRepair& seam) {
+  const auto sides = denseSides(shape, seam.after.edges[0], seam.after.faces);
+  return sides ? denseMaxima(*sides, 1001, {}).gap_mm.value : 1;
+}
+
+void expectLedAnew(const TopoDS_Shape& shape, int edge) {
+  const RepairReport report = repairedModel(shape, {});
+  const occ::SeamRepair& seam = seamOf(report, edge);
+  EXPECT_EQ(seam.before.verdict.seam_class, SeamClass::Defect);
+  EXPECT_TRUE(seam.repaired) << seam.reason;
+  EXPECT_TRUE(report.after.passed());
+  EXPECT_TRUE(report.moves.empty());
+  ASSERT_EQ(report.edge_moves.size(), 1);
+  EXPECT_EQ(report.edge_moves[0].edge, edge);
+  EXPECT_GT(gap_mm(shape, seam), 0.02);
+  EXPECT_LT(gap_mm(report.model.shape, seam), 0.0025);
+}
+
+TEST(RepairCauses, SharpEdgesWithAStrayPathStaySharpAndMeet) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(20, 30, 40).Shape();
+  for (const int edge : {1, 4, 7, 12})
+    for (const double aside : {0.05, -0.2}) {
+      SCOPED_TRACE("edge " + std::to_string(edge) + ", " + std::to_string(aside) + " mm aside");
+      const TopoDS_Shape shape = withStrayPath(box, edge, aside, 0.05);
+      expectLedAnew(shape, edge);
+      const RepairReport report = repairedModel(shape, {});
+      EXPECT_EQ(seamOf(report, edge).after.verdict.seam_class, SeamClass::Crease);
+      std::mt19937 random(20400);
+      expectLedAnew(transformed(shape, randomMotion(random)), edge);
+    }
+}
+
+TEST(RepairCauses, AnEdgeThatRunsAtTwoSpeedsIsLedAnew) {
+  // Both paths are the same line in space: only their speed differs.
+  expectLedAnew(withStrayPath(BRepPrimAPI_MakeBox(20, 30, 40).Shape(), 3, 0, 0.1), 3);
+}
+
+TEST(RepairCauses, NoEdgeIsLedFurtherThanAllowedOrOnAFixedFace) {
+  const TopoDS_Shape shape = withStrayPath(BRepPrimAPI_MakeBox(20, 30, 40).Shape(), 1, 0.2, 0);
+  RepairOptions near;
+  near.max_move_mm = 0.01;
+  RepairOptions fixed;
+  fixed.fixed_faces = {1, 2, 3, 4, 5, 6};
+  for (const RepairOptions& options : {near, fixed}) {
+    const RepairReport report = repairedModel(shape, options);
+    EXPECT_TRUE(report.model.shape.IsEqual(shape));
+    EXPECT_FALSE(seamOf(report, 1).repaired);
+    EXPECT_FALSE(seamOf(report, 1).reason.empty());
+  }
+}
+
+struct RealModel {
+  const char* name;
+  int treated;
+};
+
+class RepairOfModels : public testing::TestWithParam<RealModel> {};
+
+TEST_P(RepairOfModels, LeavesNoDefect) {
+  const std::filesystem::path path =
+      std::filesystem::path(SEAMWRIGHT_TEST_MODELS) / "freeform" / GetParam().name;
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << path;
+  const RepairReport report = repair(occ::readModel(path));
+  EXPECT_EQ(std::ranges::count(report.seams, true, &occ::SeamRepair::treated), GetParam().treated);
+  EXPECT_TRUE(report.after.passed());
+}
+
+// Faces with poles and flat ones; edges of which the paths alone are apart.
+INSTANTIATE_TEST_SUITE_P(Freeform, RepairOfModels,
+                         testing::Values(RealModel{"Silk_Demo_01_sewn.step", 9},
+                                         RealModel{"Silk_Demo_02_sewn.step", 3},
+                                         RealModel{"NIST_MBE_PMI_5.stp", 4}));
+
+TEST(RepairCauses, WhatFoldsBackIsToldAndLeft) {
+  const std::filesystem::path path = std::filesystem::path(SEAMWRIGHT_TEST_MODELS) / "freeform" / "s60.step";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << path;
+  const RepairReport report = repair(occ::readModel(path));
+  EXPECT_FALSE(report.changed());
+  EXPECT_EQ(seamOf(report, 4).reason.find("the faces fold back on one another there"), 0);
+}
+
+}  // namespace
+}  // namespace seamwright::test

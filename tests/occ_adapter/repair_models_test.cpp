@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <gtest/gtest.h>
+
+#include <BRepBuilderAPI_Copy.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <iostream>
+#include <set>
+
+#include "files.hpp"
+#include "match_pairs.hpp"
+#include "repair_checks.hpp"
+#include "repair_trials.hpp"
+
+#include <seamwright/occ_adapter/model/read.hpp>
+
+namespace seamwright::test {
+namespace {
+
+/// Noise in space of at most that length on the poles of all spline faces; edges and vertices beside them get what it needs.
+TopoDS_Shape broken(const TopoDS_Shape& model, double noise_mm) {
+  std::mt19937 generator(20331);
+  const TopoDS_Shape shape = BRepBuilderAPI_Copy(model).Shape();
+  const double most = noise_mm / std::sqrt(3.0);
+  const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE);
+  std::set<const Geom_Surface*> done;
+  for (int f = 1; f <= faces.Extent(); ++f) {
+    const TopoDS_Face& face = TopoDS::Face(faces(f));
+    const auto surface = Spline::DownCast(BRep_Tool::Surface(face));
+    if (surface.IsNull() || !done.insert(surface.get()).second) continue;
+    for (int i = 1; i <= surface->NbUPoles(); ++i)
+      for (int j = 1; j <= surface->NbVPoles(); ++j)
+        surface->SetPole(i, j,
+                         surface->Pole(i, j).Translated(gp_Vec(
+                             random(generator, most), random(generator, most), random(generator, most))));
+    const BRep_Builder builder;
+    for (const TopAbs_ShapeEnum kind : {TopAbs_EDGE, TopAbs_VERTEX}) {
+      const TopTools_IndexedMapOfShape parts = partsOf(face, kind);
+      for (int p = 1; p <= parts.Extent(); ++p)
+        if (kind == TopAbs_EDGE)
+          builder.UpdateEdge(TopoDS::Edge(parts(p)), BRep_Tool::Tolerance(TopoDS::Edge(parts(p))) + noise_mm);
+        else
+          builder.UpdateVertex(TopoDS::Vertex(parts(p)),
+                               BRep_Tool::Tolerance(TopoDS::Vertex(parts(p))) + 2 * noise_mm);
+    }
+  }
+  return shape;
+}
+
+class RepairModels : public testing::TestWithParam<std::string> {};
+
+TEST_P(RepairModels, BrokenByNoise) {
+  const std::filesystem::path path = furtherModel(GetParam());
+  if (path.empty()) GTEST_SKIP() << GetParam();
+  const occ::Model model = occ::readModel(path);
+  constexpr double noise_mm = 0.02;
+  const occ::RepairReport report = occ::repair(occ::modelFromShape(broken(model.shape, noise_mm)));
+  const RepairCounts counts = countsOf(report, noise_mm);
+  std::cout << tableHead() << "\n" << tableLine(path.stem().string(), noise_mm, counts) << "\n";
+  for (const auto& [why, times] : counts.reasons) std::cout << "    " << times << " x " << why << "\n";
+  RecordProperty("treated", counts.treated);
+  RecordProperty("repaired", counts.repaired);
+  for (const occ::SeamRepair& seam : report.seams) {
+    if (seam.treated) {
+      EXPECT_EQ(seam.repaired, seam.reason.empty());
+    }
+    EXPECT_GE(seam.after.verdict.level, seam.before.verdict.level) << seam.before.edges[0];
+  }
+  EXPECT_LE(counts.largest_angle_deg, 0.1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Further, RepairModels,
+                         testing::Values("freeform/blendsolid_test.step", "freeform/bottle.brep",
+                                         "freeform/linkrods.step", "freeform/Silk_Demo_01_sewn.step",
+                                         "freeform/Silk_Demo_02_sewn.step", "small/SurfaceTest-1.step",
+                                         "small/DTMB-5415_bulbous_bow.iges", "freeform/pygeo_fuse.igs"),
+                         [](const auto& model) {
+                           std::string name = std::filesystem::path(model.param).stem();
+                           std::ranges::replace_if(
+                               name, [](char c) { return std::isalnum(c) == 0; }, '_');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace seamwright::test
