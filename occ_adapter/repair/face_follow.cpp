@@ -16,6 +16,7 @@
 
 #include <seamwright/occ_adapter/convert/face_strip.hpp>
 #include <seamwright/occ_adapter/match/follow.hpp>
+#include <seamwright/occ_adapter/repair/move_conditions.hpp>
 #include <seamwright/occ_adapter/repair/path_place.hpp>
 
 namespace seamwright::occ {
@@ -29,18 +30,6 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 Surface copyOf(const Surface& surface) {
   return Surface::DownCast(surface->Copy());
-}
-
-/// What may be rounding in a jet, as FaceStrip has it.
-JetNoise noiseOf(const SurfaceJet& jet, const SurfaceBasis& basis) {
-  const auto step = [](const SplineAxis& axis) {
-    return std::min(1.0, (axis.last - axis.first) / static_cast<double>(axis.spans().size()));
-  };
-  const double step_u = step(basis.u()), step_v = step(basis.v());
-  const double size = jet.p.lpNorm<Eigen::Infinity>() + step_u * jet.u.norm() + step_v * jet.v.norm();
-  const double rounding = 64 * std::numeric_limits<double>::epsilon() * size;
-  return {std::max(rounding / step_u, Precision::Confusion() / (basis.u().last - basis.u().first)),
-          std::max(rounding / step_v, Precision::Confusion() / (basis.v().last - basis.v().first))};
 }
 
 /// The step of (u, v) that goes along a tangent vector.
@@ -71,29 +60,6 @@ std::string at(const Eigen::Vector3d& point) {
   std::ostringstream text;
   text << "(" << point.x() << ", " << point.y() << ", " << point.z() << ")";
   return text.str();
-}
-
-/// Poles of a side that is one point move as one.
-std::vector<std::vector<int>> collapsedSides(const SurfaceBasis& basis, const PointRows& poles,
-                                             double near_mm) {
-  std::vector<std::vector<int>> sides;
-  const auto collect = [&](int count, const auto& number) {
-    std::vector<int> side;
-    for (int k = 0; k < count; ++k) side.push_back(number(k));
-    double spread = 0, size = 0;
-    for (const int pole : side) {
-      spread = std::max(spread, (poles.row(pole) - poles.row(side.front())).norm());
-      size = std::max(size, poles.row(pole).cwiseAbs().maxCoeff());
-    }
-    if (spread <= std::max(near_mm, 64 * std::numeric_limits<double>::epsilon() * size))
-      sides.push_back(std::move(side));
-  };
-  const int last_u = basis.u().poles - 1, last_v = basis.v().poles - 1;
-  if (!basis.u().periodic)
-    for (const int i : {0, last_u}) collect(last_v + 1, [&](int j) { return basis.pole(i, j); });
-  if (!basis.v().periodic)
-    for (const int j : {0, last_v}) collect(last_u + 1, [&](int i) { return basis.pole(i, j); });
-  return sides;
 }
 
 class FaceFollower {
@@ -181,9 +147,12 @@ class FaceFollower {
       const bool gained = !best || (now < infinite && now <= std::max(1.0, better * best->excess()));
       idle = gained ? 0 : idle + 1;
       if (!best || now < best->excess()) best = *this;
-      if (idle == most_idle || result_.refinements == task_->max_refinements || !refine()) break;
+      const bool may_refine = result_.refinements < task_->max_refinements && work_ < task_->max_work;
+      if (idle == most_idle || !may_refine || !refine()) break;
     }
+    const int work = work_;
     *this = *best;
+    work_ = work;
   }
 
   /// What is missed, over the tolerance, or the move over the one allowed.
@@ -314,65 +283,7 @@ class FaceFollower {
     return norm < flat ? flat : task_->tolerance.curvature_rel * norm;
   }
 
-  /// Conditions on all moves since the original.
-  class Conditions {
-   public:
-    Conditions(const std::vector<int>& unknown, int count, const PointRows& original)
-        : unknown_(unknown), original_(original), system_(count) {}
-
-    /// Sum of share times pole = point
-    void addPoint(const std::vector<int>& poles, const Eigen::RowVectorXd& share,
-                  const Eigen::Vector3d& point, double weight) {
-      const Selected selected = select(poles, share);
-      if (selected.numbers.empty()) return;
-      const Eigen::RowVector3d now = sumOf(poles, share);
-      system_.addPoint(selected.numbers, weight * selected.factors, weight * (point - now.transpose()));
-    }
-    /// For each row of shares: normal . (sum of share times pole) = value
-    void add(const std::vector<int>& poles, const Eigen::MatrixXd& shares, const Eigen::Vector3d& normal,
-             const Eigen::VectorXd& values, double weight) {
-      const Selected selected = select(poles, shares);
-      if (selected.numbers.empty()) return;
-      const Eigen::VectorXd now = sumOf(poles, shares) * normal;
-      system_.add(selected.numbers, weight * selected.factors, normal, weight * (values - now));
-    }
-    /// The sum of factor times move is zero.
-    void addFairness(const std::vector<int>& poles, const Eigen::RowVectorXd& factors, double weight) {
-      const Selected selected = select(poles, factors);
-      if (!selected.numbers.empty())
-        system_.addPoint(selected.numbers, weight * selected.factors, Eigen::Vector3d::Zero());
-    }
-    PointRows solve(double damping) const { return system_.solve(damping); }
-
-   private:
-    struct Selected {
-      std::vector<int> numbers;
-      Eigen::MatrixXd factors;
-    };
-
-    /// Of the poles that may move.
-    Selected select(const std::vector<int>& poles, const Eigen::MatrixXd& factors) const {
-      Selected selected;
-      std::vector<int> columns;
-      for (std::size_t k = 0; k < poles.size(); ++k) {
-        if (unknown_[poles[k]] < 0) continue;
-        selected.numbers.push_back(unknown_[poles[k]]);
-        columns.push_back(static_cast<int>(k));
-      }
-      selected.factors = factors(Eigen::all, columns);
-      return selected;
-    }
-    Eigen::Matrix<double, Eigen::Dynamic, 3> sumOf(const std::vector<int>& poles,
-                                                   const Eigen::MatrixXd& shares) const {
-      return shares * original_(poles, Eigen::all);
-    }
-
-    const std::vector<int>& unknown_;
-    const PointRows& original_;
-    LeastMoves system_;
-  };
-
-  void addPlace(const Place& place, Conditions& conditions) const {
+  void addPlace(const Place& place, MoveConditions& conditions) const {
     const ContinuityTolerance& tolerance = task_->tolerance;
     const TargetPoint& target = place.target;
     const PoleShares& shares = place.shares;
@@ -438,7 +349,7 @@ class FaceFollower {
     return fairness / (task_->share * softest);
   }
 
-  void addFairness(Conditions& conditions, double weight) const {
+  void addFairness(MoveConditions& conditions, double weight) const {
     const std::vector<SecondDifference> u = secondDifferences(basis_.u()), v = secondDifferences(basis_.v());
     const auto bending = [](double spacing, double mean) {
       return std::clamp(std::pow(mean / spacing, 1.5), 1e-2, 1e3);
@@ -468,7 +379,8 @@ class FaceFollower {
     const double extent = (original_.colwise().maxCoeff() - original_.colwise().minCoeff()).norm();
     for (int pass = 0; pass < (curved ? 4 : 1); ++pass) {
       if (task_->is_cancelled && task_->is_cancelled()) throw Cancelled();
-      Conditions conditions(unknown, count, original_);
+      work_ += count;
+      MoveConditions conditions(unknown, count, original_);
       for (std::size_t i = 0; i < task_->paths.size(); ++i)
         for (const Place& place : samples_[i]) addPlace(place, conditions);
       addFairness(conditions, weight);
@@ -623,6 +535,7 @@ class FaceFollower {
   std::vector<std::vector<Place>> samples_, checks_;
   std::vector<Worst> worst_;
   double at_samples_ = 0;  ///< largest ratio there
+  int work_ = 0;           ///< moves solved for so far
   FaceFollow result_;
 };
 

@@ -63,6 +63,13 @@ void setPoles(Geom_BSplineSurface& surface, const PointRows& poles);
 
 SurfaceJet jetOf(const PoleShares& shares, const PointRows& poles);
 
+/// What may be rounding in a jet, as FaceStrip has it.
+JetNoise noiseOf(const SurfaceJet& jet, const SurfaceBasis& basis);
+
+/// The poles of each side that is one point, or within that distance one.
+std::vector<std::vector<int>> collapsedSides(const SurfaceBasis& basis, const PointRows& poles,
+                                             double near_mm);
+
 /// Length of a knot span at t.
 double spanLength(const SplineAxis& axis, double t);
 /// Poles that a knot span adds, in the mean.
