@@ -82,7 +82,8 @@ struct RepairReport {
 /// Four ways are tried one after the other, each for what the one before left: where the gap alone is too large and the surfaces meet near
 /// the edge, it is led anew along them, between the same ends, and no surface moves; all seams between natural sides of polynomial
 /// surfaces at once, exactly (core/join/network.hpp); one pair after the other (see matchFaces()); and all faces at once, to a share of
-/// the tolerance, towards common targets of their seams that agree at vertices. What spoils a way is given up until the rest can be proven.
+/// the tolerance, towards common targets of their seams that agree at vertices, led there over few knot spans, else over half the seam. What
+/// can only be joined exactly by moves of more than twice its defects is followed first. What spoils a way is given up until the rest can be proven.
 ///
 /// A seam that would be a crease (see judge()) if its sides met gets its gap closed and stays sharp, unless its edge was picked. Where faces
 /// fold back on one another below the crease angle nothing is tried.
