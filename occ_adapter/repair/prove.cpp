@@ -144,9 +144,9 @@ void judgeOthers(const RepairTask& task, Proof& proof) {
   for (std::size_t i = 0; i < proof.after.size(); ++i) {
     if (task.treated[i]) continue;
     const SeamResult& after = proof.after[i];
-    if (const std::string why = whyWorse(after, task.before[i], task.options); !why.empty())
+    if (const std::string why = whyWorse(after, task.at_first[i], task.options); !why.empty())
       proof.worse[i] = "edge " + std::to_string(after.edges.front()) + " would get " + why + " (" +
-                       figuresText(after) + "; before " + figuresText(task.before[i]) + ")";
+                       figuresText(after) + "; before " + figuresText(task.at_first[i]) + ")";
   }
 }
 

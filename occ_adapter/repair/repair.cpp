@@ -81,7 +81,7 @@ class Repairing {
       const double next = done + (all - done) / static_cast<double>(solvers.size() - k);
       const TopoDS_Shape shape = result_.model.shape;
       const std::vector<SeamResult> before = result_.after.seams;
-      improve({shape, seams_, before, faces, sharp_, open_, options_}, solvers.at(k),
+      improve({shape, seams_, result_.before.seams, before, faces, sharp_, open_, options_}, solvers.at(k),
               partOf(progress_, done, next));
       done = next;
     }
@@ -180,7 +180,7 @@ class Repairing {
     if (seams_.empty()) seams_ = seamsOf(model_.shape, options_, {});
     const TopoDS_Shape shape = result_.model.shape;
     const std::vector<SeamResult> before = result_.after.seams;
-    const RepairTask task{shape, seams_, before, {}, sharp_, open_, options_};
+    const RepairTask task{shape, seams_, result_.before.seams, before, {}, sharp_, open_, options_};
     const std::vector<Seam> seams = seamsAfter(task, shape, {});
     SewSolution solution =
         sewLoose({shape, seams, before, options_}, partOf(progress_, share_before_sewing, 1));
