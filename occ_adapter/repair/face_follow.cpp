@@ -259,13 +259,14 @@ class FaceFollower {
     touched_ = new Geom_BSplineSurface(marks, knots_u, knots_v, multiplicities_u, multiplicities_v,
                                        before_->UDegree(), before_->VDegree(), before_->IsUPeriodic(),
                                        before_->IsVPeriodic());
+    settled_.assign(static_cast<std::size_t>(poles_.rows()), false);
   }
 
   /// The unknown of each pole, -1: it stays.
   std::vector<int> unknowns(int& count) const {
     const PointRows touched = polesOf(*touched_);
     std::vector<int> unknown(touched.rows(), -1);
-    const auto moves = [&](int pole) { return touched(pole, 0) > 1e-12; };
+    const auto moves = [&](int pole) { return touched(pole, 0) > 1e-12 && !settled_[pole]; };
     count = 0;
     for (const std::vector<int>& side : collapsedSides(basis_, original_, task_->tolerance.gap_mm / 100))
       if (std::ranges::any_of(side, moves)) {
@@ -287,6 +288,7 @@ class FaceFollower {
     const ContinuityTolerance& tolerance = task_->tolerance;
     const TargetPoint& target = place.target;
     const PoleShares& shares = place.shares;
+    if (!conditions.canChange(shares.poles)) return;
     conditions.addPoint(shares.poles, shares.share.row(0), target.point,
                         1 / (task_->share * tolerance.gap_mm));
     if (place.order < 1) return;
@@ -374,19 +376,22 @@ class FaceFollower {
     const bool curved =
         std::ranges::any_of(task_->paths, [](const FollowPath& path) { return path.order > 1; });
     const double weight = fairnessWeight(fairness);
+    PointRows start = poles_;
+    for (int pole = 0; pole < start.rows(); ++pole)
+      if (unknown[pole] >= 0) start.row(pole) = original_.row(pole);
     // Beyond, the conditions contradict one another or the passes diverge.
     constexpr double largest_sense = 0.05;
     const double extent = (original_.colwise().maxCoeff() - original_.colwise().minCoeff()).norm();
     for (int pass = 0; pass < (curved ? 4 : 1); ++pass) {
       if (task_->is_cancelled && task_->is_cancelled()) throw Cancelled();
       work_ += count;
-      MoveConditions conditions(unknown, count, original_);
+      MoveConditions conditions(unknown, count, original_, start);
       for (std::size_t i = 0; i < task_->paths.size(); ++i)
         for (const Place& place : samples_[i]) addPlace(place, conditions);
       addFairness(conditions, weight);
       const PointRows moves = conditions.solve(0.05 * weight);
       if (!moves.allFinite() || moves.cwiseAbs().maxCoeff() > largest_sense * extent) return;
-      PointRows moved = original_;
+      PointRows moved = start;
       for (int pole = 0; pole < moved.rows(); ++pole)
         if (unknown[pole] >= 0) moved.row(pole) += moves.row(unknown[pole]);
       const double change = (moved - poles_).cwiseAbs().maxCoeff();
@@ -395,34 +400,52 @@ class FaceFollower {
     }
   }
 
-  /// Middles of the spans that are to be halved.
-  std::array<std::set<double>, 2> middlesToInsert() const {
-    std::array<std::set<double>, 2> middles;
+  std::vector<const Place*> missedPlaces() const {
+    std::vector<const Place*> missed;
     for (std::size_t i = 0; i < task_->paths.size(); ++i)
       for (const std::vector<Place>* places : {&samples_[i], &checks_[i]})
-        for (const Place& place : *places) {
-          if (ratioAt(place, measured(place)) <= task_->share) continue;
-          const std::array<const SplineAxis*, 2> axes = {&basis_.u(), &basis_.v()};
-          std::array<double, 2> crossing{};
-          for (const int k : {0, 1})
-            crossing[k] = std::abs(place.along[k]) / spanLength(*axes[k], place.uv[k]);
-          for (const int k : {0, 1}) {
-            constexpr double lengthwise = 0.05, least = 1e-6;
-            if (crossing[k] < lengthwise * crossing[1 - k]) continue;
-            double t = place.uv[k];
-            const int span = axes[k]->span(t, 0);
-            if (axes[k]->length(span) > least * (axes[k]->last - axes[k]->first))
-              middles[k].insert(axes[k]->middle(span));
-          }
-        }
+        for (const Place& place : *places)
+          if (ratioAt(place, measured(place)) > task_->share) missed.push_back(&place);
+    return missed;
+  }
+
+  /// Middles of the spans that are to be halved.
+  std::array<std::set<double>, 2> middlesToInsert(const std::vector<const Place*>& missed) const {
+    std::array<std::set<double>, 2> middles;
+    const std::array<const SplineAxis*, 2> axes = {&basis_.u(), &basis_.v()};
+    for (const Place* place : missed) {
+      std::array<double, 2> crossing{};
+      for (const int k : {0, 1}) crossing[k] = std::abs(place->along[k]) / spanLength(*axes[k], place->uv[k]);
+      for (const int k : {0, 1}) {
+        constexpr double lengthwise = 0.05, least = 1e-6;
+        if (crossing[k] < lengthwise * crossing[1 - k]) continue;
+        double t = place->uv[k];
+        const int span = axes[k]->span(t, 0);
+        if (axes[k]->length(span) > least * (axes[k]->last - axes[k]->first))
+          middles[k].insert(axes[k]->middle(span));
+      }
+    }
     return middles;
   }
 
+  /// All but the poles near these places: what is met there was met without moving what is far away.
+  void settle(const std::vector<Eigen::Vector2d>& missed) {
+    settled_.assign(static_cast<std::size_t>(poles_.rows()), true);
+    for (const Eigen::Vector2d& uv : missed) {
+      const std::vector<int> near_u = basis_.u().polesNear(uv[0]), near_v = basis_.v().polesNear(uv[1]);
+      for (const int i : near_u)
+        for (const int j : near_v) settled_[basis_.pole(i, j)] = false;
+    }
+  }
+
   bool refine() {
-    const auto middles = middlesToInsert();
+    const std::vector<const Place*> missed = missedPlaces();
+    const auto middles = middlesToInsert(missed);
     const auto total = (static_cast<double>(basis_.u().poles) + static_cast<double>(middles[0].size())) *
                        (static_cast<double>(basis_.v().poles) + static_cast<double>(middles[1].size()));
     if ((middles[0].empty() && middles[1].empty()) || total > task_->max_poles) return false;
+    std::vector<Eigen::Vector2d> missed_at;
+    for (const Place* place : missed) missed_at.push_back(place->uv);
     const Surface moved = copyOf(before_);
     setPoles(*moved, poles_);
     before_ = copyOf(before_);
@@ -442,6 +465,7 @@ class FaceFollower {
     basis_ = SurfaceBasis(*before_);
     original_ = polesOf(*before_);
     poles_ = polesOf(*moved);
+    settle(missed_at);
     ++result_.refinements;
     sample();
     return true;
@@ -530,6 +554,7 @@ class FaceFollower {
   Surface touched_;           ///< one where a pole that a path touches has a share in the pole of now
   SurfaceBasis basis_;
   PointRows poles_, original_;
+  std::vector<bool> settled_;  ///< by pole: it stays where it is by now
   double spacing_u_, spacing_v_;
   double span_mm_ = 0;  ///< mean length of path in a span
   std::vector<std::vector<Place>> samples_, checks_;
