@@ -78,10 +78,11 @@ class FaceFollower {
     judge();
     if (isMet()) return result(copyOf(task_->surface));
     if (refuse()) return result_;
+    constexpr double within_reach = 2;
     raiseDegrees();
     markTouched();
     improve();
-    if (worstRatio() > 1 && was_held_back_) {
+    if (worstRatio() > 1 && worstRatio() <= within_reach && was_held_back_) {
       gently_ = false;
       improve();
     }
@@ -136,7 +137,7 @@ class FaceFollower {
 
   /// Moves and refines as long as that gains something; ends in the best that was found.
   void improve() {
-    constexpr double better = 0.9;
+    constexpr double better = 0.7, hopeless = 10;
     const int most_idle = gently_ ? 2 : 1;
     std::optional<FaceFollower> best;
     if (!gently_) best = *this;
@@ -147,8 +148,9 @@ class FaceFollower {
       const bool gained = !best || (now < infinite && now <= std::max(1.0, better * best->excess()));
       idle = gained ? 0 : idle + 1;
       if (!best || now < best->excess()) best = *this;
+      near_alone_ = idle == 0 || !isCurved();
       const bool may_refine = result_.refinements < task_->max_refinements && work_ < task_->max_work;
-      if (idle == most_idle || !may_refine || !refine()) break;
+      if (idle == most_idle || (idle > 0 && best->worstRatio() > hopeless) || !may_refine || !refine()) break;
     }
     const int work = work_;
     *this = *best;
@@ -320,7 +322,8 @@ class FaceFollower {
     constexpr std::array<double, 4> fairnesses = {0.1, 0.01, 1e-3, 1e-4};
     double before = infinite, limit = infinite;
     was_held_back_ = false;
-    for (std::size_t k = fairness_ > 0 ? fairness_ - 1 : 0; k < fairnesses.size(); ++k) {
+    const std::size_t first = fairness_ > 0 ? fairness_ - 1 : 0;
+    for (std::size_t k = first; k < fairnesses.size(); ++k) {
       const PointRows fairer = poles_;
       move(fairnesses[k]);
       if (largestMove() > limit) {
@@ -331,7 +334,8 @@ class FaceFollower {
       }
       judge();
       fairness_ = k;
-      if (isMet() || at_samples_ <= task_->share / 2 || at_samples_ > better * before) return;
+      if (isMet() || at_samples_ <= task_->share / 2 || (at_samples_ == infinite && before == infinite && k > first) || at_samples_ > better * before)
+        return;
       before = at_samples_;
       if (gently_ && limit == infinite)
         limit = of_its_size * std::max(largestMove(), task_->tolerance.gap_mm);
@@ -370,11 +374,13 @@ class FaceFollower {
             difference.factors, weight * bending(difference.spacing, spacing_v_));
   }
 
+  bool isCurved() const {
+    return std::ranges::any_of(task_->paths, [](const FollowPath& path) { return path.order > 1; });
+  }
+
   void move(double fairness) {
     int count = 0;
     const std::vector<int> unknown = unknowns(count);
-    const bool curved =
-        std::ranges::any_of(task_->paths, [](const FollowPath& path) { return path.order > 1; });
     const double weight = fairnessWeight(fairness);
     PointRows start = poles_;
     for (int pole = 0; pole < start.rows(); ++pole)
@@ -382,7 +388,7 @@ class FaceFollower {
     // Beyond, the conditions contradict one another or the passes diverge.
     constexpr double largest_sense = 0.05;
     const double extent = (original_.colwise().maxCoeff() - original_.colwise().minCoeff()).norm();
-    for (int pass = 0; pass < (curved ? 4 : 1); ++pass) {
+    for (int pass = 0; pass < (isCurved() ? 4 : 1); ++pass) {
       if (task_->is_cancelled && task_->is_cancelled()) throw Cancelled();
       work_ += count;
       MoveConditions conditions(unknown, count, original_, start);
@@ -428,9 +434,9 @@ class FaceFollower {
     return middles;
   }
 
-  /// All but the poles near these places: what is met there was met without moving what is far away.
+  /// All but the poles near these places, unless moving those alone gained nothing.
   void settle(const std::vector<Eigen::Vector2d>& missed) {
-    settled_.assign(static_cast<std::size_t>(poles_.rows()), true);
+    settled_.assign(static_cast<std::size_t>(poles_.rows()), near_alone_);
     for (const Eigen::Vector2d& uv : missed) {
       const std::vector<int> near_u = basis_.u().polesNear(uv[0]), near_v = basis_.v().polesNear(uv[1]);
       for (const int i : near_u)
@@ -549,6 +555,7 @@ class FaceFollower {
   const FaceTask* task_;
   bool gently_ = true;
   bool was_held_back_ = false;
+  bool near_alone_ = true;  ///< refined for poles near what is missed; false: that gained nothing
   std::size_t fairness_ = 0;  ///< the last one that was taken
   Surface before_;            ///< as given, with the knots of now
   Surface touched_;           ///< one where a pole that a path touches has a share in the pole of now
