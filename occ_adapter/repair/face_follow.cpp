@@ -137,7 +137,7 @@ class FaceFollower {
 
   /// Moves and refines as long as that gains something; ends in the best that was found.
   void improve() {
-    constexpr double better = 0.7, hopeless = 10;
+    constexpr double better = 0.7;
     const int most_idle = gently_ ? 2 : 1;
     std::optional<FaceFollower> best;
     if (!gently_) best = *this;
@@ -150,7 +150,7 @@ class FaceFollower {
       if (!best || now < best->excess()) best = *this;
       near_alone_ = idle == 0 || !isCurved();
       const bool may_refine = result_.refinements < task_->max_refinements && work_ < task_->max_work;
-      if (idle == most_idle || (idle > 0 && best->worstRatio() > hopeless) || !may_refine || !refine()) break;
+      if (idle == most_idle || !may_refine || !refine()) break;
     }
     const int work = work_;
     *this = *best;
@@ -334,8 +334,8 @@ class FaceFollower {
       }
       judge();
       fairness_ = k;
-      if (isMet() || at_samples_ <= task_->share / 2 || (at_samples_ == infinite && before == infinite && k > first) || at_samples_ > better * before)
-        return;
+      const bool still_turned = at_samples_ == infinite && k > first;
+      if (isMet() || still_turned || at_samples_ <= task_->share / 2 || at_samples_ > better * before) return;
       before = at_samples_;
       if (gently_ && limit == infinite)
         limit = of_its_size * std::max(largestMove(), task_->tolerance.gap_mm);
@@ -555,7 +555,7 @@ class FaceFollower {
   const FaceTask* task_;
   bool gently_ = true;
   bool was_held_back_ = false;
-  bool near_alone_ = true;  ///< refined for poles near what is missed; false: that gained nothing
+  bool near_alone_ = true;    ///< refined for poles near what is missed; false: that gained nothing
   std::size_t fairness_ = 0;  ///< the last one that was taken
   Surface before_;            ///< as given, with the knots of now
   Surface touched_;           ///< one where a pole that a path touches has a share in the pole of now
