@@ -4,6 +4,7 @@
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
+#include <GeomAdaptor_Surface.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TopExp.hxx>
@@ -99,6 +100,12 @@ class Remeasuring {
   std::map<int, std::set<int>> faces_of_edge_;
 };
 
+std::string shortText(double number) {
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
 double known(const Figure& figure) {
   return figure.upper.value_or(figure.lower);
 }
@@ -150,21 +157,21 @@ void judgeOthers(const RepairTask& task, Proof& proof) {
   }
 }
 
-/// Places in [first, last]: its ends and, between knots, several.
-std::vector<double> gridOf(const TColStd_Array1OfReal& knots, double first, double last) {
+/// Places in [first, last]: several between knots, in groups, and the end in the last of them.
+std::vector<std::vector<double>> gridOf(const TColStd_Array1OfReal& knots, double first, double last) {
   constexpr int per_span = 4;
   std::vector<double> ends = {first};
   for (const double knot : knots)
     if (knot > first && knot < last) ends.push_back(knot);
   ends.push_back(last);
-  std::vector<double> places;
-  for (std::size_t i = 0; i + 1 < ends.size(); ++i)
-    for (int k = 0; k < per_span; ++k) places.push_back(ends[i] + (ends[i + 1] - ends[i]) * k / per_span);
-  places.push_back(last);
+  std::vector<std::vector<double>> places(ends.size() - 1);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (int k = 0; k < per_span; ++k) places[i].push_back(ends[i] + (ends[i + 1] - ends[i]) * k / per_span);
+  places.back().push_back(last);
   return places;
 }
 
-gp_Vec normalAt(const Geom_Surface& surface, double u, double v) {
+gp_Vec normalAt(const GeomAdaptor_Surface& surface, double u, double v) {
   gp_Pnt p;
   gp_Vec along_u, along_v;
   surface.D1(u, v, p, along_u, along_v);
@@ -183,14 +190,18 @@ bool isFolded(const TopoDS_Face& face, const handle<Geom_Surface>& surface) {
     range[i] = std::max(range[i], whole[i]);
     range[i + 1] = std::min(range[i + 1], whole[i + 1]);
   }
-  const std::vector<double> all_v = gridOf(after->VKnots(), range[2], range[3]);
+  const std::vector<std::vector<double>> all_v = gridOf(after->VKnots(), range[2], range[3]);
   std::vector<std::array<gp_Vec, 2>> normals;
   double largest = 0;
-  for (const double u : gridOf(after->UKnots(), range[0], range[1]))
-    for (const double v : all_v) {
-      normals.push_back({normalAt(*before, u, v), normalAt(*after, u, v)});
-      largest = std::max(largest, normals.back()[0].Magnitude());
-    }
+  // Span by span, as adaptors keep the polynomials of the last one.
+  const GeomAdaptor_Surface was(before), is(after);
+  for (const std::vector<double>& some_u : gridOf(after->UKnots(), range[0], range[1]))
+    for (const std::vector<double>& some_v : all_v)
+      for (const double u : some_u)
+        for (const double v : some_v) {
+          normals.push_back({normalAt(was, u, v), normalAt(is, u, v)});
+          largest = std::max(largest, normals.back()[0].Magnitude());
+        }
   constexpr double none = 1e-6;
   return std::ranges::any_of(normals, [largest](const auto& normal) {
     return normal[0].Magnitude() > none * largest && normal[0].Dot(normal[1]) < 0;
@@ -210,26 +221,24 @@ double strayEdge_mm(const TopoDS_Face& before, const TopoDS_Face& after, double 
 }
 
 void judgeFaces(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
-                const Soundness& was, Proof& proof) {
+                Proof& proof) {
   const TopTools_IndexedMapOfShape before = partsOf(task.shape, TopAbs_FACE);
   const TopTools_IndexedMapOfShape after = partsOf(changed, TopAbs_FACE);
-  const Soundness is = soundnessOf(changed, task.options.jobs);
-  for (int f = 1; f <= after.Extent(); ++f)
-    if (was.faces[f] && !is.faces[f]) proof.faces[f] = "OpenCASCADE's checks do not pass";
-  if (was.whole && !is.whole && proof.faces.empty()) proof.whole = "OpenCASCADE's checks do not pass";
   for (const FaceChange& change : changes) {
     const TopoDS_Face& face = TopoDS::Face(before(change.face));
-    std::ostringstream text;
     const double stray = strayEdge_mm(face, TopoDS::Face(after(change.face)), task.options.tolerance.gap_mm);
-    if (change.largest_move_mm > task.options.max_move_mm)
-      text << "it needs a move of " << change.largest_move_mm << " mm, more than " << task.options.max_move_mm
-           << " mm";
+    if (stray > 0)
+      proof.faces[change.face] = "an edge of it would be " + shortText(stray) + " mm away";
     else if (isFolded(face, change.surface))
-      text << "it would fold over";
-    else if (stray > 0)
-      text << "an edge of it would be " << stray << " mm away";
-    if (!text.str().empty()) proof.faces[change.face] = text.str();
+      proof.faces[change.face] = "it would fold over";
   }
+}
+
+void judgeSoundness(const RepairTask& task, const TopoDS_Shape& changed, const Soundness& was, Proof& proof) {
+  const Soundness is = soundnessOf(changed, task.options.jobs);
+  for (std::size_t f = 1; f < is.faces.size(); ++f)
+    if (was.faces[f] && !is.faces[f]) proof.faces[static_cast<int>(f)] = "OpenCASCADE's checks do not pass";
+  if (was.whole && !is.whole && proof.faces.empty()) proof.whole = "OpenCASCADE's checks do not pass";
 }
 
 double flux_mm3(const TopoDS_Shape& face, const gp_Pnt& from) {
@@ -395,12 +404,22 @@ Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes, cons
   Remeasuring again(task, changes, seamsAfter(task, changed, partOf(progress, 0, 0.2)), known);
   again.measure(true, proof.after, partOf(progress, 0.2, 0.4));
   judgeTreated(task, proof);
-  judgeFaces(task, changes, changed, was, proof);
+  judgeFaces(task, changes, changed, proof);
   if (!proof.unrepaired.empty() || !proof.faces.empty()) return proof;
   again.measure(false, proof.after, partOf(progress, 0.4, 0.8));
   judgeOthers(task, proof);
+  if (proof.holds()) judgeSoundness(task, changed, was, proof);
   if (proof.holds()) judgeVolumes(task, changes, changed, proof, partOf(progress, 0.8, 1));
   return proof;
+}
+
+std::map<int, std::string> movedTooFar(const RepairTask& task, const std::vector<FaceChange>& changes) {
+  std::map<int, std::string> faces;
+  for (const FaceChange& change : changes)
+    if (change.largest_move_mm > task.options.max_move_mm)
+      faces[change.face] = "it needs a move of " + shortText(change.largest_move_mm) + " mm, more than " +
+                           shortText(task.options.max_move_mm) + " mm";
+  return faces;
 }
 
 std::map<std::size_t, std::string> culprits(const RepairTask& task, const RepairSolution& solution,

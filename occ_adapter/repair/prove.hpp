@@ -38,10 +38,14 @@ struct Proof {
 std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed, const Progress& progress);
 
 /// Seams beside faces and edges that are new are measured again, the others have their figures from before. What costs much is looked at only
-/// where nothing before it speaks against the change: first the faces and the treated seams, then the other seams, then the whole.
+/// where nothing before it speaks against the change: first the faces and the treated seams, then the other seams, then OpenCASCADE's checks, then
+/// the volumes.
 /// \param was of the task's shape. \param known of the task's shape; it grows. \throws Cancelled.
 Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
             const Soundness& was, MeasuredSeams& known, const Progress& progress);
+
+/// Faces that move further than is allowed, with the figures.
+std::map<int, std::string> movedTooFar(const RepairTask& task, const std::vector<FaceChange>& changes);
 
 /// Treated seams to be given up for the proof to hold, with the reason of each: those that do not have the level, and of a face that is at fault
 /// all of its own. Where there are none, of a seam that is worse those that move one of its faces, and end where it ends if there are such.

@@ -146,12 +146,16 @@ class Repairing {
       giveUp(solution.failures, rest);
       if (solution.changes.empty() && solution.paths.empty()) return everything(task, "nothing was moved");
       for (FaceChange& change : solution.changes) change.largest_move_mm += moves_[change.face];
-      const TopoDS_Shape changed =
-          withChanges(task.shape, solution.changes, options_.tolerance.gap_mm, solution.paths);
-      // Figures known are of edges with the paths that they have in the shape.
-      MeasuredSeams of_paths;
-      MeasuredSeams& known = solution.paths.empty() ? measured : of_paths;
-      const Proof proof = prove(rest, solution.changes, changed, *was_, known, partOf(progress, 0.5, 1));
+      Proof proof;
+      TopoDS_Shape changed;
+      proof.faces = movedTooFar(rest, solution.changes);
+      if (proof.holds()) {
+        changed = withChanges(task.shape, solution.changes, options_.tolerance.gap_mm, solution.paths);
+        // Figures known are of edges with the paths that they have in the shape.
+        MeasuredSeams of_paths;
+        MeasuredSeams& known = solution.paths.empty() ? measured : of_paths;
+        proof = prove(rest, solution.changes, changed, *was_, known, partOf(progress, 0.5, 1));
+      }
       if (!proof.holds()) {
         Reasons given_up = culprits(rest, solution, proof, with_connected);
         given_up.merge(solution.failures);
