@@ -204,7 +204,16 @@ TopoDS_Shape roundedBox(const std::array<double, 3>& radii) {
   return fillet.Shape();
 }
 
-/// Every face that leaves a hole of that many sides.
+/// Whether the face meets all its neighbours within a degree: only then there is a smooth fill.
+bool isSmooth(const TopoDS_Shape& shape, int face) {
+  bool is_smooth = true;
+  for (const occ::Seam& seam : occ::findSeams(shape).seams)
+    if (seam.sides[0].face == face || seam.sides[1].face == face)
+      is_smooth = is_smooth && upperOf(occ::measureSeam(seam, {}).figures.angle_rad) < std::numbers::pi / 180;
+  return is_smooth;
+}
+
+/// Every face that leaves a hole of that many sides with smooth surroundings.
 void addFaces(const std::string& name, const TopoDS_Shape& shape, std::size_t least, std::size_t most,
               std::vector<HoleCase>& cases) {
   TopTools_IndexedMapOfShape faces;
@@ -212,7 +221,8 @@ void addFaces(const std::string& name, const TopoDS_Shape& shape, std::size_t le
   for (int face = 1; face <= faces.Extent(); ++face) {
     const HoleCase one{name + " " + std::to_string(face), shape, face};
     const std::optional<Opened> open = opened(one);
-    if (open && open->hole.has_corners && open->hole.sides.size() >= least && open->hole.sides.size() <= most)
+    if (open && open->hole.has_corners && open->hole.sides.size() >= least &&
+        open->hole.sides.size() <= most && isSmooth(shape, face))
       cases.push_back(one);
   }
 }
