@@ -36,6 +36,9 @@ namespace {
 /// Tangents that leave a side's tangent plane by more are no part of a smooth surface: the side gets position alone.
 constexpr double most_planar_rad = 0.1;
 
+/// What the sides and the corners may take of the tolerance each: the sum of all errors is to be well within it.
+constexpr double share = 20;
+
 double secondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -90,10 +93,11 @@ class Filling {
       const auto start = std::chrono::steady_clock::now();
       fit();
       build();
+      result_.build_s = secondsSince(start);
       sew();
-      result_.fill_s = secondsSince(start);
+      result_.sew_s = secondsSince(start) - result_.build_s;
       measure();
-      result_.measure_s = secondsSince(start) - result_.fill_s;
+      result_.measure_s = secondsSince(start) - result_.build_s - result_.sew_s;
       keep();
     } catch (const Cancelled&) {
       throw;
@@ -110,8 +114,8 @@ class Filling {
     const std::size_t n = hole_.has_corners ? hole_.sides.size() : 0;
     if (n < 3 || n > 12)
       throw NotFilled("the hole has " + std::to_string(n) + " corners: fills have 3 to 12");
-    fitted_ = fitSides(hole_.sides, {.gap_mm = options_.tolerance.gap_mm / 10,
-                                     .angle_rad = options_.tolerance.angle_rad / 10,
+    fitted_ = fitSides(hole_.sides, {.gap_mm = options_.tolerance.gap_mm / share,
+                                     .angle_rad = options_.tolerance.angle_rad / share,
                                      .most_degree = options_.most_degree,
                                      .planar_rad = most_planar_rad});
     for (std::size_t k = 0; k < n; ++k) {
@@ -141,7 +145,7 @@ class Filling {
     }
     result_.corners = fill.corners;
     result_.regular = fill.regular;
-    for (const BSplineSurface& surface : withCornerKnots(fill, options_.tolerance.angle_rad / 4)) {
+    for (const BSplineSurface& surface : withCornerKnots(fill, options_.tolerance.angle_rad / share)) {
       const bool is_patch = surface.countU() == surface.degree_u + 1;
       const opencascade::handle<Geom_Surface> geometry =
           is_patch ? opencascade::handle<Geom_Surface>(toBezierSurface(bezierPatch(surface)))

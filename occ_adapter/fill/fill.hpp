@@ -47,7 +47,8 @@ struct FillHoleReport {
       outer;  ///< between the new faces and the others; measured in the filled model, also if that was not kept
   std::vector<SeamResult> inner;  ///< between the new faces
   std::vector<int> faces;         ///< numbers of the new faces in the filled model
-  double fill_s = 0;              ///< building and sewing, without measuring
+  double build_s = 0;             ///< fitting the sides and building the surfaces
+  double sew_s = 0;
   double measure_s = 0;
 
   /// The largest upper ends over outer and inner seams; nothing where one is not known or nothing was sewn.
@@ -57,7 +58,7 @@ struct FillHoleReport {
 
 /// Fills a hole of 3 to 12 sides by as many faces as it has sides (see nSidedFill()) and sews them to the neighbours.
 ///
-/// Edges and tangent planes along the sides are fitted by polynomials to a tenth of the tolerance, exactly where they are such. Where the
+/// Edges and tangent planes along the sides are fitted by polynomials to a twentieth of the tolerance, exactly where they are such. Where the
 /// tangent planes of two sides differ at their corner by more than 0.1 rad, the sides concerned get no tangent planes: position alone. Corners
 /// where the neighbours disagree about the mixed derivative get knots (withCornerKnots()).
 ///

@@ -199,7 +199,7 @@ class SideFit {
     if (speed_ == Speed::Even || isNear()) return;
     const SideFit own = *this;
     fitEdgeAt(Speed::Even, ends);
-    if (!isNear()) *this = own;
+    if (own.miss() < miss()) *this = own;
   }
 
   const BezierCurve& edge() const { return edge_; }
@@ -222,7 +222,9 @@ class SideFit {
   }
 
  private:
-  bool isNear() const { return gap_mm_ <= options_.gap_mm && tilt_rad_ <= options_.angle_rad; }
+  /// What is reached over what is asked for.
+  double miss() const { return std::max(gap_mm_ / options_.gap_mm, tilt_rad_ / options_.angle_rad); }
+  bool isNear() const { return miss() <= 1; }
 
   void fitEdgeAt(Speed speed, const std::array<Vector3d, 2>& ends) {
     speed_ = speed;

@@ -28,7 +28,7 @@ struct FittedSide {
 
 /// Edges and cross fields of the lowest degrees that come near enough, or of the highest, by least squares; exact, but for rounding, where
 /// the edge is a polynomial of such a degree in its own parameter, and where such a field exists. A side of one edge keeps the edge's parameter
-/// unless that of arc length does and its own does not; one of several has that of arc length. Ends of neighbouring
+/// unless that of arc length comes nearer and its own is not near enough; one of several has that of arc length. Ends of neighbouring
 /// sides are one point, halfway, and T is in the plane of both edges at each corner. Where that plane leaves the tangent plane of a side by
 /// more than planar_rad, the side asks for position alone.
 /// \throws std::runtime_error for an edge that can't be evaluated or has no tangent at a corner; Standard_Failure.
