@@ -94,6 +94,16 @@ double largestUpper(const std::vector<CornerSeam>& seams, std::optional<Figure> 
   return largest;
 }
 
+/// What keeps the result from being a rounded corner.
+std::string shortfallOf(const CornerFillet& result) {
+  if (!result.valid) return "the new shell fails OpenCASCADE's checks: the fillets may overlap something";
+  if (!result.fill.regular) return "the patches are not proved regular: other setbacks may help";
+  for (const CornerSeam& seam : result.seams)
+    if (seam.result.verdict.level < Level::G1)
+      return "edge " + std::to_string(seam.result.edges.front()) + ": " + figuresText(seam.result);
+  return {};
+}
+
 }  // namespace
 
 void CornerFilletOptions::validate() const {
@@ -124,7 +134,9 @@ CornerFillet cornerFillet(const Model& model, int vertex, const CornerFilletOpti
   options.validate();
   const Corner corner = cornerOf(model.shape, vertex);
   const CornerHole hole = cornerHole(corner, options);
-  NSidedFill fill = nSidedFill(hole.sides);
+  FillOptions asked;
+  asked.law = SpokeLaw::Quadratic;
+  NSidedFill fill = nSidedFill(hole.sides, asked);
   const CornerShell made = cornerShell(corner, hole, fill);
 
   CornerFillet result;
@@ -136,8 +148,7 @@ CornerFillet cornerFillet(const Model& model, int vertex, const CornerFilletOpti
   result.model.attributes = attributesAfter(model, result.model.shape, made);
   result.seams = measured(result.model.shape, made, options, progress);
   result.valid = BRepCheck_Analyzer(made.shell).IsValid();
-  result.met = std::all_of(result.seams.begin(), result.seams.end(),
-                           [](const CornerSeam& seam) { return seam.result.verdict.level >= Level::G1; });
+  result.shortfall = shortfallOf(result);
   return result;
 }
 

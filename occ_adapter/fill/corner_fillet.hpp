@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <string>
 #include <vector>
 
 #include <seamwright/core/umbrella/n_sided_fill.hpp>
@@ -56,9 +57,11 @@ struct CornerFillet {
       fill;  ///< the patches; side 2 i is the section of edge i, side 2 i + 1 the spring curve after it
   double section_error_mm = 0;    ///< distance of the section curves from their circles, as sampled
   std::vector<CornerSeam> seams;  ///< the new ones, by edge number
-  bool valid = false;             ///< OpenCASCADE's checks pass, of the new solid
-  bool met = false;               ///< the new seams meet the tolerance with G1
+  bool valid = false;  ///< OpenCASCADE's checks of the new shell pass
+  /// Empty: valid, the patches are proved regular, and the new seams meet the tolerance with G1. Else what fails, with numbers.
+  std::string shortfall;
 
+  bool met() const { return shortfall.empty(); }
   /// The largest upper bounds of the new seams; infinite where one has none.
   double largestGap_mm() const;
   double largestAngle_rad() const;

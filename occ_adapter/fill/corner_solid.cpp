@@ -64,7 +64,16 @@ struct Tube {
   handle<Geom_CylindricalSurface> surface;
   TopoDS_Face face;
   std::array<double, 2> u{};  ///< of the contact lines
-  std::array<double, 2> v{};  ///< of their far ends
+};
+
+/// Where the plane at the far end cuts a cylinder: a circle or an ellipse, whose parameter is u - highest_u.
+struct FarCut {
+  gp_Ax2 axes;
+  bool upright = true;
+  double cosine = 1;     ///< of the angle between axis and normal
+  double height = 0;     ///< v on the axis
+  double swing = 0;      ///< v is height + swing cos(u - highest_u)
+  double highest_u = 0;  ///< in (-pi, pi]
 };
 
 /// Vertices and edges that are new at one edge of the corner. Contact lines run from the section, sections and far ends from the face
@@ -137,8 +146,6 @@ class ShellBuilder {
     const bool rising = corner_edge.axis.cross(strip.to_edge).dot(strip.contacts[1] - strip.contacts[0]) > 0;
     const double half = (rising ? 0.5 : -0.5) * strip.sweep_rad;
     tube.u = {pi - half, pi + half};
-    for (std::size_t side = 0; side < 2; ++side)
-      tube.v[side] = corner_edge.axis.dot(strip.far_contacts[side] - strip.contacts[side]);
     builder_.MakeFace(tube.face, tube.surface, tolerance_);
 
     TubeEdges edges;
@@ -154,46 +161,57 @@ class ShellBuilder {
     edges_.push_back(edges);
   }
 
-  /// Where the plane at the far end cuts the cylinder: a circle or an ellipse, at the same parameter as the cylinder's u but for a shift.
-  TopoDS_Edge endOf(std::size_t i, const Tube& tube, const TubeEdges& edges) const {
+  FarCut farCut(std::size_t i) const {
     const CornerEdge& corner_edge = corner_.edges[i];
     const CornerStrip& strip = hole_.strips[i];
-    const Vector3d normal = corner_edge.end_normal.dot(corner_edge.axis) > 0
-                                ? corner_edge.end_normal
-                                : Vector3d(-corner_edge.end_normal);
-    const double cosine = normal.dot(corner_edge.axis);
-    const Vector3d lean = normal - cosine * corner_edge.axis;
-    const double height = normal.dot(strip.far_contacts[0] - strip.centre) / cosine;
-    const double lowest = height - strip.radius_mm * lean.norm() / cosine;
-    if (!(lowest > 0))
-      throw std::domain_error("edge " + std::to_string(corner_edge.number) +
+    const Vector3d& axis = corner_edge.axis;
+    const bool along = corner_edge.end_normal.dot(axis) > 0;
+    const Vector3d normal = along ? corner_edge.end_normal : Vector3d(-corner_edge.end_normal);
+    FarCut cut;
+    cut.cosine = normal.dot(axis);
+    cut.height = normal.dot(strip.far_contacts[0] - strip.centre) / cut.cosine;
+    const Vector3d lean = normal - cut.cosine * axis;
+    const Vector3d x = -strip.to_edge, y = axis.cross(x);
+    cut.upright = lean.norm() < 1e-12;
+    if (!cut.upright) cut.highest_u = std::atan2(-lean.dot(y), -lean.dot(x));
+    cut.swing = strip.radius_mm * lean.norm() / cut.cosine;
+    const Vector3d across = std::cos(cut.highest_u) * x + std::sin(cut.highest_u) * y;
+    const Vector3d major = across - normal.dot(across) / cut.cosine * axis;
+    cut.axes = gp_Ax2(pointOf(strip.centre + cut.height * axis), directionOf(normal), directionOf(major));
+    return cut;
+  }
+
+  /// The ends of the arc are beyond the section already, as ends of the contact lines.
+  void requireBeyondSection(std::size_t i, const FarCut& cut, double first, double last) const {
+    const double lowest_u = cut.highest_u + pi;  // in [0, 2 pi], as the arc
+    const double lowest = cut.height - cut.swing;
+    if (lowest_u > first && lowest_u < last && !(lowest > 0))
+      throw std::domain_error("edge " + std::to_string(corner_.edges[i].number) +
                               ": the plane at its far end cuts the cylinder of radius " +
-                              std::to_string(strip.radius_mm) + " mm from " + std::to_string(lowest) +
-                              " mm beyond the section on: more than 0 is needed");
-    const Vector3d x = -strip.to_edge, y = corner_edge.axis.cross(x);
-    const bool upright = lean.norm() < 1e-12;
-    const double shift = upright ? 0 : std::atan2(-lean.dot(y), -lean.dot(x));
-    const Vector3d across = std::cos(shift) * x + std::sin(shift) * y;
-    const Vector3d major = (across - normal.dot(across) / cosine * corner_edge.axis).normalized();
-    const gp_Ax2 axes(pointOf(strip.centre + height * corner_edge.axis), directionOf(normal),
-                      directionOf(major));
-    const bool rising = tube.u[1] > tube.u[0];
-    const double first = tube.u[rising ? 0 : 1], last = tube.u[rising ? 1 : 0];
+                              std::to_string(hole_.strips[i].radius_mm) + " mm from " +
+                              std::to_string(lowest) + " mm beyond the section on: more than 0 is needed");
+  }
+
+  TopoDS_Edge endOf(std::size_t i, const Tube& tube, const TubeEdges& edges) const {
+    const FarCut cut = farCut(i);
+    const double radius = hole_.strips[i].radius_mm;
+    const std::size_t from = tube.u[1] > tube.u[0] ? 0 : 1;
+    const double first = tube.u[from] - cut.highest_u, last = tube.u[1 - from] - cut.highest_u;
+    requireBeyondSection(i, cut, tube.u[from], tube.u[1 - from]);
     handle<Geom_Curve> curve;
     handle<Geom2d_Curve> path;
-    if (upright) {
-      curve = new Geom_Circle(axes, strip.radius_mm);
-      path = new Geom2d_Line(gp_Pnt2d(0, height), gp::DX2d());
+    if (cut.upright) {
+      curve = new Geom_Circle(cut.axes, radius);
+      path = new Geom2d_Line(gp_Pnt2d(0, cut.height), gp::DX2d());
     } else {
-      curve = new Geom_Ellipse(axes, strip.radius_mm / cosine, strip.radius_mm);
+      curve = new Geom_Ellipse(cut.axes, radius / cut.cosine, radius);
       double fit = Precision::Confusion();
-      path = GeomProjLib::Curve2d(curve, first - shift, last - shift, tube.surface, fit);
+      path = GeomProjLib::Curve2d(curve, first, last, tube.surface, fit);
     }
-    const std::size_t from = rising ? 0 : 1;
-    const TopoDS_Edge made = edge(curve, first - shift, last - shift, edges.far[from], edges.far[1 - from]);
+    const TopoDS_Edge made = edge(curve, first, last, edges.far[from], edges.far[1 - from]);
     lay(made, path, tube.face);
-    builder_.Range(made, first - shift, last - shift);
-    return rising ? made : TopoDS::Edge(made.Reversed());
+    builder_.Range(made, first, last);
+    return from == 0 ? made : TopoDS::Edge(made.Reversed());
   }
 
   /// The edges of the far face end at the contact lines now.
