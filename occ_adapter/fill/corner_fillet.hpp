@@ -57,7 +57,7 @@ struct CornerFillet {
       fill;  ///< the patches; side 2 i is the section of edge i, side 2 i + 1 the spring curve after it
   double section_error_mm = 0;    ///< distance of the section curves from their circles, as sampled
   std::vector<CornerSeam> seams;  ///< the new ones, by edge number
-  bool valid = false;  ///< OpenCASCADE's checks of the new shell pass
+  bool valid = false;             ///< OpenCASCADE's checks of the new shell pass
   /// Empty: valid, the patches are proved regular, and the new seams meet the tolerance with G1. Else what fails, with numbers.
   std::string shortfall;
 

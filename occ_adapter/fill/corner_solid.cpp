@@ -3,9 +3,9 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Eigen/Geometry>
+#include <Geom2d_BSplineCurve.hxx>
 #include <Geom2d_BezierCurve.hxx>
 #include <Geom2d_Line.hxx>
-#include <GeomProjLib.hxx>
 #include <Geom_BezierCurve.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <Geom_Circle.hxx>
@@ -13,6 +13,8 @@
 #include <Geom_Ellipse.hxx>
 #include <Geom_Line.hxx>
 #include <Precision.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt2d.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -38,6 +40,8 @@ namespace {
 using Eigen::Vector3d;
 using opencascade::handle;
 using std::numbers::pi;
+
+constexpr int most_wave_degree = 16;
 
 gp_Pnt pointOf(const Vector3d& p) {
   return {p.x(), p.y(), p.z()};
@@ -192,6 +196,28 @@ class ShellBuilder {
                               std::to_string(lowest) + " mm beyond the section on: more than 0 is needed");
   }
 
+  /// v = height + swing cos(t) over u = t + highest_u as a polynomial, to half the tolerance.
+  handle<Geom2d_Curve> waveOf(const FarCut& cut, double sweep_rad, double first, double last) const {
+    int degree = 4;
+    UnitArc arc = unitArc(sweep_rad, degree);
+    while (arc.error * cut.swing > tolerance_ / 2 && degree < most_wave_degree)
+      arc = unitArc(sweep_rad, ++degree);
+    const double middle = (first + last) / 2;
+    const int count = static_cast<int>(arc.poles.rows());
+    TColgp_Array1OfPnt2d poles(1, count);
+    for (int k = 0; k < count; ++k) {
+      const double t = first + (last - first) * k / (count - 1);
+      const double cosine = std::cos(middle) * arc.poles(k, 0) - std::sin(middle) * arc.poles(k, 1);
+      poles(k + 1) = gp_Pnt2d(t + cut.highest_u, cut.height + cut.swing * cosine);
+    }
+    TColStd_Array1OfReal knots(1, 2);
+    knots(1) = first;
+    knots(2) = last;
+    TColStd_Array1OfInteger multiplicities(1, 2);
+    multiplicities.Init(count);
+    return new Geom2d_BSplineCurve(poles, knots, multiplicities, count - 1);
+  }
+
   TopoDS_Edge endOf(std::size_t i, const Tube& tube, const TubeEdges& edges) const {
     const FarCut cut = farCut(i);
     const double radius = hole_.strips[i].radius_mm;
@@ -205,8 +231,7 @@ class ShellBuilder {
       path = new Geom2d_Line(gp_Pnt2d(0, cut.height), gp::DX2d());
     } else {
       curve = new Geom_Ellipse(cut.axes, radius / cut.cosine, radius);
-      double fit = Precision::Confusion();
-      path = GeomProjLib::Curve2d(curve, first, last, tube.surface, fit);
+      path = waveOf(cut, hole_.strips[i].sweep_rad, first, last);
     }
     const TopoDS_Edge made = edge(curve, first, last, edges.far[from], edges.far[1 - from]);
     lay(made, path, tube.face);
