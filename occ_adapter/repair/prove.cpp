@@ -414,9 +414,12 @@ Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes, cons
 }
 
 std::map<int, std::string> movedTooFar(const RepairTask& task, const std::vector<FaceChange>& changes) {
+  constexpr double near_largest = 0.7;
+  double largest_mm = 0;
+  for (const FaceChange& change : changes) largest_mm = std::max(largest_mm, change.largest_move_mm);
   std::map<int, std::string> faces;
   for (const FaceChange& change : changes)
-    if (change.largest_move_mm > task.options.max_move_mm)
+    if (change.largest_move_mm > std::max(task.options.max_move_mm, near_largest * largest_mm))
       faces[change.face] = "it needs a move of " + shortText(change.largest_move_mm) + " mm, more than " +
                            shortText(task.options.max_move_mm) + " mm";
   return faces;

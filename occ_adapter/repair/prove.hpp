@@ -44,7 +44,7 @@ std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed
 Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
             const Soundness& was, MeasuredSeams& known, const Progress& progress);
 
-/// Faces that move further than is allowed, with the figures.
+/// Faces that move further than is allowed, with the figures; only those that move most, as the others may move less without them.
 std::map<int, std::string> movedTooFar(const RepairTask& task, const std::vector<FaceChange>& changes);
 
 /// Treated seams to be given up for the proof to hold, with the reason of each: those that do not have the level, and of a face that is at fault
