@@ -63,6 +63,16 @@ std::string at(const Eigen::Vector3d& point) {
   return text.str();
 }
 
+/// Even, but twice as dense near the ends, where a clamped spline has more poles.
+std::vector<double> sampleShares(int count, int dense) {
+  std::vector<double> shares;
+  for (int k = 0; k <= count; ++k) {
+    shares.push_back(static_cast<double>(k) / count);
+    if (k < count && (k < dense || count - 1 - k < dense)) shares.push_back((k + 0.5) / count);
+  }
+  return shares;
+}
+
 class FaceFollower {
  public:
   explicit FaceFollower(const FaceTask& task)
@@ -187,15 +197,17 @@ class FaceFollower {
       const PlanePath plane(path);
       const SpanMeasure measure(plane, basis_, before_);
       const double rate = per_pole * std::max({1.0, polesPerSpan(basis_.u()), polesPerSpan(basis_.v())});
-      const int count = static_cast<int>(std::ceil(rate * measure.spans() - 1e-6)) +
-                        std::max(basis_.u().degree, basis_.v().degree);
+      const int degree = std::max(basis_.u().degree, basis_.v().degree);
+      const std::vector<double> shares =
+          sampleShares(static_cast<int>(std::ceil(rate * measure.spans() - 1e-6)) + degree, degree);
       std::vector<Place> samples, checks;
-      for (int k = 0; k <= count; ++k) {
-        samples.push_back(plane.place(basis_, measure.at(static_cast<double>(k) / count)));
-        for (int m = 1; k < count && m <= between; ++m)
-          checks.push_back(plane.place(
-              basis_, measure.at((k + static_cast<double>(m) / (between + 1)) / static_cast<double>(count))));
-        if (k > 0) length += (samples[k].target.point - samples[k - 1].target.point).norm();
+      for (std::size_t k = 0; k < shares.size(); ++k) {
+        samples.push_back(plane.place(basis_, measure.at(shares[k])));
+        if (k == 0) continue;
+        for (int m = 1; m <= between; ++m)
+          checks.push_back(
+              plane.place(basis_, measure.at(shares[k] - m * (shares[k] - shares[k - 1]) / (between + 1))));
+        length += (samples[k].target.point - samples[k - 1].target.point).norm();
       }
       spans += measure.spans();
       samples_.push_back(std::move(samples));

@@ -64,25 +64,47 @@ class Repairing {
   using Solver = std::function<RepairSolution(const RepairTask&, const Progress&)>;
   using Reasons = std::map<std::size_t, std::string>;
 
-  /// What one solver leaves the next one tries, in the shape as it is then.
+  enum class Which { All, Dear, NotDear };
+  struct Way {
+    Solver solver;
+    Which which = Which::All;
+  };
+
+  /// What one way leaves the next one tries, in the shape as it is then; what an exact join moves far, first by following.
   void repair(const std::vector<FaceChoice>& faces) {
     JoinedPairs pairs;
     FollowedFaces followed;
-    const std::array<Solver, 4> solvers = {joinPaths, joinNetwork,
-                                           [&pairs](const RepairTask& task, const Progress& progress) {
-                                             return joinPairs(task, pairs, progress);
-                                           },
-                                           [&followed](const RepairTask& task, const Progress& progress) {
-                                             return followTargets(task, followed, progress);
-                                           }};
+    DearSeams dear;
+    const auto network = [](DearSeams* left) {
+      return [left](const RepairTask& task, const Progress& progress) {
+        return joinNetwork(task, left, progress);
+      };
+    };
+    const Solver pairwise = [&pairs](const RepairTask& task, const Progress& progress) {
+      return joinPairs(task, pairs, progress);
+    };
+    const Solver follow = [&followed](const RepairTask& task, const Progress& progress) {
+      return followTargets(task, followed, progress);
+    };
+    const std::array<Way, 6> ways = {{{joinPaths, Which::All},
+                                      {network(&dear), Which::All},
+                                      {pairwise, Which::NotDear},
+                                      {follow, Which::All},
+                                      {network(nullptr), Which::Dear},
+                                      {pairwise, Which::Dear}}};
     const double all = options_.match_mm > 0 && options_.sew ? share_before_sewing : 1;
     double done = share_of_analysis;
-    for (std::size_t k = 0; k < solvers.size() && std::ranges::count(open_, true) > 0; ++k) {
-      const double next = done + (all - done) / static_cast<double>(solvers.size() - k);
+    for (std::size_t k = 0; k < ways.size(); ++k) {
+      const double next = done + (all - done) / static_cast<double>(ways.size() - k);
       const TopoDS_Shape shape = result_.model.shape;
       const std::vector<SeamResult> before = result_.after.seams;
-      improve({shape, seams_, result_.before.seams, before, faces, sharp_, open_, options_}, solvers.at(k),
-              partOf(progress_, done, next));
+      RepairTask task{shape, seams_, result_.before.seams, before, faces, sharp_, open_, options_};
+      for (std::size_t i = 0; i < open_.size(); ++i)
+        if (ways[k].which != Which::All && (dear.count(i) > 0) != (ways[k].which == Which::Dear))
+          task.treated[i] = false;
+      pairs.clear();
+      if (std::ranges::count(task.treated, true) > 0)
+        improve(std::move(task), ways[k].solver, partOf(progress_, done, next));
       done = next;
     }
   }

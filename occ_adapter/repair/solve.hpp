@@ -3,6 +3,7 @@
 
 #include <array>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -42,10 +43,15 @@ std::vector<Seam> seamsIn(const TopoDS_Shape& shape, std::vector<Seam> seams);
 /// \throws Cancelled.
 RepairSolution joinPaths(const RepairTask& task, const Progress& progress);
 
+/// Seams that can be joined exactly, but by moves much larger than what they lack.
+using DearSeams = std::set<std::size_t>;
+
 /// All seams whose sides are natural sides of polynomial surfaces at once, exactly, with the smallest move. Poles beside other boundaries stay.
 /// Sharp seams are left to followTargets(), also by joinPairs().
+/// \param dear grows by the seams of what hangs together if its largest move exceeds twice the largest gap, and angle times distance of
+/// the first rows of poles, which are left then; null: none is.
 /// \throws Cancelled.
-RepairSolution joinNetwork(const RepairTask& task, const Progress& progress);
+RepairSolution joinNetwork(const RepairTask& task, DearSeams* dear, const Progress& progress);
 
 /// A pair that was joined before, or was not.
 struct JoinedPair {
