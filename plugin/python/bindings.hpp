@@ -10,6 +10,7 @@ void bindBernstein(pybind11::module_& module);
 void bindBezier(pybind11::module_& module);
 void bindCurveJoin(pybind11::module_& module);
 void bindFill(pybind11::module_& module);
+void bindHole(pybind11::module_& module);
 void bindJoin(pybind11::module_& module);
 void bindMatch(pybind11::module_& module);
 void bindMeasure(pybind11::module_& module);

@@ -25,5 +25,6 @@ PYBIND11_MODULE(_core, module) {
   bindModel(module);
   bindMatch(module);
   bindRepair(module);
+  bindHole(module);
   bindPointerBridge(module);
 }
