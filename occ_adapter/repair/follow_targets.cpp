@@ -47,8 +47,8 @@ handle<Geom_BSplineSurface> splineOf(const TopoDS_Face& face) {
 
 class Following {
  public:
-  Following(const RepairTask& task, FollowedFaces& known, const Progress& progress)
-      : task_(task), known_(known), progress_(progress), pcurves_(task.seams.size()) {
+  Following(const RepairTask& task, LeadReach reach, FollowedFaces& known, const Progress& progress)
+      : task_(task), reach_(reach), known_(known), progress_(progress), pcurves_(task.seams.size()) {
     for (const bool treated : task.treated) roles_.push_back(treated ? Role::Treated : Role::Held);
   }
 
@@ -93,7 +93,7 @@ class Following {
   /// wants it, which a common tensor gives.
   std::shared_ptr<SeamTarget> target(std::size_t seam, const std::array<bool, 2>& stays) {
     const int order = orderOf(seam) == 0 ? 0 : 2;
-    return std::make_shared<SeamTarget>(task_.seams[seam], pcurvesOf(seam), stays, order);
+    return std::make_shared<SeamTarget>(task_.seams[seam], pcurvesOf(seam), stays, order, reach_);
   }
 
   /// A side of a seam, which follows the target.
@@ -268,6 +268,7 @@ class Following {
   }
 
   const RepairTask& task_;
+  LeadReach reach_;
   FollowedFaces& known_;
   const Progress& progress_;
   std::vector<std::array<Pcurve, 2>> pcurves_;
@@ -282,8 +283,9 @@ class Following {
 
 }  // namespace
 
-RepairSolution followTargets(const RepairTask& task, FollowedFaces& known, const Progress& progress) {
-  return Following(task, known, progress).run();
+RepairSolution followTargets(const RepairTask& task, LeadReach reach, FollowedFaces& known,
+                             const Progress& progress) {
+  return Following(task, reach, known, progress).run();
 }
 
 }  // namespace seamwright::occ
