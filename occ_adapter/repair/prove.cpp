@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <optional>
 #include <sstream>
 
 #include <seamwright/occ_adapter/analyze/measure_seam.hpp>
@@ -342,6 +343,28 @@ std::vector<std::size_t> blameFor(const RepairTask& task, const std::set<int>& m
   return near.empty() ? all : near;
 }
 
+double missOf(const SeamResult& seam, const ContinuityTolerance& tolerance) {
+  const auto share = [](const std::optional<Figure>& figure, double limit) {
+    return figure ? known(*figure) / limit : 0;
+  };
+  return std::max(share(seam.figures.gap_mm, tolerance.gap_mm),
+                  share(seam.figures.angle_rad, tolerance.angle_rad));
+}
+
+/// The treated seam that moves the face and is furthest from its tolerance now.
+std::optional<std::size_t> worstOf(const RepairTask& task, const std::set<int>& moved, int face) {
+  std::optional<std::size_t> worst;
+  double most = -1;
+  for (std::size_t i = 0; i < task.seams.size(); ++i) {
+    if (!task.treated[i] || !moves(task.seams[i], moved, face)) continue;
+    const double miss = missOf(task.before[i], task.options.tolerance);
+    if (miss <= most) continue;
+    most = miss;
+    worst = i;
+  }
+  return worst;
+}
+
 void addConnected(const RepairTask& task, const std::set<int>& moved,
                   std::map<std::size_t, std::string>& given_up) {
   for (bool grew = true; grew;) {
@@ -433,6 +456,9 @@ std::map<std::size_t, std::string> culprits(const RepairTask& task, const Repair
     for (std::size_t i = 0; i < task.seams.size(); ++i)
       if (task.treated[i] && moves(task.seams[i], moved, face))
         given_up.emplace(i, "face " + std::to_string(face) + ": " + why);
+  for (const auto& [face, why] : proof.too_far)
+    if (const auto worst = worstOf(task, moved, face))
+      given_up.emplace(*worst, "face " + std::to_string(face) + ": " + why);
   for (const auto& [i, why] : proof.unrepaired) given_up[i] = why;
   // What is worse may be so for one of these.
   if (given_up.empty())

@@ -148,7 +148,7 @@ class Repairing {
       for (FaceChange& change : solution.changes) change.largest_move_mm += moves_[change.face];
       Proof proof;
       TopoDS_Shape changed;
-      proof.faces = movedTooFar(rest, solution.changes);
+      proof.too_far = movedTooFar(rest, solution.changes);
       if (proof.holds()) {
         changed = withChanges(task.shape, solution.changes, options_.tolerance.gap_mm, solution.paths);
         // Figures known are of edges with the paths that they have in the shape.
