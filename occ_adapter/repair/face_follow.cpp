@@ -148,7 +148,7 @@ class FaceFollower {
 
   /// Moves and refines as long as that gains something; ends in the best that was found.
   void improve() {
-    constexpr double better = 0.7;
+    constexpr double better = 0.9;
     const int most_idle = gently_ ? 2 : 1;
     std::optional<FaceFollower> best;
     if (!gently_) best = *this;
