@@ -50,6 +50,9 @@ class SeamTarget {
   /// The side has no normal at that end: a boundary of its surface collapses there.
   bool isPole(int side, int end) const { return pole_reach_.at(side).at(end) > 0; }
 
+  /// The way of the seam from that end on, over one knot span.
+  Eigen::Vector3d way(int end) const;
+
   /// Has no effect if a side stays. The sense of the normal is no matter. \param end 0 or 1.
   void setEnd(int end, const TargetPoint& target);
 
@@ -73,6 +76,7 @@ class SeamTarget {
   };
   /// What is added at an end.
   struct Lead {
+    double span = 0;  ///< of s, see blendsAt()
     Eigen::Vector3d point, slope, bend, normal, normal_slope;
     Eigen::Matrix3d curvature;
   };
@@ -86,6 +90,7 @@ class SeamTarget {
   Eigen::Vector3d slope(int side, double s) const;
   Mean mean(double s) const;
   Mean led(double s) const;
+  double spanAt(int end) const;
   Lead lead(int end, const TargetPoint& target) const;
 
   Seam seam_;
@@ -109,6 +114,7 @@ struct VertexView {
       -1;  ///< order to which it can't change there, as it stays or another boundary of it does; -1: it can
   bool is_pole =
       false;  ///< a boundary of the face collapses there: it shows no curvature, and held alone a normal
+  std::vector<Eigen::Vector3d> ways = {};  ///< of the face's seams from there on, over one knot span each
 };
 
 struct VertexConsensus {
@@ -116,8 +122,9 @@ struct VertexConsensus {
   std::string contradiction;  ///< of two faces that can't change, with the figures; empty: none
 };
 
-/// The mean of the points, the normals and the curvature tensors of all faces at a vertex, of each those that are held, if any is.
-/// Senses of normals are no matter. \pre there is a view
+/// The mean of the points and the normals of all faces at a vertex, of each those that are held, if any is; and of their curvature tensors
+/// what asks for the smallest moves of poles along the ways: least squares of the differences as forms of the ways, or, where a face has
+/// none, of the tensors. Senses of normals are no matter. \pre there is a view
 VertexConsensus vertexConsensus(const std::vector<VertexView>& views, int order,
                                 const ContinuityTolerance& tolerance);
 

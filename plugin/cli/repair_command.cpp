@@ -23,6 +23,7 @@ occ::RepairOptions optionsOf(const RepairArguments& arguments) {
   options.fixed_faces = arguments.fixed_faces;
   options.match_mm = arguments.measure.match_mm;
   options.sew = arguments.sew;
+  options.convert_analytic = arguments.convert_analytic;
   options.jobs = arguments.measure.jobs;
   options.validate();
   return options;
@@ -84,6 +85,8 @@ void addRepairOptions(CLI::App& command, RepairArguments& arguments) {
       ->delimiter(',')
       ->allow_extra_args(false);
   addMeasureOptions(command, arguments.measure);
+  command.add_flag("--convert", arguments.convert_analytic,
+                   "Planes, cylinders and the like may become splines where they have to move");
   command.add_flag("!--no-sew", arguments.sew,
                    "Edges that --match finds stay two, though they meet within the gap");
   command.add_option("--json", arguments.json, "Write a report to this file")->type_name("FILE");

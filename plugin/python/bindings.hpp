@@ -11,6 +11,7 @@ void bindBezier(pybind11::module_& module);
 void bindCornerFillet(pybind11::module_& module);
 void bindCurveJoin(pybind11::module_& module);
 void bindFill(pybind11::module_& module);
+void bindHole(pybind11::module_& module);
 void bindJoin(pybind11::module_& module);
 void bindMatch(pybind11::module_& module);
 void bindMeasure(pybind11::module_& module);

@@ -26,5 +26,6 @@ PYBIND11_MODULE(_core, module) {
   bindMatch(module);
   bindCornerFillet(module);
   bindRepair(module);
+  bindHole(module);
   bindPointerBridge(module);
 }

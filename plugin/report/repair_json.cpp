@@ -18,7 +18,8 @@ ordered_json optionsJson(const occ::RepairOptions& options) {
           {"edges", options.edges},
           {"fixed_faces", options.fixed_faces},
           {"match_mm", options.match_mm},
-          {"sew", options.sew}};
+          {"sew", options.sew},
+          {"convert_analytic", options.convert_analytic}};
 }
 
 /// Numbers in the repaired model by those in the given one, from 1; null where they are the same.
@@ -33,6 +34,13 @@ ordered_json numbersJson(const occ::RepairReport& report) {
 ordered_json outputJson(const std::optional<RepairOutput>& output) {
   if (!output) return nullptr;
   return {{"path", output->path.string()}, {"format", name(output->format)}};
+}
+
+template <class Item>
+ordered_json arrayOf(const std::vector<Item>& items) {
+  ordered_json array = ordered_json::array();
+  for (const Item& item : items) array.push_back(toJson(item));
+  return array;
 }
 
 }  // namespace
@@ -80,6 +88,14 @@ ordered_json toJson(const occ::FaceMove& move) {
   return {{"face", move.face}, {"largest_move_mm", move.largest_move_mm}};
 }
 
+ordered_json toJson(const occ::EdgeMove& move) {
+  return {{"edge", move.edge}, {"largest_move_mm", move.largest_move_mm}};
+}
+
+ordered_json toJson(const occ::FaceConversion& conversion) {
+  return {{"face", conversion.face}, {"kind", conversion.kind}, {"error_mm", conversion.error_mm}};
+}
+
 ordered_json toJson(const occ::RepairReport& report, const occ::RepairOptions& options,
                     const std::optional<RepairOutput>& output) {
   ordered_json json = headJson("seamwright.repair/1", report.before);
@@ -90,8 +106,9 @@ ordered_json toJson(const occ::RepairReport& report, const occ::RepairOptions& o
   json["seams"] = ordered_json::array();
   for (const occ::SeamRepair& seam : report.seams)
     json["seams"].push_back(toJson(seam, report.before.tolerance));
-  json["moves"] = ordered_json::array();
-  for (const occ::FaceMove& move : report.moves) json["moves"].push_back(toJson(move));
+  json["moves"] = arrayOf(report.moves);
+  json["edge_moves"] = arrayOf(report.edge_moves);
+  json["converted"] = arrayOf(report.converted);
   json["numbers_now"] = numbersJson(report);
   return json;
 }

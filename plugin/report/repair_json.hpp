@@ -33,6 +33,8 @@ struct RepairOutput {
 nlohmann::ordered_json toJson(const RepairSummary& summary);
 nlohmann::ordered_json toJson(const occ::SeamRepair& seam, const ContinuityTolerance& tolerance);
 nlohmann::ordered_json toJson(const occ::FaceMove& move);
+nlohmann::ordered_json toJson(const occ::EdgeMove& move);
+nlohmann::ordered_json toJson(const occ::FaceConversion& conversion);
 
 /// The report as the object "seamwright.repair/1" (docs/repair-1.schema.json), lengths in mm, angles in degrees.
 /// \param output nothing where the model was not written.

@@ -45,7 +45,7 @@ def check_laws(report, status):
         assert summary[f"defects_{key}"] == sum(seam[key]["class"] == "defect" for seam in seams)
     assert status == (1 if summary["defects_after"] else 0)
     assert summary["sewn"] == sum(seam["sewn"] for seam in seams)
-    assert summary["changed"] == bool(report["moves"] or summary["sewn"])
+    assert summary["changed"] == bool(report["moves"] or report["edge_moves"] or summary["sewn"])
     assert (report["numbers_now"] is not None) == bool(summary["sewn"])
     assert summary["largest_move_mm"] == max((move["largest_move_mm"] for move in report["moves"]), default=0)
     limit = report["options"]["max_move_mm"]
@@ -143,6 +143,15 @@ def test_planes_stay_and_the_reason_says_so(tmp_path):
     assert not seam["treated"] and "plane" in seam["reason"]
 
 
+def test_planes_move_where_told(tmp_path):
+    model = tmp_path / "roof.step"
+    model.write_text(roof_text(1))
+    result, report, out = repair(model, "--convert", "--max-move", "inf")
+    assert report["options"]["convert_analytic"] and report["converted"]
+    assert result.returncode == 0 and report["summary"]["repaired"] == 1
+    expect_same_verdicts(report, out)
+
+
 def test_options_arrive(tmp_path):
     model = sheet(tmp_path, count_x=3)
     first, second = (seam["edges"][0] for seam in analysis(model)["seams"])
@@ -150,7 +159,7 @@ def test_options_arrive(tmp_path):
                           "--match", "0.05", "--no-sew", "--jobs", "1", "--gap", "0.02", "--angle", "0.05", "--curvature", "0.1",
                           "--flat-radius", "5000", "--crease", "7")
     assert report["options"] == {"target": "G2", "max_move_mm": 0.25, "edges": [second, first], "fixed_faces": [1, 3],
-                                 "match_mm": 0.05, "sew": False}
+                                 "match_mm": 0.05, "sew": False, "convert_analytic": False}
     tolerance = {"gap_mm": 0.02, "angle_deg": 0.05, "curvature_rel": 0.1, "flat_radius_mm": 5000, "crease_deg": 7}
     assert {key: report["tolerance"][key] for key in tolerance} == pytest.approx(tolerance, rel=1e-12)
     assert [move["face"] for move in report["moves"]] == [2]
@@ -158,7 +167,7 @@ def test_options_arrive(tmp_path):
 
 def test_defaults_are_those_of_the_help(tmp_path):
     _, report, _ = repair(sheet(tmp_path))
-    assert report["options"] == {"target": "G1", "max_move_mm": 0.5, "edges": [], "fixed_faces": [], "match_mm": 0, "sew": True}
+    assert report["options"] == {"target": "G1", "max_move_mm": 0.5, "edges": [], "fixed_faces": [], "match_mm": 0, "sew": True, "convert_analytic": False}
     expected = {"gap_mm": 0.01, "angle_deg": 0.1, "curvature_rel": 0.02, "flat_radius_mm": 100000, "crease_deg": 5}
     assert {key: report["tolerance"][key] for key in expected} == pytest.approx(expected, rel=1e-12)
     assert "--max-move MM=0.5" in run("repair", "--help").stdout
