@@ -27,6 +27,13 @@ void requirePositive(const std::map<int, double>& lengths, const char* what) {
                                   std::to_string(length) + " mm: a finite one above 0 is needed");
 }
 
+/// The linear law is the fairer one where it needs no help to be regular.
+NSidedFill fairestFill(const std::vector<FillSide>& sides) {
+  NSidedFill linear = nSidedFill(sides, {SpokeLaw::Linear});
+  if (linear.regular && !linear.spoke_scale) return linear;
+  return nSidedFill(sides, {SpokeLaw::Quadratic});
+}
+
 AnalyzeOptions analyzeOptions(const CornerFilletOptions& options) {
   AnalyzeOptions result;
   result.tolerance = options.tolerance;
@@ -134,9 +141,7 @@ CornerFillet cornerFillet(const Model& model, int vertex, const CornerFilletOpti
   options.validate();
   const Corner corner = cornerOf(model.shape, vertex);
   const CornerHole hole = cornerHole(corner, options);
-  FillOptions asked;
-  asked.law = SpokeLaw::Quadratic;
-  NSidedFill fill = nSidedFill(hole.sides, asked);
+  NSidedFill fill = fairestFill(hole.sides);
   const CornerShell made = cornerShell(corner, hole, fill);
 
   CornerFillet result;
