@@ -49,7 +49,4 @@ Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes, cons
 std::map<std::size_t, std::string> culprits(const RepairTask& task, const RepairSolution& solution,
                                             const Proof& proof, bool with_connected);
 
-/// How measuring is asked for in a repair.
-AnalyzeOptions analyzeOptions(const RepairOptions& options);
-
 }  // namespace seamwright::occ
