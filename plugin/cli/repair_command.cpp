@@ -32,12 +32,31 @@ occ::RepairOptions optionsOf(const RepairArguments& arguments) {
   return options;
 }
 
+bool hasNameOfModel(const std::string& file) {
+  try {
+    occ::targetFormat(file);
+    return true;
+  } catch (const occ::ModelError&) {
+    return false;
+  }
+}
+
+/// A report replaces an older one, but no model by a slip of the hand.
+void requireReplaceableReport(const std::string& file) {
+  std::error_code error;
+  if (std::filesystem::exists(file, error) && hasNameOfModel(file))
+    throw std::runtime_error(file + ": has the name of a model, the report would overwrite it");
+}
+
 /// What can be told of the files before the model is read.
 void requireFiles(const RepairArguments& arguments, const occ::WriteOptions& options) {
   occ::requireTarget(arguments.model, arguments.output, options);
   if (arguments.json.empty()) return;
+  if (arguments.json == "-")
+    throw std::runtime_error("--json -: the report goes to a file, standard output has the table; name a file");
   requireWritable(arguments.json);
   requireOutputIsNoModel(arguments.json, {arguments.model});
+  requireReplaceableReport(arguments.json);
   if (std::filesystem::weakly_canonical(arguments.json) ==
       std::filesystem::weakly_canonical(arguments.output))
     throw std::runtime_error(arguments.json + ": is the repaired model; name another file for the report");
