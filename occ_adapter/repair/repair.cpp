@@ -256,6 +256,15 @@ class Repairing {
 
 }  // namespace
 
+AnalyzeOptions analyzeOptions(const RepairOptions& options) {
+  AnalyzeOptions analyze;
+  analyze.tolerance = options.tolerance;
+  analyze.level = options.level();
+  analyze.match_mm = options.match_mm;
+  analyze.jobs = options.jobs;
+  return analyze;
+}
+
 void RepairOptions::validate() const {
   analyzeOptions(*this).validate();
   if (order != 1 && order != 2)
