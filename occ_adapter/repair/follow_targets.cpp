@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <functional>
 #include <limits>
 #include <set>
 #include <sstream>
@@ -206,17 +207,22 @@ class Following {
   struct NewFace {
     int number = 0;
     std::string asked;
+    int poles = 0;
     FaceFollow follow;
     std::exception_ptr error;
   };
 
   void followAll() {
-    std::vector<NewFace> faces;
-    for (const auto& [number, paths] : paths_)
-      if (std::string asked = askedOf(number); known_.count(asked) == 0)
-        faces.push_back({number, std::move(asked), {}, {}});
     TopTools_IndexedMapOfShape shapes;
     TopExp::MapShapes(task_.shape, TopAbs_FACE, shapes);
+    std::vector<NewFace> faces;
+    for (const auto& [number, paths] : paths_)
+      if (std::string asked = askedOf(number); known_.count(asked) == 0) {
+        const auto surface = splineOf(TopoDS::Face(shapes(number)));
+        faces.push_back({number, std::move(asked), surface->NbUPoles() * surface->NbVPoles(), {}, {}});
+      }
+    // The longest work first, so that no thread is left alone with it.
+    std::ranges::stable_sort(faces, std::greater{}, &NewFace::poles);
     std::atomic<bool> cancelled = false;
     const auto work = [&](std::size_t k) {
       NewFace& face = faces[k];

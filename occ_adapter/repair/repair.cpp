@@ -101,7 +101,7 @@ class Repairing {
       const double next = done + (all - done) / static_cast<double>(ways.size() - k);
       const TopoDS_Shape shape = result_.model.shape;
       const std::vector<SeamResult> before = result_.after.seams;
-      RepairTask task{shape, seams_, before, faces, sharp_, open_, options_};
+      RepairTask task{shape, seams_, result_.before.seams, before, faces, sharp_, open_, options_};
       for (std::size_t i = 0; i < open_.size(); ++i)
         if (ways[k].which != Which::All && (dear.count(i) > 0) != (ways[k].which == Which::Dear))
           task.treated[i] = false;
@@ -149,12 +149,16 @@ class Repairing {
       giveUp(solution.failures, rest);
       if (solution.changes.empty() && solution.paths.empty()) return everything(task, "nothing was moved");
       for (FaceChange& change : solution.changes) change.largest_move_mm += moves_[change.face];
-      const TopoDS_Shape changed =
-          withChanges(task.shape, solution.changes, options_.tolerance.gap_mm, solution.paths);
-      // Figures known are of edges with the paths that they have in the shape.
-      MeasuredSeams of_paths;
-      MeasuredSeams& known = solution.paths.empty() ? measured : of_paths;
-      const Proof proof = prove(rest, solution.changes, changed, *was_, known, partOf(progress, 0.5, 1));
+      Proof proof;
+      TopoDS_Shape changed;
+      proof.too_far = movedTooFar(rest, solution.changes);
+      if (proof.holds()) {
+        changed = withChanges(task.shape, solution.changes, options_.tolerance.gap_mm, solution.paths);
+        // Figures known are of edges with the paths that they have in the shape.
+        MeasuredSeams of_paths;
+        MeasuredSeams& known = solution.paths.empty() ? measured : of_paths;
+        proof = prove(rest, solution.changes, changed, *was_, known, partOf(progress, 0.5, 1));
+      }
       if (!proof.holds()) {
         Reasons given_up = culprits(rest, solution, proof, with_connected);
         given_up.merge(solution.failures);
@@ -205,7 +209,7 @@ class Repairing {
     if (seams_.empty()) seams_ = seamsOf(model_.shape, options_, {});
     const TopoDS_Shape shape = result_.model.shape;
     const std::vector<SeamResult> before = result_.after.seams;
-    const RepairTask task{shape, seams_, before, {}, sharp_, open_, options_};
+    const RepairTask task{shape, seams_, result_.before.seams, before, {}, sharp_, open_, options_};
     const std::vector<Seam> seams = seamsAfter(task, shape, {});
     SewSolution solution =
         sewLoose({shape, seams, before, options_}, partOf(progress_, share_before_sewing, 1));
@@ -251,6 +255,15 @@ class Repairing {
 };
 
 }  // namespace
+
+AnalyzeOptions analyzeOptions(const RepairOptions& options) {
+  AnalyzeOptions analyze;
+  analyze.tolerance = options.tolerance;
+  analyze.level = options.level();
+  analyze.match_mm = options.match_mm;
+  analyze.jobs = options.jobs;
+  return analyze;
+}
 
 void RepairOptions::validate() const {
   analyzeOptions(*this).validate();
