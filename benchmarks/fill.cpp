@@ -11,6 +11,7 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepTools_ReShape.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <GeomFill_BoundWithSurf.hxx>
 #include <GeomFill_ConstrainedFilling.hxx>
 #include <Geom_BSplineSurface.hxx>
@@ -214,6 +215,16 @@ bool isSmooth(const TopoDS_Shape& shape, int face) {
   return is_smooth;
 }
 
+/// Whether every edge of the face bounds the hole: else that is open to the rim of the shell.
+bool isClosed(const TopoDS_Shape& face, const Hole& hole) {
+  TopTools_IndexedMapOfShape edges;
+  for (TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next())
+    if (!BRep_Tool::Degenerated(TopoDS::Edge(edge.Current()))) edges.Add(edge.Current());
+  std::size_t count = 0;
+  for (const occ::HoleSide& side : hole.sides) count += side.edges.size();
+  return count == static_cast<std::size_t>(edges.Extent());
+}
+
 /// Every face that leaves a hole of that many sides with smooth surroundings.
 void addFaces(const std::string& name, const TopoDS_Shape& shape, std::size_t least, std::size_t most,
               std::vector<HoleCase>& cases) {
@@ -222,8 +233,8 @@ void addFaces(const std::string& name, const TopoDS_Shape& shape, std::size_t le
   for (int face = 1; face <= faces.Extent(); ++face) {
     const HoleCase one{name + " " + std::to_string(face), shape, face};
     const std::optional<Opened> open = opened(one);
-    if (open && open->hole.has_corners && open->hole.sides.size() >= least &&
-        open->hole.sides.size() <= most && isSmooth(shape, face))
+    if (open && isClosed(faces(face), open->hole) && open->hole.has_corners &&
+        open->hole.sides.size() >= least && open->hole.sides.size() <= most && isSmooth(shape, face))
       cases.push_back(one);
   }
 }
@@ -293,6 +304,7 @@ int run(int times, const std::vector<std::string>& models) {
                    {makeFilling(open, GeomAbs_G1, times), makeFilling(open, GeomAbs_G2, times),
                     constrainedFilling(open, times)}});
     print(one.name, open.hole.sides.size(), all.back());
+    std::fflush(stdout);
   }
   const auto reached = std::ranges::count_if(
       all, [](const Compared& one) { return one.ours.angle_deg >= 0 && one.ours.angle_deg <= 0.01; });

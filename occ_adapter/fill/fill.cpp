@@ -138,7 +138,9 @@ class Filling {
     // The planes were made to agree; what is left is rounding.
     FillOptions options{.corner_tolerance_rad = 1e-7};
     NSidedFill fill = nSidedFill(sides, options);
-    if (!fill.regular) {
+    constexpr int dear_degree =
+        7;  // fills cost the sixth power of it, and several are tried for one that is not regular
+    if (!fill.regular && fill.patches.front().degreeU() < dear_degree) {
       options.law = SpokeLaw::Quadratic;
       NSidedFill other = nSidedFill(sides, options);
       if (other.regular) fill = std::move(other);

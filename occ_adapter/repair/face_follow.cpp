@@ -148,7 +148,7 @@ class FaceFollower {
 
   /// Moves and refines as long as that gains something; ends in the best that was found.
   void improve() {
-    constexpr double better = 0.7;
+    constexpr double better = 0.9;
     const int most_idle = gently_ ? 2 : 1;
     std::optional<FaceFollower> best;
     if (!gently_) best = *this;
@@ -199,7 +199,7 @@ class FaceFollower {
       const double rate = per_pole * std::max({1.0, polesPerSpan(basis_.u()), polesPerSpan(basis_.v())});
       const int degree = std::max(basis_.u().degree, basis_.v().degree);
       const std::vector<double> shares =
-          sampleShares(static_cast<int>(std::ceil(rate * measure.spans() - 1e-6)) + degree, degree);
+          sampleShares(static_cast<int>(std::ceil(rate * measure.spans() - 1e-6)) + degree, per_pole);
       std::vector<Place> samples, checks;
       for (std::size_t k = 0; k < shares.size(); ++k) {
         samples.push_back(plane.place(basis_, measure.at(shares[k])));

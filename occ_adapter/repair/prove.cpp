@@ -493,13 +493,4 @@ std::map<std::size_t, std::string> culprits(const RepairTask& task, const Repair
   return given_up;
 }
 
-AnalyzeOptions analyzeOptions(const RepairOptions& options) {
-  AnalyzeOptions analyze;
-  analyze.tolerance = options.tolerance;
-  analyze.level = options.level();
-  analyze.match_mm = options.match_mm;
-  analyze.jobs = options.jobs;
-  return analyze;
-}
-
 }  // namespace seamwright::occ

@@ -56,7 +56,4 @@ std::map<int, std::string> movedTooFar(const RepairTask& task, const std::vector
 std::map<std::size_t, std::string> culprits(const RepairTask& task, const RepairSolution& solution,
                                             const Proof& proof, bool with_connected);
 
-/// How measuring is asked for in a repair.
-AnalyzeOptions analyzeOptions(const RepairOptions& options);
-
 }  // namespace seamwright::occ

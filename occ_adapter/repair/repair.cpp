@@ -73,7 +73,7 @@ class Repairing {
   /// What one way leaves the next one tries, in the shape as it is then; what an exact join moves far, first by following.
   void repair(const std::vector<FaceChoice>& faces) {
     JoinedPairs pairs;
-    FollowedFaces followed;
+    std::array<FollowedFaces, 2> followed;
     DearSeams dear;
     const auto network = [](DearSeams* left) {
       return [left](const RepairTask& task, const Progress& progress) {
@@ -83,13 +83,16 @@ class Repairing {
     const Solver pairwise = [&pairs](const RepairTask& task, const Progress& progress) {
       return joinPairs(task, pairs, progress);
     };
-    const Solver follow = [&followed](const RepairTask& task, const Progress& progress) {
-      return followTargets(task, followed, progress);
+    const auto follow = [](LeadReach reach, FollowedFaces& known) {
+      return [reach, &known](const RepairTask& task, const Progress& progress) {
+        return followTargets(task, reach, known, progress);
+      };
     };
-    const std::array<Way, 6> ways = {{{joinPaths, Which::All},
+    const std::array<Way, 7> ways = {{{joinPaths, Which::All},
                                       {network(&dear), Which::All},
                                       {pairwise, Which::NotDear},
-                                      {follow, Which::All},
+                                      {follow(LeadReach::Spans, followed[0]), Which::All},
+                                      {follow(LeadReach::Half, followed[1]), Which::All},
                                       {network(nullptr), Which::Dear},
                                       {pairwise, Which::Dear}}};
     const double all = options_.match_mm > 0 && options_.sew ? share_before_sewing : 1;
@@ -252,6 +255,15 @@ class Repairing {
 };
 
 }  // namespace
+
+AnalyzeOptions analyzeOptions(const RepairOptions& options) {
+  AnalyzeOptions analyze;
+  analyze.tolerance = options.tolerance;
+  analyze.level = options.level();
+  analyze.match_mm = options.match_mm;
+  analyze.jobs = options.jobs;
+  return analyze;
+}
 
 void RepairOptions::validate() const {
   analyzeOptions(*this).validate();

@@ -28,6 +28,9 @@ struct RepairOptions {
   void validate() const;
 };
 
+/// The analysis that a repair is judged by.
+AnalyzeOptions analyzeOptions(const RepairOptions& options);
+
 /// A seam before and after.
 struct SeamRepair {
   SeamResult before, after;

@@ -72,11 +72,12 @@ auto derivative(const Function& function, double s) {
 }  // namespace
 
 SeamTarget::SeamTarget(const Seam& seam, const std::array<Pcurve, 2>& pcurves,
-                       const std::array<bool, 2>& stays, int order)
+                       const std::array<bool, 2>& stays, int order, LeadReach reach)
     : seam_(seam),
       pcurves_(pcurves),
       stays_(stays),
       order_(order),
+      reach_(reach),
       strips_{FaceStrip(seam.sides[0], pcurves[0]), FaceStrip(seam.sides[1], pcurves[1])} {
   double agreement = 0;
   for (const double s : {0.2, 0.5, 0.8}) agreement += shown(0, s).normal.dot(shown(1, s).normal);
@@ -85,14 +86,14 @@ SeamTarget::SeamTarget(const Seam& seam, const std::array<Pcurve, 2>& pcurves,
     for (const int end : {0, 1}) {
       const SidePoint point = strips_[side].at(place(side, end));
       const bool has_normal = degeneracy(point.jet, point.noise) == Degeneracy::None;
-      double& reach = pole_reach_.at(side).at(end);
-      if (seam.correspondence.s.empty()) reach = strips_[side].poleReach(end);
-      if (!has_normal) reach = std::max(reach, difference_step);
+      double& length = pole_reach_.at(side).at(end);
+      if (seam.correspondence.s.empty()) length = strips_[side].poleReach(end);
+      if (!has_normal) length = std::max(length, difference_step);
     }
 }
 
 SeamTarget SeamTarget::renewed() const {
-  SeamTarget target(seam_, pcurves_, stays_, order_);
+  SeamTarget target(seam_, pcurves_, stays_, order_, reach_);
   target.leads_ = leads_;
   return target;
 }
@@ -202,6 +203,7 @@ SeamTarget::Mean SeamTarget::led(double s) const {
 
 double SeamTarget::spanAt(int end) const {
   constexpr double largest = 1.0 / 6;
+  if (reach_ == LeadReach::Half) return largest;
   double span = 0;
   for (const int side : {0, 1}) span = std::max(span, spanAtEnd(seam_.sides[side], path(side), end));
   return span > 0 ? std::min(span, largest) : largest;
@@ -333,21 +335,39 @@ class TensorFit {
   Eigen::Vector3d right_ = Eigen::Vector3d::Zero();
 };
 
-/// A pole moves a twist by 25 and the bend of a boundary by 10 times as much as itself, in quintic knot spans of length 1.
-Eigen::Matrix3d commonTensor(const std::vector<VertexView>& views, const Eigen::Vector3d& normal) {
-  constexpr double twist = 0.4 * 0.4, least = 1e-3;
+double longestWay(const std::vector<VertexView>& views) {
   double longest = 0;
   for (const VertexView& view : views)
     for (const Eigen::Vector3d& way : view.ways) longest = std::max(longest, way.norm());
-  if (longest == 0) longest = 1;
+  return longest;
+}
+
+/// Of what ways leave open.
+constexpr double least_weight = 1e-3;
+
+Eigen::Vector3d commonNormal(const std::vector<VertexView>& views) {
+  const double longest = longestWay(views);
+  Eigen::Matrix3d weights = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const VertexView& view : views) {
+    Eigen::Matrix3d weight = (view.ways.size() > 1 ? least_weight : 1) * Eigen::Matrix3d::Identity();
+    for (const Eigen::Vector3d& way : view.ways) weight += way * way.transpose() / (longest * longest);
+    weights += weight;
+    sum += weight * view.shown.normal;
+  }
+  return weights.ldlt().solve(sum).normalized();
+}
+
+/// A pole moves a twist by 25 and the bend of a boundary by 10 times as much as itself, in quintic knot spans of length 1.
+Eigen::Matrix3d commonTensor(const std::vector<VertexView>& views, const Eigen::Vector3d& normal) {
+  constexpr double twist = 0.4 * 0.4;
+  const double longest = longestWay(views);
   TensorFit fit(normal);
   for (const VertexView& view : views) {
     for (std::size_t i = 0; i < view.ways.size(); ++i)
-      for (std::size_t k = 0; k <= i; ++k) {
-        const Eigen::Vector3d a = view.ways[i] / longest, b = view.ways[k] / longest;
-        fit.add(view.shown.curvature, a, b, i == k ? 1 : twist);
-      }
-    fit.addWhole(view.shown.curvature, view.ways.size() > 1 ? least : 1);
+      for (std::size_t k = 0; k <= i; ++k)
+        fit.add(view.shown.curvature, view.ways[i] / longest, view.ways[k] / longest, i == k ? 1 : twist);
+    fit.addWhole(view.shown.curvature, view.ways.size() > 1 ? least_weight : 1);
   }
   return fit.tensor();
 }
@@ -373,8 +393,7 @@ VertexConsensus vertexConsensus(const std::vector<VertexView>& views, int order,
   target = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero()};
   const std::vector<VertexView> points = deciding(0), normals = deciding(1), tensors = deciding(2);
   for (const VertexView& view : points) target.point += view.shown.point / static_cast<double>(points.size());
-  for (const VertexView& view : normals) target.normal += view.shown.normal;
-  target.normal.normalize();
+  target.normal = commonNormal(normals);
   target.curvature = commonTensor(tensors, target.normal);
   for (std::size_t i = 0; i < aligned.size(); ++i)
     for (std::size_t j = i + 1; j < aligned.size(); ++j) {

@@ -14,9 +14,15 @@
 /// What the two faces of a seam should meet; not a public header.
 namespace seamwright::occ {
 
+/// How far along a seam its target is led to what was set at an end.
+enum class LeadReach {
+  Spans,  ///< three knot spans of its faces, at most half the seam: moves stay of the size of what was set
+  Half    ///< half the seam: fewer knots are needed where much is to be changed
+};
+
 /// The common target of both sides over the seam's parameter s in [0, 1]. If a side stays, what it shows; else halfway between
 /// both: the mean of the points, of the unit normals and of the curvature tensors, made consistent and, where an end was set, led to
-/// it by quintic blends over half the seam.
+/// it by quintic blends.
 ///
 /// Identities (each has a test of its number), if no side stays:
 ///   (1) The normal is orthogonal to the curve of the points, to rounding; of a matched seam to the product of the angle of the sides'
@@ -33,7 +39,7 @@ class SeamTarget {
  public:
   /// \param pcurves see pcurveOf(). \param order 0, 1, 2.
   SeamTarget(const Seam& seam, const std::array<Pcurve, 2>& pcurves, const std::array<bool, 2>& stays,
-             int order);
+             int order, LeadReach reach = LeadReach::Spans);
 
   /// The same with adaptors of its own, for another thread.
   SeamTarget renewed() const;
@@ -97,6 +103,7 @@ class SeamTarget {
   std::array<Pcurve, 2> pcurves_;
   std::array<bool, 2> stays_;
   int order_;
+  LeadReach reach_;
   std::array<FaceStrip, 2> strips_;
   std::array<std::array<double, 2>, 2> pole_reach_{};  ///< by side and end, of s; 0: no pole
   double second_sign_ = 1;                             ///< that turns the second side's normal to the first's

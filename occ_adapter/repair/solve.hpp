@@ -10,6 +10,7 @@
 #include <seamwright/occ_adapter/repair/change.hpp>
 #include <seamwright/occ_adapter/repair/choose.hpp>
 #include <seamwright/occ_adapter/repair/face_follow.hpp>
+#include <seamwright/occ_adapter/repair/seam_target.hpp>
 
 /// How faces have to move for seams to flow; not a public header.
 namespace seamwright::occ {
@@ -68,12 +69,13 @@ using JoinedPairs = std::map<std::array<std::size_t, 3>, JoinedPair>;
 /// \throws Cancelled.
 RepairSolution joinPairs(const RepairTask& task, JoinedPairs& known, const Progress& progress);
 
-/// Faces that followed before, by all that was asked of them, in one shape.
+/// Faces that followed before, by all that was asked of them, in one shape and with one reach.
 using FollowedFaces = std::map<std::string, FaceFollow>;
 
 /// All faces at once follow common targets of their seams, which agree at vertices. A boundary that is not treated keeps its shape, or, where
 /// a vertex has to move, stays as smooth as it is.
 /// \throws Cancelled.
-RepairSolution followTargets(const RepairTask& task, FollowedFaces& known, const Progress& progress);
+RepairSolution followTargets(const RepairTask& task, LeadReach reach, FollowedFaces& known,
+                             const Progress& progress);
 
 }  // namespace seamwright::occ

@@ -4,6 +4,7 @@
 #include <seamwright/plugin/report/json.hpp>
 #include <seamwright/plugin/report/numbers.hpp>
 #include <seamwright/plugin/report/repair_json.hpp>
+#include <seamwright/plugin/report/text.hpp>
 
 namespace seamwright::report {
 
@@ -33,7 +34,11 @@ ordered_json numbersJson(const occ::RepairReport& report) {
 
 ordered_json outputJson(const std::optional<RepairOutput>& output) {
   if (!output) return nullptr;
-  return {{"path", output->path.string()}, {"format", name(output->format)}};
+  return {{"path", output->path.string()},
+          {"format", name(output->format)},
+          {"edges", output->edges},
+          {"faces", output->faces},
+          {"defects", output->defects}};
 }
 
 template <class Item>
@@ -43,7 +48,32 @@ ordered_json arrayOf(const std::vector<Item>& items) {
   return array;
 }
 
+/// "1 defect, 57 edges" in the order of the counts.
+std::string listed(const std::vector<std::string>& items) {
+  std::string text;
+  for (const std::string& item : items) text += (text.empty() ? "" : ", ") + item;
+  return text;
+}
+
 }  // namespace
+
+std::string RepairOutput::differences(const occ::RepairReport& report) const {
+  const occ::Report& memory = report.after;
+  std::vector<std::string> here, there;
+  const auto compare = [&](int found, int expected, const char* noun) {
+    if (found == expected) return;
+    here.push_back(counted(static_cast<std::size_t>(found), noun));
+    there.push_back(std::to_string(expected));
+  };
+  compare(defects, summarize(memory).defects, "defect");
+  compare(faces, memory.model.faces, "face");
+  compare(edges, memory.model.edges, "edge");
+  compare(seams, static_cast<int>(memory.seams.size()), "seam");
+  if (here.empty()) return {};
+  const bool renumbered = faces != memory.model.faces || edges != memory.model.edges;
+  return "read back: " + listed(here) + "; the model in memory has " + listed(there) +
+         (renumbered ? ": numbers of faces and edges differ" : "");
+}
 
 RepairSummary summarize(const occ::RepairReport& report) {
   RepairSummary summary;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <seamwright/occ_adapter/model/format.hpp>
 #include <seamwright/occ_adapter/repair/repair.hpp>
+#include <string>
 
 namespace seamwright::report {
 
@@ -24,10 +25,17 @@ struct RepairSummary {
 
 RepairSummary summarize(const occ::RepairReport& report);
 
-/// Where the repaired model was written.
+/// Where the repaired model was written, and what was found there when it was read back.
 struct RepairOutput {
   std::filesystem::path path;
   occ::Format format = occ::Format::Step;
+  int edges = 0;
+  int faces = 0;
+  int seams = 0;
+  int defects = 0;
+
+  /// What the file has otherwise than the model in memory, in one line that begins "read back"; empty if nothing.
+  std::string differences(const occ::RepairReport& report) const;
 };
 
 nlohmann::ordered_json toJson(const RepairSummary& summary);

@@ -43,7 +43,7 @@ def check_laws(report, status):
     assert summary["left"] == summary["treated"] - summary["repaired"]
     for key in ("before", "after"):
         assert summary[f"defects_{key}"] == sum(seam[key]["class"] == "defect" for seam in seams)
-    assert status == (1 if summary["defects_after"] else 0)
+    assert status == (1 if summary["defects_after"] or report["output"]["defects"] else 0)
     assert summary["sewn"] == sum(seam["sewn"] for seam in seams)
     assert summary["changed"] == bool(report["moves"] or report["edge_moves"] or summary["sewn"])
     assert (report["numbers_now"] is not None) == bool(summary["sewn"])
@@ -70,7 +70,11 @@ def check_seam(seam, report):
     else:
         assert not seam["repaired"]
     if seam["repaired"]:
-        assert after["class"] == "smooth" and after["certified"]
+        # Where the gap alone was at fault, closing it leaves a crease.
+        assert after["class"] in ("smooth", "crease") and after["certified"]
+        if after["class"] == "crease":
+            assert before["gap_mm"]["upper"] > report["tolerance"]["gap_mm"] >= after["gap_mm"]["upper"]
+            return
         limits = ["gap_mm", "angle_deg"] + ["curvature_rel"] * (report["options"]["target"] == "G2")
         assert all(after[figure]["upper"] <= tolerance[figure] for figure in limits)
 
@@ -98,7 +102,7 @@ def test_a_sheet_flows_again(tmp_path, target, seed):
     assert gap_mm <= 1e-9 and angle_deg <= 0.1
     assert angle_deg <= max(seam["after"]["angle_deg"]["upper"] for seam in report["seams"]) + 1e-6
     expect_same_verdicts(report, out)
-    assert report["output"] == {"path": str(out), "format": "STEP"}
+    assert report["output"] == {"path": str(out), "format": "STEP", "edges": 12, "faces": 4, "defects": 0}
 
 
 def test_the_schema_notices_a_missing_key_a_wrong_type_and_a_foreign_key(tmp_path):
@@ -123,6 +127,29 @@ def test_what_has_no_defect_is_written_as_it_was(tmp_path, make):
     assert surfaces_of(out.read_text()) == surfaces_of(model.read_text()), "number by number"
     for seam, again in zip(report["seams"], expect_same_verdicts(report, out)["seams"]):
         assert again == seam["before"] == seam["after"]
+
+
+@pytest.mark.parametrize("file,defects,found", [("bottle.brep", 0, 1), ("hammer.brep", 6, 7)])
+def test_the_verdict_is_on_the_file_too(tmp_path, file, defects, found):
+    """STEP loses parameter curves on planes and tolerances of edges: what is read back may be worse."""
+    model = tmp_path / file
+    model.write_bytes(installed(MODELS / "freeform" / file).read_bytes())
+    result, report, out = repair(model)
+    assert result.returncode == 1
+    assert report["summary"]["defects_after"] == defects
+    again = analysis(out)
+    assert report["output"]["defects"] == found == sum(seam["class"] == "defect" for seam in again["seams"])
+    line = f"read back: {found} defect{'s' * (found > 1)}; the model in memory has {defects}"
+    assert f"\n{out} {line}\nFAILED: {found} defect" in result.stdout
+    assert result.stderr.endswith(f"seamwright: warning: {out}: {line}\n")
+
+
+def test_other_formats_than_step_keep_the_verdict(tmp_path):
+    model = tmp_path / "bottle.brep"
+    model.write_bytes(installed(MODELS / "freeform/bottle.brep").read_bytes())
+    result, report, _ = repair(model, out=tmp_path / "out.brep")
+    assert result.returncode == 0 and report["output"]["defects"] == 0
+    assert "read back" not in result.stdout and result.stderr == ""
 
 
 def test_what_cannot_be_repaired_is_written_as_it_was(tmp_path):
@@ -212,8 +239,9 @@ def test_open_edges_are_matched_and_sewn(tmp_path, options, kind, edges):
 def test_the_name_of_the_output_tells_its_format(tmp_path, name, format):
     result, report, out = repair(sheet(tmp_path, count_y=2), out=tmp_path / name)
     assert result.returncode == 0
-    assert report["output"] == {"path": str(out), "format": format}
     found = analysis(out)
+    facts = {key: found["model"][key] for key in ("edges", "faces")}
+    assert report["output"] == {"path": str(out), "format": format, **facts, "defects": 0}
     assert found["model"]["format"] == format and found["model"]["faces"] == 4
     # Other formats may number edges otherwise.
     levels = sorted((seam["faces"], seam["level"], seam["class"]) for seam in found["seams"])
