@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seamwright/core/join/bernstein_rows.hpp>
 #include <seamwright/core/umbrella/frame.hpp>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace seamwright::umbrella {
@@ -142,7 +144,7 @@ class Frame {
   /// V = a C' + b U: V follows from U, but if the member behind V alone is a triangle, whose field has the lower degree.
   void placeFields(int spoke) {
     const Side u = before(spoke), v = after(spoke);
-    const SpokeLaw& law = in_.laws[spoke];
+    const SpokeFunctions& law = in_.laws[spoke];
     const Forms along = times(law.a, derivative(in_.spokes[spoke]));
     const bool from_v = v.net.isTriangle() && !u.net.isTriangle();
     const Side &master = from_v ? v : u, &follower = from_v ? u : v;
@@ -186,6 +188,11 @@ std::vector<Net> netsOf(const std::vector<MemberKind>& kinds, int degree) {
     nets.push_back({kind, degree, first});
     first += nets.back().size();
   }
+  if (first > most_umbrella_poles)
+    throw std::invalid_argument(std::to_string(kinds.size()) + " members of degree " +
+                                std::to_string(degree) + " have " + std::to_string(first) +
+                                " poles: at most " + std::to_string(most_umbrella_poles) +
+                                " are solved for at once");
   return nets;
 }
 
@@ -193,8 +200,8 @@ Eigen::Index polesOf(const std::vector<Net>& nets) {
   return nets.back().first + nets.back().size();
 }
 
-std::vector<SpokeLaw> lawsOf(const UmbrellaVertex& vertex, const SpokeSeconds& seconds) {
-  std::vector<SpokeLaw> laws(vertex.spokes());
+std::vector<SpokeFunctions> lawsOf(const UmbrellaVertex& vertex, const SpokeSeconds& seconds) {
+  std::vector<SpokeFunctions> laws(vertex.spokes());
   for (int i = 0; i < vertex.spokes(); ++i) {
     if (!vertex.isInner(i)) continue;
     const auto linear = [](double at_0, double slope) {

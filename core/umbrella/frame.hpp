@@ -48,11 +48,12 @@ struct Net {
 };
 
 /// \pre the degree of triangles is 2 or more.
+/// \throws std::invalid_argument if they have more than most_umbrella_poles poles.
 std::vector<Net> netsOf(const std::vector<MemberKind>& kinds, int degree);
 Eigen::Index polesOf(const std::vector<Net>& nets);
 
 /// The law of an inner spoke; those of a rim are empty.
-std::vector<SpokeLaw> lawsOf(const UmbrellaVertex& vertex, const SpokeSeconds& seconds);
+std::vector<SpokeFunctions> lawsOf(const UmbrellaVertex& vertex, const SpokeSeconds& seconds);
 
 /// Poles that are given, one a row, and which of them are.
 struct GivenPoles {
@@ -62,7 +63,7 @@ struct GivenPoles {
 
 struct FrameInput {
   const UmbrellaVertex& vertex;
-  const std::vector<SpokeLaw>& laws;
+  const std::vector<SpokeFunctions>& laws;
   const std::vector<Net>& nets;
   const std::vector<Forms>& spokes;                ///< of degree 1 or more
   std::optional<GivenPoles> outer = std::nullopt;  ///< must agree with the laws

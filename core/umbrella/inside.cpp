@@ -124,7 +124,7 @@ Umbrella umbrellaInside(const std::vector<BezierCurve>& sides, const UmbrellaIns
 
   const int n = static_cast<int>(sides.size());
   const UmbrellaVertex regular = umbrellaVertex(regularTangents(n), true);
-  const std::vector<SpokeLaw> laws =
+  const std::vector<SpokeFunctions> laws =
       umbrella::lawsOf(regular, defaultSeconds(regular, Eigen::Matrix3Xd::Zero(3, n)));
   const std::vector<Net> nets = umbrella::netsOf(std::vector<MemberKind>(n, MemberKind::Tensor), degree);
   const std::vector<Halves> halves = halvesOf(sides, degree);

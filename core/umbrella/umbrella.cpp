@@ -164,7 +164,7 @@ class Choice {
   FreeVectors freeVectors() const { return FreeVectors(umbrella::polesOf(nets_)); }
 
   umbrella::Forms formsWith(const SpokeSeconds& seconds, FreeVectors& free) const {
-    const std::vector<SpokeLaw> laws = umbrella::lawsOf(vertex_, seconds);
+    const std::vector<SpokeFunctions> laws = umbrella::lawsOf(vertex_, seconds);
     return umbrella::framed({vertex_, laws, nets_, spokes_}, free);
   }
 

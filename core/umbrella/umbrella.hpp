@@ -21,9 +21,12 @@ enum class MemberKind { Tensor, Triangle };
 ///
 /// Across an inner spoke C, with U the derivative of member i - 1 by u and V that of member i by v:  V = a C' + b U,  b < 0.
 /// As a Connection it has alpha = -b and beta = a. Bernstein coefficients on [0, 1], one where a function is constant; none at a rim.
-struct SpokeLaw {
+struct SpokeFunctions {
   Eigen::VectorXd a, b;
 };
+
+/// Poles of all members together that are solved for at once: the system is dense, its time grows with the cube of their number.
+constexpr int most_umbrella_poles = 1600;
 
 struct UmbrellaOptions {
   bool closed = true;
@@ -46,7 +49,7 @@ struct Umbrella {
   std::vector<UmbrellaMember> members;
   std::vector<BezierCurve> spokes;
   UmbrellaVertex vertex;
-  std::vector<SpokeLaw> laws;
+  std::vector<SpokeFunctions> laws;
   double largest_spoke_move_mm = 0;   ///< of a pole of a spoke
   double largest_second_change = 0;   ///< |C''(0)|, in mm
   double largest_lambda_change = 0;   ///< of a given lambda

@@ -56,6 +56,8 @@ class Beside {
   Beside(const Beside&) = delete;
   Beside& operator=(const Beside&) = delete;
 
+  const fs::path& path() const { return path_; }
+
   void write(std::string_view bytes) {
     while (!bytes.empty()) {
       const ssize_t written = ::write(file_, bytes.data(), bytes.size());
@@ -123,7 +125,8 @@ void requireWritable(const fs::path& target, bool replace) {
                      "can't be written: no new file may be made in " + folder.string());
 }
 
-void replaceFile(const fs::path& target, std::string_view content, bool replace, const Progress& progress) {
+void replaceFile(const fs::path& target, std::string_view content, bool replace,
+                 const std::function<void(const fs::path&)>& check, const Progress& progress) {
   requireWritable(target, replace);
   Beside beside(withoutLinks(target));
   for (std::size_t at = 0; at < content.size(); at += portion) {
@@ -132,6 +135,7 @@ void replaceFile(const fs::path& target, std::string_view content, bool replace,
                               static_cast<double>(content.size())))
       throw Cancelled();
   }
+  if (check) check(beside.path());
   beside.takePlace(replace);
 }
 

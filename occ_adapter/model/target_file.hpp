@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string_view>
 
 #include <seamwright/occ_adapter/progress.hpp>
@@ -11,9 +12,10 @@ namespace seamwright::occ {
 /// Gives a file its content at once or not at all: the bytes go to a file beside it, to the disk, and take its place.
 ///
 /// \param replace a file that is there may be replaced; it hands its permissions on.
+/// \param check called with the file beside when it is whole; what it throws is passed on.
 /// \throws ModelError (NotAFile, TargetExists, NotWritable), Cancelled; the file beside is gone then.
 void replaceFile(const std::filesystem::path& target, std::string_view content, bool replace,
-                 const Progress& progress);
+                 const std::function<void(const std::filesystem::path&)>& check, const Progress& progress);
 
 /// Throws now what replaceFile() could only say after the work: a folder that is missing or closed, a target that is there.
 void requireWritable(const std::filesystem::path& target, bool replace);

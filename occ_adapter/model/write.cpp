@@ -133,7 +133,8 @@ WriteReport writeModel(const Model& model, const std::filesystem::path& path, co
   } catch (const std::system_error& error) {
     throw ModelError(ModelErrc::NotWritten, path, std::string("can't be written: ") + error.what());
   }
-  replaceFile(path, written.bytes, mayReplace(model.path, path, options), partOf(progress, made, 1));
+  replaceFile(path, written.bytes, mayReplace(model.path, path, options), options.check,
+              partOf(progress, made, 1));
   return std::move(written.report);
 }
 

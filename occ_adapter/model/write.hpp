@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ struct WriteOptions {
   bool overwrite_source = false;  ///< the file the model was read from may be replaced
   /// Writes the shape with Model::attributes alone, though the model has a source that could be followed.
   bool afresh = false;
+  /// Called with the new file, whole, while it waits beside its place under another name: to read it back, say. What it
+  /// throws is passed on, and nothing is written then.
+  std::function<void(const std::filesystem::path&)> check = {};
 };
 
 /// What writeModel() did.

@@ -46,6 +46,9 @@ struct FaceTask {
   double share = 0.25;      ///< of the tolerance, to be met at the samples
   int max_refinements = 5;  ///< halvings of knot spans near the paths
   int max_poles = 40000;    ///< no refinement beyond
+  /// No refinement once so many moves of poles were solved for, summed over all solutions: a limit of the work that depends neither on the
+  /// machine nor on threads.
+  int max_work = 50000;
   double max_move_mm =
       std::numeric_limits<double>::infinity();  ///< targets further away are refused before any work
   std::function<bool()> is_cancelled = {};      ///< asked before each solution; may be none

@@ -28,6 +28,9 @@ struct RepairOptions {
   void validate() const;
 };
 
+/// The analysis that a repair is judged by.
+AnalyzeOptions analyzeOptions(const RepairOptions& options);
+
 /// A seam before and after.
 struct SeamRepair {
   SeamResult before, after;
@@ -95,7 +98,7 @@ struct RepairReport {
 ///
 /// A seam is worse if its class is, or it is less certain; if its level is lower, above the level asked for only where it had the higher
 /// one for sure (where a side is nearly flat the figures often can't tell); or if a figure that the target asks for, of a crease the gap
-/// alone, is surely above its tolerance and exceeds its old upper bound by more than a tenth of the tolerance, in each of the ways.
+/// alone, is surely above its tolerance and exceeds its upper bound in the model given by more than a tenth of the tolerance.
 /// Figures within the tolerance are as good as one another, and so are those that differ by less than that tenth.
 /// A model without seams to treat or to sew comes back as it is, sharing everything.
 ///

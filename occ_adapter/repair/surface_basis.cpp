@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Precision.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include <seamwright/core/bspline/basis.hpp>
 #include <seamwright/occ_adapter/repair/surface_basis.hpp>
@@ -40,6 +43,18 @@ std::vector<int> SplineAxis::spans() const {
   for (int i = degree; knots[i] < last; ++i)
     if (knots[i + 1] > knots[i]) found.push_back(i);
   return found;
+}
+
+std::vector<int> SplineAxis::polesNear(double t) const {
+  const int at = span(t, 0);
+  std::vector<int> near;
+  for (int k = at - 2 * degree; k <= at + degree; ++k) {
+    if (periodic)
+      near.push_back((k % poles + poles) % poles);
+    else if (k >= 0 && k < poles)
+      near.push_back(k);
+  }
+  return near;
 }
 
 double SplineAxis::greville(int function) const {
@@ -141,6 +156,39 @@ SurfaceJet jetOf(const PoleShares& shares, const PointRows& poles) {
   jet.uv = sum.row(4);
   jet.vv = sum.row(5);
   return jet;
+}
+
+JetNoise noiseOf(const SurfaceJet& jet, const SurfaceBasis& basis) {
+  const auto step = [](const SplineAxis& axis) {
+    return std::min(1.0, (axis.last - axis.first) / static_cast<double>(axis.spans().size()));
+  };
+  const double step_u = step(basis.u()), step_v = step(basis.v());
+  const double size = jet.p.lpNorm<Eigen::Infinity>() + step_u * jet.u.norm() + step_v * jet.v.norm();
+  const double rounding = 64 * std::numeric_limits<double>::epsilon() * size;
+  return {std::max(rounding / step_u, Precision::Confusion() / (basis.u().last - basis.u().first)),
+          std::max(rounding / step_v, Precision::Confusion() / (basis.v().last - basis.v().first))};
+}
+
+std::vector<std::vector<int>> collapsedSides(const SurfaceBasis& basis, const PointRows& poles,
+                                             double near_mm) {
+  std::vector<std::vector<int>> sides;
+  const auto collect = [&](int count, const auto& number) {
+    std::vector<int> side;
+    for (int k = 0; k < count; ++k) side.push_back(number(k));
+    double spread = 0, size = 0;
+    for (const int pole : side) {
+      spread = std::max(spread, (poles.row(pole) - poles.row(side.front())).norm());
+      size = std::max(size, poles.row(pole).cwiseAbs().maxCoeff());
+    }
+    if (spread <= std::max(near_mm, 64 * std::numeric_limits<double>::epsilon() * size))
+      sides.push_back(std::move(side));
+  };
+  const int last_u = basis.u().poles - 1, last_v = basis.v().poles - 1;
+  if (!basis.u().periodic)
+    for (const int i : {0, last_u}) collect(last_v + 1, [&](int j) { return basis.pole(i, j); });
+  if (!basis.v().periodic)
+    for (const int j : {0, last_v}) collect(last_u + 1, [&](int i) { return basis.pole(i, j); });
+  return sides;
 }
 
 double spanLength(const SplineAxis& axis, double t) {

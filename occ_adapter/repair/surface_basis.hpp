@@ -36,6 +36,8 @@ struct SplineAxis {
   double length(int span) const { return knots[span + 1] - knots[span]; }
   double middle(int span) const { return (knots[span + 1] + knots[span]) / 2; }
   int pole(int function) const { return periodic ? function % poles : function; }
+  /// The poles whose functions are not zero at t, and as many again as the degree on both sides.
+  std::vector<int> polesNear(double t) const;
   /// The mean of the knots that a pole's function depends on.
   double greville(int function) const;
 };
@@ -62,6 +64,13 @@ PointRows polesOf(const Geom_BSplineSurface& surface);
 void setPoles(Geom_BSplineSurface& surface, const PointRows& poles);
 
 SurfaceJet jetOf(const PoleShares& shares, const PointRows& poles);
+
+/// What may be rounding in a jet, as FaceStrip has it.
+JetNoise noiseOf(const SurfaceJet& jet, const SurfaceBasis& basis);
+
+/// The poles of each side that is one point, or within that distance one.
+std::vector<std::vector<int>> collapsedSides(const SurfaceBasis& basis, const PointRows& poles,
+                                             double near_mm);
 
 /// Length of a knot span at t.
 double spanLength(const SplineAxis& axis, double t);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <CLI/CLI.hpp>
 #include <optional>
+#include <seamwright/occ_adapter/analyze/analyze.hpp>
+#include <seamwright/occ_adapter/model/read.hpp>
 #include <seamwright/occ_adapter/model/write.hpp>
 #include <seamwright/plugin/cli/output.hpp>
 #include <seamwright/plugin/cli/progress_bar.hpp>
 #include <seamwright/plugin/cli/repair_command.hpp>
 #include <seamwright/plugin/report/json.hpp>
+#include <seamwright/plugin/report/numbers.hpp>
 #include <seamwright/plugin/report/repair_json.hpp>
 #include <seamwright/plugin/report/repair_table.hpp>
 #include <stdexcept>
@@ -23,17 +26,37 @@ occ::RepairOptions optionsOf(const RepairArguments& arguments) {
   options.fixed_faces = arguments.fixed_faces;
   options.match_mm = arguments.measure.match_mm;
   options.sew = arguments.sew;
+  options.convert_analytic = arguments.convert_analytic;
   options.jobs = arguments.measure.jobs;
   options.validate();
   return options;
+}
+
+bool hasNameOfModel(const std::string& file) {
+  try {
+    occ::targetFormat(file);
+    return true;
+  } catch (const occ::ModelError&) {
+    return false;
+  }
+}
+
+/// A report replaces an older one, but no model by a slip of the hand.
+void requireReplaceableReport(const std::string& file) {
+  std::error_code error;
+  if (std::filesystem::exists(file, error) && hasNameOfModel(file))
+    throw std::runtime_error(file + ": has the name of a model, the report would overwrite it");
 }
 
 /// What can be told of the files before the model is read.
 void requireFiles(const RepairArguments& arguments, const occ::WriteOptions& options) {
   occ::requireTarget(arguments.model, arguments.output, options);
   if (arguments.json.empty()) return;
+  if (arguments.json == "-")
+    throw std::runtime_error("--json -: the report goes to a file, standard output has the table; name a file");
   requireWritable(arguments.json);
   requireOutputIsNoModel(arguments.json, {arguments.model});
+  requireReplaceableReport(arguments.json);
   if (std::filesystem::weakly_canonical(arguments.json) ==
       std::filesystem::weakly_canonical(arguments.output))
     throw std::runtime_error(arguments.json + ": is the repaired model; name another file for the report");
@@ -51,12 +74,26 @@ occ::WriteReport writeUnderBar(const occ::Model& model, const std::string& path,
   return occ::writeModel(model, path, options, bar.progress());
 }
 
-/// The report as it is once the model is written.
-std::string jsonOf(const occ::RepairReport& report, const occ::RepairOptions& options,
-                   const std::string& output) {
-  return report::toLine(
-             report::toJson(report, options, report::RepairOutput{output, occ::targetFormat(output)})) +
-         '\n';
+/// What analyze() finds in the new file, which waits beside its place.
+report::RepairOutput readBack(const std::filesystem::path& written, const std::string& output,
+                              const occ::RepairOptions& options) {
+  constexpr double read = 0.5;
+  ProgressBar bar(doing("checking", output));
+  const occ::Progress progress = bar.progress();
+  try {
+    const occ::Model model = occ::readModel(written.string(), occ::partOf(progress, 0, read));
+    const occ::Report found =
+        occ::analyze(model, occ::analyzeOptions(options), occ::partOf(progress, read, 1));
+    return {.path = output,
+            .format = occ::targetFormat(output),
+            .edges = found.model.edges,
+            .faces = found.model.faces,
+            .seams = static_cast<int>(found.seams.size()),
+            .defects = report::summarize(found).defects};
+  } catch (const occ::ModelError& error) {
+    throw occ::ModelError(occ::ModelErrc::NotWritten, output,
+                          std::string("can't be read back, so it is not written: ") + error.what());
+  }
 }
 
 }  // namespace
@@ -84,6 +121,8 @@ void addRepairOptions(CLI::App& command, RepairArguments& arguments) {
       ->delimiter(',')
       ->allow_extra_args(false);
   addMeasureOptions(command, arguments.measure);
+  command.add_flag("--convert", arguments.convert_analytic,
+                   "Planes, cylinders and the like may become splines where they have to move");
   command.add_flag("!--no-sew", arguments.sew,
                    "Edges that --match finds stay two, though they meet within the gap");
   command.add_option("--json", arguments.json, "Write a report to this file")->type_name("FILE");
@@ -93,18 +132,24 @@ void addRepairOptions(CLI::App& command, RepairArguments& arguments) {
 
 int runRepair(const RepairArguments& arguments) {
   const occ::RepairOptions options = optionsOf(arguments);
-  const occ::WriteOptions how = {.overwrite = arguments.overwrite,
-                                 .overwrite_source = arguments.overwrite_source};
+  occ::WriteOptions how = {.overwrite = arguments.overwrite, .overwrite_source = arguments.overwrite_source};
   requireFiles(arguments, how);
   const occ::RepairReport report = repairFile(arguments.model, options);
+  report::RepairOutput output;
   std::optional<PendingFile> json;
-  if (!arguments.json.empty()) json.emplace(arguments.json, jsonOf(report, options, arguments.output));
+  how.check = [&](const std::filesystem::path& waiting) {
+    output = readBack(waiting, arguments.output, options);
+    if (!arguments.json.empty())
+      json.emplace(arguments.json, report::toLine(report::toJson(report, options, output)) + '\n');
+  };
   const occ::WriteReport written = writeUnderBar(report.model, arguments.output, how);
   if (json) json->takePlace();
-  writeStandardOutput(report::toTable(report));
+  writeStandardOutput(report::toTable(report, output));
   warn(arguments.model, report.before.model.notes);
   warn(arguments.output, written.notes);
-  return report.after.passed() ? 0 : 1;
+  if (const std::string differences = output.differences(report); !differences.empty())
+    warn(arguments.output, {differences});
+  return report.after.passed() && output.defects == 0 ? 0 : 1;
 }
 
 }  // namespace seamwright::cli

@@ -18,6 +18,7 @@ struct RepairArguments {
   std::vector<int> edges;
   std::vector<int> fixed_faces;
   bool sew = true;
+  bool convert_analytic = false;
   std::string json;
   bool overwrite = false;
   bool overwrite_source = false;

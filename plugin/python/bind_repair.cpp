@@ -32,7 +32,8 @@ RepairReport repairModel(const occ::Model& model, const py::object& target, cons
                          const py::object& curvature_rel, const py::object& flat_radius_mm,
                          const py::object& crease_deg, const py::object& max_move_mm, const py::object& edges,
                          const py::object& fixed_faces, const py::object& match_mm, const py::object& sew,
-                         const py::object& jobs, const py::object& progress) {
+                         const py::object& convert_analytic, const py::object& jobs,
+                         const py::object& progress) {
   occ::RepairOptions options;
   options.order = orderOf(target);
   options.tolerance = toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg});
@@ -42,6 +43,7 @@ RepairReport repairModel(const occ::Model& model, const py::object& target, cons
   options.fixed_faces = wholeNumbers("fixed_faces", fixed_faces);
   if (!match_mm.is_none()) options.match_mm = argument<double>("match_mm", match_mm, "a number");
   options.sew = flagOf("sew", sew);
+  options.convert_analytic = flagOf("convert_analytic", convert_analytic);
   options.jobs = argument<int>("jobs", jobs, "a whole number");
   return longCall(progress, [&](const occ::Progress& report) {
     return RepairReport{occ::repair(model, options, report), options};
@@ -85,6 +87,12 @@ void bindRepair(py::module_& module) {
           "moves", [](const RepairReport& repair) { return py::object(toDict(repair)["moves"]); },
           "The faces that moved: a list of dicts {face, largest_move_mm}.")
       .def_property_readonly(
+          "edge_moves", [](const RepairReport& repair) { return py::object(toDict(repair)["edge_moves"]); },
+          "Edges led anew on faces that stay: a list of dicts {edge, largest_move_mm}.")
+      .def_property_readonly(
+          "converted", [](const RepairReport& repair) { return py::object(toDict(repair)["converted"]); },
+          "Faces that became splines: a list of dicts {face, kind, error_mm}.")
+      .def_property_readonly(
           "summary",
           [](const RepairReport& repair) {
             return plainObject(report::toJson(report::summarize(repair.report)));
@@ -109,13 +117,15 @@ void bindRepair(py::module_& module) {
       py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
       py::arg("crease_deg") = py::none(), py::arg("max_move_mm") = occ::RepairOptions{}.max_move_mm,
       py::arg("edges") = py::none(), py::arg("fixed_faces") = py::tuple(), py::arg("match_mm") = 0.0,
-      py::arg("sew") = true, py::arg("jobs") = 0, py::arg("progress") = py::none(),
+      py::arg("sew") = true, py::arg("convert_analytic") = false, py::arg("jobs") = 0,
+      py::arg("progress") = py::none(),
       "Moves poles of spline faces, as little as possible, until the seams chosen flow; proves it, or "
       "leaves them as they were. Returns a RepairReport; the model is not changed.\n\n"
       "target: 'G1' or 'G2'. Tolerances as in analyze(). max_move_mm: no pole moves further; None: any "
       "distance. edges: numbers of the edges, from 1, whose seams are treated; None: all defects. "
       "fixed_faces: numbers of faces that stay. match_mm: also open edges no further apart than this; 0: "
-      "none. sew: such edges become one where they meet within the gap tolerance. jobs: threads; 0: one for "
+      "none. sew: such edges become one where they meet within the gap tolerance. convert_analytic: planes, "
+      "cylinders and the like may become splines where they have to move. jobs: threads; 0: one for "
       "each processor.");
 }
 

@@ -82,7 +82,7 @@ std::optional<Eigen::Matrix3d> formOf(const py::object& value) {
 }
 
 /// As join_condition() takes it; nothing at a rim.
-py::object connectionOf(const SpokeLaw& law) {
+py::object connectionOf(const SpokeFunctions& law) {
   if (law.a.size() == 0) return py::none();
   py::dict connection;
   connection["alpha"] = Eigen::VectorXd(-law.b);
@@ -94,7 +94,7 @@ py::dict umbrellaDict(const Umbrella& umbrella) {
   py::list members, connections;
   for (const UmbrellaMember& member : umbrella.members)
     members.append(std::visit([](const auto& surface) { return py::cast(surface); }, member));
-  for (const SpokeLaw& law : umbrella.laws) connections.append(connectionOf(law));
+  for (const SpokeFunctions& law : umbrella.laws) connections.append(connectionOf(law));
   py::dict dict;
   dict["members"] = members;
   dict["spokes"] = umbrella.spokes;

@@ -8,6 +8,7 @@ namespace seamwright::python {
 void bindAlpha(pybind11::module_& module);
 void bindBernstein(pybind11::module_& module);
 void bindBezier(pybind11::module_& module);
+void bindCornerFillet(pybind11::module_& module);
 void bindCurveJoin(pybind11::module_& module);
 void bindFill(pybind11::module_& module);
 void bindHole(pybind11::module_& module);

@@ -4,6 +4,7 @@
 #include <seamwright/plugin/report/json.hpp>
 #include <seamwright/plugin/report/numbers.hpp>
 #include <seamwright/plugin/report/repair_json.hpp>
+#include <seamwright/plugin/report/text.hpp>
 
 namespace seamwright::report {
 
@@ -18,7 +19,8 @@ ordered_json optionsJson(const occ::RepairOptions& options) {
           {"edges", options.edges},
           {"fixed_faces", options.fixed_faces},
           {"match_mm", options.match_mm},
-          {"sew", options.sew}};
+          {"sew", options.sew},
+          {"convert_analytic", options.convert_analytic}};
 }
 
 /// Numbers in the repaired model by those in the given one, from 1; null where they are the same.
@@ -32,10 +34,46 @@ ordered_json numbersJson(const occ::RepairReport& report) {
 
 ordered_json outputJson(const std::optional<RepairOutput>& output) {
   if (!output) return nullptr;
-  return {{"path", output->path.string()}, {"format", name(output->format)}};
+  return {{"path", output->path.string()},
+          {"format", name(output->format)},
+          {"edges", output->edges},
+          {"faces", output->faces},
+          {"defects", output->defects}};
+}
+
+template <class Item>
+ordered_json arrayOf(const std::vector<Item>& items) {
+  ordered_json array = ordered_json::array();
+  for (const Item& item : items) array.push_back(toJson(item));
+  return array;
+}
+
+/// "1 defect, 57 edges" in the order of the counts.
+std::string listed(const std::vector<std::string>& items) {
+  std::string text;
+  for (const std::string& item : items) text += (text.empty() ? "" : ", ") + item;
+  return text;
 }
 
 }  // namespace
+
+std::string RepairOutput::differences(const occ::RepairReport& report) const {
+  const occ::Report& memory = report.after;
+  std::vector<std::string> here, there;
+  const auto compare = [&](int found, int expected, const char* noun) {
+    if (found == expected) return;
+    here.push_back(counted(static_cast<std::size_t>(found), noun));
+    there.push_back(std::to_string(expected));
+  };
+  compare(defects, summarize(memory).defects, "defect");
+  compare(faces, memory.model.faces, "face");
+  compare(edges, memory.model.edges, "edge");
+  compare(seams, static_cast<int>(memory.seams.size()), "seam");
+  if (here.empty()) return {};
+  const bool renumbered = faces != memory.model.faces || edges != memory.model.edges;
+  return "read back: " + listed(here) + "; the model in memory has " + listed(there) +
+         (renumbered ? ": numbers of faces and edges differ" : "");
+}
 
 RepairSummary summarize(const occ::RepairReport& report) {
   RepairSummary summary;
@@ -80,6 +118,14 @@ ordered_json toJson(const occ::FaceMove& move) {
   return {{"face", move.face}, {"largest_move_mm", move.largest_move_mm}};
 }
 
+ordered_json toJson(const occ::EdgeMove& move) {
+  return {{"edge", move.edge}, {"largest_move_mm", move.largest_move_mm}};
+}
+
+ordered_json toJson(const occ::FaceConversion& conversion) {
+  return {{"face", conversion.face}, {"kind", conversion.kind}, {"error_mm", conversion.error_mm}};
+}
+
 ordered_json toJson(const occ::RepairReport& report, const occ::RepairOptions& options,
                     const std::optional<RepairOutput>& output) {
   ordered_json json = headJson("seamwright.repair/1", report.before);
@@ -90,8 +136,9 @@ ordered_json toJson(const occ::RepairReport& report, const occ::RepairOptions& o
   json["seams"] = ordered_json::array();
   for (const occ::SeamRepair& seam : report.seams)
     json["seams"].push_back(toJson(seam, report.before.tolerance));
-  json["moves"] = ordered_json::array();
-  for (const occ::FaceMove& move : report.moves) json["moves"].push_back(toJson(move));
+  json["moves"] = arrayOf(report.moves);
+  json["edge_moves"] = arrayOf(report.edge_moves);
+  json["converted"] = arrayOf(report.converted);
   json["numbers_now"] = numbersJson(report);
   return json;
 }

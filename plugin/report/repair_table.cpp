@@ -72,14 +72,16 @@ void writeHead(std::ostream& out, const occ::RepairReport& report, const RepairS
     out << counted(report.moves.size(), "face") << " moved, by at most "
         << number(summary.largest_move_mm, "%.3g") << " mm";
   else
-    out << "nothing moved";
+    out << (report.changed() ? "no face moved" : "nothing moved");
+  if (!report.edge_moves.empty()) out << ", " << counted(report.edge_moves.size(), "edge") << " led anew";
+  if (!report.converted.empty()) out << ", " << counted(report.converted.size(), "face") << " made a spline";
   out << ";  read in " << number(report.before.read_s, "%.2f") << " s, repaired in "
       << number(report.repair_s, "%.2f") << " s\n";
 }
 
 }  // namespace
 
-std::string toTable(const occ::RepairReport& report) {
+std::string toTable(const occ::RepairReport& report, const std::optional<RepairOutput>& output) {
   std::ostringstream out;
   const RepairSummary summary = summarize(report);
   writeHead(out, report, summary);
@@ -92,10 +94,12 @@ std::string toTable(const occ::RepairReport& report) {
     out << '\n';
     writeRows(out, rows, first_figure);
   }
-  out << '\n'
-      << (report.after.passed()
-              ? "PASSED: no defects"
-              : "FAILED: " + counted(static_cast<std::size_t>(summary.defects_after), "defect"))
+  out << '\n';
+  const std::string differences = output ? output->differences(report) : "";
+  if (!differences.empty()) out << output->path.string() << ' ' << differences << '\n';
+  const int defects = std::max(summary.defects_after, output ? output->defects : 0);
+  out << (defects == 0 ? "PASSED: no defects"
+                       : "FAILED: " + counted(static_cast<std::size_t>(defects), "defect"))
       << " at level " << name(report.after.level) << '\n';
   return out.str();
 }

@@ -18,6 +18,7 @@ def bad_inputs(folder):
     good, out, old = folder / "good.step", folder / "out.step", folder / "old.step"
     good.write_text(sheet_text())
     old.write_text("old")
+    (folder / "OLD.BRP").write_text("old")
     (folder / "empty.step").write_text("")
     (folder / "cut.step").write_text(box_text()[:2000])
     (folder / "link.step").symlink_to(good)
@@ -63,7 +64,10 @@ def bad_inputs(folder):
         "report in a missing folder": ([good, *to, "--json", folder / "nowhere" / "a.json"], "nowhere"),
         "report is a folder": ([good, *to, "--json", folder], "folder"),
         "report is the model": ([good, *to, "--json", good], "good.step"),
-        "report is the output": ([good, *to, "--json", folder / "." / "out.step"], "out.step"),
+        "report is the output": ([good, *to, "--json", folder / "." / "out.step"], "out.step: is the repaired model"),
+        "report on standard output": ([good, *to, "--json", "-"], "--json -"),
+        "report over another model": ([good, *to, "--json", old], "old.step: has the name of a model"),
+        "report over a model in capitals": ([good, *to, "--json", folder / "OLD.BRP", "--overwrite"], "OLD.BRP: has the name of a model"),
     }
     for option in ("gap", "angle", "curvature", "flat-radius", "crease", "match"):
         for value in ("nan", "inf", "-0.5"):
@@ -100,7 +104,8 @@ def test_one_line_and_status_2(tmp_path, name):
 
 
 @pytest.mark.parametrize("name", ["no format", "missing folder", "output is there", "output is the model", "report is the output",
-                                  "report in a missing folder", "report is the model", "NaN move"])
+                                  "report in a missing folder", "report is the model", "report over another model",
+                                  "report on standard output", "NaN move"])
 def test_the_order_of_checks_saves_the_reading(tmp_path, name):
     arguments, said = bad_inputs(tmp_path)[name]
     expect_one_line(run("repair", *arguments, reader="/bin/false"), said)

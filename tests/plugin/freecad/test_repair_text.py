@@ -110,6 +110,17 @@ def test_nothing_to_repair_says_why():
     assert text(False).startswith("Nothing to repair: no two faces share an edge")
 
 
+def test_a_model_changes_also_where_no_face_moved():
+    both = analysis(seam(1, "defect", gap=0.4))
+    every = [repaired(seam(1, "defect", gap=0.4), seam(1))]
+    assert not repair_text.has_changed(repair_text.build_report(both, both, every, [], "G1", False))
+    led = repair_text.build_report(both, both, every, [], "G1", False, 3)
+    assert repair_text.has_changed(led)
+    assert "3 edges led anew" in repair_text.summary_text(led) and "nothing" not in repair_text.summary_text(led)
+    sewn = repair_text.build_report(both, both, [{**every[0], "treated": False, "reason": "", "sewn": True}], [], "G1", False)
+    assert repair_text.has_changed(sewn) and "1 seam sewn" in repair_text.summary_text(sewn)
+
+
 def test_seams_that_could_not_be_measured_are_worst():
     seams = [seam(1, "defect", angle=0.4), seam(2, "defect", gap=None, angle=None, curvature=None)]
     report = repair_text.build_report(

@@ -151,9 +151,10 @@ def repair(module, obj):
             progress=progress, **tolerances(obj)
         )  # fmt: skip
     report = repair_text.build_report(
-        result.before.to_dict(), result.after.to_dict(), result.seams, result.moves, obj.Target, bool(edges)
-    )
-    return report, result.model.to_freecad() if result.moves else shape
+        result.before.to_dict(), result.after.to_dict(), result.seams, result.moves,
+        obj.Target, bool(edges), len(result.edge_moves)
+    )  # fmt: skip
+    return report, result.model.to_freecad() if result.changed else shape
 
 
 def foresee(obj):
@@ -211,7 +212,7 @@ def store(obj, report, shape):
     """Put the results into the read-only properties; the Summary last."""
     obj.Report = json.dumps(report)
     obj.SeamwrightVersion = __version__
-    obj.Changed = bool(report["moves"])
+    obj.Changed = repair_text.has_changed(report)
     obj.Wanted = len(report["seams"])
     obj.Repaired = repair_text.repaired_count(report)
     obj.MovedFaces = len(report["moves"])

@@ -23,6 +23,8 @@ EMPTY_REPORT = {
     "chosen": False,
     "seams": [],
     "moves": [],
+    "edges_led": 0,
+    "sewn": 0,
     "total": 0,
     **{name: [None, None] for name in ("defects", "gap_mm", "angle_deg")},
 }
@@ -53,11 +55,11 @@ COLUMNS = (
 CURVATURE_COLUMN = 4
 
 
-def build_report(before, after, seams, moves, target, chosen):
+def build_report(before, after, seams, moves, target, chosen, edges_led=0):
     """The report from what the kernel found.
 
     ``before``, ``after``: reports of the analysis; ``after`` is None before the repair. ``seams``: dicts of before,
-    after, treated, repaired and reason, of all seams.
+    after, treated, repaired, reason, and sewn where one was, of all seams. ``edges_led``: how many edges were led anew.
     """
     wanted = [
         {name: seam[name] for name in ("before", "after", "repaired", "reason")}
@@ -71,6 +73,8 @@ def build_report(before, after, seams, moves, target, chosen):
         "chosen": chosen,
         "seams": wanted,
         "moves": moves,
+        "edges_led": edges_led,
+        "sewn": sum(seam.get("sewn", False) for seam in seams),
         "total": len(before["seams"]),
         "defects": [None if each is None else summary.class_counts(each)["defect"] for each in both],
         **{name: [_largest(each, name) for each in both] for name in ("gap_mm", "angle_deg")},
@@ -110,15 +114,20 @@ def repaired_count(report):
     return sum(seam["repaired"] for seam in report["seams"])
 
 
+def has_changed(report):
+    """Whether the result is another shape than the source."""
+    return bool(report["moves"] or report["edges_led"] or report["sewn"])
+
+
 def largest_move_mm(report):
-    """The largest move of a pole; 0 when nothing moved."""
+    """The largest move of a pole; 0 when no face moved."""
     return max((move["largest_move_mm"] for move in report["moves"]), default=0.0)
 
 
 def summary_text(report):
     """One line: how many seams were repaired to what, what moved, what is left."""
     wanted, target = len(report["seams"]), report["target"]
-    if not wanted:
+    if not wanted and not has_changed(report):
         return _nothing_text(report)
     if not is_done(report):
         return "%s to repair to %s." % (summary.counted(wanted, "seam"), target)
@@ -127,7 +136,11 @@ def summary_text(report):
     if report["moves"]:
         moved = summary.counted(len(report["moves"]), "face")
         parts.append("%s moved by up to %s mm" % (moved, enclosure.number(largest_move_mm(report))))
-    else:
+    if report["edges_led"]:
+        parts.append("%s led anew" % summary.counted(report["edges_led"], "edge"))
+    if report["sewn"]:
+        parts.append("%s sewn" % summary.counted(report["sewn"], "seam"))
+    if not has_changed(report):
         parts.append("nothing moved")
     parts.append("defects before %d, after %d" % tuple(report["defects"]))
     return "; ".join(parts) + "."
