@@ -81,12 +81,11 @@ std::vector<int> cornerEdges(const Model& model, int vertex);
 /// patches meet the planes, and the cylinders but for section_mm, along all of them.
 ///
 /// **Supported** is a vertex in one shell of one solid where 3 to 6 edges, convex or concave, and as many planes meet; the edges are
-/// lines; at the far end of each there are two more edges and one more plane, not through the vertex. What touches the shell nowhere
-/// near is left alone.
+/// lines; at the far end of each there are two more edges and one more plane, not through the vertex. Other shells and solids stay.
 ///
 /// Identities (each has a test of its number):
 ///   (1) The distance of the cylinders' axes from both planes is the radius.
-///   (2) The volume changes as the sections say: far from the vertex by that of the fillets.
+///   (2) A solid that is longer by h along an edge is larger by h times the cross-section with its fillet.
 ///   (3) Rigid motion and scale move the corner likewise.
 ///
 /// \param vertex from 1, order of TopExp::MapShapes.

@@ -96,10 +96,11 @@ void bindHole(py::module_& module) {
       .def_property_readonly(
           "reason", [](const FillReport& fill) { return fill.report.reason; }, "Why not; else empty.")
       .def_property_readonly(
-          "largest_angle_deg", [](const FillReport& fill) { return toDict(fill)["largest_angle_deg"]; },
+          "largest_angle_deg",
+          [](const FillReport& fill) { return py::object(toDict(fill)["largest_angle_deg"]); },
           "Bound of the angle over all new seams; None: not known.")
       .def_property_readonly(
-          "largest_gap_mm", [](const FillReport& fill) { return toDict(fill)["largest_gap_mm"]; },
+          "largest_gap_mm", [](const FillReport& fill) { return py::object(toDict(fill)["largest_gap_mm"]); },
           "Bound of the gap over all new seams; None: not known.")
       .def("to_dict", &toDict, "All but the model as a plain dict with the keys of the JSON.")
       .def(
