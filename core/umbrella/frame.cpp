@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seamwright/core/join/bernstein_rows.hpp>
 #include <seamwright/core/umbrella/frame.hpp>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace seamwright::umbrella {
@@ -186,6 +188,11 @@ std::vector<Net> netsOf(const std::vector<MemberKind>& kinds, int degree) {
     nets.push_back({kind, degree, first});
     first += nets.back().size();
   }
+  if (first > most_umbrella_poles)
+    throw std::invalid_argument(std::to_string(kinds.size()) + " members of degree " +
+                                std::to_string(degree) + " have " + std::to_string(first) +
+                                " poles: at most " + std::to_string(most_umbrella_poles) +
+                                " are solved for at once");
   return nets;
 }
 

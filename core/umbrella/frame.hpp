@@ -48,6 +48,7 @@ struct Net {
 };
 
 /// \pre the degree of triangles is 2 or more.
+/// \throws std::invalid_argument if they have more than most_umbrella_poles poles.
 std::vector<Net> netsOf(const std::vector<MemberKind>& kinds, int degree);
 Eigen::Index polesOf(const std::vector<Net>& nets);
 

@@ -25,6 +25,9 @@ struct SpokeFunctions {
   Eigen::VectorXd a, b;
 };
 
+/// Poles of all members together that are solved for at once: the system is dense, its time grows with the cube of their number.
+constexpr int most_umbrella_poles = 1600;
+
 struct UmbrellaOptions {
   bool closed = true;
   /// Of the members; none: those of the members given, else all tensor products.

@@ -13,6 +13,7 @@
 #include <optional>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include <seamwright/occ_adapter/convert/face_strip.hpp>
 #include <seamwright/occ_adapter/match/follow.hpp>
@@ -62,6 +63,16 @@ std::string at(const Eigen::Vector3d& point) {
   return text.str();
 }
 
+/// Even, but twice as dense near the ends, where a clamped spline has more poles.
+std::vector<double> sampleShares(int count, int dense) {
+  std::vector<double> shares;
+  for (int k = 0; k <= count; ++k) {
+    shares.push_back(static_cast<double>(k) / count);
+    if (k < count && (k < dense || count - 1 - k < dense)) shares.push_back((k + 0.5) / count);
+  }
+  return shares;
+}
+
 class FaceFollower {
  public:
   explicit FaceFollower(const FaceTask& task)
@@ -78,10 +89,11 @@ class FaceFollower {
     judge();
     if (isMet()) return result(copyOf(task_->surface));
     if (refuse()) return result_;
+    constexpr double within_reach = 2;
     raiseDegrees();
     markTouched();
     improve();
-    if (worstRatio() > 1 && was_held_back_) {
+    if (worstRatio() > 1 && worstRatio() <= within_reach && was_held_back_) {
       gently_ = false;
       improve();
     }
@@ -147,6 +159,7 @@ class FaceFollower {
       const bool gained = !best || (now < infinite && now <= std::max(1.0, better * best->excess()));
       idle = gained ? 0 : idle + 1;
       if (!best || now < best->excess()) best = *this;
+      near_alone_ = idle == 0 || !isCurved();
       const bool may_refine = result_.refinements < task_->max_refinements && work_ < task_->max_work;
       if (idle == most_idle || !may_refine || !refine()) break;
     }
@@ -184,15 +197,17 @@ class FaceFollower {
       const PlanePath plane(path);
       const SpanMeasure measure(plane, basis_, before_);
       const double rate = per_pole * std::max({1.0, polesPerSpan(basis_.u()), polesPerSpan(basis_.v())});
-      const int count = static_cast<int>(std::ceil(rate * measure.spans() - 1e-6)) +
-                        std::max(basis_.u().degree, basis_.v().degree);
+      const int degree = std::max(basis_.u().degree, basis_.v().degree);
+      const std::vector<double> shares =
+          sampleShares(static_cast<int>(std::ceil(rate * measure.spans() - 1e-6)) + degree, per_pole);
       std::vector<Place> samples, checks;
-      for (int k = 0; k <= count; ++k) {
-        samples.push_back(plane.place(basis_, measure.at(static_cast<double>(k) / count)));
-        for (int m = 1; k < count && m <= between; ++m)
-          checks.push_back(plane.place(
-              basis_, measure.at((k + static_cast<double>(m) / (between + 1)) / static_cast<double>(count))));
-        if (k > 0) length += (samples[k].target.point - samples[k - 1].target.point).norm();
+      for (std::size_t k = 0; k < shares.size(); ++k) {
+        samples.push_back(plane.place(basis_, measure.at(shares[k])));
+        if (k == 0) continue;
+        for (int m = 1; m <= between; ++m)
+          checks.push_back(
+              plane.place(basis_, measure.at(shares[k] - m * (shares[k] - shares[k - 1]) / (between + 1))));
+        length += (samples[k].target.point - samples[k - 1].target.point).norm();
       }
       spans += measure.spans();
       samples_.push_back(std::move(samples));
@@ -259,13 +274,14 @@ class FaceFollower {
     touched_ = new Geom_BSplineSurface(marks, knots_u, knots_v, multiplicities_u, multiplicities_v,
                                        before_->UDegree(), before_->VDegree(), before_->IsUPeriodic(),
                                        before_->IsVPeriodic());
+    settled_.assign(static_cast<std::size_t>(poles_.rows()), false);
   }
 
   /// The unknown of each pole, -1: it stays.
   std::vector<int> unknowns(int& count) const {
     const PointRows touched = polesOf(*touched_);
     std::vector<int> unknown(touched.rows(), -1);
-    const auto moves = [&](int pole) { return touched(pole, 0) > 1e-12; };
+    const auto moves = [&](int pole) { return touched(pole, 0) > 1e-12 && !settled_[pole]; };
     count = 0;
     for (const std::vector<int>& side : collapsedSides(basis_, original_, task_->tolerance.gap_mm / 100))
       if (std::ranges::any_of(side, moves)) {
@@ -287,6 +303,7 @@ class FaceFollower {
     const ContinuityTolerance& tolerance = task_->tolerance;
     const TargetPoint& target = place.target;
     const PoleShares& shares = place.shares;
+    if (!conditions.canChange(shares.poles)) return;
     conditions.addPoint(shares.poles, shares.share.row(0), target.point,
                         1 / (task_->share * tolerance.gap_mm));
     if (place.order < 1) return;
@@ -311,14 +328,16 @@ class FaceFollower {
                    1 / (task_->share * curvatureLimit(target)));
   }
 
-  /// As fair as can be: less so only as long as the samples can't be met, and, if gently, as the move stays of its size. After a refinement
-  /// from one step fairer than before.
+  /// As fair as can be: less so only as long as the samples can't be met, and, if gently, as the move stays of its size; where it did not
+  /// and the refinement alone gained something, that is not tried again. After a refinement from one step fairer than before.
   void moveFairly() {
     constexpr double better = 0.5, of_its_size = 2;
     constexpr std::array<double, 4> fairnesses = {0.1, 0.01, 1e-3, 1e-4};
     double before = infinite, limit = infinite;
-    was_held_back_ = false;
-    for (std::size_t k = fairness_ > 0 ? fairness_ - 1 : 0; k < fairnesses.size(); ++k) {
+    const bool was_held_back = std::exchange(was_held_back_, false);
+    const double with_fewer_knots = at_samples_;
+    const std::size_t first = fairness_ > 0 ? fairness_ - 1 : 0;
+    for (std::size_t k = first; k < fairnesses.size(); ++k) {
       const PointRows fairer = poles_;
       move(fairnesses[k]);
       if (largestMove() > limit) {
@@ -329,7 +348,12 @@ class FaceFollower {
       }
       judge();
       fairness_ = k;
-      if (isMet() || at_samples_ <= task_->share / 2 || at_samples_ > better * before) return;
+      const bool still_turned = at_samples_ == infinite && k > first;
+      if (isMet() || still_turned || at_samples_ <= task_->share / 2 || at_samples_ > better * before) return;
+      if (was_held_back && at_samples_ < with_fewer_knots) {
+        was_held_back_ = true;
+        return;
+      }
       before = at_samples_;
       if (gently_ && limit == infinite)
         limit = of_its_size * std::max(largestMove(), task_->tolerance.gap_mm);
@@ -368,25 +392,30 @@ class FaceFollower {
             difference.factors, weight * bending(difference.spacing, spacing_v_));
   }
 
+  bool isCurved() const {
+    return std::ranges::any_of(task_->paths, [](const FollowPath& path) { return path.order > 1; });
+  }
+
   void move(double fairness) {
     int count = 0;
     const std::vector<int> unknown = unknowns(count);
-    const bool curved =
-        std::ranges::any_of(task_->paths, [](const FollowPath& path) { return path.order > 1; });
     const double weight = fairnessWeight(fairness);
+    PointRows start = poles_;
+    for (int pole = 0; pole < start.rows(); ++pole)
+      if (unknown[pole] >= 0) start.row(pole) = original_.row(pole);
     // Beyond, the conditions contradict one another or the passes diverge.
     constexpr double largest_sense = 0.05;
     const double extent = (original_.colwise().maxCoeff() - original_.colwise().minCoeff()).norm();
-    for (int pass = 0; pass < (curved ? 4 : 1); ++pass) {
+    for (int pass = 0; pass < (isCurved() ? 4 : 1); ++pass) {
       if (task_->is_cancelled && task_->is_cancelled()) throw Cancelled();
       work_ += count;
-      MoveConditions conditions(unknown, count, original_);
+      MoveConditions conditions(unknown, count, original_, start);
       for (std::size_t i = 0; i < task_->paths.size(); ++i)
         for (const Place& place : samples_[i]) addPlace(place, conditions);
       addFairness(conditions, weight);
       const PointRows moves = conditions.solve(0.05 * weight);
       if (!moves.allFinite() || moves.cwiseAbs().maxCoeff() > largest_sense * extent) return;
-      PointRows moved = original_;
+      PointRows moved = start;
       for (int pole = 0; pole < moved.rows(); ++pole)
         if (unknown[pole] >= 0) moved.row(pole) += moves.row(unknown[pole]);
       const double change = (moved - poles_).cwiseAbs().maxCoeff();
@@ -395,34 +424,52 @@ class FaceFollower {
     }
   }
 
-  /// Middles of the spans that are to be halved.
-  std::array<std::set<double>, 2> middlesToInsert() const {
-    std::array<std::set<double>, 2> middles;
+  std::vector<const Place*> missedPlaces() const {
+    std::vector<const Place*> missed;
     for (std::size_t i = 0; i < task_->paths.size(); ++i)
       for (const std::vector<Place>* places : {&samples_[i], &checks_[i]})
-        for (const Place& place : *places) {
-          if (ratioAt(place, measured(place)) <= task_->share) continue;
-          const std::array<const SplineAxis*, 2> axes = {&basis_.u(), &basis_.v()};
-          std::array<double, 2> crossing{};
-          for (const int k : {0, 1})
-            crossing[k] = std::abs(place.along[k]) / spanLength(*axes[k], place.uv[k]);
-          for (const int k : {0, 1}) {
-            constexpr double lengthwise = 0.05, least = 1e-6;
-            if (crossing[k] < lengthwise * crossing[1 - k]) continue;
-            double t = place.uv[k];
-            const int span = axes[k]->span(t, 0);
-            if (axes[k]->length(span) > least * (axes[k]->last - axes[k]->first))
-              middles[k].insert(axes[k]->middle(span));
-          }
-        }
+        for (const Place& place : *places)
+          if (ratioAt(place, measured(place)) > task_->share) missed.push_back(&place);
+    return missed;
+  }
+
+  /// Middles of the spans that are to be halved.
+  std::array<std::set<double>, 2> middlesToInsert(const std::vector<const Place*>& missed) const {
+    std::array<std::set<double>, 2> middles;
+    const std::array<const SplineAxis*, 2> axes = {&basis_.u(), &basis_.v()};
+    for (const Place* place : missed) {
+      std::array<double, 2> crossing{};
+      for (const int k : {0, 1}) crossing[k] = std::abs(place->along[k]) / spanLength(*axes[k], place->uv[k]);
+      for (const int k : {0, 1}) {
+        constexpr double lengthwise = 0.05, least = 1e-6;
+        if (crossing[k] < lengthwise * crossing[1 - k]) continue;
+        double t = place->uv[k];
+        const int span = axes[k]->span(t, 0);
+        if (axes[k]->length(span) > least * (axes[k]->last - axes[k]->first))
+          middles[k].insert(axes[k]->middle(span));
+      }
+    }
     return middles;
   }
 
+  /// All but the poles near these places, unless moving those alone gained nothing.
+  void settle(const std::vector<Eigen::Vector2d>& missed) {
+    settled_.assign(static_cast<std::size_t>(poles_.rows()), near_alone_);
+    for (const Eigen::Vector2d& uv : missed) {
+      const std::vector<int> near_u = basis_.u().polesNear(uv[0]), near_v = basis_.v().polesNear(uv[1]);
+      for (const int i : near_u)
+        for (const int j : near_v) settled_[basis_.pole(i, j)] = false;
+    }
+  }
+
   bool refine() {
-    const auto middles = middlesToInsert();
+    const std::vector<const Place*> missed = missedPlaces();
+    const auto middles = middlesToInsert(missed);
     const auto total = (static_cast<double>(basis_.u().poles) + static_cast<double>(middles[0].size())) *
                        (static_cast<double>(basis_.v().poles) + static_cast<double>(middles[1].size()));
     if ((middles[0].empty() && middles[1].empty()) || total > task_->max_poles) return false;
+    std::vector<Eigen::Vector2d> missed_at;
+    for (const Place* place : missed) missed_at.push_back(place->uv);
     const Surface moved = copyOf(before_);
     setPoles(*moved, poles_);
     before_ = copyOf(before_);
@@ -442,6 +489,7 @@ class FaceFollower {
     basis_ = SurfaceBasis(*before_);
     original_ = polesOf(*before_);
     poles_ = polesOf(*moved);
+    settle(missed_at);
     ++result_.refinements;
     sample();
     return true;
@@ -525,11 +573,13 @@ class FaceFollower {
   const FaceTask* task_;
   bool gently_ = true;
   bool was_held_back_ = false;
+  bool near_alone_ = true;    ///< refined for poles near what is missed; false: that gained nothing
   std::size_t fairness_ = 0;  ///< the last one that was taken
   Surface before_;            ///< as given, with the knots of now
   Surface touched_;           ///< one where a pole that a path touches has a share in the pole of now
   SurfaceBasis basis_;
   PointRows poles_, original_;
+  std::vector<bool> settled_;  ///< by pole: it stays where it is by now
   double spacing_u_, spacing_v_;
   double span_mm_ = 0;  ///< mean length of path in a span
   std::vector<std::vector<Place>> samples_, checks_;

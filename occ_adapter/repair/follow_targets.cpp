@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <functional>
 #include <limits>
 #include <set>
 #include <sstream>
@@ -47,8 +48,8 @@ handle<Geom_BSplineSurface> splineOf(const TopoDS_Face& face) {
 
 class Following {
  public:
-  Following(const RepairTask& task, FollowedFaces& known, const Progress& progress)
-      : task_(task), known_(known), progress_(progress), pcurves_(task.seams.size()) {
+  Following(const RepairTask& task, LeadReach reach, FollowedFaces& known, const Progress& progress)
+      : task_(task), reach_(reach), known_(known), progress_(progress), pcurves_(task.seams.size()) {
     for (const bool treated : task.treated) roles_.push_back(treated ? Role::Treated : Role::Held);
   }
 
@@ -93,7 +94,7 @@ class Following {
   /// wants it, which a common tensor gives.
   std::shared_ptr<SeamTarget> target(std::size_t seam, const std::array<bool, 2>& stays) {
     const int order = orderOf(seam) == 0 ? 0 : 2;
-    return std::make_shared<SeamTarget>(task_.seams[seam], pcurvesOf(seam), stays, order);
+    return std::make_shared<SeamTarget>(task_.seams[seam], pcurvesOf(seam), stays, order, reach_);
   }
 
   /// A side of a seam, which follows the target.
@@ -206,17 +207,22 @@ class Following {
   struct NewFace {
     int number = 0;
     std::string asked;
+    int poles = 0;
     FaceFollow follow;
     std::exception_ptr error;
   };
 
   void followAll() {
-    std::vector<NewFace> faces;
-    for (const auto& [number, paths] : paths_)
-      if (std::string asked = askedOf(number); known_.count(asked) == 0)
-        faces.push_back({number, std::move(asked), {}, {}});
     TopTools_IndexedMapOfShape shapes;
     TopExp::MapShapes(task_.shape, TopAbs_FACE, shapes);
+    std::vector<NewFace> faces;
+    for (const auto& [number, paths] : paths_)
+      if (std::string asked = askedOf(number); known_.count(asked) == 0) {
+        const auto surface = splineOf(TopoDS::Face(shapes(number)));
+        faces.push_back({number, std::move(asked), surface->NbUPoles() * surface->NbVPoles(), {}, {}});
+      }
+    // The longest work first, so that no thread is left alone with it.
+    std::ranges::stable_sort(faces, std::greater{}, &NewFace::poles);
     std::atomic<bool> cancelled = false;
     const auto work = [&](std::size_t k) {
       NewFace& face = faces[k];
@@ -268,6 +274,7 @@ class Following {
   }
 
   const RepairTask& task_;
+  LeadReach reach_;
   FollowedFaces& known_;
   const Progress& progress_;
   std::vector<std::array<Pcurve, 2>> pcurves_;
@@ -282,8 +289,9 @@ class Following {
 
 }  // namespace
 
-RepairSolution followTargets(const RepairTask& task, FollowedFaces& known, const Progress& progress) {
-  return Following(task, known, progress).run();
+RepairSolution followTargets(const RepairTask& task, LeadReach reach, FollowedFaces& known,
+                             const Progress& progress) {
+  return Following(task, reach, known, progress).run();
 }
 
 }  // namespace seamwright::occ

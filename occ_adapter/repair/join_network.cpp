@@ -7,10 +7,12 @@
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 
 #include <seamwright/core/join/network.hpp>
 #include <seamwright/occ_adapter/match/candidate.hpp>
+#include <seamwright/occ_adapter/repair/groups.hpp>
 #include <seamwright/occ_adapter/repair/solve.hpp>
 
 namespace seamwright::occ {
@@ -54,9 +56,16 @@ void fixBeside(const Pcurve& path, const Geom_BSplineSurface& surface, std::vect
   }
 }
 
+/// A seam of the network.
+struct JoinedSeam {
+  std::size_t number = 0;
+  std::array<NaturalUse, 2> uses;
+};
+
 class Network {
  public:
-  Network(const RepairTask& task, const Progress& progress) : task_(task), progress_(progress) {}
+  Network(const RepairTask& task, DearSeams* dear, const Progress& progress)
+      : task_(task), dear_(dear), progress_(progress) {}
 
   RepairSolution run() {
     for (std::size_t i = 0; i < task_.treated.size(); ++i)
@@ -198,9 +207,11 @@ class Network {
       seams.push_back(joined);
     }
     const NetworkResult result = nearestNetwork(surfaces, seams);
+    if (dear_) leaveDear(result);
     for (std::size_t k = 0; k < seams_.size(); ++k)
-      if (result.seams[k].status == SeamStatus::Left && task_.treated[seams_[k].number])
+      if (result.seams[k].status == SeamStatus::Left && isTreated(k))
         solution_.failures[seams_[k].number] = result.seams[k].why;
+    if (!solution_.complete) return;
     for (const auto& [number, member] : members_)
       if (result.moves_mm[member.number] > 0)
         solution_.changes.push_back({number,
@@ -208,12 +219,48 @@ class Network {
                                      result.moves_mm[member.number]});
   }
 
-  struct JoinedSeam {
-    std::size_t number = 0;
-    std::array<NaturalUse, 2> uses;
-  };
+  bool isTreated(std::size_t k) const { return task_.treated[seams_[k].number]; }
+
+  /// What the defects of a seam amount to in moves of poles of the first two rows.
+  double neededMove(const JoinedSeam& seam) {
+    const SeamFigures& figures = task_.before[seam.number].figures;
+    const double angle_rad = figures.angle_rad ? figures.angle_rad->lower : 0;
+    double reach_mm = 0;
+    for (const NaturalUse& use : seam.uses) {
+      const EdgeRows rows = rowsOf(use);
+      for (int c = 0; c < rows.columns(); ++c)
+        reach_mm = std::max(reach_mm, (rows.pole(1, c) - rows.pole(0, c)).norm());
+    }
+    return std::max(figures.gap_mm ? figures.gap_mm->lower : 0, angle_rad * reach_mm);
+  }
+
+  /// All that is connected with a face that would move far beside what the defects are.
+  void leaveDear(const NetworkResult& result) {
+    constexpr double far = 2;
+    Groups groups(static_cast<int>(members_.size()));
+    for (const JoinedSeam& seam : seams_) groups.join(numberOf(seam, 0), numberOf(seam, 1));
+    std::map<int, double> needed_mm, moved_mm;
+    for (std::size_t k = 0; k < seams_.size(); ++k)
+      if (double& needed = needed_mm[groups.of(numberOf(seams_[k], 0))]; isTreated(k))
+        needed = std::max(needed, neededMove(seams_[k]));
+    for (int member = 0; member < groups.count(); ++member)
+      moved_mm[groups.of(member)] = std::max(moved_mm[groups.of(member)], result.moves_mm[member]);
+    for (std::size_t k = 0; k < seams_.size(); ++k) {
+      const int group = groups.of(numberOf(seams_[k], 0));
+      if (!isTreated(k) || moved_mm[group] <= far * needed_mm[group]) continue;
+      std::ostringstream why;
+      why << "the exact join asks for a move of " << moved_mm[group] << " mm where the defects are of "
+          << needed_mm[group] << " mm";
+      solution_.failures[seams_[k].number] = why.str();
+      solution_.complete = false;
+      dear_->insert(seams_[k].number);
+    }
+  }
+
+  int numberOf(const JoinedSeam& seam, int which) const { return members_.at(seam.uses[which].face).number; }
 
   const RepairTask& task_;
+  DearSeams* dear_;
   const Progress& progress_;
   std::map<int, Member> members_;  ///< by face
   std::vector<JoinedSeam> seams_;
@@ -224,8 +271,8 @@ class Network {
 
 }  // namespace
 
-RepairSolution joinNetwork(const RepairTask& task, const Progress& progress) {
-  return Network(task, progress).run();
+RepairSolution joinNetwork(const RepairTask& task, DearSeams* dear, const Progress& progress) {
+  return Network(task, dear, progress).run();
 }
 
 }  // namespace seamwright::occ

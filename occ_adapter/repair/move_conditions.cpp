@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+
 #include <seamwright/occ_adapter/repair/move_conditions.hpp>
 
 namespace seamwright::occ {
+
+bool MoveConditions::canChange(const std::vector<int>& poles) const {
+  return std::ranges::any_of(poles, [this](int pole) { return unknown_[pole] >= 0; });
+}
 
 void MoveConditions::addPoint(const std::vector<int>& poles, const Eigen::RowVectorXd& share,
                               const Eigen::Vector3d& point, double weight) {
@@ -22,17 +28,22 @@ void MoveConditions::add(const std::vector<int>& poles, const Eigen::MatrixXd& s
 void MoveConditions::addFairness(const std::vector<int>& poles, const Eigen::RowVectorXd& factors,
                                  double weight) {
   const Selected selected = select(poles, factors);
-  if (!selected.numbers.empty())
-    system_.addPoint(selected.numbers, weight * selected.factors, Eigen::Vector3d::Zero());
+  if (selected.numbers.empty()) return;
+  const Eigen::RowVector3d given = factors * (start_(poles, Eigen::all) - original_(poles, Eigen::all));
+  system_.addPoint(selected.numbers, weight * selected.factors, -weight * given.transpose());
 }
 
-/// Of the poles that may move.
+/// Of the poles that may move and have a part: along a natural side most functions are zero.
 MoveConditions::Selected MoveConditions::select(const std::vector<int>& poles,
                                                 const Eigen::MatrixXd& factors) const {
+  constexpr double no_part = 1e-13;
+  const double largest = factors.cwiseAbs().maxCoeff();
   Selected selected;
   std::vector<int> columns;
   for (std::size_t k = 0; k < poles.size(); ++k) {
-    if (unknown_[poles[k]] < 0) continue;
+    if (unknown_[poles[k]] < 0 ||
+        factors.col(static_cast<Eigen::Index>(k)).cwiseAbs().maxCoeff() <= no_part * largest)
+      continue;
     selected.numbers.push_back(unknown_[poles[k]]);
     columns.push_back(static_cast<int>(k));
   }
@@ -42,7 +53,7 @@ MoveConditions::Selected MoveConditions::select(const std::vector<int>& poles,
 
 Eigen::Matrix<double, Eigen::Dynamic, 3> MoveConditions::sumOf(const std::vector<int>& poles,
                                                                const Eigen::MatrixXd& shares) const {
-  return shares * original_(poles, Eigen::all);
+  return shares * start_(poles, Eigen::all);
 }
 
 }  // namespace seamwright::occ

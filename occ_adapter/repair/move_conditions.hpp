@@ -11,9 +11,14 @@ namespace seamwright::occ {
 /// Conditions on all moves since the original.
 class MoveConditions {
  public:
-  /// \param unknown the number of each pole's move, -1: it stays; poles with one number move as one. Both must outlive this.
-  MoveConditions(const std::vector<int>& unknown, int count, const PointRows& original)
-      : unknown_(unknown), original_(original), system_(count) {}
+  /// \param unknown the number of each pole's move, -1: it stays; poles with one number move as one.
+  /// \param start the original, but poles that stay as they are by now. All must outlive this.
+  MoveConditions(const std::vector<int>& unknown, int count, const PointRows& original,
+                 const PointRows& start)
+      : unknown_(unknown), original_(original), start_(start), system_(count) {}
+
+  /// One of the poles may move.
+  bool canChange(const std::vector<int>& poles) const;
 
   /// Sum of share times pole = point
   void addPoint(const std::vector<int>& poles, const Eigen::RowVectorXd& share, const Eigen::Vector3d& point,
@@ -38,6 +43,7 @@ class MoveConditions {
 
   const std::vector<int>& unknown_;
   const PointRows& original_;
+  const PointRows& start_;
   LeastMoves system_;
 };
 

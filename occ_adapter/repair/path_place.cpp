@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <Precision.hxx>
 #include <algorithm>
 
 #include <seamwright/occ_adapter/convert/face_strip.hpp>
+#include <seamwright/occ_adapter/convert/spline_surface.hpp>
 #include <seamwright/occ_adapter/repair/path_place.hpp>
 
 namespace seamwright::occ {
@@ -66,6 +68,17 @@ double SpanMeasure::at(double share) const {
   const double width = crossed_[i] - crossed_[i - 1];
   const double within = width > 0 ? (wanted - crossed_[i - 1]) / width : 0;
   return share >= 1 ? 1 : s_[i - 1] + within * (s_[i] - s_[i - 1]);
+}
+
+double spanAtEnd(const FaceUse& side, const Pcurve& path, int end) {
+  TopLoc_Location location;
+  const auto surface = clampedSpline(BRep_Tool::Surface(side.shape, location));
+  if (surface.IsNull()) return 0;
+  FollowPath along;
+  along.path = path;
+  const SpanMeasure measure(PlanePath(along), SurfaceBasis(*surface), surface);
+  const double spans = std::min(3.0, measure.spans()), share = spans / measure.spans();
+  return (end == 0 ? measure.at(share) : 1 - measure.at(1 - share)) / spans;
 }
 
 }  // namespace seamwright::occ

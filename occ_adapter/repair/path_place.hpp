@@ -49,4 +49,7 @@ class SpanMeasure {
   std::vector<double> s_, crossed_;
 };
 
+/// The share of a path over which it crosses one knot span, in the mean of the three nearest that end; 0: the face is no spline.
+double spanAtEnd(const FaceUse& side, const Pcurve& path, int end);
+
 }  // namespace seamwright::occ

@@ -4,6 +4,7 @@
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
+#include <GeomAdaptor_Surface.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TopExp.hxx>
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <optional>
 #include <sstream>
 
 #include <seamwright/occ_adapter/analyze/measure_seam.hpp>
@@ -99,6 +101,12 @@ class Remeasuring {
   std::map<int, std::set<int>> faces_of_edge_;
 };
 
+std::string shortText(double number) {
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
 double known(const Figure& figure) {
   return figure.upper.value_or(figure.lower);
 }
@@ -150,21 +158,21 @@ void judgeOthers(const RepairTask& task, Proof& proof) {
   }
 }
 
-/// Places in [first, last]: its ends and, between knots, several.
-std::vector<double> gridOf(const TColStd_Array1OfReal& knots, double first, double last) {
+/// Places in [first, last]: several between knots, in groups, and the end in the last of them.
+std::vector<std::vector<double>> gridOf(const TColStd_Array1OfReal& knots, double first, double last) {
   constexpr int per_span = 4;
   std::vector<double> ends = {first};
   for (const double knot : knots)
     if (knot > first && knot < last) ends.push_back(knot);
   ends.push_back(last);
-  std::vector<double> places;
-  for (std::size_t i = 0; i + 1 < ends.size(); ++i)
-    for (int k = 0; k < per_span; ++k) places.push_back(ends[i] + (ends[i + 1] - ends[i]) * k / per_span);
-  places.push_back(last);
+  std::vector<std::vector<double>> places(ends.size() - 1);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (int k = 0; k < per_span; ++k) places[i].push_back(ends[i] + (ends[i + 1] - ends[i]) * k / per_span);
+  places.back().push_back(last);
   return places;
 }
 
-gp_Vec normalAt(const Geom_Surface& surface, double u, double v) {
+gp_Vec normalAt(const GeomAdaptor_Surface& surface, double u, double v) {
   gp_Pnt p;
   gp_Vec along_u, along_v;
   surface.D1(u, v, p, along_u, along_v);
@@ -183,14 +191,18 @@ bool isFolded(const TopoDS_Face& face, const handle<Geom_Surface>& surface) {
     range[i] = std::max(range[i], whole[i]);
     range[i + 1] = std::min(range[i + 1], whole[i + 1]);
   }
-  const std::vector<double> all_v = gridOf(after->VKnots(), range[2], range[3]);
+  const std::vector<std::vector<double>> all_v = gridOf(after->VKnots(), range[2], range[3]);
   std::vector<std::array<gp_Vec, 2>> normals;
   double largest = 0;
-  for (const double u : gridOf(after->UKnots(), range[0], range[1]))
-    for (const double v : all_v) {
-      normals.push_back({normalAt(*before, u, v), normalAt(*after, u, v)});
-      largest = std::max(largest, normals.back()[0].Magnitude());
-    }
+  // Span by span, as adaptors keep the polynomials of the last one.
+  const GeomAdaptor_Surface was(before), is(after);
+  for (const std::vector<double>& some_u : gridOf(after->UKnots(), range[0], range[1]))
+    for (const std::vector<double>& some_v : all_v)
+      for (const double u : some_u)
+        for (const double v : some_v) {
+          normals.push_back({normalAt(was, u, v), normalAt(is, u, v)});
+          largest = std::max(largest, normals.back()[0].Magnitude());
+        }
   constexpr double none = 1e-6;
   return std::ranges::any_of(normals, [largest](const auto& normal) {
     return normal[0].Magnitude() > none * largest && normal[0].Dot(normal[1]) < 0;
@@ -210,31 +222,33 @@ double strayEdge_mm(const TopoDS_Face& before, const TopoDS_Face& after, double 
 }
 
 void judgeFaces(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
-                const Soundness& was, Proof& proof) {
+                Proof& proof) {
   const TopTools_IndexedMapOfShape before = partsOf(task.shape, TopAbs_FACE);
   const TopTools_IndexedMapOfShape after = partsOf(changed, TopAbs_FACE);
-  const Soundness is = soundnessOf(changed, task.options.jobs);
-  for (int f = 1; f <= after.Extent(); ++f)
-    if (was.faces[f] && !is.faces[f]) proof.faces[f] = "OpenCASCADE's checks do not pass";
-  if (was.whole && !is.whole && proof.faces.empty()) proof.whole = "OpenCASCADE's checks do not pass";
   for (const FaceChange& change : changes) {
     const TopoDS_Face& face = TopoDS::Face(before(change.face));
-    std::ostringstream text;
     const double stray = strayEdge_mm(face, TopoDS::Face(after(change.face)), task.options.tolerance.gap_mm);
-    if (change.largest_move_mm > task.options.max_move_mm)
-      text << "it needs a move of " << change.largest_move_mm << " mm, more than " << task.options.max_move_mm
-           << " mm";
+    if (stray > 0)
+      proof.faces[change.face] = "an edge of it would be " + shortText(stray) + " mm away";
     else if (isFolded(face, change.surface))
-      text << "it would fold over";
-    else if (stray > 0)
-      text << "an edge of it would be " << stray << " mm away";
-    if (!text.str().empty()) proof.faces[change.face] = text.str();
+      proof.faces[change.face] = "it would fold over";
   }
 }
 
-double flux_mm3(const TopoDS_Shape& face, const gp_Pnt& from) {
+void judgeSoundness(const RepairTask& task, const TopoDS_Shape& changed, const Soundness& was, Proof& proof) {
+  const Soundness is = soundnessOf(changed, task.options.jobs);
+  for (std::size_t f = 1; f < is.faces.size(); ++f)
+    if (was.faces[f] && !is.faces[f]) proof.faces[static_cast<int>(f)] = "OpenCASCADE's checks do not pass";
+  if (was.whole && !is.whole && proof.faces.empty()) proof.whole = "OpenCASCADE's checks do not pass";
+}
+
+/// \param error relative, of adaptive quadrature; 0: a fixed one, which for rational faces may be off by a percent.
+double flux_mm3(const TopoDS_Shape& face, const gp_Pnt& from, double error) {
   GProp_GProps properties(from);
-  BRepGProp::VolumeProperties(face, properties);
+  if (error > 0)
+    BRepGProp::VolumeProperties(face, properties, error);
+  else
+    BRepGProp::VolumeProperties(face, properties);
   return properties.Mass();
 }
 
@@ -248,54 +262,72 @@ double area_mm2(const TopoDS_Shape& face) {
 struct FaceFlux {
   TopoDS_Shape was, is;
   gp_Pnt from;
+  double move_mm = 0;
   double before_mm3 = 0, change_mm3 = 0, area_mm2 = 0;
-  std::exception_ptr error = {};
+  std::exception_ptr failure = {};
 
-  void integrate() {
+  void integrate(double error) {
     try {
-      before_mm3 = flux_mm3(was, from);
-      change_mm3 = flux_mm3(is, from) - before_mm3;
+      before_mm3 = flux_mm3(was, from, error);
+      change_mm3 = flux_mm3(is, from, error) - before_mm3;
       area_mm2 = occ::area_mm2(was);
     } catch (...) {
-      error = std::current_exception();
+      failure = std::current_exception();
     }
   }
 };
 
-/// The volume of a solid is the sum of what its faces give; faces that stay give the same.
+/// Of the faces of a solid that move, with fluxes through a point of it.
+std::vector<FaceFlux> fluxesOf(const TopoDS_Shape& before, const TopoDS_Shape& after,
+                               const TopTools_IndexedMapOfShape& faces,
+                               const std::vector<FaceChange>& changes) {
+  const TopExp_Explorer vertex(before, TopAbs_VERTEX);
+  const gp_Pnt from = vertex.More() ? BRep_Tool::Pnt(TopoDS::Vertex(vertex.Current())) : gp_Pnt();
+  std::vector<FaceFlux> fluxes;
+  TopExp_Explorer was(before, TopAbs_FACE), is(after, TopAbs_FACE);
+  for (; was.More(); was.Next(), is.Next()) {
+    const auto move = std::ranges::find(changes, faces.FindIndex(was.Current()), &FaceChange::face);
+    if (move != changes.end()) fluxes.push_back({was.Current(), is.Current(), from, move->largest_move_mm});
+  }
+  return fluxes;
+}
+
+struct VolumeChange {
+  double change_mm3 = 0, explained_mm3 = 0, noise_mm3 = 0;
+
+  bool isExplained() const { return std::abs(change_mm3) <= explained_mm3 + noise_mm3; }
+};
+
+VolumeChange volumeChange(std::vector<FaceFlux>& fluxes, double error, int jobs, const Progress& progress) {
+  runParallel(
+      fluxes.size(), jobs, [&fluxes, error](std::size_t k) { fluxes[k].integrate(error); }, progress);
+  constexpr double noise = 1e-6;
+  VolumeChange result;
+  for (const FaceFlux& flux : fluxes) {
+    if (flux.failure) std::rethrow_exception(flux.failure);
+    result.change_mm3 += flux.change_mm3;
+    result.noise_mm3 += std::max(noise, error) * std::abs(flux.before_mm3);
+    result.explained_mm3 += 1.01 * flux.area_mm2 * flux.move_mm;
+  }
+  return result;
+}
+
+/// The volume of a solid is the sum of what its faces give; faces that stay give the same. Adaptive quadrature is slow and comes only where
+/// the fixed one does not do.
 void judgeVolumes(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
                   Proof& proof, const Progress& progress) {
+  constexpr double adaptive_error = 1e-5;
   const TopTools_IndexedMapOfShape before = partsOf(task.shape, TopAbs_SOLID);
   const TopTools_IndexedMapOfShape after = partsOf(changed, TopAbs_SOLID);
   const TopTools_IndexedMapOfShape faces = partsOf(task.shape, TopAbs_FACE);
   for (int s = 1; s <= before.Extent(); ++s) {
-    const gp_Pnt from =
-        TopExp_Explorer(before(s), TopAbs_VERTEX).More()
-            ? BRep_Tool::Pnt(TopoDS::Vertex(TopExp_Explorer(before(s), TopAbs_VERTEX).Current()))
-            : gp_Pnt();
-    std::vector<FaceFlux> fluxes;
-    std::vector<double> moves_mm;
-    TopExp_Explorer was(before(s), TopAbs_FACE), is(after(s), TopAbs_FACE);
-    for (; was.More(); was.Next(), is.Next()) {
-      const auto move = std::ranges::find(changes, faces.FindIndex(was.Current()), &FaceChange::face);
-      if (move == changes.end()) continue;
-      fluxes.push_back({was.Current(), is.Current(), from});
-      moves_mm.push_back(move->largest_move_mm);
-    }
-    runParallel(
-        fluxes.size(), task.options.jobs, [&fluxes](std::size_t k) { fluxes[k].integrate(); }, progress);
-    double change_mm3 = 0, explained_mm3 = 0, flux_mm3 = 0;
-    for (std::size_t k = 0; k < fluxes.size(); ++k) {
-      if (fluxes[k].error) std::rethrow_exception(fluxes[k].error);
-      change_mm3 += fluxes[k].change_mm3;
-      flux_mm3 += std::abs(fluxes[k].before_mm3);
-      explained_mm3 += 1.01 * fluxes[k].area_mm2 * moves_mm[k];
-    }
-    constexpr double noise = 1e-6;
-    if (std::abs(change_mm3) <= explained_mm3 + noise * flux_mm3) continue;
+    std::vector<FaceFlux> fluxes = fluxesOf(before(s), after(s), faces, changes);
+    VolumeChange volume = volumeChange(fluxes, 0, task.options.jobs, progress);
+    if (!volume.isExplained()) volume = volumeChange(fluxes, adaptive_error, task.options.jobs, progress);
+    if (volume.isExplained()) continue;
     std::ostringstream text;
-    text << "the volume of solid " << s << " would change by " << change_mm3 << " mm3, more than "
-         << explained_mm3 << " mm3, which the moves explain";
+    text << "the volume of solid " << s << " would change by " << volume.change_mm3 << " mm3, more than "
+         << volume.explained_mm3 << " mm3, which the moves explain";
     proof.whole = text.str();
   }
 }
@@ -331,6 +363,28 @@ std::vector<std::size_t> blameFor(const RepairTask& task, const std::set<int>& m
     if (meet(seam, worse)) near.push_back(i);
   }
   return near.empty() ? all : near;
+}
+
+double missOf(const SeamResult& seam, const ContinuityTolerance& tolerance) {
+  const auto share = [](const std::optional<Figure>& figure, double limit) {
+    return figure ? known(*figure) / limit : 0;
+  };
+  return std::max(share(seam.figures.gap_mm, tolerance.gap_mm),
+                  share(seam.figures.angle_rad, tolerance.angle_rad));
+}
+
+/// The treated seam that moves the face and is furthest from its tolerance now.
+std::optional<std::size_t> worstOf(const RepairTask& task, const std::set<int>& moved, int face) {
+  std::optional<std::size_t> worst;
+  double most = -1;
+  for (std::size_t i = 0; i < task.seams.size(); ++i) {
+    if (!task.treated[i] || !moves(task.seams[i], moved, face)) continue;
+    const double miss = missOf(task.before[i], task.options.tolerance);
+    if (miss <= most) continue;
+    most = miss;
+    worst = i;
+  }
+  return worst;
 }
 
 void addConnected(const RepairTask& task, const std::set<int>& moved,
@@ -395,12 +449,25 @@ Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes, cons
   Remeasuring again(task, changes, seamsAfter(task, changed, partOf(progress, 0, 0.2)), known);
   again.measure(true, proof.after, partOf(progress, 0.2, 0.4));
   judgeTreated(task, proof);
-  judgeFaces(task, changes, changed, was, proof);
+  judgeFaces(task, changes, changed, proof);
   if (!proof.unrepaired.empty() || !proof.faces.empty()) return proof;
   again.measure(false, proof.after, partOf(progress, 0.4, 0.8));
   judgeOthers(task, proof);
+  if (proof.holds()) judgeSoundness(task, changed, was, proof);
   if (proof.holds()) judgeVolumes(task, changes, changed, proof, partOf(progress, 0.8, 1));
   return proof;
+}
+
+std::map<int, std::string> movedTooFar(const RepairTask& task, const std::vector<FaceChange>& changes) {
+  constexpr double near_largest = 0.7;
+  double largest_mm = 0;
+  for (const FaceChange& change : changes) largest_mm = std::max(largest_mm, change.largest_move_mm);
+  std::map<int, std::string> faces;
+  for (const FaceChange& change : changes)
+    if (change.largest_move_mm > std::max(task.options.max_move_mm, near_largest * largest_mm))
+      faces[change.face] = "it needs a move of " + shortText(change.largest_move_mm) + " mm, more than " +
+                           shortText(task.options.max_move_mm) + " mm";
+  return faces;
 }
 
 std::map<std::size_t, std::string> culprits(const RepairTask& task, const RepairSolution& solution,
@@ -411,6 +478,9 @@ std::map<std::size_t, std::string> culprits(const RepairTask& task, const Repair
     for (std::size_t i = 0; i < task.seams.size(); ++i)
       if (task.treated[i] && moves(task.seams[i], moved, face))
         given_up.emplace(i, "face " + std::to_string(face) + ": " + why);
+  for (const auto& [face, why] : proof.too_far)
+    if (const auto worst = worstOf(task, moved, face))
+      given_up.emplace(*worst, "face " + std::to_string(face) + ": " + why);
   for (const auto& [i, why] : proof.unrepaired) given_up[i] = why;
   // What is worse may be so for one of these.
   if (given_up.empty())

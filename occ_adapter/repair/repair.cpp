@@ -64,25 +64,50 @@ class Repairing {
   using Solver = std::function<RepairSolution(const RepairTask&, const Progress&)>;
   using Reasons = std::map<std::size_t, std::string>;
 
-  /// What one solver leaves the next one tries, in the shape as it is then.
+  enum class Which { All, Dear, NotDear };
+  struct Way {
+    Solver solver;
+    Which which = Which::All;
+  };
+
+  /// What one way leaves the next one tries, in the shape as it is then; what an exact join moves far, first by following.
   void repair(const std::vector<FaceChoice>& faces) {
     JoinedPairs pairs;
-    FollowedFaces followed;
-    const std::array<Solver, 4> solvers = {joinPaths, joinNetwork,
-                                           [&pairs](const RepairTask& task, const Progress& progress) {
-                                             return joinPairs(task, pairs, progress);
-                                           },
-                                           [&followed](const RepairTask& task, const Progress& progress) {
-                                             return followTargets(task, followed, progress);
-                                           }};
+    std::array<FollowedFaces, 2> followed;
+    DearSeams dear;
+    const auto network = [](DearSeams* left) {
+      return [left](const RepairTask& task, const Progress& progress) {
+        return joinNetwork(task, left, progress);
+      };
+    };
+    const Solver pairwise = [&pairs](const RepairTask& task, const Progress& progress) {
+      return joinPairs(task, pairs, progress);
+    };
+    const auto follow = [](LeadReach reach, FollowedFaces& known) {
+      return [reach, &known](const RepairTask& task, const Progress& progress) {
+        return followTargets(task, reach, known, progress);
+      };
+    };
+    const std::array<Way, 7> ways = {{{joinPaths, Which::All},
+                                      {network(&dear), Which::All},
+                                      {pairwise, Which::NotDear},
+                                      {follow(LeadReach::Spans, followed[0]), Which::All},
+                                      {follow(LeadReach::Half, followed[1]), Which::All},
+                                      {network(nullptr), Which::Dear},
+                                      {pairwise, Which::Dear}}};
     const double all = options_.match_mm > 0 && options_.sew ? share_before_sewing : 1;
     double done = share_of_analysis;
-    for (std::size_t k = 0; k < solvers.size() && std::ranges::count(open_, true) > 0; ++k) {
-      const double next = done + (all - done) / static_cast<double>(solvers.size() - k);
+    for (std::size_t k = 0; k < ways.size(); ++k) {
+      const double next = done + (all - done) / static_cast<double>(ways.size() - k);
       const TopoDS_Shape shape = result_.model.shape;
       const std::vector<SeamResult> before = result_.after.seams;
-      improve({shape, seams_, result_.before.seams, before, faces, sharp_, open_, options_}, solvers.at(k),
-              partOf(progress_, done, next));
+      RepairTask task{shape, seams_, result_.before.seams, before, faces, sharp_, open_, options_};
+      for (std::size_t i = 0; i < open_.size(); ++i)
+        if (ways[k].which != Which::All && (dear.count(i) > 0) != (ways[k].which == Which::Dear))
+          task.treated[i] = false;
+      pairs.clear();
+      if (std::ranges::count(task.treated, true) > 0)
+        improve(std::move(task), ways[k].solver, partOf(progress_, done, next));
       done = next;
     }
   }
@@ -124,12 +149,16 @@ class Repairing {
       giveUp(solution.failures, rest);
       if (solution.changes.empty() && solution.paths.empty()) return everything(task, "nothing was moved");
       for (FaceChange& change : solution.changes) change.largest_move_mm += moves_[change.face];
-      const TopoDS_Shape changed =
-          withChanges(task.shape, solution.changes, options_.tolerance.gap_mm, solution.paths);
-      // Figures known are of edges with the paths that they have in the shape.
-      MeasuredSeams of_paths;
-      MeasuredSeams& known = solution.paths.empty() ? measured : of_paths;
-      const Proof proof = prove(rest, solution.changes, changed, *was_, known, partOf(progress, 0.5, 1));
+      Proof proof;
+      TopoDS_Shape changed;
+      proof.too_far = movedTooFar(rest, solution.changes);
+      if (proof.holds()) {
+        changed = withChanges(task.shape, solution.changes, options_.tolerance.gap_mm, solution.paths);
+        // Figures known are of edges with the paths that they have in the shape.
+        MeasuredSeams of_paths;
+        MeasuredSeams& known = solution.paths.empty() ? measured : of_paths;
+        proof = prove(rest, solution.changes, changed, *was_, known, partOf(progress, 0.5, 1));
+      }
       if (!proof.holds()) {
         Reasons given_up = culprits(rest, solution, proof, with_connected);
         given_up.merge(solution.failures);

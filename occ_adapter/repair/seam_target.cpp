@@ -7,14 +7,14 @@
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <set>
 #include <sstream>
 
 #include <seamwright/occ_adapter/convert/nearest.hpp>
 #include <seamwright/occ_adapter/convert/seam_strips.hpp>
 #include <seamwright/occ_adapter/match/follow.hpp>
+#include <seamwright/occ_adapter/repair/end_blends.hpp>
+#include <seamwright/occ_adapter/repair/path_place.hpp>
 #include <seamwright/occ_adapter/repair/seam_target.hpp>
 
 namespace seamwright::occ {
@@ -25,26 +25,6 @@ namespace {
 constexpr double difference_step = 1e-4;
 /// Of s, from a pole on: nearer, its normals and curvatures are mostly rounding and what the pole is not smooth by.
 constexpr double pole_stretch = 0.02;
-
-/// Quintic functions of the distance from an end: 1 for the value, the slope or the second derivative there, 0 for the others and for
-/// all three from the reach on; with their derivatives.
-struct Blends {
-  double value = 0, slope = 0, bend = 0;
-  double d_value = 0, d_slope = 0, d_bend = 0;
-};
-
-Blends blendsAt(double distance) {
-  constexpr double reach = 0.5;
-  const double y = distance / reach;
-  if (y >= 1) return {};
-  const double y2 = y * y, y3 = y2 * y, y4 = y3 * y, y5 = y4 * y;
-  return {1 - 10 * y3 + 15 * y4 - 6 * y5,
-          reach * (y - 6 * y3 + 8 * y4 - 3 * y5),
-          reach * reach * (y2 - 3 * y3 + 3 * y4 - y5) / 2,
-          (-30 * y2 + 60 * y3 - 30 * y4) / reach,
-          1 - 18 * y2 + 32 * y3 - 15 * y4,
-          reach * (y - 4.5 * y2 + 6 * y3 - 2.5 * y4)};
-}
 
 Eigen::Matrix3d inPlane(const Eigen::Matrix3d& tensor, const Eigen::Vector3d& normal) {
   const Eigen::Matrix3d onto = Eigen::Matrix3d::Identity() - normal * normal.transpose();
@@ -92,11 +72,12 @@ auto derivative(const Function& function, double s) {
 }  // namespace
 
 SeamTarget::SeamTarget(const Seam& seam, const std::array<Pcurve, 2>& pcurves,
-                       const std::array<bool, 2>& stays, int order)
+                       const std::array<bool, 2>& stays, int order, LeadReach reach)
     : seam_(seam),
       pcurves_(pcurves),
       stays_(stays),
       order_(order),
+      reach_(reach),
       strips_{FaceStrip(seam.sides[0], pcurves[0]), FaceStrip(seam.sides[1], pcurves[1])} {
   double agreement = 0;
   for (const double s : {0.2, 0.5, 0.8}) agreement += shown(0, s).normal.dot(shown(1, s).normal);
@@ -105,14 +86,14 @@ SeamTarget::SeamTarget(const Seam& seam, const std::array<Pcurve, 2>& pcurves,
     for (const int end : {0, 1}) {
       const SidePoint point = strips_[side].at(place(side, end));
       const bool has_normal = degeneracy(point.jet, point.noise) == Degeneracy::None;
-      double& reach = pole_reach_.at(side).at(end);
-      if (seam.correspondence.s.empty()) reach = strips_[side].poleReach(end);
-      if (!has_normal) reach = std::max(reach, difference_step);
+      double& length = pole_reach_.at(side).at(end);
+      if (seam.correspondence.s.empty()) length = strips_[side].poleReach(end);
+      if (!has_normal) length = std::max(length, difference_step);
     }
 }
 
 SeamTarget SeamTarget::renewed() const {
-  SeamTarget target(seam_, pcurves_, stays_, order_);
+  SeamTarget target(seam_, pcurves_, stays_, order_, reach_);
   target.leads_ = leads_;
   return target;
 }
@@ -208,21 +189,34 @@ SeamTarget::Mean SeamTarget::led(double s) const {
   for (const int end : {0, 1}) {
     const auto& lead = leads_[end];
     if (!lead) continue;
-    const Blends blends = blendsAt(end == 0 ? s : 1 - s);
+    const Blends blends = blendsAt(end == 0 ? s : 1 - s, lead->span);
     const double sense = end == 0 ? 1 : -1;
     led.point += blends.value * lead->point + sense * blends.slope * lead->slope + blends.bend * lead->bend;
     led.slope += sense * blends.d_value * lead->point + blends.d_slope * lead->slope +
                  sense * blends.d_bend * lead->bend;
-    led.normal += blends.value * lead->normal + sense * blends.slope * lead->normal_slope;
-    led.curvature += blends.value * lead->curvature;
+    led.normal += blends.brief_value * lead->normal + sense * blends.brief_slope * lead->normal_slope;
+    led.curvature += blends.brief_value * lead->curvature;
   }
   led.normal = orthogonal(led.normal, led.slope);
   return led;
 }
 
+double SeamTarget::spanAt(int end) const {
+  constexpr double largest = 1.0 / 6;
+  if (reach_ == LeadReach::Half) return largest;
+  double span = 0;
+  for (const int side : {0, 1}) span = std::max(span, spanAtEnd(seam_.sides[side], path(side), end));
+  return span > 0 ? std::min(span, largest) : largest;
+}
+
+Eigen::Vector3d SeamTarget::way(int end) const {
+  return (end == 0 ? 1 : -1) * spanAt(end) * mean(end).slope;
+}
+
 SeamTarget::Lead SeamTarget::lead(int end, const TargetPoint& target) const {
   const Mean here = mean(end);
   Lead lead;
+  lead.span = spanAt(end);
   lead.point = target.point - here.point;
   lead.slope = -here.slope.dot(target.normal) * target.normal;
   lead.normal = target.normal - here.normal;
@@ -249,7 +243,10 @@ void SeamTarget::setSharpEnd(int end, const Eigen::Vector3d& point,
   for (const FaceUse& side : seam_.sides)
     if (const auto normal = normals.find(side.face); normal != normals.end())
       planes.push_back(normal->second);
-  Lead lead{point - here.point, -alongNormals(here.slope, planes), {}, {}, {}, {}};
+  Lead lead;
+  lead.span = spanAt(end);
+  lead.point = point - here.point;
+  lead.slope = -alongNormals(here.slope, planes);
   for (Eigen::Vector3d* none : {&lead.bend, &lead.normal, &lead.normal_slope}) none->setZero();
   lead.curvature.setZero();
   leads_[end] = lead;
@@ -305,6 +302,78 @@ FollowPath followPath(const std::shared_ptr<const SeamTarget>& target, int side)
   return path;
 }
 
+namespace {
+
+/// The tensor in a tangent plane that is least away from those of the views.
+class TensorFit {
+ public:
+  explicit TensorFit(const Eigen::Vector3d& normal)
+      : normal_(normal), x_(normal.unitOrthogonal()), y_(normal.cross(x_)) {}
+
+  void add(const Eigen::Matrix3d& tensor, const Eigen::Vector3d& a, const Eigen::Vector3d& b, double weight) {
+    const Eigen::RowVector3d row(a.dot(x_) * b.dot(x_), a.dot(x_) * b.dot(y_) + a.dot(y_) * b.dot(x_),
+                                 a.dot(y_) * b.dot(y_));
+    matrix_ += weight * row.transpose() * row;
+    right_ += weight * a.dot(inPlane(tensor, normal_) * b) * row.transpose();
+  }
+
+  void addWhole(const Eigen::Matrix3d& tensor, double weight) {
+    add(tensor, x_, x_, weight);
+    add(tensor, x_, y_, 2 * weight);
+    add(tensor, y_, y_, weight);
+  }
+
+  Eigen::Matrix3d tensor() const {
+    const Eigen::Vector3d w = matrix_.ldlt().solve(right_);
+    return w[0] * x_ * x_.transpose() + w[1] * (x_ * y_.transpose() + y_ * x_.transpose()) +
+           w[2] * y_ * y_.transpose();
+  }
+
+ private:
+  Eigen::Vector3d normal_, x_, y_;
+  Eigen::Matrix3d matrix_ = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right_ = Eigen::Vector3d::Zero();
+};
+
+double longestWay(const std::vector<VertexView>& views) {
+  double longest = 0;
+  for (const VertexView& view : views)
+    for (const Eigen::Vector3d& way : view.ways) longest = std::max(longest, way.norm());
+  return longest;
+}
+
+/// Of what ways leave open.
+constexpr double least_weight = 1e-3;
+
+Eigen::Vector3d commonNormal(const std::vector<VertexView>& views) {
+  const double longest = longestWay(views);
+  Eigen::Matrix3d weights = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const VertexView& view : views) {
+    Eigen::Matrix3d weight = (view.ways.size() > 1 ? least_weight : 1) * Eigen::Matrix3d::Identity();
+    for (const Eigen::Vector3d& way : view.ways) weight += way * way.transpose() / (longest * longest);
+    weights += weight;
+    sum += weight * view.shown.normal;
+  }
+  return weights.ldlt().solve(sum).normalized();
+}
+
+/// A pole moves a twist by 25 and the bend of a boundary by 10 times as much as itself, in quintic knot spans of length 1.
+Eigen::Matrix3d commonTensor(const std::vector<VertexView>& views, const Eigen::Vector3d& normal) {
+  constexpr double twist = 0.4 * 0.4;
+  const double longest = longestWay(views);
+  TensorFit fit(normal);
+  for (const VertexView& view : views) {
+    for (std::size_t i = 0; i < view.ways.size(); ++i)
+      for (std::size_t k = 0; k <= i; ++k)
+        fit.add(view.shown.curvature, view.ways[i] / longest, view.ways[k] / longest, i == k ? 1 : twist);
+    fit.addWhole(view.shown.curvature, view.ways.size() > 1 ? least_weight : 1);
+  }
+  return fit.tensor();
+}
+
+}  // namespace
+
 VertexConsensus vertexConsensus(const std::vector<VertexView>& views, int order,
                                 const ContinuityTolerance& tolerance) {
   std::vector<VertexView> aligned = views;
@@ -324,10 +393,8 @@ VertexConsensus vertexConsensus(const std::vector<VertexView>& views, int order,
   target = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero()};
   const std::vector<VertexView> points = deciding(0), normals = deciding(1), tensors = deciding(2);
   for (const VertexView& view : points) target.point += view.shown.point / static_cast<double>(points.size());
-  for (const VertexView& view : normals) target.normal += view.shown.normal;
-  target.normal.normalize();
-  for (const VertexView& view : tensors)
-    target.curvature += inPlane(view.shown.curvature, target.normal) / static_cast<double>(tensors.size());
+  target.normal = commonNormal(normals);
+  target.curvature = commonTensor(tensors, target.normal);
   for (std::size_t i = 0; i < aligned.size(); ++i)
     for (std::size_t j = i + 1; j < aligned.size(); ++j) {
       const int common = std::min(
@@ -425,6 +492,9 @@ Meeting meetingOf(const std::vector<TargetEnd>& ends, const std::map<int, int>& 
         view.held = std::max(view.held, there->second);
         meeting.any_held = true;
       }
+      for (const TargetEnd& other : ends)
+        for (const FaceUse& use : other.target->seam().sides)
+          if (use.face == view.face) view.ways.push_back(other.target->way(other.end));
       meeting.views.push_back(std::move(view));
     }
   }
@@ -466,20 +536,6 @@ std::string agreeAtVertex(const std::vector<TargetEnd>& ends, const std::map<int
     for (const std::size_t k : group) members.push_back(smooth[k]);
     const Meeting meeting = meetingOf(members, held);
     VertexConsensus consensus = vertexConsensus(meeting.views, meeting.order, tolerance);
-    if (getenv("MEET_V")) {
-      fprintf(stderr, "vertex (%g %g %g) n (%g %g %g) %s\n", place.target.point.x(), place.target.point.y(),
-              place.target.point.z(), consensus.target.normal.x(), consensus.target.normal.y(),
-              consensus.target.normal.z(), consensus.contradiction.c_str());
-      for (std::size_t k = 0; k < meeting.views.size(); ++k) {
-        const auto& v = meeting.views[k];
-        auto n = turned(v.shown, consensus.target.normal);
-        fprintf(stderr, "   edge %d face %d held %d off %.3g mm angle %.4g deg  W %.4g\n",
-                members[k / 2].target->seam().edges[0], v.face, v.held,
-                (v.shown.point - place.target.point).norm(),
-                std::acos(std::min(1.0, n.normal.dot(consensus.target.normal))) * 57.29578,
-                v.shown.curvature.norm());
-      }
-    }
     if (!consensus.contradiction.empty()) return consensus.contradiction;
     consensus.target.point = place.target.point;
     for (const TargetEnd& end : members) end.target->setEnd(end.end, consensus.target);

@@ -14,9 +14,15 @@
 /// What the two faces of a seam should meet; not a public header.
 namespace seamwright::occ {
 
+/// How far along a seam its target is led to what was set at an end.
+enum class LeadReach {
+  Spans,  ///< three knot spans of its faces, at most half the seam: moves stay of the size of what was set
+  Half    ///< half the seam: fewer knots are needed where much is to be changed
+};
+
 /// The common target of both sides over the seam's parameter s in [0, 1]. If a side stays, what it shows; else halfway between
 /// both: the mean of the points, of the unit normals and of the curvature tensors, made consistent and, where an end was set, led to
-/// it by quintic blends over half the seam.
+/// it by quintic blends.
 ///
 /// Identities (each has a test of its number), if no side stays:
 ///   (1) The normal is orthogonal to the curve of the points, to rounding; of a matched seam to the product of the angle of the sides'
@@ -33,7 +39,7 @@ class SeamTarget {
  public:
   /// \param pcurves see pcurveOf(). \param order 0, 1, 2.
   SeamTarget(const Seam& seam, const std::array<Pcurve, 2>& pcurves, const std::array<bool, 2>& stays,
-             int order);
+             int order, LeadReach reach = LeadReach::Spans);
 
   /// The same with adaptors of its own, for another thread.
   SeamTarget renewed() const;
@@ -49,6 +55,9 @@ class SeamTarget {
 
   /// The side has no normal at that end: a boundary of its surface collapses there.
   bool isPole(int side, int end) const { return pole_reach_.at(side).at(end) > 0; }
+
+  /// The way of the seam from that end on, over one knot span.
+  Eigen::Vector3d way(int end) const;
 
   /// Has no effect if a side stays. The sense of the normal is no matter. \param end 0 or 1.
   void setEnd(int end, const TargetPoint& target);
@@ -73,6 +82,7 @@ class SeamTarget {
   };
   /// What is added at an end.
   struct Lead {
+    double span = 0;  ///< of s, see blendsAt()
     Eigen::Vector3d point, slope, bend, normal, normal_slope;
     Eigen::Matrix3d curvature;
   };
@@ -86,12 +96,14 @@ class SeamTarget {
   Eigen::Vector3d slope(int side, double s) const;
   Mean mean(double s) const;
   Mean led(double s) const;
+  double spanAt(int end) const;
   Lead lead(int end, const TargetPoint& target) const;
 
   Seam seam_;
   std::array<Pcurve, 2> pcurves_;
   std::array<bool, 2> stays_;
   int order_;
+  LeadReach reach_;
   std::array<FaceStrip, 2> strips_;
   std::array<std::array<double, 2>, 2> pole_reach_{};  ///< by side and end, of s; 0: no pole
   double second_sign_ = 1;                             ///< that turns the second side's normal to the first's
@@ -109,6 +121,7 @@ struct VertexView {
       -1;  ///< order to which it can't change there, as it stays or another boundary of it does; -1: it can
   bool is_pole =
       false;  ///< a boundary of the face collapses there: it shows no curvature, and held alone a normal
+  std::vector<Eigen::Vector3d> ways = {};  ///< of the face's seams from there on, over one knot span each
 };
 
 struct VertexConsensus {
@@ -116,8 +129,9 @@ struct VertexConsensus {
   std::string contradiction;  ///< of two faces that can't change, with the figures; empty: none
 };
 
-/// The mean of the points, the normals and the curvature tensors of all faces at a vertex, of each those that are held, if any is.
-/// Senses of normals are no matter. \pre there is a view
+/// The mean of the points and the normals of all faces at a vertex, of each those that are held, if any is; and of their curvature tensors
+/// what asks for the smallest moves of poles along the ways: least squares of the differences as forms of the ways, or, where a face has
+/// none, of the tensors. Senses of normals are no matter. \pre there is a view
 VertexConsensus vertexConsensus(const std::vector<VertexView>& views, int order,
                                 const ContinuityTolerance& tolerance);
 

@@ -3,12 +3,14 @@
 
 #include <array>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
 #include <seamwright/occ_adapter/repair/change.hpp>
 #include <seamwright/occ_adapter/repair/choose.hpp>
 #include <seamwright/occ_adapter/repair/face_follow.hpp>
+#include <seamwright/occ_adapter/repair/seam_target.hpp>
 
 /// How faces have to move for seams to flow; not a public header.
 namespace seamwright::occ {
@@ -42,10 +44,15 @@ std::vector<Seam> seamsIn(const TopoDS_Shape& shape, std::vector<Seam> seams);
 /// \throws Cancelled.
 RepairSolution joinPaths(const RepairTask& task, const Progress& progress);
 
+/// Seams that can be joined exactly, but by moves much larger than what they lack.
+using DearSeams = std::set<std::size_t>;
+
 /// All seams whose sides are natural sides of polynomial surfaces at once, exactly, with the smallest move. Poles beside other boundaries stay.
 /// Sharp seams are left to followTargets(), also by joinPairs().
+/// \param dear grows by the seams of what hangs together if its largest move exceeds twice the largest gap, and angle times distance of
+/// the first rows of poles, which are left then; null: none is.
 /// \throws Cancelled.
-RepairSolution joinNetwork(const RepairTask& task, const Progress& progress);
+RepairSolution joinNetwork(const RepairTask& task, DearSeams* dear, const Progress& progress);
 
 /// A pair that was joined before, or was not.
 struct JoinedPair {
@@ -62,12 +69,13 @@ using JoinedPairs = std::map<std::array<std::size_t, 3>, JoinedPair>;
 /// \throws Cancelled.
 RepairSolution joinPairs(const RepairTask& task, JoinedPairs& known, const Progress& progress);
 
-/// Faces that followed before, by all that was asked of them, in one shape.
+/// Faces that followed before, by all that was asked of them, in one shape and with one reach.
 using FollowedFaces = std::map<std::string, FaceFollow>;
 
 /// All faces at once follow common targets of their seams, which agree at vertices. A boundary that is not treated keeps its shape, or, where
 /// a vertex has to move, stays as smooth as it is.
 /// \throws Cancelled.
-RepairSolution followTargets(const RepairTask& task, FollowedFaces& known, const Progress& progress);
+RepairSolution followTargets(const RepairTask& task, LeadReach reach, FollowedFaces& known,
+                             const Progress& progress);
 
 }  // namespace seamwright::occ

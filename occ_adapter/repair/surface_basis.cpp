@@ -45,6 +45,18 @@ std::vector<int> SplineAxis::spans() const {
   return found;
 }
 
+std::vector<int> SplineAxis::polesNear(double t) const {
+  const int at = span(t, 0);
+  std::vector<int> near;
+  for (int k = at - 2 * degree; k <= at + degree; ++k) {
+    if (periodic)
+      near.push_back((k % poles + poles) % poles);
+    else if (k >= 0 && k < poles)
+      near.push_back(k);
+  }
+  return near;
+}
+
 double SplineAxis::greville(int function) const {
   double sum = 0;
   for (int k = 1; k <= degree; ++k) sum += knots[function + k];

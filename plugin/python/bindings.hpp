@@ -8,8 +8,10 @@ namespace seamwright::python {
 void bindAlpha(pybind11::module_& module);
 void bindBernstein(pybind11::module_& module);
 void bindBezier(pybind11::module_& module);
+void bindCornerFillet(pybind11::module_& module);
 void bindCurveJoin(pybind11::module_& module);
 void bindFill(pybind11::module_& module);
+void bindHole(pybind11::module_& module);
 void bindJoin(pybind11::module_& module);
 void bindMatch(pybind11::module_& module);
 void bindMeasure(pybind11::module_& module);

@@ -24,6 +24,8 @@ PYBIND11_MODULE(_core, module) {
   bindAlpha(module);
   bindModel(module);
   bindMatch(module);
+  bindCornerFillet(module);
   bindRepair(module);
+  bindHole(module);
   bindPointerBridge(module);
 }

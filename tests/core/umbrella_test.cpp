@@ -417,6 +417,7 @@ TEST(Umbrella, RefusesWhatIsNone) {
                 ThrowsMessage<std::invalid_argument>(HasSubstr(why)));
   };
   fails({}, {}, "0 spokes");
+  fails(spokes, {.degree = 25}, "5 members of degree 25 have 3380 poles: at most 1600");
   fails({spokes[0], spokes[1]}, {}, "2 spokes");
   std::vector<BezierCurve> other = spokes;
   other[3] = BezierCurve(spokes[3].poles(), Eigen::Vector4d(1, 2, 1, 1));

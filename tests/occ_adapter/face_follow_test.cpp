@@ -574,7 +574,7 @@ TEST(FaceFollow, OrdersOfTheTheory) {
       worst[fineness][2] = std::max(worst[fineness][2], (own.curvature - asked.curvature).norm());
     }
   }
-  const std::array<double, 3> at_16_spans = {5e-7, 3e-6, 5e-4}, least_gain = {10, 15, 5};
+  const std::array<double, 3> at_16_spans = {5e-7, 3e-6, 5e-4}, least_gain = {4, 15, 5};
   for (int k = 0; k < 3; ++k) {
     EXPECT_LT(worst[0][k], at_16_spans[k]);
     EXPECT_LT(worst[2][k] * least_gain[k], worst[0][k]);

@@ -9,7 +9,9 @@
 #include <BRep_Tool.hxx>
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
@@ -46,6 +48,34 @@ void expectReasons(const RepairReport& report) {
     if (seam.treated) {
       EXPECT_EQ(seam.repaired, seam.reason.empty()) << seam.reason;
     }
+}
+
+/// Fixed quadrature takes a cylinder of splines for a percent larger than it is, until knots are inserted.
+TEST(RepairDegenerate, VolumesOfRationalFaces) {
+  const TopoDS_Shape solid =
+      BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeCylinder(20, 50).Shape(), true).Shape();
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> noise(-0.2, 0.2);
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(solid, TopAbs_FACE, faces);
+  for (int f = 1; f <= faces.Extent(); ++f) {
+    const auto surface =
+        opencascade::handle<Geom_BSplineSurface>::DownCast(BRep_Tool::Surface(TopoDS::Face(faces(f))));
+    if (!surface->IsUPeriodic()) continue;
+    surface->IncreaseDegree(surface->UDegree(), 3);
+    for (int i = 1; i <= surface->NbUPoles(); ++i)
+      for (const int j : {2, 3}) {
+        const gp_Vec move(noise(random), noise(random), noise(random));
+        surface->SetPole(i, j, surface->Pole(i, j).Translated(move));
+      }
+  }
+  occ::RepairOptions options;
+  options.max_move_mm = 5;
+  const RepairReport report = repair(modelFromShape(solid), options);
+  expectReasons(report);
+  EXPECT_TRUE(std::ranges::any_of(report.seams, &occ::SeamRepair::treated));
+  for (const occ::SeamRepair& seam : report.seams)
+    EXPECT_EQ(seam.reason.find("volume"), std::string::npos) << seam.reason;
 }
 
 TEST(RepairDegenerate, FacesWithAPole) {

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Holes filled by fillHole() and by what OpenCASCADE has for it: BRepOffsetAPI_MakeFilling, asked for G1 and for G2, and
+// GeomFill_ConstrainedFilling. A face is taken out of a model; each fills what it leaves. Angles and gaps are upper ends of the enclosures
+// along all new seams, the outer ones and, where a fill has several faces, the inner ones; times are of building alone, the least of some.
+#include <Adaptor3d_CurveOnSurface.hxx>
+#include <BRepAdaptor_Curve2d.hxx>
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepOffsetAPI_MakeFilling.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepTools_ReShape.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <GeomFill_BoundWithSurf.hxx>
+#include <GeomFill_ConstrainedFilling.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Precision.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <seamwright/occ_adapter/analyze/measure_seam.hpp>
+#include <seamwright/occ_adapter/fill/fill.hpp>
+#include <seamwright/occ_adapter/seams/match.hpp>
+
+namespace seamwright {
+namespace {
+
+using occ::FillHoleReport, occ::Hole, occ::SeamResult;
+
+double secondsOf(const std::function<void()>& work, int times) {
+  double least = HUGE_VAL;
+  constexpr double slow_s = 1;
+  for (int i = 0; i < times && (i == 0 || least < slow_s); ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    least = std::min(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  return least;
+}
+
+struct Outcome {
+  double angle_deg = -1, gap_mm = -1, curvature_rel = -1;  ///< negative: not known
+  double seconds = -1;
+  std::string note;
+};
+
+double upperOf(const std::optional<Figure>& figure) {
+  return figure ? figure->upper.value_or(figure->lower) : -1;
+}
+
+void add(const SeamResult& seam, Outcome& outcome) {
+  outcome.angle_deg = std::max(outcome.angle_deg, upperOf(seam.figures.angle_rad) * 180 / std::numbers::pi);
+  outcome.gap_mm = std::max(outcome.gap_mm, upperOf(seam.figures.gap_mm));
+  outcome.curvature_rel = std::max(outcome.curvature_rel, upperOf(seam.figures.curvature_rel));
+}
+
+Outcome ours(const TopoDS_Shape& shape, int face, int times) {
+  const occ::Model model = occ::modelFromShape(shape);
+  Outcome outcome;
+  FillHoleReport report;
+  for (int i = 0; i < times; ++i) {
+    report = occ::replaceFace(model, face, {.keep_anyway = true});
+    outcome.seconds = i == 0 ? report.build_s : std::min(outcome.seconds, report.build_s);
+  }
+  for (const auto* seams : {&report.outer, &report.inner})
+    for (const SeamResult& seam : *seams) add(seam, outcome);
+  outcome.note = report.reason;
+  return outcome;
+}
+
+/// What another fill has along the boundary of the hole, as loose face beside the rest.
+Outcome measured(const TopoDS_Shape& rest, const TopoDS_Face& fill, double length_mm) {
+  BRep_Builder builder;
+  TopoDS_Compound whole;
+  builder.MakeCompound(whole);
+  builder.Add(whole, rest);
+  builder.Add(whole, fill);
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(whole, TopAbs_FACE, faces);
+  const int number = faces.FindIndex(fill);
+  occ::SeamGraph graph = occ::findSeams(whole);
+  occ::matchFreeEdges({.match_mm = length_mm / 100, .gap_mm = 1e-4}, graph);
+  Outcome outcome;
+  double covered_mm = 0;
+  occ::AnalyzeOptions options;
+  options.tolerance = {.gap_mm = 1e-3, .angle_rad = 0.01 * std::numbers::pi / 180};
+  for (const occ::Seam& seam : graph.seams) {
+    if ((seam.sides[0].face == number) == (seam.sides[1].face == number)) continue;
+    const SeamResult result = occ::measureSeam(seam, options);
+    add(result, outcome);
+    covered_mm += result.length_mm;
+  }
+  if (covered_mm < 0.95 * length_mm)
+    outcome.note =
+        "only " + std::to_string(static_cast<int>(100 * covered_mm / length_mm)) + " % of the hole met";
+  return outcome;
+}
+
+struct HoleCase {
+  std::string name;
+  TopoDS_Shape shape;
+  int face;
+};
+
+struct Opened {
+  TopoDS_Shape rest;
+  Hole hole;
+};
+
+std::optional<Opened> opened(const HoleCase& of) {
+  TopTools_IndexedMapOfShape faces, edges;
+  TopExp::MapShapes(of.shape, TopAbs_FACE, faces);
+  const opencascade::handle<BRepTools_ReShape> change = new BRepTools_ReShape;
+  change->Remove(faces(of.face));
+  const TopoDS_Shape rest = change->Apply(of.shape);
+  TopExp::MapShapes(rest, TopAbs_EDGE, edges);
+  for (const Hole& hole : occ::findHoles(rest).holes)
+    for (TopExp_Explorer edge(faces(of.face), TopAbs_EDGE); edge.More(); edge.Next())
+      if (edges.FindIndex(edge.Current()) == hole.sides.front().edges.front().edge) return Opened{rest, hole};
+  return std::nullopt;
+}
+
+Outcome makeFilling(const Opened& of, GeomAbs_Shape order, int times) {
+  TopoDS_Face face;
+  std::string failure;
+  const double seconds = secondsOf(
+      [&] {
+        try {
+          BRepOffsetAPI_MakeFilling fill;
+          for (const occ::HoleSide& side : of.hole.sides)
+            for (const occ::HoleEdge& edge : side.edges) fill.Add(edge.use.edge, edge.use.shape, order);
+          fill.Build();
+          if (fill.IsDone()) face = TopoDS::Face(fill.Shape());
+        } catch (const Standard_Failure& error) {
+          failure = error.DynamicType()->Name();
+        }
+      },
+      times);
+  Outcome outcome;
+  if (face.IsNull()) return {-1, -1, -1, seconds, "failed " + failure};
+  outcome = measured(of.rest, face, of.hole.length_mm);
+  outcome.seconds = seconds;
+  return outcome;
+}
+
+Outcome constrainedFilling(const Opened& of, int times) {
+  const std::size_t n = of.hole.sides.size();
+  if (n != 3 && n != 4) return {-1, -1, -1, -1, "for 3 and 4 sides"};
+  for (const occ::HoleSide& side : of.hole.sides)
+    if (side.edges.size() != 1) return {-1, -1, -1, -1, "for sides of one edge"};
+  TopoDS_Face face;
+  std::string failure;
+  const double seconds = secondsOf(
+      [&] {
+        try {
+          std::vector<opencascade::handle<GeomFill_Boundary>> sides;
+          for (const occ::HoleSide& side : of.hole.sides) {
+            const occ::FaceUse& use = side.edges.front().use;
+            const opencascade::handle<BRepAdaptor_Curve2d> path =
+                new BRepAdaptor_Curve2d(use.edge, use.shape);
+            const opencascade::handle<BRepAdaptor_Surface> surface = new BRepAdaptor_Surface(use.shape);
+            sides.push_back(new GeomFill_BoundWithSurf(Adaptor3d_CurveOnSurface(path, surface), 1e-4, 1e-4));
+          }
+          GeomFill_ConstrainedFilling fill(11, 30);
+          if (n == 3)
+            fill.Init(sides[0], sides[1], sides[2]);
+          else
+            fill.Init(sides[0], sides[1], sides[2], sides[3]);
+          face = BRepBuilderAPI_MakeFace(fill.Surface(), Precision::Confusion()).Face();
+        } catch (const Standard_Failure& error) {
+          failure = error.DynamicType()->Name();
+        }
+      },
+      times);
+  if (face.IsNull()) return {-1, -1, -1, seconds, "failed " + failure};
+  Outcome outcome = measured(of.rest, face, of.hole.length_mm);
+  outcome.seconds = seconds;
+  return outcome;
+}
+
+TopoDS_Shape roundedBox(const std::array<double, 3>& radii) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(40, 30, 20).Shape();
+  BRepFilletAPI_MakeFillet fillet(box);
+  TopTools_IndexedMapOfShape edges, vertices;
+  TopExp::MapShapes(box, TopAbs_EDGE, edges);
+  TopExp::MapShapes(box, TopAbs_VERTEX, vertices);
+  int k = 0;
+  for (int e = 1; e <= edges.Extent(); ++e)
+    for (TopExp_Explorer vertex(edges(e), TopAbs_VERTEX); vertex.More(); vertex.Next())
+      if (vertex.Current().IsSame(vertices(1))) fillet.Add(radii.at(k++), TopoDS::Edge(edges(e)));
+  fillet.Build();
+  return fillet.Shape();
+}
+
+/// Whether the face meets all its neighbours within a degree: only then there is a smooth fill.
+bool isSmooth(const TopoDS_Shape& shape, int face) {
+  bool is_smooth = true;
+  for (const occ::Seam& seam : occ::findSeams(shape).seams)
+    if (seam.sides[0].face == face || seam.sides[1].face == face)
+      is_smooth = is_smooth && upperOf(occ::measureSeam(seam, {}).figures.angle_rad) < std::numbers::pi / 180;
+  return is_smooth;
+}
+
+/// Whether every edge of the face bounds the hole: else that is open to the rim of the shell.
+bool isClosed(const TopoDS_Shape& face, const Hole& hole) {
+  TopTools_IndexedMapOfShape edges;
+  for (TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next())
+    if (!BRep_Tool::Degenerated(TopoDS::Edge(edge.Current()))) edges.Add(edge.Current());
+  std::size_t count = 0;
+  for (const occ::HoleSide& side : hole.sides) count += side.edges.size();
+  return count == static_cast<std::size_t>(edges.Extent());
+}
+
+/// Every face that leaves a hole of that many sides with smooth surroundings.
+void addFaces(const std::string& name, const TopoDS_Shape& shape, std::size_t least, std::size_t most,
+              std::vector<HoleCase>& cases) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  for (int face = 1; face <= faces.Extent(); ++face) {
+    const HoleCase one{name + " " + std::to_string(face), shape, face};
+    const std::optional<Opened> open = opened(one);
+    if (open && isClosed(faces(face), open->hole) && open->hole.has_corners &&
+        open->hole.sides.size() >= least && open->hole.sides.size() <= most && isSmooth(shape, face))
+      cases.push_back(one);
+  }
+}
+
+TopoDS_Shape read(const std::string& path) {
+  std::ifstream stream(path);
+  return stream ? occ::readTextShape(stream) : TopoDS_Shape();
+}
+
+struct Compared {
+  Outcome ours;
+  std::array<Outcome, 3> others;  ///< MakeFilling for G1 and G2, ConstrainedFilling
+};
+
+void print(const Outcome& outcome) {
+  if (outcome.angle_deg < 0)
+    std::printf("  %9s %7s", "-", "-");
+  else
+    std::printf("  %9.2g %7.1f", outcome.angle_deg, 1000 * outcome.seconds);
+}
+
+void print(const std::string& name, std::size_t sides, const Compared& compared) {
+  std::printf("%-26s %zu", name.c_str(), sides);
+  print(compared.ours);
+  for (const Outcome& other : compared.others) print(other);
+  std::printf("  %s\n", compared.ours.note.substr(0, 60).c_str());
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return NAN;
+  std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
+  return values[values.size() / 2];
+}
+
+/// How the angles and times compare where both have one.
+void printRatios(const char* name, std::size_t other, const std::vector<Compared>& all) {
+  std::vector<double> angles, times;
+  int least_a_tenth = 0, no_slower = 0;
+  for (const Compared& one : all) {
+    const Outcome& peer = one.others.at(other);
+    if (one.ours.angle_deg < 0 || peer.angle_deg < 0) continue;
+    angles.push_back(one.ours.angle_deg / peer.angle_deg);
+    times.push_back(one.ours.seconds / peer.seconds);
+    least_a_tenth += angles.back() <= 0.1 ? 1 : 0;
+    no_slower += times.back() <= 1 ? 1 : 0;
+  }
+  std::printf(
+      "%-18s %zu holes: angle ratio median %.3g, at most a tenth on %d; time ratio median %.3g, no slower on "
+      "%d\n",
+      name, angles.size(), median(angles), least_a_tenth, median(times), no_slower);
+}
+
+int run(int times, const std::vector<std::string>& models) {
+  std::vector<HoleCase> cases;
+  addFaces("suitcase 5,5,5 face", roundedBox({5, 5, 5}), 3, 6, cases);
+  addFaces("suitcase 3,5,7 face", roundedBox({3, 5, 7}), 3, 6, cases);
+  for (const std::string& path : models)
+    if (const TopoDS_Shape shape = read(path); !shape.IsNull())
+      addFaces(path.substr(path.rfind('/') + 1) + " face", shape, 3, 6, cases);
+  std::printf(
+      "angle in degrees and time in ms:   fillHole           MakeFilling G1     MakeFilling G2     "
+      "ConstrainedFilling\n");
+  std::vector<Compared> all;
+  for (const HoleCase& one : cases) {
+    const Opened open = *opened(one);
+    all.push_back({ours(one.shape, one.face, times),
+                   {makeFilling(open, GeomAbs_G1, times), makeFilling(open, GeomAbs_G2, times),
+                    constrainedFilling(open, times)}});
+    print(one.name, open.hole.sides.size(), all.back());
+    std::fflush(stdout);
+  }
+  const auto reached = std::ranges::count_if(
+      all, [](const Compared& one) { return one.ours.angle_deg >= 0 && one.ours.angle_deg <= 0.01; });
+  std::printf("fillHole: %td of %zu holes within 0.01 degrees\n", reached, all.size());
+  printRatios("MakeFilling G1", 0, all);
+  printRatios("MakeFilling G2", 1, all);
+  printRatios("ConstrainedFilling", 2, all);
+  return 0;
+}
+
+}  // namespace
+}  // namespace seamwright
+
+int main(int count, char** arguments) {
+  std::vector<std::string> models(arguments + 1, arguments + count);
+  int times = 3;
+  if (!models.empty() && models.front() == "--smoke") {
+    times = 1;
+    models.erase(models.begin());
+  }
+  return seamwright::run(times, models);
+}

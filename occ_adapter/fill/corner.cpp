@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
+#include <BRep_Tool.hxx>
+#include <Eigen/Geometry>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_ListOfShape.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include <gp_Pln.hxx>
+
+#include <seamwright/occ_adapter/fill/corner.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+using Eigen::Vector3d;
+
+/// Sines below this are no angle between two planes, or of a corner of a face.
+constexpr double flat_sine = 1e-6;
+constexpr std::size_t least_edges = 3, most_edges = 6;
+
+Vector3d vector(const gp_XYZ& xyz) {
+  return {xyz.X(), xyz.Y(), xyz.Z()};
+}
+
+double degrees(double rad) {
+  return rad * 180 / std::numbers::pi;
+}
+
+/// What is around the vertices and edges of one shell.
+class Surroundings {
+ public:
+  Surroundings(const TopoDS_Shape& shape, const TopoDS_Shell& shell) : shell_(shell) {
+    TopExp::MapShapes(shape, TopAbs_EDGE, edges_);
+    TopExp::MapShapes(shape, TopAbs_FACE, faces_);
+    TopExp::MapShapesAndUniqueAncestors(shell, TopAbs_VERTEX, TopAbs_EDGE, edges_at_);
+    TopExp::MapShapesAndUniqueAncestors(shell, TopAbs_EDGE, TopAbs_FACE, faces_at_);
+  }
+
+  std::string name(const TopoDS_Edge& edge) const { return "edge " + std::to_string(number(edge)); }
+  std::string name(const TopoDS_Face& face) const { return "face " + std::to_string(faces_.FindIndex(face)); }
+  int number(const TopoDS_Edge& edge) const { return edges_.FindIndex(edge); }
+
+  std::vector<TopoDS_Edge> edgesAt(const TopoDS_Vertex& vertex) const {
+    std::vector<TopoDS_Edge> edges;
+    for (const TopoDS_Shape& edge : edges_at_.FindFromKey(vertex)) edges.push_back(TopoDS::Edge(edge));
+    return edges;
+  }
+
+  std::array<TopoDS_Face, 2> facesAt(const TopoDS_Edge& edge) const {
+    const TopTools_ListOfShape& faces = faces_at_.FindFromKey(edge);
+    if (faces.Extent() != 2)
+      throw std::domain_error(name(edge) + " bounds " + std::to_string(faces.Extent()) +
+                              " faces: two are needed");
+    return {TopoDS::Face(faces.First()), TopoDS::Face(faces.Last())};
+  }
+
+  /// The normal out of the solid.
+  Vector3d normalOf(const TopoDS_Face& face) const {
+    const BRepAdaptor_Surface surface(face, false);
+    if (surface.GetType() != GeomAbs_Plane) throw std::domain_error(name(face) + " is no plane");
+    const gp_Pln plane = surface.Plane();
+    const Vector3d normal =
+        vector(plane.XAxis().Direction().XYZ()).cross(vector(plane.YAxis().Direction().XYZ()));
+    return face.Orientation() == TopAbs_REVERSED ? Vector3d(-normal) : normal;
+  }
+
+ private:
+  const TopoDS_Shell& shell_;
+  TopTools_IndexedMapOfShape edges_, faces_;
+  TopTools_IndexedDataMapOfShapeListOfShape edges_at_, faces_at_;
+};
+
+TopoDS_Vertex vertexOf(const TopoDS_Shape& shape, int number) {
+  TopTools_IndexedMapOfShape vertices;
+  TopExp::MapShapes(shape, TopAbs_VERTEX, vertices);
+  if (number < 1 || number > vertices.Extent())
+    throw std::invalid_argument("vertex " + std::to_string(number) + ": the model has " +
+                                std::to_string(vertices.Extent()));
+  return TopoDS::Vertex(vertices(number));
+}
+
+bool holds(const TopoDS_Shape& whole, const TopoDS_Shape& part) {
+  TopTools_IndexedMapOfShape parts;
+  TopExp::MapShapes(whole, part.ShapeType(), parts);
+  return parts.Contains(part);
+}
+
+TopoDS_Shell shellOf(const TopoDS_Shape& shape, const TopoDS_Vertex& vertex, int number) {
+  std::vector<TopoDS_Shell> shells;
+  for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next())
+    for (TopExp_Explorer shell(solid.Current(), TopAbs_SHELL); shell.More(); shell.Next())
+      if (holds(shell.Current(), vertex)) shells.push_back(TopoDS::Shell(shell.Current()));
+  if (shells.size() != 1)
+    throw std::domain_error("vertex " + std::to_string(number) + " is in " + std::to_string(shells.size()) +
+                            " shells of solids: one is needed");
+  return shells.front();
+}
+
+/// The edges by which a face arrives at the vertex and leaves it, running with the face to the left, seen from outside.
+struct Turn {
+  TopoDS_Edge arriving, leaving;
+};
+
+Turn turnAt(const Surroundings& around, const TopoDS_Face& face, const TopoDS_Vertex& vertex) {
+  Turn turn;
+  int visits = 0;
+  for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
+    const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
+    if (TopExp::LastVertex(edge, true).IsSame(vertex)) {
+      turn.arriving = edge;
+      ++visits;
+    }
+    if (TopExp::FirstVertex(edge, true).IsSame(vertex)) turn.leaving = edge;
+  }
+  if (visits != 1 || turn.leaving.IsNull())
+    throw std::domain_error(around.name(face) + " comes " + std::to_string(visits) +
+                            " times to the vertex: once is needed");
+  return turn;
+}
+
+TopoDS_Vertex otherEnd(const TopoDS_Edge& edge, const TopoDS_Vertex& vertex) {
+  const TopoDS_Vertex first = TopExp::FirstVertex(edge);
+  return first.IsSame(vertex) ? TopExp::LastVertex(edge) : first;
+}
+
+class CornerReader {
+ public:
+  CornerReader(const Surroundings& around, Corner& corner) : around_(around), corner_(corner) {}
+
+  void read() {
+    walk();
+    for (std::size_t i = 0; i < corner_.count(); ++i) measureEdge(i);
+    for (std::size_t i = 0; i < corner_.count(); ++i) measureFace(i);
+    for (CornerEdge& edge : corner_.edges) readEnd(edge);
+  }
+
+ private:
+  /// From edge to edge around the vertex: a face is left of the edge by which it leaves the vertex.
+  void walk() {
+    const std::size_t expected = around_.edgesAt(corner_.vertex).size();
+    if (expected < least_edges || expected > most_edges)
+      throw std::domain_error(std::to_string(expected) + " edges meet at the vertex: 3 to 6 are needed");
+    const TopoDS_Edge first = around_.edgesAt(corner_.vertex).front();
+    TopoDS_Edge edge = first;
+    do {
+      const TopoDS_Face face = faceLeaving(edge);
+      addEdge(edge);
+      corner_.faces.push_back({face, around_.normalOf(face)});
+      edge = turnAt(around_, face, corner_.vertex).arriving;
+    } while (!edge.IsSame(first) && corner_.count() <= expected);
+    if (corner_.count() != expected)
+      throw std::domain_error("the faces at the vertex are " + std::to_string(corner_.count()) + " around " +
+                              std::to_string(expected) + " edges: one fan of faces is needed");
+  }
+
+  TopoDS_Face faceLeaving(const TopoDS_Edge& edge) const {
+    for (const TopoDS_Face& face : around_.facesAt(edge))
+      if (turnAt(around_, face, corner_.vertex).leaving.IsSame(edge)) return face;
+    throw std::domain_error(around_.name(edge) + ": the faces beside it are turned against each other");
+  }
+
+  void addEdge(const TopoDS_Edge& edge) {
+    if (BRepAdaptor_Curve(edge).GetType() != GeomAbs_Line)
+      throw std::domain_error(around_.name(edge) + " is no line");
+    CornerEdge added;
+    added.number = around_.number(edge);
+    added.edge = edge;
+    added.far = otherEnd(edge, corner_.vertex);
+    const Vector3d run = vector(BRep_Tool::Pnt(added.far).XYZ()) - corner_.point;
+    added.length_mm = run.norm();
+    added.axis = run / added.length_mm;
+    corner_.edges.push_back(added);
+  }
+
+  void measureEdge(std::size_t i) {
+    CornerEdge& edge = corner_.edges[i];
+    const Vector3d &before = corner_.faces[corner_.before(i)].normal, &after = corner_.faces[i].normal;
+    if (before.cross(after).norm() < flat_sine)
+      throw std::domain_error(around_.name(edge.edge) + ": the faces beside it are in one plane");
+    edge.into = {Vector3d(edge.axis.cross(before).normalized()),
+                 Vector3d(after.cross(edge.axis).normalized())};
+    edge.convex = edge.into[1].dot(before) < 0;
+    edge.opening_rad = std::atan2(edge.into[0].cross(edge.into[1]).norm(), edge.into[0].dot(edge.into[1]));
+  }
+
+  void measureFace(std::size_t i) {
+    const Vector3d &from = corner_.edges[i].axis, &to = corner_.edges[corner_.after(i)].axis;
+    CornerFace& face = corner_.faces[i];
+    const double sine = face.normal.dot(from.cross(to));
+    face.angle_rad = std::atan2(sine, from.dot(to));
+    if (face.angle_rad < 0) face.angle_rad += 2 * std::numbers::pi;
+    if (std::abs(sine) < flat_sine)
+      throw std::domain_error(around_.name(face.face) + " has an angle of " +
+                              std::to_string(degrees(face.angle_rad)) + " degrees at the vertex");
+  }
+
+  /// The far vertex has to have one more face, a plane, which the two faces beside the edge meet in lines.
+  void readEnd(CornerEdge& edge) {
+    const std::vector<TopoDS_Edge> edges = around_.edgesAt(edge.far);
+    if (edges.size() != 3)
+      throw std::domain_error(around_.name(edge.edge) + ": " + std::to_string(edges.size()) +
+                              " edges meet at its far end: 3 are needed");
+    const auto i = static_cast<std::size_t>(&edge - corner_.edges.data());
+    const std::array<TopoDS_Face, 2> beside = {corner_.faces[corner_.before(i)].face, corner_.faces[i].face};
+    for (const TopoDS_Edge& other : edges) {
+      if (other.IsSame(edge.edge)) continue;
+      for (const TopoDS_Face& face : around_.facesAt(other))
+        for (std::size_t side = 0; side < 2; ++side)
+          if (face.IsSame(beside[side]))
+            edge.end_edges[side] = other;
+          else if (!face.IsSame(beside[1 - side]))
+            edge.end = face;
+    }
+    if (edge.end.IsNull() || edge.end_edges[0].IsNull() || edge.end_edges[1].IsNull())
+      throw std::domain_error(around_.name(edge.edge) + ": no third face closes its far end");
+    requireEnd(edge, beside);
+  }
+
+  void requireEnd(CornerEdge& edge, const std::array<TopoDS_Face, 2>& beside) {
+    for (const CornerFace& face : corner_.faces)
+      if (face.face.IsSame(edge.end))
+        throw std::domain_error(around_.name(edge.end) + " is at the vertex and at the far end of " +
+                                around_.name(edge.edge));
+    edge.end_normal = around_.normalOf(edge.end);
+    for (const TopoDS_Face& face : beside)
+      if (edge.end_normal.cross(around_.normalOf(face)).norm() < flat_sine)
+        throw std::domain_error(around_.name(edge.end) + ", at the far end of " + around_.name(edge.edge) +
+                                ", is in the plane of " + around_.name(face));
+  }
+
+  const Surroundings& around_;
+  Corner& corner_;
+};
+
+}  // namespace
+
+Corner cornerOf(const TopoDS_Shape& shape, int vertex) {
+  Corner corner;
+  corner.vertex = vertexOf(shape, vertex);
+  corner.point = vector(BRep_Tool::Pnt(corner.vertex).XYZ());
+  corner.shell = shellOf(shape, corner.vertex, vertex);
+  const Surroundings around(shape, corner.shell);
+  CornerReader(around, corner).read();
+  return corner;
+}
+
+}  // namespace seamwright::occ

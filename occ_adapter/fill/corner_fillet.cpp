@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRepCheck_Analyzer.hxx>
+#include <TopExp.hxx>
+#include <TopTools_DataMapOfShapeInteger.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include <seamwright/occ_adapter/analyze/measure_seam.hpp>
+#include <seamwright/occ_adapter/analyze/workers.hpp>
+#include <seamwright/occ_adapter/fill/corner_fillet.hpp>
+#include <seamwright/occ_adapter/fill/corner_solid.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+constexpr double least_section_mm = 1e-9, most_section_mm = 0.1;
+
+void requirePositive(const std::map<int, double>& lengths, const char* what) {
+  for (const auto& [edge, length] : lengths)
+    if (!(length > 0) || !std::isfinite(length))
+      throw std::invalid_argument(std::string(what) + " of edge " + std::to_string(edge) + " is " +
+                                  std::to_string(length) + " mm: a finite one above 0 is needed");
+}
+
+/// The linear law is the fairer one where it needs no help to be regular.
+NSidedFill fairestFill(const std::vector<FillSide>& sides) {
+  NSidedFill linear = nSidedFill(sides, {SpokeLaw::Linear});
+  if (linear.regular && !linear.spoke_scale) return linear;
+  return nSidedFill(sides, {SpokeLaw::Quadratic});
+}
+
+AnalyzeOptions analyzeOptions(const CornerFilletOptions& options) {
+  AnalyzeOptions result;
+  result.tolerance = options.tolerance;
+  result.jobs = options.jobs;
+  return result;
+}
+
+std::vector<CornerSeam> measured(const TopoDS_Shape& shape, const CornerShell& made,
+                                 const CornerFilletOptions& options, const Progress& progress) {
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(shape, TopAbs_EDGE, edges);
+  std::map<int, CornerSeamKind> kinds;
+  for (const auto& [edge, kind] : made.seams) kinds.emplace(edges.FindIndex(edge), kind);
+  std::vector<Seam> found;
+  for (const Seam& seam : findSeams(shape).seams)
+    if (kinds.count(seam.edges.front()) != 0) found.push_back(seam);
+  std::vector<CornerSeam> seams(found.size());
+  const AnalyzeOptions asked = analyzeOptions(options);
+  runParallel(
+      found.size(), options.jobs,
+      [&](std::size_t k) {
+        seams[k] = {kinds.at(found[k].edges.front()), measureSeam(found[k], asked)};
+      },
+      progress);
+  return seams;
+}
+
+/// Those of faces and solids that are still there; of faces with the numbers that they have now.
+std::vector<ShapeAttribute> attributesAfter(const Model& model, const TopoDS_Shape& shape,
+                                            const CornerShell& made) {
+  TopTools_IndexedMapOfShape before, after;
+  TopExp::MapShapes(model.shape, TopAbs_FACE, before);
+  TopExp::MapShapes(shape, TopAbs_FACE, after);
+  std::vector<ShapeAttribute> attributes;
+  for (ShapeAttribute attribute : model.attributes) {
+    if (attribute.kind == TopAbs_FACE) {
+      const TopoDS_Shape& old = before(attribute.index);
+      attribute.index = after.FindIndex(made.became.IsBound(old) ? made.became.Find(old) : old);
+    } else if (attribute.kind > TopAbs_SHELL) {
+      continue;
+    }
+    attributes.push_back(std::move(attribute));
+  }
+  return attributes;
+}
+
+std::vector<CornerFilletEdge> described(const Corner& corner, const CornerHole& hole) {
+  std::vector<CornerFilletEdge> edges;
+  for (std::size_t i = 0; i < corner.count(); ++i) {
+    const CornerEdge& edge = corner.edges[i];
+    const CornerStrip& strip = hole.strips[i];
+    edges.push_back(
+        {edge.number, edge.convex, edge.opening_rad, strip.radius_mm, strip.contact_mm, strip.setback_mm});
+  }
+  return edges;
+}
+
+double largestUpper(const std::vector<CornerSeam>& seams, std::optional<Figure> SeamFigures::*figure) {
+  double largest = 0;
+  for (const CornerSeam& seam : seams) {
+    const std::optional<Figure>& found = seam.result.figures.*figure;
+    largest =
+        std::max(largest, found && found->upper ? *found->upper : std::numeric_limits<double>::infinity());
+  }
+  return largest;
+}
+
+/// What keeps the result from being a rounded corner.
+std::string shortfallOf(const CornerFillet& result) {
+  if (!result.valid) return "the new shell fails OpenCASCADE's checks: the fillets may overlap something";
+  if (!result.fill.regular) return "the patches are not proved regular: other setbacks may help";
+  for (const CornerSeam& seam : result.seams)
+    if (seam.result.verdict.level < Level::G1)
+      return "edge " + std::to_string(seam.result.edges.front()) + ": " + figuresText(seam.result);
+  return {};
+}
+
+}  // namespace
+
+void CornerFilletOptions::validate() const {
+  requirePositive(radii_mm, "radius");
+  requirePositive(setbacks_mm, "setback");
+  if (!(section_mm >= least_section_mm && section_mm <= most_section_mm))
+    throw std::invalid_argument("section_mm is " + std::to_string(section_mm) + ": 1e-9 to 0.1 is needed");
+  tolerance.validate();
+  if (jobs < 0) throw std::invalid_argument("jobs is " + std::to_string(jobs) + ": 0 or more is needed");
+}
+
+double CornerFillet::largestGap_mm() const {
+  return largestUpper(seams, &SeamFigures::gap_mm);
+}
+
+double CornerFillet::largestAngle_rad() const {
+  return largestUpper(seams, &SeamFigures::angle_rad);
+}
+
+std::vector<int> cornerEdges(const Model& model, int vertex) {
+  std::vector<int> numbers;
+  for (const CornerEdge& edge : cornerOf(model.shape, vertex).edges) numbers.push_back(edge.number);
+  return numbers;
+}
+
+CornerFillet cornerFillet(const Model& model, int vertex, const CornerFilletOptions& options,
+                          const Progress& progress) {
+  options.validate();
+  const Corner corner = cornerOf(model.shape, vertex);
+  const CornerHole hole = cornerHole(corner, options);
+  NSidedFill fill = fairestFill(hole.sides);
+  const CornerShell made = cornerShell(corner, hole, fill);
+
+  CornerFillet result;
+  result.model = model;
+  result.edges = described(corner, hole);
+  result.fill = std::move(fill);
+  result.section_error_mm = hole.section_error_mm;
+  result.model.shape = withShell(model.shape, corner.shell, made.shell);
+  result.model.attributes = attributesAfter(model, result.model.shape, made);
+  result.seams = measured(result.model.shape, made, options, progress);
+  result.valid = BRepCheck_Analyzer(made.shell).IsValid();
+  result.shortfall = shortfallOf(result);
+  return result;
+}
+
+}  // namespace seamwright::occ

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include <seamwright/occ_adapter/fill/corner_hole.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+using Eigen::Vector3d;
+using std::numbers::pi;
+
+constexpr int least_degree = 5, most_degree = 11;  ///< of sections; patches are one degree higher
+
+std::string mm(double length) {
+  return std::to_string(length) + " mm";
+}
+
+/// B_0 .. B_n at t.
+Eigen::RowVectorXd bernsteinRow(int n, double t) {
+  Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(n + 1);
+  row(0) = 1;
+  for (int k = 1; k <= n; ++k)
+    for (int i = k; i >= 0; --i) row(i) = (1 - t) * (i < k ? row(i) : 0) + t * (i > 0 ? row(i - 1) : 0);
+  return row;
+}
+
+Eigen::RowVector2d onUnitArc(double sweep_rad, double t) {
+  const double angle = (t - 0.5) * sweep_rad;
+  return {std::cos(angle), std::sin(angle)};
+}
+
+UnitArc sectionArc(const CornerEdge& edge, const CornerStrip& strip, double section_mm) {
+  UnitArc arc;
+  for (int degree = least_degree; degree <= most_degree; ++degree) {
+    arc = unitArc(strip.sweep_rad, degree);
+    if (arc.error * strip.radius_mm <= section_mm) return arc;
+  }
+  throw std::domain_error("edge " + std::to_string(edge.number) + ": a section of radius " +
+                          mm(strip.radius_mm) + " over " + std::to_string(strip.sweep_rad * 180 / pi) +
+                          " degrees is met to " + mm(arc.error * strip.radius_mm) + ", not to " +
+                          mm(section_mm));
+}
+
+/// Distances along two edges of a face, from the corner to the foot of the point where the contact lines cross.
+std::array<double, 2> crossing(double angle_rad, double contact_mm, double next_contact_mm) {
+  const double sine = std::sin(angle_rad), cosine = std::cos(angle_rad);
+  return {(next_contact_mm + contact_mm * cosine) / sine, (contact_mm + next_contact_mm * cosine) / sine};
+}
+
+/// A cubic from one point to another with these unit tangents, near a circle's arc where they are symmetric. Its handles end before
+/// the tangents cross. \param legs from the ends to that crossing.
+Poles springCurve(const Vector3d& from, const Vector3d& leaving, const Vector3d& to, const Vector3d& arriving,
+                  const std::array<double, 2>& legs) {
+  const double turn = std::atan2(leaving.cross(arriving).norm(), leaving.dot(arriving));
+  const double cosine = std::cos(turn / 4);
+  const double handle = (to - from).norm() / (3 * cosine * cosine);
+  Poles poles(4, 3);
+  poles << from.transpose(), (from + std::min(handle, 0.9 * legs[0]) * leaving).transpose(),
+      (to - std::min(handle, 0.9 * legs[1]) * arriving).transpose(), to.transpose();
+  return poles;
+}
+
+class HoleBuilder {
+ public:
+  HoleBuilder(const Corner& corner, const CornerFilletOptions& options)
+      : corner_(corner), options_(options) {}
+
+  CornerHole build() {
+    roll();
+    setBack();
+    for (std::size_t i = 0; i < corner_.count(); ++i) {
+      placeStrip(i);
+      addSection(i);
+    }
+    for (std::size_t i = 0; i < corner_.count(); ++i) addSpring(i);
+    return std::move(hole_);
+  }
+
+ private:
+  /// Radii, and what follows of them and the angles alone.
+  void roll() {
+    for (const CornerEdge& edge : corner_.edges) {
+      const auto radius = options_.radii_mm.find(edge.number);
+      if (radius == options_.radii_mm.end())
+        throw std::invalid_argument("edge " + std::to_string(edge.number) +
+                                    " is at the vertex and has no radius");
+      CornerStrip& strip = hole_.strips.emplace_back();
+      strip.radius_mm = radius->second;
+      strip.contact_mm = strip.radius_mm / std::tan(edge.opening_rad / 2);
+      strip.sweep_rad = pi - edge.opening_rad;
+    }
+    requireOwn(options_.radii_mm, "a radius");
+    requireOwn(options_.setbacks_mm, "a setback");
+    hole_.sides.resize(2 * corner_.count(), {BezierCurve(Poles::Zero(1, 3))});
+  }
+
+  void requireOwn(const std::map<int, double>& given, const char* what) const {
+    for (const auto& [number, value] : given) {
+      const int asked = number;
+      if (std::none_of(corner_.edges.begin(), corner_.edges.end(),
+                       [asked](const CornerEdge& edge) { return edge.number == asked; }))
+        throw std::invalid_argument("edge " + std::to_string(number) + " has " + what + " of " + mm(value) +
+                                    " and is not at the vertex");
+    }
+  }
+
+  std::array<double, 2> crossingIn(std::size_t face) const {
+    return crossing(corner_.faces[face].angle_rad, hole_.strips[face].contact_mm,
+                    hole_.strips[corner_.after(face)].contact_mm);
+  }
+
+  /// The setback from which on both contact lines of an edge are clear of their neighbours.
+  double leastSetback(std::size_t i) const {
+    return std::max({0.0, crossingIn(i)[0], crossingIn(corner_.before(i))[1]});
+  }
+
+  void setBack() {
+    double mean = 0;
+    for (const CornerStrip& strip : hole_.strips)
+      mean += strip.contact_mm / static_cast<double>(corner_.count());
+    for (std::size_t i = 0; i < corner_.count(); ++i) {
+      const auto given = options_.setbacks_mm.find(corner_.edges[i].number);
+      const double least = leastSetback(i);
+      hole_.strips[i].setback_mm = given == options_.setbacks_mm.end() ? least + mean / 2 : given->second;
+      if (!(hole_.strips[i].setback_mm > least * (1 + 1e-6)))
+        throw std::domain_error("edge " + std::to_string(corner_.edges[i].number) + ": a setback of " +
+                                mm(hole_.strips[i].setback_mm) +
+                                " leaves no room for spring curves: more than " + mm(least) + " is needed");
+    }
+  }
+
+  void placeStrip(std::size_t i) {
+    const CornerEdge& edge = corner_.edges[i];
+    CornerStrip& strip = hole_.strips[i];
+    const Vector3d foot = corner_.point + strip.setback_mm * edge.axis;
+    strip.to_edge = -(edge.into[0] + edge.into[1]).normalized();
+    strip.centre = foot - strip.radius_mm / std::sin(edge.opening_rad / 2) * strip.to_edge;
+    const Vector3d far = corner_.point + edge.length_mm * edge.axis;
+    for (std::size_t side = 0; side < 2; ++side) {
+      strip.contacts[side] = foot + strip.contact_mm * edge.into[side];
+      const double length = edge.end_normal.dot(far - strip.contacts[side]) / edge.end_normal.dot(edge.axis);
+      if (!(length > 1e-3 * edge.length_mm))
+        throw std::domain_error("edge " + std::to_string(edge.number) + ", " + mm(edge.length_mm) +
+                                " long: a fillet of radius " + mm(strip.radius_mm) + " set back by " +
+                                mm(strip.setback_mm) + " would be " + mm(length) + " long on one side");
+      strip.far_contacts[side] = strip.contacts[side] + length * edge.axis;
+    }
+  }
+
+  void addSection(std::size_t i) {
+    const CornerStrip& strip = hole_.strips[i];
+    const UnitArc arc = sectionArc(corner_.edges[i], strip, options_.section_mm);
+    hole_.section_error_mm = std::max(hole_.section_error_mm, arc.error * strip.radius_mm);
+    const Vector3d across = (strip.contacts[1] - strip.contacts[0]).normalized();
+    Poles poles = strip.radius_mm *
+                  (arc.poles.col(0) * strip.to_edge.transpose() + arc.poles.col(1) * across.transpose());
+    poles.rowwise() += strip.centre.transpose();
+    poles.row(0) = strip.contacts[0];
+    poles.row(poles.rows() - 1) = strip.contacts[1];
+    hole_.sides[2 * i] = {BezierCurve(poles), Poles(corner_.edges[i].axis.transpose())};
+  }
+
+  void addSpring(std::size_t i) {
+    const std::size_t next = corner_.after(i);
+    const std::array<double, 2> foot = crossingIn(i);
+    const std::array<double, 2> legs = {hole_.strips[i].setback_mm - foot[0],
+                                        hole_.strips[next].setback_mm - foot[1]};
+    const Poles poles = springCurve(hole_.strips[i].contacts[1], -corner_.edges[i].axis,
+                                    hole_.strips[next].contacts[0], corner_.edges[next].axis, legs);
+    Poles cross(3, 3);
+    for (int k = 0; k < 3; ++k)
+      cross.row(k) = Vector3d(poles.row(k + 1) - poles.row(k)).cross(corner_.faces[i].normal);
+    hole_.sides[2 * i + 1] = {BezierCurve(poles), cross};
+  }
+
+  const Corner& corner_;
+  const CornerFilletOptions& options_;
+  CornerHole hole_;
+};
+
+}  // namespace
+
+UnitArc unitArc(double sweep_rad, int degree) {
+  const int inner = degree - 3;
+  UnitArc arc;
+  arc.poles.resize(degree + 1, 2);
+  arc.poles.row(0) = onUnitArc(sweep_rad, 0);
+  arc.poles.row(degree) = onUnitArc(sweep_rad, 1);
+  const double step = sweep_rad / degree;
+  arc.poles.row(1) = arc.poles.row(0) + step * Eigen::RowVector2d(-arc.poles(0, 1), arc.poles(0, 0));
+  arc.poles.row(degree - 1) =
+      arc.poles.row(degree) - step * Eigen::RowVector2d(-arc.poles(degree, 1), arc.poles(degree, 0));
+
+  Eigen::MatrixXd rows(inner, degree + 1);
+  Eigen::MatrixX2d values(inner, 2);
+  for (int k = 0; k < inner; ++k) {
+    const double t = 0.5 - 0.5 * std::cos((k + 0.5) * pi / inner);
+    rows.row(k) = bernsteinRow(degree, t);
+    values.row(k) = onUnitArc(sweep_rad, t) - rows.row(k).head(2) * arc.poles.topRows(2) -
+                    rows.row(k).tail(2) * arc.poles.bottomRows(2);
+  }
+  arc.poles.middleRows(2, inner) = rows.middleCols(2, inner).partialPivLu().solve(values);
+
+  constexpr int samples = 200;
+  for (int k = 0; k <= samples; ++k) {
+    const double t = static_cast<double>(k) / samples;
+    arc.error = std::max(arc.error, (bernsteinRow(degree, t) * arc.poles - onUnitArc(sweep_rad, t)).norm());
+  }
+  return arc;
+}
+
+CornerHole cornerHole(const Corner& corner, const CornerFilletOptions& options) {
+  return HoleBuilder(corner, options).build();
+}
+
+}  // namespace seamwright::occ

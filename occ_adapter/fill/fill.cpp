@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepTools_ReShape.hxx>
+#include <BRep_Builder.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Precision.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include <seamwright/core/umbrella/fill_corners.hpp>
+#include <seamwright/occ_adapter/analyze/measure_seam.hpp>
+#include <seamwright/occ_adapter/analyze/workers.hpp>
+#include <seamwright/occ_adapter/convert/bezier_surface.hpp>
+#include <seamwright/occ_adapter/convert/spline_surface.hpp>
+#include <seamwright/occ_adapter/fill/fill.hpp>
+#include <seamwright/occ_adapter/fill/side_fit.hpp>
+#include <seamwright/occ_adapter/repair/prove.hpp>
+#include <seamwright/occ_adapter/repair/sew.hpp>
+#include <seamwright/occ_adapter/seams/match.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+/// Tangents that leave a side's tangent plane by more are no part of a smooth surface: the side gets position alone.
+constexpr double most_planar_rad = 0.1;
+
+/// What the sides and the corners may take of the tolerance each: the sum of all errors is to be well within it.
+constexpr double share = 20;
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::string messageOf(const Standard_Failure& failure) {
+  return std::string("OpenCASCADE failed: ") + failure.DynamicType()->Name() + " " +
+         failure.GetMessageString();
+}
+
+/// What keeps a hole from being filled.
+class NotFilled : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+TopTools_IndexedMapOfShape partsOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
+  TopTools_IndexedMapOfShape parts;
+  TopExp::MapShapes(shape, kind, parts);
+  return parts;
+}
+
+/// The shape and more faces, numbered after its own.
+TopoDS_Compound withFaces(const TopoDS_Shape& shape, const std::vector<TopoDS_Face>& faces) {
+  BRep_Builder builder;
+  TopoDS_Compound whole;
+  builder.MakeCompound(whole);
+  if (shape.ShapeType() == TopAbs_COMPOUND)
+    for (TopoDS_Iterator part(shape); part.More(); part.Next()) builder.Add(whole, part.Value());
+  else
+    builder.Add(whole, shape);
+  for (const TopoDS_Face& face : faces) builder.Add(whole, face);
+  return whole;
+}
+
+/// What stands in the compound of withFaces() where the shape stood, if that was no compound itself.
+TopoDS_Shape unwrapped(const TopoDS_Shape& whole, const TopoDS_Shape& given) {
+  if (given.ShapeType() == TopAbs_COMPOUND) return whole;
+  TopoDS_Iterator part(whole);
+  const TopoDS_Shape first = part.Value();
+  part.Next();
+  return part.More() ? whole : first;
+}
+
+class Filling {
+ public:
+  Filling(const Model& model, const Hole& hole, const FillHoleOptions& options, const Progress& progress)
+      : model_(model), hole_(hole), options_(options), progress_(progress) {}
+
+  FillHoleReport run() {
+    result_.model = model_;
+    try {
+      const auto start = std::chrono::steady_clock::now();
+      fit();
+      build();
+      result_.build_s = secondsSince(start);
+      sew();
+      result_.sew_s = secondsSince(start) - result_.build_s;
+      measure();
+      result_.measure_s = secondsSince(start) - result_.build_s - result_.sew_s;
+      keep();
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Standard_Failure& failure) {
+      result_.reason = messageOf(failure);
+    } catch (const std::exception& error) {
+      result_.reason = error.what();
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void fit() {
+    const std::size_t n = hole_.has_corners ? hole_.sides.size() : 0;
+    if (n < 3 || n > 12)
+      throw NotFilled("the hole has " + std::to_string(n) + " corners: fills have 3 to 12");
+    fitted_ = fitSides(hole_.sides, {.gap_mm = options_.tolerance.gap_mm / share,
+                                     .angle_rad = options_.tolerance.angle_rad / share,
+                                     .most_degree = options_.most_degree,
+                                     .planar_rad = most_planar_rad});
+    for (std::size_t k = 0; k < n; ++k) {
+      const FittedSide& side = fitted_[k];
+      FilledSide told{{},
+                      !side.side.cross,
+                      side.side.edge.degree(),
+                      side.side.cross ? static_cast<int>(side.side.cross->rows()) - 1 : 0,
+                      side.gap_mm,
+                      side.angle_rad,
+                      side.corner_rad};
+      for (const HoleEdge& edge : hole_.sides[k].edges) told.edges.push_back(edge.edge);
+      result_.sides.push_back(std::move(told));
+    }
+  }
+
+  void build() {
+    std::vector<FillSide> sides;
+    for (const FittedSide& side : fitted_) sides.push_back(side.side);
+    // The planes were made to agree; what is left is rounding.
+    FillOptions options{.corner_tolerance_rad = 1e-7};
+    NSidedFill fill = nSidedFill(sides, options);
+    constexpr int dear_degree =
+        7;  // fills cost the sixth power of it, and several are tried for one that is not regular
+    if (!fill.regular && fill.patches.front().degreeU() < dear_degree) {
+      options.law = SpokeLaw::Quadratic;
+      NSidedFill other = nSidedFill(sides, options);
+      if (other.regular) fill = std::move(other);
+    }
+    result_.corners = fill.corners;
+    result_.regular = fill.regular;
+    for (const BSplineSurface& surface : withCornerKnots(fill, options_.tolerance.angle_rad / share)) {
+      const bool is_patch = surface.countU() == surface.degree_u + 1;
+      const opencascade::handle<Geom_Surface> geometry =
+          is_patch ? opencascade::handle<Geom_Surface>(toBezierSurface(bezierPatch(surface)))
+                   : opencascade::handle<Geom_Surface>(geomSurface(surface));
+      BRepBuilderAPI_MakeFace face(geometry, Precision::Confusion());
+      if (!face.IsDone()) throw NotFilled("OpenCASCADE made no face of a patch");
+      new_faces_.push_back(face.Face());
+    }
+  }
+
+  int firstNewFace() const { return model_.faceCount() + 1; }
+  bool isNew(int face) const { return face >= firstNewFace(); }
+
+  void sew() {
+    whole_ = withFaces(model_.shape, new_faces_);
+    SeamGraph graph = findSeams(whole_);
+    double reach_mm = options_.tolerance.gap_mm;
+    for (const FittedSide& side : fitted_) reach_mm = std::max(reach_mm, 2 * side.gap_mm);
+    matchFreeEdges({.match_mm = reach_mm, .gap_mm = options_.tolerance.gap_mm}, graph,
+                   partOf(progress_, 0, 0.3));
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = 0; i < graph.seams.size(); ++i)
+      if (graph.seams[i].kind == SeamKind::Matched && isOfFill(graph.seams[i])) chosen.push_back(i);
+    sewn_ = sewnShape(whole_, graph.seams, chosen, reach_mm);
+    if (!sewn_.refused.empty()) throw NotFilled("the fill can't be sewn: " + sewn_.refused.begin()->second);
+    for (std::size_t k = 0; k < new_faces_.size(); ++k)
+      numbers_.insert(sewn_.faces[firstNewFace() + static_cast<int>(k)]);
+    requireClosed();
+  }
+
+  /// Seams between new faces, and those between a new face and one beside the hole.
+  bool isOfFill(const Seam& seam) const {
+    const auto belongs = [this](const FaceUse& side) {
+      if (isNew(side.face)) return true;
+      for (const HoleSide& of_hole : hole_.sides)
+        for (const HoleEdge& edge : of_hole.edges)
+          if (edge.use.face == side.face && edge.use.edge.IsSame(side.edge)) return true;
+      return false;
+    };
+    return (isNew(seam.sides[0].face) || isNew(seam.sides[1].face)) && belongs(seam.sides[0]) &&
+           belongs(seam.sides[1]);
+  }
+
+  void requireClosed() {
+    graph_ = findSeams(sewn_.shape);
+    int open = 0;
+    for (const LooseEdge& edge : graph_.open)
+      open += std::ranges::any_of(edge.faces, [this](int face) { return numbers_.count(face) > 0; }) ? 1 : 0;
+    if (open > 0)
+      throw NotFilled(std::to_string(open) +
+                      " edges of the fill lie along no edge of the hole within the gap of " +
+                      text(options_.tolerance.gap_mm) + " mm" + nearness());
+  }
+
+  /// What the fit of the sides says, as the beginning of a further clause.
+  std::string nearness() const {
+    double gap_mm = 0;
+    for (const FittedSide& side : fitted_) gap_mm = std::max(gap_mm, side.gap_mm);
+    return "; the sides are met to " + text(gap_mm) + " mm";
+  }
+
+  static std::string text(double value) {
+    std::ostringstream stream;
+    stream << value;
+    return stream.str();
+  }
+
+  void measure() {
+    AnalyzeOptions options;
+    options.tolerance = options_.tolerance;
+    options.level = options_.target;
+    options.jobs = options_.jobs;
+    std::vector<const Seam*> seams;
+    for (const Seam& seam : graph_.seams)
+      if (numbers_.count(seam.sides[0].face) + numbers_.count(seam.sides[1].face) > 0) seams.push_back(&seam);
+    std::vector<SeamResult> results(seams.size());
+    runParallel(
+        seams.size(), options.jobs, [&](std::size_t i) { results[i] = measureSeam(*seams[i], options); },
+        partOf(progress_, 0.3, 0.9));
+    for (SeamResult& seam : results) {
+      const bool inner = numbers_.count(seam.faces[0]) > 0 && numbers_.count(seam.faces[1]) > 0;
+      (inner ? result_.inner : result_.outer).push_back(std::move(seam));
+    }
+    result_.faces.assign(numbers_.begin(), numbers_.end());
+  }
+
+  std::string missed() const {
+    const SeamResult* worst = nullptr;
+    const auto angle = [](const SeamResult& seam) {
+      return seam.figures.angle_rad ? seam.figures.angle_rad->lower : HUGE_VAL;
+    };
+    for (const auto* seams : {&result_.outer, &result_.inner})
+      for (const SeamResult& seam : *seams)
+        if (!surelyReaches(seam.figures, options_.tolerance, options_.target) &&
+            (worst == nullptr || angle(seam) > angle(*worst)))
+          worst = &seam;
+    if (worst == nullptr) return {};
+    return "a seam between faces " + std::to_string(worst->faces[0]) + " and " +
+           std::to_string(worst->faces[1]) + " does not surely reach " + std::string(name(options_.target)) +
+           ": " + figuresText(*worst);
+  }
+
+  std::string unsound() const {
+    const Soundness was = soundnessOf(model_.shape, options_.jobs),
+                    is = soundnessOf(sewn_.shape, options_.jobs);
+    for (int face = 1; face <= model_.faceCount() + static_cast<int>(new_faces_.size()); ++face)
+      if ((isNew(face) || was.faces[face]) && !is.faces[sewn_.faces[face]])
+        return "OpenCASCADE's checks would not pass for face " + std::to_string(sewn_.faces[face]);
+    return was.whole && !is.whole ? "OpenCASCADE's checks would not pass for the filled shape"
+                                  : std::string();
+  }
+
+  void keep() {
+    result_.reason = missed();
+    const std::string fault = unsound();
+    if (!fault.empty()) result_.reason = fault;
+    result_.reached = result_.reason.empty();
+    if (!fault.empty() || (!result_.reached && !options_.keep_anyway)) return;
+    result_.model.attributes = attributesAfter(model_.attributes, whole_, sewn_);
+    result_.model.shape = unwrapped(sewn_.shape, model_.shape);
+    result_.filled = true;
+  }
+
+  const Model& model_;
+  const Hole& hole_;
+  const FillHoleOptions& options_;
+  const Progress& progress_;
+  std::vector<FittedSide> fitted_;
+  std::vector<TopoDS_Face> new_faces_;
+  TopoDS_Shape whole_;
+  SewnShape sewn_;
+  SeamGraph graph_;        ///< of the sewn shape
+  std::set<int> numbers_;  ///< of the new faces in the sewn shape
+  FillHoleReport result_;
+};
+
+void requireEdges(const Model& model, const Hole& hole) {
+  const TopTools_IndexedMapOfShape edges = partsOf(model.shape, TopAbs_EDGE);
+  for (const HoleSide& side : hole.sides)
+    for (const HoleEdge& edge : side.edges)
+      if (edges.FindIndex(edge.use.edge) != edge.edge)
+        throw std::invalid_argument("hole " + std::to_string(hole.id) + ": the model has no such edge " +
+                                    std::to_string(edge.edge));
+}
+
+/// A model without one of its faces.
+Model without(const Model& model, const TopoDS_Shape& face) {
+  const opencascade::handle<BRepTools_ReShape> change = new BRepTools_ReShape;
+  change->Remove(face);
+  Model rest = model;
+  rest.shape = change->Apply(model.shape);
+  if (rest.shape.IsNull() || !TopExp_Explorer(rest.shape, TopAbs_FACE).More())
+    throw NotFilled("the face is all there is");
+  rest.attributes.clear();
+  for (const ShapeAttribute& attribute : model.attributes) {
+    const TopoDS_Shape part = change->Apply(partsOf(model.shape, attribute.kind)(attribute.index));
+    if (part.IsNull()) continue;
+    ShapeAttribute kept = attribute;
+    kept.index = partsOf(rest.shape, attribute.kind).FindIndex(part);
+    if (kept.index > 0) rest.attributes.push_back(std::move(kept));
+  }
+  return rest;
+}
+
+/// The hole in the rest of a model that a face left.
+Hole holeOf(const Model& rest, const TopoDS_Shape& face, const FillHoleOptions& options) {
+  std::set<int> wanted;
+  const TopTools_IndexedMapOfShape edges = partsOf(rest.shape, TopAbs_EDGE);
+  for (TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next()) {
+    const int number = edges.FindIndex(edge.Current());
+    if (number > 0)
+      wanted.insert(number);
+    else if (!BRep_Tool::Degenerated(TopoDS::Edge(edge.Current())))
+      throw NotFilled("the face bounds the hole on one side only: it has an edge of its own");
+  }
+  const Holes found = findHoles(rest.shape, {options.corner_rad, options.tolerance.gap_mm});
+  for (const Hole& hole : found.holes) {
+    std::set<int> its;
+    for (const HoleSide& side : hole.sides)
+      for (const HoleEdge& edge : side.edges) its.insert(edge.edge);
+    if (its == wanted) return hole;
+  }
+  throw NotFilled("the edges of the face are not one loop of edges that the neighbours keep");
+}
+
+std::optional<double> largest(const FillHoleReport& report, std::optional<Figure> SeamFigures::*figure) {
+  std::optional<double> most;
+  for (const auto* seams : {&report.outer, &report.inner})
+    for (const SeamResult& seam : *seams) {
+      const std::optional<Figure>& value = seam.figures.*figure;
+      if (!value || !value->upper) return std::nullopt;
+      most = std::max(most.value_or(0), *value->upper);
+    }
+  return most;
+}
+
+}  // namespace
+
+void FillHoleOptions::validate() const {
+  tolerance.validate();
+  HoleOptions{corner_rad, tolerance.gap_mm}.validate();
+  if (target != Level::G0 && target != Level::G1 && target != Level::G2)
+    throw std::invalid_argument("target " + std::string(name(target)) + ": it must be G0, G1 or G2");
+  if (most_degree < 3 || most_degree > 11)
+    throw std::invalid_argument("largest degree is " + std::to_string(most_degree) +
+                                ": it must be within 3 to 11");
+  if (jobs < 0) throw std::invalid_argument("jobs is " + std::to_string(jobs) + ": it must not be negative");
+}
+
+std::optional<double> FillHoleReport::largestGap_mm() const {
+  return largest(*this, &SeamFigures::gap_mm);
+}
+
+std::optional<double> FillHoleReport::largestAngle_rad() const {
+  return largest(*this, &SeamFigures::angle_rad);
+}
+
+FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOptions& options,
+                        const Progress& progress) {
+  options.validate();
+  requireEdges(model, hole);
+  return Filling(model, hole, options, progress).run();
+}
+
+FillHoleReport replaceFace(const Model& model, int face, const FillHoleOptions& options,
+                           const Progress& progress) {
+  options.validate();
+  if (face < 1 || face > model.faceCount())
+    throw std::invalid_argument("the model has no face " + std::to_string(face) + ": they count from 1 to " +
+                                std::to_string(model.faceCount()));
+  FillHoleReport report;
+  try {
+    const TopoDS_Shape old = partsOf(model.shape, TopAbs_FACE)(face);
+    const Model rest = without(model, old);
+    report = fillHole(rest, holeOf(rest, old, options), options, progress);
+  } catch (const NotFilled& why) {
+    report.reason = why.what();
+  } catch (const Standard_Failure& failure) {
+    report.reason = messageOf(failure);
+  }
+  if (!report.filled) report.model = model;
+  return report;
+}
+
+}  // namespace seamwright::occ

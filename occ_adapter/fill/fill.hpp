@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <seamwright/core/umbrella/n_sided_fill.hpp>
+#include <seamwright/occ_adapter/analyze/analyze.hpp>
+#include <seamwright/occ_adapter/fill/holes.hpp>
+
+namespace seamwright::occ {
+
+struct FillHoleOptions {
+  /// What every new seam has to reach. Fills are built for G1; with G2 the one built is kept if it happens to reach it.
+  Level target = Level::G1;
+  ContinuityTolerance tolerance{.gap_mm = 0.001, .angle_rad = 0.01 * 0.017453292519943295};
+  bool keep_anyway = false;  ///< a fill that closes the hole is kept even if it does not reach the target
+  double corner_rad = 0.26;  ///< as of HoleOptions
+  int most_degree = 9;       ///< of the polynomials that stand for a side, 3 to 11
+  int jobs = 0;              ///< threads; 0: one for each processor
+
+  /// \throws std::invalid_argument with the offending number.
+  void validate() const;
+};
+
+/// A side of a hole as it was given to nSidedFill().
+struct FilledSide {
+  std::vector<int> edges;  ///< numbers of the given model
+  bool position_only = false;
+  int edge_degree = 0, cross_degree = 0;
+  double gap_mm = 0;     ///< of the polynomial edge to the faces
+  double angle_rad = 0;  ///< of the planes asked for to those of the faces
+  /// Of the tangents of the next sides to the faces along this one, at both corners: no fill has a smaller angle there.
+  std::array<double, 2> corner_rad{};
+};
+
+struct FillHoleReport {
+  Model model;           ///< with the fill, or as given
+  bool filled = false;   ///< the fill is in the model
+  bool reached = false;  ///< every new seam surely reaches the target
+  std::string reason;    ///< why it is not reached, with figures; empty where it is
+  std::vector<FilledSide> sides;
+  std::vector<FillCorner> corners;
+  bool regular = false;  ///< as of NSidedFill
+  std::vector<SeamResult>
+      outer;  ///< between the new faces and the others; measured in the filled model, also if that was not kept
+  std::vector<SeamResult> inner;  ///< between the new faces
+  std::vector<int> faces;         ///< numbers of the new faces in the filled model
+  double build_s = 0;             ///< fitting the sides and building the surfaces
+  double sew_s = 0;
+  double measure_s = 0;
+
+  /// The largest upper ends over outer and inner seams; nothing where one is not known or nothing was sewn.
+  std::optional<double> largestGap_mm() const;
+  std::optional<double> largestAngle_rad() const;
+};
+
+/// Fills a hole of 3 to 12 sides by as many faces as it has sides (see nSidedFill()) and sews them to the neighbours.
+///
+/// Edges and tangent planes along the sides are fitted by polynomials to a twentieth of the tolerance, exactly where they are such. Where the
+/// tangent planes of two sides differ at their corner by more than 0.1 rad, the sides concerned get no tangent planes: position alone. Corners
+/// where the neighbours disagree about the mixed derivative get knots (withCornerKnots()).
+///
+/// The new faces meet in one point inside and along lines from it to the middles of the sides, where the edges of the neighbours are cut: both
+/// halves of a side become an edge that lies halfway between the faces, with a path on both and the tolerance that is measured. Surfaces
+/// of neighbours stay. A shell that is closed becomes a solid, turned outward.
+///
+/// Then every new seam is measured as one edge, by enclosures. The fill is kept if they surely reach the target and
+/// OpenCASCADE's checks pass for the new faces, and for the neighbours and the shape as before; with keep_anyway also if the target
+/// is missed, as long as it could be sewn. Else the model comes back as it is, with how near the fill came. Names, colours and layers stay.
+///
+/// A hole with fewer than three corners, or one whose angle is above pi, is not filled.
+/// \param hole one of findHoles() of this model. Nothing that is wrong with the hole throws: it is a reason.
+/// \throws std::invalid_argument for bad options and for a hole with an edge that the model does not have; Cancelled.
+/// Source: MATH-surfaces 5.6, 7.
+FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOptions& options = {},
+                        const Progress& progress = {});
+
+/// Takes a face out and fills the hole that it leaves. \param face from 1, order of TopExp::MapShapes.
+/// A face that has several loops, or a neighbour on one side only, is not replaced; the model comes back as it is, with the reason.
+/// \throws std::invalid_argument for bad options and for a face that the model does not have; Cancelled.
+FillHoleReport replaceFace(const Model& model, int face, const FillHoleOptions& options = {},
+                           const Progress& progress = {});
+
+}  // namespace seamwright::occ

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <numbers>
+#include <optional>
+#include <seamwright/occ_adapter/model/write.hpp>
+#include <seamwright/plugin/cli/fill_command.hpp>
+#include <seamwright/plugin/cli/output.hpp>
+#include <seamwright/plugin/cli/progress_bar.hpp>
+#include <seamwright/plugin/report/fill_json.hpp>
+#include <seamwright/plugin/report/json.hpp>
+#include <stdexcept>
+
+namespace seamwright::cli {
+
+namespace {
+
+occ::FillHoleOptions optionsOf(const FillArguments& arguments) {
+  constexpr double degree = std::numbers::pi / 180;
+  occ::FillHoleOptions options;
+  options.target = *levelFromName(arguments.target);
+  options.tolerance.gap_mm = arguments.gap_mm;
+  options.tolerance.angle_rad = arguments.angle_deg * degree;
+  options.keep_anyway = arguments.keep_anyway;
+  options.corner_rad = arguments.corner_deg * degree;
+  options.jobs = arguments.jobs;
+  options.validate();
+  return options;
+}
+
+/// What can be told of the files before the model is read.
+void requireFiles(const FillArguments& arguments, const occ::WriteOptions& options) {
+  occ::requireTarget(arguments.model, arguments.output, options);
+  if (arguments.json.empty()) return;
+  requireWritable(arguments.json);
+  requireOutputIsNoModel(arguments.json, {arguments.model});
+  if (std::filesystem::weakly_canonical(arguments.json) ==
+      std::filesystem::weakly_canonical(arguments.output))
+    throw std::runtime_error(arguments.json + ": is the filled model; name another file for the report");
+}
+
+std::string listed(const std::vector<occ::Hole>& holes) {
+  std::string text;
+  for (const occ::Hole& hole : holes) text += "; " + report::shortly(hole);
+  return text;
+}
+
+occ::Hole holeOf(const occ::Model& model, const FillArguments& arguments,
+                 const occ::FillHoleOptions& options) {
+  const std::vector<occ::Hole> holes =
+      occ::findHoles(model.shape, {options.corner_rad, options.tolerance.gap_mm}).holes;
+  if (holes.empty()) throw std::runtime_error(arguments.model + ": has no hole");
+  if (arguments.hole == 0 && holes.size() == 1) return holes.front();
+  if (arguments.hole == 0)
+    throw std::runtime_error(arguments.model + ": has " + std::to_string(holes.size()) +
+                             " holes, name one with --hole" + listed(holes));
+  const auto hole = std::ranges::find(holes, arguments.hole, &occ::Hole::id);
+  if (hole == holes.end())
+    throw std::runtime_error(arguments.model + ": has no hole " + std::to_string(arguments.hole) +
+                             listed(holes));
+  return *hole;
+}
+
+occ::FillHoleReport filled(const FillArguments& arguments, const occ::FillHoleOptions& options) {
+  const occ::Model model = readUnderBar(arguments.model);
+  ProgressBar bar(doing("filling", arguments.model));
+  if (arguments.face > 0) return occ::replaceFace(model, arguments.face, options, bar.progress());
+  return occ::fillHole(model, holeOf(model, arguments, options), options, bar.progress());
+}
+
+}  // namespace
+
+void addFillOptions(CLI::App& command, FillArguments& arguments) {
+  command.add_option("MODEL", arguments.model, "STEP, IGES or BREP file, told by its content")->required();
+  command
+      .add_option("-o", arguments.output,
+                  "The filled model: .step, .stp, .iges, .igs, .brep, .brp or .bin (binary BREP)")
+      ->type_name("OUT")
+      ->required();
+  command.add_option("--target", arguments.target, "What every new seam must reach: G0, G1 or G2")
+      ->check(CLI::IsMember({"G0", "G1", "G2"}))
+      ->capture_default_str();
+  CLI::Option* hole =
+      command.add_option("--hole", arguments.hole, "Number of the hole; else the only one")->type_name("N");
+  hole->check(CLI::PositiveNumber);
+  command.add_option("--face", arguments.face, "Take this face out and fill the hole that it leaves")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber)
+      ->excludes(hole);
+  command.add_option("--gap", arguments.gap_mm, "Largest gap, mm")->type_name("MM")->capture_default_str();
+  command.add_option("--angle", arguments.angle_deg, "Largest angle of the tangent planes, degrees")
+      ->type_name("DEG")
+      ->capture_default_str();
+  command.add_option("--corner", arguments.corner_deg, "A corner turns by more than this, degrees")
+      ->type_name("DEG")
+      ->capture_default_str();
+  command.add_flag("--keep-anyway", arguments.keep_anyway, "Keep a fill that misses the target");
+  command.add_option("--jobs", arguments.jobs, "Threads; 0: one for each processor")->type_name("N");
+  command.add_option("--json", arguments.json, "Write a report to this file")->type_name("FILE");
+  command.add_flag("--overwrite", arguments.overwrite, "Another file of OUT's name may be replaced");
+  command.add_flag("--overwrite-source", arguments.overwrite_source, "OUT may be MODEL itself");
+}
+
+int runFill(const FillArguments& arguments) {
+  const occ::FillHoleOptions options = optionsOf(arguments);
+  const occ::WriteOptions how = {.overwrite = arguments.overwrite,
+                                 .overwrite_source = arguments.overwrite_source};
+  requireFiles(arguments, how);
+  const occ::FillHoleReport report = filled(arguments, options);
+  std::optional<PendingFile> json;
+  if (!arguments.json.empty())
+    json.emplace(arguments.json, report::toLine(report::toJson(report, options)) + '\n');
+  occ::WriteReport written;
+  if (report.filled) {
+    ProgressBar bar(doing("writing", arguments.output));
+    written = occ::writeModel(report.model, arguments.output, how, bar.progress());
+  }
+  if (json) json->takePlace();
+  writeStandardOutput(report::toTable(report, options));
+  warn(arguments.output, written.notes);
+  return report.reached ? 0 : 1;
+}
+
+}  // namespace seamwright::cli

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <seamwright/occ_adapter/fill/fill.hpp>
+#include <seamwright/plugin/cli/model_arguments.hpp>
+#include <string>
+
+namespace seamwright::cli {
+
+/// What `seamwright fill` was asked to do.
+struct FillArguments {
+  std::string model;
+  std::string output;
+  std::string target = "G1";
+  int hole = 0;  ///< 0: the only one
+  int face = 0;  ///< to be replaced; 0: none
+  double gap_mm = occ::FillHoleOptions{}.tolerance.gap_mm;
+  double angle_deg = 0.01;
+  double corner_deg = 15;
+  bool keep_anyway = false;
+  int jobs = 0;
+  std::string json;
+  bool overwrite = false;
+  bool overwrite_source = false;
+};
+
+/// Adds the options to a command; they are parsed into \p arguments.
+void addFillOptions(CLI::App& command, FillArguments& arguments);
+
+/// \returns exit status 0 (every new seam reaches the target) or 1. The model is written only if it was filled.
+int runFill(const FillArguments& arguments);
+
+}  // namespace seamwright::cli

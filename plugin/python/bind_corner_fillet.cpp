@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pybind11/stl.h>
+
+#include <map>
+#include <numbers>
+#include <seamwright/occ_adapter/fill/corner_fillet.hpp>
+#include <seamwright/plugin/python/arguments.hpp>
+#include <seamwright/plugin/python/bindings.hpp>
+#include <seamwright/plugin/python/model_calls.hpp>
+#include <seamwright/plugin/report/json.hpp>
+#include <string>
+
+namespace seamwright::python {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+struct CornerFilletResult {
+  occ::CornerFillet fillet;
+  ContinuityTolerance tolerance;
+};
+
+/// A number for all edges, or a dict by edge.
+std::map<int, double> lengths(const char* name, const py::object& value, const std::vector<int>& edges) {
+  std::map<int, double> result;
+  if (!py::isinstance<py::dict>(value)) {
+    const auto length = argument<double>(name, value, "a number or a dict of numbers by edge");
+    for (const int edge : edges) result[edge] = length;
+    return result;
+  }
+  for (const auto& [key, item] : py::cast<py::dict>(value)) {
+    const auto edge =
+        argument<int>(name, py::reinterpret_borrow<py::object>(key), "the number of an edge as key");
+    const std::string item_name = std::string(name) + "[" + std::to_string(edge) + "]";
+    result[edge] = argument<double>(item_name.c_str(), py::reinterpret_borrow<py::object>(item), "a number");
+  }
+  return result;
+}
+
+/// Corners that are not supported, and radii and setbacks without room, are bad arguments to Python.
+template <class Work>
+auto valueErrors(const Work& work) {
+  try {
+    return work();
+  } catch (const std::domain_error& error) {
+    throw py::value_error(error.what());
+  }
+}
+
+std::vector<int> cornerEdges(const occ::Model& model, const py::object& vertex) {
+  const int number = argument<int>("vertex", vertex, "the number of a vertex");
+  return valueErrors([&] { return occ::cornerEdges(model, number); });
+}
+
+CornerFilletResult cornerFillet(const occ::Model& model, const py::object& vertex, const py::object& radii_mm,
+                                const py::object& setbacks_mm, const py::object& section_mm,
+                                const py::object& profile, const py::object& gap_mm,
+                                const py::object& angle_deg, const py::object& jobs,
+                                const py::object& progress) {
+  const std::vector<int> edges = cornerEdges(model, vertex);
+  occ::CornerFilletOptions options;
+  options.radii_mm = lengths("radii_mm", radii_mm, edges);
+  if (!setbacks_mm.is_none()) options.setbacks_mm = lengths("setbacks_mm", setbacks_mm, edges);
+  options.section_mm = argument<double>("section_mm", section_mm, "a number");
+  const py::none profiles_own;
+  options.tolerance = toleranceOf({profile, gap_mm, angle_deg, profiles_own, profiles_own, profiles_own});
+  options.jobs = argument<int>("jobs", jobs, "a whole number");
+  const int number = argument<int>("vertex", vertex, "the number of a vertex");
+  return valueErrors([&] {
+    return longCall(progress, [&](const occ::Progress& report) {
+      return CornerFilletResult{occ::cornerFillet(model, number, options, report), options.tolerance};
+    });
+  });
+}
+
+const char* kindName(occ::CornerSeamKind kind) {
+  switch (kind) {
+    case occ::CornerSeamKind::Spoke:
+      return "spoke";
+    case occ::CornerSeamKind::Section:
+      return "section";
+    case occ::CornerSeamKind::Spring:
+      return "spring";
+    case occ::CornerSeamKind::Contact:
+      return "contact";
+  }
+  return "";
+}
+
+py::dict toDict(const CornerFilletResult& result) {
+  const occ::CornerFillet& fillet = result.fillet;
+  py::list edges, seams;
+  for (const occ::CornerFilletEdge& edge : fillet.edges) {
+    py::dict entry;
+    entry["edge"] = edge.edge;
+    entry["convex"] = edge.convex;
+    entry["angle_deg"] = edge.angle_rad / degree;
+    entry["radius_mm"] = edge.radius_mm;
+    entry["contact_mm"] = edge.contact_mm;
+    entry["setback_mm"] = edge.setback_mm;
+    edges.append(entry);
+  }
+  for (const occ::CornerSeam& seam : fillet.seams) {
+    py::dict entry = plainObject(report::toJson(seam.result, result.tolerance));
+    entry["between"] = kindName(seam.kind);
+    seams.append(entry);
+  }
+  py::dict dict;
+  dict["met"] = fillet.met();
+  dict["shortfall"] = fillet.shortfall;
+  dict["valid"] = fillet.valid;
+  dict["regular"] = fillet.fill.regular;
+  dict["largest_gap_mm"] = fillet.largestGap_mm();
+  dict["largest_angle_deg"] = fillet.largestAngle_rad() / degree;
+  dict["edges"] = edges;
+  dict["seams"] = seams;
+  return dict;
+}
+
+constexpr const char* corner_fillet_doc =
+    R"(Rounds the edges that meet at a vertex, each with a radius of its own, and closes the corner with G1 patches.
+
+vertex: its number, from 1; corner_edges(vertex) names the edges, counter-clockwise seen from outside.
+radii_mm: a number for all edges, or a dict of numbers by edge, all edges of the vertex.
+setbacks_mm: where the fillets end, from the vertex along the edge; a number, or a dict of some edges; the others are chosen.
+section_mm: the largest distance of the patches' sides from the cylinders.
+profile, gap_mm, angle_deg: what the new seams must meet, as in analyze().
+
+Returns a CornerFillet; the model is not changed. Supported are 3 to 6 edges, convex or concave, that are lines, between planes, in a
+solid; at the far end of each meet two more edges and one more plane. ValueError, with numbers, for others, and where there is no room.)";
+
+}  // namespace
+
+void bindCornerFillet(py::module_& module) {
+  py::class_<CornerFilletResult>(module, "CornerFillet", py::module_local(),
+                                 "What came of Model.corner_fillet().")
+      .def_property_readonly(
+          "model", [](const CornerFilletResult& result) { return result.fillet.model; }, "The new model.")
+      .def_property_readonly(
+          "met", [](const CornerFilletResult& result) { return result.fillet.met(); },
+          "The solid is valid, the patches are regular, the new seams meet the tolerance, proven.")
+      .def_property_readonly(
+          "shortfall", [](const CornerFilletResult& result) { return result.fillet.shortfall; },
+          "What is not, with numbers; empty where met.")
+      .def_property_readonly(
+          "patches", [](const CornerFilletResult& result) { return result.fillet.fill.patches; },
+          "BezierPatches of the corner, as n_sided_fill() orders them.")
+      .def(
+          "to_dict", &toDict,
+          "All but the model and the patches as a plain dict; seams with the keys of the JSON, and what they "
+          "are between: spoke (two patches), section (patch and cylinder), spring (patch and plane), contact "
+          "(cylinder and plane).")
+      .def("__repr__", [](const CornerFilletResult& result) {
+        return "<CornerFillet of " + std::to_string(result.fillet.edges.size()) + " edges" +
+               (result.fillet.met() ? "" : ": " + result.fillet.shortfall) + ">";
+      });
+  py::class_<occ::Model> model(module.attr("Model"));
+  model.def("corner_edges", &cornerEdges, py::arg("vertex"),
+            "Numbers of the edges at a vertex, counter-clockwise seen from outside. ValueError as "
+            "corner_fillet().");
+  model.def("corner_fillet", &cornerFillet, corner_fillet_doc, py::arg("vertex"), py::arg("radii_mm"),
+            py::kw_only(), py::arg("setbacks_mm") = py::none(), py::arg("section_mm") = 1e-6,
+            py::arg("profile") = "default", py::arg("gap_mm") = py::none(), py::arg("angle_deg") = py::none(),
+            py::arg("jobs") = 0, py::arg("progress") = py::none());
+}
+
+}  // namespace seamwright::python

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <numbers>
+#include <seamwright/occ_adapter/fill/fill.hpp>
+#include <seamwright/plugin/python/arguments.hpp>
+#include <seamwright/plugin/python/bindings.hpp>
+#include <seamwright/plugin/python/model_calls.hpp>
+#include <seamwright/plugin/report/fill_json.hpp>
+#include <seamwright/plugin/report/json.hpp>
+
+namespace seamwright::python {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+/// What came of a fill, with what was asked for.
+struct FillReport {
+  occ::FillHoleReport report;
+  occ::FillHoleOptions options;
+};
+
+std::vector<occ::Hole> holesOf(const occ::Model& model, double corner_rad, double gap_mm) {
+  return occ::findHoles(model.shape, {corner_rad, gap_mm}).holes;
+}
+
+py::object holes(const occ::Model& model, const py::object& corner_deg, const py::object& gap_mm) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const occ::Hole& hole : holesOf(model, degree * argument<double>("corner_deg", corner_deg, "a number"),
+                                       argument<double>("gap_mm", gap_mm, "a number")))
+    all.push_back(report::toJson(hole));
+  return plainObject(all);
+}
+
+Level levelOf(const py::object& target) {
+  const std::optional<Level> level = levelFromName(argument<std::string>("target", target, "a text"));
+  if (!level) throw py::value_error("target is " + shown(target) + ": it must be 'G0', 'G1' or 'G2'");
+  return *level;
+}
+
+occ::Hole holeOf(const occ::Model& model, const py::object& number, const occ::FillHoleOptions& options) {
+  const std::vector<occ::Hole> all = holesOf(model, options.corner_rad, options.tolerance.gap_mm);
+  if (number.is_none() && all.size() == 1) return all.front();
+  if (number.is_none())
+    throw py::value_error("hole is None and the model has " + std::to_string(all.size()) +
+                          " holes: name one of them, or a face");
+  const auto hole = std::ranges::find(all, argument<int>("hole", number, "a whole number"), &occ::Hole::id);
+  if (hole == all.end())
+    throw py::value_error("hole is " + shown(number) + ": the model has " + std::to_string(all.size()));
+  return *hole;
+}
+
+FillReport fillModel(const occ::Model& model, const py::object& hole, const py::object& face,
+                     const py::object& target, const py::object& gap_mm, const py::object& angle_deg,
+                     const py::object& curvature_rel, const py::object& corner_deg,
+                     const py::object& keep_anyway, const py::object& jobs, const py::object& progress) {
+  occ::FillHoleOptions options;
+  options.target = levelOf(target);
+  options.tolerance.gap_mm = argument<double>("gap_mm", gap_mm, "a number");
+  options.tolerance.angle_rad = degree * argument<double>("angle_deg", angle_deg, "a number");
+  options.tolerance.curvature_rel = argument<double>("curvature_rel", curvature_rel, "a number");
+  options.corner_rad = degree * argument<double>("corner_deg", corner_deg, "a number");
+  options.keep_anyway = flagOf("keep_anyway", keep_anyway);
+  options.jobs = argument<int>("jobs", jobs, "a whole number");
+  options.validate();
+  if (!hole.is_none() && !face.is_none())
+    throw py::value_error("hole and face are both given: name one of them");
+  if (!face.is_none()) {
+    const int number = argument<int>("face", face, "a whole number");
+    return longCall(progress, [&](const occ::Progress& report) {
+      return FillReport{occ::replaceFace(model, number, options, report), options};
+    });
+  }
+  const occ::Hole found = holeOf(model, hole, options);
+  return longCall(progress, [&](const occ::Progress& report) {
+    return FillReport{occ::fillHole(model, found, options, report), options};
+  });
+}
+
+py::object toDict(const FillReport& fill) {
+  return plainObject(report::toJson(fill.report, fill.options));
+}
+
+}  // namespace
+
+void bindHole(py::module_& module) {
+  py::class_<FillReport>(module, "FillReport", py::module_local(), "What came of Model.fill().")
+      .def_property_readonly(
+          "model", [](const FillReport& fill) { return fill.report.model; },
+          "The model with the fill, or as it was.")
+      .def_property_readonly(
+          "filled", [](const FillReport& fill) { return fill.report.filled; }, "The fill is in the model.")
+      .def_property_readonly(
+          "reached", [](const FillReport& fill) { return fill.report.reached; },
+          "Every new seam surely reaches the target.")
+      .def_property_readonly(
+          "reason", [](const FillReport& fill) { return fill.report.reason; }, "Why not; else empty.")
+      .def_property_readonly(
+          "largest_angle_deg", [](const FillReport& fill) { return toDict(fill)["largest_angle_deg"]; },
+          "Bound of the angle over all new seams; None: not known.")
+      .def_property_readonly(
+          "largest_gap_mm", [](const FillReport& fill) { return toDict(fill)["largest_gap_mm"]; },
+          "Bound of the gap over all new seams; None: not known.")
+      .def("to_dict", &toDict, "All but the model as a plain dict with the keys of the JSON.")
+      .def(
+          "to_json",
+          [](const FillReport& fill) { return report::toLine(report::toJson(fill.report, fill.options)); },
+          "The report as one line of JSON, schema seamwright.fill/1.")
+      .def(
+          "to_table",
+          [](const FillReport& fill) { return readable(report::toTable(fill.report, fill.options)); },
+          "The report as text for people.")
+      .def("__repr__", [](const FillReport& fill) {
+        return "<FillReport: " + std::string(fill.report.filled ? "filled" : "not filled") + ", " +
+               (fill.report.reached ? "reached" : "not reached") + ">";
+      });
+  const occ::FillHoleOptions defaults;
+  py::class_<occ::Model> model(module.attr("Model"));
+  model.def(
+      "holes", &holes, py::kw_only(), py::arg("corner_deg") = 15.0,
+      py::arg("gap_mm") = defaults.tolerance.gap_mm,
+      "The closed loops of open edges: a list of dicts {id, length_mm, has_corners, longest, sides}. The rim "
+      "of an open shell is one of them, mostly the longest.\n\n"
+      "corner_deg: sides end where the tangent turns by more. gap_mm: ends of edges nearer than this are "
+      "one.");
+  model.def("fill", &fillModel, py::kw_only(), py::arg("hole") = py::none(), py::arg("face") = py::none(),
+            py::arg("target") = "G1", py::arg("gap_mm") = defaults.tolerance.gap_mm,
+            py::arg("angle_deg") = 0.01, py::arg("curvature_rel") = defaults.tolerance.curvature_rel,
+            py::arg("corner_deg") = 15.0, py::arg("keep_anyway") = false, py::arg("jobs") = 0,
+            py::arg("progress") = py::none(),
+            "Fills a hole of 3 to 12 sides with as many spline faces, tangent to its surroundings, sews them "
+            "in and measures "
+            "every new seam. Returns a FillReport; the model is not changed.\n\n"
+            "hole: its id in holes(); None: the only one. face: number of a face, from 1, that is taken out "
+            "and replaced. "
+            "target: 'G0', 'G1' or 'G2', and tolerances: what every new seam has to reach for the fill to be "
+            "kept. keep_anyway: "
+            "keep it if it misses that. jobs: threads; 0: one for each processor.");
+}
+
+}  // namespace seamwright::python

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <numbers>
+#include <seamwright/plugin/report/fill_json.hpp>
+#include <seamwright/plugin/report/json.hpp>
+#include <seamwright/plugin/report/numbers.hpp>
+#include <seamwright/plugin/report/text.hpp>
+#include <sstream>
+
+namespace seamwright::report {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+double degrees(double rad) {
+  return rad * 180 / std::numbers::pi;
+}
+
+ordered_json maybe(const std::optional<double>& value, double factor = 1) {
+  return value ? ordered_json(*value * factor) : ordered_json(nullptr);
+}
+
+ordered_json sideJson(const occ::FilledSide& side) {
+  return {{"edges", side.edges},
+          {"position_only", side.position_only},
+          {"edge_degree", side.edge_degree},
+          {"cross_degree", side.cross_degree},
+          {"gap_mm", side.gap_mm},
+          {"angle_deg", degrees(side.angle_rad)},
+          {"corner_deg", {degrees(side.corner_rad[0]), degrees(side.corner_rad[1])}}};
+}
+
+ordered_json cornerJson(const FillCorner& corner) {
+  return {{"angle_deg", degrees(corner.angle_rad)},
+          {"twist_defect_mm", corner.twist_defect_mm},
+          {"exact", corner.exact}};
+}
+
+ordered_json seamsJson(const std::vector<occ::SeamResult>& seams, const ContinuityTolerance& tolerance) {
+  ordered_json all = ordered_json::array();
+  for (const occ::SeamResult& seam : seams) all.push_back(toJson(seam, tolerance));
+  return all;
+}
+
+std::string textOf(const std::optional<double>& value, const char* unit) {
+  return value ? number(*value, "%.3g") + ' ' + unit : "unknown";
+}
+
+}  // namespace
+
+ordered_json toJson(const occ::Hole& hole) {
+  ordered_json sides = ordered_json::array();
+  for (const occ::HoleSide& side : hole.sides) {
+    ordered_json edges = ordered_json::array(), faces = ordered_json::array();
+    for (const occ::HoleEdge& edge : side.edges) {
+      edges.push_back(edge.edge);
+      faces.push_back(edge.use.face);
+    }
+    sides.push_back({{"edges", edges}, {"faces", faces}, {"length_mm", side.length_mm}});
+  }
+  return {{"id", hole.id},
+          {"length_mm", hole.length_mm},
+          {"has_corners", hole.has_corners},
+          {"longest", hole.longest},
+          {"sides", sides}};
+}
+
+ordered_json toJson(const occ::FillHoleReport& report, const occ::FillHoleOptions& options) {
+  ordered_json json = {{"schema", "seamwright.fill/1"},
+                       {"filled", report.filled},
+                       {"reached", report.reached},
+                       {"reason", report.reason},
+                       {"target", name(options.target)},
+                       {"gap_mm", options.tolerance.gap_mm},
+                       {"angle_deg", degrees(options.tolerance.angle_rad)},
+                       {"largest_gap_mm", maybe(report.largestGap_mm())},
+                       {"largest_angle_deg", maybe(report.largestAngle_rad(), degrees(1))},
+                       {"faces", report.faces},
+                       {"regular", report.regular}};
+  json["sides"] = ordered_json::array();
+  for (const occ::FilledSide& side : report.sides) json["sides"].push_back(sideJson(side));
+  json["corners"] = ordered_json::array();
+  for (const FillCorner& corner : report.corners) json["corners"].push_back(cornerJson(corner));
+  json["outer"] = seamsJson(report.outer, options.tolerance);
+  json["inner"] = seamsJson(report.inner, options.tolerance);
+  json["time_s"] = {{"build", report.build_s}, {"sew", report.sew_s}, {"measure", report.measure_s}};
+  return json;
+}
+
+std::string shortly(const occ::Hole& hole) {
+  return "hole " + std::to_string(hole.id) + ": " +
+         (hole.has_corners ? counted(hole.sides.size(), "side") : std::string("no corner")) + ", " +
+         number(hole.length_mm, "%.4g") + " mm";
+}
+
+std::string toTable(const occ::FillHoleReport& report, const occ::FillHoleOptions& options) {
+  std::ostringstream out;
+  if (report.filled)
+    out << "filled with " << counted(report.faces.size(), "face");
+  else
+    out << "not filled";
+  if (!report.outer.empty()) {
+    const std::optional<double> angle = report.largestAngle_rad();
+    out << "; " << counted(report.outer.size(), "seam") << " to the neighbours, " << report.inner.size()
+        << " inside: gap at most " << textOf(report.largestGap_mm(), "mm") << ", angle "
+        << textOf(angle ? std::optional(degrees(*angle)) : std::nullopt, "degrees");
+  }
+  out << '\n'
+      << (report.reached ? "REACHED " : "NOT REACHED ") << name(options.target)
+      << (report.reason.empty() ? "" : ": " + report.reason) << '\n';
+  return out.str();
+}
+
+}  // namespace seamwright::report

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What corner fillets refuse, and that they say why.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <TopExp_Explorer.hxx>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+
+#include "corner_solids.hpp"
+
+#include <seamwright/occ_adapter/fill/corner_fillet.hpp>
+
+namespace seamwright::test {
+namespace {
+
+using occ::cornerFillet;
+using occ::CornerFilletOptions;
+using occ::Model;
+using occ::modelFromShape;
+using testing::HasSubstr;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+template <class Error>
+std::string messageOf(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "nothing thrown";
+}
+
+/// The corner at the origin of a cube of side 10: edges 1, 4 and 9.
+struct CubeCorner {
+  Model model = modelFromShape(BRepPrimAPI_MakeBox(10, 10, 10).Shape());
+  int vertex = vertexAt(model.shape, {0, 0, 0});
+  CornerFilletOptions options;
+
+  CubeCorner() {
+    for (const int edge : occ::cornerEdges(model, vertex)) options.radii_mm[edge] = 1;
+  }
+  template <class Error>
+  std::string message() const {
+    return messageOf<Error>([this] { cornerFillet(model, vertex, options); });
+  }
+};
+
+TEST(CornerFilletLimits, NumbersHaveToBeLengths) {
+  for (const double bad : {0.0, -1.0, nan, infinite}) {
+    CubeCorner cube;
+    cube.options.radii_mm.begin()->second = bad;
+    const std::string edge = std::to_string(cube.options.radii_mm.begin()->first);
+    EXPECT_THAT(cube.message<std::invalid_argument>(), HasSubstr("radius of edge " + edge)) << bad;
+    cube = {};
+    cube.options.setbacks_mm[std::stoi(edge)] = bad;
+    EXPECT_THAT(cube.message<std::invalid_argument>(), HasSubstr("setback of edge " + edge)) << bad;
+    cube = {};
+    cube.options.section_mm = bad;
+    EXPECT_THAT(cube.message<std::invalid_argument>(), HasSubstr("section_mm is ")) << bad;
+  }
+  CubeCorner cube;
+  cube.options.jobs = -1;
+  EXPECT_THAT(cube.message<std::invalid_argument>(), HasSubstr("jobs is -1"));
+}
+
+TEST(CornerFilletLimits, EdgesAndVertexHaveToBelongTogether) {
+  CubeCorner cube;
+  const int first = cube.options.radii_mm.begin()->first;
+  cube.options.radii_mm.erase(first);
+  EXPECT_THAT(cube.message<std::invalid_argument>(),
+              HasSubstr("edge " + std::to_string(first) + " is at the vertex and has no radius"));
+  cube = {};
+  cube.options.radii_mm[2] = 1;
+  EXPECT_THAT(cube.message<std::invalid_argument>(),
+              HasSubstr("edge 2 has a radius of 1.000000 mm and is not at the vertex"));
+  cube = {};
+  cube.options.setbacks_mm[77] = 1;
+  EXPECT_THAT(cube.message<std::invalid_argument>(), HasSubstr("edge 77 has a setback"));
+  for (const int vertex : {-1, 0, 9}) {
+    cube.vertex = vertex;
+    EXPECT_THAT(cube.message<std::invalid_argument>(),
+                HasSubstr("vertex " + std::to_string(vertex) + ": the model has 8"));
+  }
+}
+
+TEST(CornerFilletLimits, SetbacksNeedRoom) {
+  CubeCorner cube;
+  const int edge = cube.options.radii_mm.begin()->first;
+  cube.options.setbacks_mm[edge] = 1;
+  EXPECT_THAT(cube.message<std::domain_error>(), HasSubstr("more than 1.000000 mm is needed"));
+  cube.options.setbacks_mm[edge] = 1.01;
+  EXPECT_EQ(cube.message<std::domain_error>(), "nothing thrown");
+  cube.options.setbacks_mm[edge] = 11;
+  EXPECT_THAT(cube.message<std::domain_error>(), HasSubstr("would be -1.000000 mm long on one side"));
+  cube = {};
+  for (auto& [number, radius_mm] : cube.options.radii_mm) radius_mm = 9.5;
+  EXPECT_THAT(cube.message<std::domain_error>(), HasSubstr("would be "));
+}
+
+TEST(CornerFilletLimits, FilletsThatReachBeyondAFarEdgeAreRefused) {
+  const TopoDS_Shape tapered = polyhedron(
+      {{0, 0, 0}, {0, 10, 0}, {0, 10, 10}, {0, 0, 10}, {10, 0, 0}, {10, 2, 0}, {10, 2, 2}, {10, 0, 2}},
+      {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 4, 7, 3}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}});
+  const Model model = modelFromShape(tapered);
+  const int vertex = vertexAt(tapered, {0, 0, 0});
+  const auto refusal = [&](double radius_mm) {
+    CornerFilletOptions options;
+    for (const int edge : occ::cornerEdges(model, vertex)) options.radii_mm[edge] = radius_mm;
+    return messageOf<std::domain_error>([&] { cornerFillet(model, vertex, options); });
+  };
+  EXPECT_EQ(refusal(1), "nothing thrown");
+  EXPECT_THAT(refusal(3), HasSubstr("an edge 2.000000 mm long at a far end would be cut"));
+}
+
+TEST(CornerFilletLimits, CornersOfOtherKindsAreRefused) {
+  const auto refusal = [](const TopoDS_Shape& shape, const Eigen::Vector3d& corner) {
+    const Model model = modelFromShape(shape);
+    return messageOf<std::domain_error>([&] { occ::cornerEdges(model, vertexAt(shape, corner)); });
+  };
+  EXPECT_THAT(refusal(regularPyramid(7, 10), {0, 0, 10}), HasSubstr("7 edges meet at the vertex: 3 to 6"));
+  EXPECT_THAT(refusal(BRepPrimAPI_MakeCylinder(5, 10).Shape(), {5, 0, 0}),
+              HasSubstr("edges meet at the vertex"));
+  // Each base corner has an edge to the apex, where four edges meet.
+  EXPECT_THAT(refusal(regularPyramid(4, 10), {10, 0, 0}),
+              HasSubstr("4 edges meet at its far end: 3 are needed"));
+  const TopoDS_Shape quarter = BRepPrimAPI_MakeCylinder(5, 10, 1.5).Shape();
+  EXPECT_THAT(refusal(quarter, {5, 0, 0}), HasSubstr("is no "));
+
+  TopExp_Explorer shell(BRepPrimAPI_MakeBox(10, 10, 10).Shape(), TopAbs_SHELL);
+  EXPECT_THAT(refusal(shell.Current(), {0, 0, 0}), HasSubstr("is in 0 shells of solids: one is needed"));
+}
+
+TEST(CornerFilletLimits, SectionsThatAPolynomialCanNotFollowAreRefused) {
+  // The faces of a blade meet at 2 degrees: the section is nearly half a circle.
+  const TopoDS_Shape blade = pyramid({{0, 0, 0}, {4000, -70, 0}, {4000, 70, 0}}, {0, 0, 4000});
+  const Model model = modelFromShape(blade);
+  const int vertex = vertexAt(blade, {0, 0, 0});
+  CornerFilletOptions options;
+  options.section_mm = 1e-9;
+  for (const int edge : occ::cornerEdges(model, vertex)) options.radii_mm[edge] = 10;
+  EXPECT_THAT(messageOf<std::domain_error>([&] { cornerFillet(model, vertex, options); }),
+              HasSubstr("is met to "));
+}
+
+TEST(CornerFilletLimits, WhatFallsShortIsSaid) {
+  CubeCorner cube;
+  cube.options.tolerance.angle_rad = 1e-12;
+  const occ::CornerFillet strict = cornerFillet(cube.model, cube.vertex, cube.options);
+  EXPECT_FALSE(strict.met());
+  EXPECT_TRUE(strict.valid);
+  EXPECT_THAT(strict.shortfall, HasSubstr("edge "));
+}
+
+TEST(CornerFilletLimits, WorkCanBeStopped) {
+  CubeCorner cube;
+  EXPECT_THROW(cornerFillet(cube.model, cube.vertex, cube.options, [](double) { return false; }),
+               occ::Cancelled);
+}
+
+}  // namespace
+}  // namespace seamwright::test

@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Faces taken out of solids and sheets, and what fills the holes. What is expected is known of the shapes; angles along new edges are
+// measured by OpenCASCADE's evaluation at many points, not by the analysis that the fill used.
+#include <gmock/gmock.h>
+
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepGProp.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepTools_ReShape.hxx>
+#include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom_BezierSurface.hxx>
+#include <TColgp_Array2OfPnt.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <numbers>
+
+#include "shapes.hpp"
+
+#include <seamwright/occ_adapter/fill/fill.hpp>
+
+namespace seamwright::test {
+namespace {
+
+using occ::FillHoleOptions;
+using occ::FillHoleReport;
+using occ::Hole;
+using occ::modelFromShape;
+using occ::replaceFace;
+using testing::HasSubstr;
+
+TopTools_IndexedMapOfShape partsOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
+  TopTools_IndexedMapOfShape parts;
+  TopExp::MapShapes(shape, kind, parts);
+  return parts;
+}
+
+TopoDS_Shape without(const TopoDS_Shape& shape, const std::vector<int>& faces) {
+  const opencascade::handle<BRepTools_ReShape> change = new BRepTools_ReShape;
+  for (const int face : faces) change->Remove(partsOf(shape, TopAbs_FACE)(face));
+  return change->Apply(shape);
+}
+
+double volume_mm3(const TopoDS_Shape& shape) {
+  GProp_GProps properties;
+  BRepGProp::VolumeProperties(shape, properties);
+  return properties.Mass();
+}
+
+gp_Vec normalAt(const TopoDS_Edge& edge, const TopoDS_Face& face, double share) {
+  double first = 0, last = 0;
+  const opencascade::handle<Geom2d_Curve> path = BRep_Tool::CurveOnSurface(edge, face, first, last);
+  const gp_Pnt2d uv = path->Value(first + share * (last - first));
+  gp_Pnt point;
+  gp_Vec du, dv;
+  BRepAdaptor_Surface(face).D1(uv.X(), uv.Y(), point, du, dv);
+  const gp_Vec normal = du.Crossed(dv).Normalized();
+  return face.Orientation() == TopAbs_REVERSED ? normal.Reversed() : normal;
+}
+
+/// The largest angle along all edges of the faces, at 101 points each.
+double largestAngle_rad(const TopoDS_Shape& shape, const std::vector<int>& faces) {
+  const TopTools_IndexedMapOfShape all = partsOf(shape, TopAbs_FACE);
+  TopTools_IndexedDataMapOfShapeListOfShape beside;
+  TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, beside);
+  double largest = 0;
+  for (const int face : faces)
+    for (TopExp_Explorer edge(all(face), TopAbs_EDGE); edge.More(); edge.Next()) {
+      const TopTools_ListOfShape& two = beside.FindFromKey(edge.Current());
+      EXPECT_EQ(two.Extent(), 2);
+      for (int i = 0; i <= 100; ++i)
+        largest = std::max(
+            largest, normalAt(TopoDS::Edge(edge.Current()), TopoDS::Face(two.First()), i / 100.0)
+                         .Angle(normalAt(TopoDS::Edge(edge.Current()), TopoDS::Face(two.Last()), i / 100.0)));
+    }
+  return largest;
+}
+
+/// A box of 40 by 30 by 20 with its edges at the origin rounded; the last of its faces are the three fillets and the corner.
+TopoDS_Shape suitcase(const std::array<double, 3>& radii) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(40, 30, 20).Shape();
+  const TopTools_IndexedMapOfShape edges = partsOf(box, TopAbs_EDGE);
+  BRepFilletAPI_MakeFillet fillet(box);
+  std::size_t k = 0;
+  for (int e = 1; e <= edges.Extent(); ++e)
+    for (TopExp_Explorer vertex(edges(e), TopAbs_VERTEX); vertex.More(); vertex.Next())
+      if (BRep_Tool::Pnt(TopoDS::Vertex(vertex.Current())).Distance(gp_Pnt()) < 1e-9)
+        fillet.Add(radii.at(k++), TopoDS::Edge(edges(e)));
+  fillet.Build();
+  return fillet.Shape();
+}
+
+/// The face whose centre of mass is nearest to a point.
+int faceNear(const TopoDS_Shape& shape, const gp_Pnt& point) {
+  const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE);
+  int nearest = 0;
+  double least = HUGE_VAL;
+  for (int face = 1; face <= faces.Extent(); ++face) {
+    GProp_GProps properties;
+    BRepGProp::SurfaceProperties(faces(face), properties);
+    const double distance = properties.CentreOfMass().Distance(point);
+    if (distance < least) least = distance, nearest = face;
+  }
+  return nearest;
+}
+
+int cornerFace(const TopoDS_Shape& suitcase) {
+  return faceNear(suitcase, gp_Pnt());
+}
+
+/// z = 0.02 x^2 - 0.01 x y + 0.004 y^3 - 0.003 x^2 y over [x, x + 3] by [y, y + 3], exactly.
+double heightAt(double x, double y) {
+  return 0.02 * x * x - 0.01 * x * y + 0.004 * y * y * y - 0.003 * x * x * y;
+}
+
+/// Polar form of the monomial t^power in degree 3 at a, a or b, ... : k arguments are b.
+double polar(int power, int k, double a, double b) {
+  std::array<double, 3> at = {a, a, a};
+  for (int i = 0; i < k; ++i) at[i] = b;
+  switch (power) {
+    case 0:
+      return 1;
+    case 1:
+      return (at[0] + at[1] + at[2]) / 3;
+    case 2:
+      return (at[0] * at[1] + at[1] * at[2] + at[0] * at[2]) / 3;
+    default:
+      return at[0] * at[1] * at[2];
+  }
+}
+
+opencascade::handle<Geom_BezierSurface> graphPatch(double x, double y) {
+  constexpr double size = 3;
+  TColgp_Array2OfPnt poles(1, 4, 1, 4);
+  for (int i = 0; i <= 3; ++i)
+    for (int j = 0; j <= 3; ++j) {
+      const auto px = [&](int power) { return polar(power, i, x, x + size); };
+      const auto py = [&](int power) { return polar(power, j, y, y + size); };
+      poles(i + 1, j + 1) =
+          gp_Pnt(px(1), py(1), 0.02 * px(2) - 0.01 * px(1) * py(1) + 0.004 * py(3) - 0.003 * px(2) * py(1));
+    }
+  return new Geom_BezierSurface(poles);
+}
+
+/// Nine patches of that graph, sewn.
+TopoDS_Shape sheet() {
+  BRepBuilderAPI_Sewing sewing(1e-6);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      sewing.Add(BRepBuilderAPI_MakeFace(graphPatch(3 * i - 4.5, 3 * j - 4.5), 1e-7).Face());
+  sewing.Perform();
+  return sewing.SewedShape();
+}
+
+TEST(FindHoles, ABoxWithoutAFaceHasOneOfFourSides) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(40, 30, 20).Shape();
+  const occ::Holes found = occ::findHoles(without(box, {1}));
+  ASSERT_EQ(found.holes.size(), 1U);
+  const Hole& hole = found.holes.front();
+  EXPECT_TRUE(hole.has_corners);
+  EXPECT_TRUE(hole.longest);
+  EXPECT_NEAR(hole.length_mm, 2 * (30 + 20), 1e-9);
+  std::vector<double> lengths;
+  for (const occ::HoleSide& side : hole.sides) lengths.push_back(side.length_mm);
+  EXPECT_THAT(lengths,
+              testing::UnorderedElementsAre(testing::DoubleNear(30, 1e-9), testing::DoubleNear(30, 1e-9),
+                                            testing::DoubleNear(20, 1e-9), testing::DoubleNear(20, 1e-9)));
+  EXPECT_THAT(found.notes, testing::IsEmpty());
+  EXPECT_THAT(occ::findHoles(box).holes, testing::IsEmpty());
+}
+
+TEST(FindHoles, OpposedFacesMakeTwo) {
+  EXPECT_EQ(occ::findHoles(without(BRepPrimAPI_MakeBox(40, 30, 20).Shape(), {1, 2})).holes.size(), 2U);
+}
+
+TEST(FindHoles, RimsOfACylinderAreSmooth) {
+  TopoDS_Shape tube = BRepPrimAPI_MakeCylinder(5, 10).Shape();
+  tube = without(tube, {2, 3});
+  const occ::Holes found = occ::findHoles(tube);
+  ASSERT_EQ(found.holes.size(), 2U);
+  for (const Hole& hole : found.holes) {
+    EXPECT_FALSE(hole.has_corners);
+    EXPECT_NEAR(hole.length_mm, 10 * std::numbers::pi, 1e-6);
+  }
+}
+
+TEST(FindHoles, ThreeFacesAroundAVertexLeaveOne) {
+  const occ::Holes found = occ::findHoles(without(BRepPrimAPI_MakeBox(10, 10, 10).Shape(), {1, 3, 5}));
+  ASSERT_EQ(found.holes.size(), 1U);
+  EXPECT_EQ(found.holes.front().sides.size(), 6U);
+  EXPECT_NEAR(found.holes.front().length_mm, 60, 1e-9);
+}
+
+TEST(FindHoles, RefusesBadOptions) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 10, 10).Shape();
+  EXPECT_THROW(occ::findHoles(box, {.corner_rad = 0}), std::invalid_argument);
+  EXPECT_THROW(occ::findHoles(box, {.corner_rad = 4}), std::invalid_argument);
+  EXPECT_THROW(occ::findHoles(box, {.gap_mm = std::nan("")}), std::invalid_argument);
+}
+
+TEST(Fill, OfACubeIsFlatAndHasPositionAlone) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(40, 30, 20).Shape();
+  for (int face = 1; face <= 6; ++face) {
+    const FillHoleReport refused = replaceFace(modelFromShape(box), face);
+    EXPECT_FALSE(refused.filled);
+    EXPECT_THAT(refused.reason, HasSubstr("90 degrees"));
+    EXPECT_TRUE(refused.model.shape.IsSame(box));
+    EXPECT_TRUE(
+        std::ranges::all_of(refused.sides, [](const occ::FilledSide& side) { return side.position_only; }));
+
+    const FillHoleReport filled = replaceFace(modelFromShape(box), face, {.target = Level::G0});
+    ASSERT_TRUE(filled.filled) << filled.reason;
+    EXPECT_EQ(filled.model.shape.ShapeType(), TopAbs_SOLID);
+    EXPECT_NEAR(volume_mm3(filled.model.shape), 40 * 30 * 20, 1e-6);
+    EXPECT_EQ(filled.faces.size(), 4U);
+    EXPECT_TRUE(BRepCheck_Analyzer(filled.model.shape).IsValid());
+  }
+}
+
+TEST(Fill, OfASuitcaseCornerIsNearlyTheSphere) {
+  const TopoDS_Shape shape = suitcase({5, 5, 5});
+  const FillHoleReport report = replaceFace(modelFromShape(shape), cornerFace(shape));
+  ASSERT_TRUE(report.filled) << report.reason;
+  EXPECT_TRUE(report.reached);
+  ASSERT_EQ(report.faces.size(), 3U);
+  EXPECT_EQ(report.inner.size(), 3U);
+  EXPECT_EQ(report.outer.size(), 6U);
+  EXPECT_EQ(partsOf(report.model.shape, TopAbs_SOLID).Extent(), 1);
+  EXPECT_TRUE(BRepCheck_Analyzer(report.model.shape).IsValid());
+  EXPECT_NEAR(volume_mm3(report.model.shape), volume_mm3(shape), 2.5);
+  const double angle = largestAngle_rad(report.model.shape, report.faces);
+  EXPECT_LT(angle, 0.001 * degree);
+  ASSERT_TRUE(report.largestAngle_rad().has_value());
+  EXPECT_LE(angle, *report.largestAngle_rad() * 1.0001);
+  for (const int face : report.faces) {
+    const BRepAdaptor_Surface surface(TopoDS::Face(partsOf(report.model.shape, TopAbs_FACE)(face)));
+    for (int i = 0; i <= 10; ++i)
+      for (int j = 0; j <= 10; ++j)
+        EXPECT_NEAR(surface.Value(i / 10.0, j / 10.0).Distance(gp_Pnt(5, 5, 5)), 5, 0.2);
+  }
+}
+
+TEST(Fill, OfACornerOfThreeRadiiIsSmooth) {
+  const TopoDS_Shape shape = suitcase({3, 5, 7});
+  const FillHoleReport report = replaceFace(modelFromShape(shape), cornerFace(shape));
+  ASSERT_TRUE(report.filled) << report.reason;
+  EXPECT_EQ(report.faces.size(), 4U);
+  EXPECT_LT(largestAngle_rad(report.model.shape, report.faces), 0.01 * degree);
+  EXPECT_NEAR(volume_mm3(report.model.shape), volume_mm3(shape), 2.5);
+}
+
+TEST(Fill, OfAPatchOfASplineSheetIsExactAlongItsSides) {
+  const TopoDS_Shape shape = sheet();
+  const FillHoleReport report = replaceFace(modelFromShape(shape), faceNear(shape, gp_Pnt()));
+  ASSERT_TRUE(report.filled) << report.reason;
+  EXPECT_EQ(report.model.shape.ShapeType(), TopAbs_SHELL);
+  EXPECT_TRUE(BRepCheck_Analyzer(report.model.shape).IsValid());
+  for (const occ::FilledSide& side : report.sides) {
+    EXPECT_EQ(side.edge_degree, 3);
+    EXPECT_LT(side.gap_mm, 1e-12);
+    EXPECT_LT(side.angle_rad, 1e-10);
+  }
+  EXPECT_LT(largestAngle_rad(report.model.shape, report.faces), 1e-7);
+  for (const int face : report.faces) {
+    const BRepAdaptor_Surface surface(TopoDS::Face(partsOf(report.model.shape, TopAbs_FACE)(face)));
+    for (int i = 0; i <= 10; ++i)
+      for (int j = 0; j <= 10; ++j) {
+        const gp_Pnt point = surface.Value(i / 10.0, j / 10.0);
+        EXPECT_NEAR(point.Z(), heightAt(point.X(), point.Y()), 2e-3);
+      }
+  }
+}
+
+TEST(FindHoles, TheRimOfASheetIsTheLongest) {
+  const TopoDS_Shape shape = sheet();
+  const occ::Holes found = occ::findHoles(without(shape, {faceNear(shape, gp_Pnt())}));
+  ASSERT_EQ(found.holes.size(), 2U);
+  const bool first = found.holes[0].longest;
+  EXPECT_NE(first, found.holes[1].longest);
+  EXPECT_GT(found.holes[first ? 0 : 1].length_mm, 2 * found.holes[first ? 1 : 0].length_mm);
+  for (const Hole& hole : found.holes) EXPECT_EQ(hole.sides.size(), 4U);
+}
+
+TEST(FindHoles, HolesThatTouchInAVertexAreTwo) {
+  const TopoDS_Shape shape = sheet();
+  const std::vector<int> diagonal = {faceNear(shape, gp_Pnt()), faceNear(shape, gp_Pnt(3, 3, 0))};
+  const occ::Holes found = occ::findHoles(without(shape, diagonal));
+  EXPECT_THAT(found.notes, testing::IsEmpty());
+  ASSERT_EQ(found.holes.size(), 2U);
+  std::vector<std::size_t> counts;
+  for (const Hole& hole : found.holes) {
+    counts.push_back(0);
+    for (const occ::HoleSide& side : hole.sides) counts.back() += side.edges.size();
+  }
+  EXPECT_THAT(counts, testing::UnorderedElementsAre(4U, 12U));
+}
+
+TEST(Fill, MovesAndScalesWithTheModel) {
+  std::mt19937 random(5);
+  const TopoDS_Shape shape = suitcase({3, 4, 5});
+  const FillHoleReport plain = replaceFace(modelFromShape(shape), cornerFace(shape));
+  ASSERT_TRUE(plain.filled) << plain.reason;
+  for (int turn = 0; turn < 3; ++turn) {
+    const FillHoleReport moved =
+        replaceFace(modelFromShape(transformed(shape, randomMotion(random))), cornerFace(shape));
+    ASSERT_TRUE(moved.filled) << moved.reason;
+    EXPECT_NEAR(*moved.largestAngle_rad(), *plain.largestAngle_rad(),
+                1e-3 * *plain.largestAngle_rad() + 1e-7);
+  }
+}
+
+TEST(Fill, OfFacesOfAShellOfSplinesIsSmooth) {
+  std::ifstream stream("/usr/share/opencascade/data/occ/shell1.brep");
+  if (!stream) GTEST_SKIP() << "OpenCASCADE's shell1.brep is not installed";
+  const TopoDS_Shape shell = occ::readTextShape(stream);
+  for (const int face : {8, 11, 64, 70, 99}) {
+    const FillHoleReport report = replaceFace(modelFromShape(shell), face);
+    ASSERT_TRUE(report.filled) << "face " << face << ": " << report.reason;
+    EXPECT_LT(largestAngle_rad(report.model.shape, report.faces), 0.002 * degree) << "face " << face;
+    EXPECT_EQ(report.model.faceCount(),
+              modelFromShape(shell).faceCount() - 1 + static_cast<int>(report.faces.size()));
+  }
+}
+
+TEST(Fill, OfASmoothLoopSaysWhyNot) {
+  const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(5, 10).Shape();
+  for (int face = 2; face <= 3; ++face) {
+    const FillHoleReport report = replaceFace(modelFromShape(cylinder), face);
+    EXPECT_FALSE(report.filled);
+    EXPECT_THAT(report.reason, HasSubstr("0 corners"));
+    EXPECT_TRUE(report.model.shape.IsSame(cylinder));
+  }
+  EXPECT_THAT(replaceFace(modelFromShape(BRepPrimAPI_MakeSphere(5).Shape()), 1).reason,
+              HasSubstr("all there is"));
+}
+
+TEST(Fill, RefusesWhatTheModelDoesNotHave) {
+  const occ::Model box = modelFromShape(BRepPrimAPI_MakeBox(10, 20, 30).Shape());
+  for (const int face : {0, -1, 7})
+    EXPECT_THAT([&] { replaceFace(box, face); },
+                testing::ThrowsMessage<std::invalid_argument>(HasSubstr("face " + std::to_string(face))));
+  const occ::Model other = modelFromShape(without(BRepPrimAPI_MakeBox(1, 2, 3).Shape(), {1}));
+  const Hole hole = occ::findHoles(other.shape).holes.front();
+  EXPECT_THROW(occ::fillHole(box, hole), std::invalid_argument);
+  FillHoleOptions options;
+  options.most_degree = 12;
+  EXPECT_THROW(replaceFace(box, 1, options), std::invalid_argument);
+  EXPECT_THROW(replaceFace(box, 1, {.target = Level::G3}), std::invalid_argument);
+  EXPECT_THROW(replaceFace(box, 1, {.tolerance = {.gap_mm = std::nan("")}}), std::invalid_argument);
+  EXPECT_THROW(replaceFace(box, 1, {}, [](double) { return false; }), occ::Cancelled);
+}
+
+}  // namespace
+}  // namespace seamwright::test

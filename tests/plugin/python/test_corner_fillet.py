@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A corner of a solid rounded, from Python."""
+
+import pathlib
+import sys
+
+import jsonschema
+import numpy as np
+import pytest
+
+import seamwright
+
+HERE = pathlib.Path(__file__).parent
+sys.path.insert(0, str(HERE.parent / "cli"))
+from models import box_text, step_text  # noqa: E402
+from test_models import SCHEMA  # noqa: E402
+
+NOTCHED_POINTS = [(0, 0, 0), (10, 0, 0), (10, 10, 0), (0, 10, 0), (0, 0, 10), (10, 0, 10), (0, 10, 10),
+                  (10, 10, 5), (10, 5, 5), (5, 10, 5), (5, 5, 5), (10, 5, 10), (5, 10, 10), (5, 5, 10)]
+NOTCHED_FACES = [[0, 3, 2, 1], [0, 1, 5, 4], [0, 4, 6, 3], [1, 2, 7, 8, 11, 5], [3, 6, 12, 9, 7, 2],
+                 [4, 5, 11, 13, 12, 6], [7, 9, 10, 8], [8, 10, 13, 11], [9, 12, 13, 10]]
+
+
+def read(tmp_path, text):
+    path = tmp_path / "part.step"
+    path.write_text(text)
+    return seamwright.read(path)
+
+
+@pytest.fixture
+def box(tmp_path):
+    return read(tmp_path, box_text())
+
+
+def supported(model, vertices):
+    corners = {}
+    for vertex in range(1, vertices + 1):
+        try:
+            corners[vertex] = model.corner_edges(vertex)
+        except ValueError:
+            pass
+    return corners
+
+
+def test_each_corner_of_a_box(box):
+    for vertex, edges in supported(box, 8).items():
+        result = box.corner_fillet(vertex, dict(zip(edges, (1, 2, 3))))
+        assert result.met and result.shortfall == ""
+        assert result.model.face_count == 6 + 3 + 6
+        assert len(result.patches) == 6
+        assert repr(result) == "<CornerFillet of 3 edges>"
+        what = result.to_dict()
+        assert [edge["edge"] for edge in what["edges"]] == edges
+        assert [edge["contact_mm"] for edge in what["edges"]] == pytest.approx([1, 2, 3])
+        assert all(edge["convex"] and edge["angle_deg"] == pytest.approx(90) for edge in what["edges"])
+        assert what["largest_angle_deg"] < 0.01
+        kinds = [seam.pop("between") for seam in what["seams"]]
+        assert {kind: kinds.count(kind) for kind in kinds} == {"spoke": 6, "section": 6, "spring": 6, "contact": 6}
+        for seam in what["seams"]:
+            jsonschema.validate(seam, {**SCHEMA["properties"]["seams"]["items"], "$defs": SCHEMA.get("$defs", {})})
+
+
+def test_patches_are_near_the_corner_and_the_model_stays(box):
+    edges = box.corner_edges(1)
+    result = box.corner_fillet(1, 1, setbacks_mm=dict.fromkeys(edges, 1.2))
+    poles = np.concatenate([patch.poles.reshape(-1, 3) for patch in result.patches])
+    size = np.ptp(poles, axis=0)
+    assert size == pytest.approx([1.2] * 3, abs=1e-9)
+    assert box.face_count == 6 and result.model.analyze().to_dict()["summary"]["open_edges"] == 0
+
+
+def test_notch_of_mixed_edges(tmp_path):
+    notched = read(tmp_path, step_text(NOTCHED_POINTS, NOTCHED_FACES))
+    mixed = set()
+    for vertex in supported(notched, 14):
+        try:
+            result = notched.corner_fillet(vertex, 0.8)
+        except ValueError as error:  # the face at a far end lies away from the fillet
+            assert "would be cut from -0.8" in str(error)
+            continue
+        assert result.met, result.shortfall
+        mixed.add(sum(edge["convex"] for edge in result.to_dict()["edges"]))
+    assert {0, 2} <= mixed
+
+
+def test_the_result_is_written_and_read(box, tmp_path):
+    result = box.corner_fillet(1, {edge: radius for edge, radius in zip(box.corner_edges(1), (1, 2, 3))})
+    result.model.write(tmp_path / "rounded.step")
+    again = seamwright.read(tmp_path / "rounded.step")
+    assert again.face_count == result.model.face_count
+    assert again.analyze().to_dict()["summary"]["defects"] == 0
+
+
+@pytest.mark.parametrize("vertex, radii, keywords, words", [
+    (1.5, 1, {}, "vertex is 1.5: the number of a vertex"),
+    (99, 1, {}, "vertex 99: the model has 8"),
+    (1, "wide", {}, "radii_mm is 'wide': a number or a dict"),
+    (1, True, {}, "radii_mm is True"),
+    (1, {"a": 1}, {}, "radii_mm is 'a': the number of an edge"),
+    (1, {77: 1}, {}, "edge .* is at the vertex and has no radius"),
+    (1, float("nan"), {}, "radius of edge .* is nan"),
+    (1, -1, {}, "radius of edge .* is -1"),
+    (1, 1, {"setbacks_mm": 0.5}, "more than 1.000000 mm is needed"),
+    (1, 20, {}, "would be"),
+    (1, 1, {"section_mm": 1}, "section_mm is 1.0"),
+    (1, 1, {"jobs": -1}, "jobs is -1"),
+])
+def test_bad_arguments(box, vertex, radii, keywords, words):
+    with pytest.raises(ValueError, match=words):
+        box.corner_fillet(vertex, radii, **keywords)
+
+
+def test_it_can_be_stopped(box):
+    with pytest.raises(seamwright.Cancelled):
+        box.corner_fillet(1, 1, progress=lambda share: False)
