@@ -381,10 +381,11 @@ std::string writeStep(const Document& document, const Manner& manner, const Mess
   Interface_Static::SetCVal("write.step.unit", manner.unit.c_str());
   Interface_Static::SetIVal("write.surfacecurve.mode", 1);
   Interface_Static::SetIVal("write.stepcaf.subshapes.name", 1);
-  if (manner.accuracy_mm) {
-    Interface_Static::SetIVal("write.precision.mode", 2);
-    Interface_Static::SetRVal("write.precision.val", *manner.accuracy_mm);
-  }
+  // Where no accuracy is known, the largest tolerance of the shape: with their mean, which is OpenCASCADE's way, readers
+  // bend curves to vertices that are further off.
+  constexpr int largest = 1, given = 2;
+  Interface_Static::SetIVal("write.precision.mode", manner.accuracy_mm ? given : largest);
+  if (manner.accuracy_mm) Interface_Static::SetRVal("write.precision.val", *manner.accuracy_mm);
   STEPCAFControl_Writer writer;
   writer.SetNameMode(true);
   writer.SetColorMode(true);

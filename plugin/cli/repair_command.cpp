@@ -53,7 +53,8 @@ void requireFiles(const RepairArguments& arguments, const occ::WriteOptions& opt
   occ::requireTarget(arguments.model, arguments.output, options);
   if (arguments.json.empty()) return;
   if (arguments.json == "-")
-    throw std::runtime_error("--json -: the report goes to a file, standard output has the table; name a file");
+    throw std::runtime_error(
+        "--json -: the report goes to a file, standard output has the table; name a file");
   requireWritable(arguments.json);
   requireOutputIsNoModel(arguments.json, {arguments.model});
   requireReplaceableReport(arguments.json);

@@ -118,7 +118,7 @@ def test_a_bar_on_a_terminal_and_none_in_a_pipe(tmp_path):
     os.close(master)
     shown = shown.decode()
     assert process.returncode == 0
-    for what in ("reading small.step", "repairing small.step", "writing out.step"):
+    for what in ("reading small.step", "repairing small.step", "writing out.step", "checking out.step"):
         assert what in shown
     assert shown.endswith("\r\x1b[K"), "the line is clear in the end"
     assert "\r" not in text and "\x1b" not in text and "PASSED" in text
