@@ -99,7 +99,9 @@ void raise(BSplineSurface& surface, SurfaceDirection direction, const Raise& to)
   if (has_inner && times > 0) surface = withRaisedKnots(surface, direction, times);
 }
 
+/// \pre no pole is fixed.
 void raise(NetworkSurface& surface, SurfaceDirection direction, const Raise& to) {
+  surface.fixed.clear();
   if (surface.weights.size() > 0) {
     BSplineSurface weights = surface.surface;
     weights.poles = HomogeneousPoles::Zero(surface.weights.size(), 4);

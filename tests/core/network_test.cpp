@@ -169,6 +169,12 @@ TEST(Network, IrregularStarsAreRaised) {  // (1), (5)
   EXPECT_EQ(natural.surfaces[0].degree_u, 3);
   EXPECT_EQ(natural.status == NetworkStatus::Joined || natural.status == NetworkStatus::NotConverged, true);
   EXPECT_GT(natural.largest_move_mm, 2 * raised.largest_move_mm);
+
+  for (NetworkSurface& surface : net.surfaces)
+    surface.fixed.assign(static_cast<std::size_t>(surface.surface.poles.rows()), false);
+  const NetworkResult named = joined(net);
+  for (std::size_t s = 0; s < net.surfaces.size(); ++s)
+    EXPECT_EQ(named.surfaces[s].poles, raised.surfaces[s].poles) << "no pole is fixed";
 }
 
 // One pole moved by 1e-6 of the size is seen, and mended.
