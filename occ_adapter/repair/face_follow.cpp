@@ -13,7 +13,6 @@
 #include <optional>
 #include <set>
 #include <sstream>
-#include <utility>
 
 #include <seamwright/occ_adapter/convert/face_strip.hpp>
 #include <seamwright/occ_adapter/match/follow.hpp>
@@ -328,14 +327,13 @@ class FaceFollower {
                    1 / (task_->share * curvatureLimit(target)));
   }
 
-  /// As fair as can be: less so only as long as the samples can't be met, and, if gently, as the move stays of its size; where it did not
-  /// and the refinement alone gained something, that is not tried again. After a refinement from one step fairer than before.
+  /// As fair as can be: less so only as long as the samples can't be met, and, if gently, as the move stays of its size. After a refinement
+  /// from one step fairer than before.
   void moveFairly() {
     constexpr double better = 0.5, of_its_size = 2;
     constexpr std::array<double, 4> fairnesses = {0.1, 0.01, 1e-3, 1e-4};
     double before = infinite, limit = infinite;
-    const bool was_held_back = std::exchange(was_held_back_, false);
-    const double with_fewer_knots = at_samples_;
+    was_held_back_ = false;
     const std::size_t first = fairness_ > 0 ? fairness_ - 1 : 0;
     for (std::size_t k = first; k < fairnesses.size(); ++k) {
       const PointRows fairer = poles_;
@@ -350,10 +348,6 @@ class FaceFollower {
       fairness_ = k;
       const bool still_turned = at_samples_ == infinite && k > first;
       if (isMet() || still_turned || at_samples_ <= task_->share / 2 || at_samples_ > better * before) return;
-      if (was_held_back && at_samples_ < with_fewer_knots) {
-        was_held_back_ = true;
-        return;
-      }
       before = at_samples_;
       if (gently_ && limit == infinite)
         limit = of_its_size * std::max(largestMove(), task_->tolerance.gap_mm);
