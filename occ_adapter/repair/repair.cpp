@@ -56,6 +56,8 @@ class Repairing {
   }
 
  private:
+  /// Says less than what a way before has found.
+  static constexpr const char* nothing_moved = "nothing was moved";
   static constexpr double share_of_analysis = 0.2, share_before_sewing = 0.9;
   static constexpr int most_rounds = 12;
   /// From then on what is connected with a culprit is given up with it.
@@ -106,6 +108,7 @@ class Repairing {
         if (ways[k].which != Which::All && (dear.count(i) > 0) != (ways[k].which == Which::Dear))
           task.treated[i] = false;
       pairs.clear();
+      says_why_ = ways[k].which != Which::Dear;
       if (std::ranges::count(task.treated, true) > 0)
         improve(std::move(task), ways[k].solver, partOf(progress_, done, next));
       done = next;
@@ -147,7 +150,7 @@ class Repairing {
       if (std::ranges::count(task.treated, true) == 0) return {};
       RepairTask rest = task;
       giveUp(solution.failures, rest);
-      if (solution.changes.empty() && solution.paths.empty()) return everything(task, "nothing was moved");
+      if (solution.changes.empty() && solution.paths.empty()) return everything(task, nothing_moved);
       for (FaceChange& change : solution.changes) change.largest_move_mm += moves_[change.face];
       Proof proof;
       TopoDS_Shape changed;
@@ -186,7 +189,8 @@ class Repairing {
   void giveUp(const Reasons& seams, RepairTask& task) {
     for (const auto& [i, why] : seams) {
       task.treated[i] = false;
-      reasons_[i] = why;
+      const bool tells = says_why_ && why != nothing_moved;
+      if (tells || reasons_[i].empty()) reasons_[i] = why;
     }
   }
 
@@ -247,6 +251,7 @@ class Repairing {
   std::vector<bool> sharp_;           ///< by seam, see Choice
   std::vector<bool> open_;            ///< by seam: to be repaired, and not yet
   std::vector<std::string> reasons_;  ///< by seam
+  bool says_why_ = true;              ///< the way at work, also where one before did
   std::map<int, double> moves_;       ///< by face
   std::optional<Soundness> was_;      ///< of the shape as it is, once known
   std::map<int, double> edge_moves_;  ///< by edge
