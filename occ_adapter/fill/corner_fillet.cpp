@@ -95,8 +95,8 @@ double largestUpper(const std::vector<CornerSeam>& seams, std::optional<Figure> 
   double largest = 0;
   for (const CornerSeam& seam : seams) {
     const std::optional<Figure>& found = seam.result.figures.*figure;
-    largest =
-        std::max(largest, found && found->upper ? *found->upper : std::numeric_limits<double>::infinity());
+    const double unknown = std::numeric_limits<double>::infinity();
+    largest = std::max(largest, found ? found->upper.value_or(unknown) : unknown);
   }
   return largest;
 }

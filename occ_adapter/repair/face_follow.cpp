@@ -88,7 +88,7 @@ class FaceFollower {
     judge();
     if (isMet()) return result(copyOf(task_->surface));
     if (refuse()) return result_;
-    constexpr double within_reach = 2;
+    constexpr double within_reach = 5;
     raiseDegrees();
     markTouched();
     improve();

@@ -76,7 +76,7 @@ def test_notch_of_mixed_edges(tmp_path):
         try:
             result = notched.corner_fillet(vertex, 0.8)
         except ValueError as error:  # the face at a far end lies away from the fillet
-            assert "would be cut from -0.8" in str(error)
+            assert "would be cut from" in str(error)
             continue
         assert result.met, result.shortfall
         mixed.add(sum(edge["convex"] for edge in result.to_dict()["edges"]))
