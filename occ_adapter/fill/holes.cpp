@@ -173,7 +173,7 @@ class Loops {
     }
     Hole hole;
     hole.has_corners = !begins.empty();
-    if (begins.empty()) begins.push_back(0);
+    if (n > 0 && begins.empty()) begins.push_back(0);
     for (std::size_t s = 0; s < begins.size(); ++s) {
       HoleSide side;
       const std::size_t end = s + 1 < begins.size() ? begins[s + 1] : begins[0] + n;

@@ -29,7 +29,8 @@ std::vector<const occ::SeamRepair*> shownSeams(const occ::RepairReport& report) 
   std::vector<const occ::SeamRepair*> shown;
   for (const occ::SeamRepair& seam : report.seams)
     if (seam.treated || seam.sewn || !reasonOf(seam).empty()) shown.push_back(&seam);
-  std::ranges::stable_partition(shown, [](const occ::SeamRepair* seam) { return !seam->repaired; });
+  std::stable_partition(shown.begin(), shown.end(),
+                        [](const occ::SeamRepair* seam) { return !seam->repaired; });
   return shown;
 }
 
