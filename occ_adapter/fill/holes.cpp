@@ -173,12 +173,12 @@ class Loops {
     }
     Hole hole;
     hole.has_corners = !begins.empty();
-    if (n > 0 && begins.empty()) begins.push_back(0);
+    if (begins.empty()) begins.push_back(0);
     for (std::size_t s = 0; s < begins.size(); ++s) {
       HoleSide side;
       const std::size_t end = s + 1 < begins.size() ? begins[s + 1] : begins[0] + n;
       for (std::size_t k = begins[s]; k < end; ++k) {
-        side.edges.push_back(loop[k % n].edge);
+        side.edges.push_back(loop[k < n ? k : k - n].edge);
         side.length_mm += side.edges.back().length_mm;
       }
       hole.length_mm += side.length_mm;
