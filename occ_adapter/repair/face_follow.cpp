@@ -32,23 +32,6 @@ Surface copyOf(const Surface& surface) {
   return Surface::DownCast(surface->Copy());
 }
 
-/// The step of (u, v) that goes along a tangent vector.
-Eigen::Vector2d parameterStep(const SurfaceJet& jet, const Eigen::Vector3d& way) {
-  const FirstForm form = firstForm(jet);
-  const double a = way.dot(jet.u), b = way.dot(jet.v);
-  return Eigen::Vector2d(form.G * a - form.F * b, form.E * b - form.F * a) / form.determinant();
-}
-
-Eigen::RowVectorXd derivative(const PoleShares& shares, const Eigen::Vector2d& step) {
-  return step[0] * shares.share.row(1) + step[1] * shares.share.row(2);
-}
-
-Eigen::RowVectorXd secondDerivative(const PoleShares& shares, const Eigen::Vector2d& a,
-                                    const Eigen::Vector2d& b) {
-  return a[0] * b[0] * shares.share.row(3) + (a[0] * b[1] + a[1] * b[0]) * shares.share.row(4) +
-         a[1] * b[1] * shares.share.row(5);
-}
-
 /// The worst place of a path.
 struct Worst {
   double ratio = 0;

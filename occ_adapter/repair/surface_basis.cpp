@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <seamwright/core/bspline/basis.hpp>
+#include <seamwright/core/differential/fundamental_forms.hpp>
 #include <seamwright/occ_adapter/repair/surface_basis.hpp>
 
 namespace seamwright::occ {
@@ -142,6 +143,22 @@ void setPoles(Geom_BSplineSurface& surface, const PointRows& poles) {
       if (poles.row(row) == old.row(row)) continue;
       surface.SetPole(i, j, gp_Pnt(poles(row, 0), poles(row, 1), poles(row, 2)));
     }
+}
+
+Eigen::Vector2d parameterStep(const SurfaceJet& jet, const Eigen::Vector3d& way) {
+  const FirstForm form = firstForm(jet);
+  const double a = way.dot(jet.u), b = way.dot(jet.v);
+  return Eigen::Vector2d(form.G * a - form.F * b, form.E * b - form.F * a) / form.determinant();
+}
+
+Eigen::RowVectorXd derivative(const PoleShares& shares, const Eigen::Vector2d& step) {
+  return step[0] * shares.share.row(1) + step[1] * shares.share.row(2);
+}
+
+Eigen::RowVectorXd secondDerivative(const PoleShares& shares, const Eigen::Vector2d& a,
+                                    const Eigen::Vector2d& b) {
+  return a[0] * b[0] * shares.share.row(3) + (a[0] * b[1] + a[1] * b[0]) * shares.share.row(4) +
+         a[1] * b[1] * shares.share.row(5);
 }
 
 SurfaceJet jetOf(const PoleShares& shares, const PointRows& poles) {

@@ -65,6 +65,13 @@ void setPoles(Geom_BSplineSurface& surface, const PointRows& poles);
 
 SurfaceJet jetOf(const PoleShares& shares, const PointRows& poles);
 
+/// The step of (u, v) that goes along a tangent vector.
+Eigen::Vector2d parameterStep(const SurfaceJet& jet, const Eigen::Vector3d& way);
+/// Shares of the poles in the derivative along a step of (u, v), and in the second one along two.
+Eigen::RowVectorXd derivative(const PoleShares& shares, const Eigen::Vector2d& step);
+Eigen::RowVectorXd secondDerivative(const PoleShares& shares, const Eigen::Vector2d& a,
+                                    const Eigen::Vector2d& b);
+
 /// What may be rounding in a jet, as FaceStrip has it.
 JetNoise noiseOf(const SurfaceJet& jet, const SurfaceBasis& basis);
 

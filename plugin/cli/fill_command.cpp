@@ -28,17 +28,6 @@ occ::FillHoleOptions optionsOf(const FillArguments& arguments) {
   return options;
 }
 
-/// What can be told of the files before the model is read.
-void requireFiles(const FillArguments& arguments, const occ::WriteOptions& options) {
-  occ::requireTarget(arguments.model, arguments.output, options);
-  if (arguments.json.empty()) return;
-  requireWritable(arguments.json);
-  requireOutputIsNoModel(arguments.json, {arguments.model});
-  if (std::filesystem::weakly_canonical(arguments.json) ==
-      std::filesystem::weakly_canonical(arguments.output))
-    throw std::runtime_error(arguments.json + ": is the filled model; name another file for the report");
-}
-
 std::string listed(const std::vector<occ::Hole>& holes) {
   std::string text;
   for (const occ::Hole& hole : holes) text += "; " + report::shortly(hole);
@@ -72,11 +61,6 @@ occ::FillHoleReport filled(const FillArguments& arguments, const occ::FillHoleOp
 
 void addFillOptions(CLI::App& command, FillArguments& arguments) {
   command.add_option("MODEL", arguments.model, "STEP, IGES or BREP file, told by its content")->required();
-  command
-      .add_option("-o", arguments.output,
-                  "The filled model: .step, .stp, .iges, .igs, .brep, .brp or .bin (binary BREP)")
-      ->type_name("OUT")
-      ->required();
   command.add_option("--target", arguments.target, "What every new seam must reach: G0, G1 or G2")
       ->check(CLI::IsMember({"G0", "G1", "G2"}))
       ->capture_default_str();
@@ -96,28 +80,22 @@ void addFillOptions(CLI::App& command, FillArguments& arguments) {
       ->capture_default_str();
   command.add_flag("--keep-anyway", arguments.keep_anyway, "Keep a fill that misses the target");
   command.add_option("--jobs", arguments.jobs, "Threads; 0: one for each processor")->type_name("N");
-  command.add_option("--json", arguments.json, "Write a report to this file")->type_name("FILE");
-  command.add_flag("--overwrite", arguments.overwrite, "Another file of OUT's name may be replaced");
-  command.add_flag("--overwrite-source", arguments.overwrite_source, "OUT may be MODEL itself");
+  addOutputOptions(command, "filled", arguments.output);
 }
 
 int runFill(const FillArguments& arguments) {
   const occ::FillHoleOptions options = optionsOf(arguments);
-  const occ::WriteOptions how = {.overwrite = arguments.overwrite,
-                                 .overwrite_source = arguments.overwrite_source};
-  requireFiles(arguments, how);
+  requireOutputs(arguments.model, arguments.output);
   const occ::FillHoleReport report = filled(arguments, options);
   std::optional<PendingFile> json;
-  if (!arguments.json.empty())
-    json.emplace(arguments.json, report::toLine(report::toJson(report, options)) + '\n');
+  if (!arguments.output.report.empty())
+    json.emplace(arguments.output.report, report::toLine(report::toJson(report, options)) + '\n');
   occ::WriteReport written;
-  if (report.filled) {
-    ProgressBar bar(doing("writing", arguments.output));
-    written = occ::writeModel(report.model, arguments.output, how, bar.progress());
-  }
+  if (report.filled)
+    written = writeUnderBar(report.model, arguments.output.model, arguments.output.writeOptions());
   if (json) json->takePlace();
   writeStandardOutput(report::toTable(report, options));
-  warn(arguments.output, written.notes);
+  warn(arguments.output.model, written.notes);
   return report.reached ? 0 : 1;
 }
 

@@ -10,7 +10,7 @@ namespace seamwright::cli {
 /// What `seamwright fill` was asked to do.
 struct FillArguments {
   std::string model;
-  std::string output;
+  OutputArguments output;
   std::string target = "G1";
   int hole = 0;  ///< 0: the only one
   int face = 0;  ///< to be replaced; 0: none
@@ -19,9 +19,6 @@ struct FillArguments {
   double corner_deg = 15;
   bool keep_anyway = false;
   int jobs = 0;
-  std::string json;
-  bool overwrite = false;
-  bool overwrite_source = false;
 };
 
 /// Adds the options to a command; they are parsed into \p arguments.

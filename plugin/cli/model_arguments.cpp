@@ -6,6 +6,7 @@
 #include <numbers>
 #include <seamwright/occ_adapter/model/read.hpp>
 #include <seamwright/plugin/cli/model_arguments.hpp>
+#include <seamwright/plugin/cli/output.hpp>
 #include <seamwright/plugin/cli/progress_bar.hpp>
 #include <sstream>
 #include <stdexcept>
@@ -33,6 +34,15 @@ std::string profilesHelp() {
          << profile.purpose << '\n';
   }
   return text.str();
+}
+
+bool hasNameOfModel(const std::string& file) {
+  try {
+    occ::targetFormat(file);
+    return true;
+  } catch (const occ::ModelError&) {
+    return false;
+  }
 }
 
 }  // namespace
@@ -80,6 +90,39 @@ std::string doing(const std::string& what, const std::string& path) {
 occ::Model readUnderBar(const std::string& path) {
   ProgressBar bar(doing("reading", path));
   return occ::readModel(path, bar.progress());
+}
+
+occ::WriteReport writeUnderBar(const occ::Model& model, const std::string& path,
+                               const occ::WriteOptions& options) {
+  ProgressBar bar(doing("writing", path));
+  return occ::writeModel(model, path, options, bar.progress());
+}
+
+void addOutputOptions(CLI::App& command, const std::string& done, OutputArguments& arguments) {
+  command
+      .add_option("-o", arguments.model,
+                  "The " + done + " model: .step, .stp, .iges, .igs, .brep, .brp or .bin (binary BREP)")
+      ->type_name("OUT")
+      ->required();
+  command.add_option("--json", arguments.report, "Write a report to this file")->type_name("FILE");
+  command.add_flag("--overwrite", arguments.overwrite, "Another file of OUT's name may be replaced");
+  command.add_flag("--overwrite-source", arguments.overwrite_source, "OUT may be MODEL itself");
+}
+
+void requireOutputs(const std::string& model, const OutputArguments& arguments) {
+  occ::requireTarget(model, arguments.model, arguments.writeOptions());
+  const std::string& report = arguments.report;
+  if (report.empty()) return;
+  if (report == "-")
+    throw std::runtime_error(
+        "--json -: the report goes to a file, standard output has the table; name a file");
+  requireWritable(report);
+  requireOutputIsNoModel(report, {model});
+  std::error_code error;
+  if (std::filesystem::exists(report, error) && hasNameOfModel(report))
+    throw std::runtime_error(report + ": has the name of a model, the report would overwrite it");
+  if (std::filesystem::weakly_canonical(report) == std::filesystem::weakly_canonical(arguments.model))
+    throw std::runtime_error(report + ": is where the model goes; name another file for the report");
 }
 
 void requireOutputIsNoModel(const std::string& output, const std::vector<std::string>& models) {

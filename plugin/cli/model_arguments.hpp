@@ -4,6 +4,7 @@
 #include <optional>
 #include <seamwright/core/seam/judge.hpp>
 #include <seamwright/occ_adapter/model/model.hpp>
+#include <seamwright/occ_adapter/model/write.hpp>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,25 @@ struct MeasureArguments {
   int jobs = 0;
 };
 
+/// Where a command that changes a model leaves it, and its report.
+struct OutputArguments {
+  std::string model;
+  std::string report;  ///< empty: none
+  bool overwrite = false;
+  bool overwrite_source = false;
+
+  occ::WriteOptions writeOptions() const {
+    return {.overwrite = overwrite, .overwrite_source = overwrite_source};
+  }
+};
+
+/// -o, --json, --overwrite and --overwrite-source. \param done what was done to the model of OUT, as "repaired".
+void addOutputOptions(CLI::App& command, const std::string& done, OutputArguments& arguments);
+
+/// What can be told of the files before \p model is read. A report replaces an older one, but no model by a slip of the hand.
+/// \throws std::runtime_error, occ::ModelError.
+void requireOutputs(const std::string& model, const OutputArguments& arguments);
+
 /// Adds the options to a command, and the profiles to its help; they are parsed into \p arguments.
 void addMeasureOptions(CLI::App& command, MeasureArguments& arguments);
 
@@ -37,6 +57,9 @@ std::string doing(const std::string& what, const std::string& path);
 
 /// The model of a file, read under a progress bar.
 occ::Model readUnderBar(const std::string& path);
+
+occ::WriteReport writeUnderBar(const occ::Model& model, const std::string& path,
+                               const occ::WriteOptions& options);
 
 /// \throws std::runtime_error if the output is one of the files to be read.
 void requireOutputIsNoModel(const std::string& output, const std::vector<std::string>& models);

@@ -32,47 +32,10 @@ occ::RepairOptions optionsOf(const RepairArguments& arguments) {
   return options;
 }
 
-bool hasNameOfModel(const std::string& file) {
-  try {
-    occ::targetFormat(file);
-    return true;
-  } catch (const occ::ModelError&) {
-    return false;
-  }
-}
-
-/// A report replaces an older one, but no model by a slip of the hand.
-void requireReplaceableReport(const std::string& file) {
-  std::error_code error;
-  if (std::filesystem::exists(file, error) && hasNameOfModel(file))
-    throw std::runtime_error(file + ": has the name of a model, the report would overwrite it");
-}
-
-/// What can be told of the files before the model is read.
-void requireFiles(const RepairArguments& arguments, const occ::WriteOptions& options) {
-  occ::requireTarget(arguments.model, arguments.output, options);
-  if (arguments.json.empty()) return;
-  if (arguments.json == "-")
-    throw std::runtime_error(
-        "--json -: the report goes to a file, standard output has the table; name a file");
-  requireWritable(arguments.json);
-  requireOutputIsNoModel(arguments.json, {arguments.model});
-  requireReplaceableReport(arguments.json);
-  if (std::filesystem::weakly_canonical(arguments.json) ==
-      std::filesystem::weakly_canonical(arguments.output))
-    throw std::runtime_error(arguments.json + ": is the repaired model; name another file for the report");
-}
-
 occ::RepairReport repairFile(const std::string& path, const occ::RepairOptions& options) {
   const occ::Model model = readUnderBar(path);
   ProgressBar bar(doing("repairing", path));
   return occ::repair(model, options, bar.progress());
-}
-
-occ::WriteReport writeUnderBar(const occ::Model& model, const std::string& path,
-                               const occ::WriteOptions& options) {
-  ProgressBar bar(doing("writing", path));
-  return occ::writeModel(model, path, options, bar.progress());
 }
 
 /// What analyze() finds in the new file, which waits beside its place.
@@ -101,11 +64,6 @@ report::RepairOutput readBack(const std::filesystem::path& written, const std::s
 
 void addRepairOptions(CLI::App& command, RepairArguments& arguments) {
   command.add_option("MODEL", arguments.model, "STEP, IGES or BREP file, told by its content")->required();
-  command
-      .add_option("-o", arguments.output,
-                  "The repaired model: .step, .stp, .iges, .igs, .brep, .brp or .bin (binary BREP)")
-      ->type_name("OUT")
-      ->required();
   command.add_option("--target", arguments.target, "What the seams must reach: G1 or G2")
       ->check(CLI::IsMember({"G1", "G2"}))
       ->capture_default_str();
@@ -126,30 +84,28 @@ void addRepairOptions(CLI::App& command, RepairArguments& arguments) {
                    "Planes, cylinders and the like may become splines where they have to move");
   command.add_flag("!--no-sew", arguments.sew,
                    "Edges that --match finds stay two, though they meet within the gap");
-  command.add_option("--json", arguments.json, "Write a report to this file")->type_name("FILE");
-  command.add_flag("--overwrite", arguments.overwrite, "Another file of OUT's name may be replaced");
-  command.add_flag("--overwrite-source", arguments.overwrite_source, "OUT may be MODEL itself");
+  addOutputOptions(command, "repaired", arguments.output);
 }
 
 int runRepair(const RepairArguments& arguments) {
   const occ::RepairOptions options = optionsOf(arguments);
-  occ::WriteOptions how = {.overwrite = arguments.overwrite, .overwrite_source = arguments.overwrite_source};
-  requireFiles(arguments, how);
+  occ::WriteOptions how = arguments.output.writeOptions();
+  requireOutputs(arguments.model, arguments.output);
   const occ::RepairReport report = repairFile(arguments.model, options);
   report::RepairOutput output;
   std::optional<PendingFile> json;
   how.check = [&](const std::filesystem::path& waiting) {
-    output = readBack(waiting, arguments.output, options);
-    if (!arguments.json.empty())
-      json.emplace(arguments.json, report::toLine(report::toJson(report, options, output)) + '\n');
+    output = readBack(waiting, arguments.output.model, options);
+    if (!arguments.output.report.empty())
+      json.emplace(arguments.output.report, report::toLine(report::toJson(report, options, output)) + '\n');
   };
-  const occ::WriteReport written = writeUnderBar(report.model, arguments.output, how);
+  const occ::WriteReport written = writeUnderBar(report.model, arguments.output.model, how);
   if (json) json->takePlace();
   writeStandardOutput(report::toTable(report, output));
   warn(arguments.model, report.before.model.notes);
-  warn(arguments.output, written.notes);
+  warn(arguments.output.model, written.notes);
   if (const std::string differences = output.differences(report); !differences.empty())
-    warn(arguments.output, {differences});
+    warn(arguments.output.model, {differences});
   return report.after.passed() && output.defects == 0 ? 0 : 1;
 }
 

@@ -11,7 +11,7 @@ namespace seamwright::cli {
 /// What `seamwright repair` was asked to do.
 struct RepairArguments {
   std::string model;
-  std::string output;
+  OutputArguments output;
   std::string target = "G1";
   MeasureArguments measure;
   double max_move_mm = occ::RepairOptions{}.max_move_mm;
@@ -19,9 +19,6 @@ struct RepairArguments {
   std::vector<int> fixed_faces;
   bool sew = true;
   bool convert_analytic = false;
-  std::string json;
-  bool overwrite = false;
-  bool overwrite_source = false;
 };
 
 /// Adds the options to a command; they are parsed into \p arguments.
