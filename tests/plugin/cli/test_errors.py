@@ -3,7 +3,7 @@
 
 import pytest
 
-from command import run
+from command import contents, expect_one_line, run
 from models import MODELS, box_text, installed
 
 
@@ -57,18 +57,6 @@ def names():
 
     with tempfile.TemporaryDirectory() as folder:
         return list(bad_inputs(pathlib.Path(folder)))
-
-
-def contents(folder):
-    return {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
-
-
-def expect_one_line(result, said):
-    assert result.returncode == 2, (result.returncode, result.stdout, result.stderr)
-    assert result.stdout == ""
-    assert result.stderr.count("\n") == 1 and result.stderr.endswith("\n"), result.stderr
-    assert result.stderr.startswith("seamwright: ")
-    assert str(said) in result.stderr
 
 
 @pytest.mark.parametrize("name", names())

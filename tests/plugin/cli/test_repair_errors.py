@@ -8,7 +8,7 @@ import tempfile
 
 import pytest
 
-from command import PROGRAM, run
+from command import PROGRAM, contents, expect_one_line, run
 from models import MODELS, box_text, installed
 from patches import sheet_text
 
@@ -64,7 +64,7 @@ def bad_inputs(folder):
         "report in a missing folder": ([good, *to, "--json", folder / "nowhere" / "a.json"], "nowhere"),
         "report is a folder": ([good, *to, "--json", folder], "folder"),
         "report is the model": ([good, *to, "--json", good], "good.step"),
-        "report is the output": ([good, *to, "--json", folder / "." / "out.step"], "out.step: is the repaired model"),
+        "report is the output": ([good, *to, "--json", folder / "." / "out.step"], "out.step: is where the model goes"),
         "report on standard output": ([good, *to, "--json", "-"], "--json -"),
         "report over another model": ([good, *to, "--json", old], "old.step: has the name of a model"),
         "report over a model in capitals": ([good, *to, "--json", folder / "OLD.BRP", "--overwrite"], "OLD.BRP: has the name of a model"),
@@ -79,18 +79,6 @@ def bad_inputs(folder):
 def names():
     with tempfile.TemporaryDirectory() as folder:
         return list(bad_inputs(pathlib.Path(folder)))
-
-
-def contents(folder):
-    return {path: path.read_bytes() if path.is_file() else None for path in folder.rglob("*")}
-
-
-def expect_one_line(result, said):
-    assert result.returncode == 2, (result.returncode, result.stdout, result.stderr)
-    assert result.stdout == ""
-    assert result.stderr.count("\n") == 1 and result.stderr.endswith("\n"), result.stderr
-    assert result.stderr.startswith("seamwright: ")
-    assert str(said) in result.stderr
 
 
 @pytest.mark.parametrize("name", names())
