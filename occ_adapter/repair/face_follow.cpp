@@ -330,10 +330,11 @@ class FaceFollower {
       }
       judge();
       fairness_ = k;
-      const bool still_turned = at_samples_ == infinite && k > first;
-      if (isMet() || still_turned || at_samples_ <= task_->share / 2 || at_samples_ > better * before) return;
+      const bool gains_nothing = at_samples_ > better * before || at_samples_ == infinite;
+      if (isMet() || at_samples_ <= task_->share / 2) return;
+      if (gains_nothing && k > std::max(first, for_curvature)) return;
       before = at_samples_;
-      if (gently_ && k >= for_curvature && limit == infinite)
+      if (gently_ && (k >= for_curvature || at_samples_ <= 1) && limit == infinite)
         limit = of_its_size * std::max(largestMove(), task_->tolerance.gap_mm);
     }
   }
