@@ -334,7 +334,7 @@ class FaceFollower {
       if (isMet() || at_samples_ <= task_->share / 2) return;
       if (gains_nothing && k > std::max(first, for_curvature)) return;
       before = at_samples_;
-      if (gently_ && (k >= for_curvature || at_samples_ <= 1) && limit == infinite)
+      if (gently_ && (k + 1 >= for_curvature || at_samples_ <= 1) && limit == infinite)
         limit = of_its_size * std::max(largestMove(), task_->tolerance.gap_mm);
     }
   }
