@@ -312,15 +312,16 @@ class FaceFollower {
   }
 
   /// As fair as can be: less so only as long as the samples can't be met, and, if gently, as the move stays of its size. After a refinement
-  /// from one step fairer than before. The first steps are for curvature alone: beside its soft rows the others may well be met by fairer moves.
+  /// from one step fairer than before. The first step is for curvature alone: beside its soft rows the others may well be met by fairer moves.
   /// Where a step makes the move much longer and gains little, knots are what is missing.
   void moveFairly() {
     constexpr double better = 0.5, of_its_size = 2;
-    constexpr std::array<double, 6> fairnesses = {10, 1, 0.1, 0.01, 1e-3, 1e-4};
-    constexpr std::size_t for_curvature = 2;
+    constexpr std::array<double, 5> fairnesses = {3, 0.1, 0.01, 1e-3, 1e-4};
+    constexpr std::size_t for_curvature = 1;
     double before = infinite, limit = infinite;
     was_held_back_ = false;
-    const std::size_t first = std::max(isCurved() ? 0 : for_curvature, fairness_ > 0 ? fairness_ - 1 : 0);
+    const std::size_t first =
+        std::max<std::size_t>(isCurved() ? 0 : for_curvature, fairness_ > 0 ? fairness_ - 1 : 0);
     for (std::size_t k = first; k < fairnesses.size(); ++k) {
       const PointRows fairer = poles_;
       const double shorter = largestMove();
@@ -334,8 +335,6 @@ class FaceFollower {
       fairness_ = k;
       if (isMet() || at_samples_ <= task_->share / 2) return;
       if (gains_nothing && k > std::max(first, for_curvature)) return;
-      std::fprintf(stderr, "%p   k %d at %.3g given %.3g move %.3g\n", (void*)task_, (int)k, at_samples_,
-                   given_, largestMove());
       before = at_samples_;
       if (gently_ && (k >= for_curvature || at_samples_ <= 1) && limit == infinite)
         limit = of_its_size * std::max(largestMove(), task_->tolerance.gap_mm);
