@@ -62,7 +62,7 @@ def test_rows_come_worst_first_with_figures_before_and_after(done):
     assert [row.seam for row in rows] == [3, 2, 5]
     assert [row.state for row in rows] == [repair_text.LEFT, repair_text.REPAIRED, repair_text.LEFT]
     cells = rows[1].cells
-    assert cells[0] == "2"
+    assert cells[0] == "Edge2"
     assert cells[1] == "2, 3"
     assert cells[2] == "\u22650.4" + ARROW + "\u22651e-9"
     assert cells[-1] == "repaired"

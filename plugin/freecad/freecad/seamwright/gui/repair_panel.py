@@ -7,7 +7,7 @@ Nothing is repaired before Preview or OK is pressed.
 import FreeCADGui as Gui
 import Part
 
-from freecad.seamwright.document import analysis, properties, repair
+from freecad.seamwright.document import analysis, elements, properties, repair
 from freecad.seamwright.gui import icon_path, seam_view
 from freecad.seamwright.gui.element_list import ElementList
 from freecad.seamwright.gui.qt import QtGui, QtWidgets
@@ -46,7 +46,7 @@ class RepairPanel(ResultPanel):
 
     def sources(self):
         """The object whose seams are repaired."""
-        return repair.source_objects(self.obj)
+        return elements.source_objects(self.obj)
 
     def _analyses(self):
         """Those of the source: their coloured lines tell how it was before."""
@@ -163,7 +163,7 @@ class RepairPanel(ResultPanel):
 
     def _read(self):
         for name, each in self.lists.items():
-            each.set_names(repair.element_names(self.obj, name))
+            each.set_names(elements.names(self.obj, name))
         self.max_move.setValue(properties.number(self.obj, "MaxMove"))
         self.tolerances.read_from(self.obj)
         self.after.setChecked(True)
@@ -174,8 +174,8 @@ class RepairPanel(ResultPanel):
     def preview(self):
         """Take over the fields and repair anew."""
         for name, each in self.lists.items():
-            if each.names() != repair.element_names(self.obj, name):
-                repair.set_elements(self.obj, name, each.names())
+            if each.names() != elements.names(self.obj, name):
+                elements.set_names(self.obj, name, each.names())
         if properties.number(self.obj, "MaxMove") != self.max_move.value():
             self.obj.MaxMove = self.max_move.value()
         self.tolerances.write_to(self.obj)
@@ -262,7 +262,7 @@ class RepairPanel(ResultPanel):
 
     def _write_note(self, rows):
         """Why the seams of the chosen rows were not repaired, in full: the column is too narrow for it."""
-        reasons = ["Seam %d: %s" % (row.seam, row.cells[-1]) for row in rows if row.state == repair_text.LEFT]
+        reasons = ["%s: %s" % (row.cells[0], row.cells[-1]) for row in rows if row.state == repair_text.LEFT]
         self.note.setText("\n".join(reasons))
         self.note.setVisible(bool(reasons))
 

@@ -4,7 +4,7 @@
 The class path is written into documents: neither rename nor move it.
 """
 
-from freecad.seamwright.document import repair, sources
+from freecad.seamwright.document import elements, repair, sources
 from freecad.seamwright.document.move_map import move_map
 from freecad.seamwright.gui.halo import Halo
 from freecad.seamwright.gui.later import later
@@ -41,7 +41,7 @@ class SeamRepairView(ResultView):
 
     def sources(self, obj):
         """The object whose seams are repaired."""
-        return repair.source_objects(obj)
+        return elements.source_objects(obj)
 
     def has_result(self, obj):
         """Whether a repair was computed."""
@@ -84,7 +84,7 @@ class SeamRepairView(ResultView):
         if self._drawn == obj.Report:
             return True
         try:
-            before = repair.source_shape(obj)
+            before = elements.source_shape(obj)
         except sources.SourceError:
             return False
         if len(before.Faces) != len(obj.Shape.Faces):
