@@ -223,8 +223,8 @@ class Repairing(RepairWindow):
         self.assertEqual(results.count("repaired"), obj.Repaired)
         for place, text in enumerate(results):
             click_row(panel.table, place)
-            self.assertEqual(panel.note.isVisible(), text != "repaired")
-            self.assertTrue(text == "repaired" or panel.note.text().endswith(text))
+            self.assertEqual(panel.remark.isVisible(), text != "repaired")
+            self.assertTrue(text == "repaired" or panel.remark.text().endswith(text))
         click_row(panel.table, 0)
         whole_window("repair-left")
         self.ok()

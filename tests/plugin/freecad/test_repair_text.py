@@ -7,7 +7,7 @@ import math
 import pytest
 from test_plain import SIGHTS, TOLERANCE, lab, linear, seam
 
-from freecad.seamwright.plain import moves, repair_text
+from freecad.seamwright.plain import moves, repair_text, rows
 
 ARROW = repair_text.ARROW
 
@@ -132,7 +132,7 @@ def test_seams_that_could_not_be_measured_are_worst():
 
 
 def test_located_names_each_face_and_edge_of_the_object(done):
-    place = repair_text.located(done, "Panel")["freecad"]
+    place = rows.located([seam["before"] for seam in done["seams"]], done["tolerance"], "Panel")["freecad"]
     assert place["edges"]["3"] == ["Panel", "Edge3"]
     assert place["faces"]["6"] == ["Panel", "Face6"]
 

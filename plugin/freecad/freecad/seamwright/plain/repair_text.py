@@ -203,15 +203,3 @@ def _detail(before, after, reason, tolerance):
     parts = [("Before", before)] + ([("After", after)] if after is not None else [])
     texts = ["%s: %s" % (when, rows.detail_text(seam, tolerance)) for when, seam in parts]
     return "\n\n".join(texts + ([reason] if reason else []))
-
-
-def located(report, name):
-    """The report as the view wants it, with each face and edge of the seams as part of the object ``name``."""
-    seams = [seam["before"] for seam in report["seams"]]
-    return {
-        "tolerance": report["tolerance"],
-        "freecad": {
-            kind: {str(n): [name, prefix + str(n)] for seam in seams for n in seam[kind]}
-            for kind, prefix in (("faces", "Face"), ("edges", "Edge"))
-        },
-    }
