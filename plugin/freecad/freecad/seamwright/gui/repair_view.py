@@ -31,8 +31,9 @@ class SeamRepairView(ResultView):
         super().attach(vobj)
         add_properties(vobj)
         self.legend, self.colours = Legend(), MoveColours()
-        for node in (self.colours.node, self.legend.node):
-            vobj.RootNode.insertChild(node, 0)
+        root = vobj.RootNode
+        root.insertChild(self.colours.node, root.findChild(self.halo.node) + 1)  # it hides what comes after it
+        root.insertChild(self.legend.node, 0)
         self._drawn = None  # the report whose moves are drawn
         later(vobj.Object, lambda obj: self._draw(obj.ViewObject))
 
