@@ -96,6 +96,15 @@ def checked(given, table, choices):
     return values
 
 
+def checked_numbers(argument, given):
+    """A list of lengths for a number, a list of numbers, or None. Raises ValueError for one that is negative or not finite."""
+    numbers = [] if given is None else list(given) if isinstance(given, (list, tuple)) else [given]
+    for place, value in enumerate(numbers):
+        if not (value >= 0 and math.isfinite(value)):
+            raise ValueError("%s[%d] = %r: must be a finite number, not negative" % (argument, place, value))
+    return [float(value) for value in numbers]
+
+
 def _of_profile(profile, names):
     """The tolerances of a profile that are in ``names``; none for None: the properties have their defaults."""
     if profile is None:
