@@ -49,6 +49,17 @@ def summary_text(report):
     return "Corner of %s rounded with radii %s mm; %s; %s is met." % (rounded, radii, seams, TARGET)
 
 
+def waiting_text(edges):
+    """What would be done."""
+    return "%s to round." % summary.counted(len(edges), "edge")
+
+
+def new_faces(report):
+    """The numbers of the patches and the cylinders."""
+    both = (BETWEEN["spoke"], BETWEEN["section"])
+    return {number for seam in report["seams"] if seam["between"] in both for number in seam["faces"]}
+
+
 def edge_text(edge):
     """ "convex, 90°": an edge of the report between its faces."""
     return "%s, %.4g\u00b0" % ("convex" if edge["convex"] else "concave", edge["angle_deg"])

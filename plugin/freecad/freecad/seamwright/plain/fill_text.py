@@ -109,6 +109,17 @@ def missed(report):
     return [fill for fill in report["fills"] if not fill["reached"]]
 
 
+def new_faces(report):
+    """(numbers of the new faces, number of the face that they replace or None)."""
+    replaced = [fill["face"] for fill in kept(report)]
+    return {number for fill in kept(report) for number in fill["faces"]}, replaced[0] if replaced else None
+
+
+def waiting_text(faces, holes):
+    """What would be done: names of faces that are replaced, none or one, or numbers of holes."""
+    return "%s to replace." % faces[0] if faces else "%s to fill." % summary.counted(len(holes), "hole")
+
+
 def name_of(fill):
     """ "Hole 2" or "Face16". """
     return "Hole %d" % fill["hole"] if fill["face"] is None else "Face%d" % fill["face"]
