@@ -8,7 +8,7 @@ from freecad.seamwright.gui.qt import QtWidgets
 from freecad.seamwright.gui.tolerance_form import NumberField, ToleranceForm
 from freecad.seamwright.plain import corner_text
 
-HEADINGS = ("Edge", "Length mm", "Between its faces", "Radius", "Setback")
+HEADINGS = ("Edge", "Length mm", "Angle", "Radius", "Setback")
 RADIUS, SETBACK = 3, 4
 
 LINES = 4
@@ -38,7 +38,10 @@ class CornerPanel(NewSeamsPanel):
         self.edges.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
         self.edges.setSelectionMode(QtWidgets.QAbstractItemView.NoSelection)
         self.edges.verticalHeader().hide()
-        self.edges.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.Stretch)
+        header = self.edges.horizontalHeader()
+        header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
+        for column in (RADIUS, SETBACK):
+            header.setSectionResizeMode(column, QtWidgets.QHeaderView.Stretch)
         self.fields = {column: self._fields(column) for column in (RADIUS, SETBACK)}
         height = self.edges.verticalHeader().defaultSectionSize()
         self.edges.setFixedHeight((1 + min(LINES, max(1, len(self._edges)))) * height + 4)
