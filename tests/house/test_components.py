@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Components switch off, and what is missing is named with the Debian package that brings it."""
 
+import json
 import os
+import re
+import shlex
 import shutil
 import subprocess
 from pathlib import Path
@@ -9,6 +12,7 @@ from pathlib import Path
 import pytest
 
 SOURCE = Path(os.environ["SEAMWRIGHT_SOURCE"])
+BUILD = Path(os.environ["SEAMWRIGHT_BUILD"])
 COMPONENTS = ("OCC", "CLI", "PYTHON", "FREECAD")
 
 
@@ -38,13 +42,26 @@ def test_contradiction_is_named(tmp_path, parts, missing):
     assert missing in output
 
 
+def commands(build):
+    """What decides how a file of core compiles, by its path: headers, definitions and the standard."""
+    found = {}
+    for entry in json.loads((build / "compile_commands.json").read_text()):
+        path = Path(entry["file"]).relative_to(SOURCE if Path(entry["file"]).is_relative_to(SOURCE) else build)
+        words = shlex.split(entry["command"].replace(str(build), "BUILD"))
+        found[str(path)] = [f"{word} {words[i + 1]}" if word == "-isystem" else word for i, word in enumerate(words)
+                            if word.startswith(("-I", "-D", "-isystem", "-std=", "-f"))]
+    return found
+
+
 def test_core_alone_needs_neither_opencascade_nor_python(tmp_path):
+    """Core was built with these very commands, so it need not be built again."""
     missing = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in ("OpenCASCADE", "Python", "pybind11", "CLI11")]
-    status, output = configure(tmp_path, (), *missing)
+    status, output = configure(tmp_path, (), "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON", *missing)
     assert status == 0, output
-    built = subprocess.run(["cmake", "--build", str(tmp_path)], capture_output=True, text=True)
-    assert built.returncode == 0, built.stdout
-    assert [path.name for path in (tmp_path / "lib").iterdir()] == ["libseamwright_core.a"]
+    alone = commands(tmp_path)
+    assert alone == {path: words for path, words in commands(BUILD).items() if path.startswith("core/")}
+    plan = subprocess.run(["ninja", "-C", str(tmp_path), "-n", "-v"], capture_output=True, text=True, check=True).stdout
+    assert re.findall(r" -o (?!core/)(\S+)", plan) == [] and "ar qc lib/libseamwright_core.a" in plan, plan
 
 
 @pytest.mark.parametrize("package, component, debian", [
