@@ -77,6 +77,7 @@ double spanAtEnd(const FaceUse& side, const Pcurve& path, int end) {
   FollowPath along;
   along.path = path;
   const SpanMeasure measure(PlanePath(along), SurfaceBasis(*surface), surface);
+  if (measure.spans() == 0) return 0;
   const double spans = std::min(3.0, measure.spans()), share = spans / measure.spans();
   return (end == 0 ? measure.at(share) : 1 - measure.at(1 - share)) / spans;
 }

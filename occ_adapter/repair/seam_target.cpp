@@ -31,8 +31,15 @@ Eigen::Matrix3d inPlane(const Eigen::Matrix3d& tensor, const Eigen::Vector3d& no
   return onto * tensor * onto;
 }
 
+/// The vector along a direction; nothing of it where a path stands still and has none.
+Eigen::Vector3d partAlong(const Eigen::Vector3d& vector, const Eigen::Vector3d& direction) {
+  const double squared = direction.squaredNorm();
+  if (squared == 0) return Eigen::Vector3d::Zero();
+  return vector.dot(direction) / squared * direction;
+}
+
 Eigen::Vector3d orthogonal(const Eigen::Vector3d& normal, const Eigen::Vector3d& tangent) {
-  return (normal - normal.dot(tangent) / tangent.squaredNorm() * tangent).normalized();
+  return (normal - partAlong(normal, tangent)).normalized();
 }
 
 /// The part of a vector that lies in the span of up to two unit normals.
@@ -119,7 +126,9 @@ double SeamTarget::seamParameter(int side, double place) const {
   constexpr int steps = 4;
   for (int k = 0; k < steps; ++k) {
     const Mean there = led(s);
-    s = std::clamp(s - (there.point - own).dot(there.slope) / there.slope.squaredNorm(), 0.0, 1.0);
+    const double step = (there.point - own).dot(there.slope) / there.slope.squaredNorm();
+    if (!std::isfinite(step)) break;  // the seam stands still
+    s = std::clamp(s - step, 0.0, 1.0);
   }
   return s;
 }
@@ -166,12 +175,13 @@ Eigen::Vector3d SeamTarget::slope(int side, double s) const {
   const Correspondence& map = seam_.correspondence;
   if (map.s.empty()) return strips_[side].trace(s).d;
   const PathPoint first = strips_[0].trace(placeOnFirst(map, s));
-  const auto right = std::lower_bound(map.s.begin() + 1, map.s.end() - 1, s) - map.s.begin();
+  auto right = std::upper_bound(map.s.begin() + 1, map.s.end() - 1, s) - map.s.begin();
+  while (right > 1 && map.s[right] == map.s[right - 1]) --right;
   const double rate = (map.a[right] - map.a[right - 1]) / (map.s[right] - map.s[right - 1]);
   if (side == 0) return rate * first.d;
   // The foot of the first side's point on the second side's path moves with what it moves along it.
   const PathPoint second = strips_[1].trace(placeOnSecond(s));
-  return rate * first.d.dot(second.d) / second.d.squaredNorm() * second.d;
+  return rate * partAlong(first.d, second.d);
 }
 
 SeamTarget::Mean SeamTarget::mean(double s) const {
@@ -256,7 +266,8 @@ TargetPoint SeamTarget::at(double s) const {
   for (const int side : {0, 1})
     if (stays_[side]) return shown(side, s);
   const Mean here = led(s);
-  if (order_ < 2) return {here.point, here.normal, inPlane(here.curvature, here.normal)};
+  if (order_ < 2 || here.slope.isZero(0))
+    return {here.point, here.normal, inPlane(here.curvature, here.normal)};
   // The curve and the normal along it give all of the tensor but the curvature across.
   const Eigen::Vector3d t = here.slope.normalized(), b = here.normal.cross(t);
   const Eigen::Vector3d turn = -derivative([&](double at) { return led(at).normal; }, s) / here.slope.norm();
@@ -335,11 +346,12 @@ class TensorFit {
   Eigen::Vector3d right_ = Eigen::Vector3d::Zero();
 };
 
+/// 1 where there are none: a unit for them.
 double longestWay(const std::vector<VertexView>& views) {
   double longest = 0;
   for (const VertexView& view : views)
     for (const Eigen::Vector3d& way : view.ways) longest = std::max(longest, way.norm());
-  return longest;
+  return longest > 0 ? longest : 1;
 }
 
 /// Of what ways leave open.
