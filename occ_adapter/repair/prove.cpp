@@ -387,6 +387,15 @@ std::optional<std::size_t> worstOf(const RepairTask& task, const std::set<int>& 
   return worst;
 }
 
+/// Of a proof that does not hold, where nothing that was treated is to blame.
+std::string firstFault(const Proof& proof) {
+  if (!proof.faces.empty()) {
+    const auto& [face, why] = *proof.faces.begin();
+    return "face " + std::to_string(face) + ": " + why;
+  }
+  return proof.worse.empty() ? proof.whole : proof.worse.begin()->second;
+}
+
 void addConnected(const RepairTask& task, const std::set<int>& moved,
                   std::map<std::size_t, std::string>& given_up) {
   for (bool grew = true; grew;) {
@@ -488,7 +497,7 @@ std::map<std::size_t, std::string> culprits(const RepairTask& task, const Repair
       for (const std::size_t i : blameFor(task, moved, task.seams[worse])) given_up.emplace(i, why);
   const bool nobody = given_up.empty();
   for (std::size_t i = 0; nobody && i < task.seams.size(); ++i)
-    if (task.treated[i]) given_up[i] = proof.whole.empty() ? "the change can't be proven" : proof.whole;
+    if (task.treated[i]) given_up[i] = firstFault(proof);
   if (with_connected) addConnected(task, moved, given_up);
   return given_up;
 }
