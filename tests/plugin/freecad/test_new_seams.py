@@ -193,7 +193,7 @@ def corner(met=True, shortfall=""):
 def test_a_corner_is_told_with_its_radii():
     report = corner_text.build_report(corner(), TOLERANCE)
     assert corner_text.summary_text(report).startswith("Corner of 3 edges rounded with radii 1, 2.5, 0.125 mm; 4 seams")
-    assert corner_text.new_faces(report) == {7, 10, 11}
+    assert corner_text.new_faces(report) == {7, 10, 11} and corner_text.patches(report) == {10, 11}
     assert [corner_text.edge_text(edge) for edge in report["edges"][:2]] == ["concave, 90\u00b0", "convex, 90\u00b0"]
     assert [each["between"] for each in report["seams"]] == list(corner_text.BETWEEN.values())
     assert json.loads(json.dumps(report)) == report

@@ -17,7 +17,7 @@ class CornerFilletView(NewFacesView):
     ICON = "seamwright-corner"
 
     def new_faces(self, obj):
-        """(numbers of the patches and cylinders, None)."""
+        """(numbers of the patches and fillets, None)."""
         return corner_text.new_faces(corner.report_of(obj)), None
 
     def make_panel(self, obj, created):

@@ -14,7 +14,7 @@ FIELDS = (
     ("FlatRadius", "Flat above radius", " mm", 1e12),
     ("MatchDistance", "Match open edges within", " mm", 1e6),
     ("CornerAngle", "Corner of a hole above", "\u00b0", 180.0),
-    ("SectionTolerance", "Patches to cylinders", " mm", 0.1),
+    ("SectionTolerance", "Patches to fillets", " mm", 0.1),
 )
 
 #: Fields whose zero means that the thing is not done.
