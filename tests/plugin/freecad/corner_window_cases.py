@@ -157,6 +157,27 @@ class Rounding(CornerWindow):
             self.assertEqual((list(obj.Radii), obj.Met, self.visible()), ([1.0], True, [obj.Name]))
             self.assertEqual([edge["radius_mm"] for edge in corner.report_of(obj)["edges"]], [1.0] * 3)
 
+    def test_faces_keep_their_colours_where_they_keep_their_order(self):
+        quarter = Part.makeCylinder(10, 20, App.Vector(), App.Vector(0, 0, 1), 90)
+        for name, shape in (("Plain", Part.makeBox(10, 10, 10)), ("Quarter", quarter)):
+            source = models.add(self.doc, shape, name)
+            self.doc.recompute()
+            colours = [(0.1, 0.1 * n, 0.5) for n in range(len(shape.Faces))]
+            source.ViewObject.DiffuseColor = colours
+            obj, _ = self.start("Vertex1", source=source)
+            self.ok()
+            shown = [colour[:3] for colour in obj.ViewObject.DiffuseColor]
+            self.assertEqual(len(shown), len(obj.Shape.Faces))
+            for face, colour in zip(obj.Shape.Faces, shown):
+                if min(abs(colour[1] - other[1]) for other in colours) < 0.01 and abs(colour[0] - 0.1) < 0.01:
+                    number = round(10 * colour[1])
+                    surface = shape.Faces[number].Surface
+                    for vertex in face.Vertexes:
+                        foot = surface.value(*surface.parameter(vertex.Point))
+                        self.assertLess((foot - vertex.Point).Length, 1e-6)
+            if name == "Plain":
+                self.assertEqual([round(10 * colour[1]) for colour in shown[:6]], list(range(6)))
+
     def test_other_selections_and_a_missing_kernel_are_one_message(self):
         for names, found in (
             (("Edge1",), "Selected: no vertex."),
