@@ -92,9 +92,11 @@ def test_the_longest_loop_is_left_out_unless_there_is_no_other():
     assert fill_text.default_holes([rim, inner]) == [inner]
     assert fill_text.default_holes([rim]) == [rim]
     assert fill_text.default_holes([]) == []
-    assert fill_text.hole_text(inner) == "Hole 2: 3 sides, 30 mm"
-    assert fill_text.hole_text(rim) == "Hole 1: 2 sides, 20 mm, the longest loop: a rim?"
-    assert fill_text.hole_text(hole(3, [7], corners=False)) == "Hole 3: no corner, 10 mm"
+    assert fill_text.hole_text(inner, [rim, inner]) == "Hole 2: 3 sides, 30 mm"
+    assert fill_text.hole_text(rim, [rim, inner]) == "Hole 1: 2 sides, 20 mm, the longest loop: a rim?"
+    assert fill_text.hole_text(rim, [rim]) == "Hole 1: 2 sides, 20 mm"
+    smooth = hole(3, [7], corners=False)
+    assert fill_text.hole_text(smooth, [smooth]) == "Hole 3: no corner, 10 mm"
     assert fill_text.hole_tip(rim) == "Edge1, Edge2, Edge3"
 
 

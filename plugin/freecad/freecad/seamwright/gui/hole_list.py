@@ -30,7 +30,7 @@ class HoleList(QtWidgets.QListWidget):
         self.blockSignals(True)
         self.clear()
         for hole in holes:
-            item = QtWidgets.QListWidgetItem(fill_text.hole_text(hole), self)
+            item = QtWidgets.QListWidgetItem(fill_text.hole_text(hole, holes), self)
             item.setToolTip(fill_text.hole_tip(hole))
             _tick(item, hole["id"] in wanted)
         self.blockSignals(False)

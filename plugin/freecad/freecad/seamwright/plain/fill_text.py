@@ -38,11 +38,11 @@ def chosen_holes(holes, edges):
     return [hole for hole in holes if hole["id"] in wanted]
 
 
-def hole_text(hole):
-    """ "Hole 2: 4 sides, 63.1 mm". """
+def hole_text(hole, holes):
+    """ "Hole 2: 4 sides, 63.1 mm", with a remark at one that is not filled unless it is chosen."""
     sides = summary.counted(len(hole["sides"]), "side") if hole["has_corners"] else "no corner"
     text = "Hole %d: %s, %.4g mm" % (hole["id"], sides, hole["length_mm"])
-    return text + ", the longest loop: a rim?" if hole["longest"] else text
+    return text if hole in default_holes(holes) else text + ", the longest loop: a rim?"
 
 
 def hole_tip(hole):
