@@ -110,6 +110,15 @@ class Holes(FillCase):
             named |= set(entry["faces"])
         self.assertEqual(len(named), 12)
 
+    def test_holes_of_two_shells(self):
+        one, other = models.open_block(1), models.open_block(1, size=26.0)
+        other.translate(App.Vector(50, 0, 0))
+        obj = fill.create(models.add(self.doc, Part.Compound([one, other]), "Two"))
+        self.assertEqual((obj.Filled, obj.NewFaces, obj.Reached), (2, 6, True), obj.Summary)
+        self.assertEqual((len(obj.Shape.Solids), models.open_loops(obj.Shape)), (2, []))
+        for entry in fill.report_of(obj)["fills"]:
+            self.assertLess(largest_angle(obj.Shape, entry["faces"]), 0.01)
+
     def test_rims_are_left_open_unless_chosen(self):
         panel = models.add(self.doc, models.panel_with_hole(), "Panel")
         obj = fill.create(panel)
