@@ -333,7 +333,10 @@ class BandTrimmer {
     for (int k = 0; k < count; ++k) places->SetValue(k + 1, static_cast<double>(k) / (count - 1));
     for (int k = 1; k + 1 < count; ++k) {
       const Vector3d p = curve.point(places->Value(k + 1));
-      path->SetValue(k + 1, nearest.NextValueOfUV(path->Value(k), gp_Pnt(p.x(), p.y(), p.z()), 1e-9));
+      const gp_Pnt2d before = path->Value(k);
+      const gp_Pnt2d at = nearest.NextValueOfUV(before, gp_Pnt(p.x(), p.y(), p.z()), 1e-9);
+      path->SetValue(k + 1, {beside(at.X(), before.X(), surface.IsUPeriodic() ? surface.UPeriod() : 0),
+                             beside(at.Y(), before.Y(), surface.IsVPeriodic() ? surface.VPeriod() : 0)});
     }
     path->SetValue(count, to);
     Geom2dAPI_Interpolate fit(path, places, false, Precision::PConfusion());
@@ -341,6 +344,11 @@ class BandTrimmer {
     fit.Perform();
     if (!fit.IsDone()) throw std::domain_error("OpenCASCADE finds no path on a face between two fillets");
     return handle<Geom2d_Curve>(fit.Curve());
+  }
+
+  /// The parameter, by whole periods (0: there is none) next to another.
+  static double beside(double parameter, double other, double period) {
+    return period > 0 ? parameter + period * std::round((other - parameter) / period) : parameter;
   }
 
   /// The direction of the parameters that leads there.
