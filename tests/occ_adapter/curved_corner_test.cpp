@@ -12,6 +12,7 @@
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepTools.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
@@ -119,6 +120,34 @@ std::vector<Case> cases() {
       {"DomeOfFour", dome(4), {0, 0, std::sqrt(1200.0)}, {1}},
       {"DomeOfFourUnequal", dome(4), {0, 0, std::sqrt(1200.0)}, {1, 2}},
       {"DomeOfFive", dome(5), {0, 0, std::sqrt(1200.0)}, {1, 2}},
+      {"X1", BRepAlgoAPI_Cut(box(20, 20, 20), ball(10)).Shape(), {10, 0, 0}, {0.1, 1, 2}},
+      {"X2", BRepAlgoAPI_Cut(box(20, 20, 20), ball(10)).Shape(), {10, 0, 0}, {3, 0.2, 0.2}},
+      {"X3", BRepAlgoAPI_Common(box(20, 20, 20), ball(15)).Shape(), {15, 0, 0}, {0.1, 2, 1}},
+      {"X4", BRepPrimAPI_MakeCylinder(20, 30, 0.5).Shape(), {20, 0, 0}, {1, 3, 0.2}},
+      {"X5", BRepPrimAPI_MakeCylinder(20, 30, 0.5).Shape(), {0, 0, 0}, {0.2, 1, 0.1}},
+      {"X6", BRepPrimAPI_MakeCone(20, 2, 30, 1.0).Shape(), {20, 0, 0}, {0.3, 3, 1}},
+      {"X7", dome(3), {0, 0, std::sqrt(1200.0)}, {0.2, 1, 2}},
+      {"X8", dome(4), {0, 0, std::sqrt(1200.0)}, {0.2, 2, 1}},
+      {"X9", dome(5), {0, 0, std::sqrt(1200.0)}, {0.2, 2, 1}},
+      {"X10", dome(6), {0, 0, std::sqrt(1200.0)}, {0.2, 2, 1}},
+      {"X11",
+       BRepAlgoAPI_Fuse(BRepPrimAPI_MakeCylinder(gp_Ax2(gp::Origin(), gp::DZ(), gp_Dir(-1, 0, 0)), 20, 20).Shape(),
+                        BRepPrimAPI_MakeBox(gp_Pnt(0, -5, 5), gp_Pnt(30, 5, 15)).Shape())
+           .Shape(),
+       {std::sqrt(375.0), 5, 15},
+       {0.1, 2, 1}},
+      {"X12",
+       BRepAlgoAPI_Fuse(BRepPrimAPI_MakeCylinder(gp_Ax2(gp::Origin(), gp::DZ(), gp_Dir(-1, 0, 0)), 20, 20).Shape(),
+                        BRepPrimAPI_MakeBox(gp_Pnt(0, -5, 5), gp_Pnt(30, 5, 15)).Shape())
+           .Shape(),
+       {std::sqrt(375.0), 5, 15},
+       {2, 0.3, 2}},
+      {"X13",
+       BRepAlgoAPI_Cut(box(40, 40, 20), BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 20, -1), gp::DZ()), 10, 30).Shape()).Shape(),
+       {0, 10, 20},
+       {3, 0.1, 1}},
+      {"X14", regularPyramid(5, 20), {10, 0, 0}, {1,0.2,2}},
+      {"X15", regularPyramid(6, 20), {10, 0, 0}, {0.2,1,2}},
       {"DomeOfSix", dome(6), {0, 0, std::sqrt(1200.0)}, {0.5, 1, 1}},
   };
 }
@@ -128,6 +157,7 @@ class CurvedCorners : public testing::TestWithParam<Case> {};
 TEST_P(CurvedCorners, BecomeValidSolidsOfSmoothSeams) {
   const auto& [name, shape, corner, radii_mm] = GetParam();
   const CornerFillet result = rounded(shape, corner, radii_mm);
+  BRepTools::Write(result.model.shape, (std::string("/tmp/wc/") + name + ".brep").c_str());
   EXPECT_TRUE(result.met()) << result.shortfall;
   EXPECT_TRUE(BRepCheck_Analyzer(result.model.shape).IsValid());
   const occ::Report report = occ::analyze(result.model);
