@@ -33,12 +33,12 @@ class GridBuilder {
  public:
   explicit GridBuilder(const Patches& patches) : patches_(patches) {}
 
-  TopoDS_Shape build() {
+  TopoDS_Shape build(double tolerance_mm) {
     TopoDS_Shell shell;
     builder_.MakeShell(shell);
     for (std::size_t i = 0; i < patches_.size(); ++i)
       for (std::size_t j = 0; j < patches_[i].size(); ++j) builder_.Add(shell, face(i, j));
-    return withTolerance(shell, 0.3);
+    return withTolerance(shell, tolerance_mm);
   }
 
  private:
@@ -99,8 +99,8 @@ class GridBuilder {
 
 }  // namespace
 
-TopoDS_Shape gridOf(const Patches& patches) {
-  return GridBuilder(patches).build();
+TopoDS_Shape gridOf(const Patches& patches, double tolerance_mm) {
+  return GridBuilder(patches).build(tolerance_mm);
 }
 
 }  // namespace seamwright::test
