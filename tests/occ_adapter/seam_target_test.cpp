@@ -390,7 +390,7 @@ TEST(SeamTarget, FourFacesMeetAtAVertex) {
     for (int k = 0; k < 4; ++k) {
       moved[k] = patch.faces[k];
       if (one_stays && k == 0) continue;
-      FaceTask task{patch.faces[k], {followPath(targets[k], 0), followPath(targets[(k + 1) % 4], 1)}, fine()};
+      FaceTask task{patch.faces[k], {followPath(targets[k], 0, order), followPath(targets[(k + 1) % 4], 1, order)}, fine()};
       const FaceFollow follow = followPaths(task);
       // Of curvature at the vertex its derivatives along the seams contradict one another: it is met with the spans' first power.
       EXPECT_LE(std::ranges::max(follow.ratios), 0.5) << follow.failure;
