@@ -2,6 +2,7 @@
 // How near faces come to targets that no spline shows exactly, by the size of their knot spans.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
