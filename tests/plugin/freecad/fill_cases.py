@@ -202,6 +202,17 @@ class Holes(FillCase):
             self.assertLess(min((place - other.Point).Length for other in obj.Shape.Vertexes), 1e-5)
 
 
+    def test_a_link_is_filled_where_it_stands(self):
+        source, _ = self.open_block()
+        link = self.doc.addObject("App::Link", "Link")
+        link.LinkedObject = source
+        link.Placement.Base.z = 100
+        self.doc.recompute()
+        obj = fill.create(link)
+        self.assertTrue(obj.Reached, obj.Summary)
+        self.assertAlmostEqual(obj.Shape.BoundBox.ZMin, 100, delta=1e-6)
+
+
 class Following(FillCase):
     def test_each_change_asks_for_a_recompute(self):
         source, loops = self.open_block()
