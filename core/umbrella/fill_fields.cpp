@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <cmath>
 #include <limits>
 #include <seamwright/core/join/bernstein_rows.hpp>
+#include <seamwright/core/linear/dense.hpp>
 #include <seamwright/core/umbrella/fill_fields.hpp>
 #include <stdexcept>
 #include <string>
@@ -34,9 +34,9 @@ struct Scalars {
 
 /// The coefficients of the vector by the two others, least squares.
 Vector2d combination(const Vector3d& first, const Vector3d& second, const Vector3d& vector) {
-  Eigen::Matrix<double, 3, 2> plane;
+  Eigen::MatrixXd plane(3, 2);
   plane << first, second;
-  return plane.colPivHouseholderQr().solve(vector);
+  return linear::PivotedQr(plane).solve(vector);
 }
 
 double angleBetween(const Vector3d& a, const Vector3d& b) {
