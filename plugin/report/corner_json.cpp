@@ -81,7 +81,7 @@ ordered_json toJson(const occ::CornerFillet& fillet, const ContinuityTolerance& 
 
 std::string toTable(const occ::CornerFillet& fillet, const ModelCounts& memory,
                     const std::optional<WrittenModel>& output) {
-  std::vector<Row> rows = {{"edge", "", "angle deg", "radius mm", "contact mm", "setback mm"}};
+  std::vector<Row> rows = {{"edge", "kind", "angle deg", "radius mm", "contact mm", "setback mm"}};
   for (const occ::CornerFilletEdge& edge : fillet.edges)
     rows.push_back({"Edge" + std::to_string(edge.edge), edge.convex ? "convex" : "concave",
                     number(degrees_per_radian * edge.angle_rad, "%.4g"), number(edge.radius_mm, "%.4g"),
