@@ -6,9 +6,9 @@ import os
 
 import pytest
 
-from command import contents, expect_one_line, run
-from models import OCCT_DATA, box_text, installed
-from schemas import expect_every_key_matters, expect_valid, schema, validator
+from command import contents, expect_one_line, reader_that_finds, run
+from models import OCCT_DATA, box_text, installed, roof_text
+from schemas import expect_every_key_matters, expect_valid, validator
 
 VALIDATOR = validator("fill")
 
@@ -53,11 +53,6 @@ def test_faces_are_named_as_analyze_names_them(box):
     for report in (by_number, by_name):
         del report["time_s"]
     assert by_name == by_number
-
-
-def test_the_report_has_what_its_schema_says():
-    schema_of = schema("fill")
-    assert schema_of["properties"]["schema"]["const"] == "seamwright.fill/1"
 
 
 def test_every_key_of_the_report_matters(box):
@@ -105,18 +100,24 @@ def test_what_can_not_be_smooth_is_not_written(box):
     assert report["output"]["defects"] == sum(seam["angle_deg"]["lower"] > 0.01 for seam in report["outer"] + report["inner"])
 
 
-@pytest.mark.parametrize("reader", ["/bin/false", "/bin/true"])
-def test_what_can_not_be_read_back_does_not_take_its_place(tmp_path, reader):
-    """BREP is written without the reading program; only the first reading, of BREP as well, has to work."""
-    box = tmp_path / "box.step"
-    box.write_text(box_text())
-    turn = tmp_path / "reader"
-    real = run("--version")  # the program is there
-    assert real.returncode == 0
-    turn.write_text(f"#!/bin/sh\nexec {reader}\n")
-    turn.chmod(0o755)
+def test_the_verdict_is_on_the_file_too(box, tmp_path):
+    other, out, report = tmp_path / "other.step", tmp_path / "out.step", tmp_path / "out.json"
+    other.write_text(roof_text(1))
+    result = run("fill", box, "-o", out, "--json", report, "--face", "1", "--target", "G0",
+                 reader=reader_that_finds(other, tmp_path))
+    assert result.returncode == 1, result.stderr
+    found = json.loads(report.read_text())
+    expect_valid(found, VALIDATOR)
+    assert found["reached"] and found["output"]["faces"] == 2 and found["output"]["open_edges"] == 6
+    assert f"{out} read back: 2 faces, 7 edges, 6 open edges, 1 seam; the model in memory has 9, " in result.stdout
+    assert result.stderr.startswith(f"seamwright: warning: {out}: read back: ") and result.stderr.count("\n") == 1
+
+
+def test_what_cannot_be_read_back_is_not_written(box, tmp_path):
+    reader = reader_that_finds(tmp_path / "none.step", tmp_path)
     before = contents(tmp_path)
-    expect_one_line(run("fill", box, "-o", tmp_path / "out.brep", "--face", "1", "--target", "G0", reader=turn), "box.step")
+    expect_one_line(run("fill", box, "-o", tmp_path / "out.step", "--face", "1", "--target", "G0", reader=reader),
+                    "out.step: can't be read back")
     assert contents(tmp_path) == before
 
 
