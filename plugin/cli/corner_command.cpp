@@ -110,7 +110,7 @@ int runCorner(const CornerArguments& arguments) {
   writeStandardOutput(report::toTable(fillet, memory, written.model));
   warn(arguments.model, model.notes);
   warnOf(written, arguments.output, memory);
-  return fillet.met() && written.model->found.defects == 0 ? 0 : 1;
+  return fillet.met() && written.model->isAsGoodAs(memory) ? 0 : 1;
 }
 
 }  // namespace seamwright::cli

@@ -110,8 +110,9 @@ int runFill(const FillArguments& arguments) {
       {report.filled ? &report.model : nullptr, judgeOf(report, options), json}, arguments.output);
   writeStandardOutput(report::toTable(report, options, written.model));
   warn(arguments.model, model.notes);
-  warnOf(written, arguments.output, report::countsOf(report, options));
-  return report.reached && written.model && written.model->found.defects == 0 ? 0 : 1;
+  const report::ModelCounts memory = report::countsOf(report, options);
+  warnOf(written, arguments.output, memory);
+  return report.reached && written.model->isAsGoodAs(memory) ? 0 : 1;
 }
 
 }  // namespace seamwright::cli
