@@ -2,6 +2,7 @@
 """Runs the command."""
 
 import os
+import pathlib
 import subprocess
 
 PROGRAM = os.environ["SEAMWRIGHT"]
@@ -28,3 +29,14 @@ def expect_one_line(result, said):
     assert result.stderr.count("\n") == 1 and result.stderr.endswith("\n"), result.stderr
     assert result.stderr.startswith("seamwright: ")
     assert str(said) in result.stderr
+
+
+def reader_that_finds(other, folder):
+    """A reader that finds another model where the written one waits for its place."""
+    reader = folder / "reader.sh"
+    (real,) = pathlib.Path(PROGRAM).parent.glob("seamwright-read-*")
+    reader.write_text("#!/bin/bash\nargs=()\nfor arg; do\n"
+                      f"  case \"$arg\" in *.part) args+=({str(other)!r});; *) args+=(\"$arg\");; esac\n"
+                      f"done\nexec {str(real)!r} \"${{args[@]}}\"\n")
+    reader.chmod(0o755)
+    return reader
