@@ -7,11 +7,12 @@ import pathlib
 import pytest
 
 from command import PROGRAM, run
-from models import MODELS, OCCT_DATA, box_text, installed, roof_text
+from models import MODELS, OCCT_DATA, box_text, installed, reader_that_finds, roof_text
 from patches import sheet_text, surfaces_of, worst_figures
 from schemas import expect_every_key_matters, expect_valid, schema, validator
 
 VALIDATOR = validator("repair")
+(READER,) = pathlib.Path(PROGRAM).parent.glob("seamwright-read-*")
 
 
 def sheet(folder, name="sheet.step", **how):
@@ -130,21 +131,10 @@ def test_what_has_no_defect_is_written_as_it_was(tmp_path, make):
         assert again == seam["before"] == seam["after"]
 
 
-def reader_that_finds(other, folder):
-    """A reader that finds another model where the written one waits for its place."""
-    reader = folder / "reader.sh"
-    (real,) = pathlib.Path(PROGRAM).parent.glob("seamwright-read-*")
-    reader.write_text("#!/bin/bash\nargs=()\nfor arg; do\n"
-                      f"  case \"$arg\" in *.part) args+=({str(other)!r});; *) args+=(\"$arg\");; esac\n"
-                      f"done\nexec {str(real)!r} \"${{args[@]}}\"\n")
-    reader.chmod(0o755)
-    return reader
-
-
 def test_the_verdict_is_on_the_file_too(tmp_path):
     model, other, out = sheet(tmp_path), sheet(tmp_path, "other.step", count_x=3), tmp_path / "out.step"
     found = analysis(other)
-    result = run("repair", model, "-o", out, "--json", tmp_path / "out.json", reader=reader_that_finds(other, tmp_path))
+    result = run("repair", model, "-o", out, "--json", tmp_path / "out.json", reader=reader_that_finds(other, tmp_path, READER))
     assert result.returncode == 1, result.stderr
     report = json.loads((tmp_path / "out.json").read_text())
     expect_valid(report, VALIDATOR)
@@ -159,7 +149,7 @@ def test_the_verdict_is_on_the_file_too(tmp_path):
 
 
 def test_what_cannot_be_read_back_is_not_written(tmp_path):
-    model, reader = sheet(tmp_path), reader_that_finds(tmp_path / "none.step", tmp_path)
+    model, reader = sheet(tmp_path), reader_that_finds(tmp_path / "none.step", tmp_path, READER)
     before = sorted(tmp_path.iterdir())
     result = run("repair", model, "-o", tmp_path / "out.step", "--json", tmp_path / "out.json", reader=reader)
     assert result.returncode == 2 and result.stdout == ""
