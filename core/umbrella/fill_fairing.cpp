@@ -69,6 +69,10 @@ Eigen::MatrixXd nullSpace(const Eigen::MatrixXd& matrix) {
 
 }  // namespace
 
+Eigen::MatrixXd differencesOf(const FillSpace& space, const Eigen::MatrixXd& poles, int order) {
+  return differences<Eigen::MatrixXd>(space, poles, order);
+}
+
 Fairest fairest(const FillSpace& space, int order, std::optional<double> spoke_scale) {
   const Substitution rest = substitution(space, spoke_scale);
   const Poles offset = space.coefficients * rest.offset + space.constants;

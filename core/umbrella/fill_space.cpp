@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cmath>
 #include <seamwright/core/join/bernstein_rows.hpp>
-#include <seamwright/core/umbrella/fill_space.hpp>
 #include <seamwright/core/umbrella/fill_forms.hpp>
+#include <seamwright/core/umbrella/fill_space.hpp>
 #include <seamwright/core/umbrella/hole_corner.hpp>
 
 namespace seamwright::fill {

@@ -31,17 +31,22 @@ void requireDegree(int degree, int lowest, const std::string& what) {
                                 std::to_string(lowest) + " to " + std::to_string(max_side_degree));
 }
 
+void requireField(const std::optional<Poles>& field, const std::string& side, const std::string& name) {
+  if (!field) return;
+  requireDegree(static_cast<int>(field->rows()) - 1, 0, side + ": the " + name);
+  for (Eigen::Index i = 0; i < field->rows(); ++i)
+    for (int c = 0; c < 3; ++c)
+      if (!std::isfinite((*field)(i, c)))
+        throw std::invalid_argument(side + ": coefficient " + std::to_string(i) + " of the " + name + " is " +
+                                    text((*field)(i, c)));
+}
+
 void requireSide(const FillSide& side, std::size_t k) {
   if (side.edge.isRational())
     throw std::invalid_argument(sideName(k) + ": the edge is rational, fills are built from polynomials");
   requireDegree(side.edge.degree(), 1, sideName(k) + ": the edge");
-  if (!side.cross) return;
-  requireDegree(static_cast<int>(side.cross->rows()) - 1, 0, sideName(k) + ": the cross field");
-  for (Eigen::Index i = 0; i < side.cross->rows(); ++i)
-    for (int c = 0; c < 3; ++c)
-      if (!std::isfinite((*side.cross)(i, c)))
-        throw std::invalid_argument(sideName(k) + ": coefficient " + std::to_string(i) +
-                                    " of the cross field is " + text((*side.cross)(i, c)));
+  requireField(side.cross, sideName(k), "cross field");
+  requireField(side.bend, sideName(k), "second derivative");
 }
 
 /// Size of the coordinates: their rounding is that of everything.
@@ -113,6 +118,11 @@ void requireTolerance(double corner_tolerance_rad) {
                                 " rad is not within 0 to 0.1");
 }
 
+void requireCurvature(const std::optional<int>& degrees) {
+  if (degrees && (*degrees < 0 || *degrees > 6))
+    throw std::invalid_argument("curvature degrees " + std::to_string(*degrees) + ": known are 0 to 6");
+}
+
 Vector3d tangentAtBegin(const FillSide& side) {
   return endOf(rows::derivative<3>(side.edge.poles()), false);
 }
@@ -128,9 +138,7 @@ Eigen::Vector2d combination(const Vector3d& first, const Vector3d& second, const
 }
 
 HoleCorner::HoleCorner(const std::vector<FillSide>& sides, std::size_t k)
-    : k_(k),
-      in_(tangentAtEnd(sides[(k + sides.size() - 1) % sides.size()])),
-      out_(tangentAtBegin(sides[k])) {
+    : k_(k), in_(tangentAtEnd(sides[(k + sides.size() - 1) % sides.size()])), out_(tangentAtBegin(sides[k])) {
   const FillSide& before = sides[(k + sides.size() - 1) % sides.size()];
   const double size = extent(sides);
   if (before.cross) before_ = endOfSide(before, true, size);

@@ -13,6 +13,8 @@ namespace seamwright::fill {
 void requireSides(const std::vector<FillSide>& sides);
 void requireFairness(int order);
 void requireTolerance(double corner_tolerance_rad);
+/// \throws std::invalid_argument for degrees outside 0 to 6.
+void requireCurvature(const std::optional<int>& degrees);
 
 /// d/dt at the ends of a side.
 Eigen::Vector3d tangentAtBegin(const FillSide& side);

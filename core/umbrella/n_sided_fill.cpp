@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <seamwright/core/join/ribbon.hpp>
+#include <seamwright/core/umbrella/fill_curvature.hpp>
 #include <seamwright/core/umbrella/fill_fairing.hpp>
 #include <seamwright/core/umbrella/hole_corner.hpp>
 #include <seamwright/core/umbrella/n_sided_fill.hpp>
@@ -18,15 +19,16 @@ void requireInput(const std::vector<FillSide>& sides, const FillOptions& options
   fill::requireSides(sides);
   fill::requireFairness(options.fairness_order);
   fill::requireTolerance(options.corner_tolerance_rad);
+  fill::requireCurvature(options.curvature_degrees);
 }
 
-int degreeOf(const std::vector<FillSide>& sides, SpokeLaw law) {
-  int degree = law == SpokeLaw::Linear ? 4 : 5;
+int degreeOf(const std::vector<FillSide>& sides, const FillOptions& options) {
+  int degree = options.law == SpokeLaw::Linear ? 4 : 5;
   for (const FillSide& side : sides) {
     degree = std::max(degree, side.edge.degree() + 1);
     if (side.cross) degree = std::max(degree, static_cast<int>(side.cross->rows()));
   }
-  return degree;
+  return degree + options.curvature_degrees.value_or(0);
 }
 
 Connection acrossSpokes(SpokeLaw law, int n) {
@@ -63,12 +65,13 @@ FillSide fillSide(const BezierPatch& neighbour, PatchEdge edge, bool reversed) {
   if (neighbour.isRational())
     throw std::invalid_argument("the neighbour is rational, fills are built from polynomials");
   const Ribbon beyond = ribbon(neighbour, edge, reversed, Across::Into);
-  return {BezierCurve(Poles(beyond.position.leftCols<3>())), Poles(beyond.first.leftCols<3>())};
+  return {BezierCurve(Poles(beyond.position.leftCols<3>())), Poles(beyond.first.leftCols<3>()),
+          Poles(beyond.second.leftCols<3>())};
 }
 
 NSidedFill nSidedFill(const std::vector<FillSide>& sides, const FillOptions& options) {
   requireInput(sides, options);
-  const int degree = degreeOf(sides, options.law);
+  const int degree = degreeOf(sides, options);
   fill::CrossFields fields = fill::crossFields(sides, options.law, degree, options.corner_tolerance_rad);
   const fill::FillSpace space = fill::fillSpace(sides, fields, options.law, degree);
   NSidedFill result;
@@ -77,6 +80,13 @@ NSidedFill nSidedFill(const std::vector<FillSide>& sides, const FillOptions& opt
     result.sides.push_back(field ? std::optional(field->joins) : std::nullopt);
   result.corners = std::move(fields.corners);
   chooseFairest(result, space, options.fairness_order);
+  if (options.curvature_degrees) {
+    const fill::FillEdges edges = fill::starEdges(space.patches);
+    result.patches =
+        fill::leastCurvatureJump(space, result.patches, edges, sides, options.fairness_order,
+                                 [&](const Poles& unknowns) { return fill::patchesOf(space, unknowns); });
+    result.curvature_jump_per_mm = fill::curvatureJump_per_mm(result.patches, edges, sides);
+  }
   return result;
 }
 

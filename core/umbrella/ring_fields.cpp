@@ -30,7 +30,8 @@ FillCorner figuresOf(const HoleCorner& corner, std::size_t k, double tolerance_r
   const double turn = std::abs(figures.angle_rad - std::numbers::pi);
   if (std::numbers::pi - turn <= corner.noise_rad()) refuse("it must be between 0 and 2 pi");
   if (turn > corner.noise_rad() && turn < least_turn_rad)
-    refuse("it must be pi, to " + text(corner.noise_rad()) + ", or differ from it by " + text(least_turn_rad));
+    refuse("it must be pi, to " + text(corner.noise_rad()) + ", or differ from it by " +
+           text(least_turn_rad));
   return figures;
 }
 
@@ -75,12 +76,11 @@ Vector3d meetSlopes(const HoleCorner& corner, const SpokeEnd& spoke, Scalars& be
   directions << spoke.c * a.cross, spoke.c * a.edge, -spoke.d * b.cross, -spoke.d * b.edge;
   const Eigen::RowVector4d lengths = directions.colwise().norm();
   const Vector3d up = corner.up().normalized();
-  const Eigen::Vector4d change =
-      ((directions.array().rowwise() / lengths.array()).matrix())
-          .completeOrthogonalDecomposition()
-          .solve(missed - up.dot(missed) * up)
-          .array() /
-      lengths.transpose().array();
+  const Eigen::Vector4d change = ((directions.array().rowwise() / lengths.array()).matrix())
+                                     .completeOrthogonalDecomposition()
+                                     .solve(missed - up.dot(missed) * up)
+                                     .array() /
+                                 lengths.transpose().array();
   after.slope_begin += change.head<2>();
   before.slope_end += change.tail<2>();
   return -up.dot(missed) * up;
@@ -88,7 +88,8 @@ Vector3d meetSlopes(const HoleCorner& corner, const SpokeEnd& spoke, Scalars& be
 
 }  // namespace
 
-RingFields ringFields(const std::vector<FillSide>& sides, double spoke_scale, double tolerance_rad) {
+RingFields ringFields(const std::vector<FillSide>& sides, double spoke_scale, double tolerance_rad,
+                      int more_degrees) {
   const std::size_t n = sides.size();
   const auto next = [n](std::size_t k) { return (k + 1) % n; };
   const auto before = [n](std::size_t k) { return (k + n - 1) % n; };
@@ -128,6 +129,7 @@ RingFields ringFields(const std::vector<FillSide>& sides, double spoke_scale, do
                      rows::product<3>(cubic(scalars[k], 1), rows::derivative<3>(sides[k].edge.poles())));
     result.degree = std::max(result.degree, rows::degree(wanted[k]));
   }
+  result.degree += more_degrees;
   result.fields.resize(n);
   for (std::size_t k = 0; k < n; ++k) {
     if (!sides[k].cross) continue;

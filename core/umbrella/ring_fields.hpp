@@ -11,7 +11,8 @@ namespace seamwright::fill {
 
 /// Where a spoke ends: c V + d U = e S' there.
 struct SpokeEnd {
-  std::optional<Eigen::Vector3d> derivative;  ///< S', out of the hole; nothing: both sides ask for position alone
+  std::optional<Eigen::Vector3d>
+      derivative;  ///< S', out of the hole; nothing: both sides ask for position alone
   double c = 1, d = 1, e = 0;
   bool smooth = false;  ///< the sides go on as one smooth line
 };
@@ -24,6 +25,7 @@ struct RingFields {
 };
 
 /// \throws as ringFill() for what concerns corners.
-RingFields ringFields(const std::vector<FillSide>& sides, double spoke_scale, double tolerance_rad);
+RingFields ringFields(const std::vector<FillSide>& sides, double spoke_scale, double tolerance_rad,
+                      int more_degrees);
 
 }  // namespace seamwright::fill

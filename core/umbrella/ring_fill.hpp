@@ -8,8 +8,9 @@
 namespace seamwright {
 
 struct RingFillOptions {
-  int fairness_order = 3;           ///< as of FillOptions
-  double corner_tolerance_rad = 0;  ///< as of FillOptions
+  int fairness_order = 3;                               ///< as of FillOptions
+  double corner_tolerance_rad = 0;                      ///< as of FillOptions
+  std::optional<int> curvature_degrees = std::nullopt;  ///< as of FillOptions
 };
 
 /// A hole of four sides filled by a ring of four patches around a fifth.
@@ -24,6 +25,7 @@ struct RingFill {
   bool regular = false;     ///< as of NSidedFill
   /// The length of the spokes' ends, over two thirds of the distance of the corners from the mean of them, that was taken.
   double spoke_scale = 1;
+  std::optional<double> curvature_jump_per_mm = std::nullopt;  ///< as of NSidedFill
 };
 
 /// Fills a hole of four sides any of whose corners may be smooth, or reflex, with five tensor-product Bezier patches that meet each other,

@@ -49,7 +49,8 @@ class Equations {
   Forms spokeRow(int k, int beside) const {
     std::vector<Index> poles;
     for (int s = 0; s <= n_; ++s)
-      poles.push_back(beside < 0 ? sharedRow(space_, next(k + 2), s, n_ - 1) : sharedRow(space_, k, s, beside));
+      poles.push_back(beside < 0 ? sharedRow(space_, next(k + 2), s, n_ - 1)
+                                 : sharedRow(space_, k, s, beside));
     return row(poles);
   }
 
@@ -98,9 +99,9 @@ class Equations {
 void Equations::solve(FillSpace& space) const {
   std::vector<Index> bound, loose;  // poles of the equations, and others
   for (Index pole = 0; pole < laws_.cols(); ++pole) {
-    const bool is_shared = sharedRow(space, static_cast<int>(pole) / ((n_ + 1) * (n_ + 1)),
-                                     static_cast<int>(pole) / (n_ + 1) % (n_ + 1),
-                                     static_cast<int>(pole) % (n_ + 1)) != pole;
+    const bool is_shared =
+        sharedRow(space, static_cast<int>(pole) / ((n_ + 1) * (n_ + 1)),
+                  static_cast<int>(pole) / (n_ + 1) % (n_ + 1), static_cast<int>(pole) % (n_ + 1)) != pole;
     if (is_shared || known_[pole]) continue;
     (laws_.col(pole).isZero(0) ? loose : bound).push_back(pole);
   }
@@ -111,7 +112,8 @@ void Equations::solve(FillSpace& space) const {
   const Poles particular = least.solve(right);
   const double missed = (matrix * particular - right).cwiseAbs().maxCoeff();
   if (missed > 1e-9 * (rows::size(points_) + rows::size(particular)))
-    throw std::runtime_error("the joins of the ring contradict each other by " + bernstein::text(missed) + " mm");
+    throw std::runtime_error("the joins of the ring contradict each other by " + bernstein::text(missed) +
+                             " mm");
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(matrix.transpose());
   qr.setThreshold(rank_threshold);
   const Eigen::MatrixXd all = qr.householderQ();
@@ -144,8 +146,9 @@ Index sharedRow(const FillSpace& space, int patch, int i, int j) {
   return i == 0 ? sharedRow(space, 3, 0, n - j) : space.row(patch, i, j);
 }
 
-RingSpace ringSpace(const std::vector<FillSide>& sides, double spoke_scale, double tolerance_rad) {
-  RingFields fields = ringFields(sides, spoke_scale, tolerance_rad);
+RingSpace ringSpace(const std::vector<FillSide>& sides, double spoke_scale, double tolerance_rad,
+                    int more_degrees) {
+  RingFields fields = ringFields(sides, spoke_scale, tolerance_rad, more_degrees);
   RingSpace result;
   result.space.patches = count + 1;
   result.space.degree = fields.degree;

@@ -16,7 +16,8 @@ struct RingSpace {
 };
 
 /// \throws as ringFill() for what concerns corners; std::runtime_error if the joins contradict each other.
-RingSpace ringSpace(const std::vector<FillSide>& sides, double spoke_scale, double tolerance_rad);
+RingSpace ringSpace(const std::vector<FillSide>& sides, double spoke_scale, double tolerance_rad,
+                    int more_degrees);
 
 /// Poles that neighbours share are the same to the bit.
 std::vector<BezierPatch> ringPatches(const FillSpace& space, const Poles& unknowns);

@@ -98,6 +98,9 @@ class OutsideRounder {
   }
 
  private:
+  /// Edges of the ball, each with the face beyond.
+  using Rim = std::vector<std::pair<TopoDS_Edge, TopoDS_Face>>;
+
   [[noreturn]] void fail(const std::string& why) const {
     throw std::domain_error("a ball of " + mm(ball_mm_) + " about the vertex: " + why);
   }
@@ -152,34 +155,51 @@ class OutsideRounder {
     if (result_.caps.empty()) fail("nothing of it is left in the fillets of OpenCASCADE");
   }
 
-  /// The edges of the ball, each with the face beyond.
   void readBall(BRepFilletAPI_MakeFillet& fillets) {
     TopTools_IndexedDataMapOfShapeListOfShape around;
     TopExp::MapShapesAndUniqueAncestors(result_.solid, TopAbs_EDGE, TopAbs_FACE, around);
-    std::vector<std::pair<TopoDS_Edge, TopoDS_Face>> rim;
+    Rim rim;
     for (const TopoDS_Face& cap : result_.caps)
       for (TopExp_Explorer edge(cap, TopAbs_EDGE); edge.More(); edge.Next())
         for (const TopoDS_Shape& face : around.FindFromKey(edge.Current()))
           if (std::ranges::none_of(result_.caps, [&](const TopoDS_Face& own) { return own.IsSame(face); }))
             rim.emplace_back(TopoDS::Edge(edge.Current().Oriented(TopAbs_FORWARD)), TopoDS::Face(face));
-    if (rim.size() != 2 * corner_.count())
-      fail("its rim has " + std::to_string(rim.size()) + " edges, " + std::to_string(2 * corner_.count()) +
-           " are needed");
+    const auto edgesBeside = [&rim](const auto& belongs) {
+      std::vector<TopoDS_Edge> edges;
+      for (const auto& [edge, face] : rim)
+        if (belongs(face)) edges.push_back(edge);
+      return edges;
+    };
+    std::size_t told = 0;
     for (std::size_t i = 0; i < corner_.count(); ++i) {
-      const auto of_band = [&](const auto& side) {
-        const TopTools_ListOfShape& made = fillets.Generated(edges_[i]);
+      const TopTools_ListOfShape& made = fillets.Generated(edges_[i]);
+      result_.band_ends.push_back(edgesBeside([&made](const TopoDS_Face& face) {
         return std::any_of(made.begin(), made.end(),
-                           [&](const TopoDS_Shape& face) { return face.IsSame(side.second); });
-      };
-      const TopoDS_Face face = result_.became[numberOf(corner_.faces[i].face)];
-      const auto of_face = [&](const auto& side) { return !face.IsNull() && side.second.IsSame(face); };
-      const auto band = std::ranges::find_if(rim, of_band), arc = std::ranges::find_if(rim, of_face);
-      if (std::ranges::count_if(rim, of_band) != 1 || std::ranges::count_if(rim, of_face) != 1)
-        failAtEdge(i, "its fillet, or the face after it, does not come to the ball in one edge");
-      result_.bands.push_back(band->second);
-      result_.band_ends.push_back(band->first);
-      result_.arcs.push_back(arc->first);
+                           [&face](const TopoDS_Shape& of) { return of.IsSame(face); });
+      }));
+      const auto now = result_.became.find(numberOf(corner_.faces[i].face));
+      result_.arcs.push_back(edgesBeside(
+          [&](const TopoDS_Face& face) { return now != result_.became.end() && face.IsSame(now->second); }));
+      if (result_.band_ends[i].empty() || result_.arcs[i].empty())
+        failAtEdge(i, "its fillet, or the face after it, does not come to the ball");
+      told += result_.band_ends[i].size() + result_.arcs[i].size();
+      result_.bands.push_back(faceBeyond(rim, result_.band_ends[i]));
     }
+    if (told != rim.size())
+      fail("its rim has " + std::to_string(rim.size()) + " edges, only " + std::to_string(told) +
+           " of them on fillets and faces of the corner");
+  }
+
+  /// The one face beyond these edges of the rim.
+  TopoDS_Face faceBeyond(const Rim& rim, const std::vector<TopoDS_Edge>& edges) const {
+    TopoDS_Face found;
+    for (const auto& [edge, face] : rim) {
+      const TopoDS_Edge& here = edge;
+      if (std::ranges::none_of(edges, [&here](const TopoDS_Edge& own) { return own.IsSame(here); })) continue;
+      if (!found.IsNull() && !found.IsSame(face)) fail("a fillet comes to it in several faces");
+      found = face;
+    }
+    return found;
   }
 
   int numberOf(const TopoDS_Face& face) const {

@@ -21,7 +21,9 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -180,16 +182,18 @@ class BandTrimmer {
   /// The vertex on the ball that the band's end and the arc in the face before or after it share.
   TopoDS_Vertex nearVertex(std::size_t i, bool after) const {
     TopoDS_Vertex vertex;
-    const TopoDS_Edge& arc = rounded_.arcs[after ? i : corner_.before(i)];
-    if (!TopExp::CommonVertex(rounded_.band_ends[i], arc, vertex))
-      throw std::domain_error(name(i) + ": its fillet and the face beside it come to the ball apart");
-    return vertex;
+    for (const TopoDS_Edge& arc : rounded_.arcs[after ? i : corner_.before(i)])
+      for (const TopoDS_Edge& end : rounded_.band_ends[i])
+        if (TopExp::CommonVertex(end, arc, vertex)) return vertex;
+    throw std::domain_error(name(i) + ": its fillet and the face beside it come to the ball apart");
   }
 
   Contact contactOf(std::size_t i, bool after) const {
     const TopoDS_Vertex near = nearVertex(i, after);
     for (const TopoDS_Shape& edge : edges_at_.FindFromKey(near)) {
-      if (edge.IsSame(rounded_.band_ends[i])) continue;
+      if (std::ranges::any_of(rounded_.band_ends[i],
+                              [&edge](const TopoDS_Edge& end) { return end.IsSame(edge); }))
+        continue;
       const TopTools_ListOfShape& faces = around_.FindFromKey(edge);
       if (faces.Extent() != 2) continue;
       const TopoDS_Face &a = TopoDS::Face(faces.First()), &b = TopoDS::Face(faces.Last());
@@ -268,11 +272,17 @@ class BandTrimmer {
     change_->Replace(old, made);
   }
 
-  /// Puts an edge between two vertices in the place of one on the ball.
-  void replace(const TopoDS_Edge& old, const TopoDS_Edge& made, const TopoDS_Vertex& old_first,
-               bool old_first_is_first) {
-    const bool same = TopExp::FirstVertex(old).IsSame(old_first) == old_first_is_first;
-    change_->Replace(old, same ? made : TopoDS::Edge(made.Reversed()));
+  /// Puts an edge in the place of those on the ball that lead from a vertex to another. \param forward it begins in place of the first.
+  void replace(const std::vector<TopoDS_Edge>& old, const TopoDS_Vertex& begin, const TopoDS_Edge& made,
+               bool forward) {
+    for (const TopoDS_Edge& edge : old) {
+      const bool leaves = TopExp::FirstVertex(edge).IsSame(begin),
+                 arrives = TopExp::LastVertex(edge).IsSame(begin);
+      if (leaves || arrives)
+        change_->Replace(edge, leaves == forward ? made : TopoDS::Edge(made.Reversed()));
+      else
+        change_->Remove(edge);
+    }
   }
 
   void endBand(std::size_t i) {
@@ -294,7 +304,7 @@ class BandTrimmer {
     builder_.Add(made, sections_[i].vertices[first].Oriented(TopAbs_FORWARD));
     builder_.Add(made, sections_[i].vertices[1 - first].Oriented(TopAbs_REVERSED));
     builder_.Range(made, across[first], across[1 - first]);
-    replace(rounded_.band_ends[i], made, nearVertex(i, false), first == 0);
+    replace(rounded_.band_ends[i], nearVertex(i, false), made, first == 0);
   }
 
   void spring(std::size_t i) {
@@ -318,7 +328,7 @@ class BandTrimmer {
     builder_.Range(made, 0, 1);
     if (!BRepLib::BuildCurve3d(made, Precision::Confusion()))
       throw std::domain_error(name(i) + ": OpenCASCADE makes no curve on the face after it");
-    replace(rounded_.arcs[i], made, nearVertex(i, true), true);
+    replace(rounded_.arcs[i], nearVertex(i, true), made, true);
   }
 
   /// The curve's points, dropped onto the face, as a path in its parameters.
@@ -333,7 +343,10 @@ class BandTrimmer {
     for (int k = 0; k < count; ++k) places->SetValue(k + 1, static_cast<double>(k) / (count - 1));
     for (int k = 1; k + 1 < count; ++k) {
       const Vector3d p = curve.point(places->Value(k + 1));
-      path->SetValue(k + 1, nearest.NextValueOfUV(path->Value(k), gp_Pnt(p.x(), p.y(), p.z()), 1e-9));
+      const gp_Pnt2d before = path->Value(k);
+      const gp_Pnt2d at = nearest.NextValueOfUV(before, gp_Pnt(p.x(), p.y(), p.z()), 1e-9);
+      path->SetValue(k + 1, {beside(at.X(), before.X(), surface.IsUPeriodic() ? surface.UPeriod() : 0),
+                             beside(at.Y(), before.Y(), surface.IsVPeriodic() ? surface.VPeriod() : 0)});
     }
     path->SetValue(count, to);
     Geom2dAPI_Interpolate fit(path, places, false, Precision::PConfusion());
@@ -341,6 +354,11 @@ class BandTrimmer {
     fit.Perform();
     if (!fit.IsDone()) throw std::domain_error("OpenCASCADE finds no path on a face between two fillets");
     return handle<Geom2d_Curve>(fit.Curve());
+  }
+
+  /// The parameter, by whole periods (0: there is none) next to another.
+  static double beside(double parameter, double other, double period) {
+    return period > 0 ? parameter + period * std::round((other - parameter) / period) : parameter;
   }
 
   /// The direction of the parameters that leads there.
@@ -467,34 +485,56 @@ void requireOneShell(const Corner& corner) {
                             " shells: one is needed where faces at the vertex are curved");
 }
 
-BandedCorner attempt(const Corner& corner, std::vector<CornerStrip> strips,
-                     const CornerFilletOptions& options, double margin, const Progress& progress) {
-  const double ball_mm = margin * leastBall_mm(corner, strips);
-  for (std::size_t i = 0; i < corner.count(); ++i)
-    if (options.setbacks_mm.count(corner.edges[i].number) == 0)
-      strips[i].setback_mm = std::max(
-          strips[i].setback_mm,
-          std::sqrt(std::max(0.0, std::pow(margin * ball_mm, 2) - std::pow(strips[i].contact_mm, 2))));
+/// What a corner is tried with.
+struct Attempt {
+  double margin = 1;    ///< of the ball over what flat faces would need
+  int most_degree = 9;  ///< of the polynomials that stand for the sides of the hole
+};
+
+/// A corner that was made, and whether it is what was asked for.
+struct Made {
+  BandedCorner corner;
+  bool reached = false;
+
+  /// Of two corners the better one.
+  int rank() const { return (corner.fill.regular ? 2 : 0) + (reached ? 1 : 0); }
+};
+
+/// Sections whose place is not given begin well outside the ball.
+void setBackFromBall(const Corner& corner, const CornerFilletOptions& options, double least_mm,
+                     std::vector<CornerStrip>& strips) {
+  for (std::size_t i = 0; i < corner.count(); ++i) {
+    if (options.setbacks_mm.count(corner.edges[i].number) > 0) continue;
+    const double contact_mm = strips[i].contact_mm;
+    const double along_mm = std::sqrt(std::max(0.0, least_mm * least_mm - contact_mm * contact_mm));
+    strips[i].setback_mm = std::max(strips[i].setback_mm, along_mm);
+  }
+}
+
+Made tried(const Corner& corner, std::vector<CornerStrip> strips, const CornerFilletOptions& options,
+           const Attempt& attempt, const Progress& progress) {
+  const double ball_mm = attempt.margin * leastBall_mm(corner, strips);
+  setBackFromBall(corner, options, attempt.margin * ball_mm, strips);
   const RoundedOutside rounded = roundedOutside(corner, strips, ball_mm);
   BandTrimmer trimmer(corner, strips, rounded);
-  const TopoDS_Shape holed = trimmer.run();
-  const Model model = holedModel(rounded, trimmer, holed);
+  const Model holed = holedModel(rounded, trimmer, trimmer.run());
 
   FillHoleOptions how;
   how.tolerance = options.tolerance;
   how.keep_anyway = true;
+  how.most_degree = attempt.most_degree;
   how.jobs = options.jobs;
-  const Hole hole =
-      holeBesideBands(model, corner.count(), TopoDS::Face(trimmer.imageOf(rounded.bands.front())), how);
-  const FillHoleReport report = fillHole(model, hole, how, progress);
+  const TopoDS_Face first_band = TopoDS::Face(trimmer.imageOf(rounded.bands.front()));
+  const FillHoleReport report =
+      fillHole(holed, holeBesideBands(holed, corner.count(), first_band, how), how, progress);
   if (!report.filled) throw std::domain_error("the corner between the fillets: " + report.reason);
 
-  BandedCorner made{shellOf(report, corner), {}, fillOf(report), 0};
+  Made made{{shellOf(report, corner), {}, fillOf(report), 0}, report.reached};
   for (const FilledSide& side : report.sides)
-    made.section_error_mm = std::max(made.section_error_mm, side.gap_mm);
+    made.corner.section_error_mm = std::max(made.corner.section_error_mm, side.gap_mm);
   for (std::size_t i = 0; i < corner.count(); ++i)
-    made.edges.push_back({corner.edges[i].number, corner.edges[i].convex, corner.edges[i].opening_rad,
-                          strips[i].radius_mm, trimmer.contact_mm(i), strips[i].setback_mm});
+    made.corner.edges.push_back({corner.edges[i].number, corner.edges[i].convex, corner.edges[i].opening_rad,
+                                 strips[i].radius_mm, trimmer.contact_mm(i), strips[i].setback_mm});
   return made;
 }
 
@@ -504,17 +544,22 @@ BandedCorner bandedCorner(const Corner& corner, const CornerFilletOptions& optio
                           const Progress& progress) {
   requireOneShell(corner);
   const std::vector<CornerStrip> strips = cornerStrips(corner, options);
-  // Where faces bend, the fillets may come clear of one another further out only.
-  constexpr std::array<double, 3> margins = {1.1, 1.3, 1.6};
+  // Lower degrees follow the sides less closely and make fairer patches; where faces bend, fillets may come clear of one another further
+  // out only.
+  constexpr std::array<Attempt, 5> attempts = {{{1.1, 9}, {1.1, 5}, {1.3, 9}, {1.3, 5}, {1.6, 5}}};
+  std::optional<Made> best;
   std::string reason;
-  for (const double margin : margins) {
+  for (const Attempt& attempt : attempts) {
     try {
-      return attempt(corner, strips, options, margin, progress);
+      Made made = tried(corner, strips, options, attempt, progress);
+      if (!best || made.rank() > best->rank()) best = std::move(made);
+      if (best->corner.fill.regular && best->reached) break;
     } catch (const std::domain_error& error) {
       if (reason.empty()) reason = error.what();
     }
   }
-  throw std::domain_error(reason);
+  if (!best) throw std::domain_error(reason);
+  return std::move(best->corner);
 }
 
 }  // namespace seamwright::occ

@@ -271,7 +271,7 @@ void SeamTarget::setSharpEnd(int end, const Eigen::Vector3d& point,
   leads_[end] = lead;
 }
 
-TargetPoint SeamTarget::at(double s, int order) const {
+TargetPoint SeamTarget::common(double s, int order) const {
   for (const int side : {0, 1})
     if (stays_[side]) return view(side, s, order).shown;
   const Mean here = led(s, order);
@@ -295,7 +295,7 @@ TargetPoint SeamTarget::at(int side, double s, int order) const {
     place = low + s * (high - low);
   }
   const double at_seam = seamParameter(side, place);
-  TargetPoint target = at(at_seam, order);
+  TargetPoint target = common(at_seam, order);
   for (const int end : {0, 1})
     if ((end == 0 ? at_seam : 1 - at_seam) < pole_reach_.at(side).at(end)) target.normal.setZero();
   if (side == 0 || second_sign_ > 0) return target;

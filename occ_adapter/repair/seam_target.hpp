@@ -67,7 +67,7 @@ class SeamTarget {
   void setSharpEnd(int end, const Eigen::Vector3d& point, const std::map<int, Eigen::Vector3d>& normals);
 
   /// \throws Standard_Failure where OpenCASCADE can't evaluate.
-  TargetPoint at(double s) const { return at(s, order_); }
+  TargetPoint at(double s) const { return common(s, order_); }
 
   /// The same for a side over its own path: of the stretch of a matched seam the nearest point, normals in that side's sense; none at a
   /// pole of the side. \param order below 2: without the tensor, at a fraction of the cost.
@@ -102,7 +102,7 @@ class SeamTarget {
   Eigen::Vector3d slope(int side, double s, const Eigen::Vector3d& along) const;
   Mean mean(double s, int order) const;
   Mean led(double s, int order) const;
-  TargetPoint at(double s, int order) const;
+  TargetPoint common(double s, int order) const;
   double spanAt(int end) const;
   Lead lead(int end, const TargetPoint& target) const;
 

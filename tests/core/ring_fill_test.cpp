@@ -53,8 +53,8 @@ double worstSpoke(const RingFill& fill) {
   const auto add = [&](const SeamFigures& figures) { worst = std::max(worst, *figures.angle_rad->upper); };
   constexpr std::array<PatchEdge, 4> inner = {PatchEdge::V0, PatchEdge::U1, PatchEdge::V1, PatchEdge::U0};
   for (int k = 0; k < 4; ++k) {
-    add(encloseSeam(seamSide(fill.patches[(k + 3) % 4], PatchEdge::V1), seamSide(fill.patches[k], PatchEdge::V0),
-                    test::fine()));
+    add(encloseSeam(seamSide(fill.patches[(k + 3) % 4], PatchEdge::V1),
+                    seamSide(fill.patches[k], PatchEdge::V0), test::fine()));
     add(encloseSeam(seamSide(fill.patches[4], inner[k], k >= 2), seamSide(fill.patches[k], PatchEdge::U0),
                     test::fine()));
   }

@@ -148,7 +148,10 @@ TEST(SeamTarget, SwapChangesNothingButTheSense_3) {
                             {pair.pcurve(), wholePath(mirrored)}, both_move, 2);
     for (const double s : {0.0, 0.13, 0.5, 0.98, 1.0}) {
       EXPECT_LT(difference(target.at(s), turned.at(s)), 1e-10);
-      const TargetPoint own = turned.at(1, s), first = turned.at(0, s);
+      const TargetPoint own = turned.at(1, s, 2), first = turned.at(0, s, 2);
+      const TargetPoint plane = turned.at(1, s, 1);
+      EXPECT_LT((own.point - plane.point).norm() + (own.normal - plane.normal).norm(), 1e-12);
+      EXPECT_TRUE(plane.curvature.isZero());
       EXPECT_LT((own.normal + first.normal).norm(), 1e-14);
       EXPECT_LT((own.curvature + first.curvature).norm(), 1e-14);
       EXPECT_EQ(own.point, first.point);
@@ -198,8 +201,8 @@ TEST(SeamTarget, OfAMatchedSeamIsTheSameFromBothSides) {
     EXPECT_NEAR(matched.path(0).first, 0.1, 1e-15);
     EXPECT_NEAR(matched.path(1).last, 0.9, 1e-15);
     for (const double place : {0.15, 0.3, 0.62, 0.9}) {
-      const TargetPoint a = matched.at(0, (place - 0.1) / 0.9), same = shared.at(place),
-                        b = matched.at(1, (1 - place) / 0.9);
+      const TargetPoint a = matched.at(0, (place - 0.1) / 0.9, order), same = shared.at(place),
+                        b = matched.at(1, (1 - place) / 0.9, order);
       // Nearest points instead of those of equal parameters: they differ along the seam by no more than the noise.
       EXPECT_LT((a.point - same.point).norm(), 0.02);
       EXPECT_LT((a.point - b.point).norm(), 0.02);
@@ -208,7 +211,8 @@ TEST(SeamTarget, OfAMatchedSeamIsTheSameFromBothSides) {
       // It is a point of one and the same curve.
       double nearest = 1;
       for (int k = -400; k <= 400; ++k)
-        nearest = std::min(nearest, (matched.at(0, (place - 0.1) / 0.9 + 2.5e-6 * k).point - b.point).norm());
+        nearest =
+            std::min(nearest, (matched.at(0, (place - 0.1) / 0.9 + 2.5e-6 * k, 1).point - b.point).norm());
       EXPECT_LT(nearest, 2e-4);
     }
   }
@@ -390,7 +394,9 @@ TEST(SeamTarget, FourFacesMeetAtAVertex) {
     for (int k = 0; k < 4; ++k) {
       moved[k] = patch.faces[k];
       if (one_stays && k == 0) continue;
-      FaceTask task{patch.faces[k], {followPath(targets[k], 0, order), followPath(targets[(k + 1) % 4], 1, order)}, fine()};
+      FaceTask task{patch.faces[k],
+                    {followPath(targets[k], 0, order), followPath(targets[(k + 1) % 4], 1, order)},
+                    fine()};
       const FaceFollow follow = followPaths(task);
       // Of curvature at the vertex its derivatives along the seams contradict one another: it is met with the spans' first power.
       EXPECT_LE(std::ranges::max(follow.ratios), 0.5) << follow.failure;

@@ -78,6 +78,12 @@ class Results(CornerCase):
         self.assertEqual((given[0], given[2]), (4.0, 3.0))
         self.assertAlmostEqual(given[1], chosen[1], delta=1e-9)
 
+    def test_a_corner_at_a_curved_face(self):
+        quarter = Part.makeCylinder(10, 20, App.Vector(), App.Vector(0, 0, 1), 90)
+        obj = corner.create(models.add(self.doc, quarter, "Quarter"), "Vertex1", 1.0)
+        self.assertEqual((corner.error_text(obj), obj.Met, obj.Patches), ("", True, 6))
+        self.assertTrue(obj.Shape.isValid() and obj.Shape.isClosed())
+
     def test_a_suggested_radius_has_room(self):
         for size, radius in ((10.0, 1.0), (0.37, 0.03), (2500.0, 200.0)):
             obj = corner.create(self.cube(size), "Vertex2")
@@ -153,7 +159,7 @@ class Errors(CornerCase):
         self.assertNotRounded(corner.create(cube, "Vertex99", 1.0), "Cube has no Vertex99")
         self.assertNotRounded(corner.create(cube, "Edge1", 1.0), "Cube has no Edge1")
         block = models.add(self.doc, models.rounded_block(), "Block")
-        self.assertNotRounded(corner.create(block, "Vertex1"), "is no plane")
+        self.assertNotRounded(corner.create(block, "Vertex1"), "Not rounded: Edge")
         can = models.add(self.doc, Part.makeCylinder(3, 10), "Can")
         self.assertNotRounded(corner.create(can, "Vertex1"), "2 edges meet at the vertex: 3 to 6 are needed")
         self.assertEqual(corner.corner_of(corner.prepare(can, "Vertex1"))[:2], ([], []))

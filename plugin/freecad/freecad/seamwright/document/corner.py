@@ -23,7 +23,7 @@ TOLERANCES = (
     ("AngleTolerance", "angle_deg", "App::PropertyAngle", 0.1,
      "Largest angle between tangent planes of each new seam, in degrees"),
     ("SectionTolerance", "section_mm", "App::PropertyLength", 1e-6,
-     "Largest distance of the sides of the patches from the cylinders, in mm"),
+     "Largest distance of the sides of the patches from the fillets, in mm"),
 )  # fmt: skip
 
 RESULTS = (
@@ -63,17 +63,17 @@ class CornerFillet(feature.Feature):
 
     @staticmethod
     def compute(module, obj):
-        """Round the corner: report, shape, names of the edges, number of patches."""
+        """Round the corner: report, shape, names of the edges."""
         return fillet(module, obj)
 
     @staticmethod
-    def store(obj, report, shape, edges, patches):
+    def store(obj, report, shape, edges):
         """Put the results into the read-only properties; the Summary last."""
         seams = report["seams"] if report["met"] else []
         feature.keep_report(obj, report)
         obj.Met = report["met"]
         obj.CornerEdges = edges
-        obj.Patches = patches
+        obj.Patches = len(corner_text.patches(report))
         obj.MaxGap = new_seams.bound(seams, "gap_mm")
         obj.MaxAngle = new_seams.bound(seams, "angle_deg")
         feature.put_shape(obj, shape)
@@ -83,7 +83,7 @@ class CornerFillet(feature.Feature):
     def store_failure(obj, reason):
         """A report of nothing with the reason."""
         report = {**empty_report(obj), "reason": repair_text.named(reason)}
-        CornerFillet.store(obj, report, Part.Shape(), [], 0)
+        CornerFillet.store(obj, report, Part.Shape(), [])
         return obj.Summary
 
 
@@ -108,7 +108,7 @@ def report_of(obj):
 
 
 def fillet(module, obj):
-    """Run the kernel: (report, shape, names of the edges, number of patches).
+    """Run the kernel: (report, shape, names of the edges).
 
     Raises SourceError for links that lead nowhere, ValueError for bad values and corners that cannot be rounded.
     """
@@ -121,9 +121,7 @@ def fillet(module, obj):
             progress=progress, **tolerances(obj)
         )  # fmt: skip
     report = corner_text.build_report(result.to_dict(), tolerances(obj))
-    if not result.met:
-        return report, Part.Shape(), _names(edges), 0
-    return report, result.model.to_freecad(), _names(edges), len(result.patches)
+    return report, result.model.to_freecad() if result.met else Part.Shape(), _names(edges)
 
 
 def _corner(module, obj):

@@ -5,12 +5,13 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import Part
 
-from freecad.seamwright.document import analysis, match, repair, sources
+from freecad.seamwright.document import analysis, corner, fill, match, repair, sources
 from freecad.seamwright.gui import export_dialog, messages
 from freecad.seamwright.gui.command import Command, begin, open_done, open_new
 from freecad.seamwright.gui.selected import (
     selected_analysis,
     selected_elements,
+    selected_parts,
     selected_seams,
     selected_sources,
 )
@@ -113,6 +114,62 @@ def limits_of_analysis(source):
     return given
 
 
+class UmbrellaFill(Command):
+    """Fill holes of the selected object, or replace its selected face."""
+
+    name = "Seamwright_UmbrellaFill"
+    menu = "Umbrella Fill"
+    icon = "seamwright-fill"
+    tip = (
+        "Close holes of the selected object with faces that are tangent to their surroundings; select edges to fill "
+        "their holes alone, or one face to take it out and fill the hole that it leaves"
+    )
+
+    def Activated(self):
+        """Create the fill as one step that can be undone, and open its panel; nothing is filled yet."""
+        doc = App.ActiveDocument
+        chosen = selected_parts(doc)
+        if len(chosen) != 1:
+            messages.show_error(
+                "Select the object whose holes are to be filled, some of its edges, or a face: one object at a time. "
+                "Found: %s." % (", ".join(obj.Label for obj in chosen) or "none")
+            )
+            return
+        ((source, names),) = chosen.items()
+        edges, faces = ([name for name in names if name.startswith(kind)] for kind in ("Edge", "Face"))
+        if len(faces) > 1 or (faces and edges):
+            messages.show_error(
+                "Select edges of holes, or one face that is to be replaced. Selected: %s, %s."
+                % (summary.counted(len(faces), "face"), summary.counted(len(edges), "edge"))
+            )
+            return
+        face = faces[0] if faces else None
+        open_new(begin(doc, "Umbrella fill", lambda: fill.prepare(source, edges=edges, face=face)))
+
+
+class CornerFillet(Command):
+    """Round the edges at the selected vertex."""
+
+    name = "Seamwright_CornerFillet"
+    menu = "Corner Fillet"
+    icon = "seamwright-corner"
+    tip = (
+        "Round the 3 to 6 edges at the selected vertex of a solid, each with a radius of its own, and close the corner "
+        "between them with patches that join without a kink"
+    )
+
+    def Activated(self):
+        """Create the fillet as one step that can be undone, and open its panel; nothing is rounded yet."""
+        vertices = selected_elements("Vertex")
+        if len(vertices) != 1:
+            messages.show_error(
+                "Select one vertex of a solid, at which 3 to 6 edges meet. Selected: %s."
+                % (", ".join("%s.%s" % (obj.Label, name) for obj, name in vertices) or "no vertex")
+            )
+            return
+        open_new(begin(App.ActiveDocument, "Corner fillet", lambda: corner.prepare(*vertices[0])))
+
+
 class ZebraStripes(Command):
     """Draw stripes on the selected objects, or take them off."""
 
@@ -156,7 +213,9 @@ def with_faces(objects):
     return [obj for obj in objects if sources.has_shape(obj) and Part.getShape(obj).Faces]
 
 
-COMMANDS = (AnalyzeSeams, ExportReport, MatchSurfaces, RepairSeams, ZebraStripes)
+COMMANDS = (
+    AnalyzeSeams, ExportReport, MatchSurfaces, RepairSeams, UmbrellaFill, CornerFillet, ZebraStripes
+)  # fmt: skip
 
 
 def register():

@@ -26,7 +26,7 @@ def selected_analysis():
 
 
 def selected_elements(kind):
-    """[(object, "Face3"), ...]: the selected "Face"s or "Edge"s, in the order they were picked.
+    """[(object, "Face3"), ...]: the selected "Face"s, "Edge"s or "Vertex"es, in the order they were picked.
 
     An object that is selected as a whole counts as its face if it has just one.
     """

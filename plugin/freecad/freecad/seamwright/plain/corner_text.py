@@ -16,9 +16,9 @@ EMPTY_REPORT = {"tolerance": {}, "met": False, "reason": "", "edges": [], "seams
 #: What the kernel's words for new seams mean.
 BETWEEN = {
     "spoke": "two patches",
-    "section": "patch, cylinder",
-    "spring": "patch, plane",
-    "contact": "cylinder, plane",
+    "section": "patch, fillet",
+    "spring": "patch, face",
+    "contact": "fillet, face",
 }
 
 #: A radius that is suggested is this part of the shortest edge, to one digit.
@@ -47,6 +47,26 @@ def summary_text(report):
     seams = new_seams.largest_text(report["seams"], report["tolerance"])
     rounded = summary.counted(len(report["edges"]), "edge")
     return "Corner of %s rounded with radii %s mm; %s; %s is met." % (rounded, radii, seams, TARGET)
+
+
+def waiting_text(edges):
+    """What would be done."""
+    return "%s to round." % summary.counted(len(edges), "edge")
+
+
+def new_faces(report):
+    """The numbers of the patches and the fillets."""
+    return _faces(report, "spoke", "section")
+
+
+def patches(report):
+    """The numbers of the patches of the corner."""
+    return _faces(report, "spoke")
+
+
+def _faces(report, *words):
+    kinds = [BETWEEN[word] for word in words]
+    return {number for seam in report["seams"] if seam["between"] in kinds for number in seam["faces"]}
 
 
 def edge_text(edge):

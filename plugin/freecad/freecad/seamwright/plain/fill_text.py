@@ -38,11 +38,11 @@ def chosen_holes(holes, edges):
     return [hole for hole in holes if hole["id"] in wanted]
 
 
-def hole_text(hole):
-    """ "Hole 2: 4 sides, 63.1 mm". """
+def hole_text(hole, holes):
+    """ "Hole 2: 4 sides, 63.1 mm", with a remark at one that is not filled unless it is chosen."""
     sides = summary.counted(len(hole["sides"]), "side") if hole["has_corners"] else "no corner"
     text = "Hole %d: %s, %.4g mm" % (hole["id"], sides, hole["length_mm"])
-    return text + ", the longest loop: a rim?" if hole["longest"] else text
+    return text if hole in default_holes(holes) else text + ", the longest loop: a rim?"
 
 
 def hole_tip(hole):
@@ -107,6 +107,17 @@ def kept(report):
 def missed(report):
     """The fills that do not reach the target, kept or not."""
     return [fill for fill in report["fills"] if not fill["reached"]]
+
+
+def new_faces(report):
+    """(numbers of the new faces, number of the face that they replace or None)."""
+    replaced = [fill["face"] for fill in kept(report)]
+    return {number for fill in kept(report) for number in fill["faces"]}, replaced[0] if replaced else None
+
+
+def waiting_text(faces, holes):
+    """What would be done: names of faces that are replaced, none or one, or numbers of holes."""
+    return "%s to replace." % faces[0] if faces else "%s to fill." % summary.counted(len(holes), "hole")
 
 
 def name_of(fill):
