@@ -84,6 +84,7 @@ int runRepair(const RepairArguments& arguments) {
     if (!arguments.output.report.empty())
       json.emplace(arguments.output.report, report::toLine(report::toJson(report, options, output)) + '\n');
   };
+  how.unchanged = !report.changed();
   const occ::WriteReport written = writeUnderBar(report.model, arguments.output.model, how);
   if (json) json->takePlace();
   writeStandardOutput(report::toTable(report, output));

@@ -25,7 +25,7 @@ occ::Model readFile(const std::filesystem::path& path, const py::object& progres
 py::dict writeFile(const occ::Model& model, const std::filesystem::path& path, bool overwrite,
                    bool overwrite_source, bool afresh, const py::object& progress) {
   const occ::WriteReport written = longCall(progress, [&](const occ::Progress& report) {
-    return occ::writeModel(model, path, {overwrite, overwrite_source, afresh, {}}, report);
+    return occ::writeModel(model, path, {overwrite, overwrite_source, afresh, false, {}}, report);
   });
   return plainDict(written);
 }

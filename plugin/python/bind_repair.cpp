@@ -79,8 +79,11 @@ py::dict writeRepaired(const RepairReport& repair, const std::filesystem::path& 
     const auto check = [&](const std::filesystem::path& waiting) {
       output = report::readBack(waiting, path, judge, occ::partOf(shown, written_by, 1));
     };
-    return occ::writeModel(repair.report.model, path, {overwrite, overwrite_source, false, check},
-                           occ::partOf(shown, 0, written_by));
+    const occ::WriteOptions how = {.overwrite = overwrite,
+                                   .overwrite_source = overwrite_source,
+                                   .unchanged = !repair.report.changed(),
+                                   .check = check};
+    return occ::writeModel(repair.report.model, path, how, occ::partOf(shown, 0, written_by));
   });
   py::dict dict = plainDict(written);
   dict["output"] = plainObject(report::toJson(output));

@@ -83,7 +83,7 @@ def test_the_file_is_judged_not_the_model(tmp_path, monkeypatch):
     monkeypatch.setenv("SEAMWRIGHT_READER", str(reader_that_finds(other, tmp_path, found[0])))
     written = report.write(tmp_path / "out.step")
     assert written["output"]["defects"] == 2 and written["output"]["faces"] == 3
-    assert written["differences"].startswith("read back: 2 defects, 3 faces, 10 edges")
+    assert written["differences"].startswith("read back: 2 defects, 3 faces, 10 edges, 8 open edges")
     monkeypatch.setenv("SEAMWRIGHT_READER", str(reader_that_finds(tmp_path / "none.step", tmp_path, found[0])))
     before = sorted(tmp_path.iterdir())
     with pytest.raises(seamwright.ModelError, match="can't be read back, so it is not written"):
