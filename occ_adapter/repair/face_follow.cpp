@@ -109,6 +109,11 @@ class FaceFollower {
     return true;
   }
 
+  std::string nameOf(std::size_t path) const {
+    const std::string& name = task_->paths[path].name;
+    return name.empty() ? "path " + std::to_string(path + 1) : name;
+  }
+
   std::string whyBeyondReach(std::size_t path) const {
     for (const std::vector<Place>* places : {&samples_[path], &checks_[path]})
       for (const Place& place : *places) {
@@ -116,12 +121,12 @@ class FaceFollower {
         const double move_mm = (place.target.point - jet.p).norm();
         std::ostringstream text;
         if (move_mm > task_->max_move_mm + task_->tolerance.gap_mm)
-          text << "path " << path + 1 << " asks for a move of " << move_mm << " mm at "
-               << at(place.target.point) << ", more than " << task_->max_move_mm << " mm";
+          text << nameOf(path) << " asks for a move of " << move_mm << " mm at " << at(place.target.point)
+               << ", more than " << task_->max_move_mm << " mm";
         else if (const auto normal = unitNormal(jet, noiseOf(jet, basis_));
                  place.order > 0 && normal &&
                  normal->dot(place.target.normal) < -std::sin(task_->tolerance.angle_rad))
-          text << "path " << path + 1 << " is missed at " << at(place.target.point) << " by "
+          text << nameOf(path) << " is missed at " << at(place.target.point) << " by "
                << figuresText(measured(place), place.order, task_->tolerance)
                << ", with its normal turned over";
         if (!text.str().empty()) return text.str();
@@ -491,9 +496,9 @@ class FaceFollower {
   std::string whyMissed() const {
     const auto worst = std::ranges::max_element(worst_, {}, &Worst::ratio);
     if (worst == worst_.end() || worst->ratio <= task_->share) return {};
-    const auto number = worst - worst_.begin();
+    const auto number = static_cast<std::size_t>(worst - worst_.begin());
     std::ostringstream text;
-    text << "path " << number + 1 << " is missed at " << at(worst->point) << " by "
+    text << nameOf(number) << " is missed at " << at(worst->point) << " by "
          << figuresText(worst->pair, task_->paths[number].order, task_->tolerance);
     if (worst->ratio == infinite) text << ", with its normal turned over";
     text << ", after " << result_.refinements << " refinements to " << basis_.u().poles << " by "
@@ -520,7 +525,7 @@ class FaceFollower {
         const PairMeasure pair = measurePair(first, second);
         if (ratioOf(pair, order, task_->tolerance) <= 1) continue;
         std::ostringstream text;
-        text << "paths " << ends[a].path + 1 << " and " << ends[b].path + 1
+        text << nameOf(ends[a].path) << " and " << nameOf(ends[b].path)
              << " ask for different things where they meet at " << at(ends[a].place->target.point) << ": "
              << figuresText(pair, order, task_->tolerance) << " apart";
         return text.str();
