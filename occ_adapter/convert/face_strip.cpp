@@ -117,6 +117,16 @@ FaceStrip::FaceStrip(const FaceUse& use, const Pcurve& pcurve, JetOrder order)
 }
 
 SidePoint FaceStrip::at(double s) const {
+  SidePoint side = at(s, order_ == JetOrder::Third ? Derivatives::Third : Derivatives::Second);
+  side.third_order = order_ == JetOrder::Third;
+  return side;
+}
+
+SidePoint FaceStrip::firstOrderAt(double s) const {
+  return at(s, Derivatives::First);
+}
+
+SidePoint FaceStrip::at(double s, Derivatives derivatives) const {
   gp_Pnt2d uv;
   gp_Vec2d direction;
   path_.D1(parameter(s), uv, direction);
@@ -126,12 +136,11 @@ SidePoint FaceStrip::at(double s) const {
   const double into = forward_ ? 1 : -1;
   const double du = nudge(joints_u_, uv.X(), step_u_, -into * direction.Y());
   const double dv = nudge(joints_v_, uv.Y(), step_v_, into * direction.X());
-  side.jet = jet(uv.X() + du, uv.Y() + dv);
+  side.jet = jet(uv.X() + du, uv.Y() + dv, derivatives);
   if (du != 0 || dv != 0) side.jet.p -= du * side.jet.u + dv * side.jet.v;
   side.noise = noise(side.jet, s);
   side.tangent = direction.X() * side.jet.u + direction.Y() * side.jet.v;
   side.face_on_left = forward_;
-  side.third_order = order_ == JetOrder::Third;
   return side;
 }
 
@@ -146,13 +155,20 @@ PathPoint FaceStrip::trace(double s) const {
   return {vector(p.XYZ()), direction.X() * vector(du.XYZ()) + direction.Y() * vector(dv.XYZ())};
 }
 
-SurfaceJet FaceStrip::jet(double u, double v) const {
+SurfaceJet FaceStrip::jet(double u, double v, Derivatives derivatives) const {
   gp_Pnt p;
   gp_Vec du, dv, duu, dvv, duv, duuu, dvvv, duuv, duvv;
-  if (order_ == JetOrder::Third)
-    surface_.D3(u, v, p, du, dv, duu, dvv, duv, duuu, dvvv, duuv, duvv);
-  else
-    surface_.D2(u, v, p, du, dv, duu, dvv, duv);
+  switch (derivatives) {
+    case Derivatives::First:
+      surface_.D1(u, v, p, du, dv);
+      break;
+    case Derivatives::Second:
+      surface_.D2(u, v, p, du, dv, duu, dvv, duv);
+      break;
+    case Derivatives::Third:
+      surface_.D3(u, v, p, du, dv, duu, dvv, duv, duuu, dvvv, duuv, duvv);
+      break;
+  }
   SurfaceJet jet;
   jet.p = vector(p.XYZ());
   jet.u = vector(du.XYZ());
@@ -170,7 +186,7 @@ SurfaceJet FaceStrip::jet(double u, double v) const {
 double FaceStrip::collapsedLength(double s, double pole_tolerance_mm) const {
   if (pole_tolerance_mm == 0) return 0;
   const gp_Pnt2d uv = path_.Value(parameter(s));
-  const SurfaceJet end = jet(uv.X(), uv.Y());
+  const SurfaceJet end = jet(uv.X(), uv.Y(), Derivatives::First);
   const double length = std::min(range_u_ * end.u.norm(), range_v_ * end.v.norm());
   return length <= pole_tolerance_mm ? length : 0;
 }

@@ -33,6 +33,9 @@ class FaceStrip {
   /// \throws Standard_Failure where OpenCASCADE can't evaluate.
   SidePoint at(double s) const;
 
+  /// The same without derivatives above the first.
+  SidePoint firstOrderAt(double s) const;
+
   /// at(s).jet.p and its derivative, at a fraction of the cost.
   /// \throws Standard_Failure where OpenCASCADE can't evaluate.
   PathPoint trace(double s) const;
@@ -48,7 +51,9 @@ class FaceStrip {
   double poleReach(int end) const;
 
  private:
-  SurfaceJet jet(double u, double v) const;
+  enum class Derivatives { First, Second, Third };
+  SidePoint at(double s, Derivatives derivatives) const;
+  SurfaceJet jet(double u, double v, Derivatives derivatives) const;
   double collapsedLength(double s, double pole_tolerance_mm) const;
   JetNoise noise(const SurfaceJet& jet, double s) const;
   void addKnotCrossings(double first, double last, int steps, std::vector<double>& at) const;

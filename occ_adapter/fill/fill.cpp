@@ -19,6 +19,7 @@
 #include <stdexcept>
 
 #include <seamwright/core/umbrella/fill_corners.hpp>
+#include <seamwright/core/umbrella/ring_fill.hpp>
 #include <seamwright/occ_adapter/analyze/measure_seam.hpp>
 #include <seamwright/occ_adapter/analyze/workers.hpp>
 #include <seamwright/occ_adapter/convert/bezier_surface.hpp>
@@ -38,6 +39,11 @@ constexpr double most_planar_rad = 0.1;
 
 /// What the sides and the corners may take of the tolerance each: the sum of all errors is to be well within it.
 constexpr double share = 20;
+
+/// The planes of both sides of a corner are made to agree; what is left is rounding.
+constexpr double plane_noise_rad = 1e-7;
+
+constexpr std::size_t ring_sides = 4;
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -111,14 +117,42 @@ class Filling {
 
  private:
   void fit() {
-    const std::size_t n = hole_.has_corners ? hole_.sides.size() : 0;
-    if (n < 3 || n > 12)
-      throw NotFilled("the hole has " + std::to_string(n) + " corners: fills have 3 to 12");
-    fitted_ = fitSides(hole_.sides, {.gap_mm = options_.tolerance.gap_mm / share,
-                                     .angle_rad = options_.tolerance.angle_rad / share,
-                                     .most_degree = options_.most_degree,
-                                     .planar_rad = most_planar_rad});
-    for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t corners = hole_.has_corners ? hole_.sides.size() : 0;
+    if (corners > 12)
+      throw NotFilled("the hole has " + std::to_string(corners) + " corners: fills have 12 at most");
+    const double gap_mm = options_.tolerance.gap_mm / share;
+    is_ring_ = corners < 3 || (corners <= ring_sides && hasReflexCorner(hole_, gap_mm));
+    stretches_ = is_ring_ ? cutSides(hole_, ring_sides, gap_mm, true) : wholeSides(hole_);
+    fitted_ = fitted(stretches_);
+    if (is_ring_ && misses(fitted_) > 1) {
+      const std::vector<SideStretch> even = cutSides(hole_, ring_sides, gap_mm, false);
+      std::vector<FittedSide> other = fitted(even);
+      if (misses(other) < misses(fitted_)) stretches_ = even, fitted_ = std::move(other);
+    }
+    tellSides();
+  }
+
+  std::vector<FittedSide> fitted(const std::vector<SideStretch>& stretches) const {
+    // A ring of position alone is asked for; corners say so themselves, smooth loops do not.
+    const bool position_only = is_ring_ && options_.target == Level::G0;
+    return fitSides(hole_.sides, stretches,
+                    {.gap_mm = options_.tolerance.gap_mm / share,
+                     .angle_rad = options_.tolerance.angle_rad / share,
+                     .most_degree = options_.most_degree,
+                     .planar_rad = position_only ? -1 : most_planar_rad});
+  }
+
+  /// What is reached over what is asked for.
+  double misses(const std::vector<FittedSide>& sides) const {
+    double most = 0;
+    for (const FittedSide& side : sides)
+      most = std::max({most, share * side.gap_mm / options_.tolerance.gap_mm,
+                       share * side.angle_rad / options_.tolerance.angle_rad});
+    return most;
+  }
+
+  void tellSides() {
+    for (std::size_t k = 0; k < fitted_.size(); ++k) {
       const FittedSide& side = fitted_[k];
       FilledSide told{{},
                       !side.side.cross,
@@ -127,7 +161,15 @@ class Filling {
                       side.gap_mm,
                       side.angle_rad,
                       side.corner_rad};
-      for (const HoleEdge& edge : hole_.sides[k].edges) told.edges.push_back(edge.edge);
+      const HoleSide& of_hole = hole_.sides[stretches_[k].side];
+      double begin_mm = 0;
+      for (const HoleEdge& edge : of_hole.edges) {
+        const double end_mm = begin_mm + edge.length_mm;
+        if (end_mm > stretches_[k].begin * of_hole.length_mm &&
+            begin_mm < stretches_[k].end * of_hole.length_mm)
+          told.edges.push_back(edge.edge);
+        begin_mm = end_mm;
+      }
       result_.sides.push_back(std::move(told));
     }
   }
@@ -135,8 +177,28 @@ class Filling {
   void build() {
     std::vector<FillSide> sides;
     for (const FittedSide& side : fitted_) sides.push_back(side.side);
-    // The planes were made to agree; what is left is rounding.
-    FillOptions options{.corner_tolerance_rad = 1e-7};
+    for (const BSplineSurface& surface : is_ring_ ? ringSurfaces(sides) : starSurfaces(sides)) {
+      const bool is_patch = surface.countU() == surface.degree_u + 1;
+      const opencascade::handle<Geom_Surface> geometry =
+          is_patch ? opencascade::handle<Geom_Surface>(toBezierSurface(bezierPatch(surface)))
+                   : opencascade::handle<Geom_Surface>(geomSurface(surface));
+      BRepBuilderAPI_MakeFace face(geometry, Precision::Confusion());
+      if (!face.IsDone()) throw NotFilled("OpenCASCADE made no face of a patch");
+      new_faces_.push_back(face.Face());
+    }
+  }
+
+  std::vector<BSplineSurface> ringSurfaces(const std::vector<FillSide>& sides) {
+    const RingFill fill = ringFill(sides, {.corner_tolerance_rad = plane_noise_rad});
+    result_.corners = fill.corners;
+    result_.regular = fill.regular;
+    std::vector<BSplineSurface> surfaces;
+    for (const BezierPatch& patch : fill.patches) surfaces.push_back(splineSurface(patch));
+    return surfaces;
+  }
+
+  std::vector<BSplineSurface> starSurfaces(const std::vector<FillSide>& sides) {
+    FillOptions options{.corner_tolerance_rad = plane_noise_rad};
     NSidedFill fill = nSidedFill(sides, options);
     constexpr int dear_degree =
         7;  // fills cost the sixth power of it, and several are tried for one that is not regular
@@ -147,15 +209,7 @@ class Filling {
     }
     result_.corners = fill.corners;
     result_.regular = fill.regular;
-    for (const BSplineSurface& surface : withCornerKnots(fill, options_.tolerance.angle_rad / share)) {
-      const bool is_patch = surface.countU() == surface.degree_u + 1;
-      const opencascade::handle<Geom_Surface> geometry =
-          is_patch ? opencascade::handle<Geom_Surface>(toBezierSurface(bezierPatch(surface)))
-                   : opencascade::handle<Geom_Surface>(geomSurface(surface));
-      BRepBuilderAPI_MakeFace face(geometry, Precision::Confusion());
-      if (!face.IsDone()) throw NotFilled("OpenCASCADE made no face of a patch");
-      new_faces_.push_back(face.Face());
-    }
+    return withCornerKnots(fill, options_.tolerance.angle_rad / share);
   }
 
   int firstNewFace() const { return model_.faceCount() + 1; }
@@ -275,6 +329,8 @@ class Filling {
   const Hole& hole_;
   const FillHoleOptions& options_;
   const Progress& progress_;
+  bool is_ring_ = false;
+  std::vector<SideStretch> stretches_;
   std::vector<FittedSide> fitted_;
   std::vector<TopoDS_Face> new_faces_;
   TopoDS_Shape whole_;

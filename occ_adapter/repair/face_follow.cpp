@@ -311,13 +311,14 @@ class FaceFollower {
   }
 
   /// As fair as can be: less so only as long as the samples can't be met, and, if gently, as the move stays of its size. After a refinement
-  /// from one step fairer than before.
+  /// from one step fairer than before. The first steps are for curvature alone: beside its soft rows the others may well be met by fairer moves.
   void moveFairly() {
     constexpr double better = 0.5, of_its_size = 2;
-    constexpr std::array<double, 4> fairnesses = {0.1, 0.01, 1e-3, 1e-4};
+    constexpr std::array<double, 6> fairnesses = {10, 1, 0.1, 0.01, 1e-3, 1e-4};
+    constexpr std::size_t for_curvature = 2;
     double before = infinite, limit = infinite;
     was_held_back_ = false;
-    const std::size_t first = fairness_ > 0 ? fairness_ - 1 : 0;
+    const std::size_t first = std::max(isCurved() ? 0 : for_curvature, fairness_ > 0 ? fairness_ - 1 : 0);
     for (std::size_t k = first; k < fairnesses.size(); ++k) {
       const PointRows fairer = poles_;
       move(fairnesses[k]);
@@ -332,7 +333,7 @@ class FaceFollower {
       const bool still_turned = at_samples_ == infinite && k > first;
       if (isMet() || still_turned || at_samples_ <= task_->share / 2 || at_samples_ > better * before) return;
       before = at_samples_;
-      if (gently_ && limit == infinite)
+      if (gently_ && k >= for_curvature && limit == infinite)
         limit = of_its_size * std::max(largestMove(), task_->tolerance.gap_mm);
     }
   }
@@ -390,7 +391,7 @@ class FaceFollower {
       for (std::size_t i = 0; i < task_->paths.size(); ++i)
         for (const Place& place : samples_[i]) addPlace(place, conditions);
       addFairness(conditions, weight);
-      const PointRows moves = conditions.solve(0.05 * weight);
+      const PointRows moves = conditions.solve(weight);
       if (!moves.allFinite() || moves.cwiseAbs().maxCoeff() > largest_sense * extent) return;
       PointRows moved = start;
       for (int pole = 0; pole < moved.rows(); ++pole)

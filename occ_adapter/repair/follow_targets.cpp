@@ -258,8 +258,8 @@ class Following {
     task.max_move_mm = task_.options.max_move_mm;
     task.is_cancelled = [&cancelled] { return cancelled.load(); };
     for (const PathOfSeam& path : paths_.at(number)) {
-      task.paths.push_back(followPath(std::make_shared<const SeamTarget>(path.target->renewed()), path.side));
-      task.paths.back().order = orderOf(path.seam);
+      const auto target = std::make_shared<const SeamTarget>(path.target->renewed());
+      task.paths.push_back(followPath(target, path.side, orderOf(path.seam)));
     }
     return followPaths(task);
   }

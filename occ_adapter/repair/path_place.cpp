@@ -70,15 +70,16 @@ double SpanMeasure::at(double share) const {
   return share >= 1 ? 1 : s_[i - 1] + within * (s_[i] - s_[i - 1]);
 }
 
-double spanAtEnd(const FaceUse& side, const Pcurve& path, int end) {
+std::array<double, 2> spansAtEnds(const FaceUse& side, const Pcurve& path) {
   TopLoc_Location location;
   const auto surface = clampedSpline(BRep_Tool::Surface(side.shape, location));
-  if (surface.IsNull()) return 0;
+  if (surface.IsNull()) return {0, 0};
   FollowPath along;
   along.path = path;
   const SpanMeasure measure(PlanePath(along), SurfaceBasis(*surface), surface);
+  if (measure.spans() == 0) return {0, 0};
   const double spans = std::min(3.0, measure.spans()), share = spans / measure.spans();
-  return (end == 0 ? measure.at(share) : 1 - measure.at(1 - share)) / spans;
+  return {measure.at(share) / spans, (1 - measure.at(1 - share)) / spans};
 }
 
 }  // namespace seamwright::occ

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include <seamwright/occ_adapter/repair/face_follow.hpp>
@@ -49,7 +50,7 @@ class SpanMeasure {
   std::vector<double> s_, crossed_;
 };
 
-/// The share of a path over which it crosses one knot span, in the mean of the three nearest that end; 0: the face is no spline.
-double spanAtEnd(const FaceUse& side, const Pcurve& path, int end);
+/// By end of a path: the share of it over which it crosses one knot span, in the mean of the three nearest that end; 0: the face is no spline.
+std::array<double, 2> spansAtEnds(const FaceUse& side, const Pcurve& path);
 
 }  // namespace seamwright::occ

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRepBndLib.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
+#include <BRepGProp_Domain.hxx>
+#include <BRepGProp_Face.hxx>
+#include <BRepGProp_Vinert.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <Geom_BSplineSurface.hxx>
@@ -128,11 +133,11 @@ bool isLower(const SeamResult& after, const SeamResult& before, const RepairOpti
 /// Which figure is worse than it was; empty if none.
 std::string whyWorse(const SeamResult& after, const SeamResult& before, const RepairOptions& options) {
   if (isLower(after, before, options)) return "a lower level";
-  const auto rank = [](SeamClass seam_class) { return seam_class == SeamClass::Smooth ? 0 : 1; };
-  if (rank(after.verdict.seam_class) > rank(before.verdict.seam_class)) return "another class";
+  const bool was_crease = before.verdict.seam_class == SeamClass::Crease;
+  if (was_crease && after.verdict.seam_class == SeamClass::Defect) return "another class";
   if (before.verdict.certain && !after.verdict.certain) return "less certain";
   if (isLarger(after.figures.gap_mm, before.figures.gap_mm, options.tolerance.gap_mm)) return "a larger gap";
-  if (before.verdict.seam_class == SeamClass::Crease) return {};
+  if (was_crease) return {};
   if (isLarger(after.figures.angle_rad, before.figures.angle_rad, options.tolerance.angle_rad))
     return "a larger angle";
   const bool asked = options.order == 2 && before.figures.curvature_rel;
@@ -242,14 +247,19 @@ void judgeSoundness(const RepairTask& task, const TopoDS_Shape& changed, const S
   if (was.whole && !is.whole && proof.faces.empty()) proof.whole = "OpenCASCADE's checks do not pass";
 }
 
+/// Volume of the cone over a face with that tip. (BRepGProp::VolumeProperties takes a tip of its own, near the face.)
 /// \param error relative, of adaptive quadrature; 0: a fixed one, which for rational faces may be off by a percent.
-double flux_mm3(const TopoDS_Shape& face, const gp_Pnt& from, double error) {
-  GProp_GProps properties(from);
+double cone_mm3(const TopoDS_Shape& face, const gp_Pnt& tip, double error) {
+  BRepGProp_Face surface;
+  surface.Load(TopoDS::Face(face));
+  BRepGProp_Domain bounds(TopoDS::Face(face));
+  BRepGProp_Vinert cone;
+  cone.SetLocation(tip);
   if (error > 0)
-    BRepGProp::VolumeProperties(face, properties, error);
+    cone.Perform(surface, bounds, error);
   else
-    BRepGProp::VolumeProperties(face, properties);
-  return properties.Mass();
+    cone.Perform(surface, bounds);
+  return cone.Mass();
 }
 
 double area_mm2(const TopoDS_Shape& face) {
@@ -259,17 +269,17 @@ double area_mm2(const TopoDS_Shape& face) {
 }
 
 /// What a face gives to the volume of its solid.
-struct FaceFlux {
+struct FaceCone {
   TopoDS_Shape was, is;
-  gp_Pnt from;
+  gp_Pnt tip;
   double move_mm = 0;
   double before_mm3 = 0, change_mm3 = 0, area_mm2 = 0;
   std::exception_ptr failure = {};
 
   void integrate(double error) {
     try {
-      before_mm3 = flux_mm3(was, from, error);
-      change_mm3 = flux_mm3(is, from, error) - before_mm3;
+      before_mm3 = cone_mm3(was, tip, error);
+      change_mm3 = cone_mm3(is, tip, error) - before_mm3;
       area_mm2 = occ::area_mm2(was);
     } catch (...) {
       failure = std::current_exception();
@@ -277,37 +287,46 @@ struct FaceFlux {
   }
 };
 
-/// Of the faces of a solid that move, with fluxes through a point of it.
-std::vector<FaceFlux> fluxesOf(const TopoDS_Shape& before, const TopoDS_Shape& after,
-                               const TopTools_IndexedMapOfShape& faces,
-                               const std::vector<FaceChange>& changes) {
-  const TopExp_Explorer vertex(before, TopAbs_VERTEX);
-  const gp_Pnt from = vertex.More() ? BRep_Tool::Pnt(TopoDS::Vertex(vertex.Current())) : gp_Pnt();
-  std::vector<FaceFlux> fluxes;
+/// Of the faces of a solid that move, with one tip.
+std::vector<FaceCone> conesOf(const TopoDS_Shape& before, const TopoDS_Shape& after,
+                              const TopTools_IndexedMapOfShape& faces, const std::vector<FaceChange>& changes,
+                              const gp_Pnt& tip) {
+  std::vector<FaceCone> cones;
   TopExp_Explorer was(before, TopAbs_FACE), is(after, TopAbs_FACE);
   for (; was.More(); was.Next(), is.Next()) {
     const auto move = std::ranges::find(changes, faces.FindIndex(was.Current()), &FaceChange::face);
-    if (move != changes.end()) fluxes.push_back({was.Current(), is.Current(), from, move->largest_move_mm});
+    if (move != changes.end()) cones.push_back({was.Current(), is.Current(), tip, move->largest_move_mm});
   }
-  return fluxes;
+  return cones;
+}
+
+/// Cones do not fit together by what the faces beside a seam are apart, before or after.
+double slits_mm3(const RepairTask& task, const Proof& proof, double reach_mm) {
+  double area_mm2 = 0;
+  for (std::size_t i = 0; i < proof.after.size(); ++i)
+    for (const SeamResult* seam : {&task.before[i], &proof.after[i]})
+      if (seam->figures.gap_mm) area_mm2 += seam->length_mm * known(*seam->figures.gap_mm);
+  return area_mm2 * reach_mm / 3;
 }
 
 struct VolumeChange {
   double change_mm3 = 0, explained_mm3 = 0, noise_mm3 = 0;
 
-  bool isExplained() const { return std::abs(change_mm3) <= explained_mm3 + noise_mm3; }
+  bool isExplained(double slits_mm3) const {
+    return std::abs(change_mm3) <= explained_mm3 + slits_mm3 + noise_mm3;
+  }
 };
 
-VolumeChange volumeChange(std::vector<FaceFlux>& fluxes, double error, int jobs, const Progress& progress) {
+VolumeChange volumeChange(std::vector<FaceCone>& cones, double error, int jobs, const Progress& progress) {
   runParallel(
-      fluxes.size(), jobs, [&fluxes, error](std::size_t k) { fluxes[k].integrate(error); }, progress);
+      cones.size(), jobs, [&cones, error](std::size_t k) { cones[k].integrate(error); }, progress);
   constexpr double noise = 1e-6;
   VolumeChange result;
-  for (const FaceFlux& flux : fluxes) {
-    if (flux.failure) std::rethrow_exception(flux.failure);
-    result.change_mm3 += flux.change_mm3;
-    result.noise_mm3 += std::max(noise, error) * std::abs(flux.before_mm3);
-    result.explained_mm3 += 1.01 * flux.area_mm2 * flux.move_mm;
+  for (const FaceCone& cone : cones) {
+    if (cone.failure) std::rethrow_exception(cone.failure);
+    result.change_mm3 += cone.change_mm3;
+    result.noise_mm3 += std::max(noise, error) * std::abs(cone.before_mm3);
+    result.explained_mm3 += 1.01 * cone.area_mm2 * cone.move_mm;
   }
   return result;
 }
@@ -321,10 +340,16 @@ void judgeVolumes(const RepairTask& task, const std::vector<FaceChange>& changes
   const TopTools_IndexedMapOfShape after = partsOf(changed, TopAbs_SOLID);
   const TopTools_IndexedMapOfShape faces = partsOf(task.shape, TopAbs_FACE);
   for (int s = 1; s <= before.Extent(); ++s) {
-    std::vector<FaceFlux> fluxes = fluxesOf(before(s), after(s), faces, changes);
-    VolumeChange volume = volumeChange(fluxes, 0, task.options.jobs, progress);
-    if (!volume.isExplained()) volume = volumeChange(fluxes, adaptive_error, task.options.jobs, progress);
-    if (volume.isExplained()) continue;
+    Bnd_Box box;
+    BRepBndLib::Add(before(s), box, false);
+    if (box.IsVoid()) continue;
+    const double reach_mm = std::sqrt(box.SquareExtent()) / 2;
+    const gp_Pnt tip((box.CornerMin().XYZ() + box.CornerMax().XYZ()) / 2);
+    const double slits = slits_mm3(task, proof, reach_mm);
+    std::vector<FaceCone> cones = conesOf(before(s), after(s), faces, changes, tip);
+    VolumeChange volume = volumeChange(cones, 0, task.options.jobs, progress);
+    if (!volume.isExplained(slits)) volume = volumeChange(cones, adaptive_error, task.options.jobs, progress);
+    if (volume.isExplained(slits)) continue;
     std::ostringstream text;
     text << "the volume of solid " << s << " would change by " << volume.change_mm3 << " mm3, more than "
          << volume.explained_mm3 << " mm3, which the moves explain";
@@ -385,6 +410,15 @@ std::optional<std::size_t> worstOf(const RepairTask& task, const std::set<int>& 
     worst = i;
   }
   return worst;
+}
+
+/// Of a proof that does not hold, where nothing that was treated is to blame.
+std::string firstFault(const Proof& proof) {
+  if (!proof.faces.empty()) {
+    const auto& [face, why] = *proof.faces.begin();
+    return "face " + std::to_string(face) + ": " + why;
+  }
+  return proof.worse.empty() ? proof.whole : proof.worse.begin()->second;
 }
 
 void addConnected(const RepairTask& task, const std::set<int>& moved,
@@ -488,7 +522,7 @@ std::map<std::size_t, std::string> culprits(const RepairTask& task, const Repair
       for (const std::size_t i : blameFor(task, moved, task.seams[worse])) given_up.emplace(i, why);
   const bool nobody = given_up.empty();
   for (std::size_t i = 0; nobody && i < task.seams.size(); ++i)
-    if (task.treated[i]) given_up[i] = proof.whole.empty() ? "the change can't be proven" : proof.whole;
+    if (task.treated[i]) given_up[i] = firstFault(proof);
   if (with_connected) addConnected(task, moved, given_up);
   return given_up;
 }

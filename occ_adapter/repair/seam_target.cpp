@@ -31,8 +31,15 @@ Eigen::Matrix3d inPlane(const Eigen::Matrix3d& tensor, const Eigen::Vector3d& no
   return onto * tensor * onto;
 }
 
+/// The vector along a direction; nothing of it where a path stands still and has none.
+Eigen::Vector3d partAlong(const Eigen::Vector3d& vector, const Eigen::Vector3d& direction) {
+  const double squared = direction.squaredNorm();
+  if (squared == 0) return Eigen::Vector3d::Zero();
+  return vector.dot(direction) / squared * direction;
+}
+
 Eigen::Vector3d orthogonal(const Eigen::Vector3d& normal, const Eigen::Vector3d& tangent) {
-  return (normal - normal.dot(tangent) / tangent.squaredNorm() * tangent).normalized();
+  return (normal - partAlong(normal, tangent)).normalized();
 }
 
 /// The part of a vector that lies in the span of up to two unit normals.
@@ -80,7 +87,8 @@ SeamTarget::SeamTarget(const Seam& seam, const std::array<Pcurve, 2>& pcurves,
       reach_(reach),
       strips_{FaceStrip(seam.sides[0], pcurves[0]), FaceStrip(seam.sides[1], pcurves[1])} {
   double agreement = 0;
-  for (const double s : {0.2, 0.5, 0.8}) agreement += shown(0, s).normal.dot(shown(1, s).normal);
+  for (const double s : {0.2, 0.5, 0.8})
+    agreement += view(0, s, 1).shown.normal.dot(view(1, s, 1).shown.normal);
   if (agreement < 0) second_sign_ = -1;
   for (const int side : {0, 1})
     for (const int end : {0, 1}) {
@@ -118,74 +126,78 @@ double SeamTarget::seamParameter(int side, double place) const {
   const Eigen::Vector3d own = strips_[1].trace(place).p;
   constexpr int steps = 4;
   for (int k = 0; k < steps; ++k) {
-    const Mean there = led(s);
-    s = std::clamp(s - (there.point - own).dot(there.slope) / there.slope.squaredNorm(), 0.0, 1.0);
+    const Mean there = led(s, 1);
+    const double step = (there.point - own).dot(there.slope) / there.slope.squaredNorm();
+    if (!std::isfinite(step)) break;  // the seam stands still
+    s = std::clamp(s - step, 0.0, 1.0);
   }
   return s;
 }
 
-SidePoint SeamTarget::regularPoint(int side, double s) const {
-  SidePoint point = strips_[side].at(place(side, s));
-  for (double step = difference_step; step < 0.5 && degeneracy(point.jet, point.noise) != Degeneracy::None;
-       step *= 2)
-    point = strips_[side].at(place(side, s < 0.5 ? s + step : s - step));
-  return point;
-}
-
-TargetPoint SeamTarget::shown(int side, double s) const {
+SeamTarget::View SeamTarget::view(int side, double s, int order) const {
   for (const int end : {0, 1}) {
     const double distance = end == 0 ? s : 1 - s;
-    if (isPole(side, end) && distance < pole_stretch) return shownNearPole(side, end, distance);
+    if (isPole(side, end) && distance < pole_stretch) return nearPole(side, end, distance, order);
   }
-  return regular(side, s);
+  return regular(side, s, order);
 }
 
-TargetPoint SeamTarget::shownNearPole(int side, int end, double distance) const {
+SeamTarget::View SeamTarget::nearPole(int side, int end, double distance, int order) const {
   const auto at = [end](double from_end) { return end == 0 ? from_end : 1 - from_end; };
-  const Eigen::Vector3d far = regular(side, at(2 * pole_stretch)).normal;
-  TargetPoint target = regular(side, at(pole_stretch));
-  target.point = strips_[side].trace(place(side, at(distance))).p;
+  const Eigen::Vector3d far = regular(side, at(2 * pole_stretch), 1).shown.normal;
+  TargetPoint target = regular(side, at(pole_stretch), order).shown;
+  const PathPoint here = strips_[side].trace(place(side, at(distance)));
+  target.point = here.p;
   target.normal += (1 - distance / pole_stretch) * (target.normal - far);
   target.normal.normalize();
   target.curvature = inPlane(target.curvature, target.normal);
-  return target;
+  return {target, slope(side, at(distance), here.d)};
 }
 
-TargetPoint SeamTarget::regular(int side, double s) const {
-  const SidePoint point = regularPoint(side, s);
-  TargetPoint target;
-  target.point = strips_[side].trace(place(side, s)).p;
+SeamTarget::View SeamTarget::regular(int side, double s, int order) const {
+  const FaceStrip& strip = strips_[side];
+  const auto pointAt = [&](double at) {
+    return order < 2 ? strip.firstOrderAt(place(side, at)) : strip.at(place(side, at));
+  };
+  SidePoint point = pointAt(s);
+  View view;
+  view.shown.point = point.jet.p;
+  view.slope = slope(side, s, (pcurves_[side].last - pcurves_[side].first) * point.tangent);
+  for (double step = difference_step; step < 0.5 && degeneracy(point.jet, point.noise) != Degeneracy::None;
+       step *= 2)
+    point = pointAt(s < 0.5 ? s + step : s - step);
   if (const auto normal = unitNormal(point.jet, point.noise)) {
-    target.normal = (side == 0 ? 1 : second_sign_) * *normal;
-    target.curvature = curvatureTensor(point.jet, target.normal);
+    view.shown.normal = (side == 0 ? 1 : second_sign_) * *normal;
+    if (order > 1) view.shown.curvature = curvatureTensor(point.jet, view.shown.normal);
   }
-  return target;
+  return view;
 }
 
-Eigen::Vector3d SeamTarget::slope(int side, double s) const {
+/// \param along the derivative of the side's point by its place.
+Eigen::Vector3d SeamTarget::slope(int side, double s, const Eigen::Vector3d& along) const {
   const Correspondence& map = seam_.correspondence;
-  if (map.s.empty()) return strips_[side].trace(s).d;
-  const PathPoint first = strips_[0].trace(placeOnFirst(map, s));
-  const auto right = std::lower_bound(map.s.begin() + 1, map.s.end() - 1, s) - map.s.begin();
+  if (map.s.empty()) return along;
+  auto right = std::upper_bound(map.s.begin() + 1, map.s.end() - 1, s) - map.s.begin();
+  while (right > 1 && map.s[right] == map.s[right - 1]) --right;
   const double rate = (map.a[right] - map.a[right - 1]) / (map.s[right] - map.s[right - 1]);
-  if (side == 0) return rate * first.d;
+  if (side == 0) return rate * along;
   // The foot of the first side's point on the second side's path moves with what it moves along it.
-  const PathPoint second = strips_[1].trace(placeOnSecond(s));
-  return rate * first.d.dot(second.d) / second.d.squaredNorm() * second.d;
+  const Eigen::Vector3d first = strips_[0].trace(placeOnFirst(map, s)).d;
+  return rate * partAlong(first, along);
 }
 
-SeamTarget::Mean SeamTarget::mean(double s) const {
-  const TargetPoint a = shown(0, s), b = shown(1, s);
+SeamTarget::Mean SeamTarget::mean(double s, int order) const {
+  const View a = view(0, s, order), b = view(1, s, order);
   Mean mean;
-  mean.point = (a.point + b.point) / 2;
-  mean.slope = (slope(0, s) + slope(1, s)) / 2;
-  mean.normal = (a.normal + b.normal).normalized();
-  mean.curvature = (a.curvature + b.curvature) / 2;
+  mean.point = (a.shown.point + b.shown.point) / 2;
+  mean.slope = (a.slope + b.slope) / 2;
+  mean.normal = (a.shown.normal + b.shown.normal).normalized();
+  mean.curvature = (a.shown.curvature + b.shown.curvature) / 2;
   return mean;
 }
 
-SeamTarget::Mean SeamTarget::led(double s) const {
-  Mean led = mean(s);
+SeamTarget::Mean SeamTarget::led(double s, int order) const {
+  Mean led = mean(s, order);
   for (const int end : {0, 1}) {
     const auto& lead = leads_[end];
     if (!lead) continue;
@@ -204,17 +216,23 @@ SeamTarget::Mean SeamTarget::led(double s) const {
 double SeamTarget::spanAt(int end) const {
   constexpr double largest = 1.0 / 6;
   if (reach_ == LeadReach::Half) return largest;
-  double span = 0;
-  for (const int side : {0, 1}) span = std::max(span, spanAtEnd(seam_.sides[side], path(side), end));
+  if (!spans_) {
+    spans_ = {0, 0};
+    for (const int side : {0, 1}) {
+      const std::array<double, 2> of_side = spansAtEnds(seam_.sides[side], path(side));
+      for (const int k : {0, 1}) (*spans_)[k] = std::max((*spans_)[k], of_side[k]);
+    }
+  }
+  const double span = (*spans_)[end];
   return span > 0 ? std::min(span, largest) : largest;
 }
 
 Eigen::Vector3d SeamTarget::way(int end) const {
-  return (end == 0 ? 1 : -1) * spanAt(end) * mean(end).slope;
+  return (end == 0 ? 1 : -1) * spanAt(end) * mean(end, 1).slope;
 }
 
 SeamTarget::Lead SeamTarget::lead(int end, const TargetPoint& target) const {
-  const Mean here = mean(end);
+  const Mean here = mean(end, 2);
   Lead lead;
   lead.span = spanAt(end);
   lead.point = target.point - here.point;
@@ -226,19 +244,20 @@ SeamTarget::Lead SeamTarget::lead(int end, const TargetPoint& target) const {
   if (order_ < 1) return lead;
   // Also for order 1: what the normals do along the seams at a vertex has to fit one tensor.
   const Eigen::Vector3d along = here.slope + lead.slope;
-  const Eigen::Vector3d bend = derivative([&](double s) { return mean(s).slope; }, end);
+  const Eigen::Vector3d bend = derivative([&](double s) { return mean(s, 1).slope; }, end);
   lead.bend = (along.dot(target.curvature * along) - bend.dot(target.normal)) * target.normal;
-  lead.normal_slope = -target.curvature * along - derivative([&](double s) { return mean(s).normal; }, end);
+  lead.normal_slope =
+      -target.curvature * along - derivative([&](double s) { return mean(s, 1).normal; }, end);
   return lead;
 }
 
 void SeamTarget::setEnd(int end, const TargetPoint& target) {
-  leads_[end] = lead(end, turned(target, mean(end).normal));
+  leads_[end] = lead(end, turned(target, mean(end, 1).normal));
 }
 
 void SeamTarget::setSharpEnd(int end, const Eigen::Vector3d& point,
                              const std::map<int, Eigen::Vector3d>& normals) {
-  const Mean here = mean(end);
+  const Mean here = mean(end, 1);
   std::vector<Eigen::Vector3d> planes;
   for (const FaceUse& side : seam_.sides)
     if (const auto normal = normals.find(side.face); normal != normals.end())
@@ -252,20 +271,22 @@ void SeamTarget::setSharpEnd(int end, const Eigen::Vector3d& point,
   leads_[end] = lead;
 }
 
-TargetPoint SeamTarget::at(double s) const {
+TargetPoint SeamTarget::common(double s, int order) const {
   for (const int side : {0, 1})
-    if (stays_[side]) return shown(side, s);
-  const Mean here = led(s);
-  if (order_ < 2) return {here.point, here.normal, inPlane(here.curvature, here.normal)};
+    if (stays_[side]) return view(side, s, order).shown;
+  const Mean here = led(s, order);
+  if (order < 2) return {here.point, here.normal, Eigen::Matrix3d::Zero()};
+  if (here.slope.isZero(0)) return {here.point, here.normal, inPlane(here.curvature, here.normal)};
   // The curve and the normal along it give all of the tensor but the curvature across.
   const Eigen::Vector3d t = here.slope.normalized(), b = here.normal.cross(t);
-  const Eigen::Vector3d turn = -derivative([&](double at) { return led(at).normal; }, s) / here.slope.norm();
+  const Eigen::Vector3d turn =
+      -derivative([&](double at) { return led(at, 1).normal; }, s) / here.slope.norm();
   const double tt = turn.dot(t), tb = turn.dot(b), bb = b.dot(here.curvature * b);
   return {here.point, here.normal,
           tt * t * t.transpose() + tb * (t * b.transpose() + b * t.transpose()) + bb * b * b.transpose()};
 }
 
-TargetPoint SeamTarget::at(int side, double s) const {
+TargetPoint SeamTarget::at(int side, double s, int order) const {
   const Correspondence& map = seam_.correspondence;
   double place = s;
   if (!map.s.empty()) {
@@ -274,7 +295,7 @@ TargetPoint SeamTarget::at(int side, double s) const {
     place = low + s * (high - low);
   }
   const double at_seam = seamParameter(side, place);
-  TargetPoint target = at(at_seam);
+  TargetPoint target = common(at_seam, order);
   for (const int end : {0, 1})
     if ((end == 0 ? at_seam : 1 - at_seam) < pole_reach_.at(side).at(end)) target.normal.setZero();
   if (side == 0 || second_sign_ > 0) return target;
@@ -293,11 +314,11 @@ Pcurve SeamTarget::path(int side) const {
   return path;
 }
 
-FollowPath followPath(const std::shared_ptr<const SeamTarget>& target, int side) {
+FollowPath followPath(const std::shared_ptr<const SeamTarget>& target, int side, int order) {
   FollowPath path;
   path.path = target->path(side);
-  path.order = target->order();
-  path.target = [target, side](double s) { return target->at(side, s); };
+  path.order = order;
+  path.target = [target, side, order](double s) { return target->at(side, s, order); };
   path.face_on_left = target->seam().sides[side].edge.Orientation() == TopAbs_FORWARD;
   return path;
 }
@@ -335,11 +356,12 @@ class TensorFit {
   Eigen::Vector3d right_ = Eigen::Vector3d::Zero();
 };
 
+/// 1 where there are none: a unit for them.
 double longestWay(const std::vector<VertexView>& views) {
   double longest = 0;
   for (const VertexView& view : views)
     for (const Eigen::Vector3d& way : view.ways) longest = std::max(longest, way.norm());
-  return longest;
+  return longest > 0 ? longest : 1;
 }
 
 /// Of what ways leave open.

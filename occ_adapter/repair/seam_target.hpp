@@ -51,7 +51,7 @@ class SeamTarget {
   /// What a side shows at s. Where it has no normal, the normal and tensor of the nearest place that has them; near a pole the normal that
   /// the path shows a bit further on leads to, and the tensor from there.
   /// \throws Standard_Failure where OpenCASCADE can't evaluate.
-  TargetPoint shown(int side, double s) const;
+  TargetPoint shown(int side, double s) const { return view(side, s, 2).shown; }
 
   /// The side has no normal at that end: a boundary of its surface collapses there.
   bool isPole(int side, int end) const { return pole_reach_.at(side).at(end) > 0; }
@@ -67,11 +67,11 @@ class SeamTarget {
   void setSharpEnd(int end, const Eigen::Vector3d& point, const std::map<int, Eigen::Vector3d>& normals);
 
   /// \throws Standard_Failure where OpenCASCADE can't evaluate.
-  TargetPoint at(double s) const;
+  TargetPoint at(double s) const { return common(s, order_); }
 
   /// The same for a side over its own path: of the stretch of a matched seam the nearest point, normals in that side's sense; none at a
-  /// pole of the side.
-  TargetPoint at(int side, double s) const;
+  /// pole of the side. \param order below 2: without the tensor, at a fraction of the cost.
+  TargetPoint at(int side, double s, int order) const;
   Pcurve path(int side) const;
 
  private:
@@ -87,15 +87,22 @@ class SeamTarget {
     Eigen::Matrix3d curvature;
   };
 
+  /// What a side shows, and the derivative by s of its point.
+  struct View {
+    TargetPoint shown;
+    Eigen::Vector3d slope;
+  };
+
   double place(int side, double s) const;
   double placeOnSecond(double s) const;
   double seamParameter(int side, double place) const;
-  TargetPoint regular(int side, double s) const;
-  TargetPoint shownNearPole(int side, int end, double distance) const;
-  SidePoint regularPoint(int side, double s) const;
-  Eigen::Vector3d slope(int side, double s) const;
-  Mean mean(double s) const;
-  Mean led(double s) const;
+  View view(int side, double s, int order) const;
+  View regular(int side, double s, int order) const;
+  View nearPole(int side, int end, double distance, int order) const;
+  Eigen::Vector3d slope(int side, double s, const Eigen::Vector3d& along) const;
+  Mean mean(double s, int order) const;
+  Mean led(double s, int order) const;
+  TargetPoint common(double s, int order) const;
   double spanAt(int end) const;
   Lead lead(int end, const TargetPoint& target) const;
 
@@ -108,10 +115,13 @@ class SeamTarget {
   std::array<std::array<double, 2>, 2> pole_reach_{};  ///< by side and end, of s; 0: no pole
   double second_sign_ = 1;                             ///< that turns the second side's normal to the first's
   std::array<std::optional<Lead>, 2> leads_;
+  mutable std::optional<std::array<double, 2>>
+      spans_;  ///< by end, see spansAtEnds(); once they are asked for
 };
 
 /// The path of a side with its target; it keeps the target alive.
-FollowPath followPath(const std::shared_ptr<const SeamTarget>& target, int side);
+/// \param order of the path.
+FollowPath followPath(const std::shared_ptr<const SeamTarget>& target, int side, int order);
 
 /// What a face shows at a vertex.
 struct VertexView {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
@@ -109,28 +110,47 @@ void addOutputOptions(CLI::App& command, const std::string& done, OutputArgument
   command.add_flag("--overwrite-source", arguments.overwrite_source, "OUT may be MODEL itself");
 }
 
+CLI::Validator numberOf(const std::string& kind) {
+  return {[kind](std::string& text) {
+            std::string digits = text.rfind(kind, 0) == 0 ? text.substr(kind.size()) : text;
+            int number = 0;
+            const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+            if (error != std::errc{} || end != digits.data() + digits.size())
+              return "'" + text + "' names no " + kind + ": a number as 39, or " + kind + "39, is needed";
+            text = std::move(digits);
+            return std::string();
+          },
+          ""};
+}
+
 void requireOutputs(const std::string& model, const OutputArguments& arguments) {
-  occ::requireTarget(model, arguments.model, arguments.writeOptions());
+  try {
+    occ::requireTarget(model, arguments.model, arguments.writeOptions());
+  } catch (const occ::ModelError& error) {
+    if (error.code() != occ::ModelErrc::TargetExists) throw;
+    std::error_code unreadable;
+    const bool source = std::filesystem::equivalent(model, arguments.model, unreadable);
+    throw std::runtime_error(std::string(error.what()) +
+                             (source ? " (--overwrite-source)" : " (--overwrite)"));
+  }
   const std::string& report = arguments.report;
   if (report.empty()) return;
   if (report == "-")
     throw std::runtime_error(
         "--json -: the report goes to a file, standard output has the table; name a file");
-  requireWritable(report);
-  requireOutputIsNoModel(report, {model});
-  std::error_code error;
-  if (std::filesystem::exists(report, error) && hasNameOfModel(report))
-    throw std::runtime_error(report + ": has the name of a model, the report would overwrite it");
+  requireReport(report, {model});
   if (std::filesystem::weakly_canonical(report) == std::filesystem::weakly_canonical(arguments.model))
     throw std::runtime_error(report + ": is where the model goes; name another file for the report");
 }
 
-void requireOutputIsNoModel(const std::string& output, const std::vector<std::string>& models) {
-  for (const std::string& model : models) {
-    std::error_code error;
-    if (std::filesystem::equivalent(model, output, error))
-      throw std::runtime_error(output + ": is a model to be read, it would be overwritten");
-  }
+void requireReport(const std::string& report, const std::vector<std::string>& models) {
+  requireWritable(report);
+  std::error_code error;
+  for (const std::string& model : models)
+    if (std::filesystem::equivalent(model, report, error))
+      throw std::runtime_error(report + ": is a model to be read, it would be overwritten");
+  if (std::filesystem::exists(report, error) && hasNameOfModel(report))
+    throw std::runtime_error(report + ": has the name of a model, the report would overwrite it");
 }
 
 void warn(const std::string& path, const std::vector<std::string>& notes) {

@@ -9,7 +9,9 @@ occ::Progress progressOf(const py::object& callable, std::exception_ptr& raised)
     const py::gil_scoped_acquire gil;
     try {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      return callable.is_none() || !callable(share).is(py::bool_(false));
+      if (callable.is_none()) return true;
+      const py::object answer = callable(share);
+      return answer.is_none() || py::bool_(answer);
     } catch (const py::error_already_set&) {
       raised = std::current_exception();
       return false;

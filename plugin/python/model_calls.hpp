@@ -13,7 +13,8 @@ namespace seamwright::python {
 
 namespace py = pybind11;
 
-/// Calls a Python callable from a thread without the GIL. What it raises, and Ctrl-C, asks the work to stop and is kept in \p raised.
+/// Calls a Python callable from a thread without the GIL. An answer that is false to Python, other than None, asks the work to stop; so
+/// do Ctrl-C and what the callable raises, also when asked for its truth, which is kept in \p raised.
 /// Both arguments have to outlive it.
 occ::Progress progressOf(const py::object& callable, std::exception_ptr& raised);
 

@@ -148,7 +148,10 @@ TEST(SeamTarget, SwapChangesNothingButTheSense_3) {
                             {pair.pcurve(), wholePath(mirrored)}, both_move, 2);
     for (const double s : {0.0, 0.13, 0.5, 0.98, 1.0}) {
       EXPECT_LT(difference(target.at(s), turned.at(s)), 1e-10);
-      const TargetPoint own = turned.at(1, s), first = turned.at(0, s);
+      const TargetPoint own = turned.at(1, s, 2), first = turned.at(0, s, 2);
+      const TargetPoint plane = turned.at(1, s, 1);
+      EXPECT_LT((own.point - plane.point).norm() + (own.normal - plane.normal).norm(), 1e-12);
+      EXPECT_TRUE(plane.curvature.isZero());
       EXPECT_LT((own.normal + first.normal).norm(), 1e-14);
       EXPECT_LT((own.curvature + first.curvature).norm(), 1e-14);
       EXPECT_EQ(own.point, first.point);
@@ -198,8 +201,8 @@ TEST(SeamTarget, OfAMatchedSeamIsTheSameFromBothSides) {
     EXPECT_NEAR(matched.path(0).first, 0.1, 1e-15);
     EXPECT_NEAR(matched.path(1).last, 0.9, 1e-15);
     for (const double place : {0.15, 0.3, 0.62, 0.9}) {
-      const TargetPoint a = matched.at(0, (place - 0.1) / 0.9), same = shared.at(place),
-                        b = matched.at(1, (1 - place) / 0.9);
+      const TargetPoint a = matched.at(0, (place - 0.1) / 0.9, order), same = shared.at(place),
+                        b = matched.at(1, (1 - place) / 0.9, order);
       // Nearest points instead of those of equal parameters: they differ along the seam by no more than the noise.
       EXPECT_LT((a.point - same.point).norm(), 0.02);
       EXPECT_LT((a.point - b.point).norm(), 0.02);
@@ -208,9 +211,52 @@ TEST(SeamTarget, OfAMatchedSeamIsTheSameFromBothSides) {
       // It is a point of one and the same curve.
       double nearest = 1;
       for (int k = -400; k <= 400; ++k)
-        nearest = std::min(nearest, (matched.at(0, (place - 0.1) / 0.9 + 2.5e-6 * k).point - b.point).norm());
+        nearest =
+            std::min(nearest, (matched.at(0, (place - 0.1) / 0.9 + 2.5e-6 * k, 1).point - b.point).norm());
       EXPECT_LT(nearest, 2e-4);
     }
+  }
+}
+
+bool isFinite(const TargetPoint& target) {
+  return target.point.allFinite() && target.normal.allFinite() && target.curvature.allFinite();
+}
+
+TEST(SeamTarget, WhereItsPathStandsStillItShowsThePlace) {
+  std::mt19937 generator(41);
+  for (const int order : {1, 2})
+    for (const occ::LeadReach reach : {occ::LeadReach::Spans, occ::LeadReach::Half}) {
+      const std::array<Spline, 2> sides = disturbedSheets(generator, 0.02);
+      const Path along = curvedPath({{0.4, 0.3}, {0.4, 0.6}}), still = Path::DownCast(along->Copy());
+      for (int k = 1; k <= still->NbPoles(); ++k) still->SetPole(k, gp_Pnt2d(0.4, 0.3));
+      SeamTarget target(seamBetween({sides[0], along}, {sides[1], along, false}),
+                        {wholePath(still), wholePath(still)}, both_move, order, reach);
+      const gp_Pnt a = sides[0]->Value(0.4, 0.3), b = sides[1]->Value(0.4, 0.3);
+      const TargetPoint before = target.at(0);
+      target.setEnd(1, near(before, generator, 0.01, 0.001));
+      for (const double s : {0.0, 0.3, 0.9, 1.0})
+        for (const int side : {0, 1}) EXPECT_TRUE(isFinite(target.at(side, s, order))) << s << " side " << side;
+      EXPECT_LT((before.point - Eigen::Vector3d(a.X() + b.X(), a.Y() + b.Y(), a.Z() + b.Z()) / 2).norm(),
+                1e-9);
+      const Eigen::Vector3d mean =
+          shownBy(sides[0], {0.4, 0.3}).normal + shownBy(sides[1], {0.4, 0.3}).normal;
+      EXPECT_LT(before.normal.cross(mean.normalized()).norm(), 1e-9);
+    }
+}
+
+TEST(SeamTarget, PlacesOfAMatchedSeamMayBeGivenTwice) {
+  std::mt19937 generator(42);
+  NearlyJoined pair(generator, 0.01);
+  const SeamTarget once = pair.target(1);
+  pair.seam.kind = occ::SeamKind::Matched;
+  pair.seam.edges = {1, 2};
+  pair.seam.correspondence = {{0, 0, 0.5, 0.5, 1, 1}, {0, 0, 0.5, 0.5, 1, 1}, {0, 0, 0.5, 0.5, 1, 1}};
+  const SeamTarget twice = pair.target(1);
+  for (const double s : {0.0, 0.2, 0.5, 0.8, 1.0}) {
+    ASSERT_TRUE(isFinite(twice.at(s))) << s;
+    // The sides are a hundredth of a millimetre apart, and so are the nearest points and those of equal parameters.
+    EXPECT_LT((twice.at(s).point - once.at(s).point).norm(), 0.02) << s;
+    EXPECT_LT((twice.at(s).normal - once.at(s).normal).norm(), 0.002) << s;
   }
 }
 
@@ -348,7 +394,9 @@ TEST(SeamTarget, FourFacesMeetAtAVertex) {
     for (int k = 0; k < 4; ++k) {
       moved[k] = patch.faces[k];
       if (one_stays && k == 0) continue;
-      FaceTask task{patch.faces[k], {followPath(targets[k], 0), followPath(targets[(k + 1) % 4], 1)}, fine()};
+      FaceTask task{patch.faces[k],
+                    {followPath(targets[k], 0, order), followPath(targets[(k + 1) % 4], 1, order)},
+                    fine()};
       const FaceFollow follow = followPaths(task);
       // Of curvature at the vertex its derivatives along the seams contradict one another: it is met with the spans' first power.
       EXPECT_LE(std::ranges::max(follow.ratios), 0.5) << follow.failure;

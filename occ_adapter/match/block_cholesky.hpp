@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+/// A factorisation of matrices of many small blocks; not a public header.
+namespace seamwright::occ {
+
+/// A point a row.
+using PointRows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+
+/// The blocks on and above the diagonal that may not be zero: of column j those in the rows rows[begins[j]] .. rows[begins[j + 1] - 1],
+/// which increase; the last is j itself.
+struct BlockPattern {
+  std::vector<int> begins = {0}, rows;
+
+  int size() const { return static_cast<int>(begins.size()) - 1; }
+};
+
+/// A symmetric block of 3 x 3: xx, yy, zz, xy, yz, zx.
+using SymmetricBlock = Eigen::Matrix<double, 6, 1>;
+
+/// The Cholesky factorisation of a positive definite matrix of symmetric blocks of 3 x 3. Columns with nearly one structure are
+/// factored together as a dense front, in an order that fills in little, which is found once for all matrices of a pattern.
+/// Source: multifrontal method, Duff and Reid 1983, with amalgamation of fronts, Ashcraft and Grimes 1989.
+class BlockCholesky {
+ public:
+  explicit BlockCholesky(const BlockPattern& pattern);
+
+  /// \param blocks in the order of the pattern. \param diagonal is added to it.
+  /// \returns false if the matrix is not positive definite as far as rounding tells.
+  bool factor(const std::vector<SymmetricBlock>& blocks, double diagonal);
+
+  /// \pre the last factor() was good
+  PointRows solve(const PointRows& right) const;
+
+ private:
+  struct Entry {
+    int block, row, column;  ///< rows and columns of the front
+  };
+  /// Columns first .. last - 1 and what they have below.
+  struct Front {
+    int first = 0, last = 0;
+    std::vector<int> below;  ///< points, increasing
+    std::vector<Entry> entries = {};
+    std::vector<int> children = {};
+    std::vector<int> in_parent = {};  ///< by place below: its row in the parent's front
+    double zeros = 0;                 ///< blocks that amalgamation stored in vain
+    Eigen::MatrixXd panel = {};       ///< the factor's columns
+
+    int columns() const { return last - first; }
+    int rows() const { return columns() + static_cast<int>(below.size()); }
+    int row(int point) const;
+  };
+
+  std::vector<Front> amalgamated(const std::vector<std::vector<int>>& below) const;
+  void connect();
+
+  std::vector<int> place_;  ///< by point of the pattern: its place in the order of elimination
+  std::vector<Front> fronts_;
+};
+
+}  // namespace seamwright::occ
