@@ -6,7 +6,6 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <GCPnts_AbscissaPoint.hxx>
 #include <Geom2dAPI_Interpolate.hxx>
 #include <Geom2d_BSplineCurve.hxx>
@@ -28,6 +27,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <seamwright/core/linear/dense.hpp>
 #include <seamwright/occ_adapter/convert/bezier_surface.hpp>
 #include <seamwright/occ_adapter/fill/corner_ball.hpp>
 #include <seamwright/occ_adapter/fill/corner_bands.hpp>
@@ -130,9 +130,9 @@ EdgePlace placeAt(const CornerEdge& edge, double setback_mm) {
 /// Distances from both ends along the tangents to where they come nearest each other.
 std::array<double, 2> legsOf(const Vector3d& from, const Vector3d& leaving, const Vector3d& to,
                              const Vector3d& arriving) {
-  Eigen::Matrix<double, 3, 2> tangents;
+  Eigen::MatrixXd tangents(3, 2);
   tangents << leaving, arriving;
-  const Eigen::Vector2d legs = tangents.colPivHouseholderQr().solve(to - from);
+  const Eigen::Vector2d legs = linear::PivotedQr(tangents).solve(to - from);
   return {legs(0), legs(1)};
 }
 
@@ -366,9 +366,9 @@ class BandTrimmer {
     gp_Pnt point;
     gp_Vec u, v;
     surface.D1(at.X(), at.Y(), point, u, v);
-    Eigen::Matrix<double, 3, 2> partials;
+    Eigen::MatrixXd partials(3, 2);
     partials << vector(u.XYZ()), vector(v.XYZ());
-    const Eigen::Vector2d direction = partials.colPivHouseholderQr().solve(run);
+    const Eigen::Vector2d direction = linear::PivotedQr(partials).solve(run);
     return {direction(0), direction(1)};
   }
 

@@ -20,6 +20,7 @@
 #include <cmath>
 
 #include "proof_case.hpp"
+#include "shapes.hpp"
 
 namespace seamwright::test {
 namespace {
