@@ -113,6 +113,19 @@ TopoDS_Shape blockOnCylinder() {
       .Shape();
 }
 
+/// One upright edge rounded with 5 mm: the upper edges that it joins go on into one another smoothly.
+TopoDS_Shape boxWithRoundEdge() {
+  const TopoDS_Shape shape = box(20, 20, 10);
+  const TopTools_IndexedMapOfShape edges = parts(shape, TopAbs_EDGE);
+  BRepFilletAPI_MakeFillet fillet(shape);
+  for (int k = 1; k <= edges.Extent(); ++k) {
+    const TopoDS_Edge& edge = TopoDS::Edge(edges(k));
+    const gp_Pnt a = BRep_Tool::Pnt(TopExp::FirstVertex(edge)), b = BRep_Tool::Pnt(TopExp::LastVertex(edge));
+    if (a.X() + b.X() == 40 && a.Y() + b.Y() == 0) fillet.Add(5, edge);
+  }
+  return fillet.Shape();
+}
+
 /// A pointed dome of cylindrical gores of radius 40, whose axes are aside of the middle: the steeper the further.
 TopoDS_Shape dome(int gores, double aside_mm) {
   TopoDS_Shape shape = BRepPrimAPI_MakeBox(gp_Pnt(-60, -60, 0), gp_Pnt(60, 60, 60)).Shape();
@@ -157,6 +170,7 @@ std::vector<Case> cases() {
            BRepAlgoAPI_Fuse(notchedCube(), upright({10, 5, 0}, 3, 7)).Shape(),
            {7, 5, 7},
            {0.3, 0.5, 0.2}},
+          {"EdgeThatRunsOn", boxWithRoundEdge(), {0, 0, 10}, {1, 2, 0.5}},
           {"DomeOfFour", dome(4, 20), apex(20), {1, 2}, 0.2},
           {"SteepDomeOfThree", dome(3, 35), apex(35), {0.1, 0.5, 1}, 0.1},
           {"SteepDomeOfFive", dome(5, 35), apex(35), {0.2, 1, 1}, 3},
@@ -244,14 +258,17 @@ TEST(CurvedCorner, TakesTheSectionOfEachFillet) {
   const TopoDS_Shape given = wedge(20, 30);
   const CornerFillet here = rounded(given, {20, 0, 0}, {1, 2, 3});
   const CornerFillet longer = rounded(wedge(20, 40), {20, 0, 0}, {1, 2, 3});
+  int found = 0;
   for (const occ::CornerFilletEdge& edge : here.edges) {
     const TopoDS_Edge& along = TopoDS::Edge(parts(given, TopAbs_EDGE)(edge.edge));
     const double height =
         BRep_Tool::Pnt(TopExp::LastVertex(along)).Z() + BRep_Tool::Pnt(TopExp::FirstVertex(along)).Z();
     if (height < 30) continue;
+    ++found;
     const double section_mm2 = volume_mm3(native(given, {edge})) / 30;
     EXPECT_NEAR(volume_mm3(longer.model.shape) - volume_mm3(here.model.shape), 10 * section_mm2, 1e-3);
   }
+  EXPECT_EQ(found, 1);
 }
 
 TEST(CurvedCorner, MovesWithTheSolid) {
