@@ -49,7 +49,7 @@ occ::CornerFilletOptions optionsOf(const CornerArguments& arguments, const std::
 }
 
 /// The seams of the new faces; of all faces, where the model does not have those of the one in memory.
-Judge judgeOf(const occ::CornerFillet& fillet, const occ::CornerFilletOptions& options) {
+report::Judge judgeOf(const occ::CornerFillet& fillet, const occ::CornerFilletOptions& options) {
   return [&](const occ::Model& model, const occ::Progress& progress) {
     occ::AnalyzeOptions asked;
     asked.tolerance = options.tolerance;
@@ -99,7 +99,7 @@ int runCorner(const CornerArguments& arguments) {
   const occ::Model model = readUnderBar(arguments.model);
   const occ::CornerFilletOptions options = optionsOf(arguments, edgesOf(model, arguments.vertex));
   const occ::CornerFillet fillet = rounded(model, arguments, options);
-  const Judge judge = judgeOf(fillet, options);
+  const report::Judge judge = judgeOf(fillet, options);
   const auto json = [&](const std::optional<report::WrittenModel>& output) {
     return report::toJson(fillet, options.tolerance, arguments.vertex, occ::factsOf(model), output);
   };

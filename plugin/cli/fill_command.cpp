@@ -61,7 +61,7 @@ occ::FillHoleReport filled(const occ::Model& model, const FillArguments& argumen
 }
 
 /// The seams of the new faces in the file; of all faces, where it does not have those of the model in memory.
-Judge judgeOf(const occ::FillHoleReport& report, const occ::FillHoleOptions& options) {
+report::Judge judgeOf(const occ::FillHoleReport& report, const occ::FillHoleOptions& options) {
   return [&report, &options](const occ::Model& model, const occ::Progress& progress) {
     occ::AnalyzeOptions asked;
     asked.tolerance = options.tolerance;

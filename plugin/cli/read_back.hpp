@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <seamwright/occ_adapter/model/model.hpp>
-#include <seamwright/occ_adapter/progress.hpp>
 #include <seamwright/plugin/cli/model_arguments.hpp>
 #include <seamwright/plugin/report/written.hpp>
 #include <string>
@@ -13,15 +12,13 @@
 
 namespace seamwright::cli {
 
-/// What is counted in the model of a file.
-using Judge = std::function<report::ModelCounts(const occ::Model&, const occ::Progress&)>;
-
 /// What a command leaves behind.
 struct Outcome {
   const occ::Model* model = nullptr;  ///< null: none is written
-  Judge judge;                        ///< of the model's file
+  report::Judge judge;                ///< of the model's file
   /// The report, by what was written.
   std::function<nlohmann::ordered_json(const std::optional<report::WrittenModel>&)> report;
+  bool unchanged = false;  ///< as of occ::WriteOptions
 };
 
 struct WrittenOutcome {

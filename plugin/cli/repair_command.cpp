@@ -78,7 +78,8 @@ int runRepair(const RepairArguments& arguments) {
   const auto json = [&](const std::optional<report::WrittenModel>& output) {
     return report::toJson(report, options, output);
   };
-  const WrittenOutcome written = writeOutcome({&report.model, judge, json}, arguments.output);
+  const WrittenOutcome written =
+      writeOutcome({&report.model, judge, json, !report.changed()}, arguments.output);
   writeStandardOutput(report::toTable(report, written.model));
   warn(arguments.model, report.before.model.notes);
   warnOf(written, arguments.output, report::countsOf(report.after));

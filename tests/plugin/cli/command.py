@@ -6,6 +6,7 @@ import pathlib
 import subprocess
 
 PROGRAM = os.environ["SEAMWRIGHT"]
+(READER,) = pathlib.Path(PROGRAM).parent.glob("seamwright-read-*")
 
 
 def run(*arguments, reader=None, cwd=None):
@@ -29,14 +30,3 @@ def expect_one_line(result, said):
     assert result.stderr.count("\n") == 1 and result.stderr.endswith("\n"), result.stderr
     assert result.stderr.startswith("seamwright: ")
     assert str(said) in result.stderr
-
-
-def reader_that_finds(other, folder):
-    """A reader that finds another model where the written one waits for its place."""
-    reader = folder / "reader.sh"
-    (real,) = pathlib.Path(PROGRAM).parent.glob("seamwright-read-*")
-    reader.write_text("#!/bin/bash\nargs=()\nfor arg; do\n"
-                      f"  case \"$arg\" in *.part) args+=({str(other)!r});; *) args+=(\"$arg\");; esac\n"
-                      f"done\nexec {str(real)!r} \"${{args[@]}}\"\n")
-    reader.chmod(0o755)
-    return reader

@@ -6,8 +6,8 @@ import os
 
 import pytest
 
-from command import contents, expect_one_line, reader_that_finds, run
-from models import OCCT_DATA, box_text, installed, roof_text
+from command import READER, contents, expect_one_line, run
+from models import OCCT_DATA, box_text, installed, reader_that_finds, roof_text
 from schemas import expect_every_key_matters, expect_valid, validator
 
 VALIDATOR = validator("fill")
@@ -104,7 +104,7 @@ def test_the_verdict_is_on_the_file_too(box, tmp_path):
     other, out, report = tmp_path / "other.step", tmp_path / "out.step", tmp_path / "out.json"
     other.write_text(roof_text(1))
     result = run("fill", box, "-o", out, "--json", report, "--face", "1", "--target", "G0",
-                 reader=reader_that_finds(other, tmp_path))
+                 reader=reader_that_finds(other, tmp_path, READER))
     assert result.returncode == 1, result.stderr
     found = json.loads(report.read_text())
     expect_valid(found, VALIDATOR)
@@ -114,7 +114,7 @@ def test_the_verdict_is_on_the_file_too(box, tmp_path):
 
 
 def test_what_cannot_be_read_back_is_not_written(box, tmp_path):
-    reader = reader_that_finds(tmp_path / "none.step", tmp_path)
+    reader = reader_that_finds(tmp_path / "none.step", tmp_path, READER)
     before = contents(tmp_path)
     expect_one_line(run("fill", box, "-o", tmp_path / "out.step", "--face", "1", "--target", "G0", reader=reader),
                     "out.step: can't be read back")
