@@ -549,9 +549,12 @@ BandedCorner bandedCorner(const Corner& corner, const CornerFilletOptions& optio
   constexpr std::array<Attempt, 5> attempts = {{{1.1, 9}, {1.1, 5}, {1.3, 9}, {1.3, 5}, {1.6, 5}}};
   std::optional<Made> best;
   std::string reason;
-  for (const Attempt& attempt : attempts) {
+  for (std::size_t k = 0; k < attempts.size(); ++k) {
+    const double share = 1.0 / static_cast<double>(attempts.size());
+    const Progress part =
+        partOf(progress, static_cast<double>(k) * share, static_cast<double>(k + 1) * share);
     try {
-      Made made = tried(corner, strips, options, attempt, progress);
+      Made made = tried(corner, strips, options, attempts[k], part);
       if (!best || made.rank() > best->rank()) best = std::move(made);
       if (best->corner.fill.regular && best->reached) break;
     } catch (const std::domain_error& error) {
