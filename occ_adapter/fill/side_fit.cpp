@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -8,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <seamwright/core/linear/dense.hpp>
 #include <seamwright/occ_adapter/fill/side_fit.hpp>
 #include <seamwright/occ_adapter/fill/side_path.hpp>
 
@@ -95,7 +95,7 @@ BezierCurve fittedEdge(const std::vector<SideSample>& samples, const std::array<
     for (const Index fixed : {Index{0}, Index{1}, Index{degree} - 1, Index{degree}})
       right.row(i) -= basis(fixed) * poles.row(fixed);
   }
-  poles.middleRows(2, free) = matrix.colPivHouseholderQr().solve(right);
+  poles.middleRows(2, free) = linear::PivotedQr(matrix).solve(right);
   return BezierCurve(poles);
 }
 
@@ -118,7 +118,7 @@ Poles fittedCross(const std::vector<SideSample>& samples, const std::array<Vecto
       right(4 * i + 1 + c) = sample.beyond(c);
     }
   }
-  const Eigen::VectorXd solution = length_mm * matrix.colPivHouseholderQr().solve(right);
+  const Eigen::VectorXd solution = length_mm * linear::PivotedQr(matrix).solve(right);
   Poles cross = Eigen::Map<const Poles>(solution.data(), degree + 1, 3);
   for (const int end : {0, 1}) {
     const Vector3d& normal = corner_normals[end];

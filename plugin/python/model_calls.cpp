@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pybind11/stl.h>
+
 #include <seamwright/plugin/python/model_calls.hpp>
 #include <seamwright/plugin/report/json.hpp>
 
@@ -17,6 +19,17 @@ occ::Progress progressOf(const py::object& callable, std::exception_ptr& raised)
       return false;
     }
   };
+}
+
+py::dict plainDict(const occ::WriteReport& written) {
+  py::dict dict;
+  dict["format"] = std::string(occ::name(written.format));
+  dict["followed_source"] = written.followed_source;
+  dict["changed_faces"] = written.changed_faces;
+  dict["changed_edges"] = written.changed_edges;
+  dict["changed_vertices"] = written.changed_vertices;
+  dict["notes"] = written.notes;
+  return dict;
 }
 
 py::object plainObject(const nlohmann::ordered_json& json) {

@@ -5,6 +5,7 @@
 
 #include <exception>
 #include <nlohmann/json.hpp>
+#include <seamwright/occ_adapter/model/write.hpp>
 #include <seamwright/occ_adapter/progress.hpp>
 #include <string>
 
@@ -35,6 +36,9 @@ auto longCall(const py::object& callable, const Work& work) {
     throw;
   }
 }
+
+/// {format, followed_source, changed_faces, changed_edges, changed_vertices, notes}.
+py::dict plainDict(const occ::WriteReport& written);
 
 /// Dicts, lists, numbers, texts and None.
 py::object plainObject(const nlohmann::ordered_json& json);

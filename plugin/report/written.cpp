@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seamwright/occ_adapter/model/read.hpp>
+#include <seamwright/occ_adapter/model/write.hpp>
 #include <seamwright/plugin/report/numbers.hpp>
 #include <seamwright/plugin/report/text.hpp>
 #include <seamwright/plugin/report/written.hpp>
@@ -41,6 +43,18 @@ std::string WrittenModel::differences(const ModelCounts& memory) const {
   const bool renumbered = found.faces != memory.faces || found.edges != memory.edges;
   return "read back: " + listed(here) + "; the model in memory has " + listed(there) +
          (renumbered ? ": numbers of faces and edges differ" : "");
+}
+
+WrittenModel readBack(const std::filesystem::path& waiting, const std::filesystem::path& output,
+                      const Judge& judge, const occ::Progress& progress) {
+  constexpr double read = 0.5;
+  try {
+    const occ::Model model = occ::readModel(waiting.string(), occ::partOf(progress, 0, read));
+    return {output, occ::targetFormat(output), judge(model, occ::partOf(progress, read, 1))};
+  } catch (const occ::ModelError& error) {
+    throw occ::ModelError(occ::ModelErrc::NotWritten, output.string(),
+                          std::string("can't be read back, so it is not written: ") + error.what());
+  }
 }
 
 nlohmann::ordered_json toJson(const std::optional<WrittenModel>& written) {
