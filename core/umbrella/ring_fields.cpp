@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <seamwright/core/join/bernstein_rows.hpp>
@@ -97,12 +98,16 @@ RingFields ringFields(const std::vector<FillSide>& sides, double spoke_scale, do
   Vector3d centre = Vector3d::Zero();
   for (const FillSide& side : sides)
     centre += (side.edge.point(0) + side.edge.point(0.5)) / (2.0 * static_cast<double>(n));
+  double mean_mm = 0;
+  for (const FillSide& side : sides) mean_mm += (side.edge.point(0) - centre).norm() / static_cast<double>(n);
   RingFields result;
   std::vector<HoleCorner> corners;
   for (std::size_t k = 0; k < n; ++k) {
     corners.emplace_back(sides, k);
     result.corners.push_back(figuresOf(corners[k], k, tolerance_rad));
-    const double length_mm = spoke_scale * spoke_share * (sides[k].edge.point(0) - centre).norm();
+    // A reflex corner may lie in the middle.
+    const double way_mm = std::max((sides[k].edge.point(0) - centre).norm(), mean_mm / 4);
+    const double length_mm = spoke_scale * spoke_share * way_mm;
     result.spokes.push_back(spokeEnd(corners[k], result.corners[k], length_mm));
   }
 
