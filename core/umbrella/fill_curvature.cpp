@@ -19,8 +19,15 @@ using Eigen::Index, Eigen::Vector2d, Eigen::Vector3d;
 using Form = Eigen::RowVectorXd;
 
 constexpr int places = 12;  ///< along each edge, besides its ends
-/// Of the squared differences of poles, in turn: the jumps come down in steps.
-constexpr std::array<double, 4> fairness_weights = {1e-2, 1e-3, 1e-4, 1e-4};
+/// Of the mean squared third derivative, or what differences make of it, in turn: jumps come down in steps.
+constexpr std::array<double, 5> fairness_weights = {100, 10, 1, 1e-1, 1e-2};
+
+/// Differences of poles become derivatives by this factor. Degrees 6 and higher are compared: their weights mean the same.
+double derivativeScale(int degree, int order) {
+  double scale = 1;
+  for (int k = 0; k < order; ++k) scale *= static_cast<double>(degree - k) / (6 - k);
+  return scale;
+}
 
 double placeOf(int k) {
   return static_cast<double>(k) / places;
@@ -100,7 +107,7 @@ class Problem {
   Problem(const FillSpace& space, int order) : space_(space), count_(space.coefficients.cols()) {
     forms_.resize(space.coefficients.rows(), count_ + 3);
     forms_ << space.coefficients, space.constants;
-    const Eigen::MatrixXd rows = differencesOf(space, forms_, order);
+    const Eigen::MatrixXd rows = derivativeScale(space.degree, order) * differencesOf(space, forms_, order);
     fair_ = rows.leftCols(count_).transpose() * rows;
   }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <Eigen/QR>
 #include <cmath>
 #include <limits>
 #include <seamwright/core/bernstein/coefficients.hpp>
+#include <seamwright/core/linear/dense.hpp>
 #include <seamwright/core/umbrella/fill_fairing.hpp>
 
 namespace seamwright::fill {
@@ -55,16 +55,11 @@ Substitution substitution(const FillSpace& space, std::optional<double> spoke_sc
   return result;
 }
 
-Poles leastSquares(const Eigen::MatrixXd& matrix, const Poles& right) {
-  return matrix.completeOrthogonalDecomposition().solve(right);
-}
-
 /// Orthonormal columns: what the matrix maps to rounding.
 Eigen::MatrixXd nullSpace(const Eigen::MatrixXd& matrix) {
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(matrix.transpose());
-  qr.setThreshold(16 * std::numeric_limits<double>::epsilon() * static_cast<double>(matrix.rows()));
-  const Eigen::MatrixXd basis = qr.householderQ();
-  return basis.rightCols(matrix.cols() - qr.rank());
+  const double rounding = 16 * std::numeric_limits<double>::epsilon() * static_cast<double>(matrix.rows());
+  const linear::PivotedQr qr(matrix.transpose(), rounding);
+  return qr.q().rightCols(matrix.cols() - qr.rank());
 }
 
 }  // namespace
@@ -79,12 +74,12 @@ Fairest fairest(const FillSpace& space, int order, std::optional<double> spoke_s
   const Eigen::MatrixXd coefficients = space.coefficients * rest.basis;
   const Eigen::MatrixXd matrix = differences<Eigen::MatrixXd>(space, coefficients, order);
   const Poles fixed = differences<Poles>(space, offset, order);
-  Poles solution = leastSquares(matrix, -fixed);
+  Poles solution = linear::LeastSquares(matrix).solve(-fixed);
   const Eigen::MatrixXd idle = nullSpace(matrix);
   if (idle.cols() > 0) {
     const Poles poles = coefficients * solution + offset;
-    solution += idle * leastSquares(differences<Eigen::MatrixXd>(space, coefficients * idle, 2),
-                                    -differences<Poles>(space, poles, 2));
+    solution += idle * linear::LeastSquares(differences<Eigen::MatrixXd>(space, coefficients * idle, 2))
+                           .solve(-differences<Poles>(space, poles, 2));
   }
   return {rest.basis * solution + rest.offset, (matrix * solution + fixed).squaredNorm()};
 }

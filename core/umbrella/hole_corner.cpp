@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <seamwright/core/join/bernstein_rows.hpp>
+#include <seamwright/core/linear/dense.hpp>
 #include <seamwright/core/umbrella/hole_corner.hpp>
 #include <stdexcept>
 #include <string>
@@ -132,9 +132,9 @@ Vector3d tangentAtEnd(const FillSide& side) {
 }
 
 Eigen::Vector2d combination(const Vector3d& first, const Vector3d& second, const Vector3d& vector) {
-  Eigen::Matrix<double, 3, 2> plane;
+  Eigen::MatrixXd plane(3, 2);
   plane << first, second;
-  return plane.colPivHouseholderQr().solve(vector);
+  return linear::PivotedQr(plane).solve(vector);
 }
 
 HoleCorner::HoleCorner(const std::vector<FillSide>& sides, std::size_t k)

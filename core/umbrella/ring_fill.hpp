@@ -8,7 +8,7 @@
 namespace seamwright {
 
 struct RingFillOptions {
-  int fairness_order = 3;                               ///< as of FillOptions
+  int fairness_order = 2;                               ///< as of FillOptions
   double corner_tolerance_rad = 0;                      ///< as of FillOptions
   std::optional<int> curvature_degrees = std::nullopt;  ///< as of FillOptions
 };
@@ -40,8 +40,9 @@ struct RingFill {
 /// spoke S, from the inside, with derivatives V and U into the patches beside it,  c V + d U = e S',  c, d and e linear: (1, 1, -1) inside,
 /// where the three edges of a corner of the middle patch have tangents that add up to zero, and what both sides ask for at their corner.
 /// Across the edges of the middle patch V + U = e S', e from -1 to 1. The degree N of the patches is max(5, e + 3, d + 2), d and e the
-/// largest degrees of edges and cross fields. What these equations leave free makes the sum of squared differences of poles least. Where the
-/// patches are not proved regular, other lengths of the spokes are tried.
+/// largest degrees of edges and cross fields. What these equations leave free makes the sum of squared differences of poles least: of second
+/// ones, as third ones leave the height of the middle nearly free. Where the patches are not proved regular, other lengths of the spokes are
+/// tried. Curvature is as of nSidedFill().
 ///
 /// Identities (each has a test of its number):
 ///   (1) Edges U1 of patches 0 to 3 are the sides; neighbours share the poles of their common edge to the bit.

@@ -139,7 +139,8 @@ class Filling {
                     {.gap_mm = options_.tolerance.gap_mm / share,
                      .angle_rad = options_.tolerance.angle_rad / share,
                      .most_degree = options_.most_degree,
-                     .planar_rad = position_only ? -1 : most_planar_rad});
+                     .planar_rad = position_only ? -1 : most_planar_rad,
+                     .curvature = options_.target == Level::G2});
   }
 
   /// What is reached over what is asked for.
@@ -188,8 +189,20 @@ class Filling {
     }
   }
 
+  /// By how much more than the degree that G1 asks for, at least \p more than that of the cross fields; time grows with its sixth power.
+  std::optional<int> curvatureDegrees(const std::vector<FillSide>& sides, int more) const {
+    if (options_.target != Level::G2) return std::nullopt;
+    constexpr int most_degree = 9, most_raise = 2;
+    Eigen::Index degree = 0;
+    for (const FillSide& side : sides)
+      degree = std::max({degree, Eigen::Index{side.edge.degree()}, side.cross ? side.cross->rows() - 1 : 0});
+    return std::clamp(most_degree - more - static_cast<int>(degree), 0, most_raise);
+  }
+
   std::vector<BSplineSurface> ringSurfaces(const std::vector<FillSide>& sides) {
-    const RingFill fill = ringFill(sides, {.corner_tolerance_rad = plane_noise_rad});
+    const RingFill fill = ringFill(
+        sides, {.corner_tolerance_rad = plane_noise_rad, .curvature_degrees = curvatureDegrees(sides, 3)});
+    result_.curvature_jump_per_mm = fill.curvature_jump_per_mm;
     result_.corners = fill.corners;
     result_.regular = fill.regular;
     std::vector<BSplineSurface> surfaces;
@@ -198,7 +211,8 @@ class Filling {
   }
 
   std::vector<BSplineSurface> starSurfaces(const std::vector<FillSide>& sides) {
-    FillOptions options{.corner_tolerance_rad = plane_noise_rad};
+    FillOptions options{.corner_tolerance_rad = plane_noise_rad,
+                        .curvature_degrees = curvatureDegrees(sides, 1)};
     NSidedFill fill = nSidedFill(sides, options);
     constexpr int dear_degree =
         7;  // fills cost the sixth power of it, and several are tried for one that is not regular
@@ -207,6 +221,7 @@ class Filling {
       NSidedFill other = nSidedFill(sides, options);
       if (other.regular) fill = std::move(other);
     }
+    result_.curvature_jump_per_mm = fill.curvature_jump_per_mm;
     result_.corners = fill.corners;
     result_.regular = fill.regular;
     return withCornerKnots(fill, options_.tolerance.angle_rad / share);
@@ -415,6 +430,10 @@ void FillHoleOptions::validate() const {
 
 std::optional<double> FillHoleReport::largestGap_mm() const {
   return largest(*this, &SeamFigures::gap_mm);
+}
+
+std::optional<double> FillHoleReport::largestCurvature_rel() const {
+  return largest(*this, &SeamFigures::curvature_rel);
 }
 
 std::optional<double> FillHoleReport::largestAngle_rad() const {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -8,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <seamwright/core/linear/dense.hpp>
 #include <seamwright/occ_adapter/fill/side_fit.hpp>
 #include <seamwright/occ_adapter/fill/side_path.hpp>
 
@@ -95,7 +95,7 @@ BezierCurve fittedEdge(const std::vector<SideSample>& samples, const std::array<
     for (const Index fixed : {Index{0}, Index{1}, Index{degree} - 1, Index{degree}})
       right.row(i) -= basis(fixed) * poles.row(fixed);
   }
-  poles.middleRows(2, free) = matrix.colPivHouseholderQr().solve(right);
+  poles.middleRows(2, free) = linear::PivotedQr(matrix).solve(right);
   return BezierCurve(poles);
 }
 
@@ -118,7 +118,7 @@ Poles fittedCross(const std::vector<SideSample>& samples, const std::array<Vecto
       right(4 * i + 1 + c) = sample.beyond(c);
     }
   }
-  const Eigen::VectorXd solution = length_mm * matrix.colPivHouseholderQr().solve(right);
+  const Eigen::VectorXd solution = length_mm * linear::PivotedQr(matrix).solve(right);
   Poles cross = Eigen::Map<const Poles>(solution.data(), degree + 1, 3);
   for (const int end : {0, 1}) {
     const Vector3d& normal = corner_normals[end];
@@ -126,6 +126,27 @@ Poles fittedCross(const std::vector<SideSample>& samples, const std::array<Vecto
     last -= (last * normal) * normal.transpose();
   }
   return cross;
+}
+
+/// II(T, T) of the face, T in its tangent plane.
+double bendAlong(const SideSample& sample, const Vector3d& direction) {
+  Eigen::Matrix<double, 3, 2> plane;
+  plane << sample.jet.u, sample.jet.v;
+  const Eigen::Vector2d c = plane.colPivHouseholderQr().solve(direction);
+  return sample.normal.dot(c(0) * c(0) * sample.jet.uu + 2 * c(0) * c(1) * sample.jet.uv +
+                           c(1) * c(1) * sample.jet.vv);
+}
+
+/// The polynomial nearest to II(T, T) N, which does not depend on how the face is turned.
+Poles fittedBend(const std::vector<SideSample>& samples, const BezierCurve& cross, int degree) {
+  const Index count = static_cast<Index>(samples.size());
+  Eigen::MatrixXd matrix(count, degree + 1), right(count, 3);
+  for (Index i = 0; i < count; ++i) {
+    const SideSample& sample = samples[i];
+    matrix.row(i) = basisAt(degree, sample.t).transpose();
+    right.row(i) = bendAlong(sample, cross.point(sample.t)) * sample.normal.transpose();
+  }
+  return matrix.colPivHouseholderQr().solve(right);
 }
 
 /// One side while it is fitted.
@@ -162,6 +183,7 @@ class SideFit {
       fitted.angle_rad = angle;
       if (angle <= options_.angle_rad) break;
     }
+    if (options_.curvature) fitBend(fitted);
     return fitted;
   }
 
@@ -203,6 +225,29 @@ class SideFit {
           std::max(angle, std::atan2(normal.cross(check.normal).norm(), std::abs(normal.dot(check.normal))));
     }
     return angle;
+  }
+
+  void fitBend(FittedSide& fitted) const {
+    constexpr double near_enough = 1e-4;  // of the largest curvature, or of one over the length
+    const BezierCurve cross(*fitted.side.cross);
+    double largest_per_mm = 1 / path_.length_mm();
+    for (const SideSample& check : checks_) {
+      const Vector3d along = cross.point(check.t);
+      largest_per_mm = std::max(largest_per_mm, std::abs(bendAlong(check, along)) / along.squaredNorm());
+    }
+    for (int degree = 0; degree <= options_.most_degree; ++degree) {
+      const Poles bend = fittedBend(samples_, cross, degree);
+      double missed_per_mm = 0;
+      for (const SideSample& check : checks_) {
+        const Vector3d along = cross.point(check.t);
+        const double missed = check.normal.dot(BezierCurve(bend).point(check.t)) - bendAlong(check, along);
+        missed_per_mm = std::max(missed_per_mm, std::abs(missed) / along.squaredNorm());
+      }
+      if (fitted.side.bend && !(missed_per_mm < fitted.curvature_per_mm)) continue;
+      fitted.side.bend = bend;
+      fitted.curvature_per_mm = missed_per_mm;
+      if (missed_per_mm <= near_enough * largest_per_mm) return;
+    }
   }
 
   StretchPath path_;

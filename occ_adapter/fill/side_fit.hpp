@@ -16,6 +16,7 @@ struct SideFitOptions {
   int most_degree = 9;   ///< of edges and cross fields, 3 to 11
   double planar_rad =
       0;  ///< a corner's tangents leave the plane of a side that keeps its tangent planes by no more
+  bool curvature = false;  ///< FillSide::bend is fitted as well
 };
 
 /// A side of a hole for nSidedFill(), and how near it comes to the faces, at four times as many points as were fitted.
@@ -25,6 +26,8 @@ struct FittedSide {
   double angle_rad = 0;  ///< of the planes spanned by E' and T to those of the faces; 0 for position alone
   /// By which the tangents of the next sides leave the planes of this one, at its corners. The fill has that angle to its neighbour there.
   std::array<double, 2> corner_rad{};
+  double curvature_per_mm =
+      0;  ///< difference of the curvature across the side, as fitted, from that of the faces
 };
 
 /// Edges and cross fields of the lowest degrees that come near enough, or of the highest, by least squares; exact, but for rounding, where

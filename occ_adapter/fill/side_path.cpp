@@ -86,7 +86,7 @@ SideSample SidePath::sample(std::size_t k, double place) const {
   const SidePoint side = strips_[k]->at(place);
   const Vector3d normal = side.jet.u.cross(side.jet.v).normalized();
   const Vector3d beyond = (side.face_on_left ? 1 : -1) * normal.cross(side.tangent).normalized();
-  return {0, side.jet.p, (reversed_[k] ? -1 : 1) * side.tangent, normal, beyond};
+  return {0, side.jet.p, (reversed_[k] ? -1 : 1) * side.tangent, normal, beyond, side.jet};
 }
 
 }  // namespace seamwright::occ

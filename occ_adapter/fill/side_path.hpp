@@ -17,6 +17,7 @@ struct SideSample {
   double t = 0;
   Eigen::Vector3d point, derivative;
   Eigen::Vector3d normal, beyond;  ///< unit; beyond points into the face, across the edge
+  SurfaceJet jet;                  ///< of the face
 };
 
 /// The arc length of a path over its places, by Gauss quadrature on short pieces.

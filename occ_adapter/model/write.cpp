@@ -77,7 +77,8 @@ Written writeBrep(const Model& model, Format format) {
   written.report.format = format;
   if (!model.attributes.empty())
     written.report.notes.push_back("BREP holds no names, colours and layers: those of " +
-                                   std::to_string(model.attributes.size()) + " parts are left out");
+                                   std::to_string(model.attributes.size()) +
+                                   (model.attributes.size() == 1 ? " part is" : " parts are") + " left out");
   return written;
 }
 

@@ -69,6 +69,7 @@ class FaceFollower {
   FaceFollow run() {
     sample();
     judge();
+    given_ = at_samples_;
     if (isMet()) return result(copyOf(task_->surface));
     if (refuse()) return result_;
     constexpr double within_reach = 5;
@@ -312,6 +313,7 @@ class FaceFollower {
 
   /// As fair as can be: less so only as long as the samples can't be met, and, if gently, as the move stays of its size. After a refinement
   /// from one step fairer than before. The first steps are for curvature alone: beside its soft rows the others may well be met by fairer moves.
+  /// Where a step makes the move much longer and gains little, knots are what is missing.
   void moveFairly() {
     constexpr double better = 0.5, of_its_size = 2;
     constexpr std::array<double, 6> fairnesses = {10, 1, 0.1, 0.01, 1e-3, 1e-4};
@@ -321,21 +323,29 @@ class FaceFollower {
     const std::size_t first = std::max(isCurved() ? 0 : for_curvature, fairness_ > 0 ? fairness_ - 1 : 0);
     for (std::size_t k = first; k < fairnesses.size(); ++k) {
       const PointRows fairer = poles_;
+      const double shorter = largestMove();
       move(fairnesses[k]);
-      if (largestMove() > limit) {
-        poles_ = fairer;
-        was_held_back_ = true;
-        judge();
-        return;
-      }
+      if (largestMove() > limit) return holdBack(fairer);
       judge();
+      const bool gains_nothing = at_samples_ > better * before || at_samples_ == infinite;
+      const bool grows = largestMove() > of_its_size * std::max(shorter, task_->tolerance.gap_mm);
+      const bool was_near = before <= std::max(1.0, better * given_);
+      if (gently_ && gains_nothing && grows && was_near) return holdBack(fairer);
       fairness_ = k;
-      const bool still_turned = at_samples_ == infinite && k > first;
-      if (isMet() || still_turned || at_samples_ <= task_->share / 2 || at_samples_ > better * before) return;
+      if (isMet() || at_samples_ <= task_->share / 2) return;
+      if (gains_nothing && k > std::max(first, for_curvature)) return;
+      std::fprintf(stderr, "%p   k %d at %.3g given %.3g move %.3g\n", (void*)task_, (int)k, at_samples_,
+                   given_, largestMove());
       before = at_samples_;
-      if (gently_ && k >= for_curvature && limit == infinite)
+      if (gently_ && (k >= for_curvature || at_samples_ <= 1) && limit == infinite)
         limit = of_its_size * std::max(largestMove(), task_->tolerance.gap_mm);
     }
+  }
+
+  void holdBack(const PointRows& fairer) {
+    poles_ = fairer;
+    was_held_back_ = true;
+    judge();
   }
 
   /// Of a move of one millimetre: so little that the rows are met to the square of the fairness times it.
@@ -563,6 +573,7 @@ class FaceFollower {
   std::vector<std::vector<Place>> samples_, checks_;
   std::vector<Worst> worst_;
   double at_samples_ = 0;  ///< largest ratio there
+  double given_ = 0;       ///< the same of the surface given
   int work_ = 0;           ///< moves solved for so far
   FaceFollow result_;
 };

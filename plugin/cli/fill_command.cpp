@@ -103,33 +103,16 @@ int runFill(const FillArguments& arguments) {
   requireOutputs(arguments.model, arguments.output);
   const occ::Model model = readUnderBar(arguments.model);
   const occ::FillHoleReport report = filled(model, arguments, options);
-  std::optional<report::WrittenModel> output;
-  std::optional<PendingFile> json;
-  const auto prepareReport = [&] {
-    if (!arguments.output.report.empty())
-      json.emplace(arguments.output.report,
-                   report::toLine(report::toJson(report, options, occ::factsOf(model), output)) + '\n');
+  const auto json = [&](const std::optional<report::WrittenModel>& output) {
+    return report::toJson(report, options, occ::factsOf(model), output);
   };
-  occ::WriteReport written;
-  if (report.filled) {
-    occ::WriteOptions how = arguments.output.writeOptions();
-    how.check = [&](const std::filesystem::path& waiting) {
-      output = readBack(waiting, arguments.output.model, judgeOf(report, options));
-      prepareReport();
-    };
-    written = writeUnderBar(report.model, arguments.output.model, how);
-  } else {
-    prepareReport();
-  }
-  if (json) json->takePlace();
-  writeStandardOutput(report::toTable(report, options, output));
+  const WrittenOutcome written = writeOutcome(
+      {report.filled ? &report.model : nullptr, judgeOf(report, options), json}, arguments.output);
+  writeStandardOutput(report::toTable(report, options, written.model));
   warn(arguments.model, model.notes);
-  warn(arguments.output.model, written.notes);
-  if (!output) return 1;
-  if (const std::string differences = output->differences(report::countsOf(report, options));
-      !differences.empty())
-    warn(arguments.output.model, {differences});
-  return report.reached && output->found.defects == 0 ? 0 : 1;
+  const report::ModelCounts memory = report::countsOf(report, options);
+  warnOf(written, arguments.output, memory);
+  return report.reached && written.model->isAsGoodAs(memory) ? 0 : 1;
 }
 
 }  // namespace seamwright::cli

@@ -48,7 +48,7 @@ bool hasNameOfModel(const std::string& file) {
 
 }  // namespace
 
-void addMeasureOptions(CLI::App& command, MeasureArguments& arguments) {
+void addToleranceOptions(CLI::App& command, MeasureArguments& arguments) {
   command.add_option("--profile", arguments.profile, "What is accepted, by name (see below)")
       ->check(CLI::IsMember(profileNames()))
       ->capture_default_str();
@@ -65,13 +65,17 @@ void addMeasureOptions(CLI::App& command, MeasureArguments& arguments) {
   command
       .add_option("--crease", arguments.crease_deg, "Above this angle a seam is an edge by design, degrees")
       ->type_name("DEG");
+  command.add_option("--jobs", arguments.jobs, "Threads; 0: one for each processor")->capture_default_str();
+  command.footer(profilesHelp());
+}
+
+void addMeasureOptions(CLI::App& command, MeasureArguments& arguments) {
   command
       .add_option("--match", arguments.match_mm,
                   "Measure also between open edges no further apart than this, mm; 0: between none")
       ->type_name("MM")
       ->capture_default_str();
-  command.add_option("--jobs", arguments.jobs, "Threads; 0: one for each processor")->capture_default_str();
-  command.footer(profilesHelp());
+  addToleranceOptions(command, arguments);
 }
 
 ContinuityTolerance toleranceOf(const MeasureArguments& arguments) {

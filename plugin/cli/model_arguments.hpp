@@ -51,7 +51,9 @@ CLI::Validator numberOf(const std::string& kind);
 /// \throws std::runtime_error, occ::ModelError.
 void requireOutputs(const std::string& model, const OutputArguments& arguments);
 
-/// Adds the options to a command, and the profiles to its help; they are parsed into \p arguments.
+/// Adds profile, tolerances and threads to a command, and the profiles to its help; they are parsed into \p arguments.
+void addToleranceOptions(CLI::App& command, MeasureArguments& arguments);
+/// The same, and --match.
 void addMeasureOptions(CLI::App& command, MeasureArguments& arguments);
 
 /// The profile's tolerances, with those given one by one in their place.

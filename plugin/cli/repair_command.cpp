@@ -7,7 +7,6 @@
 #include <seamwright/plugin/cli/progress_bar.hpp>
 #include <seamwright/plugin/cli/read_back.hpp>
 #include <seamwright/plugin/cli/repair_command.hpp>
-#include <seamwright/plugin/report/json.hpp>
 #include <seamwright/plugin/report/numbers.hpp>
 #include <seamwright/plugin/report/repair_json.hpp>
 #include <seamwright/plugin/report/repair_table.hpp>
@@ -71,29 +70,20 @@ void addRepairOptions(CLI::App& command, RepairArguments& arguments) {
 
 int runRepair(const RepairArguments& arguments) {
   const occ::RepairOptions options = optionsOf(arguments);
-  occ::WriteOptions how = arguments.output.writeOptions();
   requireOutputs(arguments.model, arguments.output);
   const occ::RepairReport report = repairFile(arguments.model, options);
-  report::WrittenModel output;
-  std::optional<PendingFile> json;
-  how.check = [&](const std::filesystem::path& waiting) {
-    output = readBack(waiting, arguments.output.model,
-                      [&](const occ::Model& model, const occ::Progress& progress) {
-                        return report::countsOf(occ::analyze(model, occ::analyzeOptions(options), progress));
-                      });
-    if (!arguments.output.report.empty())
-      json.emplace(arguments.output.report, report::toLine(report::toJson(report, options, output)) + '\n');
+  const auto judge = [&options](const occ::Model& model, const occ::Progress& progress) {
+    return report::countsOf(occ::analyze(model, occ::analyzeOptions(options), progress));
   };
-  how.unchanged = !report.changed();
-  const occ::WriteReport written = writeUnderBar(report.model, arguments.output.model, how);
-  if (json) json->takePlace();
-  writeStandardOutput(report::toTable(report, output));
+  const auto json = [&](const std::optional<report::WrittenModel>& output) {
+    return report::toJson(report, options, output);
+  };
+  const WrittenOutcome written =
+      writeOutcome({&report.model, judge, json, !report.changed()}, arguments.output);
+  writeStandardOutput(report::toTable(report, written.model));
   warn(arguments.model, report.before.model.notes);
-  warn(arguments.output.model, written.notes);
-  if (const std::string differences = output.differences(report::countsOf(report.after));
-      !differences.empty())
-    warn(arguments.output.model, {differences});
-  return report.after.passed() && output.found.defects == 0 ? 0 : 1;
+  warnOf(written, arguments.output, report::countsOf(report.after));
+  return report.after.passed() && written.model->found.defects == 0 ? 0 : 1;
 }
 
 }  // namespace seamwright::cli

@@ -134,9 +134,10 @@ std::string toTable(const occ::FillHoleReport& report, const occ::FillHoleOption
         << textOf(angle ? std::optional(degrees(*angle)) : std::nullopt, "degrees");
   }
   out << '\n';
-  const std::string differences = output ? output->differences(countsOf(report, options)) : "";
+  const ModelCounts memory = countsOf(report, options);
+  const std::string differences = output ? output->differences(memory) : "";
   if (!differences.empty()) out << output->path.string() << ' ' << differences << '\n';
-  const bool reached = report.reached && (!output || output->found.defects == 0);
+  const bool reached = report.reached && (!output || output->isAsGoodAs(memory));
   out << (reached ? "REACHED " : "NOT REACHED ") << name(options.target)
       << (report.reason.empty() ? "" : ": " + report.reason) << '\n';
   return out.str();

@@ -30,6 +30,11 @@ struct WrittenModel {
   occ::Format format = occ::Format::Step;
   ModelCounts found;
 
+  /// It has no more defects and no more open edges.
+  bool isAsGoodAs(const ModelCounts& memory) const {
+    return found.defects <= memory.defects && found.open_edges <= memory.open_edges;
+  }
+
   /// What the file has otherwise than the model in memory, in one line that begins "read back"; empty if nothing.
   std::string differences(const ModelCounts& memory) const;
 };

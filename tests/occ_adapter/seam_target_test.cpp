@@ -236,7 +236,7 @@ TEST(SeamTarget, WhereItsPathStandsStillItShowsThePlace) {
       const TargetPoint before = target.at(0);
       target.setEnd(1, near(before, generator, 0.01, 0.001));
       for (const double s : {0.0, 0.3, 0.9, 1.0})
-        for (const int side : {0, 1}) EXPECT_TRUE(isFinite(target.at(side, s))) << s << " side " << side;
+        for (const int side : {0, 1}) EXPECT_TRUE(isFinite(target.at(side, s, order))) << s << " side " << side;
       EXPECT_LT((before.point - Eigen::Vector3d(a.X() + b.X(), a.Y() + b.Y(), a.Z() + b.Z()) / 2).norm(),
                 1e-9);
       const Eigen::Vector3d mean =

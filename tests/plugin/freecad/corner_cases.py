@@ -154,7 +154,8 @@ class Errors(CornerCase):
     def test_corners_that_cannot_be_rounded_say_why(self):
         cube = self.cube()
         self.assertNotRounded(corner.create(cube, "Vertex1", 9.0), "a fillet of radius 9.000000 mm")
-        self.assertNotRounded(corner.create(cube, "Vertex1", 1.0, setbacks_mm=0.5), "a setback of 0.500000 mm leaves no room")
+        near = corner.create(cube, "Vertex1", 1.0, setbacks_mm=0.5)
+        self.assertNotRounded(near, "a setback of 0.500000 mm leaves no room")
         self.assertNotRounded(corner.create(cube, "Vertex1", 0.0), "radius of Edge1 is 0.000000 mm")
         self.assertNotRounded(corner.create(cube, "Vertex99", 1.0), "Cube has no Vertex99")
         self.assertNotRounded(corner.create(cube, "Edge1", 1.0), "Cube has no Edge1")

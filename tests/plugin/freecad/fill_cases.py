@@ -110,6 +110,15 @@ class Holes(FillCase):
             named |= set(entry["faces"])
         self.assertEqual(len(named), 12)
 
+    def test_holes_of_two_shells(self):
+        one, other = models.open_block(1), models.open_block(1, size=26.0)
+        other.translate(App.Vector(50, 0, 0))
+        obj = fill.create(models.add(self.doc, Part.Compound([one, other]), "Two"))
+        self.assertEqual((obj.Filled, obj.NewFaces, obj.Reached), (2, 6, True), obj.Summary)
+        self.assertEqual((len(obj.Shape.Solids), models.open_loops(obj.Shape)), (2, []))
+        for entry in fill.report_of(obj)["fills"]:
+            self.assertLess(largest_angle(obj.Shape, entry["faces"]), 0.01)
+
     def test_rims_are_left_open_unless_chosen(self):
         panel = models.add(self.doc, models.panel_with_hole(), "Panel")
         obj = fill.create(panel)
@@ -117,16 +126,23 @@ class Holes(FillCase):
         self.assertEqual(len(models.open_loops(obj.Shape)), 1)
         holes, wanted, text = fill.holes_of(obj)
         self.assertEqual(([hole["longest"] for hole in holes], wanted, text), ([True, False], [2], ""))
-        rim = "Edge%d" % fill_text.edges_of(holes[0])[0]
-        self.assertNotFilled(fill.create(panel, edges=[rim]), "Hole 1: corner 0: the angle of the hole is")
 
     def test_a_hole_that_fails_does_not_hold_up_the_others(self):
-        panel = models.add(self.doc, models.panel_with_hole(), "Panel")
-        rim, inner = models.open_loops(panel.Shape)
-        obj = fill.create(panel, edges=rim[:1] + inner[:1])
+        sharp = Part.makeShell(Part.makeBox(10, 10, 10).Faces[1:])  # no fill is tangent to its sides
+        sharp.translate(App.Vector(50, 0, 0))
+        both = models.add(self.doc, Part.Compound([sharp, models.open_block(1)]), "Both")
+        obj = fill.create(both)
         self.assertEqual((fill.error_text(obj), obj.Filled, obj.Wanted, obj.Reached), ("", 1, 2, False))
         self.assertIn("1 of 2 holes filled", obj.Summary)
-        self.assertIn("Hole 1: ", "".join(fill_text.reasons(fill.report_of(obj))))
+        self.assertRegex("".join(fill_text.reasons(fill.report_of(obj))), "^Hole 1: .* 90 degrees")
+
+    def test_a_round_hole(self):
+        can = models.add(self.doc, Part.makeShell(Part.makeCylinder(3, 10).Faces[:2]), "Can")
+        obj = fill.create(can)
+        self.assertEqual((fill.error_text(obj), obj.Filled, obj.Reached), ("", 1, True))
+        self.assertTrue(obj.Shape.isClosed() and obj.Shape.isValid())
+        (entry,) = fill.report_of(obj)["fills"]
+        self.assertEqual(len(entry["faces"]), len(obj.Shape.Faces) - 2)
 
     def test_a_face_is_replaced(self):
         block = self.block()
@@ -186,6 +202,17 @@ class Holes(FillCase):
             self.assertLess(min((place - other.Point).Length for other in obj.Shape.Vertexes), 1e-5)
 
 
+    def test_a_link_is_filled_where_it_stands(self):
+        source, _ = self.open_block()
+        link = self.doc.addObject("App::Link", "Link")
+        link.LinkedObject = source
+        link.Placement.Base.z = 100
+        self.doc.recompute()
+        obj = fill.create(link)
+        self.assertTrue(obj.Reached, obj.Summary)
+        self.assertAlmostEqual(obj.Shape.BoundBox.ZMin, 100, delta=1e-6)
+
+
 class Following(FillCase):
     def test_each_change_asks_for_a_recompute(self):
         source, loops = self.open_block()
@@ -240,8 +267,8 @@ class Errors(FillCase):
         self.assertNotFilled(fill.create(source, edges=[inner]), "%s is no edge of a hole" % inner)
         self.assertNotFilled(fill.create(source, edges=["Edge999"]), "Open has no Edge999")
         self.assertNotFilled(fill.create(source, face="Face999"), "Open has no Face999")
-        round_one = models.add(self.doc, Part.makeShell(Part.makeCylinder(3, 10).Faces[:2]), "Round")
-        self.assertNotFilled(fill.create(round_one), "Hole 1: the hole has 0 corners: fills have 3 to 12.")
+        can = models.add(self.doc, Part.makeCylinder(3, 10), "Can")
+        self.assertNotFilled(fill.create(can, face="Face1"), "Face1: the face bounds the hole on one side only")
         obj = fill.create(block, face="Face1")
         obj.Face = (block, ["Face1", "Face2"])
         self.doc.recompute()

@@ -13,7 +13,7 @@ import models
 from PySide import QtCore
 from window import WindowCase, camera, click, click_row, count, messages, picture, settle, whole_window
 
-from freecad.seamwright.document import elements, fill
+from freecad.seamwright.document import analysis, elements, fill
 from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.plain import new_seams
 
@@ -206,6 +206,12 @@ class Choosing(FillWindow):
         self.assertEqual(len(shown), len(kept) + 3)
         for one, other in zip(shown, kept):
             self.assertLess(max(abs(a - b) for a, b in zip(one, other)), 0.01)
+
+    def test_an_analysis_stands_for_what_it_analysed(self):
+        found = analysis.create([self.source])
+        obj, panel = self.start(source=found)
+        self.assertEqual((obj.Source, panel.summary.text()), (self.source, "2 holes to fill."))
+        self.cancel()
 
     def test_a_model_without_holes_says_so(self):
         self.source.Shape = models.rounded_block()

@@ -7,7 +7,7 @@ import json
 import pytest
 from test_plain import TOLERANCE, seam
 
-from freecad.seamwright.plain import corner_text, fill_text, new_seams, repair_text
+from freecad.seamwright.plain import corner_text, fill_text, new_seams, profiles, repair_text
 
 LIMITS = {"gap_mm": 0.001, "angle_deg": 0.01, "corner_deg": 15.0}
 
@@ -174,6 +174,12 @@ def test_some_of_several_fills():
     assert fill_text.reasons(report) == ["Hole 2: it has 0 corners.", "Hole 3: it is too far."]
     assert fill_text.waiting_text([], [1, 2]) == "2 holes to fill."
     assert fill_text.waiting_text(["Face7"], []) == "Face7 to replace."
+
+
+def test_a_profile_is_known_by_the_tolerances_there_are():
+    assert profiles.name_of({"gap_mm": 0.001, "angle_deg": 0.01, "corner_deg": 15.0}) == "class-a"
+    assert profiles.name_of({"gap_mm": 0.01, "angle_deg": 0.1, "section_mm": 1e-6}) == "default"
+    assert profiles.name_of({"gap_mm": 0.001, "angle_deg": 0.1}) is None
 
 
 # Corners

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The document object Corner Fillet: a solid with the edges at one vertex rounded, each with a radius of its own.
 
-Its shape is the model of the source with fillets that end in sections set back from the vertex, and patches between them; the
-source is only read. The class path is written into documents: neither rename nor move it.
+Its shape is the model of the source with fillets that end in sections set back from the vertex, and patches between
+them; the source is only read. The class path is written into documents: neither rename nor move it.
 """
 
 import json
@@ -156,10 +156,10 @@ def create(source, vertex, radii_mm=None, *, setbacks_mm=None, **tolerances):
     """Round the edges at a vertex: add a Corner Fillet to the document of the object, compute it and return it.
 
     ``vertex``: "Vertex6". ``radii_mm``, ``setbacks_mm``: a number for all edges, or a list of numbers in the order of
-    ``corner_of``; a radius of None is a tenth of the shortest edge, a setback of None or 0 is chosen. ``tolerances``: gap_mm,
-    angle_deg, section_mm, and profile, a name of profiles.PROFILES. Raises TypeError and ValueError for bad
-    arguments, kernel.KernelUnavailable when the compiled part is missing. Where the corner cannot be rounded the object is
-    returned in its error state, see ``error_text``.
+    ``corner_of``; a radius of None is a tenth of the shortest edge, a setback of None or 0 is chosen. ``tolerances``:
+    gap_mm, angle_deg, section_mm, and profile, a name of profiles.PROFILES. Raises TypeError and ValueError for bad
+    arguments, kernel.KernelUnavailable when the compiled part is missing. Where the corner cannot be rounded the object
+    is returned in its error state, see ``error_text``.
     """
     obj = prepare(source, vertex, radii_mm, setbacks_mm=setbacks_mm, **tolerances)
     obj.Document.recompute()

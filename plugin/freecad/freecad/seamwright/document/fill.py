@@ -45,9 +45,6 @@ RESULTS = (
     ("MaxAngle", "App::PropertyAngle", "No angle of a new seam is larger, in degrees"),
 )
 
-#: A middle of an edge is found again in another model within this part of the model's size.
-SAME_PLACE = 1e-7
-
 
 class UmbrellaFill(feature.Feature):
     """Proxy of a Part::FeaturePython that holds its source with holes filled."""
@@ -129,24 +126,31 @@ def fill(module, obj):
     if len(faces) > 1:
         raise sources.SourceError("%d faces are chosen: one is replaced at a time" % len(faces))
     model = module.Model.from_freecad(shape)
-    wanted = [None] if faces else _holes(model, obj, edges)[1]
+    if faces:
+        wanted = [{"face": faces[0]}]
+    else:
+        wanted = [{"hole": hole["id"]} for hole in _holes(model, obj, edges)[1]]
+    entries, shape = _fill_each(model, obj, wanted)
+    return {**empty_report(obj), "fills": entries}, shape
+
+
+def _fill_each(model, obj, wanted):
+    """(what came of each of the wanted holes or faces, the shape with all of them filled, or none where none is)."""
     entries, shapes = [], []
     with hooks.progress("Filling\u2026") as progress:
-        for place, hole in enumerate(reversed(wanted)):  # the numbers of the holes before it stay
+        for place, which in enumerate(reversed(wanted)):  # the last one first: the numbers of the others stay
             found = model.fill(
-                **({"face": faces[0]} if faces else {"hole": hole["id"]}), target=obj.Target,
-                keep_anyway=bool(obj.KeepAnyway), progress=_part(progress, place, len(wanted)), **tolerances(obj)
+                **which, target=obj.Target, keep_anyway=bool(obj.KeepAnyway),
+                progress=_part(progress, place, len(wanted)), **tolerances(obj)
             )  # fmt: skip
             model = found.model
-            entries.append(fill_text.entry(found.to_dict(), hole and hole["id"], faces[0] if faces else None))
+            entries.append(fill_text.entry(found.to_dict(), **which))
             shapes.append(model.to_freecad() if found.filled else None)
-    report = {**empty_report(obj), "fills": entries}
-    done = [each for each in shapes if each is not None]
-    for each, its_shape in zip(entries, shapes):
-        if its_shape is not None and its_shape is not done[-1]:
-            _renumber(each, its_shape, done[-1])
-    entries.reverse()
-    return report, done[-1] if done else Part.Shape()
+    done = [(entry, shape) for entry, shape in zip(entries, shapes) if shape is not None]
+    last = done[-1][1] if done else Part.Shape()
+    for entry, shape in done[:-1]:
+        _renumber(entry, shape, last)
+    return entries[::-1], last
 
 
 def _holes(model, obj, edges):
@@ -165,7 +169,6 @@ def _part(progress, place, count):
 
 def _renumber(entry, shape, last):
     """Give faces and edges of a fill the numbers that they have in the last shape, after more holes were filled."""
-    reach = SAME_PLACE * last.BoundBox.DiagonalLength
     middles = [_middle(edge) for edge in last.Edges]
     faces = {}  # of an edge, by its place in memory
     for number, face in enumerate(last.Faces, 1):
@@ -173,9 +176,9 @@ def _renumber(entry, shape, last):
             faces.setdefault(edge.hashCode(), []).append(number)
     for seam in entry["seams"]:
         middle = _middle(shape.Edges[seam["edges"][0] - 1])
-        number = next(n for n, other in enumerate(middles, 1) if other.distanceToPoint(middle) <= reach)
-        seam["edges"] = [number]
-        seam["faces"] = faces[last.Edges[number - 1].hashCode()]
+        place = min(range(len(middles)), key=lambda k, middle=middle: middles[k].distanceToPoint(middle))
+        seam["edges"] = [place + 1]
+        seam["faces"] = faces[last.Edges[place].hashCode()]
     inside = [seam["faces"] for seam in entry["seams"] if seam["between"] == fill_text.INSIDE]
     entry["faces"] = sorted({number for both in inside for number in both})
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The look of an object that is its source with new faces: as the source, the new ones tinted while its panel is open."""
+"""The look of an object that is its source with new faces: as the source; in its panel the new ones are tinted."""
 
 from freecad.seamwright.document import elements
 from freecad.seamwright.gui.result_view import ResultView

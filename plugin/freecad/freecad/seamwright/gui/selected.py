@@ -66,9 +66,16 @@ def _edges_of_lines(found, lines):
 
 
 def selected_parts(doc):
-    """{object: [names of its selected elements]}; with nothing selected, all solids and shells of the document."""
+    """{object: [names of its selected elements]}; with nothing selected, all solids and shells of the document.
+
+    An analysis stands for what it analysed.
+    """
     found = {}
     for chosen in Gui.Selection.getSelectionEx():
-        for obj in sources.expand([chosen.Object]):
-            found.setdefault(obj, []).extend(chosen.SubElementNames)
+        if analysis.is_analysis(chosen.Object):
+            parts = {obj: () for obj in chosen.Object.Analysed}
+        else:
+            parts = {obj: chosen.SubElementNames for obj in sources.expand([chosen.Object])}
+        for obj, names in parts.items():
+            found.setdefault(obj, []).extend(names)
     return found or {obj: [] for obj in sources.solids_and_shells(doc)}

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is said about a corner of several fillets.
 
-The report is a dict: ``tolerance``, ``met``, ``reason`` (why not), ``edges`` (a dict each of edge, convex, angle_deg, radius_mm,
-contact_mm, setback_mm, with the numbers of the source) and ``seams`` (see new_seams).
+The report is a dict: ``tolerance``, ``met``, ``reason`` (why not), ``edges`` (a dict each of edge, convex, angle_deg,
+radius_mm, contact_mm, setback_mm, with the numbers of the source) and ``seams`` (see new_seams).
 """
 
 import math

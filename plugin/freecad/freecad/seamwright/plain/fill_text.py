@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is said about holes and their fills.
 
-The report is a dict: ``target``, ``tolerance``, and ``fills``, a dict each of ``hole`` (its number, or None), ``face`` (the
-number of the face that was replaced, or None), ``filled``, ``reached``, ``reason``, ``faces`` (the new ones) and ``seams``
-(see new_seams). Numbers of faces and edges are those of the result, in reasons those of the source.
+The report is a dict: ``target``, ``tolerance``, and ``fills``, a dict each of ``hole`` (its number, or None), ``face``
+(the number of the face that was replaced, or None), ``filled``, ``reached``, ``reason``, ``faces`` (the new ones) and
+``seams`` (see new_seams). Numbers of faces and edges are those of the result, in reasons those of the source.
 """
 
 import re
