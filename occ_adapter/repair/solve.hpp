@@ -50,7 +50,7 @@ using DearSeams = std::set<std::size_t>;
 /// All seams whose sides are natural sides of polynomial surfaces at once, exactly, with the smallest move. Poles beside other boundaries stay.
 /// Sharp seams are left to followTargets(), also by joinPairs().
 /// \param dear grows by the seams of what hangs together if its largest move exceeds twice the largest gap, and angle times distance of
-/// the first rows of poles, or what is allowed; they are left then; null: none is.
+/// the first rows of poles, which are left then; null: none is.
 /// \throws Cancelled.
 RepairSolution joinNetwork(const RepairTask& task, DearSeams* dear, const Progress& progress);
 
