@@ -234,8 +234,7 @@ class Network {
     return std::max(figures.gap_mm ? figures.gap_mm->lower : 0, angle_rad * reach_mm);
   }
 
-  /// All that is connected with a face that would move far beside what the defects are, or further than it may: of that the part that may
-  /// would be in the way of the rest.
+  /// All that is connected with a face that would move far beside what the defects are.
   void leaveDear(const NetworkResult& result) {
     constexpr double far = 2;
     Groups groups(static_cast<int>(members_.size()));
@@ -248,8 +247,7 @@ class Network {
       moved_mm[groups.of(member)] = std::max(moved_mm[groups.of(member)], result.moves_mm[member]);
     for (std::size_t k = 0; k < seams_.size(); ++k) {
       const int group = groups.of(numberOf(seams_[k], 0));
-      const double near_mm = std::min(far * needed_mm[group], task_.options.max_move_mm);
-      if (!isTreated(k) || moved_mm[group] <= near_mm) continue;
+      if (!isTreated(k) || moved_mm[group] <= far * needed_mm[group]) continue;
       std::ostringstream why;
       why << "the exact join asks for a move of " << moved_mm[group] << " mm where the defects are of "
           << needed_mm[group] << " mm";
