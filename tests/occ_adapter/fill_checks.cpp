@@ -15,12 +15,6 @@
 
 namespace seamwright::test {
 
-TopTools_IndexedMapOfShape partsOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
-  TopTools_IndexedMapOfShape parts;
-  TopExp::MapShapes(shape, kind, parts);
-  return parts;
-}
-
 TopoDS_Shape without(const TopoDS_Shape& shape, const std::vector<int>& faces) {
   const opencascade::handle<BRepTools_ReShape> change = new BRepTools_ReShape;
   for (const int face : faces) change->Remove(partsOf(shape, TopAbs_FACE)(face));
