@@ -334,8 +334,6 @@ class FaceFollower {
       fairness_ = k;
       if (isMet() || at_samples_ <= task_->share / 2) return;
       if (gains_nothing && k > std::max(first, for_curvature)) return;
-      std::fprintf(stderr, "%p   k %d at %.3g given %.3g move %.3g\n", (void*)task_, (int)k, at_samples_,
-                   given_, largestMove());
       before = at_samples_;
       if (gently_ && (k >= for_curvature || at_samples_ <= 1) && limit == infinite)
         limit = of_its_size * std::max(largestMove(), task_->tolerance.gap_mm);
