@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 #include <seamwright/core/join/bernstein_rows.hpp>
-#include <seamwright/core/linear/dense.hpp>
 #include <seamwright/core/umbrella/ring_fields.hpp>
 #include <stdexcept>
 #include <string>

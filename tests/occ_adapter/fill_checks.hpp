@@ -4,6 +4,8 @@
 #include <TopoDS_Shape.hxx>
 #include <vector>
 
+#include "repair_checks.hpp"
+
 /// What fills of holes are checked by.
 namespace seamwright::test {
 
