@@ -6,6 +6,7 @@
 
 #include <seamwright/occ_adapter/repair/face_follow.hpp>
 #include <seamwright/occ_adapter/repair/surface_basis.hpp>
+#include <seamwright/occ_adapter/seams/find.hpp>
 
 /// Places along a path in the parameter plane of a spline surface; not a public header.
 namespace seamwright::occ {

@@ -66,24 +66,29 @@ double SplineAxis::greville(int function) const {
 
 namespace {
 
+SplineAxis withStep(SplineAxis axis) {
+  axis.step = std::min(1.0, (axis.last - axis.first) / static_cast<double>(axis.spans().size()));
+  return axis;
+}
+
 SplineAxis axisU(const Geom_BSplineSurface& surface) {
   const TColStd_Array1OfReal& knots = surface.UKnotSequence();
-  return {surface.UDegree(),
-          surface.NbUPoles(),
-          surface.IsUPeriodic(),
-          surface.UKnot(surface.FirstUKnotIndex()),
-          surface.UKnot(surface.LastUKnotIndex()),
-          {knots.begin(), knots.end()}};
+  return withStep({surface.UDegree(),
+                   surface.NbUPoles(),
+                   surface.IsUPeriodic(),
+                   surface.UKnot(surface.FirstUKnotIndex()),
+                   surface.UKnot(surface.LastUKnotIndex()),
+                   {knots.begin(), knots.end()}});
 }
 
 SplineAxis axisV(const Geom_BSplineSurface& surface) {
   const TColStd_Array1OfReal& knots = surface.VKnotSequence();
-  return {surface.VDegree(),
-          surface.NbVPoles(),
-          surface.IsVPeriodic(),
-          surface.VKnot(surface.FirstVKnotIndex()),
-          surface.VKnot(surface.LastVKnotIndex()),
-          {knots.begin(), knots.end()}};
+  return withStep({surface.VDegree(),
+                   surface.NbVPoles(),
+                   surface.IsVPeriodic(),
+                   surface.VKnot(surface.FirstVKnotIndex()),
+                   surface.VKnot(surface.LastVKnotIndex()),
+                   {knots.begin(), knots.end()}});
 }
 
 }  // namespace
@@ -161,10 +166,30 @@ Eigen::RowVectorXd secondDerivative(const PoleShares& shares, const Eigen::Vecto
          a[1] * b[1] * shares.share.row(5);
 }
 
-SurfaceJet jetOf(const PoleShares& shares, const PointRows& poles) {
-  Eigen::Matrix<double, 6, 3> sum = Eigen::Matrix<double, 6, 3>::Zero();
+namespace {
+
+/// The first rows of the jet, as PoleShares has them.
+template <int rows>
+Eigen::Matrix<double, rows, 3> sumOf(const PoleShares& shares, const PointRows& poles) {
+  Eigen::Matrix<double, rows, 3> sum = Eigen::Matrix<double, rows, 3>::Zero();
   for (std::size_t k = 0; k < shares.poles.size(); ++k)
-    sum += shares.share.col(static_cast<Eigen::Index>(k)) * poles.row(shares.poles[k]);
+    sum += shares.share.col(static_cast<Eigen::Index>(k)).template head<rows>() * poles.row(shares.poles[k]);
+  return sum;
+}
+
+}  // namespace
+
+SurfaceJet firstOrderJetOf(const PoleShares& shares, const PointRows& poles) {
+  const auto sum = sumOf<3>(shares, poles);
+  SurfaceJet jet;
+  jet.p = sum.row(0);
+  jet.u = sum.row(1);
+  jet.v = sum.row(2);
+  return jet;
+}
+
+SurfaceJet jetOf(const PoleShares& shares, const PointRows& poles) {
+  const auto sum = sumOf<6>(shares, poles);
   SurfaceJet jet;
   jet.p = sum.row(0);
   jet.u = sum.row(1);
@@ -176,10 +201,7 @@ SurfaceJet jetOf(const PoleShares& shares, const PointRows& poles) {
 }
 
 JetNoise noiseOf(const SurfaceJet& jet, const SurfaceBasis& basis) {
-  const auto step = [](const SplineAxis& axis) {
-    return std::min(1.0, (axis.last - axis.first) / static_cast<double>(axis.spans().size()));
-  };
-  const double step_u = step(basis.u()), step_v = step(basis.v());
+  const double step_u = basis.u().step, step_v = basis.v().step;
   const double size = jet.p.lpNorm<Eigen::Infinity>() + step_u * jet.u.norm() + step_v * jet.v.norm();
   const double rounding = 64 * std::numeric_limits<double>::epsilon() * size;
   return {std::max(rounding / step_u, Precision::Confusion() / (basis.u().last - basis.u().first)),

@@ -26,6 +26,7 @@ struct SplineAxis {
   double first = 0, last = 0;
   std::vector<double>
       knots;  ///< the span of place i holds the functions of the poles i - degree .. i, counted round if periodic
+  double step = 1;  ///< mean length of the spans, at most 1
 
   /// Into [first, last[ if periodic.
   double wrapped(double t) const;
@@ -64,6 +65,8 @@ PointRows polesOf(const Geom_BSplineSurface& surface);
 void setPoles(Geom_BSplineSurface& surface, const PointRows& poles);
 
 SurfaceJet jetOf(const PoleShares& shares, const PointRows& poles);
+/// The same without second derivatives.
+SurfaceJet firstOrderJetOf(const PoleShares& shares, const PointRows& poles);
 
 /// The step of (u, v) that goes along a tangent vector.
 Eigen::Vector2d parameterStep(const SurfaceJet& jet, const Eigen::Vector3d& way);
