@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <BRepCheck_Analyzer.hxx>
-#include <BRepGProp.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
-#include <GProp_GProps.hxx>
-#include <GeomAdaptor_Surface.hxx>
 #include <Geom_BSplineSurface.hxx>
-#include <TColStd_Array1OfReal.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
-#include <cmath>
 #include <exception>
 #include <optional>
 #include <sstream>
@@ -21,6 +16,7 @@
 #include <seamwright/occ_adapter/analyze/measure_seam.hpp>
 #include <seamwright/occ_adapter/analyze/workers.hpp>
 #include <seamwright/occ_adapter/repair/prove.hpp>
+#include <seamwright/occ_adapter/repair/surface_difference.hpp>
 #include <seamwright/occ_adapter/seams/match.hpp>
 
 namespace seamwright::occ {
@@ -158,32 +154,8 @@ void judgeOthers(const RepairTask& task, Proof& proof) {
   }
 }
 
-/// Places in [first, last]: several between knots, in groups, and the end in the last of them.
-std::vector<std::vector<double>> gridOf(const TColStd_Array1OfReal& knots, double first, double last) {
-  constexpr int per_span = 4;
-  std::vector<double> ends = {first};
-  for (const double knot : knots)
-    if (knot > first && knot < last) ends.push_back(knot);
-  ends.push_back(last);
-  std::vector<std::vector<double>> places(ends.size() - 1);
-  for (std::size_t i = 0; i < places.size(); ++i)
-    for (int k = 0; k < per_span; ++k) places[i].push_back(ends[i] + (ends[i + 1] - ends[i]) * k / per_span);
-  places.back().push_back(last);
-  return places;
-}
-
-gp_Vec normalAt(const GeomAdaptor_Surface& surface, double u, double v) {
-  gp_Pnt p;
-  gp_Vec along_u, along_v;
-  surface.D1(u, v, p, along_u, along_v);
-  return along_u.Crossed(along_v);
-}
-
-/// Whether the normal turned by 90 degrees or more somewhere on a grid over the face; not where a side collapses, as it has none there.
-bool isFolded(const TopoDS_Face& face, const handle<Geom_Surface>& surface) {
-  const handle<Geom_Surface> before = BRep_Tool::Surface(face);
-  const auto after = handle<Geom_BSplineSurface>::DownCast(surface);
-  if (after.IsNull()) return false;
+/// Of the surface over the face, as far as both surfaces have it.
+SurfaceDifference differenceOn(const TopoDS_Face& face, const handle<Geom_BSplineSurface>& after) {
   std::array<double, 4> range{}, whole{};
   BRepTools::UVBounds(face, range[0], range[1], range[2], range[3]);
   after->Bounds(whole[0], whole[1], whole[2], whole[3]);
@@ -191,22 +163,7 @@ bool isFolded(const TopoDS_Face& face, const handle<Geom_Surface>& surface) {
     range[i] = std::max(range[i], whole[i]);
     range[i + 1] = std::min(range[i + 1], whole[i + 1]);
   }
-  const std::vector<std::vector<double>> all_v = gridOf(after->VKnots(), range[2], range[3]);
-  std::vector<std::array<gp_Vec, 2>> normals;
-  double largest = 0;
-  // Span by span, as adaptors keep the polynomials of the last one.
-  const GeomAdaptor_Surface was(before), is(after);
-  for (const std::vector<double>& some_u : gridOf(after->UKnots(), range[0], range[1]))
-    for (const std::vector<double>& some_v : all_v)
-      for (const double u : some_u)
-        for (const double v : some_v) {
-          normals.push_back({normalAt(was, u, v), normalAt(is, u, v)});
-          largest = std::max(largest, normals.back()[0].Magnitude());
-        }
-  constexpr double none = 1e-6;
-  return std::ranges::any_of(normals, [largest](const auto& normal) {
-    return normal[0].Magnitude() > none * largest && normal[0].Dot(normal[1]) < 0;
-  });
+  return differenceOf(BRep_Tool::Surface(face), after, range);
 }
 
 /// Largest tolerance of an edge of the face beyond what it may have; 0 if there is none.
@@ -221,115 +178,54 @@ double strayEdge_mm(const TopoDS_Face& before, const TopoDS_Face& after, double 
   return largest;
 }
 
+/// What is wrong with a face's change; empty if nothing.
+std::string whyNotFace(const RepairTask& task, const FaceChange& change, const TopoDS_Face& before,
+                       const TopoDS_Face& after) {
+  const double gap_mm = task.options.tolerance.gap_mm;
+  const double stray = strayEdge_mm(before, after, gap_mm);
+  if (stray > 0) return "an edge of it would be " + shortText(stray) + " mm away";
+  const auto spline = handle<Geom_BSplineSurface>::DownCast(change.surface);
+  if (spline.IsNull()) return {};
+  const SurfaceDifference difference = differenceOn(before, spline);
+  if (difference.folded_at) return "it would fold over";
+  // Faces that were converted, or are rational, move by a little more than their poles.
+  constexpr double more = 1.1, share_of_gap = 0.01;
+  if (difference.largest_mm > more * change.largest_move_mm + share_of_gap * gap_mm)
+    return "a point of it would move " + shortText(difference.largest_mm) + " mm, its poles " +
+           shortText(change.largest_move_mm) + " mm";
+  return {};
+}
+
 void judgeFaces(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
-                Proof& proof) {
+                Proof& proof, const Progress& progress) {
   const TopTools_IndexedMapOfShape before = partsOf(task.shape, TopAbs_FACE);
   const TopTools_IndexedMapOfShape after = partsOf(changed, TopAbs_FACE);
-  for (const FaceChange& change : changes) {
-    const TopoDS_Face& face = TopoDS::Face(before(change.face));
-    const double stray = strayEdge_mm(face, TopoDS::Face(after(change.face)), task.options.tolerance.gap_mm);
-    if (stray > 0)
-      proof.faces[change.face] = "an edge of it would be " + shortText(stray) + " mm away";
-    else if (isFolded(face, change.surface))
-      proof.faces[change.face] = "it would fold over";
-  }
-}
-
-void judgeSoundness(const RepairTask& task, const TopoDS_Shape& changed, const Soundness& was, Proof& proof) {
-  const Soundness is = soundnessOf(changed, task.options.jobs);
-  for (std::size_t f = 1; f < is.faces.size(); ++f)
-    if (was.faces[f] && !is.faces[f]) proof.faces[static_cast<int>(f)] = "OpenCASCADE's checks do not pass";
-  if (was.whole && !is.whole && proof.faces.empty()) proof.whole = "OpenCASCADE's checks do not pass";
-}
-
-/// \param error relative, of adaptive quadrature; 0: a fixed one, which for rational faces may be off by a percent.
-double flux_mm3(const TopoDS_Shape& face, const gp_Pnt& from, double error) {
-  GProp_GProps properties(from);
-  if (error > 0)
-    BRepGProp::VolumeProperties(face, properties, error);
-  else
-    BRepGProp::VolumeProperties(face, properties);
-  return properties.Mass();
-}
-
-double area_mm2(const TopoDS_Shape& face) {
-  GProp_GProps properties;
-  BRepGProp::SurfaceProperties(face, properties);
-  return properties.Mass();
-}
-
-/// What a face gives to the volume of its solid.
-struct FaceFlux {
-  TopoDS_Shape was, is;
-  gp_Pnt from;
-  double move_mm = 0;
-  double before_mm3 = 0, change_mm3 = 0, area_mm2 = 0;
-  std::exception_ptr failure = {};
-
-  void integrate(double error) {
+  std::vector<std::string> whys(changes.size());
+  std::vector<std::exception_ptr> errors(changes.size());
+  const auto judge = [&](std::size_t k) {
     try {
-      before_mm3 = flux_mm3(was, from, error);
-      change_mm3 = flux_mm3(is, from, error) - before_mm3;
-      area_mm2 = occ::area_mm2(was);
+      const int face = changes[k].face;
+      whys[k] = whyNotFace(task, changes[k], TopoDS::Face(before(face)), TopoDS::Face(after(face)));
     } catch (...) {
-      failure = std::current_exception();
+      errors[k] = std::current_exception();
     }
+  };
+  runParallel(changes.size(), task.options.jobs, judge, progress);
+  for (std::size_t k = 0; k < changes.size(); ++k) {
+    if (errors[k]) std::rethrow_exception(errors[k]);
+    if (!whys[k].empty()) proof.faces[changes[k].face] = whys[k];
   }
-};
-
-/// Of the faces of a solid that move, with fluxes through a point of it.
-std::vector<FaceFlux> fluxesOf(const TopoDS_Shape& before, const TopoDS_Shape& after,
-                               const TopTools_IndexedMapOfShape& faces,
-                               const std::vector<FaceChange>& changes) {
-  const TopExp_Explorer vertex(before, TopAbs_VERTEX);
-  const gp_Pnt from = vertex.More() ? BRep_Tool::Pnt(TopoDS::Vertex(vertex.Current())) : gp_Pnt();
-  std::vector<FaceFlux> fluxes;
-  TopExp_Explorer was(before, TopAbs_FACE), is(after, TopAbs_FACE);
-  for (; was.More(); was.Next(), is.Next()) {
-    const auto move = std::ranges::find(changes, faces.FindIndex(was.Current()), &FaceChange::face);
-    if (move != changes.end()) fluxes.push_back({was.Current(), is.Current(), from, move->largest_move_mm});
-  }
-  return fluxes;
 }
 
-struct VolumeChange {
-  double change_mm3 = 0, explained_mm3 = 0, noise_mm3 = 0;
-
-  bool isExplained() const { return std::abs(change_mm3) <= explained_mm3 + noise_mm3; }
-};
-
-VolumeChange volumeChange(std::vector<FaceFlux>& fluxes, double error, int jobs, const Progress& progress) {
-  runParallel(
-      fluxes.size(), jobs, [&fluxes, error](std::size_t k) { fluxes[k].integrate(error); }, progress);
-  constexpr double noise = 1e-6;
-  VolumeChange result;
-  for (const FaceFlux& flux : fluxes) {
-    if (flux.failure) std::rethrow_exception(flux.failure);
-    result.change_mm3 += flux.change_mm3;
-    result.noise_mm3 += std::max(noise, error) * std::abs(flux.before_mm3);
-    result.explained_mm3 += 1.01 * flux.area_mm2 * flux.move_mm;
-  }
-  return result;
-}
-
-/// The volume of a solid is the sum of what its faces give; faces that stay give the same. Adaptive quadrature is slow and comes only where
-/// the fixed one does not do.
-void judgeVolumes(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
-                  Proof& proof, const Progress& progress) {
-  constexpr double adaptive_error = 1e-5;
-  const TopTools_IndexedMapOfShape before = partsOf(task.shape, TopAbs_SOLID);
-  const TopTools_IndexedMapOfShape after = partsOf(changed, TopAbs_SOLID);
-  const TopTools_IndexedMapOfShape faces = partsOf(task.shape, TopAbs_FACE);
-  for (int s = 1; s <= before.Extent(); ++s) {
-    std::vector<FaceFlux> fluxes = fluxesOf(before(s), after(s), faces, changes);
-    VolumeChange volume = volumeChange(fluxes, 0, task.options.jobs, progress);
-    if (!volume.isExplained()) volume = volumeChange(fluxes, adaptive_error, task.options.jobs, progress);
-    if (volume.isExplained()) continue;
-    std::ostringstream text;
-    text << "the volume of solid " << s << " would change by " << volume.change_mm3 << " mm3, more than "
-         << volume.explained_mm3 << " mm3, which the moves explain";
-    proof.whole = text.str();
-  }
+/// What a shape that was not sound lacked is not asked of the new one.
+void judgeSoundness(const RepairTask& task, const TopoDS_Shape& changed, std::optional<Soundness>& was,
+                    Proof& proof) {
+  const Soundness& is = proof.soundness.emplace(soundnessOf(changed, task.options.jobs));
+  if (is.whole) return;
+  if (!was) was = soundnessOf(task.shape, task.options.jobs);
+  for (std::size_t f = 1; f < is.faces.size(); ++f)
+    if (was->faces[f] && !is.faces[f]) proof.faces[static_cast<int>(f)] = "OpenCASCADE's checks do not pass";
+  if (was->whole && proof.faces.empty()) proof.whole = "OpenCASCADE's checks do not pass";
 }
 
 std::set<int> movedFaces(const RepairSolution& solution) {
@@ -443,18 +339,17 @@ std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed
 }
 
 Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
-            const Soundness& was, MeasuredSeams& known, const Progress& progress) {
+            std::optional<Soundness>& was, MeasuredSeams& known, const Progress& progress) {
   Proof proof;
   proof.after = task.before;
   Remeasuring again(task, changes, seamsAfter(task, changed, partOf(progress, 0, 0.2)), known);
   again.measure(true, proof.after, partOf(progress, 0.2, 0.4));
   judgeTreated(task, proof);
-  judgeFaces(task, changes, changed, proof);
+  judgeFaces(task, changes, changed, proof, partOf(progress, 0.4, 0.5));
   if (!proof.unrepaired.empty() || !proof.faces.empty()) return proof;
-  again.measure(false, proof.after, partOf(progress, 0.4, 0.8));
+  again.measure(false, proof.after, partOf(progress, 0.5, 0.9));
   judgeOthers(task, proof);
   if (proof.holds()) judgeSoundness(task, changed, was, proof);
-  if (proof.holds()) judgeVolumes(task, changes, changed, proof, partOf(progress, 0.8, 1));
   return proof;
 }
 
