@@ -73,19 +73,24 @@ LeastMoves::Normal LeastMoves::normalMatrix() const {
     see(j);
     for (const Use& use : uses[j]) {
       const Group& group = groups_[use.group];
+      const auto add = [&](const auto& take) {
+        const Eigen::Index count = group.factors.rows();
+        const double* const own = group.factors.col(use.column).data();
+        const double* other = group.factors.data();
+        for (const int i : group.points) {
+          double product = 0;
+          for (Eigen::Index row = 0; row < count; ++row) product += own[row] * *other++;
+          if (i > j) continue;
+          see(i);
+          take(i, product);
+        }
+      };
       const SymmetricBlock square = squareOf(group.direction);
-      const Eigen::VectorXd factors = group.factors.col(use.column);
       std::vector<double>& multiples = group.is_soft ? soft : of_points;
-      for (std::size_t k = 0; k < group.points.size(); ++k) {
-        const int i = group.points[k];
-        if (i > j) continue;
-        see(i);
-        const double product = factors.dot(group.factors.col(static_cast<Eigen::Index>(k)));
-        if (group.is_point)
-          multiples[i] += product;
-        else
-          column[i] += product * square;
-      }
+      if (group.is_point)
+        add([&](int i, double product) { multiples[i] += product; });
+      else
+        add([&](int i, double product) { column[i] += product * square; });
     }
     std::sort(rows.begin() + normal.pattern.begins.back(), rows.end());
     for (int k = normal.pattern.begins.back(); k < static_cast<int>(rows.size()); ++k) {

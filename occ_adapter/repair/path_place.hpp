@@ -16,7 +16,7 @@ struct Place {
   double s = 0;
   Eigen::Vector2d uv = Eigen::Vector2d::Zero();
   Eigen::Vector2d along = Eigen::Vector2d::Zero();  ///< derivative of uv by s
-  PoleShares shares;
+  PoleShares shares;                                ///< second derivatives for a path of order 2 alone
   TargetPoint target;
   int order = 0;  ///< that of the path, or 0 where the target has no normal
 };

@@ -100,30 +100,33 @@ SurfaceBasis::SurfaceBasis(const Geom_BSplineSurface& surface) : u_(axisU(surfac
     for (int j = 0; j < v_.poles; ++j) weights_[pole(i, j)] = surface.Weight(i + 1, j + 1);
 }
 
-PoleShares SurfaceBasis::at(const Eigen::Vector2d& uv, const Eigen::Vector2d& into) const {
+PoleShares SurfaceBasis::at(const Eigen::Vector2d& uv, const Eigen::Vector2d& into, int order) const {
   double u = uv[0], v = uv[1];
   const int span_u = u_.span(u, into[0]), span_v = v_.span(v, into[1]);
-  const Eigen::MatrixXd a = bspline::basisDerivatives(u_.degree, u_.knots, span_u, u, 2);
-  const Eigen::MatrixXd b = bspline::basisDerivatives(v_.degree, v_.knots, span_v, v, 2);
+  const Eigen::MatrixXd a = bspline::basisDerivatives(u_.degree, u_.knots, span_u, u, order);
+  const Eigen::MatrixXd b = bspline::basisDerivatives(v_.degree, v_.knots, span_v, v, order);
+  const int rows = order < 2 ? 3 : 6;
   PoleShares shares;
   const int count = (u_.degree + 1) * (v_.degree + 1);
   shares.poles.reserve(count);
-  shares.share.resize(6, count);
+  shares.share.resize(rows, count);
   constexpr std::array<std::array<int, 2>, 6> orders = {{{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}};
   for (int i = 0; i <= u_.degree; ++i)
     for (int j = 0; j <= v_.degree; ++j) {
       const int column = static_cast<int>(shares.poles.size());
       shares.poles.push_back(pole(u_.pole(span_u - u_.degree + i), v_.pole(span_v - v_.degree + j)));
       const double weight = weights_.size() == 0 ? 1 : weights_[shares.poles.back()];
-      for (int k = 0; k < 6; ++k) shares.share(k, column) = weight * a(orders[k][0], i) * b(orders[k][1], j);
+      for (int k = 0; k < rows; ++k)
+        shares.share(k, column) = weight * a(orders[k][0], i) * b(orders[k][1], j);
     }
   if (weights_.size() == 0) return shares;
   // The derivatives of sum N w P / sum N w by the rule for quotients.
   auto& s = shares.share;
-  const Eigen::Matrix<double, 6, 1> w = s.rowwise().sum();
+  const Eigen::VectorXd w = s.rowwise().sum();
   s.row(0) /= w[0];
   s.row(1) = (s.row(1) - w[1] * s.row(0)) / w[0];
   s.row(2) = (s.row(2) - w[2] * s.row(0)) / w[0];
+  if (order < 2) return shares;
   s.row(3) = (s.row(3) - 2 * w[1] * s.row(1) - w[3] * s.row(0)) / w[0];
   s.row(4) = (s.row(4) - w[1] * s.row(2) - w[2] * s.row(1) - w[4] * s.row(0)) / w[0];
   s.row(5) = (s.row(5) - 2 * w[2] * s.row(2) - w[5] * s.row(0)) / w[0];

@@ -53,7 +53,9 @@ TaskPlaces::TaskPlaces(const FaceTask& task, const MovingSurface& surface) {
 
 PairMeasure measureAt(const Place& place, const MovingSurface& surface) {
   SidePoint own;
-  own.jet = jetOf(place.shares, surface.poles());
+  const bool has_second = place.shares.share.rows() > 3;
+  own.jet =
+      has_second ? jetOf(place.shares, surface.poles()) : firstOrderJetOf(place.shares, surface.poles());
   own.noise = noiseOf(own.jet, surface.basis());
   return measurePair(sideOf(place.target), own);
 }

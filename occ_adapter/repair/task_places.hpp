@@ -22,7 +22,7 @@ struct TaskPlaces {
   double span_mm = 0;  ///< mean length of path in a span
 };
 
-/// What a place and the surface show of one another.
+/// What a place and the surface show of one another; curvature for a path of order 2 alone.
 PairMeasure measureAt(const Place& place, const MovingSurface& surface);
 
 /// The worst figure over its tolerance, of those that the place's order needs; infinite where the normal is turned.
