@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <Eigen/QR>
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
@@ -9,6 +8,7 @@
 #include <seamwright/core/bezier/casteljau.hpp>
 #include <seamwright/core/bezier/homogeneous.hpp>
 #include <seamwright/core/bezier/triangle_conversion.hpp>
+#include <seamwright/core/linear/dense.hpp>
 
 namespace seamwright {
 
@@ -45,8 +45,7 @@ Coefficients lowered(const Coefficients& c, int degree) {
   if (inner == 0) return result;
   const Coefficients matrix = elevated(Coefficients::Identity(degree + 1, degree + 1), given);
   const Coefficients rest = c - matrix.col(0) * result.row(0) - matrix.col(degree) * result.row(degree);
-  result.middleRows(1, inner) =
-      Eigen::MatrixXd(matrix.middleCols(1, inner)).colPivHouseholderQr().solve(Eigen::MatrixXd(rest));
+  result.middleRows(1, inner) = linear::PivotedQr(matrix.middleCols(1, inner)).solve(rest);
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <seamwright/core/join/condition.hpp>
 #include <seamwright/core/join/connection.hpp>
 #include <seamwright/core/join/normalized.hpp>
+#include <seamwright/core/linear/dense.hpp>
 #include <vector>
 
 namespace seamwright {
@@ -53,7 +54,7 @@ Solution solve(const std::vector<Unknown>& unknowns, const Field<4>& right, doub
           column(rows::product<4>(Eigen::VectorXd::Unit(term.degree + 1, i), term.field), degree);
   const Eigen::VectorXd lengths =
       matrix.colwise().norm().cwiseMax(std::numeric_limits<double>::min()).transpose();
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(matrix * lengths.cwiseInverse().asDiagonal());
+  const linear::PivotedQr qr(matrix * lengths.cwiseInverse().asDiagonal());
   const Eigen::VectorXd wanted = column(right, degree);
   const Eigen::VectorXd scaled = qr.solve(wanted);
   const auto diagonal = qr.matrixQR().diagonal().cwiseAbs();

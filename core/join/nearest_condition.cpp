@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <seamwright/core/bspline/basis.hpp>
 #include <seamwright/core/join/nearest_condition.hpp>
+#include <seamwright/core/linear/dense.hpp>
 
 namespace seamwright::nearest {
 
@@ -284,7 +284,7 @@ Eigen::VectorXd Condition::fittedPart(const Eigen::MatrixXd& x, const Eigen::Mat
     }
   }
   const Eigen::MatrixXd reduced = all * basis;
-  return basis * reduced.completeOrthogonalDecomposition().solve(right);
+  return basis * linear::LeastSquares(reduced).solve(right);
 }
 
 Eigen::VectorXd Condition::fitted(const Eigen::MatrixXd& x, const Eigen::MatrixXd& basis,

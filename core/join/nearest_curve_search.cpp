@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +6,7 @@
 #include <seamwright/core/join/bell.hpp>
 #include <seamwright/core/join/beta.hpp>
 #include <seamwright/core/join/nearest_curve_search.hpp>
+#include <seamwright/core/linear/dense.hpp>
 
 namespace seamwright::nearest_curve {
 
@@ -46,25 +44,22 @@ struct Iterate {
   VectorXd log_beta;  ///< log beta_1, beta_2, .., beta_n
   MatrixXd B, C;
   VectorXd row_scale;
-  MatrixXd upper, lower;                    ///< combinations, one a column
-  Eigen::ColPivHouseholderQR<MatrixXd> qr;  ///< of the transposed of upper' C G, G being the reach
-  MatrixXd x, y;                            ///< the poles; their move z by the orthonormal columns of qr
-  MatrixXd open;                            ///< lower' C x
-  double noise = 0;                         ///< of y
+  MatrixXd upper, lower;  ///< combinations, one a column
+  linear::PivotedQr qr;   ///< of the transposed of upper' C G, G being the reach
+  MatrixXd x, y;          ///< the poles; their move z by the orthonormal columns of qr
+  MatrixXd open;          ///< lower' C x
+  double noise = 0;       ///< of y
 
-  MatrixXd Q(const MatrixXd& rows) const { return qr.householderQ() * padded(rows, qr.rows()); }
-  MatrixXd transposedQ(const MatrixXd& rows) const {
-    return MatrixXd(qr.householderQ().adjoint() * rows).topRows(qr.cols());
-  }
+  MatrixXd Q(const MatrixXd& rows) const { return qr.timesQ(padded(rows, qr.rows())); }
+  MatrixXd transposedQ(const MatrixXd& rows) const { return qr.timesTransposedQ(rows).topRows(qr.cols()); }
   /// The y of the smallest z with upper' C G z = rhs.
   MatrixXd least(const MatrixXd& rhs) const {
     if (rhs.rows() == 0) return rhs;
-    return triangle().transpose().triangularView<Eigen::Lower>().solve(qr.colsPermutation().transpose() *
-                                                                       rhs);
+    return triangle().transpose().triangularView<Eigen::Lower>().solve(qr.permutation().transpose() * rhs);
   }
   /// The m with G' C' upper m = z, where z has these y.
   MatrixXd multipliers(const MatrixXd& y_of_z) const {
-    return qr.colsPermutation() * triangle().triangularView<Eigen::Upper>().solve(y_of_z);
+    return qr.permutation() * triangle().triangularView<Eigen::Upper>().solve(y_of_z);
   }
   double cost() const { return y.squaredNorm() / 2; }
   double infeasibility() const { return open.norm(); }
@@ -151,18 +146,16 @@ Iterate Search::at(const VectorXd& log_beta) const {
   Index rank = 0;
   at.upper = MatrixXd::Identity(count_, count_);
   if (reached.cols() > 0) {
-    const Eigen::JacobiSVD<MatrixXd> svd(reached, Eigen::ComputeFullU);
-    while (rank < svd.singularValues().size() &&
-           svd.singularValues()(rank) > rank_share * svd.singularValues()(0))
-      ++rank;
-    at.upper = svd.matrixU();
+    linear::SingularValues svd = linear::singularValues(reached, Eigen::ComputeFullU);
+    while (rank < svd.values.size() && svd.values(rank) > rank_share * svd.values(0)) ++rank;
+    at.upper = std::move(svd.u);
   }
   at.lower = at.upper.rightCols(count_ - rank);
   at.upper = at.upper.leftCols(rank).eval();
   at.x = given_;
   at.y = MatrixXd::Zero(rank, 3);
   if (rank > 0) {
-    at.qr.compute(reach_.asDiagonal() * (reached.transpose() * at.upper));
+    at.qr = linear::PivotedQr(reach_.asDiagonal() * (reached.transpose() * at.upper));
     for (int pass = 0; pass < 3; ++pass) {
       at.y -= at.least(at.upper.transpose() * (at.C * at.x));
       const MatrixXd z = at.Q(at.y);
@@ -235,18 +228,19 @@ Step Search::step(const Iterate& at) const {
   MatrixXd open = unit.asDiagonal() * MatrixXd::Identity(n, n);
   MatrixXd multipliers = rank > 0 ? MatrixXd(-at.upper * at.multipliers(at.y)) : MatrixXd::Zero(count_, 3);
   if (scaled.rows() > 0) {
-    const Eigen::JacobiSVD<MatrixXd> svd(scaled, Eigen::ComputeThinU | Eigen::ComputeFullV);
-    const VectorXd& singular = svd.singularValues();
+    const linear::SingularValues svd =
+        linear::singularValues(scaled, Eigen::ComputeThinU | Eigen::ComputeFullV);
+    const VectorXd& singular = svd.values;
     Index held = 0;
     while (held < singular.size() && singular(held) > 1e-9) ++held;
     const VectorXd inverse = singular.head(held).cwiseInverse();
-    const MatrixXd range = svd.matrixU().leftCols(held), fixed = svd.matrixV().leftCols(held);
+    const MatrixXd range = svd.u.leftCols(held), fixed = svd.v.leftCols(held);
     result.direction.array() =
         -unit.array() * (fixed * inverse.asDiagonal() * (range.transpose() * at.open.reshaped())).array();
     const VectorXd mu = -range * inverse.asDiagonal() * (fixed.transpose() * unit.asDiagonal() * gradient);
     multipliers += at.lower * mu.reshaped(at.lower.cols(), 3);
     result.penalty = 2 * mu.norm();
-    open = unit.asDiagonal() * svd.matrixV().rightCols(n - held);
+    open = unit.asDiagonal() * svd.v.rightCols(n - held);
   }
 
   MatrixXd hessian = curvature(at, multipliers);
@@ -268,18 +262,18 @@ Step Search::step(const Iterate& at) const {
   const MatrixXd reach = along * open;
   const double move = at.y.norm();
   if (open.cols() > 0 && rank > 0) {
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(open.transpose() * hessian * open);
-    const VectorXd& values = eigen.eigenvalues();
+    const linear::Eigenvalues eigen = linear::symmetricEigenvalues(open.transpose() * hessian * open);
+    const VectorXd& values = eigen.values;
     const double least = 1e-12 * values.cwiseAbs().maxCoeff();
     result.convex = values(0) >= -1e-9 * std::max(1.0, values.cwiseAbs().maxCoeff());
     const VectorXd slope = open.transpose() * (gradient + hessian * result.direction);
     const VectorXd size = values.cwiseAbs().cwiseMax(std::max(least, 1e-300));
-    const VectorXd share = reach.completeOrthogonalDecomposition().solve(at.y.reshaped());
+    const VectorXd share = linear::LeastSquares(reach).solve(at.y.reshaped());
     result.stationarity = move > 0 ? (reach * share).norm() / move : 0;
-    VectorXd newton = -(eigen.eigenvectors().transpose() * slope).cwiseQuotient(size);
+    VectorXd newton = -(eigen.vectors.transpose() * slope).cwiseQuotient(size);
     // A saddle: downwards on either side.
     if (!result.convex && result.stationarity < 1e-6) newton(0) = newton(0) < 0 ? -0.1 * move : 0.1 * move;
-    result.direction += open * (eigen.eigenvectors() * newton);
+    result.direction += open * (eigen.vectors * newton);
   }
   // The nearest join of all is no farther from the given poles than this one: no step needs to change the move by more
   // than twice its size; and beta_1 not by more than a factor of ten.

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -9,6 +7,7 @@
 
 #include <seamwright/core/bspline/basis.hpp>
 #include <seamwright/core/join/nearest_family.hpp>
+#include <seamwright/core/linear/dense.hpp>
 
 namespace seamwright::nearest {
 
@@ -37,7 +36,7 @@ Eigen::MatrixXd vanishingAt(const std::vector<double>& places, int degree) {
   Eigen::MatrixXd values(std::ssize(places), degree + 1);
   for (Eigen::Index i = 0; i < values.rows(); ++i)
     values.row(i) = bernsteinValues(degree, places[i]).transpose();
-  return values.fullPivLu().kernel();
+  return linear::kernel(values);
 }
 
 /// An end of the seam at which the poles of all rows stay and the cross derivatives of both sides are parallel, while the seam's tangent may
@@ -69,7 +68,7 @@ std::optional<HeldEnd> heldEnd(const Unknowns& u, int order, double t) {
     span.conservativeResize(Eigen::NoChange, 2);
     span.col(1) = u.target.row(j).transpose();
   }
-  const auto solver = span.completeOrthogonalDecomposition();
+  const linear::LeastSquares solver(span);
   HeldEnd end;
   end.t = t;
   const Eigen::VectorXd first = solver.solve(q_s);
@@ -177,7 +176,7 @@ std::optional<double> costOfSmoothing(const Unknowns& u, const std::vector<doubl
   const Eigen::ArrayXd pull = u.pull.head(u.count()).array();
   const Eigen::VectorXd reach = (pull > 0).select(pull.rsqrt(), 0.0);
   const Eigen::MatrixXd seam = u.target.topRows(u.count()), jumps_of_moves = jumps * reach.asDiagonal();
-  const Eigen::MatrixXd move = jumps_of_moves.completeOrthogonalDecomposition().solve(jumps * seam);
+  const Eigen::MatrixXd move = linear::LeastSquares(jumps_of_moves).solve(jumps * seam);
   if ((jumps_of_moves * move - jumps * seam).norm() > 1e-9 * (jumps * seam).norm()) return std::nullopt;
   return move.squaredNorm();
 }

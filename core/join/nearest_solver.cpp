@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include <seamwright/core/join/nearest_solver.hpp>
+#include <seamwright/core/linear/dense.hpp>
 
 namespace seamwright::nearest {
 
@@ -16,7 +14,6 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 /// Share of the largest pivot below which a row of the condition says nothing new.
 constexpr double rank_share = 1e-11;
 
-using Decomposition = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
 using Matrices = std::vector<Eigen::MatrixXd>;
 
 double dot(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
@@ -27,7 +24,7 @@ double dot(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 struct Iterate {
   Eigen::VectorXd c;
   Eigen::MatrixXd matrix;  ///< M, its rows scaled
-  Decomposition inverse;
+  linear::LeastSquares inverse;
   Eigen::MatrixXd x, z;
   Eigen::MatrixXd unreachable;  ///< of the condition, by any move
   double cost = 0;              ///< |z|^2
@@ -96,8 +93,7 @@ Iterate Search::project(const Eigen::VectorXd& c) {
                            : Eigen::VectorXd::Ones(length.size());
   }
   at.matrix = row_scale_.asDiagonal() * at.matrix;
-  at.inverse.setThreshold(rank_share);
-  at.inverse.compute(at.matrix);
+  at.inverse = linear::LeastSquares(at.matrix, rank_share);
   at.x = unknowns_.target;
   at.z = Eigen::MatrixXd::Zero(at.matrix.cols(), at.x.cols());
   for (int pass = 0; pass < 3; ++pass) {
@@ -164,17 +160,18 @@ Search::Step Search::step(const Iterate& at, const Eigen::MatrixXd& multiplier) 
   unit = (unit.array() > 0).select(unit.array().inverse(), 0.0);
   const Eigen::MatrixXd scaled_basis = basis * unit.asDiagonal();
   const Eigen::MatrixXd scaled = conditions * scaled_basis;
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeThinU | Eigen::ComputeFullV);
-  const Eigen::VectorXd& singular = svd.singularValues();
+  const linear::SingularValues svd =
+      linear::singularValues(scaled, Eigen::ComputeThinU | Eigen::ComputeFullV);
+  const Eigen::VectorXd& singular = svd.values;
   Eigen::Index rank = 0;
   while (rank < singular.size() && singular(rank) > 1e-9) ++rank;
-  const Eigen::MatrixXd fixed = svd.matrixV().leftCols(rank), range = svd.matrixU().leftCols(rank);
-  const Eigen::MatrixXd open = scaled_basis * svd.matrixV().rightCols(scaled.cols() - rank);
+  const Eigen::MatrixXd fixed = svd.v.leftCols(rank), range = svd.u.leftCols(rank);
+  const Eigen::MatrixXd open = scaled_basis * svd.v.rightCols(scaled.cols() - rank);
   const Eigen::VectorXd inverse_singular = singular.head(rank).cwiseInverse();
 
   const Eigen::MatrixXd own =
       multiplier.size() == 0 ? result.multiplier : Eigen::MatrixXd(multiplier - reached(at, multiplier));
-  Eigen::MatrixXd nu = at.inverse.transpose().solve(at.z);
+  Eigen::MatrixXd nu = at.inverse.solveTransposed(at.z);
   nu = own - nu;
   const Eigen::MatrixXd curvature = hessian(at, tangent, nu);
   result.direction =
@@ -188,13 +185,13 @@ Search::Step Search::step(const Iterate& at, const Eigen::MatrixXd& multiplier) 
   if (open.cols() > 0) {
     const Eigen::MatrixXd first_order = reach.transpose() * reach;
     const double least = 1e-10 * first_order.diagonal().maxCoeff();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(open.transpose() * curvature * open);
-    const Eigen::VectorXd& values = eigen.eigenvalues();
+    const linear::Eigenvalues eigen = linear::symmetricEigenvalues(open.transpose() * curvature * open);
+    const Eigen::VectorXd& values = eigen.values;
     result.convex = values.minCoeff() >= -least;
-    const Eigen::VectorXd in_eigen = eigen.eigenvectors().transpose() * slope;
+    const Eigen::VectorXd in_eigen = eigen.vectors.transpose() * slope;
     const Eigen::VectorXd size = values.cwiseAbs().cwiseMax(std::max(least, 1e-300));
-    result.direction -= open * (eigen.eigenvectors() * in_eigen.cwiseQuotient(size));
-    const Eigen::VectorXd share = reach.completeOrthogonalDecomposition().solve(at.z.reshaped());
+    result.direction -= open * (eigen.vectors * in_eigen.cwiseQuotient(size));
+    const Eigen::VectorXd share = linear::LeastSquares(reach).solve(at.z.reshaped());
     const double size_of_move = moveSize(at);
     result.stationarity = size_of_move > 0 ? (reach * share).norm() / size_of_move : 0;
   }

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/Geometry>
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include <seamwright/core/bspline/basis.hpp>
 #include <seamwright/core/join/network_condition.hpp>
+#include <seamwright/core/linear/dense.hpp>
 
 namespace seamwright::network {
 
@@ -196,7 +195,7 @@ SeamLaw Condition::fitted(SeamLaw law, int order, const std::vector<Function>& s
       (*functions(unit)[f])(k) = 1;
       by.col(column++) = ofOrder(change(law, unit, x));
     }
-  const Eigen::VectorXd found = by.completeOrthogonalDecomposition().solve(-ofOrder(matrix(law) * x));
+  const Eigen::VectorXd found = linear::LeastSquares(by).solve(-ofOrder(matrix(law) * x));
   column = 0;
   for (const Function f : sought) {
     Eigen::VectorXd& function = *functions(law)[f];
@@ -226,8 +225,8 @@ SeamLaw Condition::closest(int degree, const Eigen::MatrixXd& x) const {
   Eigen::MatrixXd by(rows() * x.cols(), std::ssize(columns));
   for (Eigen::Index k = 0; k < by.cols(); ++k) by.col(k) = columns[k];
   const Eigen::VectorXd unit = by.colwise().norm().transpose().cwiseMax(1e-300).cwiseInverse();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(by * unit.asDiagonal(), Eigen::ComputeThinV);
-  Eigen::VectorXd found = unit.cwiseProduct(svd.matrixV().rightCols(1).col(0));
+  const Eigen::MatrixXd v = linear::singularValues(by * unit.asDiagonal(), Eigen::ComputeThinV).v;
+  Eigen::VectorXd found = unit.cwiseProduct(v.rightCols(1).col(0));
   const double sum = found.head(2 * degree + 2).sum();
   if (sum != 0) found *= 2 * (degree + 1) / sum;
   SeamLaw law = zero;

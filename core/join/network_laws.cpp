@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/Geometry>
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +8,7 @@
 
 #include <seamwright/core/join/network_laws.hpp>
 #include <seamwright/core/join/network_projection.hpp>
+#include <seamwright/core/linear/dense.hpp>
 
 namespace seamwright::network {
 
@@ -538,9 +537,7 @@ void Laws::restore(int vertex, Eigen::VectorXd& y) const {
   for (int k = 0; k < max_steps && size > 1e-16; ++k) {
     const Eigen::MatrixXd by = excessDerivative(vertex, y);
     // The ratios around a vertex have the product 1: one of them follows from the others.
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> inverse;
-    inverse.setThreshold(least_pivot);
-    inverse.compute(by);
+    const linear::LeastSquares inverse(by, least_pivot);
     Eigen::VectorXd trial = y;
     trial.segment(star_slot_[vertex], by.cols()) -= inverse.solve(excess(vertex, y));
     const double next = excess(vertex, trial).norm();
@@ -572,10 +569,7 @@ void Laws::setBasis() {
       if (stays[k / 2]) conditions(ratios + 4 + k, k) = 1;
     }
     conditions.topRows(ratios) *= rays.norm();
-    Eigen::FullPivLU<Eigen::MatrixXd> lu(conditions);
-    lu.setThreshold(least_pivot);
-    if (lu.dimensionOfKernel() == 0) continue;
-    const Eigen::MatrixXd kernel = lu.kernel();
+    const Eigen::MatrixXd kernel = linear::kernel(conditions, least_pivot);
     for (Eigen::Index i = 0; i < kernel.cols(); ++i, ++count)
       for (Eigen::Index k = 0; k < coordinates; ++k)
         entries.emplace_back(star_slot_[v] + k, count, kernel(k, i));

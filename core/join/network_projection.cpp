@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/SparseQR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -33,15 +34,32 @@ Sparse shifted(const Sparse& m) {
   return m + shift * unit;
 }
 
-/// 0 where there is nothing to divide by.
-Eigen::RowVectorXd quotient(const Eigen::RowVectorXd& a, const Eigen::RowVectorXd& b) {
-  return (b.array() > 0).select(a.array() / b.array(), 0.0);
-}
+/// Solves A A' nu = b by rows of A that are independent of each other, without the square of A's condition; b is of A's range.
+class IndependentRows {
+ public:
+  explicit IndependentRows(const Sparse& a) : qr_(Sparse(a.transpose())) {}
+
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const {
+    const Eigen::Index rank = qr_.rank();
+    const Sparse r = qr_.matrixR().topLeftCorner(rank, rank);
+    const auto upper = r.triangularView<Eigen::Upper>();
+    const Eigen::MatrixXd permuted = qr_.colsPermutation().transpose() * b;
+    Eigen::MatrixXd nu = Eigen::MatrixXd::Zero(b.rows(), b.cols());
+    const Eigen::MatrixXd first = upper.transpose().solve(permuted.topRows(rank));
+    nu.topRows(rank) = upper.solve(first);
+    return qr_.colsPermutation() * nu;
+  }
+
+ private:
+  Eigen::SparseQR<Sparse, Eigen::COLAMDOrdering<int>> qr_;
+};
 
 Projection refined(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::MatrixXd& target,
                    OrderedFactors& factors) {
-  constexpr int max_passes = 20, patience = 3;
-  constexpr double nearly = 1e-6;
+  constexpr int max_passes = 20;
+  constexpr double nearly = 1e-6, near_rounding = 4;
+  /// Rows: an orthogonal factorisation of more takes long.
+  constexpr Eigen::Index most_independent = 2000;
   constexpr double rounding = std::numeric_limits<double>::epsilon() / 4;
   const Eigen::VectorXd reach = reachOf(pull);
   Projection result;
@@ -65,9 +83,9 @@ Projection refined(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::Ma
   result.unreachable = given;
   Eigen::MatrixXd nu = result.multipliers;
   // Whether x is nearer to a solution by more than rounding.
-  const auto advance = [&](const Eigen::MatrixXd& change, const Eigen::RowVectorXd& share) {
-    nu += change * share.asDiagonal();
-    z -= scaled.transpose() * change * share.asDiagonal();
+  const auto advance = [&](const Eigen::MatrixXd& change) {
+    nu += change;
+    z -= scaled.transpose() * change;
     const Eigen::MatrixXd x = target + reach.asDiagonal() * z;
     r = rest(x);
     const bool much = r.norm() < 0.9 * result.unreachable;
@@ -79,26 +97,13 @@ Projection refined(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::Ma
     }
     return much;
   };
-  const Eigen::RowVectorXd whole_step = Eigen::RowVectorXd::Ones(target.cols());
   for (int pass = 0; pass < max_passes && result.unreachable > resolved; ++pass)
-    if (!advance(solver.solve(r), whole_step)) break;
+    if (!advance(solver.solve(r))) break;
   if (result.unreachable > nearly * given) return result;
-
-  // What the shift hides converges slowly: conjugate gradients, preconditioned by the shifted matrix.
-  Eigen::MatrixXd direction;
-  Eigen::RowVectorXd slope;
-  for (int pass = 0, idle = 0; pass < max_passes && idle < patience && result.unreachable > resolved;
-       ++pass) {
-    const Eigen::MatrixXd preconditioned = solver.solve(r);
-    const Eigen::RowVectorXd next_slope = r.cwiseProduct(preconditioned).colwise().sum();
-    if (pass == 0)
-      direction = preconditioned;
-    else
-      direction = preconditioned + direction * quotient(next_slope, slope).asDiagonal();
-    slope = next_slope;
-    const Eigen::RowVectorXd length_along = (scaled.transpose() * direction).colwise().squaredNorm();
-    idle = advance(direction, quotient(slope, length_along)) ? 0 : idle + 1;
-  }
+  if (result.unreachable <= near_rounding * resolved || a.rows() > most_independent) return result;
+  const IndependentRows rows(scaled);
+  for (int pass = 0; pass < max_passes && result.unreachable > resolved; ++pass)
+    if (!advance(rows.solve(r))) break;
   return result;
 }
 

@@ -11,7 +11,8 @@ namespace seamwright::network {
 
 /// min 1/2 sum pull |x - target|^2  subject to  A x = 0, the columns of x independently; pull 0: the row of x stays. A may have rows that depend on
 /// each other: with D = pull^(-1/2) (0 where a row stays) the multipliers solve (A D^2 A' + shift) nu = A x, the shift being
-/// far below what counts of A D^2 A'. Refinement, and conjugate gradients after it, end where A x is rounding, or is what no move can
+/// far below what counts of A D^2 A'. Refinement, and after it an orthogonal factorisation of D A' (of up to 2000 rows) where the square of
+/// A's condition hides what can be reached, end where A x is rounding, or is what no move can
 /// reach.
 struct Projection {
   Eigen::MatrixXd x;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <Eigen/QR>
 #include <cmath>
 #include <limits>
 #include <seamwright/core/bernstein/coefficients.hpp>
+#include <seamwright/core/linear/dense.hpp>
 #include <seamwright/core/umbrella/fill_fairing.hpp>
 
 namespace seamwright::fill {
@@ -21,9 +21,9 @@ template <class Values>
 Values differences(const FillSpace& space, const Values& poles, int order) {
   const Eigen::RowVectorXd weights = differenceWeights(order);
   const int last = space.degree - order;
-  Values result = Values::Zero(2 * space.sides * (last + 1) * (space.degree + 1), poles.cols());
+  Values result = Values::Zero(2 * space.patches * (last + 1) * (space.degree + 1), poles.cols());
   Eigen::Index row = 0;
-  for (int k = 0; k < space.sides; ++k)
+  for (int k = 0; k < space.patches; ++k)
     for (int i = 0; i <= last; ++i)
       for (int j = 0; j <= space.degree; ++j, row += 2)
         for (int d = 0; d <= order; ++d) {
@@ -47,27 +47,26 @@ Substitution substitution(const FillSpace& space, std::optional<double> spoke_sc
   result.basis.topLeftCorner(star, star).setIdentity();
   result.basis.bottomRightCorner(count - star - 2, count - star - 2).setIdentity();
   // The centre drops out of the star: the cosines, and the sines, add up to zero.
-  for (int k = 0; k < space.sides; ++k) {
-    const double angle = 2 * std::numbers::pi * k / space.sides, weight = 2 * *spoke_scale / space.sides;
+  for (int k = 0; k < space.patches; ++k) {
+    const double angle = 2 * std::numbers::pi * k / space.patches, weight = 2 * *spoke_scale / space.patches;
     result.offset.row(star) += weight * std::cos(angle) * space.middles.row(k);
     result.offset.row(star + 1) += weight * std::sin(angle) * space.middles.row(k);
   }
   return result;
 }
 
-Poles leastSquares(const Eigen::MatrixXd& matrix, const Poles& right) {
-  return matrix.completeOrthogonalDecomposition().solve(right);
-}
-
 /// Orthonormal columns: what the matrix maps to rounding.
 Eigen::MatrixXd nullSpace(const Eigen::MatrixXd& matrix) {
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(matrix.transpose());
-  qr.setThreshold(16 * std::numeric_limits<double>::epsilon() * static_cast<double>(matrix.rows()));
-  const Eigen::MatrixXd basis = qr.householderQ();
-  return basis.rightCols(matrix.cols() - qr.rank());
+  const double rounding = 16 * std::numeric_limits<double>::epsilon() * static_cast<double>(matrix.rows());
+  const linear::PivotedQr qr(matrix.transpose(), rounding);
+  return qr.q().rightCols(matrix.cols() - qr.rank());
 }
 
 }  // namespace
+
+Eigen::MatrixXd differencesOf(const FillSpace& space, const Eigen::MatrixXd& poles, int order) {
+  return differences<Eigen::MatrixXd>(space, poles, order);
+}
 
 Fairest fairest(const FillSpace& space, int order, std::optional<double> spoke_scale) {
   const Substitution rest = substitution(space, spoke_scale);
@@ -75,12 +74,12 @@ Fairest fairest(const FillSpace& space, int order, std::optional<double> spoke_s
   const Eigen::MatrixXd coefficients = space.coefficients * rest.basis;
   const Eigen::MatrixXd matrix = differences<Eigen::MatrixXd>(space, coefficients, order);
   const Poles fixed = differences<Poles>(space, offset, order);
-  Poles solution = leastSquares(matrix, -fixed);
+  Poles solution = linear::LeastSquares(matrix).solve(-fixed);
   const Eigen::MatrixXd idle = nullSpace(matrix);
   if (idle.cols() > 0) {
     const Poles poles = coefficients * solution + offset;
-    solution += idle * leastSquares(differences<Eigen::MatrixXd>(space, coefficients * idle, 2),
-                                    -differences<Poles>(space, poles, 2));
+    solution += idle * linear::LeastSquares(differences<Eigen::MatrixXd>(space, coefficients * idle, 2))
+                           .solve(-differences<Poles>(space, poles, 2));
   }
   return {rest.basis * solution + rest.offset, (matrix * solution + fixed).squaredNorm()};
 }

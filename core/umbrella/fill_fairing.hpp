@@ -13,6 +13,9 @@ struct Fairest {
   double fairness_mm2 = 0;
 };
 
+/// One row for each difference of that order, of poles or of what stands for them, in both directions.
+Eigen::MatrixXd differencesOf(const FillSpace& space, const Eigen::MatrixXd& poles, int order);
+
 /// \param spoke_scale prescribes the star of the spokes' tangents: so long as the regular star that is nearest to the vectors from the centre
 /// to the middles of the sides, times that scale.
 /// Source: MATH-surfaces 5.6, steps 5 and 11.

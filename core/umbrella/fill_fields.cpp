@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <cmath>
-#include <limits>
 #include <seamwright/core/join/bernstein_rows.hpp>
+#include <seamwright/core/linear/dense.hpp>
 #include <seamwright/core/umbrella/fill_fields.hpp>
+#include <seamwright/core/umbrella/hole_corner.hpp>
 #include <stdexcept>
 #include <string>
 
@@ -16,15 +16,6 @@ using bernstein::text;
 using Eigen::Vector2d, Eigen::Vector3d;
 using rows::Field;
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
-/// A side with tangent planes at one of its ends: derivatives by t.
-struct End {
-  Vector3d edge, edge2;    // E', E''
-  Vector3d cross, cross1;  // T, T'
-  double noise = 0;        // of T and E', by rounding of coordinates
-};
-
 /// The scalar functions of G = p T + q E', linear and quadratic on either half.
 struct Scalars {
   double p_begin = 0, p_middle = 0, p_end = 0;
@@ -32,130 +23,22 @@ struct Scalars {
   double q_slope_begin = 0, q_slope_end = 0;
 };
 
-/// The coefficients of the vector by the two others, least squares.
-Vector2d combination(const Vector3d& first, const Vector3d& second, const Vector3d& vector) {
-  Eigen::Matrix<double, 3, 2> plane;
-  plane << first, second;
-  return plane.colPivHouseholderQr().solve(vector);
+/// The corner's figures, refused where no patch with both sides as edges exists.
+FillCorner figuresOf(const HoleCorner& corner, std::size_t k, double tolerance_rad) {
+  const FillCorner figures = corner.figures(tolerance_rad);
+  const auto refuse = [&](const std::string& what) {
+    throw std::invalid_argument("corner " + std::to_string(k) + ": the angle of the hole is " + what);
+  };
+  const double beyond = figures.angle_rad - std::numbers::pi;
+  if (std::abs(beyond) <= corner.noise_rad())
+    refuse("pi (" + text(figures.angle_rad) + " rad): merge the two sides");
+  if (beyond > 0) refuse(text(figures.angle_rad) + " rad, it must be below pi: split the hole");
+  if (figures.angle_rad <= corner.noise_rad()) refuse(text(figures.angle_rad) + " rad, it must be positive");
+  return figures;
 }
-
-double angleBetween(const Vector3d& a, const Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
-/// The first or last coefficient.
-Vector3d endOf(const Poles& coefficients, bool last) {
-  return coefficients.row(last ? coefficients.rows() - 1 : 0);
-}
-
-/// Size of the coordinates: their rounding is that of everything.
-double extent(const std::vector<FillSide>& sides) {
-  double size = 0;
-  for (const FillSide& side : sides) size = std::max(size, rows::size(side.edge.poles()));
-  return size;
-}
-
-End endOfSide(const FillSide& side, bool last, double size) {
-  const Poles edge1 = rows::derivative<3>(side.edge.poles());
-  End end{endOf(edge1, last), endOf(rows::derivative<3>(edge1), last), endOf(*side.cross, last),
-          endOf(rows::derivative<3>(*side.cross), last)};
-  const double degree = std::max<double>(side.edge.degree(), rows::degree(*side.cross));
-  end.noise = 64 * epsilon * (degree + 1) * (size + rows::size(*side.cross));
-  return end;
-}
-
-std::string cornerName(std::size_t k) {
-  return "corner " + std::to_string(k);
-}
-
-/// What both sides say of the corner between them.
-class Corner {
- public:
-  Corner(const std::vector<FillSide>& sides, std::size_t k, double size)
-      : k_(k),
-        in_(tangentAtEnd(sides[(k + sides.size() - 1) % sides.size()])),
-        out_(tangentAtBegin(sides[k])) {
-    const FillSide& before = sides[(k + sides.size() - 1) % sides.size()];
-    if (before.cross) before_ = endOfSide(before, true, size);
-    if (sides[k].cross) after_ = endOfSide(sides[k], false, size);
-    noise_rad_ = 64 * epsilon * size * (before.edge.degree() + sides[k].edge.degree()) *
-                 (1 / in_.norm() + 1 / out_.norm());
-    if (before_) noise_rad_ += planeNoise(*before_, k == 0 ? sides.size() - 1 : k - 1);
-    if (after_) noise_rad_ += planeNoise(*after_, k);
-  }
-
-  /// Angles, refused where no fill exists.
-  FillCorner figures(double tolerance_rad) const {
-    FillCorner corner;
-    corner.plane_angle_rad = planeAngle();
-    if (corner.plane_angle_rad > noise_rad_ + tolerance_rad)
-      throw std::invalid_argument(cornerName(k_) + ": the tangent planes of its sides differ by " +
-                                  text(corner.plane_angle_rad) + " rad, allowed are " +
-                                  text(noise_rad_ + tolerance_rad));
-    corner.angle_rad = interiorAngle();
-    const double beyond = corner.angle_rad - std::numbers::pi;
-    if (std::abs(beyond) <= noise_rad_)
-      throw std::invalid_argument(cornerName(k_) + ": the angle of the hole is pi (" +
-                                  text(corner.angle_rad) + " rad): merge the two sides");
-    if (beyond > 0)
-      throw std::invalid_argument(cornerName(k_) + ": the angle of the hole is " + text(corner.angle_rad) +
-                                  " rad, it must be below pi: split the hole");
-    if (corner.angle_rad <= noise_rad_)
-      throw std::invalid_argument(cornerName(k_) + ": the angle of the hole is " + text(corner.angle_rad) +
-                                  " rad, it must be positive");
-    corner.exact = corner.plane_angle_rad <= noise_rad_;
-    return corner;
-  }
-
-  const Vector3d& in() const { return in_; }
-  const Vector3d& out() const { return out_; }
-  const std::optional<End>& before() const { return before_; }
-  const std::optional<End>& after() const { return after_; }
-
- private:
-  double planeNoise(const End& end, std::size_t side) const {
-    const double area = end.edge.cross(end.cross).norm();
-    const double noise = end.noise * (end.edge.norm() + end.cross.norm());
-    if (!(area > noise))
-      throw std::invalid_argument(
-          "side " + std::to_string(side) + ": at " + cornerName(k_) +
-          " the cross field is parallel to the edge or one of them vanishes, |E' x T| is " + text(area) +
-          ", rounding " + text(noise));
-    return noise / area;
-  }
-
-  static Vector3d normal(const End& end) { return end.cross.cross(end.edge).normalized(); }
-
-  /// Up where a viewer sees the hole to the left of its sides; zero where no side has a tangent plane.
-  Vector3d up() const {
-    Vector3d sum = Vector3d::Zero();
-    if (before_) sum += normal(*before_);
-    if (after_) sum += normal(*after_);
-    return sum;
-  }
-
-  double planeAngle() const {
-    if (before_ && after_) return angleBetween(normal(*before_), normal(*after_));
-    if (before_) return std::asin(std::min(1.0, std::abs(normal(*before_).dot(out_)) / out_.norm()));
-    if (after_) return std::asin(std::min(1.0, std::abs(normal(*after_).dot(in_)) / in_.norm()));
-    return 0;
-  }
-
-  double interiorAngle() const {
-    const Vector3d across = in_.cross(out_);
-    const double sine = before_ || after_ ? std::copysign(across.norm(), across.dot(up())) : across.norm();
-    const double angle = std::atan2(sine, -in_.dot(out_));
-    return angle < 0 ? angle + 2 * std::numbers::pi : angle;
-  }
-
-  std::size_t k_;
-  Vector3d in_, out_;
-  std::optional<End> before_, after_;
-  double noise_rad_ = 0;
-};
 
 /// Steps 1 and 2: G at the ends of a side is half the tangent of the sides next to it, p is linear on each half.
-Scalars scalarsOf(const Corner& begin, const Corner& end, SpokeLaw law, int n) {
+Scalars scalarsOf(const HoleCorner& begin, const HoleCorner& end, SpokeLaw law, int n) {
   Scalars s;
   const Vector2d first = combination(begin.after()->cross, begin.after()->edge, begin.in() / 2);
   const Vector2d last = combination(end.before()->cross, end.before()->edge, -end.out() / 2);
@@ -167,8 +50,8 @@ Scalars scalarsOf(const Corner& begin, const Corner& end, SpokeLaw law, int n) {
 }
 
 /// Steps 3 and 6: slopes of q such that the mixed derivatives of the fill agree but for a normal part, which is the result.
-Vector3d meetTwists(const Corner& corner, Scalars& before, Scalars& after, FillCorner& figures) {
-  const End &b = *corner.before(), &a = *corner.after();
+Vector3d meetTwists(const HoleCorner& corner, Scalars& before, Scalars& after, FillCorner& figures) {
+  const SideEnd &b = *corner.before(), &a = *corner.after();
   const double p1_before = 2 * (before.p_end - before.p_middle),
                p1_after = 2 * (after.p_middle - after.p_begin);
   const Vector3d known = after.p_begin * a.cross1 + p1_after * a.cross + after.q_begin * a.edge2 +
@@ -196,23 +79,6 @@ std::array<HalfScalars, 2> halfScalars(const Scalars& s, SpokeLaw law, int n) {
           HalfScalars{Eigen::Vector2d(s.p_middle, s.p_end), Vector3d(middle, right, s.q_end)}};
 }
 
-double least(const Eigen::VectorXd& polynomial) {
-  const BernsteinPolynomial p(polynomial);
-  return std::max(0.0, p.range(1e-3 * polynomial.cwiseAbs().maxCoeff()).lower);
-}
-
-double greatest(const Eigen::VectorXd& polynomial) {
-  return std::max(0.0, BernsteinPolynomial(polynomial).range(1e-3 * polynomial.cwiseAbs().maxCoeff()).upper);
-}
-
-/// Bound of the angle between span(E', G) and span(E', G + change) on a half.
-double angleBound(const Poles& field, const Poles& change, const Poles& edge1) {
-  const Field<3> across = rows::cross(field, edge1);
-  const double part = std::sqrt(least(rows::dot<3>(across, across)) / greatest(rows::dot<3>(edge1, edge1)));
-  const double moved = std::sqrt(greatest(rows::dot<3>(change, change)));
-  return part > moved ? std::asin(moved / part) : std::numbers::pi / 2;
-}
-
 /// One half of a side while it is built: what the tangent planes ask for, and what is taken.
 struct Half {
   Poles edge1, wanted, taken;
@@ -238,23 +104,14 @@ std::array<Poles, 2> halved(const Poles& coefficients) {
   return {left.poles(), right.poles()};
 }
 
-Vector3d tangentAtBegin(const FillSide& side) {
-  return endOf(rows::derivative<3>(side.edge.poles()), false);
-}
-
-Vector3d tangentAtEnd(const FillSide& side) {
-  return endOf(rows::derivative<3>(side.edge.poles()), true);
-}
-
 CrossFields crossFields(const std::vector<FillSide>& sides, SpokeLaw law, int degree, double tolerance_rad) {
   const std::size_t n = sides.size();
   const auto next = [n](std::size_t k) { return (k + 1) % n; };
-  const double size = extent(sides);
-  std::vector<Corner> corners;
+  std::vector<HoleCorner> corners;
   CrossFields result;
   for (std::size_t k = 0; k < n; ++k) {
-    corners.emplace_back(sides, k, size);
-    result.corners.push_back(corners[k].figures(tolerance_rad));
+    corners.emplace_back(sides, k);
+    result.corners.push_back(figuresOf(corners[k], k, tolerance_rad));
   }
   std::vector<Scalars> scalars(n);
   for (std::size_t k = 0; k < n; ++k)

@@ -36,8 +36,4 @@ CrossFields crossFields(const std::vector<FillSide>& sides, SpokeLaw law, int de
 /// Both halves of a polynomial.
 std::array<Poles, 2> halved(const Poles& coefficients);
 
-/// d/dt at the ends of a side.
-Eigen::Vector3d tangentAtBegin(const FillSide& side);
-Eigen::Vector3d tangentAtEnd(const FillSide& side);
-
 }  // namespace seamwright::fill

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cmath>
 #include <seamwright/core/join/bernstein_rows.hpp>
+#include <seamwright/core/umbrella/fill_forms.hpp>
 #include <seamwright/core/umbrella/fill_space.hpp>
+#include <seamwright/core/umbrella/hole_corner.hpp>
 
 namespace seamwright::fill {
 
@@ -9,30 +11,6 @@ namespace {
 
 /// One point as an affine function of the unknowns: their coefficients, then the constant's x, y, z.
 using Form = Eigen::RowVectorXd;
-/// Bernstein coefficients of a polynomial, or poles of a row, one a row.
-using Forms = Eigen::MatrixXd;
-
-Forms derivative(const Forms& polynomial) {
-  const Eigen::Index n = polynomial.rows() - 1;
-  return static_cast<double>(n) * (polynomial.bottomRows(n) - polynomial.topRows(n));
-}
-
-Forms elevated(const Forms& polynomial, int to) {
-  return rows::elevation(static_cast<int>(polynomial.rows()) - 1, to) * polynomial;
-}
-
-/// Factor times polynomial.
-Forms product(const Eigen::VectorXd& factor, const Forms& polynomial) {
-  const Eigen::Index n = polynomial.rows() - 1;
-  Forms result = Forms::Zero(n + factor.size(), polynomial.cols());
-  for (Eigen::Index j = 0; j <= n; ++j) {
-    const Eigen::VectorXd column = rows::times(factor, Eigen::VectorXd::Unit(n + 1, j));
-    for (Eigen::Index i = j; i < j + factor.size(); ++i)
-      result.row(i) += column(factor.size() == 1 ? j : i) * polynomial.row(j);
-  }
-  return result;
-}
-
 class Builder {
  public:
   Builder(const std::vector<FillSide>& sides, const CrossFields& fields, SpokeLaw law, int degree)
@@ -51,7 +29,7 @@ class Builder {
     makeFields();
     makeSpokes();
     makeTwists();
-    space_.sides = n_;
+    space_.patches = n_;
     space_.degree = degree_;
     nets_ = Forms::Zero(static_cast<Eigen::Index>(n_) * (degree_ + 1) * (degree_ + 1), unknowns_ + 3);
     for (int k = 0; k < n_; ++k) setBoundary(k);
@@ -219,13 +197,13 @@ FillSpace fillSpace(const std::vector<FillSide>& sides, const CrossFields& field
 
 std::vector<BezierPatch> patchesOf(const FillSpace& space, const Poles& unknowns) {
   Poles all = space.coefficients * unknowns + space.constants;
-  for (int k = 0; k < space.sides; ++k)
+  for (int k = 0; k < space.patches; ++k)
     for (int s = 0; s <= space.degree; ++s)
-      all.row(space.row((k + 1) % space.sides, s, 0)) = all.row(space.row(k, 0, s));
-  for (int k = 0; k < space.sides; ++k) all.row(space.row(k, 0, 0)) = all.row(0);
+      all.row(space.row((k + 1) % space.patches, s, 0)) = all.row(space.row(k, 0, s));
+  for (int k = 0; k < space.patches; ++k) all.row(space.row(k, 0, 0)) = all.row(0);
   const Eigen::Index count = static_cast<Eigen::Index>(space.degree + 1) * (space.degree + 1);
   std::vector<BezierPatch> patches;
-  for (int k = 0; k < space.sides; ++k)
+  for (int k = 0; k < space.patches; ++k)
     patches.emplace_back(space.degree, space.degree, all.middleRows(k * count, count));
   return patches;
 }

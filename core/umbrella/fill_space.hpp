@@ -8,7 +8,7 @@ namespace seamwright::fill {
 
 /// The poles of all patches as affine functions of unknown points: poles = coefficients * unknowns + constants, with unknowns #U by 3.
 struct FillSpace {
-  int sides = 0;
+  int patches = 0;
   int degree = 0;
   Eigen::MatrixXd coefficients;  ///< #P by #U
   Poles constants;               ///< #P by 3

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <seamwright/core/bernstein/coefficients.hpp>
 #include <seamwright/core/join/bernstein_rows.hpp>
+#include <seamwright/core/linear/dense.hpp>
 #include <seamwright/core/umbrella/frame.hpp>
 #include <seamwright/core/umbrella/spokes.hpp>
 #include <stdexcept>
@@ -133,8 +133,7 @@ Umbrella umbrellaInside(const std::vector<BezierCurve>& sides, const UmbrellaIns
   const Forms forms = umbrella::framed({regular, laws, nets, spokes, outerPoles(nets, halves)}, free);
 
   const Eigen::MatrixXd energy = umbrella::energyRows(nets);
-  const Eigen::MatrixXd least = (energy * umbrella::linearPart(forms, free))
-                                    .completeOrthogonalDecomposition()
+  const Eigen::MatrixXd least = linear::LeastSquares(energy * umbrella::linearPart(forms, free))
                                     .solve(energy * -umbrella::constantPart(forms));
   const auto valued = [&](const Forms& of) {
     return Poles(umbrella::constantPart(of) + umbrella::linearPart(of, free) * least);

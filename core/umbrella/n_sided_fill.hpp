@@ -18,9 +18,11 @@ struct FillSide {
   BezierCurve edge;  ///< degree 1 at least, polynomial
   /// T, transversal to the edge and out of the hole, in Bernstein form on [0, 1], of any degree; nothing: the side asks for position alone.
   std::optional<Poles> cross = std::nullopt;
+  /// The second derivative of the surface beyond along T, as far as its normal part goes: its curvature; only used where that is asked for.
+  std::optional<Poles> bend = std::nullopt;
 };
 
-/// The side that a patch gives to a hole along one of its edges: T is its cross derivative, into the patch.
+/// The side that a patch gives to a hole along one of its edges: T is its cross derivative, into the patch, with the second one.
 /// \param reversed the hole's sense runs against the edge's own sense.
 /// \throws std::invalid_argument for a rational patch.
 FillSide fillSide(const BezierPatch& neighbour, PatchEdge edge, bool reversed);
@@ -39,6 +41,9 @@ struct FillOptions {
   int fairness_order = 3;  ///< of the differences of poles whose squares are summed, 2 or 3
   /// Largest angle between the tangent planes of two sides at their corner, [0, 0.1], beyond rounding. Such a corner is not met exactly.
   double corner_tolerance_rad = 0;
+  /// The jumps of curvature along all edges, those to neighbours with FillSide::bend among them, are made small, in a degree higher by this
+  /// number; nothing: they are left to fairness.
+  std::optional<int> curvature_degrees = std::nullopt;
 };
 
 /// What a fill found at the corner where side k begins and side k - 1 ends.
@@ -72,6 +77,8 @@ struct NSidedFill {
   /// The length of the spokes' beginnings, over that of the regular star through the middles of the sides, that had to be prescribed to keep
   /// the patches regular; nothing: it was chosen by fairness, like everything that is free.
   std::optional<double> spoke_scale;
+  /// The largest jump of normal curvature found at places along all edges, where it was asked for.
+  std::optional<double> curvature_jump_per_mm = std::nullopt;
 };
 
 /// Fills a hole of 3 to 12 sides with tensor-product Bezier patches that meet each other, and the tangent planes of the surroundings, with
@@ -83,6 +90,10 @@ struct NSidedFill {
 /// and cross fields. What these equations leave free (centre, spokes, twists, interiors, and the cross fields of sides of position
 /// alone) makes the sum of squared differences of poles least. That is one linear least-squares problem. Where its patches are not proved
 /// regular, beginnings of the spokes are prescribed in some lengths, and differences of the other order are tried.
+///
+/// **Curvature.** With FillOptions::curvature_degrees, the squared jumps of normal curvature at places along all edges are made least, with
+/// little of the differences of poles. The joins stay as they are. What does not make the largest jump smaller, or is not proved regular, is
+/// not taken. It is zero in general for no choice: two neighbours of a corner would have to agree to higher order.
 ///
 /// **Corners.** The edges and cross fields of the two sides of a corner are in one plane, and the angle of the hole there is between 0 and pi.
 /// The mixed derivatives that the two neighbours ask for agree where they have the same second fundamental form II(E_(k-1)', E_k'), as parts
@@ -101,7 +112,7 @@ struct NSidedFill {
 /// a splitting of a side helps not, its corner would have an angle of pi); for edges that are rational, of degree 0 or above 12, or that do
 /// not begin where the previous one ends, to rounding; for a cross field that is empty, of degree above 12, not finite, or parallel to
 /// the edge at a corner; for corners whose planes differ by more than rounding and the tolerance; for an angle of pi (merge the two sides)
-/// or more (split the hole), or 0; for an order other than 2 and 3; for a tolerance outside [0, 0.1].
+/// or more (split the hole), or 0; for an order other than 2 and 3; for a tolerance outside [0, 0.1]; for curvature degrees outside 0 to 6.
 /// Source: MATH-surfaces 5.6, 5.2.
 NSidedFill nSidedFill(const std::vector<FillSide>& sides, const FillOptions& options = {});
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/Geometry>
-#include <Eigen/LU>
-#include <Eigen/QR>
+#include <seamwright/core/linear/dense.hpp>
 #include <seamwright/core/umbrella/twists.hpp>
 #include <stdexcept>
 #include <string>
@@ -129,7 +128,7 @@ Eigen::Matrix3d secondForm(const UmbrellaVertex& vertex, const Eigen::Matrix3Xd&
     rows.row(i) << x * x, std::sqrt(2.0) * x * y, y * y;  // so that the smallest solution is the smallest M
     curvatures(i) = vertex.normal.dot(second.col(i)) / vertex.tangents.col(i).squaredNorm();
   }
-  const Eigen::Vector3d form = rows.completeOrthogonalDecomposition().solve(curvatures);
+  const Eigen::Vector3d form = linear::LeastSquares(rows).solve(curvatures);
   const double mixed = form(1) / std::sqrt(2.0);
   Eigen::Matrix2d matrix;
   matrix << form(0), mixed, mixed, form(2);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <limits>
 #include <seamwright/core/bernstein/coefficients.hpp>
 #include <seamwright/core/join/bernstein_rows.hpp>
+#include <seamwright/core/linear/dense.hpp>
 #include <seamwright/core/umbrella/frame.hpp>
 #include <seamwright/core/umbrella/spokes.hpp>
 #include <stdexcept>
@@ -121,8 +120,7 @@ LambdaFamily lambdaFamily(const UmbrellaVertex& vertex, const Eigen::VectorXd& s
   for (Eigen::Index i = 0; i < inner.cols(); ++i)
     defects.col(i) = closingDefect(vertex, {none, inner.col(i), Eigen::VectorXd::Zero(vertex.spokes())});
   if (defects.isZero(0)) return {start, inner};
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(defects, Eigen::ComputeFullV);
-  return {start, svd.matrixV().rightCols(defects.cols() - 2)};
+  return {start, linear::singularValues(defects, Eigen::ComputeFullV).v.rightCols(defects.cols() - 2)};
 }
 
 /// All poles that the vertex, the spokes and the second order leave open, chosen by the aim.
@@ -135,7 +133,7 @@ class Choice {
     for (const BezierCurve& spoke : spokes) spokes_.push_back(none.constants(spoke.poles()));
     FreeVectors free = freeVectors();
     linear_ = umbrella::linearPart(formsWith(seconds, free), free);
-    if (linear_.cols() > 0) solver_.compute(aim_(linear_));
+    if (linear_.cols() > 0) solver_ = linear::LeastSquares(aim_(linear_));
   }
 
   /// The best poles with these second-order terms.
@@ -155,7 +153,7 @@ class Choice {
     Eigen::MatrixXd matrix(start.size(), family.basis.cols());
     for (Eigen::Index i = 0; i < matrix.cols(); ++i)
       matrix.col(i) = rest(family.start + family.basis.col(i)) - start;
-    return family.start - family.basis * matrix.completeOrthogonalDecomposition().solve(start);
+    return family.start - family.basis * linear::LeastSquares(matrix).solve(start);
   }
 
   Eigen::Index dimension() const { return linear_.cols(); }
@@ -184,7 +182,7 @@ class Choice {
   const Aim& aim_;
   std::vector<umbrella::Forms> spokes_;
   Eigen::MatrixXd linear_;
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver_;
+  linear::LeastSquares solver_;
 };
 
 bool betweenTriangles(const std::vector<MemberKind>& kinds, const UmbrellaVertex& vertex, int spoke) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <seamwright/core/bernstein/coefficients.hpp>
+#include <seamwright/core/linear/dense.hpp>
 #include <seamwright/core/umbrella/vertex.hpp>
 #include <stdexcept>
 #include <string>
@@ -41,10 +41,10 @@ Eigen::Matrix3Xd unit(const Eigen::Matrix3Xd& tangents) {
 
 /// Across the plane nearest to all directions, on the side from which most sectors turn counter-clockwise.
 Eigen::Vector3d normalOf(const Eigen::Matrix3Xd& directions, bool closed) {
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(directions, Eigen::ComputeFullU);
-  if (!(svd.singularValues()(1) > kRounding * svd.singularValues()(0)))
+  const linear::SingularValues svd = linear::singularValues(directions, Eigen::ComputeFullU);
+  if (!(svd.values(1) > kRounding * svd.values(0)))
     refuse("the tangents of all spokes are parallel: they span no plane");
-  const Eigen::Vector3d normal = svd.matrixU().col(2);
+  const Eigen::Vector3d normal = svd.u.col(2);
   Eigen::Vector3d area = Eigen::Vector3d::Zero();
   const Eigen::Index n = directions.cols();
   for (Eigen::Index i = 0; i < (closed ? n : n - 1); ++i)
@@ -90,7 +90,7 @@ double conditionOf(const UmbrellaVertex& vertex) {
     matrix(i, before) += scale / sines(before);
     matrix(i, spoke) += scale / sines(spoke);
   }
-  const Eigen::VectorXd values = Eigen::JacobiSVD<Eigen::MatrixXd>(matrix).singularValues();
+  const Eigen::VectorXd values = linear::singularValues(matrix).values;
   const int rank = vertex.closed && m % 2 == 0 ? m - 1 : equations;
   return values(0) / values(rank - 1);
 }

@@ -39,11 +39,26 @@ void requireAboveNoise(const char* what, double mm, double noise_mm) {
   throw std::invalid_argument(text.str());
 }
 
-ModelFacts factsOf(const Model& model) {
-  return {model.path, model.format, model.length_unit, model.faceCount(), model.edgeCount(), model.notes};
+void requireFaces(const Model& model, const std::vector<int>& faces) {
+  for (const int face : faces)
+    if (face < 1 || face > model.faceCount())
+      throw std::invalid_argument("face " + std::to_string(face) + ": the model has faces 1 to " +
+                                  std::to_string(model.faceCount()));
+}
+
+/// Leaves seams of these faces.
+void keepSeamsOf(const std::vector<int>& faces, std::vector<Seam>& seams) {
+  std::erase_if(seams, [&faces](const Seam& seam) {
+    return std::ranges::none_of(
+        seam.sides, [&faces](const FaceUse& side) { return std::ranges::count(faces, side.face) > 0; });
+  });
 }
 
 }  // namespace
+
+ModelFacts factsOf(const Model& model) {
+  return {model.path, model.format, model.length_unit, model.faceCount(), model.edgeCount(), model.notes};
+}
 
 void AnalyzeOptions::validate() const {
   tolerance.validate();
@@ -66,12 +81,14 @@ Report analyze(const Model& model, const AnalyzeOptions& options, const Progress
   requireAboveNoise("gap tolerance", options.tolerance.gap_mm, noise_mm);
   const bool match = options.match_mm > 0;
   if (match) requireAboveNoise("distance to match", options.match_mm, noise_mm);
+  requireFaces(model, options.faces);
   const auto start = std::chrono::steady_clock::now();
   SeamGraph graph = findSeams(model.shape);
   constexpr double share_of_matching = 0.3;
   if (match)
     matchFreeEdges({.match_mm = options.match_mm, .gap_mm = options.tolerance.gap_mm}, graph,
                    partOf(progress, 0, share_of_matching));
+  if (!options.faces.empty()) keepSeamsOf(options.faces, graph.seams);
   Report report{factsOf(model), options.tolerance, options.level, {}, {}, {}, model.read_s, 0};
   report.open = std::move(graph.open);
   report.non_manifold = std::move(graph.non_manifold);

@@ -14,6 +14,7 @@ struct AnalyzeOptions {
   double match_mm = 0;  ///< also seams of free edges within this distance of one another; 0: none
   bool certify = true;  ///< enclose the figures; false: sample them only
   int jobs = 0;         ///< threads; 0: one for each processor
+  std::vector<int> faces = {};  ///< from 1: seams of these faces alone; empty: of all
 
   /// \throws std::invalid_argument with the offending number.
   void validate() const;
@@ -22,11 +23,13 @@ struct AnalyzeOptions {
 /// Measures and judges every seam of a model.
 ///
 /// Seams are measured in parallel, the result does not depend on the number of threads. A seam that can't be
-/// measured has /// no figures, level None, class Defect and a note that says why; the others are not
+/// measured has no figures, level None, class Defect and a note that says why; the others are not
 /// affected. A model without seams passes, with a note. The shape is never changed.
 ///
 /// \throws std::invalid_argument for bad options, also for a gap tolerance or a distance to match below the
-/// rounding of the model's coordinates; Cancelled.
+/// rounding of the model's coordinates, and for faces that the model does not have; Cancelled.
 Report analyze(const Model& model, const AnalyzeOptions& options = {}, const Progress& progress = {});
+
+ModelFacts factsOf(const Model& model);
 
 }  // namespace seamwright::occ

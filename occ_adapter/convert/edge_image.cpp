@@ -31,6 +31,7 @@ handle<Geom_BSplineCurve> parameterLine(const EdgeSide& side, double first, doub
   const auto spline = handle<Geom_BSplineSurface>::DownCast(side.placed.surface);
   if (spline.IsNull() || !(first < last)) return {};
   const gp_Pnt2d from = side.path.at(0), to = side.path.at(points_of_an_edge - 1);
+  if (from.IsEqual(to, 0)) return {};
   std::array<double, 4> range{};
   spline->Bounds(range[0], range[1], range[2], range[3]);
   constexpr double near = 1e-8;

@@ -14,8 +14,8 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
-
-#include <gp_Pln.hxx>
+#include <tuple>
+#include <utility>
 
 #include <seamwright/occ_adapter/fill/corner.hpp>
 
@@ -65,14 +65,18 @@ class Surroundings {
     return {TopoDS::Face(faces.First()), TopoDS::Face(faces.Last())};
   }
 
-  /// The normal out of the solid.
-  Vector3d normalOf(const TopoDS_Face& face) const {
+  /// The normal out of the solid at a vertex of the face.
+  Vector3d normalAt(const TopoDS_Face& face, const TopoDS_Vertex& vertex) const {
     const BRepAdaptor_Surface surface(face, false);
-    if (surface.GetType() != GeomAbs_Plane) throw std::domain_error(name(face) + " is no plane");
-    const gp_Pln plane = surface.Plane();
-    const Vector3d normal =
-        vector(plane.XAxis().Direction().XYZ()).cross(vector(plane.YAxis().Direction().XYZ()));
-    return face.Orientation() == TopAbs_REVERSED ? Vector3d(-normal) : normal;
+    const gp_Pnt2d at = BRep_Tool::Parameters(vertex, face);
+    gp_Pnt point;
+    gp_Vec u, v;
+    surface.D1(at.X(), at.Y(), point, u, v);
+    const Vector3d normal = vector(u.XYZ()).cross(vector(v.XYZ()));
+    if (!(normal.norm() > flat_sine * u.Magnitude() * v.Magnitude()) || u.Magnitude() == 0 ||
+        v.Magnitude() == 0)
+      throw std::domain_error(name(face) + " has no normal at the vertex");
+    return (face.Orientation() == TopAbs_REVERSED ? -1 : 1) * normal.normalized();
   }
 
  private:
@@ -96,15 +100,18 @@ bool holds(const TopoDS_Shape& whole, const TopoDS_Shape& part) {
   return parts.Contains(part);
 }
 
-TopoDS_Shell shellOf(const TopoDS_Shape& shape, const TopoDS_Vertex& vertex, int number) {
-  std::vector<TopoDS_Shell> shells;
+/// The one solid, and its shell, that the vertex is in.
+std::pair<TopoDS_Solid, TopoDS_Shell> homeOf(const TopoDS_Shape& shape, const TopoDS_Vertex& vertex,
+                                             int number) {
+  std::vector<std::pair<TopoDS_Solid, TopoDS_Shell>> homes;
   for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next())
     for (TopExp_Explorer shell(solid.Current(), TopAbs_SHELL); shell.More(); shell.Next())
-      if (holds(shell.Current(), vertex)) shells.push_back(TopoDS::Shell(shell.Current()));
-  if (shells.size() != 1)
-    throw std::domain_error("vertex " + std::to_string(number) + " is in " + std::to_string(shells.size()) +
+      if (holds(shell.Current(), vertex))
+        homes.emplace_back(TopoDS::Solid(solid.Current()), TopoDS::Shell(shell.Current()));
+  if (homes.size() != 1)
+    throw std::domain_error("vertex " + std::to_string(number) + " is in " + std::to_string(homes.size()) +
                             " shells of solids: one is needed");
-  return shells.front();
+  return homes.front();
 }
 
 /// The edges by which a face arrives at the vertex and leaves it, running with the face to the left, seen from outside.
@@ -134,6 +141,10 @@ TopoDS_Vertex otherEnd(const TopoDS_Edge& edge, const TopoDS_Vertex& vertex) {
   return first.IsSame(vertex) ? TopExp::LastVertex(edge) : first;
 }
 
+bool isPlane(const TopoDS_Face& face) {
+  return BRepAdaptor_Surface(face, false).GetType() == GeomAbs_Plane;
+}
+
 class CornerReader {
  public:
   CornerReader(const Surroundings& around, Corner& corner) : around_(around), corner_(corner) {}
@@ -142,7 +153,9 @@ class CornerReader {
     walk();
     for (std::size_t i = 0; i < corner_.count(); ++i) measureEdge(i);
     for (std::size_t i = 0; i < corner_.count(); ++i) measureFace(i);
-    for (CornerEdge& edge : corner_.edges) readEnd(edge);
+    corner_.polyhedral = isOfPlanesAndLines() && std::ranges::all_of(corner_.edges, [this](CornerEdge& edge) {
+                           return readEnd(edge);
+                         });
   }
 
  private:
@@ -156,7 +169,7 @@ class CornerReader {
     do {
       const TopoDS_Face face = faceLeaving(edge);
       addEdge(edge);
-      corner_.faces.push_back({face, around_.normalOf(face)});
+      corner_.faces.push_back({face, around_.normalAt(face, corner_.vertex)});
       edge = turnAt(around_, face, corner_.vertex).arriving;
     } while (!edge.IsSame(first) && corner_.count() <= expected);
     if (corner_.count() != expected)
@@ -171,15 +184,21 @@ class CornerReader {
   }
 
   void addEdge(const TopoDS_Edge& edge) {
-    if (BRepAdaptor_Curve(edge).GetType() != GeomAbs_Line)
-      throw std::domain_error(around_.name(edge) + " is no line");
     CornerEdge added;
     added.number = around_.number(edge);
     added.edge = edge;
     added.far = otherEnd(edge, corner_.vertex);
-    const Vector3d run = vector(BRep_Tool::Pnt(added.far).XYZ()) - corner_.point;
-    added.length_mm = run.norm();
-    added.axis = run / added.length_mm;
+    if (added.far.IsSame(corner_.vertex))
+      throw std::domain_error(around_.name(edge) + " begins and ends at the vertex");
+    const BRepAdaptor_Curve curve(edge);
+    gp_Pnt point;
+    gp_Vec run;
+    curve.D1(BRep_Tool::Parameter(corner_.vertex, edge), point, run);
+    if (!(run.Magnitude() > 0)) throw std::domain_error(around_.name(edge) + " has no tangent at the vertex");
+    const bool leaves =
+        TopExp::FirstVertex(TopoDS::Edge(edge.Oriented(TopAbs_FORWARD))).IsSame(corner_.vertex);
+    added.axis = (leaves ? 1 : -1) * vector(run.XYZ()).normalized();
+    added.length_mm = (vector(BRep_Tool::Pnt(added.far).XYZ()) - corner_.point).norm();
     corner_.edges.push_back(added);
   }
 
@@ -187,7 +206,8 @@ class CornerReader {
     CornerEdge& edge = corner_.edges[i];
     const Vector3d &before = corner_.faces[corner_.before(i)].normal, &after = corner_.faces[i].normal;
     if (before.cross(after).norm() < flat_sine)
-      throw std::domain_error(around_.name(edge.edge) + ": the faces beside it are in one plane");
+      throw std::domain_error(around_.name(edge.edge) +
+                              ": the faces beside it are in one plane at the vertex");
     edge.into = {Vector3d(edge.axis.cross(before).normalized()),
                  Vector3d(after.cross(edge.axis).normalized())};
     edge.convex = edge.into[1].dot(before) < 0;
@@ -205,12 +225,17 @@ class CornerReader {
                               std::to_string(degrees(face.angle_rad)) + " degrees at the vertex");
   }
 
-  /// The far vertex has to have one more face, a plane, which the two faces beside the edge meet in lines.
-  void readEnd(CornerEdge& edge) {
+  bool isOfPlanesAndLines() const {
+    return std::ranges::all_of(corner_.faces, [](const CornerFace& face) { return isPlane(face.face); }) &&
+           std::ranges::all_of(corner_.edges, [](const CornerEdge& edge) {
+             return BRepAdaptor_Curve(edge.edge).GetType() == GeomAbs_Line;
+           });
+  }
+
+  /// Whether the far vertex has one more face, a plane, which the two faces beside the edge meet in lines.
+  bool readEnd(CornerEdge& edge) {
     const std::vector<TopoDS_Edge> edges = around_.edgesAt(edge.far);
-    if (edges.size() != 3)
-      throw std::domain_error(around_.name(edge.edge) + ": " + std::to_string(edges.size()) +
-                              " edges meet at its far end: 3 are needed");
+    if (edges.size() != 3) return false;
     const auto i = static_cast<std::size_t>(&edge - corner_.edges.data());
     const std::array<TopoDS_Face, 2> beside = {corner_.faces[corner_.before(i)].face, corner_.faces[i].face};
     for (const TopoDS_Edge& other : edges) {
@@ -222,21 +247,20 @@ class CornerReader {
           else if (!face.IsSame(beside[1 - side]))
             edge.end = face;
     }
-    if (edge.end.IsNull() || edge.end_edges[0].IsNull() || edge.end_edges[1].IsNull())
-      throw std::domain_error(around_.name(edge.edge) + ": no third face closes its far end");
-    requireEnd(edge, beside);
+    return !edge.end.IsNull() && !edge.end_edges[0].IsNull() && !edge.end_edges[1].IsNull() &&
+           isCutOff(edge, beside);
   }
 
-  void requireEnd(CornerEdge& edge, const std::array<TopoDS_Face, 2>& beside) {
-    for (const CornerFace& face : corner_.faces)
-      if (face.face.IsSame(edge.end))
-        throw std::domain_error(around_.name(edge.end) + " is at the vertex and at the far end of " +
-                                around_.name(edge.edge));
-    edge.end_normal = around_.normalOf(edge.end);
-    for (const TopoDS_Face& face : beside)
-      if (edge.end_normal.cross(around_.normalOf(face)).norm() < flat_sine)
-        throw std::domain_error(around_.name(edge.end) + ", at the far end of " + around_.name(edge.edge) +
-                                ", is in the plane of " + around_.name(face));
+  /// The face at the far end is a plane across the edge that does not pass the corner.
+  bool isCutOff(CornerEdge& edge, const std::array<TopoDS_Face, 2>& beside) {
+    if (!isPlane(edge.end) || std::ranges::any_of(corner_.faces, [&edge](const CornerFace& face) {
+          return face.face.IsSame(edge.end);
+        }))
+      return false;
+    edge.end_normal = around_.normalAt(edge.end, edge.far);
+    return std::ranges::none_of(beside, [&](const TopoDS_Face& face) {
+      return edge.end_normal.cross(around_.normalAt(face, edge.far)).norm() < flat_sine;
+    });
   }
 
   const Surroundings& around_;
@@ -249,7 +273,7 @@ Corner cornerOf(const TopoDS_Shape& shape, int vertex) {
   Corner corner;
   corner.vertex = vertexOf(shape, vertex);
   corner.point = vector(BRep_Tool::Pnt(corner.vertex).XYZ());
-  corner.shell = shellOf(shape, corner.vertex, vertex);
+  std::tie(corner.solid, corner.shell) = homeOf(shape, corner.vertex, vertex);
   const Surroundings around(shape, corner.shell);
   CornerReader(around, corner).read();
   return corner;

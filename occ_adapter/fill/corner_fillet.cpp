@@ -11,8 +11,8 @@
 
 #include <seamwright/occ_adapter/analyze/measure_seam.hpp>
 #include <seamwright/occ_adapter/analyze/workers.hpp>
+#include <seamwright/occ_adapter/fill/corner_bands.hpp>
 #include <seamwright/occ_adapter/fill/corner_fillet.hpp>
-#include <seamwright/occ_adapter/fill/corner_solid.hpp>
 
 namespace seamwright::occ {
 
@@ -91,6 +91,14 @@ std::vector<CornerFilletEdge> described(const Corner& corner, const CornerHole& 
   return edges;
 }
 
+/// Cylinders along lines between planes, and a fill that meets them exactly but for the sections.
+BandedCorner polyhedralCorner(const Corner& corner, const CornerFilletOptions& options) {
+  const CornerHole hole = cornerHole(corner, options);
+  NSidedFill fill = fairestFill(hole.sides);
+  CornerShell shell = cornerShell(corner, hole, fill);
+  return {std::move(shell), described(corner, hole), std::move(fill), hole.section_error_mm};
+}
+
 double largestUpper(const std::vector<CornerSeam>& seams, std::optional<Figure> SeamFigures::*figure) {
   double largest = 0;
   for (const CornerSeam& seam : seams) {
@@ -140,19 +148,19 @@ CornerFillet cornerFillet(const Model& model, int vertex, const CornerFilletOpti
                           const Progress& progress) {
   options.validate();
   const Corner corner = cornerOf(model.shape, vertex);
-  const CornerHole hole = cornerHole(corner, options);
-  NSidedFill fill = fairestFill(hole.sides);
-  const CornerShell made = cornerShell(corner, hole, fill);
+  constexpr double built = 0.5;
+  BandedCorner made = corner.polyhedral ? polyhedralCorner(corner, options)
+                                        : bandedCorner(corner, options, partOf(progress, 0, built));
 
   CornerFillet result;
   result.model = model;
-  result.edges = described(corner, hole);
-  result.fill = std::move(fill);
-  result.section_error_mm = hole.section_error_mm;
-  result.model.shape = withShell(model.shape, corner.shell, made.shell);
-  result.model.attributes = attributesAfter(model, result.model.shape, made);
-  result.seams = measured(result.model.shape, made, options, progress);
-  result.valid = BRepCheck_Analyzer(made.shell).IsValid();
+  result.edges = std::move(made.edges);
+  result.fill = std::move(made.fill);
+  result.section_error_mm = made.section_error_mm;
+  result.model.shape = withShell(model.shape, corner.shell, made.shell.shell);
+  result.model.attributes = attributesAfter(model, result.model.shape, made.shell);
+  result.seams = measured(result.model.shape, made.shell, options, partOf(progress, built, 1));
+  result.valid = BRepCheck_Analyzer(made.shell.shell).IsValid();
   result.shortfall = shortfallOf(result);
   return result;
 }

@@ -54,33 +54,14 @@ std::array<double, 2> crossing(double angle_rad, double contact_mm, double next_
   return {(next_contact_mm + contact_mm * cosine) / sine, (contact_mm + next_contact_mm * cosine) / sine};
 }
 
-/// A cubic from one point to another with these unit tangents, near a circle's arc where they are symmetric. Its handles end before
-/// the tangents cross. \param legs from the ends to that crossing.
-Poles springCurve(const Vector3d& from, const Vector3d& leaving, const Vector3d& to, const Vector3d& arriving,
-                  const std::array<double, 2>& legs) {
-  const double turn = std::atan2(leaving.cross(arriving).norm(), leaving.dot(arriving));
-  const double cosine = std::cos(turn / 4);
-  const double handle = (to - from).norm() / (3 * cosine * cosine);
-  Poles poles(4, 3);
-  poles << from.transpose(), (from + std::min(handle, 0.9 * legs[0]) * leaving).transpose(),
-      (to - std::min(handle, 0.9 * legs[1]) * arriving).transpose(), to.transpose();
-  return poles;
-}
-
-class HoleBuilder {
+class Roller {
  public:
-  HoleBuilder(const Corner& corner, const CornerFilletOptions& options)
-      : corner_(corner), options_(options) {}
+  Roller(const Corner& corner, const CornerFilletOptions& options) : corner_(corner), options_(options) {}
 
-  CornerHole build() {
+  std::vector<CornerStrip> run() {
     roll();
     setBack();
-    for (std::size_t i = 0; i < corner_.count(); ++i) {
-      placeStrip(i);
-      addSection(i);
-    }
-    for (std::size_t i = 0; i < corner_.count(); ++i) addSpring(i);
-    return std::move(hole_);
+    return std::move(strips_);
   }
 
  private:
@@ -91,14 +72,13 @@ class HoleBuilder {
       if (radius == options_.radii_mm.end())
         throw std::invalid_argument("edge " + std::to_string(edge.number) +
                                     " is at the vertex and has no radius");
-      CornerStrip& strip = hole_.strips.emplace_back();
+      CornerStrip& strip = strips_.emplace_back();
       strip.radius_mm = radius->second;
       strip.contact_mm = strip.radius_mm / std::tan(edge.opening_rad / 2);
       strip.sweep_rad = pi - edge.opening_rad;
     }
     requireOwn(options_.radii_mm, "a radius");
     requireOwn(options_.setbacks_mm, "a setback");
-    hole_.sides.resize(2 * corner_.count(), {BezierCurve(Poles::Zero(1, 3))});
   }
 
   void requireOwn(const std::map<int, double>& given, const char* what) const {
@@ -111,31 +91,48 @@ class HoleBuilder {
     }
   }
 
-  std::array<double, 2> crossingIn(std::size_t face) const {
-    return crossing(corner_.faces[face].angle_rad, hole_.strips[face].contact_mm,
-                    hole_.strips[corner_.after(face)].contact_mm);
-  }
-
   /// The setback from which on both contact lines of an edge are clear of their neighbours.
   double leastSetback(std::size_t i) const {
-    return std::max({0.0, crossingIn(i)[0], crossingIn(corner_.before(i))[1]});
+    return std::max(
+        {0.0, crossingIn(corner_, strips_, i)[0], crossingIn(corner_, strips_, corner_.before(i))[1]});
   }
 
   void setBack() {
     double mean = 0;
-    for (const CornerStrip& strip : hole_.strips)
-      mean += strip.contact_mm / static_cast<double>(corner_.count());
+    for (const CornerStrip& strip : strips_) mean += strip.contact_mm / static_cast<double>(corner_.count());
     for (std::size_t i = 0; i < corner_.count(); ++i) {
       const auto given = options_.setbacks_mm.find(corner_.edges[i].number);
       const double least = leastSetback(i);
-      hole_.strips[i].setback_mm = given == options_.setbacks_mm.end() ? least + mean / 2 : given->second;
-      if (!(hole_.strips[i].setback_mm > least * (1 + 1e-6)))
+      strips_[i].setback_mm = given == options_.setbacks_mm.end() ? least + mean / 2 : given->second;
+      if (!(strips_[i].setback_mm > least * (1 + 1e-6)))
         throw std::domain_error("edge " + std::to_string(corner_.edges[i].number) + ": a setback of " +
-                                mm(hole_.strips[i].setback_mm) +
-                                " leaves no room for spring curves: more than " + mm(least) + " is needed");
+                                mm(strips_[i].setback_mm) + " leaves no room for spring curves: more than " +
+                                mm(least) + " is needed");
     }
   }
 
+  const Corner& corner_;
+  const CornerFilletOptions& options_;
+  std::vector<CornerStrip> strips_;
+};
+
+class HoleBuilder {
+ public:
+  HoleBuilder(const Corner& corner, const CornerFilletOptions& options)
+      : corner_(corner), options_(options) {}
+
+  CornerHole build() {
+    hole_.strips = cornerStrips(corner_, options_);
+    hole_.sides.resize(2 * corner_.count(), {BezierCurve(Poles::Zero(1, 3))});
+    for (std::size_t i = 0; i < corner_.count(); ++i) {
+      placeStrip(i);
+      addSection(i);
+    }
+    for (std::size_t i = 0; i < corner_.count(); ++i) addSpring(i);
+    return std::move(hole_);
+  }
+
+ private:
   void placeStrip(std::size_t i) {
     const CornerEdge& edge = corner_.edges[i];
     CornerStrip& strip = hole_.strips[i];
@@ -169,7 +166,7 @@ class HoleBuilder {
 
   void addSpring(std::size_t i) {
     const std::size_t next = corner_.after(i);
-    const std::array<double, 2> foot = crossingIn(i);
+    const std::array<double, 2> foot = crossingIn(corner_, hole_.strips, i);
     const std::array<double, 2> legs = {hole_.strips[i].setback_mm - foot[0],
                                         hole_.strips[next].setback_mm - foot[1]};
     const Poles poles = springCurve(hole_.strips[i].contacts[1], -corner_.edges[i].axis,
@@ -214,6 +211,26 @@ UnitArc unitArc(double sweep_rad, int degree) {
     arc.error = std::max(arc.error, (bernsteinRow(degree, t) * arc.poles - onUnitArc(sweep_rad, t)).norm());
   }
   return arc;
+}
+
+std::vector<CornerStrip> cornerStrips(const Corner& corner, const CornerFilletOptions& options) {
+  return Roller(corner, options).run();
+}
+
+std::array<double, 2> crossingIn(const Corner& corner, const std::vector<CornerStrip>& strips,
+                                 std::size_t i) {
+  return crossing(corner.faces[i].angle_rad, strips[i].contact_mm, strips[corner.after(i)].contact_mm);
+}
+
+Poles springCurve(const Vector3d& from, const Vector3d& leaving, const Vector3d& to, const Vector3d& arriving,
+                  const std::array<double, 2>& legs) {
+  const double turn = std::atan2(leaving.cross(arriving).norm(), leaving.dot(arriving));
+  const double cosine = std::cos(turn / 4);
+  const double handle = (to - from).norm() / (3 * cosine * cosine);
+  Poles poles(4, 3);
+  poles << from.transpose(), (from + std::min(handle, 0.9 * legs[0]) * leaving).transpose(),
+      (to - std::min(handle, 0.9 * legs[1]) * arriving).transpose(), to.transpose();
+  return poles;
 }
 
 CornerHole cornerHole(const Corner& corner, const CornerFilletOptions& options) {

@@ -28,7 +28,19 @@ struct CornerHole {
   double section_error_mm = 0;
 };
 
+/// Radii, contacts, sweeps and setbacks, as if the faces were the planes that touch them at the corner.
 /// \throws as cornerFillet() for radii and setbacks.
+std::vector<CornerStrip> cornerStrips(const Corner& corner, const CornerFilletOptions& options);
+
+/// Where the contact lines of edge i and of the next one cross in face i: distances along both edges, from the corner to the foot.
+std::array<double, 2> crossingIn(const Corner& corner, const std::vector<CornerStrip>& strips, std::size_t i);
+
+/// A cubic from one point to another with these unit tangents, near a circle's arc where they are symmetric. Its handles end before
+/// the tangents cross. \param legs from the ends to that crossing.
+Poles springCurve(const Eigen::Vector3d& from, const Eigen::Vector3d& leaving, const Eigen::Vector3d& to,
+                  const Eigen::Vector3d& arriving, const std::array<double, 2>& legs);
+
+/// \param corner a polyhedral one. \throws as cornerFillet() for radii and setbacks.
 CornerHole cornerHole(const Corner& corner, const CornerFilletOptions& options);
 
 /// A polynomial near an arc of the unit circle, run at constant speed from -sweep / 2 to sweep / 2.

@@ -19,6 +19,7 @@
 #include <stdexcept>
 
 #include <seamwright/core/umbrella/fill_corners.hpp>
+#include <seamwright/core/umbrella/ring_fill.hpp>
 #include <seamwright/occ_adapter/analyze/measure_seam.hpp>
 #include <seamwright/occ_adapter/analyze/workers.hpp>
 #include <seamwright/occ_adapter/convert/bezier_surface.hpp>
@@ -38,6 +39,11 @@ constexpr double most_planar_rad = 0.1;
 
 /// What the sides and the corners may take of the tolerance each: the sum of all errors is to be well within it.
 constexpr double share = 20;
+
+/// The planes of both sides of a corner are made to agree; what is left is rounding.
+constexpr double plane_noise_rad = 1e-7;
+
+constexpr std::size_t ring_sides = 4;
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -111,14 +117,43 @@ class Filling {
 
  private:
   void fit() {
-    const std::size_t n = hole_.has_corners ? hole_.sides.size() : 0;
-    if (n < 3 || n > 12)
-      throw NotFilled("the hole has " + std::to_string(n) + " corners: fills have 3 to 12");
-    fitted_ = fitSides(hole_.sides, {.gap_mm = options_.tolerance.gap_mm / share,
-                                     .angle_rad = options_.tolerance.angle_rad / share,
-                                     .most_degree = options_.most_degree,
-                                     .planar_rad = most_planar_rad});
-    for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t corners = hole_.has_corners ? hole_.sides.size() : 0;
+    if (corners > 12)
+      throw NotFilled("the hole has " + std::to_string(corners) + " corners: fills have 12 at most");
+    const double gap_mm = options_.tolerance.gap_mm / share;
+    is_ring_ = corners < 3 || (corners <= ring_sides && hasReflexCorner(hole_, gap_mm));
+    stretches_ = is_ring_ ? cutSides(hole_, ring_sides, gap_mm, true) : wholeSides(hole_);
+    fitted_ = fitted(stretches_);
+    if (is_ring_ && misses(fitted_) > 1) {
+      const std::vector<SideStretch> even = cutSides(hole_, ring_sides, gap_mm, false);
+      std::vector<FittedSide> other = fitted(even);
+      if (misses(other) < misses(fitted_)) stretches_ = even, fitted_ = std::move(other);
+    }
+    tellSides();
+  }
+
+  std::vector<FittedSide> fitted(const std::vector<SideStretch>& stretches) const {
+    // A ring of position alone is asked for; corners say so themselves, smooth loops do not.
+    const bool position_only = is_ring_ && options_.target == Level::G0;
+    return fitSides(hole_.sides, stretches,
+                    {.gap_mm = options_.tolerance.gap_mm / share,
+                     .angle_rad = options_.tolerance.angle_rad / share,
+                     .most_degree = options_.most_degree,
+                     .planar_rad = position_only ? -1 : most_planar_rad,
+                     .curvature = options_.target == Level::G2});
+  }
+
+  /// What is reached over what is asked for.
+  double misses(const std::vector<FittedSide>& sides) const {
+    double most = 0;
+    for (const FittedSide& side : sides)
+      most = std::max({most, share * side.gap_mm / options_.tolerance.gap_mm,
+                       share * side.angle_rad / options_.tolerance.angle_rad});
+    return most;
+  }
+
+  void tellSides() {
+    for (std::size_t k = 0; k < fitted_.size(); ++k) {
       const FittedSide& side = fitted_[k];
       FilledSide told{{},
                       !side.side.cross,
@@ -127,7 +162,15 @@ class Filling {
                       side.gap_mm,
                       side.angle_rad,
                       side.corner_rad};
-      for (const HoleEdge& edge : hole_.sides[k].edges) told.edges.push_back(edge.edge);
+      const HoleSide& of_hole = hole_.sides[stretches_[k].side];
+      double begin_mm = 0;
+      for (const HoleEdge& edge : of_hole.edges) {
+        const double end_mm = begin_mm + edge.length_mm;
+        if (end_mm > stretches_[k].begin * of_hole.length_mm &&
+            begin_mm < stretches_[k].end * of_hole.length_mm)
+          told.edges.push_back(edge.edge);
+        begin_mm = end_mm;
+      }
       result_.sides.push_back(std::move(told));
     }
   }
@@ -135,19 +178,7 @@ class Filling {
   void build() {
     std::vector<FillSide> sides;
     for (const FittedSide& side : fitted_) sides.push_back(side.side);
-    // The planes were made to agree; what is left is rounding.
-    FillOptions options{.corner_tolerance_rad = 1e-7};
-    NSidedFill fill = nSidedFill(sides, options);
-    constexpr int dear_degree =
-        7;  // fills cost the sixth power of it, and several are tried for one that is not regular
-    if (!fill.regular && fill.patches.front().degreeU() < dear_degree) {
-      options.law = SpokeLaw::Quadratic;
-      NSidedFill other = nSidedFill(sides, options);
-      if (other.regular) fill = std::move(other);
-    }
-    result_.corners = fill.corners;
-    result_.regular = fill.regular;
-    for (const BSplineSurface& surface : withCornerKnots(fill, options_.tolerance.angle_rad / share)) {
+    for (const BSplineSurface& surface : is_ring_ ? ringSurfaces(sides) : starSurfaces(sides)) {
       const bool is_patch = surface.countU() == surface.degree_u + 1;
       const opencascade::handle<Geom_Surface> geometry =
           is_patch ? opencascade::handle<Geom_Surface>(toBezierSurface(bezierPatch(surface)))
@@ -156,6 +187,44 @@ class Filling {
       if (!face.IsDone()) throw NotFilled("OpenCASCADE made no face of a patch");
       new_faces_.push_back(face.Face());
     }
+  }
+
+  /// By how much more than the degree that G1 asks for, at least \p more than that of the cross fields; time grows with its sixth power.
+  std::optional<int> curvatureDegrees(const std::vector<FillSide>& sides, int more) const {
+    if (options_.target != Level::G2) return std::nullopt;
+    constexpr int most_degree = 9, most_raise = 2;
+    Eigen::Index degree = 0;
+    for (const FillSide& side : sides)
+      degree = std::max({degree, Eigen::Index{side.edge.degree()}, side.cross ? side.cross->rows() - 1 : 0});
+    return std::clamp(most_degree - more - static_cast<int>(degree), 0, most_raise);
+  }
+
+  std::vector<BSplineSurface> ringSurfaces(const std::vector<FillSide>& sides) {
+    const RingFill fill = ringFill(
+        sides, {.corner_tolerance_rad = plane_noise_rad, .curvature_degrees = curvatureDegrees(sides, 3)});
+    result_.curvature_jump_per_mm = fill.curvature_jump_per_mm;
+    result_.corners = fill.corners;
+    result_.regular = fill.regular;
+    std::vector<BSplineSurface> surfaces;
+    for (const BezierPatch& patch : fill.patches) surfaces.push_back(splineSurface(patch));
+    return surfaces;
+  }
+
+  std::vector<BSplineSurface> starSurfaces(const std::vector<FillSide>& sides) {
+    FillOptions options{.corner_tolerance_rad = plane_noise_rad,
+                        .curvature_degrees = curvatureDegrees(sides, 1)};
+    NSidedFill fill = nSidedFill(sides, options);
+    constexpr int dear_degree =
+        7;  // fills cost the sixth power of it, and several are tried for one that is not regular
+    if (!fill.regular && fill.patches.front().degreeU() < dear_degree) {
+      options.law = SpokeLaw::Quadratic;
+      NSidedFill other = nSidedFill(sides, options);
+      if (other.regular) fill = std::move(other);
+    }
+    result_.curvature_jump_per_mm = fill.curvature_jump_per_mm;
+    result_.corners = fill.corners;
+    result_.regular = fill.regular;
+    return withCornerKnots(fill, options_.tolerance.angle_rad / share);
   }
 
   int firstNewFace() const { return model_.faceCount() + 1; }
@@ -275,6 +344,8 @@ class Filling {
   const Hole& hole_;
   const FillHoleOptions& options_;
   const Progress& progress_;
+  bool is_ring_ = false;
+  std::vector<SideStretch> stretches_;
   std::vector<FittedSide> fitted_;
   std::vector<TopoDS_Face> new_faces_;
   TopoDS_Shape whole_;
@@ -359,6 +430,10 @@ void FillHoleOptions::validate() const {
 
 std::optional<double> FillHoleReport::largestGap_mm() const {
   return largest(*this, &SeamFigures::gap_mm);
+}
+
+std::optional<double> FillHoleReport::largestCurvature_rel() const {
+  return largest(*this, &SeamFigures::curvature_rel);
 }
 
 std::optional<double> FillHoleReport::largestAngle_rad() const {

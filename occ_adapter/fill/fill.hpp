@@ -12,7 +12,7 @@
 namespace seamwright::occ {
 
 struct FillHoleOptions {
-  /// What every new seam has to reach. Fills are built for G1; with G2 the one built is kept if it happens to reach it.
+  /// What every new seam has to reach. Fills are built for G1; with G2 what that leaves free is spent on small jumps of curvature.
   Level target = Level::G1;
   ContinuityTolerance tolerance{.gap_mm = 0.001, .angle_rad = 0.01 * 0.017453292519943295};
   bool keep_anyway = false;  ///< a fill that closes the hole is kept even if it does not reach the target
@@ -43,6 +43,8 @@ struct FillHoleReport {
   std::vector<FilledSide> sides;
   std::vector<FillCorner> corners;
   bool regular = false;  ///< as of NSidedFill
+  /// With the target G2, as of NSidedFill: against the curvature of the neighbours as it was fitted.
+  std::optional<double> curvature_jump_per_mm;
   std::vector<SeamResult>
       outer;  ///< between the new faces and the others; measured in the filled model, also if that was not kept
   std::vector<SeamResult> inner;  ///< between the new faces
@@ -54,9 +56,14 @@ struct FillHoleReport {
   /// The largest upper ends over outer and inner seams; nothing where one is not known or nothing was sewn.
   std::optional<double> largestGap_mm() const;
   std::optional<double> largestAngle_rad() const;
+  std::optional<double> largestCurvature_rel() const;
 };
 
-/// Fills a hole of 3 to 12 sides by as many faces as it has sides (see nSidedFill()) and sews them to the neighbours.
+/// Fills a hole and sews the faces to the neighbours.
+///
+/// A hole of 3 to 12 corners, none above pi, gets as many faces (nSidedFill()). One of fewer corners is cut into four sides, those
+/// first that are longest and turn most, at joints of its edges where these are near: it gets five faces (ringFill()), as does one of up to
+/// four corners of which some are above pi.
 ///
 /// Edges and tangent planes along the sides are fitted by polynomials to a twentieth of the tolerance, exactly where they are such. Where the
 /// tangent planes of two sides differ at their corner by more than 0.1 rad, the sides concerned get no tangent planes: position alone. Corners
@@ -70,7 +77,9 @@ struct FillHoleReport {
 /// OpenCASCADE's checks pass for the new faces, and for the neighbours and the shape as before; with keep_anyway also if the target
 /// is missed, as long as it could be sewn. Else the model comes back as it is, with how near the fill came. Names, colours and layers stay.
 ///
-/// A hole with fewer than three corners, or one whose angle is above pi, is not filled.
+/// A smooth loop of which the neighbours are to be met with G0 alone gets no tangent planes: a flat one stays flat.
+///
+/// A hole with more than 12 corners, or more than 4 one of which is above pi, is not filled.
 /// \param hole one of findHoles() of this model. Nothing that is wrong with the hole throws: it is a reason.
 /// \throws std::invalid_argument for bad options and for a hole with an edge that the model does not have; Cancelled.
 /// Source: MATH-surfaces 5.6, 7.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -8,8 +7,9 @@
 #include <stdexcept>
 #include <string>
 
-#include <seamwright/occ_adapter/convert/face_strip.hpp>
+#include <seamwright/core/linear/dense.hpp>
 #include <seamwright/occ_adapter/fill/side_fit.hpp>
+#include <seamwright/occ_adapter/fill/side_path.hpp>
 
 namespace seamwright::occ {
 
@@ -17,104 +17,38 @@ namespace {
 
 using Eigen::Index, Eigen::Vector3d;
 
-/// What a side shows at t: the point, its derivative by t, and the frame of the face.
-struct SideSample {
-  double t = 0;
-  Vector3d point, derivative;
-  Vector3d normal, beyond;  ///< unit; beyond points into the face, across the edge
-};
-
-/// The arc length of a path over its places, by Gauss quadrature on short pieces.
-class ArcLength {
- public:
-  explicit ArcLength(std::shared_ptr<const FaceStrip> strip) : strip_(std::move(strip)) {
-    for (int k = 0; k < pieces; ++k) lengths_[k + 1] = lengths_[k] + between(at(k), at(k + 1));
-  }
-  double length_mm() const { return lengths_[pieces]; }
-
-  double placeAt(double length_mm) const {
-    const auto after = std::upper_bound(lengths_.begin() + 1, lengths_.end() - 1, length_mm);
-    const int k = static_cast<int>(after - lengths_.begin()) - 1;
-    const double rest = length_mm - lengths_[k];
-    double place = at(k) + rest / (lengths_[k + 1] - lengths_[k]) / pieces;
-    for (int step = 0; step < 4; ++step)
-      place -= (between(at(k), place) - rest) / strip_->trace(std::clamp(place, 0.0, 1.0)).d.norm();
-    return std::clamp(place, 0.0, 1.0);
-  }
-
- private:
-  static constexpr int pieces = 32;
-  static double at(int k) { return static_cast<double>(k) / pieces; }
-
-  double between(double from, double to) const {
-    constexpr std::array<double, 3> nodes = {0, 0.5384693101056831, 0.9061798459386640};
-    constexpr std::array<double, 3> weights = {0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
-    const double middle = (from + to) / 2, half = (to - from) / 2;
-    double sum = 0;
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      for (const double node : {-nodes[i], nodes[i]})
-        sum += (i == 0 ? 0.5 : 1) * weights[i] *
-               strip_->trace(std::clamp(middle + half * node, 0.0, 1.0)).d.norm();
-    return half * sum;
-  }
-
-  std::shared_ptr<const FaceStrip> strip_;
-  std::array<double, pieces + 1> lengths_{};
-};
-
 enum class Speed { Own, Even };
 
-/// The edges of a side, one after the other, over t in [0, 1].
-class SidePath {
+/// A stretch of a side over t in [0, 1].
+class StretchPath {
  public:
-  SidePath(const HoleSide& side, double gap_mm) {
-    for (const HoleEdge& edge : side.edges) {
-      strips_.push_back(
-          std::make_shared<const FaceStrip>(edge.use, pcurveOf(edge.use.edge, edge.use.shape, gap_mm)));
-      reversed_.push_back(edge.reversed);
-    }
-    for (const std::shared_ptr<const FaceStrip>& strip : strips_) {
-      lengths_.emplace_back(strip);
-      length_mm_ += lengths_.back().length_mm();
-    }
-    if (!(length_mm_ > 0 && std::isfinite(length_mm_)))
-      throw std::runtime_error("edge " + std::to_string(side.edges.front().edge) + " has no length");
-  }
+  StretchPath(std::shared_ptr<const SidePath> path, const SideStretch& stretch)
+      : path_(std::move(path)), stretch_(stretch) {}
 
-  bool isOneEdge() const { return strips_.size() == 1; }
-  double length_mm() const { return length_mm_; }
+  bool isOneEdge() const { return path_->isOneEdge(); }
+  double length_mm() const { return (stretch_.end - stretch_.begin) * path_->length_mm(); }
 
   SideSample at(double t, Speed speed) const {
-    std::size_t k = 0;
-    double place = 0;
     if (speed == Speed::Own) {
-      place = reversed_[0] ? 1 - t : t;
-    } else {
-      double rest = t * length_mm_;
-      while (k + 1 < strips_.size() && rest > lengths_[k].length_mm()) rest -= lengths_[k++].length_mm();
-      rest = std::min(rest, lengths_[k].length_mm());
-      place = lengths_[k].placeAt(reversed_[k] ? lengths_[k].length_mm() - rest : rest);
+      const double first = path_->placeOf(stretch_.begin), range = path_->placeOf(stretch_.end) - first;
+      return placed(path_->atPlace(first + t * range), t, range);
     }
-    return sample(t, k, place, speed);
+    const double range = stretch_.end - stretch_.begin;
+    return placed(path_->atShare(t == 1 ? stretch_.end : stretch_.begin + t * range, t < 1), t, range);
   }
 
  private:
-  SideSample sample(double t, std::size_t k, double place, Speed speed) const {
-    const SidePoint side = strips_[k]->at(place);
-    const Vector3d normal = side.jet.u.cross(side.jet.v).normalized();
-    const Vector3d beyond = (side.face_on_left ? 1 : -1) * normal.cross(side.tangent).normalized();
-    const Vector3d forward = (reversed_[k] ? -1 : 1) * side.tangent;
-    return {t, side.jet.p, speed == Speed::Own ? forward : Vector3d(length_mm_ * forward.normalized()),
-            normal, beyond};
+  static SideSample placed(SideSample sample, double t, double range) {
+    sample.t = t;
+    sample.derivative *= range;
+    return sample;
   }
 
-  std::vector<std::shared_ptr<const FaceStrip>> strips_;
-  std::vector<ArcLength> lengths_;
-  std::vector<bool> reversed_;
-  double length_mm_ = 0;
+  std::shared_ptr<const SidePath> path_;
+  SideStretch stretch_;
 };
 
-std::vector<SideSample> samplesOf(const SidePath& path, Speed speed, int count) {
+std::vector<SideSample> samplesOf(const StretchPath& path, Speed speed, int count) {
   std::vector<SideSample> samples;
   for (int i = 0; i <= count; ++i)
     samples.push_back(path.at((1 - std::cos(std::numbers::pi * i / count)) / 2, speed));
@@ -133,14 +67,24 @@ double angleToPlane(const Vector3d& direction, const Vector3d& normal) {
   return std::asin(std::min(1.0, std::abs(direction.normalized().dot(normal))));
 }
 
+/// Where a side begins or ends: shared with the next side.
+struct SideFitEnd {
+  Vector3d point;
+  std::optional<Vector3d> direction;  ///< unit; nothing: the side's own
+};
+
+Vector3d derivativeAt(const SideFitEnd& end, const SideSample& sample) {
+  return end.direction ? Vector3d(sample.derivative.norm() * *end.direction) : sample.derivative;
+}
+
 /// Ends and end derivatives are kept.
-BezierCurve fittedEdge(const std::vector<SideSample>& samples, const std::array<Vector3d, 2>& ends,
+BezierCurve fittedEdge(const std::vector<SideSample>& samples, const std::array<SideFitEnd, 2>& ends,
                        int degree) {
   Poles poles(degree + 1, 3);
-  poles.row(0) = ends[0];
-  poles.row(1) = ends[0] + samples.front().derivative / degree;
-  poles.row(degree - 1) = ends[1] - samples.back().derivative / degree;
-  poles.row(degree) = ends[1];
+  poles.row(0) = ends[0].point;
+  poles.row(1) = ends[0].point + derivativeAt(ends[0], samples.front()) / degree;
+  poles.row(degree - 1) = ends[1].point - derivativeAt(ends[1], samples.back()) / degree;
+  poles.row(degree) = ends[1].point;
   const Index free = degree - 3, count = static_cast<Index>(samples.size());
   if (free == 0) return BezierCurve(poles);
   Eigen::MatrixXd matrix(count, free), right(count, 3);
@@ -151,7 +95,7 @@ BezierCurve fittedEdge(const std::vector<SideSample>& samples, const std::array<
     for (const Index fixed : {Index{0}, Index{1}, Index{degree} - 1, Index{degree}})
       right.row(i) -= basis(fixed) * poles.row(fixed);
   }
-  poles.middleRows(2, free) = matrix.colPivHouseholderQr().solve(right);
+  poles.middleRows(2, free) = linear::PivotedQr(matrix).solve(right);
   return BezierCurve(poles);
 }
 
@@ -174,7 +118,7 @@ Poles fittedCross(const std::vector<SideSample>& samples, const std::array<Vecto
       right(4 * i + 1 + c) = sample.beyond(c);
     }
   }
-  const Eigen::VectorXd solution = length_mm * matrix.colPivHouseholderQr().solve(right);
+  const Eigen::VectorXd solution = length_mm * linear::PivotedQr(matrix).solve(right);
   Poles cross = Eigen::Map<const Poles>(solution.data(), degree + 1, 3);
   for (const int end : {0, 1}) {
     const Vector3d& normal = corner_normals[end];
@@ -184,17 +128,38 @@ Poles fittedCross(const std::vector<SideSample>& samples, const std::array<Vecto
   return cross;
 }
 
+/// II(T, T) of the face, T in its tangent plane.
+double bendAlong(const SideSample& sample, const Vector3d& direction) {
+  Eigen::Matrix<double, 3, 2> plane;
+  plane << sample.jet.u, sample.jet.v;
+  const Eigen::Vector2d c = plane.colPivHouseholderQr().solve(direction);
+  return sample.normal.dot(c(0) * c(0) * sample.jet.uu + 2 * c(0) * c(1) * sample.jet.uv +
+                           c(1) * c(1) * sample.jet.vv);
+}
+
+/// The polynomial nearest to II(T, T) N, which does not depend on how the face is turned.
+Poles fittedBend(const std::vector<SideSample>& samples, const BezierCurve& cross, int degree) {
+  const Index count = static_cast<Index>(samples.size());
+  Eigen::MatrixXd matrix(count, degree + 1), right(count, 3);
+  for (Index i = 0; i < count; ++i) {
+    const SideSample& sample = samples[i];
+    matrix.row(i) = basisAt(degree, sample.t).transpose();
+    right.row(i) = bendAlong(sample, cross.point(sample.t)) * sample.normal.transpose();
+  }
+  return matrix.colPivHouseholderQr().solve(right);
+}
+
 /// One side while it is fitted.
 class SideFit {
  public:
-  SideFit(const HoleSide& side, const SideFitOptions& options)
-      : path_(side, options.gap_mm),
+  SideFit(std::shared_ptr<const SidePath> path, const SideStretch& stretch, const SideFitOptions& options)
+      : path_(std::move(path), stretch),
         options_(options),
         speed_(path_.isOneEdge() ? Speed::Own : Speed::Even) {}
 
   SideSample end(bool last) const { return path_.at(last ? 1 : 0, speed_); }
 
-  void fitEdge(const std::array<Vector3d, 2>& ends) {
+  void fitEdge(const std::array<SideFitEnd, 2>& ends) {
     fitEdgeAt(speed_, ends);
     if (speed_ == Speed::Even || isNear()) return;
     const SideFit own = *this;
@@ -218,6 +183,7 @@ class SideFit {
       fitted.angle_rad = angle;
       if (angle <= options_.angle_rad) break;
     }
+    if (options_.curvature) fitBend(fitted);
     return fitted;
   }
 
@@ -226,7 +192,7 @@ class SideFit {
   double miss() const { return std::max(gap_mm_ / options_.gap_mm, tilt_rad_ / options_.angle_rad); }
   bool isNear() const { return miss() <= 1; }
 
-  void fitEdgeAt(Speed speed, const std::array<Vector3d, 2>& ends) {
+  void fitEdgeAt(Speed speed, const std::array<SideFitEnd, 2>& ends) {
     speed_ = speed;
     const int count = 6 * options_.most_degree;
     samples_ = samplesOf(path_, speed, count);
@@ -261,7 +227,30 @@ class SideFit {
     return angle;
   }
 
-  SidePath path_;
+  void fitBend(FittedSide& fitted) const {
+    constexpr double near_enough = 1e-4;  // of the largest curvature, or of one over the length
+    const BezierCurve cross(*fitted.side.cross);
+    double largest_per_mm = 1 / path_.length_mm();
+    for (const SideSample& check : checks_) {
+      const Vector3d along = cross.point(check.t);
+      largest_per_mm = std::max(largest_per_mm, std::abs(bendAlong(check, along)) / along.squaredNorm());
+    }
+    for (int degree = 0; degree <= options_.most_degree; ++degree) {
+      const Poles bend = fittedBend(samples_, cross, degree);
+      double missed_per_mm = 0;
+      for (const SideSample& check : checks_) {
+        const Vector3d along = cross.point(check.t);
+        const double missed = check.normal.dot(BezierCurve(bend).point(check.t)) - bendAlong(check, along);
+        missed_per_mm = std::max(missed_per_mm, std::abs(missed) / along.squaredNorm());
+      }
+      if (fitted.side.bend && !(missed_per_mm < fitted.curvature_per_mm)) continue;
+      fitted.side.bend = bend;
+      fitted.curvature_per_mm = missed_per_mm;
+      if (missed_per_mm <= near_enough * largest_per_mm) return;
+    }
+  }
+
+  StretchPath path_;
   SideFitOptions options_;
   Speed speed_;
   std::vector<SideSample> samples_, checks_;
@@ -271,20 +260,34 @@ class SideFit {
 
 }  // namespace
 
-std::vector<FittedSide> fitSides(const std::vector<HoleSide>& sides, const SideFitOptions& options) {
-  const std::size_t n = sides.size();
+std::vector<FittedSide> fitSides(const std::vector<HoleSide>& sides,
+                                 const std::vector<SideStretch>& stretches, const SideFitOptions& options) {
+  const std::size_t n = stretches.size();
+  const auto before = [n](std::size_t k) { return (k + n - 1) % n; };
+  const auto next = [n](std::size_t k) { return (k + 1) % n; };
+  std::vector<std::shared_ptr<const SidePath>> paths;
+  for (const HoleSide& side : sides) paths.push_back(std::make_shared<const SidePath>(side, options.gap_mm));
   std::vector<SideFit> fits;
-  for (const HoleSide& side : sides) fits.emplace_back(side, options);
-  std::vector<Vector3d> places(n), normals(n);  // of corner k, where side k begins
-  for (std::size_t k = 0; k < n; ++k)
-    places[k] = (fits[(k + n - 1) % n].end(true).point + fits[k].end(false).point) / 2;
-  for (std::size_t k = 0; k < n; ++k) fits[k].fitEdge({places[k], places[(k + 1) % n]});
+  for (const SideStretch& stretch : stretches) fits.emplace_back(paths.at(stretch.side), stretch, options);
+  std::vector<SideFitEnd> corners(n);  // where side k begins
+  std::vector<Vector3d> normals(n);
   for (std::size_t k = 0; k < n; ++k) {
-    const Vector3d in = fits[(k + n - 1) % n].edge().jet(1).d1, out = fits[k].edge().jet(0).d1;
+    const SideSample in = fits[before(k)].end(true), out = fits[k].end(false);
+    corners[k].point = (in.point + out.point) / 2;
+    if (!stretches[k].begins_smoothly) continue;
+    const Vector3d along = (in.derivative.normalized() + out.derivative.normalized()).normalized();
+    const Vector3d beyond = in.beyond + out.beyond;
+    corners[k].direction = along;
+    normals[k] = beyond.cross(along).normalized();
+  }
+  for (std::size_t k = 0; k < n; ++k) fits[k].fitEdge({corners[k], corners[next(k)]});
+  for (std::size_t k = 0; k < n; ++k) {
+    if (stretches[k].begins_smoothly) continue;
+    const Vector3d in = fits[before(k)].edge().jet(1).d1, out = fits[k].edge().jet(0).d1;
     normals[k] = in.normalized().cross(out.normalized()).normalized();
   }
   std::vector<FittedSide> fitted;
-  for (std::size_t k = 0; k < n; ++k) fitted.push_back(fits[k].finished({normals[k], normals[(k + 1) % n]}));
+  for (std::size_t k = 0; k < n; ++k) fitted.push_back(fits[k].finished({normals[k], normals[next(k)]}));
   return fitted;
 }
 

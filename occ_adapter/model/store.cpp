@@ -420,6 +420,16 @@ std::string writeIges(const Document& document, const Manner& manner, const Mess
   return std::move(bytes).str();
 }
 
+/// Places in assemblies where a part, or another assembly, stands.
+int instancesOf(const Document& document) {
+  TDF_LabelSequence labels;
+  XCAFDoc_DocumentTool::ShapeTool(document->Main())->GetShapes(labels);
+  int count = 0;
+  for (const TDF_Label& label : labels)
+    if (XCAFDoc_ShapeTool::IsAssembly(label)) count += XCAFDoc_ShapeTool::NbComponents(label);
+  return count;
+}
+
 /// The document to write and how, with what was done for it.
 struct Prepared {
   Document document;
@@ -449,9 +459,10 @@ Prepared prepare(const Model& model, bool afresh, const Progress& progress) {
     return prepared;
   }
   prepared.document = NewDocument(model).document();
-  prepared.report.notes.push_back(
-      "the parts of the shape are not those of " + model.path +
-      " any more: written afresh, without the instances and whatever else of it is no name, colour or layer");
+  if (const int instances = instancesOf(source.document); instances > 0)
+    prepared.report.notes.push_back("faces, edges or vertices are others than in " + model.path +
+                                    ": written afresh, without its assembly of " + std::to_string(instances) +
+                                    (instances == 1 ? " instance" : " instances"));
   return prepared;
 }
 

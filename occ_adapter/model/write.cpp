@@ -10,6 +10,8 @@
 #include <cctype>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
+#include <optional>
 #include <sstream>
 #include <system_error>
 
@@ -75,8 +77,27 @@ Written writeBrep(const Model& model, Format format) {
   written.report.format = format;
   if (!model.attributes.empty())
     written.report.notes.push_back("BREP holds no names, colours and layers: those of " +
-                                   std::to_string(model.attributes.size()) + " parts are left out");
+                                   std::to_string(model.attributes.size()) +
+                                   (model.attributes.size() == 1 ? " part is" : " parts are") + " left out");
   return written;
+}
+
+/// The model's own file, if it has that format and is there to be read.
+std::optional<Written> copyOfSource(const Model& model, Format format) {
+  if (model.format != name(format)) return std::nullopt;
+  std::ifstream file(model.path, std::ios::binary);
+  std::ostringstream bytes;
+  if (!(bytes << file.rdbuf())) return std::nullopt;
+  return Written{std::move(bytes).str(), {.format = format, .followed_source = true, .notes = {}}};
+}
+
+Written writtenModel(const Model& model, const std::filesystem::path& path, Format format,
+                     const WriteOptions& options, const Progress& progress) {
+  if (options.unchanged)
+    if (std::optional<Written> same = copyOfSource(model, format)) return std::move(*same);
+  if (format == Format::Step || format == Format::Iges)
+    return writeElsewhere(model, path, format, options.afresh, progress);
+  return writeBrep(model, format);
 }
 
 bool isSource(const std::filesystem::path& source, const std::filesystem::path& target) {
@@ -123,9 +144,7 @@ WriteReport writeModel(const Model& model, const std::filesystem::path& path, co
   constexpr double made = 0.9;
   Written written;
   try {
-    written = format == Format::Step || format == Format::Iges
-                  ? writeElsewhere(model, path, format, options.afresh, partOf(progress, 0, made))
-                  : writeBrep(model, format);
+    written = writtenModel(model, path, format, options, partOf(progress, 0, made));
   } catch (const Standard_Failure& failure) {
     throw ModelError(ModelErrc::NotWritten, path,
                      std::string("can't be written: OpenCASCADE stops at ") + failure.DynamicType()->Name() +

@@ -17,6 +17,8 @@ struct WriteOptions {
   bool overwrite_source = false;  ///< the file the model was read from may be replaced
   /// Writes the shape with Model::attributes alone, though the model has a source that could be followed.
   bool afresh = false;
+  /// The model is what its file holds: a file of the same format becomes a copy of that file, byte for byte.
+  bool unchanged = false;
   /// Called with the new file, whole, while it waits beside its place under another name: to read it back, say. What it
   /// throws is passed on, and nothing is written then.
   std::function<void(const std::filesystem::path&)> check = {};

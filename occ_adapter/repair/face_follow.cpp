@@ -76,6 +76,7 @@ class FaceFollower {
   FaceFollow run() {
     constexpr double within_reach = 5;
     look();
+    given_ = now_.misses.atSamples();
     if (isMet()) return result(Surface::DownCast(task_.surface->Copy()));
     if (std::optional<FaceFollow> refused = refusal()) return std::move(*refused);
     // So that a knot inserted is no crease.
@@ -145,7 +146,6 @@ class FaceFollower {
     const int most_idle = gently_ ? 2 : 1;
     std::optional<Stage> best;
     if (!gently_) best = now_;
-    fair_move_.reset();
     for (int idle = 0;;) {
       moveFairly();
       if (isMet()) return;
@@ -156,49 +156,58 @@ class FaceFollower {
       const bool may_refine = now_.refinements < task_.max_refinements && work_ < task_.max_work;
       if (idle == most_idle || !may_refine || !refine(idle == 0 || order_ < 2)) break;
     }
-    fair_move_.reset();
     now_ = std::move(*best);
   }
 
   /// As fair as can be: less so only as long as the samples can't be met, and, if gently, as the move stays of its size. After a refinement
-  /// from one step fairer than before.
+  /// from one step fairer than before. The first steps are for curvature alone: beside its soft rows the others may well be met by fairer moves.
+  /// Where a step makes the move much longer and gains little, knots are what is missing.
   void moveFairly() {
     constexpr double better = 0.5, of_its_size = 2;
-    constexpr std::array<double, 4> fairnesses = {0.1, 0.01, 1e-3, 1e-4};
+    constexpr std::array<double, 6> fairnesses = {10, 1, 0.1, 0.01, 1e-3, 1e-4};
+    constexpr std::size_t for_curvature = 2;
     double before = infinite, limit = infinite;
     was_held_back_ = false;
-    const std::size_t first = now_.fairness > 0 ? now_.fairness - 1 : 0;
+    const std::size_t first =
+        std::max(order_ > 1 ? 0 : for_curvature, now_.fairness > 0 ? now_.fairness - 1 : 0);
     for (std::size_t k = first; k < fairnesses.size(); ++k) {
       const PointRows fairer = now_.surface.poles();
+      const double shorter = now_.surface.largestMove_mm();
       move(fairnesses[k]);
-      if (now_.surface.largestMove_mm() > limit) {
-        now_.surface.setPoles(fairer);
-        was_held_back_ = true;
-        look();
-        return;
-      }
+      const double longer = now_.surface.largestMove_mm();
+      if (longer > limit) return holdBack(fairer);
       lookAtSamples();
-      now_.fairness = k;
       const double missed = now_.misses.atSamples();
-      const bool still_turned = missed == infinite && k > first;
-      const bool is_last =
-          still_turned || missed <= task_.share / 2 || missed > better * before || k + 1 == fairnesses.size();
+      const bool gains_nothing = missed > better * before || missed == infinite;
+      const bool grows = longer > of_its_size * std::max(shorter, task_.tolerance.gap_mm);
+      const bool was_near = before <= std::max(1.0, better * given_);
+      if (gently_ && gains_nothing && grows && was_near) return holdBack(fairer);
+      now_.fairness = k;
+      const bool is_last = missed <= task_.share / 2 ||
+                           (gains_nothing && k > std::max(first, for_curvature)) ||
+                           k + 1 == fairnesses.size();
       if (is_last || missed <= task_.share) lookBetween();
       if (is_last || isMet()) return;
       before = missed;
-      if (gently_ && limit == infinite)
-        limit = of_its_size * std::max(now_.surface.largestMove_mm(), task_.tolerance.gap_mm);
+      if (gently_ && (k >= for_curvature || missed <= 1) && limit == infinite)
+        limit = of_its_size * std::max(longer, task_.tolerance.gap_mm);
     }
   }
 
-  /// Up to order 1 the conditions stay while the fairness changes; of order 2 they are linear about a surface that has to be found.
+  void holdBack(const PointRows& fairer) {
+    now_.surface.setPoles(fairer);
+    was_held_back_ = true;
+    look();
+  }
+
+  /// Conditions of order 2 are linear about a surface that has to be found.
   void move(double fairness) {
     const int most_passes = order_ > 1 ? 4 : 1;
     for (int pass = 0; pass < most_passes; ++pass) {
       if (task_.is_cancelled && task_.is_cancelled()) throw Cancelled();
-      if (!fair_move_ || order_ > 1) fair_move_.emplace(task_, *now_.places, now_.surface);
-      work_ += fair_move_->count();
-      std::optional<PointRows> moved = fair_move_->poles(fairness);
+      const FairMove fair_move(task_, *now_.places, now_.surface);
+      work_ += fair_move.count();
+      std::optional<PointRows> moved = fair_move.poles(fairness);
       if (!moved) return;
       const double change_mm = (*moved - now_.surface.poles()).cwiseAbs().maxCoeff();
       now_.surface.setPoles(std::move(*moved));
@@ -216,7 +225,6 @@ class FaceFollower {
     if ((middles[0].empty() && middles[1].empty()) || total > task_.max_poles) return false;
     std::vector<Eigen::Vector2d> missed_at;
     for (const Place* place : missed) missed_at.push_back(place->uv);
-    fair_move_.reset();
     now_.surface.insert(middles, missed_at, near_alone);
     now_.places = std::make_shared<const TaskPlaces>(task_, now_.surface);
     ++now_.refinements;
@@ -227,9 +235,9 @@ class FaceFollower {
   int order_ = 1;  ///< the highest of a path, at least 1
   bool gently_ = true;
   bool was_held_back_ = false;
-  int work_ = 0;  ///< moves solved for so far
+  double given_ = 0;  ///< the largest ratio at samples of the surface given
+  int work_ = 0;      ///< moves solved for so far
   Stage now_;
-  std::optional<FairMove> fair_move_;  ///< of now
 };
 
 }  // namespace

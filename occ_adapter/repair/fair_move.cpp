@@ -99,11 +99,11 @@ double FairMove::fairnessWeight(double fairness) const {
 
 std::optional<PointRows> FairMove::poles(double fairness) const {
   // Beyond, the conditions contradict one another or the passes diverge.
-  constexpr double largest_sense = 0.05, damping = 0.05;
+  constexpr double largest_sense = 0.05;
   const PointRows& original = surface_.original();
   const double extent = (original.colwise().maxCoeff() - original.colwise().minCoeff()).norm();
   const double weight = fairnessWeight(fairness);
-  const PointRows moves = conditions_.solve(damping * weight, weight);
+  const PointRows moves = conditions_.solve(weight, weight);
   if (moves.rows() > 0 && (!moves.allFinite() || moves.cwiseAbs().maxCoeff() > largest_sense * extent))
     return std::nullopt;
   PointRows moved = start_;

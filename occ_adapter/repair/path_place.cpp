@@ -78,6 +78,7 @@ std::array<double, 2> spansAtEnds(const FaceUse& side, const Pcurve& path) {
   FollowPath along;
   along.path = path;
   const SpanMeasure measure(PlanePath(along), SurfaceBasis(*surface), surface);
+  if (measure.spans() == 0) return {0, 0};
   const double spans = std::min(3.0, measure.spans()), share = spans / measure.spans();
   return {measure.at(share) / spans, (1 - measure.at(1 - share)) / spans};
 }

@@ -124,11 +124,11 @@ bool isLower(const SeamResult& after, const SeamResult& before, const RepairOpti
 /// Which figure is worse than it was; empty if none.
 std::string whyWorse(const SeamResult& after, const SeamResult& before, const RepairOptions& options) {
   if (isLower(after, before, options)) return "a lower level";
-  const auto rank = [](SeamClass seam_class) { return seam_class == SeamClass::Smooth ? 0 : 1; };
-  if (rank(after.verdict.seam_class) > rank(before.verdict.seam_class)) return "another class";
+  const bool was_crease = before.verdict.seam_class == SeamClass::Crease;
+  if (was_crease && after.verdict.seam_class == SeamClass::Defect) return "another class";
   if (before.verdict.certain && !after.verdict.certain) return "less certain";
   if (isLarger(after.figures.gap_mm, before.figures.gap_mm, options.tolerance.gap_mm)) return "a larger gap";
-  if (before.verdict.seam_class == SeamClass::Crease) return {};
+  if (was_crease) return {};
   if (isLarger(after.figures.angle_rad, before.figures.angle_rad, options.tolerance.angle_rad))
     return "a larger angle";
   const bool asked = options.order == 2 && before.figures.curvature_rel;
@@ -283,6 +283,15 @@ std::optional<std::size_t> worstOf(const RepairTask& task, const std::set<int>& 
   return worst;
 }
 
+/// Of a proof that does not hold, where nothing that was treated is to blame.
+std::string firstFault(const Proof& proof) {
+  if (!proof.faces.empty()) {
+    const auto& [face, why] = *proof.faces.begin();
+    return "face " + std::to_string(face) + ": " + why;
+  }
+  return proof.worse.empty() ? proof.whole : proof.worse.begin()->second;
+}
+
 void addConnected(const RepairTask& task, const std::set<int>& moved,
                   std::map<std::size_t, std::string>& given_up) {
   for (bool grew = true; grew;) {
@@ -383,7 +392,7 @@ std::map<std::size_t, std::string> culprits(const RepairTask& task, const Repair
       for (const std::size_t i : blameFor(task, moved, task.seams[worse])) given_up.emplace(i, why);
   const bool nobody = given_up.empty();
   for (std::size_t i = 0; nobody && i < task.seams.size(); ++i)
-    if (task.treated[i]) given_up[i] = proof.whole.empty() ? "the change can't be proven" : proof.whole;
+    if (task.treated[i]) given_up[i] = firstFault(proof);
   if (with_connected) addConnected(task, moved, given_up);
   return given_up;
 }

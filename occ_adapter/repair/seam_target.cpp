@@ -31,8 +31,15 @@ Eigen::Matrix3d inPlane(const Eigen::Matrix3d& tensor, const Eigen::Vector3d& no
   return onto * tensor * onto;
 }
 
+/// The vector along a direction; nothing of it where a path stands still and has none.
+Eigen::Vector3d partAlong(const Eigen::Vector3d& vector, const Eigen::Vector3d& direction) {
+  const double squared = direction.squaredNorm();
+  if (squared == 0) return Eigen::Vector3d::Zero();
+  return vector.dot(direction) / squared * direction;
+}
+
 Eigen::Vector3d orthogonal(const Eigen::Vector3d& normal, const Eigen::Vector3d& tangent) {
-  return (normal - normal.dot(tangent) / tangent.squaredNorm() * tangent).normalized();
+  return (normal - partAlong(normal, tangent)).normalized();
 }
 
 /// The part of a vector that lies in the span of up to two unit normals.
@@ -120,7 +127,9 @@ double SeamTarget::seamParameter(int side, double place) const {
   constexpr int steps = 4;
   for (int k = 0; k < steps; ++k) {
     const Mean there = led(s, 1);
-    s = std::clamp(s - (there.point - own).dot(there.slope) / there.slope.squaredNorm(), 0.0, 1.0);
+    const double step = (there.point - own).dot(there.slope) / there.slope.squaredNorm();
+    if (!std::isfinite(step)) break;  // the seam stands still
+    s = std::clamp(s - step, 0.0, 1.0);
   }
   return s;
 }
@@ -168,12 +177,13 @@ SeamTarget::View SeamTarget::regular(int side, double s, int order) const {
 Eigen::Vector3d SeamTarget::slope(int side, double s, const Eigen::Vector3d& along) const {
   const Correspondence& map = seam_.correspondence;
   if (map.s.empty()) return along;
-  const auto right = std::lower_bound(map.s.begin() + 1, map.s.end() - 1, s) - map.s.begin();
+  auto right = std::upper_bound(map.s.begin() + 1, map.s.end() - 1, s) - map.s.begin();
+  while (right > 1 && map.s[right] == map.s[right - 1]) --right;
   const double rate = (map.a[right] - map.a[right - 1]) / (map.s[right] - map.s[right - 1]);
   if (side == 0) return rate * along;
   // The foot of the first side's point on the second side's path moves with what it moves along it.
   const Eigen::Vector3d first = strips_[0].trace(placeOnFirst(map, s)).d;
-  return rate * first.dot(along) / along.squaredNorm() * along;
+  return rate * partAlong(first, along);
 }
 
 SeamTarget::Mean SeamTarget::mean(double s, int order) const {
@@ -266,6 +276,7 @@ TargetPoint SeamTarget::common(double s, int order) const {
     if (stays_[side]) return view(side, s, order).shown;
   const Mean here = led(s, order);
   if (order < 2) return {here.point, here.normal, Eigen::Matrix3d::Zero()};
+  if (here.slope.isZero(0)) return {here.point, here.normal, inPlane(here.curvature, here.normal)};
   // The curve and the normal along it give all of the tensor but the curvature across.
   const Eigen::Vector3d t = here.slope.normalized(), b = here.normal.cross(t);
   const Eigen::Vector3d turn =
@@ -345,11 +356,12 @@ class TensorFit {
   Eigen::Vector3d right_ = Eigen::Vector3d::Zero();
 };
 
+/// 1 where there are none: a unit for them.
 double longestWay(const std::vector<VertexView>& views) {
   double longest = 0;
   for (const VertexView& view : views)
     for (const Eigen::Vector3d& way : view.ways) longest = std::max(longest, way.norm());
-  return longest;
+  return longest > 0 ? longest : 1;
 }
 
 /// Of what ways leave open.

@@ -68,20 +68,26 @@ class Cutter {
   }
 
   void settle(SewnStretch& stretch) {
+    std::string why;
     for (const int side : {0, 1}) {
       const std::vector<double>& cuts = result_.cuts.at(stretch.edges[side]);
       Places& places = stretch.places[side];
       const int from = nearest(cuts, places[0]), to = nearest(cuts, places[1]);
-      const std::string edge = "edge " + std::to_string(stretch.edges[side]);
       if (std::abs(to - from) > 1)
-        result_.refused[stretch.seam] = "along it another stretch of " + edge + " begins or ends";
+        why = "along it another stretch of " + edgeOf(stretch, side) + " begins or ends";
       else if (to == from)
-        result_.refused[stretch.seam] = "its stretch of " + edge + " is no longer than the gap tolerance";
+        why = "its stretch of " + edgeOf(stretch, side) + " is no longer than the gap tolerance";
       stretch.pieces[side] = std::min(from, to);
       places = {cuts[from], cuts[to]};
-      if (!taken_.insert({stretch.edges[side], stretch.pieces[side]}).second)
-        result_.refused[stretch.seam] = edge + " lies along another edge there too";
     }
+    for (const int side : {0, 1})
+      if (why.empty() && !taken_.insert({stretch.edges[side], stretch.pieces[side]}).second)
+        why = edgeOf(stretch, side) + " lies along another edge there too";
+    if (!why.empty()) result_.refused[stretch.seam] = why;
+  }
+
+  static std::string edgeOf(const SewnStretch& stretch, int side) {
+    return "edge " + std::to_string(stretch.edges[side]);
   }
 
   const std::vector<Seam>& seams_;

@@ -51,10 +51,7 @@ void addAnalyzeOptions(CLI::App& command, AnalyzeArguments& arguments) {
 
 int runAnalyze(const AnalyzeArguments& arguments) {
   const occ::AnalyzeOptions options = optionsOf(arguments);
-  if (!arguments.output.empty()) {
-    requireWritable(arguments.output);
-    requireOutputIsNoModel(arguments.output, arguments.models);
-  }
+  if (!arguments.output.empty()) requireReport(arguments.output, arguments.models);
   bool passed = true;
   std::vector<occ::ModelFacts> analyzed;
   std::string text = arguments.format == "csv" ? report::csvHeader() : "";

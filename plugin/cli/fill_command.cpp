@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <numbers>
 #include <optional>
+#include <seamwright/occ_adapter/analyze/analyze.hpp>
 #include <seamwright/occ_adapter/model/write.hpp>
 #include <seamwright/plugin/cli/fill_command.hpp>
 #include <seamwright/plugin/cli/output.hpp>
 #include <seamwright/plugin/cli/progress_bar.hpp>
+#include <seamwright/plugin/cli/read_back.hpp>
 #include <seamwright/plugin/report/fill_json.hpp>
 #include <seamwright/plugin/report/json.hpp>
 #include <stdexcept>
@@ -50,11 +52,23 @@ occ::Hole holeOf(const occ::Model& model, const FillArguments& arguments,
   return *hole;
 }
 
-occ::FillHoleReport filled(const FillArguments& arguments, const occ::FillHoleOptions& options) {
-  const occ::Model model = readUnderBar(arguments.model);
+occ::FillHoleReport filled(const occ::Model& model, const FillArguments& arguments,
+                           const occ::FillHoleOptions& options) {
   ProgressBar bar(doing("filling", arguments.model));
   if (arguments.face > 0) return occ::replaceFace(model, arguments.face, options, bar.progress());
   return occ::fillHole(model, holeOf(model, arguments, options), options, bar.progress());
+}
+
+/// The seams of the new faces in the file; of all faces, where it does not have those of the model in memory.
+report::Judge judgeOf(const occ::FillHoleReport& report, const occ::FillHoleOptions& options) {
+  return [&report, &options](const occ::Model& model, const occ::Progress& progress) {
+    occ::AnalyzeOptions asked;
+    asked.tolerance = options.tolerance;
+    asked.level = options.target;
+    asked.jobs = options.jobs;
+    if (model.faceCount() == report.model.faceCount()) asked.faces = report.faces;
+    return report::countsOf(occ::analyze(model, asked, progress), options);
+  };
 }
 
 }  // namespace
@@ -69,6 +83,7 @@ void addFillOptions(CLI::App& command, FillArguments& arguments) {
   hole->check(CLI::PositiveNumber);
   command.add_option("--face", arguments.face, "Take this face out and fill the hole that it leaves")
       ->type_name("N")
+      ->transform(numberOf("Face"))
       ->check(CLI::PositiveNumber)
       ->excludes(hole);
   command.add_option("--gap", arguments.gap_mm, "Largest gap, mm")->type_name("MM")->capture_default_str();
@@ -86,17 +101,18 @@ void addFillOptions(CLI::App& command, FillArguments& arguments) {
 int runFill(const FillArguments& arguments) {
   const occ::FillHoleOptions options = optionsOf(arguments);
   requireOutputs(arguments.model, arguments.output);
-  const occ::FillHoleReport report = filled(arguments, options);
-  std::optional<PendingFile> json;
-  if (!arguments.output.report.empty())
-    json.emplace(arguments.output.report, report::toLine(report::toJson(report, options)) + '\n');
-  occ::WriteReport written;
-  if (report.filled)
-    written = writeUnderBar(report.model, arguments.output.model, arguments.output.writeOptions());
-  if (json) json->takePlace();
-  writeStandardOutput(report::toTable(report, options));
-  warn(arguments.output.model, written.notes);
-  return report.reached ? 0 : 1;
+  const occ::Model model = readUnderBar(arguments.model);
+  const occ::FillHoleReport report = filled(model, arguments, options);
+  const auto json = [&](const std::optional<report::WrittenModel>& output) {
+    return report::toJson(report, options, occ::factsOf(model), output);
+  };
+  const WrittenOutcome written = writeOutcome(
+      {report.filled ? &report.model : nullptr, judgeOf(report, options), json}, arguments.output);
+  writeStandardOutput(report::toTable(report, options, written.model));
+  warn(arguments.model, model.notes);
+  const report::ModelCounts memory = report::countsOf(report, options);
+  warnOf(written, arguments.output, memory);
+  return report.reached && written.model->isAsGoodAs(memory) ? 0 : 1;
 }
 
 }  // namespace seamwright::cli

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <seamwright/occ_adapter/progress.hpp>
 #include <seamwright/plugin/cli/analyze_command.hpp>
+#include <seamwright/plugin/cli/corner_command.hpp>
 #include <seamwright/plugin/cli/fill_command.hpp>
 #include <seamwright/plugin/cli/interrupt.hpp>
 #include <seamwright/plugin/cli/repair_command.hpp>
@@ -49,18 +50,23 @@ int run(int argc, char** argv) {
       app.add_subcommand("fill", "Fill a hole of a model with faces tangent to its surroundings");
   FillArguments to_fill;
   addFillOptions(*fill, to_fill);
+  CLI::App* corner =
+      app.add_subcommand("corner", "Round the edges at a vertex, each with a radius of its own");
+  CornerArguments to_corner;
+  addCornerOptions(*corner, to_corner);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
     if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty())
       return complain("unknown command '" + std::string(argv[1]) +
-                      "': there are 'analyze', 'repair' and 'fill' (see 'seamwright --help')");
+                      "': there are 'analyze', 'repair', 'fill' and 'corner' (see 'seamwright --help')");
     const std::string command =
         app.get_subcommands().empty() ? "" : ' ' + app.get_subcommands().front()->get_name();
     return complain(std::string(error.what()) + " (see 'seamwright" + command + " --help')");
   }
   if (fill->parsed()) return runFill(to_fill);
+  if (corner->parsed()) return runCorner(to_corner);
   return repair->parsed() ? runRepair(to_repair) : runAnalyze(to_analyze);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
@@ -47,7 +48,7 @@ bool hasNameOfModel(const std::string& file) {
 
 }  // namespace
 
-void addMeasureOptions(CLI::App& command, MeasureArguments& arguments) {
+void addToleranceOptions(CLI::App& command, MeasureArguments& arguments) {
   command.add_option("--profile", arguments.profile, "What is accepted, by name (see below)")
       ->check(CLI::IsMember(profileNames()))
       ->capture_default_str();
@@ -64,13 +65,17 @@ void addMeasureOptions(CLI::App& command, MeasureArguments& arguments) {
   command
       .add_option("--crease", arguments.crease_deg, "Above this angle a seam is an edge by design, degrees")
       ->type_name("DEG");
+  command.add_option("--jobs", arguments.jobs, "Threads; 0: one for each processor")->capture_default_str();
+  command.footer(profilesHelp());
+}
+
+void addMeasureOptions(CLI::App& command, MeasureArguments& arguments) {
   command
       .add_option("--match", arguments.match_mm,
                   "Measure also between open edges no further apart than this, mm; 0: between none")
       ->type_name("MM")
       ->capture_default_str();
-  command.add_option("--jobs", arguments.jobs, "Threads; 0: one for each processor")->capture_default_str();
-  command.footer(profilesHelp());
+  addToleranceOptions(command, arguments);
 }
 
 ContinuityTolerance toleranceOf(const MeasureArguments& arguments) {
@@ -109,28 +114,47 @@ void addOutputOptions(CLI::App& command, const std::string& done, OutputArgument
   command.add_flag("--overwrite-source", arguments.overwrite_source, "OUT may be MODEL itself");
 }
 
+CLI::Validator numberOf(const std::string& kind) {
+  return {[kind](std::string& text) {
+            std::string digits = text.rfind(kind, 0) == 0 ? text.substr(kind.size()) : text;
+            int number = 0;
+            const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+            if (error != std::errc{} || end != digits.data() + digits.size())
+              return "'" + text + "' names no " + kind + ": a number as 39, or " + kind + "39, is needed";
+            text = std::move(digits);
+            return std::string();
+          },
+          ""};
+}
+
 void requireOutputs(const std::string& model, const OutputArguments& arguments) {
-  occ::requireTarget(model, arguments.model, arguments.writeOptions());
+  try {
+    occ::requireTarget(model, arguments.model, arguments.writeOptions());
+  } catch (const occ::ModelError& error) {
+    if (error.code() != occ::ModelErrc::TargetExists) throw;
+    std::error_code unreadable;
+    const bool source = std::filesystem::equivalent(model, arguments.model, unreadable);
+    throw std::runtime_error(std::string(error.what()) +
+                             (source ? " (--overwrite-source)" : " (--overwrite)"));
+  }
   const std::string& report = arguments.report;
   if (report.empty()) return;
   if (report == "-")
     throw std::runtime_error(
         "--json -: the report goes to a file, standard output has the table; name a file");
-  requireWritable(report);
-  requireOutputIsNoModel(report, {model});
-  std::error_code error;
-  if (std::filesystem::exists(report, error) && hasNameOfModel(report))
-    throw std::runtime_error(report + ": has the name of a model, the report would overwrite it");
+  requireReport(report, {model});
   if (std::filesystem::weakly_canonical(report) == std::filesystem::weakly_canonical(arguments.model))
     throw std::runtime_error(report + ": is where the model goes; name another file for the report");
 }
 
-void requireOutputIsNoModel(const std::string& output, const std::vector<std::string>& models) {
-  for (const std::string& model : models) {
-    std::error_code error;
-    if (std::filesystem::equivalent(model, output, error))
-      throw std::runtime_error(output + ": is a model to be read, it would be overwritten");
-  }
+void requireReport(const std::string& report, const std::vector<std::string>& models) {
+  requireWritable(report);
+  std::error_code error;
+  for (const std::string& model : models)
+    if (std::filesystem::equivalent(model, report, error))
+      throw std::runtime_error(report + ": is a model to be read, it would be overwritten");
+  if (std::filesystem::exists(report, error) && hasNameOfModel(report))
+    throw std::runtime_error(report + ": has the name of a model, the report would overwrite it");
 }
 
 void warn(const std::string& path, const std::vector<std::string>& notes) {

@@ -10,7 +10,8 @@
 
 namespace CLI {
 class App;
-}
+class Validator;
+}  // namespace CLI
 
 /// What the commands on models share.
 namespace seamwright::cli {
@@ -42,11 +43,17 @@ struct OutputArguments {
 /// -o, --json, --overwrite and --overwrite-source. \param done what was done to the model of OUT, as "repaired".
 void addOutputOptions(CLI::App& command, const std::string& done, OutputArguments& arguments);
 
-/// What can be told of the files before \p model is read. A report replaces an older one, but no model by a slip of the hand.
+/// Takes the name of a part, as "Edge39", for its number; both are understood.
+/// \param kind "Edge", "Face" or "Vertex"
+CLI::Validator numberOf(const std::string& kind);
+
+/// What can be told of the files before \p model is read, as requireReport() and occ::requireTarget().
 /// \throws std::runtime_error, occ::ModelError.
 void requireOutputs(const std::string& model, const OutputArguments& arguments);
 
-/// Adds the options to a command, and the profiles to its help; they are parsed into \p arguments.
+/// Adds profile, tolerances and threads to a command, and the profiles to its help; they are parsed into \p arguments.
+void addToleranceOptions(CLI::App& command, MeasureArguments& arguments);
+/// The same, and --match.
 void addMeasureOptions(CLI::App& command, MeasureArguments& arguments);
 
 /// The profile's tolerances, with those given one by one in their place.
@@ -61,8 +68,9 @@ occ::Model readUnderBar(const std::string& path);
 occ::WriteReport writeUnderBar(const occ::Model& model, const std::string& path,
                                const occ::WriteOptions& options);
 
-/// \throws std::runtime_error if the output is one of the files to be read.
-void requireOutputIsNoModel(const std::string& output, const std::vector<std::string>& models);
+/// What can be told of a report's file before the \p models are read. It replaces an older report, but no model by a slip of the hand.
+/// \throws std::runtime_error
+void requireReport(const std::string& report, const std::vector<std::string>& models);
 
 /// Notes of a file on standard error.
 void warn(const std::string& path, const std::vector<std::string>& notes);

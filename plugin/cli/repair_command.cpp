@@ -2,12 +2,11 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
-#include <seamwright/occ_adapter/model/read.hpp>
 #include <seamwright/occ_adapter/model/write.hpp>
 #include <seamwright/plugin/cli/output.hpp>
 #include <seamwright/plugin/cli/progress_bar.hpp>
+#include <seamwright/plugin/cli/read_back.hpp>
 #include <seamwright/plugin/cli/repair_command.hpp>
-#include <seamwright/plugin/report/json.hpp>
 #include <seamwright/plugin/report/numbers.hpp>
 #include <seamwright/plugin/report/repair_json.hpp>
 #include <seamwright/plugin/report/repair_table.hpp>
@@ -38,28 +37,6 @@ occ::RepairReport repairFile(const std::string& path, const occ::RepairOptions& 
   return occ::repair(model, options, bar.progress());
 }
 
-/// What analyze() finds in the new file, which waits beside its place.
-report::RepairOutput readBack(const std::filesystem::path& written, const std::string& output,
-                              const occ::RepairOptions& options) {
-  constexpr double read = 0.5;
-  ProgressBar bar(doing("checking", output));
-  const occ::Progress progress = bar.progress();
-  try {
-    const occ::Model model = occ::readModel(written.string(), occ::partOf(progress, 0, read));
-    const occ::Report found =
-        occ::analyze(model, occ::analyzeOptions(options), occ::partOf(progress, read, 1));
-    return {.path = output,
-            .format = occ::targetFormat(output),
-            .edges = found.model.edges,
-            .faces = found.model.faces,
-            .seams = static_cast<int>(found.seams.size()),
-            .defects = report::summarize(found).defects};
-  } catch (const occ::ModelError& error) {
-    throw occ::ModelError(occ::ModelErrc::NotWritten, output,
-                          std::string("can't be read back, so it is not written: ") + error.what());
-  }
-}
-
 }  // namespace
 
 void addRepairOptions(CLI::App& command, RepairArguments& arguments) {
@@ -71,42 +48,42 @@ void addRepairOptions(CLI::App& command, RepairArguments& arguments) {
       ->type_name("MM")
       ->capture_default_str();
   command
-      .add_option("--edges", arguments.edges, "Edges whose seams are treated, as 3,7,12; else all defects")
+      .add_option("--edges", arguments.edges,
+                  "Edges whose seams are treated, as 3,7,12 or Edge3,Edge7; else all defects")
       ->type_name("EDGES")
       ->delimiter(',')
-      ->allow_extra_args(false);
-  command.add_option("--fix", arguments.fixed_faces, "Faces that stay, as 1,4")
+      ->allow_extra_args(false)
+      ->transform(numberOf("Edge"));
+  command.add_option("--fix", arguments.fixed_faces, "Faces that stay, as 1,4 or Face1,Face4")
       ->type_name("FACES")
       ->delimiter(',')
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->transform(numberOf("Face"));
   addMeasureOptions(command, arguments.measure);
   command.add_flag("--convert", arguments.convert_analytic,
                    "Planes, cylinders and the like may become splines where they have to move");
-  command.add_flag("!--no-sew", arguments.sew,
-                   "Edges that --match finds stay two, though they meet within the gap");
+  command.add_flag_callback(
+      "--no-sew", [&arguments] { arguments.sew = false; },
+      "Edges that --match finds stay two, though they meet within the gap");
   addOutputOptions(command, "repaired", arguments.output);
 }
 
 int runRepair(const RepairArguments& arguments) {
   const occ::RepairOptions options = optionsOf(arguments);
-  occ::WriteOptions how = arguments.output.writeOptions();
   requireOutputs(arguments.model, arguments.output);
   const occ::RepairReport report = repairFile(arguments.model, options);
-  report::RepairOutput output;
-  std::optional<PendingFile> json;
-  how.check = [&](const std::filesystem::path& waiting) {
-    output = readBack(waiting, arguments.output.model, options);
-    if (!arguments.output.report.empty())
-      json.emplace(arguments.output.report, report::toLine(report::toJson(report, options, output)) + '\n');
+  const auto judge = [&options](const occ::Model& model, const occ::Progress& progress) {
+    return report::countsOf(occ::analyze(model, occ::analyzeOptions(options), progress));
   };
-  const occ::WriteReport written = writeUnderBar(report.model, arguments.output.model, how);
-  if (json) json->takePlace();
-  writeStandardOutput(report::toTable(report, output));
+  const auto json = [&](const std::optional<report::WrittenModel>& output) {
+    return report::toJson(report, options, output);
+  };
+  const WrittenOutcome written =
+      writeOutcome({&report.model, judge, json, !report.changed()}, arguments.output);
+  writeStandardOutput(report::toTable(report, written.model));
   warn(arguments.model, report.before.model.notes);
-  warn(arguments.output.model, written.notes);
-  if (const std::string differences = output.differences(report); !differences.empty())
-    warn(arguments.output.model, {differences});
-  return report.after.passed() && output.defects == 0 ? 0 : 1;
+  warnOf(written, arguments.output, report::countsOf(report.after));
+  return report.after.passed() && written.model->found.defects == 0 ? 0 : 1;
 }
 
 }  // namespace seamwright::cli

@@ -2,23 +2,23 @@
 #include <pybind11/stl.h>
 
 #include <map>
-#include <numbers>
+#include <seamwright/occ_adapter/analyze/analyze.hpp>
 #include <seamwright/occ_adapter/fill/corner_fillet.hpp>
 #include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/python/model_calls.hpp>
-#include <seamwright/plugin/report/json.hpp>
+#include <seamwright/plugin/report/corner_json.hpp>
 #include <string>
 
 namespace seamwright::python {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
-
 struct CornerFilletResult {
   occ::CornerFillet fillet;
   ContinuityTolerance tolerance;
+  int vertex = 0;
+  occ::ModelFacts given;
 };
 
 /// A number for all edges, or a dict by edge.
@@ -69,53 +69,14 @@ CornerFilletResult cornerFillet(const occ::Model& model, const py::object& verte
   const int number = argument<int>("vertex", vertex, "the number of a vertex");
   return valueErrors([&] {
     return longCall(progress, [&](const occ::Progress& report) {
-      return CornerFilletResult{occ::cornerFillet(model, number, options, report), options.tolerance};
+      return CornerFilletResult{occ::cornerFillet(model, number, options, report), options.tolerance, number,
+                                occ::factsOf(model)};
     });
   });
 }
 
-const char* kindName(occ::CornerSeamKind kind) {
-  switch (kind) {
-    case occ::CornerSeamKind::Spoke:
-      return "spoke";
-    case occ::CornerSeamKind::Section:
-      return "section";
-    case occ::CornerSeamKind::Spring:
-      return "spring";
-    case occ::CornerSeamKind::Contact:
-      return "contact";
-  }
-  return "";
-}
-
-py::dict toDict(const CornerFilletResult& result) {
-  const occ::CornerFillet& fillet = result.fillet;
-  py::list edges, seams;
-  for (const occ::CornerFilletEdge& edge : fillet.edges) {
-    py::dict entry;
-    entry["edge"] = edge.edge;
-    entry["convex"] = edge.convex;
-    entry["angle_deg"] = edge.angle_rad / degree;
-    entry["radius_mm"] = edge.radius_mm;
-    entry["contact_mm"] = edge.contact_mm;
-    entry["setback_mm"] = edge.setback_mm;
-    edges.append(entry);
-  }
-  for (const occ::CornerSeam& seam : fillet.seams) {
-    py::dict entry = plainObject(report::toJson(seam.result, result.tolerance));
-    entry["between"] = kindName(seam.kind);
-    seams.append(entry);
-  }
-  py::dict dict;
-  dict["met"] = fillet.met();
-  dict["shortfall"] = fillet.shortfall;
-  dict["valid"] = fillet.valid;
-  dict["regular"] = fillet.fill.regular;
-  dict["largest_gap_mm"] = fillet.largestGap_mm();
-  dict["largest_angle_deg"] = fillet.largestAngle_rad() / degree;
-  dict["edges"] = edges;
-  dict["seams"] = seams;
-  return dict;
+py::object toDict(const CornerFilletResult& result) {
+  return plainObject(report::toJson(result.fillet, result.tolerance, result.vertex, result.given));
 }
 
 constexpr const char* corner_fillet_doc =
@@ -148,9 +109,10 @@ void bindCornerFillet(py::module_& module) {
           "BezierPatches of the corner, as n_sided_fill() orders them.")
       .def(
           "to_dict", &toDict,
-          "All but the model and the patches as a plain dict; seams with the keys of the JSON, and what they "
-          "are between: spoke (two patches), section (patch and cylinder), spring (patch and plane), contact "
-          "(cylinder and plane).")
+          "All but the model and the patches as a plain dict with the keys of the JSON; seams also with what "
+          "they are between: spoke (two patches), section (patch and fillet), spring (patch and face), "
+          "contact "
+          "(fillet and face).")
       .def("__repr__", [](const CornerFilletResult& result) {
         return "<CornerFillet of " + std::to_string(result.fillet.edges.size()) + " edges" +
                (result.fillet.met() ? "" : ": " + result.fillet.shortfall) + ">";

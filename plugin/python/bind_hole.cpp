@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <numbers>
+#include <seamwright/occ_adapter/analyze/analyze.hpp>
 #include <seamwright/occ_adapter/fill/fill.hpp>
 #include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
@@ -18,6 +19,9 @@ constexpr double degree = std::numbers::pi / 180;
 struct FillReport {
   occ::FillHoleReport report;
   occ::FillHoleOptions options;
+  occ::ModelFacts given;
+
+  nlohmann::ordered_json json() const { return report::toJson(report, options, given); }
 };
 
 std::vector<occ::Hole> holesOf(const occ::Model& model, double corner_rad, double gap_mm) {
@@ -68,17 +72,17 @@ FillReport fillModel(const occ::Model& model, const py::object& hole, const py::
   if (!face.is_none()) {
     const int number = argument<int>("face", face, "a whole number");
     return longCall(progress, [&](const occ::Progress& report) {
-      return FillReport{occ::replaceFace(model, number, options, report), options};
+      return FillReport{occ::replaceFace(model, number, options, report), options, occ::factsOf(model)};
     });
   }
   const occ::Hole found = holeOf(model, hole, options);
   return longCall(progress, [&](const occ::Progress& report) {
-    return FillReport{occ::fillHole(model, found, options, report), options};
+    return FillReport{occ::fillHole(model, found, options, report), options, occ::factsOf(model)};
   });
 }
 
 py::object toDict(const FillReport& fill) {
-  return plainObject(report::toJson(fill.report, fill.options));
+  return plainObject(fill.json());
 }
 
 }  // namespace
@@ -104,8 +108,7 @@ void bindHole(py::module_& module) {
           "Bound of the gap over all new seams; None: not known.")
       .def("to_dict", &toDict, "All but the model as a plain dict with the keys of the JSON.")
       .def(
-          "to_json",
-          [](const FillReport& fill) { return report::toLine(report::toJson(fill.report, fill.options)); },
+          "to_json", [](const FillReport& fill) { return report::toLine(fill.json()); },
           "The report as one line of JSON, schema seamwright.fill/1.")
       .def(
           "to_table",

@@ -25,16 +25,9 @@ occ::Model readFile(const std::filesystem::path& path, const py::object& progres
 py::dict writeFile(const occ::Model& model, const std::filesystem::path& path, bool overwrite,
                    bool overwrite_source, bool afresh, const py::object& progress) {
   const occ::WriteReport written = longCall(progress, [&](const occ::Progress& report) {
-    return occ::writeModel(model, path, {overwrite, overwrite_source, afresh, {}}, report);
+    return occ::writeModel(model, path, {overwrite, overwrite_source, afresh, false, {}}, report);
   });
-  py::dict dict;
-  dict["format"] = std::string(occ::name(written.format));
-  dict["followed_source"] = written.followed_source;
-  dict["changed_faces"] = written.changed_faces;
-  dict["changed_edges"] = written.changed_edges;
-  dict["changed_vertices"] = written.changed_vertices;
-  dict["notes"] = written.notes;
-  return dict;
+  return plainDict(written);
 }
 
 constexpr double degree = std::numbers::pi / 180;

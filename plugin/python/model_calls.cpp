@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pybind11/stl.h>
+
 #include <seamwright/plugin/python/model_calls.hpp>
 #include <seamwright/plugin/report/json.hpp>
 
@@ -9,12 +11,25 @@ occ::Progress progressOf(const py::object& callable, std::exception_ptr& raised)
     const py::gil_scoped_acquire gil;
     try {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      return callable.is_none() || !callable(share).is(py::bool_(false));
+      if (callable.is_none()) return true;
+      const py::object answer = callable(share);
+      return answer.is_none() || py::bool_(answer);
     } catch (const py::error_already_set&) {
       raised = std::current_exception();
       return false;
     }
   };
+}
+
+py::dict plainDict(const occ::WriteReport& written) {
+  py::dict dict;
+  dict["format"] = std::string(occ::name(written.format));
+  dict["followed_source"] = written.followed_source;
+  dict["changed_faces"] = written.changed_faces;
+  dict["changed_edges"] = written.changed_edges;
+  dict["changed_vertices"] = written.changed_vertices;
+  dict["notes"] = written.notes;
+  return dict;
 }
 
 py::object plainObject(const nlohmann::ordered_json& json) {

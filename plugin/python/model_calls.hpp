@@ -5,6 +5,7 @@
 
 #include <exception>
 #include <nlohmann/json.hpp>
+#include <seamwright/occ_adapter/model/write.hpp>
 #include <seamwright/occ_adapter/progress.hpp>
 #include <string>
 
@@ -13,7 +14,8 @@ namespace seamwright::python {
 
 namespace py = pybind11;
 
-/// Calls a Python callable from a thread without the GIL. What it raises, and Ctrl-C, asks the work to stop and is kept in \p raised.
+/// Calls a Python callable from a thread without the GIL. An answer that is false to Python, other than None, asks the work to stop; so
+/// do Ctrl-C and what the callable raises, also when asked for its truth, which is kept in \p raised.
 /// Both arguments have to outlive it.
 occ::Progress progressOf(const py::object& callable, std::exception_ptr& raised);
 
@@ -34,6 +36,9 @@ auto longCall(const py::object& callable, const Work& work) {
     throw;
   }
 }
+
+/// {format, followed_source, changed_faces, changed_edges, changed_vertices, notes}.
+py::dict plainDict(const occ::WriteReport& written);
 
 /// Dicts, lists, numbers, texts and None.
 py::object plainObject(const nlohmann::ordered_json& json);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
 #include <numbers>
+#include <seamwright/occ_adapter/seams/find.hpp>
 #include <seamwright/plugin/report/fill_json.hpp>
 #include <seamwright/plugin/report/json.hpp>
 #include <seamwright/plugin/report/numbers.hpp>
@@ -42,6 +44,13 @@ ordered_json seamsJson(const std::vector<occ::SeamResult>& seams, const Continui
   return all;
 }
 
+/// Seams that do not surely reach the target.
+int missed(const std::vector<occ::SeamResult>& seams, const occ::FillHoleOptions& options) {
+  return static_cast<int>(std::ranges::count_if(seams, [&options](const occ::SeamResult& seam) {
+    return !surelyReaches(seam.figures, options.tolerance, options.target);
+  }));
+}
+
 std::string textOf(const std::optional<double>& value, const char* unit) {
   return value ? number(*value, "%.3g") + ' ' + unit : "unknown";
 }
@@ -65,18 +74,36 @@ ordered_json toJson(const occ::Hole& hole) {
           {"sides", sides}};
 }
 
-ordered_json toJson(const occ::FillHoleReport& report, const occ::FillHoleOptions& options) {
-  ordered_json json = {{"schema", "seamwright.fill/1"},
-                       {"filled", report.filled},
-                       {"reached", report.reached},
-                       {"reason", report.reason},
-                       {"target", name(options.target)},
-                       {"gap_mm", options.tolerance.gap_mm},
-                       {"angle_deg", degrees(options.tolerance.angle_rad)},
-                       {"largest_gap_mm", maybe(report.largestGap_mm())},
-                       {"largest_angle_deg", maybe(report.largestAngle_rad(), degrees(1))},
-                       {"faces", report.faces},
-                       {"regular", report.regular}};
+ModelCounts countsOf(const occ::FillHoleReport& report, const occ::FillHoleOptions& options) {
+  return {.edges = report.model.edgeCount(),
+          .faces = report.model.faceCount(),
+          .open_edges = static_cast<int>(occ::findSeams(report.model.shape).open.size()),
+          .seams = static_cast<int>(report.outer.size() + report.inner.size()),
+          .defects = missed(report.outer, options) + missed(report.inner, options)};
+}
+
+ModelCounts countsOf(const occ::Report& found, const occ::FillHoleOptions& options) {
+  ModelCounts counts = countsOf(found);
+  counts.defects = missed(found.seams, options);
+  return counts;
+}
+
+ordered_json toJson(const occ::FillHoleReport& report, const occ::FillHoleOptions& options,
+                    const occ::ModelFacts& given, const std::optional<WrittenModel>& output) {
+  ordered_json json = headJson("seamwright.fill/1", given);
+  json["target"] = name(options.target);
+  json["gap_mm"] = options.tolerance.gap_mm;
+  json["angle_deg"] = degrees(options.tolerance.angle_rad);
+  json["curvature_rel"] = options.tolerance.curvature_rel;
+  json["corner_deg"] = degrees(options.corner_rad);
+  json["filled"] = report.filled;
+  json["reached"] = report.reached;
+  json["reason"] = report.reason;
+  json["largest_gap_mm"] = maybe(report.largestGap_mm());
+  json["largest_angle_deg"] = maybe(report.largestAngle_rad(), degrees(1));
+  json["output"] = toJson(output);
+  json["faces"] = report.faces;
+  json["regular"] = report.regular;
   json["sides"] = ordered_json::array();
   for (const occ::FilledSide& side : report.sides) json["sides"].push_back(sideJson(side));
   json["corners"] = ordered_json::array();
@@ -93,7 +120,8 @@ std::string shortly(const occ::Hole& hole) {
          number(hole.length_mm, "%.4g") + " mm";
 }
 
-std::string toTable(const occ::FillHoleReport& report, const occ::FillHoleOptions& options) {
+std::string toTable(const occ::FillHoleReport& report, const occ::FillHoleOptions& options,
+                    const std::optional<WrittenModel>& output) {
   std::ostringstream out;
   if (report.filled)
     out << "filled with " << counted(report.faces.size(), "face");
@@ -105,8 +133,12 @@ std::string toTable(const occ::FillHoleReport& report, const occ::FillHoleOption
         << " inside: gap at most " << textOf(report.largestGap_mm(), "mm") << ", angle "
         << textOf(angle ? std::optional(degrees(*angle)) : std::nullopt, "degrees");
   }
-  out << '\n'
-      << (report.reached ? "REACHED " : "NOT REACHED ") << name(options.target)
+  out << '\n';
+  const ModelCounts memory = countsOf(report, options);
+  const std::string differences = output ? output->differences(memory) : "";
+  if (!differences.empty()) out << output->path.string() << ' ' << differences << '\n';
+  const bool reached = report.reached && (!output || output->isAsGoodAs(memory));
+  out << (reached ? "REACHED " : "NOT REACHED ") << name(options.target)
       << (report.reason.empty() ? "" : ": " + report.reason) << '\n';
   return out.str();
 }

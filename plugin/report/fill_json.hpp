@@ -2,7 +2,9 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <seamwright/occ_adapter/fill/fill.hpp>
+#include <seamwright/plugin/report/written.hpp>
 #include <string>
 
 namespace seamwright::report {
@@ -10,14 +12,22 @@ namespace seamwright::report {
 /// {id, length_mm, has_corners, longest, sides: [{edges, faces, length_mm}]}.
 nlohmann::ordered_json toJson(const occ::Hole& hole);
 
-/// What came of a fill: {filled, reached, reason, target, tolerance, largest_gap_mm, largest_angle_deg, faces, regular, sides, corners,
-/// outer, inner, time_s}; lengths in mm, angles in degrees, seams as in an analysis.
-nlohmann::ordered_json toJson(const occ::FillHoleReport& report, const occ::FillHoleOptions& options);
+/// What a fill has in memory: seams are the new ones, defects those of them that do not surely reach the target.
+ModelCounts countsOf(const occ::FillHoleReport& report, const occ::FillHoleOptions& options);
+
+/// What its file has, by an analysis of the seams of the new faces.
+ModelCounts countsOf(const occ::Report& found, const occ::FillHoleOptions& options);
+
+/// The report as the object "seamwright.fill/1" (docs/fill-1.schema.json), lengths in mm, angles in degrees.
+/// \param given the model as it was read. \param output nothing where the model was not written.
+nlohmann::ordered_json toJson(const occ::FillHoleReport& report, const occ::FillHoleOptions& options,
+                              const occ::ModelFacts& given, const std::optional<WrittenModel>& output = {});
 
 /// The hole in a few words: "hole 2: 4 sides, 31.4 mm".
 std::string shortly(const occ::Hole& hole);
 
 /// What came of a fill, for people.
-std::string toTable(const occ::FillHoleReport& report, const occ::FillHoleOptions& options);
+std::string toTable(const occ::FillHoleReport& report, const occ::FillHoleOptions& options,
+                    const std::optional<WrittenModel>& output = {});
 
 }  // namespace seamwright::report

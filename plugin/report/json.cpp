@@ -95,12 +95,17 @@ ordered_json toJson(const occ::Report& report) {
   return json;
 }
 
-ordered_json headJson(const std::string& schema, const occ::Report& report) {
+ordered_json headJson(const std::string& schema, const occ::ModelFacts& model) {
   return {{"schema", schema},
           {"generator",
            {{"name", "seamwright"}, {"version", SEAMWRIGHT_VERSION}, {"occt", OCC_VERSION_COMPLETE}}},
-          {"model", modelJson(report.model)},
-          {"tolerance", toleranceJson(report)}};
+          {"model", modelJson(model)}};
+}
+
+ordered_json headJson(const std::string& schema, const occ::Report& report) {
+  ordered_json json = headJson(schema, report.model);
+  json["tolerance"] = toleranceJson(report);
+  return json;
 }
 
 std::string toLine(const ordered_json& json) {

@@ -15,6 +15,8 @@ nlohmann::ordered_json toJson(const occ::SeamResult& seam, const ContinuityToler
 
 /// What every report begins with: schema, generator, model and tolerance.
 nlohmann::ordered_json headJson(const std::string& schema, const occ::Report& report);
+/// The same without a tolerance.
+nlohmann::ordered_json headJson(const std::string& schema, const occ::ModelFacts& model);
 
 /// An object in one line; bytes of names that are no UTF-8 are replaced.
 std::string toLine(const nlohmann::ordered_json& json);

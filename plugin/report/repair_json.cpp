@@ -4,7 +4,6 @@
 #include <seamwright/plugin/report/json.hpp>
 #include <seamwright/plugin/report/numbers.hpp>
 #include <seamwright/plugin/report/repair_json.hpp>
-#include <seamwright/plugin/report/text.hpp>
 
 namespace seamwright::report {
 
@@ -32,15 +31,6 @@ ordered_json numbersJson(const occ::RepairReport& report) {
   return {{"faces", std::move(faces)}, {"edges", std::move(edges)}};
 }
 
-ordered_json outputJson(const std::optional<RepairOutput>& output) {
-  if (!output) return nullptr;
-  return {{"path", output->path.string()},
-          {"format", name(output->format)},
-          {"edges", output->edges},
-          {"faces", output->faces},
-          {"defects", output->defects}};
-}
-
 template <class Item>
 ordered_json arrayOf(const std::vector<Item>& items) {
   ordered_json array = ordered_json::array();
@@ -48,32 +38,7 @@ ordered_json arrayOf(const std::vector<Item>& items) {
   return array;
 }
 
-/// "1 defect, 57 edges" in the order of the counts.
-std::string listed(const std::vector<std::string>& items) {
-  std::string text;
-  for (const std::string& item : items) text += (text.empty() ? "" : ", ") + item;
-  return text;
-}
-
 }  // namespace
-
-std::string RepairOutput::differences(const occ::RepairReport& report) const {
-  const occ::Report& memory = report.after;
-  std::vector<std::string> here, there;
-  const auto compare = [&](int found, int expected, const char* noun) {
-    if (found == expected) return;
-    here.push_back(counted(static_cast<std::size_t>(found), noun));
-    there.push_back(std::to_string(expected));
-  };
-  compare(defects, summarize(memory).defects, "defect");
-  compare(faces, memory.model.faces, "face");
-  compare(edges, memory.model.edges, "edge");
-  compare(seams, static_cast<int>(memory.seams.size()), "seam");
-  if (here.empty()) return {};
-  const bool renumbered = faces != memory.model.faces || edges != memory.model.edges;
-  return "read back: " + listed(here) + "; the model in memory has " + listed(there) +
-         (renumbered ? ": numbers of faces and edges differ" : "");
-}
 
 RepairSummary summarize(const occ::RepairReport& report) {
   RepairSummary summary;
@@ -127,12 +92,12 @@ ordered_json toJson(const occ::FaceConversion& conversion) {
 }
 
 ordered_json toJson(const occ::RepairReport& report, const occ::RepairOptions& options,
-                    const std::optional<RepairOutput>& output) {
+                    const std::optional<WrittenModel>& output) {
   ordered_json json = headJson("seamwright.repair/1", report.before);
   json["options"] = optionsJson(options);
   json["summary"] = toJson(summarize(report));
   json["time_s"] = {{"read", report.before.read_s}, {"repair", report.repair_s}};
-  json["output"] = outputJson(output);
+  json["output"] = toJson(output);
   json["seams"] = ordered_json::array();
   for (const occ::SeamRepair& seam : report.seams)
     json["seams"].push_back(toJson(seam, report.before.tolerance));

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <seamwright/occ_adapter/model/format.hpp>
 #include <seamwright/occ_adapter/repair/repair.hpp>
-#include <string>
+#include <seamwright/plugin/report/written.hpp>
 
 namespace seamwright::report {
 
@@ -25,19 +23,6 @@ struct RepairSummary {
 
 RepairSummary summarize(const occ::RepairReport& report);
 
-/// Where the repaired model was written, and what was found there when it was read back.
-struct RepairOutput {
-  std::filesystem::path path;
-  occ::Format format = occ::Format::Step;
-  int edges = 0;
-  int faces = 0;
-  int seams = 0;
-  int defects = 0;
-
-  /// What the file has otherwise than the model in memory, in one line that begins "read back"; empty if nothing.
-  std::string differences(const occ::RepairReport& report) const;
-};
-
 nlohmann::ordered_json toJson(const RepairSummary& summary);
 nlohmann::ordered_json toJson(const occ::SeamRepair& seam, const ContinuityTolerance& tolerance);
 nlohmann::ordered_json toJson(const occ::FaceMove& move);
@@ -47,6 +32,6 @@ nlohmann::ordered_json toJson(const occ::FaceConversion& conversion);
 /// The report as the object "seamwright.repair/1" (docs/repair-1.schema.json), lengths in mm, angles in degrees.
 /// \param output nothing where the model was not written.
 nlohmann::ordered_json toJson(const occ::RepairReport& report, const occ::RepairOptions& options,
-                              const std::optional<RepairOutput>& output = {});
+                              const std::optional<WrittenModel>& output = {});
 
 }  // namespace seamwright::report

@@ -82,7 +82,7 @@ void writeHead(std::ostream& out, const occ::RepairReport& report, const RepairS
 
 }  // namespace
 
-std::string toTable(const occ::RepairReport& report, const std::optional<RepairOutput>& output) {
+std::string toTable(const occ::RepairReport& report, const std::optional<WrittenModel>& output) {
   std::ostringstream out;
   const RepairSummary summary = summarize(report);
   writeHead(out, report, summary);
@@ -96,9 +96,9 @@ std::string toTable(const occ::RepairReport& report, const std::optional<RepairO
     writeRows(out, rows, first_figure);
   }
   out << '\n';
-  const std::string differences = output ? output->differences(report) : "";
+  const std::string differences = output ? output->differences(countsOf(report.after)) : "";
   if (!differences.empty()) out << output->path.string() << ' ' << differences << '\n';
-  const int defects = std::max(summary.defects_after, output ? output->defects : 0);
+  const int defects = std::max(summary.defects_after, output ? output->found.defects : 0);
   out << (defects == 0 ? "PASSED: no defects"
                        : "FAILED: " + counted(static_cast<std::size_t>(defects), "defect"))
       << " at level " << name(report.after.level) << '\n';

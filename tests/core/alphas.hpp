@@ -5,6 +5,7 @@
 #include <random>
 #include <seamwright/core/seam/curve_joint.hpp>
 #include <seamwright/core/spline/alpha_curve.hpp>
+#include <seamwright/core/spline/alpha_surface.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -73,6 +74,23 @@ inline int signChanges(const Eigen::VectorXd& values) {
     last = value;
   }
   return changes;
+}
+
+inline AlphaSurface randomSurface(std::mt19937_64& random) {
+  AlphaSurface surface;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      surface.poles.row(4 * i + j) = Eigen::RowVector3d(3 * i, 3 * j, 0) + randomVector(random).transpose();
+  surface.a_u = uniform(0.2, 1, random);
+  surface.a_v = uniform(0.2, 1, random);
+  return surface;
+}
+
+/// Rows 3 .. 3 - order with X_0 + X_3 = X_1 + X_2.
+inline void balance(AlphaSurface& surface, int order) {
+  for (int i = 3; i >= 3 - order; --i)
+    surface.poles.row(4 * i + 3) =
+        surface.poles.row(4 * i + 1) + surface.poles.row(4 * i + 2) - surface.poles.row(4 * i);
 }
 
 }  // namespace seamwright::test

@@ -1,88 +1,25 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gmock/gmock.h>
-#include <Eigen/LU>
 
+#include <Eigen/LU>
 #include <fstream>
 #include <limits>
 #include <seamwright/core/differential/arc_length.hpp>
 #include <seamwright/core/join/beta.hpp>
 #include <seamwright/core/join/nearest_curve.hpp>
 
-#include "curves.hpp"
+#include "nearest_curves.hpp"
 
 namespace seamwright {
 namespace {
 
 using nlohmann::json;
+using namespace test::near_curves;
 using test::Vec;
-using Moves = NearestCurveJoinOptions::Moves;
-using Join = NearestCurveJoin<BezierCurve>;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-NearestCurveJoinOptions optionsOf(int order, Moves moves = Moves::Both) {
-  NearestCurveJoinOptions options;
-  options.order = order;
-  options.moves = moves;
-  return options;
-}
-
-struct Pair {
-  BezierCurve a, b;
-  NearestCurveJoinOptions options;
-};
-
-BezierCurve perturbed(const BezierCurve& curve, double by, std::mt19937_64& random) {
-  Poles poles = curve.poles();
-  for (Eigen::Index i = 0; i < poles.rows(); ++i) poles.row(i) += by * test::randomVector(random).transpose();
-  return {poles, curve.weights()};
-}
-
-/// The halves of one curve, each moved by noise: of odd number rational; all orders to 4 and all moves occur.
-Pair pairOf(int i, double noise, std::mt19937_64& random) {
-  const int order = 1 + i % 4, degree = order + i / 4 % 3;
-  Poles poles(degree + 1, 3);
-  Eigen::VectorXd weights = Eigen::VectorXd::Ones(degree + 1);
-  for (int k = 0; k <= degree; ++k) {
-    poles.row(k) = (Vec(2.0 * k, 0, 0) + test::randomVector(random)).transpose();
-    if (i / 12 % 2 == 1) weights(k) = test::logUniform(random, -0.3, 0.3);
-  }
-  auto [a, b] = BezierCurve(poles, weights).split(0.3 + 0.4 * (i % 7) / 7);
-  if (i % 5 == 0) b = b.elevated();
-  Pair pair{perturbed(a, noise, random), perturbed(b, noise, random),
-            optionsOf(order, static_cast<Moves>(i / 24 % 3))};
-  if (i / 72 % 2 == 1) {
-    pair.options.costs_a.resize(a.degree() + 1);
-    pair.options.costs_b.resize(b.degree() + 1);
-    for (double& cost : pair.options.costs_a) cost = test::logUniform(random, -1, 1);
-    for (double& cost : pair.options.costs_b) cost = test::logUniform(random, -1, 1);
-  }
-  return pair;
-}
-
-double size(const BezierCurve& curve) {
-  return curve.poles().cwiseAbs().maxCoeff();
-}
-
-double difference(const BezierCurve& x, const BezierCurve& y) {
-  return (x.poles() - y.poles()).cwiseAbs().maxCoeff();
-}
-
-double worstDefect(const BezierCurve& a, const BezierCurve& b, int order) {
-  const BetaFit fit = fitBeta(a, b, order);
-  return *std::max_element(fit.defects.begin(), fit.defects.end());
-}
-
-/// c_k of the curve at the joint in units of fitBeta(), the condition of its defects.
-double bend(const BezierCurve& a, const BezierCurve& b, int order) {
-  const double length = fitBeta(a, b, 1).length_mm;
-  const CurveJoint joint = measureJoint(a, b, order);
-  double scale = 1;
-  for (int k = 2; k <= order; ++k) scale = std::max(scale, std::pow(joint.sizes[k], 1.0 / (k - 1)) * length);
-  return std::pow(scale, order - 1);
-}
 
 /// What moves of the poles at the joint add to its defects, by the move: the condition of a joint that is exact.
 double sensitivity(const BezierCurve& a, const BezierCurve& b, int order) {
@@ -316,15 +253,6 @@ TEST(NearestCurve, Identity5PolesThatStay) {
   EXPECT_GT(solved, 1300);
 }
 
-/// Cubics with a kink, a common point and tangents in the plane.
-Pair kinked(double angle) {
-  Poles a(4, 3), b(4, 3);
-  a << -3, 1, 0, -2, 0.5, 0, -1, 0, 0, 0, 0, 0;
-  const double c = std::cos(angle), s = std::sin(angle);
-  b << 0, 0, 0, c, s, 0, 2 * c, 2 * s + 0.5, 0, 3, 1, 1;
-  return {BezierCurve(a), BezierCurve(b), optionsOf(1)};
-}
-
 TEST(NearestCurve, OneTangentByHand) {
   // Unit legs at an angle, the joint staying and both ends of the legs moving: to the line of the bisector. For
   // beta_1 = 1, x and y of Q_1 and P_2 are linear: the move is |Q_1 - P'_2| / 2 each, P'_2 mirrored at the joint.
@@ -395,97 +323,6 @@ TEST(NearestCurve, GivenBetas) {
   }
 }
 
-TEST(NearestCurve, FarApartIsHonest) {
-  std::mt19937_64 random(707);
-  int solved = 0;
-  for (int i = 0; i < 1440; ++i) {
-    const Pair pair = pairOf(i, 2, random);
-    const int n = pair.options.order;
-    const Join join = nearestJoin(pair.a, pair.b, pair.options);
-    if (join.status == NearestCurveStatus::Infeasible) {
-      EXPECT_EQ(join.a, pair.a);
-      EXPECT_EQ(join.b, pair.b);
-      EXPECT_FALSE(join.reason.empty());
-      continue;
-    }
-    EXPECT_LT(worstDefect(join.a, join.b, n), 1e-5 * bend(join.a, join.b, n)) << i;
-    EXPECT_EQ(join.status == NearestCurveStatus::Solved, join.reason.empty()) << join.reason;
-    solved += join.status == NearestCurveStatus::Solved;
-  }
-  EXPECT_GT(solved, 500);
-}
-
-TEST(NearestCurve, BackwardsHasNoNearestJoin) {
-  const Pair pair = kinked(std::acos(-1));
-  const Join join = nearestJoin(pair.a, pair.b, pair.options);
-  EXPECT_NE(join.status, NearestCurveStatus::Solved);
-  EXPECT_FALSE(join.reason.empty());
-}
-
-TEST(NearestCurve, ResidualIsThatOfFitBeta) {
-  Poles a(4, 3), b(4, 3);
-  b << 0.01, 0, 0, -3, -1.9, 0, -5, -4, 0, -9, -4, 0;
-  for (const double gap : {0.0, 1e-14, 1e-10, 1.0}) {
-    a << gap, 0, 0, 3, -2, 0, 3, 2, 0, 0, 0, 0;
-    const Join join = nearestJoin(BezierCurve(a), BezierCurve(b), optionsOf(2));
-    const BetaFit before = fitBeta(BezierCurve(a), BezierCurve(b), 2),
-                  after = fitBeta(join.a, join.b, 2, before.length_mm);
-    EXPECT_NEAR(join.residual, *std::max_element(after.defects.begin(), after.defects.end()),
-                1e-9 * (1 + 1 / before.length_mm))
-        << gap;
-    if (join.status != NearestCurveStatus::Infeasible) continue;
-    EXPECT_NEAR(join.residual / worstDefect(BezierCurve(a), BezierCurve(b), 2), 1, 1e-9) << gap;
-  }
-}
-
-TEST(NearestCurve, StraightLines) {
-  Poles a(3, 3), b(3, 3);
-  a << -2, 0, 0, -1, 0, 0, 0, 0, 0;
-  b << 0, 0.1, 0, 1, 0.1, 0, 2, 0.1, 0;
-  const Join join = nearestJoin(BezierCurve(a), BezierCurve(b), optionsOf(2));
-  EXPECT_EQ(join.status, NearestCurveStatus::Solved) << join.reason;
-  EXPECT_LT(worstDefect(join.a, join.b, 2), 1e-13);
-  EXPECT_LT(join.largest_move_mm, 0.1);
-}
-
-TEST(NearestCurve, AnySize) {
-  for (const double scale : {1e-100, 1e-12, 1e12, 1e100}) {
-    const Pair pair = kinked(0.4);
-    const auto scaled = [&](const BezierCurve& curve) { return BezierCurve(scale * curve.poles()); };
-    const Join plain = nearestJoin(pair.a, pair.b, pair.options);
-    const Join join = nearestJoin(scaled(pair.a), scaled(pair.b), pair.options);
-    EXPECT_EQ(join.status, NearestCurveStatus::Solved) << join.reason;
-    EXPECT_NEAR(join.largest_move_mm / scale, plain.largest_move_mm, 1e-14);
-    EXPECT_NEAR(join.beta(0), plain.beta(0), 1e-13);
-  }
-}
-
-TEST(NearestCurve, DearPolesHardlyMove) {
-  const Pair pair = kinked(0.4);
-  NearestCurveJoinOptions options = pair.options;
-  options.costs_a = Eigen::Vector4d::Constant(1e12);
-  const Join dear = nearestJoin(pair.a, pair.b, options),
-             held = nearestJoin(pair.a, pair.b, optionsOf(1, Moves::B));
-  EXPECT_EQ(dear.status, NearestCurveStatus::Solved) << dear.reason;
-  EXPECT_LT(difference(dear.a, pair.a), 1e-11);
-  EXPECT_LT(difference(dear.b, held.b), 1e-11);
-  EXPECT_NEAR(dear.cost, held.cost, 1e-11);
-}
-
-TEST(NearestCurve, HighOrders) {
-  std::mt19937_64 random(708);
-  for (int n = 5; n <= 10; ++n) {
-    Poles poles(n + 3, 3);
-    for (int k = 0; k < poles.rows(); ++k) poles.row(k) << 2 * k, 0.02 * k * k, 1e-3 * k * k * k;
-    const auto [left, right] = BezierCurve(poles).split(0.4);
-    const BezierCurve a = perturbed(left, 1e-6, random), b = perturbed(right, 1e-6, random);
-    const Join join = nearestJoin(a, b, optionsOf(n));
-    EXPECT_NE(join.status, NearestCurveStatus::Infeasible) << n << join.reason;
-    EXPECT_LT(join.largest_move_mm, 1e-5) << n;
-    EXPECT_LT(join.residual, 1e-7 * bend(join.a, join.b, n)) << n;
-  }
-}
-
 BSplineCurve splineOf(int degree, const std::vector<double>& inner, std::mt19937_64& random, bool rational) {
   BSplineCurve curve;
   curve.degree = degree;
@@ -550,52 +387,6 @@ TEST(NearestCurve, SplinesJoin) {
                   1e-12 * join.beta.cwiseAbs().maxCoeff());
   }
   EXPECT_GT(solved, 460);
-}
-
-template <typename Change>
-std::string refusal(const Change& change) {
-  Pair pair = kinked(0.3);
-  pair.options.order = 2;
-  change(pair);
-  try {
-    nearestJoin(pair.a, pair.b, pair.options);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
-}
-
-TEST(NearestCurve, Refuses) {
-  using testing::HasSubstr;
-  EXPECT_EQ(refusal([](Pair&) {}), "");
-  for (const int order : {-1, 0, 11})
-    EXPECT_THAT(refusal([&](Pair& p) { p.options.order = order; }),
-                HasSubstr("order is " + std::to_string(order)));
-  EXPECT_THAT(refusal([](Pair& p) { p.options.order = 4; }), HasSubstr("degree of a is 3, the order 4"));
-  EXPECT_THAT(refusal([](Pair& p) { p.options.costs_a = Eigen::Vector3d::Ones(); }),
-              HasSubstr("costs_a 3, poles 4"));
-  for (const double cost : {0.0, -1.0, nan, -infinity})
-    EXPECT_THAT(refusal([&](Pair& p) { p.options.costs_b = Eigen::Vector4d(1, 1, cost, 1); }),
-                HasSubstr("costs_b[2] is "));
-  EXPECT_THAT(refusal([](Pair& p) { p.options.beta = Eigen::Vector3d(1, 0, 0); }),
-              HasSubstr("betas 3, order 2"));
-  for (const double beta1 : {0.0, -1.0, nan, infinity})
-    EXPECT_THAT(refusal([&](Pair& p) { p.options.beta = Eigen::Vector2d(beta1, 0); }),
-                HasSubstr("beta_1 is "));
-  EXPECT_THAT(refusal([](Pair& p) { p.options.beta = Eigen::Vector2d(1, nan); }), HasSubstr("beta_2 is nan"));
-  for (const double least : {0.0, 1.5, nan})
-    EXPECT_THAT(refusal([&](Pair& p) { p.options.least_beta1 = least; }), HasSubstr("least_beta1 is "));
-  for (const double most : {0.5, nan, infinity})
-    EXPECT_THAT(refusal([&](Pair& p) { p.options.most_beta1 = most; }), HasSubstr("most_beta1 is "));
-  EXPECT_THAT(refusal([](Pair& p) { p.options.max_iterations = -1; }), HasSubstr("max_iterations is -1"));
-  EXPECT_THAT(refusal([](Pair& p) {
-                Poles poles = p.b.poles();
-                poles.row(1) = poles.row(0);
-                p.b = BezierCurve(poles);
-              }),
-              HasSubstr("curve b has no tangent at the joint"));
-  EXPECT_THAT(refusal([](Pair& p) { p.a = BezierCurve(Poles::Zero(4, 3)); }),
-              HasSubstr("curve a has no tangent at the joint"));
 }
 
 }  // namespace

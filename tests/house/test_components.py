@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Components switch off, and what is missing is named with the Debian package that brings it."""
 
+import json
 import os
+import re
+import shlex
 import shutil
 import subprocess
 from pathlib import Path
@@ -9,6 +12,7 @@ from pathlib import Path
 import pytest
 
 SOURCE = Path(os.environ["SEAMWRIGHT_SOURCE"])
+BUILD = Path(os.environ["SEAMWRIGHT_BUILD"])
 COMPONENTS = ("OCC", "CLI", "PYTHON", "FREECAD")
 
 
@@ -38,13 +42,32 @@ def test_contradiction_is_named(tmp_path, parts, missing):
     assert missing in output
 
 
+def commands(build):
+    """What decides how a file of core compiles, by its path: headers, definitions, the standard."""
+    found = {}
+    for entry in json.loads((build / "compile_commands.json").read_text()):
+        path = Path(entry["file"])
+        words = shlex.split(entry["command"].replace(str(build), "BUILD"))
+        if path.is_relative_to(SOURCE / "core"):
+            found[path.relative_to(SOURCE)] = {
+                f"{word} {following}" if word == "-isystem" else word for word, following in zip(words, words[1:])
+                if word.startswith(("-I", "-D", "-isystem", "-std=", "-f"))}
+    return found
+
+
 def test_core_alone_needs_neither_opencascade_nor_python(tmp_path):
+    """Core was built with these very commands, but for definitions that it does not name: so it builds alone."""
     missing = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in ("OpenCASCADE", "Python", "pybind11", "CLI11")]
-    status, output = configure(tmp_path, (), *missing)
+    status, output = configure(tmp_path, (), "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON", *missing)
     assert status == 0, output
-    built = subprocess.run(["cmake", "--build", str(tmp_path)], capture_output=True, text=True)
-    assert built.returncode == 0, built.stdout
-    assert [path.name for path in (tmp_path / "lib").iterdir()] == ["libseamwright_core.a"]
+    alone, built = commands(tmp_path), commands(BUILD)
+    assert alone and alone.keys() == built.keys()
+    assert [path for path in alone if not alone[path] <= built[path]] == []
+    more = {re.sub("^-D|=.*", "", word) for path in alone for word in built[path] - alone[path]}
+    assert [(path, name) for path in alone for name in more if name in (SOURCE / path).read_text()] == []
+    plan = subprocess.run(["ninja", "-C", str(tmp_path), "-n"], capture_output=True, text=True, check=True).stdout
+    assert set(re.findall(r"Building CXX object (\w+)/", plan)) == {"core"}, plan
+    assert re.findall(r"Linking .* (\S+)\n", plan) == ["lib/libseamwright_core.a"], plan
 
 
 @pytest.mark.parametrize("package, component, debian", [

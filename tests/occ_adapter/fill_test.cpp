@@ -28,6 +28,7 @@
 #include <fstream>
 #include <numbers>
 
+#include "fill_checks.hpp"
 #include "shapes.hpp"
 
 #include <seamwright/occ_adapter/fill/fill.hpp>
@@ -42,51 +43,10 @@ using occ::modelFromShape;
 using occ::replaceFace;
 using testing::HasSubstr;
 
-TopTools_IndexedMapOfShape partsOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
-  TopTools_IndexedMapOfShape parts;
-  TopExp::MapShapes(shape, kind, parts);
-  return parts;
-}
-
-TopoDS_Shape without(const TopoDS_Shape& shape, const std::vector<int>& faces) {
-  const opencascade::handle<BRepTools_ReShape> change = new BRepTools_ReShape;
-  for (const int face : faces) change->Remove(partsOf(shape, TopAbs_FACE)(face));
-  return change->Apply(shape);
-}
-
 double volume_mm3(const TopoDS_Shape& shape) {
   GProp_GProps properties;
   BRepGProp::VolumeProperties(shape, properties);
   return properties.Mass();
-}
-
-gp_Vec normalAt(const TopoDS_Edge& edge, const TopoDS_Face& face, double share) {
-  double first = 0, last = 0;
-  const opencascade::handle<Geom2d_Curve> path = BRep_Tool::CurveOnSurface(edge, face, first, last);
-  const gp_Pnt2d uv = path->Value(first + share * (last - first));
-  gp_Pnt point;
-  gp_Vec du, dv;
-  BRepAdaptor_Surface(face).D1(uv.X(), uv.Y(), point, du, dv);
-  const gp_Vec normal = du.Crossed(dv).Normalized();
-  return face.Orientation() == TopAbs_REVERSED ? normal.Reversed() : normal;
-}
-
-/// The largest angle along all edges of the faces, at 101 points each.
-double largestAngle_rad(const TopoDS_Shape& shape, const std::vector<int>& faces) {
-  const TopTools_IndexedMapOfShape all = partsOf(shape, TopAbs_FACE);
-  TopTools_IndexedDataMapOfShapeListOfShape beside;
-  TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, beside);
-  double largest = 0;
-  for (const int face : faces)
-    for (TopExp_Explorer edge(all(face), TopAbs_EDGE); edge.More(); edge.Next()) {
-      const TopTools_ListOfShape& two = beside.FindFromKey(edge.Current());
-      EXPECT_EQ(two.Extent(), 2);
-      for (int i = 0; i <= 100; ++i)
-        largest = std::max(
-            largest, normalAt(TopoDS::Edge(edge.Current()), TopoDS::Face(two.First()), i / 100.0)
-                         .Angle(normalAt(TopoDS::Edge(edge.Current()), TopoDS::Face(two.Last()), i / 100.0)));
-    }
-  return largest;
 }
 
 /// A box of 40 by 30 by 20 with its edges at the origin rounded; the last of its faces are the three fillets and the corner.
@@ -335,14 +295,7 @@ TEST(Fill, OfFacesOfAShellOfSplinesIsSmooth) {
   }
 }
 
-TEST(Fill, OfASmoothLoopSaysWhyNot) {
-  const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(5, 10).Shape();
-  for (int face = 2; face <= 3; ++face) {
-    const FillHoleReport report = replaceFace(modelFromShape(cylinder), face);
-    EXPECT_FALSE(report.filled);
-    EXPECT_THAT(report.reason, HasSubstr("0 corners"));
-    EXPECT_TRUE(report.model.shape.IsSame(cylinder));
-  }
+TEST(Fill, OfAllThereIsIsRefused) {
   EXPECT_THAT(replaceFace(modelFromShape(BRepPrimAPI_MakeSphere(5).Shape()), 1).reason,
               HasSubstr("all there is"));
 }

@@ -42,14 +42,6 @@ Net brokenSheet(int columns, unsigned seed, double noise_mm = 0.01) {
   return net;
 }
 
-/// Every seam that was to be repaired is, or says why not.
-void expectReasons(const RepairReport& report) {
-  for (const occ::SeamRepair& seam : report.seams)
-    if (seam.treated) {
-      EXPECT_EQ(seam.repaired, seam.reason.empty()) << seam.reason;
-    }
-}
-
 /// Fixed quadrature takes a cylinder of splines for a percent larger than it is, until knots are inserted.
 TEST(RepairDegenerate, VolumesOfRationalFaces) {
   const TopoDS_Shape solid =
@@ -72,10 +64,8 @@ TEST(RepairDegenerate, VolumesOfRationalFaces) {
   occ::RepairOptions options;
   options.max_move_mm = 5;
   const RepairReport report = repair(modelFromShape(solid), options);
-  expectReasons(report);
-  EXPECT_TRUE(std::ranges::any_of(report.seams, &occ::SeamRepair::treated));
-  for (const occ::SeamRepair& seam : report.seams)
-    EXPECT_EQ(seam.reason.find("volume"), std::string::npos) << seam.reason;
+  EXPECT_EQ(treated(report), 1);
+  EXPECT_EQ(repairedSeams(report), 1) << reasonsOf(report);
 }
 
 TEST(RepairDegenerate, FacesWithAPole) {
@@ -92,9 +82,9 @@ TEST(RepairDegenerate, FacesWithAPole) {
           face.surface->SetPole(i, face.surface->NbVPoles(), net.vertices[0]);
       const RepairReport report = repairedModel(shapeOf(net), trialOptions({}));
       EXPECT_EQ(report.seams.size(), static_cast<std::size_t>(sectors));
-      EXPECT_GT(treated(report), 0);
-      expectReasons(report);
-      RecordProperty("repaired_of_" + std::to_string(sectors), repairedSeams(report));
+      EXPECT_EQ(treated(report), sectors);
+      EXPECT_EQ(repairedSeams(report), sectors) << reasonsOf(report);
+      EXPECT_LE(largestMove_mm(report), 2 * noise_mm);
     }
 }
 
@@ -116,17 +106,22 @@ TopoDS_Shape convertedAndBroken(const TopoDS_Shape& solid, double noise_mm) {
 }
 
 TEST(RepairDegenerate, AFaceThatMeetsItself) {
-  for (const TopoDS_Shape& solid :
-       {TopoDS_Shape(BRepPrimAPI_MakeSphere(20).Shape()), TopoDS_Shape(BRepPrimAPI_MakeTorus(30, 10).Shape()),
-        TopoDS_Shape(BRepPrimAPI_MakeCylinder(20, 30).Shape())})
+  // Of the sphere the poles are torn apart, and the one seam between them folds there.
+  const std::vector<std::pair<TopoDS_Shape, int>> solids = {{BRepPrimAPI_MakeSphere(20).Shape(), 0},
+                                                            {BRepPrimAPI_MakeTorus(30, 10).Shape(), 2},
+                                                            {BRepPrimAPI_MakeCylinder(20, 30).Shape(), 3}};
+  for (const auto& [solid, expected] : solids)
     for (const double noise_mm : {0.0, 0.01}) {
       const TopoDS_Shape shape = convertedAndBroken(solid, noise_mm);
       occ::RepairOptions options = trialOptions({});
       const RepairReport report = repair(modelFromShape(shape), options);
-      expectReasons(report);
+      EXPECT_EQ(repairedSeams(report), noise_mm == 0 ? 0 : expected) << reasonsOf(report);
+      EXPECT_EQ(treated(report), repairedSeams(report));
       if (noise_mm == 0) {
         EXPECT_FALSE(report.changed());
         EXPECT_TRUE(report.model.shape.IsEqual(shape));
+      } else if (expected == 0) {
+        EXPECT_NE(reasonsOf(report).find("fold back"), std::string::npos) << reasonsOf(report);
       }
       const occ::Report again = analyzed(report.model.shape);
       EXPECT_EQ(again.seams.size(), report.seams.size());
@@ -169,8 +164,9 @@ TEST(RepairDegenerate, AnEdgeWithoutLength) {
         {extra, reversed, handle<Geom2d_Curve>(new Geom2d_BSplineCurve(still, knots, times, 1))});
   }
   const RepairReport report = repair(modelFromShape(shapeOf(net)), trialOptions({}));
-  EXPECT_EQ(report.seams.size(), 2);
-  expectReasons(report);
+  EXPECT_EQ(treated(report), 2);
+  EXPECT_EQ(repairedSeams(report), 2) << reasonsOf(report);
+  EXPECT_LE(largestMove_mm(report), 0.02);
 }
 
 TEST(RepairDegenerate, AMissingPath) {
@@ -184,8 +180,9 @@ TEST(RepairDegenerate, AMissingPath) {
   BRep_Builder().UpdateEdge(edge, handle<Geom2d_Curve>(), face(broken, 1), 0.1);
   const RepairReport report = repair(modelFromShape(broken), trialOptions({}));
   ASSERT_EQ(report.seams.size(), 1);
-  expectReasons(report);
-  EXPECT_FALSE(report.seams[0].repaired && upper(report.seams[0].after.figures.angle_rad) > 0.01 * degree);
+  EXPECT_TRUE(report.seams[0].repaired) << reasonsOf(report);
+  EXPECT_LE(upper(report.seams[0].after.figures.angle_rad), 0.01 * degree);
+  EXPECT_NEAR(largestMove_mm(report), largestMove_mm(whole), 1e-3);
 }
 
 TEST(RepairDegenerate, AnEdgeOfThreeFaces) {
@@ -198,7 +195,11 @@ TEST(RepairDegenerate, AnEdgeOfThreeFaces) {
   const RepairReport report = repair(modelFromShape(shape), trialOptions({}));
   EXPECT_FALSE(report.before.non_manifold.empty());
   EXPECT_EQ(report.before.non_manifold.size(), report.after.non_manifold.size());
-  expectReasons(report);
+  // Between the faces that have that edge and the one that has not.
+  EXPECT_EQ(treated(report), 1);
+  EXPECT_EQ(repairedSeams(report), 1) << reasonsOf(report);
+  ASSERT_EQ(report.moves.size(), 1);
+  EXPECT_EQ(report.moves[0].face, 3);
 }
 
 TEST(RepairDegenerate, AFaceBesideInstances) {
@@ -224,7 +225,10 @@ TEST(RepairDegenerate, PolesThatAreNoNumbers) {
     for (int i = 1; i <= last.NbUPoles(); ++i) last.SetPole(i, 2, gp_Pnt(bad, 0, 0));
     const RepairReport report = repair(modelFromShape(shape), trialOptions({}));
     ASSERT_EQ(report.seams.size(), 2);
-    expectReasons(report);
+    EXPECT_TRUE(report.seams[0].treated);
+    EXPECT_FALSE(report.seams[0].repaired);
+    EXPECT_NE(report.seams[0].reason.find("face 3: OpenCASCADE's checks do not pass"), std::string::npos)
+        << report.seams[0].reason;
     EXPECT_FALSE(report.seams[1].treated);
     EXPECT_NE(report.seams[1].reason.find("can't be measured"), std::string::npos) << report.seams[1].reason;
     for (const occ::FaceMove& move : report.moves) EXPECT_NE(move.face, 3);

@@ -7,6 +7,7 @@
 #include <Geom_CylindricalSurface.hxx>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "follow_seams.hpp"
 
@@ -218,6 +219,48 @@ TEST(SeamTarget, OfAMatchedSeamIsTheSameFromBothSides) {
   }
 }
 
+bool isFinite(const TargetPoint& target) {
+  return target.point.allFinite() && target.normal.allFinite() && target.curvature.allFinite();
+}
+
+TEST(SeamTarget, WhereItsPathStandsStillItShowsThePlace) {
+  std::mt19937 generator(41);
+  for (const int order : {1, 2})
+    for (const occ::LeadReach reach : {occ::LeadReach::Spans, occ::LeadReach::Half}) {
+      const std::array<Spline, 2> sides = disturbedSheets(generator, 0.02);
+      const Path along = curvedPath({{0.4, 0.3}, {0.4, 0.6}}), still = Path::DownCast(along->Copy());
+      for (int k = 1; k <= still->NbPoles(); ++k) still->SetPole(k, gp_Pnt2d(0.4, 0.3));
+      SeamTarget target(seamBetween({sides[0], along}, {sides[1], along, false}),
+                        {wholePath(still), wholePath(still)}, both_move, order, reach);
+      const gp_Pnt a = sides[0]->Value(0.4, 0.3), b = sides[1]->Value(0.4, 0.3);
+      const TargetPoint before = target.at(0);
+      target.setEnd(1, near(before, generator, 0.01, 0.001));
+      for (const double s : {0.0, 0.3, 0.9, 1.0})
+        for (const int side : {0, 1}) EXPECT_TRUE(isFinite(target.at(side, s, order))) << s << " side " << side;
+      EXPECT_LT((before.point - Eigen::Vector3d(a.X() + b.X(), a.Y() + b.Y(), a.Z() + b.Z()) / 2).norm(),
+                1e-9);
+      const Eigen::Vector3d mean =
+          shownBy(sides[0], {0.4, 0.3}).normal + shownBy(sides[1], {0.4, 0.3}).normal;
+      EXPECT_LT(before.normal.cross(mean.normalized()).norm(), 1e-9);
+    }
+}
+
+TEST(SeamTarget, PlacesOfAMatchedSeamMayBeGivenTwice) {
+  std::mt19937 generator(42);
+  NearlyJoined pair(generator, 0.01);
+  const SeamTarget once = pair.target(1);
+  pair.seam.kind = occ::SeamKind::Matched;
+  pair.seam.edges = {1, 2};
+  pair.seam.correspondence = {{0, 0, 0.5, 0.5, 1, 1}, {0, 0, 0.5, 0.5, 1, 1}, {0, 0, 0.5, 0.5, 1, 1}};
+  const SeamTarget twice = pair.target(1);
+  for (const double s : {0.0, 0.2, 0.5, 0.8, 1.0}) {
+    ASSERT_TRUE(isFinite(twice.at(s))) << s;
+    // The sides are a hundredth of a millimetre apart, and so are the nearest points and those of equal parameters.
+    EXPECT_LT((twice.at(s).point - once.at(s).point).norm(), 0.02) << s;
+    EXPECT_LT((twice.at(s).normal - once.at(s).normal).norm(), 0.002) << s;
+  }
+}
+
 TEST(VertexConsensus, IsTheMeanUnlessAFaceIsHeld) {
   std::mt19937 generator(9);
   for (int trial = 0; trial < 300; ++trial) {
@@ -245,6 +288,62 @@ TEST(VertexConsensus, IsTheMeanUnlessAFaceIsHeld) {
     EXPECT_LT((pinned.point - views[1].shown.point).norm(), 1e-13);
     EXPECT_LT((pinned.normal - mean.target.normal).norm(), 1e-13);
   }
+}
+
+TEST(SeamTarget, OfASharpVertexTheCurveKeepsToTheTangentPlanes) {
+  std::mt19937 generator(43);
+  for (int trial = 0; trial < 20; ++trial) {
+    const NearlyJoined pair(generator, 0.02);
+    const int end = trial % 2, sense = end == 0 ? 1 : -1;
+    SeamTarget target = pair.target(0);
+    const Eigen::Vector3d given = target.at(end).point + 0.02 * Eigen::Vector3d::Random();
+    std::map<int, Eigen::Vector3d> normals;
+    for (const int face : {1, 2})
+      if (trial % 3 == 0 || trial % 3 == face) normals[face] = Eigen::Vector3d::Random().normalized();
+    target.setSharpEnd(end, given, normals);
+    EXPECT_LT((target.at(end).point - given).norm(), 1e-12);
+    const auto at = [&](double distance) { return target.at(end + sense * distance).point; };
+    constexpr double h = 1e-4;
+    const Eigen::Vector3d slope = (4 * at(h) - 3 * at(0) - at(2 * h)) / (2 * h);
+    for (const auto& [face, normal] : normals)
+      EXPECT_LT(std::abs(slope.dot(normal)), 1e-3 * slope.norm());
+    // Beyond the lead nothing has changed.
+    EXPECT_EQ(target.at(1 - end).point, pair.target(0).at(1 - end).point);
+  }
+}
+
+/// Two faces with the normals +-a beside z in the plane of x, curved along x; ways along x and y, those of the second half as long.
+std::vector<VertexView> twoViews(double a, double first_per_mm, double second_per_mm) {
+  std::vector<VertexView> views;
+  for (const int sign : {1, -1}) {
+    TargetPoint shown;
+    shown.normal = Eigen::Vector3d(sign * std::sin(a), 0, std::cos(a));
+    shown.curvature(0, 0) = sign == 1 ? first_per_mm : second_per_mm;
+    const double length = sign == 1 ? 8 : 4;
+    views.push_back({sign == 1 ? 1 : 2,
+                     shown,
+                     -1,
+                     false,
+                     {length * Eigen::Vector3d::UnitX(), length * Eigen::Vector3d::UnitY()}});
+  }
+  return views;
+}
+
+TEST(VertexConsensus, LongerWaysCountMore) {
+  // Along a way what the normals differ by counts with its square, against a thousandth of all of it.
+  const double a = 0.5 * degree, weight = 1.0 / 4;
+  const TargetPoint tilted = vertexConsensus(twoViews(a, 0, 0), 1, {}).target;
+  const Eigen::Vector3d normal((1 - weight) * std::sin(a) / (1 + weight + 2e-3), 0, std::cos(a));
+  EXPECT_LT((tilted.normal - normal.normalized()).norm(), 1e-12);
+  // Tensors are forms of two ways: the fourth power.
+  const TargetPoint curved = vertexConsensus(twoViews(0, 0.03, 0.01), 2, {}).target;
+  const double form = 1.0 / 16;
+  EXPECT_NEAR(curved.curvature(0, 0), (0.03 * (1 + 1e-3) + 0.01 * (form + 1e-3)) / (1 + form + 2e-3), 1e-12);
+  EXPECT_NEAR(curved.curvature.norm(), curved.curvature(0, 0), 1e-12);
+  // What has no ways counts as a whole.
+  std::vector<VertexView> bare = twoViews(a, 0.03, 0.01);
+  for (VertexView& view : bare) view.ways.clear();
+  EXPECT_LT((vertexConsensus(bare, 2, {}).target.normal - Eigen::Vector3d::UnitZ()).norm(), 1e-12);
 }
 
 TEST(VertexConsensus, TwoThatCantChangeAndDifferAreTold) {

@@ -7,7 +7,8 @@
 
 Lengths are in mm, angles in degrees where a name ends in ``_deg`` and in radians where it ends in ``_rad``. Bad arguments
 raise ``ValueError``, bad models ``ModelError``; both say the offending number. Long calls release the GIL and take
-``progress``, a callable that gets the share done (0..1); if it returns ``False`` the call raises ``Cancelled``.
+``progress``, a callable that gets the share done (0..1); the call raises ``Cancelled`` if it returns what is false to Python
+(``False``, ``0``, ``numpy.False_``), other than ``None``.
 """
 
 try:

@@ -2,9 +2,11 @@
 """Runs the command."""
 
 import os
+import pathlib
 import subprocess
 
 PROGRAM = os.environ["SEAMWRIGHT"]
+(READER,) = pathlib.Path(PROGRAM).parent.glob("seamwright-read-*")
 
 
 def run(*arguments, reader=None, cwd=None):

@@ -117,3 +117,13 @@ def roof_text(angle_deg):
     c, s = 10 * math.cos(math.radians(angle_deg)), 10 * math.sin(math.radians(angle_deg))
     points = [(-10, 0, 0), (0, 0, 0), (0, 10, 0), (-10, 10, 0), (c, 0, s), (c, 10, s)]
     return step_text(points, [[0, 1, 2, 3], [1, 4, 5, 2]], closed=False)
+
+
+def reader_that_finds(other, folder, real):
+    """A reader that finds another model where the written one waits for its place."""
+    reader = folder / "reader.sh"
+    reader.write_text("#!/bin/bash\nargs=()\nfor arg; do\n"
+                      f"  case \"$arg\" in *.part) args+=({str(other)!r});; *) args+=(\"$arg\");; esac\n"
+                      f"done\nexec {str(real)!r} \"${{args[@]}}\"\n")
+    reader.chmod(0o755)
+    return reader

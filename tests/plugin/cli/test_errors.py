@@ -41,6 +41,7 @@ def bad_inputs(folder):
         "missing folder": ([good, "-o", folder / "nowhere" / "out.json"], "nowhere"),
         "output is a folder": ([good, "-o", folder], "folder"),
         "output is the model": ([good, "-o", good], "good.step"),
+        "output is another model": ([good, "-o", write(folder / "old.step", "old")], "old.step: has the name of a model"),
         "output is a second model": ([write(folder / "other.step", text), good, "-o", good], "good.step"),
     }
     for option in ("gap", "angle", "curvature", "flat-radius", "crease", "match"):
@@ -80,7 +81,7 @@ def test_the_folder_is_not_a_step_away_from_being_written(tmp_path):
 
 def test_no_subcommand_and_unknown_subcommand():
     expect_one_line(run(), "subcommand")
-    expect_one_line(run("analyse"), "analyse")
+    expect_one_line(run("analyse"), "there are 'analyze', 'repair', 'fill' and 'corner'")
 
 
 def test_names_with_line_breaks_keep_to_one_line(tmp_path):

@@ -2,11 +2,15 @@
 """The command fill: what it writes, says and refuses."""
 
 import json
+import os
 
 import pytest
 
-from command import run
-from models import box_text
+from command import READER, contents, expect_one_line, run
+from models import OCCT_DATA, box_text, installed, reader_that_finds, roof_text
+from schemas import expect_every_key_matters, expect_valid, validator
+
+VALIDATOR = validator("fill")
 
 
 @pytest.fixture
@@ -16,25 +20,105 @@ def box(tmp_path):
     return path
 
 
-def test_a_face_of_a_box_is_replaced_in_position(box, tmp_path):
-    out, report = tmp_path / "out.step", tmp_path / "fill.json"
-    result = run("fill", box, "-o", out, "--face", "1", "--target", "G0", "--json", report)
-    assert result.returncode == 0, result.stderr
+def fill(model, *options, out="out.step"):
+    """The result, the report and the file written."""
+    out, report = model.parent / out, model.parent / "fill.json"
+    result = run("fill", model, "-o", out, "--json", report, "--overwrite", *options)
+    assert result.returncode in (0, 1), result.stderr
+    report = json.loads(report.read_text())
+    expect_valid(report, VALIDATOR)
+    assert (report["output"] is None) == (not report["filled"])
+    return result, report, out
+
+
+def analysis(path, *options):
+    return json.loads(run("analyze", "--format", "json", *options, path).stdout)
+
+
+def test_a_face_of_a_box_is_replaced_in_position(box):
+    result, report, out = fill(box, "--face", "1", "--target", "G0")
+    assert result.returncode == 0 and result.stderr == ""
     assert result.stdout.startswith("filled with 4 faces") and "REACHED G0" in result.stdout
-    fill = json.loads(report.read_text())
-    assert fill["filled"] and fill["reached"] and all(side["position_only"] for side in fill["sides"])
-    analysis = json.loads(run("analyze", "--format", "json", out).stdout)
-    assert analysis["model"]["faces"] == 9
+    assert report["filled"] and report["reached"] and all(side["position_only"] for side in report["sides"])
+    found = analysis(out)
+    assert found["model"]["faces"] == report["output"]["faces"] == 9
+    assert found["model"]["edges"] == report["output"]["edges"]
+    assert found["summary"]["open_edges"] == report["output"]["open_edges"] == 0
+    assert report["model"] == analysis(box)["model"]
 
 
-def test_what_can_not_be_smooth_is_not_written(box, tmp_path):
-    out = tmp_path / "out.step"
-    result = run("fill", box, "-o", out, "--face", "1")
+def test_faces_are_named_as_analyze_names_them(box):
+    by_number = fill(box, "--face", "3", "--target", "G0")[1]
+    by_name = fill(box, "--face", "Face3", "--target", "G0")[1]
+    for report in (by_number, by_name):
+        del report["time_s"]
+    assert by_name == by_number
+
+
+def test_every_key_of_the_report_matters(box):
+    expect_every_key_matters(fill(box, "--face", "1", "--target", "G0")[1], VALIDATOR)
+
+
+def test_a_smooth_fill_of_a_real_shell(tmp_path):
+    shell = tmp_path / "shell.brep"
+    shell.write_bytes(installed(OCCT_DATA / "occ/shell1.brep").read_bytes())
+    for out in ("out.step", "out.igs", "out.brep", "out.bin"):
+        result, report, written = fill(shell, "--face", "64", out=out)
+        assert result.returncode == 0, result.stdout + result.stderr
+        assert report["output"]["defects"] == 0
+        worst = [seam["angle_deg"]["upper"] for seam in report["outer"] + report["inner"]]
+        assert report["largest_angle_deg"] == max(worst)
+        seams = [seam for seam in analysis(written, "--angle", "0.01")["seams"] if set(seam["faces"]) & set(report["faces"])]
+        assert len(seams) == len(worst)
+        assert all(seam["class"] == "smooth" for seam in seams), "the file says what the report says"
+
+
+def test_a_closed_solid_comes_out_closed_with_its_colours(tmp_path):
+    text = box_text()
+    box = tmp_path / "box.step"
+    face = text.index("ADVANCED_FACE")
+    number = text[text.rindex("#", 0, face):face].rstrip("=")
+    colour = (f"#9001=STYLED_ITEM('',(#9002),{number});#9002=PRESENTATION_STYLE_ASSIGNMENT((#9003));#9003=SURFACE_STYLE_USAGE(.BOTH.,#9004);"
+              "#9004=SURFACE_SIDE_STYLE('',(#9005));#9005=SURFACE_STYLE_FILL_AREA(#9006);#9006=FILL_AREA_STYLE('',(#9007));"
+              "#9007=FILL_AREA_STYLE_COLOUR('',#9008);#9008=COLOUR_RGB('',1.,0.,0.);")
+    box.write_text(text.replace("ENDSEC;\nEND-ISO", colour + "\nENDSEC;\nEND-ISO"))
+    result, report, out = fill(box, "--face", "6", "--target", "G0")
+    assert result.returncode == 0 and result.stderr == ""
+    written = out.read_text()
+    assert written.count("MANIFOLD_SOLID_BREP(") == 1 and "OPEN_SHELL" not in written
+    assert written.count("COLOUR_RGB(") + written.count("DRAUGHTING_PRE_DEFINED_COLOUR(") >= 1
+    assert report["output"]["open_edges"] == 0
+
+
+def test_what_can_not_be_smooth_is_not_written(box):
+    result, report, out = fill(box, "--face", "1")
     assert result.returncode == 1
     assert "NOT REACHED G1" in result.stdout and "90 degrees" in result.stdout
-    assert not out.exists()
-    assert run("fill", box, "-o", out, "--face", "1", "--keep-anyway").returncode == 1
-    assert out.exists()
+    assert not out.exists() and report["output"] is None and "90 degrees" in report["reason"]
+    result, report, out = fill(box, "--face", "1", "--keep-anyway")
+    assert result.returncode == 1 and out.exists()
+    assert report["output"]["defects"] == sum(seam["angle_deg"]["lower"] > 0.01 for seam in report["outer"] + report["inner"])
+
+
+def test_the_verdict_is_on_the_file_too(box, tmp_path):
+    other, out, report = tmp_path / "other.step", tmp_path / "out.step", tmp_path / "out.json"
+    other.write_text(roof_text(1))
+    result = run("fill", box, "-o", out, "--json", report, "--face", "1", "--target", "G0",
+                 reader=reader_that_finds(other, tmp_path, READER))
+    assert result.returncode == 1, result.stderr
+    found = json.loads(report.read_text())
+    expect_valid(found, VALIDATOR)
+    assert found["reached"] and found["output"]["faces"] == 2 and found["output"]["open_edges"] == 6
+    assert f"{out} read back: 2 faces, 7 edges, 6 open edges, 1 seam; the model in memory has 9, " in result.stdout
+    assert result.stderr.startswith(f"seamwright: warning: {out}: read back: ") and result.stderr.count("\n") == 1
+
+
+def test_what_cannot_be_read_back_is_not_written(box, tmp_path):
+    reader = reader_that_finds(tmp_path / "none.step", tmp_path, READER)
+    before = contents(tmp_path)
+    expect_one_line(run("fill", box, "-o", tmp_path / "out.step", "--face", "1", "--target", "G0", reader=reader),
+                    "out.step: can't be read back")
+    assert contents(tmp_path) == before
 
 
 @pytest.mark.parametrize(
@@ -44,11 +128,23 @@ def test_what_can_not_be_smooth_is_not_written(box, tmp_path):
         ([], "has no hole"),
         (["--face", "1", "--hole", "1"], "excludes"),
         (["--face", "0"], "--face"),
+        (["--face", ""], "'' names no Face: a number as 39, or Face39, is needed"),
+        (["--face", "Edge3"], "'Edge3' names no Face"),
         (["--face", "1", "--target", "G3"], "--target"),
         (["--face", "1", "--gap", "nan"], "nan"),
     ],
 )
 def test_bad_usage(box, tmp_path, options, message):
-    result = run("fill", box, "-o", tmp_path / "out.step", *options)
-    assert result.returncode == 2
-    assert message in result.stderr and not (tmp_path / "out.step").exists()
+    expect_one_line(run("fill", box, "-o", tmp_path / "out.step", *options), message)
+    assert not (tmp_path / "out.step").exists()
+
+
+def test_nothing_is_replaced_by_a_slip_of_the_hand(box, tmp_path):
+    old = tmp_path / "old.step"
+    old.write_text("old")
+    options = ["--face", "1", "--target", "G0"]
+    expect_one_line(run("fill", box, "-o", old, *options), "(--overwrite)")
+    expect_one_line(run("fill", box, "-o", box, *options), "(--overwrite-source)")
+    expect_one_line(run("fill", box, "-o", tmp_path / "out.step", "--json", old, *options), "has the name of a model")
+    assert old.read_text() == "old" and sorted(os.listdir(tmp_path)) == ["box.step", "old.step"]
+    assert run("fill", box, "-o", old, "--overwrite", *options).returncode == 0

@@ -2,12 +2,11 @@
 """What repair writes: the model, the table and the JSON, and that they say the same."""
 
 import json
-import pathlib
 
 import pytest
 
-from command import PROGRAM, run
-from models import MODELS, OCCT_DATA, box_text, installed, roof_text
+from command import READER, run
+from models import MODELS, OCCT_DATA, box_text, installed, reader_that_finds, roof_text
 from patches import sheet_text, surfaces_of, worst_figures
 from schemas import expect_every_key_matters, expect_valid, schema, validator
 
@@ -103,7 +102,8 @@ def test_a_sheet_flows_again(tmp_path, target, seed):
     assert gap_mm <= 1e-9 and angle_deg <= 0.1
     assert angle_deg <= max(seam["after"]["angle_deg"]["upper"] for seam in report["seams"]) + 1e-6
     expect_same_verdicts(report, out)
-    assert report["output"] == {"path": str(out), "format": "STEP", "edges": 12, "faces": 4, "defects": 0}
+    assert report["output"] == {"path": str(out), "format": "STEP", "edges": 12, "faces": 4, "open_edges": 8,
+                                "defects": 0}
 
 
 def test_the_schema_notices_a_missing_key_a_wrong_type_and_a_foreign_key(tmp_path):
@@ -130,28 +130,34 @@ def test_what_has_no_defect_is_written_as_it_was(tmp_path, make):
         assert again == seam["before"] == seam["after"]
 
 
-def reader_that_finds(other, folder):
-    """A reader that finds another model where the written one waits for its place."""
-    reader = folder / "reader.sh"
-    (real,) = pathlib.Path(PROGRAM).parent.glob("seamwright-read-*")
-    reader.write_text("#!/bin/bash\nargs=()\nfor arg; do\n"
-                      f"  case \"$arg\" in *.part) args+=({str(other)!r});; *) args+=(\"$arg\");; esac\n"
-                      f"done\nexec {str(real)!r} \"${{args[@]}}\"\n")
-    reader.chmod(0o755)
-    return reader
+@pytest.mark.parametrize("name", ["box.step", "sheet.brep", "sheet.bin", "sheet.igs"])
+def test_what_has_no_defect_comes_back_byte_for_byte(tmp_path, name):
+    model = tmp_path / name
+    if name == "box.step":
+        model.write_text(box_text())
+    else:
+        repair(sheet(tmp_path), out=model)
+    result, report, out = repair(model, out=tmp_path / ("out" + model.suffix))
+    assert result.returncode == 0 and not report["summary"]["changed"]
+    assert out.read_bytes() == model.read_bytes()
+    assert report["output"]["defects"] == 0
+    # Another format is written anew.
+    other = repair(model, out=tmp_path / ("other.brep" if name == "box.step" else "other.step"))[2]
+    assert len(analysis(other)["seams"]) == len(report["seams"])
 
 
 def test_the_verdict_is_on_the_file_too(tmp_path):
     model, other, out = sheet(tmp_path), sheet(tmp_path, "other.step", count_x=3), tmp_path / "out.step"
     found = analysis(other)
-    result = run("repair", model, "-o", out, "--json", tmp_path / "out.json", reader=reader_that_finds(other, tmp_path))
+    result = run("repair", model, "-o", out, "--json", tmp_path / "out.json", reader=reader_that_finds(other, tmp_path, READER))
     assert result.returncode == 1, result.stderr
     report = json.loads((tmp_path / "out.json").read_text())
     expect_valid(report, VALIDATOR)
     assert report["summary"]["defects_after"] == 0
-    assert report["output"] == {"path": str(out), "format": "STEP", "edges": 10, "faces": 3, "defects": 2}
+    assert report["output"] == {"path": str(out), "format": "STEP", "edges": 10, "faces": 3, "open_edges": 8,
+                                "defects": 2}
     assert (found["model"]["edges"], found["model"]["faces"]) == (10, 3)
-    line = ("read back: 2 defects, 3 faces, 10 edges, 2 seams; the model in memory has 0, 2, 7, 1: "
+    line = ("read back: 2 defects, 3 faces, 10 edges, 8 open edges, 2 seams; the model in memory has 0, 2, 7, 6, 1: "
             "numbers of faces and edges differ")
     assert result.stdout.endswith(f"\n{out} {line}\nFAILED: 2 defects at level G1\n")
     assert result.stderr == f"seamwright: warning: {out}: {line}\n"
@@ -159,7 +165,7 @@ def test_the_verdict_is_on_the_file_too(tmp_path):
 
 
 def test_what_cannot_be_read_back_is_not_written(tmp_path):
-    model, reader = sheet(tmp_path), reader_that_finds(tmp_path / "none.step", tmp_path)
+    model, reader = sheet(tmp_path), reader_that_finds(tmp_path / "none.step", tmp_path, READER)
     before = sorted(tmp_path.iterdir())
     result = run("repair", model, "-o", tmp_path / "out.step", "--json", tmp_path / "out.json", reader=reader)
     assert result.returncode == 2 and result.stdout == ""
@@ -266,7 +272,7 @@ def test_the_name_of_the_output_tells_its_format(tmp_path, name, format):
     assert result.returncode == 0
     found = analysis(out)
     facts = {key: found["model"][key] for key in ("edges", "faces")}
-    assert report["output"] == {"path": str(out), "format": format, **facts, "defects": 0}
+    assert report["output"] == {"path": str(out), "format": format, **facts, "open_edges": found["summary"]["open_edges"], "defects": 0}
     assert found["model"]["format"] == format and found["model"]["faces"] == 4
     # Other formats may number edges otherwise.
     levels = sorted((seam["faces"], seam["level"], seam["class"]) for seam in found["seams"])

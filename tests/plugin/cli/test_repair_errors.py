@@ -39,10 +39,11 @@ def bad_inputs(folder):
         "edge 8": ([good, *to, "--edges", "2,8"], "edge 8: the model has edges 1 to 7"),
         "edge -1": ([good, *to, "--edges=-1"], "edge -1"),
         "edge 1.5": ([good, *to, "--edges", "1.5"], "1.5"),
-        "edge x": ([good, *to, "--edges", "2,x"], "2,x"),
+        "edge x": ([good, *to, "--edges", "2,x"], "'x' names no Edge"),
         "huge edge": ([good, *to, "--edges", "99999999999"], "99999999999"),
         "no edge": ([good, *to, "--edges"], "--edges"),
-        "empty edge": ([good, *to, "--edges", ""], "edge"),
+        "empty edge": ([good, *to, "--edges", ""], "'' names no Edge: a number as 39, or Edge39, is needed"),
+        "face as edge": ([good, *to, "--edges", "Face2"], "'Face2' names no Edge"),
         "edge that is no seam": ([good, *to, "--edges", "1"], "edge 1 is no seam"),
         "face 0": ([good, *to, "--fix", "0"], "face 0"),
         "face 3": ([good, *to, "--fix", "1,3"], "face 3: the model has faces 1 to 2"),
@@ -58,8 +59,8 @@ def bad_inputs(folder):
         "foreign format": ([good, "-o", folder / "out.stl"], ".stl"),
         "missing folder": ([good, "-o", folder / "nowhere" / "out.step"], "nowhere"),
         "output is a folder": ([good, "-o", folder / "sub.step"], "folder"),
-        "output is there": ([good, "-o", old], "overwrite"),
-        "output is the model": ([good, "-o", good, "--overwrite"], "overwrite the source"),
+        "output is there": ([good, "-o", old], "(--overwrite)"),
+        "output is the model": ([good, "-o", good, "--overwrite"], "(--overwrite-source)"),
         "output leads to the model": ([good, "-o", folder / "link.step", "--overwrite"], "overwrite the source"),
         "report in a missing folder": ([good, *to, "--json", folder / "nowhere" / "a.json"], "nowhere"),
         "report is a folder": ([good, *to, "--json", folder], "folder"),
@@ -150,3 +151,4 @@ def test_help_goes_to_standard_output():
     assert result.returncode == 0 and result.stderr == ""
     for option in ("--target", "--max-move", "--edges", "--fix", "--json", "--overwrite-source", "--no-sew", "--profile"):
         assert option in result.stdout
+    assert "{" not in result.stdout[result.stdout.index("--no-sew"):].split(maxsplit=1)[0]

@@ -23,20 +23,20 @@ def model(tmp_path):
     return path
 
 
-def start(model, **streams):
+def start(model, out="out.step", **streams):
     streams = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **streams}
-    return subprocess.Popen([PROGRAM, "repair", str(model), "-o", str(model.parent / "out.step"),
+    return subprocess.Popen([PROGRAM, "repair", str(model), "-o", str(model.parent / out),
                              "--json", str(model.parent / "out.json")], stdin=subprocess.DEVNULL, text=True, **streams)
 
 
-def whole_run(model):
+def whole_run(model, out="out.step"):
     """Seconds that it takes, and the two files."""
     began = time.monotonic()
-    process = start(model)
+    process = start(model, out)
     process.communicate(timeout=60)
     assert process.returncode in (0, 1)
     seconds = time.monotonic() - began
-    files = [model.parent / name for name in ("out.step", "out.json")]
+    files = [model.parent / name for name in (out, "out.json")]
     content = [file.read_text() for file in files]
     for file in files:
         file.unlink()
@@ -74,27 +74,37 @@ def test_interrupted(model, how):
     assert model.read_bytes() == content
 
 
-def test_killed_at_random_moments(model):
+def wait_for_a_file_beside(model, process):
+    """Until something is being written, or the process has ended."""
+    while process.poll() is None and os.listdir(model.parent) == [model.name]:
+        time.sleep(0.0005)
+
+
+@pytest.mark.parametrize("out", ["out.step", "out.brep"])
+def test_killed_at_any_moment(model, out):
+    """Moments of the whole run, and as many while files are written, read back and renamed."""
     content = model.read_bytes()
-    seconds, (step, report) = whole_run(model)
+    seconds, (written, report) = whole_run(model, out)
     moments, seen = random.Random(11), set()
-    for _ in range(30):
-        process = start(model, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        time.sleep(moments.uniform(0, 1.05) * seconds)
+    for aimed in [False, True] * 12:
+        process = start(model, out, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        if aimed:
+            wait_for_a_file_beside(model, process)
+        time.sleep(moments.uniform(0, 0.3 if aimed else 1.05) * seconds)
         process.send_signal(signal.SIGKILL)
         process.wait(timeout=20)
         assert model.read_bytes() == content
         left = {name: (model.parent / name).read_text() for name in os.listdir(model.parent) if name != model.name}
-        seen.add("out.step" in left)
-        if "out.step" in left:
-            assert without_time(left["out.step"]) == without_time(step)
+        seen.add("model" if out in left else "part" if left else "nothing")
+        if out in left:
+            assert without_time(left[out]) == without_time(written)
         if "out.json" in left:
-            assert "out.step" in left, "the report speaks of a model that is there"
+            assert out in left, "the report speaks of a model that is there"
             assert {**json.loads(left["out.json"]), "time_s": 0} == {**json.loads(report), "time_s": 0}
         for name in left:
-            assert name in ("out.step", "out.json") or ".part" in name
+            assert name in (out, "out.json") or ".part" in name
             (model.parent / name).unlink()
-    assert False in seen
+    assert {"nothing", "part"} <= seen
 
 
 def test_a_bar_on_a_terminal_and_none_in_a_pipe(tmp_path):

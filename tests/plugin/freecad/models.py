@@ -111,6 +111,50 @@ def broken_block():
     return runpy.run_path(str(SAMPLES))["broken_block"]()
 
 
+def rounded_block(size=20.0, radius=4.0):
+    """A cube whose edges are rounded; its corners are octants of a ball."""
+    cube = Part.makeBox(size, size, size)
+    return cube.makeFillet(radius, cube.Edges)
+
+
+def corner_faces(shape):
+    """The numbers of the faces that are pieces of a ball."""
+    return [n for n, face in enumerate(shape.Faces, 1) if face.Surface.TypeId == "Part::GeomSphere"]
+
+
+def open_block(corners, size=20.0):
+    """A rounded block without the first few of its corners: a shell with as many holes of three sides."""
+    block = rounded_block(size)
+    gone = corner_faces(block)[:corners]
+    return Part.makeShell([face for n, face in enumerate(block.Faces, 1) if n not in gone])
+
+
+def panel_with_hole():
+    """The panel of ``broken_panel`` as it was meant, without the patch in the middle of nine."""
+    faces = broken_panel(across=3, along=3, noise_mm=0.0).Faces
+    return Part.makeShell(faces[:4] + faces[5:])
+
+
+def open_loops(shape):
+    """The loops of edges that bound one face, as lists of names, by their first edge; no two of them touch."""
+    uses = {}
+    for face in shape.Faces:
+        for edge in face.Edges:
+            uses[edge.hashCode()] = uses.get(edge.hashCode(), 0) + 1
+    loops = []  # of (edge name, edge)
+    for number, edge in enumerate(shape.Edges, 1):
+        if uses.get(edge.hashCode()) == 1 and not edge.Degenerated:
+            near = [loop for loop in loops if any(_touch(edge, other) for _, other in loop)]
+            loops = [loop for loop in loops if loop not in near]
+            loops.append([pair for loop in near for pair in loop] + [("Edge%d" % number, edge)])
+    named = [sorted((name for name, _ in loop), key=lambda name: int(name[4:])) for loop in loops]
+    return sorted(named, key=lambda loop: int(loop[0][4:]))
+
+
+def _touch(one, other):
+    return any(a.isSame(b) for a in one.Vertexes for b in other.Vertexes)
+
+
 def point(x, y, z):
     """A vertex."""
     return Part.Vertex(x, y, z)

@@ -15,7 +15,7 @@ import Part
 from document_cases import ABSENT, DocumentCase
 from match_cases import text_of
 
-from freecad.seamwright.document import analysis, repair
+from freecad.seamwright.document import analysis, elements, repair
 from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.plain import kernel, repair_text
 
@@ -328,7 +328,7 @@ class Saving(RepairCase):
                 self.assertEqual({name: getattr(again, name) for name in kept}, kept)
                 self.assertTrue(repair.is_repair(again))
                 self.assertEqual((again.MaxMove.Value, len(again.Shape.Faces)), (1.0, 6))
-                self.assertEqual(repair.element_names(again, "FixedFaces"), ["Face1"])
+                self.assertEqual(elements.names(again, "FixedFaces"), ["Face1"])
                 again.touch()
                 self.doc.recompute()
                 self.assertFailed(again, "cannot be loaded")

@@ -13,7 +13,7 @@ import models
 from PySide import QtCore
 from window import WindowCase, camera, click, click_row, count, messages, picture, settle, whole_window
 
-from freecad.seamwright.document import analysis, repair
+from freecad.seamwright.document import analysis, elements, repair
 from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.gui.qt import QtWidgets
 from freecad.seamwright.plain import moves, repair_text
@@ -185,10 +185,10 @@ class Repairing(RepairWindow):
             panel.lists["FixedFaces"].set_names(["Face2"])
             self.assertEqual(panel.preview_button.text(), "Preview anew")
             self.preview(panel)
-            self.assertEqual((obj.MaxMove.Value, repair.element_names(obj, "FixedFaces")), (0.01, ["Face2"]))
+            self.assertEqual((obj.MaxMove.Value, elements.names(obj, "FixedFaces")), (0.01, ["Face2"]))
             self.assertNotEqual(obj.Report, report)
             self.cancel()
-            self.assertEqual((obj.MaxMove.Value, repair.element_names(obj, "FixedFaces")), (0.5, []))
+            self.assertEqual((obj.MaxMove.Value, elements.names(obj, "FixedFaces")), (0.5, []))
             self.assertEqual((obj.Repaired, self.visible(), obj.ViewObject.ShowMoves), (7, [obj.Name], False))
 
     def test_seams_and_faces_are_picked_in_the_view(self):
@@ -207,12 +207,12 @@ class Repairing(RepairWindow):
         self.assertEqual(faces.names(), ["Face6"])
         whole_window("repair-picked")
         self.preview(panel)
-        self.assertEqual((repair.element_names(obj, "Edges"), obj.Wanted), ([chosen], 1))
+        self.assertEqual((elements.names(obj, "Edges"), obj.Wanted), ([chosen], 1))
         self.assertNotIn(6, [move["face"] for move in repair.report_of(obj)["moves"]])
         click(edges.remove, edges.remove.rect().center())
         self.assertEqual(edges.names(), [])
         self.ok()
-        self.assertEqual((repair.element_names(obj, "Edges"), obj.Wanted), ([], 7))
+        self.assertEqual((elements.names(obj, "Edges"), obj.Wanted), ([], 7))
 
     def test_what_could_not_be_repaired_says_why(self):
         obj, panel = self.start()
@@ -223,8 +223,8 @@ class Repairing(RepairWindow):
         self.assertEqual(results.count("repaired"), obj.Repaired)
         for place, text in enumerate(results):
             click_row(panel.table, place)
-            self.assertEqual(panel.note.isVisible(), text != "repaired")
-            self.assertTrue(text == "repaired" or panel.note.text().endswith(text))
+            self.assertEqual(panel.remark.isVisible(), text != "repaired")
+            self.assertTrue(text == "repaired" or panel.remark.text().endswith(text))
         click_row(panel.table, 0)
         whole_window("repair-left")
         self.ok()
@@ -264,7 +264,7 @@ class Choosing(RepairWindow):
         click(buttons[0], buttons[0].rect().center())
         settle()
         (obj,) = self.repairs()
-        self.assertEqual((obj.Source, repair.element_names(obj, "Edges")), (self.source, ["Edge%d" % edge]))
+        self.assertEqual((obj.Source, elements.names(obj, "Edges")), (self.source, ["Edge%d" % edge]))
         self.assertEqual((obj.AngleTolerance.Value, obj.Target), (1.0, "G1"))
         self.assertEqual(obj.ViewObject.Proxy.panel.table.rowCount(), 1)
         self.assertIsNone(found.ViewObject.Proxy.panel)
@@ -294,11 +294,11 @@ class Choosing(RepairWindow):
         found = analysis.create([self.source], level="G2")
         numbers = [seam["edges"][0] for seam in analysis.report_of(found)["seams"]]
         obj, _ = self.start((found, "Edge2"), (found, "Edge5"))
-        self.assertEqual(repair.element_names(obj, "Edges"), ["Edge%d" % numbers[k] for k in (1, 4)])
+        self.assertEqual(elements.names(obj, "Edges"), ["Edge%d" % numbers[k] for k in (1, 4)])
         self.assertEqual((obj.Source, obj.Target), (self.source, "G2"))
         self.cancel()
         obj, _ = self.start((found, ""))
-        self.assertEqual((obj.Source, repair.element_names(obj, "Edges")), (self.source, []))
+        self.assertEqual((obj.Source, elements.names(obj, "Edges")), (self.source, []))
         self.cancel()
 
     def test_a_link_and_a_part(self):

@@ -7,7 +7,7 @@ import math
 import pytest
 from test_plain import SIGHTS, TOLERANCE, lab, linear, seam
 
-from freecad.seamwright.plain import moves, repair_text
+from freecad.seamwright.plain import moves, repair_text, rows
 
 ARROW = repair_text.ARROW
 
@@ -62,7 +62,7 @@ def test_rows_come_worst_first_with_figures_before_and_after(done):
     assert [row.seam for row in rows] == [3, 2, 5]
     assert [row.state for row in rows] == [repair_text.LEFT, repair_text.REPAIRED, repair_text.LEFT]
     cells = rows[1].cells
-    assert cells[0] == "2"
+    assert cells[0] == "Edge2"
     assert cells[1] == "2, 3"
     assert cells[2] == "\u22650.4" + ARROW + "\u22651e-9"
     assert cells[-1] == "repaired"
@@ -132,7 +132,7 @@ def test_seams_that_could_not_be_measured_are_worst():
 
 
 def test_located_names_each_face_and_edge_of_the_object(done):
-    place = repair_text.located(done, "Panel")["freecad"]
+    place = rows.located([seam["before"] for seam in done["seams"]], done["tolerance"], "Panel")["freecad"]
     assert place["edges"]["3"] == ["Panel", "Edge3"]
     assert place["faces"]["6"] == ["Panel", "Face6"]
 

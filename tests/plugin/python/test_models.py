@@ -12,6 +12,7 @@ import threading
 import time
 
 import jsonschema
+import numpy
 import pytest
 
 import seamwright
@@ -149,13 +150,22 @@ def test_progress_of_both(box):
     assert shares and all(0 <= share <= 1 for share in shares) and shares[-1] == 1
 
 
-def test_false_cancels_none_does_not(box):
-    model = seamwright.read(box, progress=lambda share: None)
+@pytest.mark.parametrize("answer", [False, 0, 0.0, "", numpy.bool_(False), numpy.int64(0)])
+def test_what_is_false_to_python_cancels(box, answer):
     with pytest.raises(seamwright.Cancelled):
-        model.analyze(progress=lambda share: False)
-    assert model.analyze(progress=lambda share: 0).passed, "only False stops"
+        seamwright.read(box, progress=lambda share: answer)
     with pytest.raises(seamwright.Cancelled):
-        seamwright.read(box, progress=lambda share: False)
+        seamwright.read(box).analyze(progress=lambda share: answer)
+
+
+@pytest.mark.parametrize("answer", [None, True, 1, "0", numpy.bool_(True), numpy.float64(0.5)])
+def test_none_and_what_is_true_go_on(box, answer):
+    assert seamwright.read(box, progress=lambda share: answer).analyze(progress=lambda share: answer).passed
+
+
+def test_an_answer_without_truth_raises_what_python_raises(box):
+    with pytest.raises(ValueError, match="truth value of an array"):
+        seamwright.read(box).analyze(progress=lambda share: numpy.zeros(2))
 
 
 def test_what_progress_raises_comes_out(box):

@@ -14,7 +14,7 @@ import seamwright
 
 HERE = pathlib.Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "cli"))
-from models import box_text  # noqa: E402
+from models import box_text, reader_that_finds  # noqa: E402
 from patches import sheet_text, surfaces_of, worst_figures  # noqa: E402
 from schemas import expect_valid, validator  # noqa: E402
 
@@ -52,6 +52,43 @@ def test_the_report_follows_the_schema(tmp_path):
     assert (report.seams, report.moves, report.summary) == (found["seams"], found["moves"], found["summary"])
     assert found["output"] is None and found["options"]["max_move_mm"] is None
     assert 1 not in [move["face"] for move in report.moves]
+
+
+def test_what_is_written_is_read_back(tmp_path):
+    report = sheet(tmp_path, count_x=3).repair()
+    shares = []
+    written = report.write(tmp_path / "out.step", progress=shares.append)
+    assert written["format"] == "STEP" and written["followed_source"] and written["changed_faces"] == 3
+    assert written["output"] == {"path": str(tmp_path / "out.step"), "format": "STEP", "edges": 10, "faces": 3, "open_edges": 8,
+                                 "defects": 0}
+    assert written["differences"] == ""
+    assert shares == sorted(shares) and shares[-1] == 1
+    assert [seam["class"] for seam in seamwright.read(tmp_path / "out.step").analyze().seams] == ["smooth"] * 2
+    with pytest.raises(seamwright.ModelError, match="overwrite"):
+        report.write(tmp_path / "out.step")
+    for stop in (0, 0.3, 0.7):
+        with pytest.raises(seamwright.Cancelled):
+            report.write(tmp_path / "other.step", progress=lambda share: share < stop)
+    assert not (tmp_path / "other.step").exists()
+
+
+def test_the_file_is_judged_not_the_model(tmp_path, monkeypatch):
+    """The command's own test, from Python: a reader that finds another model where the new one waits."""
+    found = list((pathlib.Path(seamwright.__file__).parents[2] / "bin").glob("seamwright-read-*"))
+    if not found:
+        pytest.skip("no reader beside this module")
+    report = sheet(tmp_path).repair()
+    other = tmp_path / "other.step"
+    other.write_text(sheet_text(count_x=3))
+    monkeypatch.setenv("SEAMWRIGHT_READER", str(reader_that_finds(other, tmp_path, found[0])))
+    written = report.write(tmp_path / "out.step")
+    assert written["output"]["defects"] == 2 and written["output"]["faces"] == 3
+    assert written["differences"].startswith("read back: 2 defects, 3 faces, 10 edges, 8 open edges")
+    monkeypatch.setenv("SEAMWRIGHT_READER", str(reader_that_finds(tmp_path / "none.step", tmp_path, found[0])))
+    before = sorted(tmp_path.iterdir())
+    with pytest.raises(seamwright.ModelError, match="can't be read back, so it is not written"):
+        report.write(tmp_path / "another.step")
+    assert sorted(tmp_path.iterdir()) == before
 
 
 def test_keywords_are_taken(tmp_path):

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The workbench; FreeCAD imports this at start, so it loads nothing it does not need yet."""
 
+import importlib
+
 import FreeCADGui as Gui
 
 from freecad.seamwright.document.hooks import hooks
@@ -27,12 +29,18 @@ class SeamwrightWorkbench(Gui.Workbench):
         return "Gui::PythonWorkbench"
 
 
-def _attach_view(obj):
-    from freecad.seamwright.document import match, repair
-    from freecad.seamwright.gui import match_view, repair_view, view_provider
+#: The module of the view of each kind of document object.
+VIEWS = {
+    "CornerFillet": "corner_view",
+    "MatchSurfaces": "match_view",
+    "SeamAnalysis": "view_provider",
+    "SeamRepair": "repair_view",
+    "UmbrellaFill": "fill_view",
+}
 
-    own = match_view if match.is_match(obj) else repair_view if repair.is_repair(obj) else view_provider
-    own.attach_view(obj)
+
+def _attach_view(obj):
+    importlib.import_module("freecad.seamwright.gui." + VIEWS[obj.Proxy.Type]).attach_view(obj)
 
 
 def _progress(text):

@@ -11,7 +11,7 @@ import FreeCAD as App
 import Part
 
 from freecad.seamwright import __version__
-from freecad.seamwright.document import properties, sources
+from freecad.seamwright.document import feature, properties, sources
 from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.document.properties import error_text
 from freecad.seamwright.plain import kernel, summary
@@ -38,72 +38,67 @@ RESULTS = (
     ("MaxAngle", "App::PropertyAngle", "Largest angle seen apart from creases, in degrees"),
 )
 
-INTERNAL = (
-    ("Report", "App::PropertyString", "The report as JSON"),
+INTERNAL = feature.INTERNAL + (
     ("Analysed", "App::PropertyLinkListGlobal", "The objects that were analysed"),
-    ("SeamwrightVersion", "App::PropertyString", "The version that wrote this object"),
-)
+)  # fmt: skip
 
 __all__ = ["SeamAnalysis", "create", "error_text", "is_analysis", "report_of"]
 
 EMPTY_REPORT = {"seams": [], "open": []}
 
 
-class SeamAnalysis:
+class SeamAnalysis(feature.Feature):
     """Proxy of a Part::FeaturePython that measures the seams of its sources."""
 
     Type = "SeamAnalysis"
 
-    def __init__(self, obj):
-        add_properties(obj)
-        obj.Proxy = self
+    @staticmethod
+    def add_properties(obj):
+        """Add the properties an object lacks, with their defaults."""
+        adder = properties.Adder(obj)
+        adder.add("App::PropertyLinkListGlobal", "Sources", "Seams",
+                  "The objects to analyse; empty means all solids and shells of the document")  # fmt: skip
+        adder.add_tolerances(TOLERANCES)
+        adder.add_choice("Level", "Tolerances", "Level every seam should meet", LEVELS, DEFAULT_LEVEL)
+        adder.add_results(RESULTS, INTERNAL)
+        obj.setEditorMode("Placement", ["Hidden"])
 
-    def onDocumentRestored(self, obj):
-        """Complete an object written by an older version; nothing is recomputed."""
-        obj.Proxy = self
-        add_properties(obj)
-        hooks.attach_view(obj)
+    @staticmethod
+    def compute(module, obj):
+        """Measure the sources: report, compound of the seam edges, objects."""
+        model = sources.Model(source_objects(obj))
+        report = measure(module, model, obj)
+        return report, seam_edges(model.shape, report), model.objects
 
-    def execute(self, obj):
-        """Measure the sources. On failure the object is marked and its Summary says why."""
-        module = kernel.load(Part.OCC_VERSION)
-        try:
-            model = sources.Model(source_objects(obj))
-            report = measure(module, model, obj)
-        except module.Cancelled:
-            raise RuntimeError("Cancelled; the results are those of the last complete run.") from None
-        except (sources.SourceError, module.ModelError, ValueError) as error:
-            store(obj, EMPTY_REPORT, Part.Shape(), [])
-            obj.Summary = "Not analysed: %s" % error
-            raise RuntimeError(str(error)) from None
-        store(obj, report, seam_edges(model.shape, report), model.objects)
+    @staticmethod
+    def store(obj, report, shape, objects):
+        """Put the results into the read-only properties; the Report before the Shape it colours."""
+        counts = summary.class_counts(report)
+        feature.keep_report(obj, report)
+        obj.Analysed = objects
+        obj.Seams = sum(counts.values())
+        obj.Defects = counts["defect"]
+        obj.Creases = counts["crease"]
+        obj.Uncertain = summary.uncertain(report)
+        obj.Matched = summary.matched(report)
+        obj.OpenEdges = len(report.get("open", ()))
+        obj.MaxGap = summary.largest(report, "gap_mm") or 0.0
+        obj.MaxAngle = summary.largest(report, "angle_deg") or 0.0
+        obj.Passed = summary.passed(report)
+        obj.Shape = shape
+        obj.Summary = summary.summary_text(report)
 
-    def dumps(self):
-        """Nothing is kept beside the properties."""
-        return None
-
-    def loads(self, state):
-        """Nothing is kept beside the properties."""
-
-    # FreeCAD before 0.21.2 asks by these names.
-    __getstate__ = dumps
-    __setstate__ = loads
-
-
-def add_properties(obj):
-    """Add the properties an object lacks, with their defaults."""
-    adder = properties.Adder(obj)
-    adder.add("App::PropertyLinkListGlobal", "Sources", "Seams",
-              "The objects to analyse; empty means all solids and shells of the document")  # fmt: skip
-    adder.add_tolerances(TOLERANCES)
-    adder.add_choice("Level", "Tolerances", "Level every seam should meet", LEVELS, DEFAULT_LEVEL)
-    adder.add_results(RESULTS, INTERNAL)
-    obj.setEditorMode("Placement", ["Hidden"])
+    @staticmethod
+    def store_failure(obj, reason):
+        """An empty report."""
+        SeamAnalysis.store(obj, EMPTY_REPORT, Part.Shape(), [])
+        obj.Summary = "Not analysed: %s" % reason
+        return reason
 
 
 def is_analysis(obj):
     """Whether a document object is a Seam Analysis."""
-    return getattr(getattr(obj, "Proxy", None), "Type", None) == SeamAnalysis.Type
+    return feature.is_of(obj, SeamAnalysis)
 
 
 def report_of(obj):
@@ -162,25 +157,6 @@ def _bare_edge(edge):
         return edge.copy()
 
 
-def store(obj, report, shape, objects):
-    """Put the results into the read-only properties; the Report before the Shape it colours."""
-    counts = summary.class_counts(report)
-    obj.Report = json.dumps(report)
-    obj.Analysed = objects
-    obj.SeamwrightVersion = __version__
-    obj.Seams = sum(counts.values())
-    obj.Defects = counts["defect"]
-    obj.Creases = counts["crease"]
-    obj.Uncertain = summary.uncertain(report)
-    obj.Matched = summary.matched(report)
-    obj.OpenEdges = len(report.get("open", ()))
-    obj.MaxGap = summary.largest(report, "gap_mm") or 0.0
-    obj.MaxAngle = summary.largest(report, "angle_deg") or 0.0
-    obj.Passed = summary.passed(report)
-    obj.Shape = shape
-    obj.Summary = summary.summary_text(report)
-
-
 def create(sources=None, doc=None, **tolerances):
     """Add a Seam Analysis to a document, compute it and return it.
 
@@ -197,9 +173,7 @@ def create(sources=None, doc=None, **tolerances):
     if doc is None:
         raise ValueError("There is no document to put the analysis into.")
     doc.recompute()  # what is to be found by itself must have its shape
-    obj = doc.addObject("Part::FeaturePython", "SeamAnalysis")
-    obj.Label = "Seam Analysis"
-    SeamAnalysis(obj)
+    obj = feature.add(doc, SeamAnalysis, "Seam Analysis")
     obj.Sources = list(sources or [])
     for name, value in values.items():
         setattr(obj, name, value)

@@ -9,8 +9,7 @@ import json
 
 import Part
 
-from freecad.seamwright import __version__
-from freecad.seamwright.document import properties, sources
+from freecad.seamwright.document import feature, properties, sources
 from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.document.properties import error_text
 from freecad.seamwright.plain import kernel, match_text
@@ -49,70 +48,64 @@ RESULTS = (
     ("LevelAfter", "App::PropertyString", "Level of continuity, matched"),
 )
 
-INTERNAL = (
-    ("Report", "App::PropertyString", "What the kernel found, as JSON"),
-    ("SeamwrightVersion", "App::PropertyString", "The version that wrote this object"),
-)
 
-
-class MatchSurfaces:
+class MatchSurfaces(feature.Feature):
     """Proxy of a Part::FeaturePython that holds two faces matched to each other."""
 
     Type = "MatchSurfaces"
 
-    def __init__(self, obj):
-        add_properties(obj)
-        obj.Proxy = self
-
-    def onDocumentRestored(self, obj):
-        """Complete an object written by an older version; nothing is recomputed."""
-        obj.Proxy = self
-        add_properties(obj)
-        hooks.attach_view(obj)
+    @staticmethod
+    def add_properties(obj):
+        """Add the properties an object lacks, with their defaults."""
+        adder = properties.Adder(obj)
+        for name, tip in LINKS:
+            adder.add("App::PropertyLinkSubGlobal", name, "Faces", tip)
+        adder.add_choice("Target", "Match", "Level of continuity to reach", TARGETS, TARGETS[0])
+        adder.add_choice("Moves", "Match", "The face that is moved", MOVES, DEFAULT_MOVES)
+        adder.add("App::PropertyLength", "MaxMove", "Match", "No pole may move further, in mm; 0: as far as it takes")
+        adder.add("App::PropertyBool", "HoldSides", "Match", "The two other boundaries that end at the seam stay")
+        adder.add_tolerances(TOLERANCES)
+        adder.add_results(RESULTS, feature.INTERNAL)
+        obj.setEditorMode("Placement", ["Hidden"])
 
     def execute(self, obj):
-        """Match the faces. On failure the object is marked, has no shape, and its Summary says why."""
-        module = kernel.load(Part.OCC_VERSION)
-        try:
-            report, shape = match(module, obj)
-        except module.Cancelled:
-            raise RuntimeError("Cancelled; the results are those of the last complete run.") from None
-        except (sources.SourceError, module.ModelError, ValueError) as error:
-            report = {**match_text.EMPTY_REPORT, "reason": str(error), "tolerance": tolerances(obj)}
-            shape = Part.Shape()
-        store(obj, report, shape)
-        if not report["matched"]:
+        """Match the faces. On failure, and where they do not match, the object is marked and has no shape."""
+        super().execute(obj)
+        if not obj.Matched:
             raise RuntimeError(obj.Summary)
 
-    def dumps(self):
-        """Nothing is kept beside the properties."""
-        return None
+    @staticmethod
+    def compute(module, obj):
+        """Match the faces: report, shape."""
+        return match(module, obj)
 
-    def loads(self, state):
-        """Nothing is kept beside the properties."""
+    @staticmethod
+    def store(obj, report, shape):
+        """Put the results into the read-only properties; the Summary last."""
+        before, after = report["before"], report["after"] if report["matched"] else None
+        feature.keep_report(obj, report)
+        obj.Matched = report["matched"]
+        obj.Exact = report["exact"]
+        obj.Certain = after is not None and after["certified"]
+        obj.LargestMove = report["largest_move_mm"] if report["matched"] else 0.0
+        for when, seam in (("Before", before), ("After", after)):
+            for word, name in (("Gap", "gap_mm"), ("Angle", "angle_deg"), ("Curvature", "curvature_rel")):
+                setattr(obj, word + when, match_text.value(seam, name))
+            setattr(obj, "Level" + when, "" if seam is None else seam["level"])
+        obj.Shape = shape
+        obj.Summary = match_text.summary(report)
 
-    # FreeCAD before 0.21.2 asks by these names.
-    __getstate__ = dumps
-    __setstate__ = loads
-
-
-def add_properties(obj):
-    """Add the properties an object lacks, with their defaults."""
-    adder = properties.Adder(obj)
-    for name, tip in LINKS:
-        adder.add("App::PropertyLinkSubGlobal", name, "Faces", tip)
-    adder.add_choice("Target", "Match", "Level of continuity to reach", TARGETS, TARGETS[0])
-    adder.add_choice("Moves", "Match", "The face that is moved", MOVES, DEFAULT_MOVES)
-    adder.add("App::PropertyLength", "MaxMove", "Match", "No pole may move further, in mm; 0: as far as it takes")
-    adder.add("App::PropertyBool", "HoldSides", "Match", "The two other boundaries that end at the seam stay")
-    adder.add_tolerances(TOLERANCES)
-    adder.add_results(RESULTS, INTERNAL)
-    obj.setEditorMode("Placement", ["Hidden"])
+    @staticmethod
+    def store_failure(obj, reason):
+        """A report of nothing with the reason."""
+        report = {**match_text.EMPTY_REPORT, "reason": reason, "tolerance": tolerances(obj)}
+        MatchSurfaces.store(obj, report, Part.Shape())
+        return obj.Summary
 
 
 def is_match(obj):
     """Whether a document object is a Match Surfaces."""
-    return getattr(getattr(obj, "Proxy", None), "Type", None) == MatchSurfaces.Type
+    return feature.is_of(obj, MatchSurfaces)
 
 
 def report_of(obj):
@@ -193,23 +186,6 @@ def _edge_number(obj, shape, chosen):
     return 0
 
 
-def store(obj, report, shape):
-    """Put the results into the read-only properties; the Summary last."""
-    before, after = report["before"], report["after"] if report["matched"] else None
-    obj.Report = json.dumps(report)
-    obj.SeamwrightVersion = __version__
-    obj.Matched = report["matched"]
-    obj.Exact = report["exact"]
-    obj.Certain = after is not None and after["certified"]
-    obj.LargestMove = report["largest_move_mm"] if report["matched"] else 0.0
-    for when, seam in (("Before", before), ("After", after)):
-        for word, name in (("Gap", "gap_mm"), ("Angle", "angle_deg"), ("Curvature", "curvature_rel")):
-            setattr(obj, word + when, match_text.value(seam, name))
-        setattr(obj, "Level" + when, "" if seam is None else seam["level"])
-    obj.Shape = shape
-    obj.Summary = match_text.summary(report)
-
-
 def create(first, second, *, edge=None, target="G1", moves="second", max_move_mm=0.0, hold_sides=False, **tolerances):
     """Match two faces: add a Match Surfaces to their document, compute it and return it.
 
@@ -227,9 +203,7 @@ def create(first, second, *, edge=None, target="G1", moves="second", max_move_mm
     )
     values["Moves"] = values["Moves"].capitalize()
     doc = first[0].Document
-    obj = doc.addObject("Part::FeaturePython", "MatchSurfaces")
-    obj.Label = "Match Surfaces"
-    MatchSurfaces(obj)
+    obj = feature.add(doc, MatchSurfaces, "Match Surfaces")
     for name, target_link in (("FirstFace", first), ("SecondFace", second), ("CommonEdge", edge)):
         if target_link is not None:
             setattr(obj, name, (target_link[0], [target_link[1]]))

@@ -80,11 +80,8 @@ def checked(given, table, choices):
     """
     given = dict(given)
     names = {argument: name for name, argument, *_ in table}
-    profile = given.pop("profile", "default")
-    if profile not in profiles.PROFILES:
-        raise ValueError("profile %r: choose one of %s" % (profile, ", ".join(profiles.PROFILES)))
     values = {}
-    for argument, value in {**profiles.PROFILES[profile], **given}.items():
+    for argument, value in {**_of_profile(given.pop("profile", None), names), **given}.items():
         if argument in choices:
             name, allowed = choices[argument]
             if value not in allowed:
@@ -97,6 +94,24 @@ def checked(given, table, choices):
         else:
             raise TypeError("there is no tolerance %r" % argument)
     return values
+
+
+def checked_numbers(argument, given):
+    """A list of lengths for a number, a list of numbers, or None. Raises ValueError for one that is negative or not finite."""
+    numbers = [] if given is None else list(given) if isinstance(given, (list, tuple)) else [given]
+    for place, value in enumerate(numbers):
+        if not (value >= 0 and math.isfinite(value)):
+            raise ValueError("%s[%d] = %r: must be a finite number, not negative" % (argument, place, value))
+    return [float(value) for value in numbers]
+
+
+def _of_profile(profile, names):
+    """The tolerances of a profile that are in ``names``; none for None: the properties have their defaults."""
+    if profile is None:
+        return {}
+    if profile not in profiles.PROFILES:
+        raise ValueError("profile %r: choose one of %s" % (profile, ", ".join(profiles.PROFILES)))
+    return {argument: value for argument, value in profiles.PROFILES[profile].items() if argument in names}
 
 
 def error_text(obj):

@@ -9,8 +9,7 @@ import json
 
 import Part
 
-from freecad.seamwright import __version__
-from freecad.seamwright.document import properties, sources
+from freecad.seamwright.document import elements, feature, properties, sources
 from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.document.properties import error_text
 from freecad.seamwright.plain import kernel, repair_text
@@ -48,70 +47,58 @@ RESULTS = (
     ("MaxAngleAfter", "App::PropertyAngle", "Largest angle seen apart from creases, repaired, in degrees"),
 )
 
-INTERNAL = (
-    ("Report", "App::PropertyString", "What the kernel found, as JSON"),
-    ("SeamwrightVersion", "App::PropertyString", "The version that wrote this object"),
-)
 
-
-class SeamRepair:
+class SeamRepair(feature.Feature):
     """Proxy of a Part::FeaturePython that holds its source with the seams repaired."""
 
     Type = "SeamRepair"
 
-    def __init__(self, obj):
-        add_properties(obj)
-        obj.Proxy = self
+    @staticmethod
+    def add_properties(obj):
+        """Add the properties an object lacks, with their defaults."""
+        adder = properties.Adder(obj)
+        adder.add("App::PropertyLinkGlobal", "Source", "Seams", "The object whose seams are repaired")
+        for name, _, tip in ELEMENTS:
+            adder.add("App::PropertyLinkSubGlobal", name, "Seams", tip)
+        adder.add_choice("Target", "Repair", "Level of continuity to reach", TARGETS, TARGETS[0])
+        tip = "No pole may move further, in mm; 0: as far as it takes"
+        adder.add_with("App::PropertyLength", "MaxMove", "Repair", tip, MAX_MOVE_MM)
+        adder.add_tolerances(TOLERANCES)
+        adder.add_results(RESULTS, feature.INTERNAL)
+        obj.setEditorMode("Placement", ["Hidden"])
 
-    def onDocumentRestored(self, obj):
-        """Complete an object written by an older version; nothing is recomputed."""
-        obj.Proxy = self
-        add_properties(obj)
-        hooks.attach_view(obj)
+    @staticmethod
+    def compute(module, obj):
+        """Repair the source: report, shape."""
+        return repair(module, obj)
 
-    def execute(self, obj):
-        """Repair the source. On failure the object is marked, has no shape, and its Summary says why."""
-        module = kernel.load(Part.OCC_VERSION)
-        try:
-            report, shape = repair(module, obj)
-        except module.Cancelled:
-            raise RuntimeError("Cancelled; the results are those of the last complete run.") from None
-        except (sources.SourceError, module.ModelError, ValueError) as error:
-            reason = repair_text.named(str(error))
-            store(obj, empty_report(obj), Part.Shape())
-            obj.Summary = "Not repaired: %s" % reason
-            raise RuntimeError(reason) from None
-        store(obj, report, shape)
+    @staticmethod
+    def store(obj, report, shape):
+        """Put the results into the read-only properties; the Summary last."""
+        feature.keep_report(obj, report)
+        obj.Changed = repair_text.has_changed(report)
+        obj.Wanted = len(report["seams"])
+        obj.Repaired = repair_text.repaired_count(report)
+        obj.MovedFaces = len(report["moves"])
+        obj.LargestMove = repair_text.largest_move_mm(report)
+        for place, when in enumerate(("Before", "After")):
+            for name, figure in (("Defects", "defects"), ("MaxGap", "gap_mm"), ("MaxAngle", "angle_deg")):
+                setattr(obj, name + when, report[figure][place] or 0)
+        feature.put_shape(obj, shape)
+        obj.Summary = repair_text.summary_text(report)
 
-    def dumps(self):
-        """Nothing is kept beside the properties."""
-        return None
-
-    def loads(self, state):
-        """Nothing is kept beside the properties."""
-
-    # FreeCAD before 0.21.2 asks by these names.
-    __getstate__ = dumps
-    __setstate__ = loads
-
-
-def add_properties(obj):
-    """Add the properties an object lacks, with their defaults."""
-    adder = properties.Adder(obj)
-    adder.add("App::PropertyLinkGlobal", "Source", "Seams", "The object whose seams are repaired")
-    for name, _, tip in ELEMENTS:
-        adder.add("App::PropertyLinkSubGlobal", name, "Seams", tip)
-    adder.add_choice("Target", "Repair", "Level of continuity to reach", TARGETS, TARGETS[0])
-    tip = "No pole may move further, in mm; 0: as far as it takes"
-    adder.add_with("App::PropertyLength", "MaxMove", "Repair", tip, MAX_MOVE_MM)
-    adder.add_tolerances(TOLERANCES)
-    adder.add_results(RESULTS, INTERNAL)
-    obj.setEditorMode("Placement", ["Hidden"])
+    @staticmethod
+    def store_failure(obj, reason):
+        """A report of nothing."""
+        reason = repair_text.named(reason)
+        SeamRepair.store(obj, empty_report(obj), Part.Shape())
+        obj.Summary = "Not repaired: %s" % reason
+        return reason
 
 
 def is_repair(obj):
     """Whether a document object is a Seam Repair."""
-    return getattr(getattr(obj, "Proxy", None), "Type", None) == SeamRepair.Type
+    return feature.is_of(obj, SeamRepair)
 
 
 def empty_report(obj):
@@ -129,21 +116,10 @@ def tolerances(obj):
     return properties.arguments(obj, TOLERANCES)
 
 
-def element_names(obj, name):
-    """The faces or edges of one of ``ELEMENTS``: ["Face3", ...]."""
-    link = getattr(obj, name)
-    return [element for element in link[1] if element] if link else []
-
-
-def set_elements(obj, name, elements):
-    """Set one of ``ELEMENTS`` to faces or edges of the source, ["Face3", ...]; none empties it."""
-    setattr(obj, name, (obj.Source, list(elements)) if elements else None)
-
-
 def repair(module, obj):
     """Run the kernel: (report, shape). Raises SourceError for links that lead nowhere, ValueError for bad values."""
-    shape = source_shape(obj)
-    edges, faces = (element_numbers(obj, shape, *entry[:2]) for entry in ELEMENTS)
+    shape = elements.source_shape(obj)
+    edges, faces = (elements.numbers(obj, shape, *entry[:2]) for entry in ELEMENTS)
     with hooks.progress("Repairing seams\u2026") as progress:
         result = module.Model.from_freecad(shape).repair(
             target=obj.Target, edges=edges or None, fixed_faces=faces,
@@ -164,8 +140,8 @@ def foresee(obj):
     """
     module = kernel.load(Part.OCC_VERSION)
     try:
-        shape = source_shape(obj)
-        edges, _ = (element_numbers(obj, shape, *entry[:2]) for entry in ELEMENTS)
+        shape = elements.source_shape(obj)
+        edges, _ = (elements.numbers(obj, shape, *entry[:2]) for entry in ELEMENTS)
         with hooks.progress("Analysing seams\u2026") as progress:
             found = module.Model.from_freecad(shape).analyze(level=obj.Target, progress=progress, **tolerances(obj))
     except module.Cancelled:
@@ -176,53 +152,6 @@ def foresee(obj):
     seams = repair_text.waiting(before, obj.Target, set(edges))
     report = repair_text.build_report(before, None, seams, [], obj.Target, bool(edges))
     return report, repair_text.summary_text(report)
-
-
-def source_objects(obj):
-    """The source, as a list of one object, or of none where it was deleted."""
-    return [] if obj.Source is None else [obj.Source]
-
-
-def source_shape(obj):
-    """The shape of the source where it stands in the model. Raises SourceError."""
-    if obj.Source is None:
-        raise sources.SourceError("The source is gone: choose another one in the property Source")
-    return sources.world_shape(obj.Source)
-
-
-def element_numbers(obj, shape, name, kind):
-    """The numbers of faces or edges of one of ``ELEMENTS``. Raises SourceError for one that is not there."""
-    link = getattr(obj, name)
-    if not link or link[0] is None:
-        return []
-    if link[0] != obj.Source:
-        raise sources.SourceError("%s names %s, which is not the source %s" % (name, link[0].Label, obj.Source.Label))
-    count = len(shape.Edges if kind == "Edge" else shape.Faces)
-    return [_number(obj.Source, element, kind, count) for element in element_names(obj, name)]
-
-
-def _number(source, element, kind, count):
-    digits = element[len(kind) :] if element.startswith(kind) else ""
-    if not digits.isdecimal() or not 0 < int(digits) <= count:
-        raise sources.SourceError("%s has no %s: choose another one." % (source.Label, element))
-    return int(digits)
-
-
-def store(obj, report, shape):
-    """Put the results into the read-only properties; the Summary last."""
-    obj.Report = json.dumps(report)
-    obj.SeamwrightVersion = __version__
-    obj.Changed = repair_text.has_changed(report)
-    obj.Wanted = len(report["seams"])
-    obj.Repaired = repair_text.repaired_count(report)
-    obj.MovedFaces = len(report["moves"])
-    obj.LargestMove = repair_text.largest_move_mm(report)
-    for place, when in enumerate(("Before", "After")):
-        for name, figure in (("Defects", "defects"), ("MaxGap", "gap_mm"), ("MaxAngle", "angle_deg")):
-            setattr(obj, name + when, report[figure][place] or 0)
-    obj.Placement = shape.Placement  # while it recomputes, FreeCAD puts a shape where the object stands
-    obj.Shape = shape
-    obj.Summary = repair_text.summary_text(report)
 
 
 def create(source, *, edges=(), fixed_faces=(), target="G1", max_move_mm=MAX_MOVE_MM, **tolerances):
@@ -248,12 +177,10 @@ def prepare(source, *, edges=(), fixed_faces=(), target="G1", max_move_mm=MAX_MO
     table = TOLERANCES + (("MaxMove", "max_move_mm"),)
     given = {**tolerances, "max_move_mm": max_move_mm, "target": target}
     values = properties.checked(given, table, {"target": ("Target", TARGETS)})
-    obj = source.Document.addObject("Part::FeaturePython", "SeamRepair")
-    obj.Label = "Seam Repair"
-    SeamRepair(obj)
+    obj = feature.add(source.Document, SeamRepair, "Seam Repair")
     obj.Source = source
-    set_elements(obj, "Edges", edges)
-    set_elements(obj, "FixedFaces", fixed_faces)
+    elements.set_names(obj, "Edges", edges)
+    elements.set_names(obj, "FixedFaces", fixed_faces)
     for name, value in values.items():
         setattr(obj, name, value)
     hooks.attach_view(obj)

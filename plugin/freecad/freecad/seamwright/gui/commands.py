@@ -5,128 +5,44 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import Part
 
-from freecad.seamwright.document import analysis, match, repair, sources
-from freecad.seamwright.gui import export_dialog, icon_path, messages
+from freecad.seamwright.document import analysis, corner, fill, match, repair, sources
+from freecad.seamwright.gui import export_dialog, messages
+from freecad.seamwright.gui.command import Command, begin, open_done, open_new
+from freecad.seamwright.gui.selected import (
+    selected_analysis,
+    selected_elements,
+    selected_parts,
+    selected_seams,
+    selected_sources,
+)
 from freecad.seamwright.gui.zebra import zebra
-from freecad.seamwright.plain import kernel, rows, summary
+from freecad.seamwright.plain import summary
 
 
-def selected_sources():
-    """The selected objects that can be analysed, without repeats."""
-    chosen = []
-    for obj in Gui.Selection.getSelection():
-        if obj not in chosen and not analysis.is_analysis(obj):
-            chosen.append(obj)
-    return chosen
-
-
-def selected_analysis():
-    """The selected Seam Analysis, else the newest of the document, or None."""
-    chosen = [obj for obj in Gui.Selection.getSelection() if analysis.is_analysis(obj)]
-    every = [obj for obj in App.ActiveDocument.Objects if analysis.is_analysis(obj)]
-    return (chosen or every or [None])[-1]
-
-
-def selected_elements(kind):
-    """[(object, "Face3"), ...]: the selected "Face"s or "Edge"s, in the order they were picked.
-
-    An object that is selected as a whole counts as its face if it has just one.
-    """
-    return [
-        (chosen.Object, name)
-        for chosen in Gui.Selection.getSelectionEx()
-        if sources.has_shape(chosen.Object)
-        for name in chosen.SubElementNames or _only_face(chosen.Object)
-        if name.startswith(kind)
-    ]
-
-
-def _only_face(obj):
-    return ("Face1",) if len(Part.getShape(obj).Faces) == 1 else ()
-
-
-def selected_seams():
-    """[(object, "Edge3" or ""), ...]: what is selected for a repair, "" for all of an object.
-
-    The lines of an analysis stand for the edges that they lie on, an analysis for what it analysed.
-    """
-    found = []
-    for chosen in Gui.Selection.getSelectionEx():
-        edges = [name for name in chosen.SubElementNames if name.startswith("Edge")]
-        if analysis.is_analysis(chosen.Object):
-            found += _edges_of_lines(chosen.Object, edges) or [(obj, "") for obj in chosen.Object.Analysed]
-        else:
-            found += [(obj, edge) for obj in sources.expand([chosen.Object]) for edge in edges or [""]]
-    return found
-
-
-def _edges_of_lines(found, lines):
-    report = analysis.report_of(found)
-    numbers = [rows.edge_number(report, found.Name, found.Name, line) for line in lines]
-    owners = [rows.owner_of(report, "edges", number) for number in numbers if number is not None]
-    return [(found.Document.getObject(name), edge) for name, edge in (owner for owner in owners if owner)]
-
-
-def limits_of_analysis(source):
-    """Target and tolerances of the newest analysis of an object, as ``repair.prepare`` takes them; none without one."""
-    every = [obj for obj in source.Document.Objects if analysis.is_analysis(obj) and source in obj.Analysed]
-    if not every:
-        return {}
-    given = analysis.tolerances(every[-1])
-    given["target"] = "G2" if given.pop("level") in ("G2", "G3") else "G1"
-    return given
-
-
-class AnalyzeSeams:
+class AnalyzeSeams(Command):
     """Measure the seams of the selected objects, or of all solids and shells."""
 
     name = "Seamwright_AnalyzeSeams"
-
-    def GetResources(self):
-        """Menu text, tool tip and icon."""
-        return {
-            "MenuText": "Analyze Seams",
-            "ToolTip": "Measure how well the faces of the selected objects join; "
-            "with nothing selected, of all solids and shells of the document",
-            "Pixmap": icon_path("seamwright-analyze"),
-        }
-
-    def IsActive(self):
-        """Whether there is a document."""
-        return App.ActiveDocument is not None
+    menu = "Analyze Seams"
+    icon = "seamwright-analyze"
+    tip = (
+        "Measure how well the faces of the selected objects join; "
+        "with nothing selected, of all solids and shells of the document"
+    )
 
     def Activated(self):
         """Create the analysis as one step that can be undone, and open its panel."""
-        doc = App.ActiveDocument
-        doc.openTransaction("Analyze seams")
-        try:
-            obj = analysis.create(selected_sources(), doc)
-        except kernel.KernelUnavailable as error:
-            doc.abortTransaction()
-            messages.show_error(str(error))
-            return
-        failure = analysis.error_text(obj)
-        if failure:
-            doc.abortTransaction()
-            messages.show_error(failure)
-            return
-        doc.commitTransaction()
-        Gui.Selection.clearSelection()
-        Gui.getDocument(doc.Name).setEdit(obj.Name)
+        doc, chosen = App.ActiveDocument, selected_sources()
+        open_done(begin(doc, "Analyze seams", lambda: analysis.create(chosen, doc)))
 
 
-class ExportReport:
+class ExportReport(Command):
     """Write the report of an analysis as CSV or JSON."""
 
     name = "Seamwright_ExportReport"
-
-    def GetResources(self):
-        """Menu text, tool tip and icon."""
-        return {
-            "MenuText": "Export Seam Report\u2026",
-            "ToolTip": "Write the selected seam analysis as a table (CSV) or a report (JSON)",
-            "Pixmap": icon_path("seamwright-export"),
-        }
+    menu = "Export Seam Report\u2026"
+    icon = "seamwright-export"
+    tip = "Write the selected seam analysis as a table (CSV) or a report (JSON)"
 
     def IsActive(self):
         """Whether there is an analysis."""
@@ -137,27 +53,19 @@ class ExportReport:
         export_dialog.ask_and_export(selected_analysis())
 
 
-class MatchSurfaces:
+class MatchSurfaces(Command):
     """Match the two selected faces to each other."""
 
     name = "Seamwright_MatchSurfaces"
-
-    def GetResources(self):
-        """Menu text, tool tip and icon."""
-        return {
-            "MenuText": "Match Surfaces",
-            "ToolTip": "Move the second of two selected faces, or both, so that they join without a kink (G1) or with "
-            "equal curvature (G2); select a common edge too where they have several",
-            "Pixmap": icon_path("seamwright-match"),
-        }
-
-    def IsActive(self):
-        """Whether there is a document."""
-        return App.ActiveDocument is not None
+    menu = "Match Surfaces"
+    icon = "seamwright-match"
+    tip = (
+        "Move the second of two selected faces, or both, so that they join without a kink (G1) or with "
+        "equal curvature (G2); select a common edge too where they have several"
+    )
 
     def Activated(self):
         """Create the match as one step that can be undone, and open its panel."""
-        doc = App.ActiveDocument
         faces, edges = selected_elements("Face"), selected_elements("Edge")
         if len(faces) != 2 or len(edges) > 1:
             messages.show_error(
@@ -165,35 +73,20 @@ class MatchSurfaces:
                 % (summary.counted(len(faces), "face"), summary.counted(len(edges), "edge"))
             )
             return
-        doc.openTransaction("Match surfaces")
-        try:
-            obj = match.create(*faces, edge=edges[0] if edges else None)
-        except kernel.KernelUnavailable as error:
-            doc.abortTransaction()
-            messages.show_error(str(error))
-            return
-        Gui.Selection.clearSelection()
-        obj.ViewObject.Proxy.created = True
-        Gui.getDocument(doc.Name).setEdit(obj.Name)
+        edge = edges[0] if edges else None
+        open_new(begin(App.ActiveDocument, "Match surfaces", lambda: match.create(*faces, edge=edge)))
 
 
-class RepairSeams:
+class RepairSeams(Command):
     """Repair the selected seams, or all defects of the selected object."""
 
     name = "Seamwright_RepairSeams"
-
-    def GetResources(self):
-        """Menu text, tool tip and icon."""
-        return {
-            "MenuText": "Repair Seams",
-            "ToolTip": "Move faces of the selected object, as little as possible, until its seams join without a kink "
-            "(G1) or with equal curvature (G2); select edges, or rows of an analysis, to repair their seams alone",
-            "Pixmap": icon_path("seamwright-repair"),
-        }
-
-    def IsActive(self):
-        """Whether there is a document."""
-        return App.ActiveDocument is not None
+    menu = "Repair Seams"
+    icon = "seamwright-repair"
+    tip = (
+        "Move faces of the selected object, as little as possible, until its seams join without a kink "
+        "(G1) or with equal curvature (G2); select edges, or rows of an analysis, to repair their seams alone"
+    )
 
     def Activated(self):
         """Create the repair as one step that can be undone, and open its panel; nothing is repaired yet."""
@@ -206,34 +99,88 @@ class RepairSeams:
                 "Found: %s." % (", ".join(obj.Label for obj in objects) or "none")
             )
             return
-        Gui.getDocument(doc.Name).resetEdit()
-        doc.openTransaction("Repair seams")
-        try:
-            edges = [edge for _, edge in chosen if edge]
-            obj = repair.prepare(objects[0], edges=edges, **limits_of_analysis(objects[0]))
-        except kernel.KernelUnavailable as error:
-            doc.abortTransaction()
-            messages.show_error(str(error))
+        (source,), edges = objects, [edge for _, edge in chosen if edge]
+        limits = limits_of_analysis(source)
+        open_new(begin(doc, "Repair seams", lambda: repair.prepare(source, edges=edges, **limits)))
+
+
+def limits_of_analysis(source):
+    """Target and tolerances of the newest analysis of an object, as ``repair.prepare`` takes them; none without one."""
+    every = [obj for obj in source.Document.Objects if analysis.is_analysis(obj) and source in obj.Analysed]
+    if not every:
+        return {}
+    given = analysis.tolerances(every[-1])
+    given["target"] = "G2" if given.pop("level") in ("G2", "G3") else "G1"
+    return given
+
+
+class UmbrellaFill(Command):
+    """Fill holes of the selected object, or replace its selected face."""
+
+    name = "Seamwright_UmbrellaFill"
+    menu = "Umbrella Fill"
+    icon = "seamwright-fill"
+    tip = (
+        "Close holes of the selected object with faces that are tangent to their surroundings; select edges to fill "
+        "their holes alone, or one face to take it out and fill the hole that it leaves"
+    )
+
+    def Activated(self):
+        """Create the fill as one step that can be undone, and open its panel; nothing is filled yet."""
+        doc = App.ActiveDocument
+        chosen = selected_parts(doc)
+        if len(chosen) != 1:
+            messages.show_error(
+                "Select the object whose holes are to be filled, some of its edges, or a face: one object at a time. "
+                "Found: %s." % (", ".join(obj.Label for obj in chosen) or "none")
+            )
             return
-        Gui.Selection.clearSelection()
-        obj.ViewObject.Proxy.created = True
-        Gui.getDocument(doc.Name).setEdit(obj.Name)
+        ((source, names),) = chosen.items()
+        edges, faces = ([name for name in names if name.startswith(kind)] for kind in ("Edge", "Face"))
+        if len(faces) > 1 or (faces and edges):
+            messages.show_error(
+                "Select edges of holes, or one face that is to be replaced. Selected: %s, %s."
+                % (summary.counted(len(faces), "face"), summary.counted(len(edges), "edge"))
+            )
+            return
+        face = faces[0] if faces else None
+        open_new(begin(doc, "Umbrella fill", lambda: fill.prepare(source, edges=edges, face=face)))
 
 
-class ZebraStripes:
+class CornerFillet(Command):
+    """Round the edges at the selected vertex."""
+
+    name = "Seamwright_CornerFillet"
+    menu = "Corner Fillet"
+    icon = "seamwright-corner"
+    tip = (
+        "Round the 3 to 6 edges at the selected vertex of a solid, each with a radius of its own, and close the corner "
+        "between them with patches that join without a kink"
+    )
+
+    def Activated(self):
+        """Create the fillet as one step that can be undone, and open its panel; nothing is rounded yet."""
+        vertices = selected_elements("Vertex")
+        if len(vertices) != 1:
+            messages.show_error(
+                "Select one vertex of a solid, at which 3 to 6 edges meet. Selected: %s."
+                % (", ".join("%s.%s" % (obj.Label, name) for obj, name in vertices) or "no vertex")
+            )
+            return
+        open_new(begin(App.ActiveDocument, "Corner fillet", lambda: corner.prepare(*vertices[0])))
+
+
+class ZebraStripes(Command):
     """Draw stripes on the selected objects, or take them off."""
 
     name = "Seamwright_ZebraStripes"
-
-    def GetResources(self):
-        """Menu text, tool tip and icon."""
-        return {
-            "MenuText": "Zebra Stripes",
-            "ToolTip": "Show how the faces of the selected objects, or of all that are visible, reflect stripes: "
-            "a stripe that breaks at a seam tells of an angle, one that bends of a step of curvature. "
-            "Press again to take the stripes off.",
-            "Pixmap": icon_path("seamwright-zebra"),
-        }
+    menu = "Zebra Stripes"
+    icon = "seamwright-zebra"
+    tip = (
+        "Show how the faces of the selected objects, or of all that are visible, reflect stripes: "
+        "a stripe that breaks at a seam tells of an angle, one that bends of a step of curvature. "
+        "Press again to take the stripes off."
+    )
 
     def IsActive(self):
         """Whether there is a view of a document."""
@@ -266,7 +213,9 @@ def with_faces(objects):
     return [obj for obj in objects if sources.has_shape(obj) and Part.getShape(obj).Faces]
 
 
-COMMANDS = (AnalyzeSeams, ExportReport, MatchSurfaces, RepairSeams, ZebraStripes)
+COMMANDS = (
+    AnalyzeSeams, ExportReport, MatchSurfaces, RepairSeams, UmbrellaFill, CornerFillet, ZebraStripes
+)  # fmt: skip
 
 
 def register():

@@ -7,8 +7,9 @@ The document follows the fields: each change is computed at once.
 import FreeCADGui as Gui
 
 from freecad.seamwright.document import match, properties
-from freecad.seamwright.gui import icon_path, seam_view
-from freecad.seamwright.gui.qt import QtCore, QtGui, QtWidgets
+from freecad.seamwright.gui import seam_view
+from freecad.seamwright.gui.forms import make_box, make_form, make_text
+from freecad.seamwright.gui.qt import QtCore, QtWidgets
 from freecad.seamwright.gui.result_panel import ResultPanel
 from freecad.seamwright.gui.tolerance_form import NumberField, ToleranceForm
 from freecad.seamwright.gui.zebra import zebra
@@ -60,10 +61,7 @@ class MatchPanel(ResultPanel):
     # The window.
 
     def _build(self):
-        self.form = QtWidgets.QWidget()
-        self.form.setWindowTitle("Match Surfaces")
-        self.form.setWindowIcon(QtGui.QIcon(icon_path("seamwright-match")))
-        layout = QtWidgets.QVBoxLayout(self.form)
+        self.form, layout = make_form("Match Surfaces", "seamwright-match")
         for box in (self._build_faces(), self._build_result(), self._build_tolerances()):
             layout.addWidget(box)
 
@@ -92,17 +90,12 @@ class MatchPanel(ResultPanel):
         return box
 
     def _build_tolerances(self):
-        box = QtWidgets.QGroupBox("Target and tolerances")
-        layout = QtWidgets.QVBoxLayout(box)
         self.tolerances = ToleranceForm(match.TOLERANCES, ("Target", match.TARGETS))
-        layout.addWidget(self.tolerances)
-        return box
+        return make_box("Target and tolerances", self.tolerances)[0]
 
     def _build_result(self):
-        box = QtWidgets.QGroupBox("Result")
-        layout = QtWidgets.QVBoxLayout(box)
-        self.summary = QtWidgets.QLabel()
-        self.summary.setWordWrap(True)
+        box, layout = make_box("Result")
+        self.summary = make_text()
         layout.addWidget(self.summary)
         headings = [heading for heading, *_ in match_text.table(match.report_of(self.obj))]
         self.table = QtWidgets.QTableWidget(len(headings), 2)

@@ -6,7 +6,7 @@ The class path is written into documents: neither rename nor move it.
 
 from freecad.seamwright.document import match
 from freecad.seamwright.gui.match_panel import MatchPanel
-from freecad.seamwright.gui.result_view import ResultView
+from freecad.seamwright.gui.result_view import ResultView, attach_as
 
 
 class MatchSurfacesView(ResultView):
@@ -29,6 +29,4 @@ class MatchSurfacesView(ResultView):
 
 def attach_view(obj):
     """Give a match its view provider if it has none."""
-    vobj = obj.ViewObject
-    if vobj is not None and not isinstance(vobj.Proxy, MatchSurfacesView):
-        MatchSurfacesView(vobj)
+    attach_as(MatchSurfacesView, obj)

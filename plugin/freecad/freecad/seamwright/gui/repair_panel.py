@@ -1,132 +1,55 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The task panel of Repair Seams: which seams are to be repaired to what, and each of them before and after.
-
-Nothing is repaired before Preview or OK is pressed.
-"""
+"""The task panel of Repair Seams: which seams are to be repaired to what, and each of them before and after."""
 
 import FreeCADGui as Gui
-import Part
 
-from freecad.seamwright.document import analysis, properties, repair
-from freecad.seamwright.gui import icon_path, seam_view
+from freecad.seamwright.document import analysis, elements, properties, repair
+from freecad.seamwright.gui import seam_view
 from freecad.seamwright.gui.element_list import ElementList
-from freecad.seamwright.gui.qt import QtGui, QtWidgets
-from freecad.seamwright.gui.result_panel import ResultPanel
+from freecad.seamwright.gui.forms import make_box
+from freecad.seamwright.gui.preview_panel import PreviewPanel
+from freecad.seamwright.gui.qt import QtWidgets
 from freecad.seamwright.gui.tolerance_form import NumberField, ToleranceForm
-from freecad.seamwright.plain import repair_text
-
-TABLE_HEIGHT = 190
-
-PREVIEW, PREVIEW_AGAIN = "Preview", "Preview anew"
+from freecad.seamwright.plain import repair_text, rows
 
 CHOSEN = "The seams at these edges:"
 ALL_DEFECTS = "All defects; to choose, select rows or edges and add them:"
 
-#: Colours of the last column's text, by the state of a row.
-INKS = {repair_text.REPAIRED: (0, 120, 88), repair_text.LEFT: (190, 80, 0)}
 
-
-class RepairPanel(ResultPanel):
+class RepairPanel(PreviewPanel):
     """Shows and changes one Seam Repair; ``created``: Cancel removes it."""
 
-    DOCK_WIDTH = 600
+    TITLE, ICON, COLUMNS = "Repair Seams", "seamwright-repair", repair_text.COLUMNS
+    PREVIEW_TIP = "Repair the seams as the fields say"
 
     def __init__(self, obj, created):
+        self._report = repair.empty_report(obj)
+        self._lines = [each.Name for each in _analyses(obj) if each.ViewObject.Visibility]
         changeable = ["Target", "MaxMove", *(name for name, *_ in repair.ELEMENTS + repair.TOLERANCES)]
         super().__init__(obj, created, "Edit seam repair", changeable)
-        self._rows, self._report, self._due = [], repair.empty_report(obj), False
-        self._lines = [each.Name for each in self._analyses() if each.ViewObject.Visibility]
-        self._build()
-        self._read()
-        self._connect()
-        if self.has_result():
-            self.refresh()
-        else:
-            self._foresee()
 
     def sources(self):
         """The object whose seams are repaired."""
-        return repair.source_objects(self.obj)
-
-    def _analyses(self):
-        """Those of the source: their coloured lines tell how it was before."""
-        every = (each for each in self._doc.Objects if analysis.is_analysis(each))
-        return [each for each in every if self.obj.Source in each.Analysed]
+        return elements.source_objects(self.obj)
 
     def replaced(self):
         """The source, and those of its analyses that were seen when the panel was opened."""
-        return self.sources() + [each for each in self._analyses() if each.Name in self._lines]
-
-    def has_result(self):
-        """Whether a repair was computed."""
-        return not self.obj.Shape.isNull()
-
-    def is_due(self):
-        """Whether a field was changed after the last computation."""
-        return self._due
+        return self.sources() + [each for each in _analyses(self.obj) if each.Name in self._lines]
 
     def release(self):
         """Drop the selection, and let the faces look as those of the source."""
         Gui.Selection.clearSelection()
-        self.obj.ViewObject.Proxy.mark([], [], [])
         self.obj.ViewObject.ShowMoves = False
 
     # The window.
 
-    def _build(self):
-        self.form = QtWidgets.QWidget()
-        self.form.setWindowTitle("Repair Seams")
-        self.form.setWindowIcon(QtGui.QIcon(icon_path("seamwright-repair")))
-        layout = QtWidgets.QVBoxLayout(self.form)
-        self.summary = QtWidgets.QLabel()
-        self.summary.setWordWrap(True)
-        layout.addWidget(self.summary)
-        layout.addWidget(self._build_table())
-        self.note = QtWidgets.QLabel()
-        self.note.setWordWrap(True)
-        self.note.hide()
-        layout.addWidget(self.note)
-        layout.addLayout(self._build_show())
-        for box in (self._build_seams(), self._build_limits()):
-            layout.addWidget(box)
-
-    def _build_table(self):
-        self.table = QtWidgets.QTableWidget(0, len(repair_text.COLUMNS))
-        self.table.setHorizontalHeaderLabels([heading for heading, _ in repair_text.COLUMNS])
-        for place, (_, tip) in enumerate(repair_text.COLUMNS):
-            self.table.horizontalHeaderItem(place).setToolTip(tip)
-        self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
-        self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
-        self.table.setAlternatingRowColors(True)
-        self.table.setWordWrap(False)
-        self.table.setMinimumHeight(TABLE_HEIGHT)
-        self.table.verticalHeader().hide()
-        self.table.verticalHeader().setDefaultSectionSize(self.table.fontMetrics().height() + 6)
-        self.table.horizontalHeader().setHighlightSections(False)
-        self._fit_columns()
-        return self.table
-
-    def _fit_columns(self):
-        """Columns as wide as what they say; the last one to the end of the table where there is room."""
-        header, last = self.table.horizontalHeader(), len(repair_text.COLUMNS) - 1
-        header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
-        if header.length() <= self.table.viewport().width():
-            header.setSectionResizeMode(last, QtWidgets.QHeaderView.Stretch)
-
-    def _build_show(self):
-        line = QtWidgets.QHBoxLayout()
-        line.addWidget(QtWidgets.QLabel("Show"))
-        self.before, self.after = QtWidgets.QRadioButton("Before"), QtWidgets.QRadioButton("After")
+    def build_boxes(self):
+        """The seams, the target and the limits."""
         self.moves = QtWidgets.QCheckBox("Moves in colour")
         self.moves.setToolTip("Colour each point by how far it moved")
         self.moves.setChecked(True)
-        for widget in (self.before, self.after, self.moves):
-            line.addWidget(widget)
-        line.addStretch(1)
-        self.preview_button = QtWidgets.QPushButton(PREVIEW)
-        self.preview_button.setToolTip("Repair the seams as the fields say; nothing is kept before OK is pressed")
-        line.addWidget(self.preview_button)
-        return line
+        self.show_line.insertWidget(3, self.moves)
+        return self._build_seams(), self._build_limits()
 
     def _build_seams(self):
         box = QtWidgets.QGroupBox("Seams")
@@ -141,92 +64,69 @@ class RepairPanel(ResultPanel):
         return box
 
     def _build_limits(self):
-        box = QtWidgets.QGroupBox("Target and limits")
-        layout = QtWidgets.QVBoxLayout(box)
         self.tolerances = ToleranceForm(repair.TOLERANCES, ("Target", repair.TARGETS))
         self.max_move = NumberField(" mm", 1e6)
         self.max_move.setSpecialValueText("no limit")
         self.max_move.setToolTip("No pole of a surface may move further")
         self.tolerances.layout().insertRow(1, "Largest move", self.max_move)
-        layout.addWidget(self.tolerances)
-        return box
+        return make_box("Target and limits", self.tolerances)[0]
 
-    def _connect(self):
+    def connect_fields(self):
+        """Follow the fields."""
         for each in self.lists.values():
-            each.changed.connect(self._changed)
-        self.max_move.valueChanged.connect(self._changed)
-        self.tolerances.changed.connect(self._changed)
-        self.preview_button.clicked.connect(lambda *_: self.preview())
-        self.table.itemSelectionChanged.connect(self._selection_changed)
-        for button in (self.after, self.moves):
-            button.toggled.connect(lambda *_: self.show(self.after.isChecked()))
+            each.changed.connect(self.changed)
+        self.max_move.valueChanged.connect(self.changed)
+        self.tolerances.changed.connect(self.changed)
+        self.moves.toggled.connect(lambda *_: self.show(self.after.isChecked()))
 
-    def _read(self):
+    def read_fields(self):
+        """Show the values of the object."""
         for name, each in self.lists.items():
-            each.set_names(repair.element_names(self.obj, name))
+            each.set_names(elements.names(self.obj, name))
         self.max_move.setValue(properties.number(self.obj, "MaxMove"))
         self.tolerances.read_from(self.obj)
-        self.after.setChecked(True)
         self._name_seams()
 
-    # What it does.
-
-    def preview(self):
-        """Take over the fields and repair anew."""
+    def write_fields(self):
+        """Set the values of the object as the fields say."""
         for name, each in self.lists.items():
-            if each.names() != repair.element_names(self.obj, name):
-                repair.set_elements(self.obj, name, each.names())
+            if each.names() != elements.names(self.obj, name):
+                elements.set_names(self.obj, name, each.names())
         if properties.number(self.obj, "MaxMove") != self.max_move.value():
             self.obj.MaxMove = self.max_move.value()
         self.tolerances.write_to(self.obj)
-        self.obj.touch()
-        self._doc.recompute()
-        self._set_due(False)
-        (self.after if self.has_result() else self.before).setChecked(True)
-        self.refresh()
 
-    def refresh(self):
-        """Show the results as they are stored now."""
-        self._fill(repair.report_of(self.obj), repair.error_text(self.obj) or self.obj.Summary)
-        self.show(self.after.isChecked())
+    # What it does.
+
+    def begin(self):
+        """Show the seams that would be treated."""
+        self._report, text = repair.foresee(self.obj)
+        self.fill(repair_text.build_rows(self._report), text)
+        self.show_before()
+
+    def stored(self):
+        """(rows, text) of the results as they are stored now."""
+        self._report = repair.report_of(self.obj)
+        return repair_text.build_rows(self._report), repair.error_text(self.obj) or self.obj.Summary
 
     def show(self, after):
         """Show the result, with its moves in colour where they are wanted, or the source."""
-        after = after and self.has_result()
-        self.obj.ViewObject.ShowMoves = after and self.moves.isChecked() and not self._ended
-        self.obj.ViewObject.Visibility = after
-        for each in self.replaced():
-            each.ViewObject.Visibility = not after
-        if not self._ended:
-            self._selection_changed()
+        self.obj.ViewObject.ShowMoves = (
+            after and self.has_result() and self.moves.isChecked() and not self._ended
+        )
+        super().show(after)
 
-    def _foresee(self):
-        """Before the first preview: the seams that would be treated."""
-        self._fill(*repair.foresee(self.obj))
-        self.before.setChecked(True)
-        self.show(False)
-
-    def _fill(self, report, text):
-        self._report = report
-        self._rows = repair_text.build_rows(report)
-        self.summary.setText(text)
-        self.table.clearSelection()
-        self.table.setRowCount(len(self._rows))
-        for line, row in enumerate(self._rows):
-            for column, cell in enumerate(row.cells):
-                self.table.setItem(line, column, _item(cell, row, column))
-        self.table.setColumnHidden(repair_text.CURVATURE_COLUMN, report["target"] != "G2")
+    def fill(self, built, text):
+        """Show these rows and the text above them."""
+        super().fill(built, text)
+        self.table.setColumnHidden(repair_text.CURVATURE_COLUMN, self._report["target"] != "G2")
         self._fit_columns()
-        for widget in (self.after, self.moves):
-            widget.setEnabled(self.has_result())
+        self.moves.setEnabled(self.has_result())
 
-    def _changed(self, *_):
-        self._set_due(True)
+    def changed(self, *_):
+        """A field says something else than what was computed."""
+        super().changed()
         self._name_seams()
-
-    def _set_due(self, due):
-        self._due = due
-        self.preview_button.setText(PREVIEW_AGAIN if due and self.has_result() else PREVIEW)
 
     def _name_seams(self):
         self.which.setText(CHOSEN if self.lists["Edges"].names() else ALL_DEFECTS)
@@ -237,39 +137,23 @@ class RepairPanel(ResultPanel):
         chosen = [each for each in Gui.Selection.getSelectionEx() if each.Object in own]
         return [name for each in chosen for name in each.SubElementNames if name.startswith(kind)]
 
-    def _shown_object(self):
-        return self.obj if self.after.isChecked() and self.has_result() else self.sources()[0]
-
     def _select(self, name):
         if self.sources():
             Gui.Selection.clearSelection()
-            seam_view.select(self._doc, self._shown_object().Name, name)
+            seam_view.select(self._doc, self.shown_object().Name, name)
 
-    def _selection_changed(self, *_):
-        """Mark the seams of the chosen rows, as they are in what is shown, and zoom to them."""
-        places = sorted({index.row() for index in self.table.selectionModel().selectedRows()})
-        self._write_note([self._rows[place] for place in places])
-        if not places or not self.sources():
-            self.obj.ViewObject.Proxy.mark([], [], [])
-            return
-        shown = self._shown_object()
+    def marked(self, chosen, shown):
+        """(report, seams) of rows, as they are in what is shown."""
         which = "after" if shown == self.obj and repair_text.is_done(self._report) else "before"
         by_number = {seam["before"]["id"]: seam[which] for seam in self._report["seams"]}
-        chosen = [by_number[self._rows[place].seam] for place in places]
-        size = Part.getShape(shown).BoundBox.DiagonalLength
-        seam_view.show(self.obj, repair_text.located(self._report, shown.Name), chosen, size)
+        report = rows.located(by_number.values(), self._report["tolerance"], shown.Name)
+        return report, [by_number[row.seam] for row in chosen]
 
-
-    def _write_note(self, rows):
+    def note(self, chosen):
         """Why the seams of the chosen rows were not repaired, in full: the column is too narrow for it."""
-        reasons = ["Seam %d: %s" % (row.seam, row.cells[-1]) for row in rows if row.state == repair_text.LEFT]
-        self.note.setText("\n".join(reasons))
-        self.note.setVisible(bool(reasons))
+        return "\n".join("%s: %s" % (row.cells[0], row.cells[-1]) for row in chosen if row.state == repair_text.LEFT)
 
 
-def _item(text, row, column):
-    item = QtWidgets.QTableWidgetItem(text)
-    item.setToolTip(row.detail)
-    if column == len(row.cells) - 1 and row.state in INKS:
-        item.setForeground(QtGui.QBrush(QtGui.QColor(*INKS[row.state])))
-    return item
+def _analyses(obj):
+    """The analyses of the source of a repair: their coloured lines tell how it was before."""
+    return [each for each in obj.Document.Objects if analysis.is_analysis(each) and obj.Source in each.Analysed]

@@ -4,19 +4,16 @@
 The class path is written into documents: neither rename nor move it.
 """
 
-from freecad.seamwright.document import repair, sources
+from freecad.seamwright.document import elements, repair, sources
 from freecad.seamwright.document.move_map import move_map
-from freecad.seamwright.gui.halo import Halo
 from freecad.seamwright.gui.later import later
 from freecad.seamwright.gui.legend import Legend
-from freecad.seamwright.gui.marker import Marker
 from freecad.seamwright.gui.move_colours import MoveColours
 from freecad.seamwright.gui.progress import progress_dialog
 from freecad.seamwright.gui.repair_panel import RepairPanel
-from freecad.seamwright.gui.result_view import ResultView
-from freecad.seamwright.plain import moves, palette
+from freecad.seamwright.gui.result_view import ResultView, attach_as, look_like
+from freecad.seamwright.plain import moves
 
-SEAM_WIDTH = 6.0
 LEGEND_TEXT_PX = 13
 
 
@@ -33,45 +30,35 @@ class SeamRepairView(ResultView):
         """FreeCAD calls this for a new view and for a restored one."""
         super().attach(vobj)
         add_properties(vobj)
-        self.legend, self.halo, self.marker, self.colours = Legend(), Halo(), Marker(), MoveColours()
-        for node in (self.colours.node, self.halo.node, self.marker.node, self.legend.node):
-            vobj.RootNode.insertChild(node, 0)  # before the placement of the shape: what they show stands in the model
+        self.legend, self.colours = Legend(), MoveColours()
+        root = vobj.RootNode
+        root.insertChild(self.colours.node, root.findChild(self.halo.node) + 1)  # it hides what comes after it
+        root.insertChild(self.legend.node, 0)
         self._drawn = None  # the report whose moves are drawn
         later(vobj.Object, lambda obj: self._draw(obj.ViewObject))
 
     def sources(self, obj):
         """The object whose seams are repaired."""
-        return repair.source_objects(obj)
-
-    def has_result(self, obj):
-        """Whether a repair was computed."""
-        return not obj.Shape.isNull()
+        return elements.source_objects(obj)
 
     def make_panel(self, obj, created):
         """The task panel."""
         return RepairPanel(obj, created)
 
+    def began(self, obj):
+        """The repair looks as its source does."""
+        look_like(obj, obj.Source)
+
     def updateData(self, obj, prop):
         """Follow the results."""
-        had_result = self._had_result
         super().updateData(obj, prop)
         if prop == "Summary" and "Restore" not in obj.State:
-            if self._had_result and not had_result:
-                _look_like_source(obj)
             self._draw(obj.ViewObject)
 
     def onChanged(self, vobj, prop):
         """Follow the view properties that concern the colours."""
         if prop in ("ShowMoves", "Visibility") and hasattr(self, "colours"):
             self._draw(vobj)
-
-    def mark(self, edges, classes, worst):
-        """Draw a bright band along the edges, which have the given classes; [] takes it away.
-
-        ``worst`` is a list of (point, label) to be marked.
-        """
-        self.halo.show(edges, [palette.BY_KEY[key].unit_rgb for key in classes], SEAM_WIDTH)
-        self.marker.show(worst)
 
     def _draw(self, vobj):
         """Show the moves in colour, or no longer."""
@@ -84,7 +71,7 @@ class SeamRepairView(ResultView):
         if self._drawn == obj.Report:
             return True
         try:
-            before = repair.source_shape(obj)
+            before = elements.source_shape(obj)
         except sources.SourceError:
             return False
         if len(before.Faces) != len(obj.Shape.Faces):
@@ -101,16 +88,6 @@ class SeamRepairView(ResultView):
         return True
 
 
-def _look_like_source(obj):
-    """Give the faces the colours of the source."""
-    look, vobj = obj.Source.ViewObject, obj.ViewObject
-    if not hasattr(look, "ShapeColor"):
-        return
-    vobj.ShapeColor = look.ShapeColor
-    if len(look.DiffuseColor) == len(obj.Shape.Faces):
-        vobj.DiffuseColor = look.DiffuseColor
-
-
 def add_properties(vobj):
     """Add the view properties an object lacks."""
     if "ShowMoves" not in vobj.PropertiesList:
@@ -120,6 +97,4 @@ def add_properties(vobj):
 
 def attach_view(obj):
     """Give a repair its view provider if it has none."""
-    vobj = obj.ViewObject
-    if vobj is not None and not isinstance(vobj.Proxy, SeamRepairView):
-        SeamRepairView(vobj)
+    attach_as(SeamRepairView, obj)

@@ -9,7 +9,7 @@ import FreeCADGui as Gui
 from freecad.seamwright.document.properties import error_text
 from freecad.seamwright.gui import messages
 from freecad.seamwright.gui.dock import widen_dock
-from freecad.seamwright.gui.qt import QtWidgets
+from freecad.seamwright.gui.forms import buttons
 
 
 class ResultPanel:
@@ -62,8 +62,7 @@ class ResultPanel:
 
     def getStandardButtons(self):
         """OK and Cancel."""
-        both = QtWidgets.QDialogButtonBox.Ok | QtWidgets.QDialogButtonBox.Cancel
-        return both if hasattr(both, "value") else int(both)  # PySide2 wants the number
+        return buttons("Ok", "Cancel")
 
     def open(self):
         """Make the dock that holds the panel wide enough for it."""

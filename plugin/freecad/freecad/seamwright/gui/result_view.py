@@ -3,15 +3,11 @@
 operation are, and stand below it in the tree.
 """
 
-import FreeCADGui as Gui
-
-from freecad.seamwright.gui import icon_path
+from freecad.seamwright.gui.panel_view import PanelView
 
 
-class ResultView:
+class ResultView(PanelView):
     """Proxy of a view provider; a subclass says what the sources are, when there is a result, and which panel it has."""
-
-    ICON = ""
 
     def sources(self, obj):
         """The objects that the result stands for."""
@@ -19,20 +15,14 @@ class ResultView:
 
     def has_result(self, obj):
         """Whether the object has a shape of its own to show."""
-        raise NotImplementedError
+        return not obj.Shape.isNull()
 
-    def make_panel(self, obj, created):
-        """The task panel; ``created``: the object is new, and Cancel removes it."""
-        raise NotImplementedError
-
-    def __init__(self, vobj):
-        vobj.Proxy = self
+    def began(self, obj):
+        """There is a result for the first time."""
 
     def attach(self, vobj):
         """FreeCAD calls this for a new view and for a restored one."""
-        self.object = vobj.Object
-        self.panel = None
-        self.created = False  # by the command, in the step that is still open
+        super().attach(vobj)
         self._had_result = self.has_result(vobj.Object)
 
     def updateData(self, obj, prop):
@@ -42,6 +32,8 @@ class ResultView:
         has_result = self.has_result(obj)
         if has_result != self._had_result:
             self._had_result = has_result
+            if has_result:
+                self.began(obj)
             if self.panel is None:
                 self.show_sources(obj, not has_result)
 
@@ -50,45 +42,28 @@ class ResultView:
         for source in self.sources(obj):
             source.ViewObject.Visibility = shown
 
-    def getIcon(self):
-        """Icon in the tree."""
-        return icon_path(self.ICON)
-
     def claimChildren(self):
         """The sources stand below the object in the tree."""
         return self.sources(self.object)
-
-    def doubleClicked(self, vobj):
-        """Open the task panel."""
-        return vobj.Document.setEdit(vobj.Object.Name)
-
-    def setEdit(self, vobj, mode=0):
-        """Show the task panel."""
-        created, self.created = self.created, False
-        self.panel = self.make_panel(vobj.Object, created)
-        Gui.Control.showDialog(self.panel)
-        return True
-
-    def unsetEdit(self, vobj, mode=0):
-        """Close the task panel."""
-        if self.panel is not None:
-            self.panel.leave()
-        self.panel = None
-        Gui.Control.closeDialog()
-        return True
 
     def onDelete(self, vobj, names):
         """Show the sources again when the object is deleted."""
         self.show_sources(vobj.Object, True)
         return True
 
-    def dumps(self):
-        """Nothing is kept beside the properties."""
-        return None
 
-    def loads(self, state):
-        """Nothing is kept beside the properties."""
+def look_like(obj, source):
+    """Give the faces of an object the colours of its source."""
+    look, vobj = source.ViewObject, obj.ViewObject
+    if not hasattr(look, "ShapeColor"):
+        return
+    vobj.ShapeColor = look.ShapeColor
+    if len(look.DiffuseColor) == len(obj.Shape.Faces):
+        vobj.DiffuseColor = look.DiffuseColor
 
-    # FreeCAD before 0.21.2 asks by these names.
-    __getstate__ = dumps
-    __setstate__ = loads
+
+def attach_as(view, obj):
+    """Give an object a view provider of that class if it has none."""
+    vobj = obj.ViewObject
+    if vobj is not None and not isinstance(vobj.Proxy, view):
+        view(vobj)

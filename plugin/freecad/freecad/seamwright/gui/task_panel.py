@@ -4,8 +4,9 @@
 import FreeCADGui as Gui
 
 from freecad.seamwright.document import analysis
-from freecad.seamwright.gui import export_dialog, icon_path, seam_view
+from freecad.seamwright.gui import export_dialog, seam_view
 from freecad.seamwright.gui.dock import widen_dock
+from freecad.seamwright.gui.forms import buttons, make_box, make_form, make_text, show_seams_in
 from freecad.seamwright.gui.picking import EdgePicker
 from freecad.seamwright.gui.qt import QtCore, QtGui, QtWidgets
 from freecad.seamwright.gui.table_model import SeamTableModel
@@ -38,8 +39,7 @@ class TaskPanel:
 
     def getStandardButtons(self):
         """A close button."""
-        close = QtWidgets.QDialogButtonBox.Close
-        return close if hasattr(close, "value") else int(close)  # PySide2 wants the number
+        return buttons("Close")
 
     def open(self):
         """Make the dock that holds the panel wide enough for it."""
@@ -53,12 +53,8 @@ class TaskPanel:
     # The window.
 
     def _build(self):
-        self.form = QtWidgets.QWidget()
-        self.form.setWindowTitle("Seam Analysis")
-        self.form.setWindowIcon(QtGui.QIcon(icon_path("seamwright-analyze")))
-        layout = QtWidgets.QVBoxLayout(self.form)
-        self.summary = QtWidgets.QLabel()
-        self.summary.setWordWrap(True)
+        self.form, layout = make_form("Seam Analysis", "seamwright-analyze")
+        self.summary = make_text()
         layout.addWidget(self.summary)
         layout.addLayout(self._build_filter())
         layout.addWidget(self._build_table())
@@ -84,23 +80,15 @@ class TaskPanel:
     def _build_table(self):
         self.table = QtWidgets.QTableView()
         self.table.setModel(self.model)
-        self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
-        self.table.setAlternatingRowColors(True)
-        self.table.setWordWrap(False)
-        self.table.setMinimumHeight(TABLE_HEIGHT)
-        self.table.verticalHeader().hide()
-        self.table.verticalHeader().setDefaultSectionSize(self.table.fontMetrics().height() + 6)
-        self.table.horizontalHeader().setHighlightSections(False)
+        show_seams_in(self.table, TABLE_HEIGHT)
         self.table.horizontalHeader().setSortIndicator(-1, QtCore.Qt.AscendingOrder)
         self.table.setSortingEnabled(True)
         self.table.selectionModel().selectionChanged.connect(self._selection_changed)
         return self.table
 
     def _build_tolerances(self):
-        box = QtWidgets.QGroupBox("Level and tolerances")
-        layout = QtWidgets.QVBoxLayout(box)
         self.tolerances = ToleranceForm(analysis.TOLERANCES, ("Level", analysis.LEVELS))
-        layout.addWidget(self.tolerances)
+        box, layout = make_box("Level and tolerances", self.tolerances)
         self.recompute_button = QtWidgets.QPushButton("Recompute")
         self.recompute_button.clicked.connect(self.recompute)
         layout.addWidget(self.recompute_button)

@@ -13,6 +13,8 @@ FIELDS = (
     ("CreaseAngle", "Crease above", "\u00b0", 90.0),
     ("FlatRadius", "Flat above radius", " mm", 1e12),
     ("MatchDistance", "Match open edges within", " mm", 1e6),
+    ("CornerAngle", "Corner of a hole above", "\u00b0", 180.0),
+    ("SectionTolerance", "Patches to fillets", " mm", 0.1),
 )
 
 #: Fields whose zero means that the thing is not done.
@@ -39,24 +41,28 @@ class NumberField(QtWidgets.QDoubleSpinBox):
 class ToleranceForm(QtWidgets.QWidget):
     """Fields for the tolerances of an object, by a table of its module; nothing is written before ``write_to``.
 
-    ``choice``: the property for the level of continuity, and its values.
+    ``choice``: the property for the level of continuity, and its values; None where there is none.
     """
 
     changed = QtCore.Signal()
 
-    def __init__(self, table, choice):
+    def __init__(self, table, choice=None):
         super().__init__()
-        self._level_name, levels = choice
+        self._level_name, levels = choice or ("", ())
         self._arguments = {name: argument for name, argument, *_ in table}
         layout = QtWidgets.QFormLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         self.level = QtWidgets.QComboBox()
         self.level.addItems(levels)
         self.level.currentIndexChanged.connect(lambda *_: self.changed.emit())
-        first_line = QtWidgets.QHBoxLayout()
-        for widget, stretch in ((self.level, 1), (QtWidgets.QLabel("Tolerances"), 0), (self._build_profile(), 2)):
-            first_line.addWidget(widget, stretch)
-        layout.addRow(self._level_name, first_line)
+        profile = self._build_profile()
+        if choice:
+            first_line = QtWidgets.QHBoxLayout()
+            for widget, stretch in ((self.level, 1), (QtWidgets.QLabel("Tolerances"), 0), (profile, 2)):
+                first_line.addWidget(widget, stretch)
+            layout.addRow(self._level_name, first_line)
+        else:
+            layout.addRow("Tolerances", profile)
         self.fields = {}
         tips = {name: tip for name, *_, tip in table}
         for name, label, unit, largest in (field for field in FIELDS if field[0] in tips):
@@ -93,20 +99,24 @@ class ToleranceForm(QtWidgets.QWidget):
 
     def read_from(self, obj):
         """Show the tolerances of an object."""
-        self.level.setCurrentText(getattr(obj, self._level_name))
+        if self._level_name:
+            self.level.setCurrentText(getattr(obj, self._level_name))
         for name, field in self.fields.items():
             field.setValue(properties.number(obj, name))
         self._field_changed()
 
     def differs_from(self, obj):
         """Whether a field says something else than the object."""
-        return self.level.currentText() != getattr(obj, self._level_name) or any(
+        return self._level_differs(obj) or any(
             properties.number(obj, name) != field.value() for name, field in self.fields.items()
         )
 
+    def _level_differs(self, obj):
+        return bool(self._level_name) and self.level.currentText() != getattr(obj, self._level_name)
+
     def write_to(self, obj):
         """Set the tolerances of an object as the fields say."""
-        if getattr(obj, self._level_name) != self.level.currentText():
+        if self._level_differs(obj):
             setattr(obj, self._level_name, self.level.currentText())
         for name, field in self.fields.items():
             if properties.number(obj, name) != field.value():

@@ -4,14 +4,11 @@
 The class path is written into documents: neither rename nor move it.
 """
 
-import FreeCADGui as Gui
-
 from freecad.seamwright.document import analysis
-from freecad.seamwright.gui import icon_path
-from freecad.seamwright.gui.halo import SEAM_LIFT, Halo, nearer
+from freecad.seamwright.gui.halo import SEAM_LIFT, nearer
 from freecad.seamwright.gui.later import later
 from freecad.seamwright.gui.legend import Legend
-from freecad.seamwright.gui.marker import Marker
+from freecad.seamwright.gui.panel_view import PanelView
 from freecad.seamwright.gui.task_panel import TaskPanel
 from freecad.seamwright.plain import palette, summary
 
@@ -24,28 +21,30 @@ DRAWN_ANEW = (
 )  # fmt: skip
 
 
-class SeamAnalysisView:
+class SeamAnalysisView(PanelView):
     """Proxy of the view provider of a Seam Analysis."""
+
+    ICON = "seamwright-analyze"
 
     def __init__(self, vobj):
         add_properties(vobj)
         vobj.LineWidth = LINE_WIDTH
         vobj.PointSize = POINT_SIZE
-        vobj.Proxy = self
+        super().__init__(vobj)
 
     def attach(self, vobj):
         """Build the legend; FreeCAD calls this for a new view and for a restored one."""
+        super().attach(vobj)
         add_properties(vobj)
         self.legend = Legend()
-        self.halo = Halo()
-        self.marker = Marker()
-        self.panel = None
         self.line_width = vobj.LineWidth
-        vobj.RootNode.addChild(self.halo.node)
-        vobj.RootNode.addChild(self.marker.node)
         vobj.RootNode.insertChild(nearer(SEAM_LIFT), 0)
         vobj.RootNode.addChild(self.legend.node)
         self._refresh_later(vobj.Object)
+
+    def make_panel(self, obj, created):
+        """The task panel."""
+        return TaskPanel(obj)
 
     def updateData(self, obj, prop):
         """Follow the results."""
@@ -62,49 +61,6 @@ class SeamAnalysisView:
             self.line_width = vobj.LineWidth
         if prop in DRAWN_ANEW and hasattr(self, "legend"):
             self._refresh_later(vobj.Object)
-
-    def getIcon(self):
-        """Icon in the tree."""
-        return icon_path("seamwright-analyze")
-
-    def doubleClicked(self, vobj):
-        """Open the task panel."""
-        return vobj.Document.setEdit(vobj.Object.Name)
-
-    def setEdit(self, vobj, mode=0):
-        """Show the task panel."""
-        self.panel = TaskPanel(vobj.Object)
-        Gui.Control.showDialog(self.panel)
-        return True
-
-    def unsetEdit(self, vobj, mode=0):
-        """Close the task panel."""
-        if self.panel is not None:
-            self.panel.leave()
-        self.panel = None
-        self.mark([], [], [])
-        Gui.Control.closeDialog()
-        return True
-
-    def mark(self, edges, classes, worst):
-        """Draw a bright band along the edges, which have the given classes; [] takes it away.
-
-        ``worst`` is a list of (point, label) to be marked.
-        """
-        colours = [palette.BY_KEY[key].unit_rgb for key in classes]
-        self.halo.show(edges, colours, self.line_width)
-        self.marker.show(worst)
-
-    def dumps(self):
-        """Nothing is kept beside the properties."""
-        return None
-
-    def loads(self, state):
-        """Nothing is kept beside the properties."""
-
-    # FreeCAD before 0.21.2 asks by these names.
-    __getstate__ = dumps
-    __setstate__ = loads
 
     def _refresh_later(self, obj):
         """Refresh once FreeCAD has drawn: drawing the edges anew drops their colours."""

@@ -8,7 +8,6 @@ import FreeCAD as App
 import Part
 from pivy import coin
 
-from freecad.seamwright.document import sources
 from freecad.seamwright.document.facets import facets
 from freecad.seamwright.gui import stripes
 from freecad.seamwright.gui.progress import progress_dialog

@@ -25,9 +25,10 @@ LABELS = {
 
 
 def name_of(tolerances):
-    """The first profile with these tolerances, or None; other keys than tolerances do not count."""
+    """The first profile with these tolerances, those that are given, or None; other keys than tolerances do not count."""
     for name, figures in PROFILES.items():
-        if all(abs(tolerances[key] - value) <= 1e-12 * value for key, value in figures.items()):
+        known = [(tolerances[key], value) for key, value in figures.items() if key in tolerances]
+        if all(abs(given - value) <= 1e-12 * value for given, value in known):
             return name
     return None
 

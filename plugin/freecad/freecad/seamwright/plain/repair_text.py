@@ -43,7 +43,7 @@ class Row:
 
 #: heading, tool tip
 COLUMNS = (
-    ("Seam", "Number of the seam in the model"),
+    ("Edge", "The edge or edges of the seam"),
     ("Faces", "Numbers of the two faces that meet"),
     ("Angle \u00b0", "Largest angle between the tangent planes, before and after, in degrees"),
     ("Gap mm", "Largest distance between the two sides, before and after, in mm"),
@@ -178,9 +178,14 @@ def _row(seam, tolerance, done):
         seam=before["id"],
         edges=tuple(before["edges"]),
         state=state,
-        cells=(str(before["id"]), faces, *figures, result),
+        cells=(edges_text(before), faces, *figures, result),
         detail=_detail(before, after, reason, tolerance),
     )
+
+
+def edges_text(seam):
+    """ "Edge39", or "Edge3, Edge7" of a seam of two edges."""
+    return ", ".join("Edge%d" % number for number in seam["edges"])
 
 
 def named(text):
@@ -198,15 +203,3 @@ def _detail(before, after, reason, tolerance):
     parts = [("Before", before)] + ([("After", after)] if after is not None else [])
     texts = ["%s: %s" % (when, rows.detail_text(seam, tolerance)) for when, seam in parts]
     return "\n\n".join(texts + ([reason] if reason else []))
-
-
-def located(report, name):
-    """The report as the view wants it, with each face and edge of the seams as part of the object ``name``."""
-    seams = [seam["before"] for seam in report["seams"]]
-    return {
-        "tolerance": report["tolerance"],
-        "freecad": {
-            kind: {str(n): [name, prefix + str(n)] for seam in seams for n in seam[kind]}
-            for kind, prefix in (("faces", "Face"), ("edges", "Edge"))
-        },
-    }

@@ -138,6 +138,18 @@ def owner_of(report, kind, number):
     return report.get("freecad", {}).get(kind, {}).get(str(number))
 
 
+def located(seams, tolerance, name):
+    """What the view needs of a report, with each face and edge of the seams as part of the object ``name``."""
+    seams = list(seams)
+    return {
+        "tolerance": tolerance,
+        "freecad": {
+            kind: {str(n): [name, prefix + str(n)] for seam in seams for n in seam[kind]}
+            for kind, prefix in (("faces", "Face"), ("edges", "Edge"))
+        },
+    }
+
+
 def edge_number(report, analysis, name, element):
     """Number in the report of sub-element ``element`` of object ``name``; None if it is no seam.
 

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Tool.hxx>
+#include <Eigen/Geometry>
+#include <Standard_Failure.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_ListOfShape.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+#include <seamwright/occ_adapter/fill/corner_ball.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+using Eigen::Vector3d;
+
+gp_Dir directionOf(const Vector3d& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+/// Directions from the corner into its faces, about where a small ball cuts them.
+std::vector<Vector3d> directionsInFaces(const Corner& corner) {
+  std::vector<Vector3d> directions;
+  for (std::size_t i = 0; i < corner.count(); ++i)
+    for (int k = 0; k < 8; ++k)
+      directions.push_back(Eigen::AngleAxisd(corner.faces[i].angle_rad * k / 8, corner.faces[i].normal) *
+                           corner.edges[i].axis);
+  return directions;
+}
+
+/// Axes of the ball for which its seam, half a circle from pole to pole, is far from what is cut.
+gp_Ax2 ballAxes(const Corner& corner) {
+  const std::vector<Vector3d> faces = directionsInFaces(corner);
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  Vector3d best_pole = Vector3d::UnitZ(), best_middle = Vector3d::UnitX();
+  double best = 2;
+  for (int trial = 0; trial < 500; ++trial) {
+    const Vector3d middle = Vector3d(normal(random), normal(random), normal(random)).normalized();
+    const Vector3d pole = middle.unitOrthogonal();
+    double nearest = -1;
+    for (int k = -6; k <= 6; ++k) {
+      const double angle = k * std::numbers::pi / 12;
+      const Vector3d at = std::cos(angle) * middle + std::sin(angle) * pole;
+      for (const Vector3d& direction : faces) nearest = std::max(nearest, at.dot(direction));
+    }
+    if (nearest >= best) continue;
+    best = nearest;
+    best_pole = pole;
+    best_middle = middle;
+  }
+  return {gp_Pnt(corner.point.x(), corner.point.y(), corner.point.z()), directionOf(best_pole),
+          directionOf(best_middle)};
+}
+
+std::string mm(double length) {
+  return std::to_string(length) + " mm";
+}
+
+class OutsideRounder {
+ public:
+  OutsideRounder(const Corner& corner, const std::vector<CornerStrip>& strips, double ball_mm)
+      : corner_(corner),
+        strips_(strips),
+        ball_mm_(ball_mm),
+        ball_(BRepPrimAPI_MakeSphere(ballAxes(corner), ball_mm).Shape()),
+        cut_(corner.solid, ball_) {}
+
+  RoundedOutside run() {
+    TopExp_Explorer solid(cut_.Shape(), TopAbs_SOLID);
+    if (!cut_.IsDone() || !solid.More()) fail("OpenCASCADE can't take it away");
+    BRepFilletAPI_MakeFillet fillets(solid.Current());
+    // Bands to a tenth of the default tolerances: they are what the corner is joined to.
+    fillets.SetParams(1e-3, 1e-5, 1e-6, 1e-5, 1e-6, 1e-4);
+    solid.Next();
+    if (solid.More()) fail("the solid falls apart without it");
+    for (std::size_t i = 0; i < corner_.count(); ++i) add(i, fillets);
+    fillets.Build();
+    if (!fillets.IsDone()) fail("OpenCASCADE rounds no edges outside of it");
+    TopExp_Explorer rounded(fillets.Shape(), TopAbs_SOLID);
+    if (!rounded.More()) fail("OpenCASCADE's fillets leave no solid");
+    result_.solid = rounded.Current();
+    follow(fillets);
+    readBall(fillets);
+    return std::move(result_);
+  }
+
+ private:
+  /// Edges of the ball, each with the face beyond.
+  using Rim = std::vector<std::pair<TopoDS_Edge, TopoDS_Face>>;
+
+  [[noreturn]] void fail(const std::string& why) const {
+    throw std::domain_error("a ball of " + mm(ball_mm_) + " about the vertex: " + why);
+  }
+  [[noreturn]] void failAtEdge(std::size_t i, const std::string& why) const {
+    throw std::domain_error("edge " + std::to_string(corner_.edges[i].number) + ", outside a ball of " +
+                            mm(ball_mm_) + " about the vertex: " + why);
+  }
+
+  void add(std::size_t i, BRepFilletAPI_MakeFillet& fillets) {
+    const TopTools_ListOfShape& parts = cut_.Modified(corner_.edges[i].edge);
+    if (parts.Extent() != 1) failAtEdge(i, std::to_string(parts.Extent()) + " parts of it are left, not one");
+    const TopoDS_Edge edge = TopoDS::Edge(parts.First());
+    if (fillets.Contour(edge) > 0)
+      failAtEdge(i, "it continues another edge of the corner smoothly, they can't have fillets of their own");
+    fillets.Add(strips_[i].radius_mm, edge);
+    if (fillets.Contour(edge) == 0) failAtEdge(i, "OpenCASCADE has no fillet for it");
+    edges_.push_back(edge);
+  }
+
+  /// What a face is after both steps; a null face if it is gone or in several parts.
+  TopoDS_Face imageOf(const TopoDS_Shape& face, BRepFilletAPI_MakeFillet& fillets) {
+    TopoDS_Shape now = face;
+    if (const TopTools_ListOfShape& parts = cut_.Modified(face); !parts.IsEmpty()) {
+      if (parts.Extent() > 1) return {};
+      now = parts.First();
+    }
+    if (const TopTools_ListOfShape& parts = fillets.Modified(now); !parts.IsEmpty()) {
+      if (parts.Extent() > 1) return {};
+      now = parts.First();
+    }
+    const int index = faces_.FindIndex(now);
+    return index == 0 ? TopoDS_Face() : TopoDS::Face(faces_(index));
+  }
+
+  void follow(BRepFilletAPI_MakeFillet& fillets) {
+    TopExp::MapShapes(result_.solid, TopAbs_FACE, faces_);
+    TopTools_IndexedMapOfShape given;
+    TopExp::MapShapes(corner_.solid, TopAbs_FACE, given);
+    for (int face = 1; face <= given.Extent(); ++face)
+      if (const TopoDS_Face now = imageOf(given(face), fillets); !now.IsNull())
+        result_.became.emplace(face, now);
+    for (TopExp_Explorer face(ball_, TopAbs_FACE); face.More(); face.Next()) {
+      TopTools_ListOfShape parts = cut_.Modified(face.Current());
+      if (parts.IsEmpty()) parts.Append(face.Current());
+      for (const TopoDS_Shape& part : parts) {
+        TopTools_ListOfShape now = fillets.Modified(part);
+        if (now.IsEmpty()) now.Append(part);
+        for (const TopoDS_Shape& cap : now)
+          if (faces_.Contains(cap)) result_.caps.push_back(TopoDS::Face(faces_(faces_.FindIndex(cap))));
+      }
+    }
+    if (result_.caps.empty()) fail("nothing of it is left in the fillets of OpenCASCADE");
+  }
+
+  void readBall(BRepFilletAPI_MakeFillet& fillets) {
+    TopTools_IndexedDataMapOfShapeListOfShape around;
+    TopExp::MapShapesAndUniqueAncestors(result_.solid, TopAbs_EDGE, TopAbs_FACE, around);
+    Rim rim;
+    for (const TopoDS_Face& cap : result_.caps)
+      for (TopExp_Explorer edge(cap, TopAbs_EDGE); edge.More(); edge.Next())
+        for (const TopoDS_Shape& face : around.FindFromKey(edge.Current()))
+          if (std::ranges::none_of(result_.caps, [&](const TopoDS_Face& own) { return own.IsSame(face); }))
+            rim.emplace_back(TopoDS::Edge(edge.Current().Oriented(TopAbs_FORWARD)), TopoDS::Face(face));
+    const auto edgesBeside = [&rim](const auto& belongs) {
+      std::vector<TopoDS_Edge> edges;
+      for (const auto& [edge, face] : rim)
+        if (belongs(face)) edges.push_back(edge);
+      return edges;
+    };
+    std::size_t told = 0;
+    for (std::size_t i = 0; i < corner_.count(); ++i) {
+      const TopTools_ListOfShape& made = fillets.Generated(edges_[i]);
+      result_.band_ends.push_back(edgesBeside([&made](const TopoDS_Face& face) {
+        return std::any_of(made.begin(), made.end(),
+                           [&face](const TopoDS_Shape& of) { return of.IsSame(face); });
+      }));
+      const auto now = result_.became.find(numberOf(corner_.faces[i].face));
+      result_.arcs.push_back(edgesBeside(
+          [&](const TopoDS_Face& face) { return now != result_.became.end() && face.IsSame(now->second); }));
+      if (result_.band_ends[i].empty() || result_.arcs[i].empty())
+        failAtEdge(i, "its fillet, or the face after it, does not come to the ball");
+      told += result_.band_ends[i].size() + result_.arcs[i].size();
+      result_.bands.push_back(faceBeyond(rim, result_.band_ends[i]));
+    }
+    if (told != rim.size())
+      fail("its rim has " + std::to_string(rim.size()) + " edges, only " + std::to_string(told) +
+           " of them on fillets and faces of the corner");
+  }
+
+  /// The one face beyond these edges of the rim.
+  TopoDS_Face faceBeyond(const Rim& rim, const std::vector<TopoDS_Edge>& edges) const {
+    TopoDS_Face found;
+    for (const auto& [edge, face] : rim) {
+      const TopoDS_Edge& here = edge;
+      if (std::ranges::none_of(edges, [&here](const TopoDS_Edge& own) { return own.IsSame(here); })) continue;
+      if (!found.IsNull() && !found.IsSame(face)) fail("a fillet comes to it in several faces");
+      found = face;
+    }
+    return found;
+  }
+
+  int numberOf(const TopoDS_Face& face) const {
+    TopTools_IndexedMapOfShape given;
+    TopExp::MapShapes(corner_.solid, TopAbs_FACE, given);
+    return given.FindIndex(face);
+  }
+
+  const Corner& corner_;
+  const std::vector<CornerStrip>& strips_;
+  const double ball_mm_;
+  TopoDS_Shape ball_;
+  BRepAlgoAPI_Cut cut_;
+  std::vector<TopoDS_Edge> edges_;  ///< what is left of the corner's
+  TopTools_IndexedMapOfShape faces_;
+  RoundedOutside result_;
+};
+
+}  // namespace
+
+RoundedOutside roundedOutside(const Corner& corner, const std::vector<CornerStrip>& strips, double ball_mm) {
+  try {
+    return OutsideRounder(corner, strips, ball_mm).run();
+  } catch (const Standard_Failure& failure) {
+    throw std::domain_error("a ball of " + mm(ball_mm) + " about the vertex: OpenCASCADE stops at " +
+                            failure.DynamicType()->Name() + " " + failure.GetMessageString());
+  }
+}
+
+}  // namespace seamwright::occ

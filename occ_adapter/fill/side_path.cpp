@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include <seamwright/occ_adapter/fill/side_path.hpp>
+
+namespace seamwright::occ {
+
+using Eigen::Vector3d;
+
+ArcLength::ArcLength(std::shared_ptr<const FaceStrip> strip) : strip_(std::move(strip)) {
+  for (int k = 0; k < pieces; ++k) lengths_[k + 1] = lengths_[k] + between(at(k), at(k + 1));
+}
+
+double ArcLength::placeAt(double length_mm) const {
+  const auto after = std::upper_bound(lengths_.begin() + 1, lengths_.end() - 1, length_mm);
+  const int k = static_cast<int>(after - lengths_.begin()) - 1;
+  const double rest = length_mm - lengths_[k];
+  double place = at(k) + rest / (lengths_[k + 1] - lengths_[k]) / pieces;
+  for (int step = 0; step < 4; ++step)
+    place -= (between(at(k), place) - rest) / strip_->trace(std::clamp(place, 0.0, 1.0)).d.norm();
+  return std::clamp(place, 0.0, 1.0);
+}
+
+double ArcLength::between(double from, double to) const {
+  constexpr std::array<double, 3> nodes = {0, 0.5384693101056831, 0.9061798459386640};
+  constexpr std::array<double, 3> weights = {0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
+  const double middle = (from + to) / 2, half = (to - from) / 2;
+  double sum = 0;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (const double node : {-nodes[i], nodes[i]})
+      sum += (i == 0 ? 0.5 : 1) * weights[i] *
+             strip_->trace(std::clamp(middle + half * node, 0.0, 1.0)).d.norm();
+  return half * sum;
+}
+
+SidePath::SidePath(const HoleSide& side, double gap_mm) {
+  for (const HoleEdge& edge : side.edges) {
+    strips_.push_back(
+        std::make_shared<const FaceStrip>(edge.use, pcurveOf(edge.use.edge, edge.use.shape, gap_mm)));
+    lengths_.emplace_back(strips_.back());
+    reversed_.push_back(edge.reversed);
+    numbers_.push_back(edge.edge);
+    begins_mm_.push_back(length_mm_);
+    length_mm_ += lengths_.back().length_mm();
+  }
+  if (!(length_mm_ > 0 && std::isfinite(length_mm_)))
+    throw std::runtime_error("edge " + std::to_string(side.edges.front().edge) + " has no length");
+}
+
+std::vector<double> SidePath::joints() const {
+  std::vector<double> shares;
+  for (std::size_t k = 1; k < begins_mm_.size(); ++k) shares.push_back(begins_mm_[k] / length_mm_);
+  return shares;
+}
+
+std::size_t SidePath::edgeIndex(double share, bool after) const {
+  const double rounding_mm = 1e-12 * length_mm_, at_mm = share * length_mm_;
+  std::size_t k = 0;
+  while (k + 1 < begins_mm_.size() && at_mm > begins_mm_[k + 1] + (after ? -rounding_mm : rounding_mm)) ++k;
+  return k;
+}
+
+SideSample SidePath::atShare(double share, bool after) const {
+  const std::size_t k = edgeIndex(share, after);
+  const double rest = std::clamp(share * length_mm_ - begins_mm_[k], 0.0, lengths_[k].length_mm());
+  SideSample result = sample(k, lengths_[k].placeAt(reversed_[k] ? lengths_[k].length_mm() - rest : rest));
+  result.derivative = length_mm_ * result.derivative.normalized();
+  return result;
+}
+
+SideSample SidePath::atPlace(double place) const {
+  return sample(0, reversed_[0] ? 1 - place : place);
+}
+
+double SidePath::placeOf(double share) const {
+  if (share <= 0 || share >= 1) return share <= 0 ? 0 : 1;
+  return reversed_[0] ? 1 - lengths_[0].placeAt((1 - share) * length_mm_)
+                      : lengths_[0].placeAt(share * length_mm_);
+}
+
+SideSample SidePath::sample(std::size_t k, double place) const {
+  const SidePoint side = strips_[k]->at(place);
+  const Vector3d normal = side.jet.u.cross(side.jet.v).normalized();
+  const Vector3d beyond = (side.face_on_left ? 1 : -1) * normal.cross(side.tangent).normalized();
+  return {0, side.jet.p, (reversed_[k] ? -1 : 1) * side.tangent, normal, beyond, side.jet};
+}
+
+}  // namespace seamwright::occ

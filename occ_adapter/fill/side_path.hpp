@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <memory>
+#include <vector>
+
+#include <seamwright/occ_adapter/convert/face_strip.hpp>
+#include <seamwright/occ_adapter/fill/holes.hpp>
+
+/// The edges of a side of a hole as one path; not a public header.
+namespace seamwright::occ {
+
+/// What a side shows at t: the point, its derivative by t, and the frame of the face.
+struct SideSample {
+  double t = 0;
+  Eigen::Vector3d point, derivative;
+  Eigen::Vector3d normal, beyond;  ///< unit; beyond points into the face, across the edge
+  SurfaceJet jet;                  ///< of the face
+};
+
+/// The arc length of a path over its places, by Gauss quadrature on short pieces.
+class ArcLength {
+ public:
+  explicit ArcLength(std::shared_ptr<const FaceStrip> strip);
+  double length_mm() const { return lengths_[pieces]; }
+  double placeAt(double length_mm) const;
+
+ private:
+  static constexpr int pieces = 32;
+  static double at(int k) { return static_cast<double>(k) / pieces; }
+  double between(double from, double to) const;
+
+  std::shared_ptr<const FaceStrip> strip_;
+  std::array<double, pieces + 1> lengths_{};
+};
+
+/// The edges of a side, one after the other.
+class SidePath {
+ public:
+  /// \throws std::runtime_error for an edge that can't be evaluated or a side without length.
+  SidePath(const HoleSide& side, double gap_mm);
+
+  bool isOneEdge() const { return strips_.size() == 1; }
+  double length_mm() const { return length_mm_; }
+  /// Shares of the length where one edge ends and the next begins, inside (0, 1).
+  std::vector<double> joints() const;
+  int edgeAt(double share) const { return numbers_[edgeIndex(share, true)]; }
+
+  /// At a share of the length in [0, 1], with the derivative by it. \param after at a joint, the edge that begins there.
+  SideSample atShare(double share, bool after) const;
+  /// Of one edge: at a share of the edge's own parameter.
+  SideSample atPlace(double place) const;
+  double placeOf(double share) const;
+
+ private:
+  std::size_t edgeIndex(double share, bool after) const;
+  SideSample sample(std::size_t k, double place) const;
+
+  std::vector<std::shared_ptr<const FaceStrip>> strips_;
+  std::vector<ArcLength> lengths_;
+  std::vector<double> begins_mm_;
+  std::vector<bool> reversed_;
+  std::vector<int> numbers_;
+  double length_mm_ = 0;
+};
+
+}  // namespace seamwright::occ

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <seamwright/occ_adapter/model/model.hpp>
+#include <seamwright/plugin/cli/model_arguments.hpp>
+#include <seamwright/plugin/report/written.hpp>
+#include <string>
+#include <vector>
+
+namespace seamwright::cli {
+
+/// What a command leaves behind.
+struct Outcome {
+  const occ::Model* model = nullptr;  ///< null: none is written
+  report::Judge judge;                ///< of the model's file
+  /// The report, by what was written.
+  std::function<nlohmann::ordered_json(const std::optional<report::WrittenModel>&)> report;
+  bool unchanged = false;  ///< as of occ::WriteOptions
+};
+
+struct WrittenOutcome {
+  std::optional<report::WrittenModel> model;
+  std::vector<std::string> notes;  ///< as of occ::WriteReport
+};
+
+/// Writes the model, if there is one, and the report, if one was asked for. The model's file is read back and judged while it waits
+/// beside its place; one that can't be read back does not take it.
+/// \throws std::runtime_error, occ::ModelError, occ::Cancelled.
+WrittenOutcome writeOutcome(const Outcome& outcome, const OutputArguments& arguments);
+
+/// Warns of what the file has otherwise than the model in memory, and of what its format can't hold.
+void warnOf(const WrittenOutcome& written, const OutputArguments& arguments,
+            const report::ModelCounts& memory);
+
+}  // namespace seamwright::cli

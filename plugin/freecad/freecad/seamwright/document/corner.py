@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The document object Corner Fillet: a solid with the edges at one vertex rounded, each with a radius of its own.
+
+Its shape is the model of the source with fillets that end in sections set back from the vertex, and patches between
+them; the source is only read. The class path is written into documents: neither rename nor move it.
+"""
+
+import json
+
+import Part
+
+from freecad.seamwright.document import elements, feature, properties, sources
+from freecad.seamwright.document.hooks import hooks
+from freecad.seamwright.document.properties import error_text
+from freecad.seamwright.plain import corner_text, kernel, new_seams, repair_text
+
+__all__ = ["CornerFillet", "corner_of", "create", "error_text", "is_corner", "report_of"]
+
+#: property, argument of the kernel, property type, default, help
+TOLERANCES = (
+    ("GapTolerance", "gap_mm", "App::PropertyLength", 0.01,
+     "Largest distance between the two sides of each new seam, in mm"),
+    ("AngleTolerance", "angle_deg", "App::PropertyAngle", 0.1,
+     "Largest angle between tangent planes of each new seam, in degrees"),
+    ("SectionTolerance", "section_mm", "App::PropertyLength", 1e-6,
+     "Largest distance of the sides of the patches from the fillets, in mm"),
+)  # fmt: skip
+
+RESULTS = (
+    ("Summary", "App::PropertyString", "What came of it, in one line"),
+    ("Met", "App::PropertyBool", "Whether the solid is valid and every new seam surely meets the tolerances"),
+    ("CornerEdges", "App::PropertyStringList", "The edges at the vertex, in the order of Radii and Setbacks"),
+    ("Patches", "App::PropertyInteger", "Number of patches of the corner"),
+    ("MaxGap", "App::PropertyLength", "No gap of a new seam is larger, in mm"),
+    ("MaxAngle", "App::PropertyAngle", "No angle of a new seam is larger, in degrees"),
+)
+
+
+class CornerFillet(feature.Feature):
+    """Proxy of a Part::FeaturePython that holds its source with a corner rounded."""
+
+    Type = "CornerFillet"
+
+    @staticmethod
+    def add_properties(obj):
+        """Add the properties an object lacks, with their defaults."""
+        adder = properties.Adder(obj)
+        adder.add("App::PropertyLinkGlobal", "Source", "Corner", "The object with the corner")
+        adder.add("App::PropertyLinkSubGlobal", "Vertex", "Corner", "The vertex whose edges are rounded")
+        tip = "Radii in mm, of the edges in the order of CornerEdges; one number: of all"
+        adder.add("App::PropertyFloatList", "Radii", "Corner", tip)
+        tip = "Where the fillets end, from the vertex along the edge, in mm, likewise; 0, or none: it is chosen"
+        adder.add("App::PropertyFloatList", "Setbacks", "Corner", tip)
+        adder.add_tolerances(TOLERANCES)
+        adder.add_results(RESULTS, feature.INTERNAL)
+        obj.setEditorMode("Placement", ["Hidden"])
+
+    def execute(self, obj):
+        """Round the corner. On failure, and where the seams fall short, the object is marked and has no shape."""
+        super().execute(obj)
+        if not obj.Met:
+            raise RuntimeError(obj.Summary)
+
+    @staticmethod
+    def compute(module, obj):
+        """Round the corner: report, shape, names of the edges."""
+        return fillet(module, obj)
+
+    @staticmethod
+    def store(obj, report, shape, edges):
+        """Put the results into the read-only properties; the Summary last."""
+        seams = report["seams"] if report["met"] else []
+        feature.keep_report(obj, report)
+        obj.Met = report["met"]
+        obj.CornerEdges = edges
+        obj.Patches = len(corner_text.patches(report))
+        obj.MaxGap = new_seams.bound(seams, "gap_mm")
+        obj.MaxAngle = new_seams.bound(seams, "angle_deg")
+        feature.put_shape(obj, shape)
+        obj.Summary = corner_text.summary_text(report)
+
+    @staticmethod
+    def store_failure(obj, reason):
+        """A report of nothing with the reason."""
+        report = {**empty_report(obj), "reason": repair_text.named(reason)}
+        CornerFillet.store(obj, report, Part.Shape(), [])
+        return obj.Summary
+
+
+def is_corner(obj):
+    """Whether a document object is a Corner Fillet."""
+    return feature.is_of(obj, CornerFillet)
+
+
+def tolerances(obj):
+    """The tolerances as arguments of the kernel, in mm and degrees."""
+    return properties.arguments(obj, TOLERANCES)
+
+
+def empty_report(obj):
+    """A report of nothing, with the tolerances of the object."""
+    return {**corner_text.EMPTY_REPORT, "tolerance": tolerances(obj)}
+
+
+def report_of(obj):
+    """The stored report as a dict; an empty report when nothing was rounded yet."""
+    return json.loads(obj.Report) if obj.Report else empty_report(obj)
+
+
+def fillet(module, obj):
+    """Run the kernel: (report, shape, names of the edges).
+
+    Raises SourceError for links that lead nowhere, ValueError for bad values and corners that cannot be rounded.
+    """
+    model, vertex, edges, _ = _corner(module, obj)
+    radii = corner_text.by_edge(obj.Radii, edges, "Radii")
+    setbacks = corner_text.by_edge(obj.Setbacks, edges, "Setbacks") if obj.Setbacks else {}
+    with hooks.progress("Rounding the corner\u2026") as progress:
+        result = model.corner_fillet(
+            vertex, radii, setbacks_mm={edge: value for edge, value in setbacks.items() if value},
+            progress=progress, **tolerances(obj)
+        )  # fmt: skip
+    report = corner_text.build_report(result.to_dict(), tolerances(obj))
+    return report, result.model.to_freecad() if result.met else Part.Shape(), _names(edges)
+
+
+def _corner(module, obj):
+    """(model, number of the vertex, numbers of its edges, their lengths)."""
+    shape = elements.source_shape(obj)
+    vertices = elements.numbers(obj, shape, "Vertex", "Vertex")
+    if len(vertices) != 1:
+        raise sources.SourceError("Vertex names %d vertices: one is needed" % len(vertices))
+    model = module.Model.from_freecad(shape)
+    edges = model.corner_edges(vertices[0])
+    return model, vertices[0], edges, [shape.Edges[number - 1].Length for number in edges]
+
+
+def _names(edges):
+    return ["Edge%d" % number for number in edges]
+
+
+def corner_of(obj):
+    """(names of the edges at the vertex, in the order of Radii, their lengths in mm, "").
+
+    Where they cannot be told, or rounded, there are none, and the text says why.
+    """
+    module = kernel.load(Part.OCC_VERSION)
+    try:
+        _, _, edges, lengths = _corner(module, obj)
+    except (sources.SourceError, module.ModelError, ValueError) as error:
+        return [], [], "Not rounded: %s." % repair_text.named(str(error)).rstrip(".")
+    return _names(edges), lengths, ""
+
+
+def create(source, vertex, radii_mm=None, *, setbacks_mm=None, **tolerances):
+    """Round the edges at a vertex: add a Corner Fillet to the document of the object, compute it and return it.
+
+    ``vertex``: "Vertex6". ``radii_mm``, ``setbacks_mm``: a number for all edges, or a list of numbers in the order of
+    ``corner_of``; a radius of None is a tenth of the shortest edge, a setback of None or 0 is chosen. ``tolerances``:
+    gap_mm, angle_deg, section_mm, and profile, a name of profiles.PROFILES. Raises TypeError and ValueError for bad
+    arguments, kernel.KernelUnavailable when the compiled part is missing. Where the corner cannot be rounded the object
+    is returned in its error state, see ``error_text``.
+    """
+    obj = prepare(source, vertex, radii_mm, setbacks_mm=setbacks_mm, **tolerances)
+    obj.Document.recompute()
+    return obj
+
+
+def prepare(source, vertex, radii_mm=None, *, setbacks_mm=None, **tolerances):
+    """As ``create``, but nothing is computed yet."""
+    kernel.load(Part.OCC_VERSION)
+    values = properties.checked(tolerances, TOLERANCES, {})
+    values["Radii"] = properties.checked_numbers("radii_mm", radii_mm)
+    values["Setbacks"] = properties.checked_numbers("setbacks_mm", setbacks_mm)
+    obj = feature.add(source.Document, CornerFillet, "Corner Fillet")
+    obj.Source = source
+    elements.set_names(obj, "Vertex", [vertex])
+    for name, value in values.items():
+        setattr(obj, name, value)
+    if not obj.Radii:
+        lengths = corner_of(obj)[1]
+        obj.Radii = [corner_text.suggested_radius_mm(lengths)] if lengths else [1.0]
+    hooks.attach_view(obj)
+    return obj

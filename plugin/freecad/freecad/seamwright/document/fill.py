@@ -1,0 +1,233 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The document object Umbrella Fill: a model whose holes are closed with faces tangent to their surroundings.
+
+Its shape is the model of the source with the new faces sewn in; the source is only read. The class path is written into
+documents: neither rename nor move it.
+"""
+
+import json
+
+import Part
+
+from freecad.seamwright.document import elements, feature, properties, sources
+from freecad.seamwright.document.hooks import hooks
+from freecad.seamwright.document.properties import error_text
+from freecad.seamwright.plain import fill_text, kernel, new_seams, repair_text
+
+__all__ = ["UmbrellaFill", "create", "error_text", "holes_of", "is_fill", "report_of"]
+
+#: property, argument of the kernel, property type, default, help
+TOLERANCES = (
+    ("GapTolerance", "gap_mm", "App::PropertyLength", 0.001,
+     "Largest distance between the two sides of each new seam, in mm"),
+    ("AngleTolerance", "angle_deg", "App::PropertyAngle", 0.01,
+     "Largest angle between tangent planes of each new seam for G1, in degrees"),
+    ("CornerAngle", "corner_deg", "App::PropertyAngle", 15.0,
+     "A side of a hole ends where the tangent turns by more, in degrees"),
+)  # fmt: skip
+
+#: G0: the new faces have to meet in position only.
+TARGETS = ["G1", "G0"]
+
+#: property, kind of element, help
+ELEMENTS = (
+    ("Edges", "Edge", "The holes to fill, by an edge of each; empty: all but rims"),
+    ("Face", "Face", "The face that is taken out and replaced; empty: holes are filled"),
+)
+
+RESULTS = (
+    ("Summary", "App::PropertyString", "What came of it, in one line"),
+    ("Filled", "App::PropertyInteger", "Number of holes that were filled"),
+    ("Wanted", "App::PropertyInteger", "Number of holes that were to be filled"),
+    ("Reached", "App::PropertyBool", "Whether every new seam surely meets the target"),
+    ("NewFaces", "App::PropertyInteger", "Number of new faces"),
+    ("MaxGap", "App::PropertyLength", "No gap of a new seam is larger, in mm"),
+    ("MaxAngle", "App::PropertyAngle", "No angle of a new seam is larger, in degrees"),
+)
+
+
+class UmbrellaFill(feature.Feature):
+    """Proxy of a Part::FeaturePython that holds its source with holes filled."""
+
+    Type = "UmbrellaFill"
+
+    @staticmethod
+    def add_properties(obj):
+        """Add the properties an object lacks, with their defaults."""
+        adder = properties.Adder(obj)
+        adder.add("App::PropertyLinkGlobal", "Source", "Holes", "The object whose holes are filled")
+        for name, _, tip in ELEMENTS:
+            adder.add("App::PropertyLinkSubGlobal", name, "Holes", tip)
+        adder.add_choice("Target", "Fill", "What every new seam has to meet; G0: position only", TARGETS, TARGETS[0])
+        adder.add("App::PropertyBool", "KeepAnyway", "Fill", "Keep also fills that miss the target")
+        adder.add_tolerances(TOLERANCES)
+        adder.add_results(RESULTS, feature.INTERNAL)
+        obj.setEditorMode("Placement", ["Hidden"])
+
+    def execute(self, obj):
+        """Fill the holes. On failure, and where none could be filled, the object is marked and has no shape."""
+        super().execute(obj)
+        if not obj.Filled:
+            raise RuntimeError(obj.Summary)
+
+    @staticmethod
+    def compute(module, obj):
+        """Fill the holes: report, shape."""
+        return fill(module, obj)
+
+    @staticmethod
+    def store(obj, report, shape):
+        """Put the results into the read-only properties; the Summary last."""
+        done = fill_text.kept(report)
+        seams = [seam for each in done for seam in each["seams"]]
+        feature.keep_report(obj, report)
+        obj.Filled = len(done)
+        obj.Wanted = len(report["fills"])
+        obj.Reached = bool(done) and not fill_text.missed(report)
+        obj.NewFaces = sum(len(each["faces"]) for each in done)
+        obj.MaxGap = new_seams.bound(seams, "gap_mm")
+        obj.MaxAngle = new_seams.bound(seams, "angle_deg")
+        feature.put_shape(obj, shape)
+        obj.Summary = fill_text.summary_text(report)
+
+    @staticmethod
+    def store_failure(obj, reason):
+        """A report of nothing."""
+        reason = repair_text.named(reason)
+        UmbrellaFill.store(obj, empty_report(obj), Part.Shape())
+        obj.Summary = "Not filled: %s" % reason
+        return reason
+
+
+def is_fill(obj):
+    """Whether a document object is an Umbrella Fill."""
+    return feature.is_of(obj, UmbrellaFill)
+
+
+def tolerances(obj):
+    """The tolerances as arguments of the kernel, in mm and degrees."""
+    return properties.arguments(obj, TOLERANCES)
+
+
+def empty_report(obj):
+    """A report of nothing, with the target and the tolerances of the object."""
+    return {**fill_text.EMPTY_REPORT, "target": obj.Target, "tolerance": tolerances(obj)}
+
+
+def report_of(obj):
+    """The stored report as a dict; an empty report when nothing was filled yet."""
+    return json.loads(obj.Report) if obj.Report else empty_report(obj)
+
+
+def fill(module, obj):
+    """Run the kernel: (report, shape). Raises SourceError for links that lead nowhere, ValueError for bad values."""
+    shape = elements.source_shape(obj)
+    edges, faces = (elements.numbers(obj, shape, *entry[:2]) for entry in ELEMENTS)
+    if len(faces) > 1:
+        raise sources.SourceError("%d faces are chosen: one is replaced at a time" % len(faces))
+    model = module.Model.from_freecad(shape)
+    if faces:
+        wanted = [{"face": faces[0]}]
+    else:
+        wanted = [{"hole": hole["id"]} for hole in _holes(model, obj, edges)[1]]
+    entries, shape = _fill_each(model, obj, wanted)
+    return {**empty_report(obj), "fills": entries}, shape
+
+
+def _fill_each(model, obj, wanted):
+    """(what came of each of the wanted holes or faces, the shape with all of them filled, or none where none is)."""
+    entries, shapes = [], []
+    with hooks.progress("Filling\u2026") as progress:
+        for place, which in enumerate(reversed(wanted)):  # the last one first: the numbers of the others stay
+            found = model.fill(
+                **which, target=obj.Target, keep_anyway=bool(obj.KeepAnyway),
+                progress=_part(progress, place, len(wanted)), **tolerances(obj)
+            )  # fmt: skip
+            model = found.model
+            entries.append(fill_text.entry(found.to_dict(), **which))
+            shapes.append(model.to_freecad() if found.filled else None)
+    done = [(entry, shape) for entry, shape in zip(entries, shapes) if shape is not None]
+    last = done[-1][1] if done else Part.Shape()
+    for entry, shape in done[:-1]:
+        _renumber(entry, shape, last)
+    return entries[::-1], last
+
+
+def _holes(model, obj, edges):
+    """(all holes, those that are to be filled). Raises SourceError where there are none, ValueError for other edges."""
+    limits = tolerances(obj)
+    holes = model.holes(corner_deg=limits["corner_deg"], gap_mm=limits["gap_mm"])
+    if not holes:
+        raise sources.SourceError("%s has no hole: no open edges form a closed loop." % obj.Source.Label)
+    return holes, fill_text.chosen_holes(holes, edges) if edges else fill_text.default_holes(holes)
+
+
+def _part(progress, place, count):
+    """The progress of one of several steps."""
+    return None if progress is None else lambda share: progress((place + share) / count)
+
+
+def _renumber(entry, shape, last):
+    """Give faces and edges of a fill the numbers that they have in the last shape, after more holes were filled."""
+    middles = [_middle(edge) for edge in last.Edges]
+    faces = {}  # of an edge, by its place in memory
+    for number, face in enumerate(last.Faces, 1):
+        for edge in face.Edges:
+            faces.setdefault(edge.hashCode(), []).append(number)
+    for seam in entry["seams"]:
+        middle = _middle(shape.Edges[seam["edges"][0] - 1])
+        place = min(range(len(middles)), key=lambda k, middle=middle: middles[k].distanceToPoint(middle))
+        seam["edges"] = [place + 1]
+        seam["faces"] = faces[last.Edges[place].hashCode()]
+    inside = [seam["faces"] for seam in entry["seams"] if seam["between"] == fill_text.INSIDE]
+    entry["faces"] = sorted({number for both in inside for number in both})
+
+
+def _middle(edge):
+    return edge.valueAt(sum(edge.ParameterRange) / 2)
+
+
+def holes_of(obj):
+    """(holes of the source as the kernel describes them, numbers of those that would be filled, "").
+
+    Where they cannot be told there are none, and the text says why.
+    """
+    module = kernel.load(Part.OCC_VERSION)
+    try:
+        shape = elements.source_shape(obj)
+        edges = elements.numbers(obj, shape, "Edges", "Edge")
+        holes, wanted = _holes(module.Model.from_freecad(shape), obj, edges)
+    except (sources.SourceError, module.ModelError, ValueError) as error:
+        return [], [], repair_text.named(str(error))
+    return holes, [hole["id"] for hole in wanted], ""
+
+
+def create(source, *, edges=(), face=None, target="G1", keep_anyway=False, **tolerances):
+    """Fill holes of an object: add an Umbrella Fill to its document, compute it and return it.
+
+    ``edges``: ["Edge5", ...], whose holes are filled, one edge of each is enough; none means all but rims. ``face``:
+    "Face3", which is taken out and replaced instead. ``target``: "G1", or "G0" for position only. ``keep_anyway``: keep also
+    what misses the target. ``tolerances``: gap_mm, angle_deg, corner_deg, and profile, a name of profiles.PROFILES, for gap
+    and angle. Raises TypeError and ValueError for bad arguments, kernel.KernelUnavailable when the compiled part is
+    missing. Where no hole could be filled the object is returned in its error state, see ``error_text``.
+    """
+    obj = prepare(source, edges=edges, face=face, target=target, keep_anyway=keep_anyway, **tolerances)
+    obj.Document.recompute()
+    return obj
+
+
+def prepare(source, *, edges=(), face=None, target="G1", keep_anyway=False, **tolerances):
+    """As ``create``, but nothing is computed yet."""
+    kernel.load(Part.OCC_VERSION)
+    if edges and face:
+        raise ValueError("edges %s and face %r: holes are filled, or a face is replaced" % (list(edges), face))
+    values = properties.checked({**tolerances, "target": target}, TOLERANCES, {"target": ("Target", TARGETS)})
+    obj = feature.add(source.Document, UmbrellaFill, "Umbrella Fill")
+    obj.Source = source
+    elements.set_names(obj, "Edges", edges)
+    elements.set_names(obj, "Face", [face] if face else [])
+    obj.KeepAnyway = bool(keep_anyway)
+    for name, value in values.items():
+        setattr(obj, name, value)
+    hooks.attach_view(obj)
+    return obj

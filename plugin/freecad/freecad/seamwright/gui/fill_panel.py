@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panel of Umbrella Fill: which holes are filled, to what, and each of the new seams."""
+
+import FreeCADGui as Gui
+
+from freecad.seamwright.document import elements, fill
+from freecad.seamwright.gui.forms import make_box
+from freecad.seamwright.gui.hole_list import HoleList
+from freecad.seamwright.gui.new_seams_panel import NewSeamsPanel
+from freecad.seamwright.gui.qt import QtWidgets
+from freecad.seamwright.gui.tolerance_form import ToleranceForm
+from freecad.seamwright.plain import fill_text
+
+
+class FillPanel(NewSeamsPanel):
+    """Shows and changes one Umbrella Fill; ``created``: Cancel removes it."""
+
+    TITLE, ICON = "Umbrella Fill", "seamwright-fill"
+    PREVIEW_TIP = "Fill the holes as the fields say"
+
+    def __init__(self, obj, created):
+        changeable = ["Target", "KeepAnyway", *(name for name, *_ in fill.ELEMENTS + fill.TOLERANCES)]
+        super().__init__(obj, created, "Edit umbrella fill", changeable)
+
+    # The window.
+
+    def build_boxes(self):
+        """The holes, the target and the limits."""
+        return self._build_holes(), self._build_limits()
+
+    def _build_holes(self):
+        box, layout = make_box("What is filled")
+        self.which = QtWidgets.QLabel()
+        self.holes = HoleList()
+        self.pick = QtWidgets.QPushButton("Only selected")
+        self.pick.setToolTip("Fill the holes of the edges that are selected in the view, and no others")
+        for widget in (self.which, self.holes, self.pick):
+            layout.addWidget(widget)
+        return box
+
+    def _build_limits(self):
+        self.tolerances = ToleranceForm(fill.TOLERANCES, ("Target", fill.TARGETS))
+        self.tolerances.level.setToolTip("G1: no kink, G0: position only")
+        self.keep_anyway = QtWidgets.QCheckBox("Keep anyway")
+        self.keep_anyway.setToolTip("Keep also a fill that misses the target; without, the hole is left as it is")
+        self.tolerances.layout().addRow("", self.keep_anyway)
+        return make_box("Target and tolerances", self.tolerances)[0]
+
+    def connect_fields(self):
+        """Follow the fields."""
+        self.holes.changed.connect(self.changed)
+        self.holes.clicked_edges.connect(self.select_in_source)
+        self.pick.clicked.connect(lambda *_: self.holes.choose_by(self._picked()))
+        self.tolerances.changed.connect(self.changed)
+        self.keep_anyway.toggled.connect(self.changed)
+
+    def read_fields(self):
+        """Show the values of the object."""
+        self.tolerances.read_from(self.obj)
+        self.keep_anyway.setChecked(self.obj.KeepAnyway)
+        self._list_holes()
+
+    def _list_holes(self):
+        """List the holes with a tick at those that are filled; returns why there are none."""
+        face = ", ".join(elements.names(self.obj, "Face"))
+        holes, wanted, text = ([], [], "") if face else fill.holes_of(self.obj)
+        self.holes.set_holes(holes, wanted)
+        self.which.setText("%s is taken out and replaced" % face)
+        self.which.setVisible(bool(face))
+        for widget in (self.holes, self.pick):
+            widget.setVisible(not face)
+        return text
+
+    def write_fields(self):
+        """Set the values of the object as the fields say."""
+        self.tolerances.write_to(self.obj)
+        if self.obj.KeepAnyway != self.keep_anyway.isChecked():
+            self.obj.KeepAnyway = self.keep_anyway.isChecked()
+        holes, chosen = self.holes.holes, self.holes.chosen()
+        if holes and chosen != fill.holes_of(self.obj)[1]:
+            every = [hole["id"] for hole in fill_text.default_holes(holes)]
+            wanted = [] if chosen == every else [hole for hole in holes if hole["id"] in chosen]
+            elements.set_names(self.obj, "Edges", ["Edge%d" % min(fill_text.edges_of(hole)) for hole in wanted])
+        self._list_holes()
+
+    # What it does.
+
+    def seams(self):
+        """(seams, tolerances, target) as they are stored now."""
+        report = fill.report_of(self.obj)
+        return fill_text.every_seam(report), report["tolerance"], report["target"]
+
+    def begin(self):
+        """Say what would be filled."""
+        text = self._list_holes() or fill_text.waiting_text(elements.names(self.obj, "Face"), self.holes.chosen())
+        self.fill([], text)
+        self.show_before()
+
+    def note(self, chosen):
+        """Why holes miss the target; alone, a hole that was not filled is told of above."""
+        report = fill.report_of(self.obj)
+        return "\n".join(fill_text.reasons(report)) if fill_text.kept(report) else ""
+
+    def _picked(self):
+        """The names of what is selected of the source."""
+        chosen = [each for each in Gui.Selection.getSelectionEx() if each.Object in self.sources()]
+        return {name for each in chosen for name in each.SubElementNames}

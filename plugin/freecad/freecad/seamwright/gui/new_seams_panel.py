@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panel of an object that is its source with new faces: a table of the seams that these have."""
+
+import FreeCADGui as Gui
+
+from freecad.seamwright.document import elements
+from freecad.seamwright.document.properties import error_text
+from freecad.seamwright.gui import seam_view
+from freecad.seamwright.gui.preview_panel import PreviewPanel
+from freecad.seamwright.plain import new_seams, rows
+
+
+class NewSeamsPanel(PreviewPanel):
+    """Shows and changes one object; a subclass says where its report is."""
+
+    COLUMNS = new_seams.COLUMNS
+
+    def seams(self):
+        """(seams as of new_seams, tolerances, target) as they are stored now."""
+        raise NotImplementedError
+
+    def sources(self):
+        """The object that the new faces belong to."""
+        return elements.source_objects(self.obj)
+
+    def release(self):
+        """Drop the selection, and let the new faces look as the others."""
+        Gui.Selection.clearSelection()
+        self.obj.ViewObject.Proxy.paint(tinted=False)
+
+    def refresh(self):
+        """Show the results as they are stored now, the new faces tinted."""
+        super().refresh()
+        self.obj.ViewObject.Proxy.paint(tinted=True)
+
+    def stored(self):
+        """(rows, text) of the results as they are stored now."""
+        return new_seams.build_rows(*self.seams()), error_text(self.obj) or self.obj.Summary
+
+    def marked(self, chosen, shown):
+        """(report, seams) of rows; none where the source is shown, or the new faces were not kept."""
+        seams, tolerance, _ = self.seams()
+        wanted = [seams[row.place] for row in chosen if seams[row.place]["edges"]]
+        if shown != self.obj:
+            return {}, []
+        return rows.located(wanted, tolerance, self.obj.Name), wanted
+
+    def select_in_source(self, names):
+        """Select edges of the source where it is shown."""
+        if self.sources() and self.shown_object() != self.obj:
+            Gui.Selection.clearSelection()
+            for name in names:
+                seam_view.select(self._doc, self.obj.Source.Name, name)

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is said about a corner of several fillets.
+
+The report is a dict: ``tolerance``, ``met``, ``reason`` (why not), ``edges`` (a dict each of edge, convex, angle_deg,
+radius_mm, contact_mm, setback_mm, with the numbers of the source) and ``seams`` (see new_seams).
+"""
+
+import math
+
+from freecad.seamwright.plain import enclosure, new_seams, repair_text, summary
+
+TARGET = "G1"
+
+EMPTY_REPORT = {"tolerance": {}, "met": False, "reason": "", "edges": [], "seams": []}
+
+#: What the kernel's words for new seams mean.
+BETWEEN = {
+    "spoke": "two patches",
+    "section": "patch, fillet",
+    "spring": "patch, face",
+    "contact": "fillet, face",
+}
+
+#: A radius that is suggested is this part of the shortest edge, to one digit.
+SUGGESTED = 0.1
+
+
+def build_report(found, tolerance):
+    """The report from what the kernel found."""
+    seams = [new_seams.deciding({**seam, "between": BETWEEN[seam["between"]]}, TARGET) for seam in found["seams"]]
+    if not found["met"]:
+        seams = [{**seam, "edges": [], "faces": [], "worst": None} for seam in seams]
+    return {
+        "tolerance": tolerance,
+        "met": found["met"],
+        "reason": repair_text.named(found["shortfall"]),
+        "edges": found["edges"],
+        "seams": seams,
+    }
+
+
+def summary_text(report):
+    """One line: what was rounded and how its seams are, or why nothing was."""
+    if not report["met"]:
+        return "Not rounded: %s." % report["reason"].rstrip(".")
+    radii = ", ".join(enclosure.number(edge["radius_mm"]) for edge in report["edges"])
+    seams = new_seams.largest_text(report["seams"], report["tolerance"])
+    rounded = summary.counted(len(report["edges"]), "edge")
+    return "Corner of %s rounded with radii %s mm; %s; %s is met." % (rounded, radii, seams, TARGET)
+
+
+def waiting_text(edges):
+    """What would be done."""
+    return "%s to round." % summary.counted(len(edges), "edge")
+
+
+def new_faces(report):
+    """The numbers of the patches and the fillets."""
+    return _faces(report, "spoke", "section")
+
+
+def patches(report):
+    """The numbers of the patches of the corner."""
+    return _faces(report, "spoke")
+
+
+def _faces(report, *words):
+    kinds = [BETWEEN[word] for word in words]
+    return {number for seam in report["seams"] if seam["between"] in kinds for number in seam["faces"]}
+
+
+def edge_text(edge):
+    """ "convex, 90°": an edge of the report between its faces."""
+    return "%s, %.4g\u00b0" % ("convex" if edge["convex"] else "concave", edge["angle_deg"])
+
+
+def suggested_radius_mm(lengths_mm):
+    """A radius that mostly has room at a corner of edges so long."""
+    wanted = SUGGESTED * min(lengths_mm)
+    unit = 10.0 ** math.floor(math.log10(wanted))
+    return float("%.12g" % (unit * math.floor(wanted / unit + 1e-9)))
+
+
+def by_edge(numbers, edges, name):
+    """{edge: number} for a number each, or one number for all. Raises ValueError for another count."""
+    if len(numbers) == 1:
+        numbers = list(numbers) * len(edges)
+    if len(numbers) != len(edges):
+        raise ValueError(
+            "%s has %s for the %d edges of the corner (%s): give one for each, or one for all"
+            % (name, summary.counted(len(numbers), "number"), len(edges), repair_text.edges_text({"edges": edges}))
+        )
+    return dict(zip(edges, numbers))

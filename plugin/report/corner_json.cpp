@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cmath>
+#include <seamwright/plugin/report/corner_json.hpp>
+#include <seamwright/plugin/report/json.hpp>
+#include <seamwright/plugin/report/numbers.hpp>
+#include <seamwright/plugin/report/text.hpp>
+#include <set>
+#include <sstream>
+
+namespace seamwright::report {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+const char* name(occ::CornerSeamKind kind) {
+  switch (kind) {
+    case occ::CornerSeamKind::Spoke:
+      return "spoke";
+    case occ::CornerSeamKind::Section:
+      return "section";
+    case occ::CornerSeamKind::Spring:
+      return "spring";
+    case occ::CornerSeamKind::Contact:
+      return "contact";
+  }
+  return "";
+}
+
+ordered_json edgeJson(const occ::CornerFilletEdge& edge) {
+  return {{"edge", edge.edge},
+          {"convex", edge.convex},
+          {"angle_deg", degrees_per_radian * edge.angle_rad},
+          {"radius_mm", edge.radius_mm},
+          {"contact_mm", edge.contact_mm},
+          {"setback_mm", edge.setback_mm}};
+}
+
+/// Null where no bound is known.
+ordered_json bound(double value) {
+  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
+
+std::string boundText(double value, const char* unit) {
+  return std::isfinite(value) ? number(value, "%.3g") + ' ' + unit : "unknown";
+}
+
+}  // namespace
+
+std::vector<int> newFaces(const occ::CornerFillet& fillet) {
+  std::set<int> faces;
+  for (const occ::CornerSeam& seam : fillet.seams)
+    if (seam.kind == occ::CornerSeamKind::Spoke || seam.kind == occ::CornerSeamKind::Section)
+      faces.insert(seam.result.faces.begin(), seam.result.faces.end());
+  return {faces.begin(), faces.end()};
+}
+
+ordered_json toJson(const occ::CornerFillet& fillet, const ContinuityTolerance& tolerance, int vertex,
+                    const occ::ModelFacts& given, const std::optional<WrittenModel>& output) {
+  ordered_json json = headJson("seamwright.corner/1", given);
+  json["vertex"] = vertex;
+  json["gap_mm"] = tolerance.gap_mm;
+  json["angle_deg"] = degrees_per_radian * tolerance.angle_rad;
+  json["met"] = fillet.met();
+  json["shortfall"] = fillet.shortfall;
+  json["valid"] = fillet.valid;
+  json["regular"] = fillet.fill.regular;
+  json["largest_gap_mm"] = bound(fillet.largestGap_mm());
+  json["largest_angle_deg"] = bound(degrees_per_radian * fillet.largestAngle_rad());
+  json["output"] = toJson(output);
+  json["faces"] = newFaces(fillet);
+  json["edges"] = ordered_json::array();
+  for (const occ::CornerFilletEdge& edge : fillet.edges) json["edges"].push_back(edgeJson(edge));
+  json["seams"] = ordered_json::array();
+  for (const occ::CornerSeam& seam : fillet.seams) {
+    json["seams"].push_back(toJson(seam.result, tolerance));
+    json["seams"].back()["between"] = name(seam.kind);
+  }
+  return json;
+}
+
+std::string toTable(const occ::CornerFillet& fillet, const ModelCounts& memory,
+                    const std::optional<WrittenModel>& output) {
+  std::vector<Row> rows = {{"edge", "kind", "angle deg", "radius mm", "contact mm", "setback mm"}};
+  for (const occ::CornerFilletEdge& edge : fillet.edges)
+    rows.push_back({"Edge" + std::to_string(edge.edge), edge.convex ? "convex" : "concave",
+                    number(degrees_per_radian * edge.angle_rad, "%.4g"), number(edge.radius_mm, "%.4g"),
+                    number(edge.contact_mm, "%.4g"), number(edge.setback_mm, "%.4g")});
+  std::ostringstream out;
+  constexpr std::size_t first_number = 2;
+  writeRows(out, rows, first_number);
+  out << counted(fillet.seams.size(), "new seam") << ": gap at most "
+      << boundText(fillet.largestGap_mm(), "mm") << ", angle "
+      << boundText(degrees_per_radian * fillet.largestAngle_rad(), "degrees") << '\n';
+  const std::string differences = output ? output->differences(memory) : "";
+  if (!differences.empty()) out << output->path.string() << ' ' << differences << '\n';
+  const bool reached = fillet.met() && (!output || output->isAsGoodAs(memory));
+  out << (reached ? "REACHED G1" : "NOT REACHED G1")
+      << (fillet.shortfall.empty() ? "" : ": " + fillet.shortfall) << '\n';
+  return out.str();
+}
+
+}  // namespace seamwright::report

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <seamwright/occ_adapter/fill/corner_fillet.hpp>
+#include <seamwright/plugin/report/written.hpp>
+#include <string>
+#include <vector>
+
+namespace seamwright::report {
+
+/// Numbers of the cylinders, or whatever rounds the edges, and of the patches of the corner in the new model.
+std::vector<int> newFaces(const occ::CornerFillet& fillet);
+
+/// The report as the object "seamwright.corner/1" (docs/corner-1.schema.json), lengths in mm, angles in degrees.
+/// \param given the model as it was read. \param output nothing where the model was not written.
+nlohmann::ordered_json toJson(const occ::CornerFillet& fillet, const ContinuityTolerance& tolerance,
+                              int vertex, const occ::ModelFacts& given,
+                              const std::optional<WrittenModel>& output = {});
+
+/// What came of it, for people. \param memory what \p output is compared with.
+std::string toTable(const occ::CornerFillet& fillet, const ModelCounts& memory,
+                    const std::optional<WrittenModel>& output);
+
+}  // namespace seamwright::report

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Fields of spline surfaces and of their offsets along paths against de Boor's triangle on jets in long double.
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <memory>
+#include <random>
+
+#include "evaluator_oracle.hpp"
+
+namespace seamwright {
+namespace {
+
+using namespace test::formulas;
+using test::logUniform;
+using test::Vec;
+
+TEST(Evaluator, SplinesAreHeldWithinAndBeyondTheSpanMeant) {
+  std::mt19937_64 random(33);
+  known = 0;
+  for (int i = 0; i < 250; ++i) {
+    const int p = i % 25 == 0 ? 25 : 1 + static_cast<int>(random() % 6);
+    const int q = i % 50 == 0 ? 12 : 1 + static_cast<int>(random() % 5);
+    SCOPED_TRACE(testing::Message() << i << " degrees " << p << ", " << q);
+    const SplineData spline = randomSpline(p, q, i % 2 == 0, i % 5 == 0 ? 1e4 : 0, random);
+    const double u = placeIn(spline.u, random), v = placeIn(spline.v, random);
+    const Path path = randomPath(u, v, logUniform(random, -6, p > 10 ? -2 : -0.7), random);
+    const Surface formula = formulaOf(spline, u, v);
+    expectHeld(
+        *splineEvaluator(spline.evaluator()), [&](Real a, Real b) { return fieldsAt(formula, a, b); }, path,
+        u, v, 1e-18L);
+  }
+  EXPECT_GT(known, 20000);
+}
+
+/// Knots so near to one another that differences of differences of poles are all rounding.
+SplineDirection crowdedDirection(int degree, std::mt19937_64& random) {
+  SplineDirection direction = randomDirection(degree, 0, random);
+  double knot = std::uniform_real_distribution<double>(0.1, 0.5)(random);
+  for (int k = 0; k < 3; ++k, knot += logUniform(random, -9, -1))
+    direction.knots.insert(direction.knots.end() - degree - 1, knot);
+  return direction;
+}
+
+TEST(SplineEvaluator, JetsAreHeldWhereRoundingIsAllThereIs) {
+  std::mt19937_64 random(34);
+  for (int i = 0; i < 3000; ++i) {
+    SplineData spline{crowdedDirection(1 + i % 5, random), crowdedDirection(1 + i % 3, random), {}, {}};
+    const std::size_t count =
+        (spline.u.knots.size() - spline.u.degree - 1) * (spline.v.knots.size() - spline.v.degree - 1);
+    for (std::size_t k = 0; k < count; ++k) spline.poles.push_back(test::randomVector(random));
+    const double u = placeIn(spline.u, random), v = placeIn(spline.v, random);
+    const JetModel jet = spline.evaluator()->jet(ChebyshevModel(u), ChebyshevModel(v), u, v, 2);
+    const auto [x, y, z] = formulaOf(spline, u, v)(Jet(u, 1, 0), Jet(v, 0, 1));
+    const std::array<Jet, 3> truth = {x, y, z};
+    for (std::size_t d = 0; d < 3; ++d) {
+      const auto held = [&](const VectorModel& model, Real value, const char* what) {
+        const Real off = std::abs(value - model[d].coefficient(0));
+        EXPECT_LE(off, model[d].radius() + 1e-18L * std::abs(value)) << i << " " << what;
+      };
+      held(jet.p, truth[d].f, "p");
+      held(jet.u, truth[d].u, "u");
+      held(jet.v, truth[d].v, "v");
+      held(jet.uu, truth[d].uu, "uu");
+      held(jet.uv, truth[d].uv, "uv");
+      held(jet.vv, truth[d].vv, "vv");
+    }
+  }
+}
+
+TEST(Evaluator, PeriodicSplinesRepeat) {
+  std::mt19937_64 random(34);
+  for (int i = 0; i < 60; ++i) {
+    SCOPED_TRACE(i);
+    SplineData spline = randomSpline(3, 2, i % 2 == 0, 0, random);
+    spline.u.period = 1;
+    const double u = placeIn(spline.u, random), v = placeIn(spline.v, random);
+    const Surface formula = formulaOf(spline, u, v);
+    for (const int turns : {-3, 1, 40}) {
+      const Path path = randomPath(u + turns, v, 0.01, random);
+      expectHeld(
+          *splineEvaluator(spline.evaluator()),
+          [&](Real a, Real b) { return fieldsAt(formula, a - turns, b); }, path, u + turns, v, 1e-18L);
+      const std::vector<double> knots = spline.evaluator()->knotsInside(0, {turns - 1e-9, turns + 1e-9});
+      ASSERT_EQ(knots.size(), 1u);
+      EXPECT_EQ(knots[0], turns);
+    }
+  }
+}
+
+/// The offset's fields from those of the basis: the tensor W (I - d W)^-1, the normal turned where the area does.
+Fields offsetAt(const Fields& basis, Real distance) {
+  const Matrix3 stretch = Matrix3::Identity() - distance * basis.tensor;
+  const Real side = stretch.determinant() < 0 ? -1 : 1;
+  return {basis.point + distance * basis.normal, side * basis.normal,
+          side * basis.tensor * stretch.inverse()};
+}
+
+TEST(Evaluator, OffsetsAreHeldOnBothSidesOfTheFocus) {
+  std::mt19937_64 random(36);
+  known = 0;
+  for (int i = 0; i < 200; ++i) {
+    SCOPED_TRACE(i);
+    const SplineData spline = randomSpline(3, 3, i % 2 == 0, 0, random);
+    const double u = placeIn(spline.u, random), v = placeIn(spline.v, random);
+    const Surface formula = formulaOf(spline, u, v);
+    const double distance = (i % 2 == 0 ? 1 : -1) * logUniform(random, -2, 1.5);
+    const Path path = randomPath(u, v, logUniform(random, -6, -1.5), random);
+    expectHeld(
+        *offsetEvaluator(splineEvaluator(spline.evaluator()), distance),
+        [&](Real a, Real b) { return offsetAt(fieldsAt(formula, a, b), distance); }, path, u, v, 1e-17L);
+  }
+  EXPECT_GT(known, 10000);
+  // By the focal distance: a cylinder moved onto its axis.
+  const auto axis = offsetEvaluator(cylinderEvaluator(Frame(), 2), -2);
+  const SurfaceFields fields =
+      axis->fields(ChebyshevModel::linear(0, 0.1, 0), ChebyshevModel(0), 0, 0, Detail::Curvature);
+  EXPECT_FALSE(fields.normal[0].isKnown());
+  EXPECT_FALSE(fields.tensor[0].isKnown());
+}
+
+TEST(SplineEvaluator, RefusesWhatIsNoSpline) {
+  const auto make = [](SplineDirection u, SplineDirection v, std::size_t poles, std::vector<double> weights) {
+    return SplineEvaluator(std::move(u), std::move(v), std::vector<Vec>(poles, Vec::Zero()),
+                           std::move(weights));
+  };
+  const SplineDirection line{1, {0, 0, 1, 1}, 0}, point{0, {0, 1}, 0};
+  EXPECT_NO_THROW(make(line, point, 2, {}));
+  EXPECT_THROW(make(line, point, 3, {}), std::invalid_argument);
+  EXPECT_THROW(make(line, point, 2, {1}), std::invalid_argument);
+  EXPECT_THROW(make(line, point, 2, {1, 0}), std::invalid_argument);
+  EXPECT_THROW(make(line, point, 2, {1, NAN}), std::invalid_argument);
+  EXPECT_THROW(make({1, {0, 0, 0, 0}, 0}, point, 2, {}), std::invalid_argument);
+  EXPECT_THROW(make({1, {0, 1, 0, 1}, 0}, point, 2, {}), std::invalid_argument);
+  EXPECT_THROW(make({1, {0, 0, 1, NAN}, 0}, point, 2, {}), std::invalid_argument);
+  EXPECT_THROW(make({-1, {0}, 0}, point, 1, {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace seamwright

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Shape.hxx>
+#include <vector>
+
+/// What fills of holes are checked by.
+namespace seamwright::test {
+
+TopTools_IndexedMapOfShape partsOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind);
+TopoDS_Shape without(const TopoDS_Shape& shape, const std::vector<int>& faces);
+/// The largest angle along all edges of the faces, each between two, at 101 points of each.
+double largestAngle_rad(const TopoDS_Shape& shape, const std::vector<int>& faces);
+
+}  // namespace seamwright::test

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Holes with fewer corners than three, and fills that look to curvature. What is expected is known of the shapes; angles are measured by
+// OpenCASCADE's evaluation at many points.
+#include <gmock/gmock.h>
+
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepAlgoAPI_Common.hxx>
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <cmath>
+#include <gp_Pln.hxx>
+#include <numbers>
+
+#include "fill_checks.hpp"
+#include "shapes.hpp"
+
+#include <seamwright/occ_adapter/fill/fill.hpp>
+
+namespace seamwright::test {
+namespace {
+
+using occ::FillHoleReport;
+using occ::Hole;
+using occ::modelFromShape;
+using occ::replaceFace;
+using testing::HasSubstr;
+
+constexpr double radius = 20;
+
+/// The surface of a sphere less what is in a tool along the z axis.
+TopoDS_Shape sphereWithout(const TopoDS_Shape& tool) {
+  const TopoDS_Shape sphere =
+      BRepPrimAPI_MakeSphere(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(1, 0, 0)), radius).Shape();
+  return BRepAlgoAPI_Cut(partsOf(sphere, TopAbs_FACE)(1), tool).Shape();
+}
+
+TopoDS_Shape rod(double x, double y, double r) {
+  return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(x, y, 0), gp_Dir(0, 0, 1)), r, 40).Shape();
+}
+
+TopoDS_Shape slab(double x0, double y0, double x1, double y1) {
+  return BRepPrimAPI_MakeBox(gp_Pnt(x0, y0, 0), gp_Pnt(x1, y1, 40)).Shape();
+}
+
+struct Case {
+  const char* name;
+  TopoDS_Shape tool;
+  double within_mm;  ///< distance of the fill from the sphere
+};
+
+std::vector<Case> cases() {
+  return {{"circle", rod(0, 0, 8), 0.2},
+          {"lens", BRepAlgoAPI_Common(rod(0, 5, 10), rod(0, -5, 10)).Shape(), 0.2},
+          {"half moon", BRepAlgoAPI_Common(rod(0, 0, 8), slab(-20, 1, 20, 20)).Shape(), 0.2}};
+}
+
+double fromSphere_mm(const TopoDS_Shape& shape, const std::vector<int>& faces) {
+  double worst = 0;
+  for (const int face : faces) {
+    const BRepAdaptor_Surface surface(TopoDS::Face(partsOf(shape, TopAbs_FACE)(face)));
+    for (int i = 0; i <= 10; ++i)
+      for (int j = 0; j <= 10; ++j)
+        worst = std::max(worst, std::abs(surface.Value(i / 10.0, j / 10.0).Distance(gp_Pnt()) - radius));
+  }
+  return worst;
+}
+
+FillHoleReport filled(const TopoDS_Shape& shape, const occ::FillHoleOptions& options = {}) {
+  const occ::Holes found = occ::findHoles(shape);
+  EXPECT_EQ(found.holes.size(), 1U);
+  return occ::fillHole(modelFromShape(shape), found.holes.front(), options);
+}
+
+class RoundHole : public testing::TestWithParam<int> {
+ protected:
+  Case case_ = cases()[GetParam()];
+};
+
+TEST_P(RoundHole, IsFilledByFiveFacesNearTheSphere) {
+  const FillHoleReport report = filled(sphereWithout(case_.tool));
+  ASSERT_TRUE(report.filled) << case_.name << ": " << report.reason;
+  EXPECT_TRUE(report.reached);
+  EXPECT_TRUE(report.regular);
+  EXPECT_EQ(report.faces.size(), 5U);
+  EXPECT_EQ(report.sides.size(), 4U);
+  EXPECT_EQ(report.inner.size(), 8U);
+  EXPECT_TRUE(BRepCheck_Analyzer(report.model.shape).IsValid());
+  EXPECT_LT(largestAngle_rad(report.model.shape, report.faces), 0.001 * degree) << case_.name;
+  for (const occ::SeamResult& seam : report.inner) EXPECT_LT(*seam.figures.angle_rad->upper, 1e-9);
+  EXPECT_LT(fromSphere_mm(report.model.shape, report.faces), case_.within_mm) << case_.name;
+}
+
+TEST_P(RoundHole, MovesWithTheModel) {
+  std::mt19937 random(GetParam());
+  const TopoDS_Shape shape = sphereWithout(case_.tool);
+  const FillHoleReport plain = filled(shape), moved = filled(transformed(shape, randomMotion(random)));
+  ASSERT_TRUE(moved.filled) << case_.name << ": " << moved.reason;
+  EXPECT_NEAR(*moved.largestAngle_rad(), *plain.largestAngle_rad(), 1e-2 * *plain.largestAngle_rad() + 1e-7);
+}
+
+// The neighbours' curvature is 1 / 20 everywhere.
+TEST_P(RoundHole, CurvatureIsNearlyThatOfTheSphere) {
+  occ::FillHoleOptions options{.target = Level::G2, .keep_anyway = true};
+  const FillHoleReport curved = filled(sphereWithout(case_.tool), options);
+  options.target = Level::G1;
+  const FillHoleReport plain = filled(sphereWithout(case_.tool), options);
+  ASSERT_TRUE(curved.filled && plain.filled) << curved.reason << plain.reason;
+  ASSERT_TRUE(curved.curvature_jump_per_mm.has_value());
+  EXPECT_FALSE(plain.curvature_jump_per_mm.has_value());
+  EXPECT_LT(*curved.curvature_jump_per_mm, 0.05 / radius) << case_.name;
+  EXPECT_LT(largestAngle_rad(curved.model.shape, curved.faces), 0.001 * degree) << case_.name;
+  EXPECT_LT(fromSphere_mm(curved.model.shape, curved.faces),
+            1.1 * fromSphere_mm(plain.model.shape, plain.faces) + 1e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, RoundHole, testing::Range(0, 3));
+
+// Cut at its four joints, the slot has sides that polynomials meet.
+TEST(RoundHoles, ASlotInAPlaneIsFlat) {
+  const TopoDS_Shape sheet =
+      BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0, 0, 10), gp_Dir(0, 0, 1)), -30, 30, -30, 30).Face();
+  const TopoDS_Shape ends = BRepAlgoAPI_Fuse(rod(-10, 0, 4), rod(10, 0, 4)).Shape();
+  const TopoDS_Shape slot = BRepAlgoAPI_Fuse(ends, slab(-10, -4, 10, 4)).Shape();
+  const occ::Model model = modelFromShape(BRepAlgoAPI_Cut(sheet, slot).Shape());
+  const occ::Holes found = occ::findHoles(model.shape);
+  const auto hole = std::ranges::find_if(found.holes, [](const Hole& one) { return !one.has_corners; });
+  ASSERT_NE(hole, found.holes.end());
+  EXPECT_NEAR(hole->length_mm, 8 * std::numbers::pi + 40, 1e-6);
+  const FillHoleReport report = occ::fillHole(model, *hole);
+  ASSERT_TRUE(report.filled) << report.reason;
+  EXPECT_EQ(report.faces.size(), 5U);
+  for (const int face : report.faces) {
+    const BRepAdaptor_Surface surface(TopoDS::Face(partsOf(report.model.shape, TopAbs_FACE)(face)));
+    for (int i = 0; i <= 4; ++i) EXPECT_NEAR(surface.Value(0.3, i / 4.0).Z(), 10, 1e-6);
+  }
+}
+
+TEST(RoundHoles, TheLidOfACanIsFlatOrADome) {
+  const TopoDS_Shape can = BRepPrimAPI_MakeCylinder(5, 10).Shape();
+  for (const int lid : {2, 3}) {
+    const FillHoleReport flat = replaceFace(modelFromShape(can), lid, {.target = Level::G0});
+    ASSERT_TRUE(flat.filled) << flat.reason;
+    EXPECT_EQ(flat.model.shape.ShapeType(), TopAbs_SOLID);
+    EXPECT_TRUE(BRepCheck_Analyzer(flat.model.shape).IsValid());
+    for (const int face : flat.faces) {
+      const BRepAdaptor_Surface surface(TopoDS::Face(partsOf(flat.model.shape, TopAbs_FACE)(face)));
+      const double height = surface.Value(0.3, 0.6).Z();
+      EXPECT_LT(std::min(std::abs(height), std::abs(height - 10)), 1e-6);
+    }
+    const FillHoleReport dome = replaceFace(modelFromShape(can), lid);
+    ASSERT_TRUE(dome.filled) << dome.reason;
+    EXPECT_LT(largestAngle_rad(dome.model.shape, dome.faces), 0.001 * degree);
+  }
+}
+
+// A corner of 270 degrees between five others.
+TEST(RoundHoles, AReflexCornerAmongManyIsRefused) {
+  const TopoDS_Shape arrow = BRepAlgoAPI_Cut(slab(-8, -8, 8, 8), slab(0, 0, 20, 20)).Shape();
+  const FillHoleReport report = filled(sphereWithout(arrow));
+  EXPECT_FALSE(report.filled);
+  EXPECT_THAT(report.reason, HasSubstr("pi"));
+}
+
+}  // namespace
+}  // namespace seamwright::test

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What a change has to hold to be kept: each promise broken alone, by changes made by hand on strips of which gap, angle and curvature are
+// known beforehand.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <BRepBuilderAPI_NurbsConvert.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_TEdge.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom_BezierSurface.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
+#include <algorithm>
+#include <cmath>
+
+#include "proof_case.hpp"
+
+namespace seamwright::test {
+namespace {
+
+using occ::FaceChange;
+using occ::movedTooFar;
+using occ::Proof;
+using occ::RepairOptions;
+using occ::RepairTask;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+RepairOptions picking(std::vector<int> edges, int order = 1) {
+  RepairOptions options;
+  options.order = order;
+  options.edges = std::move(edges);
+  return options;
+}
+
+std::string onlyText(const std::map<std::size_t, std::string>& reasons) {
+  return reasons.size() == 1 ? reasons.begin()->second : std::to_string(reasons.size()) + " reasons";
+}
+
+TEST(Prove, HoldsWhereTheTreatedSeamIsMetAndNoOtherIsWorse) {
+  for (const int order : {1, 2}) {
+    const ProofCase strips(chain({{}, {.kink = 1 * degree}, {}}), picking({}, order));
+    const Proof proof = strips.proofOf({strips.changed(2, {}), strips.changed(3, {})});
+    EXPECT_TRUE(proof.holds()) << textOf(proof);
+    EXPECT_EQ(proof.after[0].verdict.seam_class, SeamClass::Smooth);
+  }
+}
+
+TEST(Prove, TheTargetIsMet) {
+  const ProofCase strips(chain({{}, {.kink = 1 * degree}, {}}), {});
+  ASSERT_TRUE(strips.task().treated[0]);
+  const Proof proof =
+      strips.proofOf({strips.changed(2, {.kink = 0.5 * degree}), strips.changed(3, {.kink = -0.5 * degree})});
+  ASSERT_EQ(proof.unrepaired.size(), 1);
+  EXPECT_THAT(proof.unrepaired.at(0), HasSubstr("after a move it has level G0"));
+  EXPECT_THAT(proof.unrepaired.at(0), HasSubstr("angle 0.500"));
+}
+
+/// The seam between the first two strips is treated, and met; what becomes of that between the second and the third is judged.
+std::string whyWorse(const Strip& third, const Strip& third_after, RepairOptions options = {}) {
+  if (options.edges.empty()) options.edges = {first_seam_edge};
+  const ProofCase strips(chain({{}, {.kink = 0.5 * degree}, third}), options);
+  const std::vector<FaceChange> changes = {strips.changed(2, {}), strips.changed(3, third_after)};
+  const Proof proof = strips.proofOf(changes);
+  EXPECT_THAT(proof.unrepaired, IsEmpty());
+  if (proof.holds()) return {};
+  EXPECT_EQ(proof.worse.count(1), 1) << textOf(proof);
+  return onlyText(proof.worse);
+}
+
+TEST(Prove, NoOtherSeamHasALowerLevel) {
+  EXPECT_EQ(whyWorse({}, {}), "");
+  EXPECT_THAT(whyWorse({}, {.kink = 0.2 * degree}), HasSubstr("a lower level"));
+  EXPECT_THAT(whyWorse({}, {.step_mm = 0.015}), HasSubstr("a lower level"));
+  EXPECT_THAT(whyWorse({.kink = 2 * degree}, {.kink = 2 * degree, .step_mm = 0.015}),
+              HasSubstr("a lower level"));
+  // Beyond what is asked for only where it was sure.
+  EXPECT_THAT(whyWorse({}, {.bend_per_mm = 0.002}), HasSubstr("a lower level"));
+}
+
+TEST(Prove, AboveTheTargetALevelThatWasNotSureMayGo) {
+  const RepairOptions options = picking({first_seam_edge});
+  ProofCase strips(chain({{}, {.kink = 0.5 * degree}, {}}), options);
+  const std::vector<FaceChange> changes = {strips.changed(2, {}), strips.changed(3, {.bend_per_mm = 0.002})};
+  EXPECT_THAT(onlyText(strips.proofOf(changes).worse), HasSubstr("a lower level"));
+  strips.before()[1].figures.curvature_rel->upper.reset();
+  EXPECT_TRUE(strips.proofOf(changes).holds());
+  // At the level asked for what is seen counts.
+  const std::vector<FaceChange> kinked = {strips.changed(2, {}), strips.changed(3, {.kink = 0.2 * degree})};
+  strips.before()[1].figures.angle_rad->upper.reset();
+  strips.before()[1].verdict.certain = false;
+  EXPECT_THAT(onlyText(strips.proofOf(kinked).worse), HasSubstr("a lower level"));
+}
+
+TEST(Prove, NoCreaseBecomesADefect) {
+  EXPECT_EQ(whyWorse({.kink = 6 * degree}, {.kink = 5.5 * degree}), "");
+  EXPECT_EQ(whyWorse({.kink = 6 * degree}, {.kink = 7 * degree}), "");
+  EXPECT_THAT(whyWorse({.kink = 6 * degree}, {.kink = 4 * degree}), HasSubstr("another class"));
+}
+
+TEST(Prove, NoOtherSeamIsLessCertain) {
+  // Just as far apart as is tolerated: bounds from both sides can't tell.
+  EXPECT_THAT(whyWorse({}, {.step_mm = 0.01}), HasSubstr("less certain"));
+  EXPECT_EQ(whyWorse({}, {.step_mm = 0.0095}), "");
+}
+
+TEST(Prove, NoFigureGrowsByATenthOfItsTolerance) {
+  RepairOptions options;  // gap 0.01 mm, angle 0.1 degrees, curvature 2 %
+  EXPECT_EQ(whyWorse({.step_mm = 0.05}, {.step_mm = 0.0505}), "");
+  EXPECT_THAT(whyWorse({.step_mm = 0.05}, {.step_mm = 0.052}), HasSubstr("a larger gap"));
+  EXPECT_EQ(whyWorse({.kink = 1 * degree}, {.kink = 1.005 * degree}), "");
+  EXPECT_THAT(whyWorse({.kink = 1 * degree}, {.kink = 1.02 * degree}), HasSubstr("a larger angle"));
+  const auto curvature = [&](double before, double after) {
+    options.edges = {first_seam_edge};
+    return whyWorse({.bend_per_mm = before}, {.bend_per_mm = after}, options);
+  };
+  options.order = 2;
+  EXPECT_EQ(curvature(0.002, 0.00201), "");
+  EXPECT_THAT(curvature(0.002, 0.0021), HasSubstr("a larger difference of curvature"));
+  options.order = 1;
+  EXPECT_EQ(curvature(0.002, 0.0021), "");
+}
+
+TEST(Prove, AMatchedSeamThatIsGoneIsWorse) {
+  RepairOptions options;
+  options.match_mm = 0.2;
+  options.sew = false;
+  ProofCase pair(looseChain({{}, {.step_mm = 0.05}}), options);
+  ASSERT_EQ(pair.task().seams.size(), 1);
+  ASSERT_EQ(pair.task().before[0].kind, occ::SeamKind::Matched);
+  RepairTask task = pair.task();
+  task.treated[0] = false;
+  const Proof there = pair.proofOf(task, {pair.changed(2, {.step_mm = 0.04})});
+  EXPECT_TRUE(there.holds()) << textOf(there);
+  EXPECT_NEAR(there.after[0].figures.gap_mm->lower, 0.04, 1e-6);
+  pair.before()[0].verdict.certain = false;
+  const Proof gone = pair.proofOf(task, {pair.changed(2, {.step_mm = 0.5})});
+  EXPECT_THAT(onlyText(gone.worse), HasSubstr("a larger gap"));
+  EXPECT_THAT(gone.after[0].note, HasSubstr("no longer close together"));
+  EXPECT_FALSE(gone.after[0].figures.gap_mm);
+}
+
+TEST(Prove, OnlyWhatIsNewIsMeasuredAndThatOnce) {
+  const ProofCase strips(chain({{}, {.kink = 0.5 * degree}, {}, {}, {}}), {});
+  ASSERT_EQ(strips.task().seams.size(), 4);
+  const FaceChange change = strips.changed(2, {});
+  occ::MeasuredSeams known;
+  const Proof proof = strips.proofOf(strips.task(), {change}, &known);
+  EXPECT_TRUE(proof.holds()) << textOf(proof);
+  std::vector<std::size_t> measured;
+  for (const auto& [key, seam] : known) measured.push_back(key.first);
+  // The third strip has a new edge.
+  EXPECT_THAT(measured, testing::ElementsAre(0, 1, 2));
+  for (auto& [key, seam] : known) seam.note = "known";
+  EXPECT_EQ(strips.proofOf(strips.task(), {change}, &known).after[0].note, "known");
+  // Another surface is another seam.
+  EXPECT_EQ(strips.proofOf(strips.task(), {strips.changed(2, {})}, &known).after[0].note, "");
+}
+
+TEST(Prove, WhatMovesMostIsTooFar) {
+  RepairOptions options;
+  options.max_move_mm = 0.5;
+  const ProofCase strips(chain({{}, {.kink = 0.5 * degree}, {}}), options);
+  const auto moved = [&](std::vector<double> moves) {
+    std::vector<FaceChange> changes;
+    for (std::size_t f = 0; f < moves.size(); ++f) changes.push_back({static_cast<int>(f) + 1, {}, moves[f]});
+    std::vector<int> faces;
+    for (const auto& [face, why] : movedTooFar(strips.task(), changes)) faces.push_back(face);
+    return faces;
+  };
+  EXPECT_THAT(moved({0.1, 0.5, 0.5}), IsEmpty());
+  EXPECT_THAT(moved({0.1, 0.51, 0.2}), testing::ElementsAre(2));
+  EXPECT_THAT(moved({0.6, 2, 1.5}), testing::ElementsAre(2, 3));
+  EXPECT_EQ(movedTooFar(strips.task(), {{2, {}, 0.75}}).at(2),
+            "it needs a move of 0.75 mm, more than 0.5 mm");
+}
+
+TEST(Prove, NoFaceFoldsOver) {
+  const ProofCase strips(chain({{}, {.kink = 0.5 * degree}, {}}), {});
+  for (const bool folded : {false, true}) {
+    // The second row of poles beyond the first, away from the seams: a lap.
+    FaceChange change = strips.changed(2, {});
+    const Spline surface = Spline::DownCast(change.surface);
+    surface->InsertUKnot(0.5, 3, 1e-9);
+    const gp_Vec back(folded ? -12 : -2, 0, 0);
+    for (int j = 1; j <= surface->NbVPoles(); ++j)
+      surface->SetPole(4, j, surface->Pole(4, j).Translated(back));
+    const Proof proof = strips.proofOf({change, strips.changed(3, {})});
+    EXPECT_EQ(proof.faces.count(2), folded) << textOf(proof);
+    if (folded) {
+      EXPECT_EQ(proof.faces.at(2), "it would fold over");
+    }
+  }
+}
+
+TEST(Prove, ASideThatIsAPointIsNoFold) {
+  const TopoDS_Shape ball = BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeSphere(20).Shape()).Shape();
+  const ProofCase sphere(ball, {});
+  const auto surface = Spline::DownCast(BRep_Tool::Surface(face(ball, 1))->Copy());
+  std::mt19937 generator(20501);
+  disturb(surface, generator, 0, 0.001);
+  for (int j = 2; j < surface->NbVPoles(); ++j)
+    for (int i = 1; i <= surface->NbUPoles(); ++i)
+      surface->SetPole(i, j, surface->Pole(i, j).Translated(gp_Vec(0, 0, random(generator, 1e-4))));
+  const Proof proof = sphere.proofOf({{1, handle<Geom_Surface>(surface), 0.001}});
+  EXPECT_THAT(proof.faces, IsEmpty());
+}
+
+TEST(Prove, NoEdgeStaysBehindItsFaces) {
+  // A gap that may not be closed any more, so that only the edge is at fault.
+  RepairOptions options = picking({first_seam_edge});
+  const ProofCase strips(chain({{}, {.kink = 0.5 * degree}, {}}, 1e-7), options);
+  const Proof near = strips.proofOf({strips.changed(2, {}), strips.changed(3, {.step_mm = 0.03})});
+  EXPECT_THAT(near.faces, IsEmpty());
+  const Proof far = strips.proofOf({strips.changed(2, {}), strips.changed(3, {.step_mm = 0.04})});
+  ASSERT_EQ(far.faces.size(), 2) << textOf(far);
+  EXPECT_EQ(far.faces.at(3), "an edge of it would be 0.024 mm away");
+}
+
+TEST(Prove, ChecksThatPassedPassStill) {
+  const ProofCase strips(chain({{}, {.kink = 0.5 * degree}, {}}, 1e-7), {});
+  const std::vector<FaceChange> changes = {strips.changed(2, {}), strips.changed(3, {})};
+  const TopoDS_Shape changed = strips.withChanges(changes);
+  ASSERT_TRUE(strips.proofOf(strips.task(), changes, changed).holds());
+  // The curve of the last strip's far edge is not where its path is.
+  const occ::Soundness sound = occ::soundnessOf(strips.shape(), 1);
+  EXPECT_TRUE(sound.whole);
+  const TopTools_IndexedMapOfShape edges = partsOf(changed, TopAbs_EDGE);
+  const TopoDS_Edge spoilt = TopoDS::Edge(edges(edges.Extent()));
+  double first = 0, last = 0;
+  const handle<Geom_Curve> curve =
+      handle<Geom_Curve>::DownCast(BRep_Tool::Curve(spoilt, first, last)->Translated(gp_Vec(0, 0, 0.3)));
+  BRep_Builder().UpdateEdge(spoilt, curve, 1e-7);
+  const Proof proof = strips.proofOf(strips.task(), changes, changed);
+  ASSERT_EQ(proof.faces.size(), 1) << textOf(proof);
+  EXPECT_EQ(proof.faces.at(3), "OpenCASCADE's checks do not pass");
+  occ::Soundness was_not = sound;
+  was_not.faces[3] = was_not.whole = false;
+  EXPECT_TRUE(strips.proofOf(strips.task(), changes, changed, &was_not).holds());
+}
+
+TEST(Prove, TheWholeIsCheckedToo) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 20, 30).Shape();
+  const ProofCase solid(box, {});
+  // One face of the shell with the other sense: each by itself is sound.
+  BRep_Builder builder;
+  TopoDS_Shell shell;
+  builder.MakeShell(shell);
+  const TopTools_IndexedMapOfShape faces = partsOf(box, TopAbs_FACE);
+  for (int f = 1; f <= 6; ++f) builder.Add(shell, f == 3 ? faces(f).Reversed() : faces(f));
+  shell.Closed(true);
+  TopoDS_Solid turned;
+  builder.MakeSolid(turned);
+  builder.Add(turned, shell);
+  EXPECT_TRUE(solid.proofOf(solid.task(), {}, box).holds());
+  const Proof proof = solid.proofOf(solid.task(), {}, turned);
+  EXPECT_THAT(proof.faces, IsEmpty());
+  EXPECT_EQ(proof.whole, "OpenCASCADE's checks do not pass");
+}
+
+TEST(Prove, TheVolumeChangesByWhatTheMovesExplain) {
+  const TopoDS_Shape box = BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeBox(10, 20, 30).Shape(), true).Shape();
+  const ProofCase solid(box, {});
+  gp_Trsf grow;
+  grow.SetScale(gp_Pnt(5, 10, 15), 1.01);
+  const auto scaled = [&](double said_mm) {
+    std::vector<FaceChange> changes;
+    for (int f = 1; f <= 6; ++f) {
+      const handle<Geom_Surface> surface = BRep_Tool::Surface(face(box, f));
+      changes.push_back({f, handle<Geom_Surface>::DownCast(surface->Transformed(grow)), said_mm});
+    }
+    return solid.proofOf(changes);
+  };
+  // No point moves by more than a hundredth of half the diagonal.
+  const double truly_mm = 0.01 * std::sqrt(5 * 5 + 10 * 10 + 15 * 15);
+  EXPECT_TRUE(scaled(truly_mm).holds()) << textOf(scaled(truly_mm));
+  const Proof lied = scaled(0.01);
+  EXPECT_THAT(lied.whole, HasSubstr("the volume of solid 1 would change by 181.8"));  // 6000 (1.01^3 - 1)
+  EXPECT_THAT(lied.whole, HasSubstr("more than 22.22 mm3"));                          // 1.01 x 2200 x 0.01
+}
+
+}  // namespace
+}  // namespace seamwright::test

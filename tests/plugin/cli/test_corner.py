@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command corner: what it writes, says and refuses."""
+
+import json
+import os
+
+import pytest
+
+from command import expect_one_line, run
+from models import box_text
+from schemas import expect_every_key_matters, expect_valid, validator
+
+VALIDATOR = validator("corner")
+
+
+@pytest.fixture
+def box(tmp_path):
+    path = tmp_path / "box.step"
+    path.write_text(box_text())
+    return path
+
+
+def corner(model, *options, out="out.step"):
+    """The result, the report and the file written."""
+    out, report = model.parent / out, model.parent / "corner.json"
+    result = run("corner", model, "-o", out, "--json", report, "--overwrite", *options)
+    assert result.returncode in (0, 1), result.stderr
+    report = json.loads(report.read_text())
+    expect_valid(report, VALIDATOR)
+    return result, report, out
+
+
+def analysis(path):
+    return json.loads(run("analyze", "--format", "json", path).stdout)
+
+
+@pytest.mark.parametrize("out", ["out.step", "out.igs", "out.brep", "out.bin"])
+def test_a_corner_of_a_box_is_rounded(box, out):
+    result, report, written = corner(box, "--vertex", "Vertex1", "--radius", "0.1,0.2,0.3", out=out)
+    assert result.returncode == 0, result.stdout + result.stderr
+    assert "REACHED G1" in result.stdout and "24 new seams" in result.stdout
+    assert sorted(edge["radius_mm"] for edge in report["edges"]) == [0.1, 0.2, 0.3]
+    found = analysis(written)
+    assert found["model"]["faces"] == report["output"]["faces"] == 6 + 3 + 6
+    assert found["summary"]["open_edges"] == found["summary"]["defects"] == 0
+    assert len(report["faces"]) == 9
+    smooth = {tuple(seam["edges"]) for seam in found["seams"] if seam["class"] == "smooth"}
+    assert len(smooth) == len(report["seams"])
+
+
+def test_one_radius_is_that_of_all_edges(box):
+    one = corner(box, "--vertex", "1", "--radius", "0.2")[1]
+    three = corner(box, "--vertex", "1", "--radius", "0.2,0.2,0.2", "--setback", "0.3")[1]
+    assert {edge["radius_mm"] for edge in one["edges"]} == {0.2}
+    assert [edge["setback_mm"] for edge in three["edges"]] == pytest.approx([0.3] * 3)
+
+
+def test_radii_go_round_from_the_edge_with_the_smallest_number(box):
+    report = corner(box, "--vertex", "1", "--radius", "0.1,0.2,0.3")[1]
+    edges = {edge["edge"]: edge["radius_mm"] for edge in report["edges"]}
+    order = [edge["edge"] for edge in report["edges"]]
+    start = order.index(min(order))
+    assert [edges[edge] for edge in order[start:] + order[:start]] == [0.1, 0.2, 0.3]
+
+
+def test_every_key_of_the_report_matters(box):
+    expect_every_key_matters(corner(box, "--vertex", "1", "--radius", "0.2")[1], VALIDATOR)
+
+
+def test_what_falls_short_is_not_written(box):
+    options = ["--vertex", "1", "--radius", "0.2", "--angle", "1e-9"]
+    result, report, out = corner(box, *options)
+    assert result.returncode == 1 and "NOT REACHED G1: edge " in result.stdout
+    assert not out.exists() and report["output"] is None and not report["met"]
+    result, report, out = corner(box, *options, "--keep-anyway")
+    assert result.returncode == 1 and out.exists() and report["output"]["defects"] > 0
+
+
+@pytest.mark.parametrize(
+    "options, message",
+    [
+        (["--radius", "0.2"], "--vertex"),
+        (["--vertex", "1"], "--radius"),
+        (["--vertex", "9", "--radius", "0.2"], "vertex 9: the model has 8"),
+        (["--vertex", "Edge1", "--radius", "0.2"], "'Edge1' names no Vertex"),
+        (["--vertex", "1", "--radius", "0.2,0.3"], "--radius has 2 lengths: one for all edges is needed, or one for each of Edge1"),
+        (["--vertex", "1", "--radius", "0.2", "--setback", "1,2"], "--setback has 2 lengths"),
+        (["--vertex", "1", "--radius", "0"], "radius of edge 1 is 0"),
+        (["--vertex", "1", "--radius", "nan"], "nan"),
+        (["--vertex", "1", "--radius", "20"], "long on one side"),
+        (["--vertex", "1", "--radius", "wide"], "wide"),
+    ],
+)
+def test_bad_usage(box, tmp_path, options, message):
+    expect_one_line(run("corner", box, "-o", tmp_path / "out.step", *options), message)
+    assert os.listdir(tmp_path) == ["box.step"]

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What all document objects have in common, on FreeCAD's console; run by run_freecad.py."""
+
+import os
+import re
+import tempfile
+import zipfile
+
+import FreeCAD as App
+from document_cases import ABSENT, DocumentCase
+
+from freecad.seamwright.document import analysis, corner, feature, fill, match, repair
+
+FEATURES = (
+    analysis.SeamAnalysis, corner.CornerFillet, fill.UmbrellaFill, match.MatchSurfaces, repair.SeamRepair
+)  # fmt: skip
+
+#: Written into documents; it must never change.
+PATHS = {
+    "SeamAnalysis": "freecad.seamwright.document.analysis",
+    "CornerFillet": "freecad.seamwright.document.corner",
+    "UmbrellaFill": "freecad.seamwright.document.fill",
+    "MatchSurfaces": "freecad.seamwright.document.match",
+    "SeamRepair": "freecad.seamwright.document.repair",
+}
+
+
+class Proxies(DocumentCase):
+    def test_saved_documents_find_their_classes(self):
+        for each in FEATURES:
+            feature.add(self.doc, each, "Some " + each.Type)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "saved.FCStd")
+            self.doc.saveAs(path)
+            with zipfile.ZipFile(path) as file:
+                text = file.read("Document.xml").decode()
+            found = re.findall(r'<Python [^>]*module="([^"]+)" class="([^"]+)"', text)
+            self.assertEqual({name: module for module, name in found}, PATHS)
+            App.closeDocument(self.doc.Name)
+            with ABSENT:
+                self.doc = App.openDocument(path)
+        self.assertEqual({type(obj.Proxy) for obj in self.doc.Objects}, set(FEATURES))
+        for obj in self.doc.Objects:
+            self.assertEqual((obj.Proxy.Type, obj.Label), (obj.Name, "Some " + obj.Name))
+
+    def test_each_object_is_known_for_what_it_is(self):
+        objects = [feature.add(self.doc, each, each.Type) for each in FEATURES]
+        objects.append(self.doc.addObject("Part::Box", "Box"))
+        tests = (analysis.is_analysis, corner.is_corner, fill.is_fill, match.is_match, repair.is_repair)
+        for place, obj in enumerate(objects):
+            self.assertEqual([test(obj) for test in tests], [place == k for k in range(len(tests))])
+
+    def test_an_object_that_lacks_all_properties_gets_them(self):
+        for each in FEATURES:
+            with self.subTest(each.Type):
+                obj = feature.add(self.doc, each, each.Type)
+                before = sorted(obj.PropertiesList)
+                for name, *_ in feature.INTERNAL:
+                    obj.removeProperty(name)
+                obj.removeProperty("Summary")
+                each.add_properties(obj)
+                self.assertEqual(sorted(obj.PropertiesList), before)

@@ -1,0 +1,268 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Umbrella Fill in FreeCAD's window; run by run_freecad.py --window."""
+
+import contextlib
+import os
+import sys
+import tempfile
+from unittest import mock
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import models
+from PySide import QtCore
+from window import WindowCase, camera, click, click_row, count, messages, picture, settle, whole_window
+
+from freecad.seamwright.document import analysis, elements, fill
+from freecad.seamwright.document.hooks import hooks
+from freecad.seamwright.plain import new_seams
+
+FILL = "Seamwright_UmbrellaFill"
+BAND = (255, 217, 0)
+FEW, MANY = 60, 1500
+RESULT = len(new_seams.COLUMNS) - 1
+CANCELLED = mock.patch.object(hooks, "progress", lambda text: contextlib.nullcontext(lambda fraction: False))
+
+
+def tinted(image):
+    """Pixels in which green is well above red: those of faces that are new; the model is grey."""
+    step = 3
+    places = ((x, y) for x in range(0, image.width(), step) for y in range(0, image.height(), step))
+    colours = (image.pixelColor(x, y) for x, y in places)
+    return step * step * sum(colour.green() > colour.red() + 30 for colour in colours)
+
+
+class FillWindow(WindowCase):
+    def setUp(self):
+        super().setUp()
+        self.doc.UndoMode = 1
+        self.source = models.add(self.doc, models.open_block(3), "Block")
+        self.loops = models.open_loops(self.source.Shape)
+        self.source.ViewObject.ShapeColor = (0.7, 0.7, 0.7)
+        self.doc.recompute()
+        self.fit()
+
+    def start(self, *names, source=None):
+        """Select elements of the source, run the command; the fill it made and its open panel."""
+        Gui.Selection.clearSelection()
+        for name in names or ("",):
+            Gui.Selection.addSelection(self.doc.Name, (source or self.source).Name, name)
+        Gui.runCommand(FILL)
+        settle()
+        found = self.fills()
+        return (found[-1], found[-1].ViewObject.Proxy.panel) if found else (None, None)
+
+    def fills(self):
+        return [obj for obj in self.doc.Objects if fill.is_fill(obj)]
+
+    def preview(self, panel):
+        click(panel.preview_button, panel.preview_button.rect().center())
+
+    def column(self, panel, place):
+        return [panel.table.item(line, place).text() for line in range(panel.table.rowCount())]
+
+    def ticked(self, panel):
+        return [number - 1 for number in panel.holes.chosen()]
+
+
+class Filling(FillWindow):
+    def test_edges_are_picked_previewed_accepted_and_undone(self):
+        steps = self.doc.UndoCount
+        obj, panel = self.start(*self.loops[1][::-1])
+        self.assertTrue(obj.Shape.isNull())
+        self.assertEqual((self.visible(), panel.summary.text()), (["Block"], "1 hole to fill."))
+        self.assertEqual((panel.table.rowCount(), panel.holes.count(), self.ticked(panel)), (0, 3, [1]))
+        whole_window("fill-before")
+        self.preview(panel)
+        self.assertEqual((self.visible(), panel.summary.text()), ([obj.Name], obj.Summary))
+        self.assertEqual(self.column(panel, RESULT), ["meets G1"] * 9)
+        self.assertGreater(tinted(picture("fill-preview")), MANY)
+        whole_window("fill-preview")
+        panel.before.setChecked(True)
+        settle()
+        self.assertEqual(self.visible(), ["Block"])
+        panel.after.setChecked(True)
+        settle()
+        self.ok()
+        self.assertIsNone(obj.ViewObject.Proxy.panel)
+        self.assertEqual((self.visible(), obj.ViewObject.Proxy.claimChildren()), ([obj.Name], [self.source]))
+        self.assertEqual((tinted(picture("fill-after")), obj.Filled, obj.Reached), (0, 1, True))
+        self.assertEqual(self.doc.UndoCount, steps + 1)
+        self.doc.undo()
+        settle()
+        self.assertEqual((self.fills(), self.visible()), ([], ["Block"]))
+        self.doc.redo()
+        settle()
+        (again,) = self.fills()
+        self.assertEqual((again.Filled, self.visible()), (1, [again.Name]))
+
+    def test_holes_are_chosen_in_the_panel_and_in_the_view(self):
+        obj, panel = self.start()
+        first = self.ticked(panel)
+        self.assertEqual(panel.summary.text(), "2 holes to fill.")
+        for place in range(3):
+            panel.holes.item(place).setCheckState(QtCore.Qt.Checked)
+        self.preview(panel)
+        self.assertEqual((obj.Filled, obj.NewFaces, obj.Shape.isClosed()), (3, 9, True))
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(self.doc.Name, "Block", self.loops[2][0])
+        click(panel.pick, panel.pick.rect().center())
+        self.assertEqual((self.ticked(panel), panel.preview_button.text()), ([2], "Preview anew"))
+        panel.holes.item(2).setCheckState(QtCore.Qt.Unchecked)
+        self.assertEqual(self.ticked(panel), [2])  # one hole stays chosen
+        self.preview(panel)
+        self.assertEqual((elements.names(obj, "Edges"), obj.Filled), ([self.loops[2][0]], 1))
+        for place in range(3):
+            state = QtCore.Qt.Checked if place in first else QtCore.Qt.Unchecked
+            panel.holes.item(place).setCheckState(state)
+        self.preview(panel)
+        self.assertEqual((elements.names(obj, "Edges"), obj.Filled), ([], 2))
+        panel.before.setChecked(True)
+        settle()
+        item = panel.holes.item(1)
+        click(panel.holes.viewport(), panel.holes.visualItemRect(item).center() + QtCore.QPoint(30, 0))
+        (chosen,) = Gui.Selection.getSelectionEx()
+        self.assertEqual((chosen.ObjectName, set(chosen.SubElementNames)), ("Block", set(self.loops[1])))
+        self.cancel()
+        self.assertEqual((self.fills(), self.visible()), ([], ["Block"]))
+
+    def test_a_click_on_a_row_marks_the_seam(self):
+        obj, panel = self.start(self.loops[0][0])
+        self.preview(panel)
+        before = camera()
+        click_row(panel.table, 0)
+        (chosen,) = Gui.Selection.getSelectionEx()
+        self.assertEqual((chosen.ObjectName, list(chosen.SubElementNames)), (obj.Name, [self.column(panel, 0)[0]]))
+        self.assertNotEqual(camera(), before)
+        self.assertGreater(count(picture("fill-row"), BAND), FEW)
+        self.ok()
+        self.assertEqual(count(picture("fill-closed"), BAND), 0)
+
+    def test_what_misses_the_target_is_left_unless_told_otherwise(self):
+        self.source.Shape = models.panel_with_hole()
+        self.doc.recompute()
+        obj, panel = self.start()
+        panel.tolerances.fields["AngleTolerance"].setValue(1e-6)
+        self.preview(panel)
+        self.assertEqual(self.visible(), ["Block"])
+        self.assertIn("does not surely reach G1", panel.summary.text())
+        self.assertIn("degrees", panel.summary.text())
+        self.assertIn("not surely G1", self.column(panel, RESULT))
+        whole_window("fill-left")
+        click_row(panel.table, 0)
+        self.ok()
+        (text,) = messages()
+        self.assertIn("does not surely reach G1", text)
+        self.assertIsNotNone(obj.ViewObject.Proxy.panel)
+        panel.keep_anyway.setChecked(True)
+        self.ok()
+        self.assertEqual((obj.Filled, obj.Reached, self.visible()), (1, False, [obj.Name]))
+        self.assertIn("kept anyway", obj.Summary)
+
+    def test_cancel_takes_all_of_it_back_and_a_later_change_too(self):
+        for undo in (1, 0):
+            self.doc.UndoMode = undo
+            _, panel = self.start()
+            self.preview(panel)
+            self.cancel()
+            self.assertEqual((self.fills(), self.visible()), ([], ["Block"]))
+        obj, _ = self.start(self.loops[0][0])
+        self.ok()
+        report = obj.Report
+        Gui.activeDocument().setEdit(obj.Name)
+        settle()
+        panel = obj.ViewObject.Proxy.panel
+        self.assertEqual(panel.table.rowCount(), 9)
+        panel.tolerances.level.setCurrentText("G0")
+        self.preview(panel)
+        self.assertNotEqual((obj.Target, obj.Report), ("G1", report))
+        self.cancel()
+        self.assertEqual((obj.Target, obj.Filled, self.visible()), ("G1", 1, [obj.Name]))
+
+    def test_a_cancelled_fill_says_so(self):
+        obj, panel = self.start()
+        with CANCELLED:
+            self.preview(panel)
+        self.assertIn("Cancelled", panel.summary.text())
+        self.assertEqual(self.visible(), ["Block"])
+        self.ok()
+        self.assertEqual((fill.error_text(obj), obj.Filled), ("", 2))
+
+
+class Choosing(FillWindow):
+    def test_a_picked_face_is_replaced_and_keeps_colours(self):
+        self.source.Shape = models.rounded_block()
+        ball = models.corner_faces(self.source.Shape)[0]
+        colours = [(0.2, 0.01 * n, 0.5) for n in range(len(self.source.Shape.Faces))]
+        self.source.ViewObject.DiffuseColor = colours
+        self.doc.recompute()
+        obj, panel = self.start("Face%d" % ball)
+        self.assertEqual(panel.summary.text(), "Face%d to replace." % ball)
+        self.assertFalse(panel.holes.isVisible())
+        self.ok()
+        self.assertTrue(obj.Summary.startswith("Face%d replaced with 3 faces" % ball), obj.Summary)
+        kept = [colour for n, colour in enumerate(colours, 1) if n != ball]
+        shown = [colour[:3] for colour in obj.ViewObject.DiffuseColor]
+        self.assertEqual(len(shown), len(kept) + 3)
+        for one, other in zip(shown, kept):
+            self.assertLess(max(abs(a - b) for a, b in zip(one, other)), 0.01)
+
+    def test_an_analysis_stands_for_what_it_analysed(self):
+        found = analysis.create([self.source])
+        obj, panel = self.start(source=found)
+        self.assertEqual((obj.Source, panel.summary.text()), (self.source, "2 holes to fill."))
+        self.cancel()
+
+    def test_a_model_without_holes_says_so(self):
+        self.source.Shape = models.rounded_block()
+        self.doc.recompute()
+        obj, panel = self.start()
+        self.assertIn("Block has no hole", panel.summary.text())
+        self.ok()
+        (text,) = messages()
+        self.assertIn("Block has no hole", text)
+        self.cancel()
+        self.assertEqual(self.fills(), [])
+
+    def test_what_cannot_be_filled_together_is_one_message(self):
+        other = models.add(self.doc, models.rounded_block(), "Other")
+        self.doc.recompute()
+        Gui.Selection.clearSelection()
+        Gui.runCommand(FILL)  # of both
+        (text,) = messages()
+        self.assertIn("Found: Block, Other.", text)
+        for names, found in (
+            (("Face1", "Face2"), "Selected: 2 faces, no edges."),
+            (("Face1", self.loops[0][0]), "Selected: 1 face, 1 edge."),
+        ):
+            self.start(*names)
+            (text,) = messages()
+            self.assertIn(found, text)
+        with mock.patch.dict(sys.modules, seamwright=None):
+            self.start(source=other)
+        (text,) = messages()
+        self.assertIn("It was built for Python", text)
+        self.assertEqual(self.fills(), [])
+
+    def test_a_saved_fill_opens_with_its_view(self):
+        obj, _ = self.start()
+        self.ok()
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "saved.FCStd")
+            self.doc.saveAs(path)
+            App.closeDocument(self.doc.Name)
+            with mock.patch.dict(sys.modules, seamwright=None):
+                self.doc = App.openDocument(path)
+                settle()
+                (again,) = self.fills()
+                self.assertNotIn("Touched", again.State)
+                self.assertEqual(self.visible(), [again.Name])
+                self.assertEqual(again.ViewObject.Proxy.claimChildren(), [self.doc.Block])
+            again.ViewObject.Proxy.doubleClicked(again.ViewObject)
+            settle()
+            self.assertEqual(again.ViewObject.Proxy.panel.summary.text(), again.Summary)
+            self.cancel()
+            Gui.Selection.addSelection(again)
+            Gui.runCommand("Std_Delete")
+            settle()
+            self.assertEqual(self.visible(), ["Block"])

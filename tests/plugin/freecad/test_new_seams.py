@@ -1,0 +1,229 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is said about holes, their fills, and corners of fillets."""
+
+import itertools
+import json
+
+import pytest
+from test_plain import TOLERANCE, seam
+
+from freecad.seamwright.plain import corner_text, fill_text, new_seams, profiles, repair_text
+
+LIMITS = {"gap_mm": 0.001, "angle_deg": 0.01, "corner_deg": 15.0}
+
+
+def measured(number, angle=0.001, gap=1e-6, between="fill, Face1", bounded=True):
+    """A seam whose figures are known to 1 %, or from below only."""
+    made = {**seam(number), "between": between}
+    for name, value in (("angle_deg", angle), ("gap_mm", gap)):
+        made[name] = {"lower": 0.99 * value, "upper": value if bounded else None, "at": 0.5}
+    return made
+
+
+def hole(number, *sides, longest=False, corners=True):
+    return {
+        "id": number,
+        "length_mm": 10.0 * len(sides),
+        "has_corners": corners,
+        "longest": longest,
+        "sides": [{"edges": list(edges), "faces": [1] * len(edges), "length_mm": 10.0} for edges in sides],
+    }
+
+
+# Seams
+
+
+def test_rows_come_worst_first_and_say_what_is_sure():
+    seams = [
+        measured(1, angle=0.009),
+        measured(2, angle=0.02),
+        measured(3, angle=0.001, bounded=False),
+        measured(4, gap=0.5, angle=0.0),
+        measured(5),
+    ]
+    rows = new_seams.build_rows(seams, LIMITS, "G1")
+    assert [row.place for row in rows] == [3, 1, 2, 0, 4]
+    assert [row.cells[-1] for row in rows] == ["not surely G1"] * 3 + ["meets G1"] * 2
+    assert [row.state for row in rows] == [repair_text.LEFT] * 3 + [repair_text.REPAIRED] * 2
+    assert all(len(row.cells) == len(new_seams.COLUMNS) for row in rows)
+    assert rows[1].cells[:3] == ("Edge2", "fill, Face1", "0.02")
+    rows = new_seams.build_rows(seams, LIMITS, "G0")
+    assert [row.cells[-1] for row in rows] == ["not surely G0"] * 2 + ["meets G0"] * 3
+    assert {row.place for row in rows[:2]} == {2, 3}
+
+
+@pytest.mark.parametrize("value", [0.01, 0.01 * (1 + 1e-12), 0.00999])
+def test_the_limit_itself_is_met(value):
+    assert new_seams.surely_meets(measured(1, angle=value), LIMITS, "G1") == (value <= 0.01)
+
+
+def test_a_seam_that_was_not_kept_has_no_number():
+    made = {**measured(3), "edges": [], "faces": []}
+    (row,) = new_seams.build_rows([made], LIMITS, "G1")
+    assert row.cells[0] == "\u2013"
+
+
+def test_largest_figures_are_bounds_of_all():
+    seams = [measured(1, angle=0.002), measured(2, angle=0.003), measured(3, angle=0.001)]
+    assert new_seams.largest(seams, "angle_deg") == {"lower": 0.99 * 0.003, "upper": 0.003}
+    assert new_seams.bound(seams, "angle_deg") == 0.003
+    assert new_seams.largest_text(seams, LIMITS) == "3 seams, gap at most 1e-6 mm, angle at most 0.003\u00b0"
+    seams.append(measured(4, angle=0.0001, bounded=False))
+    assert new_seams.largest(seams, "angle_deg")["upper"] is None
+    assert new_seams.bound(seams, "angle_deg") == 0.99 * 0.003
+    assert "angle" not in new_seams.largest_text(seams, LIMITS)
+    assert new_seams.bound([], "gap_mm") == 0.0
+
+
+def test_a_worst_point_that_does_not_decide_is_dropped():
+    curved = {**measured(1), "worst": {"quantity": "curvature", "at": 0.5, "point": [0, 0, 0]}}
+    assert new_seams.deciding(curved, "G1")["worst"] is None
+    assert new_seams.deciding(curved, "G2")["worst"] is not None
+    kinked = {**measured(1), "worst": {"quantity": "angle", "at": 0.5, "point": [0, 0, 0]}}
+    assert new_seams.deciding(kinked, "G1") is kinked
+    assert new_seams.deciding(kinked, "G0")["worst"] is None
+
+
+# Holes
+
+
+def test_the_longest_loop_is_left_out_unless_there_is_no_other():
+    rim, inner = hole(1, [1, 2], [3], longest=True), hole(2, [4], [5], [6])
+    assert fill_text.default_holes([rim, inner]) == [inner]
+    assert fill_text.default_holes([rim]) == [rim]
+    assert fill_text.default_holes([]) == []
+    assert fill_text.hole_text(inner, [rim, inner]) == "Hole 2: 3 sides, 30 mm"
+    assert fill_text.hole_text(rim, [rim, inner]) == "Hole 1: 2 sides, 20 mm, the longest loop: a rim?"
+    assert fill_text.hole_text(rim, [rim]) == "Hole 1: 2 sides, 20 mm"
+    smooth = hole(3, [7], corners=False)
+    assert fill_text.hole_text(smooth, [smooth]) == "Hole 3: no corner, 10 mm"
+    assert fill_text.hole_tip(rim) == "Edge1, Edge2, Edge3"
+
+
+def test_one_edge_of_a_hole_names_it_whatever_the_order():
+    holes = [hole(1, [1, 2], [3]), hole(2, [4], [5], [6]), hole(3, [9])]
+    for edges in itertools.permutations([5, 1, 2]):
+        assert fill_text.chosen_holes(holes, edges) == holes[:2]
+    with pytest.raises(ValueError, match="edge 7 is no edge of a hole"):
+        fill_text.chosen_holes(holes, [5, 7])
+
+
+# Fills
+
+
+@pytest.mark.parametrize("replaced", [None, 1, 3, 5])
+@pytest.mark.parametrize("new", [{5, 6, 7}, {1, 2}, {2, 3, 6}])
+def test_old_numbers_undo_what_a_fill_did(new, replaced):
+    count = 6  # faces of the source
+    old = [number for number in range(1, count + 1) if number != replaced]
+    total = len(old) + len(new)
+    filled = [number for number in range(1, total + 1) if number not in new]
+    found = [fill_text.old_number(number, new, replaced) for number in filled]
+    assert found == old[: len(found)]
+    assert [fill_text.old_number(number, new, replaced) for number in new] == [None] * len(new)
+
+
+def found(filled=True, reason=""):
+    outer, inner = seam(8), seam(9)
+    outer["faces"], inner["faces"] = [3, 6], [6, 7]
+    return {
+        "filled": filled,
+        "reached": not reason,
+        "reason": reason,
+        "target": "G1",
+        "faces": [6, 7],
+        "outer": [outer],
+        "inner": [inner],
+    }
+
+
+def test_a_kept_fill_has_the_numbers_of_the_result_and_names_of_the_source():
+    entry = fill_text.entry(found(), face=2)
+    assert [each["between"] for each in entry["seams"]] == ["fill, Face4", fill_text.INSIDE]
+    assert (entry["faces"], entry["seams"][0]["edges"]) == ([6, 7], [8])
+    assert json.loads(json.dumps(entry)) == entry
+    report = {"target": "G1", "tolerance": LIMITS, "fills": [entry]}
+    assert fill_text.new_faces(report) == ({6, 7}, 2)
+    assert fill_text.summary_text(report).startswith("Face2 replaced with 2 faces; 2 seams")
+    assert fill_text.summary_text(report).endswith("; G1 is met.")
+
+
+def test_a_fill_that_was_not_kept_says_why_in_names_of_the_source():
+    reason = "a seam between faces 3 and 6 does not surely reach G1: level G0, angle 1 degrees"
+    entry = fill_text.entry(found(filled=False, reason=reason), hole=2)
+    assert entry["faces"] == [] and all(each["edges"] == [] for each in entry["seams"])
+    report = {"target": "G1", "tolerance": LIMITS, "fills": [entry]}
+    assert fill_text.summary_text(report) == (
+        "Not filled: Hole 2: a seam between Face3 and the fill does not surely reach G1: level G0, angle 1 degrees."
+    )
+    inside = fill_text.entry(found(False, "a seam between faces 6 and 7 does not meet"), hole=2)
+    assert inside["reason"] == "a seam inside the fill does not meet"
+
+
+def test_some_of_several_fills():
+    kept, missed = fill_text.entry(found(), hole=1), fill_text.entry(found(False, "it has 0 corners"), hole=2)
+    anyway = fill_text.entry(found(True, "it is too far"), hole=3)
+
+    def text(*fills):
+        return fill_text.summary_text({"target": "G1", "tolerance": LIMITS, "fills": list(fills)})
+
+    assert text(kept, missed).startswith("1 of 2 holes filled with 2 faces; ")
+    assert text(kept, anyway).endswith("; G1 is missed, kept anyway.")
+    assert text(missed, missed) == "0 of 2 holes filled: Hole 2: it has 0 corners. Hole 2: it has 0 corners."
+    report = {"target": "G1", "tolerance": LIMITS, "fills": [kept, missed, anyway]}
+    assert fill_text.reasons(report) == ["Hole 2: it has 0 corners.", "Hole 3: it is too far."]
+    assert fill_text.waiting_text([], [1, 2]) == "2 holes to fill."
+    assert fill_text.waiting_text(["Face7"], []) == "Face7 to replace."
+
+
+def test_a_profile_is_known_by_the_tolerances_there_are():
+    assert profiles.name_of({"gap_mm": 0.001, "angle_deg": 0.01, "corner_deg": 15.0}) == "class-a"
+    assert profiles.name_of({"gap_mm": 0.01, "angle_deg": 0.1, "section_mm": 1e-6}) == "default"
+    assert profiles.name_of({"gap_mm": 0.001, "angle_deg": 0.1}) is None
+
+
+# Corners
+
+
+def corner(met=True, shortfall=""):
+    edges = [
+        {"edge": n, "convex": n != 4, "angle_deg": 90.0, "radius_mm": r, "contact_mm": r, "setback_mm": 4.0}
+        for n, r in ((4, 1.0), (1, 2.5), (9, 0.125))
+    ]
+    seams = []
+    for number, (between, faces) in enumerate(
+        (("spoke", [10, 11]), ("section", [7, 10]), ("spring", [1, 11]), ("contact", [1, 8])), 1
+    ):
+        seams.append({**seam(number), "between": between, "faces": faces})
+    return {"met": met, "shortfall": shortfall, "edges": edges, "seams": seams}
+
+
+def test_a_corner_is_told_with_its_radii():
+    report = corner_text.build_report(corner(), TOLERANCE)
+    assert corner_text.summary_text(report).startswith("Corner of 3 edges rounded with radii 1, 2.5, 0.125 mm; 4 seams")
+    assert corner_text.new_faces(report) == {7, 10, 11} and corner_text.patches(report) == {10, 11}
+    assert [corner_text.edge_text(edge) for edge in report["edges"][:2]] == ["concave, 90\u00b0", "convex, 90\u00b0"]
+    assert [each["between"] for each in report["seams"]] == list(corner_text.BETWEEN.values())
+    assert json.loads(json.dumps(report)) == report
+
+
+def test_a_corner_that_falls_short_says_why_and_has_no_numbers():
+    report = corner_text.build_report(corner(False, "the seam at edge 5 has 1 degree."), TOLERANCE)
+    assert corner_text.summary_text(report) == "Not rounded: the seam at Edge5 has 1 degree."
+    assert corner_text.new_faces(report) == set()
+
+
+@pytest.mark.parametrize(
+    ("lengths", "radius"),
+    [([10, 10, 10], 1.0), ([3.7, 40], 0.3), ([0.029], 0.002), ([2500, 8000], 200.0), ([99.99], 9.0), ([1e-3], 1e-4)],
+)
+def test_a_suggested_radius_is_a_tenth_of_the_shortest_edge_to_one_digit(lengths, radius):
+    assert corner_text.suggested_radius_mm(lengths) == radius
+
+
+def test_numbers_by_edge():
+    assert corner_text.by_edge([2.0], [4, 1, 9], "Radii") == {4: 2.0, 1: 2.0, 9: 2.0}
+    assert corner_text.by_edge([1.0, 2.0, 3.0], [4, 1, 9], "Radii") == {4: 1.0, 1: 2.0, 9: 3.0}
+    for numbers, text in (([], "no numbers"), ([1.0, 2.0], "2 numbers"), ([1.0] * 4, "4 numbers")):
+        with pytest.raises(ValueError, match="Radii has %s for the 3 edges of the corner .Edge4, Edge1, Edge9" % text):
+            corner_text.by_edge(numbers, [4, 1, 9], "Radii")
