@@ -423,7 +423,8 @@ void Laws::setLines(const Eigen::VectorXd& sum, const Eigen::VectorXd& weight,
   Eigen::VectorXd pull = weight;
   for (int line = 0; line < plan_.lines; ++line)
     if (stiff[line]) pull(line) = 0;
-  const Projection found = project(closing, pull, sum.cwiseQuotient(weight));
+  OrderedFactors factors;
+  const Projection found = project(closing, pull, sum.cwiseQuotient(weight), factors);
   for (int line = 0; line < plan_.lines; ++line) start_(line_slot_[line]) = found.x(line, 0);
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseQR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include <seamwright/core/join/network_projection.hpp>
@@ -54,7 +54,8 @@ class IndependentRows {
   Eigen::SparseQR<Sparse, Eigen::COLAMDOrdering<int>> qr_;
 };
 
-Projection refined(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::MatrixXd& target) {
+Projection refined(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::MatrixXd& target,
+                   OrderedFactors& factors) {
   constexpr int max_passes = 20;
   constexpr double nearly = 1e-6, near_rounding = 4;
   /// Rows: an orthogonal factorisation of more takes long.
@@ -70,7 +71,7 @@ Projection refined(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::Ma
       (length.array() > 1e-9 * whole.array()).select(length, whole.cwiseMax(1e-300)).cwiseInverse();
   if (a.rows() == 0) return result;
   const Sparse scaled = result.row_scale.asDiagonal() * reached;
-  const Eigen::SimplicialLDLT<Sparse> solver(shifted(scaled * Sparse(scaled.transpose())));
+  const OrderedFactors::Solver& solver = factors.factor(shifted(scaled * Sparse(scaled.transpose())));
   const auto rest = [&](const Eigen::MatrixXd& x) -> Eigen::MatrixXd {
     return result.row_scale.asDiagonal() * (a * x);
   };
@@ -108,8 +109,21 @@ Projection refined(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::Ma
 
 }  // namespace
 
-Projection project(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::MatrixXd& target) {
-  Projection result = refined(a, pull, target);
+const OrderedFactors::Solver& OrderedFactors::factor(const Sparse& lower) {
+  const std::span<const int> begins(lower.outerIndexPtr(), static_cast<std::size_t>(lower.outerSize() + 1));
+  const std::span<const int> rows(lower.innerIndexPtr(), static_cast<std::size_t>(lower.nonZeros()));
+  if (!std::ranges::equal(begins, begins_) || !std::ranges::equal(rows, rows_)) {
+    begins_.assign(begins.begin(), begins.end());
+    rows_.assign(rows.begin(), rows.end());
+    solver_.analyzePattern(lower);
+  }
+  solver_.factorize(lower);
+  return solver_;
+}
+
+Projection project(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::MatrixXd& target,
+                   OrderedFactors& factors) {
+  Projection result = refined(a, pull, target, factors);
   if (a.rows() == 0) return result;
   const Eigen::VectorXd sums = a.cwiseAbs() * Eigen::VectorXd::Ones(a.cols());
   result.rounding = ((a * result.x).rowwise().norm().array() / sums.array().max(1e-300)).maxCoeff();
@@ -117,7 +131,7 @@ Projection project(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::Ma
 }
 
 Step step(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::MatrixXd& target, const Projection& at,
-          const Sparse& g, double damping) {
+          const Sparse& g, double damping, OrderedFactors& factors) {
   const Eigen::Index rows = a.rows(), parameters = g.cols(), all = target.cols() * rows + parameters;
   const Sparse scaled = at.row_scale.asDiagonal() * a * reachOf(pull).asDiagonal();
   const Sparse m = shifted(scaled * Sparse(scaled.transpose()));
@@ -142,10 +156,9 @@ Step step(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::MatrixXd& t
     entries.emplace_back(all - parameters + k, all - parameters + k, -damping);
   Sparse system(all, all);
   system.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SimplicialLDLT<Sparse> solver(system);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(all);
   right.head(all - parameters) = (at.row_scale.asDiagonal() * (a * target)).reshaped();
-  const Eigen::VectorXd found = solver.solve(right);
+  const Eigen::VectorXd found = factors.factor(system).solve(right);
   Step result;
   const Eigen::VectorXd change = found.tail(parameters);
   result.change = unit.asDiagonal() * change;

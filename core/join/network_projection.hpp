@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
+#include <vector>
 
 /// The nearest solution of a sparse homogeneous system, and the best change of what the system depends on; not a public header.
 namespace seamwright::network {
@@ -21,8 +23,21 @@ struct Projection {
   double rounding = 0;     ///< largest length of a row of A x, relative to the sum of the row's coefficients
 };
 
+/// Factors one matrix after another. The order of elimination, which takes as long, is found again only where the pattern changes.
+class OrderedFactors {
+ public:
+  using Solver = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
+
+  /// \param lower its lower triangle is read
+  const Solver& factor(const Eigen::SparseMatrix<double>& lower);
+
+ private:
+  std::vector<int> begins_, rows_;
+  Solver solver_;
+};
+
 Projection project(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& pull,
-                   const Eigen::MatrixXd& target);
+                   const Eigen::MatrixXd& target, OrderedFactors& factors);
 
 /// The step of parameters that Gauss and Newton's method takes: A x + A D z + G dy = 0 to first order with the smallest z, G being the
 /// derivative of A x by the parameters, its rows those of x's first column, then of the second, .. The cost includes damping times |dy|^2, dy in
@@ -32,6 +47,7 @@ struct Step {
   double decrease = 0;     ///< of the cost, that it promises
 };
 Step step(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& pull, const Eigen::MatrixXd& target,
-          const Projection& at, const Eigen::SparseMatrix<double>& g, double damping);
+          const Projection& at, const Eigen::SparseMatrix<double>& g, double damping,
+          OrderedFactors& factors);
 
 }  // namespace seamwright::network

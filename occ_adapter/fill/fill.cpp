@@ -26,6 +26,7 @@
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
 #include <seamwright/occ_adapter/fill/fill.hpp>
 #include <seamwright/occ_adapter/fill/side_fit.hpp>
+#include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/repair/prove.hpp>
 #include <seamwright/occ_adapter/repair/sew.hpp>
 #include <seamwright/occ_adapter/seams/match.hpp>
@@ -59,12 +60,6 @@ class NotFilled : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
-
-TopTools_IndexedMapOfShape partsOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
-  TopTools_IndexedMapOfShape parts;
-  TopExp::MapShapes(shape, kind, parts);
-  return parts;
-}
 
 /// The shape and more faces, numbered after its own.
 TopoDS_Compound withFaces(const TopoDS_Shape& shape, const std::vector<TopoDS_Face>& faces) {

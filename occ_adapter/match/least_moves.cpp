@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include <seamwright/occ_adapter/match/least_moves.hpp>
 
@@ -35,9 +36,20 @@ void LeastMoves::addSoft(const std::vector<int>& points, const Eigen::RowVectorX
   addGroup({points, factors, true, true, value, {}});
 }
 
+void LeastMoves::sortPoints(Group& group) {
+  if (std::ranges::is_sorted(group.points)) return;
+  std::vector<int> order(group.points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, [&](int k) { return group.points[k]; });
+  const Eigen::MatrixXd factors = group.factors(Eigen::all, order);
+  group.factors = factors;
+  std::ranges::sort(group.points);
+}
+
 /// Points that are fixed have their part in the values.
 void LeastMoves::addGroup(Group group) {
   prepared_.reset();
+  sortPoints(group);
   for (std::size_t k = 0; k < group.points.size() && !fixed_.empty(); ++k) {
     const auto fixed = fixed_.find(group.points[k]);
     if (fixed == fixed_.end()) continue;
@@ -73,19 +85,24 @@ LeastMoves::Normal LeastMoves::normalMatrix() const {
     see(j);
     for (const Use& use : uses[j]) {
       const Group& group = groups_[use.group];
+      const auto add = [&](const auto& take) {
+        const Eigen::Index count = group.factors.rows();
+        const double* const own = group.factors.col(use.column).data();
+        const double* other = group.factors.data();
+        for (const int i : group.points) {
+          if (i > j) break;
+          double product = 0;
+          for (Eigen::Index row = 0; row < count; ++row) product += own[row] * *other++;
+          see(i);
+          take(i, product);
+        }
+      };
       const SymmetricBlock square = squareOf(group.direction);
-      const Eigen::VectorXd factors = group.factors.col(use.column);
       std::vector<double>& multiples = group.is_soft ? soft : of_points;
-      for (std::size_t k = 0; k < group.points.size(); ++k) {
-        const int i = group.points[k];
-        if (i > j) continue;
-        see(i);
-        const double product = factors.dot(group.factors.col(static_cast<Eigen::Index>(k)));
-        if (group.is_point)
-          multiples[i] += product;
-        else
-          column[i] += product * square;
-      }
+      if (group.is_point)
+        add([&](int i, double product) { multiples[i] += product; });
+      else
+        add([&](int i, double product) { column[i] += product * square; });
     }
     std::sort(rows.begin() + normal.pattern.begins.back(), rows.end());
     for (int k = normal.pattern.begins.back(); k < static_cast<int>(rows.size()); ++k) {

@@ -37,7 +37,7 @@ class LeastMoves {
  private:
   /// Conditions of some points: along one direction, a value each, or one condition in all three coordinates.
   struct Group {
-    std::vector<int> points;
+    std::vector<int> points;  ///< they do not decrease
     Eigen::MatrixXd factors;
     bool is_point = false;
     bool is_soft = false;
@@ -56,6 +56,7 @@ class LeastMoves {
   };
 
   void addGroup(Group group);
+  static void sortPoints(Group& group);
   Normal normalMatrix() const;
   void factor(double damping, double softness) const;
   PointRows pulled(const PointRows& moves, double softness) const;

@@ -13,6 +13,7 @@
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <tuple>
 
 #include <seamwright/occ_adapter/analyze/workers.hpp>
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
@@ -94,7 +95,12 @@ class Following {
   /// wants it, which a common tensor gives.
   std::shared_ptr<SeamTarget> target(std::size_t seam, const std::array<bool, 2>& stays) {
     const int order = orderOf(seam) == 0 ? 0 : 2;
-    return std::make_shared<SeamTarget>(task_.seams[seam], pcurvesOf(seam), stays, order, reach_);
+    std::shared_ptr<SeamTarget>& made = made_[{seam, stays, order}];
+    if (made)
+      made->forgetEnds();
+    else
+      made = std::make_shared<SeamTarget>(task_.seams[seam], pcurvesOf(seam), stays, order, reach_);
+    return made;
   }
 
   /// A side of a seam, which follows the target.
@@ -281,6 +287,8 @@ class Following {
   std::vector<std::array<Pcurve, 2>> pcurves_;
   std::vector<Role> roles_;  ///< by seam
   std::set<int> moving_;     ///< faces
+  std::map<std::tuple<std::size_t, std::array<bool, 2>, int>, std::shared_ptr<SeamTarget>>
+      made_;  ///< in this and earlier passes, by seam, sides that stay and order
   std::vector<std::shared_ptr<SeamTarget>> targets_;
   std::map<const SeamTarget*, std::size_t> seam_of_;
   std::map<int, std::vector<PathOfSeam>> paths_;  ///< by face that moves

@@ -5,9 +5,11 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
+#include <seamwright/occ_adapter/analyze/workers.hpp>
 #include <seamwright/occ_adapter/match/candidate.hpp>
 #include <seamwright/occ_adapter/repair/solve.hpp>
 
@@ -31,56 +33,93 @@ class PairSolver {
       : task_(task), known_(known), progress_(progress), shape_(task.shape), seams_(task.seams) {}
 
   RepairSolution run() {
-    const auto all = static_cast<double>(std::ranges::count(task_.treated, true));
-    int done = 0;
-    for (std::size_t i = 0; i < task_.treated.size(); ++i) {
-      if (!task_.treated[i]) continue;
-      if (progress_ && !progress_(done++ / all)) throw Cancelled();
-      if (const std::string why = attempt(i); !why.empty()) solution_.failures[i] = why;
+    std::vector<std::size_t> waiting;
+    for (std::size_t i = 0; i < task_.treated.size(); ++i)
+      if (task_.treated[i]) waiting.push_back(i);
+    const auto all = static_cast<double>(waiting.size());
+    while (!waiting.empty()) {
+      const double done = 1 - static_cast<double>(waiting.size()) / all;
+      const std::vector<std::size_t> next = takeIndependent(waiting);
+      attempt(next, partOf(progress_, done, 1 - static_cast<double>(waiting.size()) / all));
     }
     for (const auto& [face, change] : changes_) solution_.changes.push_back(change);
     return std::move(solution_);
   }
 
  private:
-  std::string attempt(std::size_t i) {
-    const auto& sides = task_.seams[i].sides;
-    const std::array<std::size_t, 3> asked = {i, state_[sides[0].face], state_[sides[1].face]};
-    const auto [at, is_new] = known_.try_emplace(asked);
-    JoinedPair& pair = at->second;
-    if (is_new) {
-      pair.state = known_.size();
-      pair.why_not = tryToJoin(i, pair.changes);
-    }
-    if (pair.why_not.empty()) accept(pair);
-    return pair.why_not;
+  /// Seams that have no face in common with one another or with one that waits before them: what comes of them does not depend on
+  /// their order.
+  std::vector<std::size_t> takeIndependent(std::vector<std::size_t>& waiting) const {
+    std::set<int> faces;
+    std::vector<std::size_t> independent;
+    std::erase_if(waiting, [&](std::size_t i) {
+      bool is_first = true;
+      for (const FaceUse& side : task_.seams[i].sides) is_first = is_first && faces.count(side.face) == 0;
+      for (const FaceUse& side : task_.seams[i].sides) faces.insert(side.face);
+      if (is_first) independent.push_back(i);
+      return is_first;
+    });
+    return independent;
   }
 
-  std::string tryToJoin(std::size_t i, std::vector<FaceChange>& changes) {
+  std::array<std::size_t, 3> asked(std::size_t i) {
+    const auto& sides = task_.seams[i].sides;
+    return {i, state_[sides[0].face], state_[sides[1].face]};
+  }
+
+  void attempt(const std::vector<std::size_t>& independent, const Progress& progress) {
+    std::vector<std::size_t> unknown;
+    for (const std::size_t i : independent)
+      if (known_.count(asked(i)) == 0) unknown.push_back(i);
+    std::vector<JoinedPair> pairs(unknown.size());
+    for (std::size_t k = 0; k < unknown.size(); ++k)
+      pairs[k].why_not = reasonOf([&] { return bringUpToDate(unknown[k]); });
+    // Nothing that others read is changed.
+    const auto tryToJoin = [&](std::size_t k) {
+      JoinedPair& pair = pairs[k];
+      if (pair.why_not.empty()) pair.why_not = reasonOf([&] { return join(unknown[k], pair.changes); });
+    };
+    runParallel(unknown.size(), task_.options.jobs, tryToJoin, progress);
+    for (std::size_t k = 0; k < unknown.size(); ++k) {
+      pairs[k].state = known_.size() + 1;
+      known_[asked(unknown[k])] = std::move(pairs[k]);
+    }
+    for (const std::size_t i : independent) {
+      const JoinedPair& pair = known_.at(asked(i));
+      if (pair.why_not.empty())
+        accept(pair);
+      else
+        solution_.failures[i] = pair.why_not;
+    }
+  }
+
+  /// What the work returns, or throws.
+  template <class Work>
+  static std::string reasonOf(const Work& work) {
     try {
-      return join(i, changes);
+      return work();
     } catch (const Standard_Failure& failure) {
       return std::string("OpenCASCADE failed: ") + failure.DynamicType()->Name() + " " +
              failure.GetMessageString();
-    } catch (const std::runtime_error& error) {
+    } catch (const std::exception& error) {
       return error.what();
     }
   }
 
   /// The shape as the pairs before left it, if they changed a face of the seam.
-  void bringUpToDate(std::size_t i) {
+  std::string bringUpToDate(std::size_t i) {
     const bool is_changed = std::ranges::any_of(
         task_.seams[i].sides, [this](const FaceUse& side) { return changed_since_.count(side.face) > 0; });
-    if (!is_changed) return;
+    if (!is_changed) return {};
     std::vector<FaceChange> changes;
     for (const auto& [face, change] : changed_since_) changes.push_back(change);
     shape_ = withChanges(shape_, changes, task_.options.tolerance.gap_mm);
     seams_ = seamsIn(shape_, seams_);
     changed_since_.clear();
+    return {};
   }
 
-  std::string join(std::size_t i, std::vector<FaceChange>& changes) {
-    bringUpToDate(i);
+  std::string join(std::size_t i, std::vector<FaceChange>& changes) const {
     if (task_.sharp[i]) return "it is sharp";
     const Seam& seam = seams_[i];
     if (seam.sides[0].face == seam.sides[1].face) return "the face meets itself there, which is not handled";

@@ -30,7 +30,7 @@ void MoveConditions::addFairness(const std::vector<int>& poles, const Eigen::Row
   const Selected selected = select(poles, factors);
   if (selected.numbers.empty()) return;
   const Eigen::RowVector3d given = factors * (start_(poles, Eigen::all) - original_(poles, Eigen::all));
-  system_.addPoint(selected.numbers, weight * selected.factors, -weight * given.transpose());
+  system_.addSoft(selected.numbers, weight * selected.factors, -weight * given.transpose());
 }
 
 /// Of the poles that may move and have a part: along a natural side most functions are zero.

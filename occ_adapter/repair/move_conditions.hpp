@@ -26,11 +26,11 @@ class MoveConditions {
   /// For each row of shares: normal . (sum of share times pole) = value
   void add(const std::vector<int>& poles, const Eigen::MatrixXd& shares, const Eigen::Vector3d& normal,
            const Eigen::VectorXd& values, double weight);
-  /// The sum of factor times move is zero.
+  /// The sum of factor times move is zero; softness of solve() times.
   void addFairness(const std::vector<int>& poles, const Eigen::RowVectorXd& factors, double weight);
 
   /// Moves by number, see LeastMoves.
-  PointRows solve(double damping) const { return system_.solve(damping); }
+  PointRows solve(double damping, double softness) const { return system_.solve(damping, softness); }
 
  private:
   struct Selected {

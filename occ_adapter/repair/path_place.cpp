@@ -24,7 +24,8 @@ Place PlanePath::place(const SurfaceBasis& basis, double s) const {
   place.uv = {p.X(), p.Y()};
   place.along = (path_.path.last - path_.path.first) * Eigen::Vector2d(d.X(), d.Y());
   const Eigen::Vector2d left(-place.along.y(), place.along.x());
-  place.shares = basis.at(place.uv, path_.face_on_left ? left : Eigen::Vector2d(-left));
+  place.shares =
+      basis.at(place.uv, path_.face_on_left ? left : Eigen::Vector2d(-left), path_.order < 2 ? 1 : 2);
   place.target = path_.target(s);
   place.order = place.target.normal.isZero() ? 0 : path_.order;
   return place;

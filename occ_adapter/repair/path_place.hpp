@@ -6,6 +6,7 @@
 
 #include <seamwright/occ_adapter/repair/face_follow.hpp>
 #include <seamwright/occ_adapter/repair/surface_basis.hpp>
+#include <seamwright/occ_adapter/seams/find.hpp>
 
 /// Places along a path in the parameter plane of a spline surface; not a public header.
 namespace seamwright::occ {
@@ -15,7 +16,7 @@ struct Place {
   double s = 0;
   Eigen::Vector2d uv = Eigen::Vector2d::Zero();
   Eigen::Vector2d along = Eigen::Vector2d::Zero();  ///< derivative of uv by s
-  PoleShares shares;
+  PoleShares shares;                                ///< second derivatives for a path of order 2 alone
   TargetPoint target;
   int order = 0;  ///< that of the path, or 0 where the target has no normal
 };

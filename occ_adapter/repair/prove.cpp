@@ -1,31 +1,24 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <BRepBndLib.hxx>
 #include <BRepCheck_Analyzer.hxx>
-#include <BRepGProp.hxx>
-#include <BRepGProp_Domain.hxx>
-#include <BRepGProp_Face.hxx>
-#include <BRepGProp_Vinert.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
-#include <Bnd_Box.hxx>
-#include <GProp_GProps.hxx>
-#include <GeomAdaptor_Surface.hxx>
 #include <Geom_BSplineSurface.hxx>
-#include <TColStd_Array1OfReal.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
-#include <cmath>
 #include <exception>
 #include <optional>
 #include <sstream>
 
 #include <seamwright/occ_adapter/analyze/measure_seam.hpp>
 #include <seamwright/occ_adapter/analyze/workers.hpp>
+#include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/repair/prove.hpp>
+#include <seamwright/occ_adapter/repair/surface_difference.hpp>
+#include <seamwright/occ_adapter/repair/volumes.hpp>
 #include <seamwright/occ_adapter/seams/match.hpp>
 
 namespace seamwright::occ {
@@ -33,12 +26,6 @@ namespace seamwright::occ {
 namespace {
 
 using opencascade::handle;
-
-TopTools_IndexedMapOfShape partsOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
-  TopTools_IndexedMapOfShape parts;
-  TopExp::MapShapes(shape, kind, parts);
-  return parts;
-}
 
 bool isNew(const Seam& after, const Seam& before) {
   for (const int side : {0, 1})
@@ -163,32 +150,8 @@ void judgeOthers(const RepairTask& task, Proof& proof) {
   }
 }
 
-/// Places in [first, last]: several between knots, in groups, and the end in the last of them.
-std::vector<std::vector<double>> gridOf(const TColStd_Array1OfReal& knots, double first, double last) {
-  constexpr int per_span = 4;
-  std::vector<double> ends = {first};
-  for (const double knot : knots)
-    if (knot > first && knot < last) ends.push_back(knot);
-  ends.push_back(last);
-  std::vector<std::vector<double>> places(ends.size() - 1);
-  for (std::size_t i = 0; i < places.size(); ++i)
-    for (int k = 0; k < per_span; ++k) places[i].push_back(ends[i] + (ends[i + 1] - ends[i]) * k / per_span);
-  places.back().push_back(last);
-  return places;
-}
-
-gp_Vec normalAt(const GeomAdaptor_Surface& surface, double u, double v) {
-  gp_Pnt p;
-  gp_Vec along_u, along_v;
-  surface.D1(u, v, p, along_u, along_v);
-  return along_u.Crossed(along_v);
-}
-
-/// Whether the normal turned by 90 degrees or more somewhere on a grid over the face; not where a side collapses, as it has none there.
-bool isFolded(const TopoDS_Face& face, const handle<Geom_Surface>& surface) {
-  const handle<Geom_Surface> before = BRep_Tool::Surface(face);
-  const auto after = handle<Geom_BSplineSurface>::DownCast(surface);
-  if (after.IsNull()) return false;
+/// Of the surface over the face, as far as both surfaces have it.
+SurfaceDifference differenceOn(const TopoDS_Face& face, const handle<Geom_BSplineSurface>& after) {
   std::array<double, 4> range{}, whole{};
   BRepTools::UVBounds(face, range[0], range[1], range[2], range[3]);
   after->Bounds(whole[0], whole[1], whole[2], whole[3]);
@@ -196,22 +159,7 @@ bool isFolded(const TopoDS_Face& face, const handle<Geom_Surface>& surface) {
     range[i] = std::max(range[i], whole[i]);
     range[i + 1] = std::min(range[i + 1], whole[i + 1]);
   }
-  const std::vector<std::vector<double>> all_v = gridOf(after->VKnots(), range[2], range[3]);
-  std::vector<std::array<gp_Vec, 2>> normals;
-  double largest = 0;
-  // Span by span, as adaptors keep the polynomials of the last one.
-  const GeomAdaptor_Surface was(before), is(after);
-  for (const std::vector<double>& some_u : gridOf(after->UKnots(), range[0], range[1]))
-    for (const std::vector<double>& some_v : all_v)
-      for (const double u : some_u)
-        for (const double v : some_v) {
-          normals.push_back({normalAt(was, u, v), normalAt(is, u, v)});
-          largest = std::max(largest, normals.back()[0].Magnitude());
-        }
-  constexpr double none = 1e-6;
-  return std::ranges::any_of(normals, [largest](const auto& normal) {
-    return normal[0].Magnitude() > none * largest && normal[0].Dot(normal[1]) < 0;
-  });
+  return differenceOf(BRep_Tool::Surface(face), after, range);
 }
 
 /// Largest tolerance of an edge of the face beyond what it may have; 0 if there is none.
@@ -226,135 +174,54 @@ double strayEdge_mm(const TopoDS_Face& before, const TopoDS_Face& after, double 
   return largest;
 }
 
+/// What is wrong with a face's change; empty if nothing.
+std::string whyNotFace(const RepairTask& task, const FaceChange& change, const TopoDS_Face& before,
+                       const TopoDS_Face& after) {
+  const double gap_mm = task.options.tolerance.gap_mm;
+  const double stray = strayEdge_mm(before, after, gap_mm);
+  if (stray > 0) return "an edge of it would be " + shortText(stray) + " mm away";
+  const auto spline = handle<Geom_BSplineSurface>::DownCast(change.surface);
+  if (spline.IsNull()) return {};
+  const SurfaceDifference difference = differenceOn(before, spline);
+  if (difference.folded_at) return "it would fold over";
+  // Faces that were converted, or are rational, move by a little more than their poles.
+  constexpr double more = 1.1, share_of_gap = 0.01;
+  if (difference.largest_mm > more * change.largest_move_mm + share_of_gap * gap_mm)
+    return "a point of it would move " + shortText(difference.largest_mm) + " mm, its poles " +
+           shortText(change.largest_move_mm) + " mm";
+  return {};
+}
+
 void judgeFaces(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
-                Proof& proof) {
+                Proof& proof, const Progress& progress) {
   const TopTools_IndexedMapOfShape before = partsOf(task.shape, TopAbs_FACE);
   const TopTools_IndexedMapOfShape after = partsOf(changed, TopAbs_FACE);
-  for (const FaceChange& change : changes) {
-    const TopoDS_Face& face = TopoDS::Face(before(change.face));
-    const double stray = strayEdge_mm(face, TopoDS::Face(after(change.face)), task.options.tolerance.gap_mm);
-    if (stray > 0)
-      proof.faces[change.face] = "an edge of it would be " + shortText(stray) + " mm away";
-    else if (isFolded(face, change.surface))
-      proof.faces[change.face] = "it would fold over";
-  }
-}
-
-void judgeSoundness(const RepairTask& task, const TopoDS_Shape& changed, const Soundness& was, Proof& proof) {
-  const Soundness is = soundnessOf(changed, task.options.jobs);
-  for (std::size_t f = 1; f < is.faces.size(); ++f)
-    if (was.faces[f] && !is.faces[f]) proof.faces[static_cast<int>(f)] = "OpenCASCADE's checks do not pass";
-  if (was.whole && !is.whole && proof.faces.empty()) proof.whole = "OpenCASCADE's checks do not pass";
-}
-
-/// Volume of the cone over a face with that tip. (BRepGProp::VolumeProperties takes a tip of its own, near the face.)
-/// \param error relative, of adaptive quadrature; 0: a fixed one, which for rational faces may be off by a percent.
-double cone_mm3(const TopoDS_Shape& face, const gp_Pnt& tip, double error) {
-  BRepGProp_Face surface;
-  surface.Load(TopoDS::Face(face));
-  BRepGProp_Domain bounds(TopoDS::Face(face));
-  BRepGProp_Vinert cone;
-  cone.SetLocation(tip);
-  if (error > 0)
-    cone.Perform(surface, bounds, error);
-  else
-    cone.Perform(surface, bounds);
-  return cone.Mass();
-}
-
-double area_mm2(const TopoDS_Shape& face) {
-  GProp_GProps properties;
-  BRepGProp::SurfaceProperties(face, properties);
-  return properties.Mass();
-}
-
-/// What a face gives to the volume of its solid.
-struct FaceCone {
-  TopoDS_Shape was, is;
-  gp_Pnt tip;
-  double move_mm = 0;
-  double before_mm3 = 0, change_mm3 = 0, area_mm2 = 0;
-  std::exception_ptr failure = {};
-
-  void integrate(double error) {
+  std::vector<std::string> whys(changes.size());
+  std::vector<std::exception_ptr> errors(changes.size());
+  const auto judge = [&](std::size_t k) {
     try {
-      before_mm3 = cone_mm3(was, tip, error);
-      change_mm3 = cone_mm3(is, tip, error) - before_mm3;
-      area_mm2 = occ::area_mm2(was);
+      const int face = changes[k].face;
+      whys[k] = whyNotFace(task, changes[k], TopoDS::Face(before(face)), TopoDS::Face(after(face)));
     } catch (...) {
-      failure = std::current_exception();
+      errors[k] = std::current_exception();
     }
+  };
+  runParallel(changes.size(), task.options.jobs, judge, progress);
+  for (std::size_t k = 0; k < changes.size(); ++k) {
+    if (errors[k]) std::rethrow_exception(errors[k]);
+    if (!whys[k].empty()) proof.faces[changes[k].face] = whys[k];
   }
-};
-
-/// Of the faces of a solid that move, with one tip.
-std::vector<FaceCone> conesOf(const TopoDS_Shape& before, const TopoDS_Shape& after,
-                              const TopTools_IndexedMapOfShape& faces, const std::vector<FaceChange>& changes,
-                              const gp_Pnt& tip) {
-  std::vector<FaceCone> cones;
-  TopExp_Explorer was(before, TopAbs_FACE), is(after, TopAbs_FACE);
-  for (; was.More(); was.Next(), is.Next()) {
-    const auto move = std::ranges::find(changes, faces.FindIndex(was.Current()), &FaceChange::face);
-    if (move != changes.end()) cones.push_back({was.Current(), is.Current(), tip, move->largest_move_mm});
-  }
-  return cones;
 }
 
-/// Cones do not fit together by what the faces beside a seam are apart, before or after.
-double slits_mm3(const RepairTask& task, const Proof& proof, double reach_mm) {
-  double area_mm2 = 0;
-  for (std::size_t i = 0; i < proof.after.size(); ++i)
-    for (const SeamResult* seam : {&task.before[i], &proof.after[i]})
-      if (seam->figures.gap_mm) area_mm2 += seam->length_mm * known(*seam->figures.gap_mm);
-  return area_mm2 * reach_mm / 3;
-}
-
-struct VolumeChange {
-  double change_mm3 = 0, explained_mm3 = 0, noise_mm3 = 0;
-
-  bool isExplained(double slits_mm3) const {
-    return std::abs(change_mm3) <= explained_mm3 + slits_mm3 + noise_mm3;
-  }
-};
-
-VolumeChange volumeChange(std::vector<FaceCone>& cones, double error, int jobs, const Progress& progress) {
-  runParallel(
-      cones.size(), jobs, [&cones, error](std::size_t k) { cones[k].integrate(error); }, progress);
-  constexpr double noise = 1e-6;
-  VolumeChange result;
-  for (const FaceCone& cone : cones) {
-    if (cone.failure) std::rethrow_exception(cone.failure);
-    result.change_mm3 += cone.change_mm3;
-    result.noise_mm3 += std::max(noise, error) * std::abs(cone.before_mm3);
-    result.explained_mm3 += 1.01 * cone.area_mm2 * cone.move_mm;
-  }
-  return result;
-}
-
-/// The volume of a solid is the sum of what its faces give; faces that stay give the same. Adaptive quadrature is slow and comes only where
-/// the fixed one does not do.
-void judgeVolumes(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
-                  Proof& proof, const Progress& progress) {
-  constexpr double adaptive_error = 1e-5;
-  const TopTools_IndexedMapOfShape before = partsOf(task.shape, TopAbs_SOLID);
-  const TopTools_IndexedMapOfShape after = partsOf(changed, TopAbs_SOLID);
-  const TopTools_IndexedMapOfShape faces = partsOf(task.shape, TopAbs_FACE);
-  for (int s = 1; s <= before.Extent(); ++s) {
-    Bnd_Box box;
-    BRepBndLib::Add(before(s), box, false);
-    if (box.IsVoid()) continue;
-    const double reach_mm = std::sqrt(box.SquareExtent()) / 2;
-    const gp_Pnt tip((box.CornerMin().XYZ() + box.CornerMax().XYZ()) / 2);
-    const double slits = slits_mm3(task, proof, reach_mm);
-    std::vector<FaceCone> cones = conesOf(before(s), after(s), faces, changes, tip);
-    VolumeChange volume = volumeChange(cones, 0, task.options.jobs, progress);
-    if (!volume.isExplained(slits)) volume = volumeChange(cones, adaptive_error, task.options.jobs, progress);
-    if (volume.isExplained(slits)) continue;
-    std::ostringstream text;
-    text << "the volume of solid " << s << " would change by " << volume.change_mm3 << " mm3, more than "
-         << volume.explained_mm3 << " mm3, which the moves explain";
-    proof.whole = text.str();
-  }
+/// What a shape that was not sound lacked is not asked of the new one.
+void judgeSoundness(const RepairTask& task, const TopoDS_Shape& changed, std::optional<Soundness>& was,
+                    Proof& proof) {
+  const Soundness& is = proof.soundness.emplace(soundnessOf(changed, task.options.jobs));
+  if (is.whole) return;
+  if (!was) was = soundnessOf(task.shape, task.options.jobs);
+  for (std::size_t f = 1; f < is.faces.size(); ++f)
+    if (was->faces[f] && !is.faces[f]) proof.faces[static_cast<int>(f)] = "OpenCASCADE's checks do not pass";
+  if (was->whole && proof.faces.empty()) proof.whole = "OpenCASCADE's checks do not pass";
 }
 
 std::set<int> movedFaces(const RepairSolution& solution) {
@@ -477,18 +344,19 @@ std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed
 }
 
 Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
-            const Soundness& was, MeasuredSeams& known, const Progress& progress) {
+            std::optional<Soundness>& was, MeasuredSeams& known, const Progress& progress) {
   Proof proof;
   proof.after = task.before;
   Remeasuring again(task, changes, seamsAfter(task, changed, partOf(progress, 0, 0.2)), known);
   again.measure(true, proof.after, partOf(progress, 0.2, 0.4));
   judgeTreated(task, proof);
-  judgeFaces(task, changes, changed, proof);
+  judgeFaces(task, changes, changed, proof, partOf(progress, 0.4, 0.5));
   if (!proof.unrepaired.empty() || !proof.faces.empty()) return proof;
-  again.measure(false, proof.after, partOf(progress, 0.4, 0.8));
+  again.measure(false, proof.after, partOf(progress, 0.5, 0.9));
   judgeOthers(task, proof);
   if (proof.holds()) judgeSoundness(task, changed, was, proof);
-  if (proof.holds()) judgeVolumes(task, changes, changed, proof, partOf(progress, 0.8, 1));
+  if (proof.holds())
+    proof.whole = whyNotVolumes(task, changes, changed, proof.after, partOf(progress, 0.9, 1));
   return proof;
 }
 

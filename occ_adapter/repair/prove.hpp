@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -28,8 +29,9 @@ struct Proof {
   std::map<std::size_t, std::string> unrepaired;  ///< treated seams that do not have the level
   std::map<std::size_t, std::string> worse;       ///< other seams
   std::map<int, std::string> too_far;             ///< faces, see movedTooFar()
-  std::map<int, std::string> faces;               ///< folded, or failing OpenCASCADE's checks
-  std::string whole;                              ///< of the shape as a whole
+  std::map<int, std::string> faces;    ///< folded, moved further than told, or failing OpenCASCADE's checks
+  std::string whole;                   ///< of the shape as a whole
+  std::optional<Soundness> soundness;  ///< of the changed shape, if it was looked at
 
   bool holds() const {
     return unrepaired.empty() && worse.empty() && too_far.empty() && faces.empty() && whole.empty();
@@ -41,11 +43,11 @@ struct Proof {
 std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed, const Progress& progress);
 
 /// Seams beside faces and edges that are new are measured again, the others have their figures from before. What costs much is looked at only
-/// where nothing before it speaks against the change: first the faces and the treated seams, then the other seams, then OpenCASCADE's checks, then
-/// the volumes.
-/// \param was of the task's shape. \param known of the task's shape; it grows. \throws Cancelled.
+/// where nothing before it speaks against the change: first the faces and the treated seams, then the other seams, then OpenCASCADE's checks,
+/// then volumes. A face's points must not move further than its poles were told to.
+/// \param was of the task's shape; found where it is needed and not known. \param known of the task's shape; it grows. \throws Cancelled.
 Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
-            const Soundness& was, MeasuredSeams& known, const Progress& progress);
+            std::optional<Soundness>& was, MeasuredSeams& known, const Progress& progress);
 
 /// Faces that move further than is allowed, with the figures; only those that move most, as the others may move less without them.
 std::map<int, std::string> movedTooFar(const RepairTask& task, const std::vector<FaceChange>& changes);

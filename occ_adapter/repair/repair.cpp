@@ -116,7 +116,6 @@ class Repairing {
   }
 
   void improve(RepairTask task, const Solver& solver, const Progress& progress) {
-    if (!was_) was_ = soundnessOf(task.shape, options_.jobs);
     MeasuredSeams measured;
     double done = 0;
     for (int round = 0; round < most_rounds && std::ranges::count(task.treated, true) > 0; ++round) {
@@ -160,7 +159,7 @@ class Repairing {
         // Figures known are of edges with the paths that they have in the shape.
         MeasuredSeams of_paths;
         MeasuredSeams& known = solution.paths.empty() ? measured : of_paths;
-        proof = prove(rest, solution.changes, changed, *was_, known, partOf(progress, 0.5, 1));
+        proof = prove(rest, solution.changes, changed, was_, known, partOf(progress, 0.5, 1));
       }
       if (!proof.holds()) {
         Reasons given_up = culprits(rest, solution, proof, with_connected);
@@ -197,7 +196,7 @@ class Repairing {
   void keep(const RepairTask& task, const RepairSolution& solution, const TopoDS_Shape& changed,
             const Proof& proof) {
     result_.model.shape = changed;
-    was_.reset();
+    was_ = proof.soundness;
     result_.after.seams = proof.after;
     seams_ = seamsIn(changed, seams_);
     for (const FaceChange& change : solution.changes) moves_[change.face] = change.largest_move_mm;

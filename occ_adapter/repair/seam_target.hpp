@@ -66,6 +66,9 @@ class SeamTarget {
   /// \param normals by face.
   void setSharpEnd(int end, const Eigen::Vector3d& point, const std::map<int, Eigen::Vector3d>& normals);
 
+  /// As if none had been set.
+  void forgetEnds() { leads_ = {}; }
+
   /// \throws Standard_Failure where OpenCASCADE can't evaluate.
   TargetPoint at(double s) const { return common(s, order_); }
 

@@ -36,11 +36,10 @@ class Sewing {
 
   SewSolution run() {
     choose();
-    const Soundness was = soundnessOf(task_.shape, task_.options.jobs);
     double done = 0;
     while (!chosen_.empty()) {
       const double next = done + (1 - done) / 3;
-      const Reasons refused = attempt(was, partOf(progress_, done, next));
+      const Reasons refused = attempt(partOf(progress_, done, next));
       done = next;
       if (refused.empty()) return std::move(solution_);
       giveUp(refused);
@@ -79,7 +78,7 @@ class Sewing {
   }
 
   /// \returns seams to give up; none if the rest is sewn and proven.
-  Reasons attempt(const Soundness& was, const Progress& progress) {
+  Reasons attempt(const Progress& progress) {
     try {
       solution_.sewn = sewnShape(task_.shape, task_.seams, chosen_, task_.options.tolerance.gap_mm);
     } catch (const Standard_Failure& failure) {
@@ -89,21 +88,22 @@ class Sewing {
       return everything(error.what());
     }
     if (!solution_.sewn.refused.empty()) return solution_.sewn.refused;
-    Reasons refused = unsound(was);
+    Reasons refused = unsound();
     if (refused.empty()) refused = measure(progress);
     return refused;
   }
 
-  Reasons unsound(const Soundness& was) const {
+  Reasons unsound() {
     const SewnShape& sewn = solution_.sewn;
     const Soundness is = soundnessOf(sewn.shape, task_.options.jobs);
+    if (!is.whole && !was_) was_ = soundnessOf(task_.shape, task_.options.jobs);
     Reasons refused;
     for (const std::size_t i : chosen_)
       for (const FaceUse& side : task_.seams[i].sides)
-        if (was.faces[side.face] && !is.faces[sewn.faces[side.face]])
+        if (!is.whole && was_->faces[side.face] && !is.faces[sewn.faces[side.face]])
           refused[i] = "OpenCASCADE's checks would not pass for face " + std::to_string(side.face);
     if (!refused.empty()) return refused;
-    if (was.whole && !is.whole) return everything("OpenCASCADE's checks would not pass for the sewn shape");
+    if (!is.whole && was_->whole) return everything("OpenCASCADE's checks would not pass for the sewn shape");
     if (closedShells(sewn.shape) < closedShells(task_.shape)) return everything("a closed shell would open");
     return {};
   }
@@ -168,6 +168,7 @@ class Sewing {
   const SewTask& task_;
   const Progress& progress_;
   std::vector<std::size_t> chosen_;
+  std::optional<Soundness> was_;  ///< of the task's shape, once it is needed
   SewSolution solution_;
 };
 

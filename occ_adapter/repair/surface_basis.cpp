@@ -66,24 +66,29 @@ double SplineAxis::greville(int function) const {
 
 namespace {
 
+SplineAxis withStep(SplineAxis axis) {
+  axis.step = std::min(1.0, (axis.last - axis.first) / static_cast<double>(axis.spans().size()));
+  return axis;
+}
+
 SplineAxis axisU(const Geom_BSplineSurface& surface) {
   const TColStd_Array1OfReal& knots = surface.UKnotSequence();
-  return {surface.UDegree(),
-          surface.NbUPoles(),
-          surface.IsUPeriodic(),
-          surface.UKnot(surface.FirstUKnotIndex()),
-          surface.UKnot(surface.LastUKnotIndex()),
-          {knots.begin(), knots.end()}};
+  return withStep({surface.UDegree(),
+                   surface.NbUPoles(),
+                   surface.IsUPeriodic(),
+                   surface.UKnot(surface.FirstUKnotIndex()),
+                   surface.UKnot(surface.LastUKnotIndex()),
+                   {knots.begin(), knots.end()}});
 }
 
 SplineAxis axisV(const Geom_BSplineSurface& surface) {
   const TColStd_Array1OfReal& knots = surface.VKnotSequence();
-  return {surface.VDegree(),
-          surface.NbVPoles(),
-          surface.IsVPeriodic(),
-          surface.VKnot(surface.FirstVKnotIndex()),
-          surface.VKnot(surface.LastVKnotIndex()),
-          {knots.begin(), knots.end()}};
+  return withStep({surface.VDegree(),
+                   surface.NbVPoles(),
+                   surface.IsVPeriodic(),
+                   surface.VKnot(surface.FirstVKnotIndex()),
+                   surface.VKnot(surface.LastVKnotIndex()),
+                   {knots.begin(), knots.end()}});
 }
 
 }  // namespace
@@ -95,30 +100,33 @@ SurfaceBasis::SurfaceBasis(const Geom_BSplineSurface& surface) : u_(axisU(surfac
     for (int j = 0; j < v_.poles; ++j) weights_[pole(i, j)] = surface.Weight(i + 1, j + 1);
 }
 
-PoleShares SurfaceBasis::at(const Eigen::Vector2d& uv, const Eigen::Vector2d& into) const {
+PoleShares SurfaceBasis::at(const Eigen::Vector2d& uv, const Eigen::Vector2d& into, int order) const {
   double u = uv[0], v = uv[1];
   const int span_u = u_.span(u, into[0]), span_v = v_.span(v, into[1]);
-  const Eigen::MatrixXd a = bspline::basisDerivatives(u_.degree, u_.knots, span_u, u, 2);
-  const Eigen::MatrixXd b = bspline::basisDerivatives(v_.degree, v_.knots, span_v, v, 2);
+  const Eigen::MatrixXd a = bspline::basisDerivatives(u_.degree, u_.knots, span_u, u, order);
+  const Eigen::MatrixXd b = bspline::basisDerivatives(v_.degree, v_.knots, span_v, v, order);
+  const int rows = order < 2 ? 3 : 6;
   PoleShares shares;
   const int count = (u_.degree + 1) * (v_.degree + 1);
   shares.poles.reserve(count);
-  shares.share.resize(6, count);
+  shares.share.resize(rows, count);
   constexpr std::array<std::array<int, 2>, 6> orders = {{{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}};
   for (int i = 0; i <= u_.degree; ++i)
     for (int j = 0; j <= v_.degree; ++j) {
       const int column = static_cast<int>(shares.poles.size());
       shares.poles.push_back(pole(u_.pole(span_u - u_.degree + i), v_.pole(span_v - v_.degree + j)));
       const double weight = weights_.size() == 0 ? 1 : weights_[shares.poles.back()];
-      for (int k = 0; k < 6; ++k) shares.share(k, column) = weight * a(orders[k][0], i) * b(orders[k][1], j);
+      for (int k = 0; k < rows; ++k)
+        shares.share(k, column) = weight * a(orders[k][0], i) * b(orders[k][1], j);
     }
   if (weights_.size() == 0) return shares;
   // The derivatives of sum N w P / sum N w by the rule for quotients.
   auto& s = shares.share;
-  const Eigen::Matrix<double, 6, 1> w = s.rowwise().sum();
+  const Eigen::VectorXd w = s.rowwise().sum();
   s.row(0) /= w[0];
   s.row(1) = (s.row(1) - w[1] * s.row(0)) / w[0];
   s.row(2) = (s.row(2) - w[2] * s.row(0)) / w[0];
+  if (order < 2) return shares;
   s.row(3) = (s.row(3) - 2 * w[1] * s.row(1) - w[3] * s.row(0)) / w[0];
   s.row(4) = (s.row(4) - w[1] * s.row(2) - w[2] * s.row(1) - w[4] * s.row(0)) / w[0];
   s.row(5) = (s.row(5) - 2 * w[2] * s.row(2) - w[5] * s.row(0)) / w[0];
@@ -161,10 +169,30 @@ Eigen::RowVectorXd secondDerivative(const PoleShares& shares, const Eigen::Vecto
          a[1] * b[1] * shares.share.row(5);
 }
 
-SurfaceJet jetOf(const PoleShares& shares, const PointRows& poles) {
-  Eigen::Matrix<double, 6, 3> sum = Eigen::Matrix<double, 6, 3>::Zero();
+namespace {
+
+/// The first rows of the jet, as PoleShares has them.
+template <int rows>
+Eigen::Matrix<double, rows, 3> sumOf(const PoleShares& shares, const PointRows& poles) {
+  Eigen::Matrix<double, rows, 3> sum = Eigen::Matrix<double, rows, 3>::Zero();
   for (std::size_t k = 0; k < shares.poles.size(); ++k)
-    sum += shares.share.col(static_cast<Eigen::Index>(k)) * poles.row(shares.poles[k]);
+    sum += shares.share.col(static_cast<Eigen::Index>(k)).template head<rows>() * poles.row(shares.poles[k]);
+  return sum;
+}
+
+}  // namespace
+
+SurfaceJet firstOrderJetOf(const PoleShares& shares, const PointRows& poles) {
+  const auto sum = sumOf<3>(shares, poles);
+  SurfaceJet jet;
+  jet.p = sum.row(0);
+  jet.u = sum.row(1);
+  jet.v = sum.row(2);
+  return jet;
+}
+
+SurfaceJet jetOf(const PoleShares& shares, const PointRows& poles) {
+  const auto sum = sumOf<6>(shares, poles);
   SurfaceJet jet;
   jet.p = sum.row(0);
   jet.u = sum.row(1);
@@ -176,10 +204,7 @@ SurfaceJet jetOf(const PoleShares& shares, const PointRows& poles) {
 }
 
 JetNoise noiseOf(const SurfaceJet& jet, const SurfaceBasis& basis) {
-  const auto step = [](const SplineAxis& axis) {
-    return std::min(1.0, (axis.last - axis.first) / static_cast<double>(axis.spans().size()));
-  };
-  const double step_u = step(basis.u()), step_v = step(basis.v());
+  const double step_u = basis.u().step, step_v = basis.v().step;
   const double size = jet.p.lpNorm<Eigen::Infinity>() + step_u * jet.u.norm() + step_v * jet.v.norm();
   const double rounding = 64 * std::numeric_limits<double>::epsilon() * size;
   return {std::max(rounding / step_u, Precision::Confusion() / (basis.u().last - basis.u().first)),

@@ -12,10 +12,10 @@
 /// Points and derivatives of a spline surface as sums over its poles; not a public header.
 namespace seamwright::occ {
 
-/// X, X_u, X_v, X_uu, X_uv, X_vv (a row each) = sum of share times pole.
+/// X, X_u, X_v and, if they are asked for, X_uu, X_uv, X_vv (a row each) = sum of share times pole.
 struct PoleShares {
   std::vector<int> poles;
-  Eigen::Matrix<double, 6, Eigen::Dynamic> share;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6> share;
 };
 
 /// Flat knots of one direction.
@@ -26,6 +26,7 @@ struct SplineAxis {
   double first = 0, last = 0;
   std::vector<double>
       knots;  ///< the span of place i holds the functions of the poles i - degree .. i, counted round if periodic
+  double step = 1;  ///< mean length of the spans, at most 1
 
   /// Into [first, last[ if periodic.
   double wrapped(double t) const;
@@ -51,8 +52,9 @@ class SurfaceBasis {
   const SplineAxis& v() const { return v_; }
   int pole(int i, int j) const { return i * v_.poles + j; }
 
-  /// \param into on knot lines the polynomials on that side.
-  PoleShares at(const Eigen::Vector2d& uv, const Eigen::Vector2d& into = Eigen::Vector2d::Zero()) const;
+  /// \param into on knot lines the polynomials on that side. \param order of the highest derivatives, 1 or 2.
+  PoleShares at(const Eigen::Vector2d& uv, const Eigen::Vector2d& into = Eigen::Vector2d::Zero(),
+                int order = 2) const;
 
  private:
   SplineAxis u_, v_;
@@ -63,7 +65,10 @@ PointRows polesOf(const Geom_BSplineSurface& surface);
 /// Poles with equal coordinates are not touched.
 void setPoles(Geom_BSplineSurface& surface, const PointRows& poles);
 
+/// \pre the shares have second derivatives
 SurfaceJet jetOf(const PoleShares& shares, const PointRows& poles);
+/// The same without second derivatives.
+SurfaceJet firstOrderJetOf(const PoleShares& shares, const PointRows& poles);
 
 /// The step of (u, v) that goes along a tangent vector.
 Eigen::Vector2d parameterStep(const SurfaceJet& jet, const Eigen::Vector3d& way);

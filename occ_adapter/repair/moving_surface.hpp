@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <set>
+#include <vector>
+
+#include <seamwright/occ_adapter/repair/surface_basis.hpp>
+
+/// A spline surface beside itself as it was given; not a public header.
+namespace seamwright::occ {
+
+/// The number of each pole's move, -1: it stays; poles with one number move as one.
+struct MoveNumbers {
+  std::vector<int> of_pole;
+  int count = 0;
+};
+
+/// A spline surface whose poles move and whose knots may become more. Copies share what does not change.
+class MovingSurface {
+ public:
+  explicit MovingSurface(const opencascade::handle<Geom_BSplineSurface>& given);
+
+  const SurfaceBasis& basis() const { return basis_; }
+  /// As given, with the knots of now.
+  const opencascade::handle<Geom_BSplineSurface>& before() const { return before_; }
+  const PointRows& original() const { return original_; }
+  const PointRows& poles() const { return poles_; }
+  void setPoles(PointRows poles) { poles_ = std::move(poles); }
+  opencascade::handle<Geom_BSplineSurface> moved() const;
+  double largestMove_mm() const { return (poles_ - original_).rowwise().norm().maxCoeff(); }
+  /// Of the poles in u and v, in the mean, before knots were inserted.
+  const std::array<double, 2>& givenSpacing() const { return given_spacing_; }
+
+  /// To at least that. \returns whether it was needed. \pre no pole moved
+  bool raiseDegrees(int least);
+
+  /// From now on these poles move, and what knot insertion makes of them. \pre no knot was inserted
+  void touch(const std::vector<bool>& poles);
+
+  /// Shape and moves stay. Then only poles near these places move, or, if not \p near_alone, all that are touched.
+  void insert(const std::array<std::set<double>, 2>& knots, const std::vector<Eigen::Vector2d>& places,
+              bool near_alone);
+
+  /// A side that is one point, or within that distance one, moves as one.
+  MoveNumbers numbers(double near_mm) const;
+
+ private:
+  opencascade::handle<Geom_BSplineSurface> before_;
+  opencascade::handle<Geom_BSplineSurface>
+      touched_;  ///< one where a touched pole has a share in the pole of now
+  SurfaceBasis basis_;
+  PointRows poles_, original_;
+  std::vector<bool> settled_;  ///< by pole: it stays where it is by now
+  std::array<double, 2> given_spacing_;
+};
+
+}  // namespace seamwright::occ

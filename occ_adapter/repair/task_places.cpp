@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <seamwright/core/differential/fundamental_forms.hpp>
+#include <seamwright/occ_adapter/match/follow.hpp>
+#include <seamwright/occ_adapter/repair/task_places.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// Even, but twice as dense near the ends, where a clamped spline has more poles.
+std::vector<double> sampleShares(int count, int dense) {
+  std::vector<double> shares;
+  for (int k = 0; k <= count; ++k) {
+    shares.push_back(static_cast<double>(k) / count);
+    if (k < count && (k < dense || count - 1 - k < dense)) shares.push_back((k + 0.5) / count);
+  }
+  return shares;
+}
+
+}  // namespace
+
+TaskPlaces::TaskPlaces(const FaceTask& task, const MovingSurface& surface) {
+  constexpr int per_pole = 3, between = 4;
+  const SurfaceBasis& basis = surface.basis();
+  const double rate = per_pole * std::max({1.0, polesPerSpan(basis.u()), polesPerSpan(basis.v())});
+  const int degree = std::max(basis.u().degree, basis.v().degree);
+  double length = 0, spans = 0;
+  for (const FollowPath& path : task.paths) {
+    const PlanePath plane(path);
+    const SpanMeasure measure(plane, basis, surface.before());
+    const std::vector<double> shares =
+        sampleShares(static_cast<int>(std::ceil(rate * measure.spans() - 1e-6)) + degree, per_pole);
+    PathPlaces& places = paths.emplace_back();
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+      places.samples.push_back(plane.place(basis, measure.at(shares[k])));
+      if (k == 0) continue;
+      for (int m = 1; m <= between; ++m)
+        places.checks.push_back(
+            plane.place(basis, measure.at(shares[k] - m * (shares[k] - shares[k - 1]) / (between + 1))));
+      length += (places.samples[k].target.point - places.samples[k - 1].target.point).norm();
+    }
+    spans += measure.spans();
+  }
+  span_mm = spans > 0 ? length / spans : 0;
+}
+
+PairMeasure measureAt(const Place& place, const MovingSurface& surface) {
+  SidePoint own;
+  const bool has_second = place.shares.share.rows() > 3;
+  own.jet =
+      has_second ? jetOf(place.shares, surface.poles()) : firstOrderJetOf(place.shares, surface.poles());
+  own.noise = noiseOf(own.jet, surface.basis());
+  return measurePair(sideOf(place.target), own);
+}
+
+double ratioAt(const Place& place, const MovingSurface& surface, const ContinuityTolerance& tolerance) {
+  const SurfaceJet jet = firstOrderJetOf(place.shares, surface.poles());
+  const bool is_turned = place.order > 0 && place.target.normal.dot(jet.u.cross(jet.v)) < 0;
+  if (place.order > 1) {
+    const PairMeasure pair = measureAt(place, surface);
+    return is_turned && pair.angle_rad ? infinite : ratioOf(pair, place.order, tolerance);
+  }
+  PairMeasure pair;
+  if (const double gap = (jet.p - place.target.point).norm(); std::isfinite(gap)) pair.gap_mm = gap;
+  if (place.order > 0)
+    if (const auto normal = unitNormal(jet, noiseOf(jet, surface.basis()))) {
+      if (is_turned) return infinite;
+      pair.angle_rad =
+          std::atan2(normal->cross(place.target.normal).norm(), normal->dot(place.target.normal));
+    }
+  return ratioOf(pair, place.order, tolerance);
+}
+
+Misses::Misses(const FaceTask& task, const TaskPlaces& places, const MovingSurface& surface)
+    : ratios_(places.paths.size(), 0), worst_(places.paths.size(), nullptr) {
+  for (std::size_t i = 0; i < ratios_.size(); ++i) take(task, places.paths[i].samples, surface, i);
+  at_samples_ = largest();
+}
+
+void Misses::look(const FaceTask& task, const TaskPlaces& places, const MovingSurface& surface) {
+  for (std::size_t i = 0; i < ratios_.size(); ++i) take(task, places.paths[i].checks, surface, i);
+}
+
+void Misses::take(const FaceTask& task, const std::vector<Place>& places, const MovingSurface& surface,
+                  std::size_t path) {
+  for (const Place& place : places) {
+    const double ratio = ratioAt(place, surface, task.tolerance);
+    if (ratio > task.share) missed_.push_back(&place);
+    if (ratio <= ratios_[path]) continue;
+    ratios_[path] = ratio;
+    worst_[path] = &place;
+  }
+}
+
+double Misses::largest() const {
+  return ratios_.empty() ? 0 : std::ranges::max(ratios_);
+}
+
+}  // namespace seamwright::occ

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRepBndLib.hxx>
+#include <BRepGProp.hxx>
+#include <BRepGProp_Domain.hxx>
+#include <BRepGProp_Face.hxx>
+#include <BRepGProp_Vinert.hxx>
+#include <Bnd_Box.hxx>
+#include <GProp_GProps.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <sstream>
+
+#include <seamwright/occ_adapter/analyze/workers.hpp>
+#include <seamwright/occ_adapter/model/parts.hpp>
+#include <seamwright/occ_adapter/repair/volumes.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+/// Volume of the cone over a face with that tip. (BRepGProp::VolumeProperties takes a tip of its own, near the face.)
+/// \param error relative, of adaptive quadrature; 0: a fixed one, which for rational faces may be off by a percent.
+double cone_mm3(const TopoDS_Shape& face, const gp_Pnt& tip, double error) {
+  BRepGProp_Face surface;
+  surface.Load(TopoDS::Face(face));
+  BRepGProp_Domain bounds(TopoDS::Face(face));
+  BRepGProp_Vinert cone;
+  cone.SetLocation(tip);
+  if (error > 0)
+    cone.Perform(surface, bounds, error);
+  else
+    cone.Perform(surface, bounds);
+  return cone.Mass();
+}
+
+double area_mm2(const TopoDS_Shape& face) {
+  GProp_GProps properties;
+  BRepGProp::SurfaceProperties(face, properties);
+  return properties.Mass();
+}
+
+/// What a face gives to the volume of its solid.
+struct FaceCone {
+  TopoDS_Shape was, is;
+  gp_Pnt tip;
+  double move_mm = 0;
+  double before_mm3 = 0, change_mm3 = 0, area_mm2 = 0;
+  std::exception_ptr failure = {};
+
+  void integrate(double error) {
+    try {
+      before_mm3 = cone_mm3(was, tip, error);
+      change_mm3 = cone_mm3(is, tip, error) - before_mm3;
+      area_mm2 = occ::area_mm2(was);
+    } catch (...) {
+      failure = std::current_exception();
+    }
+  }
+};
+
+/// Of the faces of a solid that move, with one tip.
+std::vector<FaceCone> conesOf(const TopoDS_Shape& before, const TopoDS_Shape& after,
+                              const TopTools_IndexedMapOfShape& faces, const std::vector<FaceChange>& changes,
+                              const gp_Pnt& tip) {
+  std::vector<FaceCone> cones;
+  TopExp_Explorer was(before, TopAbs_FACE), is(after, TopAbs_FACE);
+  for (; was.More(); was.Next(), is.Next()) {
+    const auto move = std::ranges::find(changes, faces.FindIndex(was.Current()), &FaceChange::face);
+    if (move != changes.end()) cones.push_back({was.Current(), is.Current(), tip, move->largest_move_mm});
+  }
+  return cones;
+}
+
+/// Cones do not fit together by what the faces beside a seam are apart, before or after.
+double slits_mm3(const RepairTask& task, const std::vector<SeamResult>& after, double reach_mm) {
+  double area_mm2 = 0;
+  for (std::size_t i = 0; i < after.size(); ++i)
+    for (const SeamResult* seam : {&task.before[i], &after[i]})
+      if (const auto& gap = seam->figures.gap_mm)
+        area_mm2 += seam->length_mm * gap->upper.value_or(gap->lower);
+  return area_mm2 * reach_mm / 3;
+}
+
+struct VolumeChange {
+  double change_mm3 = 0, explained_mm3 = 0, noise_mm3 = 0;
+
+  bool isExplained(double slits_mm3) const {
+    return std::abs(change_mm3) <= explained_mm3 + slits_mm3 + noise_mm3;
+  }
+};
+
+VolumeChange volumeChange(std::vector<FaceCone>& cones, double error, int jobs, const Progress& progress) {
+  runParallel(
+      cones.size(), jobs, [&cones, error](std::size_t k) { cones[k].integrate(error); }, progress);
+  constexpr double noise = 1e-6;
+  VolumeChange result;
+  for (const FaceCone& cone : cones) {
+    if (cone.failure) std::rethrow_exception(cone.failure);
+    result.change_mm3 += cone.change_mm3;
+    result.noise_mm3 += std::max(noise, error) * std::abs(cone.before_mm3);
+    result.explained_mm3 += 1.01 * cone.area_mm2 * cone.move_mm;
+  }
+  return result;
+}
+
+}  // namespace
+
+// Faces that stay give the same. Adaptive quadrature is slow and comes only where the fixed one does not do.
+std::string whyNotVolumes(const RepairTask& task, const std::vector<FaceChange>& changes,
+                          const TopoDS_Shape& changed, const std::vector<SeamResult>& after,
+                          const Progress& progress) {
+  constexpr double adaptive_error = 1e-5;
+  const TopTools_IndexedMapOfShape solids = partsOf(task.shape, TopAbs_SOLID);
+  const TopTools_IndexedMapOfShape solids_after = partsOf(changed, TopAbs_SOLID);
+  const TopTools_IndexedMapOfShape faces = partsOf(task.shape, TopAbs_FACE);
+  for (int s = 1; s <= solids.Extent(); ++s) {
+    Bnd_Box box;
+    BRepBndLib::Add(solids(s), box, false);
+    if (box.IsVoid()) continue;
+    const double reach_mm = std::sqrt(box.SquareExtent()) / 2;
+    const gp_Pnt tip((box.CornerMin().XYZ() + box.CornerMax().XYZ()) / 2);
+    const double slits = slits_mm3(task, after, reach_mm);
+    std::vector<FaceCone> cones = conesOf(solids(s), solids_after(s), faces, changes, tip);
+    VolumeChange volume = volumeChange(cones, 0, task.options.jobs, progress);
+    if (!volume.isExplained(slits)) volume = volumeChange(cones, adaptive_error, task.options.jobs, progress);
+    if (volume.isExplained(slits)) continue;
+    std::ostringstream text;
+    text << "the volume of solid " << s << " would change by " << volume.change_mm3 << " mm3, more than "
+         << volume.explained_mm3 << " mm3, which the moves explain";
+    return text.str();
+  }
+  return {};
+}
+
+}  // namespace seamwright::occ
