@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/Geometry>
+#include <Eigen/QR>
 #include <cmath>
 #include <numbers>
 #include <seamwright/core/join/bernstein_rows.hpp>
-#include <seamwright/core/linear/dense.hpp>
 #include <seamwright/core/umbrella/ring_fields.hpp>
 #include <stdexcept>
 #include <string>
@@ -76,11 +76,11 @@ Vector3d meetSlopes(const HoleCorner& corner, const SpokeEnd& spoke, Scalars& be
   directions << spoke.c * a.cross, spoke.c * a.edge, -spoke.d * b.cross, -spoke.d * b.edge;
   const Eigen::RowVector4d lengths = directions.colwise().norm();
   const Vector3d up = corner.up().normalized();
-  const Eigen::Vector4d change =
-      linear::LeastSquares((directions.array().rowwise() / lengths.array()).matrix())
-          .solve(missed - up.dot(missed) * up)
-          .array() /
-      lengths.transpose().array();
+  const Eigen::Vector4d change = ((directions.array().rowwise() / lengths.array()).matrix())
+                                     .completeOrthogonalDecomposition()
+                                     .solve(missed - up.dot(missed) * up)
+                                     .array() /
+                                 lengths.transpose().array();
   after.slope_begin += change.head<2>();
   before.slope_end += change.tail<2>();
   return -up.dot(missed) * up;
