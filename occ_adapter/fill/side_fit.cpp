@@ -146,7 +146,7 @@ Poles fittedBend(const std::vector<SideSample>& samples, const BezierCurve& cros
     matrix.row(i) = basisAt(degree, sample.t).transpose();
     right.row(i) = bendAlong(sample, cross.point(sample.t)) * sample.normal.transpose();
   }
-  return matrix.colPivHouseholderQr().solve(right);
+  return linear::PivotedQr(matrix).solve(right);
 }
 
 /// One side while it is fitted.
