@@ -84,14 +84,16 @@ occ::Proof ProofCase::proofOf(const std::vector<occ::FaceChange>& changes) const
 occ::Proof ProofCase::proofOf(const occ::RepairTask& task, const std::vector<occ::FaceChange>& changes,
                               occ::MeasuredSeams* known) const {
   occ::MeasuredSeams none;
-  return occ::prove(task, changes, withChanges(changes), occ::soundnessOf(shape_, 1), known ? *known : none,
-                    {});
+  std::optional<occ::Soundness> was;
+  return occ::prove(task, changes, withChanges(changes), was, known ? *known : none, {});
 }
 
 occ::Proof ProofCase::proofOf(const occ::RepairTask& task, const std::vector<occ::FaceChange>& changes,
                               const TopoDS_Shape& changed, const occ::Soundness* was) const {
   occ::MeasuredSeams none;
-  return occ::prove(task, changes, changed, was ? *was : occ::soundnessOf(shape_, 1), none, {});
+  std::optional<occ::Soundness> known_was;
+  if (was) known_was = *was;
+  return occ::prove(task, changes, changed, known_was, none, {});
 }
 
 std::string textOf(const occ::Proof& proof) {
