@@ -6,15 +6,14 @@
 // own: that is what POCKETS is for and what benchmarks/compare does.
 #include <benchmark/benchmark.h>
 
-#include <Standard_Failure.hxx>
 #include <algorithm>
-#include <iostream>
 #include <string>
 
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
 
 #include "memory.hpp"
 #include "pocketed_sheet.hpp"
+#include "program.hpp"
 
 namespace {
 
@@ -47,22 +46,19 @@ void analyzeSheet(benchmark::State& state, bool certify) {
 
 }  // namespace
 
-int main(int argc, char** argv) try {
-  benchmark::Initialize(&argc, argv);
-  for (const bool certify : {true, false}) {
-    benchmark::internal::Benchmark* entry =
-        benchmark::RegisterBenchmark(certify ? "sheet/certified" : "sheet/sampled", analyzeSheet, certify);
-    entry->MeasureProcessCPUTime()->UseRealTime()->Unit(benchmark::kMillisecond);
-    if (argc > 1)
-      entry->Arg(std::stoi(argv[1]));
-    else
-      entry->RangeMultiplier(2)->Range(50, 800);
-  }
-  benchmark::RunSpecifiedBenchmarks();
-} catch (const Standard_Failure& failure) {
-  std::cerr << failure << "\n";
-  return 2;
-} catch (const std::exception& error) {
-  std::cerr << error.what() << "\n";
-  return 2;
+int main(int argc, char** argv) {
+  return seamwright::bench::guarded([&] {
+    benchmark::Initialize(&argc, argv);
+    for (const bool certify : {true, false}) {
+      benchmark::internal::Benchmark* entry =
+          benchmark::RegisterBenchmark(certify ? "sheet/certified" : "sheet/sampled", analyzeSheet, certify);
+      entry->MeasureProcessCPUTime()->UseRealTime()->Unit(benchmark::kMillisecond);
+      if (argc > 1)
+        entry->Arg(std::stoi(argv[1]));
+      else
+        entry->RangeMultiplier(2)->Range(50, 800);
+    }
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
+  });
 }

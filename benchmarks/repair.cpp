@@ -4,16 +4,13 @@
 // One process, one thread, medians of processor time of three turns, what is slow once; a table on standard output.
 // Or files, with all defaults on two threads: the least wall time and processor time of the turns.
 //   bench_repair [--smoke | MODEL...]
-#include <Standard_Failure.hxx>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <ctime>
 #include <filesystem>
 #include <functional>
-#include <iostream>
 #include <limits>
 #include <string>
 #include <vector>
@@ -22,6 +19,7 @@
 #include <seamwright/occ_adapter/repair/repair.hpp>
 
 #include "../tests/occ_adapter/nets.hpp"
+#include "program.hpp"
 
 namespace {
 
@@ -178,22 +176,18 @@ void runFiles(int count, char** paths) {
 
 }  // namespace
 
-int main(int argc, char** argv) try {
-  if (argc > 1 && argv[1][0] != '-') {
-    runFiles(argc - 1, argv + 1);
+int main(int argc, char** argv) {
+  return seamwright::bench::guarded([&] {
+    if (argc > 1 && argv[1][0] != '-') {
+      runFiles(argc - 1, argv + 1);
+      return 0;
+    }
+    const bool smoke = seamwright::bench::isSmoke(argc, argv);
+    if (argc > 1 && !smoke) {
+      std::fprintf(stderr, "usage: bench_repair [--smoke | MODEL...]\n");
+      return 2;
+    }
+    for (const Subject& subject : subjects(smoke)) run(subject);
     return 0;
-  }
-  const bool smoke = argc == 2 && std::strcmp(argv[1], "--smoke") == 0;
-  if (argc > 1 && !smoke) {
-    std::fprintf(stderr, "usage: bench_repair [--smoke | MODEL...]\n");
-    return 2;
-  }
-  for (const Subject& subject : subjects(smoke)) run(subject);
-  return 0;
-} catch (const Standard_Failure& failure) {
-  std::cerr << failure << "\n";
-  return 2;
-} catch (const std::exception& error) {
-  std::cerr << error.what() << "\n";
-  return 2;
+  });
 }

@@ -8,7 +8,6 @@
 
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
-#include <Standard_Failure.hxx>
 #include <ctime>
 #include <filesystem>
 #include <iostream>
@@ -19,6 +18,7 @@
 #include <seamwright/occ_adapter/model/read.hpp>
 
 #include "peers.hpp"
+#include "program.hpp"
 
 namespace {
 
@@ -130,19 +130,16 @@ void registerModel(const std::filesystem::path& path) {
 
 }  // namespace
 
-int main(int argc, char** argv) try {
-  benchmark::Initialize(&argc, argv);
-  Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
-  if (argc < 2) {
-    std::cerr << "usage: bench_seams MODEL... [--benchmark_...]\n";
-    return 2;
-  }
-  for (int i = 1; i < argc; ++i) registerModel(argv[i]);
-  benchmark::RunSpecifiedBenchmarks();
-} catch (const Standard_Failure& failure) {
-  std::cerr << failure << "\n";
-  return 2;
-} catch (const std::exception& error) {
-  std::cerr << error.what() << "\n";
-  return 2;
+int main(int argc, char** argv) {
+  return seamwright::bench::guarded([&] {
+    benchmark::Initialize(&argc, argv);
+    Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
+    if (argc < 2) {
+      std::cerr << "usage: bench_seams MODEL... [--benchmark_...]\n";
+      return 2;
+    }
+    for (int i = 1; i < argc; ++i) registerModel(argv[i]);
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
+  });
 }

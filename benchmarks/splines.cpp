@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <ctime>
 #include <functional>
 #include <map>
@@ -21,6 +20,8 @@
 #include <vector>
 
 #include <seamwright/core/spline/beta_spline.hpp>
+
+#include "program.hpp"
 
 namespace {
 
@@ -121,7 +122,7 @@ double median(std::vector<double> values) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const bool smoke = argc > 1 && std::strcmp(argv[1], "--smoke") == 0;
+  const bool smoke = seamwright::bench::isSmoke(argc, argv);
   if (argc > 1 && !smoke) {
     std::fprintf(stderr, "usage: bench_splines [--smoke]\n");
     return 2;

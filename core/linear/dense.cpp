@@ -24,9 +24,7 @@ Eigen::MatrixXd LeastSquares::solveTransposed(const Eigen::MatrixXd& b) const {
   return decomposition_.transpose().solve(b);
 }
 
-PivotedQr::PivotedQr(const Eigen::MatrixXd& a, std::optional<double> threshold) : decomposition_(a) {
-  if (threshold) decomposition_.setThreshold(*threshold);
-}
+PivotedQr::PivotedQr(const Eigen::MatrixXd& a) : decomposition_(a) {}
 
 Eigen::VectorXd PivotedQr::solved(const Eigen::VectorXd& b) const {
   return decomposition_.solve(b);
@@ -34,10 +32,6 @@ Eigen::VectorXd PivotedQr::solved(const Eigen::VectorXd& b) const {
 
 Eigen::MatrixXd PivotedQr::solved(const Eigen::MatrixXd& b) const {
   return decomposition_.solve(b);
-}
-
-Eigen::MatrixXd PivotedQr::q() const {
-  return decomposition_.householderQ();
 }
 
 Eigen::MatrixXd PivotedQr::timesQ(const Eigen::MatrixXd& rows) const {
@@ -59,6 +53,13 @@ SingularValues singularValues(const Eigen::MatrixXd& a, unsigned parts) {
 Eigenvalues symmetricEigenvalues(const Eigen::MatrixXd& a) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(a);
   return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
+Eigen::MatrixXd nullSpace(const Eigen::MatrixXd& a, double threshold) {
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(a.transpose());
+  qr.setThreshold(threshold);
+  const Eigen::MatrixXd basis = qr.householderQ();
+  return basis.rightCols(a.cols() - qr.rank());
 }
 
 Eigen::MatrixXd kernel(const Eigen::MatrixXd& a, std::optional<double> threshold) {

@@ -39,19 +39,16 @@ class LeastSquares {
 class PivotedQr {
  public:
   PivotedQr() = default;
-  /// \param threshold as of LeastSquares.
-  explicit PivotedQr(const Eigen::MatrixXd& a, std::optional<double> threshold = {});
+  explicit PivotedQr(const Eigen::MatrixXd& a);
 
   Eigen::Index rows() const { return decomposition_.rows(); }
   Eigen::Index cols() const { return decomposition_.cols(); }
-  Eigen::Index rank() const { return decomposition_.rank(); }
   /// Least squares, right sides as of LeastSquares; where columns are dependent some unknowns are 0.
   template <class Right>
   auto solve(const Eigen::MatrixBase<Right>& b) const {
     return solved(Plain<Right>(b));
   }
 
-  Eigen::MatrixXd q() const;
   Eigen::MatrixXd timesQ(const Eigen::MatrixXd& rows) const;                     ///< Q rows
   Eigen::MatrixXd timesTransposedQ(const Eigen::MatrixXd& rows) const;           ///< Q' rows
   const Eigen::MatrixXd& matrixQR() const { return decomposition_.matrixQR(); }  ///< R is its upper triangle
@@ -78,6 +75,10 @@ struct Eigenvalues {
   Eigen::MatrixXd vectors;
 };
 Eigenvalues symmetricEigenvalues(const Eigen::MatrixXd& a);
+
+/// Orthonormal columns span the x with a x = 0, by the pivoted QR of the transposed; there may be none.
+/// \param threshold share of the largest pivot up to which a pivot counts as 0.
+Eigen::MatrixXd nullSpace(const Eigen::MatrixXd& a, double threshold);
 
 /// Columns span the x with a x = 0, by Gauss's elimination; there may be none.
 /// \param threshold as of LeastSquares.

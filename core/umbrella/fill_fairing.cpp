@@ -55,13 +55,6 @@ Substitution substitution(const FillSpace& space, std::optional<double> spoke_sc
   return result;
 }
 
-/// Orthonormal columns: what the matrix maps to rounding.
-Eigen::MatrixXd nullSpace(const Eigen::MatrixXd& matrix) {
-  const double rounding = 16 * std::numeric_limits<double>::epsilon() * static_cast<double>(matrix.rows());
-  const linear::PivotedQr qr(matrix.transpose(), rounding);
-  return qr.q().rightCols(matrix.cols() - qr.rank());
-}
-
 }  // namespace
 
 Eigen::MatrixXd differencesOf(const FillSpace& space, const Eigen::MatrixXd& poles, int order) {
@@ -75,7 +68,8 @@ Fairest fairest(const FillSpace& space, int order, std::optional<double> spoke_s
   const Eigen::MatrixXd matrix = differences<Eigen::MatrixXd>(space, coefficients, order);
   const Poles fixed = differences<Poles>(space, offset, order);
   Poles solution = linear::LeastSquares(matrix).solve(-fixed);
-  const Eigen::MatrixXd idle = nullSpace(matrix);
+  const double rounding = 16 * std::numeric_limits<double>::epsilon() * static_cast<double>(matrix.rows());
+  const Eigen::MatrixXd idle = linear::nullSpace(matrix, rounding);
   if (idle.cols() > 0) {
     const Poles poles = coefficients * solution + offset;
     solution += idle * linear::LeastSquares(differences<Eigen::MatrixXd>(space, coefficients * idle, 2))

@@ -2,7 +2,6 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <seamwright/core/join/bernstein_rows.hpp>
-#include <seamwright/core/linear/dense.hpp>
 #include <seamwright/core/umbrella/fill_fields.hpp>
 #include <seamwright/core/umbrella/hole_corner.hpp>
 #include <stdexcept>

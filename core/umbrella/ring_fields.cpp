@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
-#include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <seamwright/core/join/bernstein_rows.hpp>
@@ -72,15 +73,16 @@ Vector3d meetSlopes(const HoleCorner& corner, const SpokeEnd& spoke, Scalars& be
       (spoke.e + 1) * *spoke.derivative - (spoke.c - 1) * corner.out() + (spoke.d - 1) * corner.in();
   const Vector3d missed = wanted - spoke.c * slope(a, after.begin, after.slope_begin) +
                           spoke.d * slope(b, before.end, before.slope_end);
+  // In the tangent plane, where any two of the directions decide: in space rounding would make a third dimension of them.
+  const Vector3d up = corner.up().normalized(), along = corner.out().normalized();
+  Eigen::Matrix<double, 2, 3> plane;
+  plane << along.transpose(), up.cross(along).transpose();
   Eigen::Matrix<double, 3, 4> directions;
   directions << spoke.c * a.cross, spoke.c * a.edge, -spoke.d * b.cross, -spoke.d * b.edge;
   const Eigen::RowVector4d lengths = directions.colwise().norm();
-  const Vector3d up = corner.up().normalized();
-  const Eigen::Vector4d change = ((directions.array().rowwise() / lengths.array()).matrix())
-                                     .completeOrthogonalDecomposition()
-                                     .solve(missed - up.dot(missed) * up)
-                                     .array() /
-                                 lengths.transpose().array();
+  const Eigen::Matrix<double, 2, 4> unit = plane * (directions.array().rowwise() / lengths.array()).matrix();
+  const Eigen::Vector4d least = unit.transpose() * (unit * unit.transpose()).ldlt().solve(plane * missed);
+  const Eigen::Vector4d change = least.array() / lengths.transpose().array();
   after.slope_begin += change.head<2>();
   before.slope_end += change.tail<2>();
   return -up.dot(missed) * up;
@@ -96,12 +98,16 @@ RingFields ringFields(const std::vector<FillSide>& sides, double spoke_scale, do
   Vector3d centre = Vector3d::Zero();
   for (const FillSide& side : sides)
     centre += (side.edge.point(0) + side.edge.point(0.5)) / (2.0 * static_cast<double>(n));
+  double mean_mm = 0;
+  for (const FillSide& side : sides) mean_mm += (side.edge.point(0) - centre).norm() / static_cast<double>(n);
   RingFields result;
   std::vector<HoleCorner> corners;
   for (std::size_t k = 0; k < n; ++k) {
     corners.emplace_back(sides, k);
     result.corners.push_back(figuresOf(corners[k], k, tolerance_rad));
-    const double length_mm = spoke_scale * spoke_share * (sides[k].edge.point(0) - centre).norm();
+    // A reflex corner may lie in the middle.
+    const double way_mm = std::max((sides[k].edge.point(0) - centre).norm(), mean_mm / 4);
+    const double length_mm = spoke_scale * spoke_share * way_mm;
     result.spokes.push_back(spokeEnd(corners[k], result.corners[k], length_mm));
   }
 

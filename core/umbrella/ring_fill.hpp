@@ -23,7 +23,8 @@ struct RingFill {
   std::vector<FillCorner> corners;
   double fairness_mm2 = 0;  ///< sum of the squared differences of poles
   bool regular = false;     ///< as of NSidedFill
-  /// The length of the spokes' ends, over two thirds of the distance of the corners from the mean of them, that was taken.
+  /// The length of the spokes' ends, over two thirds of the distance of the corners from the mean of them (a quarter of the mean
+  /// distance at least), that was taken.
   double spoke_scale = 1;
   std::optional<double> curvature_jump_per_mm = std::nullopt;  ///< as of NSidedFill
 };

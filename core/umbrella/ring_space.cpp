@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <Eigen/QR>
 #include <seamwright/core/join/bernstein_rows.hpp>
+#include <seamwright/core/linear/dense.hpp>
 #include <seamwright/core/umbrella/fill_forms.hpp>
 #include <seamwright/core/umbrella/ring_fields.hpp>
 #include <seamwright/core/umbrella/ring_space.hpp>
@@ -107,17 +107,12 @@ void Equations::solve(FillSpace& space) const {
   }
   const Eigen::MatrixXd matrix = laws_(Eigen::all, bound);
   const Poles right = -laws_ * points_;
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> least(matrix);
-  least.setThreshold(rank_threshold);
-  const Poles particular = least.solve(right);
+  const Poles particular = linear::LeastSquares(matrix, rank_threshold).solve(right);
   const double missed = (matrix * particular - right).cwiseAbs().maxCoeff();
   if (missed > 1e-9 * (rows::size(points_) + rows::size(particular)))
     throw std::runtime_error("the joins of the ring contradict each other by " + bernstein::text(missed) +
                              " mm");
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(matrix.transpose());
-  qr.setThreshold(rank_threshold);
-  const Eigen::MatrixXd all = qr.householderQ();
-  const Eigen::MatrixXd idle = all.rightCols(matrix.cols() - qr.rank());
+  const Eigen::MatrixXd idle = linear::nullSpace(matrix, rank_threshold);
 
   space.coefficients = Eigen::MatrixXd::Zero(laws_.cols(), idle.cols() + static_cast<Index>(loose.size()));
   space.constants = points_;

@@ -6,7 +6,6 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <GCPnts_AbscissaPoint.hxx>
 #include <Geom2dAPI_Interpolate.hxx>
 #include <Geom2d_BSplineCurve.hxx>
@@ -28,6 +27,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <seamwright/core/linear/dense.hpp>
 #include <seamwright/occ_adapter/convert/bezier_surface.hpp>
 #include <seamwright/occ_adapter/fill/corner_ball.hpp>
 #include <seamwright/occ_adapter/fill/corner_bands.hpp>
@@ -130,9 +130,9 @@ EdgePlace placeAt(const CornerEdge& edge, double setback_mm) {
 /// Distances from both ends along the tangents to where they come nearest each other.
 std::array<double, 2> legsOf(const Vector3d& from, const Vector3d& leaving, const Vector3d& to,
                              const Vector3d& arriving) {
-  Eigen::Matrix<double, 3, 2> tangents;
+  Eigen::MatrixXd tangents(3, 2);
   tangents << leaving, arriving;
-  const Eigen::Vector2d legs = tangents.colPivHouseholderQr().solve(to - from);
+  const Eigen::Vector2d legs = linear::PivotedQr(tangents).solve(to - from);
   return {legs(0), legs(1)};
 }
 
@@ -366,9 +366,9 @@ class BandTrimmer {
     gp_Pnt point;
     gp_Vec u, v;
     surface.D1(at.X(), at.Y(), point, u, v);
-    Eigen::Matrix<double, 3, 2> partials;
+    Eigen::MatrixXd partials(3, 2);
     partials << vector(u.XYZ()), vector(v.XYZ());
-    const Eigen::Vector2d direction = partials.colPivHouseholderQr().solve(run);
+    const Eigen::Vector2d direction = linear::PivotedQr(partials).solve(run);
     return {direction(0), direction(1)};
   }
 
@@ -549,9 +549,12 @@ BandedCorner bandedCorner(const Corner& corner, const CornerFilletOptions& optio
   constexpr std::array<Attempt, 5> attempts = {{{1.1, 9}, {1.1, 5}, {1.3, 9}, {1.3, 5}, {1.6, 5}}};
   std::optional<Made> best;
   std::string reason;
-  for (const Attempt& attempt : attempts) {
+  for (std::size_t k = 0; k < attempts.size(); ++k) {
+    const double share = 1.0 / static_cast<double>(attempts.size());
+    const Progress part =
+        partOf(progress, static_cast<double>(k) * share, static_cast<double>(k + 1) * share);
     try {
-      Made made = tried(corner, strips, options, attempt, progress);
+      Made made = tried(corner, strips, options, attempts[k], part);
       if (!best || made.rank() > best->rank()) best = std::move(made);
       if (best->corner.fill.regular && best->reached) break;
     } catch (const std::domain_error& error) {

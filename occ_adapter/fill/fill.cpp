@@ -214,6 +214,10 @@ class Filling {
     FillOptions options{.corner_tolerance_rad = plane_noise_rad,
                         .curvature_degrees = curvatureDegrees(sides, 1)};
     NSidedFill fill = nSidedFill(sides, options);
+    if (!fill.regular && options.curvature_degrees) {
+      options.curvature_degrees.reset();
+      fill = nSidedFill(sides, options);
+    }
     constexpr int dear_degree =
         7;  // fills cost the sixth power of it, and several are tried for one that is not regular
     if (!fill.regular && fill.patches.front().degreeU() < dear_degree) {

@@ -73,6 +73,22 @@ std::vector<int> partsOf(const std::vector<Progression>& progressions, std::size
   return parts;
 }
 
+/// Joints at which the curvature of the path jumps, as between a line and an arc: no polynomial goes across them well.
+std::vector<double> bendJoints(const SidePath& path) {
+  constexpr double step = 1.0 / 256, least_jump = 0.1;
+  std::vector<double> joints;
+  for (const double at : path.joints()) {
+    const auto turn = [&](double from, double to) {
+      const Vector3d a = path.atShare(std::max(0.0, from), true).derivative,
+                     b = path.atShare(std::min(1.0, to), false).derivative;
+      return std::atan2(a.cross(b).norm(), a.dot(b));
+    };
+    const double before = turn(at - step, at), after = turn(at, at + step);
+    if (std::abs(before - after) > least_jump * std::max(before, after) + 1e-9) joints.push_back(at);
+  }
+  return joints;
+}
+
 /// The nearest joint to each cut, each at most once, nearer than a third of the mean stretch.
 void moveToJoints(std::vector<double>& cuts, std::vector<double> joints, std::size_t parts) {
   for (double& cut : cuts) {
@@ -108,7 +124,7 @@ std::vector<SideStretch> cutSides(const Hole& hole, std::size_t count, double ga
     std::vector<double> cuts;
     for (int part = 1; part < parts[k]; ++part)
       cuts.push_back(progressions[k].shareAt(progressions[k].total() * part / parts[k]));
-    if (at_joints) moveToJoints(cuts, paths[k].joints(), static_cast<std::size_t>(parts[k]));
+    if (at_joints) moveToJoints(cuts, bendJoints(paths[k]), static_cast<std::size_t>(parts[k]));
     cuts.push_back(1);
     double begin = 0;
     for (const double end : cuts) {

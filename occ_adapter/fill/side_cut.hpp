@@ -19,7 +19,7 @@ struct SideStretch {
 std::vector<SideStretch> wholeSides(const Hole& hole);
 
 /// So many stretches. The sides that are longest and turn most are cut, into parts of which the sum of length over the length of the hole and
-/// turning over that of the hole is the same. \param at_joints cuts are moved to the nearest joint of two edges that is not too far away.
+/// turning over that of the hole is the same. \param at_joints cuts are moved to the nearest joint of two edges of different curvature that is not too far away.
 /// \pre the hole has no more sides. \throws as SidePath.
 std::vector<SideStretch> cutSides(const Hole& hole, std::size_t count, double gap_mm, bool at_joints);
 

@@ -160,16 +160,16 @@ class FaceFollower {
   }
 
   /// As fair as can be: less so only as long as the samples can't be met, and, if gently, as the move stays of its size. After a refinement
-  /// from one step fairer than before. The first steps are for curvature alone: beside its soft rows the others may well be met by fairer moves.
+  /// from one step fairer than before. The first step is for curvature alone: beside its soft rows the others may well be met by fairer moves.
   /// Where a step makes the move much longer and gains little, knots are what is missing.
   void moveFairly() {
     constexpr double better = 0.5, of_its_size = 2;
-    constexpr std::array<double, 6> fairnesses = {10, 1, 0.1, 0.01, 1e-3, 1e-4};
-    constexpr std::size_t for_curvature = 2;
+    constexpr std::array<double, 5> fairnesses = {3, 0.1, 0.01, 1e-3, 1e-4};
+    constexpr std::size_t for_curvature = 1;
     double before = infinite, limit = infinite;
     was_held_back_ = false;
     const std::size_t first =
-        std::max(order_ > 1 ? 0 : for_curvature, now_.fairness > 0 ? now_.fairness - 1 : 0);
+        std::max<std::size_t>(order_ > 1 ? 0 : for_curvature, now_.fairness > 0 ? now_.fairness - 1 : 0);
     for (std::size_t k = first; k < fairnesses.size(); ++k) {
       const PointRows fairer = now_.surface.poles();
       const double shorter = now_.surface.largestMove_mm();

@@ -36,6 +36,7 @@ struct FollowPath {
   int order = 1;  ///< 0: points, 1: and tangent planes, 2: and curvature
   std::function<TargetPoint(double s)> target;
   bool face_on_left = true;  ///< of the path in the parameter plane; on a knot line the face's side counts
+  std::string name = {};     ///< what failures call it; empty: "path" and its number from 1
 };
 
 struct FaceTask {

@@ -20,6 +20,11 @@ std::string at(const Eigen::Vector3d& point) {
   return text.str();
 }
 
+std::string nameOf(const FaceTask& task, std::size_t path) {
+  const std::string& name = task.paths[path].name;
+  return name.empty() ? "path " + std::to_string(path + 1) : name;
+}
+
 struct PathEnd {
   std::size_t path;
   const Place* place;
@@ -44,12 +49,12 @@ std::string whyBeyondReach(const FaceTask& task, const TaskPlaces& places, const
       const double move_mm = (place.target.point - jet.p).norm();
       std::ostringstream text;
       if (move_mm > task.max_move_mm + task.tolerance.gap_mm)
-        text << "path " << path + 1 << " asks for a move of " << move_mm << " mm at "
-             << at(place.target.point) << ", more than " << task.max_move_mm << " mm";
+        text << nameOf(task, path) << " asks for a move of " << move_mm << " mm at " << at(place.target.point)
+             << ", more than " << task.max_move_mm << " mm";
       else if (const auto normal = unitNormal(jet, noiseOf(jet, surface.basis()));
                place.order > 0 && normal &&
                normal->dot(place.target.normal) < -std::sin(task.tolerance.angle_rad))
-        text << "path " << path + 1 << " is missed at " << at(place.target.point) << " by "
+        text << nameOf(task, path) << " is missed at " << at(place.target.point) << " by "
              << figuresText(measureAt(place, surface), place.order, task.tolerance)
              << ", with its normal turned over";
       if (!text.str().empty()) return text.str();
@@ -70,7 +75,7 @@ std::string whyCornersContradict(const FaceTask& task, const TaskPlaces& places,
       const PairMeasure pair = measurePair(sideOf(first.target), sideOf(second.target));
       if (ratioOf(pair, order, task.tolerance) <= 1) continue;
       std::ostringstream text;
-      text << "paths " << ends[a].path + 1 << " and " << ends[b].path + 1
+      text << nameOf(task, ends[a].path) << " and " << nameOf(task, ends[b].path)
            << " ask for different things where they meet at " << at(first.target.point) << ": "
            << figuresText(pair, order, task.tolerance) << " apart";
       return text.str();
@@ -85,7 +90,7 @@ std::string whyMissed(const FaceTask& task, const Misses& misses, const MovingSu
       static_cast<std::size_t>(std::ranges::max_element(misses.ratios()) - misses.ratios().begin());
   const Place& worst = *misses.worst(number);
   std::ostringstream text;
-  text << "path " << number + 1 << " is missed at " << at(worst.target.point) << " by "
+  text << nameOf(task, number) << " is missed at " << at(worst.target.point) << " by "
        << figuresText(measureAt(worst, surface), task.paths[number].order, task.tolerance);
   if (std::isinf(misses.largest())) text << ", with its normal turned over";
   text << ", after " << refinements << " refinements to " << surface.basis().u().poles << " by "

@@ -266,6 +266,7 @@ class Following {
     for (const PathOfSeam& path : paths_.at(number)) {
       const auto target = std::make_shared<const SeamTarget>(path.target->renewed());
       task.paths.push_back(followPath(target, path.side, orderOf(path.seam)));
+      task.paths.back().name = "edge " + std::to_string(task_.before[path.seam].edges.front());
     }
     return followPaths(task);
   }

@@ -97,7 +97,7 @@ struct RepairReport {
 /// closed solids stay closed, and their volume changed by no more than the moves explain. What could not be repaired is told with the
 /// reason and left as it was. A seam on a moved face, or between two, may be left better than it was.
 ///
-/// A seam is worse if its class is, or it is less certain; if its level is lower, above the level asked for only where it had the higher
+/// A seam is worse if it was a crease and is a defect, or it is less certain; if its level is lower, above the level asked for only where it had the higher
 /// one for sure (where a side is nearly flat the figures often can't tell); or if a figure that the target asks for, of a crease the gap
 /// alone, is surely above its tolerance and exceeds its upper bound in the model given by more than a tenth of the tolerance.
 /// Figures within the tolerance are as good as one another, and so are those that differ by less than that tenth.

@@ -17,7 +17,7 @@ namespace {
 /// The edges at the vertex, counter-clockwise seen from outside, from the one with the smallest number on.
 std::vector<int> edgesOf(const occ::Model& model, int vertex) {
   std::vector<int> edges = occ::cornerEdges(model, vertex);
-  std::ranges::rotate(edges, std::ranges::min_element(edges));
+  std::rotate(edges.begin(), std::ranges::min_element(edges), edges.end());
   return edges;
 }
 

@@ -23,6 +23,7 @@ occ::FillHoleOptions optionsOf(const FillArguments& arguments) {
   options.target = *levelFromName(arguments.target);
   options.tolerance.gap_mm = arguments.gap_mm;
   options.tolerance.angle_rad = arguments.angle_deg * degree;
+  options.tolerance.curvature_rel = arguments.curvature_rel;
   options.keep_anyway = arguments.keep_anyway;
   options.corner_rad = arguments.corner_deg * degree;
   options.jobs = arguments.jobs;
@@ -89,6 +90,11 @@ void addFillOptions(CLI::App& command, FillArguments& arguments) {
   command.add_option("--gap", arguments.gap_mm, "Largest gap, mm")->type_name("MM")->capture_default_str();
   command.add_option("--angle", arguments.angle_deg, "Largest angle of the tangent planes, degrees")
       ->type_name("DEG")
+      ->capture_default_str();
+  command
+      .add_option("--curvature", arguments.curvature_rel,
+                  "G2: largest relative difference of normal curvature")
+      ->type_name("REL")
       ->capture_default_str();
   command.add_option("--corner", arguments.corner_deg, "A corner turns by more than this, degrees")
       ->type_name("DEG")

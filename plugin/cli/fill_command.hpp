@@ -16,6 +16,7 @@ struct FillArguments {
   int face = 0;  ///< to be replaced; 0: none
   double gap_mm = occ::FillHoleOptions{}.tolerance.gap_mm;
   double angle_deg = 0.01;
+  double curvature_rel = occ::FillHoleOptions{}.tolerance.curvature_rel;
   double corner_deg = 15;
   bool keep_anyway = false;
   int jobs = 0;

@@ -85,11 +85,11 @@ constexpr const char* corner_fillet_doc =
 vertex: its number, from 1; corner_edges(vertex) names the edges, counter-clockwise seen from outside.
 radii_mm: a number for all edges, or a dict of numbers by edge, all edges of the vertex.
 setbacks_mm: where the fillets end, from the vertex along the edge; a number, or a dict of some edges; the others are chosen.
-section_mm: the largest distance of the patches' sides from the cylinders.
+section_mm: the largest distance of the patches' sides from the cylinders between planes.
 profile, gap_mm, angle_deg: what the new seams must meet, as in analyze().
 
-Returns a CornerFillet; the model is not changed. Supported are 3 to 6 edges, convex or concave, that are lines, between planes, in a
-solid; at the far end of each meet two more edges and one more plane. ValueError, with numbers, for others, and where there is no room.)";
+Returns a CornerFillet; the model is not changed. Supported are 3 to 6 edges, convex or concave, of a solid, between planes or curved
+faces that are not tangent to each other. ValueError, with numbers, for others, and where there is no room.)";
 
 }  // namespace
 

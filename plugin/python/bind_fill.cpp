@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <seamwright/core/umbrella/n_sided_fill.hpp>
+#include <seamwright/core/umbrella/ring_fill.hpp>
 #include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/python/edges.hpp>
@@ -15,7 +16,7 @@ namespace seamwright::python {
 namespace {
 
 constexpr const char* side_kinds =
-    "a BezierCurve, (BezierCurve, cross field) or (BezierPatch, edge[, reversed]) is needed";
+    "a BezierCurve, (BezierCurve, cross field[, bend]) or (BezierPatch, edge[, reversed]) is needed";
 
 /// The side that a patch gives, from (patch, edge) or (patch, edge, reversed).
 FillSide neighbourSide(const std::string& name, const py::tuple& value) {
@@ -32,8 +33,11 @@ FillSide sideOf(const std::string& name, const py::object& value) {
     const py::tuple parts(value);
     if (parts.size() >= 2 && parts.size() <= 3 && py::isinstance<BezierPatch>(parts[0]))
       return neighbourSide(name, parts);
-    if (parts.size() == 2 && py::isinstance<BezierCurve>(parts[0]))
-      return {parts[0].cast<BezierCurve>(), polesOf(arrayOf(parts[1]), 2, "(n, 3)")};
+    if (parts.size() >= 2 && parts.size() <= 3 && py::isinstance<BezierCurve>(parts[0])) {
+      FillSide side{parts[0].cast<BezierCurve>(), polesOf(arrayOf(parts[1]), 2, "(n, 3)")};
+      if (parts.size() == 3) side.bend = polesOf(arrayOf(parts[2]), 2, "(n, 3)");
+      return side;
+    }
   }
   throw py::value_error(name + " is " + shown(value) + ": " + side_kinds);
 }
@@ -62,35 +66,72 @@ py::dict cornerDict(const FillCorner& corner) {
   return dict;
 }
 
+py::list cornerList(const std::vector<FillCorner>& corners) {
+  py::list list;
+  for (const FillCorner& corner : corners) list.append(cornerDict(corner));
+  return list;
+}
+
+std::vector<FillSide> sidesOf(const py::sequence& given) {
+  std::vector<FillSide> sides;
+  for (const py::handle side : given)
+    sides.push_back(sideOf("side " + std::to_string(sides.size()), py::reinterpret_borrow<py::object>(side)));
+  return sides;
+}
+
+std::optional<int> degreesOf(const py::object& value) {
+  if (value.is_none()) return std::nullopt;
+  return argument<int>("curvature_degrees", value, "a whole number");
+}
+
 py::dict fillDict(const NSidedFill& fill) {
-  py::list sides, corners;
+  py::list sides;
   for (const std::optional<FillSideJoin>& join : fill.sides) {
     if (join)
       sides.append(py::make_tuple(connectionDict((*join)[0]), connectionDict((*join)[1])));
     else
       sides.append(py::none());
   }
-  for (const FillCorner& corner : fill.corners) corners.append(cornerDict(corner));
   py::dict dict;
   dict["patches"] = fill.patches;
   dict["spoke"] = connectionDict(fill.spoke);
   dict["sides"] = sides;
-  dict["corners"] = corners;
+  dict["corners"] = cornerList(fill.corners);
   dict["fairness_mm2"] = fill.fairness_mm2;
   dict["regular"] = fill.regular;
   dict["spoke_scale"] = fill.spoke_scale;
+  dict["curvature_jump_per_mm"] = fill.curvature_jump_per_mm;
+  return dict;
+}
+
+py::dict ringFillOf(const py::sequence& given, const py::object& fairness_order,
+                    const py::object& corner_tolerance_rad, const py::object& curvature_degrees) {
+  const std::vector<FillSide> sides = sidesOf(given);
+  const RingFillOptions options{argument<int>("fairness_order", fairness_order, "a whole number"),
+                                argument<double>("corner_tolerance_rad", corner_tolerance_rad, "a number"),
+                                degreesOf(curvature_degrees)};
+  const RingFill fill = [&] {
+    const py::gil_scoped_release release;
+    return ringFill(sides, options);
+  }();
+  py::dict dict;
+  dict["patches"] = fill.patches;
+  dict["corners"] = cornerList(fill.corners);
+  dict["fairness_mm2"] = fill.fairness_mm2;
+  dict["regular"] = fill.regular;
+  dict["spoke_scale"] = fill.spoke_scale;
+  dict["curvature_jump_per_mm"] = fill.curvature_jump_per_mm;
   return dict;
 }
 
 py::dict nSidedFillOf(const py::sequence& given, const py::object& law, const py::object& fairness_order,
-                      const py::object& corner_tolerance_rad) {
-  std::vector<FillSide> sides;
-  for (const py::handle side : given)
-    sides.push_back(sideOf("side " + std::to_string(sides.size()), py::reinterpret_borrow<py::object>(side)));
+                      const py::object& corner_tolerance_rad, const py::object& curvature_degrees) {
+  const std::vector<FillSide> sides = sidesOf(given);
   FillOptions options;
   options.law = lawOf(law);
   options.fairness_order = argument<int>("fairness_order", fairness_order, "a whole number");
   options.corner_tolerance_rad = argument<double>("corner_tolerance_rad", corner_tolerance_rad, "a number");
+  options.curvature_degrees = degreesOf(curvature_degrees);
   const NSidedFill fill = [&] {
     const py::gil_scoped_release release;
     return nSidedFill(sides, options);
@@ -103,12 +144,14 @@ constexpr const char* n_sided_fill_doc =
 
 sides: in order, with the hole to the left, each beginning where the one before ends. A side is
   (patch, edge[, reversed])   the patch beyond it and that patch's edge, reversed if the hole runs against the edge's own sense;
-  (curve, cross)              a BezierCurve and Bernstein coefficients (m, 3) of a field that spans with the curve's tangent the
-                              tangent planes to be met; it points out of the hole;
+  (curve, cross[, bend])      a BezierCurve and Bernstein coefficients (m, 3) of a field that spans with the curve's tangent the
+                              tangent planes to be met; it points out of the hole. bend, of the same shape: the second derivative of
+                              the surface beyond along it, for curvature;
   curve                       a BezierCurve: position alone.
 law: "linear", patches of degree 4 for cubic sides, or "quadratic", degree 5.
 fairness_order: order 2 or 3 of the differences of poles whose sum of squares is least.
 corner_tolerance_rad: largest angle, up to 0.1, between the tangent planes of two sides at their corner, beyond rounding.
+curvature_degrees: None, or a number from 0 to 6 by which the degree is raised: jumps of curvature are made small.
 
 Returns a dict:
   patches          BezierPatches; patch k has corner k, where side k begins, at (1, 1) and the centre at (0, 0). Its edge v1 is the first
@@ -120,15 +163,34 @@ Returns a dict:
   fairness_mm2     sum of the squared differences
   regular          it is proved that no normal vanishes or turns back
   spoke_scale      None, or the prescribed length of the spokes' beginnings, where fairness alone gave no regular patches
+  curvature_jump_per_mm  None, or the largest jump of normal curvature found at places along all edges
 
 ValueError, with side or corner and number, for holes that do not close, angles of pi and more, tangent planes that contradict each
 other in a corner, cross fields parallel to their edge, and rational sides.)";
+
+constexpr const char* ring_fill_doc =
+    R"(Fills a hole of four sides, of which corners may be smooth or reflex, with five patches: a ring of four around a fifth.
+
+Arguments are as of n_sided_fill(), the default of fairness_order excepted.
+
+Returns a dict:
+  patches          BezierPatches; patch k < 4 has side k as edge u1, spokes to corners k and k + 1 as v0 and v1, and as u0 an edge of
+                   patch 4: v0, u1, v1 and u0, those two against their sense
+  corners          for each {angle_rad, plane_angle_rad, twist_defect_mm, exact, angle_bound_rad}; angles are within 0 and 2 pi
+  fairness_mm2, regular, curvature_jump_per_mm   as of n_sided_fill()
+  spoke_scale      the length of the ends of spokes that was taken, 1 unless only others gave regular patches
+
+ValueError, with side or corner and number, as of n_sided_fill(), and for corners that turn by less than 0.01 rad but more than rounding.)";
 
 }  // namespace
 
 void bindFill(py::module_& module) {
   module.def("n_sided_fill", &nSidedFillOf, n_sided_fill_doc, py::arg("sides"), py::kw_only(),
-             py::arg("law") = "linear", py::arg("fairness_order") = 3, py::arg("corner_tolerance_rad") = 0.0);
+             py::arg("law") = "linear", py::arg("fairness_order") = 3, py::arg("corner_tolerance_rad") = 0.0,
+             py::arg("curvature_degrees") = py::none());
+  module.def("ring_fill", &ringFillOf, ring_fill_doc, py::arg("sides"), py::kw_only(),
+             py::arg("fairness_order") = 2, py::arg("corner_tolerance_rad") = 0.0,
+             py::arg("curvature_degrees") = py::none());
 }
 
 }  // namespace seamwright::python

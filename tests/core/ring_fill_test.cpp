@@ -79,8 +79,10 @@ TEST_P(RingFillOf, MovesLikeTheHole) {
   const Eigen::RowVector3d shift(test::uniform(-50, 50, random), 20, -7);
   std::vector<FillSide> moved = sides;
   for (FillSide& side : moved) {
-    side.edge = BezierCurve(Poles((side.edge.poles() * motion.transpose()).rowwise() + shift));
-    *side.cross = *side.cross * motion.transpose();
+    Poles edge = (side.edge.poles() * motion.transpose()).eval();
+    edge.rowwise() += shift;
+    side.edge = BezierCurve(edge);
+    side.cross = Poles((*side.cross * motion.transpose()).eval());
   }
   const RingFill image = ringFill(moved);
   for (int i = 0; i <= 4; ++i)

@@ -35,12 +35,6 @@ using occ::withChanges;
 
 constexpr double gap_mm = 0.01;
 
-TopTools_IndexedMapOfShape partsOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
-  TopTools_IndexedMapOfShape parts;
-  TopExp::MapShapes(shape, kind, parts);
-  return parts;
-}
-
 Spline splineOfFace(const TopoDS_Shape& shape, int number) {
   TopLoc_Location location;
   const handle<Geom_Surface> surface = BRep_Tool::Surface(face(shape, number), location);

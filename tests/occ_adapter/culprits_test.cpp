@@ -44,6 +44,9 @@ TEST(Culprits, OfAFaceThatMovesTooFarTheWorst) {
   proof.too_far = {{2, "it is far"}};
   EXPECT_THAT(culprits(five.task(), moving({1, 2, 3, 4, 5}), proof, false),
               ElementsAre(Pair(1, "face 2: it is far")));
+  const ProofCase first_worst(chain({{}, {.kink = 1 * degree}, {.kink = 0.5 * degree}}), {});
+  EXPECT_THAT(culprits(first_worst.task(), moving({1, 2, 3}), proof, false),
+              ElementsAre(Pair(0, "face 2: it is far")));
   RepairTask first_alone = five.task();
   first_alone.treated[1] = false;
   EXPECT_THAT(culprits(first_alone, moving({1, 2}), proof, false), ElementsAre(Pair(0, "face 2: it is far")));

@@ -6,19 +6,15 @@
 #include <unistd.h>
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
-#include <BRepPrimAPI_MakeBox.hxx>
 
 #include "files.hpp"
+#include "shapes.hpp"
 
 namespace seamwright::test {
 namespace {
 
 using occ::ModelErrc;
 using ::testing::HasSubstr;
-
-TopoDS_Shape box() {
-  return BRepPrimAPI_MakeBox(10, 20, 30).Shape();
-}
 
 void expectError(const std::filesystem::path& path, ModelErrc code, const std::string& said) {
   const occ::ModelError error = errorOf(path);

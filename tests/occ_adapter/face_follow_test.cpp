@@ -460,7 +460,7 @@ TEST(FaceFollow, CornersThatContradictAreTold) {
   };
   task.max_refinements = 1;
   EXPECT_THAT(followPaths(task).failure,
-              HasSubstr("paths 1 and 2 ask for different things where they meet at ("));
+              HasSubstr("path 1 and path 2 ask for different things where they meet at ("));
   EXPECT_THAT(followPaths(task).failure, HasSubstr(": 0.25 mm, 0 degrees apart"));
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fill_checks.hpp"
+#include "shapes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,12 +15,6 @@
 #include <algorithm>
 
 namespace seamwright::test {
-
-TopTools_IndexedMapOfShape partsOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
-  TopTools_IndexedMapOfShape parts;
-  TopExp::MapShapes(shape, kind, parts);
-  return parts;
-}
 
 TopoDS_Shape without(const TopoDS_Shape& shape, const std::vector<int>& faces) {
   const opencascade::handle<BRepTools_ReShape> change = new BRepTools_ReShape;

@@ -5,7 +5,6 @@
 
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepGProp.hxx>
-#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <GProp_GProps.hxx>
 #include <Quantity_Color.hxx>
@@ -40,9 +39,6 @@ double areaOf(const TopoDS_Shape& shape) {
   return properties.Mass();
 }
 
-TopoDS_Shape box() {
-  return BRepPrimAPI_MakeBox(10, 20, 30).Shape();
-}
 constexpr double box_area = 2 * (10 * 20 + 20 * 30 + 30 * 10);
 
 void writeFreeCadBinary(const TopoDS_Shape& shape, const std::filesystem::path& path) {

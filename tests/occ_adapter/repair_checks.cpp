@@ -5,7 +5,6 @@
 
 #include <BRepCheck_Analyzer.hxx>
 #include <BRep_Tool.hxx>
-#include <TopExp.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
 #include <algorithm>
@@ -22,12 +21,6 @@ using occ::modelFromShape;
 using occ::repair;
 using occ::RepairOptions;
 using occ::RepairReport;
-
-TopTools_IndexedMapOfShape partsOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
-  TopTools_IndexedMapOfShape parts;
-  TopExp::MapShapes(shape, kind, parts);
-  return parts;
-}
 
 std::string bytesOf(const TopoDS_Shape& shape) {
   std::ostringstream stream;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <TopAbs_ShapeEnum.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Shape.hxx>
 #include <string>
 
@@ -10,8 +8,6 @@
 
 /// What is promised of every repair.
 namespace seamwright::test {
-
-TopTools_IndexedMapOfShape partsOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind);
 
 std::string bytesOf(const TopoDS_Shape& shape);
 

@@ -81,6 +81,22 @@ TEST(RepairNoise, OfATenth) {
   expectRepaired(counted(fewer, {"", 0.1}), 140, 3);
 }
 
+/// Seams within the tolerance are noisy too, and stay.
+TEST(RepairNoise, WhereOthersStay) {
+  const std::vector<Series> trimmed = {
+      {"trimmed bricks", 3}, {"trimmed quads", 3}, {"trimmed triangles", 3}, {"refitted quads", 3}};
+  for (const double noise_mm : {0.0015, 0.002}) {
+    const RepairCounts counts = counted(trimmed, {"", noise_mm});
+    EXPECT_LT(counts.treated, counts.seams - 10);
+    expectRepaired(counts, 60, 3);
+  }
+}
+
+TEST(RepairNoise, StarsBesideTheErrorOfTheirFit) {
+  for (const double noise_mm : {0.001, 0.003})
+    expectRepaired(counted({{"blob 6", 2}}, {"", noise_mm}), 20, 3);
+}
+
 TEST(RepairNoise, StarsOfNaturalSides) {
   const std::vector<Series> stars = {{"blob 6", 1}, {"blob 24", 1}};
   for (const double noise_mm : {0.01, 0.1}) expectRepaired(counted(stars, {"", noise_mm}), 60, 3);

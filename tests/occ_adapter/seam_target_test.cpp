@@ -236,7 +236,8 @@ TEST(SeamTarget, WhereItsPathStandsStillItShowsThePlace) {
       const TargetPoint before = target.at(0);
       target.setEnd(1, near(before, generator, 0.01, 0.001));
       for (const double s : {0.0, 0.3, 0.9, 1.0})
-        for (const int side : {0, 1}) EXPECT_TRUE(isFinite(target.at(side, s, order))) << s << " side " << side;
+        for (const int side : {0, 1})
+          EXPECT_TRUE(isFinite(target.at(side, s, order))) << s << " side " << side;
       EXPECT_LT((before.point - Eigen::Vector3d(a.X() + b.X(), a.Y() + b.Y(), a.Z() + b.Z()) / 2).norm(),
                 1e-9);
       const Eigen::Vector3d mean =
@@ -305,8 +306,7 @@ TEST(SeamTarget, OfASharpVertexTheCurveKeepsToTheTangentPlanes) {
     const auto at = [&](double distance) { return target.at(end + sense * distance).point; };
     constexpr double h = 1e-4;
     const Eigen::Vector3d slope = (4 * at(h) - 3 * at(0) - at(2 * h)) / (2 * h);
-    for (const auto& [face, normal] : normals)
-      EXPECT_LT(std::abs(slope.dot(normal)), 1e-3 * slope.norm());
+    for (const auto& [face, normal] : normals) EXPECT_LT(std::abs(slope.dot(normal)), 1e-3 * slope.norm());
     // Beyond the lead nothing has changed.
     EXPECT_EQ(target.at(1 - end).point, pair.target(0).at(1 - end).point);
   }

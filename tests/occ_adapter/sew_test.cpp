@@ -17,7 +17,6 @@
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <TColgp_Array2OfPnt.hxx>
-#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
@@ -47,12 +46,6 @@ using occ::repair;
 using occ::RepairOptions;
 using occ::RepairReport;
 using std::numbers::pi;
-
-TopTools_IndexedMapOfShape partsOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
-  TopTools_IndexedMapOfShape parts;
-  TopExp::MapShapes(shape, kind, parts);
-  return parts;
-}
 
 int count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
   return partsOf(shape, kind).Extent();

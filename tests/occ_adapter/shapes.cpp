@@ -5,6 +5,7 @@
 
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepLib.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_BSplineCurve.hxx>
@@ -84,6 +85,16 @@ void close(TopoDS_Face& face, const Polygon& polygon, const TopoDS_Edge& first_e
 }
 
 }  // namespace
+
+TopTools_IndexedMapOfShape partsOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
+  TopTools_IndexedMapOfShape parts;
+  TopExp::MapShapes(shape, kind, parts);
+  return parts;
+}
+
+TopoDS_Shape box() {
+  return BRepPrimAPI_MakeBox(10, 20, 30).Shape();
+}
 
 std::vector<gp_Pnt2d> rectangle(double u0, double u1, double v0, double v1) {
   return {{u0, v0}, {u1, v0}, {u1, v1}, {u0, v1}};
@@ -178,8 +189,7 @@ TopoDS_Shape located(const TopoDS_Shape& shape, const gp_Trsf& by) {
 }
 
 TopoDS_Shape facesSwappedAndReversed(const TopoDS_Shape& shape) {
-  TopTools_IndexedMapOfShape faces;
-  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE);
   BRep_Builder builder;
   TopoDS_Compound compound;
   builder.MakeCompound(compound);

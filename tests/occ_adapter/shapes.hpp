@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Geom_Surface.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Shape.hxx>
 #include <gp_Pnt2d.hxx>
 #include <gp_Trsf.hxx>
@@ -15,6 +16,12 @@
 namespace seamwright::test {
 
 constexpr double degree = 0.017453292519943295;
+
+/// In the order of TopExp::MapShapes, from 1.
+TopTools_IndexedMapOfShape partsOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind);
+
+/// 10 by 20 by 30 mm.
+TopoDS_Shape box();
 
 /// A face over a polygon of the parameter plane, corners counter-clockwise.
 struct Polygon {

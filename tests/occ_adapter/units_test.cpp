@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <BRepPrimAPI_MakeBox.hxx>
 #include <regex>
 #include <set>
 
@@ -22,10 +21,6 @@ std::multiset<long> edgeLengths(const occ::Model& model) {
   for (const occ::SeamResult& seam : occ::analyze(model).seams)
     lengths.insert(std::lround(seam.length_mm * 1e6));
   return lengths;
-}
-
-TopoDS_Shape box() {
-  return BRepPrimAPI_MakeBox(10, 20, 30).Shape();
 }
 
 const std::multiset<long>& boxLengths() {

@@ -132,6 +132,7 @@ def test_what_cannot_be_read_back_is_not_written(box, tmp_path):
         (["--face", "Edge3"], "'Edge3' names no Face"),
         (["--face", "1", "--target", "G3"], "--target"),
         (["--face", "1", "--gap", "nan"], "nan"),
+        (["--face", "1", "--curvature", "-0.5"], "-0.5"),
     ],
 )
 def test_bad_usage(box, tmp_path, options, message):

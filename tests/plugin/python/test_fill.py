@@ -97,3 +97,43 @@ def test_bad_sides(sides, message):
 def test_bad_keywords(keywords, message):
     with pytest.raises(ValueError, match=message):
         seamwright.n_sided_fill([(patch, "u0") for patch in surroundings(4)], **keywords)
+
+
+def quarter(k):
+    """A quarter of a circle of radius 10 in the plane z = 0, nearly, run counter-clockwise; the cross field is its outward normal."""
+    h = 0.5522847498307936
+    poles = 10 * np.array([[1, 0], [1, h], [h, 1], [0, 1]])
+    for _ in range(k):
+        poles = np.stack([-poles[:, 1], poles[:, 0]], axis=-1)
+    along = 3 * np.diff(poles, axis=0)
+    flat = np.zeros((len(poles), 1))
+    return (
+        BezierCurve(np.hstack([poles, flat])),
+        np.hstack([along[:, 1:], -along[:, :1], flat[:3]]),
+        np.zeros((1, 3)),
+    )
+
+
+@pytest.mark.parametrize("degrees", [None, 0, 2])
+def test_round_hole(degrees):
+    fill = seamwright.ring_fill([quarter(k) for k in range(4)], curvature_degrees=degrees)
+    patches = fill["patches"]
+    assert len(patches) == 5 and fill["regular"] and len(fill["corners"]) == 4
+    assert all(corner["exact"] and corner["angle_rad"] == pytest.approx(np.pi) for corner in fill["corners"])
+    assert max(abs(patch.poles[..., 2]).max() for patch in patches) < 1e-12
+    assert (fill["curvature_jump_per_mm"] is None) == (degrees is None)
+    for k in range(4):
+        assert angle(patches[k - 1], "v1", patches[k], "v0") < 1e-9
+        assert np.allclose(patches[k].point(1, 0.3), quarter(k)[0].point(0.3), atol=1e-12)
+
+
+def test_curvature_degrees():
+    sides = [(patch, "u0") for patch in surroundings(5)]
+    fill = seamwright.n_sided_fill(sides, curvature_degrees=1)
+    assert fill["patches"][0].degree_u == 1 + seamwright.n_sided_fill(sides)["patches"][0].degree_u
+    assert fill["curvature_jump_per_mm"] < 1e-9
+    for bad in (-1, 7):
+        with pytest.raises(ValueError, match=f"curvature degrees {bad}"):
+            seamwright.n_sided_fill(sides, curvature_degrees=bad)
+    with pytest.raises(ValueError, match="3 sides"):
+        seamwright.ring_fill(sides[:3])

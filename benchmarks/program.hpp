@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Standard_Failure.hxx>
+#include <exception>
+#include <iostream>
+#include <string_view>
+
+/// What the programs of this folder have in common.
+namespace seamwright::bench {
+
+/// For main(): what \p body returns, or 2 after the message of an error.
+template <class Body>
+int guarded(const Body& body) try {
+  return body();
+} catch (const Standard_Failure& failure) {
+  std::cerr << failure << "\n";
+  return 2;
+} catch (const std::exception& error) {
+  std::cerr << error.what() << "\n";
+  return 2;
+}
+
+/// Whether the only argument is --smoke: run, but measure little.
+inline bool isSmoke(int argc, char** argv) {
+  return argc == 2 && std::string_view(argv[1]) == "--smoke";
+}
+
+}  // namespace seamwright::bench
