@@ -169,7 +169,7 @@ class FaceFollower {
     double before = infinite, limit = infinite;
     was_held_back_ = false;
     const std::size_t first =
-        std::max(order_ > 1 ? 0 : for_curvature, now_.fairness > 0 ? now_.fairness - 1 : 0);
+        std::max<std::size_t>(order_ > 1 ? 0 : for_curvature, now_.fairness > 0 ? now_.fairness - 1 : 0);
     for (std::size_t k = first; k < fairnesses.size(); ++k) {
       const PointRows fairer = now_.surface.poles();
       const double shorter = now_.surface.largestMove_mm();

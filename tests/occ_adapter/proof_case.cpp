@@ -91,9 +91,9 @@ occ::Proof ProofCase::proofOf(const occ::RepairTask& task, const std::vector<occ
 occ::Proof ProofCase::proofOf(const occ::RepairTask& task, const std::vector<occ::FaceChange>& changes,
                               const TopoDS_Shape& changed, const occ::Soundness* was) const {
   occ::MeasuredSeams none;
-  std::optional<occ::Soundness> sound;
-  if (was) sound = *was;
-  return occ::prove(task, changes, changed, sound, none, {});
+  std::optional<occ::Soundness> known_was;
+  if (was) known_was = *was;
+  return occ::prove(task, changes, changed, known_was, none, {});
 }
 
 std::string textOf(const occ::Proof& proof) {

@@ -22,6 +22,7 @@
 #include "proof_case.hpp"
 #include "shapes.hpp"
 
+#include <seamwright/occ_adapter/repair/volumes.hpp>
 namespace seamwright::test {
 namespace {
 
@@ -267,25 +268,45 @@ TEST(Prove, TheWholeIsCheckedToo) {
   EXPECT_EQ(proof.whole, "OpenCASCADE's checks do not pass");
 }
 
-TEST(Prove, TheVolumeChangesByWhatTheMovesExplain) {
-  const TopoDS_Shape box = BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeBox(10, 20, 30).Shape(), true).Shape();
-  const ProofCase solid(box, {});
-  gp_Trsf grow;
-  grow.SetScale(gp_Pnt(5, 10, 15), 1.01);
-  const auto scaled = [&](double said_mm) {
+/// A box grown by a hundredth, with moves of its faces as said.
+class GrownBox : public testing::Test {
+ protected:
+  std::vector<FaceChange> changes(double said_mm) const {
+    gp_Trsf grow;
+    grow.SetScale(gp_Pnt(5, 10, 15), 1.01);
     std::vector<FaceChange> changes;
     for (int f = 1; f <= 6; ++f) {
-      const handle<Geom_Surface> surface = BRep_Tool::Surface(face(box, f));
+      const handle<Geom_Surface> surface = BRep_Tool::Surface(face(box_, f));
       changes.push_back({f, handle<Geom_Surface>::DownCast(surface->Transformed(grow)), said_mm});
     }
-    return solid.proofOf(changes);
+    return changes;
+  }
+
+  const TopoDS_Shape box_ =
+      BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeBox(10, 20, 30).Shape(), true).Shape();
+  const ProofCase solid_{box_, {}};
+  /// Of the corners: a hundredth of half the diagonal.
+  const double truly_mm_ = 0.01 * std::sqrt(5 * 5 + 10 * 10 + 15 * 15);
+};
+
+TEST_F(GrownBox, NoPointMovesFurtherThanIsSaid) {
+  const Proof told = solid_.proofOf(changes(truly_mm_));
+  EXPECT_TRUE(told.holds()) << textOf(told);
+  const Proof lied = solid_.proofOf(changes(0.01));
+  ASSERT_EQ(lied.faces.size(), 6u);
+  for (const auto& [number, why] : lied.faces)
+    EXPECT_EQ(why, "a point of it would move 0.187083 mm, its poles 0.01 mm");
+}
+
+TEST_F(GrownBox, TheVolumeChangesByWhatTheMovesExplain) {
+  const occ::RepairTask task = solid_.task();
+  const auto whyNot = [&](double said_mm) {
+    const std::vector<FaceChange> all = changes(said_mm);
+    return occ::whyNotVolumes(task, all, solid_.withChanges(all), task.before, {});
   };
-  // No point moves by more than a hundredth of half the diagonal.
-  const double truly_mm = 0.01 * std::sqrt(5 * 5 + 10 * 10 + 15 * 15);
-  EXPECT_TRUE(scaled(truly_mm).holds()) << textOf(scaled(truly_mm));
-  const Proof lied = scaled(0.01);
-  EXPECT_THAT(lied.whole, HasSubstr("the volume of solid 1 would change by 181.8"));  // 6000 (1.01^3 - 1)
-  EXPECT_THAT(lied.whole, HasSubstr("more than 22.22 mm3"));                          // 1.01 x 2200 x 0.01
+  EXPECT_EQ(whyNot(truly_mm_), "");
+  EXPECT_THAT(whyNot(0.01), HasSubstr("the volume of solid 1 would change by 181.8"));  // 6000 (1.01^3 - 1)
+  EXPECT_THAT(whyNot(0.01), HasSubstr("more than 22.22 mm3"));                          // 1.01 x 2200 x 0.01
 }
 
 }  // namespace
