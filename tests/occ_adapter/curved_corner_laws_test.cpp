@@ -47,7 +47,7 @@ TEST(CurvedCorner, OfASymmetricSolidIsSymmetric) {
   const gp_Pnt centre = centroid(mirrored.model.shape), before = centroid(boxLessBall());
   EXPECT_NEAR(centre.Y(), centre.Z(), 1e-7);
   EXPECT_GT(centre.Distance(before), 1e-4);
-  const gp_Pnt of_dome = centroid(rounded(dome(4, 35), apex(35), {1}).model.shape);
+  const gp_Pnt of_dome = centroid(rounded(vault(4, 35), apex(35), {1}).model.shape);
   EXPECT_NEAR(of_dome.X(), 0, 1e-6);
   EXPECT_NEAR(of_dome.Y(), 0, 1e-6);
 }

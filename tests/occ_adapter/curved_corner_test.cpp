@@ -57,10 +57,10 @@ std::vector<Case> cases() {
            {7, 5, 7},
            {0.3, 0.5, 0.2}},
           {"EdgeThatRunsOn", boxWithRoundEdge(), {0, 0, 10}, {1, 2, 0.5}},
-          {"DomeOfFour", dome(4, 20), apex(20), {1, 2}, 0.2},
-          {"SteepDomeOfThree", dome(3, 35), apex(35), {0.1, 0.5, 1}, 0.1},
-          {"SteepDomeOfFive", dome(5, 35), apex(35), {0.2, 1, 1}, 3},
-          {"SteepDomeOfSix", dome(6, 35), apex(35), {1, 0.1, 0.1}, 3}};
+          {"DomeOfFour", vault(4, 20), apex(20), {1, 2}, 0.2},
+          {"SteepDomeOfThree", vault(3, 35), apex(35), {0.1, 0.5, 1}, 0.1},
+          {"SteepDomeOfFive", vault(5, 35), apex(35), {0.2, 1, 1}, 3},
+          {"SteepDomeOfSix", vault(6, 35), apex(35), {1, 0.1, 0.1}, 3}};
 }
 
 class CurvedCorners : public testing::TestWithParam<Case> {};

@@ -86,7 +86,7 @@ TopoDS_Shape boxWithRoundEdge() {
   return fillet.Shape();
 }
 
-TopoDS_Shape dome(int gores, double aside_mm) {
+TopoDS_Shape vault(int gores, double aside_mm) {
   TopoDS_Shape shape = BRepPrimAPI_MakeBox(gp_Pnt(-60, -60, 0), gp_Pnt(60, 60, 60)).Shape();
   for (int k = 0; k < gores; ++k) {
     const double angle = 2 * std::numbers::pi * k / gores;

@@ -44,7 +44,7 @@ TopoDS_Shape blockOnCylinder();
 TopoDS_Shape boxWithRoundEdge();
 
 /// A pointed dome of cylindrical gores of radius 40, whose axes are aside of the middle: the steeper the further.
-TopoDS_Shape dome(int gores, double aside_mm);
+TopoDS_Shape vault(int gores, double aside_mm);
 Eigen::Vector3d apex(double aside_mm);
 
 }  // namespace seamwright::test
