@@ -2,7 +2,9 @@
 #include "proof_case.hpp"
 
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <TopoDS_Compound.hxx>
+#include <algorithm>
 #include <cmath>
 
 #include "grids.hpp"
@@ -69,8 +71,14 @@ occ::RepairTask ProofCase::task() const {
           choice_.faces, choice_.sharp, choice_.treated, options_};
 }
 
-occ::FaceChange ProofCase::changed(int face, const Strip& strip) const {
-  return {face, handle<Geom_Surface>(surfaceOf(strip, static_cast<std::size_t>(face))), 0};
+occ::FaceChange ProofCase::changed(int number, const Strip& strip) const {
+  const Spline after = surfaceOf(strip, static_cast<std::size_t>(number));
+  const Spline before = Spline::DownCast(BRep_Tool::Surface(face(shape_, number)));
+  double largest_mm = 0;
+  for (int i = 1; i <= after->NbUPoles(); ++i)
+    for (int j = 1; j <= after->NbVPoles(); ++j)
+      largest_mm = std::max(largest_mm, after->Pole(i, j).Distance(before->Pole(i, j)));
+  return {number, handle<Geom_Surface>(after), largest_mm};
 }
 
 TopoDS_Shape ProofCase::withChanges(const std::vector<occ::FaceChange>& changes) const {

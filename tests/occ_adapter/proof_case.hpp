@@ -37,8 +37,8 @@ class ProofCase {
   /// To be altered by hand.
   std::vector<occ::SeamResult>& before() { return report_.seams; }
 
-  /// A face as another strip at its place, which counts as no move.
-  occ::FaceChange changed(int face, const Strip& strip) const;
+  /// A face as another strip at its place.
+  occ::FaceChange changed(int number, const Strip& strip) const;
   TopoDS_Shape withChanges(const std::vector<occ::FaceChange>& changes) const;
 
   occ::Proof proofOf(const std::vector<occ::FaceChange>& changes) const;
