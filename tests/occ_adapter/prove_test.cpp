@@ -193,6 +193,7 @@ TEST(Prove, NoFaceFoldsOver) {
     const gp_Vec back(folded ? -12 : -2, 0, 0);
     for (int j = 1; j <= surface->NbVPoles(); ++j)
       surface->SetPole(4, j, surface->Pole(4, j).Translated(back));
+    change.largest_move_mm += back.Magnitude();
     const Proof proof = strips.proofOf({change, strips.changed(3, {})});
     EXPECT_EQ(proof.faces.count(2), folded) << textOf(proof);
     if (folded) {
