@@ -2,17 +2,19 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <TopExp.hxx>
 #include <TopTools_DataMapOfShapeInteger.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <stdexcept>
 #include <string>
 
 #include <seamwright/occ_adapter/analyze/measure_seam.hpp>
 #include <seamwright/occ_adapter/analyze/workers.hpp>
+#include <seamwright/occ_adapter/fill/clearance.hpp>
 #include <seamwright/occ_adapter/fill/corner_bands.hpp>
 #include <seamwright/occ_adapter/fill/corner_fillet.hpp>
+#include <seamwright/occ_adapter/model/parts.hpp>
 
 namespace seamwright::occ {
 
@@ -109,10 +111,23 @@ double largestUpper(const std::vector<CornerSeam>& seams, std::optional<Figure> 
   return largest;
 }
 
+/// Numbers of the fillets and patches: in the new shell they come after the faces that there were.
+std::set<int> freshFaces(const TopoDS_Shape& shape, const Corner& corner, const CornerShell& made) {
+  const TopTools_IndexedMapOfShape all = partsOf(shape, TopAbs_FACE),
+                                   of_shell = partsOf(made.shell, TopAbs_FACE);
+  std::set<int> fresh;
+  for (int f = partsOf(corner.shell, TopAbs_FACE).Extent() + 1; f <= of_shell.Extent(); ++f)
+    fresh.insert(all.FindIndex(of_shell(f)));
+  return fresh;
+}
+
 /// What keeps the result from being a rounded corner.
-std::string shortfallOf(const CornerFillet& result) {
+std::string shortfallOf(const CornerFillet& result, const std::set<int>& fresh) {
   if (!result.valid) return "the new shell fails OpenCASCADE's checks: the fillets may overlap something";
   if (!result.fill.regular) return "the patches are not proved regular: other setbacks may help";
+  if (const auto touching = touchingFaces(result.model.shape, fresh))
+    return "face " + std::to_string(touching->first) + ", a new one, runs into face " +
+           std::to_string(touching->second) + ": smaller radii may help";
   for (const CornerSeam& seam : result.seams)
     if (seam.result.verdict.level < Level::G1)
       return "edge " + std::to_string(seam.result.edges.front()) + ": " + figuresText(seam.result);
@@ -161,7 +176,7 @@ CornerFillet cornerFillet(const Model& model, int vertex, const CornerFilletOpti
   result.model.attributes = attributesAfter(model, result.model.shape, made.shell);
   result.seams = measured(result.model.shape, made.shell, options, partOf(progress, built, 1));
   result.valid = BRepCheck_Analyzer(made.shell.shell).IsValid();
-  result.shortfall = shortfallOf(result);
+  result.shortfall = shortfallOf(result, freshFaces(result.model.shape, corner, made.shell));
   return result;
 }
 

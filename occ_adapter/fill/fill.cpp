@@ -2,6 +2,8 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepTools_ReShape.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Eigen/Geometry>
 #include <Geom_BSplineSurface.hxx>
 #include <Precision.hxx>
 #include <Standard_Failure.hxx>
@@ -14,6 +16,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -24,7 +27,9 @@
 #include <seamwright/occ_adapter/analyze/workers.hpp>
 #include <seamwright/occ_adapter/convert/bezier_surface.hpp>
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
+#include <seamwright/occ_adapter/fill/clearance.hpp>
 #include <seamwright/occ_adapter/fill/fill.hpp>
+#include <seamwright/occ_adapter/fill/fill_form.hpp>
 #include <seamwright/occ_adapter/fill/side_fit.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/repair/prove.hpp>
@@ -45,6 +50,12 @@ constexpr double share = 20;
 constexpr double plane_noise_rad = 1e-7;
 
 constexpr std::size_t ring_sides = 4;
+
+/// A fill with poles further out than this many times its sides is none: a hemisphere's stand out by less than 2.
+constexpr double most_reach = 3;
+
+/// Rings around corners of a larger angle curl over.
+constexpr double most_corner_rad = 5.3;
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -83,10 +94,21 @@ TopoDS_Shape unwrapped(const TopoDS_Shape& whole, const TopoDS_Shape& given) {
   return part.More() ? whole : first;
 }
 
+/// How a fill is tried.
+struct Attempt {
+  int most_degree = 9;     ///< of the polynomials that stand for the sides
+  bool curvature = false;  ///< what G1 leaves free is spent on small jumps of curvature
+};
+
+bool isSound(const FillHoleReport& report) {
+  return report.regular && report.reach <= most_reach && !report.outer.empty();
+}
+
 class Filling {
  public:
-  Filling(const Model& model, const Hole& hole, const FillHoleOptions& options, const Progress& progress)
-      : model_(model), hole_(hole), options_(options), progress_(progress) {}
+  Filling(const Model& model, const Hole& hole, const FillHoleOptions& options, const Attempt& attempt,
+          const Progress& progress)
+      : model_(model), hole_(hole), options_(options), attempt_(attempt), progress_(progress) {}
 
   FillHoleReport run() {
     result_.model = model_;
@@ -133,9 +155,9 @@ class Filling {
     return fitSides(hole_.sides, stretches,
                     {.gap_mm = options_.tolerance.gap_mm / share,
                      .angle_rad = options_.tolerance.angle_rad / share,
-                     .most_degree = options_.most_degree,
+                     .most_degree = attempt_.most_degree,
                      .planar_rad = position_only ? -1 : most_planar_rad,
-                     .curvature = options_.target == Level::G2});
+                     .curvature = attempt_.curvature});
   }
 
   /// What is reached over what is asked for.
@@ -181,12 +203,13 @@ class Filling {
       BRepBuilderAPI_MakeFace face(geometry, Precision::Confusion());
       if (!face.IsDone()) throw NotFilled("OpenCASCADE made no face of a patch");
       new_faces_.push_back(face.Face());
+      result_.reach = std::max(result_.reach, reachOf(surface, fitted_));
     }
   }
 
   /// By how much more than the degree that G1 asks for, at least \p more than that of the cross fields; time grows with its sixth power.
   std::optional<int> curvatureDegrees(const std::vector<FillSide>& sides, int more) const {
-    if (options_.target != Level::G2) return std::nullopt;
+    if (!attempt_.curvature) return std::nullopt;
     constexpr int most_degree = 9, most_raise = 2;
     Eigen::Index degree = 0;
     for (const FillSide& side : sides)
@@ -199,6 +222,11 @@ class Filling {
         sides, {.corner_tolerance_rad = plane_noise_rad, .curvature_degrees = curvatureDegrees(sides, 3)});
     result_.curvature_jump_per_mm = fill.curvature_jump_per_mm;
     result_.corners = fill.corners;
+    for (std::size_t k = 0; k < fill.corners.size(); ++k)
+      if (fill.corners[k].angle_rad > most_corner_rad)
+        throw NotFilled("corner " + std::to_string(k + 1) + " of the hole has " +
+                        text(fill.corners[k].angle_rad * 180 / std::numbers::pi) + " degrees: fills have " +
+                        text(most_corner_rad * 180 / std::numbers::pi) + " at most");
     result_.regular = fill.regular;
     std::vector<BSplineSurface> surfaces;
     for (const BezierPatch& patch : fill.patches) surfaces.push_back(splineSurface(patch));
@@ -305,7 +333,8 @@ class Filling {
   std::string missed() const {
     const SeamResult* worst = nullptr;
     const auto angle = [](const SeamResult& seam) {
-      return seam.figures.angle_rad ? seam.figures.angle_rad->lower : HUGE_VAL;
+      const std::optional<Figure>& found = seam.figures.angle_rad;
+      return found ? found->upper.value_or(HUGE_VAL) : HUGE_VAL;
     };
     for (const auto* seams : {&result_.outer, &result_.inner})
       for (const SeamResult& seam : *seams)
@@ -324,12 +353,27 @@ class Filling {
     for (int face = 1; face <= model_.faceCount() + static_cast<int>(new_faces_.size()); ++face)
       if ((isNew(face) || was.faces[face]) && !is.faces[sewn_.faces[face]])
         return "OpenCASCADE's checks would not pass for face " + std::to_string(sewn_.faces[face]);
-    return was.whole && !is.whole ? "OpenCASCADE's checks would not pass for the filled shape"
-                                  : std::string();
+    if (was.whole && !is.whole) return "OpenCASCADE's checks would not pass for the filled shape";
+    return {};
+  }
+
+  /// What is wrong with the new faces although their seams are good.
+  std::string misshapen() const {
+    if (!result_.regular) return "the new faces are not proved regular: they may fold over";
+    if (turnsBack(new_faces_, fitted_))
+      return "the new faces turn back over themselves, as their surroundings do not";
+    if (result_.reach > most_reach)
+      return "the new faces stand out to " + text(result_.reach) + " times the size of the hole";
+    if (result_.outer.empty()) return "the hole is too small for a seam to be measured";
+    if (const auto touching = touchingFaces(sewn_.shape, numbers_))
+      return "face " + std::to_string(touching->first) + " of the fill runs into face " +
+             std::to_string(touching->second);
+    return {};
   }
 
   void keep() {
     result_.reason = missed();
+    if (result_.reason.empty()) result_.reason = misshapen();
     const std::string fault = unsound();
     if (!fault.empty()) result_.reason = fault;
     result_.reached = result_.reason.empty();
@@ -342,7 +386,8 @@ class Filling {
   const Model& model_;
   const Hole& hole_;
   const FillHoleOptions& options_;
-  const Progress& progress_;
+  const Attempt attempt_;
+  const Progress progress_;
   bool is_ring_ = false;
   std::vector<SideStretch> stretches_;
   std::vector<FittedSide> fitted_;
@@ -353,6 +398,25 @@ class Filling {
   std::set<int> numbers_;  ///< of the new faces in the sewn shape
   FillHoleReport result_;
 };
+
+/// What may come out better: polynomials of lower degrees follow the sides less closely and make fairer faces; without regard to curvature
+/// its jumps may yet be smaller.
+std::vector<Attempt> othersThan(const Attempt& first, const FillHoleReport& report) {
+  constexpr int fairer_degree = 5;
+  std::vector<Attempt> others;
+  if (report.faces.empty()) return others;
+  if (!isSound(report) && first.most_degree > fairer_degree)
+    others.push_back({fairer_degree, first.curvature});
+  if (first.curvature) others.push_back({first.most_degree, false});
+  return others;
+}
+
+bool isBetter(const FillHoleReport& one, const FillHoleReport& other, Level target) {
+  if (one.reached != other.reached) return one.reached;
+  if (isSound(one) != isSound(other)) return isSound(one);
+  if (target < Level::G2) return false;
+  return one.largestCurvature_rel().value_or(HUGE_VAL) < other.largestCurvature_rel().value_or(HUGE_VAL);
+}
 
 void requireEdges(const Model& model, const Hole& hole) {
   const TopTools_IndexedMapOfShape edges = partsOf(model.shape, TopAbs_EDGE);
@@ -443,7 +507,21 @@ FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOpti
                         const Progress& progress) {
   options.validate();
   requireEdges(model, hole);
-  return Filling(model, hole, options, progress).run();
+  constexpr double share_of_first = 0.5;
+  const Attempt first{options.most_degree, options.target == Level::G2};
+  FillHoleReport best = Filling(model, hole, options, first, partOf(progress, 0, share_of_first)).run();
+  if (best.reached) return best;
+  const std::vector<Attempt> others = othersThan(first, best);
+  double build_s = best.build_s, done = share_of_first;
+  for (std::size_t k = 0; k < others.size(); ++k) {
+    const double next = done + (1 - done) / static_cast<double>(others.size() - k);
+    FillHoleReport other = Filling(model, hole, options, others[k], partOf(progress, done, next)).run();
+    done = next;
+    build_s += other.build_s;
+    if (isBetter(other, best, options.target)) best = std::move(other);
+  }
+  best.build_s = build_s;
+  return best;
 }
 
 FillHoleReport replaceFace(const Model& model, int face, const FillHoleOptions& options,

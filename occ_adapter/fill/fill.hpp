@@ -38,11 +38,12 @@ struct FilledSide {
 struct FillHoleReport {
   Model model;           ///< with the fill, or as given
   bool filled = false;   ///< the fill is in the model
-  bool reached = false;  ///< every new seam surely reaches the target
+  bool reached = false;  ///< every new seam surely reaches the target, and the new faces are sound
   std::string reason;    ///< why it is not reached, with figures; empty where it is
   std::vector<FilledSide> sides;
   std::vector<FillCorner> corners;
   bool regular = false;  ///< as of NSidedFill
+  double reach = 0;  ///< the farthest pole of the fill from the middle of the hole, over that of its sides
   /// With the target G2, as of NSidedFill: against the curvature of the neighbours as it was fitted.
   std::optional<double> curvature_jump_per_mm;
   std::vector<SeamResult>
@@ -73,13 +74,15 @@ struct FillHoleReport {
 /// halves of a side become an edge that lies halfway between the faces, with a path on both and the tolerance that is measured. Surfaces
 /// of neighbours stay. A shell that is closed becomes a solid, turned outward.
 ///
-/// Then every new seam is measured as one edge, by enclosures. The fill is kept if they surely reach the target and
+/// Then every new seam is measured as one edge, by enclosures. The target is reached if they surely reach it, and the new faces are proved
+/// regular, stand out to three times the size of the hole at most, and touch no face that they share no vertex with. Where that fails, sides of
+/// degree 5 are tried, and for G2 a fill for G1 alone; the better one counts. The fill is kept if the target is reached and
 /// OpenCASCADE's checks pass for the new faces, and for the neighbours and the shape as before; with keep_anyway also if the target
 /// is missed, as long as it could be sewn. Else the model comes back as it is, with how near the fill came. Names, colours and layers stay.
 ///
 /// A smooth loop of which the neighbours are to be met with G0 alone gets no tangent planes: a flat one stays flat.
 ///
-/// A hole with more than 12 corners, or more than 4 one of which is above pi, is not filled.
+/// A hole with more than 12 corners, more than 4 one of which is above pi, or one above 5.3 rad is not filled.
 /// \param hole one of findHoles() of this model. Nothing that is wrong with the hole throws: it is a reason.
 /// \throws std::invalid_argument for bad options and for a hole with an edge that the model does not have; Cancelled.
 /// Source: MATH-surfaces 5.6, 7.

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <TopExp_Explorer.hxx>
@@ -102,6 +103,20 @@ TEST(CornerFilletLimits, SetbacksNeedRoom) {
   cube = {};
   for (auto& [number, radius_mm] : cube.options.radii_mm) radius_mm = 9.5;
   EXPECT_THAT(cube.message<std::domain_error>(), HasSubstr("would be "));
+}
+
+/// No check of single faces finds this: the void's wall and the fillet have no edge in common.
+TEST(CornerFilletLimits, FilletsThatRunIntoAVoidAreNoCorners) {
+  const TopoDS_Shape hollow = BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(20, 20, 20).Shape(),
+                                              BRepPrimAPI_MakeBox(gp_Pnt(0.3, 0.3, 15.7), 4, 4, 4).Shape())
+                                  .Shape();
+  const Model model = modelFromShape(hollow);
+  const int vertex = vertexAt(hollow, {0, 0, 20});
+  CornerFilletOptions options;
+  for (const int edge : occ::cornerEdges(model, vertex)) options.radii_mm[edge] = 2;
+  EXPECT_THAT(cornerFillet(model, vertex, options).shortfall, HasSubstr("runs into face"));
+  for (auto& [edge, radius_mm] : options.radii_mm) radius_mm = 0.2;
+  EXPECT_EQ(cornerFillet(model, vertex, options).shortfall, "");
 }
 
 TEST(CornerFilletLimits, FilletsThatReachBeyondAFarEdgeAreRefused) {
