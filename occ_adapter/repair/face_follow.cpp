@@ -143,7 +143,7 @@ class FaceFollower {
   /// Moves and refines as long as that gains something; ends in the best that was found.
   void improve() {
     constexpr double better = 0.9;
-    const int most_idle = gently_ ? 2 : 1;
+    const int most_idle = gently_ ? 3 : 2;
     std::optional<Stage> best;
     if (!gently_) best = now_;
     for (int idle = 0;;) {

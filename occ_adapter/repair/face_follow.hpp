@@ -45,7 +45,7 @@ struct FaceTask {
       paths;  ///< all boundaries of the face: those that stay have what the face shows there as their target
   ContinuityTolerance tolerance;
   double share = 0.25;      ///< of the tolerance, to be met at the samples
-  int max_refinements = 5;  ///< halvings of knot spans near the paths
+  int max_refinements = 6;  ///< halvings of knot spans near the paths
   int max_poles = 40000;    ///< no refinement beyond
   /// No refinement once so many moves of poles were solved for, summed over all solutions: a limit of the work that depends neither on the
   /// machine nor on threads.

@@ -339,6 +339,18 @@ REAL = [OCCT_DATA / "step/screw.step",
         MODELS / "freeform/blendsolid_test.step", MODELS / "freeform/Silk_Demo_01_sewn.step"]
 
 
+@pytest.mark.parametrize("path, treated, largest_move_mm", [(OCCT_DATA / "occ/shell1.brep", 102, 0.03),
+                                                            (OCCT_DATA / "step/linkrods.step", 16, 0.2)],
+                         ids=["shell1", "linkrods"])
+def test_all_defects_of_real_models(tmp_path, path, treated, largest_move_mm):
+    """The knots that some of these need are halved without a gain twice and thrice before they are met."""
+    result, report, out = repair(installed(path), out=tmp_path / "out.brep")
+    assert result.returncode == 0, result.stdout
+    assert report["summary"]["treated"] == report["summary"]["repaired"] == treated
+    assert report["summary"]["largest_move_mm"] <= largest_move_mm
+    expect_same_verdicts(report, out)
+
+
 @pytest.mark.parametrize("path", REAL, ids=lambda path: path.name)
 def test_real_models(tmp_path, path):
     model = tmp_path / path.name
