@@ -134,13 +134,15 @@ NearestJoin nearestJoin(const JoinSide& a, const JoinSide& b, const NearestOptio
   for (const Family& family : options.held ? held : familiesThatMayHold(options, u.rational))
     if (alreadyJoined(u, options, family, result)) return result;
 
+  const double rounding = 32 * std::numeric_limits<double>::epsilon() * u.largest;
+  result.residual = u.fixed_gap / u.size;
+  if (u.fixed_gap > rounding) return result;
   const Candidate found = nearestOf(u, options, options.held ? held : familiesOf(u, options));
   const Solution& solution = found.solution;
   result.connection = connectionOf(u, found.family.degrees, solution.c);
   result.iterations = solution.iterations;
-  result.residual = std::max(found.residual, u.fixed_gap / u.size);
-  const double rounding = 32 * std::numeric_limits<double>::epsilon() * u.largest;
-  if (!solution.exact || u.fixed_gap > rounding) return result;
+  result.residual = std::max(found.residual, result.residual);
+  if (!solution.exact) return result;
   NearestJoin placed = result;
   place(u, solution.x, a, b, placed);
   placed.residual = result.residual = storedResidual(a, b, placed, found, options.order);

@@ -47,7 +47,8 @@ struct NearestJoin {
   double largest_move_mm = 0;  ///< of a pole
   double cost = 0;             ///< sum of weight times squared move, in mm^2
   /// Of the join: largest length of the two sides' difference in the seam and in each condition of Connection, over the largest |Q_s| (and
-  /// |Q_ss|), each in the scale of moves of poles. What is left of an infeasible one at the connection that was tried last.
+  /// |Q_ss|), each in the scale of moves of poles. What is left of an infeasible one at the connection that was tried last;
+  /// where poles that stay on both sides keep the seam open none is tried, and it is their distance.
   double residual = 0;
   double stationarity =
       0;  ///< length of the move's part along the joins nearby, relative to the move; 0 for no move

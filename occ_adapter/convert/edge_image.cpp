@@ -184,19 +184,39 @@ PlanarPath pathOrBuilt(const TopoDS_Edge& edge, const TopoDS_Face& face, double 
   return {built.curve, built.first, built.last};
 }
 
+namespace {
+
+/// Points of a surface one after another: the polynomials of the last span are kept.
+class PointsOf {
+ public:
+  explicit PointsOf(const PlacedSurface& placed)
+      : surface_(placed.surface), location_(placed.location.Transformation()) {}
+  gp_Pnt at(const gp_Pnt2d& uv) const { return surface_.Value(uv.X(), uv.Y()).Transformed(location_); }
+
+ private:
+  GeomAdaptor_Surface surface_;
+  gp_Trsf location_;
+};
+
+}  // namespace
+
 double largestDistance_mm(const PlacedSurface& a, const PlacedSurface& b, const PlanarPath& path) {
+  const PointsOf on_a(a), on_b(b);
   double largest = 0;
   for (int k = 0; k < points_of_an_edge; ++k)
-    largest = std::max(largest, a.at(path.at(k)).Distance(b.at(path.at(k))));
+    largest = std::max(largest, on_a.at(path.at(k)).Distance(on_b.at(path.at(k))));
   return largest;
 }
 
 double largestDistance_mm(const std::vector<EdgeSide>& sides, const Geom_Curve& curve, double first,
                           double last) {
   double largest = 0;
-  for (int k = 0; k < points_of_an_edge; ++k) {
-    const gp_Pnt on_curve = curve.Value(first + (last - first) * k / (points_of_an_edge - 1));
-    for (const EdgeSide& side : sides) largest = std::max(largest, side.at(k).Distance(on_curve));
+  for (const EdgeSide& side : sides) {
+    const PointsOf points(side.placed);
+    for (int k = 0; k < points_of_an_edge; ++k) {
+      const gp_Pnt on_curve = curve.Value(first + (last - first) * k / (points_of_an_edge - 1));
+      largest = std::max(largest, points.at(side.path.at(k)).Distance(on_curve));
+    }
   }
   return largest;
 }

@@ -15,6 +15,19 @@ SymmetricBlock squareOf(const Eigen::Vector3d& v) {
   return square;
 }
 
+/// Gives the products of a column with each of the first \p columns. \tparam rows of the factors; 0: as many as there are
+template <int rows, class Take>
+void takeProducts(const Eigen::MatrixXd& factors, int column, int columns, const Take& take) {
+  const Eigen::Index count = rows > 0 ? rows : factors.rows();
+  const double* const own = factors.col(column).data();
+  const double* other = factors.data();
+  for (int k = 0; k < columns; ++k) {
+    double product = 0;
+    for (Eigen::Index row = 0; row < count; ++row) product += own[row] * *other++;
+    take(k, product);
+  }
+}
+
 }  // namespace
 
 void LeastMoves::fix(int point, const Eigen::Vector3d& move) {
@@ -85,24 +98,27 @@ LeastMoves::Normal LeastMoves::normalMatrix() const {
     see(j);
     for (const Use& use : uses[j]) {
       const Group& group = groups_[use.group];
+      const int columns = static_cast<int>(std::ranges::upper_bound(group.points, j) - group.points.begin());
+      for (int k = 0; k < columns; ++k) see(group.points[k]);
       const auto add = [&](const auto& take) {
-        const Eigen::Index count = group.factors.rows();
-        const double* const own = group.factors.col(use.column).data();
-        const double* other = group.factors.data();
-        for (const int i : group.points) {
-          if (i > j) break;
-          double product = 0;
-          for (Eigen::Index row = 0; row < count; ++row) product += own[row] * *other++;
-          see(i);
-          take(i, product);
+        switch (group.factors.rows()) {
+          case 1:
+            return takeProducts<1>(group.factors, use.column, columns, take);
+          case 2:
+            return takeProducts<2>(group.factors, use.column, columns, take);
+          case 3:
+            return takeProducts<3>(group.factors, use.column, columns, take);
+          default:
+            return takeProducts<0>(group.factors, use.column, columns, take);
         }
       };
+      const int* const points = group.points.data();
       const SymmetricBlock square = squareOf(group.direction);
       std::vector<double>& multiples = group.is_soft ? soft : of_points;
       if (group.is_point)
-        add([&](int i, double product) { multiples[i] += product; });
+        add([&](int k, double product) { multiples[points[k]] += product; });
       else
-        add([&](int i, double product) { column[i] += product * square; });
+        add([&](int k, double product) { column[points[k]] += product * square; });
     }
     std::sort(rows.begin() + normal.pattern.begins.back(), rows.end());
     for (int k = normal.pattern.begins.back(); k < static_cast<int>(rows.size()); ++k) {

@@ -153,7 +153,8 @@ class FaceFollower {
       const bool gained = !best || (reached < infinite && reached <= std::max(1.0, better * excess(*best)));
       idle = gained ? 0 : idle + 1;
       if (!best || reached < excess(*best)) best = now_;
-      const bool may_refine = now_.refinements < task_.max_refinements && work_ < task_.max_work;
+      const int max_work = reached <= task_.fair_share ? task_.fair_work : task_.max_work;
+      const bool may_refine = now_.refinements < task_.max_refinements && work_ < max_work;
       if (idle == most_idle || !may_refine || !refine(idle == 0 || order_ < 2)) break;
     }
     now_ = std::move(*best);

@@ -206,8 +206,14 @@ class Network {
       joined.order = keep_curvature ? 2 : task_.options.order;
       seams.push_back(joined);
     }
-    const NetworkResult result = nearestNetwork(surfaces, seams);
-    if (dear_) leaveDear(result);
+    // One step tells what is far from being near.
+    constexpr double far = 2, surely_far = 5;
+    constexpr NetworkOptions rough{.max_iterations = 1};
+    NetworkResult result = nearestNetwork(surfaces, seams, dear_ ? rough : NetworkOptions());
+    if (dear_) leaveDear(result, surely_far);
+    if (!solution_.complete) return;
+    if (dear_ && result.iterations == rough.max_iterations) result = nearestNetwork(surfaces, seams);
+    if (dear_) leaveDear(result, far);
     for (std::size_t k = 0; k < seams_.size(); ++k)
       if (result.seams[k].status == SeamStatus::Left && isTreated(k))
         solution_.failures[seams_[k].number] = result.seams[k].why;
@@ -234,9 +240,8 @@ class Network {
     return std::max(figures.gap_mm ? figures.gap_mm->lower : 0, angle_rad * reach_mm);
   }
 
-  /// All that is connected with a face that would move far beside what the defects are.
-  void leaveDear(const NetworkResult& result) {
-    constexpr double far = 2;
+  /// All that is connected with a face that would move \p far times what the defects are.
+  void leaveDear(const NetworkResult& result, double far) {
     Groups groups(static_cast<int>(members_.size()));
     for (const JoinedSeam& seam : seams_) groups.join(numberOf(seam, 0), numberOf(seam, 1));
     std::map<int, double> needed_mm, moved_mm;

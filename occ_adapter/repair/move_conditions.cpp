@@ -29,7 +29,9 @@ void MoveConditions::addFairness(const std::vector<int>& poles, const Eigen::Row
                                  double weight) {
   const Selected selected = select(poles, factors);
   if (selected.numbers.empty()) return;
-  const Eigen::RowVector3d given = factors * (start_(poles, Eigen::all) - original_(poles, Eigen::all));
+  Eigen::RowVector3d given = Eigen::RowVector3d::Zero();
+  for (std::size_t k = 0; k < poles.size(); ++k)
+    given += factors[static_cast<Eigen::Index>(k)] * (start_.row(poles[k]) - original_.row(poles[k]));
   system_.addSoft(selected.numbers, weight * selected.factors, -weight * given.transpose());
 }
 
@@ -53,7 +55,11 @@ MoveConditions::Selected MoveConditions::select(const std::vector<int>& poles,
 
 Eigen::Matrix<double, Eigen::Dynamic, 3> MoveConditions::sumOf(const std::vector<int>& poles,
                                                                const Eigen::MatrixXd& shares) const {
-  return shares * start_(poles, Eigen::all);
+  Eigen::Matrix<double, Eigen::Dynamic, 3> sum(shares.rows(), 3);
+  sum.setZero();
+  for (std::size_t k = 0; k < poles.size(); ++k)
+    sum.noalias() += shares.col(static_cast<Eigen::Index>(k)) * start_.row(poles[k]);
+  return sum;
 }
 
 }  // namespace seamwright::occ
