@@ -83,7 +83,7 @@ std::vector<std::vector<int>> structures(const std::vector<std::vector<int>>& ea
     for (const int k : earlier[i]) below[k].push_back(i);
   for (int j = 0; j < count; ++j) {
     std::ranges::sort(below[j]);
-    below[j].erase(std::ranges::unique(below[j]).begin(), below[j].end());
+    below[j].erase(std::unique(below[j].begin(), below[j].end()), below[j].end());
     if (below[j].empty()) continue;
     // What a column has below goes on to the first of these.
     std::vector<int>& parent = below[below[j].front()];
