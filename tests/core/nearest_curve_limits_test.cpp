@@ -13,7 +13,6 @@ namespace {
 using namespace test::near_curves;
 using test::Vec;
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 

@@ -19,7 +19,6 @@ using test::Vec;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// What moves of the poles at the joint add to its defects, by the move: the condition of a joint that is exact.
 double sensitivity(const BezierCurve& a, const BezierCurve& b, int order) {
