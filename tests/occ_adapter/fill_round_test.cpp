@@ -157,6 +157,11 @@ TEST(RoundHoles, TheLidOfACanIsFlatOrADome) {
     const FillHoleReport dome = replaceFace(modelFromShape(can), lid);
     ASSERT_TRUE(dome.filled) << dome.reason;
     EXPECT_LT(largestAngle_rad(dome.model.shape, dome.faces), 0.001 * degree);
+    // Along the wall's straight lines the dome begins without curvature, if it is told of the wall's.
+    const FillHoleReport curved = replaceFace(modelFromShape(can), lid, {.target = Level::G2});
+    EXPECT_TRUE(curved.reached) << curved.reason;
+    EXPECT_LT(curved.largestCurvature_rel().value_or(1), 0.005);
+    EXPECT_GT(dome.largestCurvature_rel().value_or(0), 0.1);
   }
 }
 
