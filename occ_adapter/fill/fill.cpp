@@ -510,8 +510,7 @@ FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOpti
   constexpr double share_of_first = 0.5;
   const Attempt first{options.most_degree, options.target == Level::G2};
   FillHoleReport best = Filling(model, hole, options, first, partOf(progress, 0, share_of_first)).run();
-  if (best.reached) return best;
-  const std::vector<Attempt> others = othersThan(first, best);
+  const std::vector<Attempt> others = best.reached ? std::vector<Attempt>() : othersThan(first, best);
   double build_s = best.build_s, done = share_of_first;
   for (std::size_t k = 0; k < others.size(); ++k) {
     const double next = done + (1 - done) / static_cast<double>(others.size() - k);
@@ -521,6 +520,7 @@ FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOpti
     if (isBetter(other, best, options.target)) best = std::move(other);
   }
   best.build_s = build_s;
+  if (progress && !progress(1)) throw Cancelled();
   return best;
 }
 
