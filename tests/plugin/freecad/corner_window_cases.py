@@ -11,7 +11,7 @@ import FreeCADGui as Gui
 import models
 import Part
 from fill_window_cases import BAND, CANCELLED, FEW, MANY, RESULT, tinted
-from window import WindowCase, camera, click, click_row, count, messages, picture, settle, whole_window
+from window import PanelWindow, camera, click, click_row, count, messages, picture, settle, whole_window
 
 from freecad.seamwright.document import corner
 from freecad.seamwright.gui.corner_panel import RADIUS, SETBACK
@@ -19,7 +19,10 @@ from freecad.seamwright.gui.corner_panel import RADIUS, SETBACK
 CORNER = "Seamwright_CornerFillet"
 
 
-class CornerWindow(WindowCase):
+class CornerWindow(PanelWindow):
+    COMMAND = CORNER
+    is_made = staticmethod(corner.is_corner)
+
     def setUp(self):
         super().setUp()
         self.doc.UndoMode = 1
@@ -31,23 +34,7 @@ class CornerWindow(WindowCase):
         self.vertex = "Vertex%d" % (1 + points.index(App.Vector(10, 0, 10)))  # it is seen from the front
 
     def start(self, *names, source=None):
-        """Select elements, run the command; the fillet it made and its open panel."""
-        Gui.Selection.clearSelection()
-        for name in names or (self.vertex,):
-            Gui.Selection.addSelection(self.doc.Name, (source or self.source).Name, name)
-        Gui.runCommand(CORNER)
-        settle()
-        found = self.fillets()
-        return (found[-1], found[-1].ViewObject.Proxy.panel) if found else (None, None)
-
-    def fillets(self):
-        return [obj for obj in self.doc.Objects if corner.is_corner(obj)]
-
-    def preview(self, panel):
-        click(panel.preview_button, panel.preview_button.rect().center())
-
-    def column(self, panel, place):
-        return [panel.table.item(line, place).text() for line in range(panel.table.rowCount())]
+        return self.run_selected([(source or self.source, name) for name in names or (self.vertex,)])
 
     def set_fields(self, panel, column, values):
         for field, value in zip(panel.fields[column], values):
@@ -79,10 +66,10 @@ class Rounding(CornerWindow):
         self.assertEqual(self.doc.UndoCount, steps + 1)
         self.doc.undo()
         settle()
-        self.assertEqual((self.fillets(), self.visible()), ([], ["Cube"]))
+        self.assertEqual((self.made(), self.visible()), ([], ["Cube"]))
         self.doc.redo()
         settle()
-        (again,) = self.fillets()
+        (again,) = self.made()
         self.assertEqual((again.Met, self.visible()), (True, [again.Name]))
 
     def test_setbacks_and_one_radius_for_all(self):
@@ -127,7 +114,7 @@ class Rounding(CornerWindow):
             self.preview(panel)
         self.assertIn("Cancelled", panel.summary.text())
         self.cancel()
-        self.assertEqual((self.fillets(), self.visible()), ([], ["Cube"]))
+        self.assertEqual((self.made(), self.visible()), ([], ["Cube"]))
 
     def test_a_corner_that_is_not_supported_says_why(self):
         can = models.add(self.doc, Part.makeCylinder(3, 10), "Can")
@@ -139,7 +126,7 @@ class Rounding(CornerWindow):
         (text,) = messages()
         self.assertIn("2 edges meet at the vertex", text)
         self.cancel()
-        self.assertEqual(self.fillets(), [])
+        self.assertEqual(self.made(), [])
 
     def test_cancel_of_a_later_change_restores_the_values(self):
         obj, _ = self.start()
@@ -190,7 +177,7 @@ class Rounding(CornerWindow):
             self.start()
         (text,) = messages()
         self.assertIn("It was built for Python", text)
-        self.assertEqual(self.fillets(), [])
+        self.assertEqual(self.made(), [])
 
     def test_a_saved_fillet_opens_with_its_view(self):
         self.start()
@@ -202,7 +189,7 @@ class Rounding(CornerWindow):
             with mock.patch.dict(sys.modules, seamwright=None):
                 self.doc = App.openDocument(path)
                 settle()
-                (again,) = self.fillets()
+                (again,) = self.made()
                 self.assertNotIn("Touched", again.State)
                 self.assertEqual(self.visible(), [again.Name])
             again.ViewObject.Proxy.doubleClicked(again.ViewObject)

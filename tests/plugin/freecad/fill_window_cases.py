@@ -11,7 +11,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import models
 from PySide import QtCore
-from window import WindowCase, camera, click, click_row, count, messages, picture, settle, whole_window
+from window import PanelWindow, camera, click, click_row, count, messages, picture, settle, whole_window
 
 from freecad.seamwright.document import analysis, elements, fill
 from freecad.seamwright.document.hooks import hooks
@@ -32,7 +32,10 @@ def tinted(image):
     return step * step * sum(colour.green() > colour.red() + 30 for colour in colours)
 
 
-class FillWindow(WindowCase):
+class FillWindow(PanelWindow):
+    COMMAND = FILL
+    is_made = staticmethod(fill.is_fill)
+
     def setUp(self):
         super().setUp()
         self.doc.UndoMode = 1
@@ -43,23 +46,7 @@ class FillWindow(WindowCase):
         self.fit()
 
     def start(self, *names, source=None):
-        """Select elements of the source, run the command; the fill it made and its open panel."""
-        Gui.Selection.clearSelection()
-        for name in names or ("",):
-            Gui.Selection.addSelection(self.doc.Name, (source or self.source).Name, name)
-        Gui.runCommand(FILL)
-        settle()
-        found = self.fills()
-        return (found[-1], found[-1].ViewObject.Proxy.panel) if found else (None, None)
-
-    def fills(self):
-        return [obj for obj in self.doc.Objects if fill.is_fill(obj)]
-
-    def preview(self, panel):
-        click(panel.preview_button, panel.preview_button.rect().center())
-
-    def column(self, panel, place):
-        return [panel.table.item(line, place).text() for line in range(panel.table.rowCount())]
+        return self.run_selected([(source or self.source, name) for name in names or ("",)])
 
     def ticked(self, panel):
         return [number - 1 for number in panel.holes.chosen()]
@@ -90,10 +77,10 @@ class Filling(FillWindow):
         self.assertEqual(self.doc.UndoCount, steps + 1)
         self.doc.undo()
         settle()
-        self.assertEqual((self.fills(), self.visible()), ([], ["Block"]))
+        self.assertEqual((self.made(), self.visible()), ([], ["Block"]))
         self.doc.redo()
         settle()
-        (again,) = self.fills()
+        (again,) = self.made()
         self.assertEqual((again.Filled, self.visible()), (1, [again.Name]))
 
     def test_holes_are_chosen_in_the_panel_and_in_the_view(self):
@@ -124,7 +111,7 @@ class Filling(FillWindow):
         (chosen,) = Gui.Selection.getSelectionEx()
         self.assertEqual((chosen.ObjectName, set(chosen.SubElementNames)), ("Block", set(self.loops[1])))
         self.cancel()
-        self.assertEqual((self.fills(), self.visible()), ([], ["Block"]))
+        self.assertEqual((self.made(), self.visible()), ([], ["Block"]))
 
     def test_a_click_on_a_row_marks_the_seam(self):
         obj, panel = self.start(self.loops[0][0])
@@ -165,7 +152,7 @@ class Filling(FillWindow):
             _, panel = self.start()
             self.preview(panel)
             self.cancel()
-            self.assertEqual((self.fills(), self.visible()), ([], ["Block"]))
+            self.assertEqual((self.made(), self.visible()), ([], ["Block"]))
         obj, _ = self.start(self.loops[0][0])
         self.ok()
         report = obj.Report
@@ -222,7 +209,7 @@ class Choosing(FillWindow):
         (text,) = messages()
         self.assertIn("Block has no hole", text)
         self.cancel()
-        self.assertEqual(self.fills(), [])
+        self.assertEqual(self.made(), [])
 
     def test_what_cannot_be_filled_together_is_one_message(self):
         other = models.add(self.doc, models.rounded_block(), "Other")
@@ -242,7 +229,7 @@ class Choosing(FillWindow):
             self.start(source=other)
         (text,) = messages()
         self.assertIn("It was built for Python", text)
-        self.assertEqual(self.fills(), [])
+        self.assertEqual(self.made(), [])
 
     def test_a_saved_fill_opens_with_its_view(self):
         obj, _ = self.start()
@@ -254,7 +241,7 @@ class Choosing(FillWindow):
             with mock.patch.dict(sys.modules, seamwright=None):
                 self.doc = App.openDocument(path)
                 settle()
-                (again,) = self.fills()
+                (again,) = self.made()
                 self.assertNotIn("Touched", again.State)
                 self.assertEqual(self.visible(), [again.Name])
                 self.assertEqual(again.ViewObject.Proxy.claimChildren(), [self.doc.Block])

@@ -13,7 +13,7 @@ import models
 import numpy
 import Part
 from PySide import QtGui
-from window import OUT, WindowCase, click, messages, picture, settle, whole_window
+from window import OUT, PanelWindow, click, messages, picture, settle, whole_window
 
 from freecad.seamwright.document import match
 from freecad.seamwright.document.hooks import hooks
@@ -36,7 +36,10 @@ def dark_count(image):
     return int((greys(image) < 40).sum())
 
 
-class MatchWindow(WindowCase):
+class MatchWindow(PanelWindow):
+    COMMAND = MATCH
+    is_made = staticmethod(match.is_match)
+
     def setUp(self):
         super().setUp()
         self.doc.UndoMode = 1
@@ -51,17 +54,7 @@ class MatchWindow(WindowCase):
         super().tearDown()
 
     def start(self, *chosen):
-        """Select faces, run the command; the match it made and its open panel."""
-        Gui.Selection.clearSelection()
-        for obj, name in chosen or ((self.left, "Face1"), (self.right, "Face1")):
-            Gui.Selection.addSelection(self.doc.Name, obj.Name, name)
-        Gui.runCommand(MATCH)
-        settle()
-        found = self.matches()
-        return (found[-1], found[-1].ViewObject.Proxy.panel) if found else (None, None)
-
-    def matches(self):
-        return [obj for obj in self.doc.Objects if match.is_match(obj)]
+        return self.run_selected(chosen or [(self.left, "Face1"), (self.right, "Face1")])
 
     def cells(self, panel):
         return [
@@ -90,11 +83,11 @@ class Matching(MatchWindow):
         self.assertEqual(self.doc.UndoCount, before + 1)
         self.doc.undo()
         settle()
-        self.assertEqual(self.matches(), [])
+        self.assertEqual(self.made(), [])
         self.assertEqual(self.visible(), ["Left", "Right"])
         self.doc.redo()
         settle()
-        (again,) = self.matches()
+        (again,) = self.made()
         self.assertEqual((again.LevelAfter, self.visible()), ("G2", [again.Name]))
         Gui.activeDocument().setEdit(again.Name)
         settle()
@@ -106,7 +99,7 @@ class Matching(MatchWindow):
         panel.zebra.setChecked(True)
         settle()
         self.cancel()
-        self.assertEqual(self.matches(), [])
+        self.assertEqual(self.made(), [])
         self.assertEqual((self.visible(), zebra.objects(self.doc)), (["Left", "Right"], []))
         self.assertFalse(self.doc.HasPendingTransaction)
 
@@ -114,7 +107,7 @@ class Matching(MatchWindow):
         self.doc.UndoMode = 0
         self.start()
         self.cancel()
-        self.assertEqual((self.matches(), self.visible()), ([], ["Left", "Right"]))
+        self.assertEqual((self.made(), self.visible()), ([], ["Left", "Right"]))
         obj, _ = self.start()
         self.ok()
         Gui.activeDocument().setEdit(obj.Name)
@@ -158,7 +151,7 @@ class Matching(MatchWindow):
         settle()
         Gui.activeDocument().resetEdit()
         settle()
-        self.assertEqual(self.matches(), [])
+        self.assertEqual(self.made(), [])
         self.assertFalse(Gui.Control.activeDialog())
         _, panel = self.start()
         panel.zebra.setChecked(True)
@@ -250,7 +243,7 @@ class Matching(MatchWindow):
             self.assertFalse(panel.after.isEnabled())
             self.assertTrue(box.ViewObject.Visibility)
             self.cancel()
-            self.assertEqual(self.matches(), [])
+            self.assertEqual(self.made(), [])
 
     def test_a_missing_kernel_is_one_message(self):
         with mock.patch.dict(sys.modules, seamwright=None):
@@ -287,7 +280,7 @@ class Matching(MatchWindow):
             with mock.patch.dict(sys.modules, seamwright=None):
                 self.doc = App.openDocument(path)
                 settle()
-            (again,) = self.matches()
+            (again,) = self.made()
             self.assertNotIn("Touched", again.State)
             self.assertEqual(self.visible(), ["Left", again.Name])
             self.assertEqual(again.ViewObject.Proxy.claimChildren(), [self.doc.Left, self.doc.Right])

@@ -11,7 +11,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import models
 from PySide import QtCore
-from window import WindowCase, camera, click, click_row, count, messages, picture, settle, whole_window
+from window import PanelWindow, camera, click, click_row, count, messages, picture, settle, whole_window
 
 from freecad.seamwright.document import analysis, elements, repair
 from freecad.seamwright.document.hooks import hooks
@@ -36,7 +36,10 @@ def coloured(image):
     return step * step * sum(colour.red() > colour.blue() + 30 for colour in colours)
 
 
-class RepairWindow(WindowCase):
+class RepairWindow(PanelWindow):
+    COMMAND = REPAIR
+    is_made = staticmethod(repair.is_repair)
+
     def setUp(self):
         super().setUp()
         self.doc.UndoMode = 1
@@ -46,26 +49,7 @@ class RepairWindow(WindowCase):
         self.fit()
 
     def start(self, *chosen):
-        """Select elements, run the command; the repair it made and its open panel."""
-        Gui.Selection.clearSelection()
-        for obj, name in chosen or ((self.source, ""),):
-            Gui.Selection.addSelection(self.doc.Name, obj.Name, name)
-        return self.run_command()
-
-    def run_command(self):
-        Gui.runCommand(REPAIR)
-        settle()
-        found = self.repairs()
-        return (found[-1], found[-1].ViewObject.Proxy.panel) if found else (None, None)
-
-    def repairs(self):
-        return [obj for obj in self.doc.Objects if repair.is_repair(obj)]
-
-    def preview(self, panel):
-        click(panel.preview_button, panel.preview_button.rect().center())
-
-    def column(self, panel, place):
-        return [panel.table.item(line, place).text() for line in range(panel.table.rowCount())]
+        return self.run_selected(chosen or [(self.source, "")])
 
     def chosen(self):
         return [(one.ObjectName, one.SubElementNames) for one in Gui.Selection.getSelectionEx()]
@@ -95,10 +79,10 @@ class Repairing(RepairWindow):
         self.assertEqual(self.doc.UndoCount, steps + 1)
         self.doc.undo()
         settle()
-        self.assertEqual((self.repairs(), self.visible()), ([], ["Panel"]))
+        self.assertEqual((self.made(), self.visible()), ([], ["Panel"]))
         self.doc.redo()
         settle()
-        (again,) = self.repairs()
+        (again,) = self.made()
         self.assertEqual((again.Repaired, self.visible()), (7, [again.Name]))
 
     def test_moves_are_coloured_with_a_legend_in_mm(self):
@@ -168,7 +152,7 @@ class Repairing(RepairWindow):
             _, panel = self.start()
             self.preview(panel)
             self.cancel()
-            self.assertEqual((self.repairs(), self.visible()), ([], ["Panel"]))
+            self.assertEqual((self.made(), self.visible()), ([], ["Panel"]))
             self.assertFalse(self.doc.HasPendingTransaction)
 
     def test_cancel_of_a_later_change_restores_the_values(self):
@@ -263,7 +247,7 @@ class Choosing(RepairWindow):
         buttons = [each for each in panel.form.findChildren(QtWidgets.QPushButton) if each.text().startswith("Repair")]
         click(buttons[0], buttons[0].rect().center())
         settle()
-        (obj,) = self.repairs()
+        (obj,) = self.made()
         self.assertEqual((obj.Source, elements.names(obj, "Edges")), (self.source, ["Edge%d" % edge]))
         self.assertEqual((obj.AngleTolerance.Value, obj.Target), (1.0, "G1"))
         self.assertEqual(obj.ViewObject.Proxy.panel.table.rowCount(), 1)
@@ -392,7 +376,7 @@ class Staying(RepairWindow):
         settle()
         Gui.activeDocument().resetEdit()
         settle()
-        self.assertEqual(self.repairs(), [])
+        self.assertEqual(self.made(), [])
         self.assertFalse(Gui.Control.activeDialog())
         self.start()
         self.doc.undo()
@@ -410,7 +394,7 @@ class Staying(RepairWindow):
             with mock.patch.dict(sys.modules, seamwright=None):
                 self.doc = App.openDocument(path)
                 settle()
-                (again,) = self.repairs()
+                (again,) = self.made()
                 self.assertNotIn("Touched", again.State)
                 self.assertEqual(self.visible(), [again.Name])
                 self.fit()

@@ -140,3 +140,32 @@ class WindowCase(unittest.TestCase):
 
     def cancel(self):
         self.press(QtWidgets.QDialogButtonBox.Cancel)
+
+
+class PanelWindow(WindowCase):
+    """A command that makes an object and opens its panel: COMMAND is its name, is_made tells its objects."""
+
+    COMMAND = ""
+    is_made = None
+
+    def run_selected(self, chosen):
+        """Select elements, (object, name) each, and run the command; the object it made and its open panel."""
+        Gui.Selection.clearSelection()
+        for obj, name in chosen:
+            Gui.Selection.addSelection(self.doc.Name, obj.Name, name)
+        return self.run_command()
+
+    def run_command(self):
+        Gui.runCommand(self.COMMAND)
+        settle()
+        found = self.made()
+        return (found[-1], found[-1].ViewObject.Proxy.panel) if found else (None, None)
+
+    def made(self):
+        return [obj for obj in self.doc.Objects if self.is_made(obj)]
+
+    def preview(self, panel):
+        click(panel.preview_button, panel.preview_button.rect().center())
+
+    def column(self, panel, place):
+        return [panel.table.item(line, place).text() for line in range(panel.table.rowCount())]
