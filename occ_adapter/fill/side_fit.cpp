@@ -212,8 +212,8 @@ class SideFit {
 
   /// A field that is nearly zero somewhere, beside its largest, has the planes but makes folds.
   void fitCross(const std::array<Vector3d, 2>& corner_normals, FittedSide& fitted) const {
-    constexpr double even_enough = 0.5, rounding = 1.01;
-    constexpr std::array<double, 3> weights_of_normal_part = {1e3, 1e4, 1e5};
+    constexpr double even_enough = 0.7, rounding = 1.01;
+    constexpr std::array<double, 4> weights_of_normal_part = {1e6, 1e5, 1e4, 1e3};
     const double floor_rad = std::max(tilt_rad_, std::ranges::max(fitted.corner_rad));
     const double enough_rad = std::max(options_.angle_rad, rounding * floor_rad);
     bool is_even = false;
@@ -232,7 +232,7 @@ class SideFit {
 
   struct CrossForm {
     double angle_rad = 0;
-    double evenness = 0;  ///< the smallest part across the edge over the largest
+    double evenness = 0;  ///< the smallest part out of the hole, across the edge, over the largest
   };
 
   CrossForm formOf(const Poles& cross) const {
@@ -240,7 +240,7 @@ class SideFit {
     double angle = 0, least = HUGE_VAL, most = 0;
     for (const SideSample& check : checks_) {
       const Vector3d area = field.point(check.t).cross(edge_.jet(check.t).d1.normalized());
-      const double across = area.norm();
+      const double across = field.point(check.t).dot(check.beyond);
       angle = std::max(angle, std::atan2(area.cross(check.normal).norm(), std::abs(area.dot(check.normal))));
       least = std::min(least, across);
       most = std::max(most, across);
