@@ -139,13 +139,12 @@ double bendAlong(const SideSample& sample, const Vector3d& direction) {
 }
 
 /// The polynomial nearest to II(T, T) N, which does not depend on how the face is turned.
-Poles fittedBend(const std::vector<SideSample>& samples, const BezierCurve& cross, int degree) {
+Poles fittedBend(const std::vector<SideSample>& samples, const Eigen::VectorXd& wanted, int degree) {
   const Index count = static_cast<Index>(samples.size());
   Eigen::MatrixXd matrix(count, degree + 1), right(count, 3);
   for (Index i = 0; i < count; ++i) {
-    const SideSample& sample = samples[i];
-    matrix.row(i) = basisAt(degree, sample.t).transpose();
-    right.row(i) = bendAlong(sample, cross.point(sample.t)) * sample.normal.transpose();
+    matrix.row(i) = basisAt(degree, samples[i].t).transpose();
+    right.row(i) = wanted(i) * samples[i].normal.transpose();
   }
   return linear::PivotedQr(matrix).solve(right);
 }
@@ -249,23 +248,27 @@ class SideFit {
   }
 
   void fitBend(FittedSide& fitted) const {
-    constexpr double near_enough = 1e-4;  // of the largest curvature, or of one over the length
+    constexpr double near_enough = 1e-3;  // of the largest curvature, or of one over the length
     const BezierCurve cross(*fitted.side.cross);
-    double largest_per_mm = 1 / path_.length_mm();
-    for (const SideSample& check : checks_) {
-      const Vector3d along = cross.point(check.t);
-      largest_per_mm = std::max(largest_per_mm, std::abs(bendAlong(check, along)) / along.squaredNorm());
-    }
+    const auto bends = [&](const std::vector<SideSample>& samples) {
+      Eigen::VectorXd along(static_cast<Index>(samples.size()));
+      for (Index i = 0; i < along.size(); ++i) along(i) = bendAlong(samples[i], cross.point(samples[i].t));
+      return along;
+    };
+    const Eigen::VectorXd wanted = bends(samples_), checked = bends(checks_);
+    Eigen::VectorXd squares(checked.size());
+    for (Index i = 0; i < checked.size(); ++i) squares(i) = cross.point(checks_[i].t).squaredNorm();
+    const double largest_per_mm =
+        std::max(1 / path_.length_mm(), checked.cwiseQuotient(squares).cwiseAbs().maxCoeff());
     for (int degree = 0; degree <= options_.most_degree; ++degree) {
-      const Poles bend = fittedBend(samples_, cross, degree);
+      const BezierCurve bend(fittedBend(samples_, wanted, degree));
       double missed_per_mm = 0;
-      for (const SideSample& check : checks_) {
-        const Vector3d along = cross.point(check.t);
-        const double missed = check.normal.dot(BezierCurve(bend).point(check.t)) - bendAlong(check, along);
-        missed_per_mm = std::max(missed_per_mm, std::abs(missed) / along.squaredNorm());
-      }
+      for (Index i = 0; i < checked.size(); ++i)
+        missed_per_mm =
+            std::max(missed_per_mm,
+                     std::abs(checks_[i].normal.dot(bend.point(checks_[i].t)) - checked(i)) / squares(i));
       if (fitted.side.bend && !(missed_per_mm < fitted.curvature_per_mm)) continue;
-      fitted.side.bend = bend;
+      fitted.side.bend = bend.poles();
       fitted.curvature_per_mm = missed_per_mm;
       if (missed_per_mm <= near_enough * largest_per_mm) return;
     }
