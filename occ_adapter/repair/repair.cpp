@@ -73,6 +73,7 @@ class Repairing {
   struct Way {
     Solver solver;
     Which which = Which::All;
+    bool gives_curvature = true;  ///< false: hardly ever, and as slowly as the others together
   };
 
   /// Seams that can't have one curvature get one tangent plane, if they lack that too; what was repaired stays so.
@@ -120,7 +121,7 @@ class Repairing {
                                       {network(&dear), Which::All},
                                       {pairwise, Which::NotDear},
                                       {follow(LeadReach::Spans, followed[0]), Which::All},
-                                      {follow(LeadReach::Half, followed[1]), Which::All},
+                                      {follow(LeadReach::Half, followed[1]), Which::All, false},
                                       {network(nullptr), Which::Dear},
                                       {pairwise, Which::Dear}}};
     double done = 0;
@@ -132,6 +133,7 @@ class Repairing {
       for (std::size_t i = 0; i < open_.size(); ++i)
         if (ways[k].which != Which::All && (dear.count(i) > 0) != (ways[k].which == Which::Dear))
           task.treated[i] = false;
+      if (options.order > 1 && !ways[k].gives_curvature) task.treated.assign(open_.size(), false);
       pairs.clear();
       says_why_ = ways[k].which != Which::Dear;
       if (std::ranges::count(task.treated, true) > 0)
