@@ -9,11 +9,14 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 #include <TopoDS_Vertex.hxx>
@@ -249,6 +252,7 @@ TEST(SewProof, WhatAPartHasOfItsOwnComesFirst) {
                       {TopAbs_FACE, 2, "face", blue, {"of the face"}}};
   const RepairReport report = repair(model, matching(0.1));
   ASSERT_EQ(sewnSeams(report), 1);
+  EXPECT_EQ(partsOf(report.model.shape, TopAbs_SHELL).Extent(), 1);
   const std::vector<occ::ShapeAttribute>& now = report.model.attributes;
   const auto own = std::ranges::find(now, "face", &occ::ShapeAttribute::name),
              given = std::ranges::find(now, "shell", &occ::ShapeAttribute::name);
@@ -277,6 +281,48 @@ TEST(SewProof, AllPiecesOfAnEdgeHaveItsName) {
   for (const occ::ShapeAttribute& attribute : repair(model, matching(0.1)).model.attributes)
     if (attribute.kind == TopAbs_EDGE && attribute.name == "long") named.push_back(attribute.index);
   EXPECT_THAT(named, testing::UnorderedElementsAreArray(*cut));
+}
+
+TEST(SewProof, WiresRunFromPieceToPiece) {
+  // The long edge runs both ways in its face's wire.
+  for (const bool turned : {false, true}) {
+    TopoDS_Shape with_long = plate(0, 10, -10, 30);
+    if (turned) {
+      gp_Trsf about;
+      about.SetRotation(gp_Ax1(gp_Pnt(5, 10, 0), gp::DZ()), pi);
+      with_long = transformed(with_long, about);
+    }
+    const TopoDS_Shape shape = compoundOf({with_long, plate(10, 20, -10, 5), plate(10, 20, 12, 30)});
+    const RepairReport report = repair(modelFromShape(shape), matching(0.1));
+    ASSERT_EQ(sewnSeams(report), 2) << testing::PrintToString(reasonsOf(report));
+    for (TopExp_Explorer wire(report.model.shape, TopAbs_WIRE); wire.More(); wire.Next()) {
+      EXPECT_TRUE(wire.Current().Closed());
+      std::vector<TopoDS_Edge> edges;
+      for (TopoDS_Iterator edge(wire.Current()); edge.More(); edge.Next())
+        edges.push_back(TopoDS::Edge(edge.Value()));
+      for (std::size_t k = 0; k < edges.size(); ++k)
+        EXPECT_TRUE(TopExp::LastVertex(edges[k], true)
+                        .IsSame(TopExp::FirstVertex(edges[(k + 1) % edges.size()], true)));
+    }
+  }
+}
+
+TEST(SewProof, NothingEmptyIsLeftBehind) {
+  const TopoDS_Shape shape = compoundOf({plate(0, 10, 0, 10), compoundOf({plate(10, 20, 0, 10)})});
+  const RepairReport report = repair(modelFromShape(shape), matching(0.1));
+  ASSERT_EQ(sewnSeams(report), 1);
+  EXPECT_EQ(partsOf(report.model.shape, TopAbs_COMPOUND).Extent(), 1);
+}
+
+TEST(SewProof, FacesOfWholeSurfacesAreSaidToBeStill) {
+  const BRep_Builder builder;
+  std::vector<TopoDS_Shape> plates = {plate(0, 10, 0, 10), plate(10, 20, 0, 10)};
+  builder.NaturalRestriction(TopoDS::Face(plates[1]), true);
+  const RepairReport report = repair(modelFromShape(compoundOf(plates)), matching(0.1));
+  ASSERT_EQ(sewnSeams(report), 1);
+  const TopTools_IndexedMapOfShape faces = partsOf(report.model.shape, TopAbs_FACE);
+  EXPECT_FALSE(BRep_Tool::NaturalRestriction(TopoDS::Face(faces(report.faces_now[1]))));
+  EXPECT_TRUE(BRep_Tool::NaturalRestriction(TopoDS::Face(faces(report.faces_now[2]))));
 }
 
 TEST(SewProof, WhatWasUnsoundElsewhereIsNoReason) {
