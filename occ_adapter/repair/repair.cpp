@@ -75,7 +75,6 @@ class Repairing {
   /// What one way leaves the next one tries, in the shape as it is then; what an exact join moves far, first by following.
   void repair(const std::vector<FaceChoice>& faces) {
     JoinedPairs pairs;
-    std::array<FollowedFaces, 2> followed;
     DearSeams dear;
     const auto network = [](DearSeams* left) {
       return [left](const RepairTask& task, const Progress& progress) {
@@ -85,16 +84,16 @@ class Repairing {
     const Solver pairwise = [&pairs](const RepairTask& task, const Progress& progress) {
       return joinPairs(task, pairs, progress);
     };
-    const auto follow = [](LeadReach reach, FollowedFaces& known) {
-      return [reach, &known](const RepairTask& task, const Progress& progress) {
-        return followTargets(task, reach, known, progress);
+    const auto follow = [this](LeadReach reach) {
+      return [this, reach](const RepairTask& task, const Progress& progress) {
+        return followTargets(task, reach, followed_, progress);
       };
     };
     const std::array<Way, 7> ways = {{{joinPaths, Which::All},
                                       {network(&dear), Which::All},
                                       {pairwise, Which::NotDear},
-                                      {follow(LeadReach::Spans, followed[0]), Which::All},
-                                      {follow(LeadReach::Half, followed[1]), Which::All},
+                                      {follow(LeadReach::Spans), Which::All},
+                                      {follow(LeadReach::Half), Which::All},
                                       {network(nullptr), Which::Dear},
                                       {pairwise, Which::Dear}}};
     const double all = options_.match_mm > 0 && options_.sew ? share_before_sewing : 1;
@@ -155,7 +154,8 @@ class Repairing {
       TopoDS_Shape changed;
       proof.too_far = movedTooFar(rest, solution.changes);
       if (proof.holds()) {
-        changed = withChanges(task.shape, solution.changes, options_.tolerance.gap_mm, solution.paths);
+        changed = withChanges(task.shape, solution.changes, options_.tolerance.gap_mm, solution.paths,
+                              options_.jobs);
         // Figures known are of edges with the paths that they have in the shape.
         MeasuredSeams of_paths;
         MeasuredSeams& known = solution.paths.empty() ? measured : of_paths;
@@ -196,6 +196,7 @@ class Repairing {
   void keep(const RepairTask& task, const RepairSolution& solution, const TopoDS_Shape& changed,
             const Proof& proof) {
     result_.model.shape = changed;
+    followed_.clear();
     was_ = proof.soundness;
     result_.after.seams = proof.after;
     seams_ = seamsIn(changed, seams_);
@@ -253,6 +254,7 @@ class Repairing {
   bool says_why_ = true;              ///< the way at work, also where one before did
   std::map<int, double> moves_;       ///< by face
   std::optional<Soundness> was_;      ///< of the shape as it is, once known
+  FollowedFaces followed_;            ///< in the shape as it is
   std::map<int, double> edge_moves_;  ///< by edge
   Reasons not_sewn_;
   RepairReport result_;
