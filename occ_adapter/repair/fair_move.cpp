@@ -11,6 +11,14 @@ namespace seamwright::occ {
 
 namespace {
 
+double nearMm(const FaceTask& task) {
+  return task.tolerance.gap_mm / 100;
+}
+
+bool asksForCurvature(const FaceTask& task) {
+  return std::ranges::any_of(task.paths, [](const FollowPath& path) { return path.order > 1; });
+}
+
 /// The original, but poles that stay as they are by now.
 PointRows startOf(const MovingSurface& surface, const MoveNumbers& numbers) {
   PointRows start = surface.poles();
@@ -25,7 +33,8 @@ FairMove::FairMove(const FaceTask& task, const TaskPlaces& places, const MovingS
     : task_(task),
       places_(places),
       surface_(surface),
-      numbers_(surface.numbers(task.tolerance.gap_mm / 100)),
+      numbers_(surface.numbers(nearMm(task))),
+      depends_on_move_(asksForCurvature(task) || surface.isCollapsed(nearMm(task))),
       start_(startOf(surface, numbers_)),
       conditions_(numbers_.of_pole, numbers_.count, surface.original(), start_) {
   for (const PathPlaces& path : places.paths)

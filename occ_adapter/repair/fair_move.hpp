@@ -20,6 +20,9 @@ class FairMove {
 
   /// Unknown moves.
   int count() const { return numbers_.count; }
+  /// The conditions are others once the surface has moved: curvature is not linear, and beside a side that is one point tangents turn
+  /// with the poles.
+  bool dependsOnMove() const { return depends_on_move_; }
 
   /// The poles after the move of least squares. \param fairness the smaller, the better the samples are met and the less fair the move.
   /// \returns nothing where the move is without sense, as the conditions contradict one another.
@@ -35,6 +38,7 @@ class FairMove {
   const TaskPlaces& places_;
   const MovingSurface& surface_;
   MoveNumbers numbers_;
+  bool depends_on_move_;
   PointRows start_;
   MoveConditions conditions_;
 };
