@@ -49,7 +49,7 @@ void FairMove::addPlace(const Place& place) {
   if (!conditions_.canChange(shares.poles)) return;
   conditions_.addPoint(shares.poles, shares.share.row(0), target.point, 1 / (task_.share * tolerance.gap_mm));
   if (place.order < 1) return;
-  const SurfaceJet jet = firstOrderJetOf(shares, surface_.poles());
+  const SurfaceJet jet = firstOrderJetOf(shares, depends_on_move_ ? surface_.poles() : surface_.original());
   const auto normal = unitNormal(jet, noiseOf(jet, surface_.basis()));
   if (!normal) return;
   Eigen::Vector3d tangent = place.along[0] * jet.u + place.along[1] * jet.v;

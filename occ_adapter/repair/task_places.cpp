@@ -27,7 +27,7 @@ std::vector<double> sampleShares(int count, int dense) {
 }  // namespace
 
 TaskPlaces::TaskPlaces(const FaceTask& task, const MovingSurface& surface) {
-  constexpr int per_pole = 3, between = 4;
+  constexpr int per_pole = 3, between = 2;
   const SurfaceBasis& basis = surface.basis();
   const Eigen::Vector2d poles(std::max(1.0, polesPerSpan(basis.u())), std::max(1.0, polesPerSpan(basis.v())));
   const int degree = std::max(basis.u().degree, basis.v().degree);
