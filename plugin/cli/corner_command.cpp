@@ -81,8 +81,7 @@ void addCornerOptions(CLI::App& command, CornerArguments& arguments) {
   command.add_option("--vertex", arguments.vertex, "Number of the vertex, as 6 or Vertex6")
       ->type_name("N")
       ->required()
-      ->transform(numberOf("Vertex"))
-      ->check(CLI::PositiveNumber);
+      ->transform(numberOf("Vertex"));
   addLengths(command, "--radius", arguments.radii_mm,
              "Radius of all edges at the vertex, or of each: counter-clockwise seen from outside, from the "
              "smallest number on",

@@ -79,13 +79,12 @@ void addFillOptions(CLI::App& command, FillArguments& arguments) {
   command.add_option("--target", arguments.target, "What every new seam must reach: G0, G1 or G2")
       ->check(CLI::IsMember({"G0", "G1", "G2"}))
       ->capture_default_str();
-  CLI::Option* hole =
-      command.add_option("--hole", arguments.hole, "Number of the hole; else the only one")->type_name("N");
-  hole->check(CLI::PositiveNumber);
+  CLI::Option* hole = command.add_option("--hole", arguments.hole, "Number of the hole; else the only one")
+                          ->type_name("N")
+                          ->transform(numberOf("Hole"));
   command.add_option("--face", arguments.face, "Take this face out and fill the hole that it leaves")
       ->type_name("N")
       ->transform(numberOf("Face"))
-      ->check(CLI::PositiveNumber)
       ->excludes(hole);
   command.add_option("--gap", arguments.gap_mm, "Largest gap, mm")->type_name("MM")->capture_default_str();
   command.add_option("--angle", arguments.angle_deg, "Largest angle of the tangent planes, degrees")

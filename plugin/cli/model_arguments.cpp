@@ -121,6 +121,7 @@ CLI::Validator numberOf(const std::string& kind) {
             const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
             if (error != std::errc{} || end != digits.data() + digits.size())
               return "'" + text + "' names no " + kind + ": a number as 39, or " + kind + "39, is needed";
+            if (number < 1) return "'" + text + "' names no " + kind + ": they count from 1";
             text = std::move(digits);
             return std::string();
           },

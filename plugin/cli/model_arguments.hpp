@@ -44,7 +44,7 @@ struct OutputArguments {
 void addOutputOptions(CLI::App& command, const std::string& done, OutputArguments& arguments);
 
 /// Takes the name of a part, as "Edge39", for its number; both are understood.
-/// \param kind "Edge", "Face" or "Vertex"
+/// \param kind "Edge", "Face", "Vertex" or "Hole"
 CLI::Validator numberOf(const std::string& kind);
 
 /// What can be told of the files before \p model is read, as requireReport() and occ::requireTarget().

@@ -106,6 +106,14 @@ void bindHole(py::module_& module) {
       .def_property_readonly(
           "largest_gap_mm", [](const FillReport& fill) { return py::object(toDict(fill)["largest_gap_mm"]); },
           "Bound of the gap over all new seams; None: not known.")
+      .def_property_readonly(
+          "largest_curvature_rel",
+          [](const FillReport& fill) { return py::object(toDict(fill)["largest_curvature_rel"]); },
+          "Bound of the relative difference of curvature over all new seams; None: not known.")
+      .def_property_readonly(
+          "curvature_jump_per_mm", [](const FillReport& fill) { return fill.report.curvature_jump_per_mm; },
+          "With the target G2 the largest jump of normal curvature as the fill was built, against neighbours "
+          "as they were fitted, at places along the seams; else None.")
       .def("to_dict", &toDict, "All but the model as a plain dict with the keys of the JSON.")
       .def(
           "to_json", [](const FillReport& fill) { return report::toLine(fill.json()); },
@@ -123,7 +131,8 @@ void bindHole(py::module_& module) {
   model.def(
       "holes", &holes, py::kw_only(), py::arg("corner_deg") = 15.0,
       py::arg("gap_mm") = defaults.tolerance.gap_mm,
-      "The closed loops of open edges: a list of dicts {id, length_mm, has_corners, longest, sides}. The rim "
+      "The closed loops of open edges: a list of dicts {id, length_mm, centre_mm, has_corners, longest, "
+      "sides}. The rim "
       "of an open shell is one of them, mostly the longest.\n\n"
       "corner_deg: sides end where the tangent turns by more. gap_mm: ends of edges nearer than this are "
       "one.");
