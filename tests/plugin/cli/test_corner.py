@@ -82,6 +82,7 @@ def test_what_falls_short_is_not_written(box):
         (["--radius", "0.2"], "--vertex"),
         (["--vertex", "1"], "--radius"),
         (["--vertex", "9", "--radius", "0.2"], "vertex 9: the model has 8"),
+        (["--vertex", "0", "--radius", "0.2"], "--vertex: '0' names no Vertex: they count from 1 (see "),
         (["--vertex", "Edge1", "--radius", "0.2"], "'Edge1' names no Vertex"),
         (["--vertex", "1", "--radius", "0.2,0.3"], "--radius has 2 lengths: one for all edges is needed, or one for each of Edge1"),
         (["--vertex", "1", "--radius", "0.2", "--setback", "1,2"], "--setback has 2 lengths"),

@@ -127,6 +127,16 @@ class Holes(FillCase):
         holes, wanted, text = fill.holes_of(obj)
         self.assertEqual(([hole["longest"] for hole in holes], wanted, text), ([True, False], [2], ""))
 
+    def test_holes_as_long_as_one_another_are_all_filled(self):
+        tube = models.add(self.doc, Part.makeShell(Part.makeBox(10, 10, 30).Faces[:4]), "Tube")
+        obj = fill.create(tube, target="G0")
+        self.assertEqual((obj.Filled, obj.Wanted, obj.Reached), (2, 2, True), obj.Summary)
+        self.assertAlmostEqual(obj.Shape.Volume, 3000, delta=1e-6)
+        holes, wanted, _ = fill.holes_of(obj)
+        self.assertEqual(([hole["longest"] for hole in holes], wanted), ([False, False], [1, 2]))
+        centres = sorted(tuple(round(each, 9) for each in hole["centre_mm"]) for hole in holes)
+        self.assertEqual(centres, [(5, 5, 0), (5, 5, 30)])
+
     def test_a_hole_that_fails_does_not_hold_up_the_others(self):
         sharp = Part.makeShell(Part.makeBox(10, 10, 10).Faces[1:])  # no fill is tangent to its sides
         sharp.translate(App.Vector(50, 0, 0))

@@ -43,6 +43,7 @@ RESULTS = (
     ("NewFaces", "App::PropertyInteger", "Number of new faces"),
     ("MaxGap", "App::PropertyLength", "No gap of a new seam is larger, in mm"),
     ("MaxAngle", "App::PropertyAngle", "No angle of a new seam is larger, in degrees"),
+    ("MaxCurvature", "App::PropertyFloat", "No relative difference of curvature at a new seam is larger"),
 )
 
 
@@ -87,6 +88,7 @@ class UmbrellaFill(feature.Feature):
         obj.NewFaces = sum(len(each["faces"]) for each in done)
         obj.MaxGap = new_seams.bound(seams, "gap_mm")
         obj.MaxAngle = new_seams.bound(seams, "angle_deg")
+        obj.MaxCurvature = new_seams.bound(seams, "curvature_rel")
         feature.put_shape(obj, shape)
         obj.Summary = fill_text.summary_text(report)
 
