@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -303,7 +304,16 @@ Corner turnedInsideOut(Corner corner) {
 
 }  // namespace
 
+std::string lengthText(double length_mm) {
+  std::ostringstream text;
+  text << length_mm << " mm";
+  return text.str();
+}
+
 std::pair<Corner, bool> ofShellAlone(const Corner& corner) {
+  TopExp_Explorer shells(corner.solid, TopAbs_SHELL);
+  shells.Next();
+  if (!shells.More()) return {corner, false};
   Corner alone = corner;
   alone.solid = solidOf(corner.shell);
   const bool in_void = isUnbounded(alone.solid);

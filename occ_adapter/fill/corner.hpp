@@ -2,13 +2,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <array>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -55,6 +56,9 @@ struct Corner {
   std::size_t before(std::size_t i) const { return (i + count() - 1) % count(); }
   std::size_t after(std::size_t i) const { return (i + 1) % count(); }
 };
+
+/// "2.5 mm".
+std::string lengthText(double length_mm);
 
 /// The corner in a solid of its own shell alone; where that is the wall of a void, in what fills the void, seen from its outside.
 /// \returns the corner, and whether it is that of a void.

@@ -43,6 +43,7 @@ occ::CornerFilletOptions optionsOf(const CornerArguments& arguments, const std::
   options.radii_mm = byEdge("--radius", arguments.radii_mm, edges);
   options.setbacks_mm = byEdge("--setback", arguments.setbacks_mm, edges);
   options.tolerance = toleranceOf(arguments.measure);
+  options.tolerance.crease_rad = std::max(options.tolerance.crease_rad, options.tolerance.angle_rad);
   options.jobs = arguments.measure.jobs;
   options.validate();
   return options;
@@ -87,9 +88,9 @@ void addCornerOptions(CLI::App& command, CornerArguments& arguments) {
              "smallest number on",
              true);
   addLengths(command, "--setback", arguments.setbacks_mm,
-             "Where the fillets end, from the vertex along the edges; else chosen", false);
+             "Where the fillets end, from the vertex along the edges; 0, or none: chosen", false);
   command.add_flag("--keep-anyway", arguments.keep_anyway, "Write a model whose new seams fall short");
-  addToleranceOptions(command, arguments.measure);
+  addG1Options(command, arguments.measure);
   addOutputOptions(command, "rounded", arguments.output);
 }
 

@@ -51,6 +51,8 @@ CLI::Validator numberOf(const std::string& kind);
 /// \throws std::runtime_error, occ::ModelError.
 void requireOutputs(const std::string& model, const OutputArguments& arguments);
 
+/// Adds profile, gap, angle and threads to a command, and the profiles to its help; they are parsed into \p arguments.
+void addG1Options(CLI::App& command, MeasureArguments& arguments);
 /// Adds profile, tolerances and threads to a command, and the profiles to its help; they are parsed into \p arguments.
 void addToleranceOptions(CLI::App& command, MeasureArguments& arguments);
 /// The same, and --match.

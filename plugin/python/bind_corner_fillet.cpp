@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <map>
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
 #include <seamwright/occ_adapter/fill/corner_fillet.hpp>
@@ -65,6 +66,7 @@ CornerFilletResult cornerFillet(const occ::Model& model, const py::object& verte
   options.section_mm = argument<double>("section_mm", section_mm, "a number");
   const py::none profiles_own;
   options.tolerance = toleranceOf({profile, gap_mm, angle_deg, profiles_own, profiles_own, profiles_own});
+  options.tolerance.crease_rad = std::max(options.tolerance.crease_rad, options.tolerance.angle_rad);
   options.jobs = argument<int>("jobs", jobs, "a whole number");
   const int number = argument<int>("vertex", vertex, "the number of a vertex");
   return valueErrors([&] {
@@ -84,7 +86,7 @@ constexpr const char* corner_fillet_doc =
 
 vertex: its number, from 1; corner_edges(vertex) names the edges, counter-clockwise seen from outside.
 radii_mm: a number for all edges, or a dict of numbers by edge, all edges of the vertex.
-setbacks_mm: where the fillets end, from the vertex along the edge; a number, or a dict of some edges; the others are chosen.
+setbacks_mm: where the fillets end, from the vertex along the edge; a number, or a dict of some edges; 0 and the others are chosen.
 section_mm: the largest distance of the patches' sides from the cylinders between planes.
 profile, gap_mm, angle_deg: what the new seams must meet, as in analyze().
 
