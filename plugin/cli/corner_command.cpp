@@ -49,17 +49,6 @@ occ::CornerFilletOptions optionsOf(const CornerArguments& arguments, const std::
   return options;
 }
 
-/// The seams of the new faces; of all faces, where the model does not have those of the one in memory.
-report::Judge judgeOf(const occ::CornerFillet& fillet, const occ::CornerFilletOptions& options) {
-  return [&](const occ::Model& model, const occ::Progress& progress) {
-    occ::AnalyzeOptions asked;
-    asked.tolerance = options.tolerance;
-    asked.jobs = options.jobs;
-    if (model.faceCount() == fillet.model.faceCount()) asked.faces = report::newFaces(fillet);
-    return report::countsOf(occ::analyze(model, asked, progress));
-  };
-}
-
 occ::CornerFillet rounded(const occ::Model& model, const CornerArguments& arguments,
                           const occ::CornerFilletOptions& options) {
   ProgressBar bar(doing("rounding", arguments.model));
@@ -99,7 +88,7 @@ int runCorner(const CornerArguments& arguments) {
   const occ::Model model = readUnderBar(arguments.model);
   const occ::CornerFilletOptions options = optionsOf(arguments, edgesOf(model, arguments.vertex));
   const occ::CornerFillet fillet = rounded(model, arguments, options);
-  const report::Judge judge = judgeOf(fillet, options);
+  const report::Judge judge = report::judgeOf(fillet, options);
   const auto json = [&](const std::optional<report::WrittenModel>& output) {
     return report::toJson(fillet, options.tolerance, arguments.vertex, occ::factsOf(model), output);
   };

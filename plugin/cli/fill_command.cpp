@@ -4,7 +4,6 @@
 #include <numbers>
 #include <optional>
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
-#include <seamwright/occ_adapter/model/write.hpp>
 #include <seamwright/plugin/cli/fill_command.hpp>
 #include <seamwright/plugin/cli/output.hpp>
 #include <seamwright/plugin/cli/progress_bar.hpp>
@@ -60,18 +59,6 @@ occ::FillHoleReport filled(const occ::Model& model, const FillArguments& argumen
   return occ::fillHole(model, holeOf(model, arguments, options), options, bar.progress());
 }
 
-/// The seams of the new faces in the file; of all faces, where it does not have those of the model in memory.
-report::Judge judgeOf(const occ::FillHoleReport& report, const occ::FillHoleOptions& options) {
-  return [&report, &options](const occ::Model& model, const occ::Progress& progress) {
-    occ::AnalyzeOptions asked;
-    asked.tolerance = options.tolerance;
-    asked.level = options.target;
-    asked.jobs = options.jobs;
-    if (model.faceCount() == report.model.faceCount()) asked.faces = report.faces;
-    return report::countsOf(occ::analyze(model, asked, progress), options);
-  };
-}
-
 }  // namespace
 
 void addFillOptions(CLI::App& command, FillArguments& arguments) {
@@ -112,7 +99,7 @@ int runFill(const FillArguments& arguments) {
     return report::toJson(report, options, occ::factsOf(model), output);
   };
   const WrittenOutcome written = writeOutcome(
-      {report.filled ? &report.model : nullptr, judgeOf(report, options), json}, arguments.output);
+      {report.filled ? &report.model : nullptr, report::judgeOf(report, options), json}, arguments.output);
   writeStandardOutput(report::toTable(report, options, written.model));
   warn(arguments.model, model.notes);
   const report::ModelCounts memory = report::countsOf(report, options);

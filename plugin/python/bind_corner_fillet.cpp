@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
 #include <map>
@@ -17,7 +18,7 @@ namespace {
 
 struct CornerFilletResult {
   occ::CornerFillet fillet;
-  ContinuityTolerance tolerance;
+  occ::CornerFilletOptions options;
   int vertex = 0;
   occ::ModelFacts given;
 };
@@ -71,14 +72,25 @@ CornerFilletResult cornerFillet(const occ::Model& model, const py::object& verte
   const int number = argument<int>("vertex", vertex, "the number of a vertex");
   return valueErrors([&] {
     return longCall(progress, [&](const occ::Progress& report) {
-      return CornerFilletResult{occ::cornerFillet(model, number, options, report), options.tolerance, number,
+      return CornerFilletResult{occ::cornerFillet(model, number, options, report), options, number,
                                 occ::factsOf(model)};
     });
   });
 }
 
 py::object toDict(const CornerFilletResult& result) {
-  return plainObject(report::toJson(result.fillet, result.tolerance, result.vertex, result.given));
+  return plainObject(report::toJson(result.fillet, result.options.tolerance, result.vertex, result.given));
+}
+
+py::dict writeRounded(const CornerFilletResult& result, const std::filesystem::path& path, bool overwrite,
+                      bool overwrite_source, const py::object& progress) {
+  const report::Judge judge = report::judgeOf(result.fillet, result.options);
+  const report::ModelCounts memory = [&] {
+    const py::gil_scoped_release release;
+    return judge(result.fillet.model, {});
+  }();
+  return writeResult({result.fillet.model, false, judge, memory}, {path, overwrite, overwrite_source},
+                     progress);
 }
 
 constexpr const char* corner_fillet_doc =
@@ -115,6 +127,8 @@ void bindCornerFillet(py::module_& module) {
           "they are between: spoke (two patches), section (patch and fillet), spring (patch and face), "
           "contact "
           "(fillet and face).")
+      .def("write", &writeRounded, py::arg("path"), py::kw_only(), py::arg("overwrite") = false,
+           py::arg("overwrite_source") = false, py::arg("progress") = py::none(), write_result_doc)
       .def("__repr__", [](const CornerFilletResult& result) {
         return "<CornerFillet of " + std::to_string(result.fillet.edges.size()) + " edges" +
                (result.fillet.met() ? "" : ": " + result.fillet.shortfall) + ">";

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
 #include <algorithm>
 #include <numbers>
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
@@ -85,6 +88,14 @@ py::object toDict(const FillReport& fill) {
   return plainObject(fill.json());
 }
 
+py::dict writeFilled(const FillReport& fill, const std::filesystem::path& path, bool overwrite,
+                     bool overwrite_source, const py::object& progress) {
+  const ResultToWrite result{fill.report.model, !fill.report.filled,
+                             report::judgeOf(fill.report, fill.options),
+                             report::countsOf(fill.report, fill.options)};
+  return writeResult(result, {path, overwrite, overwrite_source}, progress);
+}
+
 }  // namespace
 
 void bindHole(py::module_& module) {
@@ -122,6 +133,8 @@ void bindHole(py::module_& module) {
           "to_table",
           [](const FillReport& fill) { return readable(report::toTable(fill.report, fill.options)); },
           "The report as text for people.")
+      .def("write", &writeFilled, py::arg("path"), py::kw_only(), py::arg("overwrite") = false,
+           py::arg("overwrite_source") = false, py::arg("progress") = py::none(), write_result_doc)
       .def("__repr__", [](const FillReport& fill) {
         return "<FillReport: " + std::string(fill.report.filled ? "filled" : "not filled") + ", " +
                (fill.report.reached ? "reached" : "not reached") + ">";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <numbers>
+#include <seamwright/occ_adapter/analyze/analyze.hpp>
 #include <seamwright/occ_adapter/seams/find.hpp>
 #include <seamwright/plugin/report/fill_json.hpp>
 #include <seamwright/plugin/report/json.hpp>
@@ -113,6 +114,17 @@ ModelCounts countsOf(const occ::Report& found, const occ::FillHoleOptions& optio
   ModelCounts counts = countsOf(found);
   counts.defects = missed(found.seams, options);
   return counts;
+}
+
+Judge judgeOf(const occ::FillHoleReport& report, const occ::FillHoleOptions& options) {
+  return [&report, &options](const occ::Model& model, const occ::Progress& progress) {
+    occ::AnalyzeOptions asked;
+    asked.tolerance = options.tolerance;
+    asked.level = options.target;
+    asked.jobs = options.jobs;
+    if (model.faceCount() == report.model.faceCount()) asked.faces = report.faces;
+    return countsOf(occ::analyze(model, asked, progress), options);
+  };
 }
 
 ordered_json toJson(const occ::FillHoleReport& report, const occ::FillHoleOptions& options,

@@ -18,6 +18,10 @@ ModelCounts countsOf(const occ::FillHoleReport& report, const occ::FillHoleOptio
 /// What its file has, by an analysis of the seams of the new faces.
 ModelCounts countsOf(const occ::Report& found, const occ::FillHoleOptions& options);
 
+/// Counts in a file the seams of the new faces; of all faces, where it does not have those of the model in memory. Both arguments have to
+/// outlive it.
+Judge judgeOf(const occ::FillHoleReport& report, const occ::FillHoleOptions& options);
+
 /// The report as the object "seamwright.fill/1" (docs/fill-1.schema.json), lengths in mm, angles in degrees.
 /// \param given the model as it was read. \param output nothing where the model was not written.
 nlohmann::ordered_json toJson(const occ::FillHoleReport& report, const occ::FillHoleOptions& options,

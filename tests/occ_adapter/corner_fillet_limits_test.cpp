@@ -107,16 +107,16 @@ TEST(CornerFilletLimits, SetbacksNeedRoom) {
   EXPECT_THAT(cube.message<std::domain_error>(), HasSubstr("would be "));
 }
 
-/// A box of 10 by 20 by 30: a radius of 12 has room on its own edge, if that is long, and none beside it.
+/// A box of 10 by 20 by 30: a radius of 28 has no room on the edges beside its own.
 TEST(CornerFilletLimits, TheEdgeWhoseRadiusIsTooLargeIsNamed) {
   const Model model = modelFromShape(BRepPrimAPI_MakeBox(10, 20, 30).Shape());
   const int vertex = vertexAt(model.shape, {0, 0, 0});
   const std::vector<int> edges = occ::cornerEdges(model, vertex);
   for (const int large : edges) {
     CornerFilletOptions options;
-    for (const int edge : edges) options.radii_mm[edge] = edge == large ? 12 : 0.5;
+    for (const int edge : edges) options.radii_mm[edge] = edge == large ? 28 : 0.5;
     const std::string said = messageOf<std::domain_error>([&] { cornerFillet(model, vertex, options); });
-    EXPECT_EQ(said.rfind("edge " + std::to_string(large) + ": with a radius of 12 mm there", 0), 0U) << said;
+    EXPECT_EQ(said.rfind("edge " + std::to_string(large) + ": with a radius of 28 mm there", 0), 0U) << said;
     options.radii_mm[large] = 0.5;
     const std::string alone = messageOf<std::domain_error>([&] {
       options.setbacks_mm[large] = 40;

@@ -65,7 +65,7 @@ TEST(CornerOfShells, IsThatOfTheOuterOneAlone) {
   EXPECT_TRUE(BRepCheck_Analyzer(with.model.shape).IsValid());
   EXPECT_EQ(parts(with.model.shape, TopAbs_SHELL).Extent(), 2);
   EXPECT_NEAR(volume_mm3(with.model.shape), volume_mm3(without.model.shape) - 32 * std::numbers::pi / 3,
-              1e-5);
+              1e-4);
 }
 
 /// What is cut off the wedge is left in the block.
@@ -74,7 +74,7 @@ TEST(CornerOfShells, InTheWallOfAVoidIsTheOneOfWhatFillsIt) {
   EXPECT_TRUE(wall.met()) << wall.shortfall;
   EXPECT_TRUE(BRepCheck_Analyzer(wall.model.shape).IsValid());
   EXPECT_EQ(parts(wall.model.shape, TopAbs_SHELL).Extent(), 2);
-  EXPECT_NEAR(volume_mm3(wall.model.shape), 50 * 50 * 50 - volume_mm3(wedge_alone.model.shape), 1e-5);
+  EXPECT_NEAR(volume_mm3(wall.model.shape), 50 * 50 * 50 - volume_mm3(wedge_alone.model.shape), 5e-4);
 
   const std::vector<int> edges = occ::cornerEdges(modelFromShape(mould()), vertexAt(mould(), corner));
   ASSERT_EQ(wall.edges.size(), 3U);
@@ -118,25 +118,33 @@ TEST(CornerOfShells, ThatRunsIntoAVoidIsNone) {
               HasSubstr("runs into face "));
 }
 
-TEST(SmallCorner, Probe) {
-  for (const double r : {0.1, 0.03, 0.01, 0.003, 0.001, 1e-4, 1e-5}) {
-    try {
-      const CornerFillet result = rounded(wedge(20, 30), corner, {r, 2 * r, 3 * r});
-      std::printf("r %g met %d %s | %g\n", r, result.met(), result.shortfall.c_str(), result.largestGap_mm());
-    } catch (const std::exception& e) {
-      std::printf("r %g: %s\n", r, e.what());
-    }
+/// Smaller than the gap that is allowed: ends of sides are not to be taken for one.
+TEST(SmallCorner, IsRoundedAsALargeOne) {
+  for (const double size : {0.03, 0.003, 1e-4}) {
+    const CornerFillet result = rounded(wedge(20, 30), corner, {size, 2 * size, 3 * size});
+    EXPECT_TRUE(result.met()) << size << ": " << result.shortfall;
+    EXPECT_LT(result.largestGap_mm(), 0.03 * size) << size;
   }
-  for (const double s : {0.1, 0.03, 0.01, 0.003, 0.001}) {
+}
+
+TEST(SmallCorner, OfASmallSolidIsThatOfALargeOne) {
+  const double large_mm3 = volume_mm3(rounded(wedge(20, 30), corner, {1, 2, 3}).model.shape);
+  for (const double scale : {0.03, 0.001}) {
     gp_Trsf size;
-    size.SetScaleFactor(s);
-    const TopoDS_Shape shape = transformed(wedge(20, 30), size);
-    try {
-      const CornerFillet result = rounded(shape, s * corner, {s, 2 * s, 3 * s});
-      std::printf("s %g met %d %s\n", s, result.met(), result.shortfall.c_str());
-    } catch (const std::exception& e) {
-      std::printf("s %g: %s\n", s, e.what());
-    }
+    size.SetScaleFactor(scale);
+    const CornerFillet result =
+        rounded(transformed(wedge(20, 30), size), scale * corner, {scale, 2 * scale, 3 * scale});
+    EXPECT_TRUE(result.met()) << scale << ": " << result.shortfall;
+    EXPECT_NEAR(volume_mm3(result.model.shape) / std::pow(scale, 3), large_mm3, 0.05) << scale;
+  }
+}
+
+TEST(SmallCorner, BelowWhatOpenCascadeTellsApartSaysSo) {
+  try {
+    rounded(wedge(20, 30), corner, {1e-5, 2e-5, 3e-5});
+    FAIL() << "rounded";
+  } catch (const std::domain_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("edge 8, radius 3e-05 mm"));
   }
 }
 

@@ -156,7 +156,7 @@ class Errors(CornerCase):
         self.assertNotRounded(corner.create(cube, "Vertex1", 9.0), "a fillet of radius 9.000000 mm")
         near = corner.create(cube, "Vertex1", 1.0, setbacks_mm=0.5)
         self.assertNotRounded(near, "a setback of 0.500000 mm leaves no room")
-        self.assertNotRounded(corner.create(cube, "Vertex1", 0.0), "radius of Edge1 is 0.000000 mm")
+        self.assertNotRounded(corner.create(cube, "Vertex1", 0.0), "radius of Edge1 is 0 mm")
         self.assertNotRounded(corner.create(cube, "Vertex99", 1.0), "Cube has no Vertex99")
         self.assertNotRounded(corner.create(cube, "Edge1", 1.0), "Cube has no Edge1")
         block = models.add(self.doc, models.rounded_block(), "Block")
