@@ -7,17 +7,9 @@ import os
 import pytest
 
 from command import expect_one_line, run
-from models import box_text
 from schemas import expect_every_key_matters, expect_valid, validator
 
 VALIDATOR = validator("corner")
-
-
-@pytest.fixture
-def box(tmp_path):
-    path = tmp_path / "box.step"
-    path.write_text(box_text())
-    return path
 
 
 def corner(model, *options, out="out.step"):

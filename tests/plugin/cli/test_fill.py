@@ -14,13 +14,6 @@ from schemas import expect_every_key_matters, expect_valid, validator
 VALIDATOR = validator("fill")
 
 
-@pytest.fixture
-def box(tmp_path):
-    path = tmp_path / "box.step"
-    path.write_text(box_text())
-    return path
-
-
 def fill(model, *options, out="out.step"):
     """The result, the report and the file written."""
     out, report = model.parent / out, model.parent / "fill.json"
