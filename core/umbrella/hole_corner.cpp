@@ -6,6 +6,7 @@
 #include <numbers>
 #include <seamwright/core/join/bernstein_rows.hpp>
 #include <seamwright/core/umbrella/hole_corner.hpp>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -106,6 +107,12 @@ void requireSides(const std::vector<FillSide>& sides) {
   }
 }
 
+std::string degreesText(double angle_rad) {
+  std::ostringstream out;
+  out << angle_rad * 180 / std::numbers::pi << " degrees";
+  return out.str();
+}
+
 void requireFairness(int order) {
   if (order != 2 && order != 3)
     throw std::invalid_argument("fairness order " + std::to_string(order) + ": known are 2 and 3");
@@ -113,8 +120,8 @@ void requireFairness(int order) {
 
 void requireTolerance(double corner_tolerance_rad) {
   if (!(corner_tolerance_rad >= 0 && corner_tolerance_rad <= 0.1))
-    throw std::invalid_argument("corner tolerance " + text(corner_tolerance_rad) +
-                                " rad is not within 0 to 0.1");
+    throw std::invalid_argument("corner tolerance " + degreesText(corner_tolerance_rad) +
+                                " is not within 0 to " + degreesText(0.1));
 }
 
 void requireCurvature(const std::optional<int>& degrees) {
@@ -153,8 +160,8 @@ FillCorner HoleCorner::figures(double tolerance_rad) const {
   corner.plane_angle_rad = planeAngle();
   if (corner.plane_angle_rad > noise_rad_ + tolerance_rad)
     throw std::invalid_argument(cornerName(k_) + ": the tangent planes of its sides differ by " +
-                                text(corner.plane_angle_rad) + " rad, allowed are " +
-                                text(noise_rad_ + tolerance_rad));
+                                degreesText(corner.plane_angle_rad) + ", allowed are " +
+                                degreesText(noise_rad_ + tolerance_rad));
   corner.angle_rad = interiorAngle();
   corner.exact = corner.plane_angle_rad <= noise_rad_;
   return corner;

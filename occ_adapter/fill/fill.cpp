@@ -30,6 +30,7 @@
 #include <seamwright/occ_adapter/fill/clearance.hpp>
 #include <seamwright/occ_adapter/fill/fill.hpp>
 #include <seamwright/occ_adapter/fill/fill_form.hpp>
+#include <seamwright/occ_adapter/fill/fill_names.hpp>
 #include <seamwright/occ_adapter/fill/side_fit.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/repair/prove.hpp>
@@ -75,6 +76,8 @@ class NotFilled : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+constexpr const char* fill_name = "the fill";
+
 /// The shape and more faces, numbered after its own.
 TopoDS_Compound withFaces(const TopoDS_Shape& shape, const std::vector<TopoDS_Face>& faces) {
   BRep_Builder builder;
@@ -110,9 +113,14 @@ bool isSound(const FillHoleReport& report) {
 
 class Filling {
  public:
-  Filling(const Model& model, const Hole& hole, const FillHoleOptions& options, const Attempt& attempt,
-          const Progress& progress)
-      : model_(model), hole_(hole), options_(options), attempt_(attempt), progress_(progress) {}
+  Filling(const Model& model, const Hole& hole, const FillHoleOptions& options, const FaceNames& names,
+          const Attempt& attempt, const Progress& progress)
+      : model_(model),
+        hole_(hole),
+        options_(options),
+        names_(names),
+        attempt_(attempt),
+        progress_(progress) {}
 
   FillHoleReport run() {
     result_.model = model_;
@@ -271,11 +279,21 @@ class Filling {
     std::vector<std::size_t> chosen;
     for (std::size_t i = 0; i < graph.seams.size(); ++i)
       if (graph.seams[i].kind == SeamKind::Matched && isOfFill(graph.seams[i])) chosen.push_back(i);
-    sewn_ = sewnShape(whole_, graph.seams, chosen, reach_mm);
+    sewn_ = sewnShape(whole_, graph.seams, chosen, reach_mm, [this](int face) { return nameOf(face); });
     if (!sewn_.refused.empty()) throw NotFilled("the fill can't be sewn: " + sewn_.refused.begin()->second);
     for (std::size_t k = 0; k < new_faces_.size(); ++k)
       numbers_.insert(sewn_.faces[firstNewFace() + static_cast<int>(k)]);
+    nameFaces();
     requireClosed();
+  }
+
+  std::string nameOf(int face) const { return isNew(face) ? fill_name : names_(face); }
+
+  void nameFaces() {
+    const int count = model_.faceCount() + static_cast<int>(new_faces_.size());
+    result_.face_names.resize(static_cast<std::size_t>(count));
+    for (int face = 1; face <= count; ++face)
+      result_.face_names[static_cast<std::size_t>(sewn_.faces[face]) - 1] = nameOf(face);
   }
 
   /// Seams between new faces, and those between a new face and one beside the hole.
@@ -346,9 +364,9 @@ class Filling {
             (worst == nullptr || angle(seam) > angle(*worst)))
           worst = &seam;
     if (worst == nullptr) return {};
-    return "a seam between faces " + std::to_string(worst->faces[0]) + " and " +
-           std::to_string(worst->faces[1]) + " does not surely reach " + std::string(name(options_.target)) +
-           ": " + figuresText(*worst);
+    const std::string &one = result_.faceName(worst->faces[0]), &other = result_.faceName(worst->faces[1]);
+    return (one == other ? "a seam inside " + one : "a seam between " + one + " and " + other) +
+           " does not surely reach " + std::string(name(options_.target)) + ": " + figuresText(*worst);
   }
 
   std::string unsound() const {
@@ -356,7 +374,7 @@ class Filling {
                     is = soundnessOf(sewn_.shape, options_.jobs);
     for (int face = 1; face <= model_.faceCount() + static_cast<int>(new_faces_.size()); ++face)
       if ((isNew(face) || was.faces[face]) && !is.faces[sewn_.faces[face]])
-        return "OpenCASCADE's checks would not pass for face " + std::to_string(sewn_.faces[face]);
+        return "OpenCASCADE's checks would not pass for " + nameOf(face);
     if (was.whole && !is.whole) return "OpenCASCADE's checks would not pass for the filled shape";
     return {};
   }
@@ -370,8 +388,9 @@ class Filling {
       return "the new faces stand out to " + text(result_.reach) + " times the size of the hole";
     if (result_.outer.empty()) return "the hole is too small for a seam to be measured";
     if (const auto touching = touchingFaces(sewn_.shape, numbers_))
-      return "face " + std::to_string(touching->first) + " of the fill runs into face " +
-             std::to_string(touching->second);
+      return numbers_.count(touching->second) > 0
+                 ? "the fill runs into itself"
+                 : "the fill runs into " + result_.faceName(touching->second);
     return {};
   }
 
@@ -390,6 +409,7 @@ class Filling {
   const Model& model_;
   const Hole& hole_;
   const FillHoleOptions& options_;
+  const FaceNames& names_;
   const Attempt attempt_;
   const Progress progress_;
   bool is_ring_ = false;
@@ -455,6 +475,18 @@ Model without(const Model& model, const TopoDS_Shape& face) {
   return rest;
 }
 
+/// What the parts of the rest of a model are called in the whole.
+class Numbers {
+ public:
+  Numbers(const TopoDS_Shape& whole, const TopoDS_Shape& rest, TopAbs_ShapeEnum kind)
+      : whole_(partsOf(whole, kind)), rest_(partsOf(rest, kind)) {}
+
+  int given(int number) const { return whole_.FindIndex(rest_(number)); }
+
+ private:
+  TopTools_IndexedMapOfShape whole_, rest_;
+};
+
 /// The hole in the rest of a model that a face left.
 Hole holeOf(const Model& rest, const TopoDS_Shape& face, const FillHoleOptions& options) {
   std::set<int> wanted;
@@ -492,6 +524,8 @@ std::optional<double> largest(const FillHoleReport& report, std::optional<Figure
 void FillHoleOptions::validate() const {
   tolerance.validate();
   HoleOptions{corner_rad, tolerance.gap_mm}.validate();
+  if (!(tolerance.angle_rad > 0))
+    throw std::invalid_argument("angle tolerance is 0 deg: a fill needs more, 0.01 say");
   if (target != Level::G0 && target != Level::G1 && target != Level::G2)
     throw std::invalid_argument("target " + std::string(name(target)) + ": it must be G0, G1 or G2");
   if (most_degree < 3 || most_degree > 11)
@@ -514,16 +548,23 @@ std::optional<double> FillHoleReport::largestAngle_rad() const {
 
 FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOptions& options,
                         const Progress& progress) {
+  return fillHole(model, hole, options, numberedFace, progress);
+}
+
+FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOptions& options,
+                        const FaceNames& names, const Progress& progress) {
   options.validate();
   requireEdges(model, hole);
   constexpr double share_of_first = 0.5;
   const Attempt first{options.most_degree, raiseFor(options.target)};
-  FillHoleReport best = Filling(model, hole, options, first, partOf(progress, 0, share_of_first)).run();
+  FillHoleReport best =
+      Filling(model, hole, options, names, first, partOf(progress, 0, share_of_first)).run();
   const std::vector<Attempt> others = best.reached ? std::vector<Attempt>() : othersThan(first, best);
   double build_s = best.build_s, done = share_of_first;
   for (std::size_t k = 0; k < others.size(); ++k) {
     const double next = done + (1 - done) / static_cast<double>(others.size() - k);
-    FillHoleReport other = Filling(model, hole, options, others[k], partOf(progress, done, next)).run();
+    FillHoleReport other =
+        Filling(model, hole, options, names, others[k], partOf(progress, done, next)).run();
     done = next;
     build_s += other.build_s;
     if (isBetter(other, best, options.target)) best = std::move(other);
@@ -543,7 +584,12 @@ FillHoleReport replaceFace(const Model& model, int face, const FillHoleOptions& 
   try {
     const TopoDS_Shape old = partsOf(model.shape, TopAbs_FACE)(face);
     const Model rest = without(model, old);
-    report = fillHole(rest, holeOf(rest, old, options), options, progress);
+    const Numbers faces(model.shape, rest.shape, TopAbs_FACE), edges(model.shape, rest.shape, TopAbs_EDGE);
+    report = fillHole(
+        rest, holeOf(rest, old, options), options,
+        [&faces](int number) { return numberedFace(faces.given(number)); }, progress);
+    for (FilledSide& side : report.sides)
+      for (int& edge : side.edges) edge = edges.given(edge);
   } catch (const NotFilled& why) {
     report.reason = why.what();
   } catch (const Standard_Failure& failure) {
