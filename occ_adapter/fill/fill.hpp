@@ -12,7 +12,8 @@
 namespace seamwright::occ {
 
 struct FillHoleOptions {
-  /// What every new seam has to reach. Fills are built for G1; with G2 what that leaves free is spent on small jumps of curvature.
+  /// What every new seam has to reach. Fills are built for G1, what that leaves free is spent on small jumps of curvature: with G1 in low
+  /// degrees, with G2 always and in higher ones.
   Level target = Level::G1;
   ContinuityTolerance tolerance{.gap_mm = 0.001, .angle_rad = 0.01 * 0.017453292519943295};
   bool keep_anyway = false;  ///< a fill that closes the hole is kept even if it does not reach the target
@@ -45,7 +46,8 @@ struct FillHoleReport {
   std::vector<FillCorner> corners;
   bool regular = false;  ///< as of NSidedFill
   double reach = 0;  ///< the farthest pole of the fill from the middle of the hole, over that of its sides
-  /// With the target G2, as of NSidedFill: against the curvature of the neighbours as it was fitted.
+  /// As of NSidedFill, against the curvature of the neighbours as it was fitted; nothing where it was not made small: with the target
+  /// G0, with G1 in high degrees.
   std::optional<double> curvature_jump_per_mm;
   std::vector<SeamResult>
       outer;  ///< between the new faces and the others; measured in the filled model, also if that was not kept
@@ -82,7 +84,7 @@ struct FillHoleReport {
 ///
 /// Then every new seam is measured as one edge, by enclosures. The target is reached if they surely reach it, and the new faces are proved
 /// regular, stand out to three times the size of the hole at most, and touch no face that they share no vertex with. Where that fails, sides of
-/// degree 5 are tried, and for G2 a fill for G1 alone; the better one counts. The fill is kept if the target is reached and
+/// degree 5 are tried, and a fill that leaves curvature alone; the better one counts. The fill is kept if the target is reached and
 /// OpenCASCADE's checks pass for the new faces, and for the neighbours and the shape as before; with keep_anyway also if the target
 /// is missed, as long as it could be sewn. Else the model comes back as it is, with how near the fill came. Names, colours and layers stay.
 ///

@@ -93,7 +93,7 @@ def test_the_table_has_the_figures_of_every_seam(tmp_path):
         worst = max(seam["curvature_rel"]["upper"] for seam in seams)
         assert report["largest_curvature_rel"] == worst
         assert f"curvature {100 * worst:.3g} %" in result.stdout.splitlines()[0]
-        assert (report["curvature_jump_per_mm"] is not None) == (target == "G2")
+        assert 0 < report["curvature_jump_per_mm"] < 0.1
         rows = [line for line in result.stdout.splitlines() if line.startswith(("met ", "missed "))]
         assert {row.split()[1] for row in rows} == {f"Edge{seam['edges'][0]}" for seam in seams} and len(rows) == len(seams)
         missed = sum(line.startswith("missed ") for line in rows)

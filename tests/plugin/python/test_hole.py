@@ -29,7 +29,7 @@ def test_a_face_is_replaced(shell):
     report = fill.to_dict()
     seams = report["outer"] + report["inner"]
     assert fill.largest_curvature_rel == report["largest_curvature_rel"] == max(seam["curvature_rel"]["upper"] for seam in seams)
-    assert fill.curvature_jump_per_mm is report["curvature_jump_per_mm"] is None
+    assert fill.curvature_jump_per_mm == report["curvature_jump_per_mm"] > 0
     assert report["schema"] == "seamwright.fill/1"
     assert len(report["sides"]) == len(report["corners"]) == len(report["faces"]) == len(report["inner"]) == 4
     assert fill.model.face_count == shell.face_count - 1 + 4
@@ -41,6 +41,8 @@ def test_jumps_of_curvature_are_told_where_they_were_looked_at(shell):
     assert fill.curvature_jump_per_mm == fill.to_dict()["curvature_jump_per_mm"] > 0
     plain = shell.fill(face=64)
     assert 0 < fill.largest_curvature_rel <= plain.largest_curvature_rel
+    flat = shell.fill(face=64, target="G0")
+    assert flat.curvature_jump_per_mm is flat.to_dict()["curvature_jump_per_mm"] is None
 
 
 def test_what_is_written_is_read_back(shell, tmp_path):
