@@ -316,7 +316,7 @@ TEST(SewProof, NothingEmptyIsLeftBehind) {
   const TopoDS_Shape shape = compoundOf({plate(0, 10, 0, 10), compoundOf({plate(10, 20, 0, 10)})});
   const RepairReport report = repair(modelFromShape(shape), matching(0.1));
   ASSERT_EQ(sewnSeams(report), 1);
-  EXPECT_EQ(partsOf(report.model.shape, TopAbs_COMPOUND).Extent(), 1);
+  EXPECT_EQ(report.model.shape.NbChildren(), 1);
 }
 
 TEST(SewProof, FacesOfWholeSurfacesAreSaidToBeStill) {
