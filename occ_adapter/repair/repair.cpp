@@ -103,8 +103,8 @@ class Repairing {
   /// \param options with the order that is tried. \param to_keep what no seam may be worse than.
   void repair(const std::vector<FaceChoice>& faces, const RepairOptions& options,
               const std::vector<SeamResult>& to_keep, const Progress& progress) {
+    followed_.clear();
     JoinedPairs pairs;
-    std::array<FollowedFaces, 2> followed;
     DearSeams dear;
     const auto network = [](DearSeams* left) {
       return [left](const RepairTask& task, const Progress& part) { return joinNetwork(task, left, part); };
@@ -112,16 +112,16 @@ class Repairing {
     const Solver pairwise = [&pairs](const RepairTask& task, const Progress& part) {
       return joinPairs(task, pairs, part);
     };
-    const auto follow = [](LeadReach reach, FollowedFaces& known) {
-      return [reach, &known](const RepairTask& task, const Progress& part) {
-        return followTargets(task, reach, known, part);
+    const auto follow = [this](LeadReach reach) {
+      return [this, reach](const RepairTask& task, const Progress& part) {
+        return followTargets(task, reach, followed_, part);
       };
     };
     const std::array<Way, 7> ways = {{{joinPaths, Which::All},
                                       {network(&dear), Which::All},
                                       {pairwise, Which::NotDear},
-                                      {follow(LeadReach::Spans, followed[0]), Which::All},
-                                      {follow(LeadReach::Half, followed[1]), Which::All, false},
+                                      {follow(LeadReach::Spans), Which::All},
+                                      {follow(LeadReach::Half), Which::All, false},
                                       {network(nullptr), Which::Dear},
                                       {pairwise, Which::Dear}}};
     double done = 0;
@@ -182,7 +182,8 @@ class Repairing {
       TopoDS_Shape changed;
       proof.too_far = movedTooFar(rest, solution.changes);
       if (proof.holds()) {
-        changed = withChanges(task.shape, solution.changes, options_.tolerance.gap_mm, solution.paths);
+        changed = withChanges(task.shape, solution.changes, options_.tolerance.gap_mm, solution.paths,
+                              options_.jobs);
         // Figures known are of edges with the paths that they have in the shape.
         MeasuredSeams of_paths;
         MeasuredSeams& known = solution.paths.empty() ? measured : of_paths;
@@ -223,6 +224,7 @@ class Repairing {
   void keep(const RepairTask& task, const RepairSolution& solution, const TopoDS_Shape& changed,
             const Proof& proof) {
     result_.model.shape = changed;
+    followed_.clear();
     was_ = proof.soundness;
     result_.after.seams = judged(proof.after, options_);
     seams_ = seamsIn(changed, seams_);
@@ -280,6 +282,7 @@ class Repairing {
   bool says_why_ = true;              ///< the way at work, also where one before did
   std::map<int, double> moves_;       ///< by face
   std::optional<Soundness> was_;      ///< of the shape as it is, once known
+  FollowedFaces followed_;            ///< in the shape as it is
   std::map<int, double> edge_moves_;  ///< by edge
   Reasons not_sewn_;
   RepairReport result_;

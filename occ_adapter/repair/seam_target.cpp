@@ -25,6 +25,8 @@ namespace {
 constexpr double difference_step = 1e-4;
 /// Of s, from a pole on: nearer, its normals and curvatures are mostly rounding and what the pole is not smooth by.
 constexpr double pole_stretch = 0.02;
+/// Of s, of a lead: it ends in the middle of the seam.
+constexpr double largest_span = 1.0 / 6;
 
 Eigen::Matrix3d inPlane(const Eigen::Matrix3d& tensor, const Eigen::Vector3d& normal) {
   const Eigen::Matrix3d onto = Eigen::Matrix3d::Identity() - normal * normal.transpose();
@@ -214,8 +216,7 @@ SeamTarget::Mean SeamTarget::led(double s, int order) const {
 }
 
 double SeamTarget::spanAt(int end) const {
-  constexpr double largest = 1.0 / 6;
-  if (reach_ == LeadReach::Half) return largest;
+  if (reach_ == LeadReach::Half) return largest_span;
   if (!spans_) {
     spans_ = {0, 0};
     for (const int side : {0, 1}) {
@@ -224,7 +225,11 @@ double SeamTarget::spanAt(int end) const {
     }
   }
   const double span = (*spans_)[end];
-  return span > 0 ? std::min(span, largest) : largest;
+  return span > 0 ? std::min(span, largest_span) : largest_span;
+}
+
+bool SeamTarget::isLedBriefly() const {
+  return spanAt(0) < largest_span || spanAt(1) < largest_span;
 }
 
 Eigen::Vector3d SeamTarget::way(int end) const {

@@ -56,6 +56,9 @@ class SeamTarget {
   /// The side has no normal at that end: a boundary of its surface collapses there.
   bool isPole(int side, int end) const { return pole_reach_.at(side).at(end) > 0; }
 
+  /// It would be led otherwise over half the seam.
+  bool isLedBriefly() const;
+
   /// The way of the seam from that end on, over one knot span.
   Eigen::Vector3d way(int end) const;
 
