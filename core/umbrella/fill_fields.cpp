@@ -29,10 +29,10 @@ FillCorner figuresOf(const HoleCorner& corner, std::size_t k, double tolerance_r
     throw std::invalid_argument("corner " + std::to_string(k) + ": the angle of the hole is " + what);
   };
   const double beyond = figures.angle_rad - std::numbers::pi;
-  if (std::abs(beyond) <= corner.noise_rad())
-    refuse("pi (" + text(figures.angle_rad) + " rad): merge the two sides");
-  if (beyond > 0) refuse(text(figures.angle_rad) + " rad, it must be below pi: split the hole");
-  if (figures.angle_rad <= corner.noise_rad()) refuse(text(figures.angle_rad) + " rad, it must be positive");
+  if (std::abs(beyond) <= corner.noise_rad()) refuse("180 degrees: merge the two sides");
+  if (beyond > 0) refuse(degreesText(figures.angle_rad) + ", above 180 degrees: split the hole");
+  if (figures.angle_rad <= corner.noise_rad())
+    refuse(degreesText(figures.angle_rad) + ", it must be positive");
   return figures;
 }
 

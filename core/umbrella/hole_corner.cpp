@@ -5,8 +5,8 @@
 #include <limits>
 #include <numbers>
 #include <seamwright/core/join/bernstein_rows.hpp>
-#include <seamwright/core/linear/dense.hpp>
 #include <seamwright/core/umbrella/hole_corner.hpp>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -107,6 +107,12 @@ void requireSides(const std::vector<FillSide>& sides) {
   }
 }
 
+std::string degreesText(double angle_rad) {
+  std::ostringstream out;
+  out << angle_rad * 180 / std::numbers::pi << " degrees";
+  return out.str();
+}
+
 void requireFairness(int order) {
   if (order != 2 && order != 3)
     throw std::invalid_argument("fairness order " + std::to_string(order) + ": known are 2 and 3");
@@ -114,8 +120,8 @@ void requireFairness(int order) {
 
 void requireTolerance(double corner_tolerance_rad) {
   if (!(corner_tolerance_rad >= 0 && corner_tolerance_rad <= 0.1))
-    throw std::invalid_argument("corner tolerance " + text(corner_tolerance_rad) +
-                                " rad is not within 0 to 0.1");
+    throw std::invalid_argument("corner tolerance " + degreesText(corner_tolerance_rad) +
+                                " is not within 0 to " + degreesText(0.1));
 }
 
 void requireCurvature(const std::optional<int>& degrees) {
@@ -132,9 +138,9 @@ Vector3d tangentAtEnd(const FillSide& side) {
 }
 
 Eigen::Vector2d combination(const Vector3d& first, const Vector3d& second, const Vector3d& vector) {
-  Eigen::MatrixXd plane(3, 2);
-  plane << first, second;
-  return linear::PivotedQr(plane).solve(vector);
+  const Vector3d normal = first.cross(second);
+  return Eigen::Vector2d(vector.cross(second).dot(normal), first.cross(vector).dot(normal)) /
+         normal.squaredNorm();
 }
 
 HoleCorner::HoleCorner(const std::vector<FillSide>& sides, std::size_t k)
@@ -154,8 +160,8 @@ FillCorner HoleCorner::figures(double tolerance_rad) const {
   corner.plane_angle_rad = planeAngle();
   if (corner.plane_angle_rad > noise_rad_ + tolerance_rad)
     throw std::invalid_argument(cornerName(k_) + ": the tangent planes of its sides differ by " +
-                                text(corner.plane_angle_rad) + " rad, allowed are " +
-                                text(noise_rad_ + tolerance_rad));
+                                degreesText(corner.plane_angle_rad) + ", allowed are " +
+                                degreesText(noise_rad_ + tolerance_rad));
   corner.angle_rad = interiorAngle();
   corner.exact = corner.plane_angle_rad <= noise_rad_;
   return corner;

@@ -3,10 +3,14 @@
 
 #include <optional>
 #include <seamwright/core/umbrella/n_sided_fill.hpp>
+#include <string>
 #include <vector>
 
 /// The sides of a hole as they are given, and what they say where they meet; not a public header.
 namespace seamwright::fill {
+
+/// "12.5 degrees", to six digits.
+std::string degreesText(double angle_rad);
 
 /// \throws std::invalid_argument as nSidedFill() for sides alone: rational, degrees, not finite, not closed, without a tangent; and for a
 /// tolerance outside [0, 0.1] and an order other than 2 and 3.

@@ -26,13 +26,13 @@ FillCorner figuresOf(const HoleCorner& corner, std::size_t k, double tolerance_r
   const FillCorner figures = corner.figures(tolerance_rad);
   const auto refuse = [&](const std::string& what) {
     throw std::invalid_argument("corner " + std::to_string(k) + ": the angle of the hole is " +
-                                text(figures.angle_rad) + " rad: " + what);
+                                degreesText(figures.angle_rad) + ": " + what);
   };
   const double turn = std::abs(figures.angle_rad - std::numbers::pi);
-  if (std::numbers::pi - turn <= corner.noise_rad()) refuse("it must be between 0 and 2 pi");
+  if (std::numbers::pi - turn <= corner.noise_rad()) refuse("it must be between 0 and 360 degrees");
   if (turn > corner.noise_rad() && turn < least_turn_rad)
-    refuse("it must be pi, to " + text(corner.noise_rad()) + ", or differ from it by " +
-           text(least_turn_rad));
+    refuse("it must be 180 degrees, to " + degreesText(corner.noise_rad()) + ", or differ from that by " +
+           degreesText(least_turn_rad));
   return figures;
 }
 

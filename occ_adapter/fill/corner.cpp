@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
+#include <BRepClass3d_SolidClassifier.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Eigen/Geometry>
+#include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
@@ -12,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -267,7 +271,58 @@ class CornerReader {
   Corner& corner_;
 };
 
+TopoDS_Solid solidOf(const TopoDS_Shape& shell) {
+  const BRep_Builder builder;
+  TopoDS_Solid solid;
+  builder.MakeSolid(solid);
+  builder.Add(solid, shell);
+  return solid;
+}
+
+bool isUnbounded(const TopoDS_Solid& solid) {
+  BRepClass3d_SolidClassifier classifier(solid);
+  classifier.PerformInfinitePoint(Precision::Confusion());
+  return classifier.State() == TopAbs_IN;
+}
+
+/// The same corner, with what was solid taken for air.
+Corner turnedInsideOut(Corner corner) {
+  corner.shell = TopoDS::Shell(corner.shell.Reversed());
+  std::ranges::reverse(corner.edges);
+  std::ranges::reverse(corner.faces);
+  std::rotate(corner.faces.begin(), corner.faces.begin() + 1, corner.faces.end());
+  for (CornerEdge& edge : corner.edges) {
+    std::swap(edge.into[0], edge.into[1]);
+    edge.convex = !edge.convex;
+  }
+  for (CornerFace& face : corner.faces) {
+    face.face = TopoDS::Face(face.face.Reversed());
+    face.normal = -face.normal;
+  }
+  return corner;
+}
+
 }  // namespace
+
+std::string lengthText(double length_mm) {
+  std::ostringstream text;
+  text << length_mm << " mm";
+  return text.str();
+}
+
+std::pair<Corner, bool> ofShellAlone(const Corner& corner) {
+  TopExp_Explorer shells(corner.solid, TopAbs_SHELL);
+  shells.Next();
+  if (!shells.More()) return {corner, false};
+  Corner alone = corner;
+  alone.solid = solidOf(corner.shell);
+  const bool in_void = isUnbounded(alone.solid);
+  if (in_void) {
+    alone = turnedInsideOut(std::move(alone));
+    alone.solid = solidOf(alone.shell);
+  }
+  return {std::move(alone), in_void};
+}
 
 Corner cornerOf(const TopoDS_Shape& shape, int vertex) {
   Corner corner;
@@ -276,6 +331,7 @@ Corner cornerOf(const TopoDS_Shape& shape, int vertex) {
   std::tie(corner.solid, corner.shell) = homeOf(shape, corner.vertex, vertex);
   const Surroundings around(shape, corner.shell);
   CornerReader(around, corner).read();
+  TopExp::MapShapes(shape, TopAbs_FACE, corner.given_faces);
   return corner;
 }
 

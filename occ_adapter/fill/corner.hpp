@@ -2,12 +2,15 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <array>
+#include <string>
+#include <utility>
 #include <vector>
 
 /// A vertex of a solid and what meets there; not a public header.
@@ -45,6 +48,7 @@ struct Corner {
   TopoDS_Shell shell;
   std::vector<CornerEdge> edges;
   std::vector<CornerFace> faces;
+  TopTools_IndexedMapOfShape given_faces;  ///< of the whole shape: what its faces are called
   /// The faces are planes, the edges lines, and at the far end of each edge meet two more and one more plane, not through the corner.
   bool polyhedral = false;
 
@@ -52,6 +56,13 @@ struct Corner {
   std::size_t before(std::size_t i) const { return (i + count() - 1) % count(); }
   std::size_t after(std::size_t i) const { return (i + 1) % count(); }
 };
+
+/// "2.5 mm".
+std::string lengthText(double length_mm);
+
+/// The corner in a solid of its own shell alone; where that is the wall of a void, in what fills the void, seen from its outside.
+/// \returns the corner, and whether it is that of a void.
+std::pair<Corner, bool> ofShellAlone(const Corner& corner);
 
 /// \param vertex from 1, order of TopExp::MapShapes.
 /// \throws std::invalid_argument for a number that the shape does not have; std::domain_error, with numbers, for a corner that

@@ -65,10 +65,6 @@ gp_Ax2 ballAxes(const Corner& corner) {
           directionOf(best_middle)};
 }
 
-std::string mm(double length) {
-  return std::to_string(length) + " mm";
-}
-
 class OutsideRounder {
  public:
   OutsideRounder(const Corner& corner, const std::vector<CornerStrip>& strips, double ball_mm)
@@ -102,11 +98,17 @@ class OutsideRounder {
   using Rim = std::vector<std::pair<TopoDS_Edge, TopoDS_Face>>;
 
   [[noreturn]] void fail(const std::string& why) const {
-    throw std::domain_error("a ball of " + mm(ball_mm_) + " about the vertex: " + why);
+    throw std::domain_error("a ball of " + lengthText(ball_mm_) + " about the vertex: " + why);
   }
   [[noreturn]] void failAtEdge(std::size_t i, const std::string& why) const {
-    throw std::domain_error("edge " + std::to_string(corner_.edges[i].number) + ", outside a ball of " +
-                            mm(ball_mm_) + " about the vertex: " + why);
+    const std::size_t cause = static_cast<std::size_t>(
+        std::ranges::max_element(strips_, {}, &CornerStrip::contact_mm) - strips_.begin());
+    const std::string edge = "edge " + std::to_string(corner_.edges[i].number);
+    const bool own = strips_[cause].contact_mm <= (1 + 1e-9) * strips_[i].contact_mm;
+    throw std::domain_error((own ? edge + ", radius " + lengthText(strips_[i].radius_mm)
+                                 : "edge " + std::to_string(corner_.edges[cause].number) + ", radius " +
+                                       lengthText(strips_[cause].radius_mm) + ": " + edge) +
+                            ", outside a ball of " + lengthText(ball_mm_) + " about the vertex: " + why);
   }
 
   void add(std::size_t i, BRepFilletAPI_MakeFillet& fillets) {
@@ -224,7 +226,7 @@ RoundedOutside roundedOutside(const Corner& corner, const std::vector<CornerStri
   try {
     return OutsideRounder(corner, strips, ball_mm).run();
   } catch (const Standard_Failure& failure) {
-    throw std::domain_error("a ball of " + mm(ball_mm) + " about the vertex: OpenCASCADE stops at " +
+    throw std::domain_error("a ball of " + lengthText(ball_mm) + " about the vertex: OpenCASCADE stops at " +
                             failure.DynamicType()->Name() + " " + failure.GetMessageString());
   }
 }

@@ -31,7 +31,8 @@
 #include <seamwright/occ_adapter/convert/bezier_surface.hpp>
 #include <seamwright/occ_adapter/fill/corner_ball.hpp>
 #include <seamwright/occ_adapter/fill/corner_bands.hpp>
-#include <seamwright/occ_adapter/fill/fill.hpp>
+#include <seamwright/occ_adapter/fill/fill_names.hpp>
+#include <seamwright/occ_adapter/model/parts.hpp>
 
 namespace seamwright::occ {
 
@@ -42,10 +43,6 @@ using opencascade::handle;
 
 Vector3d vector(const gp_XYZ& xyz) {
   return {xyz.X(), xyz.Y(), xyz.Z()};
-}
-
-std::string mm(double length) {
-  return std::to_string(length) + " mm";
 }
 
 /// The edge between a band and a face, from the ball outward.
@@ -117,9 +114,6 @@ EdgePlace placeAt(const CornerEdge& edge, double setback_mm) {
   const bool leaves = TopExp::LastVertex(TopoDS::Edge(edge.edge.Oriented(TopAbs_FORWARD))).IsSame(edge.far);
   const double sense = leaves ? 1 : -1;
   const double from = leaves ? curve.FirstParameter() : curve.LastParameter();
-  if (const double length = GCPnts_AbscissaPoint::Length(curve); !(setback_mm < length))
-    throw std::domain_error("edge " + std::to_string(edge.number) + ", " + mm(length) +
-                            " long: a setback of " + mm(setback_mm) + " is beyond its end");
   const GCPnts_AbscissaPoint place(curve, sense * setback_mm, from);
   gp_Pnt point;
   gp_Vec run;
@@ -166,6 +160,14 @@ class BandTrimmer {
   }
 
   TopoDS_Shape imageOf(const TopoDS_Shape& face) const { return change_->Value(face); }
+  /// Straight, of the hole's.
+  double shortestSide_mm() const {
+    double shortest = HUGE_VAL;
+    for (std::size_t i = 0; i < corner_.count(); ++i)
+      shortest = std::min({shortest, (pointAt(i, 1) - pointAt(i, 0)).norm(),
+                           (pointAt(corner_.after(i), 0) - pointAt(i, 1)).norm()});
+    return shortest;
+  }
   /// Of the section from the edge, the mean of both sides.
   double contact_mm(std::size_t i) const {
     const Vector3d foot = placeAt(corner_.edges[i], strips_[i].setback_mm).point;
@@ -215,9 +217,10 @@ class BandTrimmer {
       };
       const std::optional<double> share = beyond(0) < 0 ? crossingOf(beyond) : std::nullopt;
       if (!share)
-        throw std::domain_error(name(i) + ": a setback of " + mm(strips_[i].setback_mm) +
-                                " is not within its fillet, from " + mm(strips_[i].setback_mm + beyond(0)) +
-                                " to " + mm(strips_[i].setback_mm + beyond(1)));
+        throw std::domain_error(name(i) + ": a setback of " + lengthText(strips_[i].setback_mm) +
+                                " is not within its fillet, from " +
+                                lengthText(strips_[i].setback_mm + beyond(0)) + " to " +
+                                lengthText(strips_[i].setback_mm + beyond(1)));
       along += coordinate(contact.onBand(*share), runsInU(i)) / 2;
     }
     for (const std::size_t side : {0, 1}) {
@@ -315,9 +318,9 @@ class BandTrimmer {
     const Vector3d leaving = from.inward(leave), arriving = -to.inward(arrive);
     const std::array<double, 2> legs = legsOf(a, leaving, b, arriving);
     if (!(legs[0] > 0 && legs[1] > 0))
-      throw std::domain_error(name(i) + " and " + name(next) +
-                              ": their fillets cross before their sections, set back by " +
-                              mm(strips_[i].setback_mm) + " and " + mm(strips_[next].setback_mm));
+      throw std::domain_error(
+          name(i) + " and " + name(next) + ": their fillets cross before their sections, set back by " +
+          lengthText(strips_[i].setback_mm) + " and " + lengthText(strips_[next].setback_mm));
     const BezierCurve curve(springCurve(a, leaving, b, arriving, legs));
     TopoDS_Edge made;
     builder_.MakeEdge(made);
@@ -477,12 +480,41 @@ CornerShell shellOf(const FillHoleReport& report, const Corner& corner) {
   return shell;
 }
 
-void requireOneShell(const Corner& corner) {
-  int shells = 0;
-  for (TopExp_Explorer shell(corner.solid, TopAbs_SHELL); shell.More(); shell.Next()) ++shells;
-  if (shells != 1)
-    throw std::domain_error("the solid has " + std::to_string(shells) +
-                            " shells: one is needed where faces at the vertex are curved");
+/// Fillets begin on their edges.
+void requireRoom(const Corner& corner, const std::vector<CornerStrip>& strips,
+                 const CornerFilletOptions& options) {
+  for (std::size_t i = 0; i < corner.count(); ++i)
+    if (const double length_mm = GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(corner.edges[i].edge));
+        !(strips[i].setback_mm < length_mm))
+      throw std::domain_error(setBackText(corner, strips, options, i, length_mm) +
+                              " would begin beyond its end");
+}
+
+/// What the faces of the holed model are called in reasons.
+FaceNames namesOf(const Corner& corner, const RoundedOutside& rounded, const BandTrimmer& trimmer,
+                  const Model& holed) {
+  const TopTools_IndexedMapOfShape faces = partsOf(holed.shape, TopAbs_FACE),
+                                   given = partsOf(corner.solid, TopAbs_FACE);
+  std::vector<std::string> names(static_cast<std::size_t>(faces.Extent()) + 1, "a fillet");
+  const auto call = [&](const TopoDS_Face& face, const std::string& name) {
+    names[static_cast<std::size_t>(faces.FindIndex(trimmer.imageOf(face)))] = name;
+  };
+  for (const auto& [number, face] : rounded.became)
+    call(face, numberedFace(corner.given_faces.FindIndex(given(number))));
+  for (std::size_t i = 0; i < corner.count(); ++i)
+    call(rounded.bands[i], "the fillet of edge " + std::to_string(corner.edges[i].number));
+  return [names](int face) { return names[static_cast<std::size_t>(face)]; };
+}
+
+/// Of a corner that was made inside out, in the order and sense that it has in its solid.
+BandedCorner turnedBack(BandedCorner made) {
+  made.shell.shell.Reverse();
+  std::ranges::reverse(made.edges);
+  for (CornerFilletEdge& edge : made.edges) edge.convex = !edge.convex;
+  std::ranges::reverse(made.fill.patches);
+  for (BezierPatch& patch : made.fill.patches) patch = patch.transposed();
+  std::ranges::reverse(made.fill.corners);
+  return made;
 }
 
 /// What a corner is tried with.
@@ -504,7 +536,7 @@ struct Made {
 void setBackFromBall(const Corner& corner, const CornerFilletOptions& options, double least_mm,
                      std::vector<CornerStrip>& strips) {
   for (std::size_t i = 0; i < corner.count(); ++i) {
-    if (options.setbacks_mm.count(corner.edges[i].number) > 0) continue;
+    if (options.setback_mm(corner.edges[i].number)) continue;
     const double contact_mm = strips[i].contact_mm;
     const double along_mm = std::sqrt(std::max(0.0, least_mm * least_mm - contact_mm * contact_mm));
     strips[i].setback_mm = std::max(strips[i].setback_mm, along_mm);
@@ -515,18 +547,20 @@ Made tried(const Corner& corner, std::vector<CornerStrip> strips, const CornerFi
            const Attempt& attempt, const Progress& progress) {
   const double ball_mm = attempt.margin * leastBall_mm(corner, strips);
   setBackFromBall(corner, options, attempt.margin * ball_mm, strips);
+  requireRoom(corner, strips, options);
   const RoundedOutside rounded = roundedOutside(corner, strips, ball_mm);
   BandTrimmer trimmer(corner, strips, rounded);
   const Model holed = holedModel(rounded, trimmer, trimmer.run());
 
   FillHoleOptions how;
   how.tolerance = options.tolerance;
+  how.tolerance.gap_mm = std::min(how.tolerance.gap_mm, trimmer.shortestSide_mm() / 10);
   how.keep_anyway = true;
   how.most_degree = attempt.most_degree;
   how.jobs = options.jobs;
   const TopoDS_Face first_band = TopoDS::Face(trimmer.imageOf(rounded.bands.front()));
-  const FillHoleReport report =
-      fillHole(holed, holeBesideBands(holed, corner.count(), first_band, how), how, progress);
+  const FillHoleReport report = fillHole(holed, holeBesideBands(holed, corner.count(), first_band, how), how,
+                                         namesOf(corner, rounded, trimmer, holed), progress);
   if (!report.filled) throw std::domain_error("the corner between the fillets: " + report.reason);
 
   Made made{{shellOf(report, corner), {}, fillOf(report), 0}, report.reached};
@@ -540,9 +574,9 @@ Made tried(const Corner& corner, std::vector<CornerStrip> strips, const CornerFi
 
 }  // namespace
 
-BandedCorner bandedCorner(const Corner& corner, const CornerFilletOptions& options,
-                          const Progress& progress) {
-  requireOneShell(corner);
+BandedCorner bandedCorner(const Corner& given, const CornerFilletOptions& options, const Progress& progress) {
+  const std::pair<Corner, bool> alone = ofShellAlone(given);
+  const Corner& corner = alone.first;
   const std::vector<CornerStrip> strips = cornerStrips(corner, options);
   // Lower degrees follow the sides less closely and make fairer patches; where faces bend, fillets may come clear of one another further
   // out only.
@@ -562,7 +596,7 @@ BandedCorner bandedCorner(const Corner& corner, const CornerFilletOptions& optio
     }
   }
   if (!best) throw std::domain_error(reason);
-  return std::move(best->corner);
+  return alone.second ? turnedBack(std::move(best->corner)) : std::move(best->corner);
 }
 
 }  // namespace seamwright::occ

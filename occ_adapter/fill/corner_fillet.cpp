@@ -15,6 +15,7 @@
 #include <seamwright/occ_adapter/fill/corner_bands.hpp>
 #include <seamwright/occ_adapter/fill/corner_fillet.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
+#include <seamwright/occ_adapter/repair/sewn_shape.hpp>
 
 namespace seamwright::occ {
 
@@ -26,7 +27,14 @@ void requirePositive(const std::map<int, double>& lengths, const char* what) {
   for (const auto& [edge, length] : lengths)
     if (!(length > 0) || !std::isfinite(length))
       throw std::invalid_argument(std::string(what) + " of edge " + std::to_string(edge) + " is " +
-                                  std::to_string(length) + " mm: a finite one above 0 is needed");
+                                  lengthText(length) + ": a finite one above 0 is needed");
+}
+
+void requireNotNegative(const std::map<int, double>& lengths, const char* what) {
+  for (const auto& [edge, length] : lengths)
+    if (!(length >= 0) || !std::isfinite(length))
+      throw std::invalid_argument(std::string(what) + " of edge " + std::to_string(edge) + " is " +
+                                  lengthText(length) + ": a finite one above 0 is needed, or 0: chosen");
 }
 
 /// The linear law is the fairer one where it needs no help to be regular.
@@ -121,26 +129,52 @@ std::set<int> freshFaces(const TopoDS_Shape& shape, const Corner& corner, const 
   return fresh;
 }
 
+/// The face of the new shape as the user knows it: "face 3" with the number in the given one.
+std::string nameOf(int face, const TopoDS_Shape& shape, const Corner& corner, const CornerShell& made) {
+  const TopoDS_Shape is = partsOf(shape, TopAbs_FACE)(face);
+  for (int f = 1; f <= corner.given_faces.Extent(); ++f) {
+    const TopoDS_Shape& was = corner.given_faces(f);
+    if ((made.became.IsBound(was) ? made.became.Find(was) : was).IsSame(is)) return numberedFace(f);
+  }
+  return "a new face";
+}
+
+/// What meets at a new seam; names of faces that are not the corner's are those of the given shape.
+std::string betweenText(const CornerSeam& seam, const CornerFillet& result, const Corner& corner,
+                        const CornerShell& made) {
+  if (seam.kind == CornerSeamKind::Spoke) return "two patches";
+  if (seam.kind == CornerSeamKind::Section) return "a patch and a fillet";
+  std::string face = nameOf(seam.result.faces[0], result.model.shape, corner, made);
+  if (face == "a new face") face = nameOf(seam.result.faces[1], result.model.shape, corner, made);
+  return (seam.kind == CornerSeamKind::Spring ? "a patch and " : "a fillet and ") + face;
+}
+
 /// What keeps the result from being a rounded corner.
-std::string shortfallOf(const CornerFillet& result, const std::set<int>& fresh) {
+std::string shortfallOf(const CornerFillet& result, const Corner& corner, const CornerShell& made) {
   if (!result.valid) return "the new shell fails OpenCASCADE's checks: the fillets may overlap something";
   if (!result.fill.regular) return "the patches are not proved regular: other setbacks may help";
+  const std::set<int> fresh = freshFaces(result.model.shape, corner, made);
   if (const auto touching = touchingFaces(result.model.shape, fresh))
-    return "face " + std::to_string(touching->first) + ", a new one, runs into face " +
-           std::to_string(touching->second) + ": smaller radii may help";
+    return "a new face runs into " + nameOf(touching->second, result.model.shape, corner, made) +
+           ": smaller radii may help";
   for (const CornerSeam& seam : result.seams)
     if (seam.result.verdict.level < Level::G1)
-      return "edge " + std::to_string(seam.result.edges.front()) + ": " + figuresText(seam.result);
+      return "a seam between " + betweenText(seam, result, corner, made) + ": " + figuresText(seam.result);
   return {};
 }
 
 }  // namespace
 
+std::optional<double> CornerFilletOptions::setback_mm(int edge) const {
+  const auto given = setbacks_mm.find(edge);
+  return given == setbacks_mm.end() || given->second == 0 ? std::nullopt : std::optional(given->second);
+}
+
 void CornerFilletOptions::validate() const {
   requirePositive(radii_mm, "radius");
-  requirePositive(setbacks_mm, "setback");
+  requireNotNegative(setbacks_mm, "setback");
   if (!(section_mm >= least_section_mm && section_mm <= most_section_mm))
-    throw std::invalid_argument("section_mm is " + std::to_string(section_mm) + ": 1e-9 to 0.1 is needed");
+    throw std::invalid_argument("section_mm is " + lengthText(section_mm) + ": 1e-9 to 0.1 is needed");
   tolerance.validate();
   if (jobs < 0) throw std::invalid_argument("jobs is " + std::to_string(jobs) + ": 0 or more is needed");
 }
@@ -176,7 +210,7 @@ CornerFillet cornerFillet(const Model& model, int vertex, const CornerFilletOpti
   result.model.attributes = attributesAfter(model, result.model.shape, made.shell);
   result.seams = measured(result.model.shape, made.shell, options, partOf(progress, built, 1));
   result.valid = BRepCheck_Analyzer(made.shell.shell).IsValid();
-  result.shortfall = shortfallOf(result, freshFaces(result.model.shape, corner, made.shell));
+  result.shortfall = shortfallOf(result, corner, made.shell);
   return result;
 }
 

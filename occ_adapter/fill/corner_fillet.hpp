@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,14 +16,17 @@ namespace seamwright::occ {
 /// Edges are named by number, from 1, in the order of TopExp::MapShapes.
 struct CornerFilletOptions {
   std::map<int, double> radii_mm;  ///< of every edge at the vertex
-  /// From the vertex along the edge to the section where its fillet ends. Edges that are not named get the least one that the radii
-  /// allow, and half the mean distance of the contact lines from their edges.
+  /// From the vertex along the edge to the section where its fillet ends. Edges that are not named, or with 0, get the least one that the
+  /// radii allow, and half the mean distance of the contact lines from their edges.
   std::map<int, double> setbacks_mm;
   /// Largest distance of the polynomial section curves from their circles: the gap between cylinders and patches, [1e-9, 0.1]. Where faces
   /// are curved the sides are fitted to a twentieth of the tolerance instead.
   double section_mm = 1e-6;
   ContinuityTolerance tolerance;  ///< what the new seams must meet
   int jobs = 0;                   ///< threads; 0: one for each processor
+
+  /// Nothing: it is chosen.
+  std::optional<double> setback_mm(int edge) const;
 
   /// \throws std::invalid_argument with the edge and the offending number.
   void validate() const;
@@ -87,7 +91,7 @@ std::vector<int> cornerEdges(const Model& model, int vertex);
 /// faces, and fillHole() fills the hole. Setbacks that are not given are so large, then, that the sections are outside the ball.
 ///
 /// **Supported** is a vertex in one shell of one solid where 3 to 6 edges, convex or concave, and as many faces meet, no two of them tangent
-/// along an edge. Other shells and solids stay; a solid of several shells is supported where the corner is made of planes and lines.
+/// along an edge. It may be in the wall of a void. Other shells and solids stay.
 ///
 /// Identities (each has a test of its number):
 ///   (1) Between planes, the distance of the cylinders' axes from both is the radius.

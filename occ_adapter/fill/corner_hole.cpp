@@ -18,10 +18,6 @@ using std::numbers::pi;
 
 constexpr int least_degree = 5, most_degree = 11;  ///< of sections; patches are one degree higher
 
-std::string mm(double length) {
-  return std::to_string(length) + " mm";
-}
-
 /// B_0 .. B_n at t.
 Eigen::RowVectorXd bernsteinRow(int n, double t) {
   Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(n + 1);
@@ -43,15 +39,23 @@ UnitArc sectionArc(const CornerEdge& edge, const CornerStrip& strip, double sect
     if (arc.error * strip.radius_mm <= section_mm) return arc;
   }
   throw std::domain_error("edge " + std::to_string(edge.number) + ": a section of radius " +
-                          mm(strip.radius_mm) + " over " + std::to_string(strip.sweep_rad * 180 / pi) +
-                          " degrees is met to " + mm(arc.error * strip.radius_mm) + ", not to " +
-                          mm(section_mm));
+                          lengthText(strip.radius_mm) + " over " +
+                          std::to_string(strip.sweep_rad * 180 / pi) + " degrees is met to " +
+                          lengthText(arc.error * strip.radius_mm) + ", not to " + lengthText(section_mm));
 }
 
 /// Distances along two edges of a face, from the corner to the foot of the point where the contact lines cross.
 std::array<double, 2> crossing(double angle_rad, double contact_mm, double next_contact_mm) {
   const double sine = std::sin(angle_rad), cosine = std::cos(angle_rad);
   return {(next_contact_mm + contact_mm * cosine) / sine, (contact_mm + next_contact_mm * cosine) / sine};
+}
+
+/// Of an edge and those next to it the one whose contact lines are the farthest away; itself where none is farther.
+std::size_t widest(const Corner& corner, const std::vector<CornerStrip>& strips, std::size_t i) {
+  std::size_t found = i;
+  for (const std::size_t k : {corner.before(i), corner.after(i)})
+    if (strips[k].contact_mm > (1 + 1e-9) * strips[found].contact_mm) found = k;
+  return found;
 }
 
 class Roller {
@@ -86,8 +90,8 @@ class Roller {
       const int asked = number;
       if (std::none_of(corner_.edges.begin(), corner_.edges.end(),
                        [asked](const CornerEdge& edge) { return edge.number == asked; }))
-        throw std::invalid_argument("edge " + std::to_string(number) + " has " + what + " of " + mm(value) +
-                                    " and is not at the vertex");
+        throw std::invalid_argument("edge " + std::to_string(number) + " has " + what + " of " +
+                                    lengthText(value) + " and is not at the vertex");
     }
   }
 
@@ -101,13 +105,13 @@ class Roller {
     double mean = 0;
     for (const CornerStrip& strip : strips_) mean += strip.contact_mm / static_cast<double>(corner_.count());
     for (std::size_t i = 0; i < corner_.count(); ++i) {
-      const auto given = options_.setbacks_mm.find(corner_.edges[i].number);
       const double least = leastSetback(i);
-      strips_[i].setback_mm = given == options_.setbacks_mm.end() ? least + mean / 2 : given->second;
+      strips_[i].setback_mm = options_.setback_mm(corner_.edges[i].number).value_or(least + mean / 2);
       if (!(strips_[i].setback_mm > least * (1 + 1e-6)))
         throw std::domain_error("edge " + std::to_string(corner_.edges[i].number) + ": a setback of " +
-                                mm(strips_[i].setback_mm) + " leaves no room for spring curves: more than " +
-                                mm(least) + " is needed");
+                                lengthText(strips_[i].setback_mm) +
+                                " leaves no room for spring curves: more than " + lengthText(least) +
+                                " is needed");
     }
   }
 
@@ -144,9 +148,8 @@ class HoleBuilder {
       strip.contacts[side] = foot + strip.contact_mm * edge.into[side];
       const double length = edge.end_normal.dot(far - strip.contacts[side]) / edge.end_normal.dot(edge.axis);
       if (!(length > 1e-3 * edge.length_mm))
-        throw std::domain_error("edge " + std::to_string(edge.number) + ", " + mm(edge.length_mm) +
-                                " long: a fillet of radius " + mm(strip.radius_mm) + " set back by " +
-                                mm(strip.setback_mm) + " would be " + mm(length) + " long on one side");
+        throw std::domain_error(setBackText(corner_, hole_.strips, options_, i, edge.length_mm) +
+                                " would be " + lengthText(length) + " long on one side");
       strip.far_contacts[side] = strip.contacts[side] + length * edge.axis;
     }
   }
@@ -231,6 +234,18 @@ Poles springCurve(const Vector3d& from, const Vector3d& leaving, const Vector3d&
   poles << from.transpose(), (from + std::min(handle, 0.9 * legs[0]) * leaving).transpose(),
       (to - std::min(handle, 0.9 * legs[1]) * arriving).transpose(), to.transpose();
   return poles;
+}
+
+std::string setBackText(const Corner& corner, const std::vector<CornerStrip>& strips,
+                        const CornerFilletOptions& options, std::size_t i, double length_mm) {
+  const CornerEdge& edge = corner.edges[i];
+  const std::string name = "edge " + std::to_string(edge.number),
+                    size = ", " + lengthText(length_mm) + " long",
+                    place = " set back by " + lengthText(strips[i].setback_mm);
+  const std::size_t cause = options.setback_mm(edge.number) ? i : widest(corner, strips, i);
+  if (cause == i) return name + size + ": a fillet of radius " + lengthText(strips[i].radius_mm) + place;
+  return "edge " + std::to_string(corner.edges[cause].number) + ": with a radius of " +
+         lengthText(strips[cause].radius_mm) + " there, the fillet of " + name + size + "," + place + ",";
 }
 
 CornerHole cornerHole(const Corner& corner, const CornerFilletOptions& options) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include <seamwright/core/umbrella/n_sided_fill.hpp>
@@ -34,6 +35,11 @@ std::vector<CornerStrip> cornerStrips(const Corner& corner, const CornerFilletOp
 
 /// Where the contact lines of edge i and of the next one cross in face i: distances along both edges, from the corner to the foot.
 std::array<double, 2> crossingIn(const Corner& corner, const std::vector<CornerStrip>& strips, std::size_t i);
+
+/// How a fillet that has no room comes to where it is, with the edge first whose radius, or setback, is to blame: a sentence that goes on
+/// with what it would be. \param length_mm of edge i.
+std::string setBackText(const Corner& corner, const std::vector<CornerStrip>& strips,
+                        const CornerFilletOptions& options, std::size_t i, double length_mm);
 
 /// A cubic from one point to another with these unit tangents, near a circle's arc where they are symmetric. Its handles end before
 /// the tangents cross. \param legs from the ends to that crossing.

@@ -192,8 +192,8 @@ class ShellBuilder {
     if (lowest_u > first && lowest_u < last && !(lowest > 0))
       throw std::domain_error("edge " + std::to_string(corner_.edges[i].number) +
                               ": the plane at its far end cuts the cylinder of radius " +
-                              std::to_string(hole_.strips[i].radius_mm) + " mm from " +
-                              std::to_string(lowest) + " mm beyond the section on: more than 0 is needed");
+                              lengthText(hole_.strips[i].radius_mm) + " from " + lengthText(lowest) +
+                              " beyond the section on: more than 0 is needed");
   }
 
   /// v = height + swing cos(t) over u = t + highest_u as a polynomial, to half the tolerance.
@@ -265,9 +265,9 @@ class ShellBuilder {
       const double left = run.normalized().dot(placeOf(to) - placeOf(from));
       const double spare = run.normalized().dot(placeOf(from) - placeOf(ends[0]));
       if (!(left > 1e-3 * run.norm()) || spare < -tolerance_ || spare + left > run.norm() + tolerance_)
-        throw std::domain_error("an edge " + std::to_string(run.norm()) +
-                                " mm long at a far end would be cut from " + std::to_string(spare) + " to " +
-                                std::to_string(spare + left) + " mm by the fillets");
+        throw std::domain_error("an edge " + lengthText(run.norm()) +
+                                " long at a far end would be cut from " + lengthText(spare) + " to " +
+                                lengthText(spare + left) + " by the fillets");
       made = trimmed_.emplace(number, line(from, to)).first;
     }
     return TopoDS::Edge(made->second.Oriented(old.Orientation()));

@@ -30,6 +30,7 @@
 #include <seamwright/occ_adapter/fill/clearance.hpp>
 #include <seamwright/occ_adapter/fill/fill.hpp>
 #include <seamwright/occ_adapter/fill/fill_form.hpp>
+#include <seamwright/occ_adapter/fill/fill_names.hpp>
 #include <seamwright/occ_adapter/fill/side_fit.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/repair/prove.hpp>
@@ -54,6 +55,9 @@ constexpr std::size_t ring_sides = 4;
 /// A fill with poles further out than this many times its sides is none: a hemisphere's stand out by less than 2.
 constexpr double most_reach = 3;
 
+/// Fills cost the sixth power of the degree, and several are tried for one that is not regular.
+constexpr int dear_degree = 7;
+
 /// Rings around corners of a larger angle curl over.
 constexpr double most_corner_rad = 5.3;
 
@@ -71,6 +75,8 @@ class NotFilled : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+constexpr const char* fill_name = "the fill";
 
 /// The shape and more faces, numbered after its own.
 TopoDS_Compound withFaces(const TopoDS_Shape& shape, const std::vector<TopoDS_Face>& faces) {
@@ -96,8 +102,9 @@ TopoDS_Shape unwrapped(const TopoDS_Shape& whole, const TopoDS_Shape& given) {
 
 /// How a fill is tried.
 struct Attempt {
-  int most_degree = 9;     ///< of the polynomials that stand for the sides
-  bool curvature = false;  ///< what G1 leaves free is spent on small jumps of curvature
+  int most_degree = 9;  ///< of the polynomials that stand for the sides
+  /// What G1 leaves free is spent on small jumps of curvature, in a degree higher by so much at most; nothing: on fairness.
+  std::optional<int> curvature_raise = std::nullopt;
 };
 
 bool isSound(const FillHoleReport& report) {
@@ -106,9 +113,14 @@ bool isSound(const FillHoleReport& report) {
 
 class Filling {
  public:
-  Filling(const Model& model, const Hole& hole, const FillHoleOptions& options, const Attempt& attempt,
-          const Progress& progress)
-      : model_(model), hole_(hole), options_(options), attempt_(attempt), progress_(progress) {}
+  Filling(const Model& model, const Hole& hole, const FillHoleOptions& options, const FaceNames& names,
+          const Attempt& attempt, const Progress& progress)
+      : model_(model),
+        hole_(hole),
+        options_(options),
+        names_(names),
+        attempt_(attempt),
+        progress_(progress) {}
 
   FillHoleReport run() {
     result_.model = model_;
@@ -157,7 +169,7 @@ class Filling {
                      .angle_rad = options_.tolerance.angle_rad / share,
                      .most_degree = attempt_.most_degree,
                      .planar_rad = position_only ? -1 : most_planar_rad,
-                     .curvature = attempt_.curvature});
+                     .curvature = attempt_.curvature_raise.has_value()});
   }
 
   /// What is reached over what is asked for.
@@ -207,14 +219,16 @@ class Filling {
     }
   }
 
-  /// By how much more than the degree that G1 asks for, at least \p more than that of the cross fields; time grows with its sixth power.
+  /// By how much more than the degree that G1 asks for, at least \p more than that of the cross fields; time grows with its sixth power,
+  /// so that where nothing is to be raised higher degrees are left alone.
   std::optional<int> curvatureDegrees(const std::vector<FillSide>& sides, int more) const {
-    if (!attempt_.curvature) return std::nullopt;
-    constexpr int most_degree = 9, most_raise = 2;
+    if (!attempt_.curvature_raise) return std::nullopt;
+    constexpr int most_degree = 9;
     Eigen::Index degree = 0;
     for (const FillSide& side : sides)
       degree = std::max({degree, Eigen::Index{side.edge.degree()}, side.cross ? side.cross->rows() - 1 : 0});
-    return std::clamp(most_degree - more - static_cast<int>(degree), 0, most_raise);
+    if (attempt_.curvature_raise == 0 && degree + more >= dear_degree) return std::nullopt;
+    return std::clamp(most_degree - more - static_cast<int>(degree), 0, *attempt_.curvature_raise);
   }
 
   std::vector<BSplineSurface> ringSurfaces(const std::vector<FillSide>& sides) {
@@ -241,8 +255,6 @@ class Filling {
       options.curvature_degrees.reset();
       fill = nSidedFill(sides, options);
     }
-    constexpr int dear_degree =
-        7;  // fills cost the sixth power of it, and several are tried for one that is not regular
     if (!fill.regular && fill.patches.front().degreeU() < dear_degree) {
       options.law = SpokeLaw::Quadratic;
       NSidedFill other = nSidedFill(sides, options);
@@ -267,11 +279,21 @@ class Filling {
     std::vector<std::size_t> chosen;
     for (std::size_t i = 0; i < graph.seams.size(); ++i)
       if (graph.seams[i].kind == SeamKind::Matched && isOfFill(graph.seams[i])) chosen.push_back(i);
-    sewn_ = sewnShape(whole_, graph.seams, chosen, reach_mm);
+    sewn_ = sewnShape(whole_, graph.seams, chosen, reach_mm, [this](int face) { return nameOf(face); });
     if (!sewn_.refused.empty()) throw NotFilled("the fill can't be sewn: " + sewn_.refused.begin()->second);
     for (std::size_t k = 0; k < new_faces_.size(); ++k)
       numbers_.insert(sewn_.faces[firstNewFace() + static_cast<int>(k)]);
+    nameFaces();
     requireClosed();
+  }
+
+  std::string nameOf(int face) const { return isNew(face) ? fill_name : names_(face); }
+
+  void nameFaces() {
+    const int count = model_.faceCount() + static_cast<int>(new_faces_.size());
+    result_.face_names.resize(static_cast<std::size_t>(count));
+    for (int face = 1; face <= count; ++face)
+      result_.face_names[static_cast<std::size_t>(sewn_.faces[face]) - 1] = nameOf(face);
   }
 
   /// Seams between new faces, and those between a new face and one beside the hole.
@@ -342,9 +364,9 @@ class Filling {
             (worst == nullptr || angle(seam) > angle(*worst)))
           worst = &seam;
     if (worst == nullptr) return {};
-    return "a seam between faces " + std::to_string(worst->faces[0]) + " and " +
-           std::to_string(worst->faces[1]) + " does not surely reach " + std::string(name(options_.target)) +
-           ": " + figuresText(*worst);
+    const std::string &one = result_.faceName(worst->faces[0]), &other = result_.faceName(worst->faces[1]);
+    return (one == other ? "a seam inside " + one : "a seam between " + one + " and " + other) +
+           " does not surely reach " + std::string(name(options_.target)) + ": " + figuresText(*worst);
   }
 
   std::string unsound() const {
@@ -352,7 +374,7 @@ class Filling {
                     is = soundnessOf(sewn_.shape, options_.jobs);
     for (int face = 1; face <= model_.faceCount() + static_cast<int>(new_faces_.size()); ++face)
       if ((isNew(face) || was.faces[face]) && !is.faces[sewn_.faces[face]])
-        return "OpenCASCADE's checks would not pass for face " + std::to_string(sewn_.faces[face]);
+        return "OpenCASCADE's checks would not pass for " + nameOf(face);
     if (was.whole && !is.whole) return "OpenCASCADE's checks would not pass for the filled shape";
     return {};
   }
@@ -366,8 +388,9 @@ class Filling {
       return "the new faces stand out to " + text(result_.reach) + " times the size of the hole";
     if (result_.outer.empty()) return "the hole is too small for a seam to be measured";
     if (const auto touching = touchingFaces(sewn_.shape, numbers_))
-      return "face " + std::to_string(touching->first) + " of the fill runs into face " +
-             std::to_string(touching->second);
+      return numbers_.count(touching->second) > 0
+                 ? "the fill runs into itself"
+                 : "the fill runs into " + result_.faceName(touching->second);
     return {};
   }
 
@@ -386,6 +409,7 @@ class Filling {
   const Model& model_;
   const Hole& hole_;
   const FillHoleOptions& options_;
+  const FaceNames& names_;
   const Attempt attempt_;
   const Progress progress_;
   bool is_ring_ = false;
@@ -399,6 +423,11 @@ class Filling {
   FillHoleReport result_;
 };
 
+std::optional<int> raiseFor(Level target) {
+  if (target < Level::G1) return std::nullopt;
+  return target == Level::G1 ? 0 : 2;
+}
+
 /// What may come out better: polynomials of lower degrees follow the sides less closely and make fairer faces; without regard to curvature
 /// its jumps may yet be smaller.
 std::vector<Attempt> othersThan(const Attempt& first, const FillHoleReport& report) {
@@ -406,8 +435,8 @@ std::vector<Attempt> othersThan(const Attempt& first, const FillHoleReport& repo
   std::vector<Attempt> others;
   if (report.faces.empty()) return others;
   if (!isSound(report) && first.most_degree > fairer_degree)
-    others.push_back({fairer_degree, first.curvature});
-  if (first.curvature) others.push_back({first.most_degree, false});
+    others.push_back({fairer_degree, first.curvature_raise});
+  if (first.curvature_raise) others.push_back({first.most_degree, std::nullopt});
   return others;
 }
 
@@ -446,6 +475,18 @@ Model without(const Model& model, const TopoDS_Shape& face) {
   return rest;
 }
 
+/// What the parts of the rest of a model are called in the whole.
+class Numbers {
+ public:
+  Numbers(const TopoDS_Shape& whole, const TopoDS_Shape& rest, TopAbs_ShapeEnum kind)
+      : whole_(partsOf(whole, kind)), rest_(partsOf(rest, kind)) {}
+
+  int given(int number) const { return whole_.FindIndex(rest_(number)); }
+
+ private:
+  TopTools_IndexedMapOfShape whole_, rest_;
+};
+
 /// The hole in the rest of a model that a face left.
 Hole holeOf(const Model& rest, const TopoDS_Shape& face, const FillHoleOptions& options) {
   std::set<int> wanted;
@@ -483,6 +524,8 @@ std::optional<double> largest(const FillHoleReport& report, std::optional<Figure
 void FillHoleOptions::validate() const {
   tolerance.validate();
   HoleOptions{corner_rad, tolerance.gap_mm}.validate();
+  if (!(tolerance.angle_rad > 0))
+    throw std::invalid_argument("angle tolerance is 0 deg: a fill needs more, 0.01 say");
   if (target != Level::G0 && target != Level::G1 && target != Level::G2)
     throw std::invalid_argument("target " + std::string(name(target)) + ": it must be G0, G1 or G2");
   if (most_degree < 3 || most_degree > 11)
@@ -505,16 +548,23 @@ std::optional<double> FillHoleReport::largestAngle_rad() const {
 
 FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOptions& options,
                         const Progress& progress) {
+  return fillHole(model, hole, options, numberedFace, progress);
+}
+
+FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOptions& options,
+                        const FaceNames& names, const Progress& progress) {
   options.validate();
   requireEdges(model, hole);
   constexpr double share_of_first = 0.5;
-  const Attempt first{options.most_degree, options.target == Level::G2};
-  FillHoleReport best = Filling(model, hole, options, first, partOf(progress, 0, share_of_first)).run();
+  const Attempt first{options.most_degree, raiseFor(options.target)};
+  FillHoleReport best =
+      Filling(model, hole, options, names, first, partOf(progress, 0, share_of_first)).run();
   const std::vector<Attempt> others = best.reached ? std::vector<Attempt>() : othersThan(first, best);
   double build_s = best.build_s, done = share_of_first;
   for (std::size_t k = 0; k < others.size(); ++k) {
     const double next = done + (1 - done) / static_cast<double>(others.size() - k);
-    FillHoleReport other = Filling(model, hole, options, others[k], partOf(progress, done, next)).run();
+    FillHoleReport other =
+        Filling(model, hole, options, names, others[k], partOf(progress, done, next)).run();
     done = next;
     build_s += other.build_s;
     if (isBetter(other, best, options.target)) best = std::move(other);
@@ -534,7 +584,12 @@ FillHoleReport replaceFace(const Model& model, int face, const FillHoleOptions& 
   try {
     const TopoDS_Shape old = partsOf(model.shape, TopAbs_FACE)(face);
     const Model rest = without(model, old);
-    report = fillHole(rest, holeOf(rest, old, options), options, progress);
+    const Numbers faces(model.shape, rest.shape, TopAbs_FACE), edges(model.shape, rest.shape, TopAbs_EDGE);
+    report = fillHole(
+        rest, holeOf(rest, old, options), options,
+        [&faces](int number) { return numberedFace(faces.given(number)); }, progress);
+    for (FilledSide& side : report.sides)
+      for (int& edge : side.edges) edge = edges.given(edge);
   } catch (const NotFilled& why) {
     report.reason = why.what();
   } catch (const Standard_Failure& failure) {

@@ -39,7 +39,8 @@ struct FillHoleReport {
   Model model;           ///< with the fill, or as given
   bool filled = false;   ///< the fill is in the model
   bool reached = false;  ///< every new seam surely reaches the target, and the new faces are sound
-  std::string reason;    ///< why it is not reached, with figures; empty where it is
+  std::string
+      reason;  ///< why it is not reached, with figures and numbers of the given model; empty where it is
   std::vector<FilledSide> sides;
   std::vector<FillCorner> corners;
   bool regular = false;  ///< as of NSidedFill
@@ -50,9 +51,14 @@ struct FillHoleReport {
       outer;  ///< between the new faces and the others; measured in the filled model, also if that was not kept
   std::vector<SeamResult> inner;  ///< between the new faces
   std::vector<int> faces;         ///< numbers of the new faces in the filled model
-  double build_s = 0;             ///< fitting the sides and building the surfaces
+  /// Of the faces of the filled model: "face 3" with the number in the given one; "the fill".
+  std::vector<std::string> face_names;
+  double build_s = 0;  ///< fitting the sides and building the surfaces
   double sew_s = 0;
   double measure_s = 0;
+
+  /// \param face from 1, as seams of the filled model name it.
+  const std::string& faceName(int face) const { return face_names.at(static_cast<std::size_t>(face) - 1); }
 
   /// The largest upper ends over outer and inner seams; nothing where one is not known or nothing was sewn.
   std::optional<double> largestGap_mm() const;

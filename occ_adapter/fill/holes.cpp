@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRepGProp.hxx>
 #include <BRep_Tool.hxx>
 #include <Eigen/Geometry>
+#include <GProp_GProps.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
@@ -9,6 +11,7 @@
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <memory>
 #include <numbers>
@@ -28,7 +31,15 @@ struct Link {
   HoleEdge edge;
   std::array<int, 2> nodes{};
   std::array<Eigen::Vector3d, 2> tangents;  ///< unit, in the sense of the hole
+  Eigen::Vector3d centre;                   ///< of mass
 };
+
+Eigen::Vector3d centreOf(const TopoDS_Edge& edge) {
+  GProp_GProps properties;
+  BRepGProp::LinearProperties(edge, properties);
+  const gp_Pnt centre = properties.CentreOfMass();
+  return {centre.X(), centre.Y(), centre.Z()};
+}
 
 struct Corner {
   gp_Pnt place;
@@ -73,6 +84,7 @@ class Loops {
       const EdgePath path(use, number, options_.gap_mm);
       Link link;
       link.edge = {number, use, runsAgainst(use), path.length_mm()};
+      link.centre = centreOf(use.edge);
       for (const int end : {0, 1}) {
         const bool at_last = (end == 1) != link.edge.reversed;
         link.tangents[end] = (link.edge.reversed ? -1 : 1) * path.direction(at_last ? 1 : 0);
@@ -184,6 +196,7 @@ class Loops {
       hole.length_mm += side.length_mm;
       hole.sides.push_back(std::move(side));
     }
+    for (const Link& link : loop) hole.centre += link.edge.length_mm / hole.length_mm * link.centre;
     return hole;
   }
 
@@ -192,12 +205,14 @@ class Loops {
     for (const Seam& seam : graph_.seams) groups.join(seam.sides[0].face, seam.sides[1].face);
     for (const std::vector<Link>& loop : loops_)
       for (const Link& link : loop) groups.join(link.edge.use.face, loop.front().edge.use.face);
-    std::map<int, Hole*> longest;
-    for (Hole& hole : result_.holes) {
-      Hole*& known = longest[groups.of(hole.sides.front().edges.front().use.face)];
-      if (known == nullptr || hole.length_mm > known->length_mm) known = &hole;
+    std::map<int, std::vector<Hole*>> by_faces;
+    for (Hole& hole : result_.holes)
+      by_faces[groups.of(hole.sides.front().edges.front().use.face)].push_back(&hole);
+    for (auto& [group, holes] : by_faces) {
+      std::ranges::sort(holes, std::greater{}, &Hole::length_mm);
+      holes.front()->longest =
+          holes.size() == 1 || holes[0]->length_mm - holes[1]->length_mm > options_.gap_mm;
     }
-    for (auto& [group, hole] : longest) hole->longest = true;
   }
 
   const HoleOptions& options_;

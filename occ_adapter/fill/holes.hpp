@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,9 @@ struct Hole {
   std::vector<HoleSide> sides;  ///< a loop without a corner, or with one, is one side
   bool has_corners = false;     ///< false: the loop is smooth
   double length_mm = 0;
-  /// Of the loops that bound one connected set of faces the longest: of an open shell that is mostly its rim and no hole.
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of mass of the loop as a wire, mm
+  /// Of the loops that bound one connected set of faces the longest, by more than the gap: of an open shell that is mostly its rim and no
+  /// hole. Where several are as long, none.
   bool longest = false;
 };
 

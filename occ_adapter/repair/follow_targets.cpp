@@ -167,7 +167,8 @@ class Following {
     ContinuityTolerance tolerance = task_.options.tolerance;
     if (task_.options.order < 2) tolerance.curvature_rel = std::numeric_limits<double>::infinity();
     bool again = false;
-    for (const std::vector<TargetEnd>& ends : meetingEnds(targets_)) {
+    for (std::vector<TargetEnd>& ends : meetingEnds(targets_)) {
+      for (TargetEnd& end : ends) end.order = orderOf(seam_of_.at(end.target.get()));
       const std::vector<std::size_t> held_seams = heldAt(verticesOf(ends));
       std::map<int, int> held;
       for (const std::size_t i : held_seams)

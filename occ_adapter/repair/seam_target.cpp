@@ -385,6 +385,15 @@ Eigen::Vector3d commonNormal(const std::vector<VertexView>& views) {
   return weights.ldlt().solve(sum).normalized();
 }
 
+/// How the normal changes along what is held there: of the tensor the row and column of that way.
+void holdAlong(const VertexView& view, const Eigen::Vector3d& normal, TensorFit& fit) {
+  constexpr double beyond_doubt = 1e8;
+  if (!view.held_along) return;
+  const Eigen::Vector3d way = view.held_along->normalized(), across = normal.cross(way).normalized();
+  fit.add(view.shown.curvature, way, way, beyond_doubt);
+  fit.add(view.shown.curvature, way, across, beyond_doubt);
+}
+
 /// A pole moves a twist by 25 and the bend of a boundary by 10 times as much as itself, in quintic knot spans of length 1.
 Eigen::Matrix3d commonTensor(const std::vector<VertexView>& views, const Eigen::Vector3d& normal) {
   constexpr double twist = 0.4 * 0.4;
@@ -395,6 +404,7 @@ Eigen::Matrix3d commonTensor(const std::vector<VertexView>& views, const Eigen::
       for (std::size_t k = 0; k <= i; ++k)
         fit.add(view.shown.curvature, view.ways[i] / longest, view.ways[k] / longest, i == k ? 1 : twist);
     fit.addWhole(view.shown.curvature, view.ways.size() > 1 ? least_weight : 1);
+    holdAlong(view, normal, fit);
   }
   return fit.tensor();
 }
@@ -514,7 +524,8 @@ Meeting meetingOf(const std::vector<TargetEnd>& ends, const std::map<int, int>& 
     for (const int side : {0, 1}) {
       VertexView view{end.target->seam().sides[side].face, end.target->shown(side, end.end), -1,
                       end.target->isPole(side, end.end)};
-      if (end.target->stays()[side]) view.held = 2;
+      if (end.target->stays()[side]) view.held = end.order > 1 ? 2 : 1;
+      if (end.target->stays()[side] && end.order == 1) view.held_along = end.target->way(end.end);
       if (const auto there = held.find(view.face); there != held.end()) {
         view.held = std::max(view.held, there->second);
         meeting.any_held = true;

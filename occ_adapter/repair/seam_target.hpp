@@ -138,6 +138,8 @@ struct VertexView {
   bool is_pole =
       false;  ///< a boundary of the face collapses there: it shows no curvature, and held alone a normal
   std::vector<Eigen::Vector3d> ways = {};  ///< of the face's seams from there on, over one knot span each
+  /// The way of a seam along which its normals can't change, though across it its curvature is no matter.
+  std::optional<Eigen::Vector3d> held_along = {};
 };
 
 struct VertexConsensus {
@@ -154,6 +156,7 @@ VertexConsensus vertexConsensus(const std::vector<VertexView>& views, int order,
 struct TargetEnd {
   std::shared_ptr<SeamTarget> target;
   int end = 0;
+  int order = 2;  ///< to which its sides are to meet
 };
 
 /// Ends of the targets' seams at one vertex between faces that are joined there by these seams.

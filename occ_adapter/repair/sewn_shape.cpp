@@ -29,8 +29,8 @@ using opencascade::handle;
 class Sewer {
  public:
   Sewer(const TopoDS_Shape& shape, const std::vector<Seam>& seams, const std::vector<std::size_t>& chosen,
-        double gap_mm)
-      : shape_(shape), seams_(seams), gap_mm_(gap_mm) {
+        double gap_mm, const FaceNames& names)
+      : shape_(shape), seams_(seams), gap_mm_(gap_mm), names_(names) {
     TopExp::MapShapes(shape, TopAbs_FACE, faces_);
     TopExp::MapShapes(shape, TopAbs_EDGE, edges_);
     TopExp::MapShapes(shape, TopAbs_VERTEX, vertices_);
@@ -74,7 +74,7 @@ class Sewer {
   std::string whyUnfit(const Seam& seam, const std::map<const TopoDS_TShape*, int>& instances,
                        const std::set<int>& in_hollow) const {
     for (const FaceUse& side : seam.sides) {
-      const std::string face = "face " + std::to_string(side.face);
+      const std::string face = names_(side.face);
       const int count = instances.at(side.shape.TShape().get());
       if (count > 1) return face + " stands in the model " + std::to_string(count) + " times";
       if (in_hollow.count(side.face) > 0) return face + " is part of a solid of several shells";
@@ -82,7 +82,7 @@ class Sewer {
     if (seam.sides[0].face == seam.sides[1].face) return {};
     const PlacedSurface a = surfaceOf(seam.sides[0].shape), b = surfaceOf(seam.sides[1].shape);
     if (a.surface == b.surface && a.location == b.location)
-      return "faces " + std::to_string(seam.sides[0].face) + " and " + std::to_string(seam.sides[1].face) +
+      return names_(seam.sides[0].face) + " and " + names_(seam.sides[1].face) +
              " have one surface in common";
     return {};
   }
@@ -301,6 +301,7 @@ class Sewer {
   const TopoDS_Shape& shape_;
   const std::vector<Seam>& seams_;
   double gap_mm_;
+  const FaceNames& names_;
   BRep_Builder builder_;
   TopTools_IndexedMapOfShape faces_, edges_, vertices_;
   std::vector<std::size_t> chosen_;
@@ -315,9 +316,13 @@ class Sewer {
 
 }  // namespace
 
+std::string numberedFace(int number) {
+  return "face " + std::to_string(number);
+}
+
 SewnShape sewnShape(const TopoDS_Shape& shape, const std::vector<Seam>& seams,
-                    const std::vector<std::size_t>& chosen, double gap_mm) {
-  return Sewer(shape, seams, chosen, gap_mm).run();
+                    const std::vector<std::size_t>& chosen, double gap_mm, const FaceNames& names) {
+  return Sewer(shape, seams, chosen, gap_mm, names).run();
 }
 
 }  // namespace seamwright::occ

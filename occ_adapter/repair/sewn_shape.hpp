@@ -2,6 +2,7 @@
 #pragma once
 
 #include <TopTools_DataMapOfShapeShape.hxx>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -10,6 +11,12 @@
 
 /// Loose faces made one shell; not a public header.
 namespace seamwright::occ {
+
+/// What faces are called in reasons, by their numbers.
+using FaceNames = std::function<std::string(int)>;
+
+/// "face 3".
+std::string numberedFace(int number);
 
 /// A shape with some of its matched seams sewn, and what became of the parts of the given one.
 struct SewnShape {
@@ -34,6 +41,7 @@ struct SewnShape {
 /// would close a band which has one side only.
 /// \param seams of kind Matched. \throws Standard_Failure.
 SewnShape sewnShape(const TopoDS_Shape& shape, const std::vector<Seam>& seams,
-                    const std::vector<std::size_t>& chosen, double gap_mm);
+                    const std::vector<std::size_t>& chosen, double gap_mm,
+                    const FaceNames& names = numberedFace);
 
 }  // namespace seamwright::occ

@@ -43,20 +43,10 @@ occ::CornerFilletOptions optionsOf(const CornerArguments& arguments, const std::
   options.radii_mm = byEdge("--radius", arguments.radii_mm, edges);
   options.setbacks_mm = byEdge("--setback", arguments.setbacks_mm, edges);
   options.tolerance = toleranceOf(arguments.measure);
+  options.tolerance.crease_rad = std::max(options.tolerance.crease_rad, options.tolerance.angle_rad);
   options.jobs = arguments.measure.jobs;
   options.validate();
   return options;
-}
-
-/// The seams of the new faces; of all faces, where the model does not have those of the one in memory.
-report::Judge judgeOf(const occ::CornerFillet& fillet, const occ::CornerFilletOptions& options) {
-  return [&](const occ::Model& model, const occ::Progress& progress) {
-    occ::AnalyzeOptions asked;
-    asked.tolerance = options.tolerance;
-    asked.jobs = options.jobs;
-    if (model.faceCount() == fillet.model.faceCount()) asked.faces = report::newFaces(fillet);
-    return report::countsOf(occ::analyze(model, asked, progress));
-  };
 }
 
 occ::CornerFillet rounded(const occ::Model& model, const CornerArguments& arguments,
@@ -81,16 +71,15 @@ void addCornerOptions(CLI::App& command, CornerArguments& arguments) {
   command.add_option("--vertex", arguments.vertex, "Number of the vertex, as 6 or Vertex6")
       ->type_name("N")
       ->required()
-      ->transform(numberOf("Vertex"))
-      ->check(CLI::PositiveNumber);
+      ->transform(numberOf("Vertex"));
   addLengths(command, "--radius", arguments.radii_mm,
              "Radius of all edges at the vertex, or of each: counter-clockwise seen from outside, from the "
              "smallest number on",
              true);
   addLengths(command, "--setback", arguments.setbacks_mm,
-             "Where the fillets end, from the vertex along the edges; else chosen", false);
+             "Where the fillets end, from the vertex along the edges; 0, or none: chosen", false);
   command.add_flag("--keep-anyway", arguments.keep_anyway, "Write a model whose new seams fall short");
-  addToleranceOptions(command, arguments.measure);
+  addG1Options(command, arguments.measure);
   addOutputOptions(command, "rounded", arguments.output);
 }
 
@@ -99,7 +88,7 @@ int runCorner(const CornerArguments& arguments) {
   const occ::Model model = readUnderBar(arguments.model);
   const occ::CornerFilletOptions options = optionsOf(arguments, edgesOf(model, arguments.vertex));
   const occ::CornerFillet fillet = rounded(model, arguments, options);
-  const report::Judge judge = judgeOf(fillet, options);
+  const report::Judge judge = report::judgeOf(fillet, options);
   const auto json = [&](const std::optional<report::WrittenModel>& output) {
     return report::toJson(fillet, options.tolerance, arguments.vertex, occ::factsOf(model), output);
   };

@@ -4,7 +4,6 @@
 #include <numbers>
 #include <optional>
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
-#include <seamwright/occ_adapter/model/write.hpp>
 #include <seamwright/plugin/cli/fill_command.hpp>
 #include <seamwright/plugin/cli/output.hpp>
 #include <seamwright/plugin/cli/progress_bar.hpp>
@@ -60,18 +59,6 @@ occ::FillHoleReport filled(const occ::Model& model, const FillArguments& argumen
   return occ::fillHole(model, holeOf(model, arguments, options), options, bar.progress());
 }
 
-/// The seams of the new faces in the file; of all faces, where it does not have those of the model in memory.
-report::Judge judgeOf(const occ::FillHoleReport& report, const occ::FillHoleOptions& options) {
-  return [&report, &options](const occ::Model& model, const occ::Progress& progress) {
-    occ::AnalyzeOptions asked;
-    asked.tolerance = options.tolerance;
-    asked.level = options.target;
-    asked.jobs = options.jobs;
-    if (model.faceCount() == report.model.faceCount()) asked.faces = report.faces;
-    return report::countsOf(occ::analyze(model, asked, progress), options);
-  };
-}
-
 }  // namespace
 
 void addFillOptions(CLI::App& command, FillArguments& arguments) {
@@ -79,13 +66,12 @@ void addFillOptions(CLI::App& command, FillArguments& arguments) {
   command.add_option("--target", arguments.target, "What every new seam must reach: G0, G1 or G2")
       ->check(CLI::IsMember({"G0", "G1", "G2"}))
       ->capture_default_str();
-  CLI::Option* hole =
-      command.add_option("--hole", arguments.hole, "Number of the hole; else the only one")->type_name("N");
-  hole->check(CLI::PositiveNumber);
+  CLI::Option* hole = command.add_option("--hole", arguments.hole, "Number of the hole; else the only one")
+                          ->type_name("N")
+                          ->transform(numberOf("Hole"));
   command.add_option("--face", arguments.face, "Take this face out and fill the hole that it leaves")
       ->type_name("N")
       ->transform(numberOf("Face"))
-      ->check(CLI::PositiveNumber)
       ->excludes(hole);
   command.add_option("--gap", arguments.gap_mm, "Largest gap, mm")->type_name("MM")->capture_default_str();
   command.add_option("--angle", arguments.angle_deg, "Largest angle of the tangent planes, degrees")
@@ -113,7 +99,7 @@ int runFill(const FillArguments& arguments) {
     return report::toJson(report, options, occ::factsOf(model), output);
   };
   const WrittenOutcome written = writeOutcome(
-      {report.filled ? &report.model : nullptr, judgeOf(report, options), json}, arguments.output);
+      {report.filled ? &report.model : nullptr, report::judgeOf(report, options), json}, arguments.output);
   writeStandardOutput(report::toTable(report, options, written.model));
   warn(arguments.model, model.notes);
   const report::ModelCounts memory = report::countsOf(report, options);

@@ -48,13 +48,19 @@ bool hasNameOfModel(const std::string& file) {
 
 }  // namespace
 
-void addToleranceOptions(CLI::App& command, MeasureArguments& arguments) {
+void addG1Options(CLI::App& command, MeasureArguments& arguments) {
   command.add_option("--profile", arguments.profile, "What is accepted, by name (see below)")
       ->check(CLI::IsMember(profileNames()))
       ->capture_default_str();
   command.add_option("--gap", arguments.gap_mm, "G0: largest distance of the two sides, mm")->type_name("MM");
   command.add_option("--angle", arguments.angle_deg, "G1: largest angle of the tangent planes, degrees")
       ->type_name("DEG");
+  command.add_option("--jobs", arguments.jobs, "Threads; 0: one for each processor")->capture_default_str();
+  command.footer(profilesHelp());
+}
+
+void addToleranceOptions(CLI::App& command, MeasureArguments& arguments) {
+  addG1Options(command, arguments);
   command
       .add_option("--curvature", arguments.curvature_rel,
                   "G2: largest relative difference of normal curvature")
@@ -65,8 +71,6 @@ void addToleranceOptions(CLI::App& command, MeasureArguments& arguments) {
   command
       .add_option("--crease", arguments.crease_deg, "Above this angle a seam is an edge by design, degrees")
       ->type_name("DEG");
-  command.add_option("--jobs", arguments.jobs, "Threads; 0: one for each processor")->capture_default_str();
-  command.footer(profilesHelp());
 }
 
 void addMeasureOptions(CLI::App& command, MeasureArguments& arguments) {
@@ -121,6 +125,7 @@ CLI::Validator numberOf(const std::string& kind) {
             const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
             if (error != std::errc{} || end != digits.data() + digits.size())
               return "'" + text + "' names no " + kind + ": a number as 39, or " + kind + "39, is needed";
+            if (number < 1) return "'" + text + "' names no " + kind + ": they count from 1";
             text = std::move(digits);
             return std::string();
           },

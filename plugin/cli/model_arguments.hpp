@@ -44,13 +44,15 @@ struct OutputArguments {
 void addOutputOptions(CLI::App& command, const std::string& done, OutputArguments& arguments);
 
 /// Takes the name of a part, as "Edge39", for its number; both are understood.
-/// \param kind "Edge", "Face" or "Vertex"
+/// \param kind "Edge", "Face", "Vertex" or "Hole"
 CLI::Validator numberOf(const std::string& kind);
 
 /// What can be told of the files before \p model is read, as requireReport() and occ::requireTarget().
 /// \throws std::runtime_error, occ::ModelError.
 void requireOutputs(const std::string& model, const OutputArguments& arguments);
 
+/// Adds profile, gap, angle and threads to a command, and the profiles to its help; they are parsed into \p arguments.
+void addG1Options(CLI::App& command, MeasureArguments& arguments);
 /// Adds profile, tolerances and threads to a command, and the profiles to its help; they are parsed into \p arguments.
 void addToleranceOptions(CLI::App& command, MeasureArguments& arguments);
 /// The same, and --match.

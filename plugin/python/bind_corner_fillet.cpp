@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
 #include <map>
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
 #include <seamwright/occ_adapter/fill/corner_fillet.hpp>
@@ -16,7 +18,7 @@ namespace {
 
 struct CornerFilletResult {
   occ::CornerFillet fillet;
-  ContinuityTolerance tolerance;
+  occ::CornerFilletOptions options;
   int vertex = 0;
   occ::ModelFacts given;
 };
@@ -65,18 +67,30 @@ CornerFilletResult cornerFillet(const occ::Model& model, const py::object& verte
   options.section_mm = argument<double>("section_mm", section_mm, "a number");
   const py::none profiles_own;
   options.tolerance = toleranceOf({profile, gap_mm, angle_deg, profiles_own, profiles_own, profiles_own});
+  options.tolerance.crease_rad = std::max(options.tolerance.crease_rad, options.tolerance.angle_rad);
   options.jobs = argument<int>("jobs", jobs, "a whole number");
   const int number = argument<int>("vertex", vertex, "the number of a vertex");
   return valueErrors([&] {
     return longCall(progress, [&](const occ::Progress& report) {
-      return CornerFilletResult{occ::cornerFillet(model, number, options, report), options.tolerance, number,
+      return CornerFilletResult{occ::cornerFillet(model, number, options, report), options, number,
                                 occ::factsOf(model)};
     });
   });
 }
 
 py::object toDict(const CornerFilletResult& result) {
-  return plainObject(report::toJson(result.fillet, result.tolerance, result.vertex, result.given));
+  return plainObject(report::toJson(result.fillet, result.options.tolerance, result.vertex, result.given));
+}
+
+py::dict writeRounded(const CornerFilletResult& result, const std::filesystem::path& path, bool overwrite,
+                      bool overwrite_source, const py::object& progress) {
+  const report::Judge judge = report::judgeOf(result.fillet, result.options);
+  const report::ModelCounts memory = [&] {
+    const py::gil_scoped_release release;
+    return judge(result.fillet.model, {});
+  }();
+  return writeResult({result.fillet.model, false, judge, memory}, {path, overwrite, overwrite_source},
+                     progress);
 }
 
 constexpr const char* corner_fillet_doc =
@@ -84,7 +98,7 @@ constexpr const char* corner_fillet_doc =
 
 vertex: its number, from 1; corner_edges(vertex) names the edges, counter-clockwise seen from outside.
 radii_mm: a number for all edges, or a dict of numbers by edge, all edges of the vertex.
-setbacks_mm: where the fillets end, from the vertex along the edge; a number, or a dict of some edges; the others are chosen.
+setbacks_mm: where the fillets end, from the vertex along the edge; a number, or a dict of some edges; 0 and the others are chosen.
 section_mm: the largest distance of the patches' sides from the cylinders between planes.
 profile, gap_mm, angle_deg: what the new seams must meet, as in analyze().
 
@@ -113,6 +127,8 @@ void bindCornerFillet(py::module_& module) {
           "they are between: spoke (two patches), section (patch and fillet), spring (patch and face), "
           "contact "
           "(fillet and face).")
+      .def("write", &writeRounded, py::arg("path"), py::kw_only(), py::arg("overwrite") = false,
+           py::arg("overwrite_source") = false, py::arg("progress") = py::none(), write_result_doc)
       .def("__repr__", [](const CornerFilletResult& result) {
         return "<CornerFillet of " + std::to_string(result.fillet.edges.size()) + " edges" +
                (result.fillet.met() ? "" : ": " + result.fillet.shortfall) + ">";

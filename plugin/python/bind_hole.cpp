@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
 #include <algorithm>
 #include <numbers>
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
@@ -85,6 +88,14 @@ py::object toDict(const FillReport& fill) {
   return plainObject(fill.json());
 }
 
+py::dict writeFilled(const FillReport& fill, const std::filesystem::path& path, bool overwrite,
+                     bool overwrite_source, const py::object& progress) {
+  const ResultToWrite result{fill.report.model, !fill.report.filled,
+                             report::judgeOf(fill.report, fill.options),
+                             report::countsOf(fill.report, fill.options)};
+  return writeResult(result, {path, overwrite, overwrite_source}, progress);
+}
+
 }  // namespace
 
 void bindHole(py::module_& module) {
@@ -106,6 +117,14 @@ void bindHole(py::module_& module) {
       .def_property_readonly(
           "largest_gap_mm", [](const FillReport& fill) { return py::object(toDict(fill)["largest_gap_mm"]); },
           "Bound of the gap over all new seams; None: not known.")
+      .def_property_readonly(
+          "largest_curvature_rel",
+          [](const FillReport& fill) { return py::object(toDict(fill)["largest_curvature_rel"]); },
+          "Bound of the relative difference of curvature over all new seams; None: not known.")
+      .def_property_readonly(
+          "curvature_jump_per_mm", [](const FillReport& fill) { return fill.report.curvature_jump_per_mm; },
+          "With the target G2 the largest jump of normal curvature as the fill was built, against neighbours "
+          "as they were fitted, at places along the seams; else None.")
       .def("to_dict", &toDict, "All but the model as a plain dict with the keys of the JSON.")
       .def(
           "to_json", [](const FillReport& fill) { return report::toLine(fill.json()); },
@@ -114,6 +133,8 @@ void bindHole(py::module_& module) {
           "to_table",
           [](const FillReport& fill) { return readable(report::toTable(fill.report, fill.options)); },
           "The report as text for people.")
+      .def("write", &writeFilled, py::arg("path"), py::kw_only(), py::arg("overwrite") = false,
+           py::arg("overwrite_source") = false, py::arg("progress") = py::none(), write_result_doc)
       .def("__repr__", [](const FillReport& fill) {
         return "<FillReport: " + std::string(fill.report.filled ? "filled" : "not filled") + ", " +
                (fill.report.reached ? "reached" : "not reached") + ">";
@@ -123,7 +144,8 @@ void bindHole(py::module_& module) {
   model.def(
       "holes", &holes, py::kw_only(), py::arg("corner_deg") = 15.0,
       py::arg("gap_mm") = defaults.tolerance.gap_mm,
-      "The closed loops of open edges: a list of dicts {id, length_mm, has_corners, longest, sides}. The rim "
+      "The closed loops of open edges: a list of dicts {id, length_mm, centre_mm, has_corners, longest, "
+      "sides}. The rim "
       "of an open shell is one of them, mostly the longest.\n\n"
       "corner_deg: sides end where the tangent turns by more. gap_mm: ends of edges nearer than this are "
       "one.");

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pybind11/stl/filesystem.h>
 
-#include <algorithm>
 #include <limits>
-#include <seamwright/occ_adapter/model/write.hpp>
 #include <seamwright/occ_adapter/repair/repair.hpp>
 #include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
@@ -11,7 +9,6 @@
 #include <seamwright/plugin/report/json.hpp>
 #include <seamwright/plugin/report/repair_json.hpp>
 #include <seamwright/plugin/report/repair_table.hpp>
-#include <seamwright/plugin/report/written.hpp>
 
 namespace seamwright::python {
 
@@ -59,36 +56,14 @@ py::object toDict(const RepairReport& repair) {
   return plainObject(report::toJson(repair.report, repair.options));
 }
 
-/// Passes on what does not fall: a file is read back before its writing comes to an end.
-occ::Progress rising(const occ::Progress& progress) {
-  return [&progress, highest = 0.0](double share) mutable {
-    highest = std::max(highest, share);
-    return !progress || progress(highest);
-  };
-}
-
 py::dict writeRepaired(const RepairReport& repair, const std::filesystem::path& path, bool overwrite,
                        bool overwrite_source, const py::object& progress) {
-  constexpr double written_by = 0.5;
-  report::WrittenModel output;
   const auto judge = [&repair](const occ::Model& model, const occ::Progress& share) {
     return report::countsOf(occ::analyze(model, occ::analyzeOptions(repair.options), share));
   };
-  const occ::WriteReport written = longCall(progress, [&](const occ::Progress& share) {
-    const occ::Progress shown = rising(share);
-    const auto check = [&](const std::filesystem::path& waiting) {
-      output = report::readBack(waiting, path, judge, occ::partOf(shown, written_by, 1));
-    };
-    const occ::WriteOptions how = {.overwrite = overwrite,
-                                   .overwrite_source = overwrite_source,
-                                   .unchanged = !repair.report.changed(),
-                                   .check = check};
-    return occ::writeModel(repair.report.model, path, how, occ::partOf(shown, 0, written_by));
-  });
-  py::dict dict = plainDict(written);
-  dict["output"] = plainObject(report::toJson(output));
-  dict["differences"] = output.differences(report::countsOf(repair.report.after));
-  return dict;
+  const ResultToWrite result{repair.report.model, !repair.report.changed(), judge,
+                             report::countsOf(repair.report.after)};
+  return writeResult(result, {path, overwrite, overwrite_source}, progress);
 }
 
 std::string shortly(const RepairReport& repair) {
@@ -146,14 +121,8 @@ void bindRepair(py::module_& module) {
       .def(
           "to_table", [](const RepairReport& repair) { return readable(report::toTable(repair.report)); },
           "The report as text for people.")
-      .def(
-          "write", &writeRepaired, py::arg("path"), py::kw_only(), py::arg("overwrite") = false,
-          py::arg("overwrite_source") = false, py::arg("progress") = py::none(),
-          "Writes the model as Model.write() does, but reads the file back and analyses it as the repair was "
-          "judged, before it takes its place.\n\n"
-          "Returns the dict of Model.write() and output {path, format, edges, faces, open_edges, defects} as "
-          "found in the file, and differences: a line of what is otherwise there than in the model, mostly "
-          "empty. Raises ModelError also where the file can't be read back; nothing is written then.")
+      .def("write", &writeRepaired, py::arg("path"), py::kw_only(), py::arg("overwrite") = false,
+           py::arg("overwrite_source") = false, py::arg("progress") = py::none(), write_result_doc)
       .def("__repr__", &shortly);
   py::class_<occ::Model> model(module.attr("Model"));
   model.def(

@@ -1,10 +1,23 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <seamwright/plugin/python/model_calls.hpp>
 #include <seamwright/plugin/report/json.hpp>
 
 namespace seamwright::python {
+
+namespace {
+
+/// Passes on what does not fall: a file is read back before its writing comes to an end.
+occ::Progress rising(const occ::Progress& progress) {
+  return [&progress, highest = 0.0](double share) mutable {
+    highest = std::max(highest, share);
+    return !progress || progress(highest);
+  };
+}
+
+}  // namespace
 
 occ::Progress progressOf(const py::object& callable, std::exception_ptr& raised) {
   return [&callable, &raised](double share) {
@@ -29,6 +42,26 @@ py::dict plainDict(const occ::WriteReport& written) {
   dict["changed_edges"] = written.changed_edges;
   dict["changed_vertices"] = written.changed_vertices;
   dict["notes"] = written.notes;
+  return dict;
+}
+
+py::dict writeResult(const ResultToWrite& result, const ResultTarget& target, const py::object& progress) {
+  constexpr double written_by = 0.5;
+  report::WrittenModel output;
+  const occ::WriteReport written = longCall(progress, [&](const occ::Progress& share) {
+    const occ::Progress shown = rising(share);
+    const auto check = [&](const std::filesystem::path& waiting) {
+      output = report::readBack(waiting, target.path, result.judge, occ::partOf(shown, written_by, 1));
+    };
+    const occ::WriteOptions how = {.overwrite = target.overwrite,
+                                   .overwrite_source = target.overwrite_source,
+                                   .unchanged = result.unchanged,
+                                   .check = check};
+    return occ::writeModel(result.model, target.path, how, occ::partOf(shown, 0, written_by));
+  });
+  py::dict dict = plainDict(written);
+  dict["output"] = plainObject(report::toJson(output));
+  dict["differences"] = output.differences(result.memory);
   return dict;
 }
 

@@ -4,9 +4,11 @@
 #include <pybind11/pybind11.h>
 
 #include <exception>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <seamwright/occ_adapter/model/write.hpp>
 #include <seamwright/occ_adapter/progress.hpp>
+#include <seamwright/plugin/report/written.hpp>
 #include <string>
 
 /// What the calls on models share.
@@ -39,6 +41,33 @@ auto longCall(const py::object& callable, const Work& work) {
 
 /// {format, followed_source, changed_faces, changed_edges, changed_vertices, notes}.
 py::dict plainDict(const occ::WriteReport& written);
+
+/// A model that was changed, and how its file is judged.
+struct ResultToWrite {
+  const occ::Model& model;
+  bool unchanged = false;  ///< as of occ::WriteOptions
+  report::Judge judge;
+  report::ModelCounts memory;
+};
+
+struct ResultTarget {
+  const std::filesystem::path& path;
+  bool overwrite = false;
+  bool overwrite_source = false;
+};
+
+constexpr const char* write_result_doc =
+    "Writes the model as Model.write() does, but reads the file back and analyses it as the result was "
+    "judged, before it takes its "
+    "place.\n\n"
+    "Returns the dict of Model.write() and output {path, format, edges, faces, open_edges, defects} as found "
+    "in the file, and "
+    "differences: a line of what is otherwise there than in the model, mostly empty. Raises ModelError also "
+    "where the file can't be "
+    "read back; nothing is written then.";
+
+/// What write_result_doc says.
+py::dict writeResult(const ResultToWrite& result, const ResultTarget& target, const py::object& progress);
 
 /// Dicts, lists, numbers, texts and None.
 py::object plainObject(const nlohmann::ordered_json& json);

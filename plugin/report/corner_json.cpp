@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cmath>
+#include <seamwright/occ_adapter/analyze/analyze.hpp>
 #include <seamwright/plugin/report/corner_json.hpp>
 #include <seamwright/plugin/report/json.hpp>
 #include <seamwright/plugin/report/numbers.hpp>
@@ -53,6 +54,16 @@ std::vector<int> newFaces(const occ::CornerFillet& fillet) {
     if (seam.kind == occ::CornerSeamKind::Spoke || seam.kind == occ::CornerSeamKind::Section)
       faces.insert(seam.result.faces.begin(), seam.result.faces.end());
   return {faces.begin(), faces.end()};
+}
+
+Judge judgeOf(const occ::CornerFillet& fillet, const occ::CornerFilletOptions& options) {
+  return [&fillet, &options](const occ::Model& model, const occ::Progress& progress) {
+    occ::AnalyzeOptions asked;
+    asked.tolerance = options.tolerance;
+    asked.jobs = options.jobs;
+    if (model.faceCount() == fillet.model.faceCount()) asked.faces = newFaces(fillet);
+    return countsOf(occ::analyze(model, asked, progress));
+  };
 }
 
 ordered_json toJson(const occ::CornerFillet& fillet, const ContinuityTolerance& tolerance, int vertex,

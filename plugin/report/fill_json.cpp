@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <numbers>
+#include <seamwright/occ_adapter/analyze/analyze.hpp>
 #include <seamwright/occ_adapter/seams/find.hpp>
 #include <seamwright/plugin/report/fill_json.hpp>
 #include <seamwright/plugin/report/json.hpp>
@@ -51,8 +52,34 @@ int missed(const std::vector<occ::SeamResult>& seams, const occ::FillHoleOptions
   }));
 }
 
-std::string textOf(const std::optional<double>& value, const char* unit) {
-  return value ? number(*value, "%.3g") + ' ' + unit : "unknown";
+std::string textOf(const std::optional<double>& value, const char* unit, double factor = 1) {
+  return value ? number(factor * *value, "%.3g") + ' ' + unit : "unknown";
+}
+
+/// "face 3, the fill"; between new faces "the fill".
+std::string betweenText(const occ::SeamResult& seam, const occ::FillHoleReport& report) {
+  const std::string& one = report.faceName(seam.faces[0]);
+  const std::string& other = report.faceName(seam.faces[1]);
+  return one == other ? one : one + ", " + other;
+}
+
+/// A row for each new seam, those that miss the target first. Without the fill the model has none of their edges.
+std::vector<Row> rowsOf(const occ::FillHoleReport& report, const occ::FillHoleOptions& options) {
+  const std::vector<Column> columns = figureColumns(options.tolerance);
+  std::vector<Row> rows(1, {"result", "edge", "between"}), met;
+  for (const Column& column : columns) rows.front().emplace_back(column.title);
+  rows.front().emplace_back("note");
+  for (const auto* seams : {&report.outer, &report.inner})
+    for (const occ::SeamResult& seam : *seams) {
+      const bool reaches = surelyReaches(seam.figures, options.tolerance, options.target);
+      Row row = {reaches ? "met" : "missed", report.filled ? edgesText(seam) : "-",
+                 betweenText(seam, report)};
+      for (const Column& column : columns) row.push_back(cellOf(seam, column));
+      row.push_back(noteOf(seam, options.tolerance));
+      (reaches ? met : rows).push_back(std::move(row));
+    }
+  rows.insert(rows.end(), met.begin(), met.end());
+  return rows;
 }
 
 }  // namespace
@@ -69,6 +96,7 @@ ordered_json toJson(const occ::Hole& hole) {
   }
   return {{"id", hole.id},
           {"length_mm", hole.length_mm},
+          {"centre_mm", {hole.centre.x(), hole.centre.y(), hole.centre.z()}},
           {"has_corners", hole.has_corners},
           {"longest", hole.longest},
           {"sides", sides}};
@@ -88,6 +116,17 @@ ModelCounts countsOf(const occ::Report& found, const occ::FillHoleOptions& optio
   return counts;
 }
 
+Judge judgeOf(const occ::FillHoleReport& report, const occ::FillHoleOptions& options) {
+  return [&report, &options](const occ::Model& model, const occ::Progress& progress) {
+    occ::AnalyzeOptions asked;
+    asked.tolerance = options.tolerance;
+    asked.level = options.target;
+    asked.jobs = options.jobs;
+    if (model.faceCount() == report.model.faceCount()) asked.faces = report.faces;
+    return countsOf(occ::analyze(model, asked, progress), options);
+  };
+}
+
 ordered_json toJson(const occ::FillHoleReport& report, const occ::FillHoleOptions& options,
                     const occ::ModelFacts& given, const std::optional<WrittenModel>& output) {
   ordered_json json = headJson("seamwright.fill/1", given);
@@ -101,6 +140,8 @@ ordered_json toJson(const occ::FillHoleReport& report, const occ::FillHoleOption
   json["reason"] = report.reason;
   json["largest_gap_mm"] = maybe(report.largestGap_mm());
   json["largest_angle_deg"] = maybe(report.largestAngle_rad(), degrees(1));
+  json["largest_curvature_rel"] = maybe(report.largestCurvature_rel());
+  json["curvature_jump_per_mm"] = maybe(report.curvature_jump_per_mm);
   json["output"] = toJson(output);
   json["faces"] = report.faces;
   json["regular"] = report.regular;
@@ -115,9 +156,12 @@ ordered_json toJson(const occ::FillHoleReport& report, const occ::FillHoleOption
 }
 
 std::string shortly(const occ::Hole& hole) {
-  return "hole " + std::to_string(hole.id) + ": " +
+  std::string centre;
+  for (const double coordinate : hole.centre)
+    centre += (centre.empty() ? "" : ", ") + number(std::abs(coordinate) < 1e-9 ? 0 : coordinate, "%.4g");
+  return "Hole" + std::to_string(hole.id) + ": " +
          (hole.has_corners ? counted(hole.sides.size(), "side") : std::string("no corner")) + ", " +
-         number(hole.length_mm, "%.4g") + " mm";
+         number(hole.length_mm, "%.4g") + " mm around (" + centre + ")";
 }
 
 std::string toTable(const occ::FillHoleReport& report, const occ::FillHoleOptions& options,
@@ -128,10 +172,12 @@ std::string toTable(const occ::FillHoleReport& report, const occ::FillHoleOption
   else
     out << "not filled";
   if (!report.outer.empty()) {
-    const std::optional<double> angle = report.largestAngle_rad();
+    const std::optional<double> angle = report.largestAngle_rad(), curvature = report.largestCurvature_rel();
     out << "; " << counted(report.outer.size(), "seam") << " to the neighbours, " << report.inner.size()
         << " inside: gap at most " << textOf(report.largestGap_mm(), "mm") << ", angle "
-        << textOf(angle ? std::optional(degrees(*angle)) : std::nullopt, "degrees");
+        << textOf(angle, "degrees", degrees(1)) << ", curvature " << textOf(curvature, "%", 100) << "\n\n";
+    constexpr std::size_t first_number = 3;
+    writeRows(out, rowsOf(report, options), first_number);
   }
   out << '\n';
   const ModelCounts memory = countsOf(report, options);

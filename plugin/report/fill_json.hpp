@@ -9,7 +9,7 @@
 
 namespace seamwright::report {
 
-/// {id, length_mm, has_corners, longest, sides: [{edges, faces, length_mm}]}.
+/// {id, length_mm, centre_mm, has_corners, longest, sides: [{edges, faces, length_mm}]}.
 nlohmann::ordered_json toJson(const occ::Hole& hole);
 
 /// What a fill has in memory: seams are the new ones, defects those of them that do not surely reach the target.
@@ -18,15 +18,19 @@ ModelCounts countsOf(const occ::FillHoleReport& report, const occ::FillHoleOptio
 /// What its file has, by an analysis of the seams of the new faces.
 ModelCounts countsOf(const occ::Report& found, const occ::FillHoleOptions& options);
 
+/// Counts in a file the seams of the new faces; of all faces, where it does not have those of the model in memory. Both arguments have to
+/// outlive it.
+Judge judgeOf(const occ::FillHoleReport& report, const occ::FillHoleOptions& options);
+
 /// The report as the object "seamwright.fill/1" (docs/fill-1.schema.json), lengths in mm, angles in degrees.
 /// \param given the model as it was read. \param output nothing where the model was not written.
 nlohmann::ordered_json toJson(const occ::FillHoleReport& report, const occ::FillHoleOptions& options,
                               const occ::ModelFacts& given, const std::optional<WrittenModel>& output = {});
 
-/// The hole in a few words: "hole 2: 4 sides, 31.4 mm".
+/// The hole in a few words: "Hole2: 4 sides, 31.4 mm around (10, 0, 5)".
 std::string shortly(const occ::Hole& hole);
 
-/// What came of a fill, for people.
+/// For people: a row for each new seam, those that miss the target first, then the largest figures and the verdict.
 std::string toTable(const occ::FillHoleReport& report, const occ::FillHoleOptions& options,
                     const std::optional<WrittenModel>& output = {});
 

@@ -92,7 +92,7 @@ TEST(NSidedFillLimits, AnglesOfPiAndMore) {
                 AllOf(HasSubstr("corner 0: the angle of the hole is 4.65"), HasSubstr("split the hole")));
   const std::vector<Eigen::Vector2d> straight = {{0, 0}, {10, 0}, {10, 10}, {-10, 10}, {-10, 0}};
   expectRefused(test::graphHole(test::plane(), straight),
-                AllOf(HasSubstr("corner 0: the angle of the hole is pi"), HasSubstr("merge the two sides")));
+                AllOf(HasSubstr("corner 0: the angle of the hole is 180 degrees"), HasSubstr("merge the two sides")));
   std::vector<FillSide> free = test::graphHole(test::plane(), straight);
   for (FillSide& side : free) side.cross.reset();
   expectRefused(free, HasSubstr("merge the two sides"));

@@ -61,7 +61,9 @@ TEST(CornerFilletLimits, NumbersHaveToBeLengths) {
     EXPECT_THAT(cube.message<std::invalid_argument>(), HasSubstr("radius of edge " + edge)) << bad;
     cube = {};
     cube.options.setbacks_mm[std::stoi(edge)] = bad;
-    EXPECT_THAT(cube.message<std::invalid_argument>(), HasSubstr("setback of edge " + edge)) << bad;
+    if (bad != 0) {
+      EXPECT_THAT(cube.message<std::invalid_argument>(), HasSubstr("setback of edge " + edge)) << bad;
+    }
     cube = {};
     cube.options.section_mm = bad;
     EXPECT_THAT(cube.message<std::invalid_argument>(), HasSubstr("section_mm is ")) << bad;
@@ -80,7 +82,7 @@ TEST(CornerFilletLimits, EdgesAndVertexHaveToBelongTogether) {
   cube = {};
   cube.options.radii_mm[2] = 1;
   EXPECT_THAT(cube.message<std::invalid_argument>(),
-              HasSubstr("edge 2 has a radius of 1.000000 mm and is not at the vertex"));
+              HasSubstr("edge 2 has a radius of 1 mm and is not at the vertex"));
   cube = {};
   cube.options.setbacks_mm[77] = 1;
   EXPECT_THAT(cube.message<std::invalid_argument>(), HasSubstr("edge 77 has a setback"));
@@ -95,14 +97,43 @@ TEST(CornerFilletLimits, SetbacksNeedRoom) {
   CubeCorner cube;
   const int edge = cube.options.radii_mm.begin()->first;
   cube.options.setbacks_mm[edge] = 1;
-  EXPECT_THAT(cube.message<std::domain_error>(), HasSubstr("more than 1.000000 mm is needed"));
+  EXPECT_THAT(cube.message<std::domain_error>(), HasSubstr("more than 1 mm is needed"));
   cube.options.setbacks_mm[edge] = 1.01;
   EXPECT_EQ(cube.message<std::domain_error>(), "nothing thrown");
   cube.options.setbacks_mm[edge] = 11;
-  EXPECT_THAT(cube.message<std::domain_error>(), HasSubstr("would be -1.000000 mm long on one side"));
+  EXPECT_THAT(cube.message<std::domain_error>(), HasSubstr("would be -1 mm long on one side"));
   cube = {};
   for (auto& [number, radius_mm] : cube.options.radii_mm) radius_mm = 9.5;
   EXPECT_THAT(cube.message<std::domain_error>(), HasSubstr("would be "));
+}
+
+/// A box of 10 by 20 by 30: a radius of 28 has no room on the edges beside its own.
+TEST(CornerFilletLimits, TheEdgeWhoseRadiusIsTooLargeIsNamed) {
+  const Model model = modelFromShape(BRepPrimAPI_MakeBox(10, 20, 30).Shape());
+  const int vertex = vertexAt(model.shape, {0, 0, 0});
+  const std::vector<int> edges = occ::cornerEdges(model, vertex);
+  for (const int large : edges) {
+    CornerFilletOptions options;
+    for (const int edge : edges) options.radii_mm[edge] = edge == large ? 28 : 0.5;
+    const std::string said = messageOf<std::domain_error>([&] { cornerFillet(model, vertex, options); });
+    EXPECT_EQ(said.rfind("edge " + std::to_string(large) + ": with a radius of 28 mm there", 0), 0U) << said;
+    options.radii_mm[large] = 0.5;
+    const std::string alone = messageOf<std::domain_error>([&] {
+      options.setbacks_mm[large] = 40;
+      cornerFillet(model, vertex, options);
+    });
+    EXPECT_EQ(alone.rfind("edge " + std::to_string(large) + ", ", 0), 0U) << alone;
+  }
+}
+
+TEST(CornerFilletLimits, ASetbackOfZeroIsChosen) {
+  CubeCorner cube;
+  const occ::CornerFillet chosen = cornerFillet(cube.model, cube.vertex, cube.options);
+  for (const auto& [edge, radius_mm] : cube.options.radii_mm) cube.options.setbacks_mm[edge] = 0;
+  const int named = cube.options.radii_mm.begin()->first;
+  cube.options.setbacks_mm[named] = 4;
+  for (const occ::CornerFilletEdge& edge : cornerFillet(cube.model, cube.vertex, cube.options).edges)
+    EXPECT_EQ(edge.setback_mm, edge.edge == named ? 4 : chosen.edges.front().setback_mm);
 }
 
 /// No check of single faces finds this: the void's wall and the fillet have no edge in common.
@@ -131,7 +162,7 @@ TEST(CornerFilletLimits, FilletsThatReachBeyondAFarEdgeAreRefused) {
     return messageOf<std::domain_error>([&] { cornerFillet(model, vertex, options); });
   };
   EXPECT_EQ(refusal(1), "nothing thrown");
-  EXPECT_THAT(refusal(3), HasSubstr("an edge 2.000000 mm long at a far end would be cut"));
+  EXPECT_THAT(refusal(3), HasSubstr("an edge 2 mm long at a far end would be cut"));
 }
 
 TEST(CornerFilletLimits, CornersOfOtherKindsAreRefused) {
@@ -164,7 +195,7 @@ TEST(CornerFilletLimits, WhatFallsShortIsSaid) {
   const occ::CornerFillet strict = cornerFillet(cube.model, cube.vertex, cube.options);
   EXPECT_FALSE(strict.met());
   EXPECT_TRUE(strict.valid);
-  EXPECT_THAT(strict.shortfall, HasSubstr("edge "));
+  EXPECT_THAT(strict.shortfall, HasSubstr("a seam between a patch and a fillet: level G0, "));
 }
 
 TEST(CornerFilletLimits, WorkCanBeStopped) {

@@ -4,13 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <BRepAdaptor_Surface.hxx>
-#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeSolid.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepGProp.hxx>
 #include <BRepLib.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
-#include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
 #include <TopExp.hxx>
@@ -167,10 +165,11 @@ TEST(CurvedCorner, SaysWhatItCanNotDo) {
   CornerFilletOptions options = withRadii(model, vertex, {2});
   const int edge = options.radii_mm.begin()->first;
   options.setbacks_mm[edge] = 2.01;
-  EXPECT_THAT(refusal([&] { cornerFillet(model, vertex, options); }), HasSubstr("a setback of 2.010000 mm"));
+  EXPECT_THAT(refusal([&] { cornerFillet(model, vertex, options); }),
+              HasSubstr("a setback of 2.01 mm is not within its fillet"));
   options.setbacks_mm[edge] = 100;
   EXPECT_THAT(refusal([&] { cornerFillet(model, vertex, options); }),
-              HasSubstr("a setback of 100.000000 mm is beyond its end"));
+              HasSubstr("set back by 100 mm would begin beyond its end"));
   EXPECT_THAT(refusal([&] { cornerFillet(model, vertex, withRadii(model, vertex, {25})); }),
               HasSubstr("edge "));
 
@@ -179,13 +178,6 @@ TEST(CurvedCorner, SaysWhatItCanNotDo) {
                 occ::cornerEdges(modelFromShape(cone), vertexAt(cone, {0, 0, 30}));
               }),
               HasSubstr("are needed"));
-
-  const TopoDS_Shape hollow =
-      BRepAlgoAPI_Cut(shape, BRepPrimAPI_MakeSphere(gp_Pnt(8, 8, 15), 2).Shape()).Shape();
-  const Model with_void = modelFromShape(hollow);
-  const int there = vertexAt(hollow, {20, 0, 0});
-  EXPECT_THAT(refusal([&] { cornerFillet(with_void, there, withRadii(with_void, there, {1})); }),
-              HasSubstr("the solid has 2 shells"));
 }
 
 }  // namespace

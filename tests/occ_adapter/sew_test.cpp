@@ -462,7 +462,7 @@ TEST(Sew, FacesOfOneSurfaceStayLoose) {
                                          BRepBuilderAPI_MakeFace(surface, 1, 2, 0, 10, 1e-7).Shape()});
   const RepairReport report = sewn(shape, matching(0.1));
   EXPECT_FALSE(report.changed());
-  EXPECT_NE(whyNot(report).find("faces 1 and 2 have one surface in common"), std::string::npos)
+  EXPECT_NE(whyNot(report).find("face 1 and face 2 have one surface in common"), std::string::npos)
       << whyNot(report);
 }
 

@@ -7,17 +7,9 @@ import os
 import pytest
 
 from command import expect_one_line, run
-from models import box_text
 from schemas import expect_every_key_matters, expect_valid, validator
 
 VALIDATOR = validator("corner")
-
-
-@pytest.fixture
-def box(tmp_path):
-    path = tmp_path / "box.step"
-    path.write_text(box_text())
-    return path
 
 
 def corner(model, *options, out="out.step"):
@@ -55,6 +47,17 @@ def test_one_radius_is_that_of_all_edges(box):
     assert [edge["setback_mm"] for edge in three["edges"]] == pytest.approx([0.3] * 3)
 
 
+def test_a_setback_of_zero_is_chosen(box):
+    chosen = corner(box, "--vertex", "1", "--radius", "0.2")[1]["edges"]
+    some = corner(box, "--vertex", "1", "--radius", "0.2", "--setback", "0,0.5,0")[1]["edges"]
+    assert sorted(edge["setback_mm"] for edge in some) == pytest.approx([chosen[0]["setback_mm"]] * 2 + [0.5])
+    assert min(some, key=lambda edge: edge["edge"])["setback_mm"] != 0.5
+
+
+def test_an_angle_above_that_of_creases_is_understood(box):
+    assert corner(box, "--vertex", "1", "--radius", "0.2", "--angle", "8")[0].returncode == 0
+
+
 def test_radii_go_round_from_the_edge_with_the_smallest_number(box):
     report = corner(box, "--vertex", "1", "--radius", "0.1,0.2,0.3")[1]
     edges = {edge["edge"]: edge["radius_mm"] for edge in report["edges"]}
@@ -70,7 +73,7 @@ def test_every_key_of_the_report_matters(box):
 def test_what_falls_short_is_not_written(box):
     options = ["--vertex", "1", "--radius", "0.2", "--angle", "1e-9"]
     result, report, out = corner(box, *options)
-    assert result.returncode == 1 and "NOT REACHED G1: edge " in result.stdout
+    assert result.returncode == 1 and "NOT REACHED G1: a seam between a patch and " in result.stdout
     assert not out.exists() and report["output"] is None and not report["met"]
     result, report, out = corner(box, *options, "--keep-anyway")
     assert result.returncode == 1 and out.exists() and report["output"]["defects"] > 0
@@ -82,11 +85,14 @@ def test_what_falls_short_is_not_written(box):
         (["--radius", "0.2"], "--vertex"),
         (["--vertex", "1"], "--radius"),
         (["--vertex", "9", "--radius", "0.2"], "vertex 9: the model has 8"),
+        (["--vertex", "0", "--radius", "0.2"], "--vertex: '0' names no Vertex: they count from 1 (see "),
         (["--vertex", "Edge1", "--radius", "0.2"], "'Edge1' names no Vertex"),
         (["--vertex", "1", "--radius", "0.2,0.3"], "--radius has 2 lengths: one for all edges is needed, or one for each of Edge1"),
         (["--vertex", "1", "--radius", "0.2", "--setback", "1,2"], "--setback has 2 lengths"),
         (["--vertex", "1", "--radius", "0"], "radius of edge 1 is 0"),
         (["--vertex", "1", "--radius", "nan"], "nan"),
+        (["--vertex", "1", "--radius", "0.2", "--setback", "-1"], "is -1 mm: a finite one above 0 is needed, or 0: chosen"),
+        *(([*("--vertex", "1", "--radius", "0.2"), option, "1"], option) for option in ("--curvature", "--crease", "--flat-radius")),
         (["--vertex", "1", "--radius", "20"], "long on one side"),
         (["--vertex", "1", "--radius", "wide"], "wide"),
     ],

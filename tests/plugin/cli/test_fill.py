@@ -3,21 +3,15 @@
 
 import json
 import os
+import re
 
 import pytest
 
 from command import READER, contents, expect_one_line, run
-from models import OCCT_DATA, box_text, installed, reader_that_finds, roof_text
+from models import OCCT_DATA, box_text, installed, reader_that_finds, roof_text, step_text
 from schemas import expect_every_key_matters, expect_valid, validator
 
 VALIDATOR = validator("fill")
-
-
-@pytest.fixture
-def box(tmp_path):
-    path = tmp_path / "box.step"
-    path.write_text(box_text())
-    return path
 
 
 def fill(model, *options, out="out.step"):
@@ -90,6 +84,50 @@ def test_a_closed_solid_comes_out_closed_with_its_colours(tmp_path):
     assert report["output"]["open_edges"] == 0
 
 
+def test_the_table_has_the_figures_of_every_seam(tmp_path):
+    shell = tmp_path / "shell.brep"
+    shell.write_bytes(installed(OCCT_DATA / "occ/shell1.brep").read_bytes())
+    for target in ("G1", "G2"):
+        result, report, _ = fill(shell, "--face", "64", "--target", target, "--keep-anyway")
+        seams = report["outer"] + report["inner"]
+        worst = max(seam["curvature_rel"]["upper"] for seam in seams)
+        assert report["largest_curvature_rel"] == worst
+        assert f"curvature {100 * worst:.3g} %" in result.stdout.splitlines()[0]
+        assert (report["curvature_jump_per_mm"] is not None) == (target == "G2")
+        rows = [line for line in result.stdout.splitlines() if line.startswith(("met ", "missed "))]
+        assert {row.split()[1] for row in rows} == {f"Edge{seam['edges'][0]}" for seam in seams} and len(rows) == len(seams)
+        missed = sum(line.startswith("missed ") for line in rows)
+        assert missed == report["output"]["defects"] and all(line.startswith("missed ") for line in rows[:missed])
+
+
+def test_faces_in_a_reason_are_those_of_the_given_model(box):
+    """Beside face k of a box are all faces but k and the one opposite."""
+    opposite = {1: 2, 2: 1, 3: 5, 5: 3, 4: 6, 6: 4}
+    for face in opposite:
+        result, report, _ = fill(box, "--face", str(face))
+        beside = {f"face {other}" for other in range(1, 7) if other not in (face, opposite[face])}
+        assert report["reason"].startswith("a seam between face ")
+        assert report["reason"].split(" and the fill")[0].removeprefix("a seam between ") in beside
+        assert set(re.findall(r"(face \d), the fill ", result.stdout)) == beside
+        edges = {seam["edges"][0] for seam in analysis(box)["seams"] if face in seam["faces"]}
+        assert {edge for side in report["sides"] for edge in side["edges"]} == edges
+
+
+def test_holes_of_one_size_are_told_apart(tmp_path):
+    """A box without its ends: the list names holes as --hole takes them, with where they are."""
+    points = [(x, y, z) for z in (0, 30) for x, y in ((0, 0), (10, 0), (10, 20), (0, 20))]
+    tube = tmp_path / "tube.step"
+    tube.write_text(step_text(points, [[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]], closed=False))
+    listed = run("fill", tube, "-o", tmp_path / "out.step", "--target", "G0")
+    expect_one_line(listed, "has 2 holes, name one with --hole; Hole1: 4 sides, 60 mm around (5, 10, ")
+    places = dict(re.findall(r"(Hole\d): 4 sides, 60 mm around \(5, 10, (\d+)\)", listed.stderr))
+    assert sorted(places.values()) == ["0", "30"]
+    for name, place in places.items():
+        written = fill(tube, "--hole", name, "--target", "G0")[2]
+        (hole,) = re.findall(r"around \((.*?)\)", run("fill", written, "-o", tmp_path / "o.step", "--hole", "9").stderr)
+        assert hole == f"5, 10, {30 - int(place)}"
+
+
 def test_what_can_not_be_smooth_is_not_written(box):
     result, report, out = fill(box, "--face", "1")
     assert result.returncode == 1
@@ -127,7 +165,13 @@ def test_what_cannot_be_read_back_is_not_written(box, tmp_path):
         (["--face", "7"], "no face 7"),
         ([], "has no hole"),
         (["--face", "1", "--hole", "1"], "excludes"),
-        (["--face", "0"], "--face"),
+        (["--face", "0"], "--face: '0' names no Face: they count from 1 (see "),
+        (["--face", "Face-1"], "'Face-1' names no Face: they count from 1"),
+        (["--hole", "0"], "--hole: '0' names no Hole: they count from 1 (see "),
+        (["--hole", "Hole1"], "has no hole"),
+        (["--hole", "Face1"], "'Face1' names no Hole: a number as 39, or Hole39, is needed"),
+        (["--face", "1", "--angle", "0"], "angle tolerance is 0 deg: a fill needs more"),
+        (["--face", "1", "--angle", "0", "--target", "G0"], "angle tolerance is 0 deg"),
         (["--face", ""], "'' names no Face: a number as 39, or Face39, is needed"),
         (["--face", "Edge3"], "'Edge3' names no Face"),
         (["--face", "1", "--target", "G3"], "--target"),

@@ -131,7 +131,7 @@ class Following(CornerCase):
         self.assertAlmostEqual(obj.Shape.Volume, 3000 - missing - 20 * (4 - math.pi), delta=1e-3)
         box.Length = 2
         self.doc.recompute()
-        self.assertNotRounded(obj, "2.000000 mm long")
+        self.assertNotRounded(obj, "2 mm long")
         box.Length = 10
         self.doc.recompute()
         self.assertEqual((corner.error_text(obj), obj.Met), ("", True))
@@ -153,10 +153,10 @@ class Following(CornerCase):
 class Errors(CornerCase):
     def test_corners_that_cannot_be_rounded_say_why(self):
         cube = self.cube()
-        self.assertNotRounded(corner.create(cube, "Vertex1", 9.0), "a fillet of radius 9.000000 mm")
+        self.assertNotRounded(corner.create(cube, "Vertex1", 9.0), "a fillet of radius 9 mm")
         near = corner.create(cube, "Vertex1", 1.0, setbacks_mm=0.5)
         self.assertNotRounded(near, "a setback of 0.500000 mm leaves no room")
-        self.assertNotRounded(corner.create(cube, "Vertex1", 0.0), "radius of Edge1 is 0.000000 mm")
+        self.assertNotRounded(corner.create(cube, "Vertex1", 0.0), "radius of Edge1 is 0 mm")
         self.assertNotRounded(corner.create(cube, "Vertex99", 1.0), "Cube has no Vertex99")
         self.assertNotRounded(corner.create(cube, "Edge1", 1.0), "Cube has no Edge1")
         block = models.add(self.doc, models.rounded_block(), "Block")
@@ -211,37 +211,16 @@ class Errors(CornerCase):
 
 class Saving(CornerCase):
     def test_results_survive_without_the_compiled_module_and_undo_is_one_step(self):
-        self.doc.UndoMode = 1
-        cube = self.cube()
-        steps = self.doc.UndoCount
-        self.doc.openTransaction("Corner fillet")
-        corner.create(cube, "Vertex1", [1.0, 2.0, 3.0], setbacks_mm=[0.0, 5.0, 0.0], profile="class-a")
-        self.doc.commitTransaction()
-        self.assertEqual(self.doc.UndoCount, steps + 1)
-        self.doc.undo()
-        self.assertEqual(self.doc.Objects, [cube])
-        self.doc.redo()
+        cube, radii, setbacks = self.cube(), [1.0, 2.0, 3.0], [0.0, 5.0, 0.0]
+        self.assertOneStep(lambda: corner.create(cube, "Vertex1", radii, setbacks_mm=setbacks, profile="class-a"), [cube])
+        obj = self.doc.CornerFillet
         names = ("Report", "Summary", "Met", "Radii", "Setbacks", "CornerEdges", "Patches", "SeamwrightVersion")
-        kept = {name: getattr(self.doc.CornerFillet, name) for name in names}
-        self.doc.CornerFillet.removeProperty("SectionTolerance")
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "saved.FCStd")
-            self.doc.saveAs(path)
-            App.closeDocument(self.doc.Name)
-            with ABSENT:
-                self.doc = App.openDocument(path)
-                again = self.doc.CornerFillet
-                self.assertNotIn("Touched", again.State)
-                self.assertTrue(corner.is_corner(again))
-                self.assertEqual({name: getattr(again, name) for name in kept}, kept)
-                self.assertEqual((again.GapTolerance.Value, again.SectionTolerance.Value), (0.001, 1e-6))
-                self.assertEqual(len(again.Shape.Faces), 15)
-                again.touch()
-                self.doc.recompute()
-                self.assertFailed(again, "cannot be loaded")
-                with self.assertRaises(kernel.KernelUnavailable):
-                    corner.create(self.doc.Cube, "Vertex1")
-            self.doc.Cube.Shape = Part.makeBox(20, 20, 20)
-            self.doc.recompute()
+        obj.removeProperty("SectionTolerance")
+        with self.opened_without_kernel(obj, names, lambda: corner.create(self.doc.Cube, "Vertex1")) as again:
+            self.assertTrue(corner.is_corner(again))
+            self.assertEqual((again.GapTolerance.Value, again.SectionTolerance.Value), (0.001, 1e-6))
+            self.assertEqual(len(again.Shape.Faces), 15)
+        self.doc.Cube.Shape = Part.makeBox(20, 20, 20)
+        self.doc.recompute()
         self.assertEqual((corner.error_text(again), again.Met), ("", True))
         self.assertAlmostEqual(again.Shape.BoundBox.XMax, 20, delta=1e-6)

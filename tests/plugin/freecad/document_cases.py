@@ -34,6 +34,40 @@ class DocumentCase(unittest.TestCase):
     def prism(self):
         return models.add(self.doc, models.three_classes(), "Prism")
 
+    @contextlib.contextmanager
+    def opened_without_kernel(self, obj, names, make):
+        """The object, saved and opened again where the compiled module is missing: it has the properties ``names`` as they
+        were. In the end it cannot be computed, and ``make`` makes no other.
+        """
+        name, kept = obj.Name, {each: getattr(obj, each) for each in names}
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "saved.FCStd")
+            self.doc.saveAs(path)
+            App.closeDocument(self.doc.Name)
+            with ABSENT:
+                self.doc = App.openDocument(path)
+                again = self.doc.getObject(name)
+                self.assertNotIn("Touched", again.State)
+                self.assertEqual({each: getattr(again, each) for each in kept}, kept)
+                yield again
+                again.touch()
+                self.doc.recompute()
+                self.assertFailed(again, "cannot be loaded")
+                with self.assertRaises(kernel.KernelUnavailable):
+                    make()
+
+    def assertOneStep(self, make, before):
+        """``make`` can be undone and done again as one step; ``before``: the objects that there were."""
+        self.doc.UndoMode = 1
+        steps = self.doc.UndoCount
+        self.doc.openTransaction("One step")
+        make()
+        self.doc.commitTransaction()
+        self.assertEqual(self.doc.UndoCount, steps + 1)
+        self.doc.undo()
+        self.assertEqual(self.doc.Objects, before)
+        self.doc.redo()
+
     def assertFailed(self, obj, text):
         self.assertIn("Invalid", obj.State)
         self.assertIn(text, analysis.error_text(obj))
@@ -195,20 +229,11 @@ class Saving(DocumentCase):
 
     def test_results_survive_without_the_compiled_module(self):
         obj = analysis.create([self.prism()], gap_mm=0.05)
-        kept = {name: getattr(obj, name) for name in ("Report", "Summary", "Seams", "SeamwrightVersion")}
-        with ABSENT:
-            again = self.reopen(obj)
-            self.assertNotIn("Touched", again.State)
-            self.assertEqual({name: getattr(again, name) for name in kept}, kept)
-            self.assertEqual(again.GapTolerance.Value, 0.05)
-            self.assertEqual(len(again.Shape.Edges), 18)
+        report, names = obj.Report, ("Report", "Summary", "Seams", "SeamwrightVersion")
+        with self.opened_without_kernel(obj, names, analysis.create) as again:
             self.assertTrue(analysis.is_analysis(again))
-            again.touch()
-            self.doc.recompute()
-            self.assertFailed(again, "cannot be loaded")
-            self.assertEqual(again.Report, kept["Report"])
-            with self.assertRaises(kernel.KernelUnavailable):
-                analysis.create()
+            self.assertEqual((again.GapTolerance.Value, len(again.Shape.Edges)), (0.05, 18))
+        self.assertEqual(again.Report, report)
         again.touch()
         self.doc.recompute()
         self.assertEqual((again.Seams, analysis.error_text(again)), (18, ""))

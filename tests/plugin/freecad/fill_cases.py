@@ -127,6 +127,16 @@ class Holes(FillCase):
         holes, wanted, text = fill.holes_of(obj)
         self.assertEqual(([hole["longest"] for hole in holes], wanted, text), ([True, False], [2], ""))
 
+    def test_holes_as_long_as_one_another_are_all_filled(self):
+        tube = models.add(self.doc, Part.makeShell(Part.makeBox(10, 10, 30).Faces[:4]), "Tube")
+        obj = fill.create(tube, target="G0")
+        self.assertEqual((obj.Filled, obj.Wanted, obj.Reached), (2, 2, True), obj.Summary)
+        self.assertAlmostEqual(obj.Shape.Volume, 3000, delta=1e-6)
+        holes, wanted, _ = fill.holes_of(obj)
+        self.assertEqual(([hole["longest"] for hole in holes], wanted), ([False, False], [1, 2]))
+        centres = sorted(tuple(round(each, 9) for each in hole["centre_mm"]) for hole in holes)
+        self.assertEqual(centres, [(5, 5, 0), (5, 5, 30)])
+
     def test_a_hole_that_fails_does_not_hold_up_the_others(self):
         sharp = Part.makeShell(Part.makeBox(10, 10, 10).Faces[1:])  # no fill is tangent to its sides
         sharp.translate(App.Vector(50, 0, 0))
@@ -312,38 +322,16 @@ class Errors(FillCase):
 
 class Saving(FillCase):
     def test_results_survive_without_the_compiled_module_and_undo_is_one_step(self):
-        self.doc.UndoMode = 1
         source, loops = self.open_block(2)
-        steps = self.doc.UndoCount
-        self.doc.openTransaction("Umbrella fill")
-        obj = fill.create(source, edges=loops[1], profile="vda")
-        self.doc.commitTransaction()
-        self.assertEqual(self.doc.UndoCount, steps + 1)
-        self.doc.undo()
-        self.assertEqual(self.doc.Objects, [source])
-        self.doc.redo()
+        self.assertOneStep(lambda: fill.create(source, edges=loops[1], profile="vda"), [source])
         obj = self.doc.UmbrellaFill
-        names = ("Report", "Summary", "Filled", "Reached", "Target", "SeamwrightVersion", "NewFaces")
-        kept = {name: getattr(obj, name) for name in names}
+        names = ("Report", "Summary", "Filled", "Reached", "Target", "SeamwrightVersion", "NewFaces", "MaxCurvature")
         faces = len(obj.Shape.Faces)
         obj.removeProperty("KeepAnyway")
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "saved.FCStd")
-            self.doc.saveAs(path)
-            App.closeDocument(self.doc.Name)
-            with ABSENT:
-                self.doc = App.openDocument(path)
-                again = self.doc.UmbrellaFill
-                self.assertNotIn("Touched", again.State)
-                self.assertTrue(fill.is_fill(again))
-                self.assertEqual({name: getattr(again, name) for name in kept}, kept)
-                self.assertEqual((again.GapTolerance.Value, again.KeepAnyway), (0.02, False))
-                self.assertEqual((len(again.Shape.Faces), elements.names(again, "Edges")), (faces, loops[1]))
-                again.touch()
-                self.doc.recompute()
-                self.assertFailed(again, "cannot be loaded")
-                with self.assertRaises(kernel.KernelUnavailable):
-                    fill.create(self.doc.Open)
-            self.doc.Open.Shape = models.open_block(2, size=26.0)
-            self.doc.recompute()
+        with self.opened_without_kernel(obj, names, lambda: fill.create(self.doc.Open)) as again:
+            self.assertTrue(fill.is_fill(again))
+            self.assertEqual((again.GapTolerance.Value, again.KeepAnyway), (0.02, False))
+            self.assertEqual((len(again.Shape.Faces), elements.names(again, "Edges")), (faces, loops[1]))
+        self.doc.Open.Shape = models.open_block(2, size=26.0)
+        self.doc.recompute()
         self.assertEqual((fill.error_text(again), again.Filled), ("", 1))

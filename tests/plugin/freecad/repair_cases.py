@@ -313,31 +313,17 @@ class Errors(RepairCase):
 
 class Saving(RepairCase):
     def test_results_survive_without_the_compiled_module(self):
-        panel = self.panel()
-        obj = repair.create(panel, fixed_faces=["Face1"], max_move_mm=1.0)
+        obj = repair.create(self.panel(), fixed_faces=["Face1"], max_move_mm=1.0)
         names = ("Report", "Summary", "Changed", "Wanted", "Repaired", "Target", "SeamwrightVersion")
-        kept = {name: getattr(obj, name) for name in names}
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "saved.FCStd")
-            self.doc.saveAs(path)
-            App.closeDocument(self.doc.Name)
-            with ABSENT:
-                self.doc = App.openDocument(path)
-                again = self.doc.SeamRepair
-                self.assertNotIn("Touched", again.State)
-                self.assertEqual({name: getattr(again, name) for name in kept}, kept)
-                self.assertTrue(repair.is_repair(again))
-                self.assertEqual((again.MaxMove.Value, len(again.Shape.Faces)), (1.0, 6))
-                self.assertEqual(elements.names(again, "FixedFaces"), ["Face1"])
-                again.touch()
-                self.doc.recompute()
-                self.assertFailed(again, "cannot be loaded")
-                with self.assertRaises(kernel.KernelUnavailable):
-                    repair.create(self.doc.Panel)
-            self.doc.Panel.Shape = models.broken_panel(seed=11)
-            self.doc.recompute()
+        report = obj.Report
+        with self.opened_without_kernel(obj, names, lambda: repair.create(self.doc.Panel)) as again:
+            self.assertTrue(repair.is_repair(again))
+            self.assertEqual((again.MaxMove.Value, len(again.Shape.Faces)), (1.0, 6))
+            self.assertEqual(elements.names(again, "FixedFaces"), ["Face1"])
+        self.doc.Panel.Shape = models.broken_panel(seed=11)
+        self.doc.recompute()
         self.assertEqual(repair.error_text(again), "")
-        self.assertNotEqual(again.Report, kept["Report"])
+        self.assertNotEqual(again.Report, report)
 
     def test_missing_properties_are_added(self):
         obj = repair.create(self.panel())
@@ -350,16 +336,8 @@ class Saving(RepairCase):
         self.assertEqual(self.doc.SeamRepair.MaxMove.Value, 0.5)
 
     def test_undo_takes_the_repair_away_as_one_step(self):
-        self.doc.UndoMode = 1
         panel = self.panel()
-        steps = self.doc.UndoCount
-        self.doc.openTransaction("Repair seams")
-        repair.create(panel)
-        self.doc.commitTransaction()
-        self.assertEqual(self.doc.UndoCount, steps + 1)
-        self.doc.undo()
-        self.assertEqual(self.doc.Objects, [panel])
-        self.doc.redo()
+        self.assertOneStep(lambda: repair.create(panel), [panel])
         self.assertEqual(self.doc.SeamRepair.Repaired, 7)
 
     def test_an_analysis_of_the_repair_agrees(self):

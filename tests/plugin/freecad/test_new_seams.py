@@ -20,10 +20,11 @@ def measured(number, angle=0.001, gap=1e-6, between="fill, Face1", bounded=True)
     return made
 
 
-def hole(number, *sides, longest=False, corners=True):
+def hole(number, *sides, longest=False, corners=True, centre=(1.0, -1e-12, 2.5)):
     return {
         "id": number,
         "length_mm": 10.0 * len(sides),
+        "centre_mm": list(centre),
         "has_corners": corners,
         "longest": longest,
         "sides": [{"edges": list(edges), "faces": [1] * len(edges), "length_mm": 10.0} for edges in sides],
@@ -67,7 +68,12 @@ def test_largest_figures_are_bounds_of_all():
     seams = [measured(1, angle=0.002), measured(2, angle=0.003), measured(3, angle=0.001)]
     assert new_seams.largest(seams, "angle_deg") == {"lower": 0.99 * 0.003, "upper": 0.003}
     assert new_seams.bound(seams, "angle_deg") == 0.003
-    assert new_seams.largest_text(seams, LIMITS) == "3 seams, gap at most 1e-6 mm, angle at most 0.003\u00b0"
+    text = "3 seams, gap at most 1e-6 mm, angle at most 0.003\u00b0"
+    assert new_seams.largest_text(seams, LIMITS) == text
+    for each, curvature in zip(seams, (0.01, 0.25, 0.0)):
+        each["curvature_rel"] = {"lower": curvature, "upper": curvature, "at": 0.5}
+    assert new_seams.largest_text(seams, LIMITS) == text + ", curvature at most 25 %"
+    assert new_seams.bound(seams, "curvature_rel") == 0.25
     seams.append(measured(4, angle=0.0001, bounded=False))
     assert new_seams.largest(seams, "angle_deg")["upper"] is None
     assert new_seams.bound(seams, "angle_deg") == 0.99 * 0.003
@@ -92,12 +98,18 @@ def test_the_longest_loop_is_left_out_unless_there_is_no_other():
     assert fill_text.default_holes([rim, inner]) == [inner]
     assert fill_text.default_holes([rim]) == [rim]
     assert fill_text.default_holes([]) == []
-    assert fill_text.hole_text(inner, [rim, inner]) == "Hole 2: 3 sides, 30 mm"
-    assert fill_text.hole_text(rim, [rim, inner]) == "Hole 1: 2 sides, 20 mm, the longest loop: a rim?"
-    assert fill_text.hole_text(rim, [rim]) == "Hole 1: 2 sides, 20 mm"
+    assert fill_text.hole_text(inner, [rim, inner]) == "Hole 2: 3 sides, 30 mm around (1, 0, 2.5)"
+    assert fill_text.hole_text(rim, [rim, inner]) == "Hole 1: 2 sides, 20 mm around (1, 0, 2.5), the longest loop: a rim?"
+    assert fill_text.hole_text(rim, [rim]) == "Hole 1: 2 sides, 20 mm around (1, 0, 2.5)"
     smooth = hole(3, [7], corners=False)
-    assert fill_text.hole_text(smooth, [smooth]) == "Hole 3: no corner, 10 mm"
+    assert fill_text.hole_text(smooth, [smooth]) == "Hole 3: no corner, 10 mm around (1, 0, 2.5)"
     assert fill_text.hole_tip(rim) == "Edge1, Edge2, Edge3"
+
+
+def test_loops_of_one_length_are_all_filled_and_told_apart():
+    holes = [hole(1, [1, 2], [3], centre=(0, 0, 0)), hole(2, [4, 5], [6], centre=(0, 0, 30))]
+    assert fill_text.default_holes(holes) == holes
+    assert [fill_text.hole_text(each, holes).split(" around ")[1] for each in holes] == ["(0, 0, 0)", "(0, 0, 30)"]
 
 
 def test_one_edge_of_a_hole_names_it_whatever_the_order():
@@ -149,15 +161,13 @@ def test_a_kept_fill_has_the_numbers_of_the_result_and_names_of_the_source():
 
 
 def test_a_fill_that_was_not_kept_says_why_in_names_of_the_source():
-    reason = "a seam between faces 3 and 6 does not surely reach G1: level G0, angle 1 degrees"
+    reason = "a seam between face 3 and the fill does not surely reach G1: level G0, angle 1 degrees"
     entry = fill_text.entry(found(filled=False, reason=reason), hole=2)
     assert entry["faces"] == [] and all(each["edges"] == [] for each in entry["seams"])
     report = {"target": "G1", "tolerance": LIMITS, "fills": [entry]}
     assert fill_text.summary_text(report) == (
         "Not filled: Hole 2: a seam between Face3 and the fill does not surely reach G1: level G0, angle 1 degrees."
     )
-    inside = fill_text.entry(found(False, "a seam between faces 6 and 7 does not meet"), hole=2)
-    assert inside["reason"] == "a seam inside the fill does not meet"
 
 
 def test_some_of_several_fills():

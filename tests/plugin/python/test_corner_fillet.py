@@ -85,10 +85,31 @@ def test_notch_of_mixed_edges(tmp_path):
 
 def test_the_result_is_written_and_read(box, tmp_path):
     result = box.corner_fillet(1, {edge: radius for edge, radius in zip(box.corner_edges(1), (1, 2, 3))})
-    result.model.write(tmp_path / "rounded.step")
+    shares = []
+    written = result.write(tmp_path / "rounded.step", progress=shares.append)
     again = seamwright.read(tmp_path / "rounded.step")
-    assert again.face_count == result.model.face_count
-    assert again.analyze().to_dict()["summary"]["defects"] == 0
+    assert again.face_count == result.model.face_count == written["output"]["faces"]
+    assert again.analyze().to_dict()["summary"]["defects"] == written["output"]["defects"] == 0
+    assert written["output"]["open_edges"] == 0 and written["differences"] == ""
+    assert shares == sorted(shares) and shares[-1] == 1
+    with pytest.raises(seamwright.ModelError, match="overwrite"):
+        result.write(tmp_path / "rounded.step")
+    with pytest.raises(seamwright.Cancelled):
+        result.write(tmp_path / "other.step", progress=lambda share: share < 0.7)
+    assert not (tmp_path / "other.step").exists()
+
+
+def test_a_file_that_falls_short_says_so(box, tmp_path):
+    result = box.corner_fillet(1, 1, angle_deg=1e-9)
+    assert not result.met and result.shortfall.startswith("a seam between a patch and ")
+    assert result.write(tmp_path / "out.step")["output"]["defects"] > 0
+
+
+def test_setbacks_of_zero_are_chosen(box):
+    chosen = box.corner_fillet(1, 1).to_dict()["edges"]
+    edges = box.corner_edges(1)
+    some = box.corner_fillet(1, 1, setbacks_mm={edges[0]: 0, edges[1]: 3}).to_dict()["edges"]
+    assert [edge["setback_mm"] for edge in some] == [chosen[0]["setback_mm"], 3, chosen[2]["setback_mm"]]
 
 
 @pytest.mark.parametrize("vertex, radii, keywords, words", [
@@ -100,9 +121,10 @@ def test_the_result_is_written_and_read(box, tmp_path):
     (1, {77: 1}, {}, "edge .* is at the vertex and has no radius"),
     (1, float("nan"), {}, "radius of edge .* is nan"),
     (1, -1, {}, "radius of edge .* is -1"),
-    (1, 1, {"setbacks_mm": 0.5}, "more than 1.000000 mm is needed"),
+    (1, 1, {"setbacks_mm": 0.5}, "more than 1 mm is needed"),
     (1, 20, {}, "would be"),
-    (1, 1, {"section_mm": 1}, "section_mm is 1.0"),
+    (1, 1, {"setbacks_mm": -1}, "setback of edge .* is -1 mm"),
+    (1, 1, {"section_mm": 1}, "section_mm is 1 mm"),
     (1, 1, {"jobs": -1}, "jobs is -1"),
 ])
 def test_bad_arguments(box, vertex, radii, keywords, words):

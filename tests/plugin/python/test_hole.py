@@ -2,10 +2,14 @@
 """Model.holes() and Model.fill(): what the dicts say, and bad arguments."""
 
 import pathlib
+import sys
 
 import pytest
 
 import seamwright
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "cli"))
+from models import reader_that_finds, roof_text  # noqa: E402
 
 SHELL = pathlib.Path("/usr/share/opencascade/data/occ/shell1.brep")
 
@@ -23,10 +27,59 @@ def test_a_face_is_replaced(shell):
     assert 0 < fill.largest_angle_deg < 0.01
     assert 0 < fill.largest_gap_mm < 0.001
     report = fill.to_dict()
+    seams = report["outer"] + report["inner"]
+    assert fill.largest_curvature_rel == report["largest_curvature_rel"] == max(seam["curvature_rel"]["upper"] for seam in seams)
+    assert fill.curvature_jump_per_mm is report["curvature_jump_per_mm"] is None
     assert report["schema"] == "seamwright.fill/1"
     assert len(report["sides"]) == len(report["corners"]) == len(report["faces"]) == len(report["inner"]) == 4
     assert fill.model.face_count == shell.face_count - 1 + 4
     assert "REACHED G1" in fill.to_table()
+
+
+def test_jumps_of_curvature_are_told_where_they_were_looked_at(shell):
+    fill = shell.fill(face=64, target="G2", keep_anyway=True)
+    assert fill.curvature_jump_per_mm == fill.to_dict()["curvature_jump_per_mm"] > 0
+    plain = shell.fill(face=64)
+    assert 0 < fill.largest_curvature_rel <= plain.largest_curvature_rel
+
+
+def test_what_is_written_is_read_back(shell, tmp_path):
+    fill = shell.fill(face=64)
+    shares = []
+    written = fill.write(tmp_path / "out.step", progress=shares.append)
+    model = fill.model.analyze().to_dict()["model"]
+    assert written["output"] == {"path": str(tmp_path / "out.step"), "format": "STEP", "edges": model["edges"], "faces": model["faces"],
+                                 "open_edges": written["output"]["open_edges"], "defects": 0}
+    assert seamwright.read(tmp_path / "out.step").face_count == fill.model.face_count
+    assert shares == sorted(shares) and shares[-1] == 1
+    with pytest.raises(seamwright.ModelError, match="overwrite"):
+        fill.write(tmp_path / "out.step")
+    for stop in (0, 0.3, 0.7):
+        with pytest.raises(seamwright.Cancelled):
+            fill.write(tmp_path / "other.step", progress=lambda share: share < stop)
+    assert [path.name for path in tmp_path.iterdir()] == ["out.step"]
+
+
+def test_defects_in_the_file_are_told(shell, tmp_path):
+    fill = shell.fill(face=64, angle_deg=1e-9, keep_anyway=True)
+    assert fill.write(tmp_path / "out.brep")["output"]["defects"] > 0
+
+
+def test_the_file_is_judged_not_the_model(shell, tmp_path, monkeypatch):
+    found = list((pathlib.Path(seamwright.__file__).parents[2] / "bin").glob("seamwright-read-*"))
+    if not found:
+        pytest.skip("no reader beside this module")
+    fill = shell.fill(face=64)
+    other = tmp_path / "other.step"
+    other.write_text(roof_text(1))
+    monkeypatch.setenv("SEAMWRIGHT_READER", str(reader_that_finds(other, tmp_path, found[0])))
+    written = fill.write(tmp_path / "out.step")
+    assert written["output"]["faces"] == 2 and written["differences"].startswith("read back: ")
+    monkeypatch.setenv("SEAMWRIGHT_READER", str(reader_that_finds(tmp_path / "none.step", tmp_path, found[0])))
+    before = sorted(tmp_path.iterdir())
+    with pytest.raises(seamwright.ModelError, match="can't be read back, so it is not written"):
+        fill.write(tmp_path / "another.step")
+    assert sorted(tmp_path.iterdir()) == before
 
 
 def test_what_misses_the_target_is_not_kept(shell):
@@ -39,6 +92,7 @@ def test_what_misses_the_target_is_not_kept(shell):
 def test_holes_are_listed(shell):
     for hole in shell.holes():
         assert hole["length_mm"] == pytest.approx(sum(side["length_mm"] for side in hole["sides"]))
+        assert len(hole["centre_mm"]) == 3
 
 
 @pytest.mark.parametrize(
@@ -51,6 +105,7 @@ def test_holes_are_listed(shell):
         ({"face": 64, "target": "G3"}, "G3"),
         ({"face": 64, "gap_mm": float("nan")}, "nan"),
         ({"face": 64, "angle_deg": "wide"}, "angle_deg"),
+        ({"face": 64, "angle_deg": 0}, "angle tolerance is 0 deg"),
     ],
 )
 def test_bad_arguments(shell, arguments, message):

@@ -5,11 +5,10 @@ Its shape is the model of the source with fillets that end in sections set back 
 them; the source is only read. The class path is written into documents: neither rename nor move it.
 """
 
-import json
-
 import Part
 
 from freecad.seamwright.document import elements, feature, properties, sources
+from freecad.seamwright.document.feature import empty_report, report_of, tolerances
 from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.document.properties import error_text
 from freecad.seamwright.plain import corner_text, kernel, new_seams, repair_text
@@ -40,6 +39,8 @@ class CornerFillet(feature.Feature):
     """Proxy of a Part::FeaturePython that holds its source with a corner rounded."""
 
     Type = "CornerFillet"
+    TOLERANCES = TOLERANCES
+    EMPTY_REPORT = corner_text.EMPTY_REPORT
 
     @staticmethod
     def add_properties(obj):
@@ -90,21 +91,6 @@ class CornerFillet(feature.Feature):
 def is_corner(obj):
     """Whether a document object is a Corner Fillet."""
     return feature.is_of(obj, CornerFillet)
-
-
-def tolerances(obj):
-    """The tolerances as arguments of the kernel, in mm and degrees."""
-    return properties.arguments(obj, TOLERANCES)
-
-
-def empty_report(obj):
-    """A report of nothing, with the tolerances of the object."""
-    return {**corner_text.EMPTY_REPORT, "tolerance": tolerances(obj)}
-
-
-def report_of(obj):
-    """The stored report as a dict; an empty report when nothing was rounded yet."""
-    return json.loads(obj.Report) if obj.Report else empty_report(obj)
 
 
 def fillet(module, obj):

@@ -6,7 +6,7 @@ import json
 import Part
 
 from freecad.seamwright import __version__
-from freecad.seamwright.document import sources
+from freecad.seamwright.document import properties, sources
 from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.plain import kernel
 
@@ -20,9 +20,14 @@ CANCELLED = "Cancelled; the results are those of the last complete run."
 
 
 class Feature:
-    """Proxy of a document object. A subclass has a ``Type`` and computes; nothing is kept beside the properties."""
+    """Proxy of a document object. A subclass has a ``Type`` and computes; nothing is kept beside the properties.
+
+    ``TOLERANCES``: a table as properties.TOLERANCES; ``EMPTY_REPORT``: what a report of nothing has beside target and tolerances.
+    """
 
     Type = ""
+    TOLERANCES = ()
+    EMPTY_REPORT = {}
 
     # What a subclass says.
 
@@ -95,6 +100,22 @@ def add(doc, feature, label):
     obj.Label = label
     feature(obj)
     return obj
+
+
+def tolerances(obj):
+    """The tolerances of an object as arguments of the kernel, in mm and degrees."""
+    return properties.arguments(obj, obj.Proxy.TOLERANCES)
+
+
+def empty_report(obj):
+    """A report of nothing, with the tolerances of the object and its target, if it has one."""
+    target = {"target": obj.Target} if "Target" in obj.PropertiesList else {}
+    return {**obj.Proxy.EMPTY_REPORT, **target, "tolerance": tolerances(obj)}
+
+
+def report_of(obj):
+    """The stored report as a dict; an empty report when nothing was computed yet."""
+    return json.loads(obj.Report) if obj.Report else empty_report(obj)
 
 
 def keep_report(obj, report):

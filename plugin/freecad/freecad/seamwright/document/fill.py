@@ -5,11 +5,10 @@ Its shape is the model of the source with the new faces sewn in; the source is o
 documents: neither rename nor move it.
 """
 
-import json
-
 import Part
 
 from freecad.seamwright.document import elements, feature, properties, sources
+from freecad.seamwright.document.feature import empty_report, report_of, tolerances
 from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.document.properties import error_text
 from freecad.seamwright.plain import fill_text, kernel, new_seams, repair_text
@@ -43,6 +42,7 @@ RESULTS = (
     ("NewFaces", "App::PropertyInteger", "Number of new faces"),
     ("MaxGap", "App::PropertyLength", "No gap of a new seam is larger, in mm"),
     ("MaxAngle", "App::PropertyAngle", "No angle of a new seam is larger, in degrees"),
+    ("MaxCurvature", "App::PropertyFloat", "No relative difference of curvature at a new seam is larger"),
 )
 
 
@@ -50,6 +50,8 @@ class UmbrellaFill(feature.Feature):
     """Proxy of a Part::FeaturePython that holds its source with holes filled."""
 
     Type = "UmbrellaFill"
+    TOLERANCES = TOLERANCES
+    EMPTY_REPORT = fill_text.EMPTY_REPORT
 
     @staticmethod
     def add_properties(obj):
@@ -87,6 +89,7 @@ class UmbrellaFill(feature.Feature):
         obj.NewFaces = sum(len(each["faces"]) for each in done)
         obj.MaxGap = new_seams.bound(seams, "gap_mm")
         obj.MaxAngle = new_seams.bound(seams, "angle_deg")
+        obj.MaxCurvature = new_seams.bound(seams, "curvature_rel")
         feature.put_shape(obj, shape)
         obj.Summary = fill_text.summary_text(report)
 
@@ -102,21 +105,6 @@ class UmbrellaFill(feature.Feature):
 def is_fill(obj):
     """Whether a document object is an Umbrella Fill."""
     return feature.is_of(obj, UmbrellaFill)
-
-
-def tolerances(obj):
-    """The tolerances as arguments of the kernel, in mm and degrees."""
-    return properties.arguments(obj, TOLERANCES)
-
-
-def empty_report(obj):
-    """A report of nothing, with the target and the tolerances of the object."""
-    return {**fill_text.EMPTY_REPORT, "target": obj.Target, "tolerance": tolerances(obj)}
-
-
-def report_of(obj):
-    """The stored report as a dict; an empty report when nothing was filled yet."""
-    return json.loads(obj.Report) if obj.Report else empty_report(obj)
 
 
 def fill(module, obj):

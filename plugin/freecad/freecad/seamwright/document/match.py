@@ -5,11 +5,10 @@ Its shape is a shell of the two faces, one or both of them moved; the objects th
 The class path is written into documents: neither rename nor move it.
 """
 
-import json
-
 import Part
 
 from freecad.seamwright.document import feature, properties, sources
+from freecad.seamwright.document.feature import report_of, tolerances
 from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.document.properties import error_text
 from freecad.seamwright.plain import kernel, match_text
@@ -53,6 +52,8 @@ class MatchSurfaces(feature.Feature):
     """Proxy of a Part::FeaturePython that holds two faces matched to each other."""
 
     Type = "MatchSurfaces"
+    TOLERANCES = TOLERANCES
+    EMPTY_REPORT = match_text.EMPTY_REPORT
 
     @staticmethod
     def add_properties(obj):
@@ -106,18 +107,6 @@ class MatchSurfaces(feature.Feature):
 def is_match(obj):
     """Whether a document object is a Match Surfaces."""
     return feature.is_of(obj, MatchSurfaces)
-
-
-def report_of(obj):
-    """The stored report as a dict; an empty report when nothing was matched yet."""
-    if obj.Report:
-        return json.loads(obj.Report)
-    return {**match_text.EMPTY_REPORT, "tolerance": tolerances(obj)}
-
-
-def tolerances(obj):
-    """The tolerances as arguments of the kernel, in mm and degrees."""
-    return properties.arguments(obj, TOLERANCES)
 
 
 def link(obj, name):

@@ -5,11 +5,10 @@ Its shape is the model of the source with faces moved where seams fell short, fa
 source is only read. The class path is written into documents: neither rename nor move it.
 """
 
-import json
-
 import Part
 
 from freecad.seamwright.document import elements, feature, properties, sources
+from freecad.seamwright.document.feature import empty_report, report_of, tolerances
 from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.document.properties import error_text
 from freecad.seamwright.plain import kernel, repair_text
@@ -52,6 +51,8 @@ class SeamRepair(feature.Feature):
     """Proxy of a Part::FeaturePython that holds its source with the seams repaired."""
 
     Type = "SeamRepair"
+    TOLERANCES = TOLERANCES
+    EMPTY_REPORT = repair_text.EMPTY_REPORT
 
     @staticmethod
     def add_properties(obj):
@@ -99,21 +100,6 @@ class SeamRepair(feature.Feature):
 def is_repair(obj):
     """Whether a document object is a Seam Repair."""
     return feature.is_of(obj, SeamRepair)
-
-
-def empty_report(obj):
-    """A report of nothing, with the target and the tolerances of the object."""
-    return {**repair_text.EMPTY_REPORT, "target": obj.Target, "tolerance": tolerances(obj)}
-
-
-def report_of(obj):
-    """The stored report as a dict; an empty report when nothing was repaired yet."""
-    return json.loads(obj.Report) if obj.Report else empty_report(obj)
-
-
-def tolerances(obj):
-    """The tolerances as arguments of the kernel, in mm and degrees."""
-    return properties.arguments(obj, TOLERANCES)
 
 
 def repair(module, obj):

@@ -6,8 +6,6 @@ The report is a dict: ``target``, ``tolerance``, and ``fills``, a dict each of `
 ``seams`` (see new_seams). Numbers of faces and edges are those of the result, in reasons those of the source.
 """
 
-import re
-
 from freecad.seamwright.plain import new_seams, repair_text, summary
 
 INSIDE = "the fill itself"
@@ -39,9 +37,10 @@ def chosen_holes(holes, edges):
 
 
 def hole_text(hole, holes):
-    """ "Hole 2: 4 sides, 63.1 mm", with a remark at one that is not filled unless it is chosen."""
+    """ "Hole 2: 4 sides, 63.1 mm around (5, 0, 2.5)", with a remark at one that is not filled unless it is chosen."""
     sides = summary.counted(len(hole["sides"]), "side") if hole["has_corners"] else "no corner"
-    text = "Hole %d: %s, %.4g mm" % (hole["id"], sides, hole["length_mm"])
+    centre = ", ".join("%.4g" % (round(coordinate, 9) + 0.0) for coordinate in hole["centre_mm"])
+    text = "Hole %d: %s, %.4g mm around (%s)" % (hole["id"], sides, hole["length_mm"], centre)
     return text if hole in default_holes(holes) else text + ", the longest loop: a rim?"
 
 
@@ -63,7 +62,7 @@ def entry(found, hole=None, face=None):
         "hole": hole,
         "face": face,
         **{name: found[name] for name in ("filled", "reached")},
-        "reason": _reason(found["reason"], new, face),
+        "reason": repair_text.named(found["reason"]),
         "faces": found["faces"] if found["filled"] else [],
         "seams": seams,
     }
@@ -81,17 +80,6 @@ def _between(seam, new, replaced):
     old = [old_number(number, new, replaced) for number in seam["faces"]]
     kept = ["Face%d" % number for number in old if number is not None]
     return "fill, " + kept[0] if kept else INSIDE
-
-
-def _reason(text, new, replaced):
-    """A reason of the kernel with faces called as in the source."""
-
-    def named(found):
-        old = [old_number(int(number), new, replaced) for number in found.groups()]
-        kept = ["Face%d" % number for number in old if number is not None]
-        return "between %s and the fill" % kept[0] if kept else "inside the fill"
-
-    return repair_text.named(re.sub(r"\bbetween faces (\d+) and (\d+)\b", named, text))
 
 
 def every_seam(report):

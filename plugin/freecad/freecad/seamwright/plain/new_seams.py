@@ -76,13 +76,14 @@ def bound(seams, name):
 
 
 def largest_text(seams, tolerance):
-    """ "12 seams, gap at most 1.4e-4 mm, angle at most 0.0028°". """
+    """ "12 seams, gap at most 1.4e-4 mm, angle at most 0.0028°, curvature at most 4.1 %". """
     parts = [summary.counted(len(seams), "seam")]
-    for name, word in (("gap_mm", "gap"), ("angle_deg", "angle")):
+    for name, word in (("gap_mm", "gap"), ("angle_deg", "angle"), ("curvature_rel", "curvature")):
         figure = largest(seams, name)
         if figure is not None and figure["upper"] is not None:
-            text = enclosure.number(figure["upper"])
-            parts.append("%s at most %s%s" % (word, text, rows.QUANTITIES[name].unit))
+            quantity = rows.QUANTITIES[name]
+            text = enclosure.number(quantity.factor * figure["upper"])
+            parts.append("%s at most %s%s" % (word, text, quantity.unit))
     return ", ".join(parts)
 
 
