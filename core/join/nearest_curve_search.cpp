@@ -74,6 +74,23 @@ struct Iterate {
   MatrixXd triangle() const { return qr.matrixQR().topRows(qr.cols()); }
 };
 
+/// To first order: what changes with each of log_beta.
+struct Linear {
+  std::vector<MatrixXd> by_beta;  ///< C
+  std::vector<MatrixXd> tangent;  ///< y
+  MatrixXd along, conditions;     ///< y and the open equations, a column each
+  VectorXd gradient;              ///< of the cost
+  VectorXd unit;  ///< in units of what they do to the poles or, where they do nothing, to the equations
+  bool bounded = false;  ///< beta_1 stays at a bound, its unit is 0
+};
+
+struct Restoration {
+  VectorXd direction;
+  MatrixXd open;         ///< directions that open no equation, one a column
+  MatrixXd multipliers;  ///< of the equations
+  double penalty = 0;
+};
+
 struct Step {
   VectorXd direction;
   double stationarity = 0;
@@ -121,6 +138,9 @@ class Search {
   }
   std::vector<MatrixXd> matrixDerivatives(const Iterate& at) const;
   MatrixXd curvature(const Iterate& at, const MatrixXd& multipliers) const;
+  Linear linearized(const Iterate& at) const;
+  Restoration restoration(const Iterate& at, const Linear& model) const;
+  MatrixXd hessian(const Iterate& at, const Linear& model, const MatrixXd& multipliers) const;
   Step step(const Iterate& at) const;
   bool advance(Iterate& from, const Step& step) const;
 
@@ -194,79 +214,97 @@ MatrixXd Search::curvature(const Iterate& at, const MatrixXd& multipliers) const
   return result;
 }
 
-/// Newton's step for the smallest cost on the betas that leave no equation open.
-Step Search::step(const Iterate& at) const {
-  const Index n = count_ - 1, rank = at.y.rows();
+Linear Search::linearized(const Iterate& at) const {
+  const Index n = count_ - 1;
   const MatrixXd jet = p_.a.jet * at.x.topRows(count_);
-  const std::vector<MatrixXd> by_beta = matrixDerivatives(at);
-  std::vector<MatrixXd> tangent;
-  MatrixXd conditions(at.open.size(), n), along(3 * rank, n);
-  VectorXd gradient = VectorXd::Zero(n), length(n);
+  Linear result;
+  result.by_beta = matrixDerivatives(at);
+  result.conditions.resize(at.open.size(), n);
+  result.along.resize(3 * at.y.rows(), n);
+  result.gradient.resize(n);
+  result.unit.resize(n);
   for (Index q = 0; q < n; ++q) {
-    const MatrixXd change = -by_beta[q] * jet;
-    length(q) = change.norm();
-    conditions.col(q) = (at.lower.transpose() * change).reshaped();
-    tangent.push_back(at.least(at.upper.transpose() * change));
-    along.col(q) = tangent[q].reshaped();
-    gradient(q) = -dot(at.y, tangent[q]);
-  }
-
-  Step result;
-  result.direction = VectorXd::Zero(n);
-  // Unknowns in units of what they do to the poles or, where they do nothing, to the equations.
-  VectorXd unit(n);
-  for (Index q = 0; q < n; ++q) {
-    const double size = std::max(along.col(q).norm(), conditions.col(q).norm());
-    unit(q) = size > 0 ? 1 / size : 0;
+    const MatrixXd change = -result.by_beta[q] * jet;
+    result.tangent.push_back(at.least(at.upper.transpose() * change));
+    result.conditions.col(q) = (at.lower.transpose() * change).reshaped();
+    result.along.col(q) = result.tangent[q].reshaped();
+    result.gradient(q) = -dot(at.y, result.tangent[q]);
+    const double size = std::max(result.along.col(q).norm(), result.conditions.col(q).norm());
+    result.unit(q) = size > 0 ? 1 / size : 0;
   }
   const double u = at.log_beta(0);
-  if ((u <= p_.least_log && gradient(0) > 0) || (u >= p_.most_log && gradient(0) < 0)) {
-    result.bounded = unit(0) > 0;
-    unit(0) = 0;
+  if ((u <= p_.least_log && result.gradient(0) > 0) || (u >= p_.most_log && result.gradient(0) < 0)) {
+    result.bounded = result.unit(0) > 0;
+    result.unit(0) = 0;
   }
-  const MatrixXd scaled = conditions * unit.asDiagonal();
-  MatrixXd open = unit.asDiagonal() * MatrixXd::Identity(n, n);
-  MatrixXd multipliers = rank > 0 ? MatrixXd(-at.upper * at.multipliers(at.y)) : MatrixXd::Zero(count_, 3);
-  if (scaled.rows() > 0) {
-    const linear::SingularValues svd =
-        linear::singularValues(scaled, Eigen::ComputeThinU | Eigen::ComputeFullV);
-    const VectorXd& singular = svd.values;
-    Index held = 0;
-    while (held < singular.size() && singular(held) > 1e-9) ++held;
-    const VectorXd inverse = singular.head(held).cwiseInverse();
-    const MatrixXd range = svd.u.leftCols(held), fixed = svd.v.leftCols(held);
-    result.direction.array() =
-        -unit.array() * (fixed * inverse.asDiagonal() * (range.transpose() * at.open.reshaped())).array();
-    const VectorXd mu = -range * inverse.asDiagonal() * (fixed.transpose() * unit.asDiagonal() * gradient);
-    multipliers += at.lower * mu.reshaped(at.lower.cols(), 3);
-    result.penalty = 2 * mu.norm();
-    open = unit.asDiagonal() * svd.v.rightCols(n - held);
-  }
+  return result;
+}
 
-  MatrixXd hessian = curvature(at, multipliers);
-  if (rank > 0) {
-    std::vector<MatrixXd> bent, bent_along, bent_across;
-    for (Index q = 0; q < n; ++q) {
-      MatrixXd rows = MatrixXd::Zero(2 * count_, 3);
-      rows.topRows(count_) = -p_.a.jet.transpose() * (by_beta[q].transpose() * multipliers);
-      bent.push_back(reach_.asDiagonal() * moving(rows));
-      bent_along.push_back(at.transposedQ(bent[q]));
-      bent_across.push_back(bent[q] - at.Q(bent_along[q]));
-    }
-    for (Index q = 0; q < n; ++q)
-      for (Index r = 0; r < n; ++r)
-        hessian(q, r) += dot(tangent[q], tangent[r]) - dot(bent_along[q], tangent[r]) -
-                         dot(tangent[q], bent_along[r]) - dot(bent_across[q], bent_across[r]);
-  }
+/// The smallest step that leaves no equation open to first order, and the directions that open none.
+Restoration Search::restoration(const Iterate& at, const Linear& model) const {
+  const Index n = count_ - 1;
+  const VectorXd& unit = model.unit;
+  Restoration result;
+  result.direction = VectorXd::Zero(n);
+  result.multipliers =
+      at.y.rows() > 0 ? MatrixXd(-at.upper * at.multipliers(at.y)) : MatrixXd::Zero(count_, 3);
+  result.open = unit.asDiagonal() * MatrixXd::Identity(n, n);
+  if (model.conditions.rows() == 0) return result;
 
-  const MatrixXd reach = along * open;
+  const linear::SingularValues svd =
+      linear::singularValues(model.conditions * unit.asDiagonal(), Eigen::ComputeThinU | Eigen::ComputeFullV);
+  const VectorXd& singular = svd.values;
+  Index held = 0;
+  while (held < singular.size() && singular(held) > 1e-9) ++held;
+  const VectorXd inverse = singular.head(held).cwiseInverse();
+  const MatrixXd range = svd.u.leftCols(held), fixed = svd.v.leftCols(held);
+  result.direction.array() =
+      -unit.array() * (fixed * inverse.asDiagonal() * (range.transpose() * at.open.reshaped())).array();
+  const VectorXd mu =
+      -range * inverse.asDiagonal() * (fixed.transpose() * unit.asDiagonal() * model.gradient);
+  result.multipliers += at.lower * mu.reshaped(at.lower.cols(), 3);
+  result.penalty = 2 * mu.norm();
+  result.open = unit.asDiagonal() * svd.v.rightCols(n - held);
+  return result;
+}
+
+/// Of the cost, by the betas.
+MatrixXd Search::hessian(const Iterate& at, const Linear& model, const MatrixXd& multipliers) const {
+  MatrixXd result = curvature(at, multipliers);
+  if (at.y.rows() == 0) return result;
+  const Index n = count_ - 1;
+  const std::vector<MatrixXd>& tangent = model.tangent;
+  std::vector<MatrixXd> bent_along, bent_across;
+  for (Index q = 0; q < n; ++q) {
+    MatrixXd rows = MatrixXd::Zero(2 * count_, 3);
+    rows.topRows(count_) = -p_.a.jet.transpose() * (model.by_beta[q].transpose() * multipliers);
+    const MatrixXd bent = reach_.asDiagonal() * moving(rows);
+    bent_along.push_back(at.transposedQ(bent));
+    bent_across.push_back(bent - at.Q(bent_along[q]));
+  }
+  for (Index q = 0; q < n; ++q)
+    for (Index r = 0; r < n; ++r)
+      result(q, r) += dot(tangent[q], tangent[r]) - dot(bent_along[q], tangent[r]) -
+                      dot(tangent[q], bent_along[r]) - dot(bent_across[q], bent_across[r]);
+  return result;
+}
+
+/// Newton's step for the smallest cost on the betas that leave no equation open.
+Step Search::step(const Iterate& at) const {
+  const Linear model = linearized(at);
+  const Restoration restored = restoration(at, model);
+  const MatrixXd hessian = this->hessian(at, model, restored.multipliers);
+  Step result{.direction = restored.direction, .penalty = restored.penalty, .bounded = model.bounded};
+
+  const MatrixXd& open = restored.open;
+  const MatrixXd reach = model.along * open;
   const double move = at.y.norm();
-  if (open.cols() > 0 && rank > 0) {
+  if (open.cols() > 0 && at.y.rows() > 0) {
     const linear::Eigenvalues eigen = linear::symmetricEigenvalues(open.transpose() * hessian * open);
     const VectorXd& values = eigen.values;
     const double least = 1e-12 * values.cwiseAbs().maxCoeff();
     result.convex = values(0) >= -1e-9 * std::max(1.0, values.cwiseAbs().maxCoeff());
-    const VectorXd slope = open.transpose() * (gradient + hessian * result.direction);
+    const VectorXd slope = open.transpose() * (model.gradient + hessian * result.direction);
     const VectorXd size = values.cwiseAbs().cwiseMax(std::max(least, 1e-300));
     const VectorXd share = linear::LeastSquares(reach).solve(at.y.reshaped());
     result.stationarity = move > 0 ? (reach * share).norm() / move : 0;
@@ -277,11 +315,11 @@ Step Search::step(const Iterate& at) const {
   }
   // The nearest join of all is no farther from the given poles than this one: no step needs to change the move by more
   // than twice its size; and beta_1 not by more than a factor of ten.
-  const double change = (along * result.direction).norm();
+  const double change = (model.along * result.direction).norm();
   double share = std::min(1.0, 2.3 / std::max(std::abs(result.direction(0)), 1e-300));
   if (at.lower.cols() == 0 && change > 2 * move) share = std::min(share, 2 * move / change);
   result.direction *= share;
-  const double increase = result.direction.dot(gradient + hessian * result.direction / 2);
+  const double increase = result.direction.dot(model.gradient + hessian * result.direction / 2);
   if (at.infeasibility() > 0 && increase > 0)
     result.penalty = std::max(result.penalty, 2 * increase / at.infeasibility());
   return result;

@@ -54,12 +54,30 @@ class Search {
     bool convex = true;
   };
 
+  /// To first order: what changes with each coefficient.
+  struct Linear {
+    Matrices tangent;                   ///< z
+    Eigen::MatrixXd along, conditions;  ///< z and the unreachable rows, a column each
+    Eigen::VectorXd gradient;           ///< of the cost
+    Eigen::VectorXd length;             ///< of the change of the condition
+  };
+  struct Split {
+    Eigen::MatrixXd basis;  ///< directions of the coefficients, in units that are alike
+    Eigen::MatrixXd range,
+        inverse;           ///< of the conditions on that basis: inverse * range' is their pseudo-inverse
+    Eigen::MatrixXd open;  ///< directions that change no condition
+  };
+
   Iterate project(const Eigen::VectorXd& c);
   Eigen::MatrixXd reached(const Iterate& at, const Eigen::MatrixXd& rows) const {
     return at.matrix * at.inverse.solve(rows);
   }
   Eigen::MatrixXd freeBasis(const Iterate& at, const Eigen::VectorXd& gradient) const;
   Eigen::MatrixXd hessian(const Iterate& at, const Matrices& tangent, const Eigen::MatrixXd& nu) const;
+  Linear linearized(const Iterate& at) const;
+  Split split(const Linear& model, const Eigen::MatrixXd& basis) const;
+  void descend(const Iterate& at, const Linear& model, const Eigen::MatrixXd& open,
+               const Eigen::MatrixXd& curvature, Step& result) const;
   Step step(const Iterate& at, const Eigen::MatrixXd& multiplier) const;
   bool advance(Iterate& at, const Step& step);
   bool isRegular(const Eigen::MatrixXd& x) const;
@@ -137,74 +155,88 @@ Eigen::MatrixXd Search::hessian(const Iterate& at, const Matrices& tangent, cons
   return result;
 }
 
-Search::Step Search::step(const Iterate& at, const Eigen::MatrixXd& multiplier) const {
-  Matrices by_c = condition_.derivatives(at.c, at.x), tangent, beyond;
+Search::Linear Search::linearized(const Iterate& at) const {
+  Matrices by_c = condition_.derivatives(at.c, at.x);
   const auto count = static_cast<Eigen::Index>(by_c.size());
-  Eigen::VectorXd gradient(count), length(count);
-  Eigen::MatrixXd conditions(at.unreachable.size(), count);
+  Linear result;
+  result.gradient.resize(count);
+  result.length.resize(count);
+  result.conditions.resize(at.unreachable.size(), count);
+  result.along.resize(at.z.size(), count);
   for (Eigen::Index i = 0; i < count; ++i) {
     by_c[i] = (row_scale_.asDiagonal() * by_c[i]).eval();
-    tangent.push_back(at.inverse.solve(by_c[i]));
-    conditions.col(i) = (by_c[i] - at.matrix * tangent[i]).reshaped();
-    gradient(i) = -dot(at.z, tangent[i]);
-    length(i) = by_c[i].norm();
+    result.tangent.push_back(at.inverse.solve(by_c[i]));
+    result.along.col(i) = result.tangent[i].reshaped();
+    result.conditions.col(i) = (by_c[i] - at.matrix * result.tangent[i]).reshaped();
+    result.gradient(i) = -dot(at.z, result.tangent[i]);
+    result.length(i) = by_c[i].norm();
   }
-  const Eigen::MatrixXd basis = freeBasis(at, gradient);
-  Step result;
-  result.direction = Eigen::VectorXd::Zero(count);
-  result.multiplier = Eigen::MatrixXd::Zero(at.unreachable.rows(), at.unreachable.cols());
-  if (basis.cols() == 0) return result;
+  return result;
+}
 
+/// What the conditions fix of the coefficients in these directions, and what they leave open.
+Search::Split Search::split(const Linear& model, const Eigen::MatrixXd& basis) const {
   // Coefficients in units of what they do to the condition; what they do to unreachable rows tells conditions from free directions.
-  Eigen::VectorXd unit = (length.cwiseAbs2().transpose() * basis.cwiseAbs2()).transpose().cwiseSqrt();
+  Eigen::VectorXd unit = (model.length.cwiseAbs2().transpose() * basis.cwiseAbs2()).transpose().cwiseSqrt();
   unit = (unit.array() > 0).select(unit.array().inverse(), 0.0);
-  const Eigen::MatrixXd scaled_basis = basis * unit.asDiagonal();
-  const Eigen::MatrixXd scaled = conditions * scaled_basis;
+  Split result;
+  result.basis = basis * unit.asDiagonal();
   const linear::SingularValues svd =
-      linear::singularValues(scaled, Eigen::ComputeThinU | Eigen::ComputeFullV);
+      linear::singularValues(model.conditions * result.basis, Eigen::ComputeThinU | Eigen::ComputeFullV);
   const Eigen::VectorXd& singular = svd.values;
   Eigen::Index rank = 0;
   while (rank < singular.size() && singular(rank) > 1e-9) ++rank;
-  const Eigen::MatrixXd fixed = svd.v.leftCols(rank), range = svd.u.leftCols(rank);
-  const Eigen::MatrixXd open = scaled_basis * svd.v.rightCols(scaled.cols() - rank);
-  const Eigen::VectorXd inverse_singular = singular.head(rank).cwiseInverse();
+  result.range = svd.u.leftCols(rank);
+  result.inverse = svd.v.leftCols(rank) * singular.head(rank).cwiseInverse().asDiagonal();
+  result.open = result.basis * svd.v.rightCols(result.basis.cols() - rank);
+  return result;
+}
 
+/// Newton's step along the free directions, turned downwards where the cost is concave.
+void Search::descend(const Iterate& at, const Linear& model, const Eigen::MatrixXd& open,
+                     const Eigen::MatrixXd& curvature, Step& result) const {
+  const Eigen::VectorXd slope = open.transpose() * (model.gradient + curvature * result.direction);
+  const Eigen::MatrixXd reach = model.along * open;
+  const Eigen::MatrixXd first_order = reach.transpose() * reach;
+  const double least = 1e-10 * first_order.diagonal().maxCoeff();
+  const linear::Eigenvalues eigen = linear::symmetricEigenvalues(open.transpose() * curvature * open);
+  const Eigen::VectorXd& values = eigen.values;
+  result.convex = values.minCoeff() >= -least;
+  const Eigen::VectorXd in_eigen = eigen.vectors.transpose() * slope;
+  const Eigen::VectorXd size = values.cwiseAbs().cwiseMax(std::max(least, 1e-300));
+  result.direction -= open * (eigen.vectors * in_eigen.cwiseQuotient(size));
+  const Eigen::VectorXd share = linear::LeastSquares(reach).solve(at.z.reshaped());
+  const double size_of_move = moveSize(at);
+  result.stationarity = size_of_move > 0 ? (reach * share).norm() / size_of_move : 0;
+}
+
+Search::Step Search::step(const Iterate& at, const Eigen::MatrixXd& multiplier) const {
+  const Linear model = linearized(at);
+  Step result;
+  result.direction = Eigen::VectorXd::Zero(model.length.size());
+  result.multiplier = Eigen::MatrixXd::Zero(at.unreachable.rows(), at.unreachable.cols());
+  const Eigen::MatrixXd basis = freeBasis(at, model.gradient);
+  if (basis.cols() == 0) return result;
+
+  const Split parts = split(model, basis);
   const Eigen::MatrixXd own =
       multiplier.size() == 0 ? result.multiplier : Eigen::MatrixXd(multiplier - reached(at, multiplier));
   Eigen::MatrixXd nu = at.inverse.solveTransposed(at.z);
   nu = own - nu;
-  const Eigen::MatrixXd curvature = hessian(at, tangent, nu);
-  result.direction =
-      -scaled_basis * fixed * inverse_singular.asDiagonal() * (range.transpose() * at.unreachable.reshaped());
-  const Eigen::VectorXd slope = open.transpose() * (gradient + curvature * result.direction);
+  const Eigen::MatrixXd curvature = hessian(at, model.tangent, nu);
+  result.direction = -parts.basis * (parts.inverse * (parts.range.transpose() * at.unreachable.reshaped()));
+  if (parts.open.cols() > 0) descend(at, model, parts.open, curvature, result);
 
-  // Along the free directions Newton's step, turned downwards where the cost is concave.
-  Eigen::MatrixXd along(at.z.size(), count);
-  for (Eigen::Index i = 0; i < count; ++i) along.col(i) = tangent[i].reshaped();
-  const Eigen::MatrixXd reach = along * open;
-  if (open.cols() > 0) {
-    const Eigen::MatrixXd first_order = reach.transpose() * reach;
-    const double least = 1e-10 * first_order.diagonal().maxCoeff();
-    const linear::Eigenvalues eigen = linear::symmetricEigenvalues(open.transpose() * curvature * open);
-    const Eigen::VectorXd& values = eigen.values;
-    result.convex = values.minCoeff() >= -least;
-    const Eigen::VectorXd in_eigen = eigen.vectors.transpose() * slope;
-    const Eigen::VectorXd size = values.cwiseAbs().cwiseMax(std::max(least, 1e-300));
-    result.direction -= open * (eigen.vectors * in_eigen.cwiseQuotient(size));
-    const Eigen::VectorXd share = linear::LeastSquares(reach).solve(at.z.reshaped());
-    const double size_of_move = moveSize(at);
-    result.stationarity = size_of_move > 0 ? (reach * share).norm() / size_of_move : 0;
-  }
-  const Eigen::VectorXd forces = -scaled_basis.transpose() * (gradient + curvature * result.direction);
-  const Eigen::VectorXd mu = range * inverse_singular.asDiagonal() * (fixed.transpose() * forces);
+  const Eigen::VectorXd forces = -parts.basis.transpose() * (model.gradient + curvature * result.direction);
+  const Eigen::VectorXd mu = parts.range * (parts.inverse.transpose() * forces);
   // No step changes the condition by far more than its terms in alpha amount to.
   const int alphas = condition_.degrees()[Alpha] + 1;
-  const double change = result.direction.cwiseProduct(length).norm();
-  const double limit = 4 * at.c.head(alphas).cwiseProduct(length.head(alphas)).norm();
+  const double change = result.direction.cwiseProduct(model.length).norm();
+  const double limit = 4 * at.c.head(alphas).cwiseProduct(model.length.head(alphas)).norm();
   if (change > limit) result.direction *= limit / change;
   result.multiplier = mu.reshaped(at.unreachable.rows(), at.unreachable.cols());
   // So much that the step, which removes the infeasibility to first order, counts as one downwards.
-  const double increase = result.direction.dot(gradient + curvature * result.direction / 2);
+  const double increase = result.direction.dot(model.gradient + curvature * result.direction / 2);
   result.penalty = 2 * mu.norm();
   if (!at.exact && increase > 0) result.penalty = std::max(result.penalty, 2 * increase / at.infeasibility());
   return result;

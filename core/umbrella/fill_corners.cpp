@@ -22,7 +22,7 @@ int levelsFor(const FillCorner& corner, double angle_rad) {
   return std::min(most_levels, static_cast<int>(std::ceil(std::log2(curable / angle_rad))));
 }
 
-/// The coefficients of phi_k over these knots, as polar forms: sum_m x_m prod_(j != m) (1 - x_j).
+/// The coefficients of beta_k over these knots, as polar forms: sum_m x_m prod_(j != m) (1 - x_j).
 Eigen::VectorXd bump(const std::vector<double>& knots, int degree, int level) {
   const std::size_t n = static_cast<std::size_t>(degree);
   Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(knots.size() - n - 1));
@@ -40,6 +40,12 @@ Eigen::VectorXd bump(const std::vector<double>& knots, int degree, int level) {
   return coefficients;
 }
 
+/// Those of phi_k.
+Eigen::VectorXd straightBump(const std::vector<double>& knots, int degree, int level) {
+  if (level == 0) return bump(knots, degree, 0);
+  return 2 * bump(knots, degree, level) - bump(knots, degree, level + 1);
+}
+
 BSplineSurface withKnots(const BezierPatch& patch, int levels) {
   BSplineSurface surface = splineSurface(patch);
   for (const SurfaceDirection direction : {SurfaceDirection::U, SurfaceDirection::V})
@@ -49,18 +55,20 @@ BSplineSurface withKnots(const BezierPatch& patch, int levels) {
 }
 
 BSplineSurface withLevels(const BezierPatch& patch, double defect_mm, int levels) {
-  BSplineSurface surface = withKnots(patch, levels);
+  if (levels == 0) return splineSurface(patch);
+  BSplineSurface surface = withKnots(patch, levels + 2);
   const SurfaceJet corner = patch.jet(1, 1);
   const int degree = patch.degreeU();
   const Eigen::RowVector3d weight =
       corner.u.cross(corner.v).normalized().transpose() * (defect_mm / (4.0 * degree * degree));
-  for (int k = 0; k < levels; ++k) {
-    const Eigen::VectorXd wide = bump(surface.knots_u, degree, k),
-                          narrow = bump(surface.knots_u, degree, k + 1);
+  Eigen::VectorXd wide = straightBump(surface.knots_u, degree, 0);
+  for (int level = 1; level <= levels + 1; ++level) {
+    const Eigen::VectorXd narrow = straightBump(surface.knots_u, degree, level);
     for (int i = 0; i < surface.countU(); ++i)
       for (int j = 0; j < surface.countV(); ++j)
         surface.poles.row(i * surface.countV() + j).leftCols<3>() +=
             (narrow(i) * wide(j) - wide(i) * narrow(j)) * weight;
+    wide = narrow;
   }
   return surface;
 }

@@ -7,6 +7,7 @@
 #include <seamwright/core/join/ribbon.hpp>
 #include <seamwright/core/umbrella/fill_curvature.hpp>
 #include <seamwright/core/umbrella/fill_fairing.hpp>
+#include <seamwright/core/umbrella/fill_forms.hpp>
 #include <seamwright/core/umbrella/hole_corner.hpp>
 #include <seamwright/core/umbrella/regular.hpp>
 
@@ -18,7 +19,8 @@ using Eigen::Index, Eigen::Vector2d, Eigen::Vector3d;
 /// A point or vector as an affine function of the unknowns: their coefficients, then the constant's x, y, z.
 using Form = Eigen::RowVectorXd;
 
-constexpr int places = 12;  ///< along each edge, besides its ends
+constexpr int finer = 3;  ///< jumps are looked at in so many places for one where they are made small
+constexpr Index last_place = 3 * 12;  ///< along each edge, besides its first end
 /// Of the mean squared third derivative, or what differences make of it, in turn: jumps come down in steps.
 constexpr std::array<double, 5> fairness_weights = {100, 10, 1, 1e-1, 1e-2};
 
@@ -29,82 +31,161 @@ double derivativeScale(int degree, int order) {
   return scale;
 }
 
-double placeOf(int k) {
-  return static_cast<double>(k) / places;
+/// The places of an edge from one parameter to another.
+Eigen::VectorXd placesOf(double from, double to) {
+  Eigen::VectorXd all(last_place + 1);
+  for (Index k = 0; k <= last_place; ++k)
+    all(k) = from + static_cast<double>(k) / static_cast<double>(last_place) * (to - from);
+  return all;
 }
 
-/// Bernstein polynomials of a degree, their first or second derivatives at t.
-Eigen::VectorXd basis(int degree, double t, int derivative) {
-  Eigen::VectorXd values = Eigen::VectorXd::Zero(degree + 1);
-  for (int i = 0; i <= degree; ++i) {
-    rows::Field<1> unit = Eigen::VectorXd::Unit(degree + 1, i);
-    for (int k = 0; k < derivative; ++k) unit = rows::derivative<1>(unit);
-    Eigen::VectorXd b = unit;
-    for (Index n = b.size() - 1; n > 0; --n)
-      for (Index j = 0; j < n; ++j) b(j) = (1 - t) * b(j) + t * b(j + 1);
-    values(i) = b(0);
-  }
-  return values;
+/// Bernstein polynomials of a degree, or their derivatives: one row for each t.
+Eigen::MatrixXd basisAt(const Eigen::VectorXd& t, Index degree, int order) {
+  Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(t.size(), degree + 1);
+  if (order > degree) return basis;
+  Forms differences = Forms::Identity(degree + 1, degree + 1);
+  for (int k = 0; k < order; ++k) differences = derivative(differences);
+  basis.col(0).setOnes();
+  for (Index n = 1; n <= degree - order; ++n)
+    for (Index i = n; i >= 0; --i) {
+      basis.col(i).array() *= 1 - t.array();
+      if (i > 0) basis.col(i) += t.cwiseProduct(basis.col(i - 1));
+    }
+  return basis.leftCols(degree - order + 1) * differences;
 }
 
-/// A patch along one of its edges, as far as curvature asks: x runs into it, s along the edge.
+Poles valuesAt(const Eigen::VectorXd& t, const Poles& polynomial, int order) {
+  return basisAt(t, polynomial.rows() - 1, order) * polynomial;
+}
+
+Vector3d at(const Poles& vectors, Index place) {
+  return vectors.row(place);
+}
+
+/// Patches along one of their edges, as far as curvature asks, at all places: x runs into the patch, s along the edge.
 struct Strip {
-  Vector3d x, s, xx, xs, ss;
+  Poles x, s, xx, xs, ss;
 };
 
-Strip stripAt(const Ribbon& ribbon, double t) {
-  const auto field = [](const HomogeneousPoles& poles) { return BezierCurve(Poles(poles.leftCols<3>())); };
-  const CurveJet edge = field(ribbon.position).jet(t), first = field(ribbon.first).jet(t);
-  return {first.p, edge.d1, field(ribbon.second).point(t), first.d1, edge.d2};
+/// What lies beyond a side, at the places of an edge of the fill.
+struct Beyond {
+  Poles edge1, edge2, cross, cross1, bend;
+};
+
+/// Across an edge at a place, along the normal: xx of the patch, or of the one after, less alpha^2 xx + 2 alpha beta xs + beta^2 ss of
+/// the one before, less what is wanted; times the scale that makes it a normal curvature.
+struct Jump {
+  Index place = 0;
+  Vector3d normal = Vector3d::Zero();
+  double alpha = 0, beta = 0, wanted = 0, scale = 0;
+  double value_per_mm = 0;
+};
+
+double curvatureScale(const Vector3d& x, const Vector3d& s) {
+  const double across = x.cross(s).norm() / s.norm();
+  return 1 / (across * across);
 }
 
-/// What a jump is measured by: sum of weights times vectors of one or two strips, along the normal.
-struct OuterPlace {
-  Vector3d normal;
-  double wanted = 0;  ///< of xx along the normal
-  double scale = 0;   ///< from there to the normal curvature
-};
-
-OuterPlace outerPlace(const Strip& strip, const FillSide& side, double t) {
-  const CurveJet edge = side.edge.jet(t), cross = BezierCurve(*side.cross).jet(t);
-  const Vector3d normal = strip.x.cross(strip.s).normalized();
-  const Vector2d c = combination(cross.p, edge.d1, strip.x);
-  const Vector3d beyond =
-      c(0) * c(0) * BezierCurve(*side.bend).point(t) + 2 * c(0) * c(1) * cross.d1 + c(1) * c(1) * edge.d2;
-  const double across = strip.x.cross(strip.s).norm() / strip.s.norm();
-  return {normal, normal.dot(beyond), 1 / (across * across)};
+Jump outerJump(const Strip& strip, const Beyond& beyond, Index place) {
+  const Vector3d x = at(strip.x, place), s = at(strip.s, place);
+  Jump jump{place, x.cross(s).normalized()};
+  const Vector2d c = combination(at(beyond.cross, place), at(beyond.edge1, place), x);
+  jump.wanted =
+      jump.normal.dot(c(0) * c(0) * at(beyond.bend, place) + 2 * c(0) * c(1) * at(beyond.cross1, place) +
+                      c(1) * c(1) * at(beyond.edge2, place));
+  jump.scale = curvatureScale(x, s);
+  jump.value_per_mm = jump.scale * (jump.normal.dot(at(strip.xx, place)) - jump.wanted);
+  return jump;
 }
 
-struct InnerPlace {
-  Vector3d normal;
-  double alpha = 0, beta = 0;  ///< x of the patch after is alpha x + beta s of the one before
-  double scale = 0;
-};
-
-InnerPlace innerPlace(const Strip& before, const Strip& after) {
-  const Vector3d normal = after.s.cross(after.x).normalized();
-  const Vector2d c = combination(before.x, after.s, after.x);
-  const double across = after.x.cross(after.s).norm() / after.s.norm();
-  return {normal, c(0), c(1), 1 / (across * across)};
-}
-
-struct Ribbons {
-  Ribbon before, after;
-};
-
-Ribbons ribbonsOf(const std::vector<BezierPatch>& patches, const InnerEdge& edge) {
-  return {ribbon(patches[edge.before], edge.before_edge, edge.reversed, Across::Into),
-          ribbon(patches[edge.after], edge.after_edge, false, Across::Into)};
+Jump innerJump(const Strip& before, const Strip& after, Index place) {
+  const Vector3d x = at(after.x, place), s = at(after.s, place);
+  Jump jump{place, s.cross(x).normalized()};
+  const Vector2d c = combination(at(before.x, place), s, x);
+  jump.alpha = c(0), jump.beta = c(1);
+  jump.scale = curvatureScale(x, s);
+  jump.value_per_mm = jump.scale * jump.normal.dot(at(after.xx, place) - c(0) * c(0) * at(before.xx, place) -
+                                                   2 * c(0) * c(1) * at(before.xs, place) -
+                                                   c(1) * c(1) * at(before.ss, place));
+  return jump;
 }
 
 bool isKnown(const FillSide& side) {
   return side.cross && side.bend;
 }
 
+/// Along the edges of a fill.
+struct Jumps {
+  std::vector<std::vector<Jump>> outer, inner;  ///< of each edge; none where nothing is known beyond
+  double largest_per_mm = 0;
+  double squares = 0;  ///< their sum
+};
+
+/// Where jumps are looked at.
+class Places {
+ public:
+  Places(int degree, const FillEdges& edges, const std::vector<FillSide>& sides) : edges_(edges) {
+    const Eigen::VectorXd even = placesOf(0, 1);
+    for (int order = 0; order < 3; ++order) basis_[order] = basisAt(even, degree, order);
+    for (const OuterEdge& edge : edges.outer) {
+      const FillSide& side = sides[edge.side];
+      beyond_.emplace_back();
+      if (!isKnown(side)) continue;
+      const Eigen::VectorXd t = placesOf(edge.from, edge.to);
+      const Poles poles = side.edge.poles();
+      beyond_.back() = {valuesAt(t, poles, 1), valuesAt(t, poles, 2), valuesAt(t, *side.cross, 0),
+                        valuesAt(t, *side.cross, 1), valuesAt(t, *side.bend, 0)};
+    }
+  }
+
+  const FillEdges& edges() const { return edges_; }
+  /// Of the patches' degree, or derivatives.
+  const Eigen::MatrixXd& basis(int order) const { return basis_.at(order); }
+
+  Jumps jumps(const std::vector<BezierPatch>& patches) const {
+    Jumps jumps;
+    const auto add = [&](std::vector<std::vector<Jump>>& edges, const auto& jumpAt) {
+      for (Index k = 0; k <= last_place; ++k) {
+        edges.back().push_back(jumpAt(k));
+        const double jump = std::abs(edges.back().back().value_per_mm);
+        jumps.largest_per_mm = std::max(jumps.largest_per_mm, jump);
+        jumps.squares += jump * jump;
+      }
+    };
+    for (std::size_t e = 0; e < edges_.outer.size(); ++e) {
+      jumps.outer.emplace_back();
+      if (beyond_[e].cross.rows() == 0) continue;
+      const Strip strip = stripOf(patches[edges_.outer[e].patch], edges_.outer[e].edge, false);
+      add(jumps.outer, [&](Index k) { return outerJump(strip, beyond_[e], k); });
+    }
+    for (const InnerEdge& edge : edges_.inner) {
+      jumps.inner.emplace_back();
+      const Strip before = stripOf(patches[edge.before], edge.before_edge, edge.reversed),
+                  after = stripOf(patches[edge.after], edge.after_edge, false);
+      add(jumps.inner, [&](Index k) { return innerJump(before, after, k); });
+    }
+    return jumps;
+  }
+
+ private:
+  Strip stripOf(const BezierPatch& patch, PatchEdge edge, bool reversed) const {
+    const Ribbon along = ribbon(patch, edge, reversed, Across::Into);
+    const Poles position = along.position.leftCols<3>(), first = along.first.leftCols<3>(),
+                second = along.second.leftCols<3>();
+    return {basis_[0] * first, basis_[1] * position, basis_[0] * second, basis_[1] * first,
+            basis_[2] * position};
+  }
+
+  const FillEdges& edges_;
+  std::array<Eigen::MatrixXd, 3> basis_;
+  std::vector<Beyond> beyond_;
+};
+
 /// The least-squares problem of all three coordinates together.
 class Problem {
  public:
-  Problem(const FillSpace& space, int order) : space_(space), count_(space.coefficients.cols()) {
+  Problem(const FillSpace& space, const Places& places, int order)
+      : space_(space), places_(places), count_(space.coefficients.cols()) {
     forms_.resize(space.coefficients.rows(), count_ + 3);
     forms_ << space.coefficients, space.constants;
     const Eigen::MatrixXd rows = derivativeScale(space.degree, order) * differencesOf(space, forms_, order);
@@ -121,11 +202,15 @@ class Problem {
     rows_.clear(), normals_.clear(), values_.clear();
   }
 
-  /// weight (normal . form - wanted) is to be small.
-  void add(const Form& form, const Vector3d& normal, double wanted, double weight) {
-    rows_.push_back(weight * form.head(count_));
-    normals_.push_back(normal);
-    values_.push_back(weight * (wanted - form.tail<3>().dot(normal)));
+  /// The jumps are to be small, linearised where they were taken.
+  void add(const Jumps& jumps, double weight) {
+    const FillEdges& edges = places_.edges();
+    for (std::size_t e = 0; e < edges.outer.size(); ++e)
+      for (std::size_t k = 0; k < jumps.outer[e].size(); k += finer)
+        add(outerForm(edges.outer[e], jumps.outer[e][k]), jumps.outer[e][k], weight);
+    for (std::size_t e = 0; e < edges.inner.size(); ++e)
+      for (std::size_t k = 0; k < jumps.inner[e].size(); k += finer)
+        add(innerForm(edges.inner[e], jumps.inner[e][k]), jumps.inner[e][k], weight);
   }
 
   Poles solve() {
@@ -136,7 +221,7 @@ class Problem {
       Eigen::VectorXd values(size);
       for (Index i = 0; i < size; ++i) values(i) = normals_[i](c) * values_[i];
       right_.segment(c * count_, count_) += all.transpose() * values;
-      for (int d = 0; d < 3; ++d) {
+      for (int d = 0; d <= c; ++d) {
         Eigen::VectorXd weights(size);
         for (Index i = 0; i < size; ++i) weights(i) = normals_[i](c) * normals_[i](d);
         matrix_.block(c * count_, d * count_, count_, count_) += all.transpose() * weights.asDiagonal() * all;
@@ -144,26 +229,47 @@ class Problem {
     }
     // Unknowns that move no pole, or that all fills leave free, stay near zero.
     matrix_.diagonal().array() += 1e-13 * matrix_.diagonal().maxCoeff();
-    const Eigen::VectorXd solution = matrix_.ldlt().solve(right_);
+    const Eigen::VectorXd solution = matrix_.ldlt().solve(right_);  // of which the lower half counts
     Poles unknowns(count_, 3);
     for (int c = 0; c < 3; ++c) unknowns.col(c) = solution.segment(c * count_, count_);
     return unknowns;
   }
 
+ private:
+  /// weight (normal . form - wanted) is to be small.
+  void add(const Form& form, const Jump& jump, double weight) {
+    weight *= jump.scale;
+    rows_.push_back(weight * form.head(count_));
+    normals_.push_back(jump.normal);
+    values_.push_back(weight * (jump.wanted - form.tail<3>().dot(jump.normal)));
+  }
+
+  Form outerForm(const OuterEdge& edge, const Jump& jump) const {
+    return form(edge.patch, edge.edge, false, jump.place, 2, 0);
+  }
+
+  Form innerForm(const InnerEdge& edge, const Jump& jump) const {
+    const auto before = [&](int across, int along) {
+      return form(edge.before, edge.before_edge, edge.reversed, jump.place, across, along);
+    };
+    return form(edge.after, edge.after_edge, false, jump.place, 2, 0) -
+           jump.alpha * jump.alpha * before(2, 0) - 2 * jump.alpha * jump.beta * before(1, 1) -
+           jump.beta * jump.beta * before(0, 2);
+  }
+
   /// Derivatives of a patch along an edge: of order 0 to 2 into it, and along.
-  Form form(int patch, PatchEdge edge, bool reversed, double t, int across, int along) const {
+  Form form(int patch, PatchEdge edge, bool reversed, Index place, int across, int along) const {
     const int n = space_.degree;
-    const Eigen::VectorXd weights = basis(n, t, along);
     const std::array<std::array<double, 3>, 3> stencils = {
         {{1, 0, 0}, {-1.0 * n, 1.0 * n, 0}, {1.0 * n * (n - 1), -2.0 * n * (n - 1), 1.0 * n * (n - 1)}}};
     Form result = Form::Zero(forms_.cols());
     for (int k = 0; k <= n; ++k)
       for (int r = 0; r <= across; ++r)
-        result += weights(k) * stencils.at(across)[r] * forms_.row(poleOf(patch, edge, reversed, r, k));
+        result += places_.basis(along)(place, k) * stencils.at(across)[r] *
+                  forms_.row(poleOf(patch, edge, reversed, r, k));
     return result;
   }
 
- private:
   Index poleOf(int patch, PatchEdge edge, bool reversed, int r, int k) const {
     const int n = space_.degree, s = reversed ? n - k : k;
     switch (edge) {
@@ -179,8 +285,10 @@ class Problem {
   }
 
   const FillSpace& space_;
+  const Places& places_;
   Index count_;
-  Eigen::MatrixXd forms_, fair_, matrix_;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> forms_;
+  Eigen::MatrixXd fair_, matrix_;
   Eigen::VectorXd right_;
   std::vector<Form> rows_;
   std::vector<Vector3d> normals_;
@@ -191,33 +299,6 @@ double sizeOf(const std::vector<FillSide>& sides) {
   double length = 0;
   for (const FillSide& side : sides) length += (side.edge.point(1) - side.edge.point(0)).norm();
   return length / static_cast<double>(sides.size());
-}
-
-void addOuter(Problem& problem, const std::vector<BezierPatch>& patches, const OuterEdge& edge,
-              const FillSide& side, double weight) {
-  const Ribbon along = ribbon(patches[edge.patch], edge.edge, false, Across::Into);
-  for (int k = 0; k <= places; ++k) {
-    const double s = placeOf(k);
-    const OuterPlace place = outerPlace(stripAt(along, s), side, edge.from + s * (edge.to - edge.from));
-    problem.add(problem.form(edge.patch, edge.edge, false, s, 2, 0), place.normal, place.wanted,
-                weight * place.scale);
-  }
-}
-
-void addInner(Problem& problem, const std::vector<BezierPatch>& patches, const InnerEdge& edge,
-              double weight) {
-  const Ribbons ribbons = ribbonsOf(patches, edge);
-  for (int k = 0; k <= places; ++k) {
-    const double t = placeOf(k);
-    const InnerPlace place = innerPlace(stripAt(ribbons.before, t), stripAt(ribbons.after, t));
-    const auto before = [&](int across, int along) {
-      return problem.form(edge.before, edge.before_edge, edge.reversed, t, across, along);
-    };
-    const Form jump = problem.form(edge.after, edge.after_edge, false, t, 2, 0) -
-                      place.alpha * place.alpha * before(2, 0) - 2 * place.alpha * place.beta * before(1, 1) -
-                      place.beta * place.beta * before(0, 2);
-    problem.add(jump, place.normal, 0, weight * place.scale);
-  }
 }
 
 }  // namespace
@@ -245,53 +326,28 @@ FillEdges ringEdges() {
   return edges;
 }
 
-double curvatureJump_per_mm(const std::vector<BezierPatch>& patches, const FillEdges& edges,
-                            const std::vector<FillSide>& sides) {
-  constexpr int finer = 3;
-  double largest = 0;
-  for (const OuterEdge& edge : edges.outer) {
-    if (!isKnown(sides[edge.side])) continue;
-    const Ribbon along = ribbon(patches[edge.patch], edge.edge, false, Across::Into);
-    for (int k = 0; k <= finer * places; ++k) {
-      const double s = placeOf(k) / finer;
-      const Strip strip = stripAt(along, s);
-      const OuterPlace place = outerPlace(strip, sides[edge.side], edge.from + s * (edge.to - edge.from));
-      largest = std::max(largest, std::abs(place.normal.dot(strip.xx) - place.wanted) * place.scale);
-    }
-  }
-  for (const InnerEdge& edge : edges.inner) {
-    const Ribbons ribbons = ribbonsOf(patches, edge);
-    for (int k = 0; k <= finer * places; ++k) {
-      const double t = placeOf(k) / finer;
-      const Strip before = stripAt(ribbons.before, t), after = stripAt(ribbons.after, t);
-      const InnerPlace place = innerPlace(before, after);
-      const Vector3d jump = after.xx - place.alpha * place.alpha * before.xx -
-                            2 * place.alpha * place.beta * before.xs - place.beta * place.beta * before.ss;
-      largest = std::max(largest, std::abs(place.normal.dot(jump)) * place.scale);
-    }
-  }
-  return largest;
-}
-
-std::vector<BezierPatch> leastCurvatureJump(
+CurvedPatches leastCurvatureJump(
     const FillSpace& space, const std::vector<BezierPatch>& given, const FillEdges& edges,
     const std::vector<FillSide>& sides, int order,
     const std::function<std::vector<BezierPatch>(const Poles& unknowns)>& patchesOf) {
-  const double size_mm = sizeOf(sides), weight = size_mm * size_mm;
-  Problem problem(space, order);
-  std::vector<BezierPatch> best = given, at = given;
-  double least = curvatureJump_per_mm(best, edges, sides);
+  constexpr double most_growth = 1.02;
+  const double size_mm = sizeOf(sides);
+  const Places places(space.degree, edges, sides);
+  Problem problem(space, places, order);
+  std::vector<BezierPatch> best = given;
+  Jumps now = places.jumps(given);
+  const double most_per_mm = most_growth * now.largest_per_mm;
+  double least = now.squares, largest_per_mm = now.largest_per_mm;
   for (const double fairness : fairness_weights) {
     problem.begin(fairness);
-    for (const OuterEdge& edge : edges.outer)
-      if (isKnown(sides[edge.side])) addOuter(problem, at, edge, sides[edge.side], weight);
-    for (const InnerEdge& edge : edges.inner) addInner(problem, at, edge, weight);
-    at = patchesOf(problem.solve());
+    problem.add(now, size_mm * size_mm);
+    const std::vector<BezierPatch> at = patchesOf(problem.solve());
     if (!std::ranges::all_of(at, [](const BezierPatch& patch) { return provedRegular(patch); })) break;
-    const double jump = curvatureJump_per_mm(at, edges, sides);
-    if (jump < least) best = at, least = jump;
+    now = places.jumps(at);
+    if (now.squares < least && now.largest_per_mm <= most_per_mm)
+      best = at, least = now.squares, largest_per_mm = now.largest_per_mm;
   }
-  return best;
+  return {std::move(best), largest_per_mm};
 }
 
 }  // namespace seamwright::fill

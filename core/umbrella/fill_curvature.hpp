@@ -33,16 +33,18 @@ struct FillEdges {
 FillEdges starEdges(int sides);
 FillEdges ringEdges();
 
-/// The largest difference of normal curvatures across the edges, at some places of each; sides without second derivatives are left out.
-double curvatureJump_per_mm(const std::vector<BezierPatch>& patches, const FillEdges& edges,
-                            const std::vector<FillSide>& sides);
+struct CurvedPatches {
+  std::vector<BezierPatch> patches;
+  /// The largest difference of normal curvatures across the edges, at some places of each; sides without second derivatives are left out.
+  double curvature_jump_per_mm = 0;
+};
 
 /// Patches of a space near to given ones of it, with less of a curvature jump: its squares at places along all edges, and little of the squared
 /// differences of poles of that order, are made least. Across the outer edges the jump is linear in the poles, as position and first
-/// derivatives there are fixed; across inner ones it is linearised at the patches given, and this is repeated. Where nothing comes out that
-/// is proved regular and better, the patches come back.
+/// derivatives there are fixed; across inner ones it is linearised at the patches given, and this is repeated. What is not proved regular,
+/// or has a larger jump by a fiftieth, is not taken: where nothing better comes out, the patches come back.
 /// \param patchesOf the patches of unknowns.
-std::vector<BezierPatch> leastCurvatureJump(
+CurvedPatches leastCurvatureJump(
     const FillSpace& space, const std::vector<BezierPatch>& given, const FillEdges& edges,
     const std::vector<FillSide>& sides, int order,
     const std::function<std::vector<BezierPatch>(const Poles& unknowns)>& patchesOf);

@@ -5,7 +5,6 @@
 #include <limits>
 #include <numbers>
 #include <seamwright/core/join/bernstein_rows.hpp>
-#include <seamwright/core/linear/dense.hpp>
 #include <seamwright/core/umbrella/hole_corner.hpp>
 #include <sstream>
 #include <stdexcept>
@@ -139,9 +138,9 @@ Vector3d tangentAtEnd(const FillSide& side) {
 }
 
 Eigen::Vector2d combination(const Vector3d& first, const Vector3d& second, const Vector3d& vector) {
-  Eigen::MatrixXd plane(3, 2);
-  plane << first, second;
-  return linear::PivotedQr(plane).solve(vector);
+  const Vector3d normal = first.cross(second);
+  return Eigen::Vector2d(vector.cross(second).dot(normal), first.cross(vector).dot(normal)) /
+         normal.squaredNorm();
 }
 
 HoleCorner::HoleCorner(const std::vector<FillSide>& sides, std::size_t k)

@@ -81,11 +81,11 @@ NSidedFill nSidedFill(const std::vector<FillSide>& sides, const FillOptions& opt
   result.corners = std::move(fields.corners);
   chooseFairest(result, space, options.fairness_order);
   if (options.curvature_degrees) {
-    const fill::FillEdges edges = fill::starEdges(space.patches);
-    result.patches =
-        fill::leastCurvatureJump(space, result.patches, edges, sides, options.fairness_order,
-                                 [&](const Poles& unknowns) { return fill::patchesOf(space, unknowns); });
-    result.curvature_jump_per_mm = fill::curvatureJump_per_mm(result.patches, edges, sides);
+    fill::CurvedPatches curved = fill::leastCurvatureJump(
+        space, result.patches, fill::starEdges(space.patches), sides, options.fairness_order,
+        [&](const Poles& unknowns) { return fill::patchesOf(space, unknowns); });
+    result.patches = std::move(curved.patches);
+    result.curvature_jump_per_mm = curved.curvature_jump_per_mm;
   }
   return result;
 }

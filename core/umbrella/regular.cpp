@@ -34,19 +34,24 @@ bool isRegular(const Coordinates& x_u, const Coordinates& x_v) {
   return area.range().lower > 0;
 }
 
+/// Around a normal that vanishes no piece is small enough.
+constexpr int most_cuts = 16;
+
 struct Piece {
   Coordinates x_u, x_v;
-  bool cut_u = true;
+  int cuts = 0;  ///< by turns in u and in v
+
+  bool cutU() const { return cuts % 2 == 0; }
 };
 
 std::array<Piece, 2> halves(const Piece& piece) {
-  const auto cut = [&](const BernsteinTensor& f) { return piece.cut_u ? f.splitU(0.5) : f.splitV(0.5); };
+  const auto cut = [&](const BernsteinTensor& f) { return piece.cutU() ? f.splitU(0.5) : f.splitV(0.5); };
   const auto both = [&](const Coordinates& f) {
     const auto x = cut(f[0]), y = cut(f[1]), z = cut(f[2]);
     return std::array{Coordinates{x.first, y.first, z.first}, Coordinates{x.second, y.second, z.second}};
   };
   const auto by_u = both(piece.x_u), by_v = both(piece.x_v);
-  return {Piece{by_u[0], by_v[0], !piece.cut_u}, Piece{by_u[1], by_v[1], !piece.cut_u}};
+  return {Piece{by_u[0], by_v[0], piece.cuts + 1}, Piece{by_u[1], by_v[1], piece.cuts + 1}};
 }
 
 Piece whole(const BezierPatch& patch) {
@@ -69,7 +74,7 @@ bool provedRegular(const BezierPatch& patch, int max_pieces) {
     const Piece piece = std::move(open.back());
     open.pop_back();
     if (isRegular(piece.x_u, piece.x_v)) continue;
-    if (++pieces > max_pieces) return false;
+    if (++pieces > max_pieces || piece.cuts == most_cuts) return false;
     for (const Piece& half : halves(piece)) open.push_back(half);
   }
   return true;

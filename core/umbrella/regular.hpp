@@ -10,7 +10,7 @@ namespace seamwright {
 /// The patch is cut until on each piece all Bernstein coefficients of w . (X_u x X_v) are positive, for a vector w of the piece: then no
 /// normal vanishes, and as they change continuously none turns back. Rounding is inside the paddings; the poles count as exact.
 ///
-/// \param max_pieces work limit.
+/// \param max_pieces work limit; another is 16 cuts of one piece, by turns in u and in v.
 /// \return false where that was not proved within the limit, so always where a normal vanishes. False too for a rational patch.
 /// Source: MATH-surfaces 5.6 (Regularity), 3.6.
 bool provedRegular(const BezierPatch& patch, int max_pieces = 256);

@@ -24,11 +24,11 @@ RingFill attempt(const std::vector<FillSide>& sides, const RingFillOptions& opti
   result.regular = std::ranges::all_of(result.patches, [](const BezierPatch& p) { return provedRegular(p); });
   result.spoke_scale = spoke_scale;
   if (options.curvature_degrees) {
-    const fill::FillEdges edges = fill::ringEdges();
-    result.patches = fill::leastCurvatureJump(
-        ring.space, result.patches, edges, sides, options.fairness_order,
+    fill::CurvedPatches curved = fill::leastCurvatureJump(
+        ring.space, result.patches, fill::ringEdges(), sides, options.fairness_order,
         [&](const Poles& unknowns) { return fill::ringPatches(ring.space, unknowns); });
-    result.curvature_jump_per_mm = fill::curvatureJump_per_mm(result.patches, edges, sides);
+    result.patches = std::move(curved.patches);
+    result.curvature_jump_per_mm = curved.curvature_jump_per_mm;
   }
   return result;
 }

@@ -55,6 +55,9 @@ constexpr std::size_t ring_sides = 4;
 /// A fill with poles further out than this many times its sides is none: a hemisphere's stand out by less than 2.
 constexpr double most_reach = 3;
 
+/// Fills cost the sixth power of the degree, and several are tried for one that is not regular.
+constexpr int dear_degree = 7;
+
 /// Rings around corners of a larger angle curl over.
 constexpr double most_corner_rad = 5.3;
 
@@ -99,8 +102,9 @@ TopoDS_Shape unwrapped(const TopoDS_Shape& whole, const TopoDS_Shape& given) {
 
 /// How a fill is tried.
 struct Attempt {
-  int most_degree = 9;     ///< of the polynomials that stand for the sides
-  bool curvature = false;  ///< what G1 leaves free is spent on small jumps of curvature
+  int most_degree = 9;  ///< of the polynomials that stand for the sides
+  /// What G1 leaves free is spent on small jumps of curvature, in a degree higher by so much at most; nothing: on fairness.
+  std::optional<int> curvature_raise = std::nullopt;
 };
 
 bool isSound(const FillHoleReport& report) {
@@ -165,7 +169,7 @@ class Filling {
                      .angle_rad = options_.tolerance.angle_rad / share,
                      .most_degree = attempt_.most_degree,
                      .planar_rad = position_only ? -1 : most_planar_rad,
-                     .curvature = attempt_.curvature});
+                     .curvature = attempt_.curvature_raise.has_value()});
   }
 
   /// What is reached over what is asked for.
@@ -215,14 +219,16 @@ class Filling {
     }
   }
 
-  /// By how much more than the degree that G1 asks for, at least \p more than that of the cross fields; time grows with its sixth power.
+  /// By how much more than the degree that G1 asks for, at least \p more than that of the cross fields; time grows with its sixth power,
+  /// so that where nothing is to be raised higher degrees are left alone.
   std::optional<int> curvatureDegrees(const std::vector<FillSide>& sides, int more) const {
-    if (!attempt_.curvature) return std::nullopt;
-    constexpr int most_degree = 9, most_raise = 2;
+    if (!attempt_.curvature_raise) return std::nullopt;
+    constexpr int most_degree = 9;
     Eigen::Index degree = 0;
     for (const FillSide& side : sides)
       degree = std::max({degree, Eigen::Index{side.edge.degree()}, side.cross ? side.cross->rows() - 1 : 0});
-    return std::clamp(most_degree - more - static_cast<int>(degree), 0, most_raise);
+    if (attempt_.curvature_raise == 0 && degree + more >= dear_degree) return std::nullopt;
+    return std::clamp(most_degree - more - static_cast<int>(degree), 0, *attempt_.curvature_raise);
   }
 
   std::vector<BSplineSurface> ringSurfaces(const std::vector<FillSide>& sides) {
@@ -249,8 +255,6 @@ class Filling {
       options.curvature_degrees.reset();
       fill = nSidedFill(sides, options);
     }
-    constexpr int dear_degree =
-        7;  // fills cost the sixth power of it, and several are tried for one that is not regular
     if (!fill.regular && fill.patches.front().degreeU() < dear_degree) {
       options.law = SpokeLaw::Quadratic;
       NSidedFill other = nSidedFill(sides, options);
@@ -419,6 +423,11 @@ class Filling {
   FillHoleReport result_;
 };
 
+std::optional<int> raiseFor(Level target) {
+  if (target < Level::G1) return std::nullopt;
+  return target == Level::G1 ? 0 : 2;
+}
+
 /// What may come out better: polynomials of lower degrees follow the sides less closely and make fairer faces; without regard to curvature
 /// its jumps may yet be smaller.
 std::vector<Attempt> othersThan(const Attempt& first, const FillHoleReport& report) {
@@ -426,8 +435,8 @@ std::vector<Attempt> othersThan(const Attempt& first, const FillHoleReport& repo
   std::vector<Attempt> others;
   if (report.faces.empty()) return others;
   if (!isSound(report) && first.most_degree > fairer_degree)
-    others.push_back({fairer_degree, first.curvature});
-  if (first.curvature) others.push_back({first.most_degree, false});
+    others.push_back({fairer_degree, first.curvature_raise});
+  if (first.curvature_raise) others.push_back({first.most_degree, std::nullopt});
   return others;
 }
 
@@ -547,7 +556,7 @@ FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOpti
   options.validate();
   requireEdges(model, hole);
   constexpr double share_of_first = 0.5;
-  const Attempt first{options.most_degree, options.target == Level::G2};
+  const Attempt first{options.most_degree, raiseFor(options.target)};
   FillHoleReport best =
       Filling(model, hole, options, names, first, partOf(progress, 0, share_of_first)).run();
   const std::vector<Attempt> others = best.reached ? std::vector<Attempt>() : othersThan(first, best);

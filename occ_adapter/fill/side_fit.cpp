@@ -99,20 +99,21 @@ BezierCurve fittedEdge(const std::vector<SideSample>& samples, const std::array<
   return BezierCurve(poles);
 }
 
-/// T with the least sum of (T - L beyond)^2 among those with normal parts as small as they can be.
+/// T with the least sum of (T - L beyond)^2 and, by that weight, of its normal parts; at the ends these are zero.
 Poles fittedCross(const std::vector<SideSample>& samples, const std::array<Vector3d, 2>& corner_normals,
-                  double length_mm, int degree) {
-  constexpr double weight_of_normal_part = 1e6;
+                  double length_mm, int degree, double weight) {
+  constexpr double weight_at_ends = 1e6;
   const Index unknowns = 3 * (degree + 1), count = static_cast<Index>(samples.size());
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(4 * count, unknowns);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(4 * count);
   for (Index i = 0; i < count; ++i) {
     const SideSample& sample = samples[i];
-    const Vector3d& normal = i == 0 ? corner_normals[0] : i + 1 == count ? corner_normals[1] : sample.normal;
+    const bool is_end = i == 0 || i + 1 == count;
+    const Vector3d& normal = is_end ? corner_normals[i == 0 ? 0 : 1] : sample.normal;
     const Eigen::VectorXd basis = basisAt(degree, sample.t);
     for (int c = 0; c < 3; ++c) {
       for (int j = 0; j <= degree; ++j) {
-        matrix(4 * i, 3 * j + c) = weight_of_normal_part * basis(j) * normal(c);
+        matrix(4 * i, 3 * j + c) = (is_end ? weight_at_ends : weight) * basis(j) * normal(c);
         matrix(4 * i + 1 + c, 3 * j + c) = basis(j);
       }
       right(4 * i + 1 + c) = sample.beyond(c);
@@ -138,13 +139,12 @@ double bendAlong(const SideSample& sample, const Vector3d& direction) {
 }
 
 /// The polynomial nearest to II(T, T) N, which does not depend on how the face is turned.
-Poles fittedBend(const std::vector<SideSample>& samples, const BezierCurve& cross, int degree) {
+Poles fittedBend(const std::vector<SideSample>& samples, const Eigen::VectorXd& wanted, int degree) {
   const Index count = static_cast<Index>(samples.size());
   Eigen::MatrixXd matrix(count, degree + 1), right(count, 3);
   for (Index i = 0; i < count; ++i) {
-    const SideSample& sample = samples[i];
-    matrix.row(i) = basisAt(degree, sample.t).transpose();
-    right.row(i) = bendAlong(sample, cross.point(sample.t)) * sample.normal.transpose();
+    matrix.row(i) = basisAt(degree, samples[i].t).transpose();
+    right.row(i) = wanted(i) * samples[i].normal.transpose();
   }
   return linear::PivotedQr(matrix).solve(right);
 }
@@ -175,14 +175,7 @@ class SideFit {
       fitted.corner_rad[end] = std::acos(std::min(
           1.0, std::abs(corner_normals[end].dot((end == 0 ? checks_.front() : checks_.back()).normal))));
     if (std::ranges::max(fitted.corner_rad) > options_.planar_rad) return fitted;
-    for (int degree = 2; degree <= options_.most_degree; ++degree) {
-      const Poles cross = fittedCross(samples_, corner_normals, path_.length_mm(), degree);
-      const double angle = angleOf(cross);
-      if (fitted.side.cross && !(angle < fitted.angle_rad)) continue;
-      fitted.side.cross = cross;
-      fitted.angle_rad = angle;
-      if (angle <= options_.angle_rad) break;
-    }
+    fitCross(corner_normals, fitted);
     if (options_.curvature) fitBend(fitted);
     return fitted;
   }
@@ -216,35 +209,66 @@ class SideFit {
     }
   }
 
-  double angleOf(const Poles& cross) const {
+  /// A field that is nearly zero somewhere, beside its largest, has the planes but makes folds.
+  void fitCross(const std::array<Vector3d, 2>& corner_normals, FittedSide& fitted) const {
+    constexpr double even_enough = 0.7, rounding = 1.01;
+    constexpr std::array<double, 4> weights_of_normal_part = {1e6, 1e5, 1e4, 1e3};
+    const double floor_rad = std::max(tilt_rad_, std::ranges::max(fitted.corner_rad));
+    const double enough_rad = std::max(options_.angle_rad, rounding * floor_rad);
+    bool is_even = false;
+    for (int degree = 2; degree <= options_.most_degree; ++degree)
+      for (const double weight : weights_of_normal_part) {
+        const Poles cross = fittedCross(samples_, corner_normals, path_.length_mm(), degree, weight);
+        const auto [angle, evenness] = formOf(cross);
+        const bool even = evenness >= even_enough;
+        if (fitted.side.cross && (even != is_even ? is_even : !(angle < fitted.angle_rad))) continue;
+        fitted.side.cross = cross;
+        fitted.angle_rad = angle;
+        is_even = even;
+        if (even && angle <= enough_rad) return;
+      }
+  }
+
+  struct CrossForm {
+    double angle_rad = 0;
+    double evenness = 0;  ///< the smallest part out of the hole, across the edge, over the largest
+  };
+
+  CrossForm formOf(const Poles& cross) const {
     const BezierCurve field(cross);
-    double angle = 0;
+    double angle = 0, least = HUGE_VAL, most = 0;
     for (const SideSample& check : checks_) {
-      const Vector3d normal = field.point(check.t).cross(edge_.jet(check.t).d1).normalized();
-      angle =
-          std::max(angle, std::atan2(normal.cross(check.normal).norm(), std::abs(normal.dot(check.normal))));
+      const Vector3d area = field.point(check.t).cross(edge_.jet(check.t).d1.normalized());
+      const double across = field.point(check.t).dot(check.beyond);
+      angle = std::max(angle, std::atan2(area.cross(check.normal).norm(), std::abs(area.dot(check.normal))));
+      least = std::min(least, across);
+      most = std::max(most, across);
     }
-    return angle;
+    return {angle, least / most};
   }
 
   void fitBend(FittedSide& fitted) const {
-    constexpr double near_enough = 1e-4;  // of the largest curvature, or of one over the length
+    constexpr double near_enough = 1e-3;  // of the largest curvature, or of one over the length
     const BezierCurve cross(*fitted.side.cross);
-    double largest_per_mm = 1 / path_.length_mm();
-    for (const SideSample& check : checks_) {
-      const Vector3d along = cross.point(check.t);
-      largest_per_mm = std::max(largest_per_mm, std::abs(bendAlong(check, along)) / along.squaredNorm());
-    }
+    const auto bends = [&](const std::vector<SideSample>& samples) {
+      Eigen::VectorXd along(static_cast<Index>(samples.size()));
+      for (Index i = 0; i < along.size(); ++i) along(i) = bendAlong(samples[i], cross.point(samples[i].t));
+      return along;
+    };
+    const Eigen::VectorXd wanted = bends(samples_), checked = bends(checks_);
+    Eigen::VectorXd squares(checked.size());
+    for (Index i = 0; i < checked.size(); ++i) squares(i) = cross.point(checks_[i].t).squaredNorm();
+    const double largest_per_mm =
+        std::max(1 / path_.length_mm(), checked.cwiseQuotient(squares).cwiseAbs().maxCoeff());
     for (int degree = 0; degree <= options_.most_degree; ++degree) {
-      const Poles bend = fittedBend(samples_, cross, degree);
+      const BezierCurve bend(fittedBend(samples_, wanted, degree));
       double missed_per_mm = 0;
-      for (const SideSample& check : checks_) {
-        const Vector3d along = cross.point(check.t);
-        const double missed = check.normal.dot(BezierCurve(bend).point(check.t)) - bendAlong(check, along);
-        missed_per_mm = std::max(missed_per_mm, std::abs(missed) / along.squaredNorm());
-      }
+      for (Index i = 0; i < checked.size(); ++i)
+        missed_per_mm =
+            std::max(missed_per_mm,
+                     std::abs(checks_[i].normal.dot(bend.point(checks_[i].t)) - checked(i)) / squares(i));
       if (fitted.side.bend && !(missed_per_mm < fitted.curvature_per_mm)) continue;
-      fitted.side.bend = bend;
+      fitted.side.bend = bend.poles();
       fitted.curvature_per_mm = missed_per_mm;
       if (missed_per_mm <= near_enough * largest_per_mm) return;
     }

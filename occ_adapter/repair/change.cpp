@@ -14,11 +14,13 @@
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <array>
+#include <exception>
 #include <map>
 #include <set>
 #include <stdexcept>
 #include <string>
 
+#include <seamwright/occ_adapter/analyze/workers.hpp>
 #include <seamwright/occ_adapter/convert/edge_image.hpp>
 #include <seamwright/occ_adapter/repair/change.hpp>
 
@@ -73,13 +75,14 @@ struct NewEdge {
 class Changer {
  public:
   Changer(const TopoDS_Shape& shape, const std::vector<FaceChange>& changes, double gap_mm,
-          const std::vector<PathChange>& paths)
+          const std::vector<PathChange>& paths, int jobs)
       : shape_(shape),
         faces_(shape, TopAbs_FACE),
         edges_(shape, TopAbs_EDGE),
         vertices_(shape, TopAbs_VERTEX),
         near_mm_(gap_mm / 1000),
-        gap_mm_(gap_mm) {
+        gap_mm_(gap_mm),
+        jobs_(jobs) {
     TopExp::MapShapesAndUniqueAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces_of_edge_);
     TopExp::MapShapesAndUniqueAncestors(shape, TopAbs_VERTEX, TopAbs_EDGE, edges_of_vertex_);
     for (const FaceChange& change : changes) add(change);
@@ -93,7 +96,7 @@ class Changer {
       addParts(faces_(face), edges_, edges);
     }
     for (const auto& [edge_and_face, path] : new_paths_) edges.insert(edge_and_face.first);
-    for (const int edge : edges) changeEdge(edge);
+    changeEdges(edges);
     for (const int edge : edges) addParts(edges_(edge), vertices_, vertices);
     for (const int vertex : vertices) changeVertex(vertex);
     TopoDS_Shape changed = rebuilt(bare(shape_));
@@ -161,11 +164,33 @@ class Changer {
     return sides;
   }
 
-  void changeEdge(int number) {
-    edges_.requireOnce(number, "edge");
-    const TopoDS_Edge old = TopoDS::Edge(edges_(number).Oriented(TopAbs_FORWARD));
+  TopoDS_Edge edge(int number) const { return TopoDS::Edge(edges_(number).Oriented(TopAbs_FORWARD)); }
+
+  void changeEdges(const std::set<int>& all) {
+    const std::vector<int> numbers(all.begin(), all.end());
+    for (const int number : numbers) edges_.requireOnce(number, "edge");
+    std::vector<NewEdge> edges(numbers.size());
+    std::vector<std::exception_ptr> errors(numbers.size());
+    // Nothing that others read is changed.
+    const auto change = [&](std::size_t k) {
+      try {
+        edges[k] = changed(numbers[k]);
+      } catch (...) {
+        errors[k] = std::current_exception();
+      }
+    };
+    runParallel(numbers.size(), jobs_, change, {});
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      if (errors[k]) std::rethrow_exception(errors[k]);
+      new_parts_.Bind(bare(edges_(numbers[k])), edges[k].bare);
+      new_edges_[numbers[k]] = std::move(edges[k]);
+    }
+  }
+
+  NewEdge changed(int number) const {
+    const TopoDS_Edge old = edge(number);
     const std::vector<int> faces = facesOf(number);
-    NewEdge& edge = new_edges_[number];
+    NewEdge edge;
     edge.sides = sidesAfter(old, faces);
     edge.tolerance_mm = BRep_Tool::Tolerance(old);
     edge.moved = isMoved(old, faces);
@@ -174,7 +199,7 @@ class Changer {
     edge.bare = TopoDS::Edge(bare(placed));
     BRep_Tool::Range(old, edge.first, edge.last);
     if (!BRep_Tool::Degenerated(old)) setCurve(old, edge);
-    new_parts_.Bind(bare(old), edge.bare);
+    return edge;
   }
 
   bool isMoved(const TopoDS_Edge& edge, const std::vector<int>& faces) const {
@@ -188,7 +213,8 @@ class Changer {
   }
 
   /// Paths that only followed from the curve in space are stored where that curve moves.
-  void setPaths(const TopoDS_Edge& old, const std::vector<int>& faces, bool moved, TopoDS_Edge& placed) {
+  void setPaths(const TopoDS_Edge& old, const std::vector<int>& faces, bool moved,
+                TopoDS_Edge& placed) const {
     for (const int number : faces)
       if (changes(number))
         setPath(old, number, stored_.at(number), placed);
@@ -212,7 +238,7 @@ class Changer {
     return !path.IsNull() && is_stored;
   }
 
-  void setPath(const TopoDS_Edge& old, int number, const PlacedSurface& on, TopoDS_Edge& placed) {
+  void setPath(const TopoDS_Edge& old, int number, const PlacedSurface& on, TopoDS_Edge& placed) const {
     const std::vector<PlanarPath> paths = pathsOf(old, number);
     if (paths.size() == 2)
       builder_.UpdateEdge(placed, paths[0].curve, paths[1].curve, on.surface, on.location, 0);
@@ -225,7 +251,7 @@ class Changer {
     return changes(number) ? stored_.at(number) : surfaceOf(face(number));
   }
 
-  void setContinuity(const TopoDS_Edge& old, int a, int b, TopoDS_Edge& placed) {
+  void setContinuity(const TopoDS_Edge& old, int a, int b, TopoDS_Edge& placed) const {
     if (a == b && !BRep_Tool::IsClosed(old, face(a))) return;
     if (!BRep_Tool::HasContinuity(old, face(a), face(b))) return;
     const PlacedSurface on_a = storedAfter(a), on_b = storedAfter(b);
@@ -234,7 +260,7 @@ class Changer {
   }
 
   /// Unless another face beside the edge lies on it and stays.
-  void forgetOldSurface(int number, const std::vector<int>& faces, const TopoDS_Edge& placed) {
+  void forgetOldSurface(int number, const std::vector<int>& faces, const TopoDS_Edge& placed) const {
     const PlacedSurface old = surfaceOf(face(number));
     for (const int other : faces) {
       if (changes(other)) continue;
@@ -256,7 +282,7 @@ class Changer {
     }
   }
 
-  void setCurve(const TopoDS_Edge& old, NewEdge& edge) {
+  void setCurve(const TopoDS_Edge& old, NewEdge& edge) const {
     double first = 0, last = 0;
     edge.curve = BRep_Tool::Curve(old, first, last);
     edge.moved = edge.moved || edge.curve.IsNull();
@@ -292,7 +318,7 @@ class Changer {
     Ends ends;
     for (const TopoDS_Shape& beside : edges_of_vertex_.FindFromKey(vertex)) {
       const int number = edges_.number(beside);
-      const TopoDS_Edge old = TopoDS::Edge(edges_(number).Oriented(TopAbs_FORWARD));
+      const TopoDS_Edge old = edge(number);
       const auto changed = new_edges_.find(number);
       const NewEdge edge = changed == new_edges_.end() ? asItIs(old, number) : changed->second;
       ends.tolerance_mm = std::max(ends.tolerance_mm, edge.tolerance_mm);
@@ -369,6 +395,7 @@ class Changer {
   Parts faces_, edges_, vertices_;
   TopTools_IndexedDataMapOfShapeListOfShape faces_of_edge_, edges_of_vertex_;
   double near_mm_, gap_mm_;
+  int jobs_;
   BRep_Builder builder_;
   std::map<int, handle<Geom_Surface>> surfaces_;                   ///< by face, in the frame of the shape
   std::map<std::pair<int, int>, handle<Geom2d_Curve>> new_paths_;  ///< by edge and face
@@ -380,9 +407,9 @@ class Changer {
 }  // namespace
 
 TopoDS_Shape withChanges(const TopoDS_Shape& shape, const std::vector<FaceChange>& changes, double gap_mm,
-                         const std::vector<PathChange>& paths) {
+                         const std::vector<PathChange>& paths, int jobs) {
   if (changes.empty() && paths.empty()) return shape;
-  return Changer(shape, changes, gap_mm, paths).run();
+  return Changer(shape, changes, gap_mm, paths, jobs).run();
 }
 
 }  // namespace seamwright::occ

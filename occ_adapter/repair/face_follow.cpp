@@ -169,12 +169,13 @@ class FaceFollower {
     constexpr std::size_t for_curvature = 1;
     double before = infinite, limit = infinite;
     was_held_back_ = false;
+    std::optional<FairMove> conditions;
     const std::size_t first =
         std::max<std::size_t>(order_ > 1 ? 0 : for_curvature, now_.fairness > 0 ? now_.fairness - 1 : 0);
     for (std::size_t k = first; k < fairnesses.size(); ++k) {
       const PointRows fairer = now_.surface.poles();
       const double shorter = now_.surface.largestMove_mm();
-      move(fairnesses[k]);
+      move(fairnesses[k], conditions);
       const double longer = now_.surface.largestMove_mm();
       if (longer > limit) return holdBack(fairer);
       lookAtSamples();
@@ -201,14 +202,14 @@ class FaceFollower {
     look();
   }
 
-  /// Conditions of order 2 are linear about a surface that has to be found.
-  void move(double fairness) {
+  /// Conditions of order 2 are linear about a surface that has to be found. \param conditions those of the fairness before, if they hold still.
+  void move(double fairness, std::optional<FairMove>& conditions) {
     const int most_passes = order_ > 1 ? 4 : 1;
     for (int pass = 0; pass < most_passes; ++pass) {
       if (task_.is_cancelled && task_.is_cancelled()) throw Cancelled();
-      const FairMove fair_move(task_, *now_.places, now_.surface);
-      work_ += fair_move.count();
-      std::optional<PointRows> moved = fair_move.poles(fairness);
+      if (!conditions || conditions->dependsOnMove()) conditions.emplace(task_, *now_.places, now_.surface);
+      work_ += conditions->count();
+      std::optional<PointRows> moved = conditions->poles(fairness);
       if (!moved) return;
       const double change_mm = (*moved - now_.surface.poles()).cwiseAbs().maxCoeff();
       now_.surface.setPoles(std::move(*moved));

@@ -11,6 +11,14 @@ namespace seamwright::occ {
 
 namespace {
 
+double nearMm(const FaceTask& task) {
+  return task.tolerance.gap_mm / 100;
+}
+
+bool asksForCurvature(const FaceTask& task) {
+  return std::ranges::any_of(task.paths, [](const FollowPath& path) { return path.order > 1; });
+}
+
 /// The original, but poles that stay as they are by now.
 PointRows startOf(const MovingSurface& surface, const MoveNumbers& numbers) {
   PointRows start = surface.poles();
@@ -25,7 +33,8 @@ FairMove::FairMove(const FaceTask& task, const TaskPlaces& places, const MovingS
     : task_(task),
       places_(places),
       surface_(surface),
-      numbers_(surface.numbers(task.tolerance.gap_mm / 100)),
+      numbers_(surface.numbers(nearMm(task))),
+      depends_on_move_(asksForCurvature(task) || surface.isCollapsed(nearMm(task))),
       start_(startOf(surface, numbers_)),
       conditions_(numbers_.of_pole, numbers_.count, surface.original(), start_) {
   for (const PathPlaces& path : places.paths)
@@ -40,7 +49,7 @@ void FairMove::addPlace(const Place& place) {
   if (!conditions_.canChange(shares.poles)) return;
   conditions_.addPoint(shares.poles, shares.share.row(0), target.point, 1 / (task_.share * tolerance.gap_mm));
   if (place.order < 1) return;
-  const SurfaceJet jet = firstOrderJetOf(shares, surface_.poles());
+  const SurfaceJet jet = firstOrderJetOf(shares, depends_on_move_ ? surface_.poles() : surface_.original());
   const auto normal = unitNormal(jet, noiseOf(jet, surface_.basis()));
   if (!normal) return;
   Eigen::Vector3d tangent = place.along[0] * jet.u + place.along[1] * jet.v;

@@ -9,7 +9,7 @@
 /// The move of a surface's poles that makes it meet its paths; not a public header.
 namespace seamwright::occ {
 
-/// The conditions of all samples, linear in the poles about a surface as it is: points, tangent planes n . X_w = 0, curvature
+/// The conditions of all samples, linear in the poles about a surface: points, tangent planes n . X_w = 0, curvature
 /// n . X_ww = II(X_w, X_w), each over the share of its tolerance; and the fairness of the move since the surface was given, its second
 /// differences. What is referred to must outlive it.
 class FairMove {
@@ -20,6 +20,9 @@ class FairMove {
 
   /// Unknown moves.
   int count() const { return numbers_.count; }
+  /// The conditions are about the surface as it is now, not as it was given: curvature is not linear, and beside a side that is one point
+  /// tangents turn with the poles.
+  bool dependsOnMove() const { return depends_on_move_; }
 
   /// The poles after the move of least squares. \param fairness the smaller, the better the samples are met and the less fair the move.
   /// \returns nothing where the move is without sense, as the conditions contradict one another.
@@ -35,6 +38,7 @@ class FairMove {
   const TaskPlaces& places_;
   const MovingSurface& surface_;
   MoveNumbers numbers_;
+  bool depends_on_move_;
   PointRows start_;
   MoveConditions conditions_;
 };

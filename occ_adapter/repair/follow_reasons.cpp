@@ -47,17 +47,20 @@ std::string whyBeyondReach(const FaceTask& task, const TaskPlaces& places, const
     for (const Place& place : *some) {
       const SurfaceJet jet = firstOrderJetOf(place.shares, surface.original());
       const double move_mm = (place.target.point - jet.p).norm();
+      const bool is_far = move_mm > task.max_move_mm + task.tolerance.gap_mm;
+      const auto normal = unitNormal(jet, noiseOf(jet, surface.basis()));
+      const bool is_turned =
+          place.order > 0 && normal && normal->dot(place.target.normal) < -std::sin(task.tolerance.angle_rad);
+      if (!is_far && !is_turned) continue;
       std::ostringstream text;
-      if (move_mm > task.max_move_mm + task.tolerance.gap_mm)
+      if (is_far)
         text << nameOf(task, path) << " asks for a move of " << move_mm << " mm at " << at(place.target.point)
              << ", more than " << task.max_move_mm << " mm";
-      else if (const auto normal = unitNormal(jet, noiseOf(jet, surface.basis()));
-               place.order > 0 && normal &&
-               normal->dot(place.target.normal) < -std::sin(task.tolerance.angle_rad))
+      else
         text << nameOf(task, path) << " is missed at " << at(place.target.point) << " by "
              << figuresText(measureAt(place, surface), place.order, task.tolerance)
              << ", with its normal turned over";
-      if (!text.str().empty()) return text.str();
+      return text.str();
     }
   return {};
 }

@@ -103,6 +103,11 @@ class Following {
     return made;
   }
 
+  /// As far as it makes a difference.
+  static const char* reachOf(const std::shared_ptr<SeamTarget>& target) {
+    return target && target->isLedBriefly() ? "briefly " : "";
+  }
+
   /// A side of a seam, which follows the target.
   struct PathOfSeam {
     std::size_t seam = 0;
@@ -125,7 +130,7 @@ class Following {
         seam_of_[common.get()] = i;
       }
       std::ostringstream asked;
-      asked << i << (common ? " common " : " own ") << orderOf(i) << moves(sides[0].face)
+      asked << i << (common ? " common " : " own ") << reachOf(common) << orderOf(i) << moves(sides[0].face)
             << moves(sides[1].face) << ';';
       asked_[i] = asked.str();
       for (const int side : {0, 1})
@@ -162,7 +167,8 @@ class Following {
     ContinuityTolerance tolerance = task_.options.tolerance;
     if (task_.options.order < 2) tolerance.curvature_rel = std::numeric_limits<double>::infinity();
     bool again = false;
-    for (const std::vector<TargetEnd>& ends : meetingEnds(targets_)) {
+    for (std::vector<TargetEnd>& ends : meetingEnds(targets_)) {
+      for (TargetEnd& end : ends) end.order = orderOf(seam_of_.at(end.target.get()));
       const std::vector<std::size_t> held_seams = heldAt(verticesOf(ends));
       std::map<int, int> held;
       for (const std::size_t i : held_seams)
@@ -184,7 +190,8 @@ class Following {
 
   void noteAsked(const std::vector<TargetEnd>& ends, const std::map<int, int>& held) {
     std::ostringstream asked;
-    for (const TargetEnd& end : ends) asked << seam_of_.at(end.target.get()) << ' ' << end.end << ' ';
+    for (const TargetEnd& end : ends)
+      asked << seam_of_.at(end.target.get()) << ' ' << end.end << ' ' << reachOf(end.target);
     for (const auto& [face, order] : held) asked << "held " << face << ' ' << order << ' ';
     for (const TargetEnd& end : ends) asked_[seam_of_.at(end.target.get())] += asked.str() + ';';
   }

@@ -6,11 +6,14 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
+#include <exception>
+#include <map>
 #include <set>
 #include <sstream>
 #include <stdexcept>
 
 #include <seamwright/core/join/network.hpp>
+#include <seamwright/occ_adapter/analyze/workers.hpp>
 #include <seamwright/occ_adapter/match/candidate.hpp>
 #include <seamwright/occ_adapter/repair/groups.hpp>
 #include <seamwright/occ_adapter/repair/solve.hpp>
@@ -61,6 +64,70 @@ struct JoinedSeam {
   std::size_t number = 0;
   std::array<NaturalUse, 2> uses;
 };
+
+/// Surfaces that hang together through seams, and these.
+struct ConnectedPart {
+  std::vector<int> members;
+  std::vector<std::size_t> joined;  ///< seams
+  std::vector<NetworkSurface> surfaces;
+  std::vector<NetworkSeam> seams;
+  NetworkResult result = {};
+  std::exception_ptr error = {};
+
+  void solve(const NetworkOptions& options) {
+    try {
+      result = nearestNetwork(surfaces, seams, options);
+    } catch (...) {
+      error = std::current_exception();
+    }
+  }
+};
+
+std::vector<ConnectedPart> connectedParts(const std::vector<NetworkSurface>& surfaces,
+                                          const std::vector<NetworkSeam>& seams) {
+  Groups groups(static_cast<int>(surfaces.size()));
+  for (const NetworkSeam& seam : seams) groups.join(seam.surfaces[0], seam.surfaces[1]);
+  std::map<int, ConnectedPart> parts;
+  std::vector<int> numbers;
+  for (int member = 0; member < groups.count(); ++member) {
+    ConnectedPart& part = parts[groups.of(member)];
+    numbers.push_back(static_cast<int>(part.members.size()));
+    part.members.push_back(member);
+    part.surfaces.push_back(surfaces[member]);
+  }
+  for (std::size_t k = 0; k < seams.size(); ++k) {
+    ConnectedPart& part = parts.at(groups.of(seams[k].surfaces[0]));
+    part.joined.push_back(k);
+    part.seams.push_back(seams[k]);
+    for (int& member : part.seams.back().surfaces) member = numbers[member];
+  }
+  std::vector<ConnectedPart> all;
+  for (auto& [group, part] : parts) all.push_back(std::move(part));
+  return all;
+}
+
+/// Each connected part by itself; of the result what is used here.
+NetworkResult nearestNetworks(const std::vector<NetworkSurface>& surfaces,
+                              const std::vector<NetworkSeam>& seams, const NetworkOptions& options,
+                              int jobs) {
+  std::vector<ConnectedPart> parts = connectedParts(surfaces, seams);
+  runParallel(parts.size(), jobs, [&](std::size_t k) { parts[k].solve(options); }, {});
+  NetworkResult all;
+  all.surfaces.resize(surfaces.size());
+  all.moves_mm.resize(surfaces.size());
+  all.seams.resize(seams.size());
+  for (ConnectedPart& part : parts) {
+    if (part.error) std::rethrow_exception(part.error);
+    all.iterations = std::max(all.iterations, part.result.iterations);
+    for (std::size_t k = 0; k < part.members.size(); ++k) {
+      all.surfaces[part.members[k]] = std::move(part.result.surfaces[k]);
+      all.moves_mm[part.members[k]] = part.result.moves_mm[k];
+    }
+    for (std::size_t k = 0; k < part.joined.size(); ++k)
+      all.seams[part.joined[k]] = std::move(part.result.seams[k]);
+  }
+  return all;
+}
 
 class Network {
  public:
@@ -209,10 +276,12 @@ class Network {
     // One step tells what is far from being near.
     constexpr double far = 2, surely_far = 5;
     constexpr NetworkOptions rough{.max_iterations = 1};
-    NetworkResult result = nearestNetwork(surfaces, seams, dear_ ? rough : NetworkOptions());
+    const int jobs = task_.options.jobs;
+    NetworkResult result = nearestNetworks(surfaces, seams, dear_ ? rough : NetworkOptions(), jobs);
     if (dear_) leaveDear(result, surely_far);
     if (!solution_.complete) return;
-    if (dear_ && result.iterations == rough.max_iterations) result = nearestNetwork(surfaces, seams);
+    if (dear_ && result.iterations == rough.max_iterations)
+      result = nearestNetworks(surfaces, seams, {}, jobs);
     if (dear_) leaveDear(result, far);
     for (std::size_t k = 0; k < seams_.size(); ++k)
       if (result.seams[k].status == SeamStatus::Left && isTreated(k))

@@ -13,6 +13,7 @@
 #include <optional>
 #include <sstream>
 
+#include <seamwright/occ_adapter/analyze/workers.hpp>
 #include <seamwright/occ_adapter/convert/edge_image.hpp>
 #include <seamwright/occ_adapter/repair/solve.hpp>
 
@@ -156,30 +157,43 @@ class PathSolver {
   explicit PathSolver(const RepairTask& task) : task_(task) {}
 
   RepairSolution run(const Progress& progress) {
-    const auto all = static_cast<double>(std::ranges::count(task_.treated, true));
-    int done = 0;
-    for (std::size_t i = 0; i < task_.treated.size(); ++i) {
-      if (!task_.treated[i]) continue;
-      if (progress && !progress(done++ / all)) throw Cancelled();
+    std::vector<std::size_t> treated;
+    for (std::size_t i = 0; i < task_.treated.size(); ++i)
+      if (task_.treated[i]) treated.push_back(i);
+    std::vector<Outcome> outcomes(treated.size());
+    // Nothing that others read is changed.
+    const auto tryToJoin = [&](std::size_t k) {
       try {
-        if (const std::string why = join(i); !why.empty()) solution_.failures[i] = why;
+        outcomes[k] = join(treated[k]);
       } catch (const Standard_Failure& failure) {
-        solution_.failures[i] = std::string("OpenCASCADE failed: ") + failure.DynamicType()->Name();
+        outcomes[k].why_not = std::string("OpenCASCADE failed: ") + failure.DynamicType()->Name();
       }
+    };
+    runParallel(treated.size(), task_.options.jobs, tryToJoin, progress);
+    RepairSolution solution;
+    for (std::size_t k = 0; k < treated.size(); ++k) {
+      solution.paths.insert(solution.paths.end(), outcomes[k].paths.begin(), outcomes[k].paths.end());
+      if (!outcomes[k].why_not.empty()) solution.failures[treated[k]] = outcomes[k].why_not;
     }
-    return std::move(solution_);
+    return solution;
   }
 
  private:
-  std::string join(std::size_t i) {
+  /// New paths of a seam, or why it has none.
+  struct Outcome {
+    std::vector<PathChange> paths;
+    std::string why_not;
+  };
+
+  Outcome join(std::size_t i) const {
     const Seam& seam = task_.seams[i];
     const double gap_mm = task_.options.tolerance.gap_mm;
-    if (!isOfPathsAlone(i)) return "moving the edge alone does not make it flow";
+    if (!isOfPathsAlone(i)) return {{}, "moving the edge alone does not make it flow"};
     const PathJoin paths(seam, gap_mm);
     if (const double apart_mm = paths.apartAtEnds_mm(); apart_mm > PathJoin::share * gap_mm) {
       std::ostringstream text;
       text << "its sides are " << apart_mm << " mm apart at an end";
-      return text.str();
+      return {{}, text.str()};
     }
     const bool first = mayTrim(seam, 0), second = mayTrim(seam, 1);
     for (const std::array<bool, 2> change :
@@ -187,13 +201,14 @@ class PathSolver {
       if ((change[0] && !first) || (change[1] && !second)) continue;
       const std::optional<NewPaths> joined = paths.join(change);
       if (!joined || joined->move_mm > task_.options.max_move_mm) continue;
+      Outcome outcome;
       for (const int side : {0, 1})
         if (change[side])
-          solution_.paths.push_back(
+          outcome.paths.push_back(
               {seam.edges.front(), seam.sides[side].face, joined->curves[side], joined->move_mm});
-      return {};
+      return outcome;
     }
-    return "the surfaces do not meet near the edge";
+    return {{}, "the surfaces do not meet near the edge"};
   }
 
   /// But for its gap the seam is as it should be, and the paths are the edge's own.
@@ -212,7 +227,6 @@ class PathSolver {
   bool mayTrim(const Seam& seam, int side) const { return task_.faces[seam.sides[side].face].may_be_trimmed; }
 
   const RepairTask& task_;
-  RepairSolution solution_;
 };
 
 }  // namespace

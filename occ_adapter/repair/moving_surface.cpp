@@ -91,6 +91,10 @@ void MovingSurface::insert(const std::array<std::set<double>, 2>& knots,
   }
 }
 
+bool MovingSurface::isCollapsed(double near_mm) const {
+  return !collapsedSides(basis_, original_, near_mm).empty();
+}
+
 MoveNumbers MovingSurface::numbers(double near_mm) const {
   const PointRows touched = polesOf(*touched_);
   MoveNumbers numbers{std::vector<int>(touched.rows(), -1)};

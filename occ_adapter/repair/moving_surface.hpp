@@ -44,6 +44,8 @@ class MovingSurface {
 
   /// A side that is one point, or within that distance one, moves as one.
   MoveNumbers numbers(double near_mm) const;
+  /// There is such a side.
+  bool isCollapsed(double near_mm) const;
 
  private:
   opencascade::handle<Geom_BSplineSurface> before_;

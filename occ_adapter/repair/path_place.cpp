@@ -45,7 +45,8 @@ std::vector<double> PlanePath::breaks(const opencascade::handle<Geom_BSplineSurf
 }
 
 SpanMeasure::SpanMeasure(const PlanePath& path, const SurfaceBasis& basis,
-                         const opencascade::handle<Geom_BSplineSurface>& surface)
+                         const opencascade::handle<Geom_BSplineSurface>& surface,
+                         const Eigen::Vector2d& weights)
     : s_(path.breaks(surface)), crossed_{0} {
   constexpr int steps = 4;
   for (std::size_t i = 1; i < s_.size(); ++i) {
@@ -55,7 +56,9 @@ SpanMeasure::SpanMeasure(const PlanePath& path, const SurfaceBasis& basis,
     Eigen::Vector2d from = path.at(s_[i - 1]);
     for (int k = 1; k <= steps; ++k) {
       const Eigen::Vector2d to = path.at(s_[i - 1] + (s_[i] - s_[i - 1]) * k / steps);
-      crossed += (to - from).cwiseQuotient(span).cwiseAbs().maxCoeff();
+      const Eigen::Vector2d spans = (to - from).cwiseQuotient(span).cwiseAbs();
+      spans_ += spans.maxCoeff();
+      crossed += spans.cwiseProduct(weights).maxCoeff();
       from = to;
     }
     crossed_.push_back(crossed_.back() + crossed);

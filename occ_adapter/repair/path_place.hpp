@@ -37,18 +37,22 @@ class PlanePath {
   const FollowPath& path_;
 };
 
-/// Places that are even in the knot spans crossed.
+/// Places that are even in what a path crosses: knot spans, each as often as its direction's weight says.
 class SpanMeasure {
  public:
   SpanMeasure(const PlanePath& path, const SurfaceBasis& basis,
-              const opencascade::handle<Geom_BSplineSurface>& surface);
+              const opencascade::handle<Geom_BSplineSurface>& surface,
+              const Eigen::Vector2d& weights = Eigen::Vector2d::Ones());
 
-  double spans() const { return crossed_.back(); }
-  /// The place up to which that share of the spans is crossed.
+  /// Without weights.
+  double spans() const { return spans_; }
+  double crossed() const { return crossed_.back(); }
+  /// The place up to which that share of all is crossed.
   double at(double share) const;
 
  private:
   std::vector<double> s_, crossed_;
+  double spans_ = 0;
 };
 
 /// By end of a path: the share of it over which it crosses one knot span, in the mean of the three nearest that end; 0: the face is no spline.

@@ -46,7 +46,10 @@ class Repairing {
     open_ = wanted;
     if (std::ranges::count(wanted, true) > 0) {
       seams_ = seamsOf(model_.shape, options_, {});
-      repair(choice.faces);
+      const double all = options_.match_mm > 0 && options_.sew ? share_before_sewing : 1;
+      const double target = options_.order == 1 ? all : (share_of_analysis + all) / 2;
+      repair(choice.faces, options_, result_.before.seams, partOf(progress_, share_of_analysis, target));
+      if (options_.order > 1) repairToG1(choice.faces, partOf(progress_, target, all));
     }
     if (options_.match_mm > 0 && options_.sew) sew();
     tell(wanted);
@@ -70,47 +73,71 @@ class Repairing {
   struct Way {
     Solver solver;
     Which which = Which::All;
+    bool gives_curvature = true;  ///< false: hardly ever, and as slowly as the others together
   };
 
+  /// Seams that can't have one curvature get one tangent plane, if they lack that too; what was repaired stays so.
+  void repairToG1(const std::vector<FaceChoice>& faces, const Progress& progress) {
+    RepairOptions options = options_;
+    options.order = 1;
+    std::vector<SeamResult> to_keep = result_.before.seams;
+    std::vector<std::size_t> asked;
+    for (std::size_t i = 0; i < open_.size(); ++i) {
+      if (isRepaired(result_.after.seams[i], sharp_[i], options_)) to_keep[i] = result_.after.seams[i];
+      open_[i] = open_[i] && !sharp_[i] && !isRepaired(result_.after.seams[i], false, options);
+      if (open_[i]) asked.push_back(i);
+    }
+    const std::vector<std::string> of_g2 = reasons_;
+    for (const std::size_t i : asked) reasons_[i].clear();
+    repair(faces, options, judged(std::move(to_keep), options), progress);
+    for (const std::size_t i : asked)
+      reasons_[i] = open_[i] ? of_g2[i] + "; G1: " + reasons_[i] : "G1 reached; G2: " + of_g2[i];
+  }
+
+  static std::vector<SeamResult> judged(std::vector<SeamResult> seams, const RepairOptions& options) {
+    for (SeamResult& seam : seams) seam.verdict = judge(seam.figures, options.tolerance, options.level());
+    return seams;
+  }
+
   /// What one way leaves the next one tries, in the shape as it is then; what an exact join moves far, first by following.
-  void repair(const std::vector<FaceChoice>& faces) {
+  /// \param options with the order that is tried. \param to_keep what no seam may be worse than.
+  void repair(const std::vector<FaceChoice>& faces, const RepairOptions& options,
+              const std::vector<SeamResult>& to_keep, const Progress& progress) {
+    followed_.clear();
     JoinedPairs pairs;
-    std::array<FollowedFaces, 2> followed;
     DearSeams dear;
     const auto network = [](DearSeams* left) {
-      return [left](const RepairTask& task, const Progress& progress) {
-        return joinNetwork(task, left, progress);
-      };
+      return [left](const RepairTask& task, const Progress& part) { return joinNetwork(task, left, part); };
     };
-    const Solver pairwise = [&pairs](const RepairTask& task, const Progress& progress) {
-      return joinPairs(task, pairs, progress);
+    const Solver pairwise = [&pairs](const RepairTask& task, const Progress& part) {
+      return joinPairs(task, pairs, part);
     };
-    const auto follow = [](LeadReach reach, FollowedFaces& known) {
-      return [reach, &known](const RepairTask& task, const Progress& progress) {
-        return followTargets(task, reach, known, progress);
+    const auto follow = [this](LeadReach reach) {
+      return [this, reach](const RepairTask& task, const Progress& part) {
+        return followTargets(task, reach, followed_, part);
       };
     };
     const std::array<Way, 7> ways = {{{joinPaths, Which::All},
                                       {network(&dear), Which::All},
                                       {pairwise, Which::NotDear},
-                                      {follow(LeadReach::Spans, followed[0]), Which::All},
-                                      {follow(LeadReach::Half, followed[1]), Which::All},
+                                      {follow(LeadReach::Spans), Which::All},
+                                      {follow(LeadReach::Half), Which::All, false},
                                       {network(nullptr), Which::Dear},
                                       {pairwise, Which::Dear}}};
-    const double all = options_.match_mm > 0 && options_.sew ? share_before_sewing : 1;
-    double done = share_of_analysis;
+    double done = 0;
     for (std::size_t k = 0; k < ways.size(); ++k) {
-      const double next = done + (all - done) / static_cast<double>(ways.size() - k);
+      const double next = done + (1 - done) / static_cast<double>(ways.size() - k);
       const TopoDS_Shape shape = result_.model.shape;
-      const std::vector<SeamResult> before = result_.after.seams;
-      RepairTask task{shape, seams_, result_.before.seams, before, faces, sharp_, open_, options_};
+      const std::vector<SeamResult> before = judged(result_.after.seams, options);
+      RepairTask task{shape, seams_, to_keep, before, faces, sharp_, open_, options};
       for (std::size_t i = 0; i < open_.size(); ++i)
         if (ways[k].which != Which::All && (dear.count(i) > 0) != (ways[k].which == Which::Dear))
           task.treated[i] = false;
+      if (options.order > 1 && !ways[k].gives_curvature) task.treated.assign(open_.size(), false);
       pairs.clear();
       says_why_ = ways[k].which != Which::Dear;
       if (std::ranges::count(task.treated, true) > 0)
-        improve(std::move(task), ways[k].solver, partOf(progress_, done, next));
+        improve(std::move(task), ways[k].solver, partOf(progress, done, next));
       done = next;
     }
   }
@@ -155,7 +182,8 @@ class Repairing {
       TopoDS_Shape changed;
       proof.too_far = movedTooFar(rest, solution.changes);
       if (proof.holds()) {
-        changed = withChanges(task.shape, solution.changes, options_.tolerance.gap_mm, solution.paths);
+        changed = withChanges(task.shape, solution.changes, options_.tolerance.gap_mm, solution.paths,
+                              options_.jobs);
         // Figures known are of edges with the paths that they have in the shape.
         MeasuredSeams of_paths;
         MeasuredSeams& known = solution.paths.empty() ? measured : of_paths;
@@ -196,8 +224,9 @@ class Repairing {
   void keep(const RepairTask& task, const RepairSolution& solution, const TopoDS_Shape& changed,
             const Proof& proof) {
     result_.model.shape = changed;
+    followed_.clear();
     was_ = proof.soundness;
-    result_.after.seams = proof.after;
+    result_.after.seams = judged(proof.after, options_);
     seams_ = seamsIn(changed, seams_);
     for (const FaceChange& change : solution.changes) moves_[change.face] = change.largest_move_mm;
     for (const PathChange& change : solution.paths) edge_moves_[change.edge] = change.largest_move_mm;
@@ -253,6 +282,7 @@ class Repairing {
   bool says_why_ = true;              ///< the way at work, also where one before did
   std::map<int, double> moves_;       ///< by face
   std::optional<Soundness> was_;      ///< of the shape as it is, once known
+  FollowedFaces followed_;            ///< in the shape as it is
   std::map<int, double> edge_moves_;  ///< by edge
   Reasons not_sewn_;
   RepairReport result_;

@@ -88,6 +88,9 @@ struct RepairReport {
 /// the tolerance, towards common targets of their seams that agree at vertices, led there over few knot spans, else over half the seam. What
 /// can only be joined exactly by moves of more than twice its defects is followed first. What spoils a way is given up until the rest can be proven.
 ///
+/// With order 2, seams that can't have one curvature are tried once more as G1, if they lack that too: they are not repaired then, but left
+/// better, and their reason begins with "G1 reached; G2: ". A seam that has neither has a reason of the form "...; G1: ...".
+///
 /// A seam that would be a crease (see judge()) if its sides met gets its gap closed and stays sharp, unless its edge was picked. Where faces
 /// fold back on one another below the crease angle nothing is tried.
 ///

@@ -25,6 +25,8 @@ namespace {
 constexpr double difference_step = 1e-4;
 /// Of s, from a pole on: nearer, its normals and curvatures are mostly rounding and what the pole is not smooth by.
 constexpr double pole_stretch = 0.02;
+/// Of s, of a lead: it ends in the middle of the seam.
+constexpr double largest_span = 1.0 / 6;
 
 Eigen::Matrix3d inPlane(const Eigen::Matrix3d& tensor, const Eigen::Vector3d& normal) {
   const Eigen::Matrix3d onto = Eigen::Matrix3d::Identity() - normal * normal.transpose();
@@ -214,8 +216,7 @@ SeamTarget::Mean SeamTarget::led(double s, int order) const {
 }
 
 double SeamTarget::spanAt(int end) const {
-  constexpr double largest = 1.0 / 6;
-  if (reach_ == LeadReach::Half) return largest;
+  if (reach_ == LeadReach::Half) return largest_span;
   if (!spans_) {
     spans_ = {0, 0};
     for (const int side : {0, 1}) {
@@ -224,7 +225,11 @@ double SeamTarget::spanAt(int end) const {
     }
   }
   const double span = (*spans_)[end];
-  return span > 0 ? std::min(span, largest) : largest;
+  return span > 0 ? std::min(span, largest_span) : largest_span;
+}
+
+bool SeamTarget::isLedBriefly() const {
+  return spanAt(0) < largest_span || spanAt(1) < largest_span;
 }
 
 Eigen::Vector3d SeamTarget::way(int end) const {
@@ -380,6 +385,15 @@ Eigen::Vector3d commonNormal(const std::vector<VertexView>& views) {
   return weights.ldlt().solve(sum).normalized();
 }
 
+/// How the normal changes along what is held there: of the tensor the row and column of that way.
+void holdAlong(const VertexView& view, const Eigen::Vector3d& normal, TensorFit& fit) {
+  constexpr double beyond_doubt = 1e8;
+  if (!view.held_along) return;
+  const Eigen::Vector3d way = view.held_along->normalized(), across = normal.cross(way).normalized();
+  fit.add(view.shown.curvature, way, way, beyond_doubt);
+  fit.add(view.shown.curvature, way, across, beyond_doubt);
+}
+
 /// A pole moves a twist by 25 and the bend of a boundary by 10 times as much as itself, in quintic knot spans of length 1.
 Eigen::Matrix3d commonTensor(const std::vector<VertexView>& views, const Eigen::Vector3d& normal) {
   constexpr double twist = 0.4 * 0.4;
@@ -390,6 +404,7 @@ Eigen::Matrix3d commonTensor(const std::vector<VertexView>& views, const Eigen::
       for (std::size_t k = 0; k <= i; ++k)
         fit.add(view.shown.curvature, view.ways[i] / longest, view.ways[k] / longest, i == k ? 1 : twist);
     fit.addWhole(view.shown.curvature, view.ways.size() > 1 ? least_weight : 1);
+    holdAlong(view, normal, fit);
   }
   return fit.tensor();
 }
@@ -509,7 +524,8 @@ Meeting meetingOf(const std::vector<TargetEnd>& ends, const std::map<int, int>& 
     for (const int side : {0, 1}) {
       VertexView view{end.target->seam().sides[side].face, end.target->shown(side, end.end), -1,
                       end.target->isPole(side, end.end)};
-      if (end.target->stays()[side]) view.held = 2;
+      if (end.target->stays()[side]) view.held = end.order > 1 ? 2 : 1;
+      if (end.target->stays()[side] && end.order == 1) view.held_along = end.target->way(end.end);
       if (const auto there = held.find(view.face); there != held.end()) {
         view.held = std::max(view.held, there->second);
         meeting.any_held = true;

@@ -56,6 +56,9 @@ class SeamTarget {
   /// The side has no normal at that end: a boundary of its surface collapses there.
   bool isPole(int side, int end) const { return pole_reach_.at(side).at(end) > 0; }
 
+  /// It would be led otherwise over half the seam.
+  bool isLedBriefly() const;
+
   /// The way of the seam from that end on, over one knot span.
   Eigen::Vector3d way(int end) const;
 
@@ -135,6 +138,8 @@ struct VertexView {
   bool is_pole =
       false;  ///< a boundary of the face collapses there: it shows no curvature, and held alone a normal
   std::vector<Eigen::Vector3d> ways = {};  ///< of the face's seams from there on, over one knot span each
+  /// The way of a seam along which its normals can't change, though across it its curvature is no matter.
+  std::optional<Eigen::Vector3d> held_along = {};
 };
 
 struct VertexConsensus {
@@ -151,6 +156,7 @@ VertexConsensus vertexConsensus(const std::vector<VertexView>& views, int order,
 struct TargetEnd {
   std::shared_ptr<SeamTarget> target;
   int end = 0;
+  int order = 2;  ///< to which its sides are to meet
 };
 
 /// Ends of the targets' seams at one vertex between faces that are joined there by these seams.

@@ -162,6 +162,14 @@ class EdgeSewer {
     return piece;
   }
 
+  /// Otherwise, on a plane, it follows from the curve in space and its range.
+  static bool hasStoredPath(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+    double first = 0, last = 0;
+    bool is_stored = false;
+    const handle<Geom2d_Curve> path = BRep_Tool::CurveOnSurface(edge, face, first, last, &is_stored);
+    return !path.IsNull() && is_stored;
+  }
+
   EdgePiece ownPiece(int edge, int k) const {
     const TopoDS_Edge old = oldEdge(edge);
     const auto cuts = cuts_.find(edge);
@@ -181,7 +189,7 @@ class EdgeSewer {
       const PlanarPath path = pathOf(old, face);
       if (path.curve.IsNull()) continue;
       const PlacedSurface placed = surfaceOf(face);
-      if (is_part)
+      if (is_part && hasStoredPath(old, face))
         builder_.Range(piece.edge, placed.surface, placed.location, at(path.first, path.last, places[0]),
                        at(path.first, path.last, places[1]));
       for (const int end : {0, 1})

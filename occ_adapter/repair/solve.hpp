@@ -69,7 +69,7 @@ using JoinedPairs = std::map<std::array<std::size_t, 3>, JoinedPair>;
 /// \throws Cancelled.
 RepairSolution joinPairs(const RepairTask& task, JoinedPairs& known, const Progress& progress);
 
-/// Faces that followed before, by all that was asked of them, in one shape and with one reach.
+/// Faces that followed before, by all that was asked of them, in one shape.
 using FollowedFaces = std::map<std::string, FaceFollow>;
 
 /// All faces at once follow common targets of their seams, which agree at vertices. A boundary that is not treated keeps its shape, or, where

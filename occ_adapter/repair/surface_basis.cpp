@@ -47,9 +47,10 @@ std::vector<int> SplineAxis::spans() const {
 }
 
 std::vector<int> SplineAxis::polesNear(double t) const {
-  const int at = span(t, 0);
+  constexpr int most_more = 3;
+  const int at = span(t, 0), more = std::min(degree, most_more);
   std::vector<int> near;
-  for (int k = at - 2 * degree; k <= at + degree; ++k) {
+  for (int k = at - degree - more; k <= at + more; ++k) {
     if (periodic)
       near.push_back((k % poles + poles) % poles);
     else if (k >= 0 && k < poles)

@@ -37,7 +37,7 @@ struct SplineAxis {
   double length(int span) const { return knots[span + 1] - knots[span]; }
   double middle(int span) const { return (knots[span + 1] + knots[span]) / 2; }
   int pole(int function) const { return periodic ? function % poles : function; }
-  /// The poles whose functions are not zero at t, and as many again as the degree on both sides.
+  /// The poles whose functions are not zero at t, and up to three more on both sides.
   std::vector<int> polesNear(double t) const;
   /// The mean of the knots that a pole's function depends on.
   double greville(int function) const;

@@ -27,16 +27,16 @@ std::vector<double> sampleShares(int count, int dense) {
 }  // namespace
 
 TaskPlaces::TaskPlaces(const FaceTask& task, const MovingSurface& surface) {
-  constexpr int per_pole = 3, between = 4;
+  constexpr int per_pole = 3, between = 2;
   const SurfaceBasis& basis = surface.basis();
-  const double rate = per_pole * std::max({1.0, polesPerSpan(basis.u()), polesPerSpan(basis.v())});
+  const Eigen::Vector2d poles(std::max(1.0, polesPerSpan(basis.u())), std::max(1.0, polesPerSpan(basis.v())));
   const int degree = std::max(basis.u().degree, basis.v().degree);
   double length = 0, spans = 0;
   for (const FollowPath& path : task.paths) {
     const PlanePath plane(path);
-    const SpanMeasure measure(plane, basis, surface.before());
+    const SpanMeasure measure(plane, basis, surface.before(), poles);
     const std::vector<double> shares =
-        sampleShares(static_cast<int>(std::ceil(rate * measure.spans() - 1e-6)) + degree, per_pole);
+        sampleShares(static_cast<int>(std::ceil(per_pole * measure.crossed() - 1e-6)) + degree, per_pole);
     PathPlaces& places = paths.emplace_back();
     for (std::size_t k = 0; k < shares.size(); ++k) {
       places.samples.push_back(plane.place(basis, measure.at(shares[k])));

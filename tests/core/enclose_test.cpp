@@ -4,7 +4,6 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <seamwright/core/seam/enclose.hpp>
 #include <seamwright/core/seam/judge.hpp>
@@ -20,7 +19,6 @@ using test::logUniform;
 using test::PatchSide;
 using test::Vec;
 
-constexpr double pi = std::numbers::pi;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Largest values of measurePair() at evenly spaced points and both ends.

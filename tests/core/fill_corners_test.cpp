@@ -82,7 +82,7 @@ TEST_P(CornerKnots, PlanesAreMetButForTheLastPieceBesideTheCorner) {
     const std::vector<BSplineSurface> surfaces = withCornerKnots(fill, allowed_rad);
     for (std::size_t k = 0; k < surfaces.size(); ++k) {
       const SideAngles before = anglesAt(splineSurface(fill.patches[k]), sides, k, 1);
-      const int levels = (surfaces[k].countU() - surfaces[k].degree_u - 1) / 2;
+      const int levels = std::max(0, (surfaces[k].countU() - surfaces[k].degree_u - 1) / 2 - 2);
       const SideAngles after = anglesAt(surfaces[k], sides, k, std::ldexp(1.0, -levels));
       EXPECT_LE(after.near_corner, allowed_rad);
       if (levels == 0) continue;
@@ -105,6 +105,31 @@ TEST_P(CornerKnots, SecondDerivativesStayBounded) {
     return bend;
   };
   EXPECT_LT(largest(1e-5), 1.5 * largest(1e-2));
+}
+
+/// x (1 - x)^(N - 1) at the scale 2^-k, beside the corner.
+double bump(int degree, int k, double away) {
+  const double x = std::ldexp(away, k);
+  return x < 1 ? std::ldexp(x * std::pow(1 - x, degree - 1), -k) : 0;
+}
+
+// (4)
+TEST_P(CornerKnots, CurvatureAcrossTheSidesStaysBesideTheCorner) {
+  const NSidedFill fill = nSidedFill(defectiveHole(GetParam(), random_));
+  const std::vector<BSplineSurface> surfaces = withCornerKnots(fill, 1e-4);
+  for (std::size_t k = 0; k < surfaces.size(); ++k) {
+    const BezierPatch& patch = fill.patches[k];
+    const int degree = patch.degreeU();
+    const SurfaceJet corner = patch.jet(1, 1);
+    const Vector3d normal = corner.u.cross(corner.v).normalized();
+    for (int i = 0; i <= 200; ++i) {
+      const double away = std::pow(i / 200.0, 4);
+      const Vector3d change = (degree - 1) / 2.0 * fill.corners[k].twist_defect_mm *
+                              (2 * bump(degree, 1, away) - bump(degree, 2, away)) * normal;
+      EXPECT_LT((jet(surfaces[k], 1, 1 - away).uu - patch.jet(1, 1 - away).uu - change).norm(), 1e-6) << away;
+      EXPECT_LT((jet(surfaces[k], 1 - away, 1).vv - patch.jet(1 - away, 1).vv + change).norm(), 1e-6) << away;
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Sides, CornerKnots, testing::Values(3, 4, 5, 6));

@@ -285,6 +285,16 @@ struct Round {
   TopoDS_Shape shape;
 };
 
+/// From the height 0 upward, outward by the slope at first.
+handle<Geom_Curve> meridian(double radius, double slope) {
+  TColgp_Array1OfPnt poles(1, 4);
+  poles(1) = gp_Pnt(radius, 0, 0);
+  poles(2) = gp_Pnt(radius + 5 * std::sin(slope), 0, 5 * std::cos(slope));
+  poles(3) = gp_Pnt(radius + 1, 0, 9);
+  poles(4) = gp_Pnt(radius + 4, 0, 14);
+  return new Geom_BezierCurve(poles);
+}
+
 std::vector<Round> roundPairs(double angle_rad, double to) {
   const double r = 20, cone = 0.3;
   const auto cone_face =
@@ -299,16 +309,21 @@ std::vector<Round> roundPairs(double angle_rad, double to) {
   return {
       {"cone", beside(new Geom_ConicalSurface(gp::XOY(), slope, r), 0, 12)},
       {"sphere", beside(new Geom_SphericalSurface(at(sphere_r * std::sin(slope)), sphere_r), -slope, 0.4)},
+      {"sphere to its pole",
+       beside(new Geom_SphericalSurface(at(sphere_r * std::sin(slope)), sphere_r), -slope, pi / 2)},
       {"torus", beside(new Geom_ToroidalSurface(at(tube * std::sin(slope)), r - tube * std::cos(slope), tube),
-                       2 * pi - slope, 2 * pi + 0.5)}};
+                       2 * pi - slope, 2 * pi + 0.5)},
+      {"most of a torus",
+       beside(new Geom_ToroidalSurface(at(tube * std::sin(slope)), r - tube * std::cos(slope), tube),
+              2 * pi - slope, 2 * pi + 4)},
+      {"revolution", beside(new Geom_SurfaceOfRevolution(meridian(r, slope), gp::OZ()), 0, 1)}};
 }
 
 /// Pairs that are loose are matched, moved and sewn.
 TEST(Convert, RoundFacesOpenAndClosed) {
   for (const double to : {1.5, 2 * pi})
     for (const Round& pair : roundPairs(0.4 * degree, to))
-      for (const int fixed : to > 2 ? std::vector{1} : std::vector{1, 2}) {
-        if (to > 2 && pair.name == "torus") continue;  // the moved face misses the vertex of the closed edge
+      for (const int fixed : {1, 2}) {
         SCOPED_TRACE(pair.name + " to " + std::to_string(to) + ", face " + std::to_string(fixed) + " stays");
         RepairOptions options = converting();
         options.match_mm = 0.05;

@@ -272,9 +272,9 @@ TEST(Prove, TheWholeIsCheckedToo) {
 /// A box grown by a hundredth, with moves of its faces as said.
 class GrownBox : public testing::Test {
  protected:
-  std::vector<FaceChange> changes(double said_mm) const {
+  std::vector<FaceChange> changes(double said_mm, double share = 0.01) const {
     gp_Trsf grow;
-    grow.SetScale(gp_Pnt(5, 10, 15), 1.01);
+    grow.SetScale(gp_Pnt(5, 10, 15), 1 + share);
     std::vector<FaceChange> changes;
     for (int f = 1; f <= 6; ++f) {
       const handle<Geom_Surface> surface = BRep_Tool::Surface(face(box_, f));
@@ -297,6 +297,17 @@ TEST_F(GrownBox, NoPointMovesFurtherThanIsSaid) {
   ASSERT_EQ(lied.faces.size(), 6u);
   for (const auto& [number, why] : lied.faces)
     EXPECT_EQ(why, "a point of it would move 0.187083 mm, its poles 0.01 mm");
+}
+
+TEST_F(GrownBox, ATenthAndAHundredthOfTheGapMoreAreNoMatter) {
+  const auto faults = [this](double said_mm, double share) {
+    return solid_.proofOf(changes(said_mm, share)).faces.size();
+  };
+  EXPECT_EQ(faults(truly_mm_ / 1.09, 0.01), 0);
+  EXPECT_EQ(faults(truly_mm_ / 1.12, 0.01), 6);
+  const double a_hundredth = 0.01 * 0.01 * 0.01 / truly_mm_;
+  EXPECT_EQ(faults(0, 0.9 * a_hundredth), 0);
+  EXPECT_EQ(faults(0, 1.1 * a_hundredth), 6);
 }
 
 TEST_F(GrownBox, TheVolumeChangesByWhatTheMovesExplain) {

@@ -2,10 +2,13 @@
 """What repair writes: the model, the table and the JSON, and that they say the same."""
 
 import json
+import os
+import subprocess
+import sys
 
 import pytest
 
-from command import READER, run
+from command import PROGRAM, READER, run
 from models import MODELS, OCCT_DATA, box_text, installed, reader_that_finds, roof_text
 from patches import sheet_text, surfaces_of, worst_figures
 from schemas import expect_every_key_matters, expect_valid, schema, validator
@@ -349,6 +352,25 @@ def test_all_defects_of_real_models(tmp_path, path, treated, largest_move_mm):
     assert report["summary"]["treated"] == report["summary"]["repaired"] == treated
     assert report["summary"]["largest_move_mm"] <= largest_move_mm
     expect_same_verdicts(report, out)
+
+
+def largest_memory_kb(*arguments):
+    """Of the command that ran, without the process that reads files."""
+    with open(os.devnull, "w") as nowhere:
+        process = subprocess.Popen([PROGRAM, *map(str, arguments)], stdout=nowhere, stderr=nowhere)
+        _, status, usage = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    assert process.returncode in (0, 1)
+    return usage.ru_maxrss
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="peaks of memory are in kB on Linux alone")
+def test_memory_stays_small(tmp_path):
+    """102 seams between 99 faces, all of them repaired: no more than half of what the analysis takes is added."""
+    path = installed(OCCT_DATA / "occ/shell1.brep")
+    analysed = largest_memory_kb("analyze", path, "--jobs", 2)
+    repaired = largest_memory_kb("repair", path, "-o", tmp_path / "out.brep", "--jobs", 2)
+    assert repaired <= 1.5 * analysed, (analysed, repaired)
 
 
 @pytest.mark.parametrize("path", REAL, ids=lambda path: path.name)

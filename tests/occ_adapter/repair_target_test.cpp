@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Seams that can't have the curvature asked for.
+#include <gtest/gtest.h>
+
+#include <BRep_Builder.hxx>
+#include <TopoDS_Compound.hxx>
+#include <cmath>
+
+#include "grids.hpp"
+#include "match_pairs.hpp"
+#include "repair_checks.hpp"
+
+namespace seamwright::test {
+namespace {
+
+using occ::RepairOptions;
+using occ::RepairReport;
+using occ::SeamRepair;
+
+constexpr double width = 20, bend_per_mm = 0.02, across_per_mm = 0.01;
+
+/// x from x0 to x0 + 20, y from y0 to y0 + 20: z = bend x^2 / 2 + 0.01 y^2 / 2, and kink y more where y > 0.
+Spline quarter(double x0, double y0, double bend, double kink) {
+  TColgp_Array2OfPnt poles(1, 3, 1, 3);
+  const auto ordinates = [](double from, double second) {
+    const double to = from + width;
+    return std::array<double, 3>{second * from * from / 2, second * from * to / 2, second * to * to / 2};
+  };
+  const std::array<double, 3> of_x = ordinates(x0, bend), of_y = ordinates(y0, across_per_mm);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const double x = x0 + width * i / 2, y = y0 + width * j / 2;
+      poles(i + 1, j + 1) = gp_Pnt(x, y, of_x[i] + of_y[j] + (y > 0 ? kink * y : 0));
+    }
+  Spline surface = splineOf(poles, 2, 2);
+  surface->IncreaseDegree(5, 5);
+  return surface;
+}
+
+/// Four quarters about the origin, the right ones with another curvature; the upper ones meet the lower ones at a small angle.
+/// Faces 1 and 3 are the lower ones, so edges of curvatures that contradict one another meet at the origin.
+TopoDS_Shape quarters(double kink) {
+  return gridOf({{quarter(-width, -width, 0, kink), quarter(-width, 0, 0, kink)},
+                 {quarter(0, -width, bend_per_mm, kink), quarter(0, 0, bend_per_mm, kink)}});
+}
+
+/// Beside them two sheets that can have what is asked for.
+TopoDS_Shape quartersAndSheets(double kink) {
+  std::mt19937 generator(20501);
+  const BRep_Builder builder;
+  TopoDS_Compound both;
+  builder.MakeCompound(both);
+  builder.Add(both, quarters(kink));
+  gp_Trsf away;
+  away.SetTranslation(gp_Vec(200, 0, 0));
+  builder.Add(both, joinedSheets(disturbedSheets(generator, 0.01)).Moved(away));
+  return both;
+}
+
+RepairOptions lowerOnesStay(int order) {
+  RepairOptions options = strictRepair(order);
+  options.fixed_faces = {1, 3};
+  return options;
+}
+
+bool isBetween(const SeamRepair& seam, int a, int b) {
+  return seam.before.faces == std::array<int, 2>{a, b} || seam.before.faces == std::array<int, 2>{b, a};
+}
+
+TEST(RepairTarget, WhatCannotHaveOneCurvatureGetsOneTangentPlane) {
+  for (const double kink : {0.002, -0.01}) {
+    SCOPED_TRACE(kink);
+    const RepairReport report = repairedModel(quartersAndSheets(kink), lowerOnesStay(2));
+    int to_g1 = 0, to_g2 = 0;
+    for (const SeamRepair& seam : report.seams) {
+      SCOPED_TRACE(describe(seam.after) + ": " + seam.reason);
+      if (isBetween(seam, 1, 2) || isBetween(seam, 3, 4)) {
+        ++to_g1;
+        EXPECT_EQ(seam.before.verdict.level, Level::G0);
+        EXPECT_EQ(seam.after.verdict.level, Level::G1);
+        EXPECT_EQ(seam.after.verdict.seam_class, SeamClass::Defect);
+        EXPECT_TRUE(seam.treated);
+        EXPECT_FALSE(seam.repaired);
+        EXPECT_EQ(seam.reason.rfind("G1 reached; G2: ", 0), 0);
+        EXPECT_GT(seam.reason.size(), std::string("G1 reached; G2: ").size());
+      } else if (isBetween(seam, 5, 6)) {
+        ++to_g2;
+        EXPECT_TRUE(seam.repaired);
+        EXPECT_GE(seam.after.verdict.level, Level::G2);
+        EXPECT_TRUE(seam.reason.empty());
+      } else {
+        EXPECT_EQ(seam.after.verdict.level, seam.before.verdict.level);
+        EXPECT_EQ(seam.reason.find("G1 reached"), std::string::npos);
+      }
+    }
+    EXPECT_EQ(to_g1, 2);
+    EXPECT_EQ(to_g2, 1);
+  }
+}
+
+/// With the first target out of reach the second one is what it is without the first.
+TEST(RepairTarget, TheTangentPlaneIsAsGoodAsAskedForAlone) {
+  const RepairReport both = repairedModel(quarters(0.002), lowerOnesStay(2)),
+                     alone = repairedModel(quarters(0.002), lowerOnesStay(1));
+  EXPECT_EQ(repairedSeams(alone), 2) << reasonsOf(alone);
+  EXPECT_NEAR(largestMove_mm(both), largestMove_mm(alone), 1e-9);
+}
+
+TEST(RepairTarget, BothReasonsAreToldWhereNeitherIsReached) {
+  RepairOptions options = lowerOnesStay(2);
+  options.max_move_mm = 1e-6;
+  const RepairReport report = repairedModel(quarters(0.01), options);
+  EXPECT_FALSE(report.changed());
+  int told = 0;
+  for (const SeamRepair& seam : report.seams) {
+    if (seam.before.verdict.level != Level::G0) continue;
+    const std::size_t second = seam.reason.find("; G1: ");
+    ASSERT_NE(second, std::string::npos) << seam.reason;
+    EXPECT_GT(second, 0);
+    EXPECT_GT(seam.reason.size(), second + 6);
+    ++told;
+  }
+  EXPECT_EQ(told, 2);
+}
+
+}  // namespace
+}  // namespace seamwright::test
