@@ -45,6 +45,10 @@ def worst(report, figure):
 
 def main():
     model, folder = Path(sys.argv[1]), Path(sys.argv[2])
+    if not model.is_file():
+        sys.exit(f"{model}: there is no such file")
+    if not folder.is_dir():
+        sys.exit(f"{folder}: there is no such folder; make it first")
     broken(Part.read(str(model))).exportStep(str(folder / "broken.step"))
     given = seamwright.read(folder / "broken.step")
     for target in ("G1", "G2"):

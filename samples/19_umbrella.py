@@ -49,29 +49,40 @@ def certified(umbrella):
     return largest
 
 
-def draw(umbrella, move):
-    for k, member in enumerate(umbrella["members"]):
+COLORS = {"patch": "#0072b2", "triangle": "#009e73", "spoke": "#d55e00"}
+
+
+def labels():
+    """The word for a kind of line where it is drawn first."""
+    words = {kind: kind for kind in COLORS}
+    return lambda kind: words.pop(kind, None)
+
+
+def draw(umbrella, move, label):
+    for member in umbrella["members"]:
         triangle = isinstance(member, seamwright.BezierTriangle)
-        color = ("#0072b2", "#009e73")[triangle]
+        kind = "triangle" if triangle else "patch"
+        color = COLORS[kind]
         for fixed in np.linspace(0, 1, 9)[1:]:
             free = np.linspace(0, 1 - fixed if triangle else 1, 25)
-            picture.line([member.point(fixed, x) + move for x in free], color=color)
+            picture.line([member.point(fixed, x) + move for x in free], color=color, label=label(kind))
             picture.line([member.point(x, fixed) + move for x in free], color=color)
         if triangle:
             picture.line([member.point(x, 1 - x) + move for x in np.linspace(0, 1, 25)], color=color)
     for curve in umbrella["spokes"]:
-        picture.curve(seamwright.BezierCurve(curve.poles + move), "#d55e00", width=2.5)
+        picture.curve(seamwright.BezierCurve(curve.poles + move), COLORS["spoke"], label=label("spoke"), width=2.5)
 
 
 picture = Picture("Umbrellas: around given spokes, and inside a boundary", view=(0.1, -0.9, 1.2))
 
 mixed = seamwright.umbrella([spoke(k) for k in range(5)], kinds=["patch", "patch", "triangle", "patch", "triangle"])
-draw(mixed, [0, 0, 0])
+label = labels()
+draw(mixed, [0, 0, 0], label)
 print(f"around 5 spokes: members of degree {mixed['members'][0].degree_u}, angle below {certified(mixed):.0e} rad, "
       f"condition {mixed['condition']:.1f}")
 
 filled = seamwright.umbrella_inside([side(k) for k in range(5)])
-draw(filled, [28, 0, 0])
+draw(filled, [28, 0, 0], label)
 print(f"inside 5 sides: members of degree {filled['members'][0].degree_u}, angle below {certified(filled):.0e} rad, "
       f"sectors of {np.degrees(filled['angles_rad']).round().astype(int)} degrees")
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -37,21 +38,51 @@ fs::path withoutLinks(const fs::path& target) {
   return error ? target : real;
 }
 
+/// How names of files beside the target begin; a number and ".part" follow.
+std::string stemBeside(const fs::path& target) {
+  return "." + target.filename().string().substr(0, 200) + ".";
+}
+
+bool isBeside(const std::string& name, const std::string& stem) {
+  const std::string end = ".part";
+  if (name.size() <= stem.size() + end.size() || name.rfind(stem, 0) != 0 ||
+      name.compare(name.size() - end.size(), end.size(), end) != 0)
+    return false;
+  return std::all_of(name.begin() + static_cast<std::ptrdiff_t>(stem.size()),
+                     name.end() - static_cast<std::ptrdiff_t>(end.size()),
+                     [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// Whoever writes a file beside a target holds its lock, which ends with the process however that ends.
+bool locked(int file) {
+  return ::flock(file, LOCK_EX | LOCK_NB) == 0;
+}
+
+/// Takes away what processes that were killed left beside the target.
+void sweepBeside(const fs::path& target) {
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folderOf(target), error)) {
+    if (!isBeside(entry.path().filename().string(), stemBeside(target))) continue;
+    const int file = ::open(entry.path().c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (file < 0) continue;
+    if (entry.is_regular_file(error) && locked(file)) ::unlink(entry.path().c_str());
+    ::close(file);
+  }
+}
+
 /// A new file beside the target; gone with the object, unless it took the target's place.
 class Beside {
  public:
   explicit Beside(const fs::path& target) : target_(target) {
-    std::random_device random;
-    do {
-      path_ = folderOf(target) /
-              ("." + target.filename().string().substr(0, 200) + "." + std::to_string(random()) + ".part");
-      file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    } while (file_ < 0 && errno == EEXIST);
-    if (file_ < 0) fail(target_, errno);
+    sweepBeside(target);
+    while (!create()) {
+    }
+    lock_ = ::fcntl(file_, F_DUPFD_CLOEXEC, 0);
   }
   ~Beside() {
     if (file_ >= 0) ::close(file_);
     if (!path_.empty()) ::unlink(path_.c_str());
+    if (lock_ >= 0) ::close(lock_);
   }
   Beside(const Beside&) = delete;
   Beside& operator=(const Beside&) = delete;
@@ -80,6 +111,19 @@ class Beside {
   }
 
  private:
+  /// \returns whether the file is there, and not taken for a stale one before it was locked. Some file systems have no locks: nothing is
+  /// swept there.
+  bool create() {
+    path_ = folderOf(target_) / (stemBeside(target_) + std::to_string(std::random_device()()) + ".part");
+    file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (file_ < 0 && errno == EEXIST) return false;
+    if (file_ < 0) fail(target_, errno);
+    struct stat now {};
+    if ((locked(file_) || errno != EWOULDBLOCK) && ::fstat(file_, &now) == 0 && now.st_nlink > 0) return true;
+    ::close(file_);
+    return false;
+  }
+
   void rename(bool replace) {
     if (!replace) {
       if (::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) == 0) return;
@@ -101,6 +145,7 @@ class Beside {
   fs::path target_;
   fs::path path_;
   int file_ = -1;
+  int lock_ = -1;  ///< the same file: the lock outlives file_, until the name is the target's
 };
 
 }  // namespace

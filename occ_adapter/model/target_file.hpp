@@ -9,7 +9,8 @@
 
 namespace seamwright::occ {
 
-/// Gives a file its content at once or not at all: the bytes go to a file beside it, to the disk, and take its place.
+/// Gives a file its content at once or not at all: the bytes go to a file beside it, to the disk, and take its place. What processes that
+/// were killed left beside it for that is taken away.
 ///
 /// \param replace a file that is there may be replaced; it hands its permissions on.
 /// \param check called with the file beside when it is whole; what it throws is passed on.

@@ -9,6 +9,7 @@
 #include <TopExp_Explorer.hxx>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <string>
 
@@ -196,6 +197,33 @@ TEST(CornerFilletLimits, WhatFallsShortIsSaid) {
   EXPECT_FALSE(strict.met());
   EXPECT_TRUE(strict.valid);
   EXPECT_THAT(strict.shortfall, HasSubstr("a seam between a patch and a fillet: level G0, "));
+}
+
+/// A bore beside the edge: its rim and the line in which the fillet touches the face cross.
+TEST(CornerFilletLimits, FilletsAcrossABoreFailTheChecks) {
+  const TopoDS_Shape bore =
+      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(1.5, 5, -1), gp_Dir(0, 0, 1)), 0.6, 12).Shape();
+  const Model model = modelFromShape(BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(10, 10, 10).Shape(), bore).Shape());
+  const int vertex = vertexAt(model.shape, {0, 0, 0});
+  CornerFilletOptions options;
+  for (const int edge : occ::cornerEdges(model, vertex)) options.radii_mm[edge] = 1.5;
+  const occ::CornerFillet crossed = cornerFillet(model, vertex, options);
+  EXPECT_FALSE(crossed.valid || crossed.met());
+  EXPECT_THAT(crossed.shortfall, HasSubstr("OpenCASCADE's checks"));
+  for (auto& [edge, radius_mm] : options.radii_mm) radius_mm = 0.5;
+  EXPECT_TRUE(cornerFillet(model, vertex, options).met());
+}
+
+TEST(CornerFilletLimits, PatchesThatAreNotProvedRegularAreNotMet) {
+  CubeCorner cube;
+  cube.options.radii_mm.begin()->second = 4;
+  for (auto radius = std::next(cube.options.radii_mm.begin()); radius != cube.options.radii_mm.end();
+       ++radius)
+    radius->second = 0.001;
+  const occ::CornerFillet result = cornerFillet(cube.model, cube.vertex, cube.options);
+  EXPECT_FALSE(result.fill.regular || result.met());
+  EXPECT_TRUE(result.valid);
+  EXPECT_THAT(result.shortfall, HasSubstr("not proved regular"));
 }
 
 TEST(CornerFilletLimits, WorkCanBeStopped) {

@@ -14,6 +14,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <array>
 #include <cmath>
 #include <gp_Cylinder.hxx>
 #include <map>
@@ -143,7 +144,7 @@ TEST_P(Corners, BecomeValidSolidsOfSmoothSeams) {
   EXPECT_TRUE(report.non_manifold.empty());
 }
 
-/// Ours is set back further and takes, or adds, some more.
+/// Ours is set back further and takes, or adds, some more: little beside a ball's way through three edges, more where theirs is a plate.
 TEST_P(Corners, DifferLittleFromOpenCascadesOwn) {
   const auto& [name, shape, corner, radii_mm, native] = GetParam();
   if (!native) GTEST_SKIP() << "OpenCASCADE makes none";
@@ -157,7 +158,8 @@ TEST_P(Corners, DifferLittleFromOpenCascadesOwn) {
   double size_mm3 = 0;
   for (const occ::CornerFilletEdge& edge : result.edges)
     size_mm3 += edge.contact_mm * edge.contact_mm * edge.setback_mm;
-  EXPECT_NEAR(volume_mm3(result.model.shape), volume_mm3(fillet.Shape()), size_mm3);
+  EXPECT_NEAR(volume_mm3(result.model.shape), volume_mm3(fillet.Shape()),
+              (result.edges.size() == 3 ? 0.1 : 0.35) * size_mm3);
 }
 
 /// Identity (1).
@@ -206,6 +208,42 @@ TEST(CornerFillet, OfACubeIsNearTheOctantOfABall) {
           }
       EXPECT_LT(furthest, bound * r) << setback;
     }
+}
+
+/// Of x . n over a patch, n towards where the partial by u is left of that by v; by Gauss and Legendre.
+double flux_mm3(const BezierPatch& patch) {
+  constexpr std::array<double, 5> places = {0, 0.5384693101056831, -0.5384693101056831, 0.9061798459386640,
+                                            -0.9061798459386640};
+  constexpr std::array<double, 5> weights = {0.5688888888888889, 0.4786286704993665, 0.4786286704993665,
+                                             0.2369268850561891, 0.2369268850561891};
+  constexpr int cells = 8;
+  double sum = 0;
+  for (int i = 0; i < cells; ++i)
+    for (int j = 0; j < cells; ++j)
+      for (std::size_t a = 0; a < places.size(); ++a)
+        for (std::size_t b = 0; b < places.size(); ++b) {
+          const SurfaceJet jet =
+              patch.jet((i + (1 + places[a]) / 2) / cells, (j + (1 + places[b]) / 2) / cells);
+          sum += weights[a] * weights[b] * jet.p.dot(jet.u.cross(jet.v)) / (4 * cells * cells);
+        }
+  return sum;
+}
+
+/// The solid's volume is what the planes, cylinders and patches enclose, by Gauss's theorem about the corner: planes through it have no
+/// part in it.
+TEST(CornerFillet, OfACubeHoldsWhatItsSurfacesEnclose) {
+  for (const std::vector<double>& radii_mm :
+       {std::vector<double>{1}, std::vector<double>{1, 2, 3}, std::vector<double>{0.1, 2, 4}}) {
+    const CornerFillet result = rounded(box(10, 10, 10), {0, 0, 0}, radii_mm);
+    double cut_mm3 = 0, patches_mm3 = 0;
+    for (const occ::CornerFilletEdge& edge : result.edges) {
+      const double section_mm2 = (1 - pi / 4) * edge.radius_mm * edge.radius_mm;
+      cut_mm3 += section_mm2 * (10 - edge.setback_mm) + section_mm2 * edge.setback_mm / 3;
+    }
+    for (const BezierPatch& patch : result.fill.patches) patches_mm3 += flux_mm3(patch);
+    cut_mm3 += std::abs(patches_mm3) / 3;
+    EXPECT_NEAR(volume_mm3(result.model.shape), 1000 - cut_mm3, 2e-5) << radii_mm.size();
+  }
 }
 
 /// Identity (2): what a box grows by when it gets longer is its cross-section, rounded.

@@ -85,7 +85,8 @@ TEST_P(CurvedCorners, BecomeValidSolidsOfSmoothSeams) {
     size_mm3 += edge.contact_mm * edge.contact_mm * edge.setback_mm;
   const TopoDS_Shape theirs = native(shape, result.edges);
   ASSERT_FALSE(theirs.IsNull());
-  EXPECT_NEAR(volume_mm3(result.model.shape), volume_mm3(theirs), size_mm3);
+  EXPECT_NEAR(volume_mm3(result.model.shape), volume_mm3(theirs),
+              (result.edges.size() == 3 ? 0.1 : 0.55) * size_mm3);
   if (native_deg > 0) {
     EXPECT_GT(largestAngle_deg(theirs), native_deg);
   }

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Repair stopped: Ctrl-C ends it with status 130 and nothing left behind; killed at any moment, the files are whole or absent."""
 
+import fcntl
 import json
 import os
 import pty
@@ -105,6 +106,36 @@ def test_killed_at_any_moment(model, out):
             assert name in (out, "out.json") or ".part" in name
             (model.parent / name).unlink()
     assert {"nothing", "part"} <= seen
+
+
+def test_what_a_killed_run_left_is_swept_by_the_next(model):
+    left = []
+    for _ in range(20):
+        process = start(model, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        wait_for_a_file_beside(model, process)
+        process.send_signal(signal.SIGKILL)
+        process.wait(timeout=20)
+        left = [name for name in os.listdir(model.parent) if name.startswith(".out.step.")]
+        if left:
+            break
+        for name in ("out.step", "out.json"):
+            (model.parent / name).unlink(missing_ok=True)
+    assert left
+    whole_run(model)
+    assert not [name for name in os.listdir(model.parent) if name.startswith(".out.step.")]
+
+
+def test_what_is_being_written_and_other_files_stay(model):
+    others = [model.parent / name for name in (".out.step.x7.part", ".other.step.7.part", "out.step.7.part", ".out.step..part")]
+    held, stale = model.parent / ".out.step.7.part", model.parent / ".out.step.8.part"
+    for path in (*others, held, stale):
+        path.write_text("kept")
+    with open(held, "r+") as writer:
+        fcntl.flock(writer, fcntl.LOCK_EX)
+        whole_run(model)
+        assert held.exists() and not stale.exists()
+    whole_run(model)
+    assert not held.exists() and all(path.read_text() == "kept" for path in others)
 
 
 def test_a_bar_on_a_terminal_and_none_in_a_pipe(tmp_path):

@@ -3,19 +3,16 @@
 
 import contextlib
 import math
-import os
-import tempfile
 from unittest import mock
 
 import FreeCAD as App
 import models
 import Part
-from document_cases import ABSENT, DocumentCase
+from document_cases import DocumentCase
 from match_cases import text_of
 
 from freecad.seamwright.document import corner
 from freecad.seamwright.document.hooks import hooks
-from freecad.seamwright.plain import kernel
 
 
 class CornerCase(DocumentCase):
@@ -155,7 +152,7 @@ class Errors(CornerCase):
         cube = self.cube()
         self.assertNotRounded(corner.create(cube, "Vertex1", 9.0), "a fillet of radius 9 mm")
         near = corner.create(cube, "Vertex1", 1.0, setbacks_mm=0.5)
-        self.assertNotRounded(near, "a setback of 0.500000 mm leaves no room")
+        self.assertNotRounded(near, "a setback of 0.5 mm leaves no room")
         self.assertNotRounded(corner.create(cube, "Vertex1", 0.0), "radius of Edge1 is 0 mm")
         self.assertNotRounded(corner.create(cube, "Vertex99", 1.0), "Cube has no Vertex99")
         self.assertNotRounded(corner.create(cube, "Edge1", 1.0), "Cube has no Edge1")

@@ -4,20 +4,18 @@
 import contextlib
 import itertools
 import math
-import os
 import random
-import tempfile
 from unittest import mock
 
 import FreeCAD as App
 import models
 import Part
-from document_cases import ABSENT, DocumentCase
+from document_cases import DocumentCase
 from match_cases import text_of
 
 from freecad.seamwright.document import elements, fill
 from freecad.seamwright.document.hooks import hooks
-from freecad.seamwright.plain import fill_text, kernel
+from freecad.seamwright.plain import fill_text
 
 
 #: A fill of three sides leaves the octant of a ball of 4 mm, of 33.5 mm3, by less than a twentieth of it.

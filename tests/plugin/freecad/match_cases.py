@@ -4,19 +4,16 @@
 import contextlib
 import json
 import math
-import os
 import re
-import tempfile
 from unittest import mock
 
 import FreeCAD as App
 import models
 import Part
-from document_cases import ABSENT, DocumentCase
+from document_cases import DocumentCase
 
 from freecad.seamwright.document import match
 from freecad.seamwright.document.hooks import hooks
-from freecad.seamwright.plain import kernel
 
 
 class MatchCase(DocumentCase):

@@ -12,12 +12,12 @@ from unittest import mock
 import FreeCAD as App
 import models
 import Part
-from document_cases import ABSENT, DocumentCase
+from document_cases import DocumentCase
 from match_cases import text_of
 
 from freecad.seamwright.document import analysis, elements, repair
 from freecad.seamwright.document.hooks import hooks
-from freecad.seamwright.plain import kernel, repair_text
+from freecad.seamwright.plain import repair_text
 
 
 def seam_angles(shape):
