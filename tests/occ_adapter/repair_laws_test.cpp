@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
+#include <BRep_Builder.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Compound.hxx>
 #include <algorithm>
 
 #include "repair_checks.hpp"
@@ -101,6 +103,29 @@ TEST_P(RepairLaws, SwapOfParameters) {
   Net swapped = net_;
   for (std::size_t f = 0; f < swapped.faces.size(); f += 2) swapParameters(swapped.faces[f]);
   expectSame(outcome_, outcomeOf(shapeOf(swapped), options_), options_);
+}
+
+Outcome sumOf(Outcome a, const Outcome& b) {
+  a.treated += b.treated;
+  a.repaired += b.repaired;
+  for (std::vector<double> Outcome::*figures :
+       {&Outcome::angles_rad, &Outcome::gaps_mm, &Outcome::moves_mm}) {
+    (a.*figures).insert((a.*figures).end(), (b.*figures).begin(), (b.*figures).end());
+    std::ranges::sort(a.*figures);
+  }
+  return a;
+}
+
+TEST_P(RepairLaws, PartsThatDoNotMeetAreRepairedAsEachAlone) {
+  gp_Trsf aside;
+  aside.SetTranslation(gp_Vec(0, 200, 0));
+  const TopoDS_Shape other = transformed(shapeOf(brokenNet(GetParam(), 8)), aside);
+  const BRep_Builder builder;
+  TopoDS_Compound both;
+  builder.MakeCompound(both);
+  builder.Add(both, shapeOf(net_));
+  builder.Add(both, other);
+  expectSame(sumOf(outcome_, outcomeOf(other, options_)), outcomeOf(both, options_), options_);
 }
 
 INSTANTIATE_TEST_SUITE_P(Nets, RepairLaws,

@@ -246,6 +246,29 @@ TEST(SeamTarget, WhereItsPathStandsStillItShowsThePlace) {
     }
 }
 
+TEST(SeamTarget, TheReachMattersWhereItIsLedBriefly) {
+  std::mt19937 generator(43);
+  for (const int poles : {4, 14}) {
+    const Spline surface = sheet(generator, poles, poles, 3, 3);
+    const std::array<Spline, 2> sides = {surface, copyOf(surface)};
+    addNoise(sides[1], generator, 0.01);
+    const Path along = curvedPath({{0.1, 0.5}, {0.9, 0.6}});
+    const auto target = [&](occ::LeadReach reach) {
+      return SeamTarget(seamBetween({sides[0], along}, {sides[1], along, false}),
+                        {wholePath(along), wholePath(along)}, both_move, 1, reach);
+    };
+    SeamTarget over_spans = target(occ::LeadReach::Spans), over_half = target(occ::LeadReach::Half);
+    EXPECT_FALSE(over_half.isLedBriefly());
+    EXPECT_EQ(over_spans.isLedBriefly(), poles > 4);
+    const TargetPoint end = near(over_half.at(0), generator, 0.05, 0.001);
+    for (SeamTarget* led : {&over_spans, &over_half}) led->setEnd(0, end);
+    double apart_mm = 0;
+    for (const double s : {0.05, 0.1, 0.2, 0.3, 0.4})
+      apart_mm = std::max(apart_mm, (over_spans.at(s).point - over_half.at(s).point).norm());
+    EXPECT_EQ(apart_mm > 1e-3, over_spans.isLedBriefly()) << apart_mm;
+  }
+}
+
 TEST(SeamTarget, PlacesOfAMatchedSeamMayBeGivenTwice) {
   std::mt19937 generator(42);
   NearlyJoined pair(generator, 0.01);
