@@ -92,8 +92,9 @@ struct NSidedFill {
 /// regular, beginnings of the spokes are prescribed in some lengths, and differences of the other order are tried.
 ///
 /// **Curvature.** With FillOptions::curvature_degrees, the squared jumps of normal curvature at places along all edges are made least, with
-/// little of the differences of poles. The joins stay as they are. What does not make the largest jump smaller, or is not proved regular, is
-/// not taken. It is zero in general for no choice: two neighbours of a corner would have to agree to higher order.
+/// little of the differences of poles. The joins stay as they are. What does not make the squares smaller, makes the largest jump larger by
+/// more than a fiftieth, or is not proved regular, is not taken. Jumps are zero in general for no choice: two neighbours of a corner would have
+/// to agree to higher order.
 ///
 /// **Corners.** The edges and cross fields of the two sides of a corner are in one plane, and the angle of the hole there is between 0 and pi.
 /// The mixed derivatives that the two neighbours ask for agree where they have the same second fundamental form II(E_(k-1)', E_k'), as parts

@@ -27,7 +27,7 @@ std::vector<double> sampleShares(int count, int dense) {
 }  // namespace
 
 TaskPlaces::TaskPlaces(const FaceTask& task, const MovingSurface& surface) {
-  constexpr int per_pole = 3, between = 2;
+  constexpr int per_pole = 3;
   const SurfaceBasis& basis = surface.basis();
   const Eigen::Vector2d poles(std::max(1.0, polesPerSpan(basis.u())), std::max(1.0, polesPerSpan(basis.v())));
   const int degree = std::max(basis.u().degree, basis.v().degree);
@@ -37,6 +37,8 @@ TaskPlaces::TaskPlaces(const FaceTask& task, const MovingSurface& surface) {
     const SpanMeasure measure(plane, basis, surface.before(), poles);
     const std::vector<double> shares =
         sampleShares(static_cast<int>(std::ceil(per_pole * measure.crossed() - 1e-6)) + degree, per_pole);
+    // Curvature varies most.
+    const int between = path.order > 1 ? 4 : 2;
     PathPlaces& places = paths.emplace_back();
     for (std::size_t k = 0; k < shares.size(); ++k) {
       places.samples.push_back(plane.place(basis, measure.at(shares[k])));

@@ -346,6 +346,34 @@ TEST(VertexConsensus, LongerWaysCountMore) {
   EXPECT_LT((vertexConsensus(bare, 2, {}).target.normal - Eigen::Vector3d::UnitZ()).norm(), 1e-12);
 }
 
+TEST(VertexConsensus, AlongAWayThatIsHeldTheNormalTurnsAsItDoes) {
+  std::mt19937 generator(13);
+  for (int trial = 0; trial < 100; ++trial) {
+    const TargetPoint middle{Eigen::Vector3d::Random() * 50, Eigen::Vector3d::Random().normalized(), {}};
+    std::vector<VertexView> views;
+    for (int face = 1; face <= 3; ++face) views.push_back({face, near(middle, generator, 0, 0), -1});
+    // Of one face how the normal turns along a way, of the others all the rest.
+    const Eigen::Vector3d way = views[0].shown.normal.unitOrthogonal(),
+                          across = way.cross(views[0].shown.normal);
+    views[0].shown.curvature += 0.5 * across * across.transpose() + 0.3 * way * way.transpose() +
+                                0.2 * (way * across.transpose() + across * way.transpose());
+    views[0].held = 1;
+    views[0].held_along = 3 * way;
+    views[0].ways = {3 * way};
+    for (const int other : {1, 2}) views[other].ways = {5 * way, 5 * across};
+    const Eigen::Matrix3d common = vertexConsensus(views, 2, {}).target.curvature;
+    EXPECT_LT((common * way - views[0].shown.curvature * way).norm(), 1e-7);
+    views[0].held_along.reset();
+    const Eigen::Matrix3d free = vertexConsensus(views, 2, {}).target.curvature;
+    EXPECT_GT((free * way - views[0].shown.curvature * way).norm(), 0.01);
+    EXPECT_NEAR(across.dot(common * across), across.dot(free * across), 1e-7);
+    views[0].held = 2;
+    const Eigen::Matrix3d whole = vertexConsensus(views, 2, {}).target.curvature;
+    EXPECT_LT((whole - views[0].shown.curvature).norm(), 1e-12);
+    EXPECT_GT(std::abs(across.dot(whole * across) - across.dot(common * across)), 0.01);
+  }
+}
+
 TEST(VertexConsensus, TwoThatCantChangeAndDifferAreTold) {
   TargetPoint a{Eigen::Vector3d(1, 2, 3), Eigen::Vector3d::UnitZ(), Eigen::Matrix3d::Zero()}, b = a;
   b.point.x() += 0.5;
