@@ -45,7 +45,7 @@ struct FillHoleReport {
   std::vector<FillCorner> corners;
   bool regular = false;  ///< as of NSidedFill
   double reach = 0;  ///< the farthest pole of the fill from the middle of the hole, over that of its sides
-  /// With the target G2, as of NSidedFill: against the curvature of the neighbours as it was fitted.
+  /// Where the fill was built with regard to curvature, as of NSidedFill: against the curvature of the neighbours as it was fitted.
   std::optional<double> curvature_jump_per_mm;
   std::vector<SeamResult>
       outer;  ///< between the new faces and the others; measured in the filled model, also if that was not kept

@@ -123,8 +123,8 @@ void bindHole(py::module_& module) {
           "Bound of the relative difference of curvature over all new seams; None: not known.")
       .def_property_readonly(
           "curvature_jump_per_mm", [](const FillReport& fill) { return fill.report.curvature_jump_per_mm; },
-          "With the target G2 the largest jump of normal curvature as the fill was built, against neighbours "
-          "as they were fitted, at places along the seams; else None.")
+          "Where the fill was built with regard to curvature the largest jump of normal curvature, against "
+          "neighbours as they were fitted, at places along the seams; else None.")
       .def("to_dict", &toDict, "All but the model as a plain dict with the keys of the JSON.")
       .def(
           "to_json", [](const FillReport& fill) { return report::toLine(fill.json()); },

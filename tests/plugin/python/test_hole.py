@@ -29,7 +29,7 @@ def test_a_face_is_replaced(shell):
     report = fill.to_dict()
     seams = report["outer"] + report["inner"]
     assert fill.largest_curvature_rel == report["largest_curvature_rel"] == max(seam["curvature_rel"]["upper"] for seam in seams)
-    assert fill.curvature_jump_per_mm is report["curvature_jump_per_mm"] is None
+    assert fill.curvature_jump_per_mm == report["curvature_jump_per_mm"]
     assert report["schema"] == "seamwright.fill/1"
     assert len(report["sides"]) == len(report["corners"]) == len(report["faces"]) == len(report["inner"]) == 4
     assert fill.model.face_count == shell.face_count - 1 + 4
