@@ -31,6 +31,7 @@
 #include <seamwright/occ_adapter/convert/bezier_surface.hpp>
 #include <seamwright/occ_adapter/fill/corner_ball.hpp>
 #include <seamwright/occ_adapter/fill/corner_bands.hpp>
+#include <seamwright/occ_adapter/fill/corner_contact.hpp>
 #include <seamwright/occ_adapter/fill/fill_names.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
 
@@ -40,49 +41,6 @@ namespace {
 
 using Eigen::Vector3d;
 using opencascade::handle;
-
-Vector3d vector(const gp_XYZ& xyz) {
-  return {xyz.X(), xyz.Y(), xyz.Z()};
-}
-
-/// The edge between a band and a face, from the ball outward.
-class Contact {
- public:
-  Contact(const TopoDS_Edge& edge, const TopoDS_Face& band, const TopoDS_Face& face,
-          const TopoDS_Vertex& near)
-      : edge_(TopoDS::Edge(edge.Oriented(TopAbs_FORWARD))), curve_(edge_), face_(face) {
-    on_band_ = BRep_Tool::CurveOnSurface(edge_, band, first_, last_);
-    on_face_ = BRep_Tool::CurveOnSurface(edge_, face, first_, last_);
-    near_first_ = TopExp::FirstVertex(edge_).IsSame(near);
-  }
-
-  const TopoDS_Edge& edge() const { return edge_; }
-  const TopoDS_Face& face() const { return face_; }
-  bool nearFirst() const { return near_first_; }
-
-  /// The curve's parameter at a share of the way from the ball.
-  double at(double share) const {
-    return near_first_ ? first_ + share * (last_ - first_) : last_ - share * (last_ - first_);
-  }
-  Vector3d point(double share) const { return vector(curve_.Value(at(share)).XYZ()); }
-  gp_Pnt2d onBand(double share) const { return on_band_->Value(at(share)); }
-  gp_Pnt2d onFace(double share) const { return on_face_->Value(at(share)); }
-  /// Unit, towards the ball.
-  Vector3d inward(double share) const {
-    gp_Pnt point;
-    gp_Vec run;
-    curve_.D1(at(share), point, run);
-    return (near_first_ ? -1 : 1) * vector(run.XYZ()).normalized();
-  }
-
- private:
-  TopoDS_Edge edge_;
-  BRepAdaptor_Curve curve_;
-  TopoDS_Face face_;
-  handle<Geom2d_Curve> on_band_, on_face_;
-  double first_ = 0, last_ = 0;
-  bool near_first_ = true;
-};
 
 /// Where f, negative at first, becomes positive in [0, 1]; nothing where it does not.
 template <class Function>

@@ -475,18 +475,6 @@ Model without(const Model& model, const TopoDS_Shape& face) {
   return rest;
 }
 
-/// What the parts of the rest of a model are called in the whole.
-class Numbers {
- public:
-  Numbers(const TopoDS_Shape& whole, const TopoDS_Shape& rest, TopAbs_ShapeEnum kind)
-      : whole_(partsOf(whole, kind)), rest_(partsOf(rest, kind)) {}
-
-  int given(int number) const { return whole_.FindIndex(rest_(number)); }
-
- private:
-  TopTools_IndexedMapOfShape whole_, rest_;
-};
-
 /// The hole in the rest of a model that a face left.
 Hole holeOf(const Model& rest, const TopoDS_Shape& face, const FillHoleOptions& options) {
   std::set<int> wanted;

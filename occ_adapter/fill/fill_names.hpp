@@ -1,11 +1,26 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <TopTools_IndexedMapOfShape.hxx>
+
 #include <seamwright/occ_adapter/fill/fill.hpp>
+#include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/repair/sewn_shape.hpp>
 
 /// Fills of models that are parts or stages of what the user gave; not a public header.
 namespace seamwright::occ {
+
+/// What the parts of the rest of a model are called in the whole.
+class Numbers {
+ public:
+  Numbers(const TopoDS_Shape& whole, const TopoDS_Shape& rest, TopAbs_ShapeEnum kind)
+      : whole_(partsOf(whole, kind)), rest_(partsOf(rest, kind)) {}
+
+  int given(int number) const { return whole_.FindIndex(rest_(number)); }
+
+ private:
+  TopTools_IndexedMapOfShape whole_, rest_;
+};
 
 /// As fillHole(); \param names of the model's faces.
 FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOptions& options,

@@ -85,10 +85,7 @@ class Filling(FillWindow):
 
     def test_holes_are_chosen_in_the_panel_and_in_the_view(self):
         obj, panel = self.start()
-        first = self.ticked(panel)
-        self.assertEqual(panel.summary.text(), "2 holes to fill.")
-        for place in range(3):
-            panel.holes.item(place).setCheckState(QtCore.Qt.Checked)
+        self.assertEqual((self.ticked(panel), panel.summary.text()), ([0, 1, 2], "3 holes to fill."))
         self.preview(panel)
         self.assertEqual((obj.Filled, obj.NewFaces, obj.Shape.isClosed()), (3, 9, True))
         Gui.Selection.clearSelection()
@@ -100,10 +97,9 @@ class Filling(FillWindow):
         self.preview(panel)
         self.assertEqual((elements.names(obj, "Edges"), obj.Filled), ([self.loops[2][0]], 1))
         for place in range(3):
-            state = QtCore.Qt.Checked if place in first else QtCore.Qt.Unchecked
-            panel.holes.item(place).setCheckState(state)
+            panel.holes.item(place).setCheckState(QtCore.Qt.Checked)
         self.preview(panel)
-        self.assertEqual((elements.names(obj, "Edges"), obj.Filled), ([], 2))
+        self.assertEqual((elements.names(obj, "Edges"), obj.Filled), ([], 3))
         panel.before.setChecked(True)
         settle()
         item = panel.holes.item(1)
@@ -173,7 +169,7 @@ class Filling(FillWindow):
         self.assertIn("Cancelled", panel.summary.text())
         self.assertEqual(self.visible(), ["Block"])
         self.ok()
-        self.assertEqual((fill.error_text(obj), obj.Filled), ("", 2))
+        self.assertEqual((fill.error_text(obj), obj.Filled), ("", 3))
 
 
 class Choosing(FillWindow):
@@ -197,7 +193,7 @@ class Choosing(FillWindow):
     def test_an_analysis_stands_for_what_it_analysed(self):
         found = analysis.create([self.source])
         obj, panel = self.start(source=found)
-        self.assertEqual((obj.Source, panel.summary.text()), (self.source, "2 holes to fill."))
+        self.assertEqual((obj.Source, panel.summary.text()), (self.source, "3 holes to fill."))
         self.cancel()
 
     def test_a_model_without_holes_says_so(self):
