@@ -52,10 +52,11 @@ CentreFields centreFields(const std::vector<FillSide>& sides, int degree, double
         acrossSide(sides[k], result.spokes.row(static_cast<Eigen::Index>(k)), end, degree - 1);
     result.sides[k] = across.taken;
     result.joins[k] = Connection{.alpha = across.p, .beta = -across.q};
-    const double bound =
-        angleBound(across.wanted, across.taken - across.wanted, rows::derivative<3>(sides[k].edge.poles()));
     for (FillCorner* corner : {&result.corners[k], &result.corners[next]})
-      if (!corner->exact) corner->angle_bound_rad = std::max(corner->angle_bound_rad, bound);
+      if (!corner->exact)
+        corner->angle_bound_rad =
+            std::max(corner->angle_bound_rad, angleBound(across.wanted, across.taken - across.wanted,
+                                                         rows::derivative<3>(sides[k].edge.poles())));
   }
   return result;
 }

@@ -145,6 +145,32 @@ TEST(ThreeSidedFillOfSurface, SphereAndTorus) {
   EXPECT_TRUE(cap.regular);
 }
 
+// Three quarters of cylinders of radius 10 end at the arcs; of the fields only their direction counts.
+TEST(ThreeSidedFillOfSurface, EighthOfASphere) {
+  const double handle = 4 * (std::sqrt(2.0) - 1) / 3;
+  std::vector<FillSide> sides;
+  for (int k = 0; k < 3; ++k) {
+    const Vector3d a = 10 * Vector3d::Unit(k), b = 10 * Vector3d::Unit((k + 1) % 3);
+    Poles arc(4, 3);
+    arc << a.transpose(), (a + handle * b).transpose(), (handle * a + b).transpose(), b.transpose();
+    sides.push_back({BezierCurve(arc), Poles(-Vector3d::Unit((k + 2) % 3).transpose() * (k + 1))});
+  }
+  const ThreeSidedFill fill = threeSidedFill(sides);
+  EXPECT_TRUE(fill.regular);
+  const Eigen::Matrix3d turn = (Eigen::Matrix3d() << 0, 0, 1, 1, 0, 0, 0, 1, 0).finished();
+  for (int k = 0; k < 3; ++k) {
+    const BezierTriangle& triangle = fill.triangles[k];
+    EXPECT_EQ(triangle.degree(), 4);
+    EXPECT_LT(test::spokeAngle(fill, k), 1e-9);
+    EXPECT_LT(test::sideAngle(fill, sides, k), 1e-9);
+    EXPECT_LT(
+        (fill.triangles[(k + 1) % 3].poles() - triangle.poles() * turn.transpose()).cwiseAbs().maxCoeff(),
+        1e-12);
+    for (double u : {0.0, 0.2, 0.4})
+      for (double v : {0.1, 0.3, 0.6}) EXPECT_NEAR(triangle.point(u, v).norm(), 10, 0.35);
+  }
+}
+
 template <class Matcher>
 void expectRefused(const std::vector<FillSide>& sides, const Matcher& message,
                    ThreeSidedFillOptions options = {}) {
