@@ -235,6 +235,22 @@ TEST(ThreeSidedFillLimits, TangentPlanesOfACornerDiffer) {
   EXPECT_GT(test::sideAngle(fill, sides, 0), 1e-5);
 }
 
+TEST(ThreeSidedFillLimits, BoundOfOneCornerAlone) {
+  for (int end : {0, 1}) {
+    std::vector<FillSide> sides = hole(test::plane());
+    (*sides[0].cross)(3 * end, 2) += 0.003;
+    const ThreeSidedFill fill = threeSidedFill(sides, {.corner_tolerance_rad = 2e-3});
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_EQ(fill.corners[k].exact, k != end);
+      EXPECT_EQ(fill.corners[k].angle_bound_rad > 0, k == end);
+    }
+    const double angle = test::sideAngle(fill, sides, 0), bound = fill.corners[end].angle_bound_rad;
+    EXPECT_LE(angle, bound + 1e-12);
+    EXPECT_GT(angle, bound / 2);
+    EXPECT_LT(test::sideAngle(fill, sides, 2 - end), 1e-9);
+  }
+}
+
 TEST(ProvedRegularOfTriangle, FlatFoldedAndCollapsed) {
   std::mt19937_64 random(4);
   for (int run = 0; run < 12; ++run)
