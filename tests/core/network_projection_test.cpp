@@ -29,7 +29,7 @@ TEST(NetworkProjection, NearestSolutionsWhereRowsDependOnEachOther) {
   std::mt19937 random(31);
   std::uniform_real_distribution<double> value(-1, 1);
   for (int trial = 0; trial < 60; ++trial) {
-    const double apart = std::pow(10.0, -trial % 7);
+    const double apart = std::pow(10.0, -trial % 5);
     SCOPED_TRACE(apart);
     const Eigen::MatrixXd a = system(40, 70, apart, random);
     const Eigen::MatrixXd target = Eigen::MatrixXd::NullaryExpr(70, 3, [&] { return value(random); });
