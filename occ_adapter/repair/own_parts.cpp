@@ -13,13 +13,16 @@ namespace seamwright::occ {
 
 namespace {
 
-/// How many of the shapes, each in one place, are instances of the same.
-std::map<const TopoDS_TShape*, int> instancesOf(const TopTools_IndexedMapOfShape& shapes) {
+/// In how many places each thing in the shape stands.
+std::map<const TopoDS_TShape*, int> instancesIn(const TopoDS_Shape& shape) {
+  TopTools_IndexedMapOfShape all;
+  TopExp::MapShapes(shape, all);
   std::map<const TopoDS_TShape*, int> instances;
-  for (int i = 1; i <= shapes.Extent(); ++i) ++instances[shapes(i).TShape().get()];
+  for (int i = 1; i <= all.Extent(); ++i) ++instances[all(i).TShape().get()];
   return instances;
 }
 
+/// What compounds hold, in place.
 void addAssembled(const TopoDS_Shape& shape, TopTools_IndexedMapOfShape& parts) {
   if (shape.ShapeType() != TopAbs_COMPOUND) {
     parts.Add(shape);
@@ -31,19 +34,17 @@ void addAssembled(const TopoDS_Shape& shape, TopTools_IndexedMapOfShape& parts) 
 class Parting {
  public:
   explicit Parting(const TopoDS_Shape& shape) {
-    TopTools_IndexedMapOfShape all, assembled;
-    TopExp::MapShapes(shape, all);
-    instances_ = instancesOf(all);
+    const std::map<const TopoDS_TShape*, int> instances = instancesIn(shape);
+    TopTools_IndexedMapOfShape assembled;
     addAssembled(shape, assembled);
-    const std::map<const TopoDS_TShape*, int> parts = instancesOf(assembled);
     for (int i = 1; i <= assembled.Extent(); ++i)
-      if (parts.at(assembled(i).TShape().get()) > 1) keep(assembled(i));
+      for (const auto& [part, count] : instancesIn(assembled(i)))
+        if (count > 1 && count == instances.at(part)) parted_.insert(part);
   }
 
   TopoDS_Shape own(const TopoDS_Shape& placed) {
-    if (kept_.count(placed.TShape().get()) > 0) return placed;
     if (done_.IsBound(placed)) return done_.Find(placed).Oriented(placed.Orientation());
-    bool is_new = placed.ShapeType() >= TopAbs_FACE && instances_.at(placed.TShape().get()) > 1;
+    bool is_new = parted_.count(placed.TShape().get()) > 0;
     TopTools_ListOfShape children;
     for (TopoDS_Iterator it(placed, false, true); it.More(); it.Next()) {
       children.Append(own(it.Value()));
@@ -63,15 +64,8 @@ class Parting {
   }
 
  private:
-  void keep(const TopoDS_Shape& part) {
-    TopTools_IndexedMapOfShape within;
-    TopExp::MapShapes(part, within);
-    for (int i = 1; i <= within.Extent(); ++i) kept_.insert(within(i).TShape().get());
-  }
-
   BRep_Builder builder_;
-  std::map<const TopoDS_TShape*, int> instances_;
-  std::set<const TopoDS_TShape*> kept_;
+  std::set<const TopoDS_TShape*> parted_;  ///< what stands several times, all in one part of the assembly
   TopTools_DataMapOfShapeShape done_;
 };
 

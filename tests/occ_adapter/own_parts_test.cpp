@@ -164,20 +164,24 @@ TEST(OwnParts, InstancesOfAnAssemblyAreLeftWithTheReason) {
   EXPECT_EQ(told, 2);
 }
 
-/// Faces that hang in a compound, not in a shell: the ends are instances, the sides have edges of them.
-TEST(OwnParts, FacesWithEdgesOfInstancesStay) {
+TEST(OwnParts, FacesWithEdgesThatStandElsewhereStay) {
   const TopoDS_Shape solid = prism();
+  const RepairReport alone = repaired(solid);
+  const int kinked = std::ranges::find(alone.seams, true, &occ::SeamRepair::treated)->before.edges[0];
+  gp_Trsf away;
+  away.SetTranslation(gp_Vec(0, 500, 0));
   const BRep_Builder builder;
-  TopoDS_Compound faces;
-  builder.MakeCompound(faces);
-  const TopTools_IndexedMapOfShape parts = partsOf(solid, TopAbs_FACE);
-  for (int f = 1; f <= parts.Extent(); ++f) builder.Add(faces, parts(f));
-  const RepairReport report = repaired(faces);
+  TopoDS_Compound both;
+  builder.MakeCompound(both);
+  builder.Add(both, solid);
+  builder.Add(both, located(partsOf(solid, TopAbs_EDGE)(kinked), away));
+  const RepairReport report = repaired(both);
   EXPECT_FALSE(report.changed());
   int told = 0;
   for (const occ::SeamRepair& seam : report.seams)
     if (seam.before.verdict.seam_class == SeamClass::Defect) {
-      EXPECT_THAT(seam.reason, HasSubstr("which stands in the model 2 times"));
+      EXPECT_THAT(seam.reason,
+                  HasSubstr("has edge " + std::to_string(kinked) + ", which stands in the model 2 times"));
       ++told;
     }
   EXPECT_EQ(told, 1);
