@@ -23,6 +23,7 @@
 #include <seamwright/occ_adapter/analyze/workers.hpp>
 #include <seamwright/occ_adapter/convert/edge_image.hpp>
 #include <seamwright/occ_adapter/repair/change.hpp>
+#include <seamwright/occ_adapter/repair/own_parts.hpp>
 
 namespace seamwright::occ {
 
@@ -409,7 +410,8 @@ class Changer {
 TopoDS_Shape withChanges(const TopoDS_Shape& shape, const std::vector<FaceChange>& changes, double gap_mm,
                          const std::vector<PathChange>& paths, int jobs) {
   if (changes.empty() && paths.empty()) return shape;
-  return Changer(shape, changes, gap_mm, paths, jobs).run();
+  const TopoDS_Shape own = withOwnParts(shape);
+  return Changer(own, changes, gap_mm, paths, jobs).run();
 }
 
 }  // namespace seamwright::occ

@@ -28,9 +28,10 @@ struct PathChange {
 /// and locations; what does not depend on a changed face is shared with the given shape. Edges keep their paths in the parameter planes but for those given;
 /// their curves in space are made anew where a face beside them or a path changed, halfway between both sides; vertices are put where their edges
 /// end; tolerances are what is measured, and not below those they had where nothing moved (by more than a thousandth of \p gap_mm).
+/// Parts that stand in one part of an assembly several times become parts of their own: withOwnParts().
 /// \param jobs threads; 0: one for each processor.
-/// \throws std::invalid_argument for a face number that the shape does not have or that is given twice, and for a face that stands in the
-/// shape more than once (a part with several instances); std::runtime_error where a curve can't be built; Standard_Failure.
+/// \throws std::invalid_argument for a face number that the shape does not have or that is given twice, and for a face, edge or vertex that
+/// still stands in the shape more than once (of a part with several instances); std::runtime_error where a curve can't be built; Standard_Failure.
 TopoDS_Shape withChanges(const TopoDS_Shape& shape, const std::vector<FaceChange>& changes, double gap_mm,
                          const std::vector<PathChange>& paths = {}, int jobs = 1);
 

@@ -11,6 +11,7 @@
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
 #include <seamwright/occ_adapter/match/boundary.hpp>
 #include <seamwright/occ_adapter/repair/choose.hpp>
+#include <seamwright/occ_adapter/repair/own_parts.hpp>
 
 namespace seamwright::occ {
 
@@ -41,23 +42,52 @@ std::map<int, const LooseEdge*> crowdedEdges(const Report& report) {
   return edges;
 }
 
+/// Why a face stays with other instances of it or of its edges; empty if there are none.
+class Instances {
+ public:
+  explicit Instances(const TopoDS_Shape& shape) : own_(withOwnParts(shape)) {
+    TopExp::MapShapes(own_, TopAbs_FACE, faces_);
+    TopExp::MapShapes(own_, TopAbs_EDGE, edges_);
+    for (const TopTools_IndexedMapOfShape* parts : {&faces_, &edges_})
+      for (int i = 1; i <= parts->Extent(); ++i) ++counts_[(*parts)(i).TShape().get()];
+  }
+
+  std::string whyNot(int face) const {
+    if (const int count = countOf(faces_(face)); count > 1)
+      return "stands in the model " + std::to_string(count) + " times";
+    TopTools_IndexedMapOfShape within;
+    TopExp::MapShapes(faces_(face), TopAbs_EDGE, within);
+    for (int i = 1; i <= within.Extent(); ++i)
+      if (const int count = countOf(within(i)); count > 1)
+        return "has edge " + std::to_string(edges_.FindIndex(within(i))) + ", which stands in the model " +
+               std::to_string(count) + " times";
+    return {};
+  }
+
+ private:
+  int countOf(const TopoDS_Shape& part) const { return counts_.at(part.TShape().get()); }
+
+  TopoDS_Shape own_;
+  TopTools_IndexedMapOfShape faces_, edges_;
+  std::map<const TopoDS_TShape*, int> counts_;
+};
+
 std::vector<FaceChoice> chooseFaces(const TopoDS_Shape& shape, const Report& before,
                                     const std::vector<int>& fixed) {
   const std::map<int, const LooseEdge*> crowded = crowdedEdges(before);
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
-  std::map<const TopoDS_TShape*, int> instances;
-  for (int f = 1; f <= faces.Extent(); ++f) ++instances[faces(f).TShape().get()];
+  const Instances instances(shape);
   std::vector<FaceChoice> choices(static_cast<std::size_t>(faces.Extent()) + 1);
   for (int f = 1; f <= faces.Extent(); ++f) {
     const TopoDS_Face& face = TopoDS::Face(faces(f));
     TopLoc_Location location;
-    const int count = instances.at(face.TShape().get());
+    const std::string of_instances = instances.whyNot(f);
     std::string& why = choices[f].cannot_move;
     if (std::ranges::count(fixed, f) > 0)
       why = "is fixed";
-    else if (count > 1)
-      why = "stands in the model " + std::to_string(count) + " times";
+    else if (!of_instances.empty())
+      why = of_instances;
     else if (const auto edge = crowded.find(f); edge != crowded.end())
       why = "has edge " + std::to_string(edge->second->edge) + ", where " +
             std::to_string(edge->second->faces.size()) + " faces meet";

@@ -111,24 +111,33 @@ bool isLarger(const std::optional<Figure>& after, const std::optional<Figure>& b
 }
 
 /// Up to the level asked for what is seen counts, above it what is sure.
-bool isLower(const SeamResult& after, const SeamResult& before, const RepairOptions& options) {
+bool isLower(const SeamResult& after, const SeamResult& before, const ContinuityTolerance& tolerance,
+             Level asked) {
   const Level level = before.verdict.level;
   if (after.verdict.level >= level) return false;
-  return after.verdict.level < options.level() || surelyReaches(before.figures, options.tolerance, level);
+  return after.verdict.level < asked || surelyReaches(before.figures, tolerance, level);
+}
+
+bool isLessCertain(const SeamResult& after, const SeamResult& before, const ContinuityTolerance& tolerance,
+                   Level asked) {
+  const bool had_it = surelyReaches(before.figures, tolerance, asked);
+  return (before.verdict.certain && !after.verdict.certain) ||
+         (had_it && !surelyReaches(after.figures, tolerance, asked));
 }
 
 /// Which figure is worse than it was; empty if none.
-std::string whyWorse(const SeamResult& after, const SeamResult& before, const RepairOptions& options) {
-  if (isLower(after, before, options)) return "a lower level";
+std::string whyWorse(const SeamResult& after, const SeamResult& before, const RepairOptions& options,
+                     Level asked) {
+  if (isLower(after, before, options.tolerance, asked)) return "a lower level";
   const bool was_crease = before.verdict.seam_class == SeamClass::Crease;
   if (was_crease && after.verdict.seam_class == SeamClass::Defect) return "another class";
-  if (before.verdict.certain && !after.verdict.certain) return "less certain";
+  if (isLessCertain(after, before, options.tolerance, asked)) return "less certain";
   if (isLarger(after.figures.gap_mm, before.figures.gap_mm, options.tolerance.gap_mm)) return "a larger gap";
   if (was_crease) return {};
   if (isLarger(after.figures.angle_rad, before.figures.angle_rad, options.tolerance.angle_rad))
     return "a larger angle";
-  const bool asked = options.order == 2 && before.figures.curvature_rel;
-  if (asked &&
+  const bool counts = options.order == 2 && before.figures.curvature_rel;
+  if (counts &&
       isLarger(after.figures.curvature_rel, before.figures.curvature_rel, options.tolerance.curvature_rel))
     return "a larger difference of curvature";
   return {};
@@ -143,10 +152,10 @@ void judgeTreated(const RepairTask& task, Proof& proof) {
 void judgeOthers(const RepairTask& task, Proof& proof) {
   for (std::size_t i = 0; i < proof.after.size(); ++i) {
     if (task.treated[i]) continue;
-    const SeamResult& after = proof.after[i];
-    if (const std::string why = whyWorse(after, task.at_first[i], task.options); !why.empty())
+    const SeamResult &after = proof.after[i], &before = task.to_keep[i];
+    if (const std::string why = whyWorse(after, before, task.options, task.asked); !why.empty())
       proof.worse[i] = "edge " + std::to_string(after.edges.front()) + " would get " + why + " (" +
-                       figuresText(after) + "; before " + figuresText(task.at_first[i]) + ")";
+                       figuresText(after) + "; before " + figuresText(before) + ")";
   }
 }
 

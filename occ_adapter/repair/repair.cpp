@@ -48,7 +48,8 @@ class Repairing {
       seams_ = seamsOf(model_.shape, options_, {});
       const double all = options_.match_mm > 0 && options_.sew ? share_before_sewing : 1;
       const double target = options_.order == 1 ? all : (share_of_analysis + all) / 2;
-      repair(choice.faces, options_, result_.before.seams, partOf(progress_, share_of_analysis, target));
+      to_keep_ = result_.before.seams;
+      repair(choice.faces, options_, partOf(progress_, share_of_analysis, target));
       if (options_.order > 1) repairToG1(choice.faces, partOf(progress_, target, all));
     }
     if (options_.match_mm > 0 && options_.sew) sew();
@@ -80,16 +81,15 @@ class Repairing {
   void repairToG1(const std::vector<FaceChoice>& faces, const Progress& progress) {
     RepairOptions options = options_;
     options.order = 1;
-    std::vector<SeamResult> to_keep = result_.before.seams;
+    to_keep_ = judged(std::move(to_keep_), options);
     std::vector<std::size_t> asked;
     for (std::size_t i = 0; i < open_.size(); ++i) {
-      if (isRepaired(result_.after.seams[i], sharp_[i], options_)) to_keep[i] = result_.after.seams[i];
       open_[i] = open_[i] && !sharp_[i] && !isRepaired(result_.after.seams[i], false, options);
       if (open_[i]) asked.push_back(i);
     }
     const std::vector<std::string> of_g2 = reasons_;
     for (const std::size_t i : asked) reasons_[i].clear();
-    repair(faces, options, judged(std::move(to_keep), options), progress);
+    repair(faces, options, progress);
     for (const std::size_t i : asked)
       reasons_[i] = open_[i] ? of_g2[i] + "; G1: " + reasons_[i] : "G1 reached; G2: " + of_g2[i];
   }
@@ -100,9 +100,8 @@ class Repairing {
   }
 
   /// What one way leaves the next one tries, in the shape as it is then; what an exact join moves far, first by following.
-  /// \param options with the order that is tried. \param to_keep what no seam may be worse than.
-  void repair(const std::vector<FaceChoice>& faces, const RepairOptions& options,
-              const std::vector<SeamResult>& to_keep, const Progress& progress) {
+  /// \param options with the order that is tried.
+  void repair(const std::vector<FaceChoice>& faces, const RepairOptions& options, const Progress& progress) {
     followed_.clear();
     JoinedPairs pairs;
     DearSeams dear;
@@ -129,7 +128,7 @@ class Repairing {
       const double next = done + (1 - done) / static_cast<double>(ways.size() - k);
       const TopoDS_Shape shape = result_.model.shape;
       const std::vector<SeamResult> before = judged(result_.after.seams, options);
-      RepairTask task{shape, seams_, to_keep, before, faces, sharp_, open_, options};
+      RepairTask task{shape, seams_, to_keep_, before, faces, sharp_, open_, options, options_.level()};
       for (std::size_t i = 0; i < open_.size(); ++i)
         if (ways[k].which != Which::All && (dear.count(i) > 0) != (ways[k].which == Which::Dear))
           task.treated[i] = false;
@@ -231,6 +230,7 @@ class Repairing {
     for (const FaceChange& change : solution.changes) moves_[change.face] = change.largest_move_mm;
     for (const PathChange& change : solution.paths) edge_moves_[change.edge] = change.largest_move_mm;
     for (std::size_t i = 0; i < task.treated.size(); ++i) {
+      if (open_[i] && isRepaired(proof.after[i], sharp_[i], task.options)) to_keep_[i] = proof.after[i];
       if (!task.treated[i]) continue;
       open_[i] = false;
       reasons_[i].clear();
@@ -278,6 +278,7 @@ class Repairing {
   std::vector<Seam> seams_;           ///< of the shape as it is
   std::vector<bool> sharp_;           ///< by seam, see Choice
   std::vector<bool> open_;            ///< by seam: to be repaired, and not yet
+  std::vector<SeamResult> to_keep_;   ///< what no seam may be worse than: as given, or as repaired
   std::vector<std::string> reasons_;  ///< by seam
   bool says_why_ = true;              ///< the way at work, also where one before did
   std::map<int, double> moves_;       ///< by face

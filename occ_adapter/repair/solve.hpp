@@ -18,13 +18,14 @@ namespace seamwright::occ {
 /// What has to flow, and what has to stay as it is.
 struct RepairTask {
   const TopoDS_Shape& shape;
-  const std::vector<Seam>& seams;           ///< of the shape, in the order of the report before
-  const std::vector<SeamResult>& at_first;  ///< in the model given; none may get worse than that
-  const std::vector<SeamResult>& before;    ///< in the shape
-  const std::vector<FaceChoice>& faces;     ///< from 1
-  const std::vector<bool>& sharp;           ///< by seam, see Choice
-  std::vector<bool> treated;                ///< by seam; the others may not become worse
+  const std::vector<Seam>& seams;          ///< of the shape, in the order of the report before
+  const std::vector<SeamResult>& to_keep;  ///< in the model given, or when repaired; none may get worse
+  const std::vector<SeamResult>& before;   ///< in the shape
+  const std::vector<FaceChoice>& faces;    ///< from 1
+  const std::vector<bool>& sharp;          ///< by seam, see Choice
+  std::vector<bool> treated;               ///< by seam; the others may not become worse
   const RepairOptions& options;
+  Level asked = options.level();  ///< by the user, where the options ask for less
 };
 
 /// Surfaces that make seams flow, as far as the solver can tell.

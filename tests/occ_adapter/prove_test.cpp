@@ -100,6 +100,32 @@ TEST(Prove, AboveTheTargetALevelThatWasNotSureMayGo) {
   EXPECT_THAT(onlyText(strips.proofOf(kinked).worse), HasSubstr("a lower level"));
 }
 
+TEST(Prove, WhatTheUserAskedForIsHeldWhereLessIsTried) {
+  ProofCase strips(chain({{}, {.kink = 0.5 * degree}, {}}), picking({first_seam_edge}));
+  RepairTask task = strips.task();
+  const std::vector<FaceChange> bent = {strips.changed(2, {}), strips.changed(3, {.bend_per_mm = 0.002})},
+                                flat = {strips.changed(2, {}), strips.changed(3, {})};
+  const auto makeUnsure = [](occ::SeamResult& seam) {
+    seam.figures.curvature_rel->upper.reset();
+    seam.verdict = judge(seam.figures, {}, Level::G1);
+  };
+  occ::MeasuredSeams unsure;
+  EXPECT_TRUE(strips.proofOf(task, flat, &unsure).holds());
+  for (auto& [key, seam] : unsure) makeUnsure(seam);
+  // Of a higher level than G2.
+  strips.before()[1].verdict.certain = false;
+  EXPECT_TRUE(strips.proofOf(task, flat, &unsure).holds());
+  task.asked = Level::G2;
+  EXPECT_TRUE(strips.proofOf(task, flat).holds());
+  EXPECT_THAT(onlyText(strips.proofOf(task, flat, &unsure).worse), HasSubstr("less certain"));
+  // What may have had the level may not surely lack it after.
+  makeUnsure(strips.before()[1]);
+  EXPECT_TRUE(strips.proofOf(task, flat, &unsure).holds());
+  EXPECT_THAT(onlyText(strips.proofOf(task, bent).worse), HasSubstr("a lower level"));
+  task.asked = Level::G1;
+  EXPECT_TRUE(strips.proofOf(task, bent).holds());
+}
+
 TEST(Prove, NoCreaseBecomesADefect) {
   EXPECT_EQ(whyWorse({.kink = 6 * degree}, {.kink = 5.5 * degree}), "");
   EXPECT_EQ(whyWorse({.kink = 6 * degree}, {.kink = 7 * degree}), "");
