@@ -230,7 +230,8 @@ class Loops {
 void HoleOptions::validate() const {
   std::ostringstream text;
   if (!(corner_rad > 0 && corner_rad < std::numbers::pi))
-    text << "corner angle is " << corner_rad << " rad: it must be within 0 and pi";
+    text << "corner angle is " << corner_rad * 180 / std::numbers::pi
+         << " degrees: it must be within 0 and 180";
   else if (!(gap_mm > 0 && std::isfinite(gap_mm)))
     text << "gap is " << gap_mm << " mm: it must be positive";
   if (!text.str().empty()) throw std::invalid_argument(text.str());

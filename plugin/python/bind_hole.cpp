@@ -90,10 +90,13 @@ py::object toDict(const FillReport& fill) {
 
 py::dict writeFilled(const FillReport& fill, const std::filesystem::path& path, bool overwrite,
                      bool overwrite_source, const py::object& progress) {
-  const ResultToWrite result{fill.report.model, !fill.report.filled,
-                             report::judgeOf(fill.report, fill.options),
-                             report::countsOf(fill.report, fill.options)};
-  return writeResult(result, {path, overwrite, overwrite_source}, progress);
+  const report::Judge judge = report::judgeOf(fill.report, fill.options);
+  const report::ModelCounts memory = [&] {
+    const py::gil_scoped_release release;
+    return fill.report.filled ? report::countsOf(fill.report, fill.options) : judge(fill.report.model, {});
+  }();
+  return writeResult({fill.report.model, !fill.report.filled, judge, memory},
+                     {path, overwrite, overwrite_source}, progress);
 }
 
 }  // namespace

@@ -122,7 +122,7 @@ Judge judgeOf(const occ::FillHoleReport& report, const occ::FillHoleOptions& opt
     asked.tolerance = options.tolerance;
     asked.level = options.target;
     asked.jobs = options.jobs;
-    if (model.faceCount() == report.model.faceCount()) asked.faces = report.faces;
+    if (report.filled && model.faceCount() == report.model.faceCount()) asked.faces = report.faces;
     return countsOf(occ::analyze(model, asked, progress), options);
   };
 }

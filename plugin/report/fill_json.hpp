@@ -18,7 +18,7 @@ ModelCounts countsOf(const occ::FillHoleReport& report, const occ::FillHoleOptio
 /// What its file has, by an analysis of the seams of the new faces.
 ModelCounts countsOf(const occ::Report& found, const occ::FillHoleOptions& options);
 
-/// Counts in a file the seams of the new faces; of all faces, where it does not have those of the model in memory. Both arguments have to
+/// Counts in a file the seams of the new faces; of all faces, where it does not have those of the model in memory, or that was not filled. Both arguments have to
 /// outlive it.
 Judge judgeOf(const occ::FillHoleReport& report, const occ::FillHoleOptions& options);
 

@@ -91,6 +91,16 @@ def test_what_misses_the_target_is_not_kept(shell):
     assert shell.fill(face=64, angle_deg=1e-9, keep_anyway=True).filled
 
 
+def test_a_model_without_its_fill_is_written_as_it_was(shell, tmp_path):
+    fill = shell.fill(face=64, target="G0", gap_mm=1e-9)
+    assert not fill.filled
+    assert max(fill.to_dict()["faces"]) > shell.face_count
+    written = fill.write(tmp_path / "out.brep")
+    assert (written["output"]["faces"], written["output"]["edges"]) == (shell.face_count, shell.edge_count)
+    assert (written["changed_faces"], written["differences"]) == (0, "")
+    assert (tmp_path / "out.brep").read_bytes() == SHELL.read_bytes()
+
+
 def test_holes_are_listed(shell):
     for hole in shell.holes():
         assert hole["length_mm"] == pytest.approx(sum(side["length_mm"] for side in hole["sides"]))
@@ -108,8 +118,14 @@ def test_holes_are_listed(shell):
         ({"face": 64, "gap_mm": float("nan")}, "nan"),
         ({"face": 64, "angle_deg": "wide"}, "angle_deg"),
         ({"face": 64, "angle_deg": 0}, "angle tolerance is 0 deg"),
+        ({"face": 64, "corner_deg": 200}, "corner angle is 200 degrees: it must be within 0 and 180"),
     ],
 )
 def test_bad_arguments(shell, arguments, message):
     with pytest.raises(ValueError, match=message):
         shell.fill(**arguments)
+
+
+def test_a_bad_corner_angle_of_holes_is_told_in_degrees(shell):
+    with pytest.raises(ValueError, match="corner angle is 500 degrees: it must be within 0 and 180"):
+        shell.holes(corner_deg=500)
