@@ -15,7 +15,6 @@
 #include <seamwright/occ_adapter/fill/corner_bands.hpp>
 #include <seamwright/occ_adapter/fill/corner_fillet.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
-#include <seamwright/occ_adapter/repair/own_parts.hpp>
 #include <seamwright/occ_adapter/repair/sewn_shape.hpp>
 
 namespace seamwright::occ {
@@ -197,20 +196,18 @@ std::vector<int> cornerEdges(const Model& model, int vertex) {
 CornerFillet cornerFillet(const Model& model, int vertex, const CornerFilletOptions& options,
                           const Progress& progress) {
   options.validate();
-  Model own = model;
-  own.shape = withOwnParts(model.shape);
-  const Corner corner = cornerOf(own.shape, vertex);
+  const Corner corner = cornerOf(model.shape, vertex);
   constexpr double built = 0.5;
   BandedCorner made = corner.polyhedral ? polyhedralCorner(corner, options)
                                         : bandedCorner(corner, options, partOf(progress, 0, built));
 
   CornerFillet result;
-  result.model = own;
+  result.model = model;
   result.edges = std::move(made.edges);
   result.fill = std::move(made.fill);
   result.section_error_mm = made.section_error_mm;
-  result.model.shape = withShell(own.shape, corner.shell, made.shell.shell);
-  result.model.attributes = attributesAfter(own, result.model.shape, made.shell);
+  result.model.shape = withShell(model.shape, corner.shell, made.shell.shell);
+  result.model.attributes = attributesAfter(model, result.model.shape, made.shell);
   result.seams = measured(result.model.shape, made.shell, options, partOf(progress, built, 1));
   result.valid = BRepCheck_Analyzer(made.shell.shell).IsValid();
   result.shortfall = shortfallOf(result, corner, made.shell);
