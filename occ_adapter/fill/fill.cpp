@@ -33,6 +33,7 @@
 #include <seamwright/occ_adapter/fill/fill_names.hpp>
 #include <seamwright/occ_adapter/fill/side_fit.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
+#include <seamwright/occ_adapter/repair/own_parts.hpp>
 #include <seamwright/occ_adapter/repair/prove.hpp>
 #include <seamwright/occ_adapter/repair/sew.hpp>
 #include <seamwright/occ_adapter/seams/match.hpp>
@@ -456,6 +457,25 @@ void requireEdges(const Model& model, const Hole& hole) {
                                     std::to_string(edge.edge));
 }
 
+/// As withOwnParts(): all numbers stay.
+Model modelOfOwnParts(Model model) {
+  model.shape = withOwnParts(model.shape);
+  return model;
+}
+
+/// A hole of another model with the same numbers.
+Hole holeIn(const Model& model, Hole hole) {
+  const TopTools_IndexedMapOfShape faces = partsOf(model.shape, TopAbs_FACE),
+                                   edges = partsOf(model.shape, TopAbs_EDGE);
+  for (HoleSide& side : hole.sides)
+    for (HoleEdge& edge : side.edges) {
+      FaceUse& use = edge.use;
+      use.shape = TopoDS::Face(faces(use.face).Oriented(TopAbs_FORWARD));
+      use.edge = TopoDS::Edge(edges(edge.edge).Oriented(use.edge.Orientation()));
+    }
+  return hole;
+}
+
 /// A model without one of its faces.
 Model without(const Model& model, const TopoDS_Shape& face) {
   const opencascade::handle<BRepTools_ReShape> change = new BRepTools_ReShape;
@@ -536,7 +556,12 @@ std::optional<double> FillHoleReport::largestAngle_rad() const {
 
 FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOptions& options,
                         const Progress& progress) {
-  return fillHole(model, hole, options, numberedFace, progress);
+  options.validate();
+  requireEdges(model, hole);
+  const Model own = modelOfOwnParts(model);
+  FillHoleReport report = fillHole(own, holeIn(own, hole), options, numberedFace, progress);
+  if (!report.filled) report.model = model;
+  return report;
 }
 
 FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOptions& options,
@@ -570,9 +595,10 @@ FillHoleReport replaceFace(const Model& model, int face, const FillHoleOptions& 
                                 std::to_string(model.faceCount()));
   FillHoleReport report;
   try {
-    const TopoDS_Shape old = partsOf(model.shape, TopAbs_FACE)(face);
-    const Model rest = without(model, old);
-    const Numbers faces(model.shape, rest.shape, TopAbs_FACE), edges(model.shape, rest.shape, TopAbs_EDGE);
+    const Model whole = modelOfOwnParts(model);
+    const TopoDS_Shape old = partsOf(whole.shape, TopAbs_FACE)(face);
+    const Model rest = without(whole, old);
+    const Numbers faces(whole.shape, rest.shape, TopAbs_FACE), edges(whole.shape, rest.shape, TopAbs_EDGE);
     report = fillHole(
         rest, holeOf(rest, old, options), options,
         [&faces](int number) { return numberedFace(faces.given(number)); }, progress);

@@ -102,7 +102,7 @@ setbacks_mm: where the fillets end, from the vertex along the edge; a number, or
 section_mm: the largest distance of the patches' sides from the cylinders between planes.
 profile, gap_mm, angle_deg: what the new seams must meet, as in analyze().
 
-Returns a CornerFillet; the model is not changed. Supported are 3 to 6 edges, convex or concave, of a solid, between planes or curved
+Returns a CornerFillet; the model is not changed. It has a model also where met is False, and write() writes it: look at met first. Supported are 3 to 6 edges, convex or concave, of a solid, between planes or curved
 faces that are not tangent to each other. ValueError, with numbers, for others, and where there is no room.)";
 
 }  // namespace

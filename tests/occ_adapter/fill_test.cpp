@@ -13,6 +13,7 @@
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepTools_ReShape.hxx>
 #include <BRep_Tool.hxx>
@@ -30,6 +31,7 @@
 #include <fstream>
 #include <gp_Pln.hxx>
 #include <numbers>
+#include <set>
 
 #include "fill_checks.hpp"
 #include "shapes.hpp"
@@ -226,6 +228,51 @@ TEST(Fill, OfACornerOfThreeRadiiIsSmooth) {
   EXPECT_EQ(report.faces.size(), 4U);
   EXPECT_LT(largestAngle_rad(report.model.shape, report.faces), 0.01 * degree);
   EXPECT_NEAR(volume_mm3(report.model.shape), volume_mm3(shape), 1.8);
+}
+
+/// A right triangle with legs of 8 and 6, extruded by 5: both ends are one face in two places.
+TopoDS_Shape prism() {
+  BRepBuilderAPI_MakePolygon triangle(gp_Pnt(0, 0, 0), gp_Pnt(8, 0, 0), gp_Pnt(0, 6, 0), true);
+  TopoDS_Shape shape =
+      BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(triangle.Wire()).Shape(), gp_Vec(0, 0, 5)).Shape();
+  gp_Trsf turn, shift;
+  turn.SetRotation(gp_Ax1(gp_Pnt(1, 2, 3), gp_Dir(1, 1, 0.5)), 0.7);
+  shift.SetTranslation(gp_Vec(10, -20, 30));
+  return shape.Moved(shift * turn);
+}
+
+constexpr double prism_mm3 = 120;
+
+TEST(Fill, OfEachFaceOfAPrismClosesIt) {
+  const TopoDS_Shape shape = prism();
+  std::set<const TopoDS_TShape*> apart;
+  const TopTools_IndexedMapOfShape given = partsOf(shape, TopAbs_FACE);
+  for (int face = 1; face <= given.Extent(); ++face) apart.insert(given(face).TShape().get());
+  ASSERT_LT(apart.size(), 5U);
+  for (int face = 1; face <= 5; ++face) {
+    SCOPED_TRACE(face);
+    const FillHoleReport report = replaceFace(modelFromShape(shape), face, {.target = Level::G0});
+    ASSERT_TRUE(report.filled) << report.reason;
+    EXPECT_EQ(report.model.shape.ShapeType(), TopAbs_SOLID);
+    EXPECT_TRUE(BRepCheck_Analyzer(report.model.shape).IsValid());
+    EXPECT_NEAR(volume_mm3(report.model.shape), prism_mm3, 1e-3);
+  }
+}
+
+TEST(Fill, OfAnOpenPrismClosesIt) {
+  for (int face = 1; face <= 3; ++face) {
+    SCOPED_TRACE(face);
+    const TopoDS_Shape open = without(prism(), {face});
+    const occ::Model model = modelFromShape(open);
+    const std::vector<Hole> holes = occ::findHoles(open).holes;
+    ASSERT_EQ(holes.size(), 1U);
+    const FillHoleReport report = occ::fillHole(model, holes.front(), {.target = Level::G0});
+    ASSERT_TRUE(report.filled) << report.reason;
+    EXPECT_NEAR(std::abs(volume_mm3(report.model.shape)), prism_mm3, 1e-3);
+    const FillHoleReport missed = occ::fillHole(model, holes.front());
+    EXPECT_FALSE(missed.filled);
+    EXPECT_TRUE(missed.model.shape.IsSame(open));
+  }
 }
 
 TEST(Fill, OfAPatchOfASplineSheetIsExactAlongItsSides) {

@@ -11,7 +11,7 @@ import Part
 from document_cases import DocumentCase
 from match_cases import text_of
 
-from freecad.seamwright.document import corner
+from freecad.seamwright.document import corner, elements
 from freecad.seamwright.document.hooks import hooks
 
 
@@ -63,6 +63,11 @@ class Results(CornerCase):
                 one, other = (face.normalAt(*face.Surface.parameter(point)) for face in faces)
                 angle = math.degrees(math.asin(min(1.0, one.cross(other).Length)))
                 self.assertLess(angle, seam["angle_deg"]["upper"] + 1e-5)
+
+    def test_a_vertex_may_be_named_by_its_number(self):
+        obj = corner.create(self.cube(), 1, 1.0)
+        self.assertEqual(corner.error_text(obj), "")
+        self.assertEqual(elements.names(obj, "Vertex"), ["Vertex1"])
 
     def test_one_radius_for_all_and_setbacks(self):
         cube = self.cube()
@@ -155,7 +160,7 @@ class Errors(CornerCase):
         self.assertNotRounded(near, "a setback of 0.5 mm leaves no room")
         self.assertNotRounded(corner.create(cube, "Vertex1", 0.0), "radius of Edge1 is 0 mm")
         self.assertNotRounded(corner.create(cube, "Vertex99", 1.0), "Cube has no Vertex99")
-        self.assertNotRounded(corner.create(cube, "Edge1", 1.0), "Cube has no Edge1")
+        self.assertNotRounded(corner.create(cube, "Edge1", 1.0), "Edge1 is no vertex: name one, as Vertex1")
         block = models.add(self.doc, models.rounded_block(), "Block")
         self.assertNotRounded(corner.create(block, "Vertex1"), "Not rounded: Edge")
         can = models.add(self.doc, Part.makeCylinder(3, 10), "Can")
@@ -203,6 +208,9 @@ class Errors(CornerCase):
                 corner.create(cube, "Vertex1", **wrong)
         with self.assertRaisesRegex(TypeError, "'target'"):
             corner.create(cube, "Vertex1", target="G1")
+        for wrong in (None, 1.0, True, ["Vertex1"], ""):
+            with self.assertRaisesRegex(TypeError, r"vertex = .*: a name is needed, \"Vertex1\", or a number from 1"):
+                corner.create(cube, wrong, 1.0)
         self.assertEqual(self.doc.Objects, [cube])
 
 

@@ -161,11 +161,22 @@ class Holes(FillCase):
         self.assertTrue(obj.Shape.isClosed() and obj.Shape.isValid())
         self.assertEqual(len(obj.Shape.Faces), len(block.Shape.Faces) + 2)
         self.assertNeighbours(obj, neighbours(block.Shape, ball))
+        same = fill.prepare(block, face=ball)
+        self.assertEqual(elements.names(same, "Face"), ["Face%d" % ball])
         box = models.add(self.doc, Part.makeBox(10, 10, 10), "Box")
         for number in (1, 4):
             flat = fill.create(box, face="Face%d" % number)
             self.assertNotFilled(flat, "Not filled: Face%d: a seam between Face" % number)
             self.assertNeighbours(flat, neighbours(box.Shape, number))
+
+    def test_each_face_of_a_pad_is_replaced(self):
+        outline = Part.makePolygon([(0, 0, 0), (8, 0, 0), (0, 6, 0), (0, 0, 0)])
+        pad = models.add(self.doc, Part.Face(Part.Wire(outline)).extrude(App.Vector(0, 0, 5)), "Pad")
+        for number in range(1, 6):
+            obj = fill.create(pad, face=number, target="G0")
+            self.assertEqual(fill.error_text(obj), "")
+            self.assertAlmostEqual(obj.Shape.Volume, 120, 3)
+            self.assertNeighbours(obj, neighbours(pad.Shape, number))
 
     def assertNeighbours(self, obj, names):
         seams = fill_text.every_seam(fill.report_of(obj))
@@ -315,6 +326,14 @@ class Errors(FillCase):
                 fill.create(source, **wrong)
         with self.assertRaisesRegex(TypeError, "'crease_deg'"):
             fill.create(source, crease_deg=1)
+        for wrong, text in (
+            ({"edges": "Edge1"}, "edges = 'Edge1': a list is needed"),
+            ({"edges": [None]}, r"edges\[0\] = None: a name is needed"),
+            ({"face": ["Face1"]}, r"face = \['Face1'\]: a name is needed"),
+            ({"face": 1.0}, "face = 1.0: a name is needed"),
+        ):
+            with self.assertRaisesRegex(TypeError, text):
+                fill.create(source, **wrong)
         self.assertEqual(self.doc.Objects, [source])
 
 

@@ -103,6 +103,9 @@ class Results(RepairCase):
         self.assertLess(seam_angles(obj.Shape)[chosen], obj.AngleTolerance.Value)
         (seam,) = repair.report_of(obj)["seams"]
         self.assertEqual(seam["before"]["edges"], [chosen])
+        same = repair.prepare(panel, edges=[chosen], fixed_faces=(1,))
+        self.assertEqual(elements.names(same, "Edges"), ["Edge%d" % chosen])
+        self.assertEqual(elements.names(same, "FixedFaces"), ["Face1"])
 
     def test_fixed_faces_stay(self):
         panel = self.panel()
@@ -284,8 +287,8 @@ class Errors(RepairCase):
         obj = repair.create(panel, edges=["Edge99"])
         self.assertNotRepaired(obj, "Panel has no Edge99")
         self.assertIn("Panel has no Edge99", repair.foresee(obj)[1])
-        self.assertNotRepaired(repair.create(panel, fixed_faces=["Edge1"]), "Panel has no Edge1")
-        self.assertNotRepaired(repair.create(panel, edges=["Face1"]), "Panel has no Face1")
+        self.assertNotRepaired(repair.create(panel, fixed_faces=["Edge1"]), "Edge1 is no face: name one, as Face1")
+        self.assertNotRepaired(repair.create(panel, edges=["Face1"]), "Face1 is no edge: name one, as Edge1")
         obj.Edges = (box, ["Edge1"])
         self.doc.recompute()
         self.assertNotRepaired(obj, "Edges names Box, which is not the source Panel")
@@ -308,6 +311,17 @@ class Errors(RepairCase):
                 repair.create(panel, **wrong)
         with self.assertRaisesRegex(TypeError, "'gap'"):
             repair.create(panel, gap=0.1)
+        for name in ("edges", "fixed_faces"):
+            for wrong, text in (
+                ("Edge1", "%s = 'Edge1': a list is needed"),
+                (1, "%s = 1: a list is needed"),
+                (None, "%s = None: a list is needed"),
+                ([1, 2.5], r"%s\[1\] = 2.5: a name is needed"),
+                ([True], r"%s\[0\] = True: a name is needed"),
+                ([("Edge1",)], r"%s\[0\] = \('Edge1',\): a name is needed"),
+            ):
+                with self.assertRaisesRegex(TypeError, text % name):
+                    repair.create(panel, **{name: wrong})
         self.assertEqual(self.doc.Objects, [panel])
 
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A corner of a solid rounded, from Python."""
 
+import json
 import pathlib
 import sys
 
@@ -103,6 +104,18 @@ def test_a_file_that_falls_short_says_so(box, tmp_path):
     result = box.corner_fillet(1, 1, angle_deg=1e-9)
     assert not result.met and result.shortfall.startswith("a seam between a patch and ")
     assert result.write(tmp_path / "out.step")["output"]["defects"] > 0
+
+
+def test_a_corner_that_is_not_regular_is_written_and_said_so(box, tmp_path):
+    edges = box.corner_edges(6)
+    result = box.corner_fillet(6, dict(zip(edges, (0.01, 0.01, 3))))
+    report = result.to_dict()
+    assert (result.met, report["met"], report["regular"]) == (False, False, False)
+    assert "regular" in result.shortfall == report["shortfall"]
+    schema = json.loads((HERE.parents[2] / "docs" / "corner-1.schema.json").read_text())
+    jsonschema.validate(report, schema)
+    result.write(tmp_path / "rounded.brep")
+    assert seamwright.read(tmp_path / "rounded.brep").face_count == result.model.face_count
 
 
 def test_setbacks_of_zero_are_chosen(box):

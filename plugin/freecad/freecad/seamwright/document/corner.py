@@ -141,7 +141,7 @@ def corner_of(obj):
 def create(source, vertex, radii_mm=None, *, setbacks_mm=None, **tolerances):
     """Round the edges at a vertex: add a Corner Fillet to the document of the object, compute it and return it.
 
-    ``vertex``: "Vertex6". ``radii_mm``, ``setbacks_mm``: a number for all edges, or a list of numbers in the order of
+    ``vertex``: "Vertex6" or 6. ``radii_mm``, ``setbacks_mm``: a number for all edges, or a list of numbers in the order of
     ``corner_of``; a radius of None is a tenth of the shortest edge, a setback of None or 0 is chosen. ``tolerances``:
     gap_mm, angle_deg, section_mm, and profile, a name of profiles.PROFILES. Raises TypeError and ValueError for bad
     arguments, kernel.KernelUnavailable when the compiled part is missing. Where the corner cannot be rounded the object
@@ -158,9 +158,10 @@ def prepare(source, vertex, radii_mm=None, *, setbacks_mm=None, **tolerances):
     values = properties.checked(tolerances, TOLERANCES, {})
     values["Radii"] = properties.checked_numbers("radii_mm", radii_mm)
     values["Setbacks"] = properties.checked_numbers("setbacks_mm", setbacks_mm)
+    name = elements.checked_name("vertex", vertex, "Vertex")
     obj = feature.add(source.Document, CornerFillet, "Corner Fillet")
     obj.Source = source
-    elements.set_names(obj, "Vertex", [vertex])
+    elements.set_names(obj, "Vertex", [name])
     for name, value in values.items():
         setattr(obj, name, value)
     if not obj.Radii:

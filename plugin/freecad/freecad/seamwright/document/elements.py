@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """An object that is made from one source, the property ``Source``, and from faces, edges or vertices of it."""
 
+import operator
+
 from freecad.seamwright.document import sources
 
 KINDS = {"Face": "Faces", "Edge": "Edges", "Vertex": "Vertexes"}
@@ -29,6 +31,27 @@ def set_names(obj, name, chosen):
     setattr(obj, name, (obj.Source, list(chosen)) if chosen else None)
 
 
+def checked_names(argument, given, kind):
+    """["Face3", ...] for a sequence of names or of numbers from 1.
+
+    Raises TypeError for anything else. Whether the source has them is found when the object is computed.
+    """
+    if isinstance(given, str) or not hasattr(given, "__iter__"):
+        raise TypeError('%s = %r: a list is needed, of names, "%s1", or of numbers from 1' % (argument, given, kind))
+    return [checked_name("%s[%d]" % (argument, place), each, kind) for place, each in enumerate(given)]
+
+
+def checked_name(argument, given, kind):
+    """"Face3" for itself or for 3. Raises TypeError for anything else, as ``checked_names``."""
+    try:
+        name = given if isinstance(given, str) else "%s%d" % (kind, operator.index(given))
+    except TypeError:
+        name = ""
+    if isinstance(given, bool) or not name:
+        raise TypeError('%s = %r: a name is needed, "%s1", or a number from 1' % (argument, given, kind))
+    return name
+
+
 def numbers(obj, shape, name, kind):
     """The numbers of the elements that a property names, all of one of ``KINDS``. Raises SourceError for others."""
     link = getattr(obj, name)
@@ -42,6 +65,8 @@ def numbers(obj, shape, name, kind):
 
 def _number(source, element, kind, count):
     digits = element[len(kind) :] if element.startswith(kind) else ""
+    if any(element.startswith(other) for other in KINDS if other != kind):
+        raise sources.SourceError("%s is no %s: name one, as %s1." % (element, kind.lower(), kind))
     if not digits.isdecimal() or not 0 < int(digits) <= count:
         raise sources.SourceError("%s has no %s: choose another one." % (source.Label, element))
     return int(digits)

@@ -193,8 +193,8 @@ def holes_of(obj):
 def create(source, *, edges=(), face=None, target="G1", keep_anyway=False, **tolerances):
     """Fill holes of an object: add an Umbrella Fill to its document, compute it and return it.
 
-    ``edges``: ["Edge5", ...], whose holes are filled, one edge of each is enough; none means all but rims. ``face``:
-    "Face3", which is taken out and replaced instead. ``target``: "G1", or "G0" for position only. ``keep_anyway``: keep also
+    ``edges``: ["Edge5", ...] or [5, ...], whose holes are filled, one edge of each is enough; none means all but rims.
+    ``face``: "Face3" or 3, which is taken out and replaced instead. ``target``: "G1", or "G0" for position only. ``keep_anyway``: keep also
     what misses the target. ``tolerances``: gap_mm, angle_deg, corner_deg, and profile, a name of profiles.PROFILES, for gap
     and angle. Raises TypeError and ValueError for bad arguments, kernel.KernelUnavailable when the compiled part is
     missing. Where no hole could be filled the object is returned in its error state, see ``error_text``.
@@ -207,13 +207,15 @@ def create(source, *, edges=(), face=None, target="G1", keep_anyway=False, **tol
 def prepare(source, *, edges=(), face=None, target="G1", keep_anyway=False, **tolerances):
     """As ``create``, but nothing is computed yet."""
     kernel.load(Part.OCC_VERSION)
-    if edges and face:
-        raise ValueError("edges %s and face %r: holes are filled, or a face is replaced" % (list(edges), face))
+    edges = elements.checked_names("edges", edges, "Edge")
+    faces = [] if face is None else [elements.checked_name("face", face, "Face")]
+    if edges and faces:
+        raise ValueError("edges %s and face %r: holes are filled, or a face is replaced" % (edges, face))
     values = properties.checked({**tolerances, "target": target}, TOLERANCES, {"target": ("Target", TARGETS)})
     obj = feature.add(source.Document, UmbrellaFill, "Umbrella Fill")
     obj.Source = source
     elements.set_names(obj, "Edges", edges)
-    elements.set_names(obj, "Face", [face] if face else [])
+    elements.set_names(obj, "Face", faces)
     obj.KeepAnyway = bool(keep_anyway)
     for name, value in values.items():
         setattr(obj, name, value)

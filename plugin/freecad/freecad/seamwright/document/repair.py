@@ -143,8 +143,8 @@ def foresee(obj):
 def create(source, *, edges=(), fixed_faces=(), target="G1", max_move_mm=MAX_MOVE_MM, **tolerances):
     """Repair the seams of an object: add a Seam Repair to its document, compute it and return it.
 
-    ``edges``: ["Edge5", ...], whose seams are repaired; none means all defects. ``fixed_faces``: ["Face3", ...], which
-    stay. ``target``: "G1" or "G2". ``max_move_mm``: no pole may move further; 0: no limit. ``tolerances``: gap_mm,
+    ``edges``: ["Edge5", ...] or [5, ...], whose seams are repaired; none means all defects. ``fixed_faces``: ["Face3", ...]
+    or [3, ...], which stay. ``target``: "G1" or "G2". ``max_move_mm``: no pole may move further; 0: no limit. ``tolerances``: gap_mm,
     angle_deg, curvature_rel, flat_radius_mm, crease_deg, match_mm, profile, as for an analysis. Raises TypeError and
     ValueError for bad arguments, kernel.KernelUnavailable when the compiled part is missing. When nothing can be
     repaired because the source is of no use, the object is returned in its error state, see ``error_text``; seams that
@@ -163,6 +163,10 @@ def prepare(source, *, edges=(), fixed_faces=(), target="G1", max_move_mm=MAX_MO
     table = TOLERANCES + (("MaxMove", "max_move_mm"),)
     given = {**tolerances, "max_move_mm": max_move_mm, "target": target}
     values = properties.checked(given, table, {"target": ("Target", TARGETS)})
+    edges, fixed_faces = (
+        elements.checked_names(*each)
+        for each in (("edges", edges, "Edge"), ("fixed_faces", fixed_faces, "Face"))
+    )
     obj = feature.add(source.Document, SeamRepair, "Seam Repair")
     obj.Source = source
     elements.set_names(obj, "Edges", edges)
