@@ -155,6 +155,17 @@ class Repairing(RepairWindow):
             self.assertEqual((self.made(), self.visible()), ([], ["Panel"]))
             self.assertFalse(self.doc.HasPendingTransaction)
 
+    def test_cancel_leaves_what_was_hidden_hidden(self):
+        for undo in (1, 0):
+            self.doc.UndoMode = undo
+            first, _ = self.start()
+            self.ok()
+            _, panel = self.start()
+            self.preview(panel)
+            self.cancel()
+            self.assertEqual(self.visible(), [first.Name])
+            self.doc.removeObject(first.Name)
+
     def test_cancel_of_a_later_change_restores_the_values(self):
         obj, _ = self.start()
         self.ok()

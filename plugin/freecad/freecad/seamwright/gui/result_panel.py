@@ -25,6 +25,7 @@ class ResultPanel:
         self._name = obj.Name
         self._kept = {name: getattr(obj, name) for name in changeable}
         self._ended = False
+        self._hidden = [each.Name for each in self.replaced() if not self.has_result() and not each.ViewObject.Visibility]
         if not created:
             self._doc.openTransaction(step)
 
@@ -96,7 +97,7 @@ class ResultPanel:
             if self._doc.getObject(self._name) is not None:
                 self._doc.removeObject(self._name)
             for each in replaced:
-                each.ViewObject.Visibility = True
+                each.ViewObject.Visibility = each.Name not in self._hidden
         elif self.has_result():
             self.show(True)
         Gui.getDocument(self._doc.Name).resetEdit()
