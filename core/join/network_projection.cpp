@@ -37,12 +37,15 @@ Sparse shifted(const Sparse& m) {
 /// Solves A A' nu = b by rows of A that are independent of each other, without the square of A's condition; b is of A's range.
 class IndependentRows {
  public:
-  explicit IndependentRows(const Sparse& a) : qr_(Sparse(a.transpose())) {}
+  explicit IndependentRows(const Sparse& a) : qr_(Sparse(a.transpose())) {
+    // Within a column of R the rows are in no order; another storage order and back sorts them.
+    const Eigen::SparseMatrix<double, Eigen::RowMajor> by_rows = qr_.matrixR();
+    r_ = Sparse(by_rows).topLeftCorner(qr_.rank(), qr_.rank());
+  }
 
   Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const {
     const Eigen::Index rank = qr_.rank();
-    const Sparse r = qr_.matrixR().topLeftCorner(rank, rank);
-    const auto upper = r.triangularView<Eigen::Upper>();
+    const auto upper = r_.triangularView<Eigen::Upper>();
     const Eigen::MatrixXd permuted = qr_.colsPermutation().transpose() * b;
     Eigen::MatrixXd nu = Eigen::MatrixXd::Zero(b.rows(), b.cols());
     const Eigen::MatrixXd first = upper.transpose().solve(permuted.topRows(rank));
@@ -52,6 +55,7 @@ class IndependentRows {
 
  private:
   Eigen::SparseQR<Sparse, Eigen::COLAMDOrdering<int>> qr_;
+  Sparse r_;  ///< of the independent rows
 };
 
 Projection refined(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::MatrixXd& target,

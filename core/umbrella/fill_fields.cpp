@@ -4,14 +4,11 @@
 #include <seamwright/core/join/bernstein_rows.hpp>
 #include <seamwright/core/umbrella/fill_fields.hpp>
 #include <seamwright/core/umbrella/hole_corner.hpp>
-#include <stdexcept>
-#include <string>
 
 namespace seamwright::fill {
 
 namespace {
 
-using bernstein::text;
 using Eigen::Vector2d, Eigen::Vector3d;
 using rows::Field;
 
@@ -21,20 +18,6 @@ struct Scalars {
   double q_begin = 0, q_end = 0;
   double q_slope_begin = 0, q_slope_end = 0;
 };
-
-/// The corner's figures, refused where no patch with both sides as edges exists.
-FillCorner figuresOf(const HoleCorner& corner, std::size_t k, double tolerance_rad) {
-  const FillCorner figures = corner.figures(tolerance_rad);
-  const auto refuse = [&](const std::string& what) {
-    throw std::invalid_argument("corner " + std::to_string(k) + ": the angle of the hole is " + what);
-  };
-  const double beyond = figures.angle_rad - std::numbers::pi;
-  if (std::abs(beyond) <= corner.noise_rad()) refuse("180 degrees: merge the two sides");
-  if (beyond > 0) refuse(degreesText(figures.angle_rad) + ", above 180 degrees: split the hole");
-  if (figures.angle_rad <= corner.noise_rad())
-    refuse(degreesText(figures.angle_rad) + ", it must be positive");
-  return figures;
-}
 
 /// Steps 1 and 2: G at the ends of a side is half the tangent of the sides next to it, p is linear on each half.
 Scalars scalarsOf(const HoleCorner& begin, const HoleCorner& end, SpokeLaw law, int n) {
@@ -110,7 +93,7 @@ CrossFields crossFields(const std::vector<FillSide>& sides, SpokeLaw law, int de
   CrossFields result;
   for (std::size_t k = 0; k < n; ++k) {
     corners.emplace_back(sides, k);
-    result.corners.push_back(figuresOf(corners[k], k, tolerance_rad));
+    result.corners.push_back(corners[k].convexFigures(tolerance_rad));
   }
   std::vector<Scalars> scalars(n);
   for (std::size_t k = 0; k < n; ++k)

@@ -167,6 +167,18 @@ FillCorner HoleCorner::figures(double tolerance_rad) const {
   return corner;
 }
 
+FillCorner HoleCorner::convexFigures(double tolerance_rad) const {
+  const FillCorner corner = figures(tolerance_rad);
+  const auto refuse = [&](const std::string& what) {
+    throw std::invalid_argument(cornerName(k_) + ": the angle of the hole is " + what);
+  };
+  const double beyond = corner.angle_rad - std::numbers::pi;
+  if (std::abs(beyond) <= noise_rad_) refuse("180 degrees: merge the two sides");
+  if (beyond > 0) refuse(degreesText(corner.angle_rad) + ", above 180 degrees: split the hole");
+  if (corner.angle_rad <= noise_rad_) refuse(degreesText(corner.angle_rad) + ", it must be positive");
+  return corner;
+}
+
 double HoleCorner::planeNoise(const SideEnd& end, std::size_t side) const {
   const double area = end.edge.cross(end.cross).norm();
   const double noise = end.noise * (end.edge.norm() + end.cross.norm());

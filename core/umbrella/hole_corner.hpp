@@ -43,6 +43,8 @@ class HoleCorner {
 
   /// Angles. \throws std::invalid_argument for planes that differ by more than the tolerance and rounding.
   FillCorner figures(double tolerance_rad) const;
+  /// The same. \throws std::invalid_argument too for angles of the hole of 0, and of 180 degrees or more.
+  FillCorner convexFigures(double tolerance_rad) const;
   /// What rounding makes of the angles.
   double noise_rad() const { return noise_rad_; }
   /// Up where a viewer sees the hole to the left of its sides; zero where no side has a tangent plane.

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
 #include <seamwright/core/bernstein/tensor.hpp>
+#include <seamwright/core/bezier/triangle_conversion.hpp>
 #include <seamwright/core/umbrella/regular.hpp>
 #include <vector>
 
@@ -78,6 +80,11 @@ bool provedRegular(const BezierPatch& patch, int max_pieces) {
     for (const Piece& half : halves(piece)) open.push_back(half);
   }
   return true;
+}
+
+bool provedRegular(const BezierTriangle& triangle, int max_pieces) {
+  return std::ranges::all_of(regularPatches(triangle),
+                             [&](const BezierPatch& part) { return provedRegular(part, max_pieces); });
 }
 
 }  // namespace seamwright

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <seamwright/core/bezier/patch.hpp>
+#include <seamwright/core/bezier/triangle.hpp>
 
 namespace seamwright {
 
@@ -14,5 +15,7 @@ namespace seamwright {
 /// \return false where that was not proved within the limit, so always where a normal vanishes. False too for a rational patch.
 /// Source: MATH-surfaces 5.6 (Regularity), 3.6.
 bool provedRegular(const BezierPatch& patch, int max_pieces = 256);
+/// The same of a triangle, by its regularPatches(), each with that limit.
+bool provedRegular(const BezierTriangle& triangle, int max_pieces = 256);
 
 }  // namespace seamwright

@@ -246,6 +246,16 @@ class Sewer {
     return isSewn(number) ? groups_.of(number) : 0;
   }
 
+  bool isJoinedByLooseFacesAlone(const TopoDS_Shape& part, int group) const {
+    TopTools_IndexedMapOfShape of_part, in_shells;
+    TopExp::MapShapes(part, TopAbs_FACE, of_part);
+    for (TopExp_Explorer shell(shape_, TopAbs_SHELL); shell.More(); shell.Next())
+      TopExp::MapShapes(shell.Current(), TopAbs_FACE, in_shells);
+    return std::ranges::all_of(members_.at(group), [&](int face) {
+      return of_part.Contains(faces_(face)) || !in_shells.Contains(faces_(face));
+    });
+  }
+
   /// What a part becomes: itself, another one, several, or nothing, where another part has its faces now.
   std::vector<TopoDS_Shape> rebuiltPart(const TopoDS_Shape& part) {
     const TopAbs_ShapeEnum kind = part.ShapeType();
@@ -255,7 +265,9 @@ class Sewer {
         kind == TopAbs_SOLID || kind == TopAbs_SHELL || kind == TopAbs_FACE ? sewnGroupOf(part) : 0;
     if (group != 0) {
       if (!placed_.insert(group).second) return {};
-      return {shellOf(group)};
+      const TopoDS_Shape now = shellOf(group);
+      if (now.ShapeType() == kind && isJoinedByLooseFacesAlone(part, group)) result_.became.Bind(part, now);
+      return {now};
     }
     if (kind == TopAbs_FACE) return {new_faces_[faces_.FindIndex(part)].Oriented(part.Orientation())};
     std::vector<TopoDS_Shape> children;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <seamwright/core/umbrella/n_sided_fill.hpp>
 #include <seamwright/core/umbrella/ring_fill.hpp>
+#include <seamwright/core/umbrella/three_sided_fill.hpp>
 #include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/python/edges.hpp>
@@ -124,6 +125,28 @@ py::dict ringFillOf(const py::sequence& given, const py::object& fairness_order,
   return dict;
 }
 
+py::dict threeSidedFillOf(const py::sequence& given, const py::object& fairness_order,
+                          const py::object& corner_tolerance_rad) {
+  const std::vector<FillSide> sides = sidesOf(given);
+  const ThreeSidedFillOptions options{
+      argument<int>("fairness_order", fairness_order, "a whole number"),
+      argument<double>("corner_tolerance_rad", corner_tolerance_rad, "a number")};
+  const ThreeSidedFill fill = [&] {
+    const py::gil_scoped_release release;
+    return threeSidedFill(sides, options);
+  }();
+  py::list joins;
+  for (const std::optional<Connection>& join : fill.sides)
+    joins.append(join ? py::object(connectionDict(*join)) : py::none());
+  py::dict dict;
+  dict["triangles"] = fill.triangles;
+  dict["sides"] = joins;
+  dict["corners"] = cornerList(fill.corners);
+  dict["fairness_mm2"] = fill.fairness_mm2;
+  dict["regular"] = fill.regular;
+  return dict;
+}
+
 py::dict nSidedFillOf(const py::sequence& given, const py::object& law, const py::object& fairness_order,
                       const py::object& corner_tolerance_rad, const py::object& curvature_degrees) {
   const std::vector<FillSide> sides = sidesOf(given);
@@ -168,6 +191,23 @@ Returns a dict:
 ValueError, with side or corner and number, for holes that do not close, angles of pi and more, tangent planes that contradict each
 other in a corner, cross fields parallel to their edge, and rational sides.)";
 
+constexpr const char* three_sided_fill_doc =
+    R"(Fills a hole of three sides with three triangles around a centre, which meet each other and the surroundings with G1, exactly.
+
+sides: as of n_sided_fill().
+fairness_order: order 2 or 3 of the derivatives whose sum of squares, over their poles, is least.
+corner_tolerance_rad: as of n_sided_fill().
+
+Returns a dict:
+  triangles        BezierTriangles of degree 5 for cubic sides with cubic fields; triangle k has side k as edge l2, from corner k to the
+                   next, and the centre as P2. Its edges l1, from the centre, and l0, to it, are spokes
+  sides            for each side None, or {alpha, beta}: the connection of the fill, in the direction to the centre, to the neighbour
+  corners          as of n_sided_fill(); neighbours need not agree about their mixed derivatives, twist_defect_mm is 0
+  fairness_mm2     the sum
+  regular          it is proved that no normal vanishes or turns back
+
+ValueError, with side or corner and number, as of n_sided_fill().)";
+
 constexpr const char* ring_fill_doc =
     R"(Fills a hole of four sides, of which corners may be smooth or reflex, with five patches: a ring of four around a fifth.
 
@@ -188,6 +228,8 @@ void bindFill(py::module_& module) {
   module.def("n_sided_fill", &nSidedFillOf, n_sided_fill_doc, py::arg("sides"), py::kw_only(),
              py::arg("law") = "linear", py::arg("fairness_order") = 3, py::arg("corner_tolerance_rad") = 0.0,
              py::arg("curvature_degrees") = py::none());
+  module.def("three_sided_fill", &threeSidedFillOf, three_sided_fill_doc, py::arg("sides"), py::kw_only(),
+             py::arg("fairness_order") = 3, py::arg("corner_tolerance_rad") = 0.0);
   module.def("ring_fill", &ringFillOf, ring_fill_doc, py::arg("sides"), py::kw_only(),
              py::arg("fairness_order") = 2, py::arg("corner_tolerance_rad") = 0.0,
              py::arg("curvature_degrees") = py::none());

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <Eigen/QR>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -164,6 +165,34 @@ inline std::vector<FillSide> randomHole(int n, double ratio, std::mt19937_64& ra
   }
   for (int k = 0; k < n; ++k) makeCompatible(sides[(k + n - 1) % n], sides[k], normals[k]);
   return sides;
+}
+
+/// A linear map and a shift of points; a rigid motion and a scale where random.
+struct Move {
+  Eigen::Matrix3d linear = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+
+  Poles points(const Poles& poles) const {
+    return (poles * linear.transpose()).rowwise() + shift.transpose();
+  }
+  FillSide operator()(const FillSide& side) const {
+    FillSide moved{BezierCurve(points(side.edge.poles()))};
+    if (side.cross) moved.cross = *side.cross * linear.transpose();
+    return moved;
+  }
+};
+
+inline Move randomMove(double scale, std::mt19937_64& random) {
+  const Eigen::Matrix3d any = Eigen::Matrix3d::NullaryExpr([&] { return uniform(-1, 1, random); });
+  Eigen::Matrix3d turn = any.householderQr().householderQ();
+  if (turn.determinant() < 0) turn = -turn;
+  return {scale * turn, 30 * scale * Eigen::Vector3d::NullaryExpr([&] { return uniform(-1, 1, random); })};
+}
+
+inline FillSide reversed(const FillSide& side) {
+  FillSide back{side.edge.reversed()};
+  if (side.cross) back.cross = side.cross->colwise().reverse();
+  return back;
 }
 
 /// The patch E + s T beyond a side; edge U0 is the side.

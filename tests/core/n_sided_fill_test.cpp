@@ -2,41 +2,13 @@
 // The laws of nSidedFill(), numbered as there.
 #include <gmock/gmock.h>
 
-#include <Eigen/QR>
-
 #include "fills.hpp"
 
 namespace seamwright {
 namespace {
 
 using Eigen::Matrix3d, Eigen::Vector3d;
-
-struct Move {
-  Matrix3d linear = Matrix3d::Identity();
-  Vector3d shift = Vector3d::Zero();
-
-  Poles points(const Poles& poles) const {
-    return (poles * linear.transpose()).rowwise() + shift.transpose();
-  }
-  FillSide operator()(const FillSide& side) const {
-    FillSide moved{BezierCurve(points(side.edge.poles()))};
-    if (side.cross) moved.cross = *side.cross * linear.transpose();
-    return moved;
-  }
-};
-
-Move randomMove(double scale, std::mt19937_64& random) {
-  const Matrix3d any = Matrix3d::NullaryExpr([&] { return test::uniform(-1, 1, random); });
-  Matrix3d turn = any.householderQr().householderQ();
-  if (turn.determinant() < 0) turn = -turn;
-  return {scale * turn, 30 * scale * Vector3d::NullaryExpr([&] { return test::uniform(-1, 1, random); })};
-}
-
-FillSide reversed(const FillSide& side) {
-  FillSide back{side.edge.reversed()};
-  if (side.cross) back.cross = side.cross->colwise().reverse();
-  return back;
-}
+using test::Move, test::randomMove, test::reversed;
 
 double difference(const BezierPatch& a, const BezierPatch& b) {
   return (a.poles() - b.poles()).cwiseAbs().maxCoeff();

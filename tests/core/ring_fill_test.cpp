@@ -160,7 +160,7 @@ TEST(RingFill, RefusesWhatItCantFill) {
   Poles poles = bent[0].edge.poles();
   poles(1, 0) += 0.005;
   bent[0].edge = BezierCurve(poles);
-  refused(bent, "corner 0: the angle of the hole is 3.14");
+  refused(bent, "corner 0: the angle of the hole is 180.1");
   std::vector<FillSide> unknown = sides;
   (*unknown[2].bend)(1, 2) = std::nan("");
   refused(unknown, "side 2: coefficient 1 of the second derivative is nan");

@@ -84,6 +84,13 @@ def test_a_closed_solid_comes_out_closed_with_its_colours(tmp_path):
     assert report["output"]["open_edges"] == 0
 
 
+def test_a_filled_solid_keeps_its_name(tmp_path):
+    box = tmp_path / "box.step"
+    box.write_text(re.sub(r"PRODUCT\('[^']*','[^']*'", "PRODUCT('Bracket','Bracket'", box_text()))
+    _, report, out = fill(box, "--face", "6", "--target", "G0")
+    assert report["filled"] and re.search(r"PRODUCT\('Bracket'", out.read_text())
+
+
 def test_the_table_has_the_figures_of_every_seam(tmp_path):
     shell = tmp_path / "shell.brep"
     shell.write_bytes(installed(OCCT_DATA / "occ/shell1.brep").read_bytes())

@@ -381,3 +381,9 @@ def test_real_models(tmp_path, path):
     _, report, out = repair(model, out=tmp_path / ("out" + path.suffix))
     assert model.read_bytes() == content
     expect_same_verdicts(report, out)
+
+
+def test_conditions_that_depend_on_each_other(tmp_path):
+    """Tight tolerances treat so much that conditions of whole nets depend on each other."""
+    _, report, _ = repair(installed(OCCT_DATA / "occ/shell1.brep"), "--angle", "0.05", out=tmp_path / "out.brep")
+    assert report["summary"]["repaired"] > 100

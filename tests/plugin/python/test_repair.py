@@ -14,7 +14,7 @@ import seamwright
 
 HERE = pathlib.Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "cli"))
-from models import box_text, reader_that_finds  # noqa: E402
+from models import OCCT_DATA, box_text, installed, reader_that_finds  # noqa: E402
 from patches import sheet_text, surfaces_of, worst_figures  # noqa: E402
 from schemas import expect_valid, validator  # noqa: E402
 
@@ -194,3 +194,17 @@ def test_others_run_meanwhile(tmp_path):
     done.set()
     counter.join()
     assert sum(began < tick < ended for tick in ticks) > 0.05 * (ended - began) / 0.001
+
+
+def test_what_was_repaired_stays_so_through_later_ways():
+    """Edge135 and Edge197 get G2 by a way that is not the last one."""
+    model = seamwright.read(installed(OCCT_DATA / "occ/shell1.brep"))
+    edges = [86, 87, 90, 91, 92, 103, 104, 105, 106, 107, 109, 111, 131, 132, 134, 135, 137, 140, 141, 143, 144, 146, 147]
+    edges += [150, 189, 190, 192, 193, 194, 195, 196, 197, 198, 199, 200]
+    seams = {seam["before"]["edges"][0]: seam for seam in model.repair(target="G2", edges=edges).seams}
+    for edge in edges:
+        assert seams[edge]["treated"]
+        assert seams[edge]["repaired"] == (seams[edge]["reason"] == ""), edge
+    assert sum(seam["repaired"] for seam in seams.values()) >= 4
+    for edge in (135, 197):
+        assert seams[edge]["repaired"], seams[edge]["reason"]

@@ -9,6 +9,11 @@ of those at the corners. Nothing is shared between faces, so that a break at a s
 import math
 
 import FreeCAD as App
+import MeshPart
+
+#: Angle between neighbours of the first triangles, in radians. Shape.tessellate has one of its own, which falls with the deviation in
+#: mm: small models get hundreds of thousands of triangles.
+TURN = 0.3
 
 #: Deviation of the first triangles from the shape, as a part of the shape's size.
 DEFLECTION = 5e-3
@@ -64,7 +69,7 @@ def facets(shape, progress=None):
 def triangulated_faces(shape, deflection):
     """The faces of a copy of a shape that shares its geometry, with triangles; the shape keeps its own."""
     twin = shape.copy(False, False)
-    twin.tessellate(deflection)
+    MeshPart.meshFromShape(Shape=twin, LinearDeflection=deflection, AngularDeflection=TURN)
     return twin.Faces
 
 
