@@ -33,7 +33,6 @@
 #include <seamwright/occ_adapter/fill/fill_names.hpp>
 #include <seamwright/occ_adapter/fill/side_fit.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
-#include <seamwright/occ_adapter/repair/own_parts.hpp>
 #include <seamwright/occ_adapter/repair/prove.hpp>
 #include <seamwright/occ_adapter/repair/sew.hpp>
 #include <seamwright/occ_adapter/seams/match.hpp>
@@ -455,25 +454,6 @@ void requireEdges(const Model& model, const Hole& hole) {
       if (edges.FindIndex(edge.use.edge) != edge.edge)
         throw std::invalid_argument("hole " + std::to_string(hole.id) + ": the model has no such edge " +
                                     std::to_string(edge.edge));
-}
-
-/// As withOwnParts(): all numbers stay.
-Model modelOfOwnParts(Model model) {
-  model.shape = withOwnParts(model.shape);
-  return model;
-}
-
-/// A hole of another model with the same numbers.
-Hole holeIn(const Model& model, Hole hole) {
-  const TopTools_IndexedMapOfShape faces = partsOf(model.shape, TopAbs_FACE),
-                                   edges = partsOf(model.shape, TopAbs_EDGE);
-  for (HoleSide& side : hole.sides)
-    for (HoleEdge& edge : side.edges) {
-      FaceUse& use = edge.use;
-      use.shape = TopoDS::Face(faces(use.face).Oriented(TopAbs_FORWARD));
-      use.edge = TopoDS::Edge(edges(edge.edge).Oriented(use.edge.Orientation()));
-    }
-  return hole;
 }
 
 /// A model without one of its faces.

@@ -22,6 +22,12 @@ class Numbers {
   TopTools_IndexedMapOfShape whole_, rest_;
 };
 
+/// As withOwnParts(): all numbers stay.
+Model modelOfOwnParts(Model model);
+
+/// A hole of another model with the same numbers.
+Hole holeIn(const Model& model, Hole hole);
+
 /// As fillHole(); \param names of the model's faces.
 FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOptions& options,
                         const FaceNames& names, const Progress& progress);

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <TopoDS.hxx>
+
+#include <seamwright/occ_adapter/fill/fill_names.hpp>
+#include <seamwright/occ_adapter/repair/own_parts.hpp>
+
+namespace seamwright::occ {
+
+Model modelOfOwnParts(Model model) {
+  model.shape = withOwnParts(model.shape);
+  return model;
+}
+
+Hole holeIn(const Model& model, Hole hole) {
+  const TopTools_IndexedMapOfShape faces = partsOf(model.shape, TopAbs_FACE),
+                                   edges = partsOf(model.shape, TopAbs_EDGE);
+  for (HoleSide& side : hole.sides)
+    for (HoleEdge& edge : side.edges) {
+      FaceUse& use = edge.use;
+      use.shape = TopoDS::Face(faces(use.face).Oriented(TopAbs_FORWARD));
+      use.edge = TopoDS::Edge(edges(edge.edge).Oriented(use.edge.Orientation()));
+    }
+  return hole;
+}
+
+}  // namespace seamwright::occ
