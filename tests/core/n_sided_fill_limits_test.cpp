@@ -91,8 +91,9 @@ TEST(NSidedFillLimits, AnglesOfPiAndMore) {
   expectRefused(test::graphHole(test::plane(), bent),
                 AllOf(HasSubstr("corner 0: the angle of the hole is 266.76"), HasSubstr("split the hole")));
   const std::vector<Eigen::Vector2d> straight = {{0, 0}, {10, 0}, {10, 10}, {-10, 10}, {-10, 0}};
-  expectRefused(test::graphHole(test::plane(), straight),
-                AllOf(HasSubstr("corner 0: the angle of the hole is 180 degrees"), HasSubstr("merge the two sides")));
+  expectRefused(
+      test::graphHole(test::plane(), straight),
+      AllOf(HasSubstr("corner 0: the angle of the hole is 180 degrees"), HasSubstr("merge the two sides")));
   std::vector<FillSide> free = test::graphHole(test::plane(), straight);
   for (FillSide& side : free) side.cross.reset();
   expectRefused(free, HasSubstr("merge the two sides"));

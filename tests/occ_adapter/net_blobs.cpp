@@ -152,7 +152,8 @@ handle<Geom2d_Curve> naturalSide(int side, bool reversed) {
 
 /// The surface along a natural side.
 handle<Geom_Curve> curveAlong(const Spline& surface, int side) {
-  const handle<Geom_Curve> curve = side % 2 == 0 ? surface->VIso(side == 2 ? 1 : 0) : surface->UIso(side == 1 ? 1 : 0);
+  const handle<Geom_Curve> curve =
+      side % 2 == 0 ? surface->VIso(side == 2 ? 1 : 0) : surface->UIso(side == 1 ? 1 : 0);
   if (side > 1) curve->Reverse();
   return curve;
 }
