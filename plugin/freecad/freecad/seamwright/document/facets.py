@@ -13,7 +13,7 @@ import MeshPart
 
 #: Angle between neighbours of the first triangles, in radians. Shape.tessellate has one of its own, which falls with the deviation in
 #: mm: small models get hundreds of thousands of triangles.
-TURN = 0.3
+TURN = 0.1
 
 #: Deviation of the first triangles from the shape, as a part of the shape's size.
 DEFLECTION = 5e-3
