@@ -31,14 +31,6 @@ using occ::findSeams;
 using occ::SeamGraph;
 using occ::SeamKind;
 
-TopoDS_Shape compoundOf(const std::vector<TopoDS_Shape>& shapes) {
-  BRep_Builder builder;
-  TopoDS_Compound compound;
-  builder.MakeCompound(compound);
-  for (const TopoDS_Shape& shape : shapes) builder.Add(compound, shape);
-  return compound;
-}
-
 /// Two boxes that share the face between them.
 TopoDS_Shape gluedBoxes() {
   TopTools_ListOfShape arguments;

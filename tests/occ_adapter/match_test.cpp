@@ -51,18 +51,6 @@ using ::testing::IsEmpty;
 using ::testing::Pointwise;
 using ::testing::SizeIs;
 
-TopoDS_Shape compoundOf(const std::vector<TopoDS_Shape>& shapes) {
-  BRep_Builder builder;
-  TopoDS_Compound compound;
-  builder.MakeCompound(compound);
-  for (const TopoDS_Shape& shape : shapes) builder.Add(compound, shape);
-  return compound;
-}
-
-TopoDS_Shape plate(double x0, double x1, double y0, double y1, double z = 0) {
-  return BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0, 0, z), gp::DZ()), x0, x1, y0, y1).Shape();
-}
-
 opencascade::handle<Geom_BezierSurface> bezier(const std::vector<std::vector<gp_Pnt>>& rows) {
   const int n = static_cast<int>(rows.size()), m = static_cast<int>(rows[0].size());
   NCollection_Array2<gp_Pnt> poles(1, n, 1, m);

@@ -112,6 +112,9 @@ int treated(const RepairReport& report) {
 int repairedSeams(const RepairReport& report) {
   return static_cast<int>(std::ranges::count(report.seams, true, &occ::SeamRepair::repaired));
 }
+int sewnSeams(const RepairReport& report) {
+  return static_cast<int>(std::ranges::count(report.seams, true, &occ::SeamRepair::sewn));
+}
 std::string reasonsOf(const RepairReport& report) {
   std::string reasons;
   for (const occ::SeamRepair& seam : report.seams)
@@ -129,6 +132,12 @@ RepairOptions strictRepair(int order) {
   RepairOptions options;
   options.order = order;
   options.tolerance = strict(order).tolerance;
+  return options;
+}
+
+RepairOptions matching(double match_mm) {
+  RepairOptions options;
+  options.match_mm = match_mm;
   return options;
 }
 

@@ -16,10 +16,14 @@ occ::RepairReport repairedModel(const TopoDS_Shape& shape, const occ::RepairOpti
 
 int treated(const occ::RepairReport& report);
 int repairedSeams(const occ::RepairReport& report);
+int sewnSeams(const occ::RepairReport& report);
 std::string reasonsOf(const occ::RepairReport& report);
 double largestMove_mm(const occ::RepairReport& report);
 
 /// So that noise of 0.001 mm is a defect.
 occ::RepairOptions strictRepair(int order);
+
+/// Loose edges up to so far apart are seams.
+occ::RepairOptions matching(double match_mm);
 
 }  // namespace seamwright::test

@@ -27,6 +27,7 @@
 #include <numbers>
 #include <vector>
 
+#include "repair_checks.hpp"
 #include "shapes.hpp"
 
 #include <seamwright/occ_adapter/repair/repair.hpp>
@@ -45,28 +46,6 @@ using std::numbers::pi;
 using testing::Each;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-TopoDS_Shape compoundOf(const std::vector<TopoDS_Shape>& shapes) {
-  const BRep_Builder builder;
-  TopoDS_Compound compound;
-  builder.MakeCompound(compound);
-  for (const TopoDS_Shape& shape : shapes) builder.Add(compound, shape);
-  return compound;
-}
-
-TopoDS_Shape plate(double x0, double x1, double y0, double y1, double z = 0) {
-  return BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0, 0, z), gp::DZ()), x0, x1, y0, y1).Shape();
-}
-
-RepairOptions matching(double match_mm) {
-  RepairOptions options;
-  options.match_mm = match_mm;
-  return options;
-}
-
-int sewnSeams(const RepairReport& report) {
-  return static_cast<int>(std::ranges::count(report.seams, true, &occ::SeamRepair::sewn));
-}
 
 std::vector<std::string> reasonsOf(const RepairReport& report) {
   std::vector<std::string> reasons;

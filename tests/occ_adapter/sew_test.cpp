@@ -33,6 +33,8 @@
 #include "dense_oracle.hpp"
 #include "files.hpp"
 #include "match_pairs.hpp"
+#include "repair_checks.hpp"
+#include "shapes.hpp"
 
 #include <seamwright/occ_adapter/model/read.hpp>
 #include <seamwright/occ_adapter/model/write.hpp>
@@ -51,14 +53,6 @@ int count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
   return partsOf(shape, kind).Extent();
 }
 
-TopoDS_Shape compoundOf(const std::vector<TopoDS_Shape>& shapes) {
-  BRep_Builder builder;
-  TopoDS_Compound compound;
-  builder.MakeCompound(compound);
-  for (const TopoDS_Shape& shape : shapes) builder.Add(compound, shape);
-  return compound;
-}
-
 /// Copies of the faces that share nothing.
 std::vector<TopoDS_Shape> apart(const TopoDS_Shape& shape) {
   std::vector<TopoDS_Shape> faces;
@@ -71,16 +65,6 @@ double volume_mm3(const TopoDS_Shape& shape) {
   GProp_GProps properties;
   BRepGProp::VolumeProperties(shape, properties);
   return properties.Mass();
-}
-
-RepairOptions matching(double match_mm) {
-  RepairOptions options;
-  options.match_mm = match_mm;
-  return options;
-}
-
-int sewnSeams(const RepairReport& report) {
-  return static_cast<int>(std::ranges::count(report.seams, true, &occ::SeamRepair::sewn));
 }
 
 std::string whyNot(const RepairReport& report) {
@@ -288,10 +272,6 @@ TEST(Sew, HalvesOfASphereAndAQuarter) {
   EXPECT_EQ(sewnSeams(report), 3) << whyNot(report);
   EXPECT_EQ(count(report.model.shape, TopAbs_VERTEX), 2);
   expectSolid(report.model.shape, 4000 * pi / 3, 1e-4);
-}
-
-TopoDS_Shape plate(double x0, double x1, double y0, double y1, double z = 0) {
-  return BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0, 0, z), gp::DZ()), x0, x1, y0, y1).Shape();
 }
 
 TEST(Sew, ALongEdgeIsCut) {

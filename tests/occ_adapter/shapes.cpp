@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepLib.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -21,6 +22,7 @@
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
 #include <cmath>
+#include <gp_Pln.hxx>
 #include <gp_Quaternion.hxx>
 #include <limits>
 #include <numbers>
@@ -236,6 +238,18 @@ std::string describe(const occ::SeamResult& seam) {
        << angleDeg(seam) << " deg curvature " << curvature(seam) << " rel " << relativeCurvature(seam) << ' '
        << name(seam.verdict.level) << ' ' << name(seam.verdict.seam_class) << " '" << seam.note << "'";
   return text.str();
+}
+
+TopoDS_Shape compoundOf(const std::vector<TopoDS_Shape>& shapes) {
+  BRep_Builder builder;
+  TopoDS_Compound compound;
+  builder.MakeCompound(compound);
+  for (const TopoDS_Shape& shape : shapes) builder.Add(compound, shape);
+  return compound;
+}
+
+TopoDS_Shape plate(double x0, double x1, double y0, double y1, double z) {
+  return BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0, 0, z), gp::DZ()), x0, x1, y0, y1).Shape();
 }
 
 }  // namespace seamwright::test

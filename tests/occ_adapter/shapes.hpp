@@ -69,4 +69,9 @@ double angleDeg(const occ::SeamResult& seam);
 double curvature(const occ::SeamResult& seam);
 double relativeCurvature(const occ::SeamResult& seam);
 
+TopoDS_Shape compoundOf(const std::vector<TopoDS_Shape>& shapes);
+
+/// Of the plane at height z.
+TopoDS_Shape plate(double x0, double x1, double y0, double y1, double z = 0);
+
 }  // namespace seamwright::test
