@@ -458,6 +458,8 @@ Prepared prepare(const Model& model, bool afresh, const Progress& progress) {
       prepared.manner.accuracy_mm = carried->largest_tolerance_mm;
     return prepared;
   }
+  // What the source states is about its shape, not this one.
+  prepared.manner.accuracy_mm.reset();
   prepared.document = NewDocument(model).document();
   if (const int instances = instancesOf(source.document); instances > 0)
     prepared.report.notes.push_back("faces, edges or vertices are others than in " + model.path +
