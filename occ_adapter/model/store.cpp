@@ -458,8 +458,9 @@ Prepared prepare(const Model& model, bool afresh, const Progress& progress) {
       prepared.manner.accuracy_mm = carried->largest_tolerance_mm;
     return prepared;
   }
-  // What the source states is about its shape, not this one.
+  // What the source states is about its shape, not this one: how accurate it is, and that no faces share edges.
   prepared.manner.accuracy_mm.reset();
+  prepared.manner.iges_solids = true;
   prepared.document = NewDocument(model).document();
   if (const int instances = instancesOf(source.document); instances > 0)
     prepared.report.notes.push_back("faces, edges or vertices are others than in " + model.path +
