@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <CLI/CLI.hpp>
 #include <optional>
-#include <seamwright/occ_adapter/analyze/analyze.hpp>
 #include <seamwright/occ_adapter/model/write.hpp>
 #include <seamwright/plugin/cli/output.hpp>
 #include <seamwright/plugin/cli/progress_bar.hpp>
@@ -72,14 +71,11 @@ int runRepair(const RepairArguments& arguments) {
   const occ::RepairOptions options = optionsOf(arguments);
   requireOutputs(arguments.model, arguments.output);
   const occ::RepairReport report = repairFile(arguments.model, options);
-  const auto judge = [&options](const occ::Model& model, const occ::Progress& progress) {
-    return report::countsOf(occ::analyze(model, occ::analyzeOptions(options), progress));
-  };
   const auto json = [&](const std::optional<report::WrittenModel>& output) {
     return report::toJson(report, options, output);
   };
-  const WrittenOutcome written =
-      writeOutcome({&report.model, judge, json, !report.changed()}, arguments.output);
+  const WrittenOutcome written = writeOutcome(
+      {&report.model, report::judgeOf(report, options), json, !report.changed()}, arguments.output);
   writeStandardOutput(report::toTable(report, written.model));
   warn(arguments.model, report.before.model.notes);
   warnOf(written, arguments.output, report::countsOf(report.after));

@@ -58,10 +58,8 @@ py::object toDict(const RepairReport& repair) {
 
 py::dict writeRepaired(const RepairReport& repair, const std::filesystem::path& path, bool overwrite,
                        bool overwrite_source, const py::object& progress) {
-  const auto judge = [&repair](const occ::Model& model, const occ::Progress& share) {
-    return report::countsOf(occ::analyze(model, occ::analyzeOptions(repair.options), share));
-  };
-  const ResultToWrite result{repair.report.model, !repair.report.changed(), judge,
+  const ResultToWrite result{repair.report.model, !repair.report.changed(),
+                             report::judgeOf(repair.report, repair.options),
                              report::countsOf(repair.report.after)};
   return writeResult(result, {path, overwrite, overwrite_source}, progress);
 }

@@ -4,6 +4,8 @@
 #include <seamwright/plugin/report/json.hpp>
 #include <seamwright/plugin/report/numbers.hpp>
 #include <seamwright/plugin/report/repair_json.hpp>
+#include <set>
+#include <utility>
 
 namespace seamwright::report {
 
@@ -38,7 +40,31 @@ ordered_json arrayOf(const std::vector<Item>& items) {
   return array;
 }
 
+using FacePair = std::pair<int, int>;
+
+FacePair facesOf(const occ::SeamResult& seam) {
+  return std::minmax(seam.faces[0], seam.faces[1]);
+}
+
+std::set<FacePair> matchedFaces(const occ::Report& report) {
+  std::set<FacePair> faces;
+  for (const occ::SeamResult& seam : report.seams)
+    if (seam.kind == occ::SeamKind::Matched) faces.insert(facesOf(seam));
+  return faces;
+}
+
 }  // namespace
+
+Judge judgeOf(const occ::RepairReport& report, const occ::RepairOptions& options) {
+  return [&report, &options](const occ::Model& model, const occ::Progress& progress) {
+    occ::Report found = occ::analyze(model, occ::analyzeOptions(options), progress);
+    const std::set<FacePair> matched = matchedFaces(report.after);
+    std::erase_if(found.seams, [&matched](const occ::SeamResult& seam) {
+      return seam.kind == occ::SeamKind::Matched && matched.count(facesOf(seam)) == 0;
+    });
+    return countsOf(found);
+  };
+}
 
 RepairSummary summarize(const occ::RepairReport& report) {
   RepairSummary summary;

@@ -23,6 +23,10 @@ struct RepairSummary {
 
 RepairSummary summarize(const occ::RepairReport& report);
 
+/// Counts in a file the seams of the analysis that the repair is judged by. Of matched ones those between faces that have some in memory:
+/// where edges that were sewn go on apart from one another, they would match again. Both arguments have to outlive it.
+Judge judgeOf(const occ::RepairReport& report, const occ::RepairOptions& options);
+
 nlohmann::ordered_json toJson(const RepairSummary& summary);
 nlohmann::ordered_json toJson(const occ::SeamRepair& seam, const ContinuityTolerance& tolerance);
 nlohmann::ordered_json toJson(const occ::FaceMove& move);
