@@ -98,7 +98,7 @@ std::string text(double distance_mm) {
 Pcurve keptOrRebuilt(const Pcurve& stored, const SpaceCurve& space, const TopoDS_Edge& edge,
                      const TopoDS_Face& face, double gap_mm) {
   const BRepAdaptor_Surface surface(face, false);
-  const double allowed = std::max(BRep_Tool::Tolerance(edge), gap_mm / 100);
+  const double allowed = std::max(1.5*BRep_Tool::Tolerance(edge), gap_mm / 100);
   const Stray stray = worstStray(stored, space, surface);
   if (stray.distance <= allowed) return stored;
   // Which of the two pcurves of a closed face a projection would give is not known.

@@ -49,6 +49,10 @@ void FairMove::addPlace(const Place& place) {
   if (!conditions_.canChange(shares.poles)) return;
   conditions_.addPoint(shares.poles, shares.share.row(0), target.point, 1 / (task_.share * tolerance.gap_mm));
   if (place.order < 1) return;
+  if (!place.turn.isZero())
+    conditions_.add(shares.poles, shares.share.row(0), place.turn,
+                    Eigen::VectorXd::Constant(1, place.turn.dot(target.point)),
+                    1 / (task_.share * tolerance.angle_rad));
   const SurfaceJet jet = firstOrderJetOf(shares, depends_on_move_ ? surface_.poles() : surface_.original());
   const auto normal = unitNormal(jet, noiseOf(jet, surface_.basis()));
   if (!normal) return;

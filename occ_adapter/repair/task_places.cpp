@@ -24,6 +24,20 @@ std::vector<double> sampleShares(int count, int dense) {
   return shares;
 }
 
+/// From one target to another: in their direction, by what angle the normal turns over a length, 1 / mm.
+Eigen::Vector3d turnBetween(const TargetPoint& from, const TargetPoint& to) {
+  const Eigen::Vector3d way = to.point - from.point;
+  const double length = way.norm();
+  const double turn = from.normal.isZero() || to.normal.isZero() ? 0 : (to.normal - from.normal).norm();
+  return length > 0 ? Eigen::Vector3d(turn / (length * length) * way) : Eigen::Vector3d::Zero();
+}
+
+/// The angle that a point beside its target makes up for by being elsewhere along the path: whoever sets the sides against
+/// one another by nearest points finds it.
+double slidAngle(const Place& place, const Eigen::Vector3d& point) {
+  return std::abs(place.turn.dot(point - place.target.point));
+}
+
 }  // namespace
 
 TaskPlaces::TaskPlaces(const FaceTask& task, const MovingSurface& surface) {
@@ -43,9 +57,15 @@ TaskPlaces::TaskPlaces(const FaceTask& task, const MovingSurface& surface) {
     for (std::size_t k = 0; k < shares.size(); ++k) {
       places.samples.push_back(plane.place(basis, measure.at(shares[k])));
       if (k == 0) continue;
-      for (int m = 1; m <= between; ++m)
+      const Eigen::Vector3d turn =
+          turnBetween(places.samples[k - 1].target, places.samples[k].target);
+      places.samples[k].turn = turn;
+      if (k == 1) places.samples[0].turn = turn;
+      for (int m = 1; m <= between; ++m) {
         places.checks.push_back(
             plane.place(basis, measure.at(shares[k] - m * (shares[k] - shares[k - 1]) / (between + 1))));
+        places.checks.back().turn = turn;
+      }
       length += (places.samples[k].target.point - places.samples[k - 1].target.point).norm();
     }
     spans += measure.spans();
@@ -75,7 +95,8 @@ double ratioAt(const Place& place, const MovingSurface& surface, const Continuit
     if (const auto normal = unitNormal(jet, noiseOf(jet, surface.basis()))) {
       if (is_turned) return infinite;
       pair.angle_rad =
-          std::atan2(normal->cross(place.target.normal).norm(), normal->dot(place.target.normal));
+          std::atan2(normal->cross(place.target.normal).norm(), normal->dot(place.target.normal)) +
+          slidAngle(place, jet.p);
     }
   return ratioOf(pair, place.order, tolerance);
 }
