@@ -98,7 +98,9 @@ std::string text(double distance_mm) {
 Pcurve keptOrRebuilt(const Pcurve& stored, const SpaceCurve& space, const TopoDS_Edge& edge,
                      const TopoDS_Face& face, double gap_mm) {
   const BRepAdaptor_Surface surface(face, false);
-  const double allowed = std::max(1.5*BRep_Tool::Tolerance(edge), gap_mm / 100);
+  // Who reads STEP, which holds no tolerances, has measured them at other points.
+  constexpr double estimate = 1.5;
+  const double allowed = std::max(estimate * BRep_Tool::Tolerance(edge), gap_mm / 100);
   const Stray stray = worstStray(stored, space, surface);
   if (stray.distance <= allowed) return stored;
   // Which of the two pcurves of a closed face a projection would give is not known.

@@ -18,8 +18,9 @@ struct Pcurve {
 
 /// The pcurve of an edge on a face, rebuilt if need be.
 ///
-/// Stored pcurves are taken as they are if, at 9 points, they keep within the tolerance of the edge from its
-/// curve in space (OpenCASCADE's own condition for a valid edge), or within a hundredth of \p gap_mm, which
+/// Stored pcurves are taken as they are if, at 9 points, they keep within one and a half times the tolerance of
+/// the edge from its curve in space (within the tolerance is OpenCASCADE's own condition for a valid edge, but it
+/// measures tolerances that a file does not hold at some points only), or within a hundredth of \p gap_mm, which
 /// no verdict notices. Where one is missing or strays further, the curve in space is projected onto the
 /// surface; the projection replaces the stored pcurve only if it at least halves the distance, because
 /// otherwise the surface itself is away from the edge, which is a gap of the model and not a fault of the

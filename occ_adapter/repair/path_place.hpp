@@ -18,8 +18,9 @@ struct Place {
   Eigen::Vector2d along = Eigen::Vector2d::Zero();  ///< derivative of uv by s
   PoleShares shares;                                ///< second derivatives for a path of order 2 alone
   TargetPoint target;
-  Eigen::Vector3d turn = Eigen::Vector3d::Zero();  ///< along the targets' way: by what angle their normal turns, 1 / mm
-  int order = 0;  ///< that of the path, or 0 where the target has no normal
+  Eigen::Vector3d turn =
+      Eigen::Vector3d::Zero();  ///< along the targets' way: by what angle their normal turns, 1 / mm
+  int order = 0;                ///< that of the path, or 0 where the target has no normal
 };
 
 /// A plane curve over s in [0, 1]. The path must outlive it.

@@ -32,8 +32,8 @@ Eigen::Vector3d turnBetween(const TargetPoint& from, const TargetPoint& to) {
   return length > 0 ? Eigen::Vector3d(turn / (length * length) * way) : Eigen::Vector3d::Zero();
 }
 
-/// The angle that a point beside its target makes up for by being elsewhere along the path: whoever sets the sides against
-/// one another by nearest points finds it.
+/// The angle that is not seen because the point is elsewhere along the path than its target. Who sets the two sides against one another by
+/// their nearest points, as readers of STEP do, finds it.
 double slidAngle(const Place& place, const Eigen::Vector3d& point) {
   return std::abs(place.turn.dot(point - place.target.point));
 }
@@ -54,17 +54,18 @@ TaskPlaces::TaskPlaces(const FaceTask& task, const MovingSurface& surface) {
     // Curvature varies most.
     const int between = path.order > 1 ? 4 : 2;
     PathPlaces& places = paths.emplace_back();
-    for (std::size_t k = 0; k < shares.size(); ++k) {
-      places.samples.push_back(plane.place(basis, measure.at(shares[k])));
-      if (k == 0) continue;
-      const Eigen::Vector3d turn =
-          turnBetween(places.samples[k - 1].target, places.samples[k].target);
-      places.samples[k].turn = turn;
-      if (k == 1) places.samples[0].turn = turn;
+    for (const double share : shares) places.samples.push_back(plane.place(basis, measure.at(share)));
+    const auto turn = [&places](std::size_t from, std::size_t to) {
+      return turnBetween(places.samples[from].target, places.samples[to].target);
+    };
+    const std::size_t last = shares.size() - 1;
+    for (std::size_t k = 0; k <= last; ++k)
+      places.samples[k].turn = turn(k == 0 ? 0 : k - 1, std::min(k + 1, last));
+    for (std::size_t k = 1; k <= last; ++k) {
       for (int m = 1; m <= between; ++m) {
         places.checks.push_back(
             plane.place(basis, measure.at(shares[k] - m * (shares[k] - shares[k - 1]) / (between + 1))));
-        places.checks.back().turn = turn;
+        places.checks.back().turn = turn(k - 1, k);
       }
       length += (places.samples[k].target.point - places.samples[k - 1].target.point).norm();
     }
@@ -79,7 +80,9 @@ PairMeasure measureAt(const Place& place, const MovingSurface& surface) {
   own.jet =
       has_second ? jetOf(place.shares, surface.poles()) : firstOrderJetOf(place.shares, surface.poles());
   own.noise = noiseOf(own.jet, surface.basis());
-  return measurePair(sideOf(place.target), own);
+  PairMeasure pair = measurePair(sideOf(place.target), own);
+  if (pair.angle_rad) *pair.angle_rad += slidAngle(place, own.jet.p);
+  return pair;
 }
 
 double ratioAt(const Place& place, const MovingSurface& surface, const ContinuityTolerance& tolerance) {

@@ -22,7 +22,8 @@ struct TaskPlaces {
   double span_mm = 0;  ///< mean length of path in a span
 };
 
-/// What a place and the surface show of one another; curvature for a path of order 2 alone.
+/// What a place and the surface show of one another; curvature for a path of order 2 alone. The angle is the largest that may be found,
+/// whichever points along the path are set against one another.
 PairMeasure measureAt(const Place& place, const MovingSurface& surface);
 
 /// The worst figure over its tolerance, of those that the place's order needs; infinite where the normal is turned.
