@@ -264,7 +264,10 @@ class Repairing {
       seam.sewn = seam.before.kind == SeamKind::Matched && seam.after.kind != SeamKind::Matched;
       if (const auto why = not_sewn_.find(i); why != not_sewn_.end()) seam.not_sewn = why->second;
       seam.repaired = wanted[i] && isRepaired(seam.after, sharp_[i], options_);
-      if (seam.repaired) seam.reason.clear();
+      if (seam.repaired)
+        seam.reason.clear();
+      else if (wanted[i] && open_[i] && seam.before.kind == SeamKind::Matched && !seam.before.note.empty())
+        seam.reason = seam.before.note + "; " + seam.reason;
       result_.seams.push_back(std::move(seam));
     }
     for (const auto& [face, move_mm] : moves_)
