@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Precision.hxx>
 #include <algorithm>
+#include <array>
 
 #include <seamwright/occ_adapter/convert/closed_spline.hpp>
 
@@ -37,15 +38,12 @@ void makePeriodic(Geom_BSplineSurface& surface, Direction direction, double near
   }
 }
 
-void makeClamped(Geom_BSplineSurface& surface, Direction direction) {
-  // OpenCASCADE adds no knots of its own.
-  if (direction == Direction::U) {
-    surface.IncreaseUMultiplicity(1, surface.UDegree());
-    surface.SetUNotPeriodic();
-  } else {
-    surface.IncreaseVMultiplicity(1, surface.VDegree());
-    surface.SetVNotPeriodic();
-  }
+void makeClamped(Geom_BSplineSurface& surface) {
+  std::array<double, 4> range{};
+  surface.Bounds(range[0], range[1], range[2], range[3]);
+  if (surface.IsUPeriodic()) surface.SetUNotPeriodic();
+  if (surface.IsVPeriodic()) surface.SetVNotPeriodic();
+  surface.Segment(range[0], range[1], range[2], range[3]);
 }
 
 }  // namespace seamwright::occ

@@ -16,7 +16,7 @@ bool endsAtItself(const Geom_BSplineSurface& surface, Direction direction, doubl
 /// pole to move further than \p near_mm; the poles at the end become those at the beginning. \pre endsAtItself() \throws Standard_Failure.
 void makePeriodic(Geom_BSplineSurface& surface, Direction direction, double near_mm);
 
-/// Of a periodic surface one with clamped ends of the same range and shape.
-void makeClamped(Geom_BSplineSurface& surface, Direction direction);
+/// Range and shape stay; the surface is periodic in no direction. \throws Standard_Failure.
+void makeClamped(Geom_BSplineSurface& surface);
 
 }  // namespace seamwright::occ

@@ -101,18 +101,14 @@ double largestDifference_mm(const Geom_BSplineSurface& a, const Geom_BSplineSurf
 /// Where the surface goes round the spline ends at itself as smoothly as can be.
 /// \returns by how much poles moved.
 double close(const Geom_Surface& surface, const Range& range, double near_mm, Geom_BSplineSurface& spline) {
-  const auto goesRound = [&spline, near_mm](double length, double period, Direction direction) {
-    return std::abs(length - period) <= Precision::PConfusion() && endsAtItself(spline, direction, near_mm);
-  };
   const Spline given = Spline::DownCast(spline.Copy());
-  if (surface.IsUPeriodic() && goesRound(range[1] - range[0], surface.UPeriod(), Direction::U)) {
-    makePeriodic(spline, Direction::U, near_mm);
-    makeClamped(spline, Direction::U);
-  }
-  if (surface.IsVPeriodic() && goesRound(range[3] - range[2], surface.VPeriod(), Direction::V)) {
-    makePeriodic(spline, Direction::V, near_mm);
-    makeClamped(spline, Direction::V);
-  }
+  const auto closeIn = [&](Direction direction, double length, double period) {
+    if (std::abs(length - period) <= Precision::PConfusion() && endsAtItself(spline, direction, near_mm))
+      makePeriodic(spline, direction, near_mm);
+  };
+  if (surface.IsUPeriodic()) closeIn(Direction::U, range[1] - range[0], surface.UPeriod());
+  if (surface.IsVPeriodic()) closeIn(Direction::V, range[3] - range[2], surface.VPeriod());
+  makeClamped(spline);
   return largestDifference_mm(*given, spline);
 }
 

@@ -38,10 +38,15 @@ Surface withKnots(const Surface& surface, const std::array<std::set<double>, 2>&
   return refined;
 }
 
+bool isPeriodic(const Geom_BSplineSurface& surface) {
+  return surface.IsUPeriodic() || surface.IsVPeriodic();
+}
+
 /// Periodic where it ends at itself, and as smooth there as it was.
 Surface closed(const Surface& given) {
   const double exactly_mm = Precision::Confusion() / 1000;
   const Surface surface = copyOf(given);
+  if (isPeriodic(*given)) return surface;
   for (const Direction direction : {Direction::U, Direction::V})
     if (endsAtItself(*surface, direction, exactly_mm)) makePeriodic(*surface, direction, exactly_mm);
   return surface;
@@ -50,7 +55,7 @@ Surface closed(const Surface& given) {
 }  // namespace
 
 MovingSurface::MovingSurface(const Surface& given)
-    : given_periodic_{given->IsUPeriodic(), given->IsVPeriodic()},
+    : given_periodic_(isPeriodic(*given)),
       before_(closed(given)),
       basis_(*before_),
       poles_(polesOf(*before_)),
@@ -65,8 +70,7 @@ Surface MovingSurface::now() const {
 
 Surface MovingSurface::moved() const {
   const Surface surface = now();
-  if (surface->IsUPeriodic() && !given_periodic_[0]) makeClamped(*surface, Direction::U);
-  if (surface->IsVPeriodic() && !given_periodic_[1]) makeClamped(*surface, Direction::V);
+  if (isPeriodic(*surface) && !given_periodic_) makeClamped(*surface);
   return surface;
 }
 

@@ -17,7 +17,8 @@ struct MoveNumbers {
 };
 
 /// A spline surface whose poles move and whose knots may become more. Copies share what does not change. Where it ends at itself it is
-/// periodic meanwhile, so that it does so after the move, and as smoothly as its poles and knots made it before.
+/// periodic meanwhile (but for one that was given periodic in the other direction), so that it does so after the move, as smoothly as its
+/// poles and knots made it before.
 class MovingSurface {
  public:
   explicit MovingSurface(const opencascade::handle<Geom_BSplineSurface>& given);
@@ -52,7 +53,7 @@ class MovingSurface {
  private:
   opencascade::handle<Geom_BSplineSurface> now() const;
 
-  std::array<bool, 2> given_periodic_;
+  bool given_periodic_;
   opencascade::handle<Geom_BSplineSurface> before_;
   opencascade::handle<Geom_BSplineSurface>
       touched_;  ///< one where a touched pole has a share in the pole of now
