@@ -4,6 +4,7 @@
 #include <GeomConvert.hxx>
 #include <GeomConvert_ApproxSurface.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
+#include <Precision.hxx>
 #include <TopLoc_Location.hxx>
 #include <algorithm>
 #include <array>
@@ -13,6 +14,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include <seamwright/occ_adapter/convert/closed_spline.hpp>
 #include <seamwright/occ_adapter/convert/polynomial_surface.hpp>
 
 namespace seamwright::occ {
@@ -89,6 +91,27 @@ PolynomialSurface approximated(const handle<Geom_Surface>& trimmed, double near_
   return {approximation.Surface(), approximation.MaxError()};
 }
 
+double largestDifference_mm(const Geom_BSplineSurface& a, const Geom_BSplineSurface& b) {
+  double largest = 0;
+  for (int i = 1; i <= a.NbUPoles(); ++i)
+    for (int j = 1; j <= a.NbVPoles(); ++j) largest = std::max(largest, a.Pole(i, j).Distance(b.Pole(i, j)));
+  return largest;
+}
+
+/// Where the surface goes round the spline ends at itself as smoothly as can be.
+/// \returns by how much poles moved.
+double close(const Geom_Surface& surface, const Range& range, double near_mm, Geom_BSplineSurface& spline) {
+  const Spline given = Spline::DownCast(spline.Copy());
+  const auto closeIn = [&](Direction direction, double length, double period) {
+    if (std::abs(length - period) <= Precision::PConfusion() && endsAtItself(spline, direction, near_mm))
+      makePeriodic(spline, direction, near_mm);
+  };
+  if (surface.IsUPeriodic()) closeIn(Direction::U, range[1] - range[0], surface.UPeriod());
+  if (surface.IsVPeriodic()) closeIn(Direction::V, range[3] - range[2], surface.VPeriod());
+  makeClamped(spline);
+  return largestDifference_mm(*given, spline);
+}
+
 /// Poles of a side of the spline that is one point of the surface become that point.
 void collapse(const Geom_Surface& surface, const Range& range, Geom_BSplineSurface& spline) {
   for (const bool along_u : {true, false})
@@ -122,7 +145,8 @@ PolynomialSurface polynomialSurface(const TopoDS_Face& face, double near_mm) {
       new Geom_RectangularTrimmedSurface(surface, range[0], range[1], range[2], range[3]);
   PolynomialSurface polynomial = exact(trimmed, range);
   if (polynomial.surface.IsNull()) {
-    polynomial = approximated(trimmed, near_mm);
+    polynomial = approximated(trimmed, near_mm / 2);
+    polynomial.error_mm += close(*surface, range, near_mm / 16, *polynomial.surface);
     collapse(*surface, range, *polynomial.surface);
     polynomial.error_mm =
         std::max(polynomial.error_mm, distanceOf(*trimmed, *polynomial.surface, range).largest_mm);

@@ -33,9 +33,9 @@ enum class Role {
 };
 
 /// What of a seam has to stay: its place, its tangent plane, its curvature.
-int orderToKeep(const SeamResult& seam) {
+int orderToKeep(const SeamResult& seam, const ContinuityTolerance& tolerance) {
   if (seam.verdict.seam_class == SeamClass::Crease) return 0;
-  return seam.verdict.level >= Level::G2 ? 2 : 1;
+  return seam.verdict.level >= Level::G2 && !anyCurvatureDoes(tolerance) ? 2 : 1;
 }
 
 handle<Geom_BSplineSurface> splineOf(const TopoDS_Face& face) {
@@ -71,7 +71,7 @@ class Following {
   bool isActive(std::size_t seam) const { return roles_[seam] != Role::Held; }
   bool moves(int face) const { return moving_.count(face) > 0; }
   int orderOf(std::size_t seam) const {
-    if (roles_[seam] != Role::Treated) return orderToKeep(task_.before[seam]);
+    if (roles_[seam] != Role::Treated) return orderToKeep(task_.before[seam], task_.options.tolerance);
     return task_.sharp[seam] ? 0 : task_.options.order;
   }
 

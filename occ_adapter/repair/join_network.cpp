@@ -268,8 +268,9 @@ class Network {
         joined.edges[which] = seam.uses[which].side.edge;
       }
       joined.reversed = seam.uses[0].side.with_edge != seam.uses[1].side.with_edge;
-      const bool keep_curvature =
-          !task_.treated[seam.number] && task_.before[seam.number].verdict.level >= Level::G2;
+      const bool keep_curvature = !task_.treated[seam.number] &&
+                                  task_.before[seam.number].verdict.level >= Level::G2 &&
+                                  !anyCurvatureDoes(task_.options.tolerance);
       joined.order = keep_curvature ? 2 : task_.options.order;
       seams.push_back(joined);
     }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Precision.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <algorithm>
 
+#include <seamwright/occ_adapter/convert/closed_spline.hpp>
 #include <seamwright/occ_adapter/repair/moving_surface.hpp>
 
 namespace seamwright::occ {
@@ -36,18 +38,39 @@ Surface withKnots(const Surface& surface, const std::array<std::set<double>, 2>&
   return refined;
 }
 
+bool isPeriodic(const Geom_BSplineSurface& surface) {
+  return surface.IsUPeriodic() || surface.IsVPeriodic();
+}
+
+/// Periodic where it ends at itself, and as smooth there as it was.
+Surface closed(const Surface& given) {
+  const double exactly_mm = Precision::Confusion() / 1000;
+  const Surface surface = copyOf(given);
+  if (isPeriodic(*given)) return surface;
+  for (const Direction direction : {Direction::U, Direction::V})
+    if (endsAtItself(*surface, direction, exactly_mm)) makePeriodic(*surface, direction, exactly_mm);
+  return surface;
+}
+
 }  // namespace
 
 MovingSurface::MovingSurface(const Surface& given)
-    : before_(copyOf(given)),
+    : given_periodic_(isPeriodic(*given)),
+      before_(closed(given)),
       basis_(*before_),
       poles_(polesOf(*before_)),
       original_(poles_),
       given_spacing_(spacingOf(basis_)) {}
 
-Surface MovingSurface::moved() const {
+Surface MovingSurface::now() const {
   const Surface surface = copyOf(before_);
   occ::setPoles(*surface, poles_);
+  return surface;
+}
+
+Surface MovingSurface::moved() const {
+  const Surface surface = now();
+  if (isPeriodic(*surface) && !given_periodic_) makeClamped(*surface);
   return surface;
 }
 
@@ -78,7 +101,7 @@ void MovingSurface::touch(const std::vector<bool>& poles) {
 
 void MovingSurface::insert(const std::array<std::set<double>, 2>& knots,
                            const std::vector<Eigen::Vector2d>& places, bool near_alone) {
-  poles_ = polesOf(*withKnots(moved(), knots));
+  poles_ = polesOf(*withKnots(now(), knots));
   before_ = withKnots(before_, knots);
   touched_ = withKnots(touched_, knots);
   basis_ = SurfaceBasis(*before_);

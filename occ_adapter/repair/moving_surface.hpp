@@ -16,17 +16,20 @@ struct MoveNumbers {
   int count = 0;
 };
 
-/// A spline surface whose poles move and whose knots may become more. Copies share what does not change.
+/// A spline surface whose poles move and whose knots may become more. Copies share what does not change. Where it ends at itself it is
+/// periodic meanwhile (but for one that was given periodic in the other direction), so that it does so after the move, as smoothly as its
+/// poles and knots made it before.
 class MovingSurface {
  public:
   explicit MovingSurface(const opencascade::handle<Geom_BSplineSurface>& given);
 
   const SurfaceBasis& basis() const { return basis_; }
-  /// As given, with the knots of now.
+  /// As given, with the knots of now and periodic where it ends at itself.
   const opencascade::handle<Geom_BSplineSurface>& before() const { return before_; }
   const PointRows& original() const { return original_; }
   const PointRows& poles() const { return poles_; }
   void setPoles(PointRows poles) { poles_ = std::move(poles); }
+  /// Periodic where it was given so.
   opencascade::handle<Geom_BSplineSurface> moved() const;
   double largestMove_mm() const { return (poles_ - original_).rowwise().norm().maxCoeff(); }
   /// Of the poles in u and v, in the mean, before knots were inserted.
@@ -48,6 +51,9 @@ class MovingSurface {
   bool isCollapsed(double near_mm) const;
 
  private:
+  opencascade::handle<Geom_BSplineSurface> now() const;
+
+  bool given_periodic_;
   opencascade::handle<Geom_BSplineSurface> before_;
   opencascade::handle<Geom_BSplineSurface>
       touched_;  ///< one where a touched pole has a share in the pole of now

@@ -7,6 +7,7 @@
 #include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include <seamwright/occ_adapter/repair/convert_faces.hpp>
 #include <seamwright/occ_adapter/repair/prove.hpp>
@@ -38,20 +39,25 @@ class Repairing {
     const auto start = std::chrono::steady_clock::now();
     result_.model = model_;
     result_.before = analyze(model_, analyzeOptions(options_), partOf(progress_, 0, share_of_analysis));
-    result_.after = result_.before;
+    now_.shape = model_.shape;
+    now_.after = result_.before;
     Choice choice = choose(model_, result_.before, options_);
-    reasons_ = std::move(choice.reasons);
+    now_.reasons = std::move(choice.reasons);
     sharp_ = std::move(choice.sharp);
     const std::vector<bool> wanted = choice.treated;
-    open_ = wanted;
+    now_.open = wanted;
     if (std::ranges::count(wanted, true) > 0) {
-      seams_ = seamsOf(model_.shape, options_, {});
+      now_.seams = seamsOf(model_.shape, options_, {});
       const double all = options_.match_mm > 0 && options_.sew ? share_before_sewing : 1;
-      const double target = options_.order == 1 ? all : (share_of_analysis + all) / 2;
-      to_keep_ = result_.before.seams;
-      repair(choice.faces, options_, partOf(progress_, share_of_analysis, target));
-      if (options_.order > 1) repairToG1(choice.faces, partOf(progress_, target, all));
+      const Progress part = partOf(progress_, share_of_analysis, all);
+      now_.to_keep = result_.before.seams;
+      if (options_.order == 1 || anyCurvatureDoes(options_.tolerance))
+        repair(choice.faces, toG1(), options_.level(), part);
+      else
+        repairToG2(choice.faces, part);
     }
+    result_.model.shape = now_.shape;
+    result_.after = now_.after;
     if (options_.match_mm > 0 && options_.sew) sew();
     tell(wanted);
     result_.repair_s = secondsSince(start);
@@ -70,6 +76,19 @@ class Repairing {
   using Solver = std::function<RepairSolution(const RepairTask&, const Progress&)>;
   using Reasons = std::map<std::size_t, std::string>;
 
+  /// The model on its way.
+  struct State {
+    TopoDS_Shape shape;
+    Report after;
+    std::vector<Seam> seams;
+    std::vector<bool> open;            ///< by seam: to be repaired, and not yet
+    std::vector<SeamResult> to_keep;   ///< what no seam may be worse than: as given, or as repaired
+    std::vector<std::string> reasons;  ///< by seam
+    std::map<int, double> moves;       ///< by face
+    std::map<int, double> edge_moves;  ///< by edge
+    std::optional<Soundness> was;      ///< of the shape, once known
+  };
+
   enum class Which { All, Dear, NotDear };
   struct Way {
     Solver solver;
@@ -77,21 +96,79 @@ class Repairing {
     bool gives_curvature = true;  ///< false: hardly ever, and as slowly as the others together
   };
 
-  /// Seams that can't have one curvature get one tangent plane, if they lack that too; what was repaired stays so.
-  void repairToG1(const std::vector<FaceChoice>& faces, const Progress& progress) {
+  RepairOptions toG1() const {
     RepairOptions options = options_;
     options.order = 1;
-    to_keep_ = judged(std::move(to_keep_), options);
-    std::vector<std::size_t> asked;
-    for (std::size_t i = 0; i < open_.size(); ++i) {
-      open_[i] = open_[i] && !sharp_[i] && !isRepaired(result_.after.seams[i], false, options);
-      if (open_[i]) asked.push_back(i);
+    return options;
+  }
+
+  bool hasG1(const State& state, std::size_t i) const {
+    return isRepaired(state.after.seams[i], sharp_[i], toG1());
+  }
+
+  /// Seams that can't have one curvature get one tangent plane, if they lack that too; what was repaired stays so. What one plane alone
+  /// would have got it has got it then: where the curvature of others is in the way, planes come first.
+  void repairToG2(const std::vector<FaceChoice>& faces, const Progress& progress) {
+    const State given = now_;
+    const std::vector<bool>& wanted = given.open;
+    repair(faces, options_, Level::G2, partOf(progress, 0, 0.5));
+    std::vector<std::string> of_g2 = now_.reasons;
+    // Of these the gap alone was to be closed.
+    for (std::size_t i = 0; i < wanted.size(); ++i) now_.open[i] = now_.open[i] && !sharp_[i];
+    repairToG1(faces, Level::G2, partOf(progress, 0.5, 0.6));
+    repairToG1(faces, Level::G1, partOf(progress, 0.6, 0.7));
+    std::vector<std::string> of_g1 = now_.reasons;
+    const auto lacks = [&](const State& state, std::size_t i) { return wanted[i] && !hasG1(state, i); };
+    const auto some = [&](const auto& holds) {
+      for (std::size_t i = 0; i < wanted.size(); ++i)
+        if (holds(i)) return true;
+      return false;
+    };
+    if (some([&](std::size_t i) { return lacks(now_, i); })) {
+      State curved = std::exchange(now_, given);
+      repairToG1(faces, Level::G1, partOf(progress, 0.7, 0.85));
+      if (some([&](std::size_t i) { return lacks(curved, i) && !lacks(now_, i); })) {
+        of_g1 = now_.reasons;
+        repairAgain(curved, faces, of_g2, partOf(progress, 0.85, 1));
+      } else {
+        now_ = std::move(curved);
+      }
     }
-    const std::vector<std::string> of_g2 = reasons_;
-    for (const std::size_t i : asked) reasons_[i].clear();
-    repair(faces, options, progress);
-    for (const std::size_t i : asked)
-      reasons_[i] = open_[i] ? of_g2[i] + "; G1: " + reasons_[i] : "G1 reached; G2: " + of_g2[i];
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      if (wanted[i] && !sharp_[i] && !hasG1(given, i))
+        now_.reasons[i] = hasG1(now_, i) ? "G1 reached; G2: " + of_g2[i] : of_g2[i] + "; G1: " + of_g1[i];
+      else if (wanted[i])
+        now_.reasons[i] = of_g2[i];
+  }
+
+  /// Open seams that lack one tangent plane. \param asked see RepairTask.
+  void repairToG1(const std::vector<FaceChoice>& faces, Level asked, const Progress& progress) {
+    const RepairOptions options = toG1();
+    now_.to_keep = judged(std::move(now_.to_keep), options);
+    for (std::size_t i = 0; i < now_.open.size(); ++i) {
+      now_.open[i] = now_.open[i] && !hasG1(now_, i);
+      if (now_.open[i]) now_.reasons[i].clear();
+    }
+    repair(faces, options, asked, progress);
+  }
+
+  /// Seams that got one curvature in another state. \param of_g2 why seams have none.
+  void repairAgain(const State& curved, const std::vector<FaceChoice>& faces, std::vector<std::string>& of_g2,
+                   const Progress& progress) {
+    const auto has = [this](const State& state, std::size_t i) {
+      return isRepaired(state.after.seams[i], sharp_[i], options_);
+    };
+    now_.to_keep = judged(std::move(now_.to_keep), options_);
+    for (std::size_t i = 0; i < now_.open.size(); ++i) {
+      if (now_.after.seams[i].verdict.level < now_.to_keep[i].verdict.level)
+        now_.to_keep[i] = now_.after.seams[i];
+      now_.open[i] = has(curved, i) && !has(now_, i);
+      if (now_.open[i]) now_.reasons[i].clear();
+    }
+    const std::vector<bool> tried = now_.open;
+    repair(faces, options_, Level::G2, progress);
+    for (std::size_t i = 0; i < tried.size(); ++i)
+      if (tried[i]) of_g2[i] = now_.reasons[i];
   }
 
   static std::vector<SeamResult> judged(std::vector<SeamResult> seams, const RepairOptions& options) {
@@ -101,7 +178,8 @@ class Repairing {
 
   /// What one way leaves the next one tries, in the shape as it is then; what an exact join moves far, first by following.
   /// \param options with the order that is tried.
-  void repair(const std::vector<FaceChoice>& faces, const RepairOptions& options, const Progress& progress) {
+  void repair(const std::vector<FaceChoice>& faces, const RepairOptions& options, Level asked,
+              const Progress& progress) {
     followed_.clear();
     JoinedPairs pairs;
     DearSeams dear;
@@ -126,13 +204,13 @@ class Repairing {
     double done = 0;
     for (std::size_t k = 0; k < ways.size(); ++k) {
       const double next = done + (1 - done) / static_cast<double>(ways.size() - k);
-      const TopoDS_Shape shape = result_.model.shape;
-      const std::vector<SeamResult> before = judged(result_.after.seams, options);
-      RepairTask task{shape, seams_, to_keep_, before, faces, sharp_, open_, options, options_.level()};
-      for (std::size_t i = 0; i < open_.size(); ++i)
+      const TopoDS_Shape shape = now_.shape;
+      const std::vector<SeamResult> before = judged(now_.after.seams, options);
+      RepairTask task{shape, now_.seams, now_.to_keep, before, faces, sharp_, now_.open, options, asked};
+      for (std::size_t i = 0; i < now_.open.size(); ++i)
         if (ways[k].which != Which::All && (dear.count(i) > 0) != (ways[k].which == Which::Dear))
           task.treated[i] = false;
-      if (options.order > 1 && !ways[k].gives_curvature) task.treated.assign(open_.size(), false);
+      if (options.order > 1 && !ways[k].gives_curvature) task.treated.assign(now_.open.size(), false);
       pairs.clear();
       says_why_ = ways[k].which != Which::Dear;
       if (std::ranges::count(task.treated, true) > 0)
@@ -176,7 +254,7 @@ class Repairing {
       RepairTask rest = task;
       giveUp(solution.failures, rest);
       if (solution.changes.empty() && solution.paths.empty()) return everything(task, nothing_moved);
-      for (FaceChange& change : solution.changes) change.largest_move_mm += moves_[change.face];
+      for (FaceChange& change : solution.changes) change.largest_move_mm += now_.moves[change.face];
       Proof proof;
       TopoDS_Shape changed;
       proof.too_far = movedTooFar(rest, solution.changes);
@@ -186,7 +264,7 @@ class Repairing {
         // Figures known are of edges with the paths that they have in the shape.
         MeasuredSeams of_paths;
         MeasuredSeams& known = solution.paths.empty() ? measured : of_paths;
-        proof = prove(rest, solution.changes, changed, was_, known, partOf(progress, 0.5, 1));
+        proof = prove(rest, solution.changes, changed, now_.was, known, partOf(progress, 0.5, 1));
       }
       if (!proof.holds()) {
         Reasons given_up = culprits(rest, solution, proof, with_connected);
@@ -216,32 +294,33 @@ class Repairing {
     for (const auto& [i, why] : seams) {
       task.treated[i] = false;
       const bool tells = says_why_ && why != nothing_moved;
-      if (tells || reasons_[i].empty()) reasons_[i] = why;
+      if (tells || now_.reasons[i].empty()) now_.reasons[i] = why;
     }
   }
 
   void keep(const RepairTask& task, const RepairSolution& solution, const TopoDS_Shape& changed,
             const Proof& proof) {
-    result_.model.shape = changed;
+    now_.shape = changed;
     followed_.clear();
-    was_ = proof.soundness;
-    result_.after.seams = judged(proof.after, options_);
-    seams_ = seamsIn(changed, seams_);
-    for (const FaceChange& change : solution.changes) moves_[change.face] = change.largest_move_mm;
-    for (const PathChange& change : solution.paths) edge_moves_[change.edge] = change.largest_move_mm;
+    now_.was = proof.soundness;
+    now_.after.seams = judged(proof.after, options_);
+    now_.seams = seamsIn(changed, now_.seams);
+    for (const FaceChange& change : solution.changes) now_.moves[change.face] = change.largest_move_mm;
+    for (const PathChange& change : solution.paths) now_.edge_moves[change.edge] = change.largest_move_mm;
     for (std::size_t i = 0; i < task.treated.size(); ++i) {
-      if (open_[i] && isRepaired(proof.after[i], sharp_[i], task.options)) to_keep_[i] = proof.after[i];
+      if (now_.open[i] && isRepaired(proof.after[i], sharp_[i], task.options))
+        now_.to_keep[i] = proof.after[i];
       if (!task.treated[i]) continue;
-      open_[i] = false;
-      reasons_[i].clear();
+      now_.open[i] = false;
+      now_.reasons[i].clear();
     }
   }
 
   void sew() {
-    if (seams_.empty()) seams_ = seamsOf(model_.shape, options_, {});
+    if (now_.seams.empty()) now_.seams = seamsOf(model_.shape, options_, {});
     const TopoDS_Shape shape = result_.model.shape;
     const std::vector<SeamResult> before = result_.after.seams;
-    const RepairTask task{shape, seams_, result_.before.seams, before, {}, sharp_, open_, options_};
+    const RepairTask task{shape, now_.seams, result_.before.seams, before, {}, sharp_, now_.open, options_};
     const std::vector<Seam> seams = seamsAfter(task, shape, {});
     SewSolution solution =
         sewLoose({shape, seams, before, options_}, partOf(progress_, share_before_sewing, 1));
@@ -260,7 +339,7 @@ class Repairing {
   void tell(const std::vector<bool>& wanted) {
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       SeamRepair seam{
-          result_.before.seams[i], result_.after.seams[i], wanted[i], false, reasons_[i], false, {}};
+          result_.before.seams[i], result_.after.seams[i], wanted[i], false, now_.reasons[i], false, {}};
       seam.sewn = seam.before.kind == SeamKind::Matched && seam.after.kind != SeamKind::Matched;
       if (const auto why = not_sewn_.find(i); why != not_sewn_.end()) seam.not_sewn = why->second;
       seam.repaired = wanted[i] && isRepaired(seam.after, sharp_[i], options_);
@@ -270,24 +349,18 @@ class Repairing {
         seam.reason = seam.before.note + "; " + seam.reason;
       result_.seams.push_back(std::move(seam));
     }
-    for (const auto& [face, move_mm] : moves_)
+    for (const auto& [face, move_mm] : now_.moves)
       if (move_mm > 0) result_.moves.push_back({face, move_mm});
-    for (const auto& [edge, move_mm] : edge_moves_) result_.edge_moves.push_back({edge, move_mm});
+    for (const auto& [edge, move_mm] : now_.edge_moves) result_.edge_moves.push_back({edge, move_mm});
   }
 
   const Model& model_;
   const RepairOptions& options_;
   const Progress& progress_;
-  std::vector<Seam> seams_;           ///< of the shape as it is
-  std::vector<bool> sharp_;           ///< by seam, see Choice
-  std::vector<bool> open_;            ///< by seam: to be repaired, and not yet
-  std::vector<SeamResult> to_keep_;   ///< what no seam may be worse than: as given, or as repaired
-  std::vector<std::string> reasons_;  ///< by seam
-  bool says_why_ = true;              ///< the way at work, also where one before did
-  std::map<int, double> moves_;       ///< by face
-  std::optional<Soundness> was_;      ///< of the shape as it is, once known
-  FollowedFaces followed_;            ///< in the shape as it is
-  std::map<int, double> edge_moves_;  ///< by edge
+  State now_;
+  std::vector<bool> sharp_;  ///< by seam, see Choice
+  bool says_why_ = true;     ///< the way at work, also where one before did
+  FollowedFaces followed_;   ///< in the shape as it is
   Reasons not_sewn_;
   RepairReport result_;
 };

@@ -28,6 +28,11 @@ struct RepairTask {
   Level asked = options.level();  ///< by the user, where the options ask for less
 };
 
+/// No difference of curvature is beyond the tolerance, as relativeDifference() is at most 2: G2 is G1.
+inline bool anyCurvatureDoes(const ContinuityTolerance& tolerance) {
+  return tolerance.curvature_rel >= 2;
+}
+
 /// Surfaces that make seams flow, as far as the solver can tell.
 struct RepairSolution {
   std::vector<FaceChange> changes;
