@@ -77,6 +77,39 @@ Vector3d derivativeAt(const SideFitEnd& end, const SideSample& sample) {
   return end.direction ? Vector3d(sample.derivative.norm() * *end.direction) : sample.derivative;
 }
 
+/// Where one side ends and the next begins, in one tangent plane.
+struct FitCorner {
+  SideFitEnd end, begin;
+  Vector3d normal;
+};
+
+/// The normal of the face, up where the hole is seen to the left of the side.
+Vector3d upward(const SideSample& sample) {
+  return sample.beyond.cross(sample.derivative).normalized();
+}
+
+/// Both sides go on in one direction.
+FitCorner smoothCorner(const SideSample& in, const SideSample& out) {
+  const Vector3d along = (in.derivative.normalized() + out.derivative.normalized()).normalized();
+  const SideFitEnd end{(in.point + out.point) / 2, along};
+  return {end, end, (in.beyond + out.beyond).cross(along).normalized()};
+}
+
+/// The plane is halfway between those of both faces where both sides can be turned into it, by no more than \p most_turn_rad; else it is that
+/// of their own directions.
+FitCorner sharpCorner(const SideSample& in, const SideSample& out,
+                      const std::array<double, 2>& most_turn_rad) {
+  const SideFitEnd own{(in.point + out.point) / 2, std::nullopt};
+  const Vector3d mean = (upward(in) + upward(out)).normalized();
+  if (angleToPlane(in.derivative, mean) > most_turn_rad[0] ||
+      angleToPlane(out.derivative, mean) > most_turn_rad[1])
+    return {own, own, in.derivative.cross(out.derivative).normalized()};
+  const auto turned = [&](const SideSample& sample) {
+    return SideFitEnd{own.point, (sample.derivative - sample.derivative.dot(mean) * mean).normalized()};
+  };
+  return {turned(in), turned(out), mean};
+}
+
 /// Ends and end derivatives are kept.
 BezierCurve fittedEdge(const std::vector<SideSample>& samples, const std::array<SideFitEnd, 2>& ends,
                        int degree) {
@@ -159,21 +192,30 @@ class SideFit {
 
   SideSample end(bool last) const { return path_.at(last ? 1 : 0, speed_); }
 
-  void fitEdge(const std::array<SideFitEnd, 2>& ends) {
-    fitEdgeAt(speed_, ends);
-    if (speed_ == Speed::Even || isNear()) return;
-    const SideFit own = *this;
-    fitEdgeAt(Speed::Even, ends);
-    if (own.miss() < miss()) *this = own;
+  /// An end turned by so much moves a cubic edge by a share of the gap that others leave.
+  double mostTurn_rad() const {
+    constexpr double gap_of_turn = 4.0 / 27, share = 5;
+    return share * options_.gap_mm / (gap_of_turn * path_.length_mm());
   }
 
-  const BezierCurve& edge() const { return edge_; }
+  /// By the edge's own parameter, or where that is not near enough and arc length comes nearer, by that.
+  void fitEdge(const std::array<SideFitEnd, 2>& ends) {
+    samples_ = samplesAt(speed_);
+    fit_ = nearestEdge(samples_, ends);
+    if (speed_ == Speed::Even || fit_.miss <= 1) return;
+    Samples even = samplesAt(Speed::Even);
+    EdgeFit other = nearestEdge(even, ends);
+    if (other.miss < fit_.miss) samples_ = std::move(even), fit_ = std::move(other);
+  }
+
+  const BezierCurve& edge() const { return fit_.edge; }
 
   FittedSide finished(const std::array<Vector3d, 2>& corner_normals) const {
-    FittedSide fitted{{edge_, std::nullopt}, gap_mm_, 0, {}};
+    FittedSide fitted{{fit_.edge, std::nullopt}, fit_.gap_mm, 0, {}};
     for (const int end : {0, 1})
-      fitted.corner_rad[end] = std::acos(std::min(
-          1.0, std::abs(corner_normals[end].dot((end == 0 ? checks_.front() : checks_.back()).normal))));
+      fitted.corner_rad[end] = std::acos(
+          std::min(1.0, std::abs(corner_normals[end].dot(
+                            (end == 0 ? samples_.checked.front() : samples_.checked.back()).normal))));
     if (std::ranges::max(fitted.corner_rad) > options_.planar_rad) return fitted;
     fitCross(corner_normals, fitted);
     if (options_.curvature) fitBend(fitted);
@@ -181,44 +223,60 @@ class SideFit {
   }
 
  private:
-  /// What is reached over what is asked for.
-  double miss() const { return std::max(gap_mm_ / options_.gap_mm, tilt_rad_ / options_.angle_rad); }
-  bool isNear() const { return miss() <= 1; }
+  struct Samples {
+    std::vector<SideSample> fitted, checked;
+  };
 
-  void fitEdgeAt(Speed speed, const std::array<SideFitEnd, 2>& ends) {
-    speed_ = speed;
+  struct EdgeFit {
+    BezierCurve edge{Poles(Poles::Zero(1, 3))};
+    double gap_mm = 0, tilt_rad = 0;
+    double miss = HUGE_VAL;  ///< what is reached over what is asked for
+  };
+
+  Samples samplesAt(Speed speed) const {
     const int count = 6 * options_.most_degree;
-    samples_ = samplesOf(path_, speed, count);
-    checks_ = samplesOf(path_, speed, 4 * count);
-    for (const SideSample* sample : {&samples_.front(), &samples_.back()})
+    Samples samples{samplesOf(path_, speed, count), samplesOf(path_, speed, 4 * count)};
+    for (const SideSample* sample : {&samples.fitted.front(), &samples.fitted.back()})
       if (!(sample->derivative.norm() > 1e-9 * path_.length_mm()))
         throw std::runtime_error("an edge has no tangent where it ends");
-    for (int degree = 3; degree <= options_.most_degree; ++degree) {
-      edge_ = fittedEdge(samples_, ends, degree);
-      measureEdge();
-      if (isNear()) return;
-    }
+    return samples;
   }
 
-  void measureEdge() {
-    gap_mm_ = tilt_rad_ = 0;
-    for (const SideSample& check : checks_) {
-      const CurveJet jet = edge_.jet(check.t);
-      gap_mm_ = std::max(gap_mm_, (jet.p - check.point).norm());
-      tilt_rad_ = std::max(tilt_rad_, angleToPlane(jet.d1, check.normal));
+  /// The lowest degree that is near enough, or that others come hardly nearer than. Ends may lie a little off the path, as neighbours do:
+  /// the higher the degree the shorter the way on which that is made good, and the more the edge tilts.
+  EdgeFit nearestEdge(const Samples& samples, const std::array<SideFitEnd, 2>& ends) const {
+    constexpr double nearer = 0.9;
+    constexpr int patience = 2;  // symmetric paths gain by every other degree
+    EdgeFit best;
+    for (int degree = 3; degree <= options_.most_degree; ++degree) {
+      EdgeFit tried = measured(fittedEdge(samples.fitted, ends, degree), samples);
+      if (tried.miss < nearer * best.miss) best = std::move(tried);
+      if (best.miss <= 1 || degree - best.edge.degree() >= patience) break;
     }
+    return best;
+  }
+
+  EdgeFit measured(BezierCurve edge, const Samples& samples) const {
+    EdgeFit fit{std::move(edge)};
+    for (const SideSample& check : samples.checked) {
+      const CurveJet jet = fit.edge.jet(check.t);
+      fit.gap_mm = std::max(fit.gap_mm, (jet.p - check.point).norm());
+      fit.tilt_rad = std::max(fit.tilt_rad, angleToPlane(jet.d1, check.normal));
+    }
+    fit.miss = std::max(fit.gap_mm / options_.gap_mm, fit.tilt_rad / options_.angle_rad);
+    return fit;
   }
 
   /// A field that is nearly zero somewhere, beside its largest, has the planes but makes folds.
   void fitCross(const std::array<Vector3d, 2>& corner_normals, FittedSide& fitted) const {
     constexpr double even_enough = 0.7, rounding = 1.01;
     constexpr std::array<double, 4> weights_of_normal_part = {1e6, 1e5, 1e4, 1e3};
-    const double floor_rad = std::max(tilt_rad_, std::ranges::max(fitted.corner_rad));
+    const double floor_rad = std::max(fit_.tilt_rad, std::ranges::max(fitted.corner_rad));
     const double enough_rad = std::max(options_.angle_rad, rounding * floor_rad);
     bool is_even = false;
     for (int degree = 2; degree <= options_.most_degree; ++degree)
       for (const double weight : weights_of_normal_part) {
-        const Poles cross = fittedCross(samples_, corner_normals, path_.length_mm(), degree, weight);
+        const Poles cross = fittedCross(samples_.fitted, corner_normals, path_.length_mm(), degree, weight);
         const auto [angle, evenness] = formOf(cross);
         const bool even = evenness >= even_enough;
         if (fitted.side.cross && (even != is_even ? is_even : !(angle < fitted.angle_rad))) continue;
@@ -237,8 +295,8 @@ class SideFit {
   CrossForm formOf(const Poles& cross) const {
     const BezierCurve field(cross);
     double angle = 0, least = HUGE_VAL, most = 0;
-    for (const SideSample& check : checks_) {
-      const Vector3d area = field.point(check.t).cross(edge_.jet(check.t).d1.normalized());
+    for (const SideSample& check : samples_.checked) {
+      const Vector3d area = field.point(check.t).cross(fit_.edge.jet(check.t).d1.normalized());
       const double across = field.point(check.t).dot(check.beyond);
       angle = std::max(angle, std::atan2(area.cross(check.normal).norm(), std::abs(area.dot(check.normal))));
       least = std::min(least, across);
@@ -255,18 +313,19 @@ class SideFit {
       for (Index i = 0; i < along.size(); ++i) along(i) = bendAlong(samples[i], cross.point(samples[i].t));
       return along;
     };
-    const Eigen::VectorXd wanted = bends(samples_), checked = bends(checks_);
+    const Eigen::VectorXd wanted = bends(samples_.fitted), checked = bends(samples_.checked);
     Eigen::VectorXd squares(checked.size());
-    for (Index i = 0; i < checked.size(); ++i) squares(i) = cross.point(checks_[i].t).squaredNorm();
+    for (Index i = 0; i < checked.size(); ++i) squares(i) = cross.point(samples_.checked[i].t).squaredNorm();
     const double largest_per_mm =
         std::max(1 / path_.length_mm(), checked.cwiseQuotient(squares).cwiseAbs().maxCoeff());
     for (int degree = 0; degree <= options_.most_degree; ++degree) {
-      const BezierCurve bend(fittedBend(samples_, wanted, degree));
+      const BezierCurve bend(fittedBend(samples_.fitted, wanted, degree));
       double missed_per_mm = 0;
       for (Index i = 0; i < checked.size(); ++i)
-        missed_per_mm =
-            std::max(missed_per_mm,
-                     std::abs(checks_[i].normal.dot(bend.point(checks_[i].t)) - checked(i)) / squares(i));
+        missed_per_mm = std::max(
+            missed_per_mm,
+            std::abs(samples_.checked[i].normal.dot(bend.point(samples_.checked[i].t)) - checked(i)) /
+                squares(i));
       if (fitted.side.bend && !(missed_per_mm < fitted.curvature_per_mm)) continue;
       fitted.side.bend = bend.poles();
       fitted.curvature_per_mm = missed_per_mm;
@@ -276,10 +335,9 @@ class SideFit {
 
   StretchPath path_;
   SideFitOptions options_;
-  Speed speed_;
-  std::vector<SideSample> samples_, checks_;
-  BezierCurve edge_{Poles(Poles::Zero(1, 3))};
-  double gap_mm_ = 0, tilt_rad_ = 0;
+  Speed speed_;  ///< to begin with
+  Samples samples_;
+  EdgeFit fit_;
 };
 
 }  // namespace
@@ -293,25 +351,17 @@ std::vector<FittedSide> fitSides(const std::vector<HoleSide>& sides,
   for (const HoleSide& side : sides) paths.push_back(std::make_shared<const SidePath>(side, options.gap_mm));
   std::vector<SideFit> fits;
   for (const SideStretch& stretch : stretches) fits.emplace_back(paths.at(stretch.side), stretch, options);
-  std::vector<SideFitEnd> corners(n);  // where side k begins
-  std::vector<Vector3d> normals(n);
+  std::vector<FitCorner> corners;  // where side k begins
   for (std::size_t k = 0; k < n; ++k) {
-    const SideSample in = fits[before(k)].end(true), out = fits[k].end(false);
-    corners[k].point = (in.point + out.point) / 2;
-    if (!stretches[k].begins_smoothly) continue;
-    const Vector3d along = (in.derivative.normalized() + out.derivative.normalized()).normalized();
-    const Vector3d beyond = in.beyond + out.beyond;
-    corners[k].direction = along;
-    normals[k] = beyond.cross(along).normalized();
+    const SideFit &in = fits[before(k)], &out = fits[k];
+    corners.push_back(stretches[k].begins_smoothly ? smoothCorner(in.end(true), out.end(false))
+                                                   : sharpCorner(in.end(true), out.end(false),
+                                                                 {in.mostTurn_rad(), out.mostTurn_rad()}));
   }
-  for (std::size_t k = 0; k < n; ++k) fits[k].fitEdge({corners[k], corners[next(k)]});
-  for (std::size_t k = 0; k < n; ++k) {
-    if (stretches[k].begins_smoothly) continue;
-    const Vector3d in = fits[before(k)].edge().jet(1).d1, out = fits[k].edge().jet(0).d1;
-    normals[k] = in.normalized().cross(out.normalized()).normalized();
-  }
+  for (std::size_t k = 0; k < n; ++k) fits[k].fitEdge({corners[k].begin, corners[next(k)].end});
   std::vector<FittedSide> fitted;
-  for (std::size_t k = 0; k < n; ++k) fitted.push_back(fits[k].finished({normals[k], normals[next(k)]}));
+  for (std::size_t k = 0; k < n; ++k)
+    fitted.push_back(fits[k].finished({corners[k].normal, corners[next(k)].normal}));
   return fitted;
 }
 
