@@ -17,13 +17,15 @@ namespace {
 
 using Eigen::Index, Eigen::Vector3d;
 
-enum class Speed { Own, Even };
+/// The parameter along a stretch: that of its edge, or arc length, or between arc length and one in which each edge has as much as the root
+/// of its length: then short edges have more of the freedom of a polynomial.
+enum class Speed { Own, Even, Rooted };
 
 /// A stretch of a side over t in [0, 1].
 class StretchPath {
  public:
   StretchPath(std::shared_ptr<const SidePath> path, const SideStretch& stretch)
-      : path_(std::move(path)), stretch_(stretch) {}
+      : path_(std::move(path)), stretch_(stretch), slope_(rootedSlope()) {}
 
   bool isOneEdge() const { return path_->isOneEdge(); }
   double length_mm() const { return (stretch_.end - stretch_.begin) * path_->length_mm(); }
@@ -33,8 +35,10 @@ class StretchPath {
       const double first = path_->placeOf(stretch_.begin), range = path_->placeOf(stretch_.end) - first;
       return placed(path_->atPlace(first + t * range), t, range);
     }
-    const double range = stretch_.end - stretch_.begin;
-    return placed(path_->atShare(t == 1 ? stretch_.end : stretch_.begin + t * range, t < 1), t, range);
+    const double range = stretch_.end - stretch_.begin, slope = speed == Speed::Even ? 1 : slope_;
+    const double share = stretch_.begin + t * (slope + (1 - slope) * t) * range;
+    return placed(path_->atShare(t == 1 ? stretch_.end : share, t < 1), t,
+                  (slope + 2 * (1 - slope) * t) * range);
   }
 
  private:
@@ -44,8 +48,29 @@ class StretchPath {
     return sample;
   }
 
+  /// The derivative at the beginning of the parabola from (0, 0) to (1, 1) that comes nearest to the joints of the edges.
+  double rootedSlope() const {
+    constexpr double least = 0.25;
+    std::vector<double> ends;
+    for (const double joint : path_->joints())
+      if (joint > stretch_.begin && joint < stretch_.end)
+        ends.push_back((joint - stretch_.begin) / (stretch_.end - stretch_.begin));
+    ends.push_back(1);
+    std::vector<double> roots;
+    for (std::size_t k = 0; k < ends.size(); ++k)
+      roots.push_back((k == 0 ? 0 : roots.back()) + std::sqrt(ends[k] - (k == 0 ? 0 : ends[k - 1])));
+    double product = 0, square = 0;
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+      const double t = roots[k] / roots.back(), bulge = t - t * t;
+      product += (ends[k] - t * t) * bulge;
+      square += bulge * bulge;
+    }
+    return square > 0 ? std::clamp(product / square, least, 2 - least) : 1;
+  }
+
   std::shared_ptr<const SidePath> path_;
   SideStretch stretch_;
+  double slope_;  ///< of Speed::Rooted where the stretch begins
 };
 
 std::vector<SideSample> samplesOf(const StretchPath& path, Speed speed, int count) {
@@ -65,6 +90,11 @@ Eigen::VectorXd basisAt(int degree, double t) {
 
 double angleToPlane(const Vector3d& direction, const Vector3d& normal) {
   return std::asin(std::min(1.0, std::abs(direction.normalized().dot(normal))));
+}
+
+/// Between planes with these unit normals.
+double angleBetween(const Vector3d& a, const Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), std::abs(a.dot(b)));
 }
 
 /// Where a side begins or ends: shared with the next side.
@@ -132,9 +162,9 @@ BezierCurve fittedEdge(const std::vector<SideSample>& samples, const std::array<
   return BezierCurve(poles);
 }
 
-/// T with the least sum of (T - L beyond)^2 and, by that weight, of its normal parts; at the ends these are zero.
+/// T with the least sum of (T - L beyond)^2 and, by these weights, of its normal parts; at the ends these are zero.
 Poles fittedCross(const std::vector<SideSample>& samples, const std::array<Vector3d, 2>& corner_normals,
-                  double length_mm, int degree, double weight) {
+                  double length_mm, int degree, const Eigen::VectorXd& weights) {
   constexpr double weight_at_ends = 1e6;
   const Index unknowns = 3 * (degree + 1), count = static_cast<Index>(samples.size());
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(4 * count, unknowns);
@@ -146,7 +176,7 @@ Poles fittedCross(const std::vector<SideSample>& samples, const std::array<Vecto
     const Eigen::VectorXd basis = basisAt(degree, sample.t);
     for (int c = 0; c < 3; ++c) {
       for (int j = 0; j <= degree; ++j) {
-        matrix(4 * i, 3 * j + c) = (is_end ? weight_at_ends : weight) * basis(j) * normal(c);
+        matrix(4 * i, 3 * j + c) = (is_end ? weight_at_ends : weights(i)) * basis(j) * normal(c);
         matrix(4 * i + 1 + c, 3 * j + c) = basis(j);
       }
       right(4 * i + 1 + c) = sample.beyond(c);
@@ -186,11 +216,9 @@ Poles fittedBend(const std::vector<SideSample>& samples, const Eigen::VectorXd& 
 class SideFit {
  public:
   SideFit(std::shared_ptr<const SidePath> path, const SideStretch& stretch, const SideFitOptions& options)
-      : path_(std::move(path), stretch),
-        options_(options),
-        speed_(path_.isOneEdge() ? Speed::Own : Speed::Even) {}
+      : path_(std::move(path), stretch), options_(options) {}
 
-  SideSample end(bool last) const { return path_.at(last ? 1 : 0, speed_); }
+  SideSample end(bool last) const { return path_.at(last ? 1 : 0, speeds()[0]); }
 
   /// An end turned by so much moves a cubic edge by a share of the gap that others leave.
   double mostTurn_rad() const {
@@ -198,31 +226,28 @@ class SideFit {
     return share * options_.gap_mm / (gap_of_turn * path_.length_mm());
   }
 
-  /// By the edge's own parameter, or where that is not near enough and arc length comes nearer, by that.
-  void fitEdge(const std::array<SideFitEnd, 2>& ends) {
-    samples_ = samplesAt(speed_);
-    fit_ = nearestEdge(samples_, ends);
-    if (speed_ == Speed::Even || fit_.miss <= 1) return;
-    Samples even = samplesAt(Speed::Even);
-    EdgeFit other = nearestEdge(even, ends);
-    if (other.miss < fit_.miss) samples_ = std::move(even), fit_ = std::move(other);
-  }
-
-  const BezierCurve& edge() const { return fit_.edge; }
-
-  FittedSide finished(const std::array<Vector3d, 2>& corner_normals) const {
-    FittedSide fitted{{fit_.edge, std::nullopt}, fit_.gap_mm, 0, {}};
-    for (const int end : {0, 1})
-      fitted.corner_rad[end] = std::acos(
-          std::min(1.0, std::abs(corner_normals[end].dot(
-                            (end == 0 ? samples_.checked.front() : samples_.checked.back()).normal))));
-    if (std::ranges::max(fitted.corner_rad) > options_.planar_rad) return fitted;
-    fitCross(corner_normals, fitted);
-    if (options_.curvature) fitBend(fitted);
-    return fitted;
+  /// By the first parameter that is near enough, or by that which comes nearest.
+  FittedSide fitted(const FitCorner& begin, const FitCorner& end) {
+    const std::array<double, 2> corner_rad = {angleBetween(begin.normal, path_.at(0, speeds()[0]).normal),
+                                              angleBetween(end.normal, path_.at(1, speeds()[0]).normal)};
+    enough_rad_ = std::max(options_.angle_rad, rounding * std::ranges::max(corner_rad));
+    const bool planes = std::ranges::max(corner_rad) <= options_.planar_rad;
+    std::optional<FittedSide> best;
+    for (const Speed speed : speeds()) {
+      samples_ = samplesAt(speed);
+      fit_ = nearestEdge({begin.begin, end.end});
+      FittedSide side{{fit_.edge, std::nullopt}, fit_.gap_mm, 0, corner_rad};
+      if (planes) fitCross({begin.normal, end.normal}, side);
+      if (planes && options_.curvature) fitBend(side);
+      if (!best || missOf(side) < missOf(*best)) best = std::move(side);
+      if (missOf(*best) <= 1) break;
+    }
+    return std::move(*best);
   }
 
  private:
+  static constexpr double rounding = 1.01;
+
   struct Samples {
     std::vector<SideSample> fitted, checked;
   };
@@ -233,6 +258,10 @@ class SideFit {
     double miss = HUGE_VAL;  ///< what is reached over what is asked for
   };
 
+  std::array<Speed, 2> speeds() const {
+    return path_.isOneEdge() ? std::array{Speed::Own, Speed::Even} : std::array{Speed::Even, Speed::Rooted};
+  }
+
   Samples samplesAt(Speed speed) const {
     const int count = 6 * options_.most_degree;
     Samples samples{samplesOf(path_, speed, count), samplesOf(path_, speed, 4 * count)};
@@ -242,54 +271,80 @@ class SideFit {
     return samples;
   }
 
+  double missOf(const FittedSide& side) const {
+    return std::max(side.gap_mm / options_.gap_mm, side.angle_rad / enough_rad_);
+  }
+
   /// The lowest degree that is near enough, or that others come hardly nearer than. Ends may lie a little off the path, as neighbours do:
   /// the higher the degree the shorter the way on which that is made good, and the more the edge tilts.
-  EdgeFit nearestEdge(const Samples& samples, const std::array<SideFitEnd, 2>& ends) const {
+  EdgeFit nearestEdge(const std::array<SideFitEnd, 2>& ends) const {
     constexpr double nearer = 0.9;
     constexpr int patience = 2;  // symmetric paths gain by every other degree
     EdgeFit best;
     for (int degree = 3; degree <= options_.most_degree; ++degree) {
-      EdgeFit tried = measured(fittedEdge(samples.fitted, ends, degree), samples);
+      EdgeFit tried = measured(fittedEdge(samples_.fitted, ends, degree));
       if (tried.miss < nearer * best.miss) best = std::move(tried);
       if (best.miss <= 1 || degree - best.edge.degree() >= patience) break;
     }
     return best;
   }
 
-  EdgeFit measured(BezierCurve edge, const Samples& samples) const {
+  EdgeFit measured(BezierCurve edge) const {
     EdgeFit fit{std::move(edge)};
-    for (const SideSample& check : samples.checked) {
+    for (const SideSample& check : samples_.checked) {
       const CurveJet jet = fit.edge.jet(check.t);
       fit.gap_mm = std::max(fit.gap_mm, (jet.p - check.point).norm());
       fit.tilt_rad = std::max(fit.tilt_rad, angleToPlane(jet.d1, check.normal));
     }
-    fit.miss = std::max(fit.gap_mm / options_.gap_mm, fit.tilt_rad / options_.angle_rad);
+    fit.miss = std::max(fit.gap_mm / options_.gap_mm, fit.tilt_rad / enough_rad_);
     return fit;
   }
 
   /// A field that is nearly zero somewhere, beside its largest, has the planes but makes folds.
-  void fitCross(const std::array<Vector3d, 2>& corner_normals, FittedSide& fitted) const {
-    constexpr double even_enough = 0.7, rounding = 1.01;
+  void fitCross(const std::array<Vector3d, 2>& corner_normals, FittedSide& side) const {
     constexpr std::array<double, 4> weights_of_normal_part = {1e6, 1e5, 1e4, 1e3};
-    const double floor_rad = std::max(fit_.tilt_rad, std::ranges::max(fitted.corner_rad));
-    const double enough_rad = std::max(options_.angle_rad, rounding * floor_rad);
-    bool is_even = false;
-    for (int degree = 2; degree <= options_.most_degree; ++degree)
+    const double enough_rad = std::max(enough_rad_, rounding * fit_.tilt_rad);
+    const Index count = static_cast<Index>(samples_.fitted.size());
+    std::optional<CrossForm> best;
+    const auto isEnough = [&](const Poles& cross, const CrossForm& form) {
+      if (best && (form.isEven() != best->isEven() ? best->isEven() : !(form.angle_rad < best->angle_rad)))
+        return false;
+      best = form, side.side.cross = cross, side.angle_rad = form.angle_rad;
+      return form.isEven() && form.angle_rad <= enough_rad;
+    };
+    for (int degree = 2; degree <= options_.most_degree; ++degree) {
+      const auto crossBy = [&](const Eigen::VectorXd& weights) {
+        return fittedCross(samples_.fitted, corner_normals, path_.length_mm(), degree, weights);
+      };
       for (const double weight : weights_of_normal_part) {
-        const Poles cross = fittedCross(samples_.fitted, corner_normals, path_.length_mm(), degree, weight);
-        const auto [angle, evenness] = formOf(cross);
-        const bool even = evenness >= even_enough;
-        if (fitted.side.cross && (even != is_even ? is_even : !(angle < fitted.angle_rad))) continue;
-        fitted.side.cross = cross;
-        fitted.angle_rad = angle;
-        is_even = even;
-        if (even && angle <= enough_rad) return;
+        Eigen::VectorXd weights = Eigen::VectorXd::Constant(count, weight);
+        const Poles cross = crossBy(weights);
+        const CrossForm form = formOf(cross);
+        if (isEnough(cross, form)) return;
+        if (weight > weights_of_normal_part.back() || !form.isEven()) continue;
+        weights.array() *= unevenness(cross).array();
+        const Poles evened = crossBy(weights);
+        if (isEnough(evened, formOf(evened))) return;
       }
+    }
+  }
+
+  /// The root of the angle to the faces at each place over the mean of all: weights by which the largest comes down (Lawson's).
+  Eigen::VectorXd unevenness(const Poles& cross) const {
+    constexpr double least = 0.1;
+    const BezierCurve field(cross);
+    Eigen::VectorXd angles(static_cast<Index>(samples_.fitted.size()));
+    for (Index i = 0; i < angles.size(); ++i)
+      angles(i) = angleToPlane(field.point(samples_.fitted[i].t), samples_.fitted[i].normal);
+    if (!(angles.maxCoeff() > 0)) return Eigen::VectorXd::Ones(angles.size());
+    return (angles / angles.mean()).cwiseSqrt().cwiseMax(least);
   }
 
   struct CrossForm {
     double angle_rad = 0;
     double evenness = 0;  ///< the smallest part out of the hole, across the edge, over the largest
+
+    bool isEven() const { return evenness >= 0.7; }
   };
 
   CrossForm formOf(const Poles& cross) const {
@@ -335,7 +390,7 @@ class SideFit {
 
   StretchPath path_;
   SideFitOptions options_;
-  Speed speed_;  ///< to begin with
+  double enough_rad_ = 0;  ///< what the corners let be reached, or what is asked for
   Samples samples_;
   EdgeFit fit_;
 };
@@ -358,10 +413,8 @@ std::vector<FittedSide> fitSides(const std::vector<HoleSide>& sides,
                                                    : sharpCorner(in.end(true), out.end(false),
                                                                  {in.mostTurn_rad(), out.mostTurn_rad()}));
   }
-  for (std::size_t k = 0; k < n; ++k) fits[k].fitEdge({corners[k].begin, corners[next(k)].end});
   std::vector<FittedSide> fitted;
-  for (std::size_t k = 0; k < n; ++k)
-    fitted.push_back(fits[k].finished({corners[k].normal, corners[next(k)].normal}));
+  for (std::size_t k = 0; k < n; ++k) fitted.push_back(fits[k].fitted(corners[k], corners[next(k)]));
   return fitted;
 }
 
