@@ -228,21 +228,21 @@ class SideFit {
 
   /// By the first parameter that is near enough, or by that which comes nearest.
   FittedSide fitted(const FitCorner& begin, const FitCorner& end) {
-    const std::array<double, 2> corner_rad = {angleBetween(begin.normal, path_.at(0, speeds()[0]).normal),
-                                              angleBetween(end.normal, path_.at(1, speeds()[0]).normal)};
-    enough_rad_ = std::max(options_.angle_rad, rounding * std::ranges::max(corner_rad));
-    const bool planes = std::ranges::max(corner_rad) <= options_.planar_rad;
-    std::optional<FittedSide> best;
-    for (const Speed speed : speeds()) {
-      samples_ = samplesAt(speed);
-      fit_ = nearestEdge({begin.begin, end.end});
-      FittedSide side{{fit_.edge, std::nullopt}, fit_.gap_mm, 0, corner_rad};
-      if (planes) fitCross({begin.normal, end.normal}, side);
-      if (planes && options_.curvature) fitBend(side);
-      if (!best || missOf(side) < missOf(*best)) best = std::move(side);
-      if (missOf(*best) <= 1) break;
-    }
-    return std::move(*best);
+    corner_rad_ = {angleBetween(begin.normal, this->end(false).normal),
+                   angleBetween(end.normal, this->end(true).normal)};
+    enough_rad_ = std::max(options_.angle_rad, rounding * std::ranges::max(corner_rad_));
+    const std::array<SideFitEnd, 2> ends = {begin.begin, end.end};
+    const std::array<Vector3d, 2> normals = {begin.normal, end.normal};
+    const auto [first, second] = speeds();
+    std::vector<EdgeFit> edges = {nearestEdge(first, ends)};
+    if (edges[0].miss > 1) edges.push_back(nearestEdge(second, ends));
+    if (edges.back().miss < edges.front().miss) std::swap(edges.front(), edges.back());
+    FittedSide best = sideOf(edges[0], normals);
+    if (missOf(best) <= 1) return best;
+    if (edges.size() == 1) edges.push_back(nearestEdge(second, ends));
+    if (edges[1].miss >= missOf(best)) return best;
+    FittedSide other = sideOf(edges[1], normals);
+    return missOf(other) < missOf(best) ? other : best;
   }
 
  private:
@@ -253,6 +253,7 @@ class SideFit {
   };
 
   struct EdgeFit {
+    std::shared_ptr<const Samples> samples;
     BezierCurve edge{Poles(Poles::Zero(1, 3))};
     double gap_mm = 0, tilt_rad = 0;
     double miss = HUGE_VAL;  ///< what is reached over what is asked for
@@ -262,13 +263,22 @@ class SideFit {
     return path_.isOneEdge() ? std::array{Speed::Own, Speed::Even} : std::array{Speed::Even, Speed::Rooted};
   }
 
-  Samples samplesAt(Speed speed) const {
+  std::shared_ptr<const Samples> samplesAt(Speed speed) const {
     const int count = 6 * options_.most_degree;
-    Samples samples{samplesOf(path_, speed, count), samplesOf(path_, speed, 4 * count)};
-    for (const SideSample* sample : {&samples.fitted.front(), &samples.fitted.back()})
+    auto samples =
+        std::make_shared<const Samples>(samplesOf(path_, speed, count), samplesOf(path_, speed, 4 * count));
+    for (const SideSample* sample : {&samples->fitted.front(), &samples->fitted.back()})
       if (!(sample->derivative.norm() > 1e-9 * path_.length_mm()))
         throw std::runtime_error("an edge has no tangent where it ends");
     return samples;
+  }
+
+  FittedSide sideOf(const EdgeFit& edge, const std::array<Vector3d, 2>& corner_normals) const {
+    FittedSide side{{edge.edge, std::nullopt}, edge.gap_mm, 0, corner_rad_};
+    if (std::ranges::max(corner_rad_) > options_.planar_rad) return side;
+    fitCross(edge, corner_normals, side);
+    if (options_.curvature) fitBend(*edge.samples, side);
+    return side;
   }
 
   double missOf(const FittedSide& side) const {
@@ -277,21 +287,22 @@ class SideFit {
 
   /// The lowest degree that is near enough, or that others come hardly nearer than. Ends may lie a little off the path, as neighbours do:
   /// the higher the degree the shorter the way on which that is made good, and the more the edge tilts.
-  EdgeFit nearestEdge(const std::array<SideFitEnd, 2>& ends) const {
+  EdgeFit nearestEdge(Speed speed, const std::array<SideFitEnd, 2>& ends) const {
     constexpr double nearer = 0.9;
     constexpr int patience = 2;  // symmetric paths gain by every other degree
+    const std::shared_ptr<const Samples> samples = samplesAt(speed);
     EdgeFit best;
     for (int degree = 3; degree <= options_.most_degree; ++degree) {
-      EdgeFit tried = measured(fittedEdge(samples_.fitted, ends, degree));
+      EdgeFit tried = measured(samples, fittedEdge(samples->fitted, ends, degree));
       if (tried.miss < nearer * best.miss) best = std::move(tried);
       if (best.miss <= 1 || degree - best.edge.degree() >= patience) break;
     }
     return best;
   }
 
-  EdgeFit measured(BezierCurve edge) const {
-    EdgeFit fit{std::move(edge)};
-    for (const SideSample& check : samples_.checked) {
+  EdgeFit measured(std::shared_ptr<const Samples> samples, BezierCurve edge) const {
+    EdgeFit fit{std::move(samples), std::move(edge)};
+    for (const SideSample& check : fit.samples->checked) {
       const CurveJet jet = fit.edge.jet(check.t);
       fit.gap_mm = std::max(fit.gap_mm, (jet.p - check.point).norm());
       fit.tilt_rad = std::max(fit.tilt_rad, angleToPlane(jet.d1, check.normal));
@@ -301,10 +312,10 @@ class SideFit {
   }
 
   /// A field that is nearly zero somewhere, beside its largest, has the planes but makes folds.
-  void fitCross(const std::array<Vector3d, 2>& corner_normals, FittedSide& side) const {
+  void fitCross(const EdgeFit& edge, const std::array<Vector3d, 2>& corner_normals, FittedSide& side) const {
     constexpr std::array<double, 4> weights_of_normal_part = {1e6, 1e5, 1e4, 1e3};
-    const double enough_rad = std::max(enough_rad_, rounding * fit_.tilt_rad);
-    const Index count = static_cast<Index>(samples_.fitted.size());
+    const double enough_rad = std::max(enough_rad_, rounding * edge.tilt_rad);
+    const std::vector<SideSample>& samples = edge.samples->fitted;
     std::optional<CrossForm> best;
     const auto isEnough = [&](const Poles& cross, const CrossForm& form) {
       if (best && (form.isEven() != best->isEven() ? best->isEven() : !(form.angle_rad < best->angle_rad)))
@@ -314,28 +325,28 @@ class SideFit {
     };
     for (int degree = 2; degree <= options_.most_degree; ++degree) {
       const auto crossBy = [&](const Eigen::VectorXd& weights) {
-        return fittedCross(samples_.fitted, corner_normals, path_.length_mm(), degree, weights);
+        return fittedCross(samples, corner_normals, path_.length_mm(), degree, weights);
       };
       for (const double weight : weights_of_normal_part) {
-        Eigen::VectorXd weights = Eigen::VectorXd::Constant(count, weight);
+        Eigen::VectorXd weights = Eigen::VectorXd::Constant(static_cast<Index>(samples.size()), weight);
         const Poles cross = crossBy(weights);
-        const CrossForm form = formOf(cross);
+        const CrossForm form = formOf(edge, cross);
         if (isEnough(cross, form)) return;
         if (weight > weights_of_normal_part.back() || !form.isEven()) continue;
-        weights.array() *= unevenness(cross).array();
+        weights.array() *= unevenness(samples, cross).array();
         const Poles evened = crossBy(weights);
-        if (isEnough(evened, formOf(evened))) return;
+        if (isEnough(evened, formOf(edge, evened))) return;
       }
     }
   }
 
   /// The root of the angle to the faces at each place over the mean of all: weights by which the largest comes down (Lawson's).
-  Eigen::VectorXd unevenness(const Poles& cross) const {
+  static Eigen::VectorXd unevenness(const std::vector<SideSample>& samples, const Poles& cross) {
     constexpr double least = 0.1;
     const BezierCurve field(cross);
-    Eigen::VectorXd angles(static_cast<Index>(samples_.fitted.size()));
+    Eigen::VectorXd angles(static_cast<Index>(samples.size()));
     for (Index i = 0; i < angles.size(); ++i)
-      angles(i) = angleToPlane(field.point(samples_.fitted[i].t), samples_.fitted[i].normal);
+      angles(i) = angleToPlane(field.point(samples[i].t), samples[i].normal);
     if (!(angles.maxCoeff() > 0)) return Eigen::VectorXd::Ones(angles.size());
     return (angles / angles.mean()).cwiseSqrt().cwiseMax(least);
   }
@@ -347,11 +358,11 @@ class SideFit {
     bool isEven() const { return evenness >= 0.7; }
   };
 
-  CrossForm formOf(const Poles& cross) const {
+  static CrossForm formOf(const EdgeFit& edge, const Poles& cross) {
     const BezierCurve field(cross);
     double angle = 0, least = HUGE_VAL, most = 0;
-    for (const SideSample& check : samples_.checked) {
-      const Vector3d area = field.point(check.t).cross(fit_.edge.jet(check.t).d1.normalized());
+    for (const SideSample& check : edge.samples->checked) {
+      const Vector3d area = field.point(check.t).cross(edge.edge.jet(check.t).d1.normalized());
       const double across = field.point(check.t).dot(check.beyond);
       angle = std::max(angle, std::atan2(area.cross(check.normal).norm(), std::abs(area.dot(check.normal))));
       least = std::min(least, across);
@@ -360,27 +371,27 @@ class SideFit {
     return {angle, least / most};
   }
 
-  void fitBend(FittedSide& fitted) const {
+  void fitBend(const Samples& samples, FittedSide& fitted) const {
     constexpr double near_enough = 1e-3;  // of the largest curvature, or of one over the length
     const BezierCurve cross(*fitted.side.cross);
-    const auto bends = [&](const std::vector<SideSample>& samples) {
-      Eigen::VectorXd along(static_cast<Index>(samples.size()));
-      for (Index i = 0; i < along.size(); ++i) along(i) = bendAlong(samples[i], cross.point(samples[i].t));
+    const auto bends = [&](const std::vector<SideSample>& at) {
+      Eigen::VectorXd along(static_cast<Index>(at.size()));
+      for (Index i = 0; i < along.size(); ++i) along(i) = bendAlong(at[i], cross.point(at[i].t));
       return along;
     };
-    const Eigen::VectorXd wanted = bends(samples_.fitted), checked = bends(samples_.checked);
+    const Eigen::VectorXd wanted = bends(samples.fitted), checked = bends(samples.checked);
     Eigen::VectorXd squares(checked.size());
-    for (Index i = 0; i < checked.size(); ++i) squares(i) = cross.point(samples_.checked[i].t).squaredNorm();
+    for (Index i = 0; i < checked.size(); ++i) squares(i) = cross.point(samples.checked[i].t).squaredNorm();
     const double largest_per_mm =
         std::max(1 / path_.length_mm(), checked.cwiseQuotient(squares).cwiseAbs().maxCoeff());
     for (int degree = 0; degree <= options_.most_degree; ++degree) {
-      const BezierCurve bend(fittedBend(samples_.fitted, wanted, degree));
+      const BezierCurve bend(fittedBend(samples.fitted, wanted, degree));
       double missed_per_mm = 0;
       for (Index i = 0; i < checked.size(); ++i)
-        missed_per_mm = std::max(
-            missed_per_mm,
-            std::abs(samples_.checked[i].normal.dot(bend.point(samples_.checked[i].t)) - checked(i)) /
-                squares(i));
+        missed_per_mm =
+            std::max(missed_per_mm,
+                     std::abs(samples.checked[i].normal.dot(bend.point(samples.checked[i].t)) - checked(i)) /
+                         squares(i));
       if (fitted.side.bend && !(missed_per_mm < fitted.curvature_per_mm)) continue;
       fitted.side.bend = bend.poles();
       fitted.curvature_per_mm = missed_per_mm;
@@ -390,9 +401,8 @@ class SideFit {
 
   StretchPath path_;
   SideFitOptions options_;
+  std::array<double, 2> corner_rad_{};
   double enough_rad_ = 0;  ///< what the corners let be reached, or what is asked for
-  Samples samples_;
-  EdgeFit fit_;
 };
 
 }  // namespace
