@@ -295,6 +295,11 @@ class Problem {
   std::vector<double> values_;
 };
 
+struct Candidate {
+  std::vector<BezierPatch> patches;
+  double squares = 0, largest_per_mm = 0;
+};
+
 double sizeOf(const std::vector<FillSide>& sides) {
   double length = 0;
   for (const FillSide& side : sides) length += (side.edge.point(1) - side.edge.point(0)).norm();
@@ -334,20 +339,22 @@ CurvedPatches leastCurvatureJump(
   const double size_mm = sizeOf(sides);
   const Places places(space.degree, edges, sides);
   Problem problem(space, places, order);
-  std::vector<BezierPatch> best = given;
+  std::vector<Candidate> candidates;
   Jumps now = places.jumps(given);
-  const double most_per_mm = most_growth * now.largest_per_mm;
-  double least = now.squares, largest_per_mm = now.largest_per_mm;
+  const Jumps first = now;
   for (const double fairness : fairness_weights) {
     problem.begin(fairness);
     problem.add(now, size_mm * size_mm);
-    const std::vector<BezierPatch> at = patchesOf(problem.solve());
-    if (!std::ranges::all_of(at, [](const BezierPatch& patch) { return provedRegular(patch); })) break;
+    std::vector<BezierPatch> at = patchesOf(problem.solve());
     now = places.jumps(at);
-    if (now.squares < least && now.largest_per_mm <= most_per_mm)
-      best = at, least = now.squares, largest_per_mm = now.largest_per_mm;
+    if (now.squares < first.squares && now.largest_per_mm <= most_growth * first.largest_per_mm)
+      candidates.push_back({std::move(at), now.squares, now.largest_per_mm});
   }
-  return {std::move(best), largest_per_mm};
+  std::ranges::sort(candidates, {}, &Candidate::squares);
+  for (Candidate& candidate : candidates)
+    if (std::ranges::all_of(candidate.patches, [](const BezierPatch& patch) { return provedRegular(patch); }))
+      return {std::move(candidate.patches), candidate.largest_per_mm};
+  return {given, first.largest_per_mm};
 }
 
 }  // namespace seamwright::fill

@@ -32,7 +32,7 @@ struct FilledSide {
   int edge_degree = 0, cross_degree = 0;
   double gap_mm = 0;     ///< of the polynomial edge to the faces
   double angle_rad = 0;  ///< of the planes asked for to those of the faces
-  /// Of the tangents of the next sides to the faces along this one, at both corners: no fill has a smaller angle there.
+  /// Of the plane of the fill to the tangent planes of the faces along this side, at both corners.
   std::array<double, 2> corner_rad{};
 };
 

@@ -17,13 +17,15 @@ namespace {
 
 using Eigen::Index, Eigen::Vector3d;
 
-enum class Speed { Own, Even };
+/// The parameter along a stretch: that of its edge, or arc length, or between arc length and one in which each edge has as much as the root
+/// of its length: then short edges have more of the freedom of a polynomial.
+enum class Speed { Own, Even, Rooted };
 
 /// A stretch of a side over t in [0, 1].
 class StretchPath {
  public:
   StretchPath(std::shared_ptr<const SidePath> path, const SideStretch& stretch)
-      : path_(std::move(path)), stretch_(stretch) {}
+      : path_(std::move(path)), stretch_(stretch), slope_(rootedSlope()) {}
 
   bool isOneEdge() const { return path_->isOneEdge(); }
   double length_mm() const { return (stretch_.end - stretch_.begin) * path_->length_mm(); }
@@ -33,8 +35,10 @@ class StretchPath {
       const double first = path_->placeOf(stretch_.begin), range = path_->placeOf(stretch_.end) - first;
       return placed(path_->atPlace(first + t * range), t, range);
     }
-    const double range = stretch_.end - stretch_.begin;
-    return placed(path_->atShare(t == 1 ? stretch_.end : stretch_.begin + t * range, t < 1), t, range);
+    const double range = stretch_.end - stretch_.begin, slope = speed == Speed::Even ? 1 : slope_;
+    const double share = stretch_.begin + t * (slope + (1 - slope) * t) * range;
+    return placed(path_->atShare(t == 1 ? stretch_.end : share, t < 1), t,
+                  (slope + 2 * (1 - slope) * t) * range);
   }
 
  private:
@@ -44,8 +48,29 @@ class StretchPath {
     return sample;
   }
 
+  /// The derivative at the beginning of the parabola from (0, 0) to (1, 1) that comes nearest to the joints of the edges.
+  double rootedSlope() const {
+    constexpr double least = 0.25;
+    std::vector<double> ends;
+    for (const double joint : path_->joints())
+      if (joint > stretch_.begin && joint < stretch_.end)
+        ends.push_back((joint - stretch_.begin) / (stretch_.end - stretch_.begin));
+    ends.push_back(1);
+    std::vector<double> roots;
+    for (std::size_t k = 0; k < ends.size(); ++k)
+      roots.push_back((k == 0 ? 0 : roots.back()) + std::sqrt(ends[k] - (k == 0 ? 0 : ends[k - 1])));
+    double product = 0, square = 0;
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+      const double t = roots[k] / roots.back(), bulge = t - t * t;
+      product += (ends[k] - t * t) * bulge;
+      square += bulge * bulge;
+    }
+    return square > 0 ? std::clamp(product / square, least, 2 - least) : 1;
+  }
+
   std::shared_ptr<const SidePath> path_;
   SideStretch stretch_;
+  double slope_;  ///< of Speed::Rooted where the stretch begins
 };
 
 std::vector<SideSample> samplesOf(const StretchPath& path, Speed speed, int count) {
@@ -67,6 +92,11 @@ double angleToPlane(const Vector3d& direction, const Vector3d& normal) {
   return std::asin(std::min(1.0, std::abs(direction.normalized().dot(normal))));
 }
 
+/// Between planes with these unit normals.
+double angleBetween(const Vector3d& a, const Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), std::abs(a.dot(b)));
+}
+
 /// Where a side begins or ends: shared with the next side.
 struct SideFitEnd {
   Vector3d point;
@@ -75,6 +105,39 @@ struct SideFitEnd {
 
 Vector3d derivativeAt(const SideFitEnd& end, const SideSample& sample) {
   return end.direction ? Vector3d(sample.derivative.norm() * *end.direction) : sample.derivative;
+}
+
+/// Where one side ends and the next begins, in one tangent plane.
+struct FitCorner {
+  SideFitEnd end, begin;
+  Vector3d normal;
+};
+
+/// The normal of the face, up where the hole is seen to the left of the side.
+Vector3d upward(const SideSample& sample) {
+  return sample.beyond.cross(sample.derivative).normalized();
+}
+
+/// Both sides go on in one direction.
+FitCorner smoothCorner(const SideSample& in, const SideSample& out) {
+  const Vector3d along = (in.derivative.normalized() + out.derivative.normalized()).normalized();
+  const SideFitEnd end{(in.point + out.point) / 2, along};
+  return {end, end, (in.beyond + out.beyond).cross(along).normalized()};
+}
+
+/// The plane is halfway between those of both faces where both sides can be turned into it, by no more than \p most_turn_rad; else it is that
+/// of their own directions.
+FitCorner sharpCorner(const SideSample& in, const SideSample& out,
+                      const std::array<double, 2>& most_turn_rad) {
+  const SideFitEnd own{(in.point + out.point) / 2, std::nullopt};
+  const Vector3d mean = (upward(in) + upward(out)).normalized();
+  if (angleToPlane(in.derivative, mean) > most_turn_rad[0] ||
+      angleToPlane(out.derivative, mean) > most_turn_rad[1])
+    return {own, own, in.derivative.cross(out.derivative).normalized()};
+  const auto turned = [&](const SideSample& sample) {
+    return SideFitEnd{own.point, (sample.derivative - sample.derivative.dot(mean) * mean).normalized()};
+  };
+  return {turned(in), turned(out), mean};
 }
 
 /// Ends and end derivatives are kept.
@@ -99,9 +162,9 @@ BezierCurve fittedEdge(const std::vector<SideSample>& samples, const std::array<
   return BezierCurve(poles);
 }
 
-/// T with the least sum of (T - L beyond)^2 and, by that weight, of its normal parts; at the ends these are zero.
+/// T with the least sum of (T - L beyond)^2 and, by these weights, of its normal parts; at the ends these are zero.
 Poles fittedCross(const std::vector<SideSample>& samples, const std::array<Vector3d, 2>& corner_normals,
-                  double length_mm, int degree, double weight) {
+                  double length_mm, int degree, const Eigen::VectorXd& weights) {
   constexpr double weight_at_ends = 1e6;
   const Index unknowns = 3 * (degree + 1), count = static_cast<Index>(samples.size());
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(4 * count, unknowns);
@@ -113,7 +176,7 @@ Poles fittedCross(const std::vector<SideSample>& samples, const std::array<Vecto
     const Eigen::VectorXd basis = basisAt(degree, sample.t);
     for (int c = 0; c < 3; ++c) {
       for (int j = 0; j <= degree; ++j) {
-        matrix(4 * i, 3 * j + c) = (is_end ? weight_at_ends : weight) * basis(j) * normal(c);
+        matrix(4 * i, 3 * j + c) = (is_end ? weight_at_ends : weights(i)) * basis(j) * normal(c);
         matrix(4 * i + 1 + c, 3 * j + c) = basis(j);
       }
       right(4 * i + 1 + c) = sample.beyond(c);
@@ -153,92 +216,153 @@ Poles fittedBend(const std::vector<SideSample>& samples, const Eigen::VectorXd& 
 class SideFit {
  public:
   SideFit(std::shared_ptr<const SidePath> path, const SideStretch& stretch, const SideFitOptions& options)
-      : path_(std::move(path), stretch),
-        options_(options),
-        speed_(path_.isOneEdge() ? Speed::Own : Speed::Even) {}
+      : path_(std::move(path), stretch), options_(options) {}
 
-  SideSample end(bool last) const { return path_.at(last ? 1 : 0, speed_); }
+  SideSample end(bool last) const { return path_.at(last ? 1 : 0, speeds()[0]); }
 
-  void fitEdge(const std::array<SideFitEnd, 2>& ends) {
-    fitEdgeAt(speed_, ends);
-    if (speed_ == Speed::Even || isNear()) return;
-    const SideFit own = *this;
-    fitEdgeAt(Speed::Even, ends);
-    if (own.miss() < miss()) *this = own;
+  /// An end turned by so much moves a cubic edge by a share of the gap that others leave.
+  double mostTurn_rad() const {
+    constexpr double gap_of_turn = 4.0 / 27, share = 5;
+    return share * options_.gap_mm / (gap_of_turn * path_.length_mm());
   }
 
-  const BezierCurve& edge() const { return edge_; }
-
-  FittedSide finished(const std::array<Vector3d, 2>& corner_normals) const {
-    FittedSide fitted{{edge_, std::nullopt}, gap_mm_, 0, {}};
-    for (const int end : {0, 1})
-      fitted.corner_rad[end] = std::acos(std::min(
-          1.0, std::abs(corner_normals[end].dot((end == 0 ? checks_.front() : checks_.back()).normal))));
-    if (std::ranges::max(fitted.corner_rad) > options_.planar_rad) return fitted;
-    fitCross(corner_normals, fitted);
-    if (options_.curvature) fitBend(fitted);
-    return fitted;
+  /// By the first parameter that is near enough, or by that which comes nearest.
+  FittedSide fitted(const FitCorner& begin, const FitCorner& end) {
+    corner_rad_ = {angleBetween(begin.normal, this->end(false).normal),
+                   angleBetween(end.normal, this->end(true).normal)};
+    enough_rad_ = std::max(options_.angle_rad, rounding * std::ranges::max(corner_rad_));
+    const std::array<SideFitEnd, 2> ends = {begin.begin, end.end};
+    const std::array<Vector3d, 2> normals = {begin.normal, end.normal};
+    const auto [first, second] = speeds();
+    std::vector<EdgeFit> edges = {nearestEdge(first, ends)};
+    if (edges[0].miss > 1) edges.push_back(nearestEdge(second, ends));
+    if (edges.back().miss < edges.front().miss) std::swap(edges.front(), edges.back());
+    FittedSide best = sideOf(edges[0], normals);
+    if (missOf(best) <= 1) return best;
+    if (edges.size() == 1) edges.push_back(nearestEdge(second, ends));
+    if (edges[1].miss >= missOf(best)) return best;
+    FittedSide other = sideOf(edges[1], normals);
+    return missOf(other) < missOf(best) ? other : best;
   }
 
  private:
-  /// What is reached over what is asked for.
-  double miss() const { return std::max(gap_mm_ / options_.gap_mm, tilt_rad_ / options_.angle_rad); }
-  bool isNear() const { return miss() <= 1; }
+  static constexpr double rounding = 1.01;
 
-  void fitEdgeAt(Speed speed, const std::array<SideFitEnd, 2>& ends) {
-    speed_ = speed;
-    const int count = 6 * options_.most_degree;
-    samples_ = samplesOf(path_, speed, count);
-    checks_ = samplesOf(path_, speed, 4 * count);
-    for (const SideSample* sample : {&samples_.front(), &samples_.back()})
-      if (!(sample->derivative.norm() > 1e-9 * path_.length_mm()))
-        throw std::runtime_error("an edge has no tangent where it ends");
-    for (int degree = 3; degree <= options_.most_degree; ++degree) {
-      edge_ = fittedEdge(samples_, ends, degree);
-      measureEdge();
-      if (isNear()) return;
-    }
+  struct Samples {
+    std::vector<SideSample> fitted, checked;
+  };
+
+  struct EdgeFit {
+    std::shared_ptr<const Samples> samples;
+    BezierCurve edge{Poles(Poles::Zero(1, 3))};
+    double gap_mm = 0, tilt_rad = 0;
+    double miss = HUGE_VAL;  ///< what is reached over what is asked for
+  };
+
+  std::array<Speed, 2> speeds() const {
+    return path_.isOneEdge() ? std::array{Speed::Own, Speed::Even} : std::array{Speed::Even, Speed::Rooted};
   }
 
-  void measureEdge() {
-    gap_mm_ = tilt_rad_ = 0;
-    for (const SideSample& check : checks_) {
-      const CurveJet jet = edge_.jet(check.t);
-      gap_mm_ = std::max(gap_mm_, (jet.p - check.point).norm());
-      tilt_rad_ = std::max(tilt_rad_, angleToPlane(jet.d1, check.normal));
+  std::shared_ptr<const Samples> samplesAt(Speed speed) const {
+    const int count = 6 * options_.most_degree;
+    auto samples =
+        std::make_shared<const Samples>(samplesOf(path_, speed, count), samplesOf(path_, speed, 4 * count));
+    for (const SideSample* sample : {&samples->fitted.front(), &samples->fitted.back()})
+      if (!(sample->derivative.norm() > 1e-9 * path_.length_mm()))
+        throw std::runtime_error("an edge has no tangent where it ends");
+    return samples;
+  }
+
+  FittedSide sideOf(const EdgeFit& edge, const std::array<Vector3d, 2>& corner_normals) const {
+    FittedSide side{{edge.edge, std::nullopt}, edge.gap_mm, 0, corner_rad_};
+    if (std::ranges::max(corner_rad_) > options_.planar_rad) return side;
+    fitCross(edge, corner_normals, side);
+    if (options_.curvature) fitBend(*edge.samples, side);
+    return side;
+  }
+
+  double missOf(const FittedSide& side) const {
+    return std::max(side.gap_mm / options_.gap_mm, side.angle_rad / enough_rad_);
+  }
+
+  /// The lowest degree that is near enough, or that others come hardly nearer than. Ends may lie a little off the path, as neighbours do:
+  /// the higher the degree the shorter the way on which that is made good, and the more the edge tilts.
+  EdgeFit nearestEdge(Speed speed, const std::array<SideFitEnd, 2>& ends) const {
+    constexpr double nearer = 0.9;
+    constexpr int patience = 2;  // symmetric paths gain by every other degree
+    const std::shared_ptr<const Samples> samples = samplesAt(speed);
+    EdgeFit best;
+    for (int degree = 3; degree <= options_.most_degree; ++degree) {
+      EdgeFit tried = measured(samples, fittedEdge(samples->fitted, ends, degree));
+      if (tried.miss < nearer * best.miss) best = std::move(tried);
+      if (best.miss <= 1 || degree - best.edge.degree() >= patience) break;
     }
+    return best;
+  }
+
+  EdgeFit measured(std::shared_ptr<const Samples> samples, BezierCurve edge) const {
+    EdgeFit fit{std::move(samples), std::move(edge)};
+    for (const SideSample& check : fit.samples->checked) {
+      const CurveJet jet = fit.edge.jet(check.t);
+      fit.gap_mm = std::max(fit.gap_mm, (jet.p - check.point).norm());
+      fit.tilt_rad = std::max(fit.tilt_rad, angleToPlane(jet.d1, check.normal));
+    }
+    fit.miss = std::max(fit.gap_mm / options_.gap_mm, fit.tilt_rad / enough_rad_);
+    return fit;
   }
 
   /// A field that is nearly zero somewhere, beside its largest, has the planes but makes folds.
-  void fitCross(const std::array<Vector3d, 2>& corner_normals, FittedSide& fitted) const {
-    constexpr double even_enough = 0.7, rounding = 1.01;
+  void fitCross(const EdgeFit& edge, const std::array<Vector3d, 2>& corner_normals, FittedSide& side) const {
     constexpr std::array<double, 4> weights_of_normal_part = {1e6, 1e5, 1e4, 1e3};
-    const double floor_rad = std::max(tilt_rad_, std::ranges::max(fitted.corner_rad));
-    const double enough_rad = std::max(options_.angle_rad, rounding * floor_rad);
-    bool is_even = false;
-    for (int degree = 2; degree <= options_.most_degree; ++degree)
+    const double enough_rad = std::max(enough_rad_, rounding * edge.tilt_rad);
+    const std::vector<SideSample>& samples = edge.samples->fitted;
+    std::optional<CrossForm> best;
+    const auto isEnough = [&](const Poles& cross, const CrossForm& form) {
+      if (best && (form.isEven() != best->isEven() ? best->isEven() : !(form.angle_rad < best->angle_rad)))
+        return false;
+      best = form, side.side.cross = cross, side.angle_rad = form.angle_rad;
+      return form.isEven() && form.angle_rad <= enough_rad;
+    };
+    for (int degree = 2; degree <= options_.most_degree; ++degree) {
+      const auto crossBy = [&](const Eigen::VectorXd& weights) {
+        return fittedCross(samples, corner_normals, path_.length_mm(), degree, weights);
+      };
       for (const double weight : weights_of_normal_part) {
-        const Poles cross = fittedCross(samples_, corner_normals, path_.length_mm(), degree, weight);
-        const auto [angle, evenness] = formOf(cross);
-        const bool even = evenness >= even_enough;
-        if (fitted.side.cross && (even != is_even ? is_even : !(angle < fitted.angle_rad))) continue;
-        fitted.side.cross = cross;
-        fitted.angle_rad = angle;
-        is_even = even;
-        if (even && angle <= enough_rad) return;
+        Eigen::VectorXd weights = Eigen::VectorXd::Constant(static_cast<Index>(samples.size()), weight);
+        const Poles cross = crossBy(weights);
+        const CrossForm form = formOf(edge, cross);
+        if (isEnough(cross, form)) return;
+        if (weight > weights_of_normal_part.back() || !form.isEven()) continue;
+        weights.array() *= unevenness(samples, cross).array();
+        const Poles evened = crossBy(weights);
+        if (isEnough(evened, formOf(edge, evened))) return;
       }
+    }
+  }
+
+  /// The root of the angle to the faces at each place over the mean of all: weights by which the largest comes down (Lawson's).
+  static Eigen::VectorXd unevenness(const std::vector<SideSample>& samples, const Poles& cross) {
+    constexpr double least = 0.1;
+    const BezierCurve field(cross);
+    Eigen::VectorXd angles(static_cast<Index>(samples.size()));
+    for (Index i = 0; i < angles.size(); ++i)
+      angles(i) = angleToPlane(field.point(samples[i].t), samples[i].normal);
+    if (!(angles.maxCoeff() > 0)) return Eigen::VectorXd::Ones(angles.size());
+    return (angles / angles.mean()).cwiseSqrt().cwiseMax(least);
   }
 
   struct CrossForm {
     double angle_rad = 0;
     double evenness = 0;  ///< the smallest part out of the hole, across the edge, over the largest
+
+    bool isEven() const { return evenness >= 0.7; }
   };
 
-  CrossForm formOf(const Poles& cross) const {
+  static CrossForm formOf(const EdgeFit& edge, const Poles& cross) {
     const BezierCurve field(cross);
     double angle = 0, least = HUGE_VAL, most = 0;
-    for (const SideSample& check : checks_) {
-      const Vector3d area = field.point(check.t).cross(edge_.jet(check.t).d1.normalized());
+    for (const SideSample& check : edge.samples->checked) {
+      const Vector3d area = field.point(check.t).cross(edge.edge.jet(check.t).d1.normalized());
       const double across = field.point(check.t).dot(check.beyond);
       angle = std::max(angle, std::atan2(area.cross(check.normal).norm(), std::abs(area.dot(check.normal))));
       least = std::min(least, across);
@@ -247,26 +371,27 @@ class SideFit {
     return {angle, least / most};
   }
 
-  void fitBend(FittedSide& fitted) const {
+  void fitBend(const Samples& samples, FittedSide& fitted) const {
     constexpr double near_enough = 1e-3;  // of the largest curvature, or of one over the length
     const BezierCurve cross(*fitted.side.cross);
-    const auto bends = [&](const std::vector<SideSample>& samples) {
-      Eigen::VectorXd along(static_cast<Index>(samples.size()));
-      for (Index i = 0; i < along.size(); ++i) along(i) = bendAlong(samples[i], cross.point(samples[i].t));
+    const auto bends = [&](const std::vector<SideSample>& at) {
+      Eigen::VectorXd along(static_cast<Index>(at.size()));
+      for (Index i = 0; i < along.size(); ++i) along(i) = bendAlong(at[i], cross.point(at[i].t));
       return along;
     };
-    const Eigen::VectorXd wanted = bends(samples_), checked = bends(checks_);
+    const Eigen::VectorXd wanted = bends(samples.fitted), checked = bends(samples.checked);
     Eigen::VectorXd squares(checked.size());
-    for (Index i = 0; i < checked.size(); ++i) squares(i) = cross.point(checks_[i].t).squaredNorm();
+    for (Index i = 0; i < checked.size(); ++i) squares(i) = cross.point(samples.checked[i].t).squaredNorm();
     const double largest_per_mm =
         std::max(1 / path_.length_mm(), checked.cwiseQuotient(squares).cwiseAbs().maxCoeff());
     for (int degree = 0; degree <= options_.most_degree; ++degree) {
-      const BezierCurve bend(fittedBend(samples_, wanted, degree));
+      const BezierCurve bend(fittedBend(samples.fitted, wanted, degree));
       double missed_per_mm = 0;
       for (Index i = 0; i < checked.size(); ++i)
         missed_per_mm =
             std::max(missed_per_mm,
-                     std::abs(checks_[i].normal.dot(bend.point(checks_[i].t)) - checked(i)) / squares(i));
+                     std::abs(samples.checked[i].normal.dot(bend.point(samples.checked[i].t)) - checked(i)) /
+                         squares(i));
       if (fitted.side.bend && !(missed_per_mm < fitted.curvature_per_mm)) continue;
       fitted.side.bend = bend.poles();
       fitted.curvature_per_mm = missed_per_mm;
@@ -276,10 +401,8 @@ class SideFit {
 
   StretchPath path_;
   SideFitOptions options_;
-  Speed speed_;
-  std::vector<SideSample> samples_, checks_;
-  BezierCurve edge_{Poles(Poles::Zero(1, 3))};
-  double gap_mm_ = 0, tilt_rad_ = 0;
+  std::array<double, 2> corner_rad_{};
+  double enough_rad_ = 0;  ///< what the corners let be reached, or what is asked for
 };
 
 }  // namespace
@@ -293,25 +416,15 @@ std::vector<FittedSide> fitSides(const std::vector<HoleSide>& sides,
   for (const HoleSide& side : sides) paths.push_back(std::make_shared<const SidePath>(side, options.gap_mm));
   std::vector<SideFit> fits;
   for (const SideStretch& stretch : stretches) fits.emplace_back(paths.at(stretch.side), stretch, options);
-  std::vector<SideFitEnd> corners(n);  // where side k begins
-  std::vector<Vector3d> normals(n);
+  std::vector<FitCorner> corners;  // where side k begins
   for (std::size_t k = 0; k < n; ++k) {
-    const SideSample in = fits[before(k)].end(true), out = fits[k].end(false);
-    corners[k].point = (in.point + out.point) / 2;
-    if (!stretches[k].begins_smoothly) continue;
-    const Vector3d along = (in.derivative.normalized() + out.derivative.normalized()).normalized();
-    const Vector3d beyond = in.beyond + out.beyond;
-    corners[k].direction = along;
-    normals[k] = beyond.cross(along).normalized();
-  }
-  for (std::size_t k = 0; k < n; ++k) fits[k].fitEdge({corners[k], corners[next(k)]});
-  for (std::size_t k = 0; k < n; ++k) {
-    if (stretches[k].begins_smoothly) continue;
-    const Vector3d in = fits[before(k)].edge().jet(1).d1, out = fits[k].edge().jet(0).d1;
-    normals[k] = in.normalized().cross(out.normalized()).normalized();
+    const SideFit &in = fits[before(k)], &out = fits[k];
+    corners.push_back(stretches[k].begins_smoothly ? smoothCorner(in.end(true), out.end(false))
+                                                   : sharpCorner(in.end(true), out.end(false),
+                                                                 {in.mostTurn_rad(), out.mostTurn_rad()}));
   }
   std::vector<FittedSide> fitted;
-  for (std::size_t k = 0; k < n; ++k) fitted.push_back(fits[k].finished({normals[k], normals[next(k)]}));
+  for (std::size_t k = 0; k < n; ++k) fitted.push_back(fits[k].fitted(corners[k], corners[next(k)]));
   return fitted;
 }
 

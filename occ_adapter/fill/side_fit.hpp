@@ -24,7 +24,7 @@ struct FittedSide {
   FillSide side;
   double gap_mm = 0;
   double angle_rad = 0;  ///< of the planes spanned by E' and T to those of the faces; 0 for position alone
-  /// By which the tangents of the next sides leave the planes of this one, at its corners. The fill has that angle to its neighbour there.
+  /// By which the planes at its corners leave those of the faces. The fill has that angle to its neighbour there.
   std::array<double, 2> corner_rad{};
   double curvature_per_mm =
       0;  ///< difference of the curvature across the side, as fitted, from that of the faces
@@ -33,9 +33,10 @@ struct FittedSide {
 /// Edges and cross fields of the lowest degrees that come near enough, or of the highest, by least squares; exact, but for rounding, where
 /// the edge is a polynomial of such a degree in its own parameter, and where such a field exists. A stretch of one edge keeps the edge's parameter
 /// unless that of arc length comes nearer and its own is not near enough; one of several has that of arc length. Ends of neighbouring
-/// stretches are one point, halfway, and T is in the plane of both edges at each corner; where one begins smoothly, both edges have one
-/// tangent, halfway, and T is in a plane halfway between those of the faces. Where that plane leaves the tangent plane of a side by
-/// more than planar_rad, the side asks for position alone.
+/// stretches are one point, halfway, and T is in the plane of both edges at each corner: the one halfway between the planes of the faces,
+/// into which both edges are turned, where that moves neither by much, else that of the edges as they are. Where a stretch begins smoothly,
+/// both edges have one tangent, halfway, and T is in a plane halfway between those of the faces. Where that plane leaves the tangent plane
+/// of a side by more than planar_rad, the side asks for position alone.
 /// \throws std::runtime_error for an edge that can't be evaluated or has no tangent at a corner; Standard_Failure.
 std::vector<FittedSide> fitSides(const std::vector<HoleSide>& sides,
                                  const std::vector<SideStretch>& stretches, const SideFitOptions& options);
