@@ -172,7 +172,7 @@ class FaceMaker {
   bool makePaths() {
     for (const Stretch& stretch : stretches_) {
       Path& path = paths_.emplace_back();
-      path.curve = BRep_Tool::Curve(stretch.edge.use.edge, path.first, path.last);
+      path.curve = BRep_Tool::Curve(stretch.edge.use.edge, path.location, path.first, path.last);
       if (path.curve.IsNull()) return false;
       if (own_paths_) {
         path.on_surface =
@@ -181,7 +181,8 @@ class FaceMaker {
           path.on_surface = handle<Geom2d_Curve>::DownCast(path.on_surface->Copy());
       } else {
         double tolerance = Precision::Confusion();
-        path.on_surface = GeomProjLib::Curve2d(path.curve, path.first, path.last, surface_, tolerance);
+        path.on_surface = GeomProjLib::Curve2d(BRep_Tool::Curve(stretch.edge.use.edge, path.first, path.last),
+                                               path.first, path.last, surface_, tolerance);
       }
       if (path.on_surface.IsNull()) return false;
     }
@@ -269,7 +270,7 @@ class FaceMaker {
       TopoDS_Vertex begin = vertices[k], end = vertices[(k + 1) % vertices.size()];
       if (stretches_[k].edge.reversed) std::swap(begin, end);
       TopoDS_Edge& edge = edges_.emplace_back();
-      builder.MakeEdge(edge, path.curve, Precision::Confusion());
+      builder.MakeEdge(edge, path.curve, path.location, Precision::Confusion());
       builder.UpdateEdge(edge, path.on_surface, face, Precision::Confusion());
       builder.Range(edge, path.first, path.last);
       builder.Add(edge, begin.Oriented(TopAbs_FORWARD));
@@ -292,6 +293,7 @@ class FaceMaker {
   /// Of an edge, on its curve and on the surface.
   struct Path {
     handle<Geom_Curve> curve;
+    TopLoc_Location location;  ///< of the curve
     handle<Geom2d_Curve> on_surface;
     double first = 0, last = 0;
   };
