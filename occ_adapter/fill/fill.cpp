@@ -34,6 +34,7 @@ std::vector<FillAttempt> othersThan(const FillAttempt& first, const FillHoleRepo
 
 bool isBetter(const FillHoleReport& one, const FillHoleReport& other, Level target) {
   if (one.reached != other.reached) return one.reached;
+  if (one.filled != other.filled) return one.filled;
   if (isSound(one) != isSound(other)) return isSound(one);
   if (target < Level::G2) return false;
   return one.largestCurvature_rel().value_or(HUGE_VAL) < other.largestCurvature_rel().value_or(HUGE_VAL);
@@ -136,10 +137,15 @@ FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOpti
   options.validate();
   requireEdges(model, hole);
   constexpr double share_of_face = 0.1;
-  FillHoleReport best;
+  std::optional<FillHoleReport> by_face;
   if (const std::optional<TopoDS_Face> face = faceThatGoesOn(hole, options))
-    best = filledByFace(model, hole, options, names, *face, partOf(progress, 0, share_of_face));
-  if (!best.reached) best = bestByPatches(model, hole, options, names, partOf(progress, share_of_face, 1));
+    by_face = filledByFace(model, hole, options, names, *face, partOf(progress, 0, share_of_face));
+  if (by_face && by_face->reached) {
+    if (progress && !progress(1)) throw Cancelled();
+    return std::move(*by_face);
+  }
+  FillHoleReport best = bestByPatches(model, hole, options, names, partOf(progress, share_of_face, 1));
+  if (by_face && !isBetter(best, *by_face, options.target)) best = std::move(*by_face);
   if (progress && !progress(1)) throw Cancelled();
   return best;
 }

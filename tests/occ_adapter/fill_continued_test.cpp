@@ -308,8 +308,7 @@ TEST(FillByAFace, OfALoopThatCrossesItselfIsRefused) {
   bow.Close();
   const TopoDS_Shape walls = BRepPrimAPI_MakePrism(bow.Wire(), gp_Vec(0, 0, 5)).Shape();
   for (const Hole& hole : occ::findHoles(walls).holes) {
-    const FillHoleReport report = occ::fillHole(modelFromShape(walls), hole,
-                                                {.target = Level::G0, .keep_anyway = true, .most_degree = 3});
+    const FillHoleReport report = occ::fillHole(modelFromShape(walls), hole, {.target = Level::G0});
     EXPECT_FALSE(report.filled || report.reached);
     EXPECT_THAT(report.reason, testing::HasSubstr("OpenCASCADE's checks would not pass for the fill"));
   }
