@@ -4,6 +4,7 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Tool.hxx>
 #include <Eigen/Geometry>
+#include <ShapeCustom.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -19,6 +20,7 @@
 #include <string>
 
 #include <seamwright/occ_adapter/fill/corner_ball.hpp>
+#include <seamwright/occ_adapter/model/parts.hpp>
 
 namespace seamwright::occ {
 
@@ -71,8 +73,9 @@ class OutsideRounder {
       : corner_(corner),
         strips_(strips),
         ball_mm_(ball_mm),
+        direct_(ShapeCustom::DirectFaces(corner.solid)),
         ball_(BRepPrimAPI_MakeSphere(ballAxes(corner), ball_mm).Shape()),
-        cut_(corner.solid, ball_) {}
+        cut_(direct_, ball_) {}
 
   RoundedOutside run() {
     TopExp_Explorer solid(cut_.Shape(), TopAbs_SOLID);
@@ -111,8 +114,12 @@ class OutsideRounder {
                             ", outside a ball of " + lengthText(ball_mm_) + " about the vertex: " + why);
   }
 
+  TopoDS_Shape directEdge(const TopoDS_Edge& edge) const {
+    return partsOf(direct_, TopAbs_EDGE)(partsOf(corner_.solid, TopAbs_EDGE).FindIndex(edge));
+  }
+
   void add(std::size_t i, BRepFilletAPI_MakeFillet& fillets) {
-    const TopTools_ListOfShape& parts = cut_.Modified(corner_.edges[i].edge);
+    const TopTools_ListOfShape& parts = cut_.Modified(directEdge(corner_.edges[i].edge));
     if (parts.Extent() != 1) failAtEdge(i, std::to_string(parts.Extent()) + " parts of it are left, not one");
     const TopoDS_Edge edge = TopoDS::Edge(parts.First());
     if (fillets.Contour(edge) > 0)
@@ -139,10 +146,9 @@ class OutsideRounder {
 
   void follow(BRepFilletAPI_MakeFillet& fillets) {
     TopExp::MapShapes(result_.solid, TopAbs_FACE, faces_);
-    TopTools_IndexedMapOfShape given;
-    TopExp::MapShapes(corner_.solid, TopAbs_FACE, given);
-    for (int face = 1; face <= given.Extent(); ++face)
-      if (const TopoDS_Face now = imageOf(given(face), fillets); !now.IsNull())
+    const TopTools_IndexedMapOfShape direct = partsOf(direct_, TopAbs_FACE);
+    for (int face = 1; face <= direct.Extent(); ++face)
+      if (const TopoDS_Face now = imageOf(direct(face), fillets); !now.IsNull())
         result_.became.emplace(face, now);
     for (TopExp_Explorer face(ball_, TopAbs_FACE); face.More(); face.Next()) {
       TopTools_ListOfShape parts = cut_.Modified(face.Current());
@@ -204,15 +210,13 @@ class OutsideRounder {
     return found;
   }
 
-  int numberOf(const TopoDS_Face& face) const {
-    TopTools_IndexedMapOfShape given;
-    TopExp::MapShapes(corner_.solid, TopAbs_FACE, given);
-    return given.FindIndex(face);
-  }
+  int numberOf(const TopoDS_Face& face) const { return partsOf(corner_.solid, TopAbs_FACE).FindIndex(face); }
 
   const Corner& corner_;
   const std::vector<CornerStrip>& strips_;
   const double ball_mm_;
+  /// The solid, numbered alike, without faces on left-handed surfaces, which boolean operations of OpenCASCADE get wrong.
+  TopoDS_Shape direct_;
   TopoDS_Shape ball_;
   BRepAlgoAPI_Cut cut_;
   std::vector<TopoDS_Edge> edges_;  ///< what is left of the corner's

@@ -1,427 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <BRepBuilderAPI_MakeFace.hxx>
-#include <BRepTools_ReShape.hxx>
-#include <BRep_Builder.hxx>
-#include <BRep_Tool.hxx>
-#include <Eigen/Geometry>
-#include <Geom_BSplineSurface.hxx>
-#include <Precision.hxx>
 #include <Standard_Failure.hxx>
-#include <TopExp.hxx>
-#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
-#include <TopoDS.hxx>
-#include <TopoDS_Compound.hxx>
-#include <TopoDS_Iterator.hxx>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <numbers>
-#include <set>
-#include <sstream>
 #include <stdexcept>
 
-#include <seamwright/core/umbrella/fill_corners.hpp>
-#include <seamwright/core/umbrella/ring_fill.hpp>
-#include <seamwright/occ_adapter/analyze/measure_seam.hpp>
-#include <seamwright/occ_adapter/analyze/workers.hpp>
-#include <seamwright/occ_adapter/convert/bezier_surface.hpp>
-#include <seamwright/occ_adapter/convert/spline_surface.hpp>
-#include <seamwright/occ_adapter/fill/clearance.hpp>
+#include <seamwright/occ_adapter/fill/continued_face.hpp>
 #include <seamwright/occ_adapter/fill/fill.hpp>
-#include <seamwright/occ_adapter/fill/fill_form.hpp>
 #include <seamwright/occ_adapter/fill/fill_names.hpp>
-#include <seamwright/occ_adapter/fill/side_fit.hpp>
+#include <seamwright/occ_adapter/fill/filling.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
-#include <seamwright/occ_adapter/repair/prove.hpp>
-#include <seamwright/occ_adapter/repair/sew.hpp>
-#include <seamwright/occ_adapter/seams/match.hpp>
 
 namespace seamwright::occ {
 
 namespace {
-
-/// Tangents that leave a side's tangent plane by more are no part of a smooth surface: the side gets position alone.
-constexpr double most_planar_rad = 0.1;
-
-/// What the sides and the corners may take of the tolerance each: the sum of all errors is to be well within it.
-constexpr double share = 20;
-
-/// The planes of both sides of a corner are made to agree; what is left is rounding.
-constexpr double plane_noise_rad = 1e-7;
-
-constexpr std::size_t ring_sides = 4;
-
-/// A fill with poles further out than this many times its sides is none: a hemisphere's stand out by less than 2.
-constexpr double most_reach = 3;
-
-/// Fills cost the sixth power of the degree, and several are tried for one that is not regular.
-constexpr int dear_degree = 7;
-
-/// Rings around corners of a larger angle curl over.
-constexpr double most_corner_rad = 5.3;
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-std::string messageOf(const Standard_Failure& failure) {
-  return std::string("OpenCASCADE failed: ") + failure.DynamicType()->Name() + " " +
-         failure.GetMessageString();
-}
-
-/// What keeps a hole from being filled.
-class NotFilled : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-constexpr const char* fill_name = "the fill";
-
-/// The shape and more faces, numbered after its own.
-TopoDS_Compound withFaces(const TopoDS_Shape& shape, const std::vector<TopoDS_Face>& faces) {
-  BRep_Builder builder;
-  TopoDS_Compound whole;
-  builder.MakeCompound(whole);
-  if (shape.ShapeType() == TopAbs_COMPOUND)
-    for (TopoDS_Iterator part(shape); part.More(); part.Next()) builder.Add(whole, part.Value());
-  else
-    builder.Add(whole, shape);
-  for (const TopoDS_Face& face : faces) builder.Add(whole, face);
-  return whole;
-}
-
-/// What stands in the compound of withFaces() where the shape stood, if that was no compound itself.
-TopoDS_Shape unwrapped(const TopoDS_Shape& whole, const TopoDS_Shape& given) {
-  if (given.ShapeType() == TopAbs_COMPOUND) return whole;
-  TopoDS_Iterator part(whole);
-  const TopoDS_Shape first = part.Value();
-  part.Next();
-  return part.More() ? whole : first;
-}
-
-/// How a fill is tried.
-struct Attempt {
-  int most_degree = 9;  ///< of the polynomials that stand for the sides
-  /// What G1 leaves free is spent on small jumps of curvature, in a degree higher by so much at most; nothing: on fairness.
-  std::optional<int> curvature_raise = std::nullopt;
-};
-
-bool isSound(const FillHoleReport& report) {
-  return report.regular && report.reach <= most_reach && !report.outer.empty();
-}
-
-class Filling {
- public:
-  Filling(const Model& model, const Hole& hole, const FillHoleOptions& options, const FaceNames& names,
-          const Attempt& attempt, const Progress& progress)
-      : model_(model),
-        hole_(hole),
-        options_(options),
-        names_(names),
-        attempt_(attempt),
-        progress_(progress) {}
-
-  FillHoleReport run() {
-    result_.model = model_;
-    try {
-      const auto start = std::chrono::steady_clock::now();
-      fit();
-      build();
-      result_.build_s = secondsSince(start);
-      sew();
-      result_.sew_s = secondsSince(start) - result_.build_s;
-      measure();
-      result_.measure_s = secondsSince(start) - result_.build_s - result_.sew_s;
-      keep();
-    } catch (const Cancelled&) {
-      throw;
-    } catch (const Standard_Failure& failure) {
-      result_.reason = messageOf(failure);
-    } catch (const std::exception& error) {
-      result_.reason = error.what();
-    }
-    return std::move(result_);
-  }
-
- private:
-  void fit() {
-    const std::size_t corners = hole_.has_corners ? hole_.sides.size() : 0;
-    if (corners > 12)
-      throw NotFilled("the hole has " + std::to_string(corners) + " corners: fills have 12 at most");
-    const double gap_mm = options_.tolerance.gap_mm / share;
-    is_ring_ = corners < 3 || (corners <= ring_sides && hasReflexCorner(hole_, gap_mm));
-    stretches_ = is_ring_ ? cutSides(hole_, ring_sides, gap_mm, true) : wholeSides(hole_);
-    fitted_ = fitted(stretches_);
-    if (is_ring_ && misses(fitted_) > 1) {
-      const std::vector<SideStretch> even = cutSides(hole_, ring_sides, gap_mm, false);
-      std::vector<FittedSide> other = fitted(even);
-      if (misses(other) < misses(fitted_)) stretches_ = even, fitted_ = std::move(other);
-    }
-    tellSides();
-  }
-
-  std::vector<FittedSide> fitted(const std::vector<SideStretch>& stretches) const {
-    // A ring of position alone is asked for; corners say so themselves, smooth loops do not.
-    const bool position_only = is_ring_ && options_.target == Level::G0;
-    return fitSides(hole_.sides, stretches,
-                    {.gap_mm = options_.tolerance.gap_mm / share,
-                     .angle_rad = options_.tolerance.angle_rad / share,
-                     .most_degree = attempt_.most_degree,
-                     .planar_rad = position_only ? -1 : most_planar_rad,
-                     .curvature = attempt_.curvature_raise.has_value()});
-  }
-
-  /// What is reached over what is asked for.
-  double misses(const std::vector<FittedSide>& sides) const {
-    double most = 0;
-    for (const FittedSide& side : sides)
-      most = std::max({most, share * side.gap_mm / options_.tolerance.gap_mm,
-                       share * side.angle_rad / options_.tolerance.angle_rad});
-    return most;
-  }
-
-  void tellSides() {
-    for (std::size_t k = 0; k < fitted_.size(); ++k) {
-      const FittedSide& side = fitted_[k];
-      FilledSide told{{},
-                      !side.side.cross,
-                      side.side.edge.degree(),
-                      side.side.cross ? static_cast<int>(side.side.cross->rows()) - 1 : 0,
-                      side.gap_mm,
-                      side.angle_rad,
-                      side.corner_rad};
-      const HoleSide& of_hole = hole_.sides[stretches_[k].side];
-      double begin_mm = 0;
-      for (const HoleEdge& edge : of_hole.edges) {
-        const double end_mm = begin_mm + edge.length_mm;
-        if (end_mm > stretches_[k].begin * of_hole.length_mm &&
-            begin_mm < stretches_[k].end * of_hole.length_mm)
-          told.edges.push_back(edge.edge);
-        begin_mm = end_mm;
-      }
-      result_.sides.push_back(std::move(told));
-    }
-  }
-
-  void build() {
-    std::vector<FillSide> sides;
-    for (const FittedSide& side : fitted_) sides.push_back(side.side);
-    for (const BSplineSurface& surface : is_ring_ ? ringSurfaces(sides) : starSurfaces(sides)) {
-      const bool is_patch = surface.countU() == surface.degree_u + 1;
-      const opencascade::handle<Geom_Surface> geometry =
-          is_patch ? opencascade::handle<Geom_Surface>(toBezierSurface(bezierPatch(surface)))
-                   : opencascade::handle<Geom_Surface>(geomSurface(surface));
-      BRepBuilderAPI_MakeFace face(geometry, Precision::Confusion());
-      if (!face.IsDone()) throw NotFilled("OpenCASCADE made no face of a patch");
-      new_faces_.push_back(face.Face());
-      result_.reach = std::max(result_.reach, reachOf(surface, fitted_));
-    }
-  }
-
-  /// By how much more than the degree that G1 asks for, at least \p more than that of the cross fields; time grows with its sixth power,
-  /// so that where nothing is to be raised higher degrees are left alone.
-  std::optional<int> curvatureDegrees(const std::vector<FillSide>& sides, int more) const {
-    if (!attempt_.curvature_raise) return std::nullopt;
-    constexpr int most_degree = 9;
-    Eigen::Index degree = 0;
-    for (const FillSide& side : sides)
-      degree = std::max({degree, Eigen::Index{side.edge.degree()}, side.cross ? side.cross->rows() - 1 : 0});
-    if (attempt_.curvature_raise == 0 && degree + more >= dear_degree) return std::nullopt;
-    return std::clamp(most_degree - more - static_cast<int>(degree), 0, *attempt_.curvature_raise);
-  }
-
-  std::vector<BSplineSurface> ringSurfaces(const std::vector<FillSide>& sides) {
-    const RingFill fill = ringFill(
-        sides, {.corner_tolerance_rad = plane_noise_rad, .curvature_degrees = curvatureDegrees(sides, 3)});
-    result_.curvature_jump_per_mm = fill.curvature_jump_per_mm;
-    result_.corners = fill.corners;
-    for (std::size_t k = 0; k < fill.corners.size(); ++k)
-      if (fill.corners[k].angle_rad > most_corner_rad)
-        throw NotFilled("corner " + std::to_string(k + 1) + " of the hole has " +
-                        text(fill.corners[k].angle_rad * 180 / std::numbers::pi) + " degrees: fills have " +
-                        text(most_corner_rad * 180 / std::numbers::pi) + " at most");
-    result_.regular = fill.regular;
-    std::vector<BSplineSurface> surfaces;
-    for (const BezierPatch& patch : fill.patches) surfaces.push_back(splineSurface(patch));
-    return surfaces;
-  }
-
-  std::vector<BSplineSurface> starSurfaces(const std::vector<FillSide>& sides) {
-    FillOptions options{.corner_tolerance_rad = plane_noise_rad,
-                        .curvature_degrees = curvatureDegrees(sides, 1)};
-    NSidedFill fill = nSidedFill(sides, options);
-    if (!fill.regular && options.curvature_degrees) {
-      options.curvature_degrees.reset();
-      fill = nSidedFill(sides, options);
-    }
-    if (!fill.regular && fill.patches.front().degreeU() < dear_degree) {
-      options.law = SpokeLaw::Quadratic;
-      NSidedFill other = nSidedFill(sides, options);
-      if (other.regular) fill = std::move(other);
-    }
-    result_.curvature_jump_per_mm = fill.curvature_jump_per_mm;
-    result_.corners = fill.corners;
-    result_.regular = fill.regular;
-    return withCornerKnots(fill, options_.tolerance.angle_rad / share);
-  }
-
-  int firstNewFace() const { return model_.faceCount() + 1; }
-  bool isNew(int face) const { return face >= firstNewFace(); }
-
-  void sew() {
-    whole_ = withFaces(model_.shape, new_faces_);
-    SeamGraph graph = findSeams(whole_);
-    double reach_mm = options_.tolerance.gap_mm;
-    for (const FittedSide& side : fitted_) reach_mm = std::max(reach_mm, 2 * side.gap_mm);
-    matchFreeEdges({.match_mm = reach_mm, .gap_mm = options_.tolerance.gap_mm}, graph,
-                   partOf(progress_, 0, 0.3));
-    std::vector<std::size_t> chosen;
-    for (std::size_t i = 0; i < graph.seams.size(); ++i)
-      if (graph.seams[i].kind == SeamKind::Matched && isOfFill(graph.seams[i])) chosen.push_back(i);
-    sewn_ = sewnShape(whole_, graph.seams, chosen, reach_mm, [this](int face) { return nameOf(face); });
-    if (!sewn_.refused.empty()) throw NotFilled("the fill can't be sewn: " + sewn_.refused.begin()->second);
-    for (std::size_t k = 0; k < new_faces_.size(); ++k)
-      numbers_.insert(sewn_.faces[firstNewFace() + static_cast<int>(k)]);
-    nameFaces();
-    requireClosed();
-  }
-
-  std::string nameOf(int face) const { return isNew(face) ? fill_name : names_(face); }
-
-  void nameFaces() {
-    const int count = model_.faceCount() + static_cast<int>(new_faces_.size());
-    result_.face_names.resize(static_cast<std::size_t>(count));
-    for (int face = 1; face <= count; ++face)
-      result_.face_names[static_cast<std::size_t>(sewn_.faces[face]) - 1] = nameOf(face);
-  }
-
-  /// Seams between new faces, and those between a new face and one beside the hole.
-  bool isOfFill(const Seam& seam) const {
-    const auto belongs = [this](const FaceUse& side) {
-      if (isNew(side.face)) return true;
-      for (const HoleSide& of_hole : hole_.sides)
-        for (const HoleEdge& edge : of_hole.edges)
-          if (edge.use.face == side.face && edge.use.edge.IsSame(side.edge)) return true;
-      return false;
-    };
-    return (isNew(seam.sides[0].face) || isNew(seam.sides[1].face)) && belongs(seam.sides[0]) &&
-           belongs(seam.sides[1]);
-  }
-
-  void requireClosed() {
-    graph_ = findSeams(sewn_.shape);
-    int open = 0;
-    for (const LooseEdge& edge : graph_.open)
-      open += std::ranges::any_of(edge.faces, [this](int face) { return numbers_.count(face) > 0; }) ? 1 : 0;
-    if (open > 0)
-      throw NotFilled(std::to_string(open) +
-                      " edges of the fill lie along no edge of the hole within the gap of " +
-                      text(options_.tolerance.gap_mm) + " mm" + nearness());
-  }
-
-  /// What the fit of the sides says, as the beginning of a further clause.
-  std::string nearness() const {
-    double gap_mm = 0;
-    for (const FittedSide& side : fitted_) gap_mm = std::max(gap_mm, side.gap_mm);
-    return "; the sides are met to " + text(gap_mm) + " mm";
-  }
-
-  static std::string text(double value) {
-    std::ostringstream stream;
-    stream << value;
-    return stream.str();
-  }
-
-  void measure() {
-    AnalyzeOptions options;
-    options.tolerance = options_.tolerance;
-    options.level = options_.target;
-    options.jobs = options_.jobs;
-    std::vector<const Seam*> seams;
-    for (const Seam& seam : graph_.seams)
-      if (numbers_.count(seam.sides[0].face) + numbers_.count(seam.sides[1].face) > 0) seams.push_back(&seam);
-    std::vector<SeamResult> results(seams.size());
-    runParallel(
-        seams.size(), options.jobs, [&](std::size_t i) { results[i] = measureSeam(*seams[i], options); },
-        partOf(progress_, 0.3, 0.9));
-    for (SeamResult& seam : results) {
-      const bool inner = numbers_.count(seam.faces[0]) > 0 && numbers_.count(seam.faces[1]) > 0;
-      (inner ? result_.inner : result_.outer).push_back(std::move(seam));
-    }
-    result_.faces.assign(numbers_.begin(), numbers_.end());
-  }
-
-  std::string missed() const {
-    const SeamResult* worst = nullptr;
-    const auto angle = [](const SeamResult& seam) {
-      const std::optional<Figure>& found = seam.figures.angle_rad;
-      return found ? found->upper.value_or(HUGE_VAL) : HUGE_VAL;
-    };
-    for (const auto* seams : {&result_.outer, &result_.inner})
-      for (const SeamResult& seam : *seams)
-        if (!surelyReaches(seam.figures, options_.tolerance, options_.target) &&
-            (worst == nullptr || angle(seam) > angle(*worst)))
-          worst = &seam;
-    if (worst == nullptr) return {};
-    const std::string &one = result_.faceName(worst->faces[0]), &other = result_.faceName(worst->faces[1]);
-    return (one == other ? "a seam inside " + one : "a seam between " + one + " and " + other) +
-           " does not surely reach " + std::string(name(options_.target)) + ": " + figuresText(*worst);
-  }
-
-  std::string unsound() const {
-    const Soundness was = soundnessOf(model_.shape, options_.jobs),
-                    is = soundnessOf(sewn_.shape, options_.jobs);
-    for (int face = 1; face <= model_.faceCount() + static_cast<int>(new_faces_.size()); ++face)
-      if ((isNew(face) || was.faces[face]) && !is.faces[sewn_.faces[face]])
-        return "OpenCASCADE's checks would not pass for " + nameOf(face);
-    if (was.whole && !is.whole) return "OpenCASCADE's checks would not pass for the filled shape";
-    return {};
-  }
-
-  /// What is wrong with the new faces although their seams are good.
-  std::string misshapen() const {
-    if (!result_.regular) return "the new faces are not proved regular: they may fold over";
-    if (turnsBack(new_faces_, fitted_))
-      return "the new faces turn back over themselves, as their surroundings do not";
-    if (result_.reach > most_reach)
-      return "the new faces stand out to " + text(result_.reach) + " times the size of the hole";
-    if (result_.outer.empty()) return "the hole is too small for a seam to be measured";
-    if (const auto touching = touchingFaces(sewn_.shape, numbers_))
-      return numbers_.count(touching->second) > 0
-                 ? "the fill runs into itself"
-                 : "the fill runs into " + result_.faceName(touching->second);
-    return {};
-  }
-
-  void keep() {
-    result_.reason = missed();
-    if (result_.reason.empty()) result_.reason = misshapen();
-    const std::string fault = unsound();
-    if (!fault.empty()) result_.reason = fault;
-    result_.reached = result_.reason.empty();
-    if (!fault.empty() || (!result_.reached && !options_.keep_anyway)) return;
-    result_.model.attributes = attributesAfter(model_.attributes, whole_, sewn_);
-    result_.model.shape = unwrapped(sewn_.shape, model_.shape);
-    result_.filled = true;
-  }
-
-  const Model& model_;
-  const Hole& hole_;
-  const FillHoleOptions& options_;
-  const FaceNames& names_;
-  const Attempt attempt_;
-  const Progress progress_;
-  bool is_ring_ = false;
-  std::vector<SideStretch> stretches_;
-  std::vector<FittedSide> fitted_;
-  std::vector<TopoDS_Face> new_faces_;
-  TopoDS_Shape whole_;
-  SewnShape sewn_;
-  SeamGraph graph_;        ///< of the sewn shape
-  std::set<int> numbers_;  ///< of the new faces in the sewn shape
-  FillHoleReport result_;
-};
 
 std::optional<int> raiseFor(Level target) {
   if (target < Level::G1) return std::nullopt;
@@ -430,9 +22,9 @@ std::optional<int> raiseFor(Level target) {
 
 /// What may come out better: polynomials of lower degrees follow the sides less closely and make fairer faces; without regard to curvature
 /// its jumps may yet be smaller.
-std::vector<Attempt> othersThan(const Attempt& first, const FillHoleReport& report) {
+std::vector<FillAttempt> othersThan(const FillAttempt& first, const FillHoleReport& report) {
   constexpr int fairer_degree = 5;
-  std::vector<Attempt> others;
+  std::vector<FillAttempt> others;
   if (report.faces.empty()) return others;
   if (!isSound(report) && first.most_degree > fairer_degree)
     others.push_back({fairer_degree, first.curvature_raise});
@@ -442,6 +34,7 @@ std::vector<Attempt> othersThan(const Attempt& first, const FillHoleReport& repo
 
 bool isBetter(const FillHoleReport& one, const FillHoleReport& other, Level target) {
   if (one.reached != other.reached) return one.reached;
+  if (one.filled != other.filled) return one.filled;
   if (isSound(one) != isSound(other)) return isSound(one);
   if (target < Level::G2) return false;
   return one.largestCurvature_rel().value_or(HUGE_VAL) < other.largestCurvature_rel().value_or(HUGE_VAL);
@@ -456,46 +49,6 @@ void requireEdges(const Model& model, const Hole& hole) {
                                     std::to_string(edge.edge));
 }
 
-/// A model without one of its faces.
-Model without(const Model& model, const TopoDS_Shape& face) {
-  const opencascade::handle<BRepTools_ReShape> change = new BRepTools_ReShape;
-  change->Remove(face);
-  Model rest = model;
-  rest.shape = change->Apply(model.shape);
-  if (rest.shape.IsNull() || !TopExp_Explorer(rest.shape, TopAbs_FACE).More())
-    throw NotFilled("the face is all there is");
-  rest.attributes.clear();
-  for (const ShapeAttribute& attribute : model.attributes) {
-    const TopoDS_Shape part = change->Apply(partsOf(model.shape, attribute.kind)(attribute.index));
-    if (part.IsNull()) continue;
-    ShapeAttribute kept = attribute;
-    kept.index = partsOf(rest.shape, attribute.kind).FindIndex(part);
-    if (kept.index > 0) rest.attributes.push_back(std::move(kept));
-  }
-  return rest;
-}
-
-/// The hole in the rest of a model that a face left.
-Hole holeOf(const Model& rest, const TopoDS_Shape& face, const FillHoleOptions& options) {
-  std::set<int> wanted;
-  const TopTools_IndexedMapOfShape edges = partsOf(rest.shape, TopAbs_EDGE);
-  for (TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next()) {
-    const int number = edges.FindIndex(edge.Current());
-    if (number > 0)
-      wanted.insert(number);
-    else if (!BRep_Tool::Degenerated(TopoDS::Edge(edge.Current())))
-      throw NotFilled("the face bounds the hole on one side only: it has an edge of its own");
-  }
-  const Holes found = findHoles(rest.shape, {options.corner_rad, options.tolerance.gap_mm});
-  for (const Hole& hole : found.holes) {
-    std::set<int> its;
-    for (const HoleSide& side : hole.sides)
-      for (const HoleEdge& edge : side.edges) its.insert(edge.edge);
-    if (its == wanted) return hole;
-  }
-  throw NotFilled("the edges of the face are not one loop of edges that the neighbours keep");
-}
-
 std::optional<double> largest(const FillHoleReport& report, std::optional<Figure> SeamFigures::*figure) {
   std::optional<double> most;
   for (const auto* seams : {&report.outer, &report.inner})
@@ -505,6 +58,41 @@ std::optional<double> largest(const FillHoleReport& report, std::optional<Figure
       most = std::max(most.value_or(0), *value->upper);
     }
   return most;
+}
+
+/// Where it can't be made, patches are tried, and say what is wrong.
+std::optional<TopoDS_Face> faceThatGoesOn(const Hole& hole, const FillHoleOptions& options) {
+  constexpr double share = 20;  // of the tolerances, as of patches
+  if (!options.continue_surface) return std::nullopt;
+  try {
+    return continuedFace(
+        hole, options.tolerance.gap_mm / share,
+        options.target == Level::G0 ? std::nullopt : std::optional(options.tolerance.angle_rad / share));
+  } catch (const Standard_Failure&) {
+    return std::nullopt;
+  } catch (const std::runtime_error&) {
+    return std::nullopt;
+  }
+}
+
+FillHoleReport bestByPatches(const Model& model, const Hole& hole, const FillHoleOptions& options,
+                             const FaceNames& names, const Progress& progress) {
+  constexpr double share_of_first = 0.5;
+  const FillAttempt first{options.most_degree, raiseFor(options.target)};
+  FillHoleReport best =
+      filledByPatches(model, hole, options, names, first, partOf(progress, 0, share_of_first));
+  const std::vector<FillAttempt> others = best.reached ? std::vector<FillAttempt>() : othersThan(first, best);
+  double build_s = best.build_s, done = share_of_first;
+  for (std::size_t k = 0; k < others.size(); ++k) {
+    const double next = done + (1 - done) / static_cast<double>(others.size() - k);
+    FillHoleReport other =
+        filledByPatches(model, hole, options, names, others[k], partOf(progress, done, next));
+    done = next;
+    build_s += other.build_s;
+    if (isBetter(other, best, options.target)) best = std::move(other);
+  }
+  best.build_s = build_s;
+  return best;
 }
 
 }  // namespace
@@ -548,49 +136,18 @@ FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOpti
                         const FaceNames& names, const Progress& progress) {
   options.validate();
   requireEdges(model, hole);
-  constexpr double share_of_first = 0.5;
-  const Attempt first{options.most_degree, raiseFor(options.target)};
-  FillHoleReport best =
-      Filling(model, hole, options, names, first, partOf(progress, 0, share_of_first)).run();
-  const std::vector<Attempt> others = best.reached ? std::vector<Attempt>() : othersThan(first, best);
-  double build_s = best.build_s, done = share_of_first;
-  for (std::size_t k = 0; k < others.size(); ++k) {
-    const double next = done + (1 - done) / static_cast<double>(others.size() - k);
-    FillHoleReport other =
-        Filling(model, hole, options, names, others[k], partOf(progress, done, next)).run();
-    done = next;
-    build_s += other.build_s;
-    if (isBetter(other, best, options.target)) best = std::move(other);
+  constexpr double share_of_face = 0.1;
+  std::optional<FillHoleReport> by_face;
+  if (const std::optional<TopoDS_Face> face = faceThatGoesOn(hole, options))
+    by_face = filledByFace(model, hole, options, names, *face, partOf(progress, 0, share_of_face));
+  if (by_face && by_face->reached) {
+    if (progress && !progress(1)) throw Cancelled();
+    return std::move(*by_face);
   }
-  best.build_s = build_s;
+  FillHoleReport best = bestByPatches(model, hole, options, names, partOf(progress, share_of_face, 1));
+  if (by_face && !isBetter(best, *by_face, options.target)) best = std::move(*by_face);
   if (progress && !progress(1)) throw Cancelled();
   return best;
-}
-
-FillHoleReport replaceFace(const Model& model, int face, const FillHoleOptions& options,
-                           const Progress& progress) {
-  options.validate();
-  if (face < 1 || face > model.faceCount())
-    throw std::invalid_argument("the model has no face " + std::to_string(face) + ": they count from 1 to " +
-                                std::to_string(model.faceCount()));
-  FillHoleReport report;
-  try {
-    const Model whole = modelOfOwnParts(model);
-    const TopoDS_Shape old = partsOf(whole.shape, TopAbs_FACE)(face);
-    const Model rest = without(whole, old);
-    const Numbers faces(whole.shape, rest.shape, TopAbs_FACE), edges(whole.shape, rest.shape, TopAbs_EDGE);
-    report = fillHole(
-        rest, holeOf(rest, old, options), options,
-        [&faces](int number) { return numberedFace(faces.given(number)); }, progress);
-    for (FilledSide& side : report.sides)
-      for (int& edge : side.edges) edge = edges.given(edge);
-  } catch (const NotFilled& why) {
-    report.reason = why.what();
-  } catch (const Standard_Failure& failure) {
-    report.reason = messageOf(failure);
-  }
-  if (!report.filled) report.model = model;
-  return report;
 }
 
 }  // namespace seamwright::occ

@@ -16,10 +16,11 @@ struct FillHoleOptions {
   /// degrees, with G2 always and in higher ones.
   Level target = Level::G1;
   ContinuityTolerance tolerance{.gap_mm = 0.001, .angle_rad = 0.01 * 0.017453292519943295};
-  bool keep_anyway = false;  ///< a fill that closes the hole is kept even if it does not reach the target
-  double corner_rad = 0.26;  ///< as of HoleOptions
-  int most_degree = 9;       ///< of the polynomials that stand for a side, 3 to 11
-  int jobs = 0;              ///< threads; 0: one for each processor
+  bool keep_anyway = false;      ///< a fill that closes the hole is kept even if it does not reach the target
+  bool continue_surface = true;  ///< one face is made where a surface goes on; false: patches always
+  double corner_rad = 0.26;      ///< as of HoleOptions
+  int most_degree = 9;           ///< of the polynomials that stand for a side, 3 to 11
+  int jobs = 0;                  ///< threads; 0: one for each processor
 
   /// \throws std::invalid_argument with the offending number.
   void validate() const;
@@ -69,6 +70,10 @@ struct FillHoleReport {
 };
 
 /// Fills a hole and sews the faces to the neighbours.
+///
+/// Where one surface comes within a twentieth of the tolerance of all edges, and for more than G0 of the tangent planes along them, the fill
+/// is one face on it, whatever the form of the hole: its plane, a plane, cylinder, cone, sphere or torus beside it, or any regular surface
+/// that all faces around it lie on. Such a fill has no sides and corners in the report. Else it is built of patches:
 ///
 /// A hole of 3 to 12 corners, none above pi, gets as many faces (nSidedFill()). One of fewer corners is cut into four sides, those
 /// first that are longest and turn most, at joints of its edges where these are near: it gets five faces (ringFill()), as does one of up to

@@ -13,6 +13,7 @@
 #include <TColStd_HArray1OfReal.hxx>
 #include <TColgp_Array1OfPnt2d.hxx>
 #include <TColgp_HArray1OfPnt2d.hxx>
+#include <TopLoc_Location.hxx>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -167,6 +168,17 @@ handle<Geom2d_Curve> linear(const PlacedSurface& surface, const PlanarPath& path
   return handle<Geom2d_Curve>(spline);
 }
 
+/// Whether both edges have one curve, run along alike.
+bool haveOneCurve(const Seam& seam, const std::array<Places, 2>& places) {
+  std::array<TopLoc_Location, 2> at;
+  std::array<Places, 2> ranges{};
+  std::array<handle<Geom_Curve>, 2> curves;
+  for (const int side : {0, 1})
+    curves[side] = BRep_Tool::Curve(seam.sides[side].edge, at[side], ranges[side][0], ranges[side][1]);
+  return !curves[0].IsNull() && curves[0] == curves[1] && at[0] == at[1] && ranges[0] == ranges[1] &&
+         places[0] == places[1];
+}
+
 void store(const Seam& seam, CommonEdge& common) {
   BRep_Builder builder;
   builder.MakeEdge(common.edge, common.curve, common.tolerance_mm);
@@ -212,7 +224,8 @@ CommonEdge commonEdge(const Seam& seam, const std::array<Places, 2>& places, dou
                                      common.last, near_mm);
     path = {curve, common.first, common.last};
   }
-  common.curve = meanImage(common.sides, common.first, common.last, near_mm);
+  common.curve = haveOneCurve(seam, places) ? BRep_Tool::Curve(seam.sides[0].edge, first, last)
+                                            : meanImage(common.sides, common.first, common.last, near_mm);
   common.tolerance_mm =
       std::max(Precision::Confusion(),
                between_points * largestDistance_mm(common.sides, *common.curve, common.first, common.last));

@@ -21,7 +21,7 @@ struct CommonEdge {
   double tolerance_mm = 0;      ///< distance of the curve and the images of both paths, as measured
 };
 
-/// The curve lies halfway between both sides. The first side keeps its path, the second gets one that leads to the places that belong
+/// The curve lies halfway between both sides; one that both edges have is kept. The first side keeps its path, the second gets one that leads to the places that belong
 /// to the first one's: the same path run along otherwise, exactly where that is at constant speed (to a thousandth of \p gap_mm), else
 /// interpolated to as much.
 /// \param places of the stretch, on both sides; those of the second belong to those of the first, and may decrease.

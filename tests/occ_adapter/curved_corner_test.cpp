@@ -2,12 +2,15 @@
 // Corners whose faces are curved, or whose edges end among others. Beside OpenCASCADE's checks: its own fillets, of all edges and of one alone.
 #include <gtest/gtest.h>
 
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
+#include <TopoDS.hxx>
 #include <cmath>
+#include <gp_Cylinder.hxx>
 
 #include "corner_solids.hpp"
 #include "curved_corners.hpp"
@@ -52,6 +55,7 @@ std::vector<Case> cases() {
            {0, 10, 20},
            {1, 2, 1.5}},
           {"BlockOnCylinder", blockOnCylinder(), {std::sqrt(375.0), 5, 15}, {1, 2, 1}},
+          {"LeftHanded", extrudedQuarterDisc(), {0, 20, 0}, {1, 0.5, 0.2}},
           {"BossInNotch",
            BRepAlgoAPI_Fuse(notchedCube(), upright({10, 5, 0}, 3, 7)).Shape(),
            {7, 5, 7},
@@ -61,6 +65,16 @@ std::vector<Case> cases() {
           {"SteepDomeOfThree", vault(3, 35), apex(35), {0.1, 0.5, 1}, 0.1},
           {"SteepDomeOfFive", vault(5, 35), apex(35), {0.2, 1, 1}, 3},
           {"SteepDomeOfSix", vault(6, 35), apex(35), {1, 0.1, 0.1}, 3}};
+}
+
+TEST(CurvedCorner, ExtrusionsHaveLeftHandedCylinders) {
+  int found = 0;
+  const TopTools_IndexedMapOfShape faces = parts(extrudedQuarterDisc(), TopAbs_FACE);
+  for (int face = 1; face <= faces.Extent(); ++face) {
+    const BRepAdaptor_Surface surface(TopoDS::Face(faces(face)));
+    found += surface.GetType() == GeomAbs_Cylinder && !surface.Cylinder().Position().Direct() ? 1 : 0;
+  }
+  EXPECT_EQ(found, 1);
 }
 
 class CurvedCorners : public testing::TestWithParam<Case> {};

@@ -2,11 +2,16 @@
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Tool.hxx>
+#include <GC_MakeArcOfCircle.hxx>
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
 #include <cmath>
@@ -62,6 +67,15 @@ TopoDS_Shape upright(const gp_Pnt& foot, double radius, double height) {
 
 TopoDS_Shape wedge(double radius, double height) {
   return BRepPrimAPI_MakeCylinder(radius, height, 1.5).Shape();
+}
+
+TopoDS_Shape extrudedQuarterDisc() {
+  const gp_Pnt centre(0, 0, 0), right(20, 0, 0), top(0, 20, 0);
+  BRepBuilderAPI_MakeWire wire;
+  wire.Add(BRepBuilderAPI_MakeEdge(centre, right));
+  wire.Add(BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(right, gp_Pnt(14, 14, 0), top).Value()));
+  wire.Add(BRepBuilderAPI_MakeEdge(top, centre));
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire.Wire()).Face(), gp_Vec(0, 0, 10)).Shape();
 }
 
 TopoDS_Shape boxLessBall() {

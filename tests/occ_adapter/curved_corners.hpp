@@ -34,6 +34,9 @@ TopoDS_Shape upright(const gp_Pnt& foot, double radius, double height);
 /// Its corner at (radius, 0, 0) has two planes at a right angle and the cylinder.
 TopoDS_Shape wedge(double radius, double height);
 
+/// Nearly a quarter of a disc of radius 20, 10 high. OpenCASCADE's extrusion has its cylinder on left-handed axes.
+TopoDS_Shape extrudedQuarterDisc();
+
 /// A box of side 20 less a ball of radius 10 about a corner.
 TopoDS_Shape boxLessBall();
 

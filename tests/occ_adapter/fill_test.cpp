@@ -190,8 +190,14 @@ TEST(Fill, OfACubeIsFlatAndHasPositionAlone) {
     ASSERT_TRUE(filled.filled) << filled.reason;
     EXPECT_EQ(filled.model.shape.ShapeType(), TopAbs_SOLID);
     EXPECT_NEAR(volume_mm3(filled.model.shape), 40 * 30 * 20, 1e-6);
-    EXPECT_EQ(filled.faces.size(), 4U);
+    EXPECT_EQ(filled.faces.size(), 1U);
     EXPECT_TRUE(BRepCheck_Analyzer(filled.model.shape).IsValid());
+
+    const FillHoleReport patches =
+        replaceFace(modelFromShape(box), face, {.target = Level::G0, .continue_surface = false});
+    ASSERT_TRUE(patches.filled) << patches.reason;
+    EXPECT_NEAR(volume_mm3(patches.model.shape), 40 * 30 * 20, 1e-6);
+    EXPECT_EQ(patches.faces.size(), 4U);
   }
 }
 
@@ -389,7 +395,7 @@ TEST(Fill, AroundASharpReflexCornerIsNotKept) {
   const occ::Model model = modelFromShape(holed);
   for (const Hole& hole : occ::findHoles(holed).holes) {
     if (hole.longest) continue;
-    const FillHoleReport report = occ::fillHole(model, hole);
+    const FillHoleReport report = occ::fillHole(model, hole, {.continue_surface = false});
     EXPECT_FALSE(report.filled || report.reached);
     EXPECT_THAT(report.reason, testing::AnyOf(HasSubstr("fold"), HasSubstr("turn back")));
   }

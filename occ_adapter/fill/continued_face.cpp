@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRepLib.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+#include <GeomAdaptor_Surface.hxx>
+#include <GeomConvert.hxx>
+#include <GeomConvert_BSplineSurfaceToBezierSurface.hxx>
+#include <GeomProjLib.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierSurface.hxx>
+#include <Geom_ConicalSurface.hxx>
+#include <Geom_Curve.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <Geom_ElementarySurface.hxx>
+#include <Geom_Plane.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <Geom_ToroidalSurface.hxx>
+#include <Precision.hxx>
+#include <ShapeAnalysis_Surface.hxx>
+#include <TopExp.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <TopoDS_Wire.hxx>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <seamwright/core/umbrella/regular.hpp>
+#include <seamwright/occ_adapter/convert/bezier_surface.hpp>
+#include <seamwright/occ_adapter/fill/continued_face.hpp>
+#include <seamwright/occ_adapter/fill/side_path.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+using Eigen::Vector2d, Eigen::Vector3d;
+using opencascade::handle;
+
+gp_Pnt pointOf(const Vector3d& p) {
+  return {p.x(), p.y(), p.z()};
+}
+
+gp_Dir directionOf(const Vector3d& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+Vector3d vector(const gp_XYZ& xyz) {
+  return {xyz.X(), xyz.Y(), xyz.Z()};
+}
+
+/// An edge of the hole, and what is seen along it in the sense of the hole.
+struct Stretch {
+  HoleEdge edge;
+  std::vector<SideSample> samples;
+};
+
+std::vector<Stretch> stretchesOf(const Hole& hole, double gap_mm) {
+  constexpr int count = 64;
+  std::vector<Stretch> stretches;
+  for (const HoleSide& side : hole.sides)
+    for (const HoleEdge& edge : side.edges) {
+      const SidePath path({{edge}, edge.length_mm}, gap_mm);
+      Stretch& stretch = stretches.emplace_back(Stretch{edge, {}});
+      for (int k = 0; k <= count; ++k)
+        stretch.samples.push_back(path.atPlace(static_cast<double>(k) / count));
+    }
+  return stretches;
+}
+
+/// Twice the area that a closed polygon goes around, to its left.
+double signedArea(const std::vector<Vector2d>& polygon) {
+  double area = 0;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vector2d &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+    area += a.x() * b.y() - a.y() * b.x();
+  }
+  return area;
+}
+
+/// The least box of parameters around the hole.
+struct Range {
+  Vector2d low, high;
+};
+
+bool isRegular(const handle<Geom_Surface>& surface, const Range& at) {
+  if (surface->IsKind(STANDARD_TYPE(Geom_Plane)) || surface->IsKind(STANDARD_TYPE(Geom_CylindricalSurface)))
+    return true;
+  if (surface->IsKind(STANDARD_TYPE(Geom_SphericalSurface)))
+    return std::max(-at.low.y(), at.high.y()) < std::numbers::pi / 2 - Precision::Angular();
+  if (const auto cone = handle<Geom_ConicalSurface>::DownCast(surface); !cone.IsNull()) {
+    const auto radiusAt = [&cone](double v) { return cone->RefRadius() + v * std::sin(cone->SemiAngle()); };
+    return radiusAt(at.low.y()) * radiusAt(at.high.y()) > 0;
+  }
+  if (const auto torus = handle<Geom_ToroidalSurface>::DownCast(surface); !torus.IsNull())
+    return torus->MajorRadius() > torus->MinorRadius();
+  const handle<Geom_BSplineSurface> spline = GeomConvert::SurfaceToBSplineSurface(
+      new Geom_RectangularTrimmedSurface(surface, at.low.x(), at.high.x(), at.low.y(), at.high.y()));
+  if (spline->Continuity() < GeomAbs_C1) return false;
+  GeomConvert_BSplineSurfaceToBezierSurface pieces(spline);
+  for (int i = 1; i <= pieces.NbUPatches(); ++i)
+    for (int j = 1; j <= pieces.NbVPatches(); ++j)
+      if (!provedRegular(bezierPatch(*pieces.Patch(i, j)))) return false;
+  return true;
+}
+
+/// The plane of least squares through the hole.
+handle<Geom_Surface> planeOf(const std::vector<Stretch>& stretches, const Vector3d& centre) {
+  std::vector<Vector3d> points;
+  for (const Stretch& stretch : stretches)
+    for (const SideSample& sample : stretch.samples) points.push_back(sample.point - centre);
+  const Eigen::Map<const Eigen::Matrix3Xd> all(points.front().data(), 3,
+                                               static_cast<Eigen::Index>(points.size()));
+  const Eigen::JacobiSVD<Eigen::Matrix3Xd> axes(all, Eigen::ComputeFullU);
+  return new Geom_Plane(pointOf(centre), directionOf(axes.matrixU().col(2)));
+}
+
+/// A copy in place; a sphere is turned so that the hole is far from its poles.
+handle<Geom_Surface> copyOf(const TopoDS_Face& face, const Vector3d& centre) {
+  const handle<Geom_Surface> surface = handle<Geom_Surface>::DownCast(BRep_Tool::Surface(face)->Copy());
+  if (const auto sphere = handle<Geom_SphericalSurface>::DownCast(surface); !sphere.IsNull()) {
+    const Vector3d towards = centre - vector(sphere->Location().XYZ());
+    if (towards.norm() > Precision::Confusion())
+      return new Geom_SphericalSurface(
+          gp_Ax3(sphere->Location(), directionOf(towards.unitOrthogonal()), directionOf(towards)),
+          sphere->Radius());
+  }
+  return surface;
+}
+
+/// One face made on one surface.
+class FaceMaker {
+ public:
+  FaceMaker(const std::vector<Stretch>& stretches, handle<Geom_Surface> surface, bool own_paths)
+      : stretches_(stretches), surface_(std::move(surface)), own_paths_(own_paths) {}
+
+  bool isNear(double gap_mm, const std::optional<double>& angle_rad) const {
+    ShapeAnalysis_Surface nearest(surface_);
+    for (const Stretch& stretch : stretches_)
+      for (const SideSample& sample : stretch.samples) {
+        const gp_Pnt point = pointOf(sample.point);
+        const gp_Pnt2d at = nearest.ValueOfUV(point, Precision::Confusion());
+        if (nearest.Value(at).Distance(point) > gap_mm) return false;
+        if (angle_rad && normalAt(at).cross(sample.normal).norm() > std::sin(*angle_rad)) return false;
+      }
+    return true;
+  }
+
+  std::optional<TopoDS_Face> run(double gap_mm) {
+    if (!makePaths() || !closePaths(gap_mm) || !boundsTheHole() || !isRegular(surface_, range()))
+      return std::nullopt;
+    const TopoDS_Face face = assembled();
+    for (const TopoDS_Edge& edge : edges_)
+      if (BRep_Tool::Tolerance(edge) > gap_mm) return std::nullopt;
+    return face;
+  }
+
+ private:
+  /// Unit.
+  Vector3d normalAt(const gp_Pnt2d& at) const {
+    gp_Pnt point;
+    gp_Vec u, v;
+    surface_->D1(at.X(), at.Y(), point, u, v);
+    return vector(u.XYZ()).cross(vector(v.XYZ())).normalized();
+  }
+
+  bool makePaths() {
+    for (const Stretch& stretch : stretches_) {
+      Path& path = paths_.emplace_back();
+      path.curve = BRep_Tool::Curve(stretch.edge.use.edge, path.location, path.first, path.last);
+      if (path.curve.IsNull()) return false;
+      if (own_paths_) {
+        path.on_surface =
+            BRep_Tool::CurveOnSurface(stretch.edge.use.edge, stretch.edge.use.shape, path.first, path.last);
+        if (!path.on_surface.IsNull())
+          path.on_surface = handle<Geom2d_Curve>::DownCast(path.on_surface->Copy());
+      } else {
+        double tolerance = Precision::Confusion();
+        path.on_surface = GeomProjLib::Curve2d(BRep_Tool::Curve(stretch.edge.use.edge, path.first, path.last),
+                                               path.first, path.last, surface_, tolerance);
+      }
+      if (path.on_surface.IsNull()) return false;
+    }
+    return true;
+  }
+
+  /// In the sense of the hole.
+  gp_Pnt2d at(std::size_t k, double share) const {
+    const Path& path = paths_[k];
+    const double place = stretches_[k].edge.reversed ? 1 - share : share;
+    return path.on_surface->Value(path.first + place * (path.last - path.first));
+  }
+
+  /// Moves paths by whole periods until each begins where the one before it ends; false where one does not.
+  bool closePaths(double gap_mm) {
+    const GeomAdaptor_Surface adaptor(surface_);
+    const Vector2d period(adaptor.IsUPeriodic() ? adaptor.UPeriod() : 0,
+                          adaptor.IsVPeriodic() ? adaptor.VPeriod() : 0);
+    const auto wholePeriods = [&period](const gp_Pnt2d& from, const gp_Pnt2d& to) {
+      const auto whole = [](double distance, double one) {
+        return one > 0 ? one * std::round(distance / one) : 0;
+      };
+      return gp_Vec2d(whole(to.X() - from.X(), period.x()), whole(to.Y() - from.Y(), period.y()));
+    };
+    for (std::size_t k = 1; k < paths_.size(); ++k)
+      paths_[k].on_surface->Translate(wholePeriods(at(k, 0), at(k - 1, 1)));
+    const auto meet = [&](const gp_Pnt2d& one, const gp_Pnt2d& other) {
+      return std::abs(one.X() - other.X()) <= adaptor.UResolution(2 * gap_mm) &&
+             std::abs(one.Y() - other.Y()) <= adaptor.VResolution(2 * gap_mm);
+    };
+    for (std::size_t k = 0; k < paths_.size(); ++k)
+      if (!meet(at(k, 1), at((k + 1) % paths_.size(), 0))) return false;
+    return true;
+  }
+
+  Range range() const {
+    Range found{Vector2d::Constant(HUGE_VAL), Vector2d::Constant(-HUGE_VAL)};
+    for (const Vector2d& corner : polygon_) {
+      found.low = found.low.cwiseMin(corner);
+      found.high = found.high.cwiseMax(corner);
+    }
+    return found;
+  }
+
+  /// The faces beside the hole are outside of the loop, where they go on in the surface.
+  bool boundsTheHole() {
+    for (std::size_t k = 0; k < paths_.size(); ++k)
+      for (std::size_t i = 0; i + 1 < stretches_[k].samples.size(); ++i) {
+        const gp_Pnt2d uv =
+            at(k, static_cast<double>(i) / static_cast<double>(stretches_[k].samples.size() - 1));
+        polygon_.emplace_back(uv.X(), uv.Y());
+      }
+    const double area = signedArea(polygon_);
+    is_left_ = area > 0;
+    constexpr double least_slope = 1e-3;  // of a face beside the hole that is not above or below it
+    for (std::size_t k = 0; k < paths_.size(); ++k)
+      for (std::size_t i = 1; i + 1 < stretches_[k].samples.size(); ++i) {
+        const SideSample& sample = stretches_[k].samples[i];
+        const double share = static_cast<double>(i) / static_cast<double>(stretches_[k].samples.size() - 1);
+        const Vector3d into =
+            (is_left_ ? 1 : -1) * normalAt(at(k, share)).cross(sample.derivative.normalized());
+        if (into.dot(sample.beyond) > 1 - least_slope) return false;
+      }
+    return area != 0;
+  }
+
+  TopoDS_Vertex vertexBefore(std::size_t k) const {
+    const TopoDS_Edge edge = TopoDS::Edge(stretches_[k].edge.use.edge.Oriented(TopAbs_FORWARD));
+    const TopoDS_Vertex given =
+        stretches_[k].edge.reversed ? TopExp::LastVertex(edge) : TopExp::FirstVertex(edge);
+    TopoDS_Vertex vertex;
+    const BRep_Builder builder;
+    builder.MakeVertex(vertex, BRep_Tool::Pnt(given), BRep_Tool::Tolerance(given));
+    return vertex;
+  }
+
+  TopoDS_Face assembled() {
+    const BRep_Builder builder;
+    TopoDS_Face face;
+    builder.MakeFace(face, surface_, Precision::Confusion());
+    std::vector<TopoDS_Vertex> vertices;
+    for (std::size_t k = 0; k < paths_.size(); ++k) vertices.push_back(vertexBefore(k));
+    for (std::size_t k = 0; k < paths_.size(); ++k) {
+      const Path& path = paths_[k];
+      TopoDS_Vertex begin = vertices[k], end = vertices[(k + 1) % vertices.size()];
+      if (stretches_[k].edge.reversed) std::swap(begin, end);
+      TopoDS_Edge& edge = edges_.emplace_back();
+      builder.MakeEdge(edge, path.curve, path.location, Precision::Confusion());
+      builder.UpdateEdge(edge, path.on_surface, face, Precision::Confusion());
+      builder.Range(edge, path.first, path.last);
+      builder.Add(edge, begin.Oriented(TopAbs_FORWARD));
+      builder.Add(edge, end.Oriented(TopAbs_REVERSED));
+      BRepLib::SameParameter(edge, Precision::Confusion());
+    }
+    TopoDS_Wire wire;
+    builder.MakeWire(wire);
+    for (std::size_t k = 0; k < edges_.size(); ++k) {
+      const std::size_t i = is_left_ ? k : edges_.size() - 1 - k;
+      builder.Add(wire, edges_[i].Oriented(stretches_[i].edge.reversed == is_left_ ? TopAbs_REVERSED
+                                                                                   : TopAbs_FORWARD));
+    }
+    wire.Closed(true);
+    builder.Add(face, wire);
+    BRepTools::Update(face);
+    return face;
+  }
+
+  /// Of an edge, on its curve and on the surface.
+  struct Path {
+    handle<Geom_Curve> curve;
+    TopLoc_Location location;  ///< of the curve
+    handle<Geom2d_Curve> on_surface;
+    double first = 0, last = 0;
+  };
+
+  const std::vector<Stretch>& stretches_;
+  handle<Geom_Surface> surface_;
+  bool own_paths_;
+  std::vector<Path> paths_;  ///< by edge
+  std::vector<Vector2d> polygon_;
+  bool is_left_ = true;  ///< the loop goes around the hole with it to the left, on the surface
+  std::vector<TopoDS_Edge> edges_;
+};
+
+bool haveOneSurface(const std::vector<Stretch>& stretches) {
+  const TopoDS_Face& first = stretches.front().edge.use.shape;
+  TopLoc_Location here, there;
+  const handle<Geom_Surface>& surface = BRep_Tool::Surface(first, here);
+  return std::ranges::all_of(stretches, [&](const Stretch& stretch) {
+    return BRep_Tool::Surface(stretch.edge.use.shape, there) == surface && here == there;
+  });
+}
+
+}  // namespace
+
+std::optional<TopoDS_Face> continuedFace(const Hole& hole, double gap_mm, std::optional<double> angle_rad) {
+  const std::vector<Stretch> stretches = stretchesOf(hole, gap_mm);
+  const auto tried = [&](const handle<Geom_Surface>& surface, bool own_paths) -> std::optional<TopoDS_Face> {
+    FaceMaker maker(stretches, surface, own_paths);
+    return own_paths || maker.isNear(gap_mm, angle_rad) ? maker.run(gap_mm) : std::nullopt;
+  };
+  if (haveOneSurface(stretches)) {
+    const TopoDS_Face& face = stretches.front().edge.use.shape;
+    const handle<Geom_Surface> own = handle<Geom_Surface>::DownCast(BRep_Tool::Surface(face)->Copy());
+    if (const auto made = tried(own, true)) return made;
+  }
+  if (const auto made = tried(planeOf(stretches, hole.centre), false)) return made;
+  int before = 0;
+  for (const Stretch& stretch : stretches) {
+    const FaceUse& use = stretch.edge.use;
+    if (use.face == before || !BRep_Tool::Surface(use.shape)->IsKind(STANDARD_TYPE(Geom_ElementarySurface)))
+      continue;
+    before = use.face;
+    if (const auto made = tried(copyOf(use.shape, hole.centre), false)) return made;
+  }
+  return std::nullopt;
+}
+
+}  // namespace seamwright::occ

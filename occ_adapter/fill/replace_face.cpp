@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRepTools_ReShape.hxx>
+#include <BRep_Tool.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <set>
+#include <stdexcept>
+
+#include <seamwright/occ_adapter/fill/fill.hpp>
+#include <seamwright/occ_adapter/fill/fill_names.hpp>
+#include <seamwright/occ_adapter/fill/filling.hpp>
+#include <seamwright/occ_adapter/model/parts.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+/// A model without one of its faces.
+Model without(const Model& model, const TopoDS_Shape& face) {
+  const opencascade::handle<BRepTools_ReShape> change = new BRepTools_ReShape;
+  change->Remove(face);
+  Model rest = model;
+  rest.shape = change->Apply(model.shape);
+  if (rest.shape.IsNull() || !TopExp_Explorer(rest.shape, TopAbs_FACE).More())
+    throw NotFilled("the face is all there is");
+  rest.attributes.clear();
+  for (const ShapeAttribute& attribute : model.attributes) {
+    const TopoDS_Shape part = change->Apply(partsOf(model.shape, attribute.kind)(attribute.index));
+    if (part.IsNull()) continue;
+    ShapeAttribute kept = attribute;
+    kept.index = partsOf(rest.shape, attribute.kind).FindIndex(part);
+    if (kept.index > 0) rest.attributes.push_back(std::move(kept));
+  }
+  return rest;
+}
+
+/// The hole in the rest of a model that a face left.
+Hole holeOf(const Model& rest, const TopoDS_Shape& face, const FillHoleOptions& options) {
+  std::set<int> wanted;
+  const TopTools_IndexedMapOfShape edges = partsOf(rest.shape, TopAbs_EDGE);
+  for (TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next()) {
+    const int number = edges.FindIndex(edge.Current());
+    if (number > 0)
+      wanted.insert(number);
+    else if (!BRep_Tool::Degenerated(TopoDS::Edge(edge.Current())))
+      throw NotFilled("the face bounds the hole on one side only: it has an edge of its own");
+  }
+  const Holes found = findHoles(rest.shape, {options.corner_rad, options.tolerance.gap_mm});
+  for (const Hole& hole : found.holes) {
+    std::set<int> its;
+    for (const HoleSide& side : hole.sides)
+      for (const HoleEdge& edge : side.edges) its.insert(edge.edge);
+    if (its == wanted) return hole;
+  }
+  throw NotFilled("the edges of the face are not one loop of edges that the neighbours keep");
+}
+
+}  // namespace
+
+FillHoleReport replaceFace(const Model& model, int face, const FillHoleOptions& options,
+                           const Progress& progress) {
+  options.validate();
+  if (face < 1 || face > model.faceCount())
+    throw std::invalid_argument("the model has no face " + std::to_string(face) + ": they count from 1 to " +
+                                std::to_string(model.faceCount()));
+  FillHoleReport report;
+  try {
+    const Model whole = modelOfOwnParts(model);
+    const TopoDS_Shape old = partsOf(whole.shape, TopAbs_FACE)(face);
+    const Model rest = without(whole, old);
+    const Numbers faces(whole.shape, rest.shape, TopAbs_FACE), edges(whole.shape, rest.shape, TopAbs_EDGE);
+    report = fillHole(
+        rest, holeOf(rest, old, options), options,
+        [&faces](int number) { return numberedFace(faces.given(number)); }, progress);
+    for (FilledSide& side : report.sides)
+      for (int& edge : side.edges) edge = edges.given(edge);
+  } catch (const NotFilled& why) {
+    report.reason = why.what();
+  } catch (const Standard_Failure& failure) {
+    report.reason = failureText("taking the face out", failure);
+  }
+  if (!report.filled) report.model = model;
+  return report;
+}
+
+}  // namespace seamwright::occ
