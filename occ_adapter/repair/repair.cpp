@@ -345,7 +345,8 @@ class Repairing {
       seam.repaired = wanted[i] && isRepaired(seam.after, sharp_[i], options_);
       if (seam.repaired)
         seam.reason.clear();
-      else if (wanted[i] && open_[i] && seam.before.kind == SeamKind::Matched && !seam.before.note.empty())
+      else if (wanted[i] && now_.open[i] && seam.before.kind == SeamKind::Matched &&
+               !seam.before.note.empty())
         seam.reason = seam.before.note + "; " + seam.reason;
       result_.seams.push_back(std::move(seam));
     }
