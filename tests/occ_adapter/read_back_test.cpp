@@ -62,15 +62,15 @@ TopoDS_Shape patch(const std::function<gp_Pnt(int i, int j)>& pole) {
   return BRepBuilderAPI_MakeFace(new Geom_BezierSurface(poles), 1e-7).Shape();
 }
 
-/// z = 0.002 x^2 on both sides of x = 0; for x > 0 a triangle whose tip is an end of the seam, lifted by so much.
-TopoDS_Shape sheetAndTip(double lifted_mm) {
+/// z = 0.002 x^2 on both sides of x = 0; for x > 0 a triangle whose tip is an end of the seam, shifted by so much over the other.
+TopoDS_Shape sheetAndTip(double shifted_mm) {
   constexpr double bend = 0.002, width = 30, length = 40;
   const auto square = [&](int i, int j) {
     return gp_Pnt(-width * (1 - i / 2.0), length * j / 2, i == 0 ? bend * width * width : 0);
   };
   const auto triangle = [&](int i, int j) {
-    return gp_Pnt(width * (i / 2.0) * (1 - j / 2.0), length * j / 2,
-                  lifted_mm + (i == 2 && j == 0 ? bend * width * width : 0));
+    return gp_Pnt(width * (i / 2.0) * (1 - j / 2.0) - shifted_mm, length * j / 2,
+                  i == 2 && j == 0 ? bend * width * width : 0);
   };
   return compoundOf({patch(square), patch(triangle)});
 }
