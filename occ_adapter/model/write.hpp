@@ -56,7 +56,8 @@ void requireTarget(const std::filesystem::path& source, const std::filesystem::p
 /// Where the faces, edges or vertices are others (a sewn model), where the model comes from memory or from BREP, or with
 /// WriteOptions::afresh, a new file is made of the shape and Model::attributes; a compound whose solids have names becomes
 /// an assembly, loose faces that share edges become shells. Such a file has the faces in their order, but edges within a
-/// reversed face may be numbered otherwise when it is read.
+/// reversed face may be numbered otherwise when it is read. STEP states the largest tolerance of the shape as its accuracy then, and IGES has
+/// faces that share edges, also where those of the source share none.
 ///
 /// STEP: schema (AP203, AP214 or AP242), header texts, length unit and stated accuracy of a STEP source are kept, and
 /// parameter curves are written. Where edges or vertices got larger tolerances than that accuracy, it becomes the largest of those, for readers

@@ -77,13 +77,7 @@ class Remeasuring {
   }
 
   SeamResult measured(std::size_t i, const AnalyzeOptions& options) const {
-    SeamResult after = measureSeam(seams_[i], options);
-    if (seams_[i].id != 0) return after;
-    after.id = task_.before[i].id;
-    after.figures = {};
-    after.verdict = {};
-    after.note = "the edges are no longer close together";
-    return after;
+    return measureSeam(seams_[i], options);
   }
 
   const RepairTask& task_;
@@ -181,6 +175,30 @@ double strayEdge_mm(const TopoDS_Face& before, const TopoDS_Face& after, double 
     if (tolerance > allowed) largest = std::max(largest, tolerance);
   }
   return largest;
+}
+
+bool areBetweenTheSameEdges(const Seam& a, const Seam& b) {
+  return a.kind == SeamKind::Matched && b.kind == SeamKind::Matched && a.edges == b.edges;
+}
+
+bool overlap(const Correspondence& a, const Correspondence& b) {
+  return a.a.front() < b.a.back() && b.a.front() < a.a.back();
+}
+
+/// All but that share at each end.
+bool covers(const Correspondence& whole, const Correspondence& part, double share) {
+  const double wandered = share * (part.a.back() - part.a.front());
+  return whole.a.front() <= part.a.front() + wandered && part.a.back() <= whole.a.back() + wandered;
+}
+
+/// Of the seams of the model it holds that one, but for a share at its ends, and nothing of the others.
+bool isThatOf(const Seam& found, const Seam& seam, double share, const std::vector<Seam>& seams) {
+  if (!areBetweenTheSameEdges(found, seam) || !covers(found.correspondence, seam.correspondence, share))
+    return false;
+  return std::ranges::none_of(seams, [&](const Seam& other) {
+    return &other != &seam && areBetweenTheSameEdges(other, found) &&
+           overlap(other.correspondence, found.correspondence);
+  });
 }
 
 /// What is wrong with a face's change; empty if nothing.
@@ -336,18 +354,18 @@ std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed
   SeamGraph graph = findSeams(changed);
   matchFreeEdges({.match_mm = task.options.match_mm, .gap_mm = task.options.tolerance.gap_mm}, graph,
                  progress);
-  std::vector<bool> taken(graph.seams.size(), false);
-  for (Seam& seam : seams) {
+  // As near to the end of an edge as it counts as matched whole.
+  const double wandered_mm = 4 * task.options.match_mm;
+  for (std::size_t i = 0; i < seams.size(); ++i) {
+    Seam& seam = seams[i];
     if (seam.kind != SeamKind::Matched) continue;
+    const double share = wandered_mm / task.before[i].length_mm;
+    const auto found = std::ranges::find_if(
+        graph.seams, [&](const Seam& other) { return isThatOf(other, seam, share, seams); });
+    if (found == graph.seams.end()) continue;
     const int id = seam.id;
-    seam.id = 0;
-    for (std::size_t i = 0; i < graph.seams.size() && seam.id == 0; ++i) {
-      const Seam& found = graph.seams[i];
-      if (taken[i] || found.kind != SeamKind::Matched || found.edges != seam.edges) continue;
-      taken[i] = true;
-      seam = found;
-      seam.id = id;
-    }
+    seam = *found;
+    seam.id = id;
   }
   return seams;
 }

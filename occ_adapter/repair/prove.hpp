@@ -38,8 +38,8 @@ struct Proof {
   }
 };
 
-/// The seams of the task in a shape that withChanges() made of its own, or the same one, matched anew; a matched one that is found no
-/// more has no id. \throws Cancelled.
+/// The seams of the task in a shape that withChanges() made of its own, or the same one. Of a matched seam the stretch that is found there now,
+/// if it holds the one before; else that one, so that nothing of it is lost where it opened beyond the distance to match. \throws Cancelled.
 std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed, const Progress& progress);
 
 /// Seams beside faces and edges that are new are measured again, the others have their figures from before. What costs much is looked at only

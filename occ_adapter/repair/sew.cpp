@@ -57,9 +57,7 @@ class Sewing {
       const bool is_picked =
           picked.empty() || std::ranges::any_of(seam.edges, [&](int edge) { return contains(picked, edge); });
       if (!is_picked) continue;
-      if (task_.seams[i].id == 0)
-        solution_.reasons[i] = "its edges are no longer close together";
-      else if (surelyReaches(seam.figures, task_.options.tolerance, Level::G0))
+      if (surelyReaches(seam.figures, task_.options.tolerance, Level::G0))
         chosen_.push_back(i);
       else
         solution_.reasons[i] = "its gap is not surely within the tolerance: " + figuresText(seam);

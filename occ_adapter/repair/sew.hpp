@@ -14,7 +14,7 @@ namespace seamwright::occ {
 /// A shape with its seams, and what they are.
 struct SewTask {
   const TopoDS_Shape& shape;
-  const std::vector<Seam>& seams;         ///< matched ones that are found no more have no id
+  const std::vector<Seam>& seams;         ///< of shape
   const std::vector<SeamResult>& before;  ///< in the same order
   const RepairOptions& options;
 };

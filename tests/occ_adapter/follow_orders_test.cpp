@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <random>
 
 #include "follow_seams.hpp"
 
@@ -100,6 +102,52 @@ TEST(FollowOrders, WhatIsAskedForMostIsMetBest) {
   const Errors loose = errorsAlongAWave(waveTolerance(1e-6, 1e-5, 1e-4), 0),
                tight = errorsAlongAWave(waveTolerance(1e-7, 1e-5, 1e-4), 0);
   EXPECT_LT(5 * tight[0], loose[0]);
+}
+
+/// A quarter of a cylinder about z.
+struct Bow {
+  static constexpr double radius_mm = 0.125, length_mm = 0.5;
+
+  static TargetPoint at(double u, double v) {
+    const double angle = u * std::numbers::pi / 2;
+    const Eigen::Vector3d out(std::cos(angle), std::sin(angle), 0);
+    return {radius_mm * out + v * length_mm * Eigen::Vector3d::UnitZ(), out, Eigen::Matrix3d::Zero()};
+  }
+};
+
+/// Nearly a bow: poles are moved along it by about so much.
+Spline slidBow(std::mt19937& generator, double slide_mm) {
+  constexpr int count = 19;
+  TColgp_Array2OfPnt poles(1, count, 1, count);
+  for (int i = 0; i < count; ++i)
+    for (int j = 0; j < count; ++j) {
+      const double u = i / (count - 1.0), v = j / (count - 1.0);
+      const double slide =
+          (slide_mm + random(generator, slide_mm / 10)) / (Bow::radius_mm * std::numbers::pi / 2);
+      const Eigen::Vector3d p = Bow::at(u + slide, v).point;
+      poles(i + 1, j + 1) = gp_Pnt(p.x(), p.y(), p.z());
+    }
+  return splineOf(poles, 3, 3);
+}
+
+TEST(FollowOrders, AlongABentPathPointsThatAreNearestAgreeToo) {
+  const ContinuityTolerance tolerance;
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    std::mt19937 generator(seed);
+    const auto path = curvedPath({{0, 0.5}, {1, 0.5}});
+    FollowPath along = pathTo({slidBow(generator, 0), path}, {slidBow(generator, 0), path}, 1);
+    along.target = [](double s) { return Bow::at(s, 0.5); };
+    const FaceTask task{slidBow(generator, 2e-3), {along}, tolerance};
+    const FaceFollow follow = followPaths(task);
+    EXPECT_EQ(follow.failure, "");
+    double largest_rad = 0;
+    for (int k = 0; k <= 2000; ++k) {
+      const TargetPoint shown = shownBy(follow.surface, path->Value(k / 2000.0));
+      const Eigen::Vector3d nearest = Eigen::Vector3d(shown.point.x(), shown.point.y(), 0).normalized();
+      largest_rad = std::max(largest_rad, std::acos(std::min(1.0, nearest.dot(shown.normal))));
+    }
+    EXPECT_LE(largest_rad, task.share * tolerance.angle_rad) << seed;
+  }
 }
 
 }  // namespace

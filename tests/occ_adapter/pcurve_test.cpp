@@ -93,6 +93,19 @@ TEST(PcurveFaults, AShiftedOneIsRebuiltInMemory) {
   EXPECT_THAT(seam.note, HasSubstr("off the edge"));
 }
 
+TEST(PcurveFaults, AToleranceIsAnEstimate) {
+  constexpr double tolerance_mm = 0.01;
+  for (const double shift_mm : {0.014, 0.016}) {
+    Fixture model;
+    const Path shifted = Path::DownCast(model.path()->Copy());
+    shifted->Translate(gp_Vec2d(shift_mm / 10, 0));  // of the angle, radius 10
+    model.setPath(shifted);
+    BRep_Builder().UpdateEdge(model.edge, tolerance_mm);
+    const bool is_kept = shift_mm < 1.5 * tolerance_mm;
+    EXPECT_EQ(model.analyzedUnchanged().note.empty(), is_kept) << shift_mm;
+  }
+}
+
 TEST(PcurveFaults, ReparametrisedWithSameParameterFalse) {
   Fixture model;
   // The same line run at another pace: t (0.4 + 0.6 t).

@@ -65,7 +65,6 @@ class LoosePair {
   }
 
   occ::SeamResult& before() { return before_.at(0); }
-  occ::Seam& seam() { return seams_.at(0); }
   SewSolution sewn() const { return occ::sewLoose({shape_, seams_, before_, options_}, {}); }
 
  private:
@@ -89,14 +88,6 @@ TEST(SewProof, AnEdgeHasTheNumberOfItsSeam) {
   ASSERT_FALSE(solution.sewn.shape.IsNull());
   EXPECT_EQ(solution.after[0].id, 7);
   EXPECT_NEAR(solution.after[0].figures.gap_mm->lower, 0.005, 1e-9);
-}
-
-TEST(SewProof, WhatIsFoundNoMoreStaysLoose) {
-  LoosePair pair(0.005);
-  pair.seam().id = 0;
-  const SewSolution solution = pair.sewn();
-  EXPECT_TRUE(solution.sewn.shape.IsNull());
-  EXPECT_EQ(solution.reasons.at(0), "its edges are no longer close together");
 }
 
 TEST(SewProof, NoLevelIsLost) {
