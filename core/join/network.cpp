@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include <seamwright/core/bezier/homogeneous.hpp>
@@ -382,6 +384,27 @@ std::optional<NetworkResult> joinedAlready(const Network& network, const Unknown
   return unchanged(network.surfaces, std::move(joins));
 }
 
+/// Of obstacles that hang together by their surfaces the one of the largest residual: others may be there for it alone.
+std::vector<Obstacle> worstOfEachGroup(std::vector<Obstacle> obstacles,
+                                       const std::vector<NetworkSeam>& seams) {
+  std::ranges::stable_sort(obstacles, std::greater{}, &Obstacle::residual);
+  std::vector<Obstacle> worst;
+  while (!obstacles.empty()) {
+    worst.push_back(obstacles.front());
+    std::set<int> surfaces(seams[obstacles.front().seam].surfaces.begin(),
+                           seams[obstacles.front().seam].surfaces.end());
+    const auto joinsGroup = [&](const Obstacle& obstacle) {
+      const auto& sides = seams[obstacle.seam].surfaces;
+      const bool meets = surfaces.count(sides[0]) > 0 || surfaces.count(sides[1]) > 0;
+      if (meets) surfaces.insert(sides.begin(), sides.end());
+      return meets;
+    };
+    while (std::erase_if(obstacles, joinsGroup) > 0) {
+    }
+  }
+  return worst;
+}
+
 }  // namespace
 
 NetworkResult nearestNetwork(const std::vector<NetworkSurface>& surfaces,
@@ -412,10 +435,10 @@ NetworkResult nearestNetwork(const std::vector<NetworkSurface>& surfaces,
       }
       return result;
     }
-    const auto worst = std::ranges::max_element(
-        best->obstacles(), [](const Obstacle& a, const Obstacle& b) { return a.residual < b.residual; });
-    left.push_back(*worst);
-    takes_part[worst->seam] = false;
+    for (const Obstacle& worst : worstOfEachGroup(best->obstacles(), seams)) {
+      left.push_back(worst);
+      takes_part[worst.seam] = false;
+    }
   }
 }
 

@@ -31,13 +31,6 @@ fs::path folderOf(const fs::path& target) {
   return target.has_parent_path() ? target.parent_path() : fs::path(".");
 }
 
-/// The file that a name stands for, through symbolic links, whether it is there or not.
-fs::path withoutLinks(const fs::path& target) {
-  std::error_code error;
-  const fs::path real = fs::weakly_canonical(target, error);
-  return error ? target : real;
-}
-
 /// How names of files beside the target begin; a number and ".part" follow.
 std::string stemBeside(const fs::path& target) {
   return "." + target.filename().string().substr(0, 200) + ".";
@@ -150,10 +143,27 @@ class Beside {
 
 }  // namespace
 
+fs::path withoutLinks(const fs::path& target) {
+  constexpr int most_links = 40;
+  std::error_code error;
+  fs::path real = target;
+  // Where a link leads to nothing it is not followed by canonical names.
+  for (int k = 0;
+       k < most_links && !fs::exists(real, error) && fs::is_symlink(fs::symlink_status(real, error)); ++k) {
+    const fs::path next = fs::read_symlink(real, error);
+    if (error) return target;
+    real = folderOf(real) / next;
+  }
+  const fs::path canonical = fs::weakly_canonical(real, error);
+  return error ? real : canonical;
+}
+
 void requireWritable(const fs::path& target, bool replace) {
   const fs::path real = withoutLinks(target);
   std::error_code error;
   const fs::file_status status = fs::status(real, error);
+  if (fs::is_symlink(fs::symlink_status(real, error)))
+    throw ModelError(ModelErrc::NotWritable, target, "can't be written: it is a link that leads to itself");
   if (fs::is_directory(status))
     throw ModelError(ModelErrc::NotAFile, target, "is a folder, not a model file");
   if (fs::exists(status) && !fs::is_regular_file(status))

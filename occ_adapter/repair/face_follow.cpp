@@ -154,10 +154,16 @@ class FaceFollower {
       idle = gained ? 0 : idle + 1;
       if (!best || reached < excess(*best)) best = now_;
       const int max_work = reached <= task_.fair_share ? task_.fair_work : task_.max_work;
-      const bool may_refine = now_.refinements < task_.max_refinements && work_ < max_work;
+      const bool may_refine =
+          now_.refinements < task_.max_refinements && work_ < max_work && canBeGained(reached);
       if (idle == most_idle || !may_refine || !refine(idle == 0 || order_ < 2)) break;
     }
     now_ = std::move(*best);
+  }
+
+  /// By the refinements that are left: a halving of spans makes what is missed of curvature no less than a quarter.
+  bool canBeGained(double reached) const {
+    return order_ < 2 || reached <= std::pow(4.0, task_.max_refinements - now_.refinements);
   }
 
   /// As fair as can be: less so only as long as the samples can't be met, and, if gently, as the move stays of its size. After a refinement

@@ -199,7 +199,7 @@ class Repairing {
                                       {pairwise, Which::NotDear},
                                       {follow(LeadReach::Spans), Which::All},
                                       {follow(LeadReach::Half), Which::All, false},
-                                      {network(nullptr), Which::Dear},
+                                      {network(nullptr), Which::Dear, false},
                                       {pairwise, Which::Dear}}};
     double done = 0;
     for (std::size_t k = 0; k < ways.size(); ++k) {

@@ -57,11 +57,10 @@ occ::CornerFillet rounded(const occ::Model& model, const CornerArguments& argume
 
 void addLengths(CLI::App& command, const std::string& name, std::vector<double>& lengths_mm,
                 const std::string& help, bool required) {
-  command.add_option(name, lengths_mm, help)
-      ->type_name("MM[,MM...]")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->required(required);
+  listOf(command.add_option(name, lengths_mm, help)
+             ->type_name("MM[,MM...]")
+             ->required(required)
+             ->transform(lengthInMm()));
 }
 
 }  // namespace
@@ -81,6 +80,8 @@ void addCornerOptions(CLI::App& command, CornerArguments& arguments) {
   command.add_flag("--keep-anyway", arguments.keep_anyway, "Write a model whose new seams fall short");
   addG1Options(command, arguments.measure);
   addOutputOptions(command, "rounded", arguments.output);
+  exitStatus(command, "the new seams meet the tolerances, in OUT too",
+             "some fall short (OUT is written with --keep-anyway alone)");
 }
 
 int runCorner(const CornerArguments& arguments) {

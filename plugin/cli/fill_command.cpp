@@ -88,6 +88,9 @@ void addFillOptions(CLI::App& command, FillArguments& arguments) {
   command.add_flag("--keep-anyway", arguments.keep_anyway, "Keep a fill that misses the target");
   command.add_option("--jobs", arguments.jobs, "Threads; 0: one for each processor")->type_name("N");
   addOutputOptions(command, "filled", arguments.output);
+  command.footer("");
+  exitStatus(command, "the new seams meet the target, in OUT too",
+             "some fall short (OUT is written with --keep-anyway alone)");
 }
 
 int runFill(const FillArguments& arguments) {

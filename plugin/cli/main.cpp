@@ -36,8 +36,9 @@ int run(int argc, char** argv) {
                        "seamwright " SEAMWRIGHT_VERSION " (OpenCASCADE " OCC_VERSION_COMPLETE ")");
   app.require_subcommand(1);
   app.footer(
-      "Exit status: 0 all seams meet the level (creases are no defects), 1 some fall short, 2 bad usage or "
-      "input.");
+      "Exit status: 0 all that was asked for is met, 1 some seams fall short, 2 bad usage or input, 130 "
+      "stopped "
+      "by Ctrl-C; see 'seamwright COMMAND --help'.");
   CLI::App* analyze =
       app.add_subcommand("analyze", "Measure and judge every seam of STEP, IGES or BREP models");
   AnalyzeArguments to_analyze;

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <numbers>
 #include <seamwright/occ_adapter/model/read.hpp>
+#include <seamwright/occ_adapter/model/target_file.hpp>
 #include <seamwright/plugin/cli/model_arguments.hpp>
 #include <seamwright/plugin/cli/output.hpp>
 #include <seamwright/plugin/cli/progress_bar.hpp>
@@ -35,6 +36,16 @@ std::string profilesHelp() {
          << profile.purpose << '\n';
   }
   return text.str();
+}
+
+constexpr const char* blanks = " \t";
+
+/// The file that a name stands for, whether it is there or not.
+std::filesystem::path placeOf(const std::string& file) {
+  std::error_code unknown;
+  const std::filesystem::path link = occ::withoutLinks(file);
+  const std::filesystem::path place = std::filesystem::absolute(link, unknown);
+  return unknown ? link : place.lexically_normal();
 }
 
 bool hasNameOfModel(const std::string& file) {
@@ -118,6 +129,30 @@ void addOutputOptions(CLI::App& command, const std::string& done, OutputArgument
   command.add_flag("--overwrite-source", arguments.overwrite_source, "OUT may be MODEL itself");
 }
 
+void exitStatus(CLI::App& command, const std::string& of_0, const std::string& of_1) {
+  command.footer(command.get_footer() + "Exit status: 0 " + of_0 + ", 1 " + of_1 +
+                 ", 2 bad usage or input, 130 stopped by Ctrl-C.");
+}
+
+CLI::Option* listOf(CLI::Option* option) {
+  const auto trim = [](std::string& text) {
+    text.erase(0, text.find_first_not_of(blanks));
+    text.erase(text.find_last_not_of(blanks) + 1);
+    return std::string();
+  };
+  return option->delimiter(',')->allow_extra_args(false)->transform(CLI::Validator(trim, ""));
+}
+
+CLI::Validator lengthInMm() {
+  return {[](std::string& text) {
+            double length = 0;
+            return CLI::detail::lexical_cast(text, length)
+                       ? std::string()
+                       : "'" + text + "' is no length: a number of mm as 2.5 is needed";
+          },
+          ""};
+}
+
 CLI::Validator numberOf(const std::string& kind) {
   return {[kind](std::string& text) {
             std::string digits = text.rfind(kind, 0) == 0 ? text.substr(kind.size()) : text;
@@ -148,7 +183,7 @@ void requireOutputs(const std::string& model, const OutputArguments& arguments) 
     throw std::runtime_error(
         "--json -: the report goes to a file, standard output has the table; name a file");
   requireReport(report, {model});
-  if (std::filesystem::weakly_canonical(report) == std::filesystem::weakly_canonical(arguments.model))
+  if (placeOf(report) == placeOf(arguments.model))
     throw std::runtime_error(report + ": is where the model goes; name another file for the report");
 }
 

@@ -10,6 +10,7 @@
 
 namespace CLI {
 class App;
+class Option;
 class Validator;
 }  // namespace CLI
 
@@ -46,6 +47,15 @@ void addOutputOptions(CLI::App& command, const std::string& done, OutputArgument
 /// Takes the name of a part, as "Edge39", for its number; both are understood.
 /// \param kind "Edge", "Face", "Vertex" or "Hole"
 CLI::Validator numberOf(const std::string& kind);
+
+/// Values with commas between them, and blanks as one likes. After the option's other transformations.
+CLI::Option* listOf(CLI::Option* option);
+
+/// Says what is wanted where a text is no number.
+CLI::Validator lengthInMm();
+
+/// Says at the end of a command's help what it exits with, after all else that is said there.
+void exitStatus(CLI::App& command, const std::string& of_0, const std::string& of_1);
 
 /// What can be told of the files before \p model is read, as requireReport() and occ::requireTarget().
 /// \throws std::runtime_error, occ::ModelError.

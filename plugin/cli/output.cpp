@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdio>
 #include <fstream>
+#include <seamwright/occ_adapter/model/target_file.hpp>
 #include <seamwright/plugin/cli/output.hpp>
 #include <stdexcept>
 
@@ -10,7 +12,33 @@ namespace seamwright::cli {
 
 namespace fs = std::filesystem;
 
-void requireWritable(const fs::path& file) {
+namespace {
+
+/// What standard output goes to, also under its name or as /dev/stdout.
+bool isStandardOutput(const fs::path& file) {
+  struct stat named {
+  }, open{};
+  return ::stat(file.c_str(), &named) == 0 && ::fstat(STDOUT_FILENO, &open) == 0 &&
+         named.st_dev == open.st_dev && named.st_ino == open.st_ino;
+}
+
+/// What no other file can take the place of: a pipe, a device.
+bool isWrittenStraight(const fs::path& file) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  return isStandardOutput(file) ||
+         (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status));
+}
+
+}  // namespace
+
+void requireWritable(const fs::path& named) {
+  if (isWrittenStraight(named)) {
+    if (access(named.c_str(), W_OK) != 0)
+      throw std::runtime_error(named.string() + ": no right to write to it");
+    return;
+  }
+  const fs::path file = occ::withoutLinks(named);
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   std::error_code error;
   if (!fs::is_directory(folder, error))
@@ -21,8 +49,9 @@ void requireWritable(const fs::path& file) {
     throw std::runtime_error(file.string() + ": no right to write in " + folder.string());
 }
 
-PendingFile::PendingFile(fs::path file, std::string text) : file_(std::move(file)), text_(std::move(text)) {
-  if (fs::exists(file_) && !fs::is_regular_file(file_)) return;  // a pipe or a device can't be renamed onto
+PendingFile::PendingFile(const fs::path& file, std::string text) : file_(file), text_(std::move(text)) {
+  if (isWrittenStraight(file)) return;
+  file_ = occ::withoutLinks(file);
   beside_ = file_;
   beside_ += ".part" + std::to_string(getpid());
   std::ofstream out(beside_, std::ios::binary);
@@ -38,6 +67,7 @@ PendingFile::~PendingFile() {
 }
 
 void PendingFile::takePlace() {
+  if (isStandardOutput(file_)) return writeStandardOutput(text_);
   if (beside_.empty()) {
     std::ofstream out(file_, std::ios::binary);
     if (!(out << text_ << std::flush)) throw std::runtime_error(file_.string() + ": can't be written");

@@ -10,11 +10,12 @@ namespace seamwright::cli {
 void requireWritable(const std::filesystem::path& file);
 
 /// A text that waits beside its place, on the disk already; gone with the object unless it took that place.
-/// What is no regular file, as a pipe or a device, is written to when the text takes its place.
+/// What is no regular file, as a pipe or a device, and what standard output goes to is written to when the text takes its place; symbolic
+/// links stay.
 class PendingFile {
  public:
   /// \throws std::runtime_error
-  PendingFile(std::filesystem::path file, std::string text);
+  PendingFile(const std::filesystem::path& file, std::string text);
   PendingFile(const PendingFile&) = delete;
   PendingFile& operator=(const PendingFile&) = delete;
   ~PendingFile();

@@ -46,18 +46,14 @@ void addRepairOptions(CLI::App& command, RepairArguments& arguments) {
   command.add_option("--max-move", arguments.max_move_mm, "No pole moves further than this, mm")
       ->type_name("MM")
       ->capture_default_str();
-  command
-      .add_option("--edges", arguments.edges,
-                  "Edges whose seams are treated, as 3,7,12 or Edge3,Edge7; else all defects")
-      ->type_name("EDGES")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->transform(numberOf("Edge"));
-  command.add_option("--fix", arguments.fixed_faces, "Faces that stay, as 1,4 or Face1,Face4")
-      ->type_name("FACES")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->transform(numberOf("Face"));
+  listOf(command
+             .add_option("--edges", arguments.edges,
+                         "Edges whose seams are treated, as 3,7,12 or Edge3,Edge7; else all defects")
+             ->type_name("EDGES")
+             ->transform(numberOf("Edge")));
+  listOf(command.add_option("--fix", arguments.fixed_faces, "Faces that stay, as 1,4 or Face1,Face4")
+             ->type_name("FACES")
+             ->transform(numberOf("Face")));
   addMeasureOptions(command, arguments.measure);
   command.add_flag("--convert", arguments.convert_analytic,
                    "Planes, cylinders and the like may become splines where they have to move");
@@ -65,6 +61,8 @@ void addRepairOptions(CLI::App& command, RepairArguments& arguments) {
       "--no-sew", [&arguments] { arguments.sew = false; },
       "Edges that --match finds stay two, though they meet within the gap");
   addOutputOptions(command, "repaired", arguments.output);
+  exitStatus(command, "all seams of the result meet the target, in OUT too (creases are no defects)",
+             "some fall short (OUT is written)");
 }
 
 int runRepair(const RepairArguments& arguments) {

@@ -91,6 +91,23 @@ TEST_F(Refusal, AllowedOverwrites) {
   EXPECT_EQ(entriesOf(folder_ / ""), 3);
 }
 
+/// What they lead to comes to be.
+TEST_F(Refusal, LinksToNothingStay) {
+  fs::create_directory(folder_ / "deep");
+  fs::create_symlink("deep/new.step", folder_ / "link.step");
+  fs::create_symlink(folder_ / "link.step", folder_ / "deep/second.step");
+  writeModel(model_, folder_ / "deep/second.step");
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link.step"));
+  EXPECT_TRUE(fs::is_symlink(folder_ / "deep/second.step"));
+  EXPECT_FALSE(fs::is_symlink(folder_ / "deep/new.step"));
+  EXPECT_EQ(readModel(folder_ / "deep/new.step").faceCount(), 6);
+  fs::create_symlink("none/new.step", folder_ / "lost.step");
+  EXPECT_EQ(errorOfWriting(model_, folder_ / "lost.step").code(), ModelErrc::NotWritable);
+  fs::create_symlink("round.step", folder_ / "round.step");
+  EXPECT_EQ(errorOfWriting(model_, folder_ / "round.step").code(), ModelErrc::NotWritable);
+  EXPECT_TRUE(fs::is_symlink(folder_ / "round.step"));
+}
+
 TEST_F(Refusal, FoldersThatCantBeWrittenTo) {
   EXPECT_EQ(errorOfWriting(model_, folder_ / "none/a.step").code(), ModelErrc::NotWritable);
   fs::create_directory(folder_ / "dir.step");
