@@ -199,7 +199,7 @@ class Problem {
       matrix_.block(c * count_, c * count_, count_, count_) = fairness * fair_.leftCols(count_);
       right_.segment(c * count_, count_) = -fairness * fair_.col(count_ + c);
     }
-    rows_.clear(), normals_.clear(), values_.clear();
+    rows_.clear(), values_.clear();
   }
 
   /// The jumps are to be small, linearised where they were taken.
@@ -215,18 +215,10 @@ class Problem {
 
   Poles solve() {
     const Index size = static_cast<Index>(rows_.size());
-    Eigen::MatrixXd all(size, count_);
-    for (Index i = 0; i < size; ++i) all.row(i) = rows_[i];
-    for (int c = 0; c < 3; ++c) {
-      Eigen::VectorXd values(size);
-      for (Index i = 0; i < size; ++i) values(i) = normals_[i](c) * values_[i];
-      right_.segment(c * count_, count_) += all.transpose() * values;
-      for (int d = 0; d <= c; ++d) {
-        Eigen::VectorXd weights(size);
-        for (Index i = 0; i < size; ++i) weights(i) = normals_[i](c) * normals_[i](d);
-        matrix_.block(c * count_, d * count_, count_, count_) += all.transpose() * weights.asDiagonal() * all;
-      }
-    }
+    Eigen::MatrixXd rows(size, 3 * count_);
+    for (Index i = 0; i < size; ++i) rows.row(i) = rows_[i];
+    matrix_.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
+    right_ += rows.transpose() * Eigen::Map<const Eigen::VectorXd>(values_.data(), size);
     // Unknowns that move no pole, or that all fills leave free, stay near zero.
     matrix_.diagonal().array() += 1e-13 * matrix_.diagonal().maxCoeff();
     const Eigen::VectorXd solution = matrix_.ldlt().solve(right_);  // of which the lower half counts
@@ -239,8 +231,9 @@ class Problem {
   /// weight (normal . form - wanted) is to be small.
   void add(const Form& form, const Jump& jump, double weight) {
     weight *= jump.scale;
-    rows_.push_back(weight * form.head(count_));
-    normals_.push_back(jump.normal);
+    Form row(3 * count_);
+    for (int c = 0; c < 3; ++c) row.segment(c * count_, count_) = weight * jump.normal(c) * form.head(count_);
+    rows_.push_back(std::move(row));
     values_.push_back(weight * (jump.wanted - form.tail<3>().dot(jump.normal)));
   }
 
@@ -291,7 +284,6 @@ class Problem {
   Eigen::MatrixXd fair_, matrix_;
   Eigen::VectorXd right_;
   std::vector<Form> rows_;
-  std::vector<Vector3d> normals_;
   std::vector<double> values_;
 };
 

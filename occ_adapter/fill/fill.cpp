@@ -17,7 +17,7 @@ namespace {
 
 std::optional<int> raiseFor(Level target) {
   if (target < Level::G1) return std::nullopt;
-  return target == Level::G1 ? 0 : 2;
+  return target == Level::G1 ? 1 : 2;
 }
 
 /// What may come out better: polynomials of lower degrees follow the sides less closely and make fairer faces; without regard to curvature

@@ -206,16 +206,17 @@ class Filling {
     }
   }
 
-  /// By how much more than the degree that G1 asks for, at least \p more than that of the cross fields; time grows with its sixth power,
-  /// so that where nothing is to be raised higher degrees are left alone.
+  /// By how much more than the degree that G1 asks for, at least \p more than that of the cross fields; time grows with its sixth power, so
+  /// that with the target G1 higher degrees are left alone.
   std::optional<int> curvatureDegrees(const std::vector<FillSide>& sides, int more) const {
     if (!attempt_.curvature_raise) return std::nullopt;
-    constexpr int most_degree = 9;
     Eigen::Index degree = 0;
     for (const FillSide& side : sides)
       degree = std::max({degree, Eigen::Index{side.edge.degree()}, side.cross ? side.cross->rows() - 1 : 0});
-    if (attempt_.curvature_raise == 0 && degree + more >= dear_degree) return std::nullopt;
-    return std::clamp(most_degree - more - static_cast<int>(degree), 0, *attempt_.curvature_raise);
+    degree += more;
+    if (options_.target == Level::G1 && degree >= dear_degree) return std::nullopt;
+    const int most_degree = options_.target == Level::G1 ? dear_degree - 1 : 9;
+    return std::clamp(most_degree - static_cast<int>(degree), 0, *attempt_.curvature_raise);
   }
 
   std::vector<BSplineSurface> ringSurfaces(const std::vector<FillSide>& sides) {

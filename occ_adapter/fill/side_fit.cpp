@@ -249,12 +249,13 @@ class SideFit {
   static constexpr double rounding = 1.01;
 
   struct Samples {
-    std::vector<SideSample> fitted, checked;
+    std::vector<SideSample> checked, fitted;  ///< the second are one in four of the first
   };
 
   struct EdgeFit {
     std::shared_ptr<const Samples> samples;
     BezierCurve edge{Poles(Poles::Zero(1, 3))};
+    std::vector<Vector3d> directions;  ///< at the samples that are checked
     double gap_mm = 0, tilt_rad = 0;
     double miss = HUGE_VAL;  ///< what is reached over what is asked for
   };
@@ -264,9 +265,11 @@ class SideFit {
   }
 
   std::shared_ptr<const Samples> samplesAt(Speed speed) const {
-    const int count = 6 * options_.most_degree;
-    auto samples =
-        std::make_shared<const Samples>(samplesOf(path_, speed, count), samplesOf(path_, speed, 4 * count));
+    constexpr int finer = 4;
+    const auto samples = std::make_shared<Samples>();
+    samples->checked = samplesOf(path_, speed, finer * 6 * options_.most_degree);
+    for (std::size_t i = 0; i < samples->checked.size(); i += finer)
+      samples->fitted.push_back(samples->checked[i]);
     for (const SideSample* sample : {&samples->fitted.front(), &samples->fitted.back()})
       if (!(sample->derivative.norm() > 1e-9 * path_.length_mm()))
         throw std::runtime_error("an edge has no tangent where it ends");
@@ -301,10 +304,12 @@ class SideFit {
   }
 
   EdgeFit measured(std::shared_ptr<const Samples> samples, BezierCurve edge) const {
-    EdgeFit fit{std::move(samples), std::move(edge)};
+    EdgeFit fit;
+    fit.samples = std::move(samples), fit.edge = std::move(edge);
     for (const SideSample& check : fit.samples->checked) {
       const CurveJet jet = fit.edge.jet(check.t);
       fit.gap_mm = std::max(fit.gap_mm, (jet.p - check.point).norm());
+      fit.directions.push_back(jet.d1.normalized());
       fit.tilt_rad = std::max(fit.tilt_rad, angleToPlane(jet.d1, check.normal));
     }
     fit.miss = std::max(fit.gap_mm / options_.gap_mm, fit.tilt_rad / enough_rad_);
@@ -361,9 +366,10 @@ class SideFit {
   static CrossForm formOf(const EdgeFit& edge, const Poles& cross) {
     const BezierCurve field(cross);
     double angle = 0, least = HUGE_VAL, most = 0;
-    for (const SideSample& check : edge.samples->checked) {
-      const Vector3d area = field.point(check.t).cross(edge.edge.jet(check.t).d1.normalized());
-      const double across = field.point(check.t).dot(check.beyond);
+    for (std::size_t i = 0; i < edge.directions.size(); ++i) {
+      const SideSample& check = edge.samples->checked[i];
+      const Vector3d here = field.point(check.t), area = here.cross(edge.directions[i]);
+      const double across = here.dot(check.beyond);
       angle = std::max(angle, std::atan2(area.cross(check.normal).norm(), std::abs(area.dot(check.normal))));
       least = std::min(least, across);
       most = std::max(most, across);

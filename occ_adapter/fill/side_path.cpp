@@ -20,8 +20,12 @@ double ArcLength::placeAt(double length_mm) const {
   const int k = static_cast<int>(after - lengths_.begin()) - 1;
   const double rest = length_mm - lengths_[k];
   double place = at(k) + rest / (lengths_[k + 1] - lengths_[k]) / pieces;
-  for (int step = 0; step < 4; ++step)
-    place -= (between(at(k), place) - rest) / strip_->trace(std::clamp(place, 0.0, 1.0)).d.norm();
+  constexpr double rounding = 1e-14;
+  for (int step = 0; step < 4; ++step) {
+    const double beyond_mm = between(at(k), place) - rest;
+    if (std::abs(beyond_mm) <= rounding * this->length_mm()) break;
+    place -= beyond_mm / strip_->trace(std::clamp(place, 0.0, 1.0)).d.norm();
+  }
   return std::clamp(place, 0.0, 1.0);
 }
 
