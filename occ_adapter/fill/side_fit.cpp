@@ -71,10 +71,15 @@ double angleToPlane(const Vector3d& direction, const Vector3d& normal) {
 struct SideFitEnd {
   Vector3d point;
   std::optional<Vector3d> direction;  ///< unit; nothing: the side's own
+  double speed_mm = 0;                ///< of both sides, the mean
 };
 
+/// Speeds that are nearly the same are made the same: the equations of a ring are ill-conditioned where they are not quite equal.
 Vector3d derivativeAt(const SideFitEnd& end, const SideSample& sample) {
-  return end.direction ? Vector3d(sample.derivative.norm() * *end.direction) : sample.derivative;
+  constexpr double nearly = 1e-5;
+  if (!end.direction) return sample.derivative;
+  const double own_mm = sample.derivative.norm();
+  return (std::abs(own_mm - end.speed_mm) <= nearly * own_mm ? end.speed_mm : own_mm) * *end.direction;
 }
 
 /// Ends and end derivatives are kept.
@@ -302,6 +307,7 @@ std::vector<FittedSide> fitSides(const std::vector<HoleSide>& sides,
     const Vector3d along = (in.derivative.normalized() + out.derivative.normalized()).normalized();
     const Vector3d beyond = in.beyond + out.beyond;
     corners[k].direction = along;
+    corners[k].speed_mm = (in.derivative.norm() + out.derivative.norm()) / 2;
     normals[k] = beyond.cross(along).normalized();
   }
   for (std::size_t k = 0; k < n; ++k) fits[k].fitEdge({corners[k], corners[next(k)]});
