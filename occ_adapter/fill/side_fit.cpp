@@ -101,10 +101,15 @@ double angleBetween(const Vector3d& a, const Vector3d& b) {
 struct SideFitEnd {
   Vector3d point;
   std::optional<Vector3d> direction;  ///< unit; nothing: the side's own
+  double speed_mm = 0;                ///< of both sides, the mean; 0: the side's own
 };
 
+/// Speeds that are nearly the same are made the same: the equations of a ring are ill-conditioned where they are not quite equal.
 Vector3d derivativeAt(const SideFitEnd& end, const SideSample& sample) {
-  return end.direction ? Vector3d(sample.derivative.norm() * *end.direction) : sample.derivative;
+  constexpr double nearly = 1e-5;
+  if (!end.direction) return sample.derivative;
+  const double own_mm = sample.derivative.norm();
+  return (std::abs(own_mm - end.speed_mm) <= nearly * own_mm ? end.speed_mm : own_mm) * *end.direction;
 }
 
 /// Where one side ends and the next begins, in one tangent plane.
@@ -121,7 +126,8 @@ Vector3d upward(const SideSample& sample) {
 /// Both sides go on in one direction.
 FitCorner smoothCorner(const SideSample& in, const SideSample& out) {
   const Vector3d along = (in.derivative.normalized() + out.derivative.normalized()).normalized();
-  const SideFitEnd end{(in.point + out.point) / 2, along};
+  const double speed_mm = (in.derivative.norm() + out.derivative.norm()) / 2;
+  const SideFitEnd end{(in.point + out.point) / 2, along, speed_mm};
   return {end, end, (in.beyond + out.beyond).cross(along).normalized()};
 }
 
@@ -129,13 +135,13 @@ FitCorner smoothCorner(const SideSample& in, const SideSample& out) {
 /// of their own directions.
 FitCorner sharpCorner(const SideSample& in, const SideSample& out,
                       const std::array<double, 2>& most_turn_rad) {
-  const SideFitEnd own{(in.point + out.point) / 2, std::nullopt};
+  const SideFitEnd own{(in.point + out.point) / 2, std::nullopt, 0};
   const Vector3d mean = (upward(in) + upward(out)).normalized();
   if (angleToPlane(in.derivative, mean) > most_turn_rad[0] ||
       angleToPlane(out.derivative, mean) > most_turn_rad[1])
     return {own, own, in.derivative.cross(out.derivative).normalized()};
   const auto turned = [&](const SideSample& sample) {
-    return SideFitEnd{own.point, (sample.derivative - sample.derivative.dot(mean) * mean).normalized()};
+    return SideFitEnd{own.point, (sample.derivative - sample.derivative.dot(mean) * mean).normalized(), 0};
   };
   return {turned(in), turned(out), mean};
 }
