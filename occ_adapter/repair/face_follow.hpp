@@ -78,6 +78,8 @@ struct FaceFollow {
 /// knot would be a crease. The move is as fair as the targets allow; refinement is preferred to moves that grow beyond twice the fairest.
 /// At a corner where curvature is asked for along two paths it is met with the first power of the spans' size, as the changes of both
 /// curvatures mostly contradict one another there.
+/// Where the targets' normals turn along a path its points are met so closely that tangent planes agree at nearest points too: what a point is
+/// off along the path, times that turn, counts as angle.
 /// No work is done where it is in vain for certain: a path's point is further from the face than poles may move, or its normal turned by
 /// more than 90 degrees. Refinement ends where two in a row gained nothing.
 /// \throws Standard_Failure; Cancelled.

@@ -36,9 +36,10 @@ struct SeamRepair {
   SeamResult before, after;
   bool treated = false;   ///< it was to be repaired
   bool repaired = false;  ///< it meets the target, and its change was kept
-  std::string reason;     ///< why it was not treated or not repaired
-  bool sewn = false;      ///< two edges before, one after
-  std::string not_sewn;   ///< of a matched seam that was to be sewn: why it was not
+  std::string
+      reason;  ///< why it was not treated or not repaired; of a matched one that is left it begins with the note before
+  bool sewn = false;     ///< two edges before, one after
+  std::string not_sewn;  ///< of a matched seam that was to be sewn: why it was not
 };
 
 struct FaceMove {
@@ -118,6 +119,7 @@ struct RepairReport {
 /// it stands where the first part (face, shell, or solid of one shell) stood that it is made of. Surfaces stay, and so do fixed faces.
 /// The order of the faces stays if the faces of each new shell stood one after another. Names, colours and layers stay with their faces,
 /// edges and vertices; those of shells and solids that became part of another go to their faces, as far as these have none.
+/// A seam that moved apart by more than match_mm is sewn over all of the stretch that was found in the given model.
 /// It is kept only if each sewn seam, measured again as one edge, has a gap within the tolerance and the level that it surely had; if the faces
 /// and the shape pass OpenCASCADE's checks as before; and if no vertex reaches further than twice the gap tolerance or what it did.
 /// Parts with several instances, solids of several shells and faces that have one surface in common are not sewn.

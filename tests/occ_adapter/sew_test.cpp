@@ -366,6 +366,29 @@ TEST(Sew, MovedFirst) {
   }
 }
 
+/// A sheet with a kink of 1 degree whose sides part by 0.1 mm from a common corner.
+TEST(Sew, WhereEdgesPartTheReasonSaysSoFirst) {
+  const auto sheet = [](double x, double parted, double rise) {
+    std::vector<std::vector<gp_Pnt>> rows(2);
+    for (const int i : {0, 1})
+      for (const int j : {0, 1})
+        rows[i].emplace_back((i == 0) == (x < 0) ? x : parted * j, 20.0 * j, (i == 0) == (x < 0) ? rise : 0);
+    return BRepBuilderAPI_MakeFace(bezier(rows), 1e-7).Shape();
+  };
+  RepairOptions options = matching(0.05);
+  options.max_move_mm = 1e-4;
+  const RepairReport report =
+      sewn(compoundOf({sheet(-30, 0, 0), sheet(30, 0.1, 30 * std::tan(degree))}), options);
+  ASSERT_EQ(report.seams.size(), 1);
+  const occ::SeamRepair& seam = report.seams[0];
+  EXPECT_TRUE(seam.treated && !seam.repaired && !seam.sewn);
+  EXPECT_EQ(
+      seam.before.note,
+      "it ends where the edges are further apart than the distance to match, and the gap may go on growing");
+  EXPECT_EQ(seam.reason.find(seam.before.note + "; "), 0) << seam.reason;
+  EXPECT_GT(seam.reason.size(), seam.before.note.size() + 2);
+}
+
 TEST(Sew, ShellsTakeTurns) {
   // Faces of two shells one after the other: those of a shell stand together afterwards.
   const TopoDS_Shape shape = compoundOf({plate(0, 10, 0, 10), plate(0, 10, 0, 10, 50), plate(10, 20, 0, 10),
