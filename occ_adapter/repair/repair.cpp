@@ -52,7 +52,7 @@ class Repairing {
       const Progress part = partOf(progress_, share_of_analysis, all);
       now_.to_keep = result_.before.seams;
       if (options_.order == 1 || anyCurvatureDoes(options_.tolerance))
-        repair(choice.faces, toG1(), options_.level(), part);
+        repair(choice.faces, toG1(), part);
       else
         repairToG2(choice.faces, part);
     }
@@ -111,12 +111,11 @@ class Repairing {
   void repairToG2(const std::vector<FaceChoice>& faces, const Progress& progress) {
     const State given = now_;
     const std::vector<bool>& wanted = given.open;
-    repair(faces, options_, Level::G2, partOf(progress, 0, 0.5));
+    repair(faces, options_, partOf(progress, 0, 0.5));
     std::vector<std::string> of_g2 = now_.reasons;
     // Of these the gap alone was to be closed.
     for (std::size_t i = 0; i < wanted.size(); ++i) now_.open[i] = now_.open[i] && !sharp_[i];
-    repairToG1(faces, Level::G2, partOf(progress, 0.5, 0.6));
-    repairToG1(faces, Level::G1, partOf(progress, 0.6, 0.7));
+    repairToG1(faces, partOf(progress, 0.5, 0.7));
     std::vector<std::string> of_g1 = now_.reasons;
     const auto lacks = [&](const State& state, std::size_t i) { return wanted[i] && !hasG1(state, i); };
     const auto some = [&](const auto& holds) {
@@ -126,7 +125,7 @@ class Repairing {
     };
     if (some([&](std::size_t i) { return lacks(now_, i); })) {
       State curved = std::exchange(now_, given);
-      repairToG1(faces, Level::G1, partOf(progress, 0.7, 0.85));
+      repairToG1(faces, partOf(progress, 0.7, 0.85));
       if (some([&](std::size_t i) { return lacks(curved, i) && !lacks(now_, i); })) {
         of_g1 = now_.reasons;
         repairAgain(curved, faces, of_g2, partOf(progress, 0.85, 1));
@@ -141,15 +140,15 @@ class Repairing {
         now_.reasons[i] = of_g2[i];
   }
 
-  /// Open seams that lack one tangent plane. \param asked see RepairTask.
-  void repairToG1(const std::vector<FaceChoice>& faces, Level asked, const Progress& progress) {
+  /// Open seams that lack one tangent plane.
+  void repairToG1(const std::vector<FaceChoice>& faces, const Progress& progress) {
     const RepairOptions options = toG1();
     now_.to_keep = judged(std::move(now_.to_keep), options);
     for (std::size_t i = 0; i < now_.open.size(); ++i) {
       now_.open[i] = now_.open[i] && !hasG1(now_, i);
       if (now_.open[i]) now_.reasons[i].clear();
     }
-    repair(faces, options, asked, progress);
+    repair(faces, options, progress);
   }
 
   /// Seams that got one curvature in another state. \param of_g2 why seams have none.
@@ -160,13 +159,11 @@ class Repairing {
     };
     now_.to_keep = judged(std::move(now_.to_keep), options_);
     for (std::size_t i = 0; i < now_.open.size(); ++i) {
-      if (now_.after.seams[i].verdict.level < now_.to_keep[i].verdict.level)
-        now_.to_keep[i] = now_.after.seams[i];
       now_.open[i] = has(curved, i) && !has(now_, i);
       if (now_.open[i]) now_.reasons[i].clear();
     }
     const std::vector<bool> tried = now_.open;
-    repair(faces, options_, Level::G2, progress);
+    repair(faces, options_, progress);
     for (std::size_t i = 0; i < tried.size(); ++i)
       if (tried[i]) of_g2[i] = now_.reasons[i];
   }
@@ -178,8 +175,7 @@ class Repairing {
 
   /// What one way leaves the next one tries, in the shape as it is then; what an exact join moves far, first by following.
   /// \param options with the order that is tried.
-  void repair(const std::vector<FaceChoice>& faces, const RepairOptions& options, Level asked,
-              const Progress& progress) {
+  void repair(const std::vector<FaceChoice>& faces, const RepairOptions& options, const Progress& progress) {
     followed_.clear();
     JoinedPairs pairs;
     DearSeams dear;
@@ -206,7 +202,8 @@ class Repairing {
       const double next = done + (1 - done) / static_cast<double>(ways.size() - k);
       const TopoDS_Shape shape = now_.shape;
       const std::vector<SeamResult> before = judged(now_.after.seams, options);
-      RepairTask task{shape, now_.seams, now_.to_keep, before, faces, sharp_, now_.open, options, asked};
+      RepairTask task{shape,  now_.seams, now_.to_keep, before,          faces,
+                      sharp_, now_.open,  options,      options_.level()};
       for (std::size_t i = 0; i < now_.open.size(); ++i)
         if (ways[k].which != Which::All && (dear.count(i) > 0) != (ways[k].which == Which::Dear))
           task.treated[i] = false;

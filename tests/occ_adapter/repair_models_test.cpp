@@ -103,6 +103,72 @@ TEST(RepairModel, NoSeamSurelyLosesTheTargetWhereLessIsTried) {
   EXPECT_GE(to_g1, 1);
 }
 
+/// What the target G1 repairs the target G2 brings to G1 at least, unless that costs another seam the G2 that it is seen to have.
+/// \returns how many the target G1 repairs.
+int expectNoLessThanG1(const occ::Model& model, occ::RepairOptions options) {
+  options.order = 1;
+  const occ::RepairReport planes = occ::repair(model, options);
+  options.order = 2;
+  const occ::RepairReport curved = occ::repair(model, options);
+  EXPECT_EQ(planes.seams.size(), curved.seams.size());
+  int repaired = 0;
+  for (std::size_t i = 0; i < planes.seams.size(); ++i) {
+    if (!planes.seams[i].repaired) continue;
+    ++repaired;
+    const occ::SeamRepair& seam = curved.seams[i];
+    const bool costs_another = seam.reason.find("G1: edge") != std::string::npos &&
+                               seam.reason.find("would get a lower level") != std::string::npos;
+    EXPECT_TRUE(costs_another || seam.after.verdict.level >= Level::G1)
+        << describe(seam.after) << ": " << seam.reason;
+  }
+  return repaired;
+}
+
+TEST(RepairModel, TargetG2IsNoWorseThanG1) {
+  for (const char* name : {"freeform/Silk_Demo_02_sewn.step", "freeform/blendsolid_test.step"}) {
+    const std::filesystem::path path = furtherModel(name);
+    if (path.empty()) GTEST_SKIP();
+    SCOPED_TRACE(name);
+    EXPECT_GT(expectNoLessThanG1(occ::readModel(path), {}), 0);
+  }
+}
+
+/// With any difference of curvature G2 is G1, and moves need not be larger for it.
+TEST(RepairModel, AnyCurvatureIsG1) {
+  const std::filesystem::path path = furtherModel("freeform/Silk_Demo_02_sewn.step");
+  if (path.empty()) GTEST_SKIP();
+  occ::RepairOptions options;
+  options.tolerance.curvature_rel = 1e9;
+  options.order = 2;
+  const occ::RepairReport report = occ::repair(occ::readModel(path), options);
+  int repaired = 0;
+  for (const occ::SeamRepair& seam : report.seams) repaired += seam.repaired;
+  EXPECT_EQ(repaired, 3);
+  EXPECT_TRUE(report.after.passed());
+  options.tolerance.curvature_rel = 2;
+  EXPECT_TRUE(occ::repair(occ::readModel(path), options).after.passed());
+}
+
+TEST(RepairModel, TargetG2IsNoWorseThanG1ForNets) {
+  int repaired = 0;
+  for (const unsigned seed : {20501u, 20502u}) {
+    SCOPED_TRACE(seed);
+    NetShape shape;
+    shape.columns = 3;
+    shape.rows = 2;
+    shape.bend = 0.1;
+    std::mt19937 random(seed);
+    Net net = piecesOfOne(shape, random);
+    disturb(net, 0.01, random);
+    occ::RepairOptions options = trialOptions({});
+    for (const double most_mm : {0.02, 0.5}) {
+      options.max_move_mm = most_mm;
+      repaired += expectNoLessThanG1(occ::modelFromShape(shapeOf(net)), options);
+    }
+  }
+  EXPECT_GT(repaired, 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Further, RepairModels,
                          testing::Values("freeform/blendsolid_test.step", "freeform/bottle.brep"),
                          [](const auto& model) {
