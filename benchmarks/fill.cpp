@@ -2,6 +2,7 @@
 // Holes filled by fillHole() and by what OpenCASCADE has for it: BRepOffsetAPI_MakeFilling, asked for G1 and for G2, and
 // GeomFill_ConstrainedFilling. A face is taken out of a model; each fills what it leaves. Angles and gaps are upper ends of the enclosures
 // along all new seams, the outer ones and, where a fill has several faces, the inner ones; times are of building alone, the least of some.
+// What the neighbours of a hole ask of every fill is told by OpenCASCADE's evaluation at its corners alone.
 #include <Adaptor3d_CurveOnSurface.hxx>
 #include <BRepAdaptor_Curve2d.hxx>
 #include <BRepAdaptor_Surface.hxx>
@@ -31,6 +32,8 @@
 #include <numbers>
 #include <string>
 #include <vector>
+
+#include "hole_corners.hpp"
 
 #include <seamwright/occ_adapter/analyze/measure_seam.hpp>
 #include <seamwright/occ_adapter/fill/fill.hpp>
@@ -248,6 +251,7 @@ TopoDS_Shape read(const std::string& path) {
 }
 
 struct Compared {
+  CornerBounds bounds;
   Outcome ours, curved;           ///< asked for G1, and for G2
   std::array<Outcome, 3> others;  ///< MakeFilling for G1 and G2, ConstrainedFilling
 };
@@ -260,10 +264,12 @@ void print(const Outcome& outcome) {
 }
 
 void print(const std::string& name, std::size_t sides, const Compared& compared) {
-  std::printf("%-26s %zu", name.c_str(), sides);
+  std::printf("%-26s %zu  %9.2g", name.c_str(), sides, compared.bounds.angle_rad * 180 / std::numbers::pi);
   print(compared.ours);
   print(compared.curved);
   for (const Outcome& other : compared.others) print(other);
+  std::printf("  %5.2f %5.2f %5.2f", compared.bounds.curvature_rel, compared.curved.curvature_rel,
+              compared.others[0].curvature_rel);
   std::printf("  %s\n", compared.ours.note.substr(0, 60).c_str());
 }
 
@@ -293,15 +299,33 @@ void printRatios(const char* name, std::size_t other, const std::vector<Compared
 
 /// How the jumps of curvature compare where both have one; what differs by less than a hundredth, as where a neighbour is flat, is equal.
 void printCurvature(const char* name, std::size_t other, const std::vector<Compared>& all) {
+  constexpr double equal = 1.01;
   for (const auto ours : {&Compared::ours, &Compared::curved}) {
     std::vector<double> ratios;
-    for (const Compared& one : all)
-      if ((one.*ours).curvature_rel > 0 && one.others.at(other).curvature_rel > 0)
-        ratios.push_back((one.*ours).curvature_rel / one.others.at(other).curvature_rel);
-    std::printf("%-18s %zu holes: curvature ratio of %s median %.3g, no larger on %td\n", name, ratios.size(),
-                ours == &Compared::ours ? "G1" : "G2", median(ratios),
-                std::ranges::count_if(ratios, [](double ratio) { return ratio <= 1.01; }));
+    int no_larger = 0, asked = 0;
+    for (const Compared& one : all) {
+      const double mine = (one.*ours).curvature_rel, peer = one.others.at(other).curvature_rel;
+      if (!(mine > 0 && peer > 0)) continue;
+      ratios.push_back(mine / peer);
+      no_larger += mine <= equal * peer ? 1 : 0;
+      asked += mine <= equal * std::max(peer, one.bounds.curvature_rel) ? 1 : 0;
+    }
+    std::printf(
+        "%-18s %zu holes: curvature ratio of %s median %.3g, no larger on %d, or than corners ask for on "
+        "%d\n",
+        name, ratios.size(), ours == &Compared::ours ? "G1" : "G2", median(ratios), no_larger, asked);
   }
+}
+
+/// Holes within 0.01 degrees, and what no fill comes within.
+void printReached(const std::vector<Compared>& all) {
+  constexpr double wanted_deg = 0.01;
+  const auto count = [&all](const auto& holds) { return std::ranges::count_if(all, holds); };
+  std::printf(
+      "fillHole: %td of %zu holes within %g degrees, %td kept; on %td their neighbours let no fill be\n",
+      count([&](const Compared& one) { return one.ours.angle_deg >= 0 && one.ours.angle_deg <= wanted_deg; }),
+      all.size(), wanted_deg, count([](const Compared& one) { return one.ours.reached; }),
+      count([&](const Compared& one) { return one.bounds.angle_rad > wanted_deg * std::numbers::pi / 180; }));
 }
 
 int run(int times, const std::vector<std::string>& models) {
@@ -312,23 +336,23 @@ int run(int times, const std::vector<std::string>& models) {
     if (const TopoDS_Shape shape = read(path); !shape.IsNull())
       addFaces(path.substr(path.rfind('/') + 1) + " face", shape, 3, 6, cases);
   std::printf(
-      "angle in degrees and time in ms:   fillHole G1        fillHole G2        MakeFilling G1     "
-      "MakeFilling G2     "
-      "ConstrainedFilling\n");
+      "angles in degrees, times in ms, and curvature that corners ask for, of fillHole G2 and MakeFilling "
+      "G1\n"
+      "%-29s neighbours   fillHole G1        fillHole G2        MakeFilling G1     MakeFilling G2     "
+      "ConstrainedFilling   curvature\n%-29s contradict\n",
+      "", "");
   std::vector<Compared> all;
   for (const HoleCase& one : cases) {
     const Opened open = *opened(one);
-    all.push_back({ours(one.shape, one.face, Level::G1, times),
+    all.push_back({cornerBounds(open.hole),
+                   ours(one.shape, one.face, Level::G1, times),
                    ours(one.shape, one.face, Level::G2, times),
                    {makeFilling(open, GeomAbs_G1, times), makeFilling(open, GeomAbs_G2, times),
                     constrainedFilling(open, times)}});
     print(one.name, open.hole.sides.size(), all.back());
     std::fflush(stdout);
   }
-  const auto reached = std::ranges::count_if(
-      all, [](const Compared& one) { return one.ours.angle_deg >= 0 && one.ours.angle_deg <= 0.01; });
-  const auto kept = std::ranges::count_if(all, [](const Compared& one) { return one.ours.reached; });
-  std::printf("fillHole: %td of %zu holes within 0.01 degrees, %td kept\n", reached, all.size(), kept);
+  printReached(all);
   printRatios("MakeFilling G1", 0, all);
   printRatios("MakeFilling G2", 1, all);
   printRatios("ConstrainedFilling", 2, all);
