@@ -55,7 +55,8 @@ TaskPlaces::TaskPlaces(const FaceTask& task, const MovingSurface& surface) {
     const int between = path.order > 1 ? 4 : 2;
     PathPlaces& places = paths.emplace_back();
     for (const double share : shares) places.samples.push_back(plane.place(basis, measure.at(share)));
-    const auto turn = [&places](std::size_t from, std::size_t to) {
+    const auto turn = [&](std::size_t from, std::size_t to) -> Eigen::Vector3d {
+      if (path.order != 1) return Eigen::Vector3d::Zero();
       return turnBetween(places.samples[from].target, places.samples[to].target);
     };
     const std::size_t last = shares.size() - 1;
