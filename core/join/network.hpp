@@ -107,8 +107,9 @@ struct NetworkResult {
 /// **What stays.** Surfaces and poles that are fixed keep every bit; seams between two of them should be given too, as their laws rule those at
 /// the same vertices. A seam that is smooth already is kept so by giving it, while its neighbours move.
 ///
-/// **What cannot be.** Where the laws contradict each other or the fixed poles, seams are left out step by step, of those that
-/// hang together by their surfaces that of the largest residual, until the rest can be solved; each says why. The surfaces are then joined along the others.
+/// **What cannot be.** Where the laws contradict each other or the fixed poles, seams are left out step by step: of those that hang
+/// together by their surfaces that of the largest residual, until the rest can be solved. Each says why. The surfaces are then joined along
+/// the others.
 ///
 /// Identities (each has a test of its number):
 ///   (1) encloseSeam() of each seam that joins: a gap of 0, an angle and for order 2 a curvature difference of rounding.

@@ -226,6 +226,30 @@ def test_options_arrive(tmp_path):
     assert [move["face"] for move in report["moves"]] == [2]
 
 
+def test_lists_may_have_blanks(tmp_path):
+    model = sheet(tmp_path, count_x=3)
+    first, second = (seam["edges"][0] for seam in analysis(model)["seams"])
+    _, report, _ = repair(model, "--edges", f" {second}, Edge{first} ", "--fix", "1 ,\t3")
+    assert report["options"]["edges"] == [second, first] and report["options"]["fixed_faces"] == [1, 3]
+    result = run("repair", model, "-o", tmp_path / "o.step", "--edges", "1, 2 3")
+    assert result.returncode == 2 and "'2 3' names no Edge" in result.stderr
+
+
+def test_the_report_goes_to_pipes(tmp_path):
+    model = sheet(tmp_path)
+    result = run("repair", model, "-o", tmp_path / "o.step", "--json", "/dev/stdout")
+    report, table = result.stdout.split("\n", 1)
+    assert json.loads(report)["schema"] == "seamwright.repair/1" and "defects" in table
+
+
+def test_each_command_says_its_exit_status():
+    expected = {"analyze": "0 all seams meet the level", "repair": "0 all seams of the result meet the target",
+                "fill": "0 the new seams meet the target", "corner": "0 the new seams meet the tolerances"}
+    for command, meaning in expected.items():
+        text = run(command, "--help").stdout
+        assert text.count("Exit status:") == 1 and f"Exit status: {meaning}" in text
+
+
 def test_defaults_are_those_of_the_help(tmp_path):
     _, report, _ = repair(sheet(tmp_path))
     assert report["options"] == {"target": "G1", "max_move_mm": 0.5, "edges": [], "fixed_faces": [], "match_mm": 0, "sew": True, "convert_analytic": False}
