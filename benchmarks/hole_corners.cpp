@@ -54,7 +54,17 @@ End endOf(const occ::HoleEdge& edge, bool last) {
           vector(face.D2V())};
   end.along = (edge.reversed ? -1 : 1) * (by.X() * end.u + by.Y() * end.v);
   end.has_form = end.u.cross(end.v).norm() > 1e-9 * end.u.norm() * end.v.norm();
-  if (face.IsNormalDefined()) end.up = vector(gp_Vec(face.Normal()));
+  if (end.has_form) {
+    end.up = end.u.cross(end.v).normalized();
+  } else {
+    // The face collapses: its normal goes to a limit along the edge.
+    constexpr double beside = 1e-4;
+    const bool at_first = last == edge.reversed;
+    const double range = last_parameter - first_parameter;
+    path->D0(at_first ? first_parameter + beside * range : last_parameter - beside * range, at);
+    face.SetParameters(at.X(), at.Y());
+    end.up = vector(face.D1U()).cross(vector(face.D1V())).normalized();
+  }
   const bool face_on_left = (edge.use.edge.Orientation() == TopAbs_FORWARD) != edge.reversed;
   if (face_on_left) end.up = -end.up;
   return end;
@@ -106,7 +116,6 @@ CornerBounds cornerBounds(const occ::Hole& hole) {
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const End in = endOf(edges[(k + edges.size() - 1) % edges.size()], true), out = endOf(edges[k], false);
     bounds.angle_rad = std::max(bounds.angle_rad, angleBetween(in.up, out.up) / 2);
-    bounds.folds = bounds.folds || in.up.dot(out.up) < 0;
     const std::optional<double> asked = curvatureAsked(in, out);
     if (asked) bounds.curvature_rel = std::max(bounds.curvature_rel, *asked);
   }

@@ -13,7 +13,6 @@ struct CornerBounds {
   /// The largest relative difference of curvature to either neighbour there of what is tangent to both and has a curvature: across one side
   /// that is the curvature of the next side's edge. Corners of less than 3 degrees, and of degenerate faces, are left out.
   double curvature_rel = 0;
-  bool folds = false;  ///< two neighbours lie on one side of the corner: the normal turns over between them
 };
 
 CornerBounds cornerBounds(const occ::Hole& hole);
