@@ -306,6 +306,7 @@ Corner turnedInsideOut(Corner corner) {
 
 std::string lengthText(double length_mm) {
   std::ostringstream text;
+  text.precision(4);
   text << length_mm << " mm";
   return text.str();
 }
@@ -332,6 +333,7 @@ Corner cornerOf(const TopoDS_Shape& shape, int vertex) {
   const Surroundings around(shape, corner.shell);
   CornerReader(around, corner).read();
   TopExp::MapShapes(shape, TopAbs_FACE, corner.given_faces);
+  TopExp::MapShapes(shape, TopAbs_EDGE, corner.given_edges);
   return corner;
 }
 

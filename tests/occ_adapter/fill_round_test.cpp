@@ -212,12 +212,40 @@ TEST(RoundHoles, TheSmoothLidOfACanIsADome) {
   }
 }
 
+/// Speeds of the sides that differ by 1e-8 alone once made equations that contradict each other.
+TEST(RoundHoles, ARoundHoleInACylinderIsFilledByPatches) {
+  const TopoDS_Shape wall =
+      partsOf(BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, -100, -40), gp_Dir(0, 1, 0)), 40, 200).Shape(),
+              TopAbs_FACE)(1);
+  const TopoDS_Shape holed =
+      BRepAlgoAPI_Cut(wall,
+                      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 0, -30), gp_Dir(0, 0, 1)), 8, 60).Shape())
+          .Shape();
+  const std::vector<Hole> holes = occ::findHoles(holed).holes;
+  const FillHoleReport report =
+      occ::fillHole(modelFromShape(holed), *std::ranges::min_element(holes, {}, &Hole::length_mm),
+                    {.continue_surface = false});
+  ASSERT_TRUE(report.reached) << report.reason;
+  EXPECT_EQ(report.faces.size(), 5U);
+  EXPECT_LT(largestAngle_rad(report.model.shape, report.faces), 0.01 * degree);
+}
+
+/// Two arcs that touch where they meet: a cusp of the hole.
+TEST(RoundHoles, ACuspIsNamed) {
+  const TopoDS_Shape crescent = BRepAlgoAPI_Cut(rod(0, 0, 8), rod(3, 0, 5)).Shape();
+  const FillHoleReport report = filled(sphereWithout(crescent));
+  EXPECT_FALSE(report.filled);
+  EXPECT_THAT(report.reason, HasSubstr(" of the hole, between edges "));
+  EXPECT_THAT(report.reason, HasSubstr("it is a cusp, with an angle of "));
+}
+
 // A corner of 270 degrees between five others.
 TEST(RoundHoles, AReflexCornerAmongManyIsRefused) {
   const TopoDS_Shape arrow = BRepAlgoAPI_Cut(slab(-8, -8, 8, 8), slab(0, 0, 20, 20)).Shape();
   const FillHoleReport report = filled(sphereWithout(arrow));
   EXPECT_FALSE(report.filled);
-  EXPECT_THAT(report.reason, HasSubstr("the angle of the hole is 270 degrees, above 180"));
+  EXPECT_THAT(report.reason, testing::StartsWith("corner "));
+  EXPECT_THAT(report.reason, HasSubstr(" at (0, 0, 20) mm: its angle is 270 degrees, above 180: "));
 }
 
 }  // namespace
