@@ -7,12 +7,15 @@
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <GC_MakeArcOfCircle.hxx>
 #include <GProp_GProps.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
@@ -230,13 +233,25 @@ TEST(RoundHoles, ARoundHoleInACylinderIsFilledByPatches) {
   EXPECT_LT(largestAngle_rad(report.model.shape, report.faces), 0.01 * degree);
 }
 
-/// Two arcs that touch where they meet: a cusp of the hole.
+/// A line, an arc that leaves it backwards at (0, 0), and a line that joins them.
 TEST(RoundHoles, ACuspIsNamed) {
-  const TopoDS_Shape crescent = BRepAlgoAPI_Cut(rod(0, 0, 8), rod(3, 0, 5)).Shape();
-  const FillHoleReport report = filled(sphereWithout(crescent));
+  const double r = (100 + 9) / 6.0, half = std::asin(10 / r) / 2;
+  const gp_Pnt tip(0, 0, 0), low(10, 0, 0), high(10, 3, 0);
+  const gp_Pnt middle(r * std::sin(half), r - r * std::cos(half), 0);
+  BRepBuilderAPI_MakeWire wire;
+  wire.Add(BRepBuilderAPI_MakeEdge(low, tip));
+  wire.Add(BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(tip, middle, high).Value()));
+  wire.Add(BRepBuilderAPI_MakeEdge(high, low));
+  const gp_Pln plane(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1));
+  const TopoDS_Shape holed = BRepAlgoAPI_Cut(BRepBuilderAPI_MakeFace(plane, -30, 30, -30, 30).Face(),
+                                             BRepBuilderAPI_MakeFace(plane, wire.Wire()).Face())
+                                 .Shape();
+  const std::vector<Hole> holes = occ::findHoles(holed).holes;
+  const FillHoleReport report =
+      occ::fillHole(modelFromShape(holed), *std::ranges::min_element(holes, {}, &Hole::length_mm),
+                    {.continue_surface = false});
   EXPECT_FALSE(report.filled);
-  EXPECT_THAT(report.reason, HasSubstr(" of the hole, between edges "));
-  EXPECT_THAT(report.reason, HasSubstr("it is a cusp, with an angle of "));
+  EXPECT_THAT(report.reason, HasSubstr(" at (0, 0, 0) mm: it is a cusp, with an angle of "));
 }
 
 // A corner of 270 degrees between five others.

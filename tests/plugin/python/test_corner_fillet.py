@@ -49,7 +49,7 @@ def test_each_corner_of_a_box(box):
         assert result.met and result.shortfall == ""
         assert result.model.face_count == 6 + 3 + 6
         assert len(result.patches) == 6
-        assert repr(result) == "<CornerFillet of 3 edges>"
+        assert repr(result) == "<CornerFillet of 3 edges: met>"
         what = result.to_dict()
         assert [edge["edge"] for edge in what["edges"]] == edges
         assert [edge["contact_mm"] for edge in what["edges"]] == pytest.approx([1, 2, 3])
