@@ -69,13 +69,13 @@ def test_largest_figures_are_bounds_of_all():
     assert new_seams.largest(seams, "angle_deg") == {"lower": 0.99 * 0.003, "upper": 0.003}
     assert new_seams.bound(seams, "angle_deg") == 0.003
     text = "3 seams, gap at most 1e-6 mm, angle at most 0.003\u00b0"
-    assert new_seams.largest_text(seams, LIMITS) == text
+    assert new_seams.largest_text(seams, LIMITS) == text + ", curvature unknown"
     for each, curvature in zip(seams, (0.01, 0.25, 0.0)):
         each["curvature_rel"] = {"lower": curvature, "upper": curvature, "at": 0.5}
     assert new_seams.largest_text(seams, LIMITS) == text + ", curvature at most 25 %"
+    assert new_seams.bound(seams, "curvature_rel") == 0.25
     seams[1]["curvature_rel"] = None
     assert new_seams.largest_text(seams, LIMITS) == text + ", curvature unknown"
-    assert new_seams.bound(seams, "curvature_rel") == 0.25
     seams.append(measured(4, angle=0.0001, bounded=False))
     assert new_seams.largest(seams, "angle_deg")["upper"] is None
     assert new_seams.bound(seams, "angle_deg") == 0.99 * 0.003
