@@ -79,7 +79,7 @@ def test_largest_figures_are_bounds_of_all():
     seams.append(measured(4, angle=0.0001, bounded=False))
     assert new_seams.largest(seams, "angle_deg")["upper"] is None
     assert new_seams.bound(seams, "angle_deg") == 0.99 * 0.003
-    assert "angle" not in new_seams.largest_text(seams, LIMITS)
+    assert "angle unknown" in new_seams.largest_text(seams, LIMITS)
     assert new_seams.bound([], "gap_mm") == 0.0
 
 
