@@ -4,7 +4,9 @@
 #include <seamwright/core/umbrella/fill_forms.hpp>
 #include <seamwright/core/umbrella/ring_fields.hpp>
 #include <seamwright/core/umbrella/ring_space.hpp>
+#include <sstream>
 #include <stdexcept>
+#include <string>
 
 namespace seamwright::fill {
 
@@ -17,6 +19,13 @@ constexpr double rank_threshold = 1e-11;
 
 int next(int k) {
   return (k + 1) % count;
+}
+
+std::string shortText(double value) {
+  std::ostringstream text;
+  text.precision(3);
+  text << value;
+  return text.str();
 }
 
 /// The equations of the inner joins between all poles, and the poles that the sides fix.
@@ -112,8 +121,8 @@ void Equations::solve(FillSpace& space) const {
   const Poles particular = least.solve(right);
   const double missed = (matrix * particular - right).cwiseAbs().maxCoeff();
   if (missed > 1e-9 * (rows::size(points_) + rows::size(particular)))
-    throw std::runtime_error("the joins of the ring contradict each other by " + bernstein::text(missed) +
-                             " mm");
+    throw std::runtime_error("the equations of the joins contradict each other by " + shortText(missed) +
+                             " mm: no ring of five patches is found");
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(matrix.transpose());
   qr.setThreshold(rank_threshold);
   const Eigen::MatrixXd all = qr.householderQ();

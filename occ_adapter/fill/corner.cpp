@@ -211,7 +211,8 @@ class CornerReader {
     const Vector3d &before = corner_.faces[corner_.before(i)].normal, &after = corner_.faces[i].normal;
     if (before.cross(after).norm() < flat_sine)
       throw std::domain_error(around_.name(edge.edge) +
-                              ": the faces beside it are in one plane at the vertex");
+                              " is smooth: the faces beside it are in one plane at the vertex, and sharp "
+                              "edges alone are rounded");
     edge.into = {Vector3d(edge.axis.cross(before).normalized()),
                  Vector3d(after.cross(edge.axis).normalized())};
     edge.convex = edge.into[1].dot(before) < 0;
@@ -306,6 +307,7 @@ Corner turnedInsideOut(Corner corner) {
 
 std::string lengthText(double length_mm) {
   std::ostringstream text;
+  text.precision(4);
   text << length_mm << " mm";
   return text.str();
 }
@@ -332,6 +334,7 @@ Corner cornerOf(const TopoDS_Shape& shape, int vertex) {
   const Surroundings around(shape, corner.shell);
   CornerReader(around, corner).read();
   TopExp::MapShapes(shape, TopAbs_FACE, corner.given_faces);
+  TopExp::MapShapes(shape, TopAbs_EDGE, corner.given_edges);
   return corner;
 }
 

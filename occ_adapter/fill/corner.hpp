@@ -48,7 +48,7 @@ struct Corner {
   TopoDS_Shell shell;
   std::vector<CornerEdge> edges;
   std::vector<CornerFace> faces;
-  TopTools_IndexedMapOfShape given_faces;  ///< of the whole shape: what its faces are called
+  TopTools_IndexedMapOfShape given_faces, given_edges;  ///< of the whole shape: what they are called
   /// The faces are planes, the edges lines, and at the far end of each edge meet two more and one more plane, not through the corner.
   bool polyhedral = false;
 

@@ -265,9 +265,10 @@ class ShellBuilder {
       const double left = run.normalized().dot(placeOf(to) - placeOf(from));
       const double spare = run.normalized().dot(placeOf(from) - placeOf(ends[0]));
       if (!(left > 1e-3 * run.norm()) || spare < -tolerance_ || spare + left > run.norm() + tolerance_)
-        throw std::domain_error("an edge " + lengthText(run.norm()) +
-                                " long at a far end would be cut from " + lengthText(spare) + " to " +
-                                lengthText(spare + left) + " by the fillets");
+        throw std::domain_error("edge " + std::to_string(corner_.given_edges.FindIndex(old)) + ", " +
+                                lengthText(run.norm()) + " long, at a far end would be cut from " +
+                                lengthText(spare) + " to " + lengthText(spare + left) +
+                                " by the fillets: smaller radii may help");
       made = trimmed_.emplace(number, line(from, to)).first;
     }
     return TopoDS::Edge(made->second.Oriented(old.Orientation()));

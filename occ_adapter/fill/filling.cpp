@@ -54,6 +54,9 @@ constexpr double most_reach = 3;
 /// Fills cost the sixth power of the degree, and several are tried for one that is not regular.
 constexpr int dear_degree = 7;
 
+/// Of a smaller angle, or so near to a full turn, is a cusp.
+constexpr double least_corner_rad = 1e-3;
+
 /// Rings around corners of a larger angle curl over.
 constexpr double most_corner_rad = 5.3;
 
@@ -125,7 +128,7 @@ class Filling {
     } catch (const Cancelled&) {
       throw;
     } catch (const Standard_Failure& failure) {
-      result_.reason = failureText(doing_, failure);
+      result_.reason = failureText(doing_, failure) + nearness();
     } catch (const std::exception& error) {
       result_.reason = error.what();
     }
@@ -137,7 +140,9 @@ class Filling {
     if (corners > 12)
       throw NotFilled("the hole has " + std::to_string(corners) + " corners: fills have 12 at most");
     const double gap_mm = options_.tolerance.gap_mm / share;
-    is_ring_ = corners < 3 || (corners <= ring_sides && hasReflexCorner(hole_, gap_mm));
+    const std::vector<HoleAngle> angles = anglesOf(hole_, gap_mm);
+    is_ring_ = corners < 3 || (corners <= ring_sides && std::ranges::any_of(angles, isReflex));
+    for (std::size_t k = 0; k < angles.size(); ++k) requireAngle(angles[k], k);
     stretches_ = is_ring_ ? cutSides(hole_, ring_sides, gap_mm, true) : wholeSides(hole_);
     fitted_ = fitted(stretches_);
     if (is_ring_ && misses(fitted_) > 1) {
@@ -146,6 +151,26 @@ class Filling {
       if (misses(other) < misses(fitted_)) stretches_ = even, fitted_ = std::move(other);
     }
     tellSides();
+  }
+
+  static bool isReflex(const HoleAngle& corner) { return corner.angle_rad > std::numbers::pi; }
+
+  void requireAngle(const HoleAngle& corner, std::size_t k) const {
+    const double angle_rad = corner.angle_rad, angle_deg = angle_rad * 180 / std::numbers::pi;
+    const auto refuse = [&](const std::string& why) {
+      throw NotFilled("corner " + std::to_string(k + 1) + " of the hole, between edges " +
+                      std::to_string(corner.edges[0]) + " and " + std::to_string(corner.edges[1]) + " at " +
+                      placeText(corner.point) + ": " + why);
+    };
+    if (std::min(angle_rad, 2 * std::numbers::pi - angle_rad) < least_corner_rad)
+      refuse("it is a cusp, with an angle of " + text(angle_deg) +
+             " degrees, which no regular face has: cut it off by another edge");
+    if (is_ring_ && angle_rad > most_corner_rad)
+      refuse("its angle is " + text(angle_deg) + " degrees, fills have " +
+             text(most_corner_rad * 180 / std::numbers::pi) + " at most: cut the hole in two there");
+    if (!is_ring_ && isReflex(corner))
+      refuse("its angle is " + text(angle_deg) + " degrees, above 180: a hole of more than " +
+             std::to_string(ring_sides) + " corners has to be cut in two there, by a face between");
   }
 
   std::vector<FittedSide> fitted(const std::vector<SideStretch>& stretches) const {
@@ -224,11 +249,6 @@ class Filling {
         sides, {.corner_tolerance_rad = plane_noise_rad, .curvature_degrees = curvatureDegrees(sides, 3)});
     result_.curvature_jump_per_mm = fill.curvature_jump_per_mm;
     result_.corners = fill.corners;
-    for (std::size_t k = 0; k < fill.corners.size(); ++k)
-      if (fill.corners[k].angle_rad > most_corner_rad)
-        throw NotFilled("corner " + std::to_string(k + 1) + " of the hole has " +
-                        text(fill.corners[k].angle_rad * 180 / std::numbers::pi) + " degrees: fills have " +
-                        text(most_corner_rad * 180 / std::numbers::pi) + " at most");
     result_.regular = fill.regular;
     std::vector<BSplineSurface> surfaces;
     for (const BezierPatch& patch : fill.patches) surfaces.push_back(splineSurface(patch));
@@ -268,7 +288,8 @@ class Filling {
     for (std::size_t i = 0; i < graph.seams.size(); ++i)
       if (graph.seams[i].kind == SeamKind::Matched && isOfFill(graph.seams[i])) chosen.push_back(i);
     sewn_ = sewnShape(whole_, graph.seams, chosen, reach_mm, [this](int face) { return nameOf(face); });
-    if (!sewn_.refused.empty()) throw NotFilled("the fill can't be sewn: " + sewn_.refused.begin()->second);
+    if (!sewn_.refused.empty())
+      throw NotFilled("the fill can't be sewn: " + sewn_.refused.begin()->second + nearness());
     for (std::size_t k = 0; k < new_faces_.size(); ++k)
       numbers_.insert(sewn_.faces[firstNewFace() + static_cast<int>(k)]);
     nameFaces();
@@ -308,17 +329,29 @@ class Filling {
                       text(options_.tolerance.gap_mm) + " mm" + nearness());
   }
 
-  /// What the fit of the sides says, as the beginning of a further clause.
+  /// How near the sides come to the hole where that is not near enough, as a further clause.
   std::string nearness() const {
-    double gap_mm = 0;
-    for (const FittedSide& side : fitted_) gap_mm = std::max(gap_mm, side.gap_mm);
-    return "; the sides are met to " + text(gap_mm) + " mm";
+    if (fitted_.empty()) return {};
+    const auto worst = std::ranges::max_element(fitted_, {}, &FittedSide::gap_mm);
+    if (worst->gap_mm <= options_.tolerance.gap_mm) return {};
+    std::string edges;
+    const FilledSide& side = result_.sides.at(static_cast<std::size_t>(worst - fitted_.begin()));
+    for (const int edge : side.edges) edges += (edges.empty() ? " " : ", ") + std::to_string(edge);
+    return "; one polynomial meets the side about " + placeText(worst->side.edge.point(0.5)) + " (" +
+           (side.edges.size() == 1 ? "edge" : "edges") + edges + ") to " + text(worst->gap_mm) +
+           " mm alone: a corner there, as between two edges, would help, or a larger gap";
   }
 
   static std::string text(double value) {
     std::ostringstream stream;
+    stream.precision(3);
     stream << value;
     return stream.str();
+  }
+
+  static std::string placeText(const Eigen::Vector3d& point) {
+    const auto rounded = [](double x) { return text(std::round(1e6 * x) / 1e6 + 0.0); };
+    return "(" + rounded(point.x()) + ", " + rounded(point.y()) + ", " + rounded(point.z()) + ") mm";
   }
 
   void measure() {
@@ -340,6 +373,17 @@ class Filling {
     result_.faces.assign(numbers_.begin(), numbers_.end());
   }
 
+  /// For every value that the figures may have.
+  bool surelyMisses(const SeamResult& seam) const {
+    const auto beyond = [](const std::optional<Figure>& figure, double tolerance) {
+      return figure && figure->lower > tolerance;
+    };
+    const ContinuityTolerance& tolerance = options_.tolerance;
+    return beyond(seam.figures.gap_mm, tolerance.gap_mm) ||
+           (options_.target >= Level::G1 && beyond(seam.figures.angle_rad, tolerance.angle_rad)) ||
+           (options_.target >= Level::G2 && beyond(seam.figures.curvature_rel, tolerance.curvature_rel));
+  }
+
   std::string missed() const {
     const SeamResult* worst = nullptr;
     const auto angle = [](const SeamResult& seam) {
@@ -354,7 +398,8 @@ class Filling {
     if (worst == nullptr) return {};
     const std::string &one = result_.faceName(worst->faces[0]), &other = result_.faceName(worst->faces[1]);
     return (one == other ? "a seam inside " + one : "a seam between " + one + " and " + other) +
-           " does not surely reach " + std::string(name(options_.target)) + ": " + figuresText(*worst);
+           (surelyMisses(*worst) ? " is not " : " does not surely reach ") +
+           std::string(name(options_.target)) + ": " + figuresText(*worst);
   }
 
   std::string unsound() const {

@@ -2,6 +2,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <seamwright/occ_adapter/fill/side_cut.hpp>
 #include <seamwright/occ_adapter/fill/side_path.hpp>
@@ -135,17 +136,22 @@ std::vector<SideStretch> cutSides(const Hole& hole, std::size_t count, double ga
   return stretches;
 }
 
-bool hasReflexCorner(const Hole& hole, double gap_mm) {
-  if (!hole.has_corners) return false;
+std::vector<HoleAngle> anglesOf(const Hole& hole, double gap_mm) {
+  std::vector<HoleAngle> angles;
+  if (!hole.has_corners) return angles;
   const std::vector<SidePath> paths = pathsOf(hole, gap_mm);
   for (std::size_t k = 0; k < paths.size(); ++k) {
-    const SideSample in = paths[(k + paths.size() - 1) % paths.size()].atShare(1, false),
-                     out = paths[k].atShare(0, true);
-    const Vector3d up =
-        in.beyond.cross(in.derivative.normalized()) + out.beyond.cross(out.derivative.normalized());
-    if (in.derivative.cross(out.derivative).dot(up) < 0) return true;
+    const std::size_t before = (k + paths.size() - 1) % paths.size();
+    const SideSample in = paths[before].atShare(1, false), out = paths[k].atShare(0, true);
+    const Vector3d arriving = in.derivative.normalized(), leaving = out.derivative.normalized();
+    const Vector3d up = in.beyond.cross(arriving) + out.beyond.cross(leaving);
+    const Vector3d across = arriving.cross(leaving);
+    const double turn = std::atan2(across.norm(), arriving.dot(leaving));
+    HoleAngle angle{std::numbers::pi + (across.dot(up) < 0 ? turn : -turn), out.point};
+    angle.edges = {hole.sides[before].edges.back().edge, hole.sides[k].edges.front().edge};
+    angles.push_back(angle);
   }
-  return false;
+  return angles;
 }
 
 }  // namespace seamwright::occ

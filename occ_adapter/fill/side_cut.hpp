@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include <seamwright/occ_adapter/fill/holes.hpp>
@@ -23,7 +25,14 @@ std::vector<SideStretch> wholeSides(const Hole& hole);
 /// \pre the hole has no more sides. \throws as SidePath.
 std::vector<SideStretch> cutSides(const Hole& hole, std::size_t count, double gap_mm, bool at_joints);
 
-/// Whether the angle of the hole is above pi in one of its corners, seen as its faces are turned.
-bool hasReflexCorner(const Hole& hole, double gap_mm);
+/// A corner of a hole, where a side begins.
+struct HoleAngle {
+  double angle_rad = 0;  ///< of the hole, seen as its faces are turned, in [0, 2 pi]
+  Eigen::Vector3d point;
+  std::array<int, 2> edges{};  ///< the last one before the corner, the first one after it
+};
+
+/// The corners of a hole in the order of its sides; empty where it is smooth. \throws as SidePath.
+std::vector<HoleAngle> anglesOf(const Hole& hole, double gap_mm);
 
 }  // namespace seamwright::occ

@@ -78,7 +78,7 @@ Written writeBrep(const Model& model, Format format) {
   if (!model.attributes.empty())
     written.report.notes.push_back("BREP holds no names, colours and layers: those of " +
                                    std::to_string(model.attributes.size()) +
-                                   (model.attributes.size() == 1 ? " part is" : " parts are") + " left out");
+                                   (model.attributes.size() == 1 ? " part" : " parts") + " are left out");
   return written;
 }
 

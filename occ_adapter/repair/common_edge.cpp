@@ -135,7 +135,7 @@ handle<Geom2d_Curve> interpolated(const PlacedSurface& surface, const PlanarPath
     double before = place(0);
     for (int k = 0; k <= count; ++k) {
       const double s = static_cast<double>(k) / count, now = place(s);
-      if ((now - before) * (place(1) - place(0)) < 0)
+      if (k > 0 && !((now - before) * (place(1) - place(0)) > 0))
         throw std::runtime_error("the points of the two edges do not follow one another");
       before = now;
       points->SetValue(k + 1, on_path(s));

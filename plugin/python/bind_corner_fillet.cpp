@@ -10,6 +10,7 @@
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/python/model_calls.hpp>
 #include <seamwright/plugin/report/corner_json.hpp>
+#include <seamwright/plugin/report/json.hpp>
 #include <string>
 
 namespace seamwright::python {
@@ -78,12 +79,24 @@ CornerFilletResult cornerFillet(const occ::Model& model, const py::object& verte
   });
 }
 
+nlohmann::ordered_json jsonOf(const CornerFilletResult& result) {
+  return report::toJson(result.fillet, result.options.tolerance, result.vertex, result.given);
+}
+
 py::object toDict(const CornerFilletResult& result) {
-  return plainObject(report::toJson(result.fillet, result.options.tolerance, result.vertex, result.given));
+  return plainObject(jsonOf(result));
+}
+
+std::string toTable(const CornerFilletResult& result) {
+  const report::ModelCounts memory = report::judgeOf(result.fillet, result.options)(result.fillet.model, {});
+  return report::toTable(result.fillet, memory, std::nullopt);
 }
 
 py::dict writeRounded(const CornerFilletResult& result, const std::filesystem::path& path, bool overwrite,
-                      bool overwrite_source, const py::object& progress) {
+                      bool overwrite_source, const py::object& keep_anyway, const py::object& progress) {
+  if (!result.fillet.met() && !flagOf("keep_anyway", keep_anyway))
+    throw py::value_error("the corner falls short and is not written without keep_anyway=True: " +
+                          result.fillet.shortfall);
   const report::Judge judge = report::judgeOf(result.fillet, result.options);
   const report::ModelCounts memory = [&] {
     const py::gil_scoped_release release;
@@ -102,12 +115,14 @@ setbacks_mm: where the fillets end, from the vertex along the edge; a number, or
 section_mm: the largest distance of the patches' sides from the cylinders between planes.
 profile, gap_mm, angle_deg: what the new seams must meet, as in analyze().
 
-Returns a CornerFillet; the model is not changed. It has a model also where met is False, and write() writes it: look at met first. Supported are 3 to 6 edges, convex or concave, of a solid, between planes or curved
+Returns a CornerFillet; the model is not changed. It has a model also where met is False, which write() writes with keep_anyway alone. Supported are 3 to 6 edges, convex or concave, of a solid, between planes or curved
 faces that are not tangent to each other. ValueError, with numbers, for others, and where there is no room.)";
 
 }  // namespace
 
 void bindCornerFillet(py::module_& module) {
+  const std::string write_corner_doc =
+      std::string(write_result_doc) + " ValueError for a corner that is not met, unless keep_anyway.";
   py::class_<CornerFilletResult>(module, "CornerFillet", py::module_local(),
                                  "What came of Model.corner_fillet().")
       .def_property_readonly(
@@ -127,11 +142,18 @@ void bindCornerFillet(py::module_& module) {
           "they are between: spoke (two patches), section (patch and fillet), spring (patch and face), "
           "contact "
           "(fillet and face).")
+      .def(
+          "to_json", [](const CornerFilletResult& result) { return report::toLine(jsonOf(result)); },
+          "The report as one line of JSON, schema seamwright.corner/1.")
+      .def(
+          "to_table", [](const CornerFilletResult& result) { return readable(toTable(result)); },
+          "The report as text for people.")
       .def("write", &writeRounded, py::arg("path"), py::kw_only(), py::arg("overwrite") = false,
-           py::arg("overwrite_source") = false, py::arg("progress") = py::none(), write_result_doc)
+           py::arg("overwrite_source") = false, py::arg("keep_anyway") = false,
+           py::arg("progress") = py::none(), write_corner_doc.c_str())
       .def("__repr__", [](const CornerFilletResult& result) {
-        return "<CornerFillet of " + std::to_string(result.fillet.edges.size()) + " edges" +
-               (result.fillet.met() ? "" : ": " + result.fillet.shortfall) + ">";
+        return "<CornerFillet of " + std::to_string(result.fillet.edges.size()) +
+               " edges: " + (result.fillet.met() ? "met" : "not met, " + result.fillet.shortfall) + ">";
       });
   py::class_<occ::Model> model(module.attr("Model"));
   model.def("corner_edges", &cornerEdges, py::arg("vertex"),

@@ -7,12 +7,15 @@
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <GC_MakeArcOfCircle.hxx>
 #include <GProp_GProps.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
@@ -212,12 +215,52 @@ TEST(RoundHoles, TheSmoothLidOfACanIsADome) {
   }
 }
 
+/// Speeds of the sides that differ by 1e-8 alone once made equations that contradict each other.
+TEST(RoundHoles, ARoundHoleInACylinderIsFilledByPatches) {
+  const TopoDS_Shape wall =
+      partsOf(BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, -100, -40), gp_Dir(0, 1, 0)), 40, 200).Shape(),
+              TopAbs_FACE)(1);
+  const TopoDS_Shape holed =
+      BRepAlgoAPI_Cut(wall,
+                      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 0, -30), gp_Dir(0, 0, 1)), 8, 60).Shape())
+          .Shape();
+  const std::vector<Hole> holes = occ::findHoles(holed).holes;
+  const FillHoleReport report =
+      occ::fillHole(modelFromShape(holed), *std::ranges::min_element(holes, {}, &Hole::length_mm),
+                    {.continue_surface = false});
+  ASSERT_TRUE(report.reached) << report.reason;
+  EXPECT_EQ(report.faces.size(), 5U);
+  EXPECT_LT(largestAngle_rad(report.model.shape, report.faces), 0.01 * degree);
+}
+
+/// A line, an arc that leaves it backwards at (0, 0), and a line that joins them.
+TEST(RoundHoles, ACuspIsNamed) {
+  const double r = (100 + 9) / 6.0, half = std::asin(10 / r) / 2;
+  const gp_Pnt tip(0, 0, 0), low(10, 0, 0), high(10, 3, 0);
+  const gp_Pnt middle(r * std::sin(half), r - r * std::cos(half), 0);
+  BRepBuilderAPI_MakeWire wire;
+  wire.Add(BRepBuilderAPI_MakeEdge(low, tip));
+  wire.Add(BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(tip, middle, high).Value()));
+  wire.Add(BRepBuilderAPI_MakeEdge(high, low));
+  const gp_Pln plane(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1));
+  const TopoDS_Shape holed = BRepAlgoAPI_Cut(BRepBuilderAPI_MakeFace(plane, -30, 30, -30, 30).Face(),
+                                             BRepBuilderAPI_MakeFace(plane, wire.Wire()).Face())
+                                 .Shape();
+  const std::vector<Hole> holes = occ::findHoles(holed).holes;
+  const FillHoleReport report =
+      occ::fillHole(modelFromShape(holed), *std::ranges::min_element(holes, {}, &Hole::length_mm),
+                    {.continue_surface = false});
+  EXPECT_FALSE(report.filled);
+  EXPECT_THAT(report.reason, HasSubstr(" at (0, 0, 0) mm: it is a cusp, with an angle of "));
+}
+
 // A corner of 270 degrees between five others.
 TEST(RoundHoles, AReflexCornerAmongManyIsRefused) {
   const TopoDS_Shape arrow = BRepAlgoAPI_Cut(slab(-8, -8, 8, 8), slab(0, 0, 20, 20)).Shape();
   const FillHoleReport report = filled(sphereWithout(arrow));
   EXPECT_FALSE(report.filled);
-  EXPECT_THAT(report.reason, HasSubstr("the angle of the hole is 270 degrees, above 180"));
+  EXPECT_THAT(report.reason, testing::StartsWith("corner "));
+  EXPECT_THAT(report.reason, HasSubstr(" at (0, 0, 20) mm: its angle is 270 degrees, above 180: "));
 }
 
 }  // namespace

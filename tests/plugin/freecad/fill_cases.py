@@ -186,7 +186,7 @@ class Holes(FillCase):
     def test_position_only_and_keep_anyway(self):
         box = models.add(self.doc, Part.makeShell(Part.makeBox(10, 10, 10).Faces[1:]), "Box")
         obj = fill.create(box)
-        self.assertNotFilled(obj, "and the fill does not surely reach G1")
+        self.assertNotFilled(obj, "and the fill is not G1")
         self.assertRegex(obj.Summary, "between Face[1-5] and the fill")
         seams = fill_text.every_seam(fill.report_of(obj))
         self.assertTrue(seams and all(seam["edges"] == [] for seam in seams))

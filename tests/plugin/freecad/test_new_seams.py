@@ -44,12 +44,12 @@ def test_rows_come_worst_first_and_say_what_is_sure():
     ]
     rows = new_seams.build_rows(seams, LIMITS, "G1")
     assert [row.place for row in rows] == [3, 1, 2, 0, 4]
-    assert [row.cells[-1] for row in rows] == ["not surely G1"] * 3 + ["meets G1"] * 2
+    assert [row.cells[-1] for row in rows] == ["not G1"] * 2 + ["not surely G1"] + ["meets G1"] * 2
     assert [row.state for row in rows] == [repair_text.LEFT] * 3 + [repair_text.REPAIRED] * 2
     assert all(len(row.cells) == len(new_seams.COLUMNS) for row in rows)
     assert rows[1].cells[:3] == ("Edge2", "fill, Face1", "0.02")
     rows = new_seams.build_rows(seams, LIMITS, "G0")
-    assert [row.cells[-1] for row in rows] == ["not surely G0"] * 2 + ["meets G0"] * 3
+    assert sorted(row.cells[-1] for row in rows) == ["meets G0"] * 3 + ["not G0", "not surely G0"]
     assert {row.place for row in rows[:2]} == {2, 3}
 
 
@@ -69,15 +69,17 @@ def test_largest_figures_are_bounds_of_all():
     assert new_seams.largest(seams, "angle_deg") == {"lower": 0.99 * 0.003, "upper": 0.003}
     assert new_seams.bound(seams, "angle_deg") == 0.003
     text = "3 seams, gap at most 1e-6 mm, angle at most 0.003\u00b0"
-    assert new_seams.largest_text(seams, LIMITS) == text
+    assert new_seams.largest_text(seams, LIMITS) == text + ", curvature unknown"
     for each, curvature in zip(seams, (0.01, 0.25, 0.0)):
         each["curvature_rel"] = {"lower": curvature, "upper": curvature, "at": 0.5}
     assert new_seams.largest_text(seams, LIMITS) == text + ", curvature at most 25 %"
     assert new_seams.bound(seams, "curvature_rel") == 0.25
+    seams[1]["curvature_rel"] = None
+    assert new_seams.largest_text(seams, LIMITS) == text + ", curvature unknown"
     seams.append(measured(4, angle=0.0001, bounded=False))
     assert new_seams.largest(seams, "angle_deg")["upper"] is None
     assert new_seams.bound(seams, "angle_deg") == 0.99 * 0.003
-    assert "angle" not in new_seams.largest_text(seams, LIMITS)
+    assert "angle unknown" in new_seams.largest_text(seams, LIMITS)
     assert new_seams.bound([], "gap_mm") == 0.0
 
 

@@ -49,7 +49,7 @@ def test_each_corner_of_a_box(box):
         assert result.met and result.shortfall == ""
         assert result.model.face_count == 6 + 3 + 6
         assert len(result.patches) == 6
-        assert repr(result) == "<CornerFillet of 3 edges>"
+        assert repr(result) == "<CornerFillet of 3 edges: met>"
         what = result.to_dict()
         assert [edge["edge"] for edge in what["edges"]] == edges
         assert [edge["contact_mm"] for edge in what["edges"]] == pytest.approx([1, 2, 3])
@@ -103,7 +103,21 @@ def test_the_result_is_written_and_read(box, tmp_path):
 def test_a_file_that_falls_short_says_so(box, tmp_path):
     result = box.corner_fillet(1, 1, angle_deg=1e-9)
     assert not result.met and result.shortfall.startswith("a seam between a patch and ")
-    assert result.write(tmp_path / "out.step")["output"]["defects"] > 0
+    with pytest.raises(ValueError, match="keep_anyway=True: a seam between a patch and "):
+        result.write(tmp_path / "out.step")
+    assert not (tmp_path / "out.step").exists()
+    assert result.write(tmp_path / "out.step", keep_anyway=True)["output"]["defects"] > 0
+    assert repr(result) == f"<CornerFillet of 3 edges: not met, {result.shortfall}>"
+    assert "NOT REACHED G1" in result.to_table()
+
+
+def test_the_report_is_there_in_all_forms(box):
+    result = box.corner_fillet(1, 1)
+    assert repr(result) == "<CornerFillet of 3 edges: met>"
+    assert json.loads(result.to_json()) == result.to_dict()
+    lines = result.to_table().splitlines()
+    assert lines[0].split()[:2] == ["edge", "kind"] and lines[-1] == "REACHED G1"
+    assert [line.split()[0] for line in lines[1:4]] == [f"Edge{edge['edge']}" for edge in result.to_dict()["edges"]]
 
 
 def test_a_corner_that_is_not_regular_is_written_and_said_so(box, tmp_path):
@@ -114,7 +128,7 @@ def test_a_corner_that_is_not_regular_is_written_and_said_so(box, tmp_path):
     assert "regular" in result.shortfall == report["shortfall"]
     schema = json.loads((HERE.parents[2] / "docs" / "corner-1.schema.json").read_text())
     jsonschema.validate(report, schema)
-    result.write(tmp_path / "rounded.brep")
+    result.write(tmp_path / "rounded.brep", keep_anyway=True)
     assert seamwright.read(tmp_path / "rounded.brep").face_count == result.model.face_count
 
 

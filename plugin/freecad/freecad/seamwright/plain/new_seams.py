@@ -51,13 +51,21 @@ def _row(place, seam, tolerance, target):
     return Row(
         place=place,
         state=repair_text.REPAIRED if met else repair_text.LEFT,
-        cells=(repair_text.edges_text(seam) or "\u2013", seam["between"], *figures, _verdict(met, target)),
+        cells=(repair_text.edges_text(seam) or "\u2013", seam["between"], *figures, _verdict(seam, tolerance, target)),
         detail=rows.detail_text(seam, tolerance),
     )
 
 
-def _verdict(met, target):
-    return "meets %s" % target if met else "not surely %s" % target
+def surely_misses(seam, tolerance, target):
+    """Whether a figure that decides at the target is beyond the tolerance for every value that it may have."""
+    figures = [(seam.get(name), tolerance[rows.TOLERANCE_OF.get(name, name)]) for name in rows.DECIDING[target]]
+    return any(figure and figure["lower"] > limit for figure, limit in figures)
+
+
+def _verdict(seam, tolerance, target):
+    if surely_meets(seam, tolerance, target):
+        return "meets %s" % target
+    return ("not %s" if surely_misses(seam, tolerance, target) else "not surely %s") % target
 
 
 def largest(seams, name):
@@ -76,11 +84,15 @@ def bound(seams, name):
 
 
 def largest_text(seams, tolerance):
-    """ "12 seams, gap at most 1.4e-4 mm, angle at most 0.0028°, curvature at most 4.1 %". """
+    """ "12 seams, gap at most 1.4e-4 mm, angle at most 0.0028°, curvature unknown": unknown where some have none. """
     parts = [summary.counted(len(seams), "seam")]
     for name, word in (("gap_mm", "gap"), ("angle_deg", "angle"), ("curvature_rel", "curvature")):
         figure = largest(seams, name)
-        if figure is not None and figure["upper"] is not None:
+        if figure is None:
+            continue
+        if figure["upper"] is None or not all(seam.get(name) for seam in seams):
+            parts.append("%s unknown" % word)
+        else:
             quantity = rows.QUANTITIES[name]
             text = enclosure.number(quantity.factor * figure["upper"])
             parts.append("%s at most %s%s" % (word, text, quantity.unit))
