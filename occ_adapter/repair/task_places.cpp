@@ -46,6 +46,8 @@ TaskPlaces::TaskPlaces(const FaceTask& task, const MovingSurface& surface) {
   const Eigen::Vector2d poles(std::max(1.0, polesPerSpan(basis.u())), std::max(1.0, polesPerSpan(basis.v())));
   const int degree = std::max(basis.u().degree, basis.v().degree);
   double length = 0, spans = 0;
+  const bool asks_for_curvature =
+      std::ranges::any_of(task.paths, [](const FollowPath& path) { return path.order > 1; });
   for (const FollowPath& path : task.paths) {
     const PlanePath plane(path);
     const SpanMeasure measure(plane, basis, surface.before(), poles);
@@ -56,7 +58,7 @@ TaskPlaces::TaskPlaces(const FaceTask& task, const MovingSurface& surface) {
     PathPlaces& places = paths.emplace_back();
     for (const double share : shares) places.samples.push_back(plane.place(basis, measure.at(share)));
     const auto turn = [&](std::size_t from, std::size_t to) -> Eigen::Vector3d {
-      if (path.order != 1) return Eigen::Vector3d::Zero();
+      if (asks_for_curvature) return Eigen::Vector3d::Zero();
       return turnBetween(places.samples[from].target, places.samples[to].target);
     };
     const std::size_t last = shares.size() - 1;
