@@ -161,9 +161,11 @@ class FaceFollower {
     now_ = std::move(*best);
   }
 
-  /// By the refinements that are left: a halving of spans makes what is missed of curvature no less than a quarter.
+  /// By the refinements that are left: of curvature each leaves a quarter or so.
   bool canBeGained(double reached) const {
-    return order_ < 2 || reached <= std::pow(4.0, task_.max_refinements - now_.refinements);
+    constexpr int tells = 2;
+    return order_ < 2 || now_.refinements < tells ||
+           reached <= std::pow(4.0, task_.max_refinements - now_.refinements);
   }
 
   /// As fair as can be: less so only as long as the samples can't be met, and, if gently, as the move stays of its size. After a refinement
