@@ -36,8 +36,8 @@ struct SeamRepair {
   SeamResult before, after;
   bool treated = false;   ///< it was to be repaired
   bool repaired = false;  ///< it meets the target, and its change was kept
-  std::string
-      reason;  ///< why it was not treated or not repaired; of a matched one that is left it begins with the note before
+  /// Why it was not treated or not repaired; of a matched one that is left it begins with the note before.
+  std::string reason;
   bool sewn = false;     ///< two edges before, one after
   std::string not_sewn;  ///< of a matched seam that was to be sewn: why it was not
 };
