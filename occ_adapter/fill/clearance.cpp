@@ -1,8 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAlgoAPI_Section.hxx>
 #include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <Precision.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <cmath>
+#include <gp_Pnt.hxx>
 #include <vector>
 
 #include <seamwright/occ_adapter/fill/clearance.hpp>
@@ -12,17 +23,85 @@ namespace seamwright::occ {
 
 namespace {
 
-bool shareVertex(const TopTools_IndexedMapOfShape& some, const TopTools_IndexedMapOfShape& others) {
-  for (int k = 1; k <= others.Extent(); ++k)
-    if (some.Contains(others(k))) return true;
-  return false;
+/// The edges and vertices that two faces share; null: none.
+TopoDS_Shape commonOf(const TopoDS_Shape& one, const TopoDS_Shape& other) {
+  const BRep_Builder builder;
+  TopoDS_Compound common;
+  for (const TopAbs_ShapeEnum type : {TopAbs_EDGE, TopAbs_VERTEX}) {
+    const TopTools_IndexedMapOfShape some = partsOf(one, type), others = partsOf(other, type);
+    for (int k = 1; k <= others.Extent(); ++k) {
+      if (!some.Contains(others(k))) continue;
+      if (common.IsNull()) builder.MakeCompound(common);
+      builder.Add(common, others(k));
+    }
+  }
+  return common;
+}
+
+double distance(const TopoDS_Shape& one, const TopoDS_Shape& other) {
+  const BRepExtrema_DistShapeShape found(one, other);
+  return found.IsDone() ? found.Value() : HUGE_VAL;
 }
 
 /// Close around the face, which takes a while.
 Bnd_Box tightBox(const TopoDS_Shape& face) {
   Bnd_Box box;
   BRepBndLib::AddOptimal(face, box, false, false);
+  box.Enlarge(Precision::Confusion());
   return box;
+}
+
+/// Places on edges that are on a face, and not near what it shares with the face that the edges are of.
+class Contact {
+ public:
+  Contact(const TopoDS_Shape& face, const TopoDS_Shape& common)
+      : face_(face), common_(common), box_(tightBox(face)), near_mm_(std::sqrt(box_.SquareExtent()) / 100) {}
+
+  bool isOn(const TopoDS_Shape& edges) const {
+    constexpr int places = 8;
+    for (TopExp_Explorer edge(edges, TopAbs_EDGE); edge.More(); edge.Next()) {
+      const TopoDS_Edge& one = TopoDS::Edge(edge.Current());
+      if (BRep_Tool::Degenerated(one)) continue;
+      const BRepAdaptor_Curve curve(one);
+      const double first = curve.FirstParameter(), last = curve.LastParameter();
+      for (int k = 0; k <= places; ++k)
+        if (isAt(curve.Value(first + k * (last - first) / places))) return true;
+    }
+    return false;
+  }
+
+ private:
+  bool isAt(const gp_Pnt& point) const {
+    if (box_.IsOut(point)) return false;
+    const TopoDS_Vertex vertex = BRepBuilderAPI_MakeVertex(point);
+    return distance(vertex, common_) > near_mm_ && distance(vertex, face_) <= Precision::Confusion();
+  }
+
+  const TopoDS_Shape& face_;
+  const TopoDS_Shape& common_;
+  Bnd_Box box_;
+  double near_mm_;
+};
+
+/// Edges along which two faces cross or touch.
+TopoDS_Shape sectionOf(const TopoDS_Shape& one, const TopoDS_Shape& other) {
+  BRepAlgoAPI_Section section(one, other, false);
+  section.Build();
+  return section.IsDone() ? section.Shape() : TopoDS_Compound();
+}
+
+/// The least distance of faces that cross need not be found.
+bool meet(const TopoDS_Shape& one, const TopoDS_Shape& other) {
+  return distance(one, other) <= Precision::Confusion() ||
+         TopExp_Explorer(sectionOf(one, other), TopAbs_EDGE).More();
+}
+
+/// Whether two faces meet further from what they share than a hundredth of the first one's extent.
+/// \param with_section also within both, not at edges of the other one alone.
+bool meetElsewhere(const TopoDS_Shape& one, const TopoDS_Shape& other, const TopoDS_Shape& common,
+                   bool with_section) {
+  const Contact contact(one, common);
+  return contact.isOn(other) || (with_section && contact.isOn(sectionOf(one, other)));
 }
 
 }  // namespace
@@ -31,17 +110,16 @@ std::optional<std::pair<int, int>> touchingFaces(const TopoDS_Shape& shape, cons
   const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE);
   std::vector<Bnd_Box> boxes(static_cast<std::size_t>(faces.Extent()) + 1);
   for (int f = 1; f <= faces.Extent(); ++f) BRepBndLib::Add(faces(f), boxes[f], false);
-  for (const int a : fresh) {
-    const TopTools_IndexedMapOfShape vertices = partsOf(faces(a), TopAbs_VERTEX);
+  for (const int a : fresh)
     for (int b = 1; b <= faces.Extent(); ++b) {
-      if (b == a || (b < a && fresh.count(b) > 0) || boxes[a].IsOut(boxes[b]) ||
-          shareVertex(vertices, partsOf(faces(b), TopAbs_VERTEX)) ||
-          tightBox(faces(a)).IsOut(tightBox(faces(b))))
-        continue;
-      const BRepExtrema_DistShapeShape distance(faces(a), faces(b));
-      if (distance.IsDone() && distance.Value() <= Precision::Confusion()) return std::pair{a, b};
+      if (b == a || (b < a && fresh.count(b) > 0) || boxes[a].IsOut(boxes[b])) continue;
+      const TopoDS_Shape common = commonOf(faces(a), faces(b));
+      if (!common.IsNull() && fresh.count(b) > 0) continue;
+      if (tightBox(faces(a)).IsOut(tightBox(faces(b)))) continue;
+      if (common.IsNull() ? meet(faces(a), faces(b))
+                          : meetElsewhere(faces(a), faces(b), common, fresh.size() == 1))
+        return std::pair{a, b};
     }
-  }
   return std::nullopt;
 }
 

@@ -69,11 +69,13 @@ gp_Ax2 ballAxes(const Corner& corner) {
 
 class OutsideRounder {
  public:
-  OutsideRounder(const Corner& corner, const std::vector<CornerStrip>& strips, double ball_mm)
+  /// \param direct the corner's solid, numbered alike, perhaps without faces on left-handed surfaces.
+  OutsideRounder(const Corner& corner, const std::vector<CornerStrip>& strips, double ball_mm,
+                 TopoDS_Shape direct)
       : corner_(corner),
         strips_(strips),
         ball_mm_(ball_mm),
-        direct_(ShapeCustom::DirectFaces(corner.solid)),
+        direct_(std::move(direct)),
         ball_(BRepPrimAPI_MakeSphere(ballAxes(corner), ball_mm).Shape()),
         cut_(direct_, ball_) {}
 
@@ -215,7 +217,6 @@ class OutsideRounder {
   const Corner& corner_;
   const std::vector<CornerStrip>& strips_;
   const double ball_mm_;
-  /// The solid, numbered alike, without faces on left-handed surfaces, which boolean operations of OpenCASCADE get wrong.
   TopoDS_Shape direct_;
   TopoDS_Shape ball_;
   BRepAlgoAPI_Cut cut_;
@@ -228,7 +229,14 @@ class OutsideRounder {
 
 RoundedOutside roundedOutside(const Corner& corner, const std::vector<CornerStrip>& strips, double ball_mm) {
   try {
-    return OutsideRounder(corner, strips, ball_mm).run();
+    // OpenCASCADE's boolean operations get some faces on left-handed surfaces wrong, and some that were turned.
+    try {
+      return OutsideRounder(corner, strips, ball_mm, corner.solid).run();
+    } catch (const std::domain_error&) {
+      const TopoDS_Shape turned = ShapeCustom::DirectFaces(corner.solid);
+      if (turned.IsSame(corner.solid)) throw;
+      return OutsideRounder(corner, strips, ball_mm, turned).run();
+    }
   } catch (const Standard_Failure& failure) {
     throw std::domain_error("a ball of " + lengthText(ball_mm) + " about the vertex: OpenCASCADE stops at " +
                             failure.DynamicType()->Name() + " " + failure.GetMessageString());

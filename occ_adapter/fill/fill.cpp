@@ -145,7 +145,8 @@ FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOpti
   std::optional<FillHoleReport> by_face;
   if (const std::optional<TopoDS_Face> face = faceThatGoesOn(hole, options))
     by_face = filledByFace(model, hole, options, names, *face, partOf(progress, 0, share_of_face));
-  if (by_face && by_face->reached) {
+  // Patches would lie where the face lies.
+  if (by_face && (by_face->reached || by_face->meets_others)) {
     if (progress && !progress(1)) throw Cancelled();
     return std::move(*by_face);
   }

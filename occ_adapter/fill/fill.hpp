@@ -46,7 +46,8 @@ struct FillHoleReport {
   std::string reason;    ///< why it is not reached, with numbers of the given model; empty where it is
   std::vector<FilledSide> sides;
   std::vector<FillCorner> corners;
-  bool regular = false;  ///< as of NSidedFill
+  bool regular = false;       ///< as of NSidedFill
+  bool meets_others = false;  ///< the new faces run into others, or into one another
   double reach = 0;  ///< the farthest pole of the fill from the middle of the hole, over that of its sides
   /// As of NSidedFill, against the curvature of the neighbours as it was fitted; nothing where it was not made small: with the target
   /// G0, with G1 in high degrees.

@@ -448,10 +448,12 @@ class Filling {
     if (result_.reach > most_reach)
       return "the new faces stand out to " + text(result_.reach) + " times the size of the hole";
     if (result_.outer.empty()) return "the hole is too small for a seam to be measured";
-    if (const auto touching = touchingFaces(sewn_.shape, numbers_))
+    if (const auto touching = touchingFaces(sewn_.shape, numbers_)) {
+      result_.meets_others = true;
       return numbers_.count(touching->second) > 0
                  ? "the fill runs into itself"
                  : "the fill runs into " + result_.faceName(touching->second);
+    }
     return {};
   }
 

@@ -17,11 +17,16 @@
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <GC_MakeArcOfCircle.hxx>
 #include <GProp_GProps.hxx>
 #include <GeomAPI_PointsToBSplineSurface.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierCurve.hxx>
+#include <Geom_Circle.hxx>
+#include <Geom_TrimmedCurve.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
@@ -299,6 +304,27 @@ TEST(FillByAFace, LiesNotOnItsNeighbours) {
   const FillHoleReport dome = occ::fillHole(modelFromShape(tube), occ::findHoles(tube).holes.front());
   EXPECT_TRUE(dome.reached) << dome.reason;
   EXPECT_EQ(dome.faces.size(), 5U);
+}
+
+/// A cup whose bottom rises through the plane of its rim, and a gutter around the axis, whose inner rim lies in the plane of the outer one.
+TEST(FillByAFace, RunsNotIntoItsNeighbour) {
+  const auto revolved = [](const opencascade::handle<Geom_Curve>& curve) {
+    return BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeEdge(curve).Edge(), gp::OZ()).Shape();
+  };
+  TColgp_Array1OfPnt poles(1, 5);
+  poles(1) = gp_Pnt(10, 0, 0), poles(2) = gp_Pnt(10, 0, -12), poles(3) = gp_Pnt(3, 0, -12),
+  poles(4) = gp_Pnt(3, 0, 8), poles(5) = gp_Pnt(0, 0, 8);
+  const opencascade::handle<Geom_Curve> circle =
+      new Geom_Circle(gp_Ax2(gp_Pnt(20, 0, 0), -gp::DY(), gp::DX()), 5);
+  for (const TopoDS_Shape& shape :
+       {revolved(new Geom_BezierCurve(poles)),
+        revolved(new Geom_TrimmedCurve(circle, std::numbers::pi, 2 * std::numbers::pi))}) {
+    const std::vector<Hole> holes = occ::findHoles(shape).holes;
+    const Hole rim = *std::ranges::max_element(holes, {}, &Hole::length_mm);
+    const FillHoleReport report = occ::fillHole(modelFromShape(shape), rim, {.target = Level::G0});
+    EXPECT_FALSE(report.filled || report.reached);
+    EXPECT_EQ(report.reason, "the fill runs into face 1");
+  }
 }
 
 /// Walls over a loop that crosses itself: no seam tells of it, OpenCASCADE's checks do.
