@@ -33,6 +33,20 @@ class Progression {
   }
   double total() const { return come_[count]; }
 
+  /// Where it turns most.
+  double bent() const {
+    int most = 0;
+    for (int k = 1; k < count; ++k)
+      if (turning_[k + 1] - turning_[k] > turning_[most + 1] - turning_[most]) most = k;
+    return (come_[most] + come_[most + 1]) / 2;
+  }
+
+  /// Of a loop, any number of times around.
+  double shareAround(double come) const {
+    const double rounds = std::floor(come / total());
+    return rounds + shareAt(come - rounds * total());
+  }
+
   double shareAt(double come) const {
     const auto after = std::upper_bound(come_.begin() + 1, come_.end() - 1, come);
     const int k = static_cast<int>(after - come_.begin()) - 1;
@@ -132,6 +146,21 @@ std::vector<SideStretch> cutSides(const Hole& hole, std::size_t count, double ga
       stretches.push_back({k, begin, end, begin > 0 || !hole.has_corners});
       begin = end;
     }
+  }
+  return stretches;
+}
+
+std::vector<SideStretch> cutLoop(const Hole& hole, std::size_t count, double gap_mm, double shift) {
+  const Progression loop = progressionsOf(pathsOf(hole, gap_mm)).front();
+  const double part = loop.total() / static_cast<double>(count);
+  const auto cut = [&](std::size_t k) {
+    return loop.shareAround(std::fmod(loop.bent() + shift * part, loop.total()) +
+                            static_cast<double>(k) * part);
+  };
+  std::vector<SideStretch> stretches;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double rounds = std::floor(cut(k));
+    stretches.push_back({0, cut(k) - rounds, (k + 1 == count ? cut(0) + 1 : cut(k + 1)) - rounds, true});
   }
   return stretches;
 }

@@ -13,7 +13,7 @@ namespace seamwright::occ {
 /// A part of a side of a hole, by shares of its length.
 struct SideStretch {
   std::size_t side = 0;
-  double begin = 0, end = 1;
+  double begin = 0, end = 1;     ///< of a smooth loop the end may be beyond 1, up to begin + 1
   bool begins_smoothly = false;  ///< it goes on from the stretch before it without a corner
 };
 
@@ -24,6 +24,10 @@ std::vector<SideStretch> wholeSides(const Hole& hole);
 /// turning over that of the hole is the same. \param at_joints cuts are moved to the nearest joint of two edges of different curvature that is not too far away.
 /// \pre the hole has no more sides. \throws as SidePath.
 std::vector<SideStretch> cutSides(const Hole& hole, std::size_t count, double gap_mm, bool at_joints);
+
+/// So many stretches of a smooth loop, of the same sum of length and turning. The first begins where the loop turns most, or the share
+/// \p shift of a stretch after it. \pre the hole has no corners. \throws as SidePath.
+std::vector<SideStretch> cutLoop(const Hole& hole, std::size_t count, double gap_mm, double shift);
 
 /// A corner of a hole, where a side begins.
 struct HoleAngle {

@@ -42,8 +42,8 @@ TopoDS_Shape bentPlate() {
   };
   BRepBuilderAPI_MakeWire profile;
   profile.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(-half_mm, -40, 0), gp_Pnt(0, -40, 0)));
-  profile.Add(
-      BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(gp_Pnt(0, -40, 0), onArc(half_mm / 2), onArc(half_mm)).Value()));
+  profile.Add(BRepBuilderAPI_MakeEdge(
+      GC_MakeArcOfCircle(gp_Pnt(0, -40, 0), onArc(half_mm / 2), onArc(half_mm)).Value()));
   return BRepPrimAPI_MakePrism(profile.Wire(), gp_Vec(0, 80, 0)).Shape();
 }
 
@@ -75,7 +75,8 @@ TopoDS_Wire roundedRectangle(double length_mm, double width_mm, double radius_mm
   const double x = length_mm / 2, y = width_mm / 2, r = radius_mm;
   BRepBuilderAPI_MakeWire wire;
   const auto line = [&](double ax, double ay, double bx, double by) {
-    if (std::hypot(bx - ax, by - ay) > 1e-9) wire.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(ax, ay, 0), gp_Pnt(bx, by, 0)));
+    if (std::hypot(bx - ax, by - ay) > 1e-9)
+      wire.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(ax, ay, 0), gp_Pnt(bx, by, 0)));
   };
   line(-x + r, -y, x - r, -y);
   wire.Add(arc({x - r, -y + r, 0}, r, -M_PI / 2, 0));

@@ -26,7 +26,10 @@ FillHoleReport filled(const TopoDS_Shape& shape) {
 }
 
 TEST(HolesAcross, Survey) {
-  struct Outline { const char* name; TopoDS_Wire wire; };
+  struct Outline {
+    const char* name;
+    TopoDS_Wire wire;
+  };
   std::vector<Outline> all;
   for (double turn : {0.0, 0.4}) {
     all.push_back({"rect 24x14 r4", roundedRectangle(24, 14, 4, turn)});
@@ -41,10 +44,14 @@ TEST(HolesAcross, Survey) {
     for (const Outline& one : all) {
       const auto start = std::chrono::steady_clock::now();
       const FillHoleReport r = filled(cutThrough(sheet ? quarteredSheet() : bentPlate(), one.wire));
-      std::printf("%s %-14s %s %.1fs faces %zu angle %.5f deg gap %.2g: %s\n", sheet ? "sheet" : "plate", one.name,
-                  r.reached ? "REACHED" : "no", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
-                  r.faces.size(), r.largestAngle_rad().value_or(-1) / degree, r.largestGap_mm().value_or(-1), r.reason.c_str());
-      for (const auto& s : r.sides) std::printf("      %zu edges deg %d %d gap %.2g angle %.2g\n", s.edges.size(), s.edge_degree, s.cross_degree, s.gap_mm, s.angle_rad/degree);
+      std::printf("%s %-14s %s %.1fs faces %zu angle %.5f deg gap %.2g: %s\n", sheet ? "sheet" : "plate",
+                  one.name, r.reached ? "REACHED" : "no",
+                  std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+                  r.faces.size(), r.largestAngle_rad().value_or(-1) / degree, r.largestGap_mm().value_or(-1),
+                  r.reason.c_str());
+      for (const auto& s : r.sides)
+        std::printf("      %zu edges deg %d %d gap %.2g angle %.2g\n", s.edges.size(), s.edge_degree,
+                    s.cross_degree, s.gap_mm, s.angle_rad / degree);
       std::fflush(stdout);
     }
 }
