@@ -152,8 +152,8 @@ class Filling {
     const double gap_mm = options_.tolerance.gap_mm / share;
     cuts_.push_back(fitted(cutSides(hole_, ring_sides, gap_mm, false)));
     if (!hole_.has_corners)
-      for (const double shift : {0.0, 0.5})
-        cuts_.push_back(fitted(cutLoop(hole_, ring_sides, gap_mm, shift)));
+      for (std::vector<SideStretch>& cut : loopCuts(hole_, ring_sides, gap_mm))
+        cuts_.push_back(fitted(std::move(cut)));
     std::ranges::stable_sort(cuts_, {}, &Cut::misses);
   }
 

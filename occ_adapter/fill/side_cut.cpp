@@ -47,6 +47,11 @@ class Progression {
     return rounds + shareAt(come - rounds * total());
   }
 
+  double comeAt(double share) const {
+    const int k = std::min(static_cast<int>(share * count), count - 1);
+    return come_[k] + (share * count - k) * (come_[k + 1] - come_[k]);
+  }
+
   double shareAt(double come) const {
     const auto after = std::upper_bound(come_.begin() + 1, come_.end() - 1, come);
     const int k = static_cast<int>(after - come_.begin()) - 1;
@@ -88,28 +93,31 @@ std::vector<int> partsOf(const std::vector<Progression>& progressions, std::size
   return parts;
 }
 
+/// The curvature jumps at a share of the length; at 0, from the end of the path to its beginning.
+bool bendsAt(const SidePath& path, double at) {
+  constexpr double step = 1.0 / 256, least_jump = 0.1;
+  const auto turn = [&](double from, double to) {
+    const Vector3d a = path.atShare(std::max(0.0, from), true).derivative,
+                   b = path.atShare(std::min(1.0, to), false).derivative;
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+  };
+  const double end = at > 0 ? at : 1, before = turn(end - step, end), after = turn(at, at + step);
+  return std::abs(before - after) > least_jump * std::max(before, after) + 1e-9;
+}
+
 /// Joints at which the curvature of the path jumps, as between a line and an arc: no polynomial goes across them well.
 std::vector<double> bendJoints(const SidePath& path) {
-  constexpr double step = 1.0 / 256, least_jump = 0.1;
-  std::vector<double> joints;
-  for (const double at : path.joints()) {
-    const auto turn = [&](double from, double to) {
-      const Vector3d a = path.atShare(std::max(0.0, from), true).derivative,
-                     b = path.atShare(std::min(1.0, to), false).derivative;
-      return std::atan2(a.cross(b).norm(), a.dot(b));
-    };
-    const double before = turn(at - step, at), after = turn(at, at + step);
-    if (std::abs(before - after) > least_jump * std::max(before, after) + 1e-9) joints.push_back(at);
-  }
+  std::vector<double> joints = path.joints();
+  std::erase_if(joints, [&](double at) { return !bendsAt(path, at); });
   return joints;
 }
 
-/// The nearest joint to each cut, each at most once, nearer than a third of the mean stretch.
-void moveToJoints(std::vector<double>& cuts, std::vector<double> joints, std::size_t parts) {
+/// The nearest joint to each cut, each at most once, no farther than \p reach.
+void moveToJoints(std::vector<double>& cuts, std::vector<double> joints, double reach) {
   for (double& cut : cuts) {
     if (joints.empty()) return;
     const auto nearest = std::ranges::min_element(joints, {}, [&](double at) { return std::abs(at - cut); });
-    if (std::abs(*nearest - cut) > 1 / (3.0 * static_cast<double>(parts))) continue;
+    if (std::abs(*nearest - cut) > reach) continue;
     cut = *nearest;
     joints.erase(nearest);
   }
@@ -121,6 +129,85 @@ std::vector<SidePath> pathsOf(const Hole& hole, double gap_mm) {
   for (const HoleSide& side : hole.sides) paths.emplace_back(side, gap_mm);
   return paths;
 }
+
+/// The places of a smooth loop, by shares of its length, where it may be cut.
+class LoopCutter {
+ public:
+  LoopCutter(const Hole& hole, std::size_t count, double gap_mm)
+      : side_(hole.sides.front()),
+        count_(count),
+        path_(side_, gap_mm),
+        come_(progressionsOf({path_}).front()),
+        joints_(path_.joints()) {
+    joints_.insert(joints_.begin(), 0);
+  }
+
+  /// Joints at which the curvature jumps.
+  std::vector<double> bends() const {
+    std::vector<double> bends = bendJoints(path_);
+    if (bendsAt(path_, 0)) bends.insert(bends.begin(), 0);
+    return bends;
+  }
+
+  /// Joints where the hole goes from one face to another.
+  std::vector<double> faceJoints() const {
+    std::vector<double> between;
+    for (std::size_t k = 0; k < joints_.size(); ++k) {
+      const std::size_t before = (k + joints_.size() - 1) % joints_.size();
+      if (side_.edges[before].use.face != side_.edges[k].use.face) between.push_back(joints_[k]);
+    }
+    return between;
+  }
+
+  /// By so many stretches after where it turns most.
+  double bent(double shift) const {
+    return come_.shareAround(come_.bent() + shift * come_.total() / static_cast<double>(count_));
+  }
+
+  /// The first stretch begins at a share, or at a joint so near that a sliver would be left; the others end at the joints given where these
+  /// are near, or at any to which a sliver would be left.
+  std::vector<SideStretch> cut(double begin, std::vector<double> joints) const {
+    constexpr double near = 1 / 3.0, sliver = 1 / 20.0;
+    begin = moved(begin, sliver);
+    std::vector<double> cuts;
+    const double first = come_.comeAt(begin);
+    for (std::size_t k = 1; k < count_; ++k)
+      cuts.push_back(come_.shareAround(first + come_.total() * static_cast<double>(k) / static_cast<double>(count_)) - begin);
+    moveToJoints(cuts, after(begin, std::move(joints)), near / static_cast<double>(count_));
+    moveToJoints(cuts, after(begin, joints_), sliver / static_cast<double>(count_));
+    cuts.push_back(1);
+    std::vector<SideStretch> stretches;
+    double last = 0;
+    for (const double next : cuts) {
+      const double rounds = std::floor(begin + last);
+      stretches.push_back({0, begin + last - rounds, begin + next - rounds, true});
+      last = next;
+    }
+    return stretches;
+  }
+
+ private:
+  double moved(double at, double stretches) const {
+    at -= std::floor(at);
+    for (const double joint : joints_)
+      for (const double same : {joint, joint + 1})
+        if (std::abs(same - at) < stretches / static_cast<double>(count_)) return joint;
+    return at;
+  }
+
+  /// In (0, 1), counted from the beginning.
+  static std::vector<double> after(double begin, std::vector<double> joints) {
+    for (double& joint : joints) joint -= begin + std::floor(joint - begin);
+    std::erase_if(joints, [](double joint) { return !(joint > 0); });
+    return joints;
+  }
+
+  const HoleSide& side_;
+  std::size_t count_;
+  SidePath path_;
+  Progression come_;
+  std::vector<double> joints_;  ///< the beginning among them
+};
 
 }  // namespace
 
@@ -139,7 +226,7 @@ std::vector<SideStretch> cutSides(const Hole& hole, std::size_t count, double ga
     std::vector<double> cuts;
     for (int part = 1; part < parts[k]; ++part)
       cuts.push_back(progressions[k].shareAt(progressions[k].total() * part / parts[k]));
-    if (at_joints) moveToJoints(cuts, bendJoints(paths[k]), static_cast<std::size_t>(parts[k]));
+    if (at_joints) moveToJoints(cuts, bendJoints(paths[k]), 1 / (3.0 * parts[k]));
     cuts.push_back(1);
     double begin = 0;
     for (const double end : cuts) {
@@ -150,19 +237,13 @@ std::vector<SideStretch> cutSides(const Hole& hole, std::size_t count, double ga
   return stretches;
 }
 
-std::vector<SideStretch> cutLoop(const Hole& hole, std::size_t count, double gap_mm, double shift) {
-  const Progression loop = progressionsOf(pathsOf(hole, gap_mm)).front();
-  const double part = loop.total() / static_cast<double>(count);
-  const auto cut = [&](std::size_t k) {
-    return loop.shareAround(std::fmod(loop.bent() + shift * part, loop.total()) +
-                            static_cast<double>(k) * part);
-  };
-  std::vector<SideStretch> stretches;
-  for (std::size_t k = 0; k < count; ++k) {
-    const double rounds = std::floor(cut(k));
-    stretches.push_back({0, cut(k) - rounds, (k + 1 == count ? cut(0) + 1 : cut(k + 1)) - rounds, true});
-  }
-  return stretches;
+std::vector<std::vector<SideStretch>> loopCuts(const Hole& hole, std::size_t count, double gap_mm) {
+  const LoopCutter loop(hole, count, gap_mm);
+  std::vector<std::vector<SideStretch>> cuts;
+  for (const std::vector<double>& joints : {loop.bends(), loop.faceJoints()})
+    if (!joints.empty()) cuts.push_back(loop.cut(joints.front(), joints));
+  for (const double shift : {0.0, 0.5}) cuts.push_back(loop.cut(loop.bent(shift), {}));
+  return cuts;
 }
 
 std::vector<HoleAngle> anglesOf(const Hole& hole, double gap_mm) {

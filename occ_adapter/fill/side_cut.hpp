@@ -25,9 +25,10 @@ std::vector<SideStretch> wholeSides(const Hole& hole);
 /// \pre the hole has no more sides. \throws as SidePath.
 std::vector<SideStretch> cutSides(const Hole& hole, std::size_t count, double gap_mm, bool at_joints);
 
-/// So many stretches of a smooth loop, of the same sum of length and turning. The first begins where the loop turns most, or the share
-/// \p shift of a stretch after it. \pre the hole has no corners. \throws as SidePath.
-std::vector<SideStretch> cutLoop(const Hole& hole, std::size_t count, double gap_mm, double shift);
+/// Ways to cut a smooth loop into so many stretches of nearly the same sum of length and turning: at joints of lines and arcs; at joints of
+/// faces; from where it turns most; and from half a stretch after that. No stretch ends so near to a joint of edges that a sliver is left.
+/// \pre the hole has no corners. \throws as SidePath.
+std::vector<std::vector<SideStretch>> loopCuts(const Hole& hole, std::size_t count, double gap_mm);
 
 /// A corner of a hole, where a side begins.
 struct HoleAngle {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <BRepCheck_Analyzer.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -54,6 +55,19 @@ TEST(HolesAcross, Survey) {
                     s.cross_degree, s.gap_mm, s.angle_rad / degree);
       std::fflush(stdout);
     }
+}
+
+TEST(HolesAcross, OpenBox) {
+  const TopoDS_Shape box = without(BRepPrimAPI_MakeBox(10, 20, 30).Shape(), {1});
+  for (const bool anyway : {false, true}) {
+    const occ::Holes found = occ::findHoles(box, {.corner_rad = 179 * degree});
+    for (const Hole& hole : found.holes) {
+      const FillHoleReport r = occ::fillHole(modelFromShape(box), hole, {.keep_anyway = anyway, .corner_rad = 179 * degree});
+      std::printf("box %d: corners %d sides %zu: %d %s\n", anyway, hole.has_corners, hole.sides.size(), r.filled, r.reason.c_str());
+      const FillHoleReport p = occ::fillHole(modelFromShape(box), hole, {.keep_anyway = anyway, .continue_surface=false, .corner_rad = 179 * degree});
+      std::printf("  patches: %d %s\n", p.filled, p.reason.c_str());
+    }
+  }
 }
 
 }  // namespace
