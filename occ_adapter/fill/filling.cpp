@@ -375,12 +375,17 @@ class Filling {
     if (fitted_.empty()) return {};
     const auto worst = std::ranges::max_element(fitted_, {}, &FittedSide::gap_mm);
     if (worst->gap_mm <= options_.tolerance.gap_mm) return {};
+    const HoleAngle turn = sharpestTurn(hole_, options_.tolerance.gap_mm / share);
+    if (turn.angle_rad > most_planar_rad)
+      return "; edges " + std::to_string(turn.edges[0]) + " and " + std::to_string(turn.edges[1]) +
+             " are one side, but turn by " + text(turn.angle_rad * 180 / std::numbers::pi) + " degrees at " +
+             placeText(turn.point) + ": a corner angle below that makes a corner of it";
     std::string edges;
     const FilledSide& side = result_.sides.at(static_cast<std::size_t>(worst - fitted_.begin()));
     for (const int edge : side.edges) edges += (edges.empty() ? " " : ", ") + std::to_string(edge);
     return "; one polynomial meets the side about " + placeText(worst->side.edge.point(0.5)) + " (" +
            (side.edges.size() == 1 ? "edge" : "edges") + edges + ") to " + text(worst->gap_mm) +
-           " mm alone: a corner there, as between two edges, would help, or a larger gap";
+           " mm alone: a larger gap would help, or a face put across the hole there first";
   }
 
   static std::string text(double value) {
@@ -470,6 +475,7 @@ class Filling {
 
   void keep() {
     result_.reason = missed();
+    if (!result_.reason.empty()) result_.reason += nearness();
     if (result_.reason.empty()) result_.reason = misshapen();
     const std::string fault = unsound();
     if (!fault.empty()) result_.reason = fault;

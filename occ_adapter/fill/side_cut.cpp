@@ -93,8 +93,9 @@ std::vector<int> partsOf(const std::vector<Progression>& progressions, std::size
   return parts;
 }
 
-/// The curvature jumps at a share of the length; at 0, from the end of the path to its beginning.
-bool bendsAt(const SidePath& path, double at) {
+/// By how much the turning on short ways before and after a share of the length differs where that is a jump, else 0; at 0, from the end
+/// of the path to its beginning.
+double bendAt(const SidePath& path, double at) {
   constexpr double step = 1.0 / 256, least_jump = 0.1;
   const auto turn = [&](double from, double to) {
     const Vector3d a = path.atShare(std::max(0.0, from), true).derivative,
@@ -102,13 +103,14 @@ bool bendsAt(const SidePath& path, double at) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
   };
   const double end = at > 0 ? at : 1, before = turn(end - step, end), after = turn(at, at + step);
-  return std::abs(before - after) > least_jump * std::max(before, after) + 1e-9;
+  const double jump = std::abs(before - after);
+  return jump > least_jump * std::max(before, after) + 1e-9 ? jump : 0;
 }
 
 /// Joints at which the curvature of the path jumps, as between a line and an arc: no polynomial goes across them well.
 std::vector<double> bendJoints(const SidePath& path) {
   std::vector<double> joints = path.joints();
-  std::erase_if(joints, [&](double at) { return !bendsAt(path, at); });
+  std::erase_if(joints, [&](double at) { return bendAt(path, at) == 0; });
   return joints;
 }
 
@@ -142,10 +144,14 @@ class LoopCutter {
     joints_.insert(joints_.begin(), 0);
   }
 
-  /// Joints at which the curvature jumps.
+  /// Joints at which the curvature jumps by no less than a fifth of the largest jump.
   std::vector<double> bends() const {
-    std::vector<double> bends = bendJoints(path_);
-    if (bendsAt(path_, 0)) bends.insert(bends.begin(), 0);
+    std::vector<double> jumps;
+    for (const double at : joints_) jumps.push_back(bendAt(path_, at));
+    const double most = std::ranges::max(jumps);
+    std::vector<double> bends;
+    for (std::size_t k = 0; k < jumps.size(); ++k)
+      if (jumps[k] > 0 && jumps[k] >= most / 5) bends.push_back(joints_[k]);
     return bends;
   }
 
@@ -172,7 +178,9 @@ class LoopCutter {
     std::vector<double> cuts;
     const double first = come_.comeAt(begin);
     for (std::size_t k = 1; k < count_; ++k)
-      cuts.push_back(come_.shareAround(first + come_.total() * static_cast<double>(k) / static_cast<double>(count_)) - begin);
+      cuts.push_back(
+          come_.shareAround(first + come_.total() * static_cast<double>(k) / static_cast<double>(count_)) -
+          begin);
     moveToJoints(cuts, after(begin, std::move(joints)), near / static_cast<double>(count_));
     moveToJoints(cuts, after(begin, joints_), sliver / static_cast<double>(count_));
     cuts.push_back(1);
@@ -244,6 +252,23 @@ std::vector<std::vector<SideStretch>> loopCuts(const Hole& hole, std::size_t cou
     if (!joints.empty()) cuts.push_back(loop.cut(joints.front(), joints));
   for (const double shift : {0.0, 0.5}) cuts.push_back(loop.cut(loop.bent(shift), {}));
   return cuts;
+}
+
+HoleAngle sharpestTurn(const Hole& hole, double gap_mm) {
+  HoleAngle sharpest{0, Eigen::Vector3d::Zero(), {}};
+  for (const HoleSide& side : hole.sides) {
+    const SidePath path(side, gap_mm);
+    std::vector<double> joints = path.joints();
+    if (!hole.has_corners) joints.push_back(0);
+    for (const double at : joints) {
+      const SideSample in = path.atShare(at > 0 ? at : 1, false), out = path.atShare(at, true);
+      const double turn_rad =
+          std::atan2(in.derivative.cross(out.derivative).norm(), in.derivative.dot(out.derivative));
+      if (turn_rad > sharpest.angle_rad)
+        sharpest = {turn_rad, out.point, {path.edgeAt(at > 0 ? at - 1e-9 : 1), path.edgeAt(at)}};
+    }
+  }
+  return sharpest;
 }
 
 std::vector<HoleAngle> anglesOf(const Hole& hole, double gap_mm) {

@@ -40,4 +40,7 @@ struct HoleAngle {
 /// The corners of a hole in the order of its sides; empty where it is smooth. \throws as SidePath.
 std::vector<HoleAngle> anglesOf(const Hole& hole, double gap_mm);
 
+/// Where the tangent turns most between two edges of one side, with that angle in [0, pi]; 0 where no side has two. \throws as SidePath.
+HoleAngle sharpestTurn(const Hole& hole, double gap_mm);
+
 }  // namespace seamwright::occ
