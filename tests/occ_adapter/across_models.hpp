@@ -15,8 +15,8 @@ TopoDS_Shape quarteredSheet();
 /// Outlines in the plane z = 0 around the origin, turned by an angle there.
 TopoDS_Wire roundedRectangle(double length_mm, double width_mm, double radius_mm, double turn_rad);
 TopoDS_Wire ellipse(double length_mm, double width_mm, double turn_rad);
-/// A half disc, less one corner of two rounded off where \p rounded.
 TopoDS_Wire halfDisc(double radius_mm, double turn_rad);
+/// An L of two bars, the reflex corner at the origin.
 TopoDS_Wire elbow(double size_mm, double turn_rad);
 
 /// The sheet less what is above and below the outline.
