@@ -96,13 +96,13 @@ std::vector<int> partsOf(const std::vector<Progression>& progressions, std::size
 /// By how much the turning on short ways before and after a share of the length differs where that is a jump, else 0; at 0, from the end
 /// of the path to its beginning.
 double bendAt(const SidePath& path, double at) {
-  constexpr double step = 1.0 / 256, least_jump = 0.1;
+  constexpr double most_step = 1.0 / 256, least_jump = 0.1;
+  const double end = at > 0 ? at : 1, step = std::min({most_step, end, 1 - at});
   const auto turn = [&](double from, double to) {
-    const Vector3d a = path.atShare(std::max(0.0, from), true).derivative,
-                   b = path.atShare(std::min(1.0, to), false).derivative;
+    const Vector3d a = path.atShare(from, true).derivative, b = path.atShare(to, false).derivative;
     return std::atan2(a.cross(b).norm(), a.dot(b));
   };
-  const double end = at > 0 ? at : 1, before = turn(end - step, end), after = turn(at, at + step);
+  const double before = turn(end - step, end), after = turn(at, at + step);
   const double jump = std::abs(before - after);
   return jump > least_jump * std::max(before, after) + 1e-9 ? jump : 0;
 }
@@ -197,10 +197,11 @@ class LoopCutter {
  private:
   double moved(double at, double stretches) const {
     at -= std::floor(at);
+    double nearest = at, reach = stretches / static_cast<double>(count_);
     for (const double joint : joints_)
       for (const double same : {joint, joint + 1})
-        if (std::abs(same - at) < stretches / static_cast<double>(count_)) return joint;
-    return at;
+        if (std::abs(same - at) < reach) nearest = joint, reach = std::abs(same - at);
+    return nearest;
   }
 
   /// In (0, 1), counted from the beginning.

@@ -47,6 +47,11 @@ TEST_P(EllipsesAcross, AreFilledAcrossAPlaneAndACylinder) {
 
 INSTANTIATE_TEST_SUITE_P(Lengths, EllipsesAcross, testing::Values(2, 3, 4));
 
+// Cut where its lines meet its arcs, though the loop begins elsewhere.
+TEST(HolesAcross, ASlotIsFilled) {
+  expectSmoothlyFilled(quarteredSheet(), roundedRectangle(28, 8, 4, 0));
+}
+
 TEST(HolesAcross, AHalfDiscIsFilled) {
   expectSmoothlyFilled(quarteredSheet(), halfDisc(10, 0.4));
 }
