@@ -97,6 +97,11 @@ FillHoleReport bestByPatches(const Model& model, const Hole& hole, const FillHol
 
 }  // namespace
 
+void FillHoleOptions::setAngle(double angle_rad) {
+  tolerance.angle_rad = angle_rad;
+  if (angle_rad > tolerance.crease_rad) tolerance.crease_rad = angle_rad;
+}
+
 void FillHoleOptions::validate() const {
   tolerance.validate();
   HoleOptions{corner_rad, tolerance.gap_mm}.validate();

@@ -22,6 +22,8 @@ struct FillHoleOptions {
   int most_degree = 9;           ///< of the polynomials that stand for a side, 3 to 11
   int jobs = 0;                  ///< threads; 0: one for each processor
 
+  /// Seams of a fill are never taken for creases.
+  void setAngle(double angle_rad);
   /// \throws std::invalid_argument with the offending number.
   void validate() const;
 };
@@ -41,8 +43,7 @@ struct FillHoleReport {
   Model model;           ///< with the fill, or as given
   bool filled = false;   ///< the fill is in the model
   bool reached = false;  ///< every new seam surely reaches the target, and the new faces are sound
-  std::string
-      reason;  ///< why it is not reached, with figures and numbers of the given model; empty where it is
+  std::string reason;    ///< why it is not reached, with numbers of the given model; empty where it is
   std::vector<FilledSide> sides;
   std::vector<FillCorner> corners;
   bool regular = false;  ///< as of NSidedFill

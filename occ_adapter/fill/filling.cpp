@@ -330,11 +330,21 @@ class Filling {
       if (graph.seams[i].kind == SeamKind::Matched && isOfFill(graph.seams[i])) chosen.push_back(i);
     sewn_ = sewnShape(whole_, graph.seams, chosen, reach_mm, [this](int face) { return nameOf(face); });
     if (!sewn_.refused.empty())
-      throw NotFilled("the fill can't be sewn: " + sewn_.refused.begin()->second + nearness());
+      throw NotFilled("the fill can't be sewn " + placeOf(graph.seams[sewn_.refused.begin()->first]) +
+                      nearness());
     for (std::size_t k = 0; k < new_faces_.size(); ++k)
       numbers_.insert(sewn_.faces[firstNewFace() + static_cast<int>(k)]);
     nameFaces();
     requireClosed();
+  }
+
+  /// Of a seam of the fill before it is sewn.
+  std::string placeOf(const Seam& seam) const {
+    for (const FaceUse& side : seam.sides)
+      if (!isNew(side.face))
+        return "to edge " + std::to_string(partsOf(model_.shape, TopAbs_EDGE).FindIndex(side.edge)) + " of " +
+               nameOf(side.face);
+    return "to itself";
   }
 
   std::string nameOf(int face) const { return isNew(face) ? fill_name : names_(face); }
@@ -445,7 +455,25 @@ class Filling {
     const std::string &one = result_.faceName(worst->faces[0]), &other = result_.faceName(worst->faces[1]);
     return (one == other ? "a seam inside " + one : "a seam between " + one + " and " + other) +
            (surelyMisses(*worst) ? " is not " : " does not surely reach ") +
-           std::string(name(options_.target)) + ": " + figuresText(*worst);
+           std::string(name(options_.target)) + ": " + figuresText(*worst) + positionAlone();
+  }
+
+  /// Where sides could not be met with more, as a further clause.
+  std::string positionAlone() const {
+    if (options_.target < Level::G1) return {};
+    double turn_rad = 0;
+    std::string edges;
+    for (const FilledSide& side : result_.sides) {
+      if (!side.position_only) continue;
+      turn_rad = std::max({turn_rad, side.corner_rad[0], side.corner_rad[1]});
+      for (const int edge : side.edges) edges += (edges.empty() ? " " : ", ") + std::to_string(edge);
+    }
+    if (edges.empty()) return {};
+    constexpr double degree = std::numbers::pi / 180;
+    return "; along" + (edges.find(',') == std::string::npos ? std::string(" edge") : std::string(" edges")) +
+           edges +
+           " the faces are met in position alone: at a corner the plane of the next edges leaves theirs by " +
+           text(turn_rad / degree) + " degrees; the target G0 closes the hole";
   }
 
   std::string unsound() const {

@@ -21,7 +21,7 @@ occ::FillHoleOptions optionsOf(const FillArguments& arguments) {
   occ::FillHoleOptions options;
   options.target = *levelFromName(arguments.target);
   options.tolerance.gap_mm = arguments.gap_mm;
-  options.tolerance.angle_rad = arguments.angle_deg * degree;
+  options.setAngle(arguments.angle_deg * degree);
   options.tolerance.curvature_rel = arguments.curvature_rel;
   options.keep_anyway = arguments.keep_anyway;
   options.corner_rad = arguments.corner_deg * degree;

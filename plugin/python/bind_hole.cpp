@@ -64,7 +64,7 @@ FillReport fillModel(const occ::Model& model, const py::object& hole, const py::
   occ::FillHoleOptions options;
   options.target = levelOf(target);
   options.tolerance.gap_mm = argument<double>("gap_mm", gap_mm, "a number");
-  options.tolerance.angle_rad = degree * argument<double>("angle_deg", angle_deg, "a number");
+  options.setAngle(degree * argument<double>("angle_deg", angle_deg, "a number"));
   options.tolerance.curvature_rel = argument<double>("curvature_rel", curvature_rel, "a number");
   options.corner_rad = degree * argument<double>("corner_deg", corner_deg, "a number");
   options.keep_anyway = flagOf("keep_anyway", keep_anyway);

@@ -46,11 +46,22 @@ FacePair facesOf(const occ::SeamResult& seam) {
   return std::minmax(seam.faces[0], seam.faces[1]);
 }
 
-std::set<FacePair> matchedFaces(const occ::Report& report) {
+std::set<FacePair> facesWithCommonEdge(const occ::Report& report) {
   std::set<FacePair> faces;
   for (const occ::SeamResult& seam : report.seams)
-    if (seam.kind == occ::SeamKind::Matched) faces.insert(facesOf(seam));
+    if (seam.kind != occ::SeamKind::Matched) faces.insert(facesOf(seam));
   return faces;
+}
+
+/// A matched seam of faces that have a common edge.
+bool isBeside(const occ::SeamResult& seam, const std::set<FacePair>& common) {
+  return seam.kind == occ::SeamKind::Matched && common.count(facesOf(seam)) > 0;
+}
+
+bool hasMatchedBesideCommon(const occ::Report& report) {
+  const std::set<FacePair> common = facesWithCommonEdge(report);
+  return std::ranges::any_of(report.seams,
+                             [&](const occ::SeamResult& seam) { return isBeside(seam, common); });
 }
 
 }  // namespace
@@ -58,10 +69,10 @@ std::set<FacePair> matchedFaces(const occ::Report& report) {
 Judge judgeOf(const occ::RepairReport& report, const occ::RepairOptions& options) {
   return [&report, &options](const occ::Model& model, const occ::Progress& progress) {
     occ::Report found = occ::analyze(model, occ::analyzeOptions(options), progress);
-    const std::set<FacePair> matched = matchedFaces(report.after);
-    std::erase_if(found.seams, [&matched](const occ::SeamResult& seam) {
-      return seam.kind == occ::SeamKind::Matched && matched.count(facesOf(seam)) == 0;
-    });
+    if (!hasMatchedBesideCommon(report.after))
+      std::erase_if(found.seams, [common = facesWithCommonEdge(found)](const occ::SeamResult& seam) {
+        return isBeside(seam, common);
+      });
     return countsOf(found);
   };
 }

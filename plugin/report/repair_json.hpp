@@ -23,8 +23,8 @@ struct RepairSummary {
 
 RepairSummary summarize(const occ::RepairReport& report);
 
-/// Counts in a file the seams of the analysis that the repair is judged by. Of matched ones those between faces that have some in memory:
-/// where edges that were sewn go on apart from one another, they would match again. Both arguments have to outlive it.
+/// Counts in a file the seams of the analysis that the repair is judged by. Where no faces with a common edge have a matched seam besides in
+/// memory, such seams are left out: edges that were sewn and go on apart from one another would match again. Both arguments have to outlive it.
 Judge judgeOf(const occ::RepairReport& report, const occ::RepairOptions& options);
 
 nlohmann::ordered_json toJson(const RepairSummary& summary);
