@@ -78,7 +78,8 @@ struct FillHoleReport {
 /// that all faces around it lie on. Such a fill has no sides and corners in the report. Else it is built of patches:
 ///
 /// A hole of 3 to 12 corners, none above pi, gets as many faces (nSidedFill()). One of fewer corners is cut into four sides, those
-/// first that are longest and turn most, at joints of its edges where these are near: it gets five faces (ringFill()), as does one of up to
+/// first that are longest and turn most, at joints of its edges where these are near, and a smooth one where that does not do at other
+/// joints and where it turns most: it gets five faces (ringFill()), as does one of up to
 /// four corners of which some are above pi.
 ///
 /// Edges and tangent planes along the sides are fitted by polynomials to a twentieth of the tolerance, exactly where they are such. Where the

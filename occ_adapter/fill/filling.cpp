@@ -143,14 +143,18 @@ class Filling {
     const std::vector<HoleAngle> angles = anglesOf(hole_, gap_mm);
     is_ring_ = corners < 3 || (corners <= ring_sides && std::ranges::any_of(angles, isReflex));
     for (std::size_t k = 0; k < angles.size(); ++k) requireAngle(angles[k], k);
-    stretches_ = is_ring_ ? cutSides(hole_, ring_sides, gap_mm, true) : wholeSides(hole_);
-    fitted_ = fitted(stretches_);
-    if (is_ring_ && misses(fitted_) > 1) {
-      const std::vector<SideStretch> even = cutSides(hole_, ring_sides, gap_mm, false);
-      std::vector<FittedSide> other = fitted(even);
-      if (misses(other) < misses(fitted_)) stretches_ = even, fitted_ = std::move(other);
-    }
-    tellSides();
+    cuts_ = {fitted(is_ring_ ? cutSides(hole_, ring_sides, gap_mm, true) : wholeSides(hole_))};
+    if (is_ring_ && cuts_.front().misses > 1) addCuts();
+  }
+
+  /// Other places where a hole is cut into the sides of a ring, those that are fitted best first.
+  void addCuts() {
+    const double gap_mm = options_.tolerance.gap_mm / share;
+    cuts_.push_back(fitted(cutSides(hole_, ring_sides, gap_mm, false)));
+    if (!hole_.has_corners)
+      for (std::vector<SideStretch>& cut : loopCuts(hole_, ring_sides, gap_mm))
+        cuts_.push_back(fitted(std::move(cut)));
+    std::ranges::stable_sort(cuts_, {}, &Cut::misses);
   }
 
   static bool isReflex(const HoleAngle& corner) { return corner.angle_rad > std::numbers::pi; }
@@ -173,18 +177,26 @@ class Filling {
              std::to_string(ring_sides) + " corners has to be cut in two there, by a face between");
   }
 
-  std::vector<FittedSide> fitted(const std::vector<SideStretch>& stretches) const {
+  /// Sides, and what is reached by them over what is asked for.
+  struct Cut {
+    std::vector<SideStretch> stretches;
+    std::vector<FittedSide> fitted;
+    double misses = 0;
+  };
+
+  Cut fitted(std::vector<SideStretch> stretches) const {
     // A ring of position alone is asked for; corners say so themselves, smooth loops do not.
     const bool position_only = is_ring_ && options_.target == Level::G0;
-    return fitSides(hole_.sides, stretches,
-                    {.gap_mm = options_.tolerance.gap_mm / share,
-                     .angle_rad = options_.tolerance.angle_rad / share,
-                     .most_degree = attempt_.most_degree,
-                     .planar_rad = position_only ? -1 : most_planar_rad,
-                     .curvature = attempt_.curvature_raise.has_value()});
+    std::vector<FittedSide> sides = fitSides(hole_.sides, stretches,
+                                             {.gap_mm = options_.tolerance.gap_mm / share,
+                                              .angle_rad = options_.tolerance.angle_rad / share,
+                                              .most_degree = attempt_.most_degree,
+                                              .planar_rad = position_only ? -1 : most_planar_rad,
+                                              .curvature = attempt_.curvature_raise.has_value()});
+    const double most = misses(sides);
+    return {std::move(stretches), std::move(sides), most};
   }
 
-  /// What is reached over what is asked for.
   double misses(const std::vector<FittedSide>& sides) const {
     double most = 0;
     for (const FittedSide& side : sides)
@@ -206,9 +218,9 @@ class Filling {
       const HoleSide& of_hole = hole_.sides[stretches_[k].side];
       double begin_mm = 0;
       for (const HoleEdge& edge : of_hole.edges) {
-        const double end_mm = begin_mm + edge.length_mm;
-        if (end_mm > stretches_[k].begin * of_hole.length_mm &&
-            begin_mm < stretches_[k].end * of_hole.length_mm)
+        const double end_mm = begin_mm + edge.length_mm, round_mm = of_hole.length_mm;
+        const double first_mm = stretches_[k].begin * round_mm, last_mm = stretches_[k].end * round_mm;
+        if ((end_mm > first_mm && begin_mm < last_mm) || begin_mm + round_mm < last_mm)
           told.edges.push_back(edge.edge);
         begin_mm = end_mm;
       }
@@ -217,9 +229,7 @@ class Filling {
   }
 
   void build() {
-    std::vector<FillSide> sides;
-    for (const FittedSide& side : fitted_) sides.push_back(side.side);
-    for (const BSplineSurface& surface : is_ring_ ? ringSurfaces(sides) : starSurfaces(sides)) {
+    for (const BSplineSurface& surface : surfaces()) {
       const bool is_patch = surface.countU() == surface.degree_u + 1;
       const opencascade::handle<Geom_Surface> geometry =
           is_patch ? opencascade::handle<Geom_Surface>(toBezierSurface(bezierPatch(surface)))
@@ -229,6 +239,37 @@ class Filling {
       new_faces_.push_back(face.Face());
       result_.reach = std::max(result_.reach, reachOf(surface, fitted_));
     }
+  }
+
+  /// Of the first cut, or of the first one that may do and is regular.
+  std::vector<BSplineSurface> surfaces() {
+    if (!is_ring_) {
+      take(cuts_.front());
+      return starSurfaces(sides());
+    }
+    std::vector<BSplineSurface> result;
+    for (const Cut& cut : cuts_) {
+      if (!result.empty() && cut.misses > share) break;
+      take(cut);
+      result = ringSurfaces(sides());
+      if (result_.regular) return result;
+    }
+    if (cuts_.size() == 1) return result;
+    take(cuts_.front());
+    return ringSurfaces(sides());
+  }
+
+  void take(const Cut& cut) {
+    stretches_ = cut.stretches;
+    fitted_ = cut.fitted;
+    result_.sides.clear();
+    tellSides();
+  }
+
+  std::vector<FillSide> sides() const {
+    std::vector<FillSide> sides;
+    for (const FittedSide& side : fitted_) sides.push_back(side.side);
+    return sides;
   }
 
   /// By how much more than the degree that G1 asks for, at least \p more than that of the cross fields; time grows with its sixth power, so
@@ -344,12 +385,17 @@ class Filling {
     if (fitted_.empty()) return {};
     const auto worst = std::ranges::max_element(fitted_, {}, &FittedSide::gap_mm);
     if (worst->gap_mm <= options_.tolerance.gap_mm) return {};
+    const HoleAngle turn = sharpestTurn(hole_, options_.tolerance.gap_mm / share);
+    if (turn.angle_rad > most_planar_rad)
+      return "; edges " + std::to_string(turn.edges[0]) + " and " + std::to_string(turn.edges[1]) +
+             " are one side, but turn by " + text(turn.angle_rad * 180 / std::numbers::pi) + " degrees at " +
+             placeText(turn.point) + ": a corner angle below that makes a corner of it";
     std::string edges;
     const FilledSide& side = result_.sides.at(static_cast<std::size_t>(worst - fitted_.begin()));
     for (const int edge : side.edges) edges += (edges.empty() ? " " : ", ") + std::to_string(edge);
     return "; one polynomial meets the side about " + placeText(worst->side.edge.point(0.5)) + " (" +
            (side.edges.size() == 1 ? "edge" : "edges") + edges + ") to " + text(worst->gap_mm) +
-           " mm alone: a corner there, as between two edges, would help, or a larger gap";
+           " mm alone: a larger gap would help, or a face put across the hole there first";
   }
 
   static std::string text(double value) {
@@ -459,6 +505,7 @@ class Filling {
 
   void keep() {
     result_.reason = missed();
+    if (!result_.reason.empty()) result_.reason += nearness();
     if (result_.reason.empty()) result_.reason = misshapen();
     const std::string fault = unsound();
     if (!fault.empty()) result_.reason = fault;
@@ -477,6 +524,7 @@ class Filling {
   FillAttempt attempt_;
   const char* doing_ = "";  ///< for what fails
   bool is_ring_ = false;
+  std::vector<Cut> cuts_;  ///< of the hole into sides, in the order in which they are tried
   std::vector<SideStretch> stretches_;
   std::vector<FittedSide> fitted_;
   std::vector<TopoDS_Face> new_faces_;

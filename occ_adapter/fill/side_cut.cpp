@@ -33,6 +33,25 @@ class Progression {
   }
   double total() const { return come_[count]; }
 
+  /// Where it turns most.
+  double bent() const {
+    int most = 0;
+    for (int k = 1; k < count; ++k)
+      if (turning_[k + 1] - turning_[k] > turning_[most + 1] - turning_[most]) most = k;
+    return (come_[most] + come_[most + 1]) / 2;
+  }
+
+  /// Of a loop, any number of times around.
+  double shareAround(double come) const {
+    const double rounds = std::floor(come / total());
+    return rounds + shareAt(come - rounds * total());
+  }
+
+  double comeAt(double share) const {
+    const int k = std::min(static_cast<int>(share * count), count - 1);
+    return come_[k] + (share * count - k) * (come_[k + 1] - come_[k]);
+  }
+
   double shareAt(double come) const {
     const auto after = std::upper_bound(come_.begin() + 1, come_.end() - 1, come);
     const int k = static_cast<int>(after - come_.begin()) - 1;
@@ -74,28 +93,33 @@ std::vector<int> partsOf(const std::vector<Progression>& progressions, std::size
   return parts;
 }
 
+/// By how much the turning on short ways before and after a share of the length differs where that is a jump, else 0; at 0, from the end
+/// of the path to its beginning.
+double bendAt(const SidePath& path, double at) {
+  constexpr double most_step = 1.0 / 256, least_jump = 0.1;
+  const double end = at > 0 ? at : 1, step = std::min({most_step, end, 1 - at});
+  const auto turn = [&](double from, double to) {
+    const Vector3d a = path.atShare(from, true).derivative, b = path.atShare(to, false).derivative;
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+  };
+  const double before = turn(end - step, end), after = turn(at, at + step);
+  const double jump = std::abs(before - after);
+  return jump > least_jump * std::max(before, after) + 1e-9 ? jump : 0;
+}
+
 /// Joints at which the curvature of the path jumps, as between a line and an arc: no polynomial goes across them well.
 std::vector<double> bendJoints(const SidePath& path) {
-  constexpr double step = 1.0 / 256, least_jump = 0.1;
-  std::vector<double> joints;
-  for (const double at : path.joints()) {
-    const auto turn = [&](double from, double to) {
-      const Vector3d a = path.atShare(std::max(0.0, from), true).derivative,
-                     b = path.atShare(std::min(1.0, to), false).derivative;
-      return std::atan2(a.cross(b).norm(), a.dot(b));
-    };
-    const double before = turn(at - step, at), after = turn(at, at + step);
-    if (std::abs(before - after) > least_jump * std::max(before, after) + 1e-9) joints.push_back(at);
-  }
+  std::vector<double> joints = path.joints();
+  std::erase_if(joints, [&](double at) { return bendAt(path, at) == 0; });
   return joints;
 }
 
-/// The nearest joint to each cut, each at most once, nearer than a third of the mean stretch.
-void moveToJoints(std::vector<double>& cuts, std::vector<double> joints, std::size_t parts) {
+/// The nearest joint to each cut, each at most once, no farther than \p reach.
+void moveToJoints(std::vector<double>& cuts, std::vector<double> joints, double reach) {
   for (double& cut : cuts) {
     if (joints.empty()) return;
     const auto nearest = std::ranges::min_element(joints, {}, [&](double at) { return std::abs(at - cut); });
-    if (std::abs(*nearest - cut) > 1 / (3.0 * static_cast<double>(parts))) continue;
+    if (std::abs(*nearest - cut) > reach) continue;
     cut = *nearest;
     joints.erase(nearest);
   }
@@ -107,6 +131,92 @@ std::vector<SidePath> pathsOf(const Hole& hole, double gap_mm) {
   for (const HoleSide& side : hole.sides) paths.emplace_back(side, gap_mm);
   return paths;
 }
+
+/// The places of a smooth loop, by shares of its length, where it may be cut.
+class LoopCutter {
+ public:
+  LoopCutter(const Hole& hole, std::size_t count, double gap_mm)
+      : side_(hole.sides.front()),
+        count_(count),
+        path_(side_, gap_mm),
+        come_(progressionsOf({path_}).front()),
+        joints_(path_.joints()) {
+    joints_.insert(joints_.begin(), 0);
+  }
+
+  /// Joints at which the curvature jumps by no less than a fifth of the largest jump.
+  std::vector<double> bends() const {
+    std::vector<double> jumps;
+    for (const double at : joints_) jumps.push_back(bendAt(path_, at));
+    const double most = std::ranges::max(jumps);
+    std::vector<double> bends;
+    for (std::size_t k = 0; k < jumps.size(); ++k)
+      if (jumps[k] > 0 && jumps[k] >= most / 5) bends.push_back(joints_[k]);
+    return bends;
+  }
+
+  /// Joints where the hole goes from one face to another.
+  std::vector<double> faceJoints() const {
+    std::vector<double> between;
+    for (std::size_t k = 0; k < joints_.size(); ++k) {
+      const std::size_t before = (k + joints_.size() - 1) % joints_.size();
+      if (side_.edges[before].use.face != side_.edges[k].use.face) between.push_back(joints_[k]);
+    }
+    return between;
+  }
+
+  /// By so many stretches after where it turns most.
+  double bent(double shift) const {
+    return come_.shareAround(come_.bent() + shift * come_.total() / static_cast<double>(count_));
+  }
+
+  /// The first stretch begins at a share, or at a joint so near that a sliver would be left; the others end at the joints given where these
+  /// are near, or at any to which a sliver would be left.
+  std::vector<SideStretch> cut(double begin, std::vector<double> joints) const {
+    constexpr double near = 1 / 3.0, sliver = 1 / 20.0;
+    begin = moved(begin, sliver);
+    std::vector<double> cuts;
+    const double first = come_.comeAt(begin);
+    for (std::size_t k = 1; k < count_; ++k)
+      cuts.push_back(
+          come_.shareAround(first + come_.total() * static_cast<double>(k) / static_cast<double>(count_)) -
+          begin);
+    moveToJoints(cuts, after(begin, std::move(joints)), near / static_cast<double>(count_));
+    moveToJoints(cuts, after(begin, joints_), sliver / static_cast<double>(count_));
+    cuts.push_back(1);
+    std::vector<SideStretch> stretches;
+    double last = 0;
+    for (const double next : cuts) {
+      const double rounds = std::floor(begin + last);
+      stretches.push_back({0, begin + last - rounds, begin + next - rounds, true});
+      last = next;
+    }
+    return stretches;
+  }
+
+ private:
+  double moved(double at, double stretches) const {
+    at -= std::floor(at);
+    double nearest = at, reach = stretches / static_cast<double>(count_);
+    for (const double joint : joints_)
+      for (const double same : {joint, joint + 1})
+        if (std::abs(same - at) < reach) nearest = joint, reach = std::abs(same - at);
+    return nearest;
+  }
+
+  /// In (0, 1), counted from the beginning.
+  static std::vector<double> after(double begin, std::vector<double> joints) {
+    for (double& joint : joints) joint -= begin + std::floor(joint - begin);
+    std::erase_if(joints, [](double joint) { return !(joint > 0); });
+    return joints;
+  }
+
+  const HoleSide& side_;
+  std::size_t count_;
+  SidePath path_;
+  Progression come_;
+  std::vector<double> joints_;  ///< the beginning among them
+};
 
 }  // namespace
 
@@ -125,7 +235,7 @@ std::vector<SideStretch> cutSides(const Hole& hole, std::size_t count, double ga
     std::vector<double> cuts;
     for (int part = 1; part < parts[k]; ++part)
       cuts.push_back(progressions[k].shareAt(progressions[k].total() * part / parts[k]));
-    if (at_joints) moveToJoints(cuts, bendJoints(paths[k]), static_cast<std::size_t>(parts[k]));
+    if (at_joints) moveToJoints(cuts, bendJoints(paths[k]), 1 / (3.0 * parts[k]));
     cuts.push_back(1);
     double begin = 0;
     for (const double end : cuts) {
@@ -134,6 +244,32 @@ std::vector<SideStretch> cutSides(const Hole& hole, std::size_t count, double ga
     }
   }
   return stretches;
+}
+
+std::vector<std::vector<SideStretch>> loopCuts(const Hole& hole, std::size_t count, double gap_mm) {
+  const LoopCutter loop(hole, count, gap_mm);
+  std::vector<std::vector<SideStretch>> cuts;
+  for (const std::vector<double>& joints : {loop.bends(), loop.faceJoints()})
+    if (!joints.empty()) cuts.push_back(loop.cut(joints.front(), joints));
+  for (const double shift : {0.0, 0.5}) cuts.push_back(loop.cut(loop.bent(shift), {}));
+  return cuts;
+}
+
+HoleAngle sharpestTurn(const Hole& hole, double gap_mm) {
+  HoleAngle sharpest{0, Eigen::Vector3d::Zero(), {}};
+  for (const HoleSide& side : hole.sides) {
+    const SidePath path(side, gap_mm);
+    std::vector<double> joints = path.joints();
+    if (!hole.has_corners) joints.push_back(0);
+    for (const double at : joints) {
+      const SideSample in = path.atShare(at > 0 ? at : 1, false), out = path.atShare(at, true);
+      const double turn_rad =
+          std::atan2(in.derivative.cross(out.derivative).norm(), in.derivative.dot(out.derivative));
+      if (turn_rad > sharpest.angle_rad)
+        sharpest = {turn_rad, out.point, {path.edgeAt(at > 0 ? at - 1e-9 : 1), path.edgeAt(at)}};
+    }
+  }
+  return sharpest;
 }
 
 std::vector<HoleAngle> anglesOf(const Hole& hole, double gap_mm) {

@@ -13,7 +13,7 @@ namespace seamwright::occ {
 /// A part of a side of a hole, by shares of its length.
 struct SideStretch {
   std::size_t side = 0;
-  double begin = 0, end = 1;
+  double begin = 0, end = 1;     ///< of a smooth loop the end may be beyond 1, up to begin + 1
   bool begins_smoothly = false;  ///< it goes on from the stretch before it without a corner
 };
 
@@ -25,6 +25,11 @@ std::vector<SideStretch> wholeSides(const Hole& hole);
 /// \pre the hole has no more sides. \throws as SidePath.
 std::vector<SideStretch> cutSides(const Hole& hole, std::size_t count, double gap_mm, bool at_joints);
 
+/// Ways to cut a smooth loop into so many stretches of nearly the same sum of length and turning: at joints of lines and arcs; at joints of
+/// faces; from where it turns most; and from half a stretch after that. No stretch ends so near to a joint of edges that a sliver is left.
+/// \pre the hole has no corners. \throws as SidePath.
+std::vector<std::vector<SideStretch>> loopCuts(const Hole& hole, std::size_t count, double gap_mm);
+
 /// A corner of a hole, where a side begins.
 struct HoleAngle {
   double angle_rad = 0;  ///< of the hole, seen as its faces are turned, in [0, 2 pi]
@@ -34,5 +39,8 @@ struct HoleAngle {
 
 /// The corners of a hole in the order of its sides; empty where it is smooth. \throws as SidePath.
 std::vector<HoleAngle> anglesOf(const Hole& hole, double gap_mm);
+
+/// Where the tangent turns most between two edges of one side, with that angle in [0, pi]; 0 where no side has two. \throws as SidePath.
+HoleAngle sharpestTurn(const Hole& hole, double gap_mm);
 
 }  // namespace seamwright::occ

@@ -2,6 +2,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <numbers>
 #include <stdexcept>
@@ -18,8 +19,56 @@ namespace {
 using Eigen::Index, Eigen::Vector3d;
 
 /// The parameter along a stretch: that of its edge, or arc length, or between arc length and one in which each edge has as much as the root
-/// of its length: then short edges have more of the freedom of a polynomial.
-enum class Speed { Own, Even, Rooted };
+/// of its length: then short edges have more of the freedom of a polynomial; or nearly affine arc length, in which ellipses and parabolas
+/// are passed as by their own parameters.
+enum class Speed { Own, Even, Rooted, Bent };
+
+/// The share of a stretch as a function of t with dt / ds as the cube root of the geodesic curvature, which is smooth where the path goes
+/// from one surface to another that is tangent to it. Straight parts get a little.
+class BentShare {
+ public:
+  /// \param at the path at shares of the stretch. Its normals may turn over between edges, as faces do.
+  explicit BentShare(const std::function<SideSample(double)>& at) {
+    std::vector<SideSample> samples;
+    for (int k = 0; k <= 2 * pieces; ++k) samples.push_back(at(k / (2.0 * pieces)));
+    std::vector<double> bending(samples.size());  // per stretch
+    for (std::size_t k = 1; k + 1 < samples.size(); ++k)
+      bending[k] = pieces * (samples[k + 1].derivative.normalized() - samples[k - 1].derivative.normalized())
+                                .dot(samples[k].beyond);
+    bending.front() = 2 * bending[1] - bending[2];
+    bending.back() = 2 * bending[2 * pieces - 1] - bending[2 * pieces - 2];
+    double mean = 0;
+    for (const double one : bending) mean += std::abs(one) / static_cast<double>(bending.size());
+    const double least = straight_rad + straight_share * mean;
+    const auto rate = [&](int k) { return std::cbrt(std::hypot(bending[k], least)); };
+    for (int k = 0; k <= pieces; ++k) rate_[k] = rate(2 * k);
+    for (int k = 0; k < pieces; ++k)
+      come_[k + 1] = come_[k] + (rate(2 * k) + 4 * rate(2 * k + 1) + rate(2 * k + 2)) / (6 * pieces);
+  }
+
+  /// The share at t and its derivative.
+  std::array<double, 2> at(double t) const {
+    const double come = t * come_[pieces];
+    const auto after = std::upper_bound(come_.begin() + 1, come_.end() - 1, come);
+    const int k = static_cast<int>(after - come_.begin()) - 1;
+    double x = (come - come_[k]) / (come_[k + 1] - come_[k]);
+    for (int step = 0; step < 4; ++step) x -= (within(k, x)[0] - come) / within(k, x)[1];
+    return {(k + x) / pieces, come_[pieces] / (pieces * within(k, x)[1])};
+  }
+
+ private:
+  static constexpr int pieces = 128;
+  static constexpr double straight_rad = 0.02, straight_share = 0.03;
+
+  /// Hermite's cubic on a piece, and its derivative by x.
+  std::array<double, 2> within(int k, double x) const {
+    const double rise = come_[k + 1] - come_[k], a = rate_[k] / pieces, b = rate_[k + 1] / pieces;
+    const double square = 3 * rise - 2 * a - b, cube = a + b - 2 * rise;
+    return {come_[k] + x * (a + x * (square + x * cube)), a + x * (2 * square + 3 * x * cube)};
+  }
+
+  std::array<double, pieces + 1> rate_{}, come_{};
+};
 
 /// A stretch of a side over t in [0, 1].
 class StretchPath {
@@ -32,16 +81,37 @@ class StretchPath {
 
   SideSample at(double t, Speed speed) const {
     if (speed == Speed::Own) {
-      const double first = path_->placeOf(stretch_.begin), range = path_->placeOf(stretch_.end) - first;
-      return placed(path_->atPlace(first + t * range), t, range);
+      const double first = path_->placeOf(stretch_.begin), range = placeAround(stretch_.end) - first;
+      const double place = first + t * range;
+      return placed(path_->atPlace(place > 1 ? place - 1 : place), t, range);
     }
-    const double range = stretch_.end - stretch_.begin, slope = speed == Speed::Even ? 1 : slope_;
-    const double share = stretch_.begin + t * (slope + (1 - slope) * t) * range;
-    return placed(path_->atShare(t == 1 ? stretch_.end : share, t < 1), t,
-                  (slope + 2 * (1 - slope) * t) * range);
+    if (speed == Speed::Bent) {
+      const auto [share, rate] = bentShare().at(t);
+      return placed(atShare(t == 1 ? 1 : share), t, rate * range());
+    }
+    const double slope = speed == Speed::Even ? 1 : slope_;
+    return placed(atShare(t == 1 ? 1 : t * (slope + (1 - slope) * t)), t,
+                  (slope + 2 * (1 - slope) * t) * range());
   }
 
  private:
+  double range() const { return stretch_.end - stretch_.begin; }
+
+  /// At a share of the stretch.
+  SideSample atShare(double part) const {
+    const double share = part == 1 ? stretch_.end : stretch_.begin + part * range();
+    return share > 1 ? path_->atShare(share - 1, part < 1) : path_->atShare(share, part < 1);
+  }
+
+  double placeAround(double share) const {
+    return share > 1 ? 1 + path_->placeOf(share - 1) : path_->placeOf(share);
+  }
+
+  const BentShare& bentShare() const {
+    if (!bent_) bent_ = std::make_shared<const BentShare>([this](double part) { return atShare(part); });
+    return *bent_;
+  }
+
   static SideSample placed(SideSample sample, double t, double range) {
     sample.t = t;
     sample.derivative *= range;
@@ -53,9 +123,11 @@ class StretchPath {
     constexpr double least = 0.25;
     std::vector<double> ends;
     for (const double joint : path_->joints())
-      if (joint > stretch_.begin && joint < stretch_.end)
-        ends.push_back((joint - stretch_.begin) / (stretch_.end - stretch_.begin));
+      for (const double share : {joint, joint + 1})
+        if (share > stretch_.begin && share < stretch_.end)
+          ends.push_back((share - stretch_.begin) / range());
     ends.push_back(1);
+    std::ranges::sort(ends);
     std::vector<double> roots;
     for (std::size_t k = 0; k < ends.size(); ++k)
       roots.push_back((k == 0 ? 0 : roots.back()) + std::sqrt(ends[k] - (k == 0 ? 0 : ends[k - 1])));
@@ -70,7 +142,8 @@ class StretchPath {
 
   std::shared_ptr<const SidePath> path_;
   SideStretch stretch_;
-  double slope_;  ///< of Speed::Rooted where the stretch begins
+  double slope_;                                   ///< of Speed::Rooted where the stretch begins
+  mutable std::shared_ptr<const BentShare> bent_;  ///< once it is asked for
 };
 
 std::vector<SideSample> samplesOf(const StretchPath& path, Speed speed, int count) {
@@ -239,16 +312,22 @@ class SideFit {
     enough_rad_ = std::max(options_.angle_rad, rounding * std::ranges::max(corner_rad_));
     const std::array<SideFitEnd, 2> ends = {begin.begin, end.end};
     const std::array<Vector3d, 2> normals = {begin.normal, end.normal};
-    const auto [first, second] = speeds();
-    std::vector<EdgeFit> edges = {nearestEdge(first, ends)};
-    if (edges[0].miss > 1) edges.push_back(nearestEdge(second, ends));
-    if (edges.back().miss < edges.front().miss) std::swap(edges.front(), edges.back());
-    FittedSide best = sideOf(edges[0], normals);
-    if (missOf(best) <= 1) return best;
-    if (edges.size() == 1) edges.push_back(nearestEdge(second, ends));
-    if (edges[1].miss >= missOf(best)) return best;
-    FittedSide other = sideOf(edges[1], normals);
-    return missOf(other) < missOf(best) ? other : best;
+    std::optional<FittedSide> best;
+    std::vector<EdgeFit> edges;
+    const auto all = speeds();
+    for (const Speed speed : all) {
+      edges.push_back(nearestEdge(speed, ends));
+      if (edges.back().miss > 1 && speed != all.back()) continue;
+      std::ranges::stable_sort(edges, {}, &EdgeFit::miss);
+      for (const EdgeFit& edge : edges) {
+        if (best && edge.miss >= missOf(*best)) continue;
+        FittedSide side = sideOf(edge, normals);
+        if (!best || missOf(side) < missOf(*best)) best = std::move(side);
+      }
+      if (missOf(*best) <= 1) break;
+      edges.clear();
+    }
+    return std::move(*best);
   }
 
  private:
@@ -266,8 +345,9 @@ class SideFit {
     double miss = HUGE_VAL;  ///< what is reached over what is asked for
   };
 
-  std::array<Speed, 2> speeds() const {
-    return path_.isOneEdge() ? std::array{Speed::Own, Speed::Even} : std::array{Speed::Even, Speed::Rooted};
+  std::array<Speed, 3> speeds() const {
+    return path_.isOneEdge() ? std::array{Speed::Own, Speed::Even, Speed::Bent}
+                             : std::array{Speed::Even, Speed::Rooted, Speed::Bent};
   }
 
   std::shared_ptr<const Samples> samplesAt(Speed speed) const {
