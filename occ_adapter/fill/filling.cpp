@@ -487,7 +487,7 @@ class Filling {
   }
 
   /// What is wrong with the new faces although their seams are good.
-  std::string misshapen() const {
+  std::string misshapen() {
     if (!result_.regular) return "the new faces are not proved regular: they may fold over";
     if (turnsBack(new_faces_, fitted_))
       return "the new faces turn back over themselves, as their surroundings do not";
