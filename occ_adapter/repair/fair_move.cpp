@@ -49,7 +49,8 @@ void FairMove::addPlace(const Place& place) {
   if (!conditions_.canChange(shares.poles)) return;
   conditions_.addPoint(shares.poles, shares.share.row(0), target.point, 1 / (task_.share * tolerance.gap_mm));
   if (place.order < 1) return;
-  if (!place.turn.isZero())
+  // Else the point is met more closely than the turn asks for.
+  if (place.turn.norm() * tolerance.gap_mm > tolerance.angle_rad)
     conditions_.add(shares.poles, shares.share.row(0), place.turn,
                     Eigen::VectorXd::Constant(1, place.turn.dot(target.point)),
                     1 / (task_.share * tolerance.angle_rad));

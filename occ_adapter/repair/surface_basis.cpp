@@ -111,14 +111,15 @@ PoleShares SurfaceBasis::at(const Eigen::Vector2d& uv, const Eigen::Vector2d& in
   const int count = (u_.degree + 1) * (v_.degree + 1);
   shares.poles.reserve(count);
   shares.share.resize(rows, count);
-  constexpr std::array<std::array<int, 2>, 6> orders = {{{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}};
   for (int i = 0; i <= u_.degree; ++i)
     for (int j = 0; j <= v_.degree; ++j) {
       const int column = static_cast<int>(shares.poles.size());
       shares.poles.push_back(pole(u_.pole(span_u - u_.degree + i), v_.pole(span_v - v_.degree + j)));
       const double weight = weights_.size() == 0 ? 1 : weights_[shares.poles.back()];
-      for (int k = 0; k < rows; ++k)
-        shares.share(k, column) = weight * a(orders[k][0], i) * b(orders[k][1], j);
+      auto share = shares.share.col(column);
+      share.head<3>() << a(0, i) * b(0, j), a(1, i) * b(0, j), a(0, i) * b(1, j);
+      if (order > 1) share.tail<3>() << a(2, i) * b(0, j), a(1, i) * b(1, j), a(0, i) * b(2, j);
+      share *= weight;
     }
   if (weights_.size() == 0) return shares;
   // The derivatives of sum N w P / sum N w by the rule for quotients.
