@@ -107,6 +107,12 @@ class FaceFollower {
   /// \pre looked at all places, or at a sample that is missed
   bool isMet() const { return now_.misses.largest() <= task_.share; }
 
+  /// Of the tolerance: what is met to that is met no closer by less fair moves.
+  double enough() const {
+    const bool has_cost_much = now_.refinements > 0 && work_ >= task_.fair_work;
+    return has_cost_much ? std::max(task_.share, task_.fair_share) : task_.share;
+  }
+
   /// What is missed, over the tolerance, or the move over the one allowed.
   double excess(const Stage& stage) const {
     return std::max(stage.misses.largest(), stage.surface.largestMove_mm() / task_.max_move_mm);
@@ -172,7 +178,7 @@ class FaceFollower {
   /// from one step fairer than before. The first step is for curvature alone: beside its soft rows the others may well be met by fairer moves.
   /// Where a step makes the move much longer and gains little, knots are what is missing.
   void moveFairly() {
-    constexpr double better = 0.5, of_its_size = 2;
+    constexpr double better = 0.5, of_its_size = 2, far = 1.5;
     constexpr std::array<double, 5> fairnesses = {3, 0.1, 0.01, 1e-3, 1e-4};
     constexpr std::size_t for_curvature = 1;
     double before = infinite, limit = infinite;
@@ -185,7 +191,10 @@ class FaceFollower {
       const double shorter = now_.surface.largestMove_mm();
       move(fairnesses[k], conditions);
       const double longer = now_.surface.largestMove_mm();
-      if (longer > limit) return holdBack(fairer);
+      if (longer > limit) {
+        held_back_at_ = before;
+        return holdBack(fairer);
+      }
       lookAtSamples();
       const double missed = now_.misses.atSamples();
       const bool gains_nothing = missed > better * before || missed == infinite;
@@ -193,11 +202,14 @@ class FaceFollower {
       const bool was_near = before <= std::max(1.0, better * given_);
       if (gently_ && gains_nothing && grows && was_near) return holdBack(fairer);
       now_.fairness = k;
+      was_held_back_ =
+          gently_ && order_ < 2 && k == for_curvature && missed > std::max(far, better * held_back_at_);
+      if (was_held_back_) return lookBetween();
       const bool is_last = missed <= task_.share / 2 ||
                            (gains_nothing && k > std::max(first, for_curvature)) ||
                            k + 1 == fairnesses.size();
-      if (is_last || missed <= task_.share) lookBetween();
-      if (is_last || isMet()) return;
+      if (is_last || missed <= enough()) lookBetween();
+      if (is_last || now_.misses.largest() <= enough()) return;
       before = missed;
       if (gently_ && (k >= for_curvature || missed <= 1) && limit == infinite)
         limit = of_its_size * std::max(longer, task_.tolerance.gap_mm);
@@ -245,8 +257,9 @@ class FaceFollower {
   int order_ = 1;  ///< the highest of a path, at least 1
   bool gently_ = true;
   bool was_held_back_ = false;
-  double given_ = 0;  ///< the largest ratio at samples of the surface given
-  int work_ = 0;      ///< moves solved for so far
+  double held_back_at_ = infinite;  ///< the ratio at samples, before, where a longer move was held back
+  double given_ = 0;                ///< the largest ratio at samples of the surface given
+  int work_ = 0;                    ///< moves solved for so far
   Stage now_;
 };
 

@@ -50,8 +50,9 @@ struct FaceTask {
   /// No refinement once so many moves of poles were solved for, summed over all solutions: a limit of the work that depends neither on the
   /// machine nor on threads.
   int max_work = 50000;
-  double fair_share = 0.7;  ///< what is met to this share of the tolerance is refined no more ...
-  int fair_work = 5000;     ///< ... once so many were solved for
+  /// What was refined and is met to this share of the tolerance is refined, and moved less fairly, no more ...
+  double fair_share = 0.7;
+  int fair_work = 5000;  ///< ... once so many were solved for
   double max_move_mm =
       std::numeric_limits<double>::infinity();  ///< targets further away are refused before any work
   std::function<bool()> is_cancelled = {};      ///< asked before each solution; may be none

@@ -8,9 +8,11 @@
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <TopoDS.hxx>
 #include <cmath>
 #include <gp_Cylinder.hxx>
+#include <numbers>
 
 #include "corner_solids.hpp"
 #include "curved_corners.hpp"
@@ -45,26 +47,28 @@ std::ostream& operator<<(std::ostream& stream, const Case& of) {
 }
 
 std::vector<Case> cases() {
-  return {{"Wedge", wedge(20, 30), {20, 0, 0}, {1, 2, 3}},
-          {"Cone", BRepPrimAPI_MakeCone(20, 10, 30, 1.5).Shape(), {20, 0, 0}, {1, 2, 3}},
-          {"BoxLessBall", boxLessBall(), {10, 0, 0}, {1}},
-          {"Octant", BRepAlgoAPI_Common(box(20, 20, 20), ball(15)).Shape(), {15, 0, 0}, {0.1, 2, 1}},
-          {"BaseOfPyramid", regularPyramid(4, 10), {10, 0, 0}, {1}},
-          {"BoxLessCylinder",
-           BRepAlgoAPI_Cut(box(40, 40, 20), upright({0, 20, -1}, 10, 30)).Shape(),
-           {0, 10, 20},
-           {1, 2, 1.5}},
-          {"BlockOnCylinder", blockOnCylinder(), {std::sqrt(375.0), 5, 15}, {1, 2, 1}},
-          {"LeftHanded", extrudedQuarterDisc(), {0, 20, 0}, {1, 0.5, 0.2}},
-          {"BossInNotch",
-           BRepAlgoAPI_Fuse(notchedCube(), upright({10, 5, 0}, 3, 7)).Shape(),
-           {7, 5, 7},
-           {0.3, 0.5, 0.2}},
-          {"EdgeThatRunsOn", boxWithRoundEdge(), {0, 0, 10}, {1, 2, 0.5}},
-          {"DomeOfFour", vault(4, 20), apex(20), {1, 2}, 0.2},
-          {"SteepDomeOfThree", vault(3, 35), apex(35), {0.1, 0.5, 1}, 0.1},
-          {"SteepDomeOfFive", vault(5, 35), apex(35), {0.2, 1, 1}, 3},
-          {"SteepDomeOfSix", vault(6, 35), apex(35), {1, 0.1, 0.1}, 3}};
+  return {
+      {"Wedge", wedge(20, 30), {20, 0, 0}, {1, 2, 3}},
+      {"Cone", BRepPrimAPI_MakeCone(20, 10, 30, 1.5).Shape(), {20, 0, 0}, {1, 2, 3}},
+      {"BoxLessBall", boxLessBall(), {10, 0, 0}, {1}},
+      {"Octant", BRepAlgoAPI_Common(box(20, 20, 20), ball(15)).Shape(), {15, 0, 0}, {0.1, 2, 1}},
+      {"BaseOfPyramid", regularPyramid(4, 10), {10, 0, 0}, {1}},
+      {"BoxLessCylinder",
+       BRepAlgoAPI_Cut(box(40, 40, 20), upright({0, 20, -1}, 10, 30)).Shape(),
+       {0, 10, 20},
+       {1, 2, 1.5}},
+      {"BlockOnCylinder", blockOnCylinder(), {std::sqrt(375.0), 5, 15}, {1, 2, 1}},
+      {"LeftHanded", extrudedQuarterDisc(), {0, 20, 0}, {1, 0.5, 0.2}},
+      {"QuarterCylinder", BRepPrimAPI_MakeCylinder(20, 30, std::numbers::pi / 2).Shape(), {20, 0, 0}, {2}},
+      {"BossInNotch",
+       BRepAlgoAPI_Fuse(notchedCube(), upright({10, 5, 0}, 3, 7)).Shape(),
+       {7, 5, 7},
+       {0.3, 0.5, 0.2}},
+      {"EdgeThatRunsOn", boxWithRoundEdge(), {0, 0, 10}, {1, 2, 0.5}},
+      {"DomeOfFour", vault(4, 20), apex(20), {1, 2}, 0.2},
+      {"SteepDomeOfThree", vault(3, 35), apex(35), {0.1, 0.5, 1}, 0.1},
+      {"SteepDomeOfFive", vault(5, 35), apex(35), {0.2, 1, 1}, 3},
+      {"SteepDomeOfSix", vault(6, 35), apex(35), {1, 0.1, 0.1}, 3}};
 }
 
 TEST(CurvedCorner, ExtrusionsHaveLeftHandedCylinders) {
