@@ -178,7 +178,7 @@ class FaceFollower {
   /// from one step fairer than before. The first step is for curvature alone: beside its soft rows the others may well be met by fairer moves.
   /// Where a step makes the move much longer and gains little, knots are what is missing.
   void moveFairly() {
-    constexpr double better = 0.5, of_its_size = 2, far = 1.5;
+    constexpr double better = 0.5, of_its_size = 2;
     constexpr std::array<double, 5> fairnesses = {3, 0.1, 0.01, 1e-3, 1e-4};
     constexpr std::size_t for_curvature = 1;
     double before = infinite, limit = infinite;
@@ -191,10 +191,7 @@ class FaceFollower {
       const double shorter = now_.surface.largestMove_mm();
       move(fairnesses[k], conditions);
       const double longer = now_.surface.largestMove_mm();
-      if (longer > limit) {
-        held_back_at_ = before;
-        return holdBack(fairer);
-      }
+      if (longer > limit) return holdBack(fairer);
       lookAtSamples();
       const double missed = now_.misses.atSamples();
       const bool gains_nothing = missed > better * before || missed == infinite;
@@ -202,9 +199,6 @@ class FaceFollower {
       const bool was_near = before <= std::max(1.0, better * given_);
       if (gently_ && gains_nothing && grows && was_near) return holdBack(fairer);
       now_.fairness = k;
-      was_held_back_ =
-          gently_ && order_ < 2 && k == for_curvature && missed > std::max(far, better * held_back_at_);
-      if (was_held_back_) return lookBetween();
       const bool is_last = missed <= task_.share / 2 ||
                            (gains_nothing && k > std::max(first, for_curvature)) ||
                            k + 1 == fairnesses.size();
@@ -257,9 +251,8 @@ class FaceFollower {
   int order_ = 1;  ///< the highest of a path, at least 1
   bool gently_ = true;
   bool was_held_back_ = false;
-  double held_back_at_ = infinite;  ///< the ratio at samples, before, where a longer move was held back
-  double given_ = 0;                ///< the largest ratio at samples of the surface given
-  int work_ = 0;                    ///< moves solved for so far
+  double given_ = 0;  ///< the largest ratio at samples of the surface given
+  int work_ = 0;      ///< moves solved for so far
   Stage now_;
 };
 
