@@ -57,7 +57,7 @@ TopoDS_Shape quarteredSheet() {
     }
   const opencascade::handle<Geom_BSplineSurface> whole =
       GeomAPI_PointsToBSplineSurface(points, 3, 5, GeomAbs_C2, 1e-3).Surface();
-  double u0, u1, v0, v1;
+  double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
   whole->Bounds(u0, u1, v0, v1);
   const double u[] = {u0, (u0 + u1) / 2, u1}, v[] = {v0, (v0 + v1) / 2, v1};
   BRepBuilderAPI_Sewing sewing(1e-5);
