@@ -7,12 +7,12 @@
 #include <string>
 
 #include <seamwright/core/enclosure/spline.hpp>
+#include <seamwright/core/numeric.hpp>
 
 namespace seamwright {
 
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr int max_size = SplineEvaluator::max_degree + 1;
 using SmallMatrix =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_size, max_size>;
@@ -204,7 +204,7 @@ SplineEvaluator::Local SplineEvaluator::localize(int direction, const ChebyshevM
   const double middle = span.lower + 0.5 * (span.upper - span.lower);
   const double half = 0.5 * (span.upper - span.lower);
   local.x = (1 / half) * (parameter - ChebyshevModel(shift) - ChebyshevModel(middle));
-  local.x.widen(4 * epsilon * ((std::abs(middle) + std::abs(shift)) / half + 2));
+  local.x.widen(4 * machine_epsilon * ((std::abs(middle) + std::abs(shift)) / half + 2));
   return local;
 }
 
@@ -229,7 +229,7 @@ struct SplineEvaluator::RoundedNet {
     RoundedNet result;
     result.value = factors.asDiagonal() * (value.bottomRows(rows) - value.topRows(rows));
     result.error = factors.asDiagonal() * (error.bottomRows(rows) + error.topRows(rows)) +
-                   3 * epsilon * result.value.cwiseAbs();
+                   3 * machine_epsilon * result.value.cwiseAbs();
     return result;
   }
 };
@@ -257,7 +257,8 @@ void SplineEvaluator::addNets(const RoundedNet& poles, const RoundedNet& local, 
     const double of_terms =
         (mu.to_chebyshev_terms[du] * net.cwiseAbs() * mv.to_chebyshev_terms[dv].transpose()).sum();
     cell.nets[k].error[coordinate] =
-        (nets[k].error.maxCoeff() + 0.5 * epsilon * (mu.roundings[du] + mv.roundings[dv]) * of_terms) *
+        (nets[k].error.maxCoeff() +
+         0.5 * machine_epsilon * (mu.roundings[du] + mv.roundings[dv]) * of_terms) *
         (1 + 1e-12);
   }
 }
@@ -283,7 +284,7 @@ SplineEvaluator::Cell SplineEvaluator::makeCell(int span_u, int span_v, int nets
         poles.value(i, j) = c == 3 ? weight : poles_[index(i, j)][c];
         local.value(i, j) = c == 3 ? weight : weight * (poles_[index(i, j)][c] - cell.origin[c]);
       }
-    if (c != 3) local.error = epsilon * local.value.cwiseAbs();
+    if (c != 3) local.error = machine_epsilon * local.value.cwiseAbs();
     // Differences of the poles themselves know nothing of the origin, and are rounded once.
     addNets(weights_.empty() ? poles : local, local, mu, mv, c, cell);
   }
@@ -320,7 +321,7 @@ JetModel SplineEvaluator::jet(const ChebyshevModel& u, const ChebyshevModel& v, 
       ChebyshevModel::Coefficients sum{};
       Eigen::Map<Eigen::VectorXd>(sum.data(), degree + 1).noalias() = series.topRows(degree + 1) * net;
       const Eigen::RowVector2d error = net.cwiseAbs().transpose() * off;
-      const double rounding = static_cast<double>(terms + 4) * epsilon * error[1];
+      const double rounding = static_cast<double>(terms + 4) * machine_epsilon * error[1];
       h[k][d] = ChebyshevModel::series(
           sum, (error[0] + rounding + c.nets[k].error[d] * std::max(1.0, outside)) * (1 + 1e-12));
     }
