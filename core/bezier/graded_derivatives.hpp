@@ -47,4 +47,17 @@ struct GradedDerivatives {
 /// \throws std::invalid_argument if a pole or the point is beyond the range of a double.
 GradedDerivatives gradedDerivatives(const HomogeneousPoles& poles, double t, int order);
 
+/// Derivatives by a parameter a of the curve's own that increases with t, of speed 1 / n to 1.
+struct OwnDerivatives {
+  CurveDerivatives derivatives;  ///< orders 0..n, (n+1) by 3; the point is left out: row 0 is 0
+  double speed_noise = 0;        ///< bound of the error of the first
+};
+
+/// In powers of a the curve is sum_i share_i (1 + a)^x_i (P_i - X) over its weight, x_i = (i - p_0) / (p_1 - p_0): of
+/// order 1 in a for the pole p_1, of order 0 for p_0. The parameter is a / (1 + turn a), by which the weight has no
+/// first derivative. So higher derivatives hold nothing along the first that uneven weights make large, and the
+/// derivatives by arc length that arcLengthDerivatives() makes of them keep their digits.
+/// \throws std::invalid_argument as gradedDerivatives().
+OwnDerivatives ownDerivatives(const HomogeneousPoles& poles, double t, int order);
+
 }  // namespace seamwright

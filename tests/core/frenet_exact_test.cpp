@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <seamwright/core/differential/frenet.hpp>
+#include <seamwright/core/seam/curve_joint.hpp>
 
 #include "exact_frenet.hpp"
 #include "surfaces.hpp"
@@ -119,6 +120,26 @@ TEST(FrenetExact, BeyondTheEndsAndPlanarCurves) {
     const FrenetFrame conic = frenetFrame(unevenCurve(2, 20, random), 0.3);
     EXPECT_EQ(*conic.torsion_per_mm, 0);
   }
+}
+
+/// c_2 = kappa N, c_3 = -kappa^2 T + kappa_s N + kappa tau B; halves of one curve meet in all orders.
+TEST(FrenetExact, JointsOfUnevenCurvesToAnyOrder) {
+  std::mt19937_64 random(1205);
+  for (const double spread : {0.0, 6.0, 12.0, 30.0})
+    for (int i = 0; i < 40; ++i) {
+      SCOPED_TRACE(std::to_string(spread) + ", " + std::to_string(i));
+      const BezierCurve curve = unevenCurve(3 + i % 3, spread, random);
+      const CurveJoint turned = measureJoint(curve, curve.reversed(), 3);
+      const auto end = test::exactFigures(curve, 1), start = test::exactFigures(curve.reversed(), 0);
+      EXPECT_NEAR(static_cast<double>(turned.sizes[2] / end.kappa), 1, 1e-11);
+      EXPECT_NEAR(static_cast<double>(start.kappa / end.kappa), 1, 1e-15);
+      const long double c3 = std::hypot(end.kappa * end.kappa, end.kappa_s, end.kappa * end.tau);
+      EXPECT_NEAR(static_cast<double>(turned.sizes[3] / c3), 1, 1e-10);
+      if (spread > 12) continue;  // the poles of halves are rounded
+      const auto [before, after] = curve.split(0.375);
+      const CurveJoint smooth = measureJoint(before, after, 6);
+      for (int k = 2; k <= 6; ++k) EXPECT_LE(relativeDifference(smooth, k, 1e300), 1e-6) << k;
+    }
 }
 
 // Poles on a line but for the rounding of their coordinates: what is seen of curvature is not told from none.
