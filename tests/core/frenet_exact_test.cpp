@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <limits>
+#include <seamwright/core/bspline/curve.hpp>
 #include <seamwright/core/differential/frenet.hpp>
 #include <seamwright/core/seam/curve_joint.hpp>
 
@@ -120,6 +121,35 @@ TEST(FrenetExact, BeyondTheEndsAndPlanarCurves) {
     const FrenetFrame conic = frenetFrame(unevenCurve(2, 20, random), 0.3);
     EXPECT_EQ(*conic.torsion_per_mm, 0);
   }
+}
+
+/// With B_k = w A_k - w_k A: w^3 X'' = w B_2 - 2 w_1 B_1, w^4 X''' = w^2 B_3 - 3 w_1 w^3 X'' - 3 w_2 w B_1.
+TEST(FrenetExact, DerivativesAreExactToTheirSize) {
+  std::mt19937_64 random(1206);
+  for (const double spread : {0.0, 6.0, 12.0})
+    for (int i = 0; i < 40; ++i) {
+      SCOPED_TRACE(std::to_string(spread) + ", " + std::to_string(i));
+      const BezierCurve curve = unevenCurve(3 + i % 3, spread, random);
+      const double t = 0.0234375 * i;
+      std::array<test::DyadicRow, 4> h;
+      for (int k = 0; k < 4; ++k) h[k] = test::exactDerivative(curve.homogeneousPoles(), t, k);
+      const test::Dyadic w = h[0][3];
+      const auto about = [&](int k) {
+        return test::combined(w, test::spaceOf(h[k]), h[k][3], test::spaceOf(h[0]));
+      };
+      const test::DyadicSpace second = test::combined(w, about(2), 2 * h[1][3], about(1));
+      const test::DyadicSpace third =
+          test::combined(1, test::combined(w * w, about(3), 3 * h[1][3], second), 3 * h[2][3] * w, about(1));
+      const test::DyadicSpace* const exact[] = {nullptr, nullptr, &second, &third};
+      const CurveDerivatives bezier = curve.derivatives(t, 3), spline = derivatives(splineCurve(curve), t, 3);
+      for (int k = 2; k < 4; ++k) {
+        Eigen::Vector3d x;
+        for (int c = 0; c < 3; ++c)
+          x(c) = static_cast<double>((*exact[k])[c].approximate() / std::pow(w.approximate(), k + 1.0L));
+        EXPECT_LE((bezier.row(k).transpose() - x).norm(), 1e-11 * x.norm()) << k;
+        EXPECT_LE((spline.row(k).transpose() - x).norm(), 1e-11 * x.norm()) << k;
+      }
+    }
 }
 
 /// c_2 = kappa N, c_3 = -kappa^2 T + kappa_s N + kappa tau B; halves of one curve meet in all orders.
