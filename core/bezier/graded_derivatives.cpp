@@ -165,7 +165,7 @@ namespace {
 /// Coefficients of a function of a by the powers of b, with a = b / (1 - turn b), over 1 / (1 - turn b):
 /// sum_k c_k b^k (1 - turn b)^(1 - k). \pre where it has one, the coefficient c_1 takes up that of c_0.
 template <class Rows>
-Rows projected(const Rows& c, double turn) {
+Rows projectedSeries(const Rows& c, double turn) {
   Rows result = c;
   for (Eigen::Index k = 2; k < c.rows(); ++k) {
     double factor = 1;
@@ -212,8 +212,8 @@ OwnDerivatives ownDerivatives(const HomogeneousPoles& poles, double t, int order
   // In units in which the speed is about 1.
   const double step = sums.pivot() - start.pivot();
   const OwnSeries series = ownSeries(start, start.pivot(), sums.pivot(), -first.exponent, order);
-  const CurveDerivatives points = projected(series.points, series.weights(1));
-  const Eigen::VectorXd weights = projected(series.weights, series.weights(1));
+  const CurveDerivatives points = projectedSeries(series.points, series.weights(1));
+  const Eigen::VectorXd weights = projectedSeries(series.weights, series.weights(1));
   for (int k = 1; k <= order; ++k) {
     result.derivatives.row(k) = points.row(k);
     for (int j = 2; j < k; ++j) result.derivatives.row(k) -= weights(j) * result.derivatives.row(k - j);
