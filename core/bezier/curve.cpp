@@ -67,14 +67,20 @@ Eigen::Vector3d BezierCurve::point(double t) const {
 }
 
 CurveJet BezierCurve::jet(double t) const {
-  const auto x = affineDerivatives<4>(casteljau::derivatives<4, 4>(homogeneous_, t));
+  const CurveDerivatives x = derivatives(t, 3);
   return {x.row(0), x.row(1), x.row(2), x.row(3)};
 }
 
 CurveDerivatives BezierCurve::derivatives(double t, int order) const {
   if (order < 0) throw std::invalid_argument("order " + std::to_string(order) + ": it must not be negative");
-  return affineDerivatives<Eigen::Dynamic>(
-      casteljau::derivatives<4, Eigen::Dynamic>(homogeneous_, t, order + 1));
+  const auto of = [&](const HomogeneousPoles& poles) -> CurveDerivatives {
+    return affineDerivatives<Eigen::Dynamic>(casteljau::derivatives<4, Eigen::Dynamic>(poles, t, order + 1));
+  };
+  if (!isRational()) return of(homogeneous_);
+  const Eigen::Vector3d here = point(t);
+  CurveDerivatives result = of(about(homogeneous_, here));
+  result.row(0) += here.transpose();
+  return result;
 }
 
 double BezierCurve::noise() const {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cmath>
+
 #include <seamwright/core/bezier/homogeneous.hpp>
 
 namespace seamwright {
@@ -17,6 +19,14 @@ Eigen::Vector3d rationalPartial(const HomogeneousPartials& h, int k, int l,
 }
 
 }  // namespace
+
+/// A fused product rounds A - w X once.
+HomogeneousPoles about(const HomogeneousPoles& poles, const Eigen::Vector3d& origin) {
+  HomogeneousPoles result = poles;
+  for (Eigen::Index i = 0; i < poles.rows(); ++i)
+    for (int k = 0; k < 3; ++k) result(i, k) = std::fma(-poles(i, 3), origin(k), poles(i, k));
+  return result;
+}
 
 SurfaceJet affineJet(const HomogeneousPartials& h) {
   std::array<std::array<Eigen::Vector3d, 4>, 4> x;

@@ -20,6 +20,10 @@ Poles affinePoles(const HomogeneousPoles& poles);
 
 bool isRational(const HomogeneousPoles& poles);
 
+/// The poles P_i - \p origin with their weights. About the point evaluated there is nothing to cancel in Leibniz' rule,
+/// where w^(i) X would be of the size of A^(i): a heavy pole is near that point.
+HomogeneousPoles about(const HomogeneousPoles& poles, const Eigen::Vector3d& origin);
+
 /// Point and derivatives of the curve from those of its homogeneous form A = w X, by Leibniz' rule:
 /// X^(k) = (A^(k) - sum_{i=1..k} C(k,i) w^(i) X^(k-i)) / w.
 template <int Count>

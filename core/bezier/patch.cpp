@@ -18,8 +18,8 @@ void requireNetSize(int degree_u, int degree_v, Eigen::Index rows) {
                                 ", poles " + std::to_string(rows) + ": (m+1)(n+1) poles are needed");
 }
 
-HomogeneousPartials homogeneousPartials(const HomogeneousPoles& poles, int degree_u, int degree_v, double u,
-                                        double v) {
+HomogeneousPartials patchPartials(const HomogeneousPoles& poles, int degree_u, int degree_v, double u,
+                                  double v) {
   // Along v first: row i of along_v[l] is the l-th v-derivative of the i-th row of the net.
   std::array<HomogeneousPoles, 4> along_v;
   along_v.fill(HomogeneousPoles(degree_u + 1, 4));
@@ -66,7 +66,15 @@ Eigen::Vector3d BezierPatch::point(double u, double v) const {
 }
 
 SurfaceJet BezierPatch::jet(double u, double v) const {
-  return affineJet(homogeneousPartials(homogeneous_, degree_u_, degree_v_, u, v));
+  const auto of = [&](const HomogeneousPoles& poles) {
+    return affineJet(patchPartials(poles, degree_u_, degree_v_, u, v));
+  };
+  if (!isRational()) return of(homogeneous_);
+  const Eigen::Vector4d value = patchPartials(homogeneous_, degree_u_, degree_v_, u, v)[0][0];
+  const Eigen::Vector3d here = value.head<3>() / value(3);
+  SurfaceJet result = of(about(homogeneous_, here));
+  result.p += here;
+  return result;
 }
 
 JetNoise BezierPatch::noise() const {

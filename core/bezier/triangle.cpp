@@ -50,6 +50,21 @@ HomogeneousPoles derivativeNet(const HomogeneousPoles& net, int degree, int di, 
   return result;
 }
 
+/// By l0 and l1.
+HomogeneousPartials trianglePartials(HomogeneousPoles by_l0, int of_degree, const Barycentric& l) {
+  HomogeneousPartials h;
+  for (int k = 0; k < 4; ++k) {
+    HomogeneousPoles net = by_l0;
+    for (int m = 0; k + m < 4; ++m) {
+      const int degree = std::max(of_degree - k - m, 0);
+      h[k][m] = collapse(net, degree, l);
+      net = derivativeNet(net, degree, 0, 1);
+    }
+    by_l0 = derivativeNet(by_l0, std::max(of_degree - k, 0), 1, 0);
+  }
+  return h;
+}
+
 }  // namespace
 
 BezierTriangle::BezierTriangle(const Eigen::Ref<const Poles>& poles)
@@ -79,18 +94,11 @@ Eigen::Vector3d BezierTriangle::point(double l0, double l1) const {
 
 SurfaceJet BezierTriangle::jet(double l0, double l1) const {
   const Barycentric l(l0, l1, 1 - l0 - l1);
-  HomogeneousPartials h;
-  HomogeneousPoles by_l0 = homogeneous_;
-  for (int k = 0; k < 4; ++k) {
-    HomogeneousPoles net = by_l0;
-    for (int m = 0; k + m < 4; ++m) {
-      const int degree = std::max(degree_ - k - m, 0);
-      h[k][m] = collapse(net, degree, l);
-      net = derivativeNet(net, degree, 0, 1);
-    }
-    by_l0 = derivativeNet(by_l0, std::max(degree_ - k, 0), 1, 0);
-  }
-  return affineJet(h);
+  if (!isRational()) return affineJet(trianglePartials(homogeneous_, degree_, l));
+  const Eigen::Vector3d here = point(l0, l1);
+  SurfaceJet result = affineJet(trianglePartials(about(homogeneous_, here), degree_, l));
+  result.p += here;
+  return result;
 }
 
 JetNoise BezierTriangle::noise() const {

@@ -33,10 +33,14 @@ CurveDerivatives derivatives(const BSplineCurve& curve, double t, int order) {
     throw std::invalid_argument("parameter t is " + bernstein::text(t) + ": it must be finite");
   if (order < 0) throw std::invalid_argument("order " + std::to_string(order) + ": it must not be negative");
   const int span = bspline::spanOf(curve.degree, curve.knots, t);
-  const HomogeneousPoles h = bspline::basisDerivatives(curve.degree, curve.knots, span, t, order) *
-                             curve.poles.middleRows(span - curve.degree, curve.degree + 1);
-  if (!isRational(curve.poles)) return h.leftCols<3>() / curve.poles(0, 3);
-  return affineDerivatives<Eigen::Dynamic>(h);
+  const Eigen::MatrixXd basis = bspline::basisDerivatives(curve.degree, curve.knots, span, t, order);
+  const HomogeneousPoles poles = curve.poles.middleRows(span - curve.degree, curve.degree + 1);
+  if (!isRational(curve.poles)) return (basis * poles).leftCols<3>() / curve.poles(0, 3);
+  const Eigen::RowVector4d h = basis.row(0) * poles;
+  const Eigen::RowVector3d here = h.head<3>() / h(3);
+  CurveDerivatives result = affineDerivatives<Eigen::Dynamic>(basis * about(poles, here));
+  result.row(0) += here;
+  return result;
 }
 
 }  // namespace seamwright

@@ -58,6 +58,20 @@ bool hasInnerKnots(const Direction& d) {
   return d.knots.size() > 2 * static_cast<std::size_t>(d.degree + 1);
 }
 
+/// \param in_u, in_v derivatives of the basis functions of the span, one order a row; \p poles those of the span.
+HomogeneousPartials splinePartials(const HomogeneousPoles& poles, const Eigen::MatrixXd& in_u,
+                                   const Eigen::MatrixXd& in_v) {
+  HomogeneousPartials h;
+  for (auto& row : h) row.fill(Eigen::Vector4d::Zero());
+  for (Eigen::Index i = 0; i < in_u.cols(); ++i) {
+    const HomogeneousPoles along_v = in_v * poles.middleRows(i * in_v.cols(), in_v.cols());
+    for (Eigen::Index k = 0; k < in_u.rows(); ++k)
+      for (Eigen::Index l = 0; l < in_v.rows() && k + l < 4; ++l)
+        h[k][l] += in_u(k, i) * along_v.row(l).transpose();
+  }
+  return h;
+}
+
 }  // namespace
 
 void requireValid(const BSplineSurface& surface) {
@@ -103,16 +117,18 @@ SurfaceJet jet(const BSplineSurface& surface, double u, double v) {
   const int span_v = spanOf(surface.degree_v, surface.knots_v, v);
   const Eigen::MatrixXd in_u = basisDerivatives(surface.degree_u, surface.knots_u, span_u, u, 3);
   const Eigen::MatrixXd in_v = basisDerivatives(surface.degree_v, surface.knots_v, span_v, v, 3);
-  HomogeneousPartials h;
-  for (auto& row : h) row.fill(Eigen::Vector4d::Zero());
+  HomogeneousPoles local((surface.degree_u + 1) * (surface.degree_v + 1), 4);
   for (int i = 0; i <= surface.degree_u; ++i) {
     const Eigen::Index first = static_cast<Eigen::Index>(span_u - surface.degree_u + i) * surface.countV() +
                                span_v - surface.degree_v;
-    const Eigen::Matrix4d along_v = in_v * surface.poles.middleRows(first, surface.degree_v + 1);
-    for (int k = 0; k < 4; ++k)
-      for (int l = 0; k + l < 4; ++l) h[k][l] += in_u(k, i) * along_v.row(l).transpose();
+    local.middleRows(i * in_v.cols(), in_v.cols()) = surface.poles.middleRows(first, in_v.cols());
   }
-  return affineJet(h);
+  if (!isRational(surface.poles)) return affineJet(splinePartials(local, in_u, in_v));
+  const Eigen::Vector4d value = splinePartials(local, in_u.topRows(1), in_v.topRows(1))[0][0];
+  const Eigen::Vector3d here = value.head<3>() / value(3);
+  SurfaceJet result = affineJet(splinePartials(about(local, here), in_u, in_v));
+  result.p += here;
+  return result;
 }
 
 BSplineSurface withKnot(const BSplineSurface& surface, SurfaceDirection direction, double knot) {

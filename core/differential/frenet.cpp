@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
 
 #include <seamwright/core/bernstein/coefficients.hpp>
-#include <seamwright/core/bezier/casteljau.hpp>
+#include <seamwright/core/bezier/graded_derivatives.hpp>
 #include <seamwright/core/differential/frenet.hpp>
 #include <seamwright/core/numeric.hpp>
 
@@ -34,111 +33,175 @@ void requireUsable(const CurveDerivatives& derivatives, double speed_noise, doub
                                   ": it must be finite and not negative");
 }
 
-/// At a cusp: X(t + h) - X(t) begins with the first derivative that is not zero.
-void setLeavingTangent(const CurveDerivatives& derivatives, double noise, FrenetFrame& frame) {
-  frame.kind = CurvePoint::Point;
-  for (Eigen::Index k = 2; k < derivatives.rows(); ++k) {
-    const Vector3d derivative = derivatives.row(k);
-    if (derivative.stableNorm() <= noise) continue;
-    frame.kind = CurvePoint::Cusp;
-    frame.tangent = derivative.stableNormalized();
-    return;
-  }
-}
-
 std::optional<double> finite(double value) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-/// \pre X' is not zero. The parameter is scaled to unit speed, so that no power of the speed is needed.
-void setCurvature(const CurveDerivatives& derivatives, double speed_noise, double acceleration_noise,
-                  FrenetFrame& frame) {
-  const double speed = frame.speed;
-  const Vector3d T = *frame.tangent;
-  const Vector3d d2 = derivatives.row(2).transpose() / speed / speed;
-  const Vector3d bend = T.cross(d2);
-  const double kappa = bend.stableNorm(), size = d2.stableNorm();
-  const double noise =
-      (speed_noise / speed + 4 * machine_epsilon) * size + acceleration_noise / speed / speed;
-  if (kappa <= noise) {
+/// What a vector may be turned by, in radians. \pre error < size
+double turnedBy(double error, double size) {
+  return std::asin(std::min(1.0, error / size)) + 4 * machine_epsilon;
+}
+
+bool isKnown(const GradedVector& vector) {
+  return vector.value.norm() > vector.error;
+}
+
+/// At a cusp: X(t + h) - X(t) begins with the first derivative that is not zero. \param sense -1: s decreases with t.
+void setLeavingTangent(const GradedDerivatives& derivatives, double sense, FrenetFrame& frame) {
+  frame.kind = CurvePoint::Point;
+  double side = sense;
+  for (const GradedVector& derivative : derivatives.by_order) {
+    if (isKnown(derivative)) {
+      frame.kind = CurvePoint::Cusp;
+      frame.tangent = side * derivative.value.normalized();
+      frame.tangent_error_rad = turnedBy(derivative.error, derivative.value.norm());
+      return;
+    }
+    side *= sense;
+  }
+}
+
+/// A value with a bound of its error.
+struct Uncertain {
+  double value, error;
+};
+
+/// x y^-n. \pre |y| > its error
+Uncertain quotient(const Uncertain& x, const Uncertain& y, int n) {
+  const double size = std::abs(y.value), least = size - y.error;
+  const double inverse = std::pow(size, -n), most = std::pow(least, -n);
+  return {x.value * inverse * (y.value < 0 && n % 2 != 0 ? -1 : 1),
+          x.error * most + std::abs(x.value) * (most - inverse + (4 + n) * machine_epsilon * most)};
+}
+
+Uncertain product(const Uncertain& x, const Uncertain& y) {
+  return {x.value * y.value, std::abs(x.value) * y.error + std::abs(y.value) * x.error + x.error * y.error +
+                                 machine_epsilon * std::abs(x.value * y.value)};
+}
+
+Uncertain dot(const GradedVector& x, const GradedVector& y) {
+  const double a = x.value.norm(), b = y.value.norm();
+  return {x.value.dot(y.value), x.error * b + y.error * a + x.error * y.error + 4 * machine_epsilon * a * b};
+}
+
+GradedVector cross(const GradedVector& x, const GradedVector& y) {
+  const double a = x.value.norm(), b = y.value.norm();
+  return {x.value.cross(y.value), x.error * b + y.error * a + x.error * y.error + 4 * machine_epsilon * a * b,
+          x.exponent + y.exponent};
+}
+
+/// An error of one factor counts with the area of the other two, which is less than with their lengths.
+Uncertain determinant(const GradedVector& x, const GradedVector& y, const GradedVector& z) {
+  const double a = x.value.norm(), b = y.value.norm(), c = z.value.norm();
+  const double first = x.error * y.value.cross(z.value).norm() + y.error * x.value.cross(z.value).norm() +
+                       z.error * x.value.cross(y.value).norm();
+  const double higher =
+      x.error * y.error * c + x.error * z.error * b + y.error * z.error * a + x.error * y.error * z.error;
+  return {x.value.cross(y.value).dot(z.value), first + higher + 12 * machine_epsilon * a * b * c};
+}
+
+void setFigure(const Uncertain& figure, int exponent, std::optional<double>& value,
+               std::optional<double>& error) {
+  value = finite(std::ldexp(figure.value, exponent));
+  error = finite(std::ldexp(figure.error, exponent));
+  // Without a bound a value says nothing.
+  if (!value || !error) value = error = std::nullopt;
+}
+
+/// The rate by which curvature changes, over kappa / |d|: (c.(d x d'') / |c|^2 - 3 d.d' / |d|^2 + shift), the terms
+/// brought to one exponent.
+Uncertain relativeChange(const GradedDerivatives& derivatives, const GradedVector& c, int exponent) {
+  const GradedVector &d = derivatives.by_order[0], &d2 = derivatives.by_order[1],
+                     &d3 = derivatives.by_order[2];
+  const Uncertain length{d.value.norm(), d.error}, area{c.value.norm(), c.error};
+  const Uncertain terms[] = {quotient(dot(c, cross(d, d3)), area, 2),
+                             quotient(dot(d, d2), length, 2),
+                             {derivatives.shift.value, derivatives.shift.error}};
+  const int exponents[] = {d3.exponent - d2.exponent, d2.exponent - d.exponent, derivatives.shift.exponent};
+  const double factors[] = {1, -3, 1};
+  Uncertain sum{0, 0};
+  for (int i = 0; i < 3; ++i) {
+    const double value = std::ldexp(factors[i] * terms[i].value, exponents[i] - exponent);
+    sum.value += value;
+    sum.error += std::ldexp(std::abs(factors[i]) * terms[i].error, exponents[i] - exponent) +
+                 4 * machine_epsilon * std::abs(value);
+  }
+  return sum;
+}
+
+/// \pre X' is known. \param sense -1: s decreases with t.
+void setCurvature(const GradedDerivatives& derivatives, double sense, FrenetFrame& frame) {
+  const GradedVector &d = derivatives.by_order[0], &d2 = derivatives.by_order[1];
+  const GradedVector c = cross(d, d2);
+  const Uncertain length{d.value.norm(), d.error}, area{c.value.norm(), c.error};
+  const Uncertain kappa = quotient(area, length, 3);
+  const int exponent = d2.exponent - 2 * d.exponent;
+  setFigure(kappa, exponent, frame.curvature_per_mm, frame.curvature_error_per_mm);
+  if (area.value <= area.error) {
     frame.kind = CurvePoint::Inflection;
     frame.curvature_per_mm = 0;
+    frame.curvature_error_per_mm = std::ldexp(kappa.value + kappa.error, exponent);
     return;
   }
-  const Vector3d B = bend / kappa;
-  frame.curvature_per_mm = kappa;
+  const Vector3d B = sense * c.value / area.value;
   frame.binormal = B;
-  frame.normal = B.cross(T);
-  if (derivatives.rows() < 4) return;
-  const Vector3d d3_by_kappa = derivatives.row(3).transpose() / speed / speed / (speed * kappa);
-  frame.torsion_per_mm = finite(B.dot(d3_by_kappa));
-  frame.curvature_change_per_mm2 = finite(kappa * (B.dot(T.cross(d3_by_kappa)) - 3 * T.dot(d2)));
+  frame.binormal_error_rad = turnedBy(area.error, area.value);
+  frame.normal = B.cross(*frame.tangent);
+  if (derivatives.by_order.size() < 3) return;
+  const GradedVector& d3 = derivatives.by_order[2];
+  setFigure(quotient(determinant(d, d2, d3), area, 2), d3.exponent - d.exponent - d2.exponent,
+            frame.torsion_per_mm, frame.torsion_error_per_mm);
+  const int common =
+      std::max({d3.exponent - d2.exponent, d2.exponent - d.exponent, derivatives.shift.exponent});
+  const Uncertain change = product(quotient(area, length, 4), relativeChange(derivatives, c, common));
+  setFigure({sense * change.value, change.error}, d2.exponent - 3 * d.exponent + common,
+            frame.curvature_change_per_mm2, frame.curvature_change_error_per_mm2);
 }
 
-struct EvaluationNoise {
-  double speed, acceleration;
-};
-
-/// Largest rows of homogeneous poles, and of their differences.
-struct Size {
-  double pole, step;
-};
-
-Size sizeOf(const Eigen::MatrixXd& rows) {
-  const Eigen::Index n = rows.rows() - 1;
-  const double step = n == 0 ? 0 : (rows.bottomRows(n) - rows.topRows(n)).rowwise().stableNorm().maxCoeff();
-  return {rows.rowwise().stableNorm().maxCoeff(), step};
+FrenetFrame frameOf(const GradedDerivatives& derivatives) {
+  FrenetFrame frame;
+  const GradedVector& d = derivatives.by_order[0];
+  const GradedNumber& rate = derivatives.rate;
+  const double sense = rate.value < 0 ? -1 : 1;
+  const Uncertain speed = product({d.value.norm(), d.error}, {std::abs(rate.value), rate.error});
+  frame.speed = std::ldexp(speed.value, d.exponent + rate.exponent);
+  frame.speed_error = std::ldexp(speed.error, d.exponent + rate.exponent);
+  if (!isKnown(d)) {
+    setLeavingTangent(derivatives, sense, frame);
+    return frame;
+  }
+  frame.kind = CurvePoint::Regular;
+  frame.tangent = sense * d.value.normalized();
+  frame.tangent_error_rad = turnedBy(d.error, d.value.norm());
+  if (derivatives.by_order.size() > 1) setCurvature(derivatives, sense, frame);
+  return frame;
 }
 
-/// Bounds of the rounding in A, A' and A'': de Casteljau's triangle of the k-th differences, of size
-/// 2^(k-1) step, times n! / (n - k)!.
-std::array<double, 3> derivativeNoise(const Size& size, int n, double t) {
-  const double rounding = 2 * (n + 4) * machine_epsilon * std::pow(std::abs(t) + std::abs(1 - t), n);
-  return {rounding * size.pole, rounding * n * size.step, rounding * n * std::max(0, n - 1) * 2 * size.step};
-}
-
-/// What rounding may have added to X' and X'' of BezierCurve::derivatives(): that of A and w, through Leibniz'
-/// rule for A = w X.
-EvaluationNoise evaluationNoise(const BezierCurve& curve, const CurveDerivatives& derivatives, double t) {
-  const HomogeneousPoles& poles = curve.homogeneousPoles();
-  const std::array<double, 3> of_a = derivativeNoise(sizeOf(poles.leftCols<3>()), curve.degree(), t),
-                              of_w = derivativeNoise(sizeOf(poles.col(3)), curve.degree(), t);
-  const Eigen::Vector3d w = casteljau::derivatives<4, 3>(poles, t).col(3).cwiseAbs();
-  const Eigen::Vector3d x = derivatives.topRows<3>().rowwise().stableNorm();
-  const double of_x = (of_a[0] + of_w[0] * x(0)) / w(0);
-  const double of_speed = (of_a[1] + of_w[1] * x(0) + w(1) * of_x + of_w[0] * x(1)) / w(0);
-  const double of_acceleration =
-      (of_a[2] + of_w[2] * x(0) + w(2) * of_x + 2 * of_w[1] * x(1) + 2 * w(1) * of_speed + of_w[0] * x(2)) /
-      w(0);
-  return {of_speed, of_acceleration};
+GradedVector graded(const Vector3d& vector, double error) {
+  GradedVector result;
+  std::frexp(vector.cwiseAbs().maxCoeff(), &result.exponent);
+  for (int i = 0; i < 3; ++i) result.value(i) = std::ldexp(vector(i), -result.exponent);
+  result.error = std::ldexp(error, -result.exponent);
+  return result;
 }
 
 }  // namespace
 
 FrenetFrame frenetFrame(const CurveDerivatives& derivatives, double speed_noise, double acceleration_noise) {
   requireUsable(derivatives, speed_noise, acceleration_noise);
-  FrenetFrame frame;
-  const Vector3d velocity = derivatives.row(1);
-  frame.speed = velocity.stableNorm();
-  if (frame.speed <= speed_noise) {
-    setLeavingTangent(derivatives, acceleration_noise, frame);
-    return frame;
-  }
-  frame.kind = CurvePoint::Regular;
-  frame.tangent = velocity / frame.speed;
-  if (derivatives.rows() > 2) setCurvature(derivatives, speed_noise, acceleration_noise, frame);
-  return frame;
+  GradedDerivatives local;
+  local.rate = {1, 0, 0};
+  for (Eigen::Index k = 1; k < derivatives.rows(); ++k)
+    local.by_order.push_back(graded(derivatives.row(k), k == 1 ? speed_noise : acceleration_noise));
+  return frameOf(local);
 }
 
 FrenetFrame frenetFrame(const BezierCurve& curve, double t) {
   if (!std::isfinite(t))
     throw std::invalid_argument("parameter is " + bernstein::text(t) + ": it must be finite");
-  const CurveDerivatives derivatives = curve.derivatives(t, 3);
-  const EvaluationNoise noise = evaluationNoise(curve, derivatives, t);
-  FrenetFrame frame = frenetFrame(derivatives, noise.speed, noise.acceleration);
-  for (int k = 4; frame.kind == CurvePoint::Point && k <= curve.degree(); ++k)
-    frame = frenetFrame(curve.derivatives(t, k), noise.speed, noise.acceleration);
-  return frame;
+  const FrenetFrame frame = frameOf(gradedDerivatives(curve.homogeneousPoles(), t, 3));
+  if (frame.kind != CurvePoint::Point || curve.degree() <= 3) return frame;
+  return frameOf(gradedDerivatives(curve.homogeneousPoles(), t, curve.degree()));
 }
 
 }  // namespace seamwright

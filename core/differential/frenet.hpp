@@ -18,20 +18,29 @@ enum class CurvePoint {
   Point        ///< all derivatives given are zero to rounding: no tangent
 };
 
-/// Frenet frame, curvature, torsion of a curve at a point.
+/// Frenet frame, curvature, torsion of a curve at a point, each with a bound of its error: what rounding, and the noise
+/// of the derivatives, may have changed. The bounds are proved up to rounding in themselves.
 ///
-/// Where the curvature is zero to rounding, curvature is 0 and normal, binormal, torsion and change of curvature
-/// are nothing; at a cusp curvature and what follows from it are nothing. Torsion and change of curvature are
-/// nothing, too, beyond the range of a double.
+/// Where the curvature is zero to its bound, it is 0 and normal, binormal, torsion and change of curvature are
+/// nothing; at a cusp curvature and what follows from it are nothing. Torsion and change of curvature are nothing,
+/// too, where they or their bounds are beyond the range of a double. So a regular point has a curvature that is certainly not
+/// zero; its torsion may still be smaller than the bound of it.
 struct FrenetFrame {
   CurvePoint kind = CurvePoint::Point;
-  double speed = 0;                                ///< |X'|
-  std::optional<Eigen::Vector3d> tangent;          ///< T
-  std::optional<Eigen::Vector3d> normal;           ///< N, towards the centre of curvature
-  std::optional<Eigen::Vector3d> binormal;         ///< B = T x N
-  std::optional<double> curvature_per_mm;          ///< kappa >= 0
-  std::optional<double> torsion_per_mm;            ///< tau
+  double speed = 0;  ///< |X'|
+  double speed_error = 0;
+  std::optional<Eigen::Vector3d> tangent;  ///< T
+  std::optional<double> tangent_error_rad;
+  std::optional<Eigen::Vector3d>
+      normal;  ///< N, towards the centre of curvature; turned by no more than T and B are
+  std::optional<Eigen::Vector3d> binormal;  ///< B = T x N
+  std::optional<double> binormal_error_rad;
+  std::optional<double> curvature_per_mm;  ///< kappa >= 0
+  std::optional<double> curvature_error_per_mm;
+  std::optional<double> torsion_per_mm;  ///< tau
+  std::optional<double> torsion_error_per_mm;
   std::optional<double> curvature_change_per_mm2;  ///< d kappa / ds
+  std::optional<double> curvature_change_error_per_mm2;
 };
 
 /// Identities (each has a test of its number):
@@ -41,14 +50,16 @@ struct FrenetFrame {
 ///       kappa / ds changes sign.
 ///   (4) A rigid motion moves the frame; a scale s divides kappa and tau by s; a mirror changes the sign of tau.
 /// \param derivatives orders 0..n, n >= 1; torsion and change of curvature need n >= 3.
-/// \param speed_noise, acceleration_noise what rounding may have added to the first and second derivative. At a
-/// cusp a higher derivative within acceleration_noise counts as zero.
+/// \param speed_noise, acceleration_noise what rounding may have added to the first, and to each of the higher
+/// derivatives.
 /// \throws std::invalid_argument for fewer than two rows, a number that is not finite, a negative noise.
 /// Source: text 000 §1; MATH-curves 1; the printed N lacks the norm (ERRATA-curves 0.1).
 FrenetFrame frenetFrame(const CurveDerivatives& derivatives, double speed_noise = 0,
                         double acceleration_noise = 0);
-/// Of a curve, with bounds of what evaluation there rounds; poles count as exact. Orders above 3 are looked at
-/// where the lower ones are zero.
+/// Of a curve, whose poles count as exact: backward stable, that is exact for poles moved by a few units in the last place of their
+/// distances, whatever the weights and however near t is to an end. Orders above 3 are looked at where the lower ones
+/// are zero.
+/// \throws std::invalid_argument for a parameter that is not finite, or where the curve is not.
 FrenetFrame frenetFrame(const BezierCurve& curve, double t);
 
 /// Places of a Bézier curve where the frame is lost, as intervals [first, last] of the parameter that are

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
+#include <seamwright/core/bezier/graded_derivatives.hpp>
 #include <seamwright/core/differential/arc_length.hpp>
 #include <seamwright/core/seam/curve_joint.hpp>
 
@@ -18,6 +21,13 @@ double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 void requirePoint(const CurveEnd& end) {
   if (end.derivatives.rows() == 0)
     throw std::invalid_argument("an end without derivatives: at least the point is needed");
+}
+
+/// By a parameter that keeps the digits of curves with uneven weights: figures do not depend on it.
+CurveEnd curveEnd(const BezierCurve& curve, double t, int order) {
+  OwnDerivatives own = ownDerivatives(curve.homogeneousPoles(), t, order);
+  own.derivatives.row(0) = curve.point(t).transpose();
+  return {std::move(own.derivatives), own.speed_noise};
 }
 
 }  // namespace
@@ -41,8 +51,8 @@ CurveJoint measureJoint(const CurveEnd& a, const CurveEnd& b) {
 }
 
 CurveJoint measureJoint(const BezierCurve& a, const BezierCurve& b, int order) {
-  return measureJoint(CurveEnd{a.derivatives(1, order), a.noise()},
-                      CurveEnd{b.derivatives(0, order), b.noise()});
+  if (order < 0) throw std::invalid_argument("order " + std::to_string(order) + ": it must not be negative");
+  return measureJoint(curveEnd(a, 1, order), curveEnd(b, 0, order));
 }
 
 double relativeDifference(const CurveJoint& joint, int k, double flat_radius_mm) {

@@ -69,6 +69,15 @@ Verdict verdictAt(const SeamFigures& figures, const ContinuityTolerance& toleran
   return verdict;
 }
 
+/// The class does not show it: below the crease angle over more than half of the length a seam is no crease.
+std::string sharpSpotRemark(const SeamFigures& figures, const ContinuityTolerance& tolerance) {
+  if (!figures.angle_rad || figures.angle_rad->lower <= tolerance.crease_rad ||
+      figures.below_crease_share <= 0.5)
+    return {};
+  return "sharp spot in a seam that is below the crease angle over " +
+         number(std::floor(100 * figures.below_crease_share)) + " % of its length";
+}
+
 }  // namespace
 
 void ContinuityTolerance::validate() const {
@@ -111,6 +120,14 @@ Verdict judge(const SeamFigures& figures, const ContinuityTolerance& tolerance, 
 
 bool surelyReaches(const SeamFigures& figures, const ContinuityTolerance& tolerance, Level level) {
   return figures.shares_known && reachedLevel(figures, tolerance, End::Upper) >= level;
+}
+
+std::string remarksOn(const SeamFigures& figures, const ContinuityTolerance& tolerance) {
+  std::string remarks = sharpSpotRemark(figures, tolerance);
+  const auto add = [&](const std::string& remark) { remarks += (remarks.empty() ? "" : "; ") + remark; };
+  if (figures.fold_at) add("the faces fold back on one another");
+  if (!figures.settled) add("figures still changed after " + std::to_string(figures.points) + " points");
+  return remarks;
 }
 
 }  // namespace seamwright

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include <seamwright/core/seam/survey.hpp>
@@ -47,5 +48,10 @@ Verdict judge(const SeamFigures& figures, const ContinuityTolerance& tolerance, 
 
 /// The level is reached by every value within the enclosures; without an upper end of a figure it is not known, thus false.
 bool surelyReaches(const SeamFigures& figures, const ContinuityTolerance& tolerance, Level level);
+
+/// What the angle and the verdict do not show by themselves, for a note beside them, joined by "; ": a sharp spot in a
+/// seam that is below the crease angle over more than half of its length; a fold, whose tangent planes agree as those of a
+/// smooth seam do; figures that still changed when sampling ended. Empty if there is nothing of that.
+std::string remarksOn(const SeamFigures& figures, const ContinuityTolerance& tolerance);
 
 }  // namespace seamwright

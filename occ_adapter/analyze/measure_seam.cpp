@@ -73,16 +73,6 @@ std::string degeneracyNote(const SeamFigures& figures, const std::array<int, 2>&
   return notes;
 }
 
-std::string sharpSpotNote(const SeamFigures& figures, const ContinuityTolerance& tolerance) {
-  if (!figures.angle_rad || figures.angle_rad->lower <= tolerance.crease_rad ||
-      figures.below_crease_share <= 0.5)
-    return {};
-  std::ostringstream text;
-  text << "sharp spot in a seam that is below the crease angle over "
-       << std::floor(100 * figures.below_crease_share) << " % of its length";
-  return text.str();
-}
-
 /// What the distance to match has to do with the gap of a matched seam.
 std::string matchNote(const SeamResult& result, const AnalyzeOptions& options) {
   const std::optional<Figure>& gap = result.figures.gap_mm;
@@ -232,11 +222,8 @@ void measure(const Seam& seam, const AnalyzeOptions& options, SeamResult& result
   result.worst = worstPoint(result.figures, result.verdict.level,
                             [&](double at) { return pointOnFirstSide(seam, pcurves[0], at); });
   addNote(result.note, degeneracyNote(result.figures, result.faces));
-  addNote(result.note, sharpSpotNote(result.figures, options.tolerance));
+  addNote(result.note, remarksOn(result.figures, options.tolerance));
   addNote(result.note, matchNote(result, options));
-  if (result.figures.fold_at) addNote(result.note, "the faces fold back on one another");
-  if (!result.figures.settled)
-    addNote(result.note, "figures still changed after " + std::to_string(result.figures.points) + " points");
 }
 
 }  // namespace

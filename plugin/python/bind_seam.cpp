@@ -53,6 +53,7 @@ py::dict seamDict(const SeamFigures& figures, const ContinuityTolerance& toleran
   occ::SeamResult result;
   result.figures = figures;
   result.verdict = verdict;
+  result.note = remarksOn(figures, tolerance);
   py::dict dict;
   dict["gap_mm"] = figureDict(figures.gap_mm);
   dict["angle_deg"] = figureDict(figures.angle_rad, report::degrees_per_radian);

@@ -33,12 +33,18 @@ py::dict frenetFrameOf(const BezierCurve& curve, const py::object& t) {
   py::dict dict;
   dict["kind"] = nameOf(frame.kind);
   dict["speed"] = frame.speed;
+  dict["speed_error"] = frame.speed_error;
   dict["tangent"] = frame.tangent;
+  dict["tangent_error_rad"] = frame.tangent_error_rad;
   dict["normal"] = frame.normal;
   dict["binormal"] = frame.binormal;
+  dict["binormal_error_rad"] = frame.binormal_error_rad;
   dict["curvature_per_mm"] = frame.curvature_per_mm;
+  dict["curvature_error_per_mm"] = frame.curvature_error_per_mm;
   dict["torsion_per_mm"] = frame.torsion_per_mm;
+  dict["torsion_error_per_mm"] = frame.torsion_error_per_mm;
   dict["curvature_change_per_mm2"] = frame.curvature_change_per_mm2;
+  dict["curvature_change_error_per_mm2"] = frame.curvature_change_error_per_mm2;
   return dict;
 }
 
@@ -114,7 +120,9 @@ void bindSpaceCurve(py::module_& module) {
   module.def(
       "frenet_frame", &frenetFrameOf, py::arg("curve"), py::arg("t"),
       "The Frenet frame of a BezierCurve at t, a dict: kind (regular, inflection, cusp, point), speed, "
-      "tangent, normal, binormal, curvature_per_mm, torsion_per_mm, curvature_change_per_mm2.\n\n"
+      "tangent, normal, binormal, curvature_per_mm, torsion_per_mm, curvature_change_per_mm2; and bounds "
+      "of their errors, speed_error, tangent_error_rad, binormal_error_rad, curvature_error_per_mm, "
+      "torsion_error_per_mm, curvature_change_error_per_mm2.\n\n"
       "What there is none of is None: at an inflection normal, binormal and torsion; at a cusp all but "
       "the tangent, which is the one the curve leaves with.");
   module.def("find_degeneracies", &degeneraciesOf, py::arg("curve"), py::arg("resolution") = 1e-9,

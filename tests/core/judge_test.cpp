@@ -84,6 +84,26 @@ TEST(Judge, FoldIsACreaseAndNeverSmooth) {
   EXPECT_EQ(judge(fold, tolerance, Level::G1).seam_class, SeamClass::Crease);
 }
 
+// The planes of a fold agree, so its angle alone reads like that of a smooth seam.
+TEST(Judge, RemarksTellWhatTheFiguresHide) {
+  const ContinuityTolerance tolerance;
+  SeamFigures f = figures(0, 0.007, 0);
+  EXPECT_EQ(remarksOn(f, tolerance), "");
+  f.fold_at = 0.3;
+  EXPECT_EQ(remarksOn(f, tolerance), "the faces fold back on one another");
+  f.settled = false;
+  f.points = 77;
+  EXPECT_EQ(remarksOn(f, tolerance),
+            "the faces fold back on one another; figures still changed after 77 points");
+  f.fold_at.reset();
+  f.settled = true;
+  f.angle_rad->lower = 40 * degree;
+  EXPECT_EQ(remarksOn(f, tolerance), "");
+  f.below_crease_share = 0.625;
+  EXPECT_EQ(remarksOn(f, tolerance),
+            "sharp spot in a seam that is below the crease angle over 62 % of its length");
+}
+
 TEST(Judge, MissingFiguresStopTheClimb) {
   const ContinuityTolerance tolerance;
   SeamFigures f = figures(0, 0, 0);

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import seamwright
-from seamwright import BezierCurve, BezierPatch
+from seamwright import BezierCurve, BezierPatch, BezierTriangle
 
 SLOPE = 0.01
 
@@ -34,7 +34,28 @@ def test_figures_and_verdict():
     assert (seam["level"], seam["class"], seam["certified"], seam["note"]) == ("G0", "defect", True, "")
     accepted = seamwright.enclose_seam(level(), "u1", bent(), "u0", angle_deg=2 * angle)
     assert (accepted["level"], accepted["class"], accepted["certified"]) == ("G1", "smooth", True)
-    assert seamwright.enclose_seam(level(), "u1", bent(-1), "u0")["class"] == "crease"  # folds back
+
+
+def triangle(sense, slope):
+    """On the edge from (0, 0, 0) to (0, 1, 0), l0; its third corner lies in the direction of x."""
+    return BezierTriangle([[0, 1, 0], [0, 0, 0], [sense, 0, slope]])
+
+
+# Planes that meet at 180 degrees less atan(slope) agree as well as those of a smooth seam: only the note tells.
+@pytest.mark.parametrize("slope", [0, 1e-4, 0.05])
+def test_a_fold_is_told_of_patches_and_triangles(slope):
+    flap = BezierPatch([[[0, 0, 0], [0, 1, 0]], [[-1, 0, slope], [-1, 1, slope]]])
+    onward = BezierPatch([[[0, 0, 0], [0, 1, 0]], [[1, 0, slope], [1, 1, slope]]])
+    sides = [(level(), "u1"), (triangle(-1, 0), "l0")]
+    for a, edge_a in sides:
+        for b, edge_b in ((flap, "u0"), (triangle(-1, slope), "l0")):
+            seam = seamwright.enclose_seam(a, edge_a, b, edge_b)
+            assert encloses(seam["angle_deg"], math.degrees(math.atan(slope)), 1e-5)
+            assert (seam["level"], seam["class"], seam["certified"]) == ("G0", "crease", True)
+            assert seam["note"] == "the faces fold back on one another"
+        for b, edge_b in ((onward, "u0"), (triangle(1, slope), "l0")):
+            seam = seamwright.enclose_seam(a, edge_a, b, edge_b)
+            assert seam["class"] != "crease" and seam["note"] == ""
 
 
 def test_curvature_of_a_rational_patch():

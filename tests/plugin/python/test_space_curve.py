@@ -35,6 +35,28 @@ def test_frame_in_space():
     assert frame["torsion_per_mm"] == pytest.approx(cross @ x[3] / (cross @ cross))
 
 
+def test_torsion_of_uneven_weights():
+    """Seven orders of magnitude of weight; the values are known to 40 digits."""
+    weights = np.array([1, 1 / 256, 64, 1 / 128])
+    poles = [
+        [0.015625, 0.828125, 0.453125],
+        [0.0118408203125, -0.00579833984375, -0.00494384765625],
+        [406, 61, -18],
+        [0.0697021484375, -0.0103759765625, 0.0155029296875],
+    ]
+    frame = seamwright.frenet_frame(BezierCurve(np.array(poles) / weights[:, None], weights), 1)
+    assert frame["kind"] == "regular"
+    for name, value in (
+        ("curvature", 1.180200257723693100558e-9),
+        ("torsion", 0.002210790547637762394),
+        ("curvature_change", -8.62085063599967789724733842558e-10),
+    ):
+        unit = "_per_mm2" if name == "curvature_change" else "_per_mm"
+        assert abs(frame[name + unit] - value) <= frame[name + "_error" + unit] < 1e-11 * abs(value)
+    assert frame["tangent_error_rad"] < 1e-13 and frame["binormal_error_rad"] < 1e-12
+    assert frame["speed_error"] < 1e-13 * frame["speed"]
+
+
 def test_where_there_is_no_frame():
     flat = seamwright.frenet_frame(S, 0.5)
     assert flat["kind"] == "inflection" and flat["curvature_per_mm"] == 0
