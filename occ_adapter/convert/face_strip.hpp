@@ -50,6 +50,9 @@ class FaceStrip {
   /// boundary of it collapses there.
   double poleReach(int end) const;
 
+  /// Length of the parameter line that collapses at an end of the path; 0 if none does, or exactly to a point.
+  double collapsedLength(int end) const { return collapsed_mm_[end]; }
+
  private:
   enum class Derivatives { First, Second, Third };
   SidePoint at(double s, Derivatives derivatives) const;
