@@ -254,7 +254,8 @@ struct SplineEvaluator::RoundedNet {
       const double factor =
           static_cast<double>(degree) / (width * static_cast<double>(at_end ? j - degree : row));
       result.value.row(j) = factor * bezier.row(row);
-      result.error.row(j) = std::abs(factor) * bezier_error.row(row) + 2 * epsilon * result.value.row(j).cwiseAbs();
+      result.error.row(j) =
+          std::abs(factor) * bezier_error.row(row) + 2 * epsilon * result.value.row(j).cwiseAbs();
     }
     return result;
   }
@@ -299,8 +300,7 @@ SplineEvaluator::RoundedNet SplineEvaluator::localNet(int span_u, int span_v, in
     for (int j = 0; j <= q; ++j) {
       const int index = (first_u + i) * count_v_ + first_v + j;
       const double weight = weights_.empty() ? 1 : weights_[index];
-      net.value(i, j) =
-          coordinate == 3 ? weight : weight * (poles_[index][coordinate] - origin[coordinate]);
+      net.value(i, j) = coordinate == 3 ? weight : weight * (poles_[index][coordinate] - origin[coordinate]);
     }
   if (coordinate != 3) net.error = epsilon * net.value.cwiseAbs();
   return net;
@@ -375,14 +375,15 @@ JetModel SplineEvaluator::evaluated(const Cell& c, const ChebyshevModel& x, cons
   return {space(h[0]), space(h[1]), space(h[2]), space(h[3]), space(h[4]), space(h[5])};
 }
 
-/// If all poles of the boundary are one point of the span.
+/// If all poles of the boundary are one point.
 std::optional<Eigen::Vector3d> SplineEvaluator::collapsedPoint(int span_u, int span_v,
                                                                const Boundary& boundary) const {
   const auto& [d, at_end] = boundary;
   const int degree = directions_[d].degree;
   const int knot = spans_[d][d == 0 ? span_u : span_v].knot;
   const std::vector<double>& knots = directions_[d].knots;
-  const bool clamped = at_end ? knots[knot + 1] == knots[knot + degree] : knots[knot + 1 - degree] == knots[knot];
+  const bool clamped =
+      at_end ? knots[knot + 1] == knots[knot + degree] : knots[knot + 1 - degree] == knots[knot];
   if (degree == 0 || !clamped) return std::nullopt;
   const int across = at_end ? knot : knot - degree;
   const int other_degree = directions_[1 - d].degree;
@@ -419,8 +420,8 @@ SplineEvaluator::RoundedNet SplineEvaluator::quotientNet(const RoundedNet& net, 
   return boundary.direction == 0 ? quotient : quotient.transposed();
 }
 
-SplineEvaluator::Cell SplineEvaluator::makeCollapsedCell(const CollapsedKey& key, const Eigen::Vector3d& point,
-                                                         int nets) const {
+SplineEvaluator::Cell SplineEvaluator::makeCollapsedCell(const CollapsedKey& key,
+                                                         const Eigen::Vector3d& point, int nets) const {
   const int d = key.boundary.direction;
   const int span = d == 0 ? key.span_u : key.span_v;
   const SpanMatrices& mu = matrices(0, key.span_u);
@@ -440,16 +441,18 @@ SplineEvaluator::Cell SplineEvaluator::makeCollapsedCell(const CollapsedKey& key
   return cell;
 }
 
-std::optional<CollapsedJetModel> SplineEvaluator::collapsedJet(const ChebyshevModel& u, const ChebyshevModel& v,
-                                                               double hint_u, double hint_v, int order) const {
-  constexpr double near = 0x1p-4;      // of the span; further away the jet itself is as good
-  constexpr double beyond = 0x1p-36;   // of the span: rounding of the path
+std::optional<CollapsedJetModel> SplineEvaluator::collapsedJet(const ChebyshevModel& u,
+                                                               const ChebyshevModel& v, double hint_u,
+                                                               double hint_v, int order) const {
+  constexpr double near = 0x1p-4;     // of the span; further away the jet itself is as good
+  constexpr double beyond = 0x1p-36;  // of the span: rounding of the path
   constexpr std::size_t most_kept = 1000;
   const std::array<Local, 2> local = {localize(0, u, hint_u), localize(1, v, hint_v)};
   for (const int d : {0, 1})
     for (const bool at_end : {false, true}) {
       const Span& span = spans_[d][local[d].span];
-      const ChebyshevModel from_end = at_end ? local[d].x - ChebyshevModel(1) : local[d].x + ChebyshevModel(1);
+      const ChebyshevModel from_end =
+          at_end ? local[d].x - ChebyshevModel(1) : local[d].x + ChebyshevModel(1);
       const Interval range = from_end.range();
       const double nearest = at_end ? -range.upper : range.lower;
       if (!(nearest >= -beyond && nearest < near)) continue;

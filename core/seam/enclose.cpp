@@ -366,16 +366,15 @@ bool Enclosure::hasPole(double from, double to) const {
 /// The ends, where edges end at poles; poles elsewhere are met by pieces that shrink to them.
 void Enclosure::findPoles() {
   const auto [first, last] = options_.range;
-  double reach = degenerate_reach;
-  if (hasPole(first, first + pole_piece)) {
-    while (reach > pole_piece && !isShort(first, first + reach, degenerate_reach)) reach *= 0.5;
-    curvature_range_.lower = first + reach;
-  }
-  reach = degenerate_reach;
-  if (hasPole(last - pole_piece, last)) {
-    while (reach > pole_piece && !isShort(last - reach, last, degenerate_reach)) reach *= 0.5;
-    curvature_range_.upper = last - reach;
-  }
+  const auto reach = [&](int end) {
+    double length = degenerate_reach;
+    while (length > pole_piece &&
+           !(end == 0 ? isShort(0, length, degenerate_reach) : isShort(1 - length, 1, degenerate_reach)))
+      length *= 0.5;
+    return length;
+  };
+  if (first > 0 || hasPole(0, pole_piece)) curvature_range_.lower = std::max(first, reach(0));
+  if (last < 1 || hasPole(1 - pole_piece, 1)) curvature_range_.upper = std::min(last, 1 - reach(1));
 }
 
 void Enclosure::leaveOutCurvatureNearDegenerate() {
@@ -383,7 +382,8 @@ void Enclosure::leaveOutCurvatureNearDegenerate() {
   for (Piece& piece : pieces_) {
     if (piece.curvature_left_out) continue;
     piece.curvature_left_out = std::ranges::any_of(degenerate_, [&](const DegeneratePoint& point) {
-      return isShort(std::min(piece.from, point.at), std::max(piece.to, point.at), 2 * degenerate_reach);
+      return curvature_range_.contains(point.at) &&
+             isShort(std::min(piece.from, point.at), std::max(piece.to, point.at), 2 * degenerate_reach);
     });
     changed |= piece.curvature_left_out;
   }
@@ -398,8 +398,7 @@ bool Enclosure::isAtPole(const Piece& piece) {
   const auto is_near = [&](double pole) {
     return isShort(std::min(piece.from, pole), std::max(piece.to, pole), pole_piece);
   };
-  const auto [first, last] = options_.range;
-  return (curvature_range_.lower > 0 && is_near(first)) || (curvature_range_.upper < 1 && is_near(last)) ||
+  return (curvature_range_.lower > 0 && is_near(0)) || (curvature_range_.upper < 1 && is_near(1)) ||
          std::ranges::any_of(degenerate_, [&](const DegeneratePoint& point) { return is_near(point.at); });
 }
 

@@ -46,8 +46,8 @@ struct SeamFigures {
   /// Nothing where the angle is above the crease angle, or not asked for.
   std::optional<Figure> curvature_change_per_mm2;
   std::optional<Figure> curvature_change_rel;
-  LeftOut angle_left_out;      ///< by angle_rad, in rad
-  LeftOut curvature_left_out;  ///< by both figures of the curvature; the bound is one of curvature_rel
+  LeftOut angle_left_out;         ///< by angle_rad, in rad
+  LeftOut curvature_left_out;     ///< by both figures of the curvature; the bound is one of curvature_rel
   std::optional<double> fold_at;  ///< a point where the faces fold back at less than the crease angle
   double below_crease_share =
       0;                   ///< share of the length over which the angle is within the crease angle, 0..1

@@ -131,7 +131,7 @@ PoleStretches poleStretches(const Seam& seam, const std::array<Pcurve, 2>& pcurv
       const FaceStrip strip(seam.sides[side], pcurves[side]);
       const double reach = strip.poleReach(end);
       if (reach == 0) continue;
-      if (strip.collapsedLength(end) > 0) {
+      if (strip.isScatteredAt(end)) {
         if (end == 0)
           poles.between.lower = std::max(poles.between.lower, reach);
         else
