@@ -444,8 +444,9 @@ SplineEvaluator::Cell SplineEvaluator::makeCollapsedCell(const CollapsedKey& key
 std::optional<CollapsedJetModel> SplineEvaluator::collapsedJet(const ChebyshevModel& u,
                                                                const ChebyshevModel& v, double hint_u,
                                                                double hint_v, int order) const {
-  constexpr double near = 0x1p-4;     // of the span; further away the jet itself is as good
-  constexpr double beyond = 0x1p-36;  // of the span: rounding of the path
+  constexpr double near = 0x1p-4;  // of the span; further away the jet itself is as good
+  constexpr double rounding =
+      0x1p-36;  // of the span, or of the parameter if that is all that the path is known to
   constexpr std::size_t most_kept = 1000;
   const std::array<Local, 2> local = {localize(0, u, hint_u), localize(1, v, hint_v)};
   for (const int d : {0, 1})
@@ -455,6 +456,10 @@ std::optional<CollapsedJetModel> SplineEvaluator::collapsedJet(const ChebyshevMo
           at_end ? local[d].x - ChebyshevModel(1) : local[d].x + ChebyshevModel(1);
       const Interval range = from_end.range();
       const double nearest = at_end ? -range.upper : range.lower;
+      const double half = 0.5 * (span.upper - span.lower);
+      const double unknown = 2 * from_end.radius();
+      const double beyond =
+          unknown * half <= rounding * parameterSize(d) ? std::max(rounding, unknown) : rounding;
       if (!(nearest >= -beyond && nearest < near)) continue;
       const CollapsedKey key{local[0].span, local[1].span, {d, at_end}};
       const std::optional<Eigen::Vector3d> point = collapsedPoint(key.span_u, key.span_v, key.boundary);
@@ -462,8 +467,8 @@ std::optional<CollapsedJetModel> SplineEvaluator::collapsedJet(const ChebyshevMo
       if (collapsed_cells_.size() >= most_kept) collapsed_cells_.clear();
       Cell& cell = collapsed_cells_[key];
       if (cell.count < netsOf(order)) cell = makeCollapsedCell(key, *point, netsOf(order));
-      return CollapsedJetModel{*point, evaluated(cell, local[0].x, local[1].x, order),
-                               (0.5 * (span.upper - span.lower)) * from_end, d, at_end ? -1.0 : 1.0};
+      return CollapsedJetModel{*point, evaluated(cell, local[0].x, local[1].x, order), half * from_end, d,
+                               at_end ? -1.0 : 1.0};
     }
   return std::nullopt;
 }

@@ -18,7 +18,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// Of the seam's parameter: a shorter piece with bounds is not cut to make them narrower.
 constexpr double shortest_piece = 0x1p-24;
 /// Of the seam, in parameter and in length: a shorter piece without known tangent plane is left out.
-constexpr double pole_piece = 0x1p-36;
+constexpr double pole_piece = 0x1p-30;
 /// Of the seam's parameter: no piece is cut to less.
 constexpr double last_piece = 0x1p-50;
 /// Of the seam, in parameter and in length: so near a point without tangent plane, where curvature is as large as
@@ -88,7 +88,7 @@ class Enclosure {
   void see(Quantity quantity, const PieceBound& bound, const Piece& piece);
   bool isShort(double from, double to, double share);
   double wholeLength();
-  bool hasPole(double from, double to) const;
+  bool hasPole(double end);
   void findPoles();
   void leaveOutCurvatureNearDegenerate();
   bool isAtPole(const Piece& piece);
@@ -206,6 +206,7 @@ void Enclosure::see(const Piece& piece) {
 }
 
 void Enclosure::leaveOut(const Piece& piece, const SideFields& a, const SideFields& b) {
+  if (!curvature_range_.contains(piece.at(0))) return;  // named by findPoles()
   const auto kind = [](const SideFields& side) {
     return side.hasPlane() ? Degeneracy::None : Degeneracy::VanishingNormal;
   };
@@ -354,13 +355,17 @@ bool Enclosure::isShort(double from, double to, double share) {
   return to - from <= share && !(lengthOf(from, to).upper > share * wholeLength());
 }
 
-/// Whether a short piece at an end is where a side has no curvature.
-bool Enclosure::hasPole(double from, double to) const {
-  const auto lacks_curvature = [&](const SideEvaluator& evaluator) {
+/// Whether a side lacks curvature on a short piece at an end, which is named then.
+bool Enclosure::hasPole(double end) {
+  const double from = end == 0 ? 0 : 1 - pole_piece, to = end == 0 ? pole_piece : 1;
+  const auto kind = [&](const SideEvaluator& evaluator) {
     const SideFields side = evaluator.fields(from, to, Detail::Curvature);
-    return !side.split && !side.hasCurvature();
+    return side.split || side.hasCurvature() ? Degeneracy::None : Degeneracy::VanishingNormal;
   };
-  return lacks_curvature(a_) || lacks_curvature(b_);
+  const DegeneratePoint point{end, kind(a_), kind(b_)};
+  if (point.side_a == Degeneracy::None && point.side_b == Degeneracy::None) return false;
+  degenerate_.push_back(point);
+  return true;
 }
 
 /// The ends, where edges end at poles; poles elsewhere are met by pieces that shrink to them.
@@ -373,8 +378,8 @@ void Enclosure::findPoles() {
       length *= 0.5;
     return length;
   };
-  if (first > 0 || hasPole(0, pole_piece)) curvature_range_.lower = std::max(first, reach(0));
-  if (last < 1 || hasPole(1 - pole_piece, 1)) curvature_range_.upper = std::min(last, 1 - reach(1));
+  if (first > 0 || hasPole(0)) curvature_range_.lower = std::max(first, reach(0));
+  if (last < 1 || hasPole(1)) curvature_range_.upper = std::min(last, 1 - reach(1));
 }
 
 void Enclosure::leaveOutCurvatureNearDegenerate() {
@@ -398,8 +403,7 @@ bool Enclosure::isAtPole(const Piece& piece) {
   const auto is_near = [&](double pole) {
     return isShort(std::min(piece.from, pole), std::max(piece.to, pole), pole_piece);
   };
-  return (curvature_range_.lower > 0 && is_near(0)) || (curvature_range_.upper < 1 && is_near(1)) ||
-         std::ranges::any_of(degenerate_, [&](const DegeneratePoint& point) { return is_near(point.at); });
+  return std::ranges::any_of(degenerate_, [&](const DegeneratePoint& point) { return is_near(point.at); });
 }
 
 void Enclosure::addLeftOut(SeamFigures& figures) {
@@ -432,7 +436,7 @@ SeamFigures Enclosure::run() {
   Piece middle{range.middle(), range.middle(), {}};
   std::optional<double> split;
   if (measure(middle, Detail::TangentPlane, split)) see(middle);
-  if (detail() == Detail::Curvature) findPoles();
+  findPoles();
   breaks.insert(breaks.end(), {curvature_range_.lower, curvature_range_.upper});
   std::ranges::sort(breaks);
   double from = 0;

@@ -25,7 +25,7 @@ struct EncloseOptions {
 /// enclosures are wider, but as true.
 ///
 /// Figures are those of measurePair() and relativeDifference(), over all points where both sides have a
-/// tangent plane, but for what \p angle_left_out and \p curvature_left_out list. A piece shorter than 2^-36 of
+/// tangent plane, but for what \p angle_left_out and \p curvature_left_out list. A piece shorter than 2^-30 of
 /// the seam, in parameter and in length, that holds a point without one is left out by both and named in
 /// \p degenerate. The curvature also leaves out what lies within 2^-20 of the seam of such a point, and of a
 /// boundary of a spline all of whose poles are one point, where the tangent plane may be known: there curvature

@@ -23,7 +23,7 @@ struct Figure {
 /// What a figure leaves out of the seam.
 struct LeftOut {
   std::vector<Interval> stretches;  ///< parts of 0..1 that do not touch, increasing
-  /// The quantity is nowhere larger there, but for points within 2^-36 of the seam, in parameter and in length,
+  /// The quantity is nowhere larger there, but for points within 2^-30 of the seam, in parameter and in length,
   /// of one without a tangent plane: they are taken for that point. Nothing: no bound is known.
   std::optional<double> upper = 0;
 };

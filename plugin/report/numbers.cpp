@@ -67,7 +67,8 @@ std::string stretchText(const Interval& stretch) {
 /// "the curvature leaves out the first 9.54e-07"; empty if it leaves out nothing.
 std::string leftOutText(const std::string& what, const LeftOut& left_out) {
   std::string text;
-  for (const Interval& stretch : left_out.stretches) text += (text.empty() ? "" : ", ") + stretchText(stretch);
+  for (const Interval& stretch : left_out.stretches)
+    text += (text.empty() ? "" : ", ") + stretchText(stretch);
   return text.empty() ? text : "the " + what + " leaves out " + text;
 }
 
