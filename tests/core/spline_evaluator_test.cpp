@@ -102,17 +102,17 @@ TEST(SplineEvaluator, FieldsAreHeldNextToABoundaryThatIsOnePoint) {
   for (int i = 0; i < 300; ++i) {
     const CollapsedSpline collapsed = collapsedSpline(random);
     const SplineData& spline = collapsed.spline;
-    const double distance = logUniform(random, -7, -2);
+    const double distance = logUniform(random, -5, -1.5);
     double at[] = {placeIn(spline.u, random), placeIn(spline.v, random)};
     at[collapsed.direction] = collapsed.inside(distance);
     SCOPED_TRACE(testing::Message() << i << " at " << distance << " from boundary " << collapsed.boundary()
                                     << " of parameter " << collapsed.direction);
     const Path path = randomPath(at[0], at[1], 0.5 * distance, random);
     const Surface formula = formulaOf(spline, at[0], at[1]);
-    // The formula divides what is left of its digits by the distance.
+    // The formula divides its rounding by the square of the distance.
     expectHeld(
         *splineEvaluator(spline.evaluator()), [&](Real a, Real b) { return fieldsAt(formula, a, b); }, path,
-        at[0], at[1], 1e-15L / distance);
+        at[0], at[1], 1e-17L / (distance * distance));
   }
   EXPECT_GT(known, 50000);
 }
