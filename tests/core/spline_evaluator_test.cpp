@@ -80,7 +80,7 @@ struct CollapsedSpline {
 };
 
 CollapsedSpline collapsedSpline(std::mt19937_64& random) {
-  const int p = 1 + static_cast<int>(random() % 5), q = 1 + static_cast<int>(random() % 5);
+  const int p = 2 + static_cast<int>(random() % 4), q = 1 + static_cast<int>(random() % 5);
   CollapsedSpline result{randomSpline(p, q, random() % 2 == 0, 0, random), static_cast<int>(random() % 2),
                          random() % 2 == 0};
   SplineData& spline = result.spline;
