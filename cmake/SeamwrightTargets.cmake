@@ -12,6 +12,9 @@ function(seamwright_compile_options target)
   # Contraction is off so that a figure does not depend on whether the compiler fused a product.
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
                                            -ffp-contract=off $<$<BOOL:${SEAMWRIGHT_WERROR}>:-Werror>)
+  # Where many functions are inlined, GCC 12 gives false alarms of these two kinds inside Eigen and std::optional.
+  target_compile_options(${target} PRIVATE
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-use-after-free> $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endfunction()
 
 # seamwright_library(NAME SOURCES... HEADERS...): the target seamwright_NAME, alias and exported name seamwright::NAME.

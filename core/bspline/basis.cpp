@@ -6,6 +6,7 @@
 #include <seamwright/core/bernstein/coefficients.hpp>
 #include <seamwright/core/bspline/basis.hpp>
 #include <seamwright/core/enclosure/spline.hpp>
+#include <seamwright/core/numeric.hpp>
 
 namespace seamwright::bspline {
 
@@ -39,10 +40,6 @@ Eigen::RowVectorXd onSpline(const Eigen::RowVectorXd& functional, const std::vec
     result(j) -= factor;
   }
   return result;
-}
-
-[[noreturn]] void refuse(const std::string& text) {
-  throw std::invalid_argument(text);
 }
 
 }  // namespace

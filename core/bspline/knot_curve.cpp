@@ -10,6 +10,7 @@
 #include <seamwright/core/bspline/basis.hpp>
 #include <seamwright/core/bspline/blossom.hpp>
 #include <seamwright/core/bspline/knot_curve.hpp>
+#include <seamwright/core/numeric.hpp>
 
 namespace seamwright {
 
@@ -20,10 +21,6 @@ using Eigen::Index;
 
 /// Beyond them a period has no more than its leading digits left.
 constexpr double kMostTurns = 0x1p40;
-
-[[noreturn]] void refuse(const std::string& message) {
-  throw std::invalid_argument(message);
-}
 
 void requireMultiplicities(const KnotCurve& curve) {
   const std::vector<int>& times = curve.multiplicities;

@@ -8,6 +8,7 @@
 #include <seamwright/core/bezier/homogeneous.hpp>
 #include <seamwright/core/bspline/basis.hpp>
 #include <seamwright/core/bspline/surface.hpp>
+#include <seamwright/core/numeric.hpp>
 
 namespace seamwright {
 
@@ -15,10 +16,6 @@ namespace {
 
 /// One row for each pole of a direction.
 using Net = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-[[noreturn]] void refuse(const std::string& text) {
-  throw std::invalid_argument(text);
-}
 
 Net netAlong(const BSplineSurface& surface, SurfaceDirection direction) {
   const int nu = surface.countU(), nv = surface.countV();

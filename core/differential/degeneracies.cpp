@@ -8,12 +8,11 @@
 #include <seamwright/core/bernstein/coefficients.hpp>
 #include <seamwright/core/bezier/velocity_form.hpp>
 #include <seamwright/core/differential/frenet.hpp>
+#include <seamwright/core/numeric.hpp>
 
 namespace seamwright {
 
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// Where a form is not proved to be free of zeros, as intervals that do not touch.
 class ZeroSearch {
@@ -91,7 +90,7 @@ struct Line {
 /// times any offset, and the product of both, up to 2 r in size, by 5 more of these: 22 in all.
 Line lineOf(const BezierCurve& curve) {
   const Poles poles = curve.poles();
-  const double rounding = 11 * epsilon * poles.rowwise().stableNorm().maxCoeff();
+  const double rounding = 11 * machine_epsilon * poles.rowwise().stableNorm().maxCoeff();
   const Eigen::Matrix3Xd offsets = (poles.rowwise() - poles.row(0)).transpose();
   Eigen::Index farthest = 0;
   const double length = offsets.colwise().stableNorm().maxCoeff(&farthest);

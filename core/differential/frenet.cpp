@@ -10,14 +10,13 @@
 #include <seamwright/core/bernstein/coefficients.hpp>
 #include <seamwright/core/bezier/casteljau.hpp>
 #include <seamwright/core/differential/frenet.hpp>
+#include <seamwright/core/numeric.hpp>
 
 namespace seamwright {
 
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 void requireUsable(const CurveDerivatives& derivatives, double speed_noise, double acceleration_noise) {
   if (derivatives.rows() < 2)
@@ -59,7 +58,8 @@ void setCurvature(const CurveDerivatives& derivatives, double speed_noise, doubl
   const Vector3d d2 = derivatives.row(2).transpose() / speed / speed;
   const Vector3d bend = T.cross(d2);
   const double kappa = bend.stableNorm(), size = d2.stableNorm();
-  const double noise = (speed_noise / speed + 4 * epsilon) * size + acceleration_noise / speed / speed;
+  const double noise =
+      (speed_noise / speed + 4 * machine_epsilon) * size + acceleration_noise / speed / speed;
   if (kappa <= noise) {
     frame.kind = CurvePoint::Inflection;
     frame.curvature_per_mm = 0;
@@ -93,7 +93,7 @@ Size sizeOf(const Eigen::MatrixXd& rows) {
 /// Bounds of the rounding in A, A' and A'': de Casteljau's triangle of the k-th differences, of size
 /// 2^(k-1) step, times n! / (n - k)!.
 std::array<double, 3> derivativeNoise(const Size& size, int n, double t) {
-  const double rounding = 2 * (n + 4) * epsilon * std::pow(std::abs(t) + std::abs(1 - t), n);
+  const double rounding = 2 * (n + 4) * machine_epsilon * std::pow(std::abs(t) + std::abs(1 - t), n);
   return {rounding * size.pole, rounding * n * size.step, rounding * n * std::max(0, n - 1) * 2 * size.step};
 }
 

@@ -5,18 +5,17 @@
 #include <numbers>
 
 #include <seamwright/core/enclosure/chebyshev_model.hpp>
+#include <seamwright/core/numeric.hpp>
 
 namespace seamwright {
 
 namespace {
 
 constexpr int size = ChebyshevModel::size;
-constexpr double epsilon = std::numeric_limits<double>::epsilon();  // 2 u
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// A bound computed from non-negative numbers by a few dozen operations, made safe against their rounding.
 double up(double bound) {
-  return bound * (1 + 16 * epsilon) + std::numeric_limits<double>::min();
+  return bound * (1 + 16 * machine_epsilon) + std::numeric_limits<double>::min();
 }
 
 using Matrix = std::array<std::array<double, size>, size>;
@@ -137,12 +136,12 @@ double ChebyshevModel::magnitude() const {
 
 Interval ChebyshevModel::range() const {
   if (degree_ == 0)
-    return {coefficients_[0] - up(radius_ + epsilon * std::abs(coefficients_[0])),
-            coefficients_[0] + up(radius_ + epsilon * std::abs(coefficients_[0]))};
+    return {coefficients_[0] - up(radius_ + machine_epsilon * std::abs(coefficients_[0])),
+            coefficients_[0] + up(radius_ + machine_epsilon * std::abs(coefficients_[0]))};
   const Coefficients control = bernstein(degree_);
   const auto [low, high] = std::minmax_element(control.begin(), control.begin() + degree_ + 1);
   const double margin =
-      up(radius_ + bernsteinRounding() + epsilon * std::max(std::abs(*low), std::abs(*high)));
+      up(radius_ + bernsteinRounding() + machine_epsilon * std::max(std::abs(*low), std::abs(*high)));
   return {*low - margin, *high + margin};
 }
 
@@ -162,7 +161,7 @@ double ChebyshevModel::bernsteinRounding() const {
   double sum = 0;
   double bound = 1;
   for (int k = 0; k <= degree_; ++k, bound *= 2) sum += bound * std::abs(coefficients_[k]);
-  return 16 * epsilon * sum;
+  return 16 * machine_epsilon * sum;
 }
 
 ChebyshevModel& ChebyshevModel::operator+=(const ChebyshevModel& other) {
@@ -172,7 +171,7 @@ ChebyshevModel& ChebyshevModel::operator+=(const ChebyshevModel& other) {
     coefficients_[k] += other.coefficients_[k];
     absolute += std::abs(coefficients_[k]);
   }
-  radius_ = up(radius_ + other.radius_ + epsilon * absolute);
+  radius_ = up(radius_ + other.radius_ + machine_epsilon * absolute);
   trim();
   return *this;
 }
@@ -193,7 +192,7 @@ ChebyshevModel combination(const std::array<double, 3>& factors,
     sum.degree_ = std::max(sum.degree_, model.degree_);
     sum.radius_ += std::abs(factor) * model.radius_;
   }
-  sum.radius_ = up(sum.radius_ + 2 * epsilon * absolute);
+  sum.radius_ = up(sum.radius_ + 2 * machine_epsilon * absolute);
   sum.trim();
   return sum;
 }
@@ -208,7 +207,7 @@ ChebyshevModel& ChebyshevModel::operator*=(double factor) {
     coefficients_[k] *= factor;
     absolute += std::abs(coefficients_[k]);
   }
-  radius_ = up(std::abs(factor) * radius_ + epsilon * absolute);
+  radius_ = up(std::abs(factor) * radius_ + machine_epsilon * absolute);
   trim();
   return *this;
 }
@@ -249,7 +248,7 @@ ChebyshevModel ProductSum::model() const {
     result.coefficients_[k] = 0.5 * twice_[k];
   for (int k = size; k <= degree_; ++k) rest += std::abs(twice_[k]);
   result.degree_ = std::min(degree_, ChebyshevModel::max_degree);
-  result.radius_ = up(radius_ + 0.5 * rest + 0.5 * epsilon * (terms_ + 1) * absolute_);
+  result.radius_ = up(radius_ + 0.5 * rest + 0.5 * machine_epsilon * (terms_ + 1) * absolute_);
   result.trim();
   return result;
 }
@@ -289,8 +288,8 @@ std::pair<ChebyshevModel, ChebyshevModel> aroundMiddle(const ChebyshevModel& f, 
   const double reach = offset.magnitude();
   if (!(reach <= 2)) return {ChebyshevModel::unknown(), ChebyshevModel::unknown()};
   ChebyshevModel cos_middle(cosine_there), sin_middle(sine_there);
-  cos_middle.widen(epsilon * std::abs(cosine_there));
-  sin_middle.widen(epsilon * std::abs(sine_there));
+  cos_middle.widen(machine_epsilon * std::abs(cosine_there));
+  sin_middle.widen(machine_epsilon * std::abs(sine_there));
   if (offset.degree() == 0) {
     const double change =
         4 * reach * (std::abs(cosine_there) + std::abs(sine_there));  // reach cosh(reach) < 4 reach

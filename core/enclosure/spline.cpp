@@ -7,12 +7,12 @@
 #include <string>
 
 #include <seamwright/core/enclosure/spline.hpp>
+#include <seamwright/core/numeric.hpp>
 
 namespace seamwright {
 
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr int max_size = SplineEvaluator::max_degree + 1;
 using SmallMatrix =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_size, max_size>;
@@ -102,7 +102,7 @@ JetModel projected(const std::array<HomogeneousModel, 6>& h, int order) {
 }
 
 /// Of a jet to that order: p; u, v; uu, uv, vv.
-int netsOf(int order) {
+int netCount(int order) {
   return order == 0 ? 1 : order == 1 ? 3 : 6;
 }
 
@@ -209,7 +209,7 @@ SplineEvaluator::Local SplineEvaluator::localize(int direction, const ChebyshevM
   const double middle = span.lower + 0.5 * (span.upper - span.lower);
   const double half = 0.5 * (span.upper - span.lower);
   local.x = (1 / half) * (parameter - ChebyshevModel(shift) - ChebyshevModel(middle));
-  local.x.widen(4 * epsilon * ((std::abs(middle) + std::abs(shift)) / half + 2));
+  local.x.widen(4 * machine_epsilon * ((std::abs(middle) + std::abs(shift)) / half + 2));
   return local;
 }
 
@@ -234,7 +234,7 @@ struct SplineEvaluator::RoundedNet {
     RoundedNet result;
     result.value = factors.asDiagonal() * (value.bottomRows(rows) - value.topRows(rows));
     result.error = factors.asDiagonal() * (error.bottomRows(rows) + error.topRows(rows)) +
-                   3 * epsilon * result.value.cwiseAbs();
+                   3 * machine_epsilon * result.value.cwiseAbs();
     return result;
   }
 
@@ -247,7 +247,8 @@ struct SplineEvaluator::RoundedNet {
     // A convex combination, of as many roundings as in makeMatrices().
     SmallMatrix bezier_error = to_bezier * error;
     if (!to_bezier.isIdentity(0))
-      bezier_error += 0.5 * epsilon * static_cast<double>(8 * degree + 3) * (to_bezier * value.cwiseAbs());
+      bezier_error +=
+          0.5 * machine_epsilon * static_cast<double>(8 * degree + 3) * (to_bezier * value.cwiseAbs());
     RoundedNet result{SmallMatrix(degree, value.cols()), SmallMatrix(degree, value.cols())};
     for (Eigen::Index j = 0; j < degree; ++j) {
       const Eigen::Index row = at_end ? j : j + 1;
@@ -255,7 +256,7 @@ struct SplineEvaluator::RoundedNet {
           static_cast<double>(degree) / (width * static_cast<double>(at_end ? j - degree : row));
       result.value.row(j) = factor * bezier.row(row);
       result.error.row(j) =
-          std::abs(factor) * bezier_error.row(row) + 2 * epsilon * result.value.row(j).cwiseAbs();
+          std::abs(factor) * bezier_error.row(row) + 2 * machine_epsilon * result.value.row(j).cwiseAbs();
     }
     return result;
   }
@@ -284,7 +285,8 @@ void SplineEvaluator::addNets(const RoundedNet& poles, const RoundedNet& local, 
     const double of_terms =
         (mu.to_chebyshev_terms[du] * net.cwiseAbs() * mv.to_chebyshev_terms[dv].transpose()).sum();
     cell.nets[k].error[coordinate] =
-        (nets[k].error.maxCoeff() + 0.5 * epsilon * (mu.roundings[du] + mv.roundings[dv]) * of_terms) *
+        (nets[k].error.maxCoeff() +
+         0.5 * machine_epsilon * (mu.roundings[du] + mv.roundings[dv]) * of_terms) *
         (1 + 1e-12);
   }
 }
@@ -302,7 +304,7 @@ SplineEvaluator::RoundedNet SplineEvaluator::localNet(int span_u, int span_v, in
       const double weight = weights_.empty() ? 1 : weights_[index];
       net.value(i, j) = coordinate == 3 ? weight : weight * (poles_[index][coordinate] - origin[coordinate]);
     }
-  if (coordinate != 3) net.error = epsilon * net.value.cwiseAbs();
+  if (coordinate != 3) net.error = machine_epsilon * net.value.cwiseAbs();
   return net;
 }
 
@@ -333,7 +335,7 @@ JetModel SplineEvaluator::jet(const ChebyshevModel& u, const ChebyshevModel& v, 
                               int order) const {
   const Local x = localize(0, u, hint_u);
   const Local y = localize(1, v, hint_v);
-  const Cell& c = cell(x.span, y.span, netsOf(order));
+  const Cell& c = cell(x.span, y.span, netCount(order));
   JetModel jet = evaluated(c, x.x, y.x, order);
   jet.p = jet.p + constantModel(c.origin);
   return jet;
@@ -342,7 +344,7 @@ JetModel SplineEvaluator::jet(const ChebyshevModel& u, const ChebyshevModel& v, 
 /// About the origin of the cell.
 JetModel SplineEvaluator::evaluated(const Cell& c, const ChebyshevModel& x, const ChebyshevModel& y,
                                     int order) const {
-  const int nets = netsOf(order);
+  const int nets = netCount(order);
   const std::vector<ChebyshevModel> tx = chebyshevPolynomials(x, directions_[0].degree);
   const std::vector<ChebyshevModel> ty = chebyshevPolynomials(y, directions_[1].degree);
   const int dimension = weights_.empty() ? 3 : 4;
@@ -367,7 +369,7 @@ JetModel SplineEvaluator::evaluated(const Cell& c, const ChebyshevModel& x, cons
       ChebyshevModel::Coefficients sum{};
       Eigen::Map<Eigen::VectorXd>(sum.data(), degree + 1).noalias() = series.topRows(degree + 1) * net;
       const Eigen::RowVector2d error = net.cwiseAbs().transpose() * off;
-      const double rounding = static_cast<double>(terms + 4) * epsilon * error[1];
+      const double rounding = static_cast<double>(terms + 4) * machine_epsilon * error[1];
       h[k][d] = ChebyshevModel::series(
           sum, (error[0] + rounding + c.nets[k].error[d] * std::max(1.0, outside)) * (1 + 1e-12));
     }
@@ -466,7 +468,7 @@ std::optional<CollapsedJetModel> SplineEvaluator::collapsedJet(const ChebyshevMo
       if (!point) continue;
       if (collapsed_cells_.size() >= most_kept) collapsed_cells_.clear();
       Cell& cell = collapsed_cells_[key];
-      if (cell.count < netsOf(order)) cell = makeCollapsedCell(key, *point, netsOf(order));
+      if (cell.count < netCount(order)) cell = makeCollapsedCell(key, *point, netCount(order));
       return CollapsedJetModel{*point, evaluated(cell, local[0].x, local[1].x, order), half * from_end, d,
                                at_end ? -1.0 : 1.0};
     }

@@ -81,7 +81,7 @@ BoundedSeries lengthDerivatives(const BoundedRows<3>& x) {
 }
 
 /// Derivatives c by arc length, from those by the parameter, which are B(length derivatives) c.
-BoundedRows<3> arcLengthDerivatives(const BoundedRows<3>& x) {
+BoundedRows<3> arcLengthRows(const BoundedRows<3>& x) {
   const auto matrix = bellMatrix<Bounded>(lengthDerivatives(x));
   BoundedRows<3> result = x;
   for (Index k = 1; k < x.rows(); ++k)
@@ -95,7 +95,7 @@ BoundedRows<3> arcLengthDerivatives(const BoundedRows<3>& x) {
 BoundedRows<3> startOf(const BezierCurve& curve, int order, int exponent) {
   BoundedRows<3> x = affine(homogeneousDerivatives(curve.homogeneousPoles(), order, exponent));
   normalise(x);
-  return arcLengthDerivatives(x);
+  return arcLengthRows(x);
 }
 
 BoundedRows<3> endOf(const BezierCurve& curve, int order, int exponent) {

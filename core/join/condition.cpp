@@ -4,6 +4,7 @@
 #include <seamwright/core/join/checked_connection.hpp>
 #include <seamwright/core/join/condition.hpp>
 #include <seamwright/core/join/normalized.hpp>
+#include <seamwright/core/numeric.hpp>
 
 namespace seamwright {
 
@@ -14,9 +15,8 @@ using rows::Field;
 using rows::Sum;
 using rows::times;
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
-/// Roundings in a product of fields, all told; noise is this times eps for each factor.
-constexpr double roundings = 64;
+/// Roundings in a product of fields, all told; noise is this times machine_epsilon for each factor.
+constexpr double factor_roundings = 64;
 
 /// A vector-valued polynomial, and by how much a coefficient may be off.
 template <int Size>
@@ -80,24 +80,24 @@ Derivatives derivativesOf(const Ribbon& ribbon, double rounding) {
 template <int Size>
 double relativeNoise(const Rounded<Size>& x) {
   const double size = x.size();
-  return roundings * eps + (size > 0 ? x.noise / size : 0);
+  return factor_roundings * machine_epsilon + (size > 0 ? x.noise / size : 0);
 }
 
 /// A condition in the units of NormalizedPair.
-struct Condition {
+struct Polynomials {
   Eigen::VectorXd coefficients;
   double scale = 0;     ///< the product of the sizes of the fields
   double noise = 0;     ///< of a coefficient
   double ordinary = 0;  ///< what the scale is where the fields are no smaller than usual; 0: they never are
 };
 
-bool canBeTold(const Condition& condition) {
+bool canBeTold(const Polynomials& condition) {
   return condition.scale == 0 ||
          condition.noise <= kLargestNoise * std::max(condition.scale, condition.ordinary);
 }
 
 /// \param unit what the coefficients are multiplied by in the end.
-JoinResidual residual(const Condition& condition, double unit, std::optional<double> tolerance) {
+JoinResidual residual(const Polynomials& condition, double unit, std::optional<double> tolerance) {
   JoinResidual result;
   Eigen::Index largest = 0;
   const double size = condition.coefficients.cwiseAbs().maxCoeff(&largest);
@@ -118,7 +118,7 @@ JoinResidual agreement(const Eigen::VectorXd& f, const Rounded<3>& a, const Eige
   const Field<3> difference = Sum<3>().add(f, b.field).add(-g, a.field).total();
   const double size_f = f.cwiseAbs().maxCoeff(), size_g = g.cwiseAbs().maxCoeff();
   const double scale = std::max(size_f * b.size(), size_g * a.size());
-  const double noise = size_f * b.noise + size_g * a.noise + roundings * eps * scale;
+  const double noise = size_f * b.noise + size_g * a.noise + factor_roundings * machine_epsilon * scale;
   return residual({difference.rowwise().norm(), scale, noise, ordinary * std::max(size_f, size_g)}, length,
                   tolerance);
 }
@@ -145,7 +145,8 @@ double largestQuotient(const Field<3>& field, double noise, const Eigen::VectorX
 }
 
 std::optional<double> notPositive(const Eigen::VectorXd& polynomial, double size, double noise = 0) {
-  return rows::notPositiveAt(BernsteinPolynomial(polynomial / size, std::clamp(noise, roundings * eps, 2.0)));
+  return rows::notPositiveAt(
+      BernsteinPolynomial(polynomial / size, std::clamp(noise, factor_roundings * machine_epsilon, 2.0)));
 }
 
 /// What a join of tangent planes is judged by.
@@ -234,7 +235,8 @@ class NormalSum {
     const double weight = factor.cwiseAbs().maxCoeff() * rows::size(normal_);
     scale_ += weight * x.size();
     ordinary_ += weight * first.size();
-    noise_ += weight * (x.noise + x.size() * (factor_noise + normal_noise_ + roundings * eps));
+    noise_ +=
+        weight * (x.noise + x.size() * (factor_noise + normal_noise_ + factor_roundings * machine_epsilon));
     sum_.add(factor, rows::dot<3>(normal_, x.field));
     return *this;
   }

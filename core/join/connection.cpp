@@ -4,6 +4,7 @@
 #include <seamwright/core/join/connection.hpp>
 #include <seamwright/core/join/normalized.hpp>
 #include <seamwright/core/linear/dense.hpp>
+#include <seamwright/core/numeric.hpp>
 #include <vector>
 
 namespace seamwright {
@@ -15,8 +16,7 @@ using rows::Field;
 using rows::Sum;
 using rows::times;
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr double roundings = 256;
+constexpr double fit_roundings = 256;
 
 /// A term factor(t) field(t) with an unknown factor of that degree.
 struct Unknown {
@@ -24,7 +24,7 @@ struct Unknown {
   int degree;
 };
 
-struct Solution {
+struct FieldFit {
   std::vector<Eigen::VectorXd> factors;
   double residual =
       0;  ///< largest coefficient that remains, relative to the right side, the terms and the size given
@@ -38,7 +38,7 @@ Eigen::VectorXd column(const Field<4>& field, int degree) {
 
 /// Columns scaled to length 1, so that neither units nor speeds count for the condition.
 /// \param size what residuals are relative to at least: a right side of rounding alone must not count as one of its own size.
-Solution solve(const std::vector<Unknown>& unknowns, const Field<4>& right, double size) {
+FieldFit solve(const std::vector<Unknown>& unknowns, const Field<4>& right, double size) {
   int degree = rows::degree(right);
   Eigen::Index count = 0;
   for (const Unknown& term : unknowns) {
@@ -60,7 +60,7 @@ Solution solve(const std::vector<Unknown>& unknowns, const Field<4>& right, doub
   const auto diagonal = qr.matrixQR().diagonal().cwiseAbs();
   const Eigen::VectorXd solution = scaled.cwiseQuotient(lengths);
 
-  Solution result;
+  FieldFit result;
   result.condition = diagonal.minCoeff() > 0 ? diagonal.maxCoeff() / diagonal.minCoeff()
                                              : std::numeric_limits<double>::infinity();
   next = 0;
@@ -74,7 +74,7 @@ Solution solve(const std::vector<Unknown>& unknowns, const Field<4>& right, doub
   return result;
 }
 
-void requireDegree(const char* name, const std::optional<int>& degree) {
+void requireConnectionDegree(const char* name, const std::optional<int>& degree) {
   if (degree && (*degree < 0 || *degree > 30))
     throw std::invalid_argument(std::string("degree of ") + name + " is " + std::to_string(*degree) +
                                 ": it must be within 0 to 30");
@@ -94,7 +94,7 @@ class Recognition {
         P_t_(rows::derivative<4>(pair_.a.position)) {
     const double m = std::max(pair_.a.degree_across, pair_.b.degree_across);
     const double sizes = std::min({rows::size(pair_.a.first), rows::size(pair_.b.first), rows::size(P_t_)});
-    noise_first_ = roundings * eps +
+    noise_first_ = fit_roundings * machine_epsilon +
                    (sizes > 0 ? 64 * pair_.rounding * std::max<double>(m, pair_.a.degree()) / sizes : 0);
   }
 
@@ -123,7 +123,7 @@ class Recognition {
     const bool given = first || second;
     for (int k = 0; k <= (given ? 0 : last); ++k) {
       const int degree = first.value_or(second ? std::max(*second - 1, 0) : k);
-      const Solution solution = attempt(degree, second.value_or(degree + 1), best);
+      const FieldFit solution = attempt(degree, second.value_or(degree + 1), best);
       fit_.condition = std::max(fit_.condition, solution.condition);
       if (!(solution.condition <= options_.largest_condition)) {
         fit_.note = std::string("the equations for ") + names + " have condition " +
@@ -139,12 +139,12 @@ class Recognition {
 
   bool scale() {
     const HomogeneousPoles &P = pair_.a.position, &Q = pair_.b.position;
-    const double allowed =
-        tolerance(roundings * (eps + pair_.rounding) * (rows::degree(P) + rows::degree(Q) + 2));
+    const double allowed = tolerance(fit_roundings * (machine_epsilon + pair_.rounding) *
+                                     (rows::degree(P) + rows::degree(Q) + 2));
     const int last = polynomial_ ? 0 : std::max(rows::degree(Q) - rows::degree(P), 0) + 3;
     const bool found =
         ascend(std::nullopt, std::nullopt, last, allowed, "e0", [&](int degree, int, double best) {
-          Solution solution = solve({{P, degree}}, Q, 0);
+          FieldFit solution = solve({{P, degree}}, Q, 0);
           if (solution.residual < best) fit_.connection.e0 = solution.factors[0];
           return solution;
         });
@@ -163,7 +163,7 @@ class Recognition {
                                 std::vector<Unknown> unknowns = {{out, degree}, {along, other}};
                                 if (!polynomial_)
                                   unknowns.push_back({pair_.a.position, degree + rows::degree(c.e0)});
-                                Solution solution = solve(unknowns, pair_.b.first, 0);
+                                FieldFit solution = solve(unknowns, pair_.b.first, 0);
                                 if (solution.residual < best) {
                                   c.alpha = solution.factors[0];
                                   c.beta = solution.factors[1];
@@ -209,13 +209,14 @@ class Recognition {
     const double terms = rows::size(pair_.b.second) + rows::size(second) + rows::size(P_s) + rows::size(P_t_);
     const double size = std::max(rows::size(rest), std::min(rows::size(P_s), rows::size(P_t_)));
     const double allowed = tolerance(
-        noise_first_ + (64 * m * m * pair_.rounding + (roundings * eps + noise_first_) * terms) / size);
+        noise_first_ +
+        (64 * m * m * pair_.rounding + (fit_roundings * machine_epsilon + noise_first_) * terms) / size);
     const bool found = ascend(options_.p_degree, options_.q_degree, last, allowed, "p and q",
                               [&](int degree, int other, double best) {
                                 std::vector<Unknown> unknowns = {{out, degree}, {along, other}};
                                 if (!polynomial_)
                                   unknowns.push_back({pair_.a.position, degree + rows::degree(c.e0)});
-                                Solution solution = solve(unknowns, rest, size);
+                                FieldFit solution = solve(unknowns, rest, size);
                                 if (solution.residual < best) {
                                   c.p = solution.factors[0];
                                   c.q = solution.factors[1];
@@ -243,10 +244,10 @@ ConnectionFit fitConnection(const Ribbon& a, const Ribbon& b, const ConnectionFi
   if (options.order != 1 && options.order != 2)
     throw std::invalid_argument("order " + std::to_string(options.order) + ": known are 1 and 2");
   requireTolerance(options.tolerance);
-  requireDegree("alpha", options.alpha_degree);
-  requireDegree("beta", options.beta_degree);
-  requireDegree("p", options.p_degree);
-  requireDegree("q", options.q_degree);
+  requireConnectionDegree("alpha", options.alpha_degree);
+  requireConnectionDegree("beta", options.beta_degree);
+  requireConnectionDegree("p", options.p_degree);
+  requireConnectionDegree("q", options.q_degree);
   return Recognition(a, b, options).run();
 }
 

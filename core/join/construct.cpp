@@ -53,7 +53,7 @@ Field<4> written(const Field<4>& field, int degree, double magnitude, const char
   return low.field;
 }
 
-void requireDegree(int degree, int lowest) {
+void requireLowestDegree(int degree, int lowest) {
   if (degree < lowest || degree > bernstein::kMaxDegree)
     throw std::invalid_argument("degree " + std::to_string(degree) + " is not within " +
                                 std::to_string(lowest) + " to " + std::to_string(bernstein::kMaxDegree));
@@ -70,10 +70,10 @@ void requirePositiveWeights(const JoinRows& rows) {
 
 /// Rows 0..count - 1 of the polynomial Q + u Q_u + u^2 Q_uu / 2 in degree l across.
 JoinRows tensorRowsOf(const Ribbon& q, int order, int l, int count, std::optional<int> degree) {
-  requireDegree(l, 1);
+  requireLowestDegree(l, 1);
   int along = std::max(rows::degree(q.position), rows::degree(q.first));
   if (order == 2) along = std::max(along, rows::degree(q.second));
-  requireDegree(along = degree.value_or(along), 0);
+  requireLowestDegree(along = degree.value_or(along), 0);
   const double magnitude = rows::size(q.position) + rows::size(q.first) + rows::size(q.second);
   const Field<4> position = written(q.position, along, magnitude, "Q"),
                  first = written(q.first, along, magnitude, "Q_s"),
@@ -140,7 +140,7 @@ BezierPatch continuation(const Ribbon& given, const Connection& connection, int 
 JoinRows triangleRows(const Ribbon& given, const Connection& connection, std::optional<int> degree) {
   const Ribbon q = beyond(given, checked(connection), 1);
   const int n = degree.value_or(std::max(rows::degree(q.position), rows::degree(q.first) + 1));
-  requireDegree(n, 1);
+  requireLowestDegree(n, 1);
   const double magnitude = rows::size(q.position) + rows::size(q.first);
   const HomogeneousPoles seam = written(q.position, n, magnitude, "Q");
   const HomogeneousPoles next = seam.topRows(n) + written(q.first, n - 1, magnitude, "Q_s") / n;
@@ -192,7 +192,7 @@ BezierTriangle withRows(const BezierTriangle& triangle, TriangleEdge edge, bool 
     throw std::invalid_argument("rows for a triangle of degree " + std::to_string(rows.degree_across) +
                                 ", the triangle has degree " + std::to_string(triangle.degree()) +
                                 ": the rows must be built in its degree");
-  requireDegree(rows.degree_across, triangle.degree());
+  requireLowestDegree(rows.degree_across, triangle.degree());
   BezierTriangle raised = triangle;
   while (raised.degree() < rows.degree_across) raised = raised.elevated();
   const HomogeneousPoles net = triangleNet(raised.homogeneousPoles(), edge, reversed, rows);

@@ -7,6 +7,7 @@
 
 #include <seamwright/core/join/nearest.hpp>
 #include <seamwright/core/join/nearest_family.hpp>
+#include <seamwright/core/numeric.hpp>
 
 namespace seamwright {
 
@@ -19,10 +20,6 @@ constexpr double max_entries = 1.5e6;
 constexpr double largest_rounding = 1e-6;
 /// Share of the ratio of the sides' cross derivatives below which alpha of a join that holds is no more than rounding.
 constexpr double least_alpha = 1e-9;
-
-[[noreturn]] void refuse(const std::string& text) {
-  throw std::invalid_argument(text);
-}
 
 void requireOptions(const NearestOptions& options) {
   if (options.order != 1 && options.order != 2)

@@ -11,6 +11,7 @@
 #include <seamwright/core/join/joint_length.hpp>
 #include <seamwright/core/join/nearest_curve.hpp>
 #include <seamwright/core/join/nearest_curve_search.hpp>
+#include <seamwright/core/numeric.hpp>
 #include <seamwright/core/seam/curve_joint.hpp>
 
 namespace seamwright {
@@ -22,13 +23,12 @@ using nearest_curve::End;
 using nearest_curve::Problem;
 using nearest_curve::Side;
 using Moves = NearestCurveJoinOptions::Moves;
-using Solution = NearestCurveJoin<HomogeneousPoles>;
+using NearestPoles = NearestCurveJoin<HomogeneousPoles>;
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
 /// Share of its length to which an end's first derivative may not fall.
 constexpr double lost = 1e-6;
 /// Defect above which rounding hides the join.
-constexpr double largest_rounding = 1e-6;
+constexpr double largest_curve_rounding = 1e-6;
 
 void requireValid(const Eigen::VectorXd& costs, const End& end, const std::string& name) {
   if (costs.size() == 0) return;
@@ -106,7 +106,7 @@ Defect defectOf(const End& a, const End& b, int order, double length) {
   const Eigen::Vector3d origin = a.point() + (b.point() - a.point()) / 2;
   const auto derivativesOf = [&](const End& end) {
     const Side side = nearest_curve::sideOf(end, order, origin, {}, false);
-    return CurveEnd{side.jet * side.points, 8 * eps * largestCoordinate(end, 1)};
+    return CurveEnd{side.jet * side.points, 8 * machine_epsilon * largestCoordinate(end, 1)};
   };
   const CurveJoint joint = measureJoint(derivativesOf(a), derivativesOf(b));
   Defect defect;
@@ -136,7 +136,7 @@ Problem problemOf(const End& a, const End& b, const NearestCurveJoinOptions& opt
   const double largest = std::max(largestCoordinate(a, n), largestCoordinate(b, n));
   const auto speed = [&](const Side& side, const char* name) {
     const double size = (side.jet.row(1) * side.points).stableNorm();
-    if (!(size > 8 * eps * largest))
+    if (!(size > 8 * machine_epsilon * largest))
       throw std::invalid_argument(std::string("curve ") + name +
                                   " has no tangent at the joint: its first derivative is " +
                                   text(size * side.unit));
@@ -148,7 +148,7 @@ Problem problemOf(const End& a, const End& b, const NearestCurveJoinOptions& opt
   problem.b.rescale(speed_b / length);
   problem.a.points /= length;
   problem.b.points /= length;
-  problem.rounding = eps * largest / length;
+  problem.rounding = machine_epsilon * largest / length;
   if (options.beta) {
     problem.beta = *options.beta;
     for (int k = 1; k <= n; ++k) problem.beta(k - 1) *= problem.a.unit / std::pow(problem.b.unit, k);
@@ -169,7 +169,7 @@ Eigen::VectorXd betaOf(const Problem& problem, Eigen::VectorXd beta) {
 
 /// Moves poles and adds up what that costs.
 void place(const End& end, const Side& side, const Eigen::MatrixXd& moves, HomogeneousPoles& poles,
-           Solution& solution) {
+           NearestPoles& solution) {
   const Eigen::Index first = end.firstPole(static_cast<int>(moves.rows()) - 1);
   for (Eigen::Index i = 0; i < moves.rows(); ++i) {
     if (side.reach(i) == 0) continue;
@@ -194,7 +194,7 @@ double speedOf(const Side& side, const Eigen::MatrixXd& points) {
   return (side.jet.row(1) * points).norm();
 }
 
-Solution nearestPoles(const End& a, const End& b, const NearestCurveJoinOptions& options) {
+NearestPoles nearestPoles(const End& a, const End& b, const NearestCurveJoinOptions& options) {
   requireValid(options);
   requireValid(a, "a", options.order);
   requireValid(b, "b", options.order);
@@ -203,7 +203,7 @@ Solution nearestPoles(const End& a, const End& b, const NearestCurveJoinOptions&
   double unit = 1;
   const Problem problem = problemOf(a, b, options, unit);
   const double length = jointLength(extentOfEnd(a), extentOfEnd(b));
-  Solution result{a.poles, b.poles};
+  NearestPoles result{a.poles, b.poles};
   result.beta = betaOf(problem, problem.beta);
   if (nearest_curve::holds(problem)) {
     result.status = NearestCurveStatus::Solved;
@@ -216,7 +216,7 @@ Solution nearestPoles(const End& a, const End& b, const NearestCurveJoinOptions&
   result.gradient = found.stationarity;
 
   const auto refuse = [&](const std::string& reason) {
-    Solution none{a.poles, b.poles};
+    NearestPoles none{a.poles, b.poles};
     none.beta = result.beta;
     none.iterations = result.iterations;
     none.gradient = result.gradient;
@@ -238,7 +238,7 @@ Solution nearestPoles(const End& a, const End& b, const NearestCurveJoinOptions&
        result.b.row(0));
   const Defect defect = defectOf({a.degree, a.knots, result.a, true}, {b.degree, b.knots, result.b, false},
                                  options.order, length);
-  if (!(defect.relative <= largest_rounding))
+  if (!(defect.relative <= largest_curve_rounding))
     return refuse(std::string(found.bounded ? "beta_1 is at its bound, and " : "") +
                   "rounding leaves a defect of " + text(defect.largest));
   result.residual = defect.largest;
@@ -251,7 +251,7 @@ Solution nearestPoles(const End& a, const End& b, const NearestCurveJoinOptions&
 }
 
 template <typename Curve>
-NearestCurveJoin<Curve> withCurves(Curve a, Curve b, Solution solution) {
+NearestCurveJoin<Curve> withCurves(Curve a, Curve b, NearestPoles solution) {
   return {std::move(a),
           std::move(b),
           std::move(solution.beta),
@@ -270,7 +270,7 @@ NearestCurveJoin<BSplineCurve> nearestJoin(const BSplineCurve& a, const BSplineC
                                            const NearestCurveJoinOptions& options) {
   requireValid(a);
   requireValid(b);
-  Solution solution =
+  NearestPoles solution =
       nearestPoles({a.degree, a.knots, a.poles, true}, {b.degree, b.knots, b.poles, false}, options);
   BSplineCurve moved_a{a.degree, a.knots, std::move(solution.a)},
       moved_b{b.degree, b.knots, std::move(solution.b)};
@@ -285,8 +285,8 @@ NearestCurveJoin<BezierCurve> nearestJoin(const BezierCurve& a, const BezierCurv
     return result;
   };
   const std::vector<double> knots_a = knots(a), knots_b = knots(b);
-  Solution solution = nearestPoles({a.degree(), knots_a, a.homogeneousPoles(), true},
-                                   {b.degree(), knots_b, b.homogeneousPoles(), false}, options);
+  NearestPoles solution = nearestPoles({a.degree(), knots_a, a.homogeneousPoles(), true},
+                                       {b.degree(), knots_b, b.homogeneousPoles(), false}, options);
   BezierCurve moved_a = BezierCurve::fromHomogeneous(std::move(solution.a));
   BezierCurve moved_b = BezierCurve::fromHomogeneous(std::move(solution.b));
   return withCurves(std::move(moved_a), std::move(moved_b), std::move(solution));

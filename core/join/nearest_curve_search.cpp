@@ -7,12 +7,12 @@
 #include <seamwright/core/join/beta.hpp>
 #include <seamwright/core/join/nearest_curve_search.hpp>
 #include <seamwright/core/linear/dense.hpp>
+#include <seamwright/core/numeric.hpp>
 
 namespace seamwright::nearest_curve {
 
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
 /// Share of the largest singular value below which an equation does not reach the poles that move.
 constexpr double rank_share = 1e-13;
 
@@ -134,7 +134,8 @@ class Search {
   }
   /// Of the equations.
   MatrixXd rounding(const Iterate& at, const MatrixXd& x) const {
-    return eps * (at.C.cwiseAbs() * (x.cwiseAbs().array() + p_.rounding / eps).matrix());
+    return machine_epsilon *
+           (at.C.cwiseAbs() * (x.cwiseAbs().array() + p_.rounding / machine_epsilon).matrix());
   }
   std::vector<MatrixXd> matrixDerivatives(const Iterate& at) const;
   MatrixXd curvature(const Iterate& at, const MatrixXd& multipliers) const;

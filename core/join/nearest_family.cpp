@@ -8,16 +8,13 @@
 #include <seamwright/core/bspline/basis.hpp>
 #include <seamwright/core/join/nearest_family.hpp>
 #include <seamwright/core/linear/dense.hpp>
+#include <seamwright/core/numeric.hpp>
 
 namespace seamwright::nearest {
 
 namespace {
 
 constexpr int max_connection_degree = 6;
-
-[[noreturn]] void refuse(const std::string& text) {
-  throw std::invalid_argument(text);
-}
 
 Degrees degreesOf(const NearestOptions& options, bool rational) {
   const bool second = options.order == 2;

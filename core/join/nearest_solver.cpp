@@ -5,12 +5,12 @@
 
 #include <seamwright/core/join/nearest_solver.hpp>
 #include <seamwright/core/linear/dense.hpp>
+#include <seamwright/core/numeric.hpp>
 
 namespace seamwright::nearest {
 
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
 /// Share of the largest pivot below which a row of the condition says nothing new.
 constexpr double rank_share = 1e-11;
 
@@ -40,7 +40,7 @@ class Search {
     reach_ = (unknowns.pull.array() > 0).select(unknowns.pull.array().rsqrt(), 0.0);
     for (Eigen::Index i = 0; i < reach_.size(); ++i)
       if (reach_(i) > 0) movable_.push_back(i);
-    noise_ = 16 * eps * unknowns.largest * std::sqrt(unknowns.pull.sum());
+    noise_ = 16 * machine_epsilon * unknowns.largest * std::sqrt(unknowns.pull.sum());
   }
 
   Solution run(int max_iterations);
@@ -322,7 +322,7 @@ Solution Search::run(int max_iterations) {
 }  // namespace
 
 bool holds(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& x, double rounding) {
-  const Eigen::VectorXd allowed = 32 * eps * rounding * matrix.cwiseAbs().rowwise().sum();
+  const Eigen::VectorXd allowed = 32 * machine_epsilon * rounding * matrix.cwiseAbs().rowwise().sum();
   return ((matrix * x).rowwise().norm().array() <= allowed.array()).all();
 }
 

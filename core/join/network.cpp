@@ -10,6 +10,7 @@
 #include <seamwright/core/join/nearest_solver.hpp>
 #include <seamwright/core/join/network_laws.hpp>
 #include <seamwright/core/join/network_projection.hpp>
+#include <seamwright/core/numeric.hpp>
 
 namespace seamwright {
 
@@ -17,9 +18,8 @@ namespace {
 
 using namespace network;
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
 /// Share of the derivatives above which rounding hides whether a seam joins.
-constexpr double largest_rounding = 1e-6;
+constexpr double largest_network_rounding = 1e-6;
 
 Eigen::MatrixXd polesOf(const Eigen::MatrixXd& x, const std::vector<int>& columns) {
   Eigen::MatrixXd result(std::ssize(columns), x.cols());
@@ -55,7 +55,7 @@ std::optional<SeamJoin> joinedAlready(const Network& network, const Unknowns& u,
     const SeamLaw law = seam.held ? *seam.held : condition.closest(degree, x);
     if (!(law.c.minCoeff() > 0 && law.d.minCoeff() > 0)) return std::nullopt;
     const double residual = condition.residual(law, x);
-    if (!(residual <= largest_rounding) || !nearest::holds(condition.matrix(law), x, u.largest))
+    if (!(residual <= largest_network_rounding) || !nearest::holds(condition.matrix(law), x, u.largest))
       return std::nullopt;
     return SeamJoin{SeamStatus::Unchanged, seam.order, residual, law, {}};
   };
@@ -160,7 +160,7 @@ class Attempt {
   void check(const Laws& laws);
   bool keepsNormals(const Member& member) const;
   void place();
-  bool isExact(const Projection& at) const { return at.rounding <= 16 * eps * unknowns_.largest; }
+  bool isExact(const Projection& at) const { return at.rounding <= 16 * machine_epsilon * unknowns_.largest; }
 
   std::vector<NetworkSurface> surfaces_;
   const std::vector<NetworkSeam>& seams_;
@@ -253,8 +253,8 @@ void Attempt::search(const Laws& laws, const NetworkOptions& options) {
   y_ = laws.start();
   const Eigen::SparseMatrix<double> a = matrix(laws, y_);
   at_ = project(a, unknowns_.pull, unknowns_.target, of_projection_);
-  noise_ =
-      64 * eps * unknowns_.largest * std::sqrt(unknowns_.pull.maxCoeff() * static_cast<double>(rows_ + 1));
+  noise_ = 64 * machine_epsilon * unknowns_.largest *
+           std::sqrt(unknowns_.pull.maxCoeff() * static_cast<double>(rows_ + 1));
   converged_ = laws.directions() == 0;
   while (!converged_ && iterations_ < options.max_iterations) {
     ++iterations_;
@@ -319,7 +319,7 @@ void Attempt::check(const Laws& laws) {
     join.residual = member.condition.residual(law, x);
     join.status = SeamStatus::Joined;
     if (!nearest::holds(member.condition.matrix(law), x, unknowns_.largest) ||
-        !(join.residual <= largest_rounding))
+        !(join.residual <= largest_network_rounding))
       obstacles_.push_back({member.seam, join.residual,
                             "what stays, and the laws of the seams around it, leave a residual of " +
                                 text(join.residual) + " of the derivatives"});
@@ -374,7 +374,7 @@ NetworkResult unchanged(const std::vector<NetworkSurface>& surfaces, std::vector
 }
 
 std::optional<NetworkResult> joinedAlready(const Network& network, const Unknowns& u) {
-  if (largestGap(network.surfaces, u) > 32 * eps * u.largest) return std::nullopt;
+  if (largestGap(network.surfaces, u) > 32 * machine_epsilon * u.largest) return std::nullopt;
   std::vector<SeamJoin> joins;
   for (int i = 0; i < std::ssize(network.seams); ++i) {
     auto join = joinedAlready(network, u, i);

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include <seamwright/core/join/nearest_family.hpp>
 #include <seamwright/core/join/network_laws.hpp>
 #include <seamwright/core/join/network_projection.hpp>
 #include <seamwright/core/linear/dense.hpp>
@@ -104,10 +105,6 @@ VertexPlan vertexPlan(const Network& network, const Unknowns& u, const Vertex& v
   result.sort = vertex.corners.size() == 4 && isCrossing(result, options.crossing_rad) ? VertexSort::Crossing
                                                                                        : VertexSort::Star;
   return result;
-}
-
-std::vector<double> innerKnots(const nearest::SeamRows& rows) {
-  return {rows.knots.begin() + rows.degree + 1, rows.knots.end() - rows.degree - 1};
 }
 
 /// The condition with the laws of the natural degrees, all of whose coefficients may be other than zero.

@@ -8,14 +8,11 @@
 
 #include <seamwright/core/bezier/homogeneous.hpp>
 #include <seamwright/core/join/network_topology.hpp>
+#include <seamwright/core/numeric.hpp>
 
 namespace seamwright::network {
 
 namespace {
-
-[[noreturn]] void refuse(const std::string& text) {
-  throw std::invalid_argument(text);
-}
 
 /// Sets that are united; each is named by one of its members.
 class Sets {

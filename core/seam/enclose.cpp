@@ -6,6 +6,7 @@
 #include <span>
 #include <sstream>
 
+#include <seamwright/core/numeric.hpp>
 #include <seamwright/core/seam/enclose.hpp>
 #include <seamwright/core/seam/piece.hpp>
 #include <seamwright/core/seam/side_evaluator.hpp>
@@ -14,7 +15,6 @@ namespace seamwright {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 /// Of the seam's parameter: a shorter piece with bounds is not cut to make them narrower.
 constexpr double shortest_piece = 0x1p-24;
 /// Of the seam, in parameter and in length: a shorter piece without known tangent plane is left out.

@@ -5,13 +5,13 @@
 #include <limits>
 #include <numbers>
 
+#include <seamwright/core/numeric.hpp>
 #include <seamwright/core/seam/piece.hpp>
 
 namespace seamwright {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double rounding =
     1e-14;  ///< relative, of the short computations that follow; far above 2^-52 times their length
 

@@ -3,14 +3,13 @@
 #include <cmath>
 #include <limits>
 
+#include <seamwright/core/numeric.hpp>
 #include <seamwright/core/seam/side_evaluator.hpp>
 
 namespace seamwright {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double shortest_crossing = 0x1p-30;  ///< of the seam: below it both sides of a knot line are taken
 
 double mapped(const std::vector<double>& from, const std::vector<double>& to, double value) {
@@ -95,7 +94,7 @@ SideFields SideEvaluator::fields(double from, double to, Detail detail) const {
 ChebyshevModel SideEvaluator::parameter(double from, double to) const {
   const double t0 = mapped(side_.s, side_.t, from);
   const double t1 = mapped(side_.s, side_.t, to);
-  const double rounding = 8 * epsilon * (std::abs(side_.t.front()) + std::abs(side_.t.back()));
+  const double rounding = 8 * machine_epsilon * (std::abs(side_.t.front()) + std::abs(side_.t.back()));
   return ChebyshevModel::linear(0.5 * (t0 + t1), 0.5 * (t1 - t0), rounding);
 }
 
@@ -131,7 +130,8 @@ std::vector<double> SideEvaluator::hints(int d, const VectorModel& uv, double fr
 /// rounding leaves open of the path, which is the same for a piece as for the whole path.
 double SideEvaluator::touchingDistance(int d, const ChebyshevModel& coordinate) const {
   const Interval range = coordinate.range();
-  const double of_parameter = 64 * epsilon * (std::abs(range.lower) + std::abs(range.upper) + range.width());
+  const double of_parameter =
+      64 * machine_epsilon * (std::abs(range.lower) + std::abs(range.upper) + range.width());
   const double of_path = 4 * coordinate.radius();
   return of_path <= 0x1p-36 * reach_[d] ? std::max(of_parameter, of_path) : of_parameter;
 }

@@ -10,6 +10,7 @@
 #include <seamwright/core/bezier/homogeneous.hpp>
 #include <seamwright/core/bspline/basis.hpp>
 #include <seamwright/core/bspline/blossom.hpp>
+#include <seamwright/core/numeric.hpp>
 #include <seamwright/core/spline/bezier_spline.hpp>
 
 namespace seamwright {
@@ -17,10 +18,6 @@ namespace seamwright {
 namespace {
 
 using bernstein::text;
-
-[[noreturn]] void refuse(const std::string& message) {
-  throw std::invalid_argument(message);
-}
 
 void requireCounts(const BezierSpline& spline) {
   if (spline.degree < 1) refuse("degree is " + std::to_string(spline.degree) + ": at least 1 is needed");

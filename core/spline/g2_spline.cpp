@@ -7,6 +7,7 @@
 
 #include <seamwright/core/bernstein/coefficients.hpp>
 #include <seamwright/core/bspline/blossom.hpp>
+#include <seamwright/core/numeric.hpp>
 #include <seamwright/core/spline/g2_spline.hpp>
 
 namespace seamwright {
@@ -14,10 +15,6 @@ namespace seamwright {
 namespace {
 
 using bernstein::text;
-
-[[noreturn]] void refuse(const std::string& message) {
-  throw std::invalid_argument(message);
-}
 
 /// Which edge a segment lies on, and which vertices and edges there are.
 class Layout {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <seamwright/core/join/bernstein_rows.hpp>
+#include <seamwright/core/numeric.hpp>
 #include <seamwright/core/umbrella/hole_corner.hpp>
 #include <sstream>
 #include <stdexcept>
@@ -18,7 +19,6 @@ using bernstein::text;
 using Eigen::Vector3d;
 using rows::Field;
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr int max_side_degree = 12;
 
 std::string sideName(std::size_t k) {
@@ -70,7 +70,7 @@ SideEnd endOfSide(const FillSide& side, bool last, double size) {
   SideEnd end{endOf(edge1, last), endOf(rows::derivative<3>(edge1), last), endOf(*side.cross, last),
               endOf(rows::derivative<3>(*side.cross), last)};
   const double degree = std::max<double>(side.edge.degree(), rows::degree(*side.cross));
-  end.noise = 64 * epsilon * (degree + 1) * (size + rows::size(*side.cross));
+  end.noise = 64 * machine_epsilon * (degree + 1) * (size + rows::size(*side.cross));
   return end;
 }
 
@@ -95,7 +95,7 @@ double greatest(const Eigen::VectorXd& polynomial) {
 
 void requireSides(const std::vector<FillSide>& sides) {
   for (std::size_t k = 0; k < sides.size(); ++k) requireSide(sides[k], k);
-  const double noise = 64 * epsilon * extent(sides);
+  const double noise = 64 * machine_epsilon * extent(sides);
   for (std::size_t k = 0; k < sides.size(); ++k) {
     const std::size_t before = (k + sides.size() - 1) % sides.size();
     const double gap = (sides[before].edge.point(1) - sides[k].edge.point(0)).norm();
@@ -149,7 +149,7 @@ HoleCorner::HoleCorner(const std::vector<FillSide>& sides, std::size_t k)
   const double size = extent(sides);
   if (before.cross) before_ = endOfSide(before, true, size);
   if (sides[k].cross) after_ = endOfSide(sides[k], false, size);
-  noise_rad_ = 64 * epsilon * size * (before.edge.degree() + sides[k].edge.degree()) *
+  noise_rad_ = 64 * machine_epsilon * size * (before.edge.degree() + sides[k].edge.degree()) *
                (1 / in_.norm() + 1 / out_.norm());
   if (before_) noise_rad_ += planeNoise(*before_, k == 0 ? sides.size() - 1 : k - 1);
   if (after_) noise_rad_ += planeNoise(*after_, k);

@@ -6,6 +6,7 @@
 #include <seamwright/core/bernstein/coefficients.hpp>
 #include <seamwright/core/join/bernstein_rows.hpp>
 #include <seamwright/core/linear/dense.hpp>
+#include <seamwright/core/numeric.hpp>
 #include <seamwright/core/umbrella/frame.hpp>
 #include <seamwright/core/umbrella/spokes.hpp>
 #include <stdexcept>
@@ -19,10 +20,6 @@ using bernstein::text;
 using umbrella::Forms;
 using umbrella::FreeVectors;
 using umbrella::Net;
-
-[[noreturn]] void refuse(const std::string& what) {
-  throw std::invalid_argument(what);
-}
 
 void requireSides(const std::vector<BezierCurve>& sides, double gap_mm) {
   const std::size_t n = sides.size();

@@ -3,6 +3,7 @@
 #include <limits>
 #include <seamwright/core/bernstein/coefficients.hpp>
 #include <seamwright/core/join/bernstein_rows.hpp>
+#include <seamwright/core/numeric.hpp>
 #include <seamwright/core/umbrella/spokes.hpp>
 #include <stdexcept>
 #include <string>
@@ -12,10 +13,6 @@ namespace seamwright::umbrella {
 namespace {
 
 using bernstein::text;
-
-[[noreturn]] void refuse(const std::string& what) {
-  throw std::invalid_argument(what);
-}
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 #include <seamwright/core/bernstein/coefficients.hpp>
 #include <seamwright/core/join/bernstein_rows.hpp>
 #include <seamwright/core/linear/dense.hpp>
+#include <seamwright/core/numeric.hpp>
 #include <seamwright/core/umbrella/frame.hpp>
 #include <seamwright/core/umbrella/spokes.hpp>
 #include <stdexcept>
@@ -16,10 +17,6 @@ namespace {
 using bernstein::text;
 using umbrella::FreeVectors;
 using umbrella::Net;
-
-[[noreturn]] void refuse(const std::string& what) {
-  throw std::invalid_argument(what);
-}
 
 bool isRational(const UmbrellaMember& member) {
   return std::visit([](const auto& surface) { return surface.isRational(); }, member);

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <seamwright/core/bernstein/coefficients.hpp>
 #include <seamwright/core/linear/dense.hpp>
+#include <seamwright/core/numeric.hpp>
 #include <seamwright/core/umbrella/vertex.hpp>
 #include <stdexcept>
 #include <string>
@@ -18,10 +19,6 @@ using std::numbers::pi;
 
 /// Determinants of unit vectors below this are rounding.
 constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
-
-[[noreturn]] void refuse(const std::string& what) {
-  throw std::invalid_argument(what);
-}
 
 void requireTangents(const Eigen::Matrix3Xd& tangents) {
   if (tangents.cols() < 3) refuse(std::to_string(tangents.cols()) + " spokes: an umbrella has at least 3");

@@ -9,14 +9,11 @@
 #include <limits>
 
 #include <seamwright/occ_adapter/convert/face_strip.hpp>
+#include <seamwright/occ_adapter/convert/points.hpp>
 
 namespace seamwright::occ {
 
 namespace {
-
-Eigen::Vector3d vector(const gp_XYZ& xyz) {
-  return {xyz.X(), xyz.Y(), xyz.Z()};
-}
 
 std::vector<double> values(const TColStd_Array1OfReal& array) {
   return {array.begin(), array.end()};

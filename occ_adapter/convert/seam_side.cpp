@@ -31,6 +31,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/convert/seam_side.hpp>
 
 namespace seamwright::occ {
@@ -39,9 +40,7 @@ namespace {
 
 using opencascade::handle;
 
-Eigen::Vector3d vector(const gp_XYZ& xyz) {
-  return {xyz.X(), xyz.Y(), xyz.Z()};
-}
+using occ::vector;
 
 Eigen::Vector3d vector(const gp_XY& xy) {
   return {xy.X(), xy.Y(), 0};

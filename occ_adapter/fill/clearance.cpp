@@ -52,9 +52,9 @@ Bnd_Box tightBox(const TopoDS_Shape& face) {
 }
 
 /// Places on edges that are on a face, and not near what it shares with the face that the edges are of.
-class Contact {
+class Clearance {
  public:
-  Contact(const TopoDS_Shape& face, const TopoDS_Shape& common)
+  Clearance(const TopoDS_Shape& face, const TopoDS_Shape& common)
       : face_(face), common_(common), box_(tightBox(face)), near_mm_(std::sqrt(box_.SquareExtent()) / 100) {}
 
   bool isOn(const TopoDS_Shape& edges) const {
@@ -100,7 +100,7 @@ bool meet(const TopoDS_Shape& one, const TopoDS_Shape& other) {
 /// \param with_section also within both, not at edges of the other one alone.
 bool meetElsewhere(const TopoDS_Shape& one, const TopoDS_Shape& other, const TopoDS_Shape& common,
                    bool with_section) {
-  const Contact contact(one, common);
+  const Clearance contact(one, common);
   return contact.isOn(other) || (with_section && contact.isOn(sectionOf(one, other)));
 }
 

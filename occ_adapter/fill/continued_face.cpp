@@ -32,6 +32,7 @@
 
 #include <seamwright/core/umbrella/regular.hpp>
 #include <seamwright/occ_adapter/convert/bezier_surface.hpp>
+#include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/fill/continued_face.hpp>
 #include <seamwright/occ_adapter/fill/side_path.hpp>
 
@@ -41,18 +42,6 @@ namespace {
 
 using Eigen::Vector2d, Eigen::Vector3d;
 using opencascade::handle;
-
-gp_Pnt pointOf(const Vector3d& p) {
-  return {p.x(), p.y(), p.z()};
-}
-
-gp_Dir directionOf(const Vector3d& v) {
-  return {v.x(), v.y(), v.z()};
-}
-
-Vector3d vector(const gp_XYZ& xyz) {
-  return {xyz.X(), xyz.Y(), xyz.Z()};
-}
 
 /// An edge of the hole, and what is seen along it in the sense of the hole.
 struct Stretch {

@@ -21,6 +21,7 @@
 #include <tuple>
 #include <utility>
 
+#include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/fill/corner.hpp>
 
 namespace seamwright::occ {
@@ -32,10 +33,6 @@ using Eigen::Vector3d;
 /// Sines below this are no angle between two planes, or of a corner of a face.
 constexpr double flat_sine = 1e-6;
 constexpr std::size_t least_edges = 3, most_edges = 6;
-
-Vector3d vector(const gp_XYZ& xyz) {
-  return {xyz.X(), xyz.Y(), xyz.Z()};
-}
 
 double degrees(double rad) {
   return rad * 180 / std::numbers::pi;

@@ -19,6 +19,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/fill/corner_ball.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
 
@@ -27,10 +28,6 @@ namespace seamwright::occ {
 namespace {
 
 using Eigen::Vector3d;
-
-gp_Dir directionOf(const Vector3d& v) {
-  return {v.x(), v.y(), v.z()};
-}
 
 /// Directions from the corner into its faces, about where a small ball cuts them.
 std::vector<Vector3d> directionsInFaces(const Corner& corner) {

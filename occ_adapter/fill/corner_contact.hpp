@@ -11,12 +11,10 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 
+#include <seamwright/occ_adapter/convert/points.hpp>
+
 /// Where the fillet of an edge touches a face; not a public header.
 namespace seamwright::occ {
-
-inline Eigen::Vector3d vector(const gp_XYZ& xyz) {
-  return {xyz.X(), xyz.Y(), xyz.Z()};
-}
 
 /// The edge between a band and a face, from the ball outward.
 class Contact {

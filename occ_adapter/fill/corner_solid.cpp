@@ -31,6 +31,7 @@
 #include <string>
 
 #include <seamwright/occ_adapter/convert/bezier_surface.hpp>
+#include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/fill/corner_solid.hpp>
 
 namespace seamwright::occ {
@@ -42,14 +43,6 @@ using opencascade::handle;
 using std::numbers::pi;
 
 constexpr int most_wave_degree = 16;
-
-gp_Pnt pointOf(const Vector3d& p) {
-  return {p.x(), p.y(), p.z()};
-}
-
-gp_Dir directionOf(const Vector3d& p) {
-  return {p.x(), p.y(), p.z()};
-}
 
 Vector3d placeOf(const TopoDS_Vertex& vertex) {
   const gp_Pnt p = BRep_Tool::Pnt(vertex);

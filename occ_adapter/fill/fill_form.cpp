@@ -14,19 +14,19 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int places = 16;
+constexpr int side_places = 16;
 
 std::vector<Vector3d> normalsOf(const TopoDS_Face& face) {
   const auto surface = BRep_Tool::Surface(face);
   std::array<double, 4> range{};
   surface->Bounds(range[0], range[1], range[2], range[3]);
   std::vector<Vector3d> normals;
-  for (int i = 0; i < places; ++i)
-    for (int j = 0; j < places; ++j) {
+  for (int i = 0; i < side_places; ++i)
+    for (int j = 0; j < side_places; ++j) {
       gp_Pnt point;
       gp_Vec u, v;
-      surface->D1(range[0] + (i + 0.5) / places * (range[1] - range[0]),
-                  range[2] + (j + 0.5) / places * (range[3] - range[2]), point, u, v);
+      surface->D1(range[0] + (i + 0.5) / side_places * (range[1] - range[0]),
+                  range[2] + (j + 0.5) / side_places * (range[3] - range[2]), point, u, v);
       const gp_Vec normal = u.Crossed(v);
       normals.emplace_back(normal.X(), normal.Y(), normal.Z());
     }
@@ -60,11 +60,11 @@ bool turnsBack(const std::vector<TopoDS_Face>& faces, const std::vector<FittedSi
   for (const FittedSide& side : sides) {
     if (!side.side.cross) return false;
     const BezierCurve cross(*side.side.cross);
-    for (int k = 0; k < places; ++k) {
-      const double t = static_cast<double>(k) / places, next = static_cast<double>(k + 1) / places;
+    for (int k = 0; k < side_places; ++k) {
+      const double t = static_cast<double>(k) / side_places, next = static_cast<double>(k + 1) / side_places;
       const Vector3d here = side.side.edge.point(t), there = side.side.edge.point(next);
       area += here.cross(there);
-      around.push_back((there - here).cross(cross.point(t + 0.5 / places)));
+      around.push_back((there - here).cross(cross.point(t + 0.5 / side_places)));
     }
   }
   if (isMixed(around, area)) return false;

@@ -41,7 +41,7 @@ namespace {
 constexpr double most_planar_rad = 0.1;
 
 /// What the sides and the corners may take of the tolerance each: the sum of all errors is to be well within it.
-constexpr double share = 20;
+constexpr double fit_share = 20;
 
 /// The planes of both sides of a corner are made to agree; what is left is rounding.
 constexpr double plane_noise_rad = 1e-7;
@@ -139,7 +139,7 @@ class Filling {
     const std::size_t corners = hole_.has_corners ? hole_.sides.size() : 0;
     if (corners > 12)
       throw NotFilled("the hole has " + std::to_string(corners) + " corners: fills have 12 at most");
-    const double gap_mm = options_.tolerance.gap_mm / share;
+    const double gap_mm = options_.tolerance.gap_mm / fit_share;
     const std::vector<HoleAngle> angles = anglesOf(hole_, gap_mm);
     is_ring_ = corners < 3 || (corners <= ring_sides && std::ranges::any_of(angles, isReflex));
     for (std::size_t k = 0; k < angles.size(); ++k) requireAngle(angles[k], k);
@@ -149,7 +149,7 @@ class Filling {
 
   /// Other places where a hole is cut into the sides of a ring, those that are fitted best first.
   void addCuts() {
-    const double gap_mm = options_.tolerance.gap_mm / share;
+    const double gap_mm = options_.tolerance.gap_mm / fit_share;
     cuts_.push_back(fitted(cutSides(hole_, ring_sides, gap_mm, false)));
     if (!hole_.has_corners)
       for (std::vector<SideStretch>& cut : loopCuts(hole_, ring_sides, gap_mm))
@@ -188,8 +188,8 @@ class Filling {
     // A ring of position alone is asked for; corners say so themselves, smooth loops do not.
     const bool position_only = is_ring_ && options_.target == Level::G0;
     std::vector<FittedSide> sides = fitSides(hole_.sides, stretches,
-                                             {.gap_mm = options_.tolerance.gap_mm / share,
-                                              .angle_rad = options_.tolerance.angle_rad / share,
+                                             {.gap_mm = options_.tolerance.gap_mm / fit_share,
+                                              .angle_rad = options_.tolerance.angle_rad / fit_share,
                                               .most_degree = attempt_.most_degree,
                                               .planar_rad = position_only ? -1 : most_planar_rad,
                                               .curvature = attempt_.curvature_raise.has_value()});
@@ -200,8 +200,8 @@ class Filling {
   double misses(const std::vector<FittedSide>& sides) const {
     double most = 0;
     for (const FittedSide& side : sides)
-      most = std::max({most, share * side.gap_mm / options_.tolerance.gap_mm,
-                       share * side.angle_rad / options_.tolerance.angle_rad});
+      most = std::max({most, fit_share * side.gap_mm / options_.tolerance.gap_mm,
+                       fit_share * side.angle_rad / options_.tolerance.angle_rad});
     return most;
   }
 
@@ -249,7 +249,7 @@ class Filling {
     }
     std::vector<BSplineSurface> result;
     for (const Cut& cut : cuts_) {
-      if (!result.empty() && cut.misses > share) break;
+      if (!result.empty() && cut.misses > fit_share) break;
       take(cut);
       result = ringSurfaces(sides());
       if (result_.regular) return result;
@@ -312,7 +312,7 @@ class Filling {
     result_.curvature_jump_per_mm = fill.curvature_jump_per_mm;
     result_.corners = fill.corners;
     result_.regular = fill.regular;
-    return withCornerKnots(fill, options_.tolerance.angle_rad / share);
+    return withCornerKnots(fill, options_.tolerance.angle_rad / fit_share);
   }
 
   int firstNewFace() const { return model_.faceCount() + 1; }
@@ -385,7 +385,7 @@ class Filling {
     if (fitted_.empty()) return {};
     const auto worst = std::ranges::max_element(fitted_, {}, &FittedSide::gap_mm);
     if (worst->gap_mm <= options_.tolerance.gap_mm) return {};
-    const HoleAngle turn = sharpestTurn(hole_, options_.tolerance.gap_mm / share);
+    const HoleAngle turn = sharpestTurn(hole_, options_.tolerance.gap_mm / fit_share);
     if (turn.angle_rad > most_planar_rad)
       return "; edges " + std::to_string(turn.edges[0]) + " and " + std::to_string(turn.edges[1]) +
              " are one side, but turn by " + text(turn.angle_rad * 180 / std::numbers::pi) + " degrees at " +

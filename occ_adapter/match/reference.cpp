@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include <seamwright/occ_adapter/convert/nearest.hpp>
+#include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/match/reference.hpp>
 
 namespace seamwright::occ {
@@ -16,10 +17,6 @@ namespace seamwright::occ {
 namespace {
 
 using opencascade::handle;
-
-Eigen::Vector3d vector(const gp_XYZ& xyz) {
-  return {xyz.X(), xyz.Y(), xyz.Z()};
-}
 
 /// Nearest places on a path, 0..1, of points of a side at t = 0, h, ..., 1; the ends belong together.
 class Feet {

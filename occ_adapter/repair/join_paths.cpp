@@ -49,7 +49,7 @@ class TrimmedSide {
 };
 
 /// Points in both parameter planes that are one in space.
-using Meeting = std::array<gp_Pnt2d, 2>;
+using PathMeeting = std::array<gp_Pnt2d, 2>;
 
 /// New paths of one edge. A side that has none keeps its path.
 struct NewPaths {
@@ -72,7 +72,7 @@ class PathJoin {
   std::optional<NewPaths> join(const std::array<bool, 2>& may_change) const {
     constexpr int fewest = 16, most = 1024;
     for (int count = fewest; count <= most; count *= 2) {
-      const std::vector<Meeting> points = meetings(count, may_change);
+      const std::vector<PathMeeting> points = meetings(count, may_change);
       const double apart_mm = farthest(points);
       if (apart_mm > share * gap_mm_) return {};
       NewPaths paths = interpolated(points, may_change);
@@ -82,26 +82,28 @@ class PathJoin {
   }
 
  private:
-  Meeting shown(double s) const { return {sides_[0].at(s), sides_[1].at(s)}; }
-  double farthest(const std::vector<Meeting>& points) const {
+  PathMeeting shown(double s) const { return {sides_[0].at(s), sides_[1].at(s)}; }
+  double farthest(const std::vector<PathMeeting>& points) const {
     double apart_mm = 0;
-    for (const Meeting& at : points) apart_mm = std::max(apart_mm, apart(at));
+    for (const PathMeeting& at : points) apart_mm = std::max(apart_mm, apart(at));
     return apart_mm;
   }
-  double apart(const Meeting& at) const { return sides_[0].point(at[0]).Distance(sides_[1].point(at[1])); }
+  double apart(const PathMeeting& at) const {
+    return sides_[0].point(at[0]).Distance(sides_[1].point(at[1]));
+  }
 
   /// By projections to and fro, of which the first is enough where the other side's path lies on the surface.
-  Meeting met(double s, const std::array<bool, 2>& may_change) const {
+  PathMeeting met(double s, const std::array<bool, 2>& may_change) const {
     constexpr int most = 100;
     constexpr double near = 1e-3;
-    Meeting at = shown(s);
+    PathMeeting at = shown(s);
     for (int k = 0; k < most && apart(at) > near * gap_mm_; ++k)
       for (const int side : {0, 1})
         if (may_change[side]) at[side] = sides_[side].nearest(sides_[1 - side].point(at[1 - side]), at[side]);
     return at;
   }
 
-  handle<Geom2d_Curve> interpolated(int side, const std::vector<Meeting>& points) const {
+  handle<Geom2d_Curve> interpolated(int side, const std::vector<PathMeeting>& points) const {
     const PlanarPath& path = sides_[side].path();
     const int count = static_cast<int>(points.size());
     const handle<TColgp_HArray1OfPnt2d> places = new TColgp_HArray1OfPnt2d(1, count);
@@ -117,8 +119,8 @@ class PathJoin {
   }
 
   /// The ends stay, as other edges end there.
-  std::vector<Meeting> meetings(int count, const std::array<bool, 2>& may_change) const {
-    std::vector<Meeting> points;
+  std::vector<PathMeeting> meetings(int count, const std::array<bool, 2>& may_change) const {
+    std::vector<PathMeeting> points;
     for (int k = 0; k <= count; ++k) {
       const double s = static_cast<double>(k) / count;
       points.push_back(k == 0 || k == count ? shown(s) : met(s, may_change));
@@ -126,7 +128,7 @@ class PathJoin {
     return points;
   }
 
-  NewPaths interpolated(const std::vector<Meeting>& points, const std::array<bool, 2>& may_change) const {
+  NewPaths interpolated(const std::vector<PathMeeting>& points, const std::array<bool, 2>& may_change) const {
     NewPaths paths;
     for (const int side : {0, 1})
       if (may_change[side]) paths.curves[side] = interpolated(side, points);
@@ -134,8 +136,8 @@ class PathJoin {
     const int count = static_cast<int>(points.size()) - 1;
     for (int k = 0; k <= between * count; ++k) {
       const double s = static_cast<double>(k) / (between * count);
-      const Meeting before = shown(s);
-      Meeting after = before;
+      const PathMeeting before = shown(s);
+      PathMeeting after = before;
       for (const int side : {0, 1}) {
         if (paths.curves[side].IsNull()) continue;
         const PlanarPath& path = sides_[side].path();

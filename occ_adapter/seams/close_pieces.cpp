@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/seams/close_pieces.hpp>
 
 namespace seamwright::occ {
@@ -20,10 +21,6 @@ struct IndexedPiece {
   double reach_mm = 0;
   Bnd_Box box;  ///< of the piece, grown by half its reach
 };
-
-gp_Pnt pointOf(const Eigen::Vector3d& p) {
-  return {p.x(), p.y(), p.z()};
-}
 
 std::vector<IndexedPiece> indexed(const EdgePaths& paths, double match_mm) {
   std::vector<IndexedPiece> all;

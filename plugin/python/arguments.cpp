@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pybind11/stl.h>
 
-#include <numbers>
 #include <seamwright/plugin/python/arguments.hpp>
 
 namespace seamwright::python {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 ContinuityTolerance profileOf(const py::object& value) {
   const auto name = argument<std::string>("profile", value, "a name");
@@ -25,6 +22,11 @@ double numberOf(const char* name, const py::object& value, double otherwise) {
 
 }  // namespace
 
+Eigen::VectorXd numbersOf(const std::string& name, const py::object& value) {
+  const auto numbers = argument<std::vector<double>>(name.c_str(), value, "a sequence of numbers");
+  return Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
+}
+
 bool isReal(const py::handle& value) {
   if (PyBool_Check(value.ptr()) || PyComplex_Check(value.ptr()) || PyUnicode_Check(value.ptr())) return false;
   if (!py::hasattr(value, "dtype")) return true;
@@ -35,10 +37,10 @@ bool isReal(const py::handle& value) {
 ContinuityTolerance toleranceOf(const ToleranceArguments& given) {
   const ContinuityTolerance usual = profileOf(given.profile);
   return {numberOf("gap_mm", given.gap_mm, usual.gap_mm),
-          degree * numberOf("angle_deg", given.angle_deg, usual.angle_rad / degree),
+          rad_per_degree * numberOf("angle_deg", given.angle_deg, usual.angle_rad / rad_per_degree),
           numberOf("curvature_rel", given.curvature_rel, usual.curvature_rel),
           numberOf("flat_radius_mm", given.flat_radius_mm, usual.flat_radius_mm),
-          degree * numberOf("crease_deg", given.crease_deg, usual.crease_rad / degree)};
+          rad_per_degree * numberOf("crease_deg", given.crease_deg, usual.crease_rad / rad_per_degree)};
 }
 
 Level levelOf(const py::object& value) {

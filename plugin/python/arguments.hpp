@@ -3,7 +3,9 @@
 
 #include <pybind11/pybind11.h>
 
+#include <Eigen/Core>
 #include <cmath>
+#include <numbers>
 #include <seamwright/core/seam/judge.hpp>
 #include <string>
 #include <type_traits>
@@ -12,6 +14,8 @@
 namespace seamwright::python {
 
 namespace py = pybind11;
+
+inline constexpr double rad_per_degree = std::numbers::pi / 180;
 
 inline std::string shown(const py::object& value) {
   return py::cast<std::string>(py::repr(value));
@@ -49,6 +53,9 @@ T argument(const char* name, const py::object& value, const char* kind) {
     throw;
   }
 }
+
+/// The numbers of a sequence.
+Eigen::VectorXd numbersOf(const std::string& name, const py::object& value);
 
 /// As many numbers as \p count from one for all of them, or the numbers of a sequence of any length.
 std::vector<double> each(const char* name, const py::object& value, Eigen::Index count);

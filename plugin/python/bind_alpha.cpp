@@ -24,11 +24,11 @@ double numberOr(const char* name, const py::object& value, double otherwise) {
   return value.is_none() ? otherwise : numberOf(name, value);
 }
 
-int wholeOf(const char* name, const py::object& value) {
+int requiredWhole(const char* name, const py::object& value) {
   return argument<int>(name, value, "a whole number");
 }
 
-std::vector<double> numbersOf(const char* name, const py::object& value) {
+std::vector<double> listOf(const char* name, const py::object& value) {
   if (value.is_none()) return {};
   return argument<std::vector<double>>(name, value, "a sequence of numbers");
 }
@@ -72,9 +72,9 @@ Poles joinPolesOf(const Array& poles, const py::object& a, const py::object& nex
                   const py::object& beta1, const py::object& beta2, const py::object& length,
                   const py::object& next_length) {
   const AlphaCurve given{polygonOf(poles), numberOf("a", a)};
-  return alphaJoinPoles(given, {wholeOf("order", order), numberOf("beta1", beta1), numberOf("beta2", beta2),
-                                numberOf("length", length), numberOf("next_length", next_length),
-                                numberOr("next_a", next_a, given.a)});
+  return alphaJoinPoles(given, {requiredWhole("order", order), numberOf("beta1", beta1),
+                                numberOf("beta2", beta2), numberOf("length", length),
+                                numberOf("next_length", next_length), numberOr("next_a", next_a, given.a)});
 }
 
 AlphaEnergy energyOf(const py::object& value) {
@@ -104,11 +104,11 @@ BezierSpline splineOf(const Array& polygon, const py::object& a, const py::objec
                       const py::object& lengths, const py::object& beta1, const py::object& beta2,
                       const py::object& closed) {
   AlphaSplineShape shape;
-  shape.order = wholeOf("order", order);
-  shape.a = numbersOf("a", a);
-  shape.lengths = numbersOf("lengths", lengths);
-  shape.beta1 = numbersOf("beta1", beta1);
-  shape.beta2 = numbersOf("beta2", beta2);
+  shape.order = requiredWhole("order", order);
+  shape.a = listOf("a", a);
+  shape.lengths = listOf("lengths", lengths);
+  shape.beta1 = listOf("beta1", beta1);
+  shape.beta2 = listOf("beta2", beta2);
   shape.closed = flagOf("closed", closed);
   return bezierSpline(alphaSpline(polesOf(polygon, 2, "(n, 3)"), shape));
 }
@@ -122,7 +122,7 @@ Array joinRowsOf(const Array& net, const py::object& a_u, const py::object& a_v,
                  const py::object& beta2, const py::object& length, const py::object& next_length) {
   const AlphaSurface surface = surfaceOf(net, a_u, a_v);
   return netOf(alphaJoinRows(
-      surface, {wholeOf("order", order), numberOf("beta1", beta1), numberOf("beta2", beta2),
+      surface, {requiredWhole("order", order), numberOf("beta1", beta1), numberOf("beta2", beta2),
                 numberOf("length", length), numberOf("next_length", next_length),
                 numberOr("next_a_u", next_a_u, surface.a_u), numberOr("next_a_v", next_a_v, surface.a_v)}));
 }
@@ -178,8 +178,8 @@ py::object nearestOf(const Array& net, const py::object& a_u, const py::object& 
                      const py::object& parametric, const py::object& length, const py::object& next_length) {
   const auto near =
       alphaNearestJoin(surfaceOf(net, a_u, a_v), surfaceOf(next_net, next_a_u, next_a_v, "next_"),
-                       {wholeOf("order", order), flagOf("parametric", parametric), numberOf("length", length),
-                        numberOf("next_length", next_length)});
+                       {requiredWhole("order", order), flagOf("parametric", parametric),
+                        numberOf("length", length), numberOf("next_length", next_length)});
   if (!near) return py::none();
   py::dict dict;
   dict["net"] = netOf(near->given.poles);

@@ -83,7 +83,7 @@ nlohmann::ordered_json jsonOf(const CornerFilletResult& result) {
   return report::toJson(result.fillet, result.options.tolerance, result.vertex, result.given);
 }
 
-py::object toDict(const CornerFilletResult& result) {
+py::object cornerFilletDict(const CornerFilletResult& result) {
   return plainObject(jsonOf(result));
 }
 
@@ -137,7 +137,7 @@ void bindCornerFillet(py::module_& module) {
           "patches", [](const CornerFilletResult& result) { return result.fillet.fill.patches; },
           "BezierPatches of the corner, as n_sided_fill() orders them.")
       .def(
-          "to_dict", &toDict,
+          "to_dict", &cornerFilletDict,
           "All but the model and the patches as a plain dict with the keys of the JSON; seams also with what "
           "they are between: spoke (two patches), section (patch and fillet), spring (patch and face), "
           "contact "

@@ -13,11 +13,6 @@ namespace seamwright::python {
 
 namespace {
 
-Eigen::VectorXd numbersOf(const char* name, const py::object& value) {
-  const auto values = argument<std::vector<double>>(name, value, "a sequence of numbers");
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
 Eigen::MatrixXd matrixOf(const py::object& beta) {
   return betaMatrix(numbersOf("beta", beta));
 }
@@ -34,8 +29,8 @@ Eigen::VectorXd reversedOf(const py::object& beta) {
   return reversedBeta(numbersOf("beta", beta));
 }
 
-py::dict fitOf(const BezierCurve& a, const BezierCurve& b, const py::object& order,
-               const py::object& length) {
+py::dict betaFitOf(const BezierCurve& a, const BezierCurve& b, const py::object& order,
+                   const py::object& length) {
   std::optional<double> length_mm;
   if (!length.is_none()) length_mm = argument<double>("length_mm", length, "a number");
   const BetaFit fit = fitBeta(a, b, argument<int>("order", order, "a whole number"), length_mm);
@@ -93,7 +88,7 @@ void bindBetas(py::module_& module) {
   module.def("reversed_beta", &reversedOf, py::arg("beta"),
              "The betas of the same joint passed backwards: both curves reversed and exchanged.");
   module.def(
-      "fit_beta", &fitOf, py::arg("a"), py::arg("b"), py::arg("order") = 2, py::kw_only(),
+      "fit_beta", &betaFitOf, py::arg("a"), py::arg("b"), py::arg("order") = 2, py::kw_only(),
       py::arg("length_mm") = py::none(),
       "How the end of a BezierCurve and the beginning of another join: a dict of beta (none for a cusp "
       "or where a tangent is lost), defects, lower, upper and length_mm.\n\n"

@@ -50,7 +50,7 @@ SpokeLaw lawOf(const py::object& value) {
   throw py::value_error("law is " + shown(value) + ": linear or quadratic is needed");
 }
 
-py::dict connectionDict(const Connection& connection) {
+py::dict ratioDict(const Connection& connection) {
   py::dict dict;
   dict["alpha"] = connection.alpha;
   dict["beta"] = connection.beta;
@@ -89,13 +89,13 @@ py::dict fillDict(const NSidedFill& fill) {
   py::list sides;
   for (const std::optional<FillSideJoin>& join : fill.sides) {
     if (join)
-      sides.append(py::make_tuple(connectionDict((*join)[0]), connectionDict((*join)[1])));
+      sides.append(py::make_tuple(ratioDict((*join)[0]), ratioDict((*join)[1])));
     else
       sides.append(py::none());
   }
   py::dict dict;
   dict["patches"] = fill.patches;
-  dict["spoke"] = connectionDict(fill.spoke);
+  dict["spoke"] = ratioDict(fill.spoke);
   dict["sides"] = sides;
   dict["corners"] = cornerList(fill.corners);
   dict["fairness_mm2"] = fill.fairness_mm2;
@@ -137,7 +137,7 @@ py::dict threeSidedFillOf(const py::sequence& given, const py::object& fairness_
   }();
   py::list joins;
   for (const std::optional<Connection>& join : fill.sides)
-    joins.append(join ? py::object(connectionDict(*join)) : py::none());
+    joins.append(join ? py::object(ratioDict(*join)) : py::none());
   py::dict dict;
   dict["triangles"] = fill.triangles;
   dict["sides"] = joins;

@@ -16,8 +16,6 @@ namespace seamwright::python {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
-
 /// What came of a fill, with what was asked for.
 struct FillReport {
   occ::FillHoleReport report;
@@ -33,8 +31,9 @@ std::vector<occ::Hole> holesOf(const occ::Model& model, double corner_rad, doubl
 
 py::object holes(const occ::Model& model, const py::object& corner_deg, const py::object& gap_mm) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const occ::Hole& hole : holesOf(model, degree * argument<double>("corner_deg", corner_deg, "a number"),
-                                       argument<double>("gap_mm", gap_mm, "a number")))
+  for (const occ::Hole& hole :
+       holesOf(model, rad_per_degree * argument<double>("corner_deg", corner_deg, "a number"),
+               argument<double>("gap_mm", gap_mm, "a number")))
     all.push_back(report::toJson(hole));
   return plainObject(all);
 }
@@ -64,9 +63,9 @@ FillReport fillModel(const occ::Model& model, const py::object& hole, const py::
   occ::FillHoleOptions options;
   options.target = levelOf(target);
   options.tolerance.gap_mm = argument<double>("gap_mm", gap_mm, "a number");
-  options.setAngle(degree * argument<double>("angle_deg", angle_deg, "a number"));
+  options.setAngle(rad_per_degree * argument<double>("angle_deg", angle_deg, "a number"));
   options.tolerance.curvature_rel = argument<double>("curvature_rel", curvature_rel, "a number");
-  options.corner_rad = degree * argument<double>("corner_deg", corner_deg, "a number");
+  options.corner_rad = rad_per_degree * argument<double>("corner_deg", corner_deg, "a number");
   options.keep_anyway = flagOf("keep_anyway", keep_anyway);
   options.jobs = argument<int>("jobs", jobs, "a whole number");
   options.validate();
@@ -84,7 +83,7 @@ FillReport fillModel(const occ::Model& model, const py::object& hole, const py::
   });
 }
 
-py::object toDict(const FillReport& fill) {
+py::object fillReportDict(const FillReport& fill) {
   return plainObject(fill.json());
 }
 
@@ -115,14 +114,15 @@ void bindHole(py::module_& module) {
           "reason", [](const FillReport& fill) { return fill.report.reason; }, "Why not; else empty.")
       .def_property_readonly(
           "largest_angle_deg",
-          [](const FillReport& fill) { return py::object(toDict(fill)["largest_angle_deg"]); },
+          [](const FillReport& fill) { return py::object(fillReportDict(fill)["largest_angle_deg"]); },
           "Bound of the angle over all new seams; None: not known.")
       .def_property_readonly(
-          "largest_gap_mm", [](const FillReport& fill) { return py::object(toDict(fill)["largest_gap_mm"]); },
+          "largest_gap_mm",
+          [](const FillReport& fill) { return py::object(fillReportDict(fill)["largest_gap_mm"]); },
           "Bound of the gap over all new seams; None: not known.")
       .def_property_readonly(
           "largest_curvature_rel",
-          [](const FillReport& fill) { return py::object(toDict(fill)["largest_curvature_rel"]); },
+          [](const FillReport& fill) { return py::object(fillReportDict(fill)["largest_curvature_rel"]); },
           "Bound of the relative difference of curvature over all new seams; None: not known.")
       .def_property_readonly(
           "curvature_jump_per_mm", [](const FillReport& fill) { return fill.report.curvature_jump_per_mm; },
@@ -130,7 +130,7 @@ void bindHole(py::module_& module) {
           "fitted, "
           "at places along the seams; None where it was not made small: with the target G0, with G1 in high "
           "degrees.")
-      .def("to_dict", &toDict, "All but the model as a plain dict with the keys of the JSON.")
+      .def("to_dict", &fillReportDict, "All but the model as a plain dict with the keys of the JSON.")
       .def(
           "to_json", [](const FillReport& fill) { return report::toLine(fill.json()); },
           "The report as one line of JSON, schema seamwright.fill/1.")

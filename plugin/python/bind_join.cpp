@@ -64,12 +64,12 @@ py::object keyword(const py::dict& keywords, const char* name) {
   return keywords.contains(name) ? py::object(keywords[name]) : py::object(py::none());
 }
 
-std::optional<int> wholeOf(const char* name, const py::object& value) {
+std::optional<int> optionalWhole(const char* name, const py::object& value) {
   if (value.is_none()) return std::nullopt;
   return argument<int>(name, value, "a whole number");
 }
 
-std::optional<double> toleranceOf(const py::object& value) {
+std::optional<double> optionalTolerance(const py::object& value) {
   if (value.is_none()) return std::nullopt;
   return argument<double>("tolerance", value, "a number");
 }
@@ -102,10 +102,10 @@ struct TensorArguments {
 };
 
 TensorArguments tensorArguments(const py::dict& keywords, const Ribbon& given) {
-  const int order = wholeOf("order", keyword(keywords, "order")).value_or(1);
-  const int across = wholeOf("degree_across", keyword(keywords, "degree_across"))
+  const int order = optionalWhole("order", keyword(keywords, "order")).value_or(1);
+  const int across = optionalWhole("degree_across", keyword(keywords, "degree_across"))
                          .value_or(std::max(order, given.degree_across));
-  return {order, across, wholeOf("degree", keyword(keywords, "degree"))};
+  return {order, across, optionalWhole("degree", keyword(keywords, "degree"))};
 }
 
 py::tuple arraysOf(const std::vector<HomogeneousPoles>& rows) {
@@ -119,7 +119,7 @@ py::tuple arraysOf(const std::vector<HomogeneousPoles>& rows) {
   return py::make_tuple(poles, weights);
 }
 
-py::tuple joinRowsOf(const py::object& surface, const py::object& edge, const py::kwargs& keywords) {
+py::tuple ribbonRowsOf(const py::object& surface, const py::object& edge, const py::kwargs& keywords) {
   requireKnown(keywords, {"order", "degree_across", "degree", "reversed"});
   const Ribbon given = givenOf(surface, edge, keywords);
   const TensorArguments a = tensorArguments(keywords, given);
@@ -137,7 +137,7 @@ BezierTriangle triangleContinuationOf(const py::object& surface, const py::objec
                                       const py::kwargs& keywords) {
   requireKnown(keywords, {"degree", "reversed"});
   return triangleContinuation(givenOf(surface, edge, keywords), connectionOf(keywords),
-                              wholeOf("degree", keyword(keywords, "degree")));
+                              optionalWhole("degree", keyword(keywords, "degree")));
 }
 
 py::object joinedOf(const py::object& surface, const py::object& edge, const py::object& given,
@@ -146,7 +146,7 @@ py::object joinedOf(const py::object& surface, const py::object& edge, const py:
   const bool reversed = keywords.contains("reversed") && isReversed(keyword(keywords, "reversed"));
   const Ribbon from = ribbonOf("given", given, "given_edge", given_edge, false, Across::OutOf);
   const Connection connection = connectionOf(keywords);
-  const int order = wholeOf("order", keyword(keywords, "order")).value_or(1);
+  const int order = optionalWhole("order", keyword(keywords, "order")).value_or(1);
   const Ribbon old = ribbonOf("surface", surface, "edge", edge, reversed, Across::Into);
   if (py::isinstance<BezierPatch>(surface))
     return py::cast(withRows(surface.cast<const BezierPatch&>(), patchEdgeOf("edge", edge), reversed,
@@ -198,7 +198,7 @@ py::dict joinConditionOf(const py::object& a, const py::object& edge_a, const py
                          const py::object& connection) {
   const RibbonPair pair = pairOf(a, edge_a, b, edge_b, reversed);
   JoinConditionOptions options;
-  options.tolerance = toleranceOf(tolerance);
+  options.tolerance = optionalTolerance(tolerance);
   if (!connection.is_none()) options.connection = givenConnectionOf("connection", connection);
   const JoinCondition condition = joinCondition(pair.a, pair.b, options);
   const bool planes = condition.verdict != JoinVerdict::Singular;
@@ -225,11 +225,11 @@ py::dict fitConnectionOf(const py::object& a, const py::object& edge_a, const py
   const RibbonPair pair = pairOf(a, edge_a, b, edge_b, reversed);
   ConnectionFitOptions options;
   options.order = argument<int>("order", order, "a whole number");
-  options.alpha_degree = wholeOf("alpha_degree", alpha_degree);
-  options.beta_degree = wholeOf("beta_degree", beta_degree);
-  options.p_degree = wholeOf("p_degree", p_degree);
-  options.q_degree = wholeOf("q_degree", q_degree);
-  options.tolerance = toleranceOf(tolerance);
+  options.alpha_degree = optionalWhole("alpha_degree", alpha_degree);
+  options.beta_degree = optionalWhole("beta_degree", beta_degree);
+  options.p_degree = optionalWhole("p_degree", p_degree);
+  options.q_degree = optionalWhole("q_degree", q_degree);
+  options.tolerance = optionalTolerance(tolerance);
   const ConnectionFit fit = fitConnection(pair.a, pair.b, options);
   py::dict dict;
   dict["found"] = fit.found;
@@ -248,7 +248,7 @@ py::tuple orientOf(const BezierPatch& a, const py::object& edge_a, const BezierP
 }
 
 void bindConstructions(py::module_& module) {
-  module.def("join_rows", &joinRowsOf, py::arg("surface"), py::arg("edge"),
+  module.def("join_rows", &ribbonRowsOf, py::arg("surface"), py::arg("edge"),
              "The first rows of a patch that joins a BezierPatch or BezierTriangle along an edge: poles "
              "(order+1, n+1, 3) and weights (order+1, n+1), counted from the seam.\n\n"
              "Keywords: alpha=1, beta=0 and, for order 2, p=0, q=0, each a number or the Bernstein "

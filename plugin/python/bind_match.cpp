@@ -58,7 +58,7 @@ py::object seamDict(const occ::SeamResult& seam, const ContinuityTolerance& tole
   return plainObject(report::toJson(seam, tolerance));
 }
 
-py::dict toDict(const MatchResult& result) {
+py::dict matchDict(const MatchResult& result) {
   py::dict dict;
   dict["matched"] = result.report.matched;
   dict["reason"] = result.report.reason;
@@ -95,7 +95,7 @@ void bindMatch(py::module_& module) {
       .def_property_readonly(
           "largest_move_mm", [](const MatchResult& result) { return result.report.largest_move_mm; },
           "Of a pole; where weights change, also of points, seen on a grid.")
-      .def("to_dict", &toDict, "All but the model as a plain dict.")
+      .def("to_dict", &matchDict, "All but the model as a plain dict.")
       .def("__repr__", [](const MatchResult& result) {
         return std::string("<MatchResult ") + (result.report.matched ? "matched" : "not matched") + ": " +
                result.report.reason + ">";

@@ -30,8 +30,6 @@ py::dict writeFile(const occ::Model& model, const std::filesystem::path& path, b
   return plainDict(written);
 }
 
-constexpr double degree = std::numbers::pi / 180;
-
 occ::Report analyzeModel(const occ::Model& model, const py::object& profile, const py::object& gap_mm,
                          const py::object& angle_deg, const py::object& curvature_rel,
                          const py::object& flat_radius_mm, const py::object& crease_deg,
@@ -52,10 +50,10 @@ py::dict profiles() {
     const ContinuityTolerance& tolerance = profile.tolerance;
     py::dict figures;
     figures["gap_mm"] = tolerance.gap_mm;
-    figures["angle_deg"] = tolerance.angle_rad / degree;
+    figures["angle_deg"] = tolerance.angle_rad / rad_per_degree;
     figures["curvature_rel"] = tolerance.curvature_rel;
     figures["flat_radius_mm"] = tolerance.flat_radius_mm;
-    figures["crease_deg"] = tolerance.crease_rad / degree;
+    figures["crease_deg"] = tolerance.crease_rad / rad_per_degree;
     all[py::str(std::string(profile.name))] = figures;
   }
   return all;
@@ -67,7 +65,7 @@ py::str fileName(const std::string& name) {
       PyUnicode_DecodeFSDefaultAndSize(name.data(), static_cast<Py_ssize_t>(name.size())));
 }
 
-py::object toDict(const occ::Report& report) {
+py::object reportDict(const occ::Report& report) {
   return plainObject(report::toJson(report));
 }
 
@@ -111,10 +109,10 @@ void bindReport(py::module_& module) {
                           "The seams of a model with figures and verdicts.")
       .def_property_readonly("passed", &occ::Report::passed, "No seam is a defect.")
       .def_property_readonly(
-          "seams", [](const occ::Report& report) { return py::object(toDict(report)["seams"]); },
+          "seams", [](const occ::Report& report) { return py::object(reportDict(report)["seams"]); },
           "The seams as a list of dicts with the keys of the JSON.")
       .def("__len__", [](const occ::Report& report) { return report.seams.size(); })
-      .def("to_dict", &toDict, "The report as a plain dict with the keys of the JSON.")
+      .def("to_dict", &reportDict, "The report as a plain dict with the keys of the JSON.")
       .def("to_json", &report::toJsonLine, "The report as one line of JSON, schema seamwright.analysis/1.")
       .def(
           "to_csv",

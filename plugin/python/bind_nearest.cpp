@@ -14,7 +14,7 @@ namespace seamwright::python {
 
 namespace {
 
-using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using NumberArray = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Mask = py::array_t<bool, py::array::c_style | py::array::forcecast>;
 using Surface = std::variant<BSplineSurface, BezierPatch>;
 
@@ -30,8 +30,8 @@ void requireShape(const py::array& array, py::ssize_t nu, py::ssize_t nv, const 
                           std::to_string(nu) + ", " + std::to_string(nv) + "), is needed");
 }
 
-BSplineSurface makeSurface(const Array& poles, std::vector<double> knots_u, std::vector<double> knots_v,
-                           int degree_u, int degree_v, const std::optional<Array>& weights) {
+BSplineSurface makeSurface(const NumberArray& poles, std::vector<double> knots_u, std::vector<double> knots_v,
+                           int degree_u, int degree_v, const std::optional<NumberArray>& weights) {
   if (poles.ndim() != 3 || poles.shape(2) != 3)
     throw py::value_error("poles have shape " + shapeText(poles) + ": (nu, nv, 3) is needed");
   if (weights) requireShape(*weights, poles.shape(0), poles.shape(1), "weights");
@@ -49,15 +49,15 @@ BSplineSurface makeSurface(const Array& poles, std::vector<double> knots_u, std:
   return surface;
 }
 
-Array netPoles(const BSplineSurface& surface) {
-  Array result({surface.countU(), surface.countV(), 3});
+NumberArray netPoles(const BSplineSurface& surface) {
+  NumberArray result({surface.countU(), surface.countV(), 3});
   Eigen::Map<Poles>(result.mutable_data(), surface.poles.rows(), 3) =
       surface.poles.leftCols<3>().array().colwise() / surface.poles.col(3).array();
   return result;
 }
 
-Array netWeights(const BSplineSurface& surface) {
-  Array result({surface.countU(), surface.countV()});
+NumberArray netWeights(const BSplineSurface& surface) {
+  NumberArray result({surface.countU(), surface.countV()});
   Eigen::Map<Eigen::VectorXd>(result.mutable_data(), result.size()) = surface.poles.col(3);
   return result;
 }
@@ -83,7 +83,7 @@ int degreeAlong(const JoinSide& side) {
   return along(side.edge) == SurfaceDirection::V ? side.surface.degree_v : side.surface.degree_u;
 }
 
-JoinSide sideOf(const Surface& surface, const std::string& edge, const std::optional<Array>& weights,
+JoinSide sideOf(const Surface& surface, const std::string& edge, const std::optional<NumberArray>& weights,
                 const std::optional<Mask>& fixed, const std::string& name) {
   JoinSide side{splineOf(surface), edgeOf(edge)};
   const int nu = side.surface.countU(), nv = side.surface.countV();
@@ -132,9 +132,9 @@ struct ConnectionDegrees {
 
 py::dict nearestJoinOf(const Surface& a, const std::string& edge_a, const Surface& b,
                        const std::string& edge_b, int order, const std::string& moves, bool reversed,
-                       const std::optional<Array>& weights_a, const std::optional<Array>& weights_b,
-                       const std::optional<Mask>& fixed_a, const std::optional<Mask>& fixed_b,
-                       const ConnectionDegrees& degrees) {
+                       const std::optional<NumberArray>& weights_a,
+                       const std::optional<NumberArray>& weights_b, const std::optional<Mask>& fixed_a,
+                       const std::optional<Mask>& fixed_b, const ConnectionDegrees& degrees) {
   JoinSide side_a = sideOf(a, edge_a, weights_a, fixed_a, "a");
   JoinSide side_b = sideOf(b, edge_b, weights_b, fixed_b, "b");
   if (moves != "both" && moves != "a" && moves != "b")
@@ -221,8 +221,8 @@ void bindNearest(py::module_& module) {
   module.def(
       "nearest_join",
       [](const Surface& a, const std::string& edge_a, const Surface& b, const std::string& edge_b, int order,
-         const std::string& moves, bool reversed, const std::optional<Array>& weights_a,
-         const std::optional<Array>& weights_b, const std::optional<Mask>& fixed_a,
+         const std::string& moves, bool reversed, const std::optional<NumberArray>& weights_a,
+         const std::optional<NumberArray>& weights_b, const std::optional<Mask>& fixed_a,
          const std::optional<Mask>& fixed_b, int degree_alpha, int degree_beta, int degree_p, int degree_q) {
         return nearestJoinOf(a, edge_a, b, edge_b, order, moves, reversed, weights_a, weights_b, fixed_a,
                              fixed_b, {degree_alpha, degree_beta, degree_p, degree_q});

@@ -23,11 +23,6 @@ Eigen::Index countOf(const Curve& curve) {
   return std::get<BSplineCurve>(curve).count();
 }
 
-Eigen::VectorXd numbersOf(const std::string& name, const py::object& value) {
-  const auto numbers = argument<std::vector<double>>(name.c_str(), value, "a sequence of numbers");
-  return Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
-}
-
 /// Indices of poles, negative ones from the end, or a mask of booleans, one a pole.
 std::vector<Eigen::Index> fixedPoles(const std::string& name, const py::object& value, Eigen::Index count) {
   const auto array = py::array::ensure(value);

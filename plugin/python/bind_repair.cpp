@@ -52,7 +52,7 @@ RepairReport repairModel(const occ::Model& model, const py::object& target, cons
   });
 }
 
-py::object toDict(const RepairReport& repair) {
+py::object repairDict(const RepairReport& repair) {
   return plainObject(report::toJson(repair.report, repair.options));
 }
 
@@ -91,16 +91,17 @@ void bindRepair(py::module_& module) {
           "passed", [](const RepairReport& repair) { return repair.report.after.passed(); },
           "No seam is a defect any more.")
       .def_property_readonly(
-          "seams", [](const RepairReport& repair) { return py::object(toDict(repair)["seams"]); },
+          "seams", [](const RepairReport& repair) { return py::object(repairDict(repair)["seams"]); },
           "All seams: a list of dicts {before, after, treated, repaired, reason, sewn, not_sewn}.")
       .def_property_readonly(
-          "moves", [](const RepairReport& repair) { return py::object(toDict(repair)["moves"]); },
+          "moves", [](const RepairReport& repair) { return py::object(repairDict(repair)["moves"]); },
           "The faces that moved: a list of dicts {face, largest_move_mm}.")
       .def_property_readonly(
-          "edge_moves", [](const RepairReport& repair) { return py::object(toDict(repair)["edge_moves"]); },
+          "edge_moves",
+          [](const RepairReport& repair) { return py::object(repairDict(repair)["edge_moves"]); },
           "Edges led anew on faces that stay: a list of dicts {edge, largest_move_mm}.")
       .def_property_readonly(
-          "converted", [](const RepairReport& repair) { return py::object(toDict(repair)["converted"]); },
+          "converted", [](const RepairReport& repair) { return py::object(repairDict(repair)["converted"]); },
           "Faces that became splines: a list of dicts {face, kind, error_mm}.")
       .def_property_readonly(
           "summary",
@@ -109,7 +110,7 @@ void bindRepair(py::module_& module) {
           },
           "A dict {seams, treated, repaired, left, sewn, defects_before, defects_after, largest_move_mm, "
           "changed}.")
-      .def("to_dict", &toDict, "All but the model as a plain dict with the keys of the JSON.")
+      .def("to_dict", &repairDict, "All but the model as a plain dict with the keys of the JSON.")
       .def(
           "to_json",
           [](const RepairReport& repair) {

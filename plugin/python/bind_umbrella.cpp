@@ -62,10 +62,9 @@ std::vector<UmbrellaMember> membersOf(const py::object& value) {
   return members;
 }
 
-std::optional<Eigen::VectorXd> numbersOf(const char* name, const py::object& value) {
+std::optional<Eigen::VectorXd> optionalNumbers(const char* name, const py::object& value) {
   if (value.is_none()) return std::nullopt;
-  const auto values = argument<std::vector<double>>(name, value, "a sequence of numbers");
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+  return numbersOf(name, value);
 }
 
 std::optional<int> degreeOf(const py::object& value) {
@@ -123,8 +122,8 @@ py::dict umbrellaOf(const py::object& spokes, const py::object& closed, const py
   options.kinds = kindsOf(kinds);
   options.members = membersOf(members);
   options.degree = degreeOf(degree);
-  options.lambda = numbersOf("slopes", slopes);
-  options.mu = numbersOf("cross_slopes", cross_slopes);
+  options.lambda = optionalNumbers("slopes", slopes);
+  options.mu = optionalNumbers("cross_slopes", cross_slopes);
   options.form = formOf(form);
   options.gap_mm = argument<double>("gap_mm", gap_mm, "a number");
   options.vertex.flat_rad = argument<double>("flat_rad", flat_rad, "a number");

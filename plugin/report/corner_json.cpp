@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-const char* name(occ::CornerSeamKind kind) {
+const char* kindName(occ::CornerSeamKind kind) {
   switch (kind) {
     case occ::CornerSeamKind::Spoke:
       return "spoke";
@@ -85,7 +85,7 @@ ordered_json toJson(const occ::CornerFillet& fillet, const ContinuityTolerance& 
   json["seams"] = ordered_json::array();
   for (const occ::CornerSeam& seam : fillet.seams) {
     json["seams"].push_back(toJson(seam.result, tolerance));
-    json["seams"].back()["between"] = name(seam.kind);
+    json["seams"].back()["between"] = kindName(seam.kind);
   }
   return json;
 }

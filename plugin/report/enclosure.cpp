@@ -35,7 +35,7 @@ std::string written(double value, int decimals, char notation) {
 }
 
 /// The value to so many significant digits; a digit less where the notation has an exponent.
-std::string number(double value, int digits, Rounding rounding) {
+std::string roundedNumber(double value, int digits, Rounding rounding) {
   if (value == 0) return "0";
   if (!isPlain(value)) --digits;
   const int exponent = static_cast<int>(std::floor(std::log10(value)));
@@ -51,10 +51,10 @@ std::string number(double value, int digits, Rounding rounding) {
 
 /// On the same side of the limit as the value itself.
 std::string numberBeside(double value, std::optional<double> limit) {
-  std::string text = number(value, few_digits, Rounding::Nearest);
+  std::string text = roundedNumber(value, few_digits, Rounding::Nearest);
   for (int digits = few_digits + 1; limit && digits <= all_digits; ++digits) {
     if ((std::strtod(text.c_str(), nullptr) > *limit) == (value > *limit)) break;
-    text = number(value, digits, Rounding::Nearest);
+    text = roundedNumber(value, digits, Rounding::Nearest);
   }
   return text;
 }
@@ -62,21 +62,21 @@ std::string numberBeside(double value, std::optional<double> limit) {
 }  // namespace
 
 std::string rangeText(const Figure& figure, double factor) {
-  return number(factor * figure.lower, few_digits, Rounding::Down) + ".." +
-         number(factor * figure.upper.value(), few_digits, Rounding::Up);
+  return roundedNumber(factor * figure.lower, few_digits, Rounding::Down) + ".." +
+         roundedNumber(factor * figure.upper.value(), few_digits, Rounding::Up);
 }
 
 std::string enclosureText(const Figure& figure, double factor, std::optional<double> limit) {
   constexpr double tight = 0.01;       // width / upper bound
   constexpr double negligible = 0.01;  // of the limit, or of the upper bound
   const double lower = factor * figure.lower;
-  if (!figure.upper) return "\u2265" + number(lower, few_digits, Rounding::Nearest);
+  if (!figure.upper) return "\u2265" + roundedNumber(lower, few_digits, Rounding::Nearest);
   const double upper = factor * *figure.upper;
   const bool holds_limit = limit && lower <= *limit && upper > *limit;
   if (upper - lower <= tight * upper && !holds_limit) return numberBeside(upper, limit);
   const bool harmless = limit && upper <= negligible * *limit;
   const bool from_nothing = lower < negligible * upper && !(limit && lower > *limit);
-  if (harmless || from_nothing) return "\u2264" + number(upper, few_digits, Rounding::Up);
+  if (harmless || from_nothing) return "\u2264" + roundedNumber(upper, few_digits, Rounding::Up);
   return rangeText(figure, factor);
 }
 

@@ -38,13 +38,13 @@ std::string change(const std::string& before, const std::string& after) {
   return before == after ? before : before + " -> " + after;
 }
 
-std::vector<Column> columnsOf(const occ::Report& report) {
+std::vector<Column> comparedColumns(const occ::Report& report) {
   std::vector<Column> columns = figureColumns(report.tolerance);
   if (report.level < Level::G2) columns.pop_back();
   return columns;
 }
 
-Row headings(const std::vector<Column>& columns) {
+Row comparedHeadings(const std::vector<Column>& columns) {
   Row row = {"result", "edge", "faces", "level"};
   for (const Column& column : columns) row.emplace_back(column.title);
   row.emplace_back("reason");
@@ -88,8 +88,8 @@ std::string toTable(const occ::RepairReport& report, const std::optional<Written
   writeHead(out, report, summary);
   const std::vector<const occ::SeamRepair*> shown = shownSeams(report);
   if (!shown.empty()) {
-    const std::vector<Column> columns = columnsOf(report.before);
-    std::vector<Row> rows = {headings(columns)};
+    const std::vector<Column> columns = comparedColumns(report.before);
+    std::vector<Row> rows = {comparedHeadings(columns)};
     for (const occ::SeamRepair* seam : shown) rows.push_back(rowOf(*seam, columns));
     constexpr std::size_t first_figure = 4;
     out << '\n';
