@@ -101,6 +101,11 @@ JetModel projected(const std::array<HomogeneousModel, 6>& h, int order) {
   return jet;
 }
 
+/// Of a jet to that order: p; u, v; uu, uv, vv.
+int netCount(int order) {
+  return order == 0 ? 1 : order == 1 ? 3 : 6;
+}
+
 void requireFit(const SplineDirection& direction, std::size_t poles, const char* name) {
   if (direction.degree < 0 || direction.degree > SplineEvaluator::max_degree ||
       direction.knots.size() != poles + direction.degree + 1)
@@ -232,11 +237,34 @@ struct SplineEvaluator::RoundedNet {
                    3 * machine_epsilon * result.value.cwiseAbs();
     return result;
   }
+
+  /// The Bezier points of h / tau, down the rows, of a polynomial h that vanishes where tau does. With
+  /// x = tau / width, B_j(x) of degree n is x n / j times B_(j - 1)(x) of degree n - 1; at the end of the range
+  /// tau and the order of the points are reversed.
+  RoundedNet quotient(const SmallMatrix& to_bezier, double width, bool at_end) const {
+    const Eigen::Index degree = value.rows() - 1;
+    const SmallMatrix bezier = to_bezier * value;
+    // A convex combination, of as many roundings as in makeMatrices().
+    SmallMatrix bezier_error = to_bezier * error;
+    if (!to_bezier.isIdentity(0))
+      bezier_error +=
+          0.5 * machine_epsilon * static_cast<double>(8 * degree + 3) * (to_bezier * value.cwiseAbs());
+    RoundedNet result{SmallMatrix(degree, value.cols()), SmallMatrix(degree, value.cols())};
+    for (Eigen::Index j = 0; j < degree; ++j) {
+      const Eigen::Index row = at_end ? j : j + 1;
+      const double factor =
+          static_cast<double>(degree) / (width * static_cast<double>(at_end ? j - degree : row));
+      result.value.row(j) = factor * bezier.row(row);
+      result.error.row(j) =
+          std::abs(factor) * bezier_error.row(row) + 2 * machine_epsilon * result.value.row(j).cwiseAbs();
+    }
+    return result;
+  }
 };
 
 /// The nets of one coordinate in Chebyshev form: derivatives of \p poles, positions of \p local.
 void SplineEvaluator::addNets(const RoundedNet& poles, const RoundedNet& local, const SpanMatrices& mu,
-                              const SpanMatrices& mv, int coordinate, Cell& cell) {
+                              const SpanMatrices& mv, int coordinate, Cell& cell) const {
   const auto along_u = [&](const RoundedNet& net, int order) { return net.derivative(mu.factors[order]); };
   const auto along_v = [&](const RoundedNet& net, int order) {
     return net.transposed().derivative(mv.factors[order]).transposed();
@@ -249,7 +277,7 @@ void SplineEvaluator::addNets(const RoundedNet& poles, const RoundedNet& local, 
   for (int k = 0; k < cell.count; ++k) {
     const auto [du, dv] = orders[k];
     const SmallMatrix& net = nets[k].value;
-    SmallMatrix series = SmallMatrix::Zero(mu.to_chebyshev[0].rows(), mv.to_chebyshev[0].rows());
+    SmallMatrix series = SmallMatrix::Zero(directions_[0].degree + 1, directions_[1].degree + 1);
     series.topLeftCorner(net.rows(), net.cols()) =
         mu.to_chebyshev[du] * net * mv.to_chebyshev[dv].transpose();
     cell.nets[k].coefficients[coordinate] = Eigen::Map<Eigen::VectorXd>(series.data(), series.size());
@@ -263,30 +291,42 @@ void SplineEvaluator::addNets(const RoundedNet& poles, const RoundedNet& local, 
   }
 }
 
-SplineEvaluator::Cell SplineEvaluator::makeCell(int span_u, int span_v, int nets) const {
-  const SpanMatrices& mu = matrices(0, span_u);
-  const SpanMatrices& mv = matrices(1, span_v);
+SplineEvaluator::RoundedNet SplineEvaluator::localNet(int span_u, int span_v, int coordinate,
+                                                      const Eigen::Vector3d& origin) const {
   const int p = directions_[0].degree;
   const int q = directions_[1].degree;
   const int first_u = spans_[0][span_u].knot - p;
   const int first_v = spans_[1][span_v].knot - q;
-  const auto index = [&](int i, int j) { return (first_u + i) * count_v_ + first_v + j; };
+  RoundedNet net{SmallMatrix(p + 1, q + 1), SmallMatrix::Zero(p + 1, q + 1)};
+  for (int i = 0; i <= p; ++i)
+    for (int j = 0; j <= q; ++j) {
+      const int index = (first_u + i) * count_v_ + first_v + j;
+      const double weight = weights_.empty() ? 1 : weights_[index];
+      net.value(i, j) = coordinate == 3 ? weight : weight * (poles_[index][coordinate] - origin[coordinate]);
+    }
+  if (coordinate != 3) net.error = machine_epsilon * net.value.cwiseAbs();
+  return net;
+}
+
+SplineEvaluator::Cell SplineEvaluator::makeCell(int span_u, int span_v, int nets) const {
+  const SpanMatrices& mu = matrices(0, span_u);
+  const SpanMatrices& mv = matrices(1, span_v);
+  const int first_u = spans_[0][span_u].knot - directions_[0].degree;
+  const int first_v = spans_[1][span_v].knot - directions_[1].degree;
   Cell cell;
   cell.count = nets;
-  cell.origin = poles_[index(0, 0)];
+  cell.origin = poles_[first_u * count_v_ + first_v];
   const int dimension = weights_.empty() ? 3 : 4;
   for (int c = 0; c < dimension; ++c) {
-    RoundedNet poles{SmallMatrix(p + 1, q + 1), SmallMatrix::Zero(p + 1, q + 1)};
-    RoundedNet local = poles;
-    for (int i = 0; i <= p; ++i)
-      for (int j = 0; j <= q; ++j) {
-        const double weight = weights_.empty() ? 1 : weights_[index(i, j)];
-        poles.value(i, j) = c == 3 ? weight : poles_[index(i, j)][c];
-        local.value(i, j) = c == 3 ? weight : weight * (poles_[index(i, j)][c] - cell.origin[c]);
-      }
-    if (c != 3) local.error = machine_epsilon * local.value.cwiseAbs();
+    const RoundedNet local = localNet(span_u, span_v, c, cell.origin);
+    if (!weights_.empty()) {
+      addNets(local, local, mu, mv, c, cell);
+      continue;
+    }
     // Differences of the poles themselves know nothing of the origin, and are rounded once.
-    addNets(weights_.empty() ? poles : local, local, mu, mv, c, cell);
+    RoundedNet poles = localNet(span_u, span_v, c, Eigen::Vector3d::Zero());
+    poles.error.setZero();
+    addNets(poles, local, mu, mv, c, cell);
   }
   return cell;
 }
@@ -295,10 +335,18 @@ JetModel SplineEvaluator::jet(const ChebyshevModel& u, const ChebyshevModel& v, 
                               int order) const {
   const Local x = localize(0, u, hint_u);
   const Local y = localize(1, v, hint_v);
-  const int nets = order == 0 ? 1 : order == 1 ? 3 : 6;
-  const Cell& c = cell(x.span, y.span, nets);
-  const std::vector<ChebyshevModel> tx = chebyshevPolynomials(x.x, directions_[0].degree);
-  const std::vector<ChebyshevModel> ty = chebyshevPolynomials(y.x, directions_[1].degree);
+  const Cell& c = cell(x.span, y.span, netCount(order));
+  JetModel jet = evaluated(c, x.x, y.x, order);
+  jet.p = jet.p + constantModel(c.origin);
+  return jet;
+}
+
+/// About the origin of the cell.
+JetModel SplineEvaluator::evaluated(const Cell& c, const ChebyshevModel& x, const ChebyshevModel& y,
+                                    int order) const {
+  const int nets = netCount(order);
+  const std::vector<ChebyshevModel> tx = chebyshevPolynomials(x, directions_[0].degree);
+  const std::vector<ChebyshevModel> ty = chebyshevPolynomials(y, directions_[1].degree);
   const int dimension = weights_.empty() ? 3 : 4;
   // Products of Chebyshev polynomials along the path, one a column, and what they may be off and amount to.
   const Eigen::Index terms = static_cast<Eigen::Index>(tx.size() * ty.size());
@@ -325,13 +373,106 @@ JetModel SplineEvaluator::jet(const ChebyshevModel& u, const ChebyshevModel& v, 
       h[k][d] = ChebyshevModel::series(
           sum, (error[0] + rounding + c.nets[k].error[d] * std::max(1.0, outside)) * (1 + 1e-12));
     }
-  JetModel jet;
-  if (dimension == 4)
-    jet = projected(h, order);
-  else
-    jet = {space(h[0]), space(h[1]), space(h[2]), space(h[3]), space(h[4]), space(h[5])};
-  jet.p = jet.p + constantModel(c.origin);
-  return jet;
+  if (dimension == 4) return projected(h, order);
+  return {space(h[0]), space(h[1]), space(h[2]), space(h[3]), space(h[4]), space(h[5])};
+}
+
+/// If all poles of the boundary are one point.
+std::optional<Eigen::Vector3d> SplineEvaluator::collapsedPoint(int span_u, int span_v,
+                                                               const Boundary& boundary) const {
+  const auto& [d, at_end] = boundary;
+  const int degree = directions_[d].degree;
+  const int knot = spans_[d][d == 0 ? span_u : span_v].knot;
+  const std::vector<double>& knots = directions_[d].knots;
+  const bool clamped =
+      at_end ? knots[knot + 1] == knots[knot + degree] : knots[knot + 1 - degree] == knots[knot];
+  if (degree == 0 || !clamped) return std::nullopt;
+  const int across = at_end ? knot : knot - degree;
+  const int other_degree = directions_[1 - d].degree;
+  const int first = spans_[1 - d][d == 0 ? span_v : span_u].knot - other_degree;
+  const auto pole = [&](int i) {
+    return poles_[d == 0 ? across * count_v_ + first + i : (first + i) * count_v_ + across];
+  };
+  for (int i = 1; i <= other_degree; ++i)
+    if (pole(i) != pole(0)) return std::nullopt;
+  return pole(0);
+}
+
+/// Of the quotient, which is of one degree less and in Bezier form over the span.
+SplineEvaluator::SpanMatrices SplineEvaluator::quotientMatrices(int direction, int span) const {
+  const double width = spans_[direction][span].upper - spans_[direction][span].lower;
+  SpanMatrices matrices;
+  for (int order = 0; order < 3; ++order) {
+    const int degree = std::max(directions_[direction].degree - 1 - order, 0);
+    matrices.to_chebyshev[order] = bezierToChebyshev(degree);
+    matrices.to_chebyshev_terms[order] = matrices.to_chebyshev[order].cwiseAbs();
+    matrices.roundings[order] = degree + 3;
+    if (order < 2) matrices.factors[order] = Eigen::VectorXd::Constant(degree, degree / width);
+  }
+  return matrices;
+}
+
+SplineEvaluator::RoundedNet SplineEvaluator::quotientNet(const RoundedNet& net, int span,
+                                                         const Boundary& boundary) const {
+  const auto& [degree, knots, period] = directions_[boundary.direction];
+  const SmallMatrix to_bezier = splineToBezier(knots, degree, spans_[boundary.direction][span].knot);
+  const Span& s = spans_[boundary.direction][span];
+  const RoundedNet rows = boundary.direction == 0 ? net : net.transposed();
+  const RoundedNet quotient = rows.quotient(to_bezier, s.upper - s.lower, boundary.at_end);
+  return boundary.direction == 0 ? quotient : quotient.transposed();
+}
+
+SplineEvaluator::Cell SplineEvaluator::makeCollapsedCell(const CollapsedKey& key,
+                                                         const Eigen::Vector3d& point, int nets) const {
+  const int d = key.boundary.direction;
+  const int span = d == 0 ? key.span_u : key.span_v;
+  const SpanMatrices& mu = matrices(0, key.span_u);
+  const SpanMatrices& mv = matrices(1, key.span_v);
+  const SpanMatrices divided = quotientMatrices(d, span);
+  Cell cell;
+  cell.count = nets;
+  cell.origin = point;
+  for (const int c : {0, 1, 2}) {
+    const RoundedNet net = quotientNet(localNet(key.span_u, key.span_v, c, point), span, key.boundary);
+    addNets(net, net, d == 0 ? divided : mu, d == 1 ? divided : mv, c, cell);
+  }
+  if (!weights_.empty()) {
+    const RoundedNet weights = localNet(key.span_u, key.span_v, 3, point);
+    addNets(weights, weights, mu, mv, 3, cell);
+  }
+  return cell;
+}
+
+std::optional<CollapsedJetModel> SplineEvaluator::collapsedJet(const ChebyshevModel& u,
+                                                               const ChebyshevModel& v, double hint_u,
+                                                               double hint_v, int order) const {
+  constexpr double near = 0x1p-4;  // of the span; further away the jet itself is as good
+  constexpr double rounding =
+      0x1p-36;  // of the span, or of the parameter if that is all that the path is known to
+  constexpr std::size_t most_kept = 1000;
+  const std::array<Local, 2> local = {localize(0, u, hint_u), localize(1, v, hint_v)};
+  for (const int d : {0, 1})
+    for (const bool at_end : {false, true}) {
+      const Span& span = spans_[d][local[d].span];
+      const ChebyshevModel from_end =
+          at_end ? local[d].x - ChebyshevModel(1) : local[d].x + ChebyshevModel(1);
+      const Interval range = from_end.range();
+      const double nearest = at_end ? -range.upper : range.lower;
+      const double half = 0.5 * (span.upper - span.lower);
+      const double unknown = 2 * from_end.radius();
+      const double beyond =
+          unknown * half <= rounding * parameterSize(d) ? std::max(rounding, unknown) : rounding;
+      if (!(nearest >= -beyond && nearest < near)) continue;
+      const CollapsedKey key{local[0].span, local[1].span, {d, at_end}};
+      const std::optional<Eigen::Vector3d> point = collapsedPoint(key.span_u, key.span_v, key.boundary);
+      if (!point) continue;
+      if (collapsed_cells_.size() >= most_kept) collapsed_cells_.clear();
+      Cell& cell = collapsed_cells_[key];
+      if (cell.count < netCount(order)) cell = makeCollapsedCell(key, *point, netCount(order));
+      return CollapsedJetModel{*point, evaluated(cell, local[0].x, local[1].x, order), half * from_end, d,
+                               at_end ? -1.0 : 1.0};
+    }
+  return std::nullopt;
 }
 
 }  // namespace seamwright

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <compare>
 #include <map>
 #include <optional>
 #include <vector>
@@ -13,6 +14,16 @@ namespace seamwright {
 /// Point and partial derivatives of a surface along a path, as models.
 struct JetModel {
   VectorModel p, u, v, uu, uv, vv;
+};
+
+/// A surface next to a boundary that is one point P0: P0 + tau Q, with tau the distance in its parameter from
+/// that boundary, negative before one at the end of the range.
+struct CollapsedJetModel {
+  Eigen::Vector3d point;  ///< P0
+  JetModel quotient;      ///< Q and its partial derivatives
+  ChebyshevModel tau;
+  int direction = 0;  ///< tau is along u (0) or v (1)
+  double side = 1;    ///< the sign of tau in the surface
 };
 
 /// One parameter of a spline.
@@ -53,6 +64,12 @@ class SplineEvaluator {
   JetModel jet(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u, double hint_v,
                int order) const;
 
+  /// The same divided by the distance from a boundary of the span all of whose poles coincide, for a path that
+  /// comes near it: there the partial derivatives along the boundary vanish, those of the quotient need not.
+  /// Nothing if there is no such boundary near the path, or if the path goes beyond it by more than rounding.
+  std::optional<CollapsedJetModel> collapsedJet(const ChebyshevModel& u, const ChebyshevModel& v,
+                                                double hint_u, double hint_v, int order) const;
+
  private:
   /// Of a degree up to 25, OpenCASCADE's largest, kept without allocation.
   using SmallMatrix =
@@ -89,8 +106,27 @@ class SplineEvaluator {
   const Cell& cell(int span_u, int span_v, int nets) const;
   Cell makeCell(int span_u, int span_v, int nets) const;
   struct RoundedNet;
-  static void addNets(const RoundedNet& poles, const RoundedNet& local, const SpanMatrices& mu,
-                      const SpanMatrices& mv, int coordinate, Cell& cell);
+  void addNets(const RoundedNet& poles, const RoundedNet& local, const SpanMatrices& mu,
+               const SpanMatrices& mv, int coordinate, Cell& cell) const;
+  /// The poles of a span, relative to a point and times their weights; coordinate 3: the weights.
+  RoundedNet localNet(int span_u, int span_v, int coordinate, const Eigen::Vector3d& origin) const;
+  JetModel evaluated(const Cell& cell, const ChebyshevModel& x, const ChebyshevModel& y, int order) const;
+
+  /// A boundary of a span.
+  struct Boundary {
+    int direction = 0;  ///< of the parameter that is constant on it
+    bool at_end = false;
+    auto operator<=>(const Boundary&) const = default;
+  };
+  struct CollapsedKey {
+    int span_u = 0, span_v = 0;
+    Boundary boundary;
+    auto operator<=>(const CollapsedKey&) const = default;
+  };
+  std::optional<Eigen::Vector3d> collapsedPoint(int span_u, int span_v, const Boundary& boundary) const;
+  SpanMatrices quotientMatrices(int direction, int span) const;
+  RoundedNet quotientNet(const RoundedNet& net, int span, const Boundary& boundary) const;
+  Cell makeCollapsedCell(const CollapsedKey& key, const Eigen::Vector3d& point, int nets) const;
 
   std::array<SplineDirection, 2> directions_;
   std::vector<Eigen::Vector3d> poles_;
@@ -101,6 +137,7 @@ class SplineEvaluator {
   std::array<std::array<SmallMatrix, 3>, 2> bezier_to_chebyshev_;
   mutable std::array<std::map<int, SpanMatrices>, 2> matrices_;
   mutable std::map<std::pair<int, int>, Cell> cells_;
+  mutable std::map<CollapsedKey, Cell> collapsed_cells_;
 };
 
 }  // namespace seamwright

@@ -46,6 +46,16 @@ int signOf(const ChebyshevModel& model) {
   return range.upper < 0 ? -1 : 0;
 }
 
+/// The sign of the distance from the axis, of a surface of this size. At an apex, which a path meets but for
+/// rounding, it is that of the surface beside it.
+int sideOfAxis(const ChebyshevModel& rho, double size) {
+  const double rounding = 0x1p-36 * std::abs(size);
+  const Interval range = rho.range();
+  if (range.lower <= 0 && range.lower >= -rounding && range.upper > -2 * range.lower) return 1;
+  if (range.upper >= 0 && range.upper <= rounding && range.lower < -2 * range.upper) return -1;
+  return signOf(rho);
+}
+
 class Plane : public SurfaceEvaluator {
  public:
   SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double, double,
@@ -107,7 +117,7 @@ class Cone : public SurfaceEvaluator {
   SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double, double,
                        Detail detail) const override {
     const ChebyshevModel rho = ChebyshevModel(radius_) + v * sine_;
-    const double side = signOf(rho);
+    const double side = sideOfAxis(rho, std::abs(radius_) + v.magnitude());
     const SurfaceFields fields = turnedFields(u,
                                               {rho, v * cosine_, side * cosine_, -side * sine_,
                                                -side * (cosine_ * inverse(rho)), ChebyshevModel(0)},
@@ -127,7 +137,7 @@ class Torus : public SurfaceEvaluator {
                        Detail detail) const override {
     const auto [cosine, sine] = cosSin(v);
     const ChebyshevModel rho = ChebyshevModel(major_) + minor_ * cosine;
-    const double side = signOf(rho);
+    const double side = sideOfAxis(rho, minor_);
     const SurfaceFields fields =
         turnedFields(u,
                      {rho, minor_ * sine, side * cosine, side * sine, -side * (cosine * inverse(rho)),
@@ -170,7 +180,11 @@ class Spline : public SurfaceEvaluator {
   double parameterSize(int direction) const override { return spline_->parameterSize(direction); }
   SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u, double hint_v,
                        Detail detail) const override {
-    return fieldsOf(spline_->jet(u, v, hint_u, hint_v, static_cast<int>(detail)), detail);
+    const int order = static_cast<int>(detail);
+    if (detail != Detail::Position)
+      if (const auto collapsed = spline_->collapsedJet(u, v, hint_u, hint_v, order))
+        return collapsedFieldsOf(*collapsed, detail);
+    return fieldsOf(spline_->jet(u, v, hint_u, hint_v, order), detail);
   }
 
  private:
@@ -307,23 +321,60 @@ std::unique_ptr<SurfaceEvaluator> inFrame(const Frame& frame, Arguments&&... arg
 
 }  // namespace
 
+namespace {
+
+/// A basis of the tangent plane with its unit normal.
+struct TangentBasis {
+  TangentBasis(VectorModel first, VectorModel second) : a(std::move(first)), b(std::move(second)) {
+    const VectorModel product = cross(a, b);
+    inverse_length = inverseSqrt(dot(product, product));
+    normal = inverse_length * product;
+  }
+
+  /// The tensor of the second form with the coefficients l, m, k in this basis, by way of the dual basis.
+  SymmetricModel tensor(const ChebyshevModel& l, const ChebyshevModel& m, const ChebyshevModel& k) const {
+    const VectorModel dual_a = inverse_length * cross(b, normal);
+    const VectorModel dual_b = inverse_length * cross(normal, a);
+    return symmetricProduct(l * dual_a + m * dual_b, dual_a) +
+           symmetricProduct(m * dual_a + k * dual_b, dual_b);
+  }
+
+  VectorModel a, b, normal;
+  ChebyshevModel inverse_length;
+};
+
+}  // namespace
+
 SurfaceFields fieldsOf(const JetModel& jet, Detail detail) {
   SurfaceFields fields;
   fields.point = jet.p;
   if (detail == Detail::Position) return fields;
-  const VectorModel normal = cross(jet.u, jet.v);
-  const ChebyshevModel inverse_length = inverseSqrt(dot(normal, normal));
-  fields.normal = inverse_length * normal;
+  const TangentBasis basis(jet.u, jet.v);
+  const VectorModel& n = fields.normal = basis.normal;
+  if (detail == Detail::Curvature)
+    fields.tensor = basis.tensor(dot(n, jet.uu), dot(n, jet.uv), dot(n, jet.vv));
+  return fields;
+}
+
+SurfaceFields collapsedFieldsOf(const CollapsedJetModel& jet, Detail detail) {
+  const JetModel& q = jet.quotient;
+  const ChebyshevModel& tau = jet.tau;
+  SurfaceFields fields;
+  fields.point = tau * q.p + constantModel(jet.point);
+  if (detail == Detail::Position) return fields;
+  // With s along the boundary, X_s = tau Q_s; Q_s and X_tau span the tangent plane.
+  const bool along_v = jet.direction == 1;
+  const VectorModel& q_s = along_v ? q.u : q.v;
+  const VectorModel& q_tau = along_v ? q.v : q.u;
+  const TangentBasis basis(q_s, q.p + tau * q_tau);
+  // X_u x X_v is tau Q_s x X_tau, or its negative where tau is along u.
+  fields.normal = (along_v ? jet.side : -jet.side) * basis.normal;
   if (detail == Detail::TangentPlane) return fields;
-  // The dual basis of the tangent plane, and the second form in it.
   const VectorModel& n = fields.normal;
-  const VectorModel dual_u = inverse_length * cross(jet.v, n);
-  const VectorModel dual_v = inverse_length * cross(n, jet.u);
-  const ChebyshevModel l = dot(n, jet.uu);
-  const ChebyshevModel m = dot(n, jet.uv);
-  const ChebyshevModel k = dot(n, jet.vv);
-  fields.tensor =
-      symmetricProduct(l * dual_u + m * dual_v, dual_u) + symmetricProduct(m * dual_u + k * dual_v, dual_v);
+  const VectorModel& q_tau_tau = along_v ? q.vv : q.uu;
+  // X_ss = tau Q_ss, X_s,tau = Q_s + tau Q_s,tau with n.Q_s = 0, by tau^2 and by tau.
+  fields.tensor = basis.tensor(inverse(tau) * dot(n, along_v ? q.uu : q.vv), dot(n, q.uv),
+                               dot(n, 2 * q_tau + tau * q_tau_tau));
   return fields;
 }
 

@@ -15,11 +15,14 @@ namespace seamwright {
 
 namespace {
 
-/// Of the seam, in parameter and in length: a shorter piece without known tangent plane is left out.
+/// Of the seam's parameter: a shorter piece with bounds is not cut to make them narrower.
 constexpr double shortest_piece = 0x1p-24;
+/// Of the seam, in parameter and in length: a shorter piece without known tangent plane is left out.
+constexpr double pole_piece = 0x1p-30;
 /// Of the seam's parameter: no piece is cut to less.
 constexpr double last_piece = 0x1p-50;
-/// Of the seam's length: so near a point without tangent plane curvature is rounding.
+/// Of the seam, in parameter and in length: so near a point without tangent plane, where curvature is as large as
+/// one likes, it is no part of the figures.
 constexpr double degenerate_reach = 0x1p-20;
 
 struct Piece {
@@ -85,13 +88,18 @@ class Enclosure {
   void see(Quantity quantity, const PieceBound& bound, const Piece& piece);
   bool isShort(double from, double to, double share);
   double wholeLength();
+  bool hasPole(double end);
+  void findPoles();
   void leaveOutCurvatureNearDegenerate();
+  bool isAtPole(const Piece& piece);
+  void addLeftOut(SeamFigures& figures);
   void leaveOut(const Piece& piece, const SideFields& a, const SideFields& b);
   double tolerated(Quantity quantity) const;
   double allowed(Quantity quantity) const;
   bool isEnough(Quantity quantity, double upper) const;
   double excess(const PieceBound& bound, Quantity quantity) const;
-  double excess(const PieceFigures& figures) const;
+  double excess(const Piece& piece) const;
+  bool isOnOneSide(const PieceBound& relative_curvature) const;
   bool isSettled(const Piece& piece) const;
   void refine();
   double planeShare();
@@ -112,6 +120,7 @@ class Enclosure {
   int cuts_ = 0;  ///< at knot lines
   bool exhausted_ = false;
   std::vector<DegeneratePoint> degenerate_;
+  Interval curvature_range_ = {0, 1};  ///< off the poles at the ends
   std::optional<double> whole_length_;
 };
 
@@ -134,6 +143,12 @@ bool Enclosure::isEnough(Quantity quantity, double upper) const {
   return quantity == Curvature || upper <= tolerated(quantity) || lower_[quantity] > tolerated(quantity);
 }
 
+/// All that matters of a curvature that is left out.
+bool Enclosure::isOnOneSide(const PieceBound& relative_curvature) const {
+  return relative_curvature.upper <= tolerance_.curvature_rel ||
+         relative_curvature.lower > tolerance_.curvature_rel;
+}
+
 bool Enclosure::isSettled(const Piece& piece) const {
   const PieceFigures& f = piece.figures;
   if (!isEnough(Gap, f.gap_mm.upper)) return false;
@@ -145,6 +160,7 @@ bool Enclosure::isSettled(const Piece& piece) const {
   if (across && (!sharp || folds(piece) || piece.width() > 0.01)) return false;
   if (!isEnough(Angle, f.angle_rad.upper)) return false;
   if (sharp) return std::isfinite(f.angle_rad.upper);
+  if (piece.curvature_left_out) return f.curvature_rel && isOnOneSide(*f.curvature_rel);
   return f.curvature_per_mm && isEnough(Curvature, f.curvature_per_mm->upper) &&
          isEnough(RelativeCurvature, f.curvature_rel->upper);
 }
@@ -156,10 +172,15 @@ double Enclosure::excess(const PieceBound& bound, Quantity quantity) const {
 
 /// Largest width of a bound that is not enough, in units of what is allowed; infinite where no bound is
 /// known.
-double Enclosure::excess(const PieceFigures& figures) const {
-  double largest = std::max(excess(figures.gap_mm, Gap), excess(figures.angle_rad, Angle));
+double Enclosure::excess(const Piece& piece) const {
+  const PieceFigures& figures = piece.figures;
+  const double largest = std::max(excess(figures.gap_mm, Gap), excess(figures.angle_rad, Angle));
   if (detail() == Detail::TangentPlane) return largest;
   if (!figures.curvature_per_mm) return infinite;
+  if (piece.curvature_left_out) {
+    if (isOnOneSide(*figures.curvature_rel)) return largest;
+    return std::max(largest, excess(*figures.curvature_rel, RelativeCurvature));
+  }
   // A step from 0 to 1, where one side becomes flat, does not shrink with the piece: it has to be found.
   if (figures.curvature_rel->upper == 1 && figures.curvature_rel->lower < 1) return infinite;
   return std::max({largest, excess(*figures.curvature_per_mm, Curvature),
@@ -177,6 +198,7 @@ void Enclosure::see(const Piece& piece) {
   see(Gap, piece.figures.gap_mm, piece);
   if (piece.left_out) return;
   see(Angle, piece.figures.angle_rad, piece);
+  if (piece.curvature_left_out) return;
   curvature_norm_ = std::max(curvature_norm_, piece.figures.curvature_norm_per_mm);
   if (!piece.figures.curvature_per_mm) return;
   see(Curvature, *piece.figures.curvature_per_mm, piece);
@@ -184,6 +206,7 @@ void Enclosure::see(const Piece& piece) {
 }
 
 void Enclosure::leaveOut(const Piece& piece, const SideFields& a, const SideFields& b) {
+  if (!curvature_range_.contains(piece.at(0))) return;  // named by findPoles()
   const auto kind = [](const SideFields& side) {
     return side.hasPlane() ? Degeneracy::None : Degeneracy::VanishingNormal;
   };
@@ -215,8 +238,9 @@ bool Enclosure::measure(Piece& piece, Detail detail, std::optional<double>& spli
       first = false;
     }
   const bool without_plane = detail != Detail::Position && !std::isfinite(piece.figures.angle_rad.upper);
-  if (without_plane && piece.width() > 0 && piece.width() < shortest_piece &&
-      isShort(piece.from, piece.to, shortest_piece)) {
+  // Of a short seam far from the origin the length of so short a piece is rounding.
+  const double share = piece.width() < 2 * last_piece ? shortest_piece : pole_piece;
+  if (without_plane && piece.width() > 0 && isShort(piece.from, piece.to, share)) {
     piece.left_out = true;
     leaveOut(piece, a, b);
   }
@@ -235,10 +259,12 @@ bool Enclosure::mayCut(const Piece& piece, const std::optional<double>& split) {
 
 void Enclosure::look(double from, double to) {
   Piece piece{from, to, {}};
+  const double middle = piece.at(0);
+  piece.curvature_left_out = middle < curvature_range_.lower || middle > curvature_range_.upper;
   std::optional<double> split;
   if (measure(piece, detail(), split)) {
     see(piece);
-    piece.excess = excess(piece.figures);
+    piece.excess = excess(piece);
     pieces_.push_back(piece);
     return;
   }
@@ -285,8 +311,8 @@ void Enclosure::refine() {
     changed = false;
     std::vector<Piece> open;
     const auto is_open = [&](const Piece& piece) {
-      const bool is_long_enough =
-          piece.width() >= (std::isfinite(piece.excess) ? shortest_piece : last_piece);
+      const double shortest = piece.curvature_left_out ? pole_piece : shortest_piece;
+      const bool is_long_enough = piece.width() >= (std::isfinite(piece.excess) ? shortest : last_piece);
       return is_long_enough && piece.stalled < 2 && !piece.left_out && !isSettled(piece);
     };
     const auto first_open = std::stable_partition(pieces_.begin(), pieces_.end(), std::not_fn(is_open));
@@ -329,11 +355,76 @@ bool Enclosure::isShort(double from, double to, double share) {
   return to - from <= share && !(lengthOf(from, to).upper > share * wholeLength());
 }
 
+/// Whether a side lacks curvature on a short piece at an end, which is named then.
+bool Enclosure::hasPole(double end) {
+  const double from = end == 0 ? 0 : 1 - pole_piece, to = end == 0 ? pole_piece : 1;
+  const auto kind = [&](const SideEvaluator& evaluator) {
+    const SideFields side = evaluator.fields(from, to, Detail::Curvature);
+    return side.split || side.hasCurvature() ? Degeneracy::None : Degeneracy::VanishingNormal;
+  };
+  const DegeneratePoint point{end, kind(a_), kind(b_)};
+  if (point.side_a == Degeneracy::None && point.side_b == Degeneracy::None) return false;
+  degenerate_.push_back(point);
+  return true;
+}
+
+/// The ends, where edges end at poles; poles elsewhere are met by pieces that shrink to them.
+void Enclosure::findPoles() {
+  const auto [first, last] = options_.range;
+  const auto reach = [&](int end) {
+    double length = degenerate_reach;
+    while (length > pole_piece &&
+           !(end == 0 ? isShort(0, length, degenerate_reach) : isShort(1 - length, 1, degenerate_reach)))
+      length *= 0.5;
+    return length;
+  };
+  if (first > 0 || hasPole(0)) curvature_range_.lower = std::max(first, reach(0));
+  if (last < 1 || hasPole(1)) curvature_range_.upper = std::min(last, 1 - reach(1));
+}
+
 void Enclosure::leaveOutCurvatureNearDegenerate() {
-  for (Piece& piece : pieces_)
+  bool changed = false;
+  for (Piece& piece : pieces_) {
+    if (piece.curvature_left_out) continue;
     piece.curvature_left_out = std::ranges::any_of(degenerate_, [&](const DegeneratePoint& point) {
-      return isShort(std::min(piece.from, point.at), std::max(piece.to, point.at), 2 * degenerate_reach);
+      return curvature_range_.contains(point.at) &&
+             isShort(std::min(piece.from, point.at), std::max(piece.to, point.at), 2 * degenerate_reach);
     });
+    changed |= piece.curvature_left_out;
+  }
+  if (!changed) return;
+  lower_[Curvature] = lower_[RelativeCurvature] = 0;
+  for (const Piece& piece : pieces_) see(piece);
+}
+
+/// Too near a point without tangent plane, or without curvature, to be told from it.
+bool Enclosure::isAtPole(const Piece& piece) {
+  if (piece.left_out) return true;
+  const auto is_near = [&](double pole) {
+    return isShort(std::min(piece.from, pole), std::max(piece.to, pole), pole_piece);
+  };
+  return std::ranges::any_of(degenerate_, [&](const DegeneratePoint& point) { return is_near(point.at); });
+}
+
+void Enclosure::addLeftOut(SeamFigures& figures) {
+  std::ranges::sort(pieces_, {}, &Piece::from);
+  const auto add = [&](LeftOut& left_out, const Piece& piece, double upper) {
+    if (!left_out.stretches.empty() && piece.from <= left_out.stretches.back().upper)
+      left_out.stretches.back().upper = piece.to;
+    else
+      left_out.stretches.push_back({piece.from, piece.to});
+    if (upper > left_out.upper.value_or(infinite)) left_out.upper = upper;
+    if (left_out.upper == infinite) left_out.upper.reset();
+  };
+  const Interval& range = options_.range;
+  for (const Piece& piece : pieces_) {
+    const bool in_range = piece.at(0) > range.lower && piece.at(0) < range.upper;
+    if (piece.left_out) add(figures.angle_left_out, piece, in_range ? 0 : infinite);
+    if (!figures.curvature_rel || !(piece.left_out || piece.curvature_left_out)) continue;
+    const auto& curvature = piece.figures.curvature_rel;
+    const double upper = in_range && isAtPole(piece) ? 0 : curvature ? curvature->upper : infinite;
+    add(figures.curvature_left_out, piece, in_range ? upper : infinite);
+  }
 }
 
 SeamFigures Enclosure::run() {
@@ -341,11 +432,13 @@ SeamFigures Enclosure::run() {
   std::vector<double> breaks = {range.lower, range.upper, 1};
   a_.addBreaks(breaks);
   b_.addBreaks(breaks);
-  std::ranges::sort(breaks);
   // The middle first: a seam that is a crease there has no curvature figures, which saves their work.
   Piece middle{range.middle(), range.middle(), {}};
   std::optional<double> split;
   if (measure(middle, Detail::TangentPlane, split)) see(middle);
+  findPoles();
+  breaks.insert(breaks.end(), {curvature_range_.lower, curvature_range_.upper});
+  std::ranges::sort(breaks);
   double from = 0;
   for (const double at : breaks) {
     constexpr double apart = 0x1p-48;  // breaks that only rounding tells apart are one
@@ -465,6 +558,7 @@ SeamFigures Enclosure::figures() {
   figures.below_crease_share = share.middle();
   figures.plane_share = planeShare();
   figures.degenerate = degenerate_;
+  addLeftOut(figures);
   figures.points = looks_;
   figures.shares_known = true;
   if (share.lower <= 0.5 && share.upper > 0.5) {

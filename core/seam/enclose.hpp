@@ -7,7 +7,8 @@
 namespace seamwright {
 
 struct EncloseOptions {
-  Interval range = {0, 1};  ///< part of the seam that is enclosed; the rest counts as without tangent plane
+  /// Part of the seam that is enclosed; the rest counts as without tangent plane, and is left out.
+  Interval range = {0, 1};
   /// Work limit: pieces beyond those that knots ask for, before the enclosures are left as they are.
   int max_pieces = 1000;
   int max_knot_cuts = 30'000;  ///< work limit: cuts where the sides cross knot lines
@@ -24,9 +25,12 @@ struct EncloseOptions {
 /// enclosures are wider, but as true.
 ///
 /// Figures are those of measurePair() and relativeDifference(), over all points where both sides have a
-/// tangent plane. A piece shorter than 2^-24 of the seam that holds a point without one is left out and named
-/// in \p degenerate, and with it what lies within 2^-20 of the seam, where curvature, which divides by the
-/// square of the distance, is rounding. Where the parameters cross a knot line, both sides of the line count;
+/// tangent plane, but for what \p angle_left_out and \p curvature_left_out list. A piece shorter than 2^-30 of
+/// the seam, in parameter and in length, that holds a point without one is left out by both and named in
+/// \p degenerate. The curvature also leaves out what lies within 2^-20 of the seam of such a point, and of a
+/// boundary of a spline all of whose poles are one point, where the tangent plane may be known: there curvature
+/// may be as large as one likes. What is left out is bounded separately; outside \p range nothing is known but
+/// the gap. Where the parameters cross a knot line, both sides of the line count;
 /// along a knot line the side of the face counts. A knot line is met to 2^-46 of the parameter, or to the
 /// rounding of the path where that is more (at most 2^-36 of its parameters).
 ///
@@ -36,7 +40,8 @@ struct EncloseOptions {
 /// The enclosure is of the surfaces given by the numbers of the evaluators, exact but for rounding, which is
 /// inside the radius.
 /// Identities (each has a test of its number):
-///   (1) No value of measurePair() along the seam is above the upper bounds; the lower bounds are reached.
+///   (1) No value of measurePair() along the seam is above the upper bounds, in what is left out not above
+///       those given with it; the lower bounds are reached.
 ///   (2) Swapping the sides, reversing the seam, and rigid motion change the verdict nowhere, the bounds
 ///       within their widths.
 ///   (3) Of an exact G1 (G2) join the upper bound of the angle (curvature) is rounding only.

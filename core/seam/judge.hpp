@@ -43,10 +43,12 @@ struct Verdict {
 /// reaches \p required.
 ///
 /// Level and class are those of the lower ends of the enclosures; certain iff the upper ends (infinite where
-/// none is known) give the same, and nothing else they depend on is only sampled.
+/// none is known), those of what the figures leave out among them, give the same, and nothing else they depend
+/// on is only sampled.
 Verdict judge(const SeamFigures& figures, const ContinuityTolerance& tolerance, Level required);
 
-/// The level is reached by every value within the enclosures; without an upper end of a figure it is not known, thus false.
+/// The level is reached by every value within the enclosures, also of what the figures leave out; without an
+/// upper end of a figure it is not known, thus false.
 bool surelyReaches(const SeamFigures& figures, const ContinuityTolerance& tolerance, Level level);
 
 /// What the angle and the verdict do not show by themselves, for a note beside them, joined by "; ": a sharp spot in a

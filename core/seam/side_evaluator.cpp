@@ -46,6 +46,12 @@ bool SideFields::hasPlane() const {
   });
 }
 
+bool SideFields::hasCurvature() const {
+  return hasPlane() && std::ranges::all_of(alternatives, [](const SurfaceFields& fields) {
+           return std::ranges::all_of(fields.tensor, [](const ChebyshevModel& k) { return k.isKnown(); });
+         });
+}
+
 SideEvaluator::SideEvaluator(const SeamSide& side) : side_(side) {
   for (const double s : {0.0, 0.25, 0.5, 0.75, 1.0}) {
     const ChebyshevModel t = parameter(s, s);

@@ -16,6 +16,8 @@ struct SideFields {
 
   /// Whether the side is known to have a tangent plane all over the piece.
   bool hasPlane() const;
+  /// Whether the curvature of the side is known to be bounded all over the piece.
+  bool hasCurvature() const;
 };
 
 /// Evaluates a side over pieces [from, to] of the seam, s in 0..1, and says where pieces are to be cut.

@@ -42,6 +42,8 @@ class Survey {
   /// Share of the length over which something holds.
   template <class Predicate>
   double share(const Predicate& predicate) const;
+  /// From neighbour to neighbour of samples without a value.
+  LeftOut leftOut(Quantity quantity) const;
 
   const PairAt& pair_at_;
   const ContinuityTolerance& tolerance_;
@@ -170,6 +172,22 @@ double Survey::share(const Predicate& predicate) const {
   return length > 0 ? counted / length : 0;
 }
 
+LeftOut Survey::leftOut(Quantity quantity) const {
+  LeftOut left_out;
+  for (const Span& span : spans_)
+    for (std::size_t i = 0; i < span.size(); ++i) {
+      if (span[i].values[quantity]) continue;
+      const double from = place(span[i > 0 ? i - 1 : i].t);
+      const double to = place(span[i + 1 < span.size() ? i + 1 : i].t);
+      if (!left_out.stretches.empty() && from <= left_out.stretches.back().upper)
+        left_out.stretches.back().upper = to;
+      else
+        left_out.stretches.push_back({from, to});
+      left_out.upper.reset();
+    }
+  return left_out;
+}
+
 SeamFigures Survey::figures() const {
   SeamFigures figures;
   figures.degenerate = degenerate_;
@@ -180,9 +198,11 @@ SeamFigures Survey::figures() const {
   if (std::ranges::any_of(degenerate_, is_not_finite)) return figures;
   figures.gap_mm = maxima_[Gap];
   figures.angle_rad = maxima_[Angle];
+  if (figures.angle_rad) figures.angle_left_out = leftOut(Angle);
   if (figures.angle_rad && figures.angle_rad->lower <= tolerance_.crease_rad) {
     figures.curvature_per_mm = maxima_[Curvature];
     figures.curvature_rel = maxima_[RelativeCurvature];
+    if (figures.curvature_rel) figures.curvature_left_out = leftOut(RelativeCurvature);
     figures.curvature_change_per_mm2 = maxima_[Change];
     figures.curvature_change_rel = maxima_[RelativeChange];
   }

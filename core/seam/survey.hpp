@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <seamwright/core/bernstein/interval.hpp>
 #include <seamwright/core/seam/measure.hpp>
 #include <seamwright/core/seam/tolerance.hpp>
 
@@ -17,6 +18,14 @@ struct Figure {
   double lower = 0;             ///< seen at \p at
   std::optional<double> upper;  ///< nothing: no bound is known, the maximum may be larger
   double at = 0;                ///< where along the seam, 0..1 of its parameter range
+};
+
+/// What a figure leaves out of the seam.
+struct LeftOut {
+  std::vector<Interval> stretches;  ///< parts of 0..1 that do not touch, increasing
+  /// The quantity is nowhere larger there, but for points within 2^-30 of the seam, in parameter and in length,
+  /// of one without a tangent plane: they are taken for that point. Nothing: no bound is known.
+  std::optional<double> upper = 0;
 };
 
 /// A point of the seam where a side has no tangent plane.
@@ -37,6 +46,8 @@ struct SeamFigures {
   /// Nothing where the angle is above the crease angle, or not asked for.
   std::optional<Figure> curvature_change_per_mm2;
   std::optional<Figure> curvature_change_rel;
+  LeftOut angle_left_out;         ///< by angle_rad, in rad
+  LeftOut curvature_left_out;     ///< by both figures of the curvature; the bound is one of curvature_rel
   std::optional<double> fold_at;  ///< a point where the faces fold back at less than the crease angle
   double below_crease_share =
       0;                   ///< share of the length over which the angle is within the crease angle, 0..1

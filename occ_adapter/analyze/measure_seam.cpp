@@ -113,20 +113,20 @@ struct PoleStretches {
 };
 
 PoleStretches poleStretches(const Seam& seam, const std::array<Pcurve, 2>& pcurves) {
-  // Nearer than that to the pole curvature, which divides by squares, is rounding.
-  constexpr double shortest = 0x1p-16;
   PoleStretches poles;
   if (!seam.correspondence.s.empty()) return poles;
   for (const int side : {0, 1})
     for (const int end : {0, 1}) {
       if (seam.sides[side].pole_tolerance_mm[end] == 0 || isSphere(seam.sides[side].shape)) continue;
-      double reach = FaceStrip(seam.sides[side], pcurves[side]).poleReach(end);
+      const FaceStrip strip(seam.sides[side], pcurves[side]);
+      const double reach = strip.poleReach(end);
       if (reach == 0) continue;
-      reach = std::max(reach, shortest);
-      if (end == 0)
-        poles.between.lower = std::max(poles.between.lower, reach);
-      else
-        poles.between.upper = std::min(poles.between.upper, 1 - reach);
+      if (strip.isScatteredAt(end)) {
+        if (end == 0)
+          poles.between.lower = std::max(poles.between.lower, reach);
+        else
+          poles.between.upper = std::min(poles.between.upper, 1 - reach);
+      }
       for (const double at : {end == 0 ? 0 : 1 - reach, end == 0 ? reach : 1}) {
         DegeneratePoint point{at};
         (side == 0 ? point.side_a : point.side_b) = Degeneracy::VanishingNormal;

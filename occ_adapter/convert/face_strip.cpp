@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierSurface.hxx>
 #include <Precision.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include <seamwright/occ_adapter/convert/face_strip.hpp>
@@ -90,6 +93,33 @@ void addCrossings(const Coordinate& coordinate, double t0, double t1, double fro
     }
     crossings.push_back(0.5 * (low + high));
   }
+}
+
+bool isSpline(const BRepAdaptor_Surface& surface) {
+  return surface.GetType() == GeomAbs_BSplineSurface || surface.GetType() == GeomAbs_BezierSurface;
+}
+
+/// Whether poles 1 to \p count are one point.
+bool areOnePoint(int count, const std::function<gp_Pnt(int i)>& pole) {
+  for (int i = 2; i <= count; ++i)
+    if (pole(i).SquareDistance(pole(1)) != 0) return false;
+  return true;
+}
+
+/// Whether a place of the parameter plane is on a boundary of a spline all of whose poles coincide exactly.
+bool endsAtOnePoint(const BRepAdaptor_Surface& surface, const gp_Pnt2d& uv) {
+  constexpr double rounding = 1e-9;  // of the range, of paths
+  const auto look = [&](const auto& spline) {
+    double u1 = 0, u2 = 0, v1 = 0, v2 = 0;
+    spline->Bounds(u1, u2, v1, v2);
+    const int nu = spline->NbUPoles(), nv = spline->NbVPoles();
+    const auto row = [&](int i) { return areOnePoint(nv, [&](int j) { return spline->Pole(i, j); }); };
+    const auto column = [&](int j) { return areOnePoint(nu, [&](int i) { return spline->Pole(i, j); }); };
+    const double near_u = rounding * (u2 - u1), near_v = rounding * (v2 - v1);
+    return (std::abs(uv.X() - u1) <= near_u && row(1)) || (std::abs(uv.X() - u2) <= near_u && row(nu)) ||
+           (std::abs(uv.Y() - v1) <= near_v && column(1)) || (std::abs(uv.Y() - v2) <= near_v && column(nv));
+  };
+  return surface.GetType() == GeomAbs_BezierSurface ? look(surface.Bezier()) : look(surface.BSpline());
 }
 
 }  // namespace
@@ -183,9 +213,17 @@ SurfaceJet FaceStrip::jet(double u, double v, Derivatives derivatives) const {
 double FaceStrip::collapsedLength(double s, double pole_tolerance_mm) const {
   if (pole_tolerance_mm == 0) return 0;
   const gp_Pnt2d uv = path_.Value(parameter(s));
+  // Derivatives of rational splines are rounding where their poles coincide.
+  if (isSpline(surface_) && endsAtOnePoint(surface_, uv)) return 0;
   const SurfaceJet end = jet(uv.X(), uv.Y(), Derivatives::First);
   const double length = std::min(range_u_ * end.u.norm(), range_v_ * end.v.norm());
   return length <= pole_tolerance_mm ? length : 0;
+}
+
+bool FaceStrip::isScatteredAt(int end) const {
+  const gp_Pnt2d uv = path_.Value(parameter(end));
+  const double rounding = roundingOf(jet(uv.X(), uv.Y(), Derivatives::First));
+  return collapsed_mm_[end] > (isSpline(surface_) ? 0 : rounding);
 }
 
 double FaceStrip::poleReach(int end) const {
@@ -203,10 +241,14 @@ double FaceStrip::poleReach(int end) const {
   return high;
 }
 
-JetNoise FaceStrip::noise(const SurfaceJet& jet, double s) const {
-  // A partial is a difference of coordinates over a step, and each coordinate is rounded.
+/// A partial is a difference of coordinates over a step, and each coordinate is rounded.
+double FaceStrip::roundingOf(const SurfaceJet& jet) const {
   const double size = jet.p.lpNorm<Eigen::Infinity>() + step_u_ * jet.u.norm() + step_v_ * jet.v.norm();
-  const double rounding = 64 * std::numeric_limits<double>::epsilon() * size;
+  return 64 * std::numeric_limits<double>::epsilon() * size;
+}
+
+JetNoise FaceStrip::noise(const SurfaceJet& jet, double s) const {
+  const double rounding = roundingOf(jet);
   // At a pole the points of a parameter line should coincide and are scattered over its length l. Where the
   // line has grown to L, its direction is uncertain by l / L rad; up to a five-hundredth, 0.1 degrees, it is
   // taken.

@@ -50,11 +50,16 @@ class FaceStrip {
   /// boundary of it collapses there.
   double poleReach(int end) const;
 
+  /// Whether the parameter line that collapses at end 0 or 1 of the path is not quite one point: poles of a
+  /// spline that differ at all, points of another surface that differ by more than rounding.
+  bool isScatteredAt(int end) const;
+
  private:
   enum class Derivatives { First, Second, Third };
   SidePoint at(double s, Derivatives derivatives) const;
   SurfaceJet jet(double u, double v, Derivatives derivatives) const;
   double collapsedLength(double s, double pole_tolerance_mm) const;
+  double roundingOf(const SurfaceJet& jet) const;
   JetNoise noise(const SurfaceJet& jet, double s) const;
   void addKnotCrossings(double first, double last, int steps, std::vector<double>& at) const;
   double parameter(double s) const { return pcurve_.first + s * (pcurve_.last - pcurve_.first); }

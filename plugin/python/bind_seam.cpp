@@ -49,6 +49,25 @@ py::list degenerateList(const std::vector<DegeneratePoint>& points) {
   return list;
 }
 
+py::list stretchList(const LeftOut& left_out) {
+  py::list list;
+  for (const Interval& stretch : left_out.stretches) {
+    py::list ends;
+    ends.append(stretch.lower);
+    ends.append(stretch.upper);
+    list.append(std::move(ends));
+  }
+  return list;
+}
+
+py::dict leftOutDict(const SeamFigures& figures) {
+  py::dict dict;
+  dict["angle_deg"] = stretchList(figures.angle_left_out);
+  dict["curvature_per_mm"] = stretchList(figures.curvature_left_out);
+  dict["curvature_rel"] = stretchList(figures.curvature_left_out);
+  return dict;
+}
+
 py::dict seamDict(const SeamFigures& figures, const ContinuityTolerance& tolerance, const Verdict& verdict) {
   occ::SeamResult result;
   result.figures = figures;
@@ -59,6 +78,7 @@ py::dict seamDict(const SeamFigures& figures, const ContinuityTolerance& toleran
   dict["angle_deg"] = figureDict(figures.angle_rad, report::degrees_per_radian);
   dict["curvature_per_mm"] = figureDict(figures.curvature_per_mm);
   dict["curvature_rel"] = figureDict(figures.curvature_rel);
+  dict["left_out"] = leftOutDict(figures);
   dict["level"] = name(verdict.level);
   dict["class"] = name(verdict.seam_class);
   dict["certified"] = verdict.certain;

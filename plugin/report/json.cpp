@@ -16,6 +16,19 @@ ordered_json figureJson(const std::optional<Figure>& figure, double factor = 1) 
           {"at", figure->at}};
 }
 
+ordered_json stretchesJson(const LeftOut& left_out) {
+  ordered_json stretches = ordered_json::array();
+  for (const Interval& stretch : left_out.stretches) stretches.push_back({stretch.lower, stretch.upper});
+  return stretches;
+}
+
+ordered_json leftOutJson(const SeamFigures& figures) {
+  const ordered_json curvature = stretchesJson(figures.curvature_left_out);
+  return {{"angle_deg", stretchesJson(figures.angle_left_out)},
+          {"curvature_per_mm", curvature},
+          {"curvature_rel", curvature}};
+}
+
 ordered_json worstJson(const std::optional<occ::WorstPoint>& worst) {
   if (!worst) return nullptr;
   return {{"quantity", worst->quantity},
@@ -70,6 +83,7 @@ ordered_json toJson(const occ::SeamResult& seam, const ContinuityTolerance& tole
           {"curvature_rel", figureJson(seam.figures.curvature_rel)},
           {"curvature_change_per_mm2", figureJson(seam.figures.curvature_change_per_mm2)},
           {"curvature_change_rel", figureJson(seam.figures.curvature_change_rel)},
+          {"left_out", leftOutJson(seam.figures)},
           {"level", name(seam.verdict.level)},
           {"class", name(seam.verdict.seam_class)},
           {"certified", seam.verdict.certain},

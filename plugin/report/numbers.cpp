@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
+#include <initializer_list>
 #include <seamwright/plugin/report/enclosure.hpp>
 #include <seamwright/plugin/report/numbers.hpp>
 #include <sstream>
@@ -18,14 +19,63 @@ std::string doubt(const std::string& what, const std::optional<Figure>& figure, 
   return text.str();
 }
 
+/// "curvature is up to 37 % where it is left out, with 2 % as its limit", if so; else empty.
+std::string doubtLeftOut(const std::string& what, const std::optional<Figure>& figure,
+                         const LeftOut& left_out, double factor, double limit, const std::string& unit) {
+  if (!figure || figure->lower > limit || (left_out.upper && *left_out.upper <= limit)) return {};
+  std::ostringstream text;
+  text.precision(3);
+  text << what << " is ";
+  if (left_out.upper)
+    text << "up to " << factor * *left_out.upper << ' ' << unit;
+  else
+    text << "not known";
+  text << " where it is left out, with " << factor * limit << ' ' << unit << " as its limit";
+  return text.str();
+}
+
 /// The first enclosure that leaves a verdict open; empty if there is none.
 std::string firstDoubt(const SeamFigures& figures, const ContinuityTolerance& tolerance) {
   std::string text = doubt("gap", figures.gap_mm, 1, tolerance.gap_mm, "mm");
   for (const double limit : {tolerance.angle_rad, tolerance.crease_rad})
     if (text.empty()) text = doubt("angle", figures.angle_rad, degrees_per_radian, limit, "deg");
+  if (text.empty())
+    text = doubtLeftOut("angle", figures.angle_rad, figures.angle_left_out, degrees_per_radian,
+                        tolerance.angle_rad, "deg");
   if (text.empty()) text = doubt("curvature", figures.curvature_rel, 100, tolerance.curvature_rel, "%");
   if (text.empty())
+    text = doubtLeftOut("curvature", figures.curvature_rel, figures.curvature_left_out, 100,
+                        tolerance.curvature_rel, "%");
+  if (text.empty())
     text = doubt("change of curvature", figures.curvature_change_rel, 100, tolerance.curvature_rel, "%");
+  return text;
+}
+
+/// "the first 9.54e-07", "the last 0.00049", "0.25 to 0.250001".
+std::string stretchText(const Interval& stretch) {
+  std::ostringstream text;
+  text.precision(stretch.lower > 0 && stretch.upper < 1 ? 6 : 3);
+  if (stretch.lower <= 0)
+    text << "the first " << stretch.upper;
+  else if (stretch.upper >= 1)
+    text << "the last " << 1 - stretch.lower;
+  else
+    text << stretch.lower << " to " << stretch.upper;
+  return text.str();
+}
+
+/// "the curvature leaves out the first 9.54e-07"; empty if it leaves out nothing.
+std::string leftOutText(const std::string& what, const LeftOut& left_out) {
+  std::string text;
+  for (const Interval& stretch : left_out.stretches)
+    text += (text.empty() ? "" : ", ") + stretchText(stretch);
+  return text.empty() ? text : "the " + what + " leaves out " + text;
+}
+
+std::string joinedNotes(std::initializer_list<std::string> notes) {
+  std::string text;
+  for (const std::string& note : notes)
+    if (!note.empty()) text += (text.empty() ? "" : "; ") + note;
   return text;
 }
 
@@ -62,13 +112,15 @@ Summary summarize(const occ::Report& report) {
 }
 
 std::string noteOf(const occ::SeamResult& seam, const ContinuityTolerance& tolerance) {
+  const std::string note = joinedNotes({seam.note, leftOutText("angle", seam.figures.angle_left_out),
+                                        leftOutText("curvature", seam.figures.curvature_left_out)});
   // The change of curvature alone is sampled: its figure shows that, the same in every row.
-  if (seam.verdict.certain && seam.figures.certified) return seam.note;
+  if (seam.verdict.certain && seam.figures.certified) return note;
   std::string why = seam.figures.uncertified;
   if (why.empty() && !seam.verdict.certain) why = firstDoubt(seam.figures, tolerance);
-  if (why.empty()) return seam.note;
+  if (why.empty()) return note;
   const std::string lead = seam.verdict.certain ? "no upper bound: " : "not certified: ";
-  return (seam.note.empty() ? "" : seam.note + "; ") + lead + why;
+  return joinedNotes({note, lead + why});
 }
 
 }  // namespace seamwright::report

@@ -52,6 +52,33 @@ TEST(Judge, ToleranceItselfIsAccepted) {
   EXPECT_EQ(judge(f, tolerance, Level::G2).level, Level::G2);
 }
 
+TEST(Judge, WhatIsLeftOutCountsForCertaintyAlone) {
+  const ContinuityTolerance tolerance;
+  SeamFigures f = figures(0, 0.05, 0.01);
+  for (auto figure : {&SeamFigures::gap_mm, &SeamFigures::angle_rad, &SeamFigures::curvature_rel})
+    (f.*figure)->upper = (f.*figure)->lower;
+  f.shares_known = true;
+  f.curvature_left_out = {{{0, 1e-6}}, 0.015};
+  EXPECT_TRUE(judge(f, tolerance, Level::G1).certain);
+  EXPECT_TRUE(surelyReaches(f, tolerance, Level::G2));
+  for (const std::optional<double> upper : {std::optional(0.03), std::optional<double>()}) {
+    f.curvature_left_out.upper = upper;
+    EXPECT_EQ(judge(f, tolerance, Level::G1).level, Level::G2);
+    EXPECT_FALSE(judge(f, tolerance, Level::G1).certain);
+    EXPECT_FALSE(surelyReaches(f, tolerance, Level::G2));
+    EXPECT_TRUE(surelyReaches(f, tolerance, Level::G1));
+  }
+  f.curvature_rel = Figure{0.5, 0.5, 0};
+  EXPECT_TRUE(judge(f, tolerance, Level::G1).certain) << "G1 whatever is left out of the curvature";
+  f.angle_left_out = {{{0.999, 1}}, std::nullopt};
+  EXPECT_EQ(judge(f, tolerance, Level::G1).level, Level::G1);
+  EXPECT_FALSE(judge(f, tolerance, Level::G1).certain);
+  EXPECT_FALSE(surelyReaches(f, tolerance, Level::G1));
+  f.angle_rad = Figure{degree, degree, 0};
+  f.below_crease_share = 1;
+  EXPECT_TRUE(judge(f, tolerance, Level::G1).certain) << "a defect whatever is left out";
+}
+
 TEST(Judge, ClassFollowsTheLevelAskedFor) {
   const ContinuityTolerance tolerance;
   const SeamFigures g1 = figures(0, 0.05, 0.5);

@@ -69,6 +69,78 @@ TEST(SplineEvaluator, JetsAreHeldWhereRoundingIsAllThereIs) {
   }
 }
 
+/// A random spline all of whose poles on a boundary are one point.
+struct CollapsedSpline {
+  SplineData spline;
+  int direction = 0;  ///< of the parameter that is constant on the boundary
+  bool at_end = false;
+
+  double boundary() const { return at_end ? 1 : 0; }
+  double inside(double distance) const { return at_end ? 1 - distance : distance; }
+};
+
+CollapsedSpline collapsedSpline(std::mt19937_64& random) {
+  const int p = 2 + static_cast<int>(random() % 4), q = 1 + static_cast<int>(random() % 5);
+  CollapsedSpline result{randomSpline(p, q, random() % 2 == 0, 0, random), static_cast<int>(random() % 2),
+                         random() % 2 == 0};
+  SplineData& spline = result.spline;
+  const int columns = static_cast<int>(spline.v.knots.size()) - q - 1;
+  const int rows = static_cast<int>(spline.poles.size()) / columns;
+  const Vec point = random() % 2 == 0 ? Vec(0, 0, 0) : test::randomVector(random);
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < columns; ++j) {
+      const int last = result.direction == 0 ? rows - 1 : columns - 1;
+      if ((result.direction == 0 ? i : j) == (result.at_end ? last : 0))
+        spline.poles[static_cast<std::size_t>(i) * columns + j] = point;
+    }
+  return result;
+}
+
+TEST(SplineEvaluator, FieldsAreHeldNextToABoundaryThatIsOnePoint) {
+  std::mt19937_64 random(35);
+  known = 0;
+  for (int i = 0; i < 300; ++i) {
+    const CollapsedSpline collapsed = collapsedSpline(random);
+    const SplineData& spline = collapsed.spline;
+    const double distance = logUniform(random, -5, -1.5);
+    double at[] = {placeIn(spline.u, random), placeIn(spline.v, random)};
+    at[collapsed.direction] = collapsed.inside(distance);
+    SCOPED_TRACE(testing::Message() << i << " at " << distance << " from boundary " << collapsed.boundary()
+                                    << " of parameter " << collapsed.direction);
+    const Path path = randomPath(at[0], at[1], 0.5 * distance, random);
+    const Surface formula = formulaOf(spline, at[0], at[1]);
+    // The formula divides its rounding by the square of the distance.
+    expectHeld(
+        *splineEvaluator(spline.evaluator()), [&](Real a, Real b) { return fieldsAt(formula, a, b); }, path,
+        at[0], at[1], 1e-17L / (distance * distance));
+  }
+  EXPECT_GT(known, 50000);
+}
+
+TEST(SplineEvaluator, TheNormalIsKnownUpToABoundaryThatIsOnePoint) {
+  std::mt19937_64 random(36);
+  int held = 0;
+  for (int i = 0; i < 200; ++i) {
+    const CollapsedSpline collapsed = collapsedSpline(random);
+    const double length = 1e-3;
+    double at[] = {placeIn(collapsed.spline.u, random), placeIn(collapsed.spline.v, random)};
+    std::array<ChebyshevModel, 2> path = {ChebyshevModel(at[0]), ChebyshevModel(at[1])};
+    const double middle = at[collapsed.direction] = collapsed.inside(length / 2);
+    path[collapsed.direction] = ChebyshevModel::linear(middle, length / 2, 1e-16);
+    const SurfaceFields fields = splineEvaluator(collapsed.spline.evaluator())
+                                     ->fields(path[0], path[1], at[0], at[1], Detail::TangentPlane);
+    if (!fields.normal[0].isKnown()) continue;  // nearly parallel tangents
+    ++held;
+    at[collapsed.direction] = collapsed.inside(1e-9);
+    const Vec3 near = fieldsAt(formulaOf(collapsed.spline, at[0], at[1]), at[0], at[1]).normal;
+    const double end = collapsed.at_end ? 1 : -1;
+    for (int d = 0; d < 3; ++d)
+      EXPECT_NEAR(fields.normal[d].seriesAt(end), static_cast<double>(near[d]),
+                  fields.normal[d].radius() + 1e-5);
+  }
+  EXPECT_GT(held, 150);
+}
+
 TEST(Evaluator, PeriodicSplinesRepeat) {
   std::mt19937_64 random(34);
   for (int i = 0; i < 60; ++i) {

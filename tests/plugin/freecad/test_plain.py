@@ -42,6 +42,7 @@ def seam(number, seam_class="smooth", gap=0.001, angle=0.01, curvature=0.5, edge
         "curvature_rel": figure(curvature),
         "curvature_change_per_mm2": None,
         "curvature_change_rel": None,
+        "left_out": {"angle_deg": [], "curvature_per_mm": [], "curvature_rel": []},
         "level": "none" if gap is None else "G1" if seam_class == "smooth" else "G0",
         "class": seam_class,
         "certified": False,
@@ -216,6 +217,16 @@ def test_the_tool_tip_says_bounds_place_and_certainty(report):
     assert "Gap: not measured" in text and text.endswith("The verdict is not certain\nno pcurve")
 
 
+def test_the_tool_tip_names_what_figures_leave_out():
+    left_out = {"angle_deg": [], "curvature_per_mm": [], "curvature_rel": [[0, 1e-6], [0.25, 0.2501], [0.9995, 1]]}
+    text = rows.detail_text({**seam(1), "left_out": left_out}, TOLERANCE)
+    (curvature,) = [line for line in text.split("\n") if "curvature" in line]
+    assert curvature.endswith(
+        "at 0.25 of the edge, without the first 1e-06, 0.25 to 0.2501, the last 0.0005 of it"
+    )
+    assert text.count("without") == 1
+
+
 def test_the_change_of_curvature_decides_for_g3():
     g3 = {**seam(1, curvature=0.01), "curvature_change_rel": figure(0.1, 0.1)}
     assert rows.severity(g3, TOLERANCE, "G3") == pytest.approx(5.0)
@@ -251,8 +262,9 @@ def test_a_picked_edge_is_found_on_source_and_analysis(report):
 
 def test_reports_of_older_versions_are_shown(report):
     for old in report["seams"]:
-        for key in ("worst", "curvature_change_per_mm2", "curvature_change_rel"):
+        for key in ("worst", "curvature_change_per_mm2", "curvature_change_rel", "left_out"):
             del old[key]
+        assert rows.detail_text(old, TOLERANCE)
     assert len(rows.build_rows(report)) == 5
     assert export.csv_text(report).count("\n") == 6
 

@@ -86,6 +86,18 @@ def test_a_point_without_tangent_plane_is_named():
     assert point["at"] < 1e-6 and (point["side_a"], point["side_b"]) == ("none", "vanishing normal")
 
 
+def test_what_figures_leave_out_is_listed():
+    seam = seamwright.enclose_seam(level(), "u1", bent(), "u0")
+    assert seam["left_out"] == {"angle_deg": [], "curvature_per_mm": [], "curvature_rel": []}
+    corner = BezierPatch([[[0, 0, 0], [0, 0.5, 0], [0, 1, 0]], [[0, 0, 0], [1, 0.5, 0], [1, 1, 0]]])
+    seam = seamwright.enclose_seam(level(), "u1", corner, "u0")
+    assert seam["left_out"]["angle_deg"] == []
+    ((first, last),) = seam["left_out"]["curvature_rel"]
+    assert first == 0 and 2**-22 < last <= 2**-20
+    assert seam["left_out"]["curvature_per_mm"] == [[first, last]]
+    assert "the curvature leaves out the first 9.54e-07" in seam["note"]
+
+
 @pytest.mark.parametrize("arguments, word", [
     (("u2", "u0", {}), "u2"), (("u1", 3, {}), "edge_b"), (("u1", "u0", {"angle_deg": -1}), "-1"),
     (("u1", "u0", {"level": "G3"}), "G3"), (("u1", "u0", {"gap_mm": "wide"}), "wide")])

@@ -242,7 +242,21 @@ def _placed_text(seam, name, tolerance):
     if figure is None:
         return "not measured"
     text = figure_text(seam, name, tolerance) + QUANTITIES[name].unit
-    return text if figure.get("at") is None else "%s, largest at %.3g of the edge" % (text, figure["at"])
+    if figure.get("at") is not None:
+        text += ", largest at %.3g of the edge" % figure["at"]
+    # Results of earlier versions have no left_out.
+    stretches = seam.get("left_out", {}).get(name, [])
+    if stretches:
+        text += ", without %s of it" % ", ".join(_stretch_text(*stretch) for stretch in stretches)
+    return text
+
+
+def _stretch_text(first, last):
+    if first <= 0:
+        return "the first %.3g" % last
+    if last >= 1:
+        return "the last %.3g" % (1 - first)
+    return "%.6g to %.6g" % (first, last)
 
 
 def worst_label(seam, tolerance):
