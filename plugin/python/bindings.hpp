@@ -15,6 +15,7 @@ void bindHole(pybind11::module_& module);
 void bindJoin(pybind11::module_& module);
 void bindMatch(pybind11::module_& module);
 void bindMeasure(pybind11::module_& module);
+void bindMesh(pybind11::module_& module);
 void bindModel(pybind11::module_& module);
 void bindNearest(pybind11::module_& module);
 void bindNuSpline(pybind11::module_& module);

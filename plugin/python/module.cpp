@@ -23,6 +23,7 @@ PYBIND11_MODULE(_core, module) {
   bindNuSpline(module);
   bindAlpha(module);
   bindModel(module);
+  bindMesh(module);
   bindMatch(module);
   bindCornerFillet(module);
   bindRepair(module);

@@ -41,7 +41,7 @@ class MoveMaps(unittest.TestCase):
         after = bumped(before, 1, 2)
         mapped = move_map(before.toShape(), after.toShape(), [{"face": 1, "largest_move_mm": BUMP.Length}])
         generator = random.Random(5)
-        for corners in generator.sample(mapped.triangles, 200):
+        for corners in generator.sample(list(mapped.triangles), 200):
             shares = [generator.random() + 1e-3 for _ in corners]
             shares = [share / sum(shares) for share in shares]
             told = sum(share * mapped.moves_mm[corner] for share, corner in zip(shares, corners))

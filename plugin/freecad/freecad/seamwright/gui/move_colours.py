@@ -26,7 +26,7 @@ class MoveColours:
         self.node.whichChild = coin.SO_SWITCH_ALL if visible else coin.SO_SWITCH_NONE
 
     def update(self, move_map, edges):
-        """Draw another MoveMap and the edges of its shape."""
+        """Draw another ShownMesh with moves and the edges of its shape."""
         self._drawn.removeAllChildren()
         pick = coin.SoPickStyle()
         pick.style = coin.SoPickStyle.UNPICKABLE

@@ -4,6 +4,8 @@
 The class path is written into documents: neither rename nor move it.
 """
 
+import FreeCAD as App
+
 from freecad.seamwright.document import elements, repair, sources
 from freecad.seamwright.document.move_map import move_map
 from freecad.seamwright.gui.later import later
@@ -12,7 +14,7 @@ from freecad.seamwright.gui.move_colours import MoveColours
 from freecad.seamwright.gui.progress import progress_dialog
 from freecad.seamwright.gui.repair_panel import RepairPanel
 from freecad.seamwright.gui.result_view import ResultView, attach_as, look_like
-from freecad.seamwright.plain import moves
+from freecad.seamwright.plain import kernel, moves
 
 LEGEND_TEXT_PX = 13
 
@@ -77,8 +79,12 @@ class SeamRepairView(ResultView):
         if len(before.Faces) != len(obj.Shape.Faces):
             return False
         found = repair.report_of(obj)["moves"]
-        with progress_dialog("Computing moves\u2026") as progress:
-            mapped = move_map(before, obj.Shape, found, progress)
+        try:
+            with progress_dialog("Computing moves\u2026") as progress:
+                mapped = move_map(before, obj.Shape, found, progress)
+        except kernel.KernelUnavailable as error:
+            App.Console.PrintWarning("Seamwright: the moves of %s are not shown: %s\n" % (obj.Label, error))
+            return False
         if mapped is None:
             return False
         self.colours.update(mapped, obj.Shape.Edges)

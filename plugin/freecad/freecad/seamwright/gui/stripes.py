@@ -7,6 +7,7 @@ glide over the faces as the view turns. They are the same for a normal and its o
 
 import math
 
+import numpy
 from pivy import coin
 
 #: Light stripes over a ball, and the angle they lean by, so that a tube shows them however it lies.
@@ -55,12 +56,12 @@ def unseen():
     return style
 
 
-def node(facets):
-    """A separator that draws the Facets; they let the mouse through."""
+def node(shown):
+    """A separator that draws the ShownMesh; they let the mouse through."""
     group, pick, binding = coin.SoSeparator(), coin.SoPickStyle(), coin.SoNormalBinding()
     pick.style = coin.SoPickStyle.UNPICKABLE
     binding.value = coin.SoNormalBinding.PER_VERTEX_INDEXED
-    for child in (pick, binding, _mirror(), *mesh(facets)):
+    for child in (pick, binding, _mirror(), *mesh(shown)):
         group.addChild(child)
     return group
 
@@ -74,13 +75,15 @@ def _mirror():
     return program
 
 
-def mesh(facets):
-    """The nodes of the triangles of Facets, with a normal at each corner."""
+def mesh(shown):
+    """The nodes of the triangles of a ShownMesh, with a normal at each corner."""
     points, normals, faces = coin.SoCoordinate3(), coin.SoNormal(), coin.SoIndexedFaceSet()
+    ended = numpy.full((len(shown.triangles), 4), -1, numpy.int32)
+    ended[:, :3] = shown.triangles
     for field, values in (
-        (points.point, facets.points),
-        (normals.vector, facets.normals),
-        (faces.coordIndex, [place for triangle in facets.triangles for place in (*triangle, -1)]),
+        (points.point, shown.points.astype(numpy.float32)),
+        (normals.vector, shown.normals.astype(numpy.float32)),
+        (faces.coordIndex, ended.ravel()),
     ):
         field.setNum(0)
         field.setValues(0, len(values), values)

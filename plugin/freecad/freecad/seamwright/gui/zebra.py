@@ -8,7 +8,7 @@ import FreeCAD as App
 import Part
 from pivy import coin
 
-from freecad.seamwright.document.facets import facets
+from freecad.seamwright.document.display_mesh import display_mesh, fault_lines
 from freecad.seamwright.gui import stripes
 from freecad.seamwright.gui.progress import progress_dialog
 from freecad.seamwright.gui.qt import QtCore
@@ -44,12 +44,14 @@ class Zebra:
             self._follows = True
         with progress_dialog("Computing zebra stripes\u2026") as progress:
             for place, obj in enumerate(objects):
-                found = facets(
+                found = display_mesh(
                     local_shape(obj), lambda part, place=place: progress((place + part) / len(objects))
                 )
                 if found is None:
                     return False
                 self._draw(obj, stripes.node(found))
+                for line in fault_lines(obj.Label, found.faults):
+                    App.Console.PrintWarning("Seamwright: %s\n" % line)
         return True
 
     def hide(self, objects):

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Triangles of a shape with the normals of its surfaces, fine enough for reflections, as the kernel makes them.
+
+Nothing is shared between faces, so that a break at a seam stays a break.
+"""
+
+import numpy
+import Part
+
+from freecad.seamwright.plain import kernel
+
+
+class ShownMesh:
+    """Arrays to draw: ``points`` and ``normals`` (n, 3), ``triangles`` (m, 3), ``moves_mm`` (n,) or empty.
+
+    ``faults``: dicts of face, from 1, and reason, for the faces whose triangles are missing or do not cover them.
+    """
+
+    def __init__(self):
+        self.points = self.normals = numpy.empty((0, 3))
+        self.triangles = numpy.empty((0, 3), numpy.int32)
+        self.moves_mm = numpy.empty(0)
+        self.faults = []
+
+    @classmethod
+    def of(cls, mesh):
+        """What is drawn of a DisplayMesh of the kernel."""
+        shown = cls()
+        shown.points, shown.normals, shown.triangles = mesh.points, mesh.normals, mesh.triangles
+        shown.moves_mm, shown.faults = mesh.moves_mm, mesh.faults
+        return shown
+
+    @property
+    def largest_mm(self):
+        """The largest move of a corner."""
+        return float(self.moves_mm.max(initial=0.0))
+
+
+def display_mesh(shape, progress=None):
+    """The ShownMesh of all faces of a Part.Shape, which is left as it is.
+
+    ``progress`` is a callable(fraction) that returns False to stop; then None is returned. Raises KernelUnavailable
+    when the compiled part is missing.
+    """
+    module = kernel.load(Part.OCC_VERSION)
+    if shape.isNull() or not shape.Faces:
+        return ShownMesh()
+    try:
+        return ShownMesh.of(module.Model.from_freecad(shape).display_mesh(curvatures=False, progress=progress))
+    except module.Cancelled:
+        return None
+
+
+def fault_lines(label, faults):
+    """A line for each fault, for the user."""
+    return ["%s: Face%d is not drawn as it is: %s" % (label, fault["face"], fault["reason"]) for fault in faults]
