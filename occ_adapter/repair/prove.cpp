@@ -335,14 +335,19 @@ void addConnected(const RepairTask& task, const std::set<int>& moved,
 
 }  // namespace
 
+// The parallel mode of BRepCheck_Analyzer is no choice: faces that share an edge evaluate one adaptor of its curve on several threads, and
+// each replaces the adaptor's cache while others read it. Sound shapes fail the checks then, and freed memory is written to.
 Soundness soundnessOf(const TopoDS_Shape& shape, int jobs) {
   const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE);
-  const BRepCheck_Analyzer analyzer(shape, true, jobs != 1);
-  Soundness soundness;
-  soundness.faces.assign(static_cast<std::size_t>(faces.Extent()) + 1, true);
-  soundness.whole = analyzer.IsValid();
-  if (soundness.whole) return soundness;
-  for (int f = 1; f <= faces.Extent(); ++f) soundness.faces[f] = analyzer.IsValid(faces(f));
+  // By face; at 0 the whole but for the geometry of its faces. Not of bool, of which neighbours share a word.
+  std::vector<char> sound(static_cast<std::size_t>(faces.Extent()) + 1, 0);
+  const auto check = [&](std::size_t k) {
+    const BRepCheck_Analyzer analyzer(k == 0 ? shape : faces(static_cast<int>(k)), k != 0);
+    sound[k] = analyzer.IsValid() ? 1 : 0;
+  };
+  runParallel(sound.size(), jobs, check, {});
+  Soundness soundness{{sound.begin(), sound.end()}, std::ranges::count(sound, 0) == 0};
+  soundness.faces[0] = true;
   return soundness;
 }
 

@@ -196,6 +196,17 @@ def test_others_run_meanwhile(tmp_path):
     assert sum(began < tick < ended for tick in ticks) > 0.05 * (ended - began) / 0.001
 
 
+def test_no_thread_is_left_behind(tmp_path):
+    """Checks on threads of OpenCASCADE's own have shared what they must not, and written to freed memory."""
+    threads = pathlib.Path("/proc/self/task")
+    if not threads.exists():
+        pytest.skip("this system does not list the threads of a process")
+    model = sheet(tmp_path, count_x=3, count_y=2)
+    before = len(list(threads.iterdir()))
+    assert model.repair(jobs=2).passed
+    assert len(list(threads.iterdir())) == before
+
+
 def test_what_was_repaired_stays_so_through_later_ways():
     """Edge135 and Edge197 get G2 by a way that is not the last one."""
     model = seamwright.read(installed(OCCT_DATA / "occ/shell1.brep"))
