@@ -339,16 +339,16 @@ void addConnected(const RepairTask& task, const std::set<int>& moved,
 // each replaces the adaptor's cache while others read it. Sound shapes fail the checks then, and freed memory is written to.
 Soundness soundnessOf(const TopoDS_Shape& shape, int jobs) {
   const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE);
-  // By face; at 0 the whole but for the geometry of its faces. Not of bool, of which neighbours share a word.
-  std::vector<char> sound(static_cast<std::size_t>(faces.Extent()) + 1, 0);
+  // By face; at 0 the whole. Not of bool, of which neighbours share a word.
+  std::vector<char> sound(static_cast<std::size_t>(faces.Extent()) + 1, 1);
   const auto check = [&](std::size_t k) {
-    const BRepCheck_Analyzer analyzer(k == 0 ? shape : faces(static_cast<int>(k)), k != 0);
-    sound[k] = analyzer.IsValid() ? 1 : 0;
+    sound[k + 1] = BRepCheck_Analyzer(faces(static_cast<int>(k) + 1)).IsValid() ? 1 : 0;
   };
-  runParallel(sound.size(), jobs, check, {});
-  Soundness soundness{{sound.begin(), sound.end()}, std::ranges::count(sound, 0) == 0};
-  soundness.faces[0] = true;
-  return soundness;
+  runParallel(sound.size() - 1, jobs, check, {});
+  // Not beside the faces, of which both mark wires. Their geometry is checked.
+  constexpr bool with_geometry = false;
+  const bool whole = std::ranges::count(sound, 0) == 0 && BRepCheck_Analyzer(shape, with_geometry).IsValid();
+  return {{sound.begin(), sound.end()}, whole};
 }
 
 std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed, const Progress& progress) {
