@@ -13,6 +13,7 @@
 #include <BRep_TEdge.hxx>
 #include <BRep_Tool.hxx>
 #include <GeomAPI_PointsToBSpline.hxx>
+#include <Geom_BSplineCurve.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TopExp.hxx>
