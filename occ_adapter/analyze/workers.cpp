@@ -3,6 +3,7 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <exception>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -23,13 +24,21 @@ void runParallel(std::size_t count, int jobs, const std::function<void(std::size
   std::size_t running = threads;
   std::mutex mutex;
   std::condition_variable ended;
+  std::exception_ptr failure;
 
   const auto loop = [&] {
-    for (std::size_t i = next++; i < count && !stop; i = next++) {
-      work(i);
-      ++done;
+    std::exception_ptr own_failure;
+    try {
+      for (std::size_t i = next++; i < count && !stop; i = next++) {
+        work(i);
+        ++done;
+      }
+    } catch (...) {
+      own_failure = std::current_exception();
+      stop = true;
     }
     const std::lock_guard lock(mutex);
+    if (!failure) failure = own_failure;
     --running;
     ended.notify_one();
   };
@@ -50,6 +59,7 @@ void runParallel(std::size_t count, int jobs, const std::function<void(std::size
       lock.lock();
     }
   }
+  if (failure) std::rethrow_exception(failure);
   if (cancelled) throw Cancelled();
   if (progress) progress(1);
 }

@@ -335,15 +335,20 @@ void addConnected(const RepairTask& task, const std::set<int>& moved,
 
 }  // namespace
 
+// The parallel mode of BRepCheck_Analyzer is no choice: faces that share an edge evaluate one adaptor of its curve on several threads, and
+// each replaces the adaptor's cache while others read it. Sound shapes fail the checks then, and freed memory is written to.
 Soundness soundnessOf(const TopoDS_Shape& shape, int jobs) {
   const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE);
-  const BRepCheck_Analyzer analyzer(shape, true, jobs != 1);
-  Soundness soundness;
-  soundness.faces.assign(static_cast<std::size_t>(faces.Extent()) + 1, true);
-  soundness.whole = analyzer.IsValid();
-  if (soundness.whole) return soundness;
-  for (int f = 1; f <= faces.Extent(); ++f) soundness.faces[f] = analyzer.IsValid(faces(f));
-  return soundness;
+  // By face; at 0 the whole. Not of bool, of which neighbours share a word.
+  std::vector<char> sound(static_cast<std::size_t>(faces.Extent()) + 1, 1);
+  const auto check = [&](std::size_t k) {
+    sound[k + 1] = BRepCheck_Analyzer(faces(static_cast<int>(k) + 1)).IsValid() ? 1 : 0;
+  };
+  runParallel(sound.size() - 1, jobs, check, {});
+  // Not beside the faces, of which both mark wires. Their geometry is checked.
+  constexpr bool with_geometry = false;
+  const bool whole = std::ranges::count(sound, 0) == 0 && BRepCheck_Analyzer(shape, with_geometry).IsValid();
+  return {{sound.begin(), sound.end()}, whole};
 }
 
 std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed, const Progress& progress) {

@@ -17,6 +17,7 @@ struct Soundness {
   std::vector<bool> faces;
   bool whole = true;
 };
+/// \param jobs threads; 0: one for each processor. What is found does not depend on it.
 Soundness soundnessOf(const TopoDS_Shape& shape, int jobs);
 
 /// Seams of one shape measured after changes of it, by the seam and the surfaces of the faces beside its edges (none: it stays).

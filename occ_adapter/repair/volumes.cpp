@@ -35,7 +35,8 @@ bool runsAlongU(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   return curve.GetType() == GeomAbs_Line && curve.Line().Direction().Y() == 0;
 }
 
-/// The face with only those edges that the quadrature over it takes something from; it would evaluate beside the others too.
+/// The face with only those edges that the quadrature over it takes something from; it would evaluate beside the others too. Not on
+/// several threads: edges are marked as parts of the new wire, also those that another face shares.
 TopoDS_Face sweptPart(const TopoDS_Shape& whole) {
   const BRep_Builder builder;
   const TopoDS_Face face = TopoDS::Face(whole.Oriented(TopAbs_FORWARD));
@@ -49,12 +50,19 @@ TopoDS_Face sweptPart(const TopoDS_Shape& whole) {
   return part;
 }
 
+/// A face with its swept part.
+struct SweptFace {
+  explicit SweptFace(const TopoDS_Shape& face) : whole(face), part(sweptPart(face)) {}
+  TopoDS_Shape whole;
+  TopoDS_Face part;
+};
+
 /// Volume of the cone over a face with that tip. (BRepGProp::VolumeProperties takes a tip of its own, near the face.)
 /// \param error relative, of adaptive quadrature; 0: a fixed one, which for rational faces may be off by a percent.
-double cone_mm3(const TopoDS_Shape& face, const gp_Pnt& tip, double error) {
+double cone_mm3(const SweptFace& face, const gp_Pnt& tip, double error) {
   BRepGProp_Face surface;
-  surface.Load(TopoDS::Face(face));
-  BRepGProp_Domain bounds(sweptPart(face));
+  surface.Load(TopoDS::Face(face.whole));
+  BRepGProp_Domain bounds(face.part);
   BRepGProp_Vinert cone;
   cone.SetLocation(tip);
   if (error > 0)
@@ -72,7 +80,7 @@ double area_mm2(const TopoDS_Shape& face) {
 
 /// What a face gives to the volume of its solid.
 struct FaceCone {
-  TopoDS_Shape was, is;
+  SweptFace was, is;
   gp_Pnt tip;
   double move_mm = 0;
   double before_mm3 = 0, change_mm3 = 0;
@@ -96,7 +104,8 @@ std::vector<FaceCone> conesOf(const TopoDS_Shape& before, const TopoDS_Shape& af
   TopExp_Explorer was(before, TopAbs_FACE), is(after, TopAbs_FACE);
   for (; was.More(); was.Next(), is.Next()) {
     const auto move = std::ranges::find(changes, faces.FindIndex(was.Current()), &FaceChange::face);
-    if (move != changes.end()) cones.push_back({was.Current(), is.Current(), tip, move->largest_move_mm});
+    if (move != changes.end())
+      cones.push_back({SweptFace(was.Current()), SweptFace(is.Current()), tip, move->largest_move_mm});
   }
   return cones;
 }
@@ -135,7 +144,7 @@ double explainedByMoves_mm3(std::vector<FaceCone> cones, double least_mm3) {
   std::ranges::sort(cones, std::greater{}, &FaceCone::move_mm);
   double explained_mm3 = 0;
   for (const FaceCone& cone : cones) {
-    explained_mm3 += 1.01 * area_mm2(cone.was) * cone.move_mm;
+    explained_mm3 += 1.01 * area_mm2(cone.was.whole) * cone.move_mm;
     if (explained_mm3 >= least_mm3) break;
   }
   return explained_mm3;

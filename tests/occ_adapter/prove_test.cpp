@@ -4,12 +4,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepFill.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_TEdge.hxx>
 #include <BRep_Tool.hxx>
+#include <GeomAPI_PointsToBSpline.hxx>
+#include <Geom_BSplineCurve.hxx>
 #include <Geom_BezierSurface.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
@@ -17,6 +23,8 @@
 #include <TopoDS_Solid.hxx>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <iterator>
 
 #include "nets.hpp"
 #include "proof_case.hpp"
@@ -294,6 +302,49 @@ TEST(Prove, TheWholeIsCheckedToo) {
   const Proof proof = solid.proofOf(solid.task(), {}, turned);
   EXPECT_THAT(proof.faces, IsEmpty());
   EXPECT_EQ(proof.whole, "OpenCASCADE's checks do not pass");
+}
+
+/// A wavy spline of many spans, along z at that distance and angle from the axis.
+TopoDS_Edge wavyEdge(double radius_mm, double angle_rad) {
+  constexpr int count = 401;
+  TColgp_Array1OfPnt points(1, count);
+  for (int i = 1; i <= count; ++i) {
+    const double z = 0.1 * (i - 1);
+    points(i) = gp_Pnt(radius_mm * std::cos(angle_rad) + 0.3 * std::sin(z),
+                       radius_mm * std::sin(angle_rad) + 0.3 * std::cos(z), z);
+  }
+  return BRepBuilderAPI_MakeEdge(
+      handle<Geom_Curve>(GeomAPI_PointsToBSpline(points, 3, 3, GeomAbs_C2).Curve()));
+}
+
+/// Ruled faces about an edge that all of them share.
+TopoDS_Shape fan(int faces) {
+  constexpr double pi = 3.14159265358979;
+  const TopoDS_Edge axis = wavyEdge(0, 0);
+  BRepBuilderAPI_Sewing sewing(1e-6, true, true, true, true);
+  for (int f = 0; f < faces; ++f) sewing.Add(BRepFill::Face(axis, wavyEdge(10, 2 * pi * f / faces)));
+  sewing.Perform();
+  return sewing.SewedShape();
+}
+
+TEST(Prove, ChecksOfFacesThatShareAnEdgeAreTheSameOnTwoThreads) {
+  const TopoDS_Shape shape = fan(24);
+  ASSERT_EQ(partsOf(shape, TopAbs_EDGE).Extent(), 1 + 3 * 24);
+  ASSERT_TRUE(occ::soundnessOf(shape, 1).whole);
+  int unsound = 0;
+  for (int k = 0; k < 150; ++k) unsound += occ::soundnessOf(shape, 2).whole ? 0 : 1;
+  EXPECT_EQ(unsound, 0);
+}
+
+TEST(Prove, ChecksLeaveNoThreadBehind) {
+  const auto threads = [] {
+    return std::distance(std::filesystem::directory_iterator("/proc/self/task"), {});
+  };
+  if (!std::filesystem::exists("/proc/self/task")) GTEST_SKIP();
+  const TopoDS_Shape shape = fan(24);
+  const auto before = threads();
+  EXPECT_TRUE(occ::soundnessOf(shape, 2).whole);
+  EXPECT_EQ(threads(), before);
 }
 
 /// A box grown by a hundredth, with moves of its faces as said.

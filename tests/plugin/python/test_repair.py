@@ -4,6 +4,7 @@
 import json
 import math
 import pathlib
+import subprocess
 import sys
 import threading
 import time
@@ -194,6 +195,19 @@ def test_others_run_meanwhile(tmp_path):
     done.set()
     counter.join()
     assert sum(began < tick < ended for tick in ticks) > 0.05 * (ended - began) / 0.001
+
+
+def test_no_thread_is_left_behind(tmp_path):
+    """Checks on threads of OpenCASCADE's own have shared what they must not, and written to freed memory. In a process of its own: in
+    this one such threads may wait from before."""
+    if not pathlib.Path("/proc/self/task").exists():
+        pytest.skip("this system does not list the threads of a process")
+    path = tmp_path / "sheet.step"
+    path.write_text(sheet_text(count_x=3, count_y=2))
+    program = ("import os, sys, seamwright; model = seamwright.read(sys.argv[1]); before = len(os.listdir('/proc/self/task')); "
+               "print(model.repair(jobs=2).passed, len(os.listdir('/proc/self/task')) - before)")
+    run = subprocess.run([sys.executable, "-c", program, str(path)], capture_output=True, text=True)
+    assert (run.stdout, run.stderr) == ("True 0\n", "")
 
 
 def test_what_was_repaired_stays_so_through_later_ways():
