@@ -13,8 +13,6 @@
 #include <STEPCAFControl_Reader.hxx>
 #include <StepBasic_ConversionBasedUnitAndLengthUnit.hxx>
 #include <StepBasic_SiUnitAndLengthUnit.hxx>
-#include <StepShape_ConnectedFaceSet.hxx>
-#include <StepShape_FaceSurface.hxx>
 #include <TColStd_HSequenceOfExtendedString.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_AsciiString.hxx>
@@ -25,19 +23,16 @@
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
-#include <TransferBRep.hxx>
-#include <Transfer_TransientProcess.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_LayerTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
-#include <XSControl_TransferReader.hxx>
-#include <XSControl_WorkSession.hxx>
 #include <algorithm>
 #include <fstream>
 #include <map>
 
 #include <seamwright/occ_adapter/model/load.hpp>
+#include <seamwright/occ_adapter/model/lost_faces.hpp>
 
 namespace seamwright::occ {
 
@@ -134,43 +129,6 @@ void requireFaces(const TopoDS_Shape& shape, const std::filesystem::path& path) 
     throw ModelError(ModelErrc::NoShapes, path, "holds no faces, so it has no seams");
 }
 
-void noteLostFaces(Model& model, int named, int lost) {
-  if (lost > 0)
-    model.notes.push_back("the file names " + std::to_string(named) + " faces, " + std::to_string(lost) +
-                          " of them could not be made");
-}
-
-bool yieldsFace(const opencascade::handle<Transfer_TransientProcess>& process,
-                const opencascade::handle<Standard_Transient>& entity) {
-  const TopoDS_Shape made = TransferBRep::ShapeResult(process, entity);
-  return !made.IsNull() && TopExp_Explorer(made, TopAbs_FACE).More();
-}
-
-/// Counts the faces that the file names and that did not come through: entities without a result, and entries of shells
-/// that lead nowhere.
-void countStepFaces(const STEPControl_Reader& reader, Model& model) {
-  const opencascade::handle<Interface_InterfaceModel> entities = reader.Model();
-  const opencascade::handle<Transfer_TransientProcess> process =
-      reader.WS()->TransferReader()->TransientProcess();
-  int named = 0;
-  int lost = 0;
-  for (int i = 1; i <= entities->NbEntities(); ++i) {
-    const opencascade::handle<Standard_Transient> entity = entities->Value(i);
-    if (entity->IsKind(STANDARD_TYPE(StepShape_FaceSurface))) {
-      ++named;
-      lost += !yieldsFace(process, entity);
-    } else if (const auto shell = opencascade::handle<StepShape_ConnectedFaceSet>::DownCast(entity);
-               !shell.IsNull() && !shell->CfsFaces().IsNull()) {
-      for (int k = 1; k <= shell->NbCfsFaces(); ++k) {
-        const bool leads_nowhere = shell->CfsFacesValue(k).IsNull();
-        named += leads_nowhere;
-        lost += leads_nowhere;
-      }
-    }
-  }
-  noteLostFaces(model, named, lost);
-}
-
 /// A length unit that was read without a fault: an unknown prefix would silently become none.
 bool isLengthUnit(const opencascade::handle<Interface_InterfaceModel>& entities, int i) {
   if (entities->IsErrorEntity(i)) return false;
@@ -208,7 +166,7 @@ LoadedDocument loadStep(const std::filesystem::path& path, const Message_Progres
   if (transferred) model.shape = reader.ChangeReader().OneShape();
   requireFaces(model.shape, path);
   model.length_unit = stepLengthUnit(reader.ChangeReader(), path);
-  countStepFaces(reader.ChangeReader(), model);
+  noteLostFaces(reader.ChangeReader(), model);
   model.attributes = AttributeCollector(model.shape, loaded.document).collect();
   loaded.entities = reader.ChangeReader().Model();
   return loaded;
@@ -241,6 +199,7 @@ LoadedDocument loadIges(const std::filesystem::path& path, const Message_Progres
   model.length_unit = IGESData_BasicEditor::UnitFlagName(global.UnitFlag());
   if (reader.Transfer(loaded.document, range)) model.shape = reader.OneShape();
   requireFaces(model.shape, path);
+  noteLostFaces(reader, model);
   model.attributes = AttributeCollector(model.shape, loaded.document).collect();
   loaded.entities = reader.IGESModel();
   return loaded;
