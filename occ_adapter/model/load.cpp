@@ -205,31 +205,45 @@ LoadedDocument loadIges(const std::filesystem::path& path, const Message_Progres
   return loaded;
 }
 
-/// Beyond the end of a file OpenCASCADE goes on reading, with whatever is in memory.
-bool isCut(const std::istream& file) {
-  return file.fail();
+/// Beyond the end of a file OpenCASCADE goes on reading, with whatever is in memory and as often as a count says; so the
+/// stream throws where there is nothing to read.
+std::ifstream strictStream(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  file.exceptions(std::ios::failbit | std::ios::badbit);
+  return file;
 }
 
-void loadBrep(Model& model, const std::filesystem::path& path, const Message_ProgressRange& range) {
-  BRep_Builder builder;
-  std::ifstream file(path);
-  BRepTools::Read(model.shape, file, builder, range);
-  if (model.shape.IsNull() || isCut(file))
-    throw ModelError(ModelErrc::Malformed, path, "is malformed or truncated BREP: OpenCASCADE can't read it");
-}
-
-void loadBinaryBrep(Model& model, const std::filesystem::path& path, const Message_ProgressRange& range) {
+/// What \p read makes of the file; a null shape if the file ends too soon.
+template <class Read>
+TopoDS_Shape readStream(const std::filesystem::path& path, const Read& read) {
+  std::ifstream file = strictStream(path);
   try {
-    std::ifstream file(path, std::ios::binary);
-    BinTools::Read(model.shape, file, range);
-    if (isCut(file)) model.shape.Nullify();
-  } catch (const Standard_Failure&) {
-    model.shape.Nullify();
+    return read(file);
+  } catch (const std::ios::failure&) {
+    return {};
   }
-  if (!model.shape.IsNull()) return;
+}
+
+TopoDS_Shape loadBrep(const std::filesystem::path& path, const Message_ProgressRange& range) {
+  return readStream(path, [&range](std::istream& file) {
+    TopoDS_Shape shape;
+    BRepTools::Read(shape, file, BRep_Builder(), range);
+    return shape;
+  });
+}
+
+TopoDS_Shape loadBinaryBrep(const std::filesystem::path& path, const Message_ProgressRange& range) {
+  const TopoDS_Shape plain = readStream(path, [&range](std::istream& file) {
+    TopoDS_Shape shape;
+    try {
+      BinTools::Read(shape, file, range);
+    } catch (const Standard_Failure&) {
+      shape.Nullify();
+    }
+    return shape;
+  });
   // What FreeCAD writes under the same heading ends in another way.
-  std::ifstream again(path, std::ios::binary);
-  model.shape = readBinaryShape(again);
+  return plain.IsNull() ? readStream(path, readBinaryShape) : plain;
 }
 
 }  // namespace
@@ -249,10 +263,11 @@ Model loadModel(const std::filesystem::path& path, const std::string& format, co
   model.format = format;
   model.length_unit = "mm (assumed)";
   const opencascade::handle<Reporter> reporter = new Reporter(progress);
-  if (format == "BREP")
-    loadBrep(model, path, reporter->Start());
-  else
-    loadBinaryBrep(model, path, reporter->Start());
+  const Message_ProgressRange range = reporter->Start();
+  model.shape = format == "BREP" ? loadBrep(path, range) : loadBinaryBrep(path, range);
+  if (model.shape.IsNull())
+    throw ModelError(ModelErrc::Malformed, path,
+                     "is malformed or truncated " + format + ": OpenCASCADE can't read it");
   requireFaces(model.shape, path);
   return model;
 }
