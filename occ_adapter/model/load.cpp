@@ -33,6 +33,7 @@
 
 #include <seamwright/occ_adapter/model/load.hpp>
 #include <seamwright/occ_adapter/model/lost_faces.hpp>
+#include <seamwright/occ_adapter/model/usable.hpp>
 
 namespace seamwright::occ {
 
@@ -258,8 +259,12 @@ LoadedDocument loadDocument(const std::filesystem::path& path, const std::string
 }
 
 Model loadModel(const std::filesystem::path& path, const std::string& format, const Progress& progress) {
-  if (format == "STEP" || format == "IGES") return loadDocument(path, format, progress).model;
   Model model;
+  if (format == "STEP" || format == "IGES") {
+    model = loadDocument(path, format, progress).model;
+    noteUnusableParts(model);
+    return model;
+  }
   model.format = format;
   model.length_unit = "mm (assumed)";
   const opencascade::handle<Reporter> reporter = new Reporter(progress);
@@ -269,6 +274,7 @@ Model loadModel(const std::filesystem::path& path, const std::string& format, co
     throw ModelError(ModelErrc::Malformed, path,
                      "is malformed or truncated " + format + ": OpenCASCADE can't read it");
   requireFaces(model.shape, path);
+  noteUnusableParts(model);
   return model;
 }
 
