@@ -15,7 +15,7 @@ namespace seamwright::occ {
 
 namespace {
 
-constexpr double mega = 1e6;
+constexpr double bytes_per_megabyte = 1e6;
 
 std::optional<double> positiveVariable(const char* name) {
   const char* text = std::getenv(name);
@@ -44,11 +44,11 @@ std::uintmax_t availableMemory() {
 
 ReaderBounds readerBounds(std::uintmax_t bytes) {
   ReaderBounds bounds;
-  bounds.seconds = 60 + 30 * (static_cast<double>(bytes) / mega);
+  bounds.seconds = 60 + 30 * (static_cast<double>(bytes) / bytes_per_megabyte);
   bounds.memory_bytes = std::min(4'000'000'000 + 50 * bytes, availableMemory() / 4 * 3);
   if (const auto seconds = positiveVariable("SEAMWRIGHT_READER_SECONDS")) bounds.seconds = *seconds;
   if (const auto megabytes = positiveVariable("SEAMWRIGHT_READER_MEMORY_MB"))
-    bounds.memory_bytes = static_cast<std::uintmax_t>(*megabytes * mega);
+    bounds.memory_bytes = static_cast<std::uintmax_t>(*megabytes * bytes_per_megabyte);
   return bounds;
 }
 

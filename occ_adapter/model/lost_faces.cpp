@@ -25,7 +25,7 @@ namespace seamwright::occ {
 
 namespace {
 
-using Entity = opencascade::handle<Standard_Transient>;
+using FileEntity = opencascade::handle<Standard_Transient>;
 
 /// Faces named by entities, and how many of them the shape does not have.
 struct FaceCount {
@@ -47,7 +47,7 @@ class MadeFaces {
       faces_.insert(it.Current().TShape().get());
   }
 
-  bool has(const Entity& entity) const {
+  bool has(const FileEntity& entity) const {
     const TopoDS_Shape made = TransferBRep::ShapeResult(process_, entity);
     if (made.IsNull()) return false;
     for (TopExp_Explorer it(made, TopAbs_FACE); it.More(); it.Next())
@@ -64,7 +64,7 @@ class MadeFaces {
 FaceCount countStepFaces(const Interface_InterfaceModel& entities, const MadeFaces& made) {
   FaceCount count;
   for (int i = 1; i <= entities.NbEntities(); ++i) {
-    const Entity entity = entities.Value(i);
+    const FileEntity entity = entities.Value(i);
     if (entity->IsKind(STANDARD_TYPE(StepShape_FaceSurface))) {
       count.add(!made.has(entity));
     } else if (const auto shell = opencascade::handle<StepShape_ConnectedFaceSet>::DownCast(entity);
@@ -77,7 +77,7 @@ FaceCount countStepFaces(const Interface_InterfaceModel& entities, const MadeFac
 }
 
 /// Also one whose parameters OpenCASCADE did not understand: its type stands in the directory of the file.
-bool isIgesFace(const Entity& entity) {
+bool isIgesFace(const FileEntity& entity) {
   if (entity->IsKind(STANDARD_TYPE(IGESGeom_TrimmedSurface)) ||
       entity->IsKind(STANDARD_TYPE(IGESGeom_BoundedSurface)) || entity->IsKind(STANDARD_TYPE(IGESSolid_Face)))
     return true;
@@ -87,17 +87,17 @@ bool isIgesFace(const Entity& entity) {
   return type == 143 || type == 144 || type == 510;
 }
 
-bool isIgesSurface(const Entity& entity) {
+bool isIgesSurface(const FileEntity& entity) {
   const auto iges = opencascade::handle<IGESData_IGESEntity>::DownCast(entity);
   return !iges.IsNull() && IGESToBRep::IsBasicSurface(iges);
 }
 
 /// A surface that the file shows untrimmed, or whose face is of a type that OpenCASCADE does not know.
-bool isFaceByItself(const Entity& surface, const Interface_Graph& graph) {
+bool isFaceByItself(const FileEntity& surface, const Interface_Graph& graph) {
   bool used_by_unknown = false, used_otherwise = false;
   Interface_EntityIterator users = graph.Sharings(surface);
   for (users.Start(); users.More(); users.Next()) {
-    const Entity& user = users.Value();
+    const FileEntity& user = users.Value();
     if (isIgesFace(user) || isIgesSurface(user)) return false;
     if (user->IsKind(STANDARD_TYPE(IGESData_UndefinedEntity)))
       used_by_unknown = true;
@@ -112,7 +112,7 @@ FaceCount countIgesFaces(const XSControl_Reader& reader, const MadeFaces& made) 
   const Interface_Graph graph(entities, reader.WS()->Protocol());
   FaceCount count;
   for (int i = 1; i <= entities->NbEntities(); ++i) {
-    const Entity entity = entities->Value(i);
+    const FileEntity entity = entities->Value(i);
     if (isIgesFace(entity) || (isIgesSurface(entity) && isFaceByItself(entity, graph)))
       count.add(!made.has(entity));
   }

@@ -89,8 +89,8 @@ ModelError notInTime(const Question& question, const ReaderBounds& bounds) {
 /// Hands everything that the child says to \p take until it ends. Time counts only while the child is waited for:
 /// \p progress may take its own.
 /// \returns the wait status
-int listen(Child& child, const Question& question, const ReaderBounds& bounds,
-           const std::function<void(std::string_view)>& take, const std::function<void()>& progress) {
+int listenTo(Child& child, const Question& question, const ReaderBounds& bounds,
+             const std::function<void(std::string_view)>& take, const std::function<void()>& progress) {
   using Clock = std::chrono::steady_clock;
   Clock::duration waited{};
   for (bool open = true;;) {
@@ -131,7 +131,7 @@ Answer askReader(const Question& question, const Progress& progress) {
       [&](wire::Kind kind, std::string payload) { incoming.take(kind, std::move(payload)); });
   try {
     Child child(readerProgram(question), question.arguments, question.input);
-    const int status = listen(
+    const int status = listenTo(
         child, question, bounds, [&](std::string_view bytes) { parser.feed(bytes); },
         [&] {
           if (progress && !progress(incoming.progress)) throw Cancelled();

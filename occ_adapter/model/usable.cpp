@@ -30,11 +30,11 @@ namespace seamwright::occ {
 
 namespace {
 
-bool isUsable(double number) {
+bool isUsableNumber(double number) {
   return std::isfinite(number) && !Precision::IsInfinite(number);
 }
 
-std::string inWords(const std::string& what, double number) {
+std::string numberInWords(const std::string& what, double number) {
   std::ostringstream text;
   text << what << " with the number " << number;
   return text.str();
@@ -43,7 +43,7 @@ std::string inWords(const std::string& what, double number) {
 /// What is wrong with numbers, or nothing.
 std::string faultOf(const std::string& what, std::initializer_list<double> numbers) {
   for (const double number : numbers)
-    if (!isUsable(number)) return inWords(what, number);
+    if (!isUsableNumber(number)) return numberInWords(what, number);
   return {};
 }
 
@@ -56,8 +56,8 @@ std::string faultOf(const TopLoc_Location& location) {
   const gp_Trsf motion = location.Transformation();
   for (int row = 1; row <= 3; ++row)
     for (int column = 1; column <= 4; ++column)
-      if (const double number = motion.Value(row, column); !isUsable(number))
-        return inWords("a location", number);
+      if (const double number = motion.Value(row, column); !isUsableNumber(number))
+        return numberInWords("a location", number);
   return {};
 }
 
@@ -76,7 +76,7 @@ std::string faultInText(const std::string& what, const Print& print) {
     end = std::min(text.find_first_of(between, begin), text.size());
     double number = 0;
     const auto [stop, error] = std::from_chars(text.data() + begin, text.data() + end, number);
-    if (error == std::errc() && !isUsable(number)) return inWords(what, number);
+    if (error == std::errc() && !isUsableNumber(number)) return numberInWords(what, number);
   }
   return {};
 }
@@ -102,7 +102,7 @@ std::string faultOf(const opencascade::handle<Geom2d_Curve>& curve) {
 }
 
 /// The first fault of several, or nothing.
-std::string firstOf(std::initializer_list<std::string> faults) {
+std::string firstFaultOf(std::initializer_list<std::string> faults) {
   for (const std::string& fault : faults)
     if (!fault.empty()) return fault;
   return {};
@@ -112,7 +112,7 @@ std::string firstOf(std::initializer_list<std::string> faults) {
 template <class Curve>
 std::string faultOf(const BRep_GCurve& owner, const opencascade::handle<Curve>& curve) {
   return curve.IsNull() ? std::string()
-                        : firstOf({faultOf("a range", {owner.First(), owner.Last()}), faultOf(curve)});
+                        : firstFaultOf({faultOf("a range", {owner.First(), owner.Last()}), faultOf(curve)});
 }
 
 std::string faultOf(const opencascade::handle<BRep_CurveRepresentation>& representation) {
@@ -128,18 +128,18 @@ std::string faultOf(const opencascade::handle<BRep_CurveRepresentation>& represe
 std::string faultOf(const TopoDS_Vertex& vertex) {
   const auto body = opencascade::handle<BRep_TVertex>::DownCast(vertex.TShape());
   if (body.IsNull()) return {};
-  std::string fault = firstOf({faultOf(vertex.Location()), faultOf("a vertex", body->Pnt().XYZ()),
-                               faultOf("a tolerance of a vertex", {body->Tolerance()})});
+  std::string fault = firstFaultOf({faultOf(vertex.Location()), faultOf("a vertex", body->Pnt().XYZ()),
+                                    faultOf("a tolerance of a vertex", {body->Tolerance()})});
   for (BRep_ListIteratorOfListOfPointRepresentation it(body->Points()); fault.empty() && it.More(); it.Next())
-    fault =
-        firstOf({faultOf(it.Value()->Location()), faultOf("a place of a vertex", {it.Value()->Parameter()})});
+    fault = firstFaultOf(
+        {faultOf(it.Value()->Location()), faultOf("a place of a vertex", {it.Value()->Parameter()})});
   return fault;
 }
 
 std::string faultOf(const TopoDS_Edge& edge) {
   const auto body = opencascade::handle<BRep_TEdge>::DownCast(edge.TShape());
   if (body.IsNull()) return {};
-  std::string fault = firstOf({faultOf(edge.Location()), faultOf("a tolerance", {body->Tolerance()})});
+  std::string fault = firstFaultOf({faultOf(edge.Location()), faultOf("a tolerance", {body->Tolerance()})});
   for (BRep_ListIteratorOfListOfCurveRepresentation it(body->Curves()); fault.empty() && it.More(); it.Next())
     fault = faultOf(it.Value());
   for (TopExp_Explorer it(edge, TopAbs_VERTEX); fault.empty() && it.More(); it.Next())
@@ -150,7 +150,8 @@ std::string faultOf(const TopoDS_Edge& edge) {
 std::string faultOf(const TopoDS_Face& face) {
   TopLoc_Location location;
   const opencascade::handle<Geom_Surface> surface = BRep_Tool::Surface(face, location);
-  return firstOf({faultOf(location), faultOf("a tolerance", {BRep_Tool::Tolerance(face)}), faultOf(surface)});
+  return firstFaultOf(
+      {faultOf(location), faultOf("a tolerance", {BRep_Tool::Tolerance(face)}), faultOf(surface)});
 }
 
 template <class Part>
@@ -172,7 +173,7 @@ const TopoDS_Edge& asEdge(const TopoDS_Shape& shape) {
   return TopoDS::Edge(shape);
 }
 
-std::string counted(std::size_t count, const std::string& what) {
+std::string countedParts(std::size_t count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
@@ -194,8 +195,8 @@ std::string UnusableParts::note() const {
   const std::string first =
       faces_.empty() ? describeEdge(edges_.begin()->first) : describeFace(faces_.begin()->first);
   std::string counts;
-  if (!faces_.empty()) counts = counted(faces_.size(), "face");
-  if (!edges_.empty()) counts += (counts.empty() ? "" : " and ") + counted(edges_.size(), "edge");
+  if (!faces_.empty()) counts = countedParts(faces_.size(), "face");
+  if (!edges_.empty()) counts += (counts.empty() ? "" : " and ") + countedParts(edges_.size(), "edge");
   return counts + " hold numbers that are not finite or too large (1e100 and more): " + first;
 }
 

@@ -38,7 +38,7 @@ FaceUse faceUse(int number, const TopoDS_Face& face, const TopoDS_Edge& edge,
           {poleTolerance(poles, TopExp::FirstVertex(edge)), poleTolerance(poles, TopExp::LastVertex(edge))}};
 }
 
-std::string faultOf(const UnusableParts& unusable, int face, int edge) {
+std::string faultOfUse(const UnusableParts& unusable, int face, int edge) {
   if (unusable.hasFace(face)) return unusable.describeFace(face);
   return unusable.hasEdge(edge) ? unusable.describeEdge(edge) : std::string();
 }
@@ -58,7 +58,7 @@ std::vector<UsesOfEdge> collectUses(const TopoDS_Shape& shape, const TopTools_In
       if (!bounds || BRep_Tool::Degenerated(edge)) continue;
       const int e = edges.FindIndex(edge);
       uses[e].push_back(faceUse(f, face, edge, poles));
-      uses[e].back().fault = faultOf(unusable, f, e);
+      uses[e].back().fault = faultOfUse(unusable, f, e);
     }
   }
   return uses;
