@@ -197,7 +197,9 @@ std::string UnusableParts::note() const {
   std::string counts;
   if (!faces_.empty()) counts = countedParts(faces_.size(), "face");
   if (!edges_.empty()) counts += (counts.empty() ? "" : " and ") + countedParts(edges_.size(), "edge");
-  return counts + " hold numbers that are not finite or too large (1e100 and more): " + first;
+  const bool is_one = faces_.size() + edges_.size() == 1;
+  return counts + (is_one ? " holds" : " hold") +
+         " numbers that are not finite or too large (1e100 and more): " + first;
 }
 
 void noteUnusableParts(Model& model) {

@@ -299,7 +299,7 @@ TEST(Read, ACoordinateThatIsNoNumberCostsItsOwnSeams) {
     EXPECT_FALSE(a.note.empty()) << describe(a);
   }
   EXPECT_GT(unlike, 0u);
-  EXPECT_LE(unlike, 4u);
+  EXPECT_LE(unlike, 5u) << "the coordinate is that of a face with five edges";
 }
 
 TEST(Read, BrokenFilesNeverCrash) {
