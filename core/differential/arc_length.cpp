@@ -40,7 +40,7 @@ Eigen::VectorXd inverseSpeed(const CurveDerivatives& velocity) {
 }
 
 /// The product of two power series, as long as the first.
-CurveDerivatives product(const CurveDerivatives& vectors, const Eigen::VectorXd& scalars) {
+CurveDerivatives vectorsTimes(const CurveDerivatives& vectors, const Eigen::VectorXd& scalars) {
   CurveDerivatives result = CurveDerivatives::Zero(vectors.rows(), 3);
   for (Eigen::Index k = 0; k < vectors.rows(); ++k)
     for (Eigen::Index i = 0; i <= k; ++i) result.row(k) += scalars(i) * vectors.row(k - i);
@@ -67,7 +67,7 @@ std::optional<CurveDerivatives> arcLengthDerivatives(const CurveDerivatives& der
   const Eigen::VectorXd inverse_speed = inverseSpeed(series);
   for (Eigen::Index k = 1; k < derivatives.rows(); ++k) {
     if (k > 1) series = differentiated(series);
-    series = product(series, inverse_speed);
+    series = vectorsTimes(series, inverse_speed);
     result.row(k) = series.row(0);
   }
   if (!result.allFinite()) return std::nullopt;

@@ -14,7 +14,7 @@ using alpha::requireWithin;
 using alpha::Row;
 using bernstein::text;
 
-void requireFinite(const AlphaSurface& surface) {
+void requireFiniteNet(const AlphaSurface& surface) {
   for (int k = 0; k < 16; ++k)
     if (!surface.poles.row(k).allFinite())
       throw std::invalid_argument("pole " + std::to_string(k / 4) + ", " + std::to_string(k % 4) +
@@ -22,7 +22,7 @@ void requireFinite(const AlphaSurface& surface) {
 }
 
 void requireJoin(const AlphaSurface& given, const AlphaJoin& join) {
-  requireFinite(given);
+  requireFiniteNet(given);
   alpha::requireJoin(join);
   requireWithin("a_u", given.a_u, alpha::kSmallestShape, 1);
   requireWithin("a_v", given.a_v, alpha::kSmallestShape, 1);
@@ -43,7 +43,7 @@ void requireBalanced(const Row& row, std::size_t index, double noise) {
 }  // namespace
 
 BezierPatch alphaSurfacePatch(const AlphaSurface& surface) {
-  requireFinite(surface);
+  requireFiniteNet(surface);
   requireWithin("a_u", surface.a_u, 0, 1);
   requireWithin("a_v", surface.a_v, 0, 1);
   const Eigen::Matrix<double, 6, 4> along_u = quintic(surface.a_u), along_v = quintic(surface.a_v);

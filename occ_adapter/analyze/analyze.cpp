@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <BRep_Tool.hxx>
+#include <Precision.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Vertex.hxx>
@@ -20,13 +21,14 @@ namespace seamwright::occ {
 namespace {
 
 /// Largest rounding of a coordinate of the model, told by its vertices; between them faces reach a few times
-/// further at most.
+/// further at most. Vertices that can't be computed with are left out, as are their seams (UnusableParts).
 double coordinateNoise(const TopoDS_Shape& shape) {
   double size = 0;
   for (TopExp_Explorer it(shape, TopAbs_VERTEX); it.More(); it.Next()) {
     const gp_XYZ point = BRep_Tool::Pnt(TopoDS::Vertex(it.Current())).XYZ();
     for (int i = 1; i <= 3; ++i)
-      if (std::isfinite(point.Coord(i))) size = std::max(size, std::abs(point.Coord(i)));
+      if (std::isfinite(point.Coord(i)) && !Precision::IsInfinite(point.Coord(i)))
+        size = std::max(size, std::abs(point.Coord(i)));
   }
   return 16 * std::numeric_limits<double>::epsilon() * size;
 }

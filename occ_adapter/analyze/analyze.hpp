@@ -24,7 +24,7 @@ struct AnalyzeOptions {
 ///
 /// Seams are measured in parallel, the result does not depend on the number of threads. A seam that can't be
 /// measured has no figures, level None, class Defect and a note that says why; the others are not
-/// affected. A model without seams passes, with a note. The shape is never changed.
+/// affected. So it is with faces and edges whose numbers are not finite, or 1e100 and more. A model without seams passes, with a note. The shape is never changed.
 ///
 /// \throws std::invalid_argument for bad options, also for a gap tolerance or a distance to match below the
 /// rounding of the model's coordinates, and for faces that the model does not have; Cancelled.

@@ -240,6 +240,7 @@ SeamResult measureSeam(const Seam& seam, const AnalyzeOptions& options) {
     addNote(result.note, "not measured: " + why);
   };
   try {
+    for (const FaceUse& side : seam.sides) requireUsable(side);
     measure(seam, options, result);
   } catch (const Standard_Failure& failure) {
     fail(std::string(failure.DynamicType()->Name()) + " " + failure.GetMessageString());

@@ -101,7 +101,8 @@ std::vector<int> cornerEdges(const Model& model, int vertex);
 /// \param vertex from 1, order of TopExp::MapShapes.
 /// \throws std::invalid_argument for options that are not valid, a vertex that the model does not have, radii that miss an edge at the vertex,
 /// and radii and setbacks of other edges; std::domain_error, with numbers, for corners that are not supported, setbacks that leave no room for
-/// spring curves, fillets that reach beyond their faces or that OpenCASCADE does not make, and openings too sharp for section_mm; Cancelled.
+/// spring curves, fillets that reach beyond their faces or that OpenCASCADE does not make, and openings too sharp for section_mm; ModelError
+/// (Malformed) for a model with numbers that are not finite, or 1e100 and more; Cancelled.
 /// Source: MATH-surfaces 5.6.
 CornerFillet cornerFillet(const Model& model, int vertex, const CornerFilletOptions& options,
                           const Progress& progress = {});

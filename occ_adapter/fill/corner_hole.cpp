@@ -16,7 +16,8 @@ namespace {
 using Eigen::Vector3d;
 using std::numbers::pi;
 
-constexpr int least_degree = 5, most_degree = 11;  ///< of sections; patches are one degree higher
+constexpr int least_section_degree = 5,
+              most_section_degree = 11;  ///< of sections; patches are one degree higher
 
 /// B_0 .. B_n at t.
 Eigen::RowVectorXd bernsteinRow(int n, double t) {
@@ -34,7 +35,7 @@ Eigen::RowVector2d onUnitArc(double sweep_rad, double t) {
 
 UnitArc sectionArc(const CornerEdge& edge, const CornerStrip& strip, double section_mm) {
   UnitArc arc;
-  for (int degree = least_degree; degree <= most_degree; ++degree) {
+  for (int degree = least_section_degree; degree <= most_section_degree; ++degree) {
     arc = unitArc(strip.sweep_rad, degree);
     if (arc.error * strip.radius_mm <= section_mm) return arc;
   }

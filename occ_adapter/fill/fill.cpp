@@ -10,6 +10,7 @@
 #include <seamwright/occ_adapter/fill/fill_names.hpp>
 #include <seamwright/occ_adapter/fill/filling.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
+#include <seamwright/occ_adapter/model/usable.hpp>
 
 namespace seamwright::occ {
 
@@ -131,6 +132,7 @@ FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOpti
                         const Progress& progress) {
   options.validate();
   requireEdges(model, hole);
+  requireUsable(model.shape, model.path, "filled");
   const Model own = modelOfOwnParts(model);
   FillHoleReport report = fillHole(own, holeIn(own, hole), options, numberedFace, progress);
   if (!report.filled) report.model = model;

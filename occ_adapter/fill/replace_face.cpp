@@ -12,6 +12,7 @@
 #include <seamwright/occ_adapter/fill/fill_names.hpp>
 #include <seamwright/occ_adapter/fill/filling.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
+#include <seamwright/occ_adapter/model/usable.hpp>
 
 namespace seamwright::occ {
 
@@ -65,6 +66,7 @@ FillHoleReport replaceFace(const Model& model, int face, const FillHoleOptions& 
   if (face < 1 || face > model.faceCount())
     throw std::invalid_argument("the model has no face " + std::to_string(face) + ": they count from 1 to " +
                                 std::to_string(model.faceCount()));
+  requireUsable(model.shape, model.path, "filled");
   FillHoleReport report;
   try {
     const Model whole = modelOfOwnParts(model);

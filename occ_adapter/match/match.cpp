@@ -12,6 +12,7 @@
 
 #include <seamwright/occ_adapter/analyze/measure_seam.hpp>
 #include <seamwright/occ_adapter/match/candidate.hpp>
+#include <seamwright/occ_adapter/model/usable.hpp>
 
 namespace seamwright::occ {
 
@@ -323,6 +324,7 @@ void FaceMatchOptions::validate() const {
 MatchReport matchFaces(const TopoDS_Shape& model, int face_a, int face_b, const FaceMatchOptions& options,
                        const Progress& progress) {
   options.validate();
+  requireUsable(model, {}, "matched");
   const std::array<TopoDS_Face, 2> faces = facesOf(model, face_a, face_b);
   return Matching(faces, {face_a, face_b}, options, progress).run(model);
 }

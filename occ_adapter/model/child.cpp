@@ -8,7 +8,9 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <system_error>
+#include <thread>
 
 #include <seamwright/occ_adapter/model/child.hpp>
 
@@ -74,7 +76,8 @@ Child::Child(const std::string& program, const std::vector<std::string>& argumen
 Child::~Child() {
   if (pid_ > 0) {
     ::kill(pid_, SIGKILL);
-    wait();
+    while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
+    }
   }
   ::close(answer_);
 }
@@ -92,10 +95,14 @@ bool Child::receive(const std::function<void(std::string_view)>& receive) {
   return count > 0;
 }
 
-int Child::wait() {
+std::optional<int> Child::ended() {
   int status = 0;
-  while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+  const pid_t ended = ::waitpid(pid_, &status, WNOHANG);
+  if (ended == 0) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    return std::nullopt;
   }
+  if (ended < 0 && errno == EINTR) return std::nullopt;
   pid_ = -1;
   return status;
 }

@@ -4,6 +4,7 @@
 #include <sys/types.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,8 +26,8 @@ class Child {
 
   /// Hands what arrives within 50 ms to \p receive. \returns false once the child has closed its end.
   bool receive(const std::function<void(std::string_view)>& receive);
-  /// Waits for the end. \returns the wait status (waitpid).
-  int wait();
+  /// Waits for the end, at most a few milliseconds. \returns the wait status (waitpid) once the child has ended.
+  std::optional<int> ended();
 
  private:
   pid_t pid_ = -1;

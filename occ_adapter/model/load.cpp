@@ -13,8 +13,6 @@
 #include <STEPCAFControl_Reader.hxx>
 #include <StepBasic_ConversionBasedUnitAndLengthUnit.hxx>
 #include <StepBasic_SiUnitAndLengthUnit.hxx>
-#include <StepShape_ConnectedFaceSet.hxx>
-#include <StepShape_FaceSurface.hxx>
 #include <TColStd_HSequenceOfExtendedString.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_AsciiString.hxx>
@@ -25,19 +23,17 @@
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
-#include <TransferBRep.hxx>
-#include <Transfer_TransientProcess.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_LayerTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
-#include <XSControl_TransferReader.hxx>
-#include <XSControl_WorkSession.hxx>
 #include <algorithm>
 #include <fstream>
 #include <map>
 
 #include <seamwright/occ_adapter/model/load.hpp>
+#include <seamwright/occ_adapter/model/lost_faces.hpp>
+#include <seamwright/occ_adapter/model/usable.hpp>
 
 namespace seamwright::occ {
 
@@ -134,43 +130,6 @@ void requireFaces(const TopoDS_Shape& shape, const std::filesystem::path& path) 
     throw ModelError(ModelErrc::NoShapes, path, "holds no faces, so it has no seams");
 }
 
-void noteLostFaces(Model& model, int named, int lost) {
-  if (lost > 0)
-    model.notes.push_back("the file names " + std::to_string(named) + " faces, " + std::to_string(lost) +
-                          " of them could not be made");
-}
-
-bool yieldsFace(const opencascade::handle<Transfer_TransientProcess>& process,
-                const opencascade::handle<Standard_Transient>& entity) {
-  const TopoDS_Shape made = TransferBRep::ShapeResult(process, entity);
-  return !made.IsNull() && TopExp_Explorer(made, TopAbs_FACE).More();
-}
-
-/// Counts the faces that the file names and that did not come through: entities without a result, and entries of shells
-/// that lead nowhere.
-void countStepFaces(const STEPControl_Reader& reader, Model& model) {
-  const opencascade::handle<Interface_InterfaceModel> entities = reader.Model();
-  const opencascade::handle<Transfer_TransientProcess> process =
-      reader.WS()->TransferReader()->TransientProcess();
-  int named = 0;
-  int lost = 0;
-  for (int i = 1; i <= entities->NbEntities(); ++i) {
-    const opencascade::handle<Standard_Transient> entity = entities->Value(i);
-    if (entity->IsKind(STANDARD_TYPE(StepShape_FaceSurface))) {
-      ++named;
-      lost += !yieldsFace(process, entity);
-    } else if (const auto shell = opencascade::handle<StepShape_ConnectedFaceSet>::DownCast(entity);
-               !shell.IsNull() && !shell->CfsFaces().IsNull()) {
-      for (int k = 1; k <= shell->NbCfsFaces(); ++k) {
-        const bool leads_nowhere = shell->CfsFacesValue(k).IsNull();
-        named += leads_nowhere;
-        lost += leads_nowhere;
-      }
-    }
-  }
-  noteLostFaces(model, named, lost);
-}
-
 /// A length unit that was read without a fault: an unknown prefix would silently become none.
 bool isLengthUnit(const opencascade::handle<Interface_InterfaceModel>& entities, int i) {
   if (entities->IsErrorEntity(i)) return false;
@@ -208,7 +167,7 @@ LoadedDocument loadStep(const std::filesystem::path& path, const Message_Progres
   if (transferred) model.shape = reader.ChangeReader().OneShape();
   requireFaces(model.shape, path);
   model.length_unit = stepLengthUnit(reader.ChangeReader(), path);
-  countStepFaces(reader.ChangeReader(), model);
+  noteLostFaces(reader.ChangeReader(), model);
   model.attributes = AttributeCollector(model.shape, loaded.document).collect();
   loaded.entities = reader.ChangeReader().Model();
   return loaded;
@@ -241,36 +200,51 @@ LoadedDocument loadIges(const std::filesystem::path& path, const Message_Progres
   model.length_unit = IGESData_BasicEditor::UnitFlagName(global.UnitFlag());
   if (reader.Transfer(loaded.document, range)) model.shape = reader.OneShape();
   requireFaces(model.shape, path);
+  noteLostFaces(reader, model);
   model.attributes = AttributeCollector(model.shape, loaded.document).collect();
   loaded.entities = reader.IGESModel();
   return loaded;
 }
 
-/// Beyond the end of a file OpenCASCADE goes on reading, with whatever is in memory.
-bool isCut(const std::istream& file) {
-  return file.fail();
+/// Beyond the end of a file OpenCASCADE goes on reading, with whatever is in memory and as often as a count says; so the
+/// stream throws where there is nothing to read.
+std::ifstream strictStream(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  file.exceptions(std::ios::failbit | std::ios::badbit);
+  return file;
 }
 
-void loadBrep(Model& model, const std::filesystem::path& path, const Message_ProgressRange& range) {
-  BRep_Builder builder;
-  std::ifstream file(path);
-  BRepTools::Read(model.shape, file, builder, range);
-  if (model.shape.IsNull() || isCut(file))
-    throw ModelError(ModelErrc::Malformed, path, "is malformed or truncated BREP: OpenCASCADE can't read it");
-}
-
-void loadBinaryBrep(Model& model, const std::filesystem::path& path, const Message_ProgressRange& range) {
+/// What \p read makes of the file; a null shape if the file ends too soon.
+template <class Read>
+TopoDS_Shape readStream(const std::filesystem::path& path, const Read& read) {
+  std::ifstream file = strictStream(path);
   try {
-    std::ifstream file(path, std::ios::binary);
-    BinTools::Read(model.shape, file, range);
-    if (isCut(file)) model.shape.Nullify();
-  } catch (const Standard_Failure&) {
-    model.shape.Nullify();
+    return read(file);
+  } catch (const std::ios::failure&) {
+    return {};
   }
-  if (!model.shape.IsNull()) return;
+}
+
+TopoDS_Shape loadBrep(const std::filesystem::path& path, const Message_ProgressRange& range) {
+  return readStream(path, [&range](std::istream& file) {
+    TopoDS_Shape shape;
+    BRepTools::Read(shape, file, BRep_Builder(), range);
+    return shape;
+  });
+}
+
+TopoDS_Shape loadBinaryBrep(const std::filesystem::path& path, const Message_ProgressRange& range) {
+  const TopoDS_Shape plain = readStream(path, [&range](std::istream& file) {
+    TopoDS_Shape shape;
+    try {
+      BinTools::Read(shape, file, range);
+    } catch (const Standard_Failure&) {
+      shape.Nullify();
+    }
+    return shape;
+  });
   // What FreeCAD writes under the same heading ends in another way.
-  std::ifstream again(path, std::ios::binary);
-  model.shape = readBinaryShape(again);
+  return plain.IsNull() ? readStream(path, readBinaryShape) : plain;
 }
 
 }  // namespace
@@ -285,16 +259,22 @@ LoadedDocument loadDocument(const std::filesystem::path& path, const std::string
 }
 
 Model loadModel(const std::filesystem::path& path, const std::string& format, const Progress& progress) {
-  if (format == "STEP" || format == "IGES") return loadDocument(path, format, progress).model;
   Model model;
+  if (format == "STEP" || format == "IGES") {
+    model = loadDocument(path, format, progress).model;
+    noteUnusableParts(model);
+    return model;
+  }
   model.format = format;
   model.length_unit = "mm (assumed)";
   const opencascade::handle<Reporter> reporter = new Reporter(progress);
-  if (format == "BREP")
-    loadBrep(model, path, reporter->Start());
-  else
-    loadBinaryBrep(model, path, reporter->Start());
+  const Message_ProgressRange range = reporter->Start();
+  model.shape = format == "BREP" ? loadBrep(path, range) : loadBinaryBrep(path, range);
+  if (model.shape.IsNull())
+    throw ModelError(ModelErrc::Malformed, path,
+                     "is malformed or truncated " + format + ": OpenCASCADE can't read it");
   requireFaces(model.shape, path);
+  noteUnusableParts(model);
   return model;
 }
 

@@ -10,6 +10,7 @@
 #include <ostream>
 
 #include <seamwright/occ_adapter/model/model.hpp>
+#include <seamwright/occ_adapter/model/usable.hpp>
 
 namespace seamwright::occ {
 
@@ -39,6 +40,7 @@ Model modelFromShape(const TopoDS_Shape& shape) {
   model.shape = shape;
   model.format = "memory";
   model.length_unit = "mm (assumed)";
+  noteUnusableParts(model);
   return model;
 }
 

@@ -23,7 +23,7 @@ enum class ModelErrc {
   Malformed,       ///< OpenCASCADE could not read it
   UnknownUnits,    ///< no length unit that is understood
   NoShapes,        ///< read, but nothing with a face came out
-  ReaderDied,      ///< the reading process crashed or used up its time
+  ReaderDied,      ///< the reading process crashed or used up its time or memory
   ReaderMissing,   ///< the reading program is not installed where it belongs
   UnknownTarget,   ///< the name of the output tells no format
   TargetExists,    ///< the output is there, or is the file that was read, and may not be replaced
@@ -66,8 +66,9 @@ struct Model {
   int edgeCount() const;
 };
 
-/// A model of a shape in memory. The shape is shared, not copied, and never changed.
-/// \throws ModelError if the shape is null or has no face.
+/// A model of a shape in memory. The shape is shared, not copied, and never changed. Faces and edges with numbers that are
+/// not finite, or 1e100 and more, are counted in its notes.
+/// \throws ModelError if the shape is null, has no face, or has no face with finite numbers.
 Model modelFromShape(const TopoDS_Shape& shape);
 
 /// The shape in OpenCASCADE's binary format as FreeCAD writes it (Part.Shape.exportBinary). Poles, knots and points come

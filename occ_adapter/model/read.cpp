@@ -10,7 +10,11 @@ namespace seamwright::occ {
 Model readModel(const std::filesystem::path& path, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   const Format format = detectFormat(path);
-  Answer answer = askReader({path, "read", {"read", std::string(name(format)), path.string()}}, progress);
+  Answer answer = askReader({.model = path,
+                             .bytes = std::filesystem::file_size(path),
+                             .deed = "read",
+                             .arguments = {"read", std::string(name(format)), path.string()}},
+                            progress);
   if (!answer.shape)
     throw ModelError(ModelErrc::ReaderDied, path,
                      "can't be read: the reading process answered with no shape");

@@ -5,13 +5,17 @@
 #include <BinTools.hxx>
 #include <Standard_Failure.hxx>
 
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <system_error>
 
+#include <seamwright/occ_adapter/model/bounds.hpp>
 #include <seamwright/occ_adapter/model/child.hpp>
+#include <seamwright/occ_adapter/model/failure_text.hpp>
 #include <seamwright/occ_adapter/model/reader.hpp>
 #include <seamwright/occ_adapter/model/wire.hpp>
 
@@ -75,15 +79,40 @@ struct Incoming {
   }
 };
 
+ModelError notInTime(const Question& question, const ReaderBounds& bounds) {
+  std::ostringstream text;
+  text << "can't be " << question.deed << ": OpenCASCADE did not come to an end with it in " << bounds.seconds
+       << " s; SEAMWRIGHT_READER_SECONDS allows more";
+  return {ModelErrc::ReaderDied, question.model, text.str()};
+}
+
+/// Hands everything that the child says to \p take until it ends. Time counts only while the child is waited for:
+/// \p progress may take its own.
+/// \returns the wait status
+int listenTo(Child& child, const Question& question, const ReaderBounds& bounds,
+             const std::function<void(std::string_view)>& take, const std::function<void()>& progress) {
+  using Clock = std::chrono::steady_clock;
+  Clock::duration waited{};
+  for (bool open = true;;) {
+    const Clock::time_point start = Clock::now();
+    if (open)
+      open = child.receive(take);
+    else if (const std::optional<int> status = child.ended())
+      return *status;
+    waited += Clock::now() - start;
+    if (std::chrono::duration<double>(waited).count() > bounds.seconds) throw notInTime(question, bounds);
+    progress();
+  }
+}
+
 /// Throws what went wrong in the child, if anything did.
-void requireSuccess(const Incoming& incoming, int status, const Question& question) {
+void requireSuccess(const Incoming& incoming, int status, const Question& question,
+                    const ReaderBounds& bounds) {
   const std::string cant = "can't be " + question.deed + ": ";
   if (incoming.error)
     throw ModelError(incoming.error->at("code").get<ModelErrc>(), question.model,
                      incoming.error->at("text").get<std::string>());
-  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
-    throw ModelError(ModelErrc::ReaderDied, question.model,
-                     cant + "OpenCASCADE did not come to an end with it");
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) throw notInTime(question, bounds);
   if (WIFSIGNALED(status))
     throw ModelError(ModelErrc::ReaderDied, question.model,
                      cant + "OpenCASCADE crashed on it (" + strsignal(WTERMSIG(status)) + ")");
@@ -96,14 +125,18 @@ void requireSuccess(const Incoming& incoming, int status, const Question& questi
 }  // namespace
 
 Answer askReader(const Question& question, const Progress& progress) {
+  const ReaderBounds bounds = readerBounds(question.bytes);
   Incoming incoming;
   wire::FrameParser parser(
       [&](wire::Kind kind, std::string payload) { incoming.take(kind, std::move(payload)); });
   try {
     Child child(readerProgram(question), question.arguments, question.input);
-    while (child.receive([&](std::string_view bytes) { parser.feed(bytes); }))
-      if (progress && !progress(incoming.progress)) throw Cancelled();
-    requireSuccess(incoming, child.wait(), question);
+    const int status = listenTo(
+        child, question, bounds, [&](std::string_view bytes) { parser.feed(bytes); },
+        [&] {
+          if (progress && !progress(incoming.progress)) throw Cancelled();
+        });
+    requireSuccess(incoming, status, question, bounds);
   } catch (const std::system_error& error) {
     throw ModelError(ModelErrc::ReaderMissing, question.model,
                      "can't be " + question.deed + ": " + error.what());
@@ -126,7 +159,7 @@ TopoDS_Shape decodeShape(std::string bytes, const std::filesystem::path& path) {
     BinTools::Read(shape, stream);
   } catch (const Standard_Failure& failure) {
     throw ModelError(ModelErrc::Malformed, path,
-                     std::string("can't be taken over: ") + failure.GetMessageString());
+                     "can't be taken over: OpenCASCADE stops at " + failureText(failure));
   }
   if (shape.IsNull()) throw ModelError(ModelErrc::NoShapes, path, "holds no shapes");
   return shape;

@@ -5,19 +5,27 @@
 //   read FORMAT PATH            reads a model file: facts and shape
 //   write FORMAT HOW PATH       writes the model whose facts and shape stand on standard input: a report and the bytes of
 //                               the file. HOW: "follow", where the model has one, the file PATH; or "afresh"
+#include <poll.h>
+#include <signal.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 #include <BinTools.hxx>
 #include <Standard_Failure.hxx>
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <vector>
 
+#include <seamwright/occ_adapter/model/bounds.hpp>
 #include <seamwright/occ_adapter/model/child.hpp>
+#include <seamwright/occ_adapter/model/failure_text.hpp>
 #include <seamwright/occ_adapter/model/load.hpp>
 #include <seamwright/occ_adapter/model/reader.hpp>
 #include <seamwright/occ_adapter/model/store.hpp>
@@ -28,11 +36,36 @@ namespace {
 using namespace seamwright::occ;
 
 constexpr int answer = Child::answer_descriptor;
+std::uintmax_t memory_bound = 0;
 
+/// Ends this process with the thread that waits for its answer. A thread that asks does nothing else until it has the
+/// answer, so it does not end before unless its whole process does, or somebody ends the thread.
+void endWithParent() {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  // Had the parent ended before, no signal would come; but then nobody holds the other end of the answer.
+  pollfd listener{answer, 0, 0};
+  if (::poll(&listener, 1, 0) > 0 && (listener.revents & POLLERR) != 0) _exit(1);
+}
+
+/// Private writable memory that this process has: the figure that RLIMIT_DATA bounds.
+std::uintmax_t memoryInUse() {
+  std::ifstream file("/proc/self/statm");
+  std::uintmax_t pages = 0;
+  constexpr int data_field = 6;
+  for (int field = 0; field < data_field; ++field) file >> pages;
+  return file ? pages * static_cast<std::uintmax_t>(sysconf(_SC_PAGESIZE)) : 0;
+}
+
+/// Memory is bounded from here on. The parent bounds the time; it also is bounded here as processor time, as the parent
+/// may be stopped for a while.
 void limitResources(std::uintmax_t bytes) {
-  const rlim_t seconds = 120 + 60 * static_cast<rlim_t>(bytes >> 20);
-  const rlimit processor{seconds, seconds};
+  const ReaderBounds bounds = readerBounds(bytes);
+  memory_bound = bounds.memory_bytes;
+  const rlim_t seconds = static_cast<rlim_t>(std::ceil(bounds.seconds));
+  const rlimit processor{seconds, seconds + 1};
   setrlimit(RLIMIT_CPU, &processor);
+  const rlimit memory{memoryInUse() + memory_bound, RLIM_INFINITY};
+  setrlimit(RLIMIT_DATA, &memory);
   const rlimit none{0, 0};
   setrlimit(RLIMIT_CORE, &none);
 }
@@ -40,6 +73,26 @@ void limitResources(std::uintmax_t bytes) {
 void sendError(ModelErrc code, const std::string& text) {
   const nlohmann::json error = {{"code", code}, {"text", text}};
   wire::send(answer, wire::Kind::Error, error.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+void sendOutOfMemory(const std::string& deed) {
+  // The answer needs some memory too.
+  const rlimit unbounded{RLIM_INFINITY, RLIM_INFINITY};
+  setrlimit(RLIMIT_DATA, &unbounded);
+  sendError(ModelErrc::ReaderDied, "can't be " + deed + ": OpenCASCADE asks for more than " +
+                                       std::to_string(memory_bound / 1'000'000) +
+                                       " MB of memory with it; SEAMWRIGHT_READER_MEMORY_MB allows more");
+}
+
+void sendFailure(const Standard_Failure& failure, bool reads, const std::string& format) {
+  const std::string text = failureText(failure);
+  // OpenCASCADE may wrap the failure in another one, whose message has the name of the first.
+  if (text.find("Standard_OutOfMemory") != std::string::npos)
+    sendOutOfMemory(reads ? "read" : "written");
+  else
+    sendError(reads ? ModelErrc::Malformed : ModelErrc::NotWritten,
+              (reads ? "is malformed " + format : std::string("can't be written")) +
+                  ": OpenCASCADE stops at " + text);
 }
 
 /// Sends progress when a percent more is done.
@@ -61,6 +114,7 @@ void readAndSend(const std::filesystem::path& path, const std::string& format) {
   limitResources(std::filesystem::file_size(path));
   const Model model = loadModel(path, format, Announcer());
   std::ostringstream shape;
+  shape.exceptions(std::ios::badbit);  // where memory ends the stream would end the shape without a word
   BinTools::Write(model.shape, shape);
   wire::send(answer, wire::Kind::Facts, wire::factsToJson(model));
   wire::send(answer, wire::Kind::Shape, shape.view());
@@ -119,16 +173,16 @@ int main(int argc, char** argv) {
     return 2;
   }
   const std::string deed = reads ? "read" : "written";
+  endWithParent();
   try {
     obey(arguments);
     return 0;
   } catch (const ModelError& error) {
     sendError(error.code(), reads ? withoutPath(error, arguments[2]) : withoutPath(error, {}));
   } catch (const Standard_Failure& failure) {
-    sendError(reads ? ModelErrc::Malformed : ModelErrc::NotWritten,
-              (reads ? "is malformed " + arguments[1] : std::string("can't be written")) +
-                  ": OpenCASCADE stops at " + failure.DynamicType()->Name() + " " +
-                  failure.GetMessageString());
+    sendFailure(failure, reads, arguments[1]);
+  } catch (const std::bad_alloc&) {
+    sendOutOfMemory(deed);
   } catch (const std::exception& error) {
     sendError(reads ? ModelErrc::Malformed : ModelErrc::NotWritten,
               "can't be " + deed + ": " + std::string(error.what()));

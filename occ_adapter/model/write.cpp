@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fcntl.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <BRepTools.hxx>
 #include <BinTools.hxx>
@@ -15,6 +16,7 @@
 #include <sstream>
 #include <system_error>
 
+#include <seamwright/occ_adapter/model/failure_text.hpp>
 #include <seamwright/occ_adapter/model/reader.hpp>
 #include <seamwright/occ_adapter/model/target_file.hpp>
 #include <seamwright/occ_adapter/model/wire.hpp>
@@ -44,6 +46,10 @@ class Request {
   Request(const Request&) = delete;
   Request& operator=(const Request&) = delete;
   int descriptor() const { return file_; }
+  std::uintmax_t bytes() const {
+    struct stat status {};
+    return ::fstat(file_, &status) == 0 ? static_cast<std::uintmax_t>(status.st_size) : 0;
+  }
 
  private:
   int file_ = -1;
@@ -54,11 +60,22 @@ struct Written {
   WriteReport report;
 };
 
+/// Of the file that is followed; 0 for a model from memory and for a file that is gone.
+std::uintmax_t sizeOfSource(const Model& model) {
+  std::error_code error;
+  const std::uintmax_t bytes = model.path.empty() ? 0 : std::filesystem::file_size(model.path, error);
+  return error ? 0 : bytes;
+}
+
 Written writeElsewhere(const Model& model, const std::filesystem::path& path, Format format, bool afresh,
                        const Progress& progress) {
   const Request request(model);
-  Question question{path, "written", {}, request.descriptor()};
-  question.arguments = {"write", std::string(name(format)), afresh ? "afresh" : "follow", model.path};
+  const Question question{
+      .model = path,
+      .bytes = request.bytes() + sizeOfSource(model),
+      .deed = "written",
+      .arguments = {"write", std::string(name(format)), afresh ? "afresh" : "follow", model.path},
+      .input = request.descriptor()};
   Answer answer = askReader(question, progress);
   if (!answer.file)
     throw ModelError(ModelErrc::ReaderDied, path,
@@ -147,8 +164,7 @@ WriteReport writeModel(const Model& model, const std::filesystem::path& path, co
     written = writtenModel(model, path, format, options, partOf(progress, 0, made));
   } catch (const Standard_Failure& failure) {
     throw ModelError(ModelErrc::NotWritten, path,
-                     std::string("can't be written: OpenCASCADE stops at ") + failure.DynamicType()->Name() +
-                         " " + failure.GetMessageString());
+                     "can't be written: OpenCASCADE stops at " + failureText(failure));
   } catch (const std::system_error& error) {
     throw ModelError(ModelErrc::NotWritten, path, std::string("can't be written: ") + error.what());
   }

@@ -125,7 +125,7 @@ struct RepairReport {
 /// Parts with several instances, solids of several shells and faces that have one surface in common are not sewn.
 ///
 /// \throws std::invalid_argument for bad options, also for edges and faces that the model does not have and edges that are no
-/// seam; Cancelled.
+/// seam; ModelError (Malformed) for a model with numbers that are not finite, or 1e100 and more; Cancelled.
 /// Source: MATH-surfaces 6 and 7.
 RepairReport repair(const Model& model, const RepairOptions& options = {}, const Progress& progress = {});
 

@@ -5,7 +5,9 @@
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Vertex.hxx>
+#include <stdexcept>
 
+#include <seamwright/occ_adapter/model/usable.hpp>
 #include <seamwright/occ_adapter/seams/find.hpp>
 
 namespace seamwright::occ {
@@ -36,19 +38,27 @@ FaceUse faceUse(int number, const TopoDS_Face& face, const TopoDS_Edge& edge,
           {poleTolerance(poles, TopExp::FirstVertex(edge)), poleTolerance(poles, TopExp::LastVertex(edge))}};
 }
 
+std::string faultOfUse(const UnusableParts& unusable, int face, int edge) {
+  if (unusable.hasFace(face)) return unusable.describeFace(face);
+  return unusable.hasEdge(edge) ? unusable.describeEdge(edge) : std::string();
+}
+
 /// Uses of each edge; index 0 is empty, as edges count from 1.
 std::vector<UsesOfEdge> collectUses(const TopoDS_Shape& shape, const TopTools_IndexedMapOfShape& edges) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
   std::vector<UsesOfEdge> uses(static_cast<std::size_t>(edges.Extent()) + 1);
+  const UnusableParts unusable(shape);
   for (int f = 1; f <= faces.Extent(); ++f) {
     const TopoDS_Face face = TopoDS::Face(faces(f).Oriented(TopAbs_FORWARD));
     const TopTools_MapOfShape poles = polesOf(face);
     for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
       const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
       const bool bounds = edge.Orientation() == TopAbs_FORWARD || edge.Orientation() == TopAbs_REVERSED;
-      if (bounds && !BRep_Tool::Degenerated(edge))
-        uses[edges.FindIndex(edge)].push_back(faceUse(f, face, edge, poles));
+      if (!bounds || BRep_Tool::Degenerated(edge)) continue;
+      const int e = edges.FindIndex(edge);
+      uses[e].push_back(faceUse(f, face, edge, poles));
+      uses[e].back().fault = faultOfUse(unusable, f, e);
     }
   }
   return uses;
@@ -61,6 +71,10 @@ LooseEdge looseEdge(int edge, const UsesOfEdge& uses) {
 }
 
 }  // namespace
+
+void requireUsable(const FaceUse& use) {
+  if (!use.fault.empty()) throw std::runtime_error(use.fault);
+}
 
 SeamGraph findSeams(const TopoDS_Shape& shape) {
   TopTools_IndexedMapOfShape edges;

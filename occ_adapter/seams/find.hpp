@@ -24,7 +24,11 @@ struct FaceUse {
   /// At the first and the last end of the edge's curve: tolerance of the vertex if a boundary of the surface
   /// collapses to it there (the face has a degenerated edge at that vertex), else 0.
   std::array<double, 2> pole_tolerance_mm{};
+  std::string fault = {};  ///< why face or edge can't be computed with (UnusableParts); mostly empty
 };
+
+/// \throws std::runtime_error with the fault of the side, if it has one
+void requireUsable(const FaceUse& use);
 
 /// Points of the two sides of a seam that belong together: place a[i] of the first edge, 0..1 of the range of
 /// its curve, and b[i] of the second, both linear in s between s[i] and s[i + 1]. s runs from 0 to 1 and a
@@ -59,7 +63,7 @@ struct SeamGraph {
 };
 
 /// Finds where the faces of a shape meet by shared topology (for loose faces see matchFreeEdges()), in time
-/// linear in the number of edges.
+/// linear in the size of the shape. Sides with numbers that can't be computed with have a fault.
 ///
 /// Left out: degenerated edges (the pole of a sphere is no seam), edges that bound no face, and edges that
 /// lie inside a face without bounding it (orientation INTERNAL or EXTERNAL). Faces and edges are told apart

@@ -202,6 +202,7 @@ void Matcher::makePaths(const Progress& progress) {
       throw Cancelled();
     paths_.emplace_back();
     noteFailure(graph_.notes, edgeName(i) + " can't be matched", [&] {
+      requireUsable(graph_.open_uses[i]);
       auto path = std::make_unique<EdgePath>(graph_.open_uses[i], graph_.open[i].edge, options_.gap_mm);
       if (!(path->length_mm() > 0)) return;
       summary_.pieces += path->pieces().size();

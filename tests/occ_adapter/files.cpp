@@ -47,9 +47,9 @@ void writeStep(const TopoDS_Shape& shape, const fs::path& path, const char* unit
     throw std::runtime_error("STEP was not written");
 }
 
-void writeIges(const TopoDS_Shape& shape, const fs::path& path, const char* unit) {
+void writeIges(const TopoDS_Shape& shape, const fs::path& path, const char* unit, int mode) {
   IGESControl_Controller::Init();
-  IGESControl_Writer writer(unit, 1);  // 1: solids and shells keep their topology
+  IGESControl_Writer writer(unit, mode);
   writer.AddShape(shape);
   writer.ComputeModel();
   if (!writer.Write(path.c_str())) throw std::runtime_error("IGES was not written");

@@ -224,6 +224,67 @@ TEST(Read, AFileThatLosesAFaceSaysSo) {
   }
 }
 
+/// The lines of an IGES file with a parameter of the first entity of a type changed; parameters count from 1.
+std::string igesWithParameter(const std::string& iges, int type, int parameter, const std::string& value) {
+  std::vector<std::string> lines;
+  std::istringstream text(iges);
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  const std::string start = std::to_string(type) + ",";
+  for (std::string& line : lines) {
+    if (line.size() < 80 || line[72] != 'P' || !line.starts_with(start)) continue;
+    std::size_t begin = 0;
+    for (int i = 0; i < parameter; ++i) begin = line.find(',', begin) + 1;
+    const std::size_t end = line.find_first_of(",;", begin);
+    std::string data = line.substr(0, begin) + value + line.substr(end, 64 - end);
+    data.resize(64, ' ');
+    line.replace(0, 64, data);
+    std::string all;
+    for (const std::string& each : lines) all += each + "\n";
+    return all;
+  }
+  throw std::runtime_error("no entity of type " + std::to_string(type));
+}
+
+TEST(Read, AnIgesFileThatLosesAFaceSaysSo) {
+  const Folder folder;
+  struct Damage {
+    int mode;  // of OpenCASCADE's writer: 0 trimmed surfaces, 1 solids with faces
+    int type, parameter;
+    const char* value;
+    int named, lost;
+  };
+  const std::vector<Damage> damages = {
+      {0, 144, 1, "0", 6, 1},      // a trimmed surface without its surface
+      {0, 108, 3, "1E300", 6, 1},  // a plane far away
+      {0, 108, 1, "x", 6, 1},      // a plane without a number
+      {1, 510, 1, "0", 6 + 1, 1},  // a face without its surface, which then stands alone
+  };
+  for (const Damage& damage : damages) {
+    SCOPED_TRACE(std::to_string(damage.type) + " " + damage.value);
+    writeIges(box(), folder / "box.igs", "MM", damage.mode);
+    EXPECT_THAT(readModel(folder / "box.igs").notes, IsEmpty());
+    setContent(folder / "box.igs",
+               igesWithParameter(contentOf(folder / "box.igs"), damage.type, damage.parameter, damage.value));
+    const Model model = readModel(folder / "box.igs");
+    EXPECT_EQ(model.faceCount(), damage.named - damage.lost);
+    ASSERT_EQ(model.notes.size(), 1u);
+    EXPECT_EQ(model.notes[0], "the file names " + std::to_string(damage.named) + " faces, " +
+                                  std::to_string(damage.lost) + " of them could not be made");
+  }
+}
+
+TEST(Read, SoundIgesFilesLoseNoFaces) {
+  const Folder folder;
+  const TopoDS_Shape shape = BRepPrimAPI_MakeCylinder(3, 8).Shape();
+  for (const TopoDS_Shape& each : {shape, BRepBuilderAPI_NurbsConvert(shape, true).Shape()})
+    for (const int mode : {0, 1}) {
+      writeIges(each, folder / "sound.igs", "MM", mode);
+      const Model model = readModel(folder / "sound.igs");
+      EXPECT_EQ(model.faceCount(), 3);
+      EXPECT_THAT(model.notes, IsEmpty());
+    }
+}
+
 TEST(Read, ACoordinateThatIsNoNumberCostsItsOwnSeams) {
   const auto path = furtherModel("broken/mutated/nan_coordinate.step");
   const auto sound = furtherModel("small/NIST_MBE_PMI_11.stp");
@@ -238,7 +299,7 @@ TEST(Read, ACoordinateThatIsNoNumberCostsItsOwnSeams) {
     EXPECT_FALSE(a.note.empty()) << describe(a);
   }
   EXPECT_GT(unlike, 0u);
-  EXPECT_LE(unlike, 4u);
+  EXPECT_LE(unlike, 5u) << "the coordinate is that of a face with five edges";
 }
 
 TEST(Read, BrokenFilesNeverCrash) {

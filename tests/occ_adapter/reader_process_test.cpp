@@ -2,13 +2,21 @@
 // The reading process: missing, crashing, silent, talking nonsense. An error each time, soon, and never a hang.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
+#include <regex>
 #include <sstream>
+#include <thread>
+
+#include <seamwright/occ_adapter/model/bounds.hpp>
 
 #include "files.hpp"
 
@@ -60,10 +68,124 @@ TEST_F(ReaderProcess, Crashes) {
   }
 }
 
-TEST_F(ReaderProcess, UsesUpItsTime) {
+TEST_F(ReaderProcess, UsesUpItsProcessorTime) {
   const occ::ModelError error = errorWith(script("kill -XCPU $$"));
   EXPECT_EQ(error.code(), ModelErrc::ReaderDied);
   EXPECT_THAT(error.what(), HasSubstr("did not come to an end"));
+}
+
+TEST_F(ReaderProcess, UsesUpItsTime) {
+  const Environment time("SEAMWRIGHT_READER_SECONDS", "0.25");
+  for (const char* commands : {"exec sleep 1000", "exec 3>&-\nexec sleep 1000", "exec cat /dev/zero >&3"}) {
+    const occ::ModelError error = errorWith(script(commands));
+    EXPECT_EQ(error.code(), ModelErrc::ReaderDied) << commands;
+    EXPECT_THAT(error.what(), HasSubstr("in 0.25 s")) << commands;
+    EXPECT_THAT(error.what(), HasSubstr("SEAMWRIGHT_READER_SECONDS")) << commands;
+  }
+}
+
+TEST_F(ReaderProcess, TimeThatProgressTakesDoesNotCount) {
+  const Environment time("SEAMWRIGHT_READER_SECONDS", "3");
+  int calls = 0;
+  const occ::Model model = occ::readModel(folder_ / "box.brep", [&calls](double) {
+    if (++calls == 1) std::this_thread::sleep_for(std::chrono::seconds(4));
+    return true;
+  });
+  EXPECT_EQ(model.faceCount(), 6);
+  EXPECT_GE(calls, 1);
+}
+
+TEST_F(ReaderProcess, UsesUpItsMemory) {
+  const Environment memory("SEAMWRIGHT_READER_MEMORY_MB", "1");
+  writeStep(BRepPrimAPI_MakeBox(1, 2, 3).Shape(), folder_ / "box.step");
+  const occ::ModelError error = errorOf(folder_ / "box.step");
+  EXPECT_EQ(error.code(), ModelErrc::ReaderDied);
+  EXPECT_THAT(error.what(), HasSubstr("more than 1 MB of memory"));
+  EXPECT_THAT(error.what(), HasSubstr("SEAMWRIGHT_READER_MEMORY_MB"));
+}
+
+TEST_F(ReaderProcess, BoundsGrowWithTheFile) {
+  const occ::ReaderBounds none = occ::readerBounds(0), large = occ::readerBounds(10'000'000);
+  EXPECT_EQ(none.seconds, 60);
+  EXPECT_EQ(large.seconds, 60 + 300);
+  EXPECT_LE(none.memory_bytes, 4'000'000'000u);
+  EXPECT_LE(large.memory_bytes, 4'500'000'000u);
+  EXPECT_GT(none.memory_bytes, 0u);
+}
+
+TEST_F(ReaderProcess, BoundsThatAreNoNumbersAreRefused) {
+  for (const char* name : {"SEAMWRIGHT_READER_SECONDS", "SEAMWRIGHT_READER_MEMORY_MB"})
+    for (const char* value : {"", "0", "-1", "ten", "1 h", "inf", "nan", "1e300"}) {
+      const Environment bound(name, value);
+      try {
+        occ::readModel(folder_ / "box.brep");
+        ADD_FAILURE() << name << " '" << value << "' was taken";
+      } catch (const std::invalid_argument& error) {
+        EXPECT_THAT(error.what(), HasSubstr("'" + std::string(value) + "'"));
+      }
+    }
+}
+
+TEST_F(ReaderProcess, CountsThatAFileCannotHoldEndSoon) {
+  const std::string brep = contentOf(folder_ / "box.brep");
+  for (const char* section : {"Locations", "Curve2ds", "Curves", "Polygon3D", "Surfaces", "TShapes"}) {
+    const std::regex count(std::string(section) + " [0-9]+");
+    setContent(folder_ / "count.brep", std::regex_replace(brep, count, std::string(section) + " 999999999",
+                                                          std::regex_constants::format_first_only));
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_EQ(errorOf(folder_ / "count.brep").code(), ModelErrc::Malformed) << section;
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10)) << section;
+  }
+}
+
+/// Runs or waits: a process that has ended and was not waited for yet does neither.
+bool isAlive(pid_t process) {
+  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+  std::string number, program, state;
+  return file >> number >> program >> state && state != "Z" && state != "X";
+}
+
+/// \returns whether \p holds() came true within 10 s.
+template <class Condition>
+bool soon(const Condition& holds) {
+  for (int i = 0; i < 1000 && !holds(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  return holds();
+}
+
+std::filesystem::path readerBesideThisProgram() {
+  const auto folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().filename().string().starts_with("seamwright-read-occt")) return entry.path();
+  return {};
+}
+
+TEST_F(ReaderProcess, EndsWithItsParent) {
+  // The program waits for a model on its standard input, which never comes.
+  ASSERT_EQ(mkfifo((folder_ / "fifo").c_str(), 0600), 0);
+  const std::string note = folder_ / "pid";
+  const std::string program =
+      script("echo $$ > " + note + ".part; mv " + note + ".part " + note + "; exec " +
+             readerBesideThisProgram().string() + " write STEP afresh '' <>" + (folder_ / "fifo").string());
+  const Environment reader("SEAMWRIGHT_READER", program);
+  const pid_t parent = fork();
+  if (parent == 0) {
+    std::thread worker([this] { occ::readModel(folder_ / "box.brep"); });
+    worker.join();
+    _exit(0);
+  }
+  ASSERT_TRUE(soon([&note] { return std::filesystem::exists(note); }));
+  const pid_t child = std::stoi(contentOf(note));
+  const std::filesystem::path real = std::filesystem::canonical(readerBesideThisProgram());
+  std::error_code error;
+  ASSERT_TRUE(soon([&] {
+    return std::filesystem::read_symlink("/proc/" + std::to_string(child) + "/exe", error) == real;
+  }));
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  EXPECT_TRUE(isAlive(child));
+  kill(parent, SIGKILL);
+  waitpid(parent, nullptr, 0);
+  EXPECT_TRUE(soon([child] { return !isAlive(child); }));
+  if (isAlive(child)) kill(child, SIGKILL);
 }
 
 TEST_F(ReaderProcess, TalksNonsense) {

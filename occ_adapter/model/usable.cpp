@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRep_CurveRepresentation.hxx>
+#include <BRep_GCurve.hxx>
+#include <BRep_ListOfCurveRepresentation.hxx>
+#include <BRep_ListOfPointRepresentation.hxx>
+#include <BRep_PointRepresentation.hxx>
+#include <BRep_TEdge.hxx>
+#include <BRep_TVertex.hxx>
+#include <BRep_Tool.hxx>
+#include <GeomTools_Curve2dSet.hxx>
+#include <GeomTools_CurveSet.hxx>
+#include <GeomTools_SurfaceSet.hxx>
+#include <Precision.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <charconv>
+#include <cmath>
+#include <initializer_list>
+#include <sstream>
+
+#include <seamwright/occ_adapter/model/usable.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+bool isUsableNumber(double number) {
+  return std::isfinite(number) && !Precision::IsInfinite(number);
+}
+
+std::string numberInWords(const std::string& what, double number) {
+  std::ostringstream text;
+  text << what << " with the number " << number;
+  return text.str();
+}
+
+/// What is wrong with numbers, or nothing.
+std::string faultOf(const std::string& what, std::initializer_list<double> numbers) {
+  for (const double number : numbers)
+    if (!isUsableNumber(number)) return numberInWords(what, number);
+  return {};
+}
+
+std::string faultOf(const std::string& what, const gp_XYZ& point) {
+  return faultOf(what, {point.X(), point.Y(), point.Z()});
+}
+
+std::string faultOf(const TopLoc_Location& location) {
+  if (location.IsIdentity()) return {};
+  const gp_Trsf motion = location.Transformation();
+  for (int row = 1; row <= 3; ++row)
+    for (int column = 1; column <= 4; ++column)
+      if (const double number = motion.Value(row, column); !isUsableNumber(number))
+        return numberInWords("a location", number);
+  return {};
+}
+
+/// OpenCASCADE writes each kind of curve and surface as its numbers, nested ones too.
+template <class Print>
+std::string faultInText(const std::string& what, const Print& print) {
+  std::ostringstream stream;
+  try {
+    print(stream);
+  } catch (const Standard_Failure&) {
+    return {};  // of a kind that it does not write
+  }
+  const std::string_view text = stream.view();
+  constexpr std::string_view between = " \n";
+  for (std::size_t begin = 0, end = 0; (begin = text.find_first_not_of(between, end)) != text.npos;) {
+    end = std::min(text.find_first_of(between, begin), text.size());
+    double number = 0;
+    const auto [stop, error] = std::from_chars(text.data() + begin, text.data() + end, number);
+    if (error == std::errc() && !isUsableNumber(number)) return numberInWords(what, number);
+  }
+  return {};
+}
+
+std::string faultOf(const opencascade::handle<Geom_Surface>& surface) {
+  if (surface.IsNull()) return {};
+  return faultInText("a surface", [&surface](std::ostream& stream) {
+    GeomTools_SurfaceSet::PrintSurface(surface, stream, true);
+  });
+}
+
+std::string faultOf(const opencascade::handle<Geom_Curve>& curve) {
+  if (curve.IsNull()) return {};
+  return faultInText("a curve",
+                     [&curve](std::ostream& stream) { GeomTools_CurveSet::PrintCurve(curve, stream, true); });
+}
+
+std::string faultOf(const opencascade::handle<Geom2d_Curve>& curve) {
+  if (curve.IsNull()) return {};
+  return faultInText("a path on a face", [&curve](std::ostream& stream) {
+    GeomTools_Curve2dSet::PrintCurve2d(curve, stream, true);
+  });
+}
+
+/// The first fault of several, or nothing.
+std::string firstFaultOf(std::initializer_list<std::string> faults) {
+  for (const std::string& fault : faults)
+    if (!fault.empty()) return fault;
+  return {};
+}
+
+/// Without a curve the range means nothing: at the pole of a sphere an edge has a path on the face alone.
+template <class Curve>
+std::string faultOf(const BRep_GCurve& owner, const opencascade::handle<Curve>& curve) {
+  return curve.IsNull() ? std::string()
+                        : firstFaultOf({faultOf("a range", {owner.First(), owner.Last()}), faultOf(curve)});
+}
+
+std::string faultOf(const opencascade::handle<BRep_CurveRepresentation>& representation) {
+  const auto owner = opencascade::handle<BRep_GCurve>::DownCast(representation);
+  if (owner.IsNull()) return {};
+  std::string fault = faultOf(owner->Location());
+  if (fault.empty() && owner->IsCurve3D()) fault = faultOf(*owner, owner->Curve3D());
+  if (fault.empty() && owner->IsCurveOnSurface()) fault = faultOf(*owner, owner->PCurve());
+  if (fault.empty() && owner->IsCurveOnClosedSurface()) fault = faultOf(*owner, owner->PCurve2());
+  return fault;
+}
+
+std::string faultOf(const TopoDS_Vertex& vertex) {
+  const auto body = opencascade::handle<BRep_TVertex>::DownCast(vertex.TShape());
+  if (body.IsNull()) return {};
+  std::string fault = firstFaultOf({faultOf(vertex.Location()), faultOf("a vertex", body->Pnt().XYZ()),
+                                    faultOf("a tolerance of a vertex", {body->Tolerance()})});
+  for (BRep_ListIteratorOfListOfPointRepresentation it(body->Points()); fault.empty() && it.More(); it.Next())
+    fault = firstFaultOf(
+        {faultOf(it.Value()->Location()), faultOf("a place of a vertex", {it.Value()->Parameter()})});
+  return fault;
+}
+
+std::string faultOf(const TopoDS_Edge& edge) {
+  const auto body = opencascade::handle<BRep_TEdge>::DownCast(edge.TShape());
+  if (body.IsNull()) return {};
+  std::string fault = firstFaultOf({faultOf(edge.Location()), faultOf("a tolerance", {body->Tolerance()})});
+  for (BRep_ListIteratorOfListOfCurveRepresentation it(body->Curves()); fault.empty() && it.More(); it.Next())
+    fault = faultOf(it.Value());
+  for (TopExp_Explorer it(edge, TopAbs_VERTEX); fault.empty() && it.More(); it.Next())
+    fault = faultOf(TopoDS::Vertex(it.Current()));
+  return fault;
+}
+
+std::string faultOf(const TopoDS_Face& face) {
+  TopLoc_Location location;
+  const opencascade::handle<Geom_Surface> surface = BRep_Tool::Surface(face, location);
+  return firstFaultOf(
+      {faultOf(location), faultOf("a tolerance", {BRep_Tool::Tolerance(face)}), faultOf(surface)});
+}
+
+template <class Part>
+std::map<int, std::string> faultsOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind,
+                                    const Part& (*cast)(const TopoDS_Shape&)) {
+  TopTools_IndexedMapOfShape parts;
+  TopExp::MapShapes(shape, kind, parts);
+  std::map<int, std::string> faults;
+  for (int i = 1; i <= parts.Extent(); ++i)
+    if (std::string fault = faultOf(cast(parts(i))); !fault.empty()) faults.emplace(i, std::move(fault));
+  return faults;
+}
+
+const TopoDS_Face& asFace(const TopoDS_Shape& shape) {
+  return TopoDS::Face(shape);
+}
+
+const TopoDS_Edge& asEdge(const TopoDS_Shape& shape) {
+  return TopoDS::Edge(shape);
+}
+
+std::string countedParts(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+UnusableParts::UnusableParts(const TopoDS_Shape& shape)
+    : faces_(faultsOf(shape, TopAbs_FACE, asFace)), edges_(faultsOf(shape, TopAbs_EDGE, asEdge)) {}
+
+std::string UnusableParts::describeFace(int face) const {
+  return "face " + std::to_string(face) + " has " + faces_.at(face);
+}
+
+std::string UnusableParts::describeEdge(int edge) const {
+  return "edge " + std::to_string(edge) + " has " + edges_.at(edge);
+}
+
+std::string UnusableParts::note() const {
+  if (empty()) return {};
+  const std::string first =
+      faces_.empty() ? describeEdge(edges_.begin()->first) : describeFace(faces_.begin()->first);
+  std::string counts;
+  if (!faces_.empty()) counts = countedParts(faces_.size(), "face");
+  if (!edges_.empty()) counts += (counts.empty() ? "" : " and ") + countedParts(edges_.size(), "edge");
+  const bool is_one = faces_.size() + edges_.size() == 1;
+  return counts + (is_one ? " holds" : " hold") +
+         " numbers that are not finite or too large (1e100 and more): " + first;
+}
+
+void noteUnusableParts(Model& model) {
+  const UnusableParts unusable(model.shape);
+  if (unusable.empty()) return;
+  if (unusable.faceCount() == model.faceCount())
+    throw ModelError(ModelErrc::Malformed, model.path, "has no face with finite numbers: " + unusable.note());
+  model.notes.push_back(unusable.note() + "; their seams are not measured");
+}
+
+void requireUsable(const TopoDS_Shape& shape, const std::filesystem::path& path, const std::string& deed) {
+  const UnusableParts unusable(shape);
+  if (unusable.empty()) return;
+  throw ModelError(ModelErrc::Malformed, path,
+                   "can't be " + deed + ": " + unusable.note() + "; remove or remake these parts");
+}
+
+}  // namespace seamwright::occ
