@@ -20,9 +20,10 @@ seamwright_component_needs(CLI OCC)
 seamwright_component_needs(PYTHON OCC)
 seamwright_component_needs(FREECAD PYTHON)
 
-find_package(Eigen3 3.4 QUIET)
-if(NOT Eigen3_FOUND)
-  message(FATAL_ERROR "Seamwright: the core needs Eigen 3.4. On Debian: apt-get install libeigen3-dev")
+# Eigen's package answers requests for its own major version alone, and 5 follows 3.4.
+find_package(Eigen3 QUIET)
+if(NOT Eigen3_FOUND OR Eigen3_VERSION VERSION_LESS 3.4)
+  message(FATAL_ERROR "Seamwright: the core needs Eigen 3.4 or later. On Debian: apt-get install libeigen3-dev")
 endif()
 find_package(Threads REQUIRED)
 

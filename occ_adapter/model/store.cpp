@@ -17,14 +17,12 @@
 #include <Quantity_Color.hxx>
 #include <STEPCAFControl_Controller.hxx>
 #include <STEPCAFControl_Writer.hxx>
-#include <STEPConstruct_UnitContext.hxx>
 #include <StepData_Protocol.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepData_StepWriter.hxx>
 #include <StepGeom_GeomRepContextAndGlobUnitAssCtxAndGlobUncertaintyAssCtx.hxx>
 #include <StepGeom_GeometricRepresentationContextAndGlobalUnitAssignedContext.hxx>
 #include <StepRepr_GlobalUncertaintyAssignedContext.hxx>
-#include <StepRepr_GlobalUnitAssignedContext.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDataStd_Name.hxx>
@@ -51,6 +49,7 @@
 #include <seamwright/occ_adapter/model/load.hpp>
 #include <seamwright/occ_adapter/model/real_text.hpp>
 #include <seamwright/occ_adapter/model/store.hpp>
+#include <seamwright/occ_adapter/occt_version.hpp>
 
 namespace seamwright::occ {
 
@@ -152,7 +151,7 @@ Manner mannerOfStep(const opencascade::handle<StepData_StepModel>& model) {
   for (int i = 1; i <= model->NbEntities(); ++i) {
     const Contexts contexts = contextsOf(model->Value(i));
     STEPConstruct_UnitContext factors;
-    if (contexts.units.IsNull() || factors.ComputeFactors(contexts.units) != 0) continue;
+    if (contexts.units.IsNull() || !computeUnitFactors(factors, contexts.units)) continue;
     if (units.empty()) chooseUnit(manner, factors.LengthFactor());
     units.insert(factors.LengthFactor());
     if (contexts.accuracy.IsNull() || factors.ComputeTolerance(contexts.accuracy) != 0) continue;

@@ -76,7 +76,7 @@ int runRepair(const RepairArguments& arguments) {
       {&report.model, report::judgeOf(report, options), json, !report.changed()}, arguments.output);
   writeStandardOutput(report::toTable(report, written.model));
   warn(arguments.model, report.before.model.notes);
-  warnOf(written, arguments.output, report::countsOf(report.after));
+  warnOf(written, arguments.output, report::countsOf(report.after, report.model));
   return report.after.passed() && written.model->found.defects == 0 ? 0 : 1;
 }
 

@@ -60,7 +60,7 @@ py::dict writeRepaired(const RepairReport& repair, const std::filesystem::path& 
                        bool overwrite_source, const py::object& progress) {
   const ResultToWrite result{repair.report.model, !repair.report.changed(),
                              report::judgeOf(repair.report, repair.options),
-                             report::countsOf(repair.report.after)};
+                             report::countsOf(repair.report.after, repair.report.model)};
   return writeResult(result, {path, overwrite, overwrite_source}, progress);
 }
 

@@ -62,7 +62,7 @@ Judge judgeOf(const occ::CornerFillet& fillet, const occ::CornerFilletOptions& o
     asked.tolerance = options.tolerance;
     asked.jobs = options.jobs;
     if (model.faceCount() == fillet.model.faceCount()) asked.faces = newFaces(fillet);
-    return countsOf(occ::analyze(model, asked, progress));
+    return countsOf(occ::analyze(model, asked, progress), model);
   };
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <numbers>
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
+#include <seamwright/occ_adapter/model/degenerate_edges.hpp>
 #include <seamwright/occ_adapter/seams/find.hpp>
 #include <seamwright/plugin/report/fill_json.hpp>
 #include <seamwright/plugin/report/json.hpp>
@@ -107,11 +108,12 @@ ModelCounts countsOf(const occ::FillHoleReport& report, const occ::FillHoleOptio
           .faces = report.model.faceCount(),
           .open_edges = static_cast<int>(occ::findSeams(report.model.shape).open.size()),
           .seams = static_cast<int>(report.outer.size() + report.inner.size()),
-          .defects = missed(report.outer, options) + missed(report.inner, options)};
+          .defects = missed(report.outer, options) + missed(report.inner, options),
+          .without_length = occ::degenerateEdges(report.model)};
 }
 
-ModelCounts countsOf(const occ::Report& found, const occ::FillHoleOptions& options) {
-  ModelCounts counts = countsOf(found);
+ModelCounts countsOf(const occ::Report& found, const occ::Model& model, const occ::FillHoleOptions& options) {
+  ModelCounts counts = countsOf(found, model);
   counts.defects = missed(found.seams, options);
   return counts;
 }
@@ -123,7 +125,7 @@ Judge judgeOf(const occ::FillHoleReport& report, const occ::FillHoleOptions& opt
     asked.level = options.target;
     asked.jobs = options.jobs;
     if (report.filled && model.faceCount() == report.model.faceCount()) asked.faces = report.faces;
-    return countsOf(occ::analyze(model, asked, progress), options);
+    return countsOf(occ::analyze(model, asked, progress), model, options);
   };
 }
 

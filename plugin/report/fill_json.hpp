@@ -16,7 +16,8 @@ nlohmann::ordered_json toJson(const occ::Hole& hole);
 ModelCounts countsOf(const occ::FillHoleReport& report, const occ::FillHoleOptions& options);
 
 /// What its file has, by an analysis of the seams of the new faces.
-ModelCounts countsOf(const occ::Report& found, const occ::FillHoleOptions& options);
+/// \param model the one that was found in the file
+ModelCounts countsOf(const occ::Report& found, const occ::Model& model, const occ::FillHoleOptions& options);
 
 /// Counts in a file the seams of the new faces; of all faces, where it does not have those of the model in memory, or that was not filled. Both arguments have to
 /// outlive it.

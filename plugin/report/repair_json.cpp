@@ -73,7 +73,7 @@ Judge judgeOf(const occ::RepairReport& report, const occ::RepairOptions& options
       std::erase_if(found.seams, [common = facesWithCommonEdge(found)](const occ::SeamResult& seam) {
         return isBeside(seam, common);
       });
-    return countsOf(found);
+    return countsOf(found, model);
   };
 }
 

@@ -96,7 +96,7 @@ std::string toTable(const occ::RepairReport& report, const std::optional<Written
     writeRows(out, rows, first_figure);
   }
   out << '\n';
-  const std::string differences = output ? output->differences(countsOf(report.after)) : "";
+  const std::string differences = output ? output->differences(countsOf(report.after, report.model)) : "";
   if (!differences.empty()) out << output->path.string() << ' ' << differences << '\n';
   const int defects = std::max(summary.defects_after, output ? output->found.defects : 0);
   out << (defects == 0 ? "PASSED: no defects"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <seamwright/occ_adapter/model/degenerate_edges.hpp>
 #include <seamwright/occ_adapter/model/read.hpp>
 #include <seamwright/occ_adapter/model/write.hpp>
 #include <seamwright/plugin/report/numbers.hpp>
@@ -17,14 +19,28 @@ std::string listed(const std::vector<std::string>& items) {
   return text;
 }
 
+/// Which numbers of faces and edges are others in the file. Edges without length that a reader adds are named.
+std::string renumbering(const ModelCounts& file, const ModelCounts& memory) {
+  if (file.faces == memory.faces && file.edges == memory.edges) return {};
+  const std::vector<int>&now = file.without_length, &before = memory.without_length;
+  const bool only_added = file.faces == memory.faces && now.size() > before.size() &&
+                          file.edges - memory.edges == std::ssize(now) - std::ssize(before);
+  if (!only_added) return ": numbers of faces and edges differ";
+  const std::size_t count = now.size() - before.size();
+  const int first = *std::ranges::mismatch(now, before).in1;
+  return ": " + counted(count, "edge") + " without length " + (count == 1 ? "was" : "were") +
+         " added by reading; numbers of edges differ from Edge" + std::to_string(first) + " on";
+}
+
 }  // namespace
 
-ModelCounts countsOf(const occ::Report& report) {
+ModelCounts countsOf(const occ::Report& report, const occ::Model& model) {
   return {.edges = report.model.edges,
           .faces = report.model.faces,
           .open_edges = static_cast<int>(report.open.size()),
           .seams = static_cast<int>(report.seams.size()),
-          .defects = summarize(report).defects};
+          .defects = summarize(report).defects,
+          .without_length = occ::degenerateEdges(model)};
 }
 
 std::string WrittenModel::differences(const ModelCounts& memory) const {
@@ -40,9 +56,8 @@ std::string WrittenModel::differences(const ModelCounts& memory) const {
   compare(&ModelCounts::open_edges, "open edge");
   compare(&ModelCounts::seams, "seam");
   if (here.empty()) return {};
-  const bool renumbered = found.faces != memory.faces || found.edges != memory.edges;
   return "read back: " + listed(here) + "; the model in memory has " + listed(there) +
-         (renumbered ? ": numbers of faces and edges differ" : "");
+         renumbering(found, memory);
 }
 
 WrittenModel readBack(const std::filesystem::path& waiting, const std::filesystem::path& output,

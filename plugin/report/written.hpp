@@ -10,6 +10,7 @@
 #include <seamwright/occ_adapter/model/model.hpp>
 #include <seamwright/occ_adapter/progress.hpp>
 #include <string>
+#include <vector>
 
 namespace seamwright::report {
 
@@ -18,11 +19,13 @@ struct ModelCounts {
   int edges = 0;
   int faces = 0;
   int open_edges = 0;
-  int seams = 0;    ///< of those that were looked at
-  int defects = 0;  ///< seams that do not meet the target
+  int seams = 0;                    ///< of those that were looked at
+  int defects = 0;                  ///< seams that do not meet the target
+  std::vector<int> without_length;  ///< numbers of edges that have no curve in space, ascending
 };
 
-ModelCounts countsOf(const occ::Report& report);
+/// \param model the one that the report is about
+ModelCounts countsOf(const occ::Report& report, const occ::Model& model);
 
 /// The file of a changed model, and what was found there when it was read back.
 struct WrittenModel {

@@ -98,3 +98,10 @@ def test_every_source_file_states_its_licence():
     wrong = [str(path.relative_to(SOURCE)) for path in sources
              if path.stat().st_size and "SPDX-License-Identifier: LGPL-2.1-or-later" not in path.read_text(encoding="utf-8")[:400]]
     assert wrong == []
+
+
+def test_versions_of_opencascade_are_told_apart_in_one_header():
+    asking = {str(path.relative_to(SOURCE)) for folder in ("occ_adapter", "plugin", "samples", "benchmarks", "tests")
+              for path in files(folder, ".hpp", ".cpp")
+              if re.search(r"\bOCC_VERSION_(?:HEX|MAJOR|MINOR|MAINTENANCE)\b", code(path))}
+    assert asking == {"occ_adapter/occt_version.hpp"}

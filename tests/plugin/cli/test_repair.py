@@ -378,6 +378,22 @@ def test_all_defects_of_real_models(tmp_path, path, treated, largest_move_mm):
     expect_same_verdicts(report, out)
 
 
+def test_edges_that_reading_adds_are_named(tmp_path):
+    """Vertices of linkrods stand off their paths: the reader bridges the ends with edges that are in no seam."""
+    result, report, out = repair(installed(OCCT_DATA / "step/linkrods.step"), out=tmp_path / "out.step")
+    in_memory = 108
+    assert out.read_text().count("EDGE_CURVE(") == in_memory
+    found = analysis(out)
+    added = sorted(set(range(1, found["model"]["edges"] + 1)) - {edge for seam in found["seams"] for edge in seam["edges"]})
+    assert report["output"]["edges"] == found["model"]["edges"] == in_memory + len(added)
+    if not added:
+        assert "read back" not in result.stderr
+        return
+    count = "1 edge without length was" if len(added) == 1 else f"{len(added)} edges without length were"
+    assert result.stderr == (f"seamwright: warning: {out}: read back: {in_memory + len(added)} edges; the model in memory has "
+                             f"{in_memory}: {count} added by reading; numbers of edges differ from Edge{added[0]} on\n")
+
+
 def largest_memory_kb(*arguments):
     """Of the command that ran, without the process that reads files."""
     with open(os.devnull, "w") as nowhere:

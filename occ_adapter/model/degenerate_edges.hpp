@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <seamwright/occ_adapter/model/model.hpp>
+#include <vector>
+
+namespace seamwright::occ {
+
+/// Numbers of the edges that have a path on a face and no curve in space: the pole of a sphere, and what readers put where two
+/// paths of a face end at one vertex but do not meet in the parameters of the face. From 1, in the order of
+/// TopExp::MapShapes, ascending. Such edges have no length and are no seams.
+std::vector<int> degenerateEdges(const Model& model);
+
+}  // namespace seamwright::occ
