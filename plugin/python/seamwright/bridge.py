@@ -60,9 +60,14 @@ class _Binary:
 
     @staticmethod
     def take(shape):
+        return _Binary.take_later(shape)()
+
+    @staticmethod
+    def take_later(shape):
         with _MemoryFile() as file:
             shape.exportBinary(file.path)
-            return _core._model_from_binary(file.read())
+            data = file.read()
+        return lambda: _core._model_from_binary(data)
 
     @staticmethod
     def give(model):
@@ -80,7 +85,12 @@ class _Text:
 
     @staticmethod
     def take(shape):
-        return _core._model_from_text(shape.exportBrepToString())
+        return _Text.take_later(shape)()
+
+    @staticmethod
+    def take_later(shape):
+        data = shape.exportBrepToString()
+        return lambda: _core._model_from_text(data)
 
     @staticmethod
     def give(model):
@@ -170,14 +180,29 @@ def force(name):
     _forced = name
 
 
-def model_from_freecad(shape):
-    """See ``Model.from_freecad``."""
+def _require_shape(shape):
     part = _part()
     if not isinstance(shape, part.Shape):
         raise TypeError(f"a Part.Shape is needed, not {type(shape).__name__}")
     if shape.isNull():
         raise _core.ModelError("model is a null shape")
+
+
+def model_from_freecad(shape):
+    """See ``Model.from_freecad``."""
+    _require_shape(shape)
     return _BY_NAME[route()].take(shape)
+
+
+def model_later(shape):
+    """A callable that returns the ``Model`` of a shape as it is now, for work in another thread.
+
+    The model shares nothing with the shape, which FreeCAD may go on to draw or change meanwhile: both write into a shape.
+    The callable may be called in any thread. Raises what ``Model.from_freecad`` does.
+    """
+    _require_shape(shape)
+    route()  # the self-test belongs to this thread
+    return (_Binary if hasattr(os, "memfd_create") else _Text).take_later(shape)
 
 
 def model_to_freecad(model):

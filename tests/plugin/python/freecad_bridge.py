@@ -6,6 +6,7 @@ import os
 import resource
 import sys
 import tempfile
+import threading
 import traceback
 
 import FreeCAD
@@ -119,6 +120,29 @@ def check_the_pointer_shares():
     for route in ("binary", "text"):
         bridge.force(route)
         assert not seamwright.Model.from_freecad(shape).to_freecad().isPartner(shape)
+
+
+def check_a_model_for_later_shares_nothing_and_is_of_the_shape_as_it_was():
+    box = Part.makeBox(1, 2, 3)
+    other = Part.Shape(box)
+    other.Placement = FreeCAD.Placement(V(9, 0, 0), FreeCAD.Rotation(V(0, 0, 1), 30))
+    twice = Part.makeCompound([box, other])
+    for name, shape in {**solids(), "twice": twice}.items():
+        bridge.force(None)
+        now = seamwright.Model.from_freecad(shape)
+        later, found = bridge.model_later(shape), []
+        tolerance = max(vertex.Tolerance for vertex in shape.Vertexes)
+        shape.fixTolerance(0.5)  # in place
+        thread = threading.Thread(target=lambda later=later, found=found: found.append(later()))
+        thread.start()
+        thread.join()
+        (model,) = found
+        back = model.to_freecad()
+        assert not back.isPartner(shape), name
+        assert max(vertex.Tolerance for vertex in back.Vertexes) == tolerance, name
+        assert (model.face_count, model.edge_count) == (now.face_count, now.edge_count), name
+    first, second = back.Solids
+    assert first.isPartner(second)  # what stands there twice is still one
 
 
 def check_the_model_outlives_the_shape():

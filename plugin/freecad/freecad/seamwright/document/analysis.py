@@ -46,11 +46,15 @@ __all__ = ["SeamAnalysis", "create", "error_text", "is_analysis", "report_of"]
 
 EMPTY_REPORT = {"seams": [], "open": []}
 
+WORKING = "Analysing seams\u2026"
+
 
 class SeamAnalysis(feature.Feature):
     """Proxy of a Part::FeaturePython that measures the seams of its sources."""
 
     Type = "SeamAnalysis"
+    TOLERANCES = TOLERANCES
+    INPUTS = ("Sources", "Level")
 
     @staticmethod
     def add_properties(obj):
@@ -64,11 +68,21 @@ class SeamAnalysis(feature.Feature):
         obj.setEditorMode("Placement", ["Hidden"])
 
     @staticmethod
-    def compute(module, obj):
+    def source_objects(obj):
+        """The objects to analyse."""
+        return source_objects(obj)
+
+    @staticmethod
+    def job(module, obj, private=False):
         """Measure the sources: report, compound of the seam edges, objects."""
-        model = sources.Model(source_objects(obj))
-        report = measure(module, model, obj)
-        return report, seam_edges(model.shape, report), model.objects
+        model, level, given = sources.Model(source_objects(obj)), obj.Level, tolerances(obj)
+        make = feature.model_maker(module, model.shape, private)
+
+        def finish(report):
+            report["freecad"] = owners(model, level, report)
+            return report, seam_edges(model.shape, report), model.objects
+
+        return feature.Job(WORKING, lambda progress: make().analyze(**given, progress=progress).to_dict(), finish)
 
     @staticmethod
     def store(obj, report, shape, objects):
@@ -110,7 +124,7 @@ def source_objects(obj):
     """The objects to analyse: the Sources, or all solids and shells of the document."""
     if obj.Sources:
         return sources.expand(obj.Sources)
-    return sources.solids_and_shells(obj.Document, exclude=obj)
+    return sources.solids_and_shells(obj.Document, exclude=obj.Document.getObject(obj.Name))
 
 
 def tolerances(obj):
@@ -118,11 +132,8 @@ def tolerances(obj):
     return {**properties.arguments(obj, TOLERANCES), "level": obj.Level}
 
 
-def measure(module, model, obj):
-    """Run the kernel; the report with the key "freecad" that says what the numbers stand for."""
-    with hooks.progress("Analysing seams\u2026") as progress:
-        result = module.Model.from_freecad(model.shape).analyze(**tolerances(obj), progress=progress)
-    report = result.to_dict()
+def owners(model, level, report):
+    """What the numbers of a report stand for: its key "freecad"."""
     seams = report["seams"]
     open_edges, shared = report.get("open", []), report.get("non_manifold", [])
     edges = {number for seam in seams for number in seam["edges"]}
@@ -130,14 +141,13 @@ def measure(module, model, obj):
     faces = {number for seam in seams for number in seam["faces"]}
     faces |= {entry["face"] for entry in open_edges}
     faces |= {number for entry in shared for number in entry["faces"]}
-    report["freecad"] = {
+    return {
         "version": __version__,
-        "level": obj.Level,
+        "level": level,
         "objects": [source.Name for source in model.objects],
         "faces": model.owners("faces", faces),
         "edges": model.owners("edges", edges),
     }
-    return report
 
 
 def seam_edges(shape, report):
@@ -165,18 +175,24 @@ def create(sources=None, doc=None, **tolerances):
     that are neither negative nor NaN), level ("G0" to "G3"), and profile (a name of
     profiles.PROFILES, for the tolerances that are not given). Raises TypeError for another name,
     ValueError for another value, kernel.KernelUnavailable when the compiled part is missing.
-    When the analysis itself fails the object is returned in its error state, see ``error_text``.
+    When nothing can be analysed, ``error_text`` says why.
     """
-    kernel.load(Part.OCC_VERSION)
-    values = properties.checked(tolerances, TOLERANCES, {"level": ("Level", LEVELS)})
     doc = doc or (sources[0].Document if sources else App.ActiveDocument)
     if doc is None:
         raise ValueError("There is no document to put the analysis into.")
     doc.recompute()  # what is to be found by itself must have its shape
+    obj = prepare(sources, doc, **tolerances)
+    doc.recompute()
+    return obj
+
+
+def prepare(sources, doc, **tolerances):
+    """As ``create``, but nothing is computed yet."""
+    kernel.load(Part.OCC_VERSION)
+    values = properties.checked(tolerances, TOLERANCES, {"level": ("Level", LEVELS)})
     obj = feature.add(doc, SeamAnalysis, "Seam Analysis")
     obj.Sources = list(sources or [])
     for name, value in values.items():
         setattr(obj, name, value)
     hooks.attach_view(obj)
-    doc.recompute()
     return obj

@@ -41,6 +41,7 @@ class CornerFillet(feature.Feature):
     Type = "CornerFillet"
     TOLERANCES = TOLERANCES
     EMPTY_REPORT = corner_text.EMPTY_REPORT
+    INPUTS = ("Source", "Vertex", "Radii", "Setbacks")
 
     @staticmethod
     def add_properties(obj):
@@ -56,16 +57,20 @@ class CornerFillet(feature.Feature):
         adder.add_results(RESULTS, feature.INTERNAL)
         obj.setEditorMode("Placement", ["Hidden"])
 
-    def execute(self, obj):
-        """Round the corner. On failure, and where the seams fall short, the object is marked and has no shape."""
-        super().execute(obj)
-        if not obj.Met:
-            raise RuntimeError(obj.Summary)
+    @staticmethod
+    def source_objects(obj):
+        """The object with the corner."""
+        return elements.source_objects(obj)
 
     @staticmethod
-    def compute(module, obj):
+    def job(module, obj, private=False):
         """Round the corner: report, shape, names of the edges."""
-        return fillet(module, obj)
+        return fillet_job(module, obj, private)
+
+    @staticmethod
+    def has_result(report):
+        """Whether the solid is valid and its seams meet the tolerances."""
+        return report["met"]
 
     @staticmethod
     def store(obj, report, shape, edges):
@@ -93,21 +98,27 @@ def is_corner(obj):
     return feature.is_of(obj, CornerFillet)
 
 
-def fillet(module, obj):
-    """Run the kernel: (report, shape, names of the edges).
+def fillet_job(module, obj, private=False):
+    """A Job for (report, shape, names of the edges).
 
-    Raises SourceError for links that lead nowhere, ValueError for bad values and corners that cannot be rounded.
+    Raises SourceError for links that lead nowhere, ValueError for bad values and corners that cannot be rounded; its
+    ``run`` does likewise.
     """
-    model, vertex, edges, _ = _corner(module, obj)
+    shape = elements.source_shape(obj)
+    _, vertex, edges, _ = _corner(module, obj)
     radii = corner_text.by_edge(obj.Radii, edges, "Radii")
     setbacks = corner_text.by_edge(obj.Setbacks, edges, "Setbacks") if obj.Setbacks else {}
-    with hooks.progress("Rounding the corner\u2026") as progress:
-        result = model.corner_fillet(
-            vertex, radii, setbacks_mm={edge: value for edge, value in setbacks.items() if value},
-            progress=progress, **tolerances(obj)
-        )  # fmt: skip
-    report = corner_text.build_report(result.to_dict(), tolerances(obj))
-    return report, result.model.to_freecad() if result.met else Part.Shape(), _names(edges)
+    setbacks = {edge: value for edge, value in setbacks.items() if value}
+    given, make = tolerances(obj), feature.model_maker(module, shape, private)
+
+    def finish(result):
+        report = corner_text.build_report(result.to_dict(), given)
+        return report, result.model.to_freecad() if result.met else Part.Shape(), _names(edges)
+
+    def run(progress):
+        return make().corner_fillet(vertex, radii, setbacks_mm=setbacks, progress=progress, **given)
+
+    return feature.Job("Rounding the corner\u2026", run, finish)
 
 
 def _corner(module, obj):
@@ -145,7 +156,7 @@ def create(source, vertex, radii_mm=None, *, setbacks_mm=None, **tolerances):
     ``corner_of``; a radius of None is a tenth of the shortest edge, a setback of None or 0 is chosen. ``tolerances``:
     gap_mm, angle_deg, section_mm, and profile, a name of profiles.PROFILES. Raises TypeError and ValueError for bad
     arguments, kernel.KernelUnavailable when the compiled part is missing. Where the corner cannot be rounded the object
-    is returned in its error state, see ``error_text``.
+    has no shape, and ``error_text`` says why.
     """
     obj = prepare(source, vertex, radii_mm, setbacks_mm=setbacks_mm, **tolerances)
     obj.Document.recompute()

@@ -28,7 +28,12 @@ def names(obj, name):
 
 def set_names(obj, name, chosen):
     """Let a property name elements of the source, ["Face3", ...]; none empties it."""
-    setattr(obj, name, (obj.Source, list(chosen)) if chosen else None)
+    setattr(obj, name, link_to(obj, chosen))
+
+
+def link_to(obj, chosen):
+    """The value of a property that names elements of the source, ["Face3", ...]; None for none."""
+    return (obj.Source, list(chosen)) if chosen else None
 
 
 def checked_names(argument, given, kind):

@@ -52,6 +52,7 @@ class UmbrellaFill(feature.Feature):
     Type = "UmbrellaFill"
     TOLERANCES = TOLERANCES
     EMPTY_REPORT = fill_text.EMPTY_REPORT
+    INPUTS = ("Source", "Target", "KeepAnyway", *(name for name, *_ in ELEMENTS))
 
     @staticmethod
     def add_properties(obj):
@@ -66,16 +67,20 @@ class UmbrellaFill(feature.Feature):
         adder.add_results(RESULTS, feature.INTERNAL)
         obj.setEditorMode("Placement", ["Hidden"])
 
-    def execute(self, obj):
-        """Fill the holes. On failure, and where none could be filled, the object is marked and has no shape."""
-        super().execute(obj)
-        if not obj.Filled:
-            raise RuntimeError(obj.Summary)
+    @staticmethod
+    def source_objects(obj):
+        """The object whose holes are filled."""
+        return elements.source_objects(obj)
 
     @staticmethod
-    def compute(module, obj):
+    def job(module, obj, private=False):
         """Fill the holes: report, shape."""
-        return fill(module, obj)
+        return fill_job(module, obj, private)
+
+    @staticmethod
+    def has_result(report):
+        """Whether a hole was filled."""
+        return bool(fill_text.kept(report))
 
     @staticmethod
     def store(obj, report, shape):
@@ -107,33 +112,44 @@ def is_fill(obj):
     return feature.is_of(obj, UmbrellaFill)
 
 
-def fill(module, obj):
-    """Run the kernel: (report, shape). Raises SourceError for links that lead nowhere, ValueError for bad values."""
+def fill_job(module, obj, private=False):
+    """A Job for (report, shape). Raises SourceError for links that lead nowhere, ValueError for bad values; its run too."""
     shape = elements.source_shape(obj)
     edges, faces = (elements.numbers(obj, shape, *entry[:2]) for entry in ELEMENTS)
     if len(faces) > 1:
         raise sources.SourceError("%d faces are chosen: one is replaced at a time" % len(faces))
-    model = module.Model.from_freecad(shape)
-    if faces:
-        wanted = [{"face": faces[0]}]
-    else:
-        wanted = [{"hole": hole["id"]} for hole in _holes(model, obj, edges)[1]]
-    entries, shape = _fill_each(model, obj, wanted)
-    return {**empty_report(obj), "fills": entries}, shape
+    limits, label, make = tolerances(obj), obj.Source.Label, feature.model_maker(module, shape, private)
+    given = {"target": obj.Target, "keep_anyway": bool(obj.KeepAnyway), **limits}
+    report = empty_report(obj)
+
+    def run(progress):
+        model = make()
+        wanted = [{"face": number} for number in faces] or [
+            {"hole": hole["id"]} for hole in _holes(model, limits, label, edges)[1]
+        ]
+        return _fill_each(model, given, wanted, progress)
+
+    def finish(found):
+        entries, shapes = found
+        entries, last = _joined(entries, [None if model is None else model.to_freecad() for model in shapes])
+        return {**report, "fills": entries}, last
+
+    return feature.Job("Filling\u2026", run, finish)
 
 
-def _fill_each(model, obj, wanted):
-    """(what came of each of the wanted holes or faces, the shape with all of them filled, or none where none is)."""
-    entries, shapes = [], []
-    with hooks.progress("Filling\u2026") as progress:
-        for place, which in enumerate(reversed(wanted)):  # the last one first: the numbers of the others stay
-            found = model.fill(
-                **which, target=obj.Target, keep_anyway=bool(obj.KeepAnyway),
-                progress=_part(progress, place, len(wanted)), **tolerances(obj)
-            )  # fmt: skip
-            model = found.model
-            entries.append(fill_text.entry(found.to_dict(), **which))
-            shapes.append(model.to_freecad() if found.filled else None)
+def _fill_each(model, given, wanted, progress):
+    """(what came of each of the wanted holes or faces, the model after each, or None); the last one comes first."""
+    entries, models = [], []
+    for place, which in enumerate(reversed(wanted)):  # so the numbers of the others stay
+        found = model.fill(**which, progress=_part(progress, place, len(wanted)), **given)
+        model = found.model
+        entries.append(fill_text.entry(found.to_dict(), **which))
+        models.append(model if found.filled else None)
+    return entries, models
+
+
+def _joined(entries, shapes):
+    """(what came of each of the wanted holes or faces in their order, the shape with all filled, or none where none is)."""
     done = [(entry, shape) for entry, shape in zip(entries, shapes) if shape is not None]
     last = done[-1][1] if done else Part.Shape()
     for entry, shape in done[:-1]:
@@ -141,12 +157,11 @@ def _fill_each(model, obj, wanted):
     return entries[::-1], last
 
 
-def _holes(model, obj, edges):
-    """(all holes, those that are to be filled). Raises SourceError where there are none, ValueError for other edges."""
-    limits = tolerances(obj)
+def _holes(model, limits, label, edges):
+    """(all holes, those that are to be filled). Raises ValueError where there are none, and for other edges."""
     holes = model.holes(corner_deg=limits["corner_deg"], gap_mm=limits["gap_mm"])
     if not holes:
-        raise sources.SourceError("%s has no hole: no open edges form a closed loop." % obj.Source.Label)
+        raise ValueError("%s has no hole: no open edges form a closed loop." % label)
     return holes, fill_text.chosen_holes(holes, edges) if edges else fill_text.default_holes(holes)
 
 
@@ -184,7 +199,8 @@ def holes_of(obj):
     try:
         shape = elements.source_shape(obj)
         edges = elements.numbers(obj, shape, "Edges", "Edge")
-        holes, wanted = _holes(module.Model.from_freecad(shape), obj, edges)
+        model = module.Model.from_freecad(shape)
+        holes, wanted = _holes(model, tolerances(obj), obj.Source.Label, edges)
     except (sources.SourceError, module.ModelError, ValueError) as error:
         return [], [], repair_text.named(str(error))
     return holes, [hole["id"] for hole in wanted], ""
@@ -197,7 +213,7 @@ def create(source, *, edges=(), face=None, target="G1", keep_anyway=False, **tol
     ``face``: "Face3" or 3, which is taken out and replaced instead. ``target``: "G1", or "G0" for position only. ``keep_anyway``: keep also
     what misses the target. ``tolerances``: gap_mm, angle_deg, corner_deg, and profile, a name of profiles.PROFILES, for gap
     and angle. Raises TypeError and ValueError for bad arguments, kernel.KernelUnavailable when the compiled part is
-    missing. Where no hole could be filled the object is returned in its error state, see ``error_text``.
+    missing. Where no hole could be filled the object has no shape, and ``error_text`` says why.
     """
     obj = prepare(source, edges=edges, face=face, target=target, keep_anyway=keep_anyway, **tolerances)
     obj.Document.recompute()

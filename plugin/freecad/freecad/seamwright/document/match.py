@@ -54,6 +54,7 @@ class MatchSurfaces(feature.Feature):
     Type = "MatchSurfaces"
     TOLERANCES = TOLERANCES
     EMPTY_REPORT = match_text.EMPTY_REPORT
+    INPUTS = (*(name for name, _ in LINKS), "Target", "Moves", "MaxMove", "HoldSides")
 
     @staticmethod
     def add_properties(obj):
@@ -69,16 +70,20 @@ class MatchSurfaces(feature.Feature):
         adder.add_results(RESULTS, feature.INTERNAL)
         obj.setEditorMode("Placement", ["Hidden"])
 
-    def execute(self, obj):
-        """Match the faces. On failure, and where they do not match, the object is marked and has no shape."""
-        super().execute(obj)
-        if not obj.Matched:
-            raise RuntimeError(obj.Summary)
+    @staticmethod
+    def source_objects(obj):
+        """The objects that the faces come from."""
+        return source_objects(obj)
 
     @staticmethod
-    def compute(module, obj):
+    def job(module, obj, private=False):
         """Match the faces: report, shape."""
-        return match(module, obj)
+        return match_job(module, obj, private)
+
+    @staticmethod
+    def has_result(report):
+        """Whether the faces match."""
+        return report["matched"]
 
     @staticmethod
     def store(obj, report, shape):
@@ -129,29 +134,37 @@ def source_objects(obj):
     return list(dict.fromkeys(target[0] for target in links if target is not None))
 
 
-def match(module, obj):
-    """Run the kernel: (report, shape). Raises SourceError for links that lead nowhere, ValueError for bad values."""
+def match_job(module, obj, private=False):
+    """A Job for (report, shape). Raises SourceError for links that lead nowhere; its run ValueError for bad values."""
     found = sources.Elements(_links(obj))
     if any(face.ShapeType != "Face" for face in found.shapes[:2]):
         raise sources.SourceError("FirstFace and SecondFace must be faces")
     shape = Part.Compound(found.shapes[:2])
     faces = [link_text(obj, name) for name in ("FirstFace", "SecondFace")]
 
-    def named(text):
-        return match_text.named(text, faces, lambda number: found.edge_text(shape.Edges[number - 1]))
+    names = [found.edge_text(edge) for edge in shape.Edges]
+    target, limits, make = obj.Target, tolerances(obj), feature.model_maker(module, shape, private)
+    given = {
+        "target": target, "moves": obj.Moves.lower(), "hold_sides": bool(obj.HoldSides),
+        "max_move_mm": properties.number(obj, "MaxMove") or None, "edge": _edge_number(obj, shape, found.shapes[2:]),
+        **limits
+    }  # fmt: skip
 
-    try:
-        with hooks.progress("Matching surfaces\u2026") as progress:
-            result = module.Model.from_freecad(shape).match_faces(
-                1, 2, target=obj.Target, moves=obj.Moves.lower(), hold_sides=bool(obj.HoldSides),
-                max_move_mm=properties.number(obj, "MaxMove") or None, edge=_edge_number(obj, shape, found.shapes[2:]),
-                progress=progress, **tolerances(obj)
-            )  # fmt: skip
-    except ValueError as error:
-        raise ValueError(named(str(error))) from None
-    report = {**result.to_dict(), "target": obj.Target, "tolerance": tolerances(obj), "faces": faces}
-    report["reason"] = named(report["reason"])
-    return report, result.model.to_freecad() if result.matched else Part.Shape()
+    def named(text):
+        return match_text.named(text, faces, lambda number: names[number - 1])
+
+    def run(progress):
+        try:
+            return make().match_faces(1, 2, progress=progress, **given)
+        except ValueError as error:
+            raise ValueError(named(str(error))) from None
+
+    def finish(result):
+        report = {**result.to_dict(), "target": target, "tolerance": limits, "faces": faces}
+        report["reason"] = named(report["reason"])
+        return report, result.model.to_freecad() if result.matched else Part.Shape()
+
+    return feature.Job("Matching surfaces\u2026", run, finish)
 
 
 def _links(obj):
@@ -182,8 +195,17 @@ def create(first, second, *, edge=None, target="G1", moves="second", max_move_mm
     ``target``: "G1" or "G2". ``moves``: "first", "second" or "both". ``max_move_mm``: no pole may move further;
     0: no limit. ``tolerances``: gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg, match_mm, profile, as
     for an analysis. Raises TypeError and ValueError for bad arguments, kernel.KernelUnavailable when the compiled
-    part is missing. When the faces do not match the object is returned in its error state, see ``error_text``.
+    part is missing. When the faces do not match the object has no shape, and ``error_text`` says why.
     """
+    obj = prepare(
+        first, second, edge=edge, target=target, moves=moves, max_move_mm=max_move_mm, hold_sides=hold_sides, **tolerances
+    )
+    obj.Document.recompute()
+    return obj
+
+
+def prepare(first, second, *, edge=None, target="G1", moves="second", max_move_mm=0.0, hold_sides=False, **tolerances):
+    """As ``create``, but nothing is computed yet."""
     kernel.load(Part.OCC_VERSION)
     table = TOLERANCES + (("MaxMove", "max_move_mm"),)
     choices = {"target": ("Target", TARGETS), "moves": ("Moves", [name.lower() for name in MOVES])}
@@ -200,5 +222,4 @@ def create(first, second, *, edge=None, target="G1", moves="second", max_move_mm
     for name, value in values.items():
         setattr(obj, name, value)
     hooks.attach_view(obj)
-    doc.recompute()
     return obj

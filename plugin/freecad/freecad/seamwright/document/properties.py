@@ -19,6 +19,17 @@ TOLERANCES = (
      "A seam with a larger angle is an intended crease and no defect, in degrees"),
 )  # fmt: skip
 
+# How the last computation ended: values of the property Outcome.
+DONE, WITHOUT, CANCELLED, OUTDATED = "done", "without result", "cancelled", "outdated"
+
+#: What each of them means to the user; "" where the Summary says it.
+OUTCOMES = {
+    DONE: "",
+    WITHOUT: "",
+    CANCELLED: "Cancelled; there are no results yet.",
+    OUTDATED: "Cancelled; the results are those of the last complete run.",
+}
+
 # Attributes of App::DocumentObject.addProperty.
 READ_ONLY, HIDDEN, OUTPUT = 1, 4, 8
 
@@ -115,5 +126,24 @@ def _of_profile(profile, names):
 
 
 def error_text(obj):
-    """Why the last computation failed, or "" when it succeeded."""
-    return obj.getStatusString() if "Invalid" in obj.State else ""
+    """Why there is no result, or none of the last computation; "" where there is one."""
+    if "Invalid" in obj.State:
+        return obj.getStatusString()
+    outcome = getattr(obj, "Outcome", "")
+    return obj.Summary if outcome == WITHOUT else OUTCOMES.get(outcome, "")
+
+
+def plain(value):
+    """The value of a property as it can be compared: lengths as numbers, links as names."""
+    if hasattr(value, "Value"):
+        return float(value.Value)
+    if hasattr(value, "Name"):
+        return value.Name
+    if isinstance(value, (list, tuple)):
+        return [plain(each) for each in value]
+    return value
+
+
+def differing(obj, values):
+    """Those of the {property: value} that the object has otherwise."""
+    return {name: value for name, value in values.items() if plain(getattr(obj, name)) != plain(value)}

@@ -53,6 +53,7 @@ class SeamRepair(feature.Feature):
     Type = "SeamRepair"
     TOLERANCES = TOLERANCES
     EMPTY_REPORT = repair_text.EMPTY_REPORT
+    INPUTS = ("Source", "Target", "MaxMove", *(name for name, *_ in ELEMENTS))
 
     @staticmethod
     def add_properties(obj):
@@ -69,9 +70,14 @@ class SeamRepair(feature.Feature):
         obj.setEditorMode("Placement", ["Hidden"])
 
     @staticmethod
-    def compute(module, obj):
+    def source_objects(obj):
+        """The object whose seams are repaired."""
+        return elements.source_objects(obj)
+
+    @staticmethod
+    def job(module, obj, private=False):
         """Repair the source: report, shape."""
-        return repair(module, obj)
+        return repair_job(module, obj, private)
 
     @staticmethod
     def store(obj, report, shape):
@@ -102,42 +108,49 @@ def is_repair(obj):
     return feature.is_of(obj, SeamRepair)
 
 
-def repair(module, obj):
-    """Run the kernel: (report, shape). Raises SourceError for links that lead nowhere, ValueError for bad values."""
+def repair_job(module, obj, private=False):
+    """A Job for (report, shape). Raises SourceError for links that lead nowhere; its run ValueError for bad values."""
     shape = elements.source_shape(obj)
     edges, faces = (elements.numbers(obj, shape, *entry[:2]) for entry in ELEMENTS)
-    with hooks.progress("Repairing seams\u2026") as progress:
-        result = module.Model.from_freecad(shape).repair(
-            target=obj.Target, edges=edges or None, fixed_faces=faces,
-            max_move_mm=properties.number(obj, "MaxMove") or None,
-            progress=progress, **tolerances(obj)
+    target, make = obj.Target, feature.model_maker(module, shape, private)
+    given = {
+        "target": target, "edges": edges or None, "fixed_faces": faces,
+        "max_move_mm": properties.number(obj, "MaxMove") or None, **tolerances(obj)
+    }  # fmt: skip
+
+    def run(progress):
+        result = make().repair(progress=progress, **given)
+        report = repair_text.build_report(
+            result.before.to_dict(), result.after.to_dict(), result.seams, result.moves,
+            target, bool(edges), len(result.edge_moves)
         )  # fmt: skip
-    report = repair_text.build_report(
-        result.before.to_dict(), result.after.to_dict(), result.seams, result.moves,
-        obj.Target, bool(edges), len(result.edge_moves)
-    )  # fmt: skip
-    return report, result.model.to_freecad() if result.changed else shape
+        return report, result
+
+    def finish(found):
+        report, result = found
+        return report, result.model.to_freecad() if result.changed else shape
+
+    return feature.Job("Repairing seams\u2026", run, finish)
 
 
-def foresee(obj):
-    """(report, text): the seams that a repair would treat, as they are now, and a line about them; nothing is stored.
+def foreseeing(module, obj, private=False):
+    """A Job for (report, text): the seams that a repair would treat, as they are now, and a line about them.
 
-    Where they cannot be told, the report is empty and the text says why.
+    Raises SourceError, ModelError or ValueError where they cannot be told; its ``run`` does likewise.
     """
-    module = kernel.load(Part.OCC_VERSION)
-    try:
-        shape = elements.source_shape(obj)
-        edges, _ = (elements.numbers(obj, shape, *entry[:2]) for entry in ELEMENTS)
-        with hooks.progress("Analysing seams\u2026") as progress:
-            found = module.Model.from_freecad(shape).analyze(level=obj.Target, progress=progress, **tolerances(obj))
-    except module.Cancelled:
-        return empty_report(obj), "Cancelled; Preview analyses and repairs the seams."
-    except (sources.SourceError, module.ModelError, ValueError) as error:
-        return empty_report(obj), repair_text.named(str(error))
-    before = found.to_dict()
-    seams = repair_text.waiting(before, obj.Target, set(edges))
-    report = repair_text.build_report(before, None, seams, [], obj.Target, bool(edges))
-    return report, repair_text.summary_text(report)
+    shape = elements.source_shape(obj)
+    edges, _ = (elements.numbers(obj, shape, *entry[:2]) for entry in ELEMENTS)
+    target, given, make = obj.Target, tolerances(obj), feature.model_maker(module, shape, private)
+
+    def finish(before):
+        seams = repair_text.waiting(before, target, set(edges))
+        report = repair_text.build_report(before, None, seams, [], target, bool(edges))
+        return report, repair_text.summary_text(report)
+
+    def run(progress):
+        return make().analyze(level=target, progress=progress, **given).to_dict()
+
+    return feature.Job("Analysing seams\u2026", run, finish)
 
 
 def create(source, *, edges=(), fixed_faces=(), target="G1", max_move_mm=MAX_MOVE_MM, **tolerances):
@@ -147,7 +160,7 @@ def create(source, *, edges=(), fixed_faces=(), target="G1", max_move_mm=MAX_MOV
     or [3, ...], which stay. ``target``: "G1" or "G2". ``max_move_mm``: no pole may move further; 0: no limit. ``tolerances``: gap_mm,
     angle_deg, curvature_rel, flat_radius_mm, crease_deg, match_mm, profile, as for an analysis. Raises TypeError and
     ValueError for bad arguments, kernel.KernelUnavailable when the compiled part is missing. When nothing can be
-    repaired because the source is of no use, the object is returned in its error state, see ``error_text``; seams that
+    repaired, the object has no shape, and ``error_text`` says why; seams that
     could not be repaired are no error, the report has the reasons.
     """
     obj = prepare(

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Computing a document object apart from its document.
+
+A ``Plan`` is made and applied where the document may be changed; its ``run`` may be called in any thread, and the document
+stays as it is until ``apply``. Then the object is recomputed as always, and its ``execute`` takes over what was found.
+"""
+
+import FreeCAD as App
+import Part
+
+from freecad.seamwright.document import sources
+from freecad.seamwright.document.properties import differing, plain
+from freecad.seamwright.plain import kernel
+
+
+class Values:
+    """A document object as if some of its properties had other values."""
+
+    def __init__(self, obj, values):
+        self._obj, self._values = obj, values
+
+    def __getattr__(self, name):
+        return self._values[name] if name in self._values else getattr(self._obj, name)
+
+
+class Plan:
+    """One computation of an object with some properties changed; ``values``: those that it has otherwise.
+
+    ``make_job(module, obj, private)`` makes another Job than the one that ``execute`` runs. Raises KernelUnavailable.
+    """
+
+    def __init__(self, obj, values, make_job=None):
+        self.values = differing(obj, values)
+        self._doc_name, self._name = obj.Document.Name, obj.Name
+        self._found = self._error = None
+        module = kernel.load(Part.OCC_VERSION)
+        seen = Values(obj, self.values)
+        _bring_up_to_date(obj, seen)
+        self._inputs = _inputs(obj, seen)
+        self.failures = (sources.SourceError, module.ModelError, ValueError)
+        self.cancelled = module.Cancelled
+        self.text = ""
+        try:
+            self._job = (make_job or obj.Proxy.job)(module, seen, private=True)
+            self.text = self._job.text
+        except self.failures as error:
+            self._job, self._error = None, error
+
+    def run(self, progress):
+        """Compute: what ``found`` and ``apply`` take. Touches no document. Raises what the Job does."""
+        if self._error is not None:
+            raise self._error
+        return self._job.run(progress)
+
+    def object(self):
+        """The object; None when it was deleted or its document closed."""
+        if self._doc_name not in App.listDocuments():
+            return None
+        return App.getDocument(self._doc_name).getObject(self._name)
+
+    def is_current(self):
+        """Whether the object has, apart from the changed properties, what it had when the plan was made, and its sources too."""
+        obj = self.object()
+        return obj is not None and _same(self._inputs, _inputs(obj, Values(obj, self.values)))
+
+    def results(self):
+        """The arguments of ``store``. Raises what went wrong instead."""
+        if self._error is not None:
+            raise self._error
+        return self._job.finish(self._found)
+
+    def end(self, found, error):
+        """Keep what ``run`` returned, or what it raised, for ``results``."""
+        self._found, self._error = found, error
+
+    def apply(self, found, error):
+        """Change the properties, and recompute the object with what ``run`` returned, or raised."""
+        obj = self.object()
+        for name, value in differing(obj, self.values).items():
+            setattr(obj, name, value)
+        self.end(found, error)
+        obj.Proxy.ready = self
+        obj.touch()
+        obj.Document.recompute()
+
+
+def _bring_up_to_date(obj, seen):
+    """Recompute what the computation depends on, as a recompute of the object would."""
+    behind = {each for source in obj.Proxy.source_objects(seen) for each in (source, *source.OutListRecursive)}
+    if any("Touched" in each.State for each in behind):
+        obj.Document.recompute(list(behind))
+
+
+def _inputs(obj, seen):
+    """({property: value}, [(source, shape, where it stands)]) of all that a computation depends on."""
+    names = (*obj.Proxy.INPUTS, *(name for name, *_ in obj.Proxy.TOLERANCES))
+    found = [each for each in obj.Proxy.source_objects(seen) if sources.has_shape(each)]
+    placed = [(each.Name, Part.getShape(each), sources.parent_placement(each)) for each in found]
+    return {name: plain(getattr(seen, name)) for name in names}, placed
+
+
+def _same(one, other):
+    (values, placed), (other_values, other_placed) = one, other
+    return values == other_values and len(placed) == len(other_placed) and all(
+        name == other_name and _same_shape(shape, other_shape) and _same_place(place, other_place)
+        for (name, shape, place), (other_name, other_shape, other_place) in zip(placed, other_placed)
+    )
+
+
+def _same_shape(one, other):
+    """Whether two shapes are the same where they stand; compounds may be made anew of the same parts."""
+    if one.isNull() or other.isNull():
+        return one.isNull() and other.isNull()
+    if one.isPartner(other):
+        return _same_place(one.Placement, other.Placement)
+    if one.ShapeType != "Compound" or other.ShapeType != "Compound":
+        return False
+    parts, other_parts = one.childShapes(), other.childShapes()
+    return len(parts) == len(other_parts) and all(map(_same_shape, parts, other_parts))
+
+
+def _same_place(one, other):
+    return one.Matrix.A == other.Matrix.A
