@@ -4,7 +4,6 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from freecad.seamwright.document.properties import error_text
 from freecad.seamwright.gui import icon_path, messages
 from freecad.seamwright.plain import kernel
 
@@ -46,17 +45,4 @@ def open_new(obj):
     if obj is None:
         return
     obj.ViewObject.Proxy.created = True
-    Gui.getDocument(obj.Document.Name).setEdit(obj.Name)
-
-
-def open_done(obj):
-    """Keep what ``begin`` returned as a step of its own and open its panel; where it failed, remove it and say why."""
-    if obj is None:
-        return
-    failure = error_text(obj)
-    if failure:
-        obj.Document.abortTransaction()
-        messages.show_error(failure)
-        return
-    obj.Document.commitTransaction()
     Gui.getDocument(obj.Document.Name).setEdit(obj.Name)

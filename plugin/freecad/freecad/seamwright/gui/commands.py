@@ -7,7 +7,7 @@ import Part
 
 from freecad.seamwright.document import analysis, corner, fill, match, repair, sources
 from freecad.seamwright.gui import export_dialog, messages
-from freecad.seamwright.gui.command import Command, begin, open_done, open_new
+from freecad.seamwright.gui.command import Command, begin, open_new
 from freecad.seamwright.gui.selected import (
     selected_analysis,
     selected_elements,
@@ -31,9 +31,10 @@ class AnalyzeSeams(Command):
     )
 
     def Activated(self):
-        """Create the analysis as one step that can be undone, and open its panel."""
+        """Create the analysis as one step that can be undone, and open its panel, which measures."""
         doc, chosen = App.ActiveDocument, selected_sources()
-        open_done(begin(doc, "Analyze seams", lambda: analysis.create(chosen, doc)))
+        doc.recompute()  # what is to be found by itself must have its shape
+        open_new(begin(doc, "Analyze seams", lambda: analysis.prepare(chosen, doc)))
 
 
 class ExportReport(Command):
@@ -74,7 +75,7 @@ class MatchSurfaces(Command):
             )
             return
         edge = edges[0] if edges else None
-        open_new(begin(App.ActiveDocument, "Match surfaces", lambda: match.create(*faces, edge=edge)))
+        open_new(begin(App.ActiveDocument, "Match surfaces", lambda: match.prepare(*faces, edge=edge)))
 
 
 class RepairSeams(Command):

@@ -92,18 +92,14 @@ class CornerPanel(NewSeamsPanel):
             chosen = "chosen: %.4g mm" % known[name]["setback_mm"] if name in known else "chosen"
             self.fields[SETBACK][line].setSpecialValueText(chosen)
 
-    def write_fields(self):
-        """Set the values of the object as the fields say."""
-        self.tolerances.write_to(self.obj)
-        if not self._edges:
-            return
-        radii, setbacks = self._values(RADIUS), self._values(SETBACK)
-        for name, values in (
-            ("Radii", radii[:1] if len(set(radii)) == 1 else radii),
-            ("Setbacks", setbacks if any(setbacks) else []),
-        ):
-            if list(getattr(self.obj, name)) != values:
-                setattr(self.obj, name, values)
+    def wanted(self):
+        """{property: value} as the fields say."""
+        values = self.tolerances.values()
+        if self._edges:
+            radii, setbacks = self._values(RADIUS), self._values(SETBACK)
+            values["Radii"] = radii[:1] if len(set(radii)) == 1 else radii
+            values["Setbacks"] = setbacks if any(setbacks) else []
+        return values
 
     def _values(self, column):
         return [field.value() for field in self.fields[column]]

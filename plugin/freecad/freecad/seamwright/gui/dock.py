@@ -6,11 +6,17 @@ import FreeCADGui as Gui
 from freecad.seamwright.gui.qt import QtCore, QtWidgets
 
 
-def widen_dock(form, width):
-    """Make the dock around a form so wide, in pixels, if the window has room and it is not wider already."""
+def dock_of(form):
+    """The dock around a form; None where it is not shown."""
     dock = form.parentWidget()
     while dock is not None and not isinstance(dock, QtWidgets.QDockWidget):
         dock = dock.parentWidget()
+    return dock
+
+
+def widen_dock(form, width):
+    """Make the dock around a form so wide, in pixels, if the window has room and it is not wider already."""
+    dock = dock_of(form)
     window = Gui.getMainWindow()
     wanted = min(width, window.width() * 2 // 5)
     if dock is not None and dock.width() < wanted and not dock.isFloating():

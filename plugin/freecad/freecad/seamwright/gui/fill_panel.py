@@ -71,17 +71,21 @@ class FillPanel(NewSeamsPanel):
             widget.setVisible(not face)
         return text
 
-    def write_fields(self):
-        """Set the values of the object as the fields say."""
-        self.tolerances.write_to(self.obj)
-        if self.obj.KeepAnyway != self.keep_anyway.isChecked():
-            self.obj.KeepAnyway = self.keep_anyway.isChecked()
+    def wanted(self):
+        """{property: value} as the fields say."""
+        values = {**self.tolerances.values(), "KeepAnyway": self.keep_anyway.isChecked()}
         holes, chosen = self.holes.holes, self.holes.chosen()
         if holes and chosen != fill.holes_of(self.obj)[1]:
             every = [hole["id"] for hole in fill_text.default_holes(holes)]
             wanted = [] if chosen == every else [hole for hole in holes if hole["id"] in chosen]
-            elements.set_names(self.obj, "Edges", ["Edge%d" % min(fill_text.edges_of(hole)) for hole in wanted])
+            names = ["Edge%d" % min(fill_text.edges_of(hole)) for hole in wanted]
+            values["Edges"] = elements.link_to(self.obj, names)
+        return values
+
+    def computed(self):
+        """Show the results, and the holes as they are found now."""
         self._list_holes()
+        super().computed()
 
     # What it does.
 

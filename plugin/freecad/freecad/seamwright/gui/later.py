@@ -4,14 +4,26 @@
 import FreeCAD as App
 
 from freecad.seamwright.gui.qt import QtCore
+from freecad.seamwright.gui.tasks import documents_rest
+
+#: A recompute that lets the window live is waited for.
+AGAIN_MS = 50
+
+
+def find(doc_name, name):
+    """The object of that name; None when it was deleted or its document closed."""
+    return App.getDocument(doc_name).getObject(name) if doc_name in App.listDocuments() else None
 
 
 def later(obj, act):
     """Call ``act(obj)`` after FreeCAD has drawn or opened, if the document object is still there then."""
-    doc_name, name = obj.Document.Name, obj.Name
+    place = obj.Document.Name, obj.Name
 
     def act_if_there():
-        found = App.getDocument(doc_name).getObject(name) if doc_name in App.listDocuments() else None
+        if not documents_rest():
+            QtCore.QTimer.singleShot(AGAIN_MS, act_if_there)
+            return
+        found = find(*place)
         if found is not None:
             act(found)
 

@@ -8,9 +8,11 @@ import FreeCADGui as Gui
 
 from freecad.seamwright.document import match, properties
 from freecad.seamwright.gui import seam_view
+from freecad.seamwright.gui.computation import Computation
 from freecad.seamwright.gui.forms import make_box, make_form, make_text
 from freecad.seamwright.gui.qt import QtCore, QtWidgets
 from freecad.seamwright.gui.result_panel import ResultPanel
+from freecad.seamwright.gui.tasks import documents_rest
 from freecad.seamwright.gui.tolerance_form import NumberField, ToleranceForm
 from freecad.seamwright.gui.zebra import zebra
 from freecad.seamwright.plain import match_text
@@ -31,11 +33,14 @@ class MatchPanel(ResultPanel):
         self._timer = QtCore.QTimer()
         self._timer.setSingleShot(True)
         self._timer.setInterval(PREVIEW_AFTER_MS)
-        self._timer.timeout.connect(self.preview)
+        self._timer.timeout.connect(self._preview_in_time)
         self._build()
-        self._read()
+        self.computation = Computation(self.form)
+        self.read_fields()
         self._connect()
         self.refresh()
+        if created:
+            self.preview()
 
     def sources(self):
         """The objects that the faces come from."""
@@ -47,7 +52,7 @@ class MatchPanel(ResultPanel):
 
     def is_due(self):
         """Whether a change has not been computed yet."""
-        return self._timer.isActive()
+        return self._timer.isActive() or super().is_due()
 
     def release(self):
         """Compute no more, and take off the stripes."""
@@ -120,19 +125,22 @@ class MatchPanel(ResultPanel):
     def _connect(self):
         self.first.clicked.connect(lambda *_: self._select("FirstFace"))
         self.second.clicked.connect(lambda *_: self._select("SecondFace"))
-        self.moves.currentIndexChanged.connect(self._changed)
-        self.max_move.valueChanged.connect(self._changed)
-        self.hold_sides.toggled.connect(self._changed)
-        self.tolerances.changed.connect(self._changed)
+        self.moves.currentIndexChanged.connect(self.changed)
+        self.max_move.valueChanged.connect(self.changed)
+        self.hold_sides.toggled.connect(self.changed)
+        self.tolerances.changed.connect(self.changed)
         self.swap.clicked.connect(self._swap)
         self.after.toggled.connect(lambda *_: self.show(self.after.isChecked()))
         self.zebra.toggled.connect(lambda *_: self.show(self.after.isChecked()))
 
-    def _read(self):
+    def read_fields(self):
+        """Show the values of the object."""
+        self._swapped = False
         self.moves.setCurrentText(self.obj.Moves)
         self.max_move.setValue(properties.number(self.obj, "MaxMove"))
         self.hold_sides.setChecked(self.obj.HoldSides)
         self.tolerances.read_from(self.obj)
+        self._timer.stop()
         self.after.setChecked(True)
 
     # What it does.
@@ -148,30 +156,45 @@ class MatchPanel(ResultPanel):
         self.after.setEnabled(self.obj.Matched)
         self.show(self.after.isChecked())
 
-    def preview(self):
-        """Take over the fields and match anew."""
-        self._timer.stop()
-        if self._swapped:
-            first, second = self.obj.FirstFace, self.obj.SecondFace
-            self.obj.FirstFace, self.obj.SecondFace = second, first
-            self._swapped = False
-        for name, value in (
-            ("Moves", self.moves.currentText()),
-            ("MaxMove", self.max_move.value()),
-            ("HoldSides", self.hold_sides.isChecked()),
-        ):
-            if getattr(getattr(self.obj, name), "Value", getattr(self.obj, name)) != value:
-                setattr(self.obj, name, value)
-        self.tolerances.write_to(self.obj)
-        self.obj.touch()
-        self._doc.recompute()
-        self.refresh()
+    def say(self, text):
+        """Show this text above the figures."""
+        self.summary.setText(text)
 
-    def _changed(self, *_):
+    def wanted(self):
+        """{property: value} as the fields say."""
+        names = ["FirstFace", "SecondFace"]
+        faces = [getattr(self.obj, name) for name in names]
+        return {
+            **dict(zip(names, reversed(faces) if self._swapped else faces)),
+            "Moves": self.moves.currentText(), "MaxMove": self.max_move.value(),
+            "HoldSides": self.hold_sides.isChecked(), **self.tolerances.values()
+        }  # fmt: skip
+
+    def _preview_in_time(self):
+        """Match now, or after what FreeCAD is doing."""
+        if documents_rest():
+            self.preview()
+        else:
+            self._timer.start()
+
+    def preview(self, then=None):
+        """Match as the fields say."""
+        self._timer.stop()
+        super().preview(then)
+
+    def computed(self):
+        """Show the results; the faces have changed places where they were to."""
+        self._swapped = False
+        super().computed()
+
+    def changed(self, *_):
+        """Compute soon."""
+        super().changed()
         self._timer.start()
 
     def _swap(self, *_):
         self._swapped = not self._swapped
+        self._edits += 1
         self.preview()
 
     def _select(self, name):

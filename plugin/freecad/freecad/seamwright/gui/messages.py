@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Errors told to the user: in the report view, and in a box that blocks nothing."""
+"""What is told to the user: in the report view, and in a box that blocks nothing."""
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -8,12 +8,28 @@ from freecad.seamwright.gui.qt import QtCore, QtWidgets
 
 TITLE = "Seamwright"
 
+STATUS_MS = 10000
+
 
 def show_error(text):
-    """Write the text to the report view and show it."""
+    """Tell of what went wrong."""
     App.Console.PrintError("%s: %s\n" % (TITLE, text))
-    box = QtWidgets.QMessageBox(
-        QtWidgets.QMessageBox.Warning, TITLE, text, QtWidgets.QMessageBox.Ok, Gui.getMainWindow()
-    )
+    _show(QtWidgets.QMessageBox.Warning, text)
+
+
+def show_notice(text):
+    """Tell of what came of it where nothing went wrong, such as a hole that is not filled."""
+    App.Console.PrintMessage("%s: %s\n" % (TITLE, text))
+    _show(QtWidgets.QMessageBox.Information, text)
+
+
+def say(text):
+    """Tell of what needs no answer: in the report view and the status bar."""
+    App.Console.PrintMessage("%s: %s\n" % (TITLE, text))
+    Gui.getMainWindow().statusBar().showMessage(text, STATUS_MS)
+
+
+def _show(icon, text):
+    box = QtWidgets.QMessageBox(icon, TITLE, text, QtWidgets.QMessageBox.Ok, Gui.getMainWindow())
     box.setAttribute(QtCore.Qt.WA_DeleteOnClose)
     box.open()

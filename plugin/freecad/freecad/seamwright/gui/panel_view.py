@@ -5,6 +5,7 @@ import FreeCADGui as Gui
 
 from freecad.seamwright.gui import icon_path
 from freecad.seamwright.gui.halo import Halo
+from freecad.seamwright.gui.later import later
 from freecad.seamwright.gui.marker import Marker
 from freecad.seamwright.plain import palette
 
@@ -13,6 +14,10 @@ class PanelView:
     """Proxy of a view provider; nothing is kept beside the properties."""
 
     ICON = ""
+
+    #: The open task panel; FreeCAD tells of changes also before ``attach``.
+    panel = None
+    _follows = False
 
     #: Of a marked seam, in pixels.
     line_width = 6.0
@@ -28,10 +33,22 @@ class PanelView:
         """FreeCAD calls this for a new view and for a restored one."""
         self.object = vobj.Object
         self.panel = None
+        self._follows = False
         self.created = False  # by the command, in the step that is still open
         self.halo, self.marker = Halo(), Marker()
         for node in (self.halo.node, self.marker.node):
             vobj.RootNode.insertChild(node, 0)  # before the placement of the shape: what they show stands in the model
+
+    def updateData(self, obj, prop):
+        """Let the panel show the object as it is once all of it has changed: a step back restores one property at a time."""
+        if self.panel is not None and not self._follows:
+            self._follows = True
+            later(obj, self._reload)
+
+    def _reload(self, obj):
+        self._follows = False
+        if self.panel is not None:
+            self.panel.reload()
 
     def mark(self, edges, classes, worst):
         """Draw a bright band along the edges, which have the given classes; [] takes it away.

@@ -4,6 +4,7 @@
 import Part
 
 from freecad.seamwright.gui import seam_view
+from freecad.seamwright.gui.computation import Computation
 from freecad.seamwright.gui.forms import make_form, make_text, show_seams_in
 from freecad.seamwright.gui.qt import QtGui, QtWidgets
 from freecad.seamwright.gui.result_panel import ResultPanel
@@ -11,7 +12,7 @@ from freecad.seamwright.plain import repair_text
 
 TABLE_HEIGHT = 190
 
-PREVIEW, PREVIEW_AGAIN = "Preview", "Preview anew"
+PREVIEW, PREVIEW_AGAIN = "Preview", "Preview again"
 
 #: Colours of the last column's text, by the state of a row.
 INKS = {repair_text.REPAIRED: (0, 120, 88), repair_text.LEFT: (190, 80, 0)}
@@ -27,10 +28,11 @@ class PreviewPanel(ResultPanel):
     TITLE = ICON = PREVIEW_TIP = ""
     COLUMNS = ()  # heading, tool tip
 
-    def __init__(self, obj, created, step, changeable):
-        super().__init__(obj, created, step, changeable)
-        self._rows, self._due = [], False
+    def __init__(self, obj, created, title, changeable):
+        super().__init__(obj, created, title, changeable)
+        self._rows = []
         self._build()
+        self.computation = Computation(self.form)
         self.read_fields()
         self.connect_fields()
         self._connect()
@@ -45,16 +47,8 @@ class PreviewPanel(ResultPanel):
         """The widgets below the table."""
         raise NotImplementedError
 
-    def read_fields(self):
-        """Show the values of the object."""
-        raise NotImplementedError
-
     def connect_fields(self):
         """Call ``changed`` when a field is changed."""
-        raise NotImplementedError
-
-    def write_fields(self):
-        """Set the values of the object as the fields say."""
         raise NotImplementedError
 
     def begin(self):
@@ -126,23 +120,20 @@ class PreviewPanel(ResultPanel):
         """Whether the object was computed."""
         return not self.obj.Shape.isNull()
 
-    def is_due(self):
-        """Whether a field was changed after the last computation."""
-        return self._due
-
-    def preview(self):
-        """Take over the fields and compute anew."""
-        self.write_fields()
-        self.obj.touch()
-        self._doc.recompute()
-        self._set_due(False)
+    def computed(self):
+        """Show the results, or the source where there are none."""
         (self.after if self.has_result() else self.before).setChecked(True)
         self.refresh()
+
+    def say(self, text):
+        """Show this text above the table."""
+        self.summary.setText(text)
 
     def refresh(self):
         """Show the results as they are stored now."""
         self.fill(*self.stored())
         self.show(self.after.isChecked())
+        self._name_preview()
 
     def show(self, after):
         """Show the result or the source."""
@@ -172,11 +163,11 @@ class PreviewPanel(ResultPanel):
 
     def changed(self, *_):
         """A field says something else than what was computed."""
-        self._set_due(True)
+        super().changed()
+        self._name_preview()
 
-    def _set_due(self, due):
-        self._due = due
-        self.preview_button.setText(PREVIEW_AGAIN if due and self.has_result() else PREVIEW)
+    def _name_preview(self):
+        self.preview_button.setText(PREVIEW_AGAIN if self.is_due() and self.has_result() else PREVIEW)
 
     def shown_object(self):
         """The object that is seen: the result or its source."""

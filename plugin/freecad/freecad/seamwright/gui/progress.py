@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Progress of a long analysis, with a button to cancel it."""
+"""Progress of work that FreeCAD waits for, such as a recompute, with a button to cancel it.
+
+While it lasts, the window sees no key and no click but those for the dialog: what they do would change or delete what
+is being computed. Panels compute in threads instead, see computation.py.
+"""
 
 import contextlib
 import threading
@@ -8,10 +12,20 @@ import time
 import FreeCADGui as Gui
 
 from freecad.seamwright.gui.qt import QtCore, QtWidgets
+from freecad.seamwright.gui.tasks import tasks
 
 STEPS = 1000
 SHOW_AFTER_MS = 700
 UPDATE_EVERY_S = 0.05
+
+INPUT = tuple(
+    getattr(QtCore.QEvent, name)
+    for name in (
+        "Close", "ContextMenu", "DragEnter", "Drop", "InputMethod", "KeyPress", "KeyRelease", "MouseButtonDblClick",
+        "MouseButtonPress", "MouseButtonRelease", "MouseMove", "Shortcut", "ShortcutOverride", "TabletPress",
+        "TouchBegin", "Wheel",
+    )
+)  # fmt: skip
 
 
 @contextlib.contextmanager
@@ -23,11 +37,38 @@ def progress_dialog(text):
     dialog.setMinimumDuration(SHOW_AFTER_MS)
     dialog.setAutoClose(False)
     dialog.setAutoReset(False)
+    guard = _Guard(dialog)
+    QtWidgets.QApplication.instance().installEventFilter(guard)
     try:
-        yield _Reporter(dialog)
+        with tasks.hold():
+            yield _Reporter(dialog)
     finally:
+        QtWidgets.QApplication.instance().removeEventFilter(guard)
         dialog.close()
         dialog.deleteLater()
+
+
+class _Guard(QtCore.QObject):
+    """Keeps input from all but the dialog, also before it is shown; Esc cancels wherever it is pressed."""
+
+    def __init__(self, dialog):
+        super().__init__()
+        self._dialog = dialog
+
+    def eventFilter(self, receiver, event):
+        """Whether the event ends here."""
+        if event.type() not in INPUT or self._is_for_dialog(receiver):
+            return False
+        if event.type() == QtCore.QEvent.KeyPress and event.key() == QtCore.Qt.Key_Escape:
+            self._dialog.cancel()
+        if event.type() == QtCore.QEvent.Close:
+            event.ignore()
+        return True
+
+    def _is_for_dialog(self, receiver):
+        if isinstance(receiver, QtWidgets.QWidget):
+            return receiver.window() == self._dialog
+        return receiver == self._dialog.windowHandle()
 
 
 class _Reporter:

@@ -4,6 +4,7 @@
 import FreeCADGui as Gui
 
 from freecad.seamwright.document import analysis, elements, properties, repair
+from freecad.seamwright.document.plan import Plan
 from freecad.seamwright.gui import seam_view
 from freecad.seamwright.gui.element_list import ElementList
 from freecad.seamwright.gui.forms import make_box
@@ -87,22 +88,29 @@ class RepairPanel(PreviewPanel):
         self.tolerances.read_from(self.obj)
         self._name_seams()
 
-    def write_fields(self):
-        """Set the values of the object as the fields say."""
-        for name, each in self.lists.items():
-            if each.names() != elements.names(self.obj, name):
-                elements.set_names(self.obj, name, each.names())
-        if properties.number(self.obj, "MaxMove") != self.max_move.value():
-            self.obj.MaxMove = self.max_move.value()
-        self.tolerances.write_to(self.obj)
+    def wanted(self):
+        """{property: value} as the fields say."""
+        chosen = {name: elements.link_to(self.obj, each.names()) for name, each in self.lists.items()}
+        return {**chosen, "MaxMove": self.max_move.value(), **self.tolerances.values()}
 
     # What it does.
 
     def begin(self):
         """Show the seams that would be treated."""
-        self._report, text = repair.foresee(self.obj)
-        self.fill(repair_text.build_rows(self._report), text)
+        self.fill([], "")
         self.show_before()
+        plan = Plan(self.obj, {}, repair.foreseeing)
+
+        def keep(found, error):
+            plan.end(found, error)
+            try:
+                self._report, text = plan.results()
+            except plan.failures as failure:
+                text = repair_text.named(str(failure))
+            self.fill(repair_text.build_rows(self._report), text)
+            self.show_before()
+
+        self.computation.follow(plan, keep, lambda why: self.say("%s; Preview analyses and repairs the seams." % why))
 
     def stored(self):
         """(rows, text) of the results as they are stored now."""

@@ -8,12 +8,12 @@ import FreeCAD as App
 
 from freecad.seamwright.document import elements, repair, sources
 from freecad.seamwright.document.move_map import move_map
-from freecad.seamwright.gui.later import later
+from freecad.seamwright.gui.later import find, later
 from freecad.seamwright.gui.legend import Legend
 from freecad.seamwright.gui.move_colours import MoveColours
-from freecad.seamwright.gui.progress import progress_dialog
 from freecad.seamwright.gui.repair_panel import RepairPanel
 from freecad.seamwright.gui.result_view import ResultView, attach_as, look_like
+from freecad.seamwright.gui.tasks import tasks
 from freecad.seamwright.plain import kernel, moves
 
 LEGEND_TEXT_PX = 13
@@ -37,6 +37,8 @@ class SeamRepairView(ResultView):
         root.insertChild(self.colours.node, root.findChild(self.halo.node) + 1)  # it hides what comes after it
         root.insertChild(self.legend.node, 0)
         self._drawn = None  # the report whose moves are drawn
+        self._left = None  # the one whose moves are not to be drawn: the user stopped it
+        self._task = self._mapped = None  # what maps moves, and those of which report
         later(vobj.Object, lambda obj: self._draw(obj.ViewObject))
 
     def sources(self, obj):
@@ -63,35 +65,59 @@ class SeamRepairView(ResultView):
             self._draw(vobj)
 
     def _draw(self, vobj):
-        """Show the moves in colour, or no longer."""
-        shown = bool(vobj.ShowMoves and vobj.Visibility) and self._map_moves(vobj.Object)
+        """Show the moves in colour, or no longer; those that are not known yet are computed in a thread."""
+        wanted, report = bool(vobj.ShowMoves and vobj.Visibility), vobj.Object.Report
+        shown = wanted and self._drawn == report
         self.colours.show(shown)
         self.legend.show(shown)
+        if not vobj.ShowMoves:
+            self._left = None
+        working = self._task is not None and self._task.wanted and self._mapped == report
+        if wanted and not shown and not working and self._left != report:
+            self._map_moves(vobj.Object)
 
     def _map_moves(self, obj):
-        """Draw the moves if they are not drawn yet; False where they cannot be, or the user cancelled."""
-        if self._drawn == obj.Report:
-            return True
+        """Compute the moves in a thread, on copies of the shapes, and draw them then; not where they cannot be told."""
         try:
             before = elements.source_shape(obj)
         except sources.SourceError:
-            return False
+            return
         if len(before.Faces) != len(obj.Shape.Faces):
-            return False
-        found = repair.report_of(obj)["moves"]
-        try:
-            with progress_dialog("Computing moves\u2026") as progress:
-                mapped = move_map(before, obj.Shape, found, progress)
-        except kernel.KernelUnavailable as error:
-            App.Console.PrintWarning("Seamwright: the moves of %s are not shown: %s\n" % (obj.Label, error))
-            return False
-        if mapped is None:
-            return False
+            return
+        report, found, count = obj.Report, repair.report_of(obj)["moves"], len(before.Faces)
+        before, after, place = before.copy(), obj.Shape.copy(), (obj.Document.Name, obj.Name)
+
+        def done(mapped, error):
+            self._task = None
+            if isinstance(error, kernel.KernelUnavailable):
+                self._left = report
+                App.Console.PrintWarning("Seamwright: the moves of %s are not shown: %s\n" % (place[1], error))
+                return
+            if error is not None:
+                raise error
+            there = find(*place)
+            if there is not None and there.Report == report and mapped is not None:
+                self._show_moves(there, mapped, found, count)
+
+        self._mapped = report
+        self._task = self._start(lambda progress: move_map(before, after, found, progress), done, report)
+
+    def _start(self, run, done, report):
+        """Let the panel show how far it is, where there is one that has nothing else to show."""
+        if self.panel is None or self.panel.computation.busy:
+            return tasks.start(run, done)
+
+        def stopped():
+            self._left = report
+
+        return self.panel.computation.start("Computing moves\u2026", run, done, stopped, locks=False)
+
+    def _show_moves(self, obj, mapped, found, count):
         self.colours.update(mapped, obj.Shape.Edges)
         entries = moves.legend_entries(mapped.largest_mm)
-        self.legend.update("Moves of points", entries, moves.legend_footer(found, len(before.Faces)), LEGEND_TEXT_PX)
+        self.legend.update("Moves of points", entries, moves.legend_footer(found, count), LEGEND_TEXT_PX)
         self._drawn = obj.Report
-        return True
+        self._draw(obj.ViewObject)
 
 
 def add_properties(vobj):

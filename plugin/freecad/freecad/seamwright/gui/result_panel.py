@@ -6,28 +6,41 @@ What is done in the panel is one step that can be undone.
 
 import FreeCADGui as Gui
 
-from freecad.seamwright.document.properties import error_text
+from freecad.seamwright.document.plan import Plan
+from freecad.seamwright.document.properties import error_text, plain
 from freecad.seamwright.gui import messages
 from freecad.seamwright.gui.dock import widen_dock
 from freecad.seamwright.gui.forms import buttons
+from freecad.seamwright.gui.later import later
+from freecad.seamwright.gui.steps import remove, step
+from freecad.seamwright.plain import kernel
+
+#: Behind why a computation came to nothing.
+NO_RESULTS, OLD_RESULTS = "; there are no results yet.", "; the results are those of the last complete run."
 
 
 class ResultPanel:
-    """Shows and changes one object; a subclass builds ``form`` and says what the object is like."""
+    """Shows and changes one object; a subclass builds ``form`` and says what the object is like.
+
+    It computes in a thread: ``computation`` is made by the subclass when its form is built. The object stays as it was until
+    that has come to an end.
+    """
 
     DOCK_WIDTH = 440
 
-    def __init__(self, obj, created, step, changeable):
-        """``created``: Cancel removes the object. ``step``: name of the step. ``changeable``: names of properties."""
+    def __init__(self, obj, created, title, changeable):
+        """``created``: Cancel removes the object. ``title``: of the step. ``changeable``: names of properties."""
         self.obj = obj
         self._created = created
         self._doc = obj.Document
         self._name = obj.Name
         self._kept = {name: getattr(obj, name) for name in changeable}
         self._ended = False
+        self._edits = self._computed_edits = 0
+        self._seen = self._state()
         self._hidden = [each.Name for each in self.replaced() if not self.has_result() and not each.ViewObject.Visibility]
         if not created:
-            self._doc.openTransaction(step)
+            self._doc.openTransaction(title)
 
     # What a subclass says.
 
@@ -43,12 +56,20 @@ class ResultPanel:
         """Whether the object has a shape of its own to show."""
         raise NotImplementedError
 
-    def is_due(self):
-        """Whether the fields say something else than what was computed."""
+    def wanted(self):
+        """{property: value} as the fields say."""
         raise NotImplementedError
 
-    def preview(self):
-        """Take over the fields and compute anew."""
+    def read_fields(self):
+        """Show the values of the object."""
+        raise NotImplementedError
+
+    def refresh(self):
+        """Show the results as they are stored now."""
+        raise NotImplementedError
+
+    def say(self, text):
+        """Show this text above the results."""
         raise NotImplementedError
 
     def show(self, after):
@@ -70,32 +91,40 @@ class ResultPanel:
         widen_dock(self.form, self.DOCK_WIDTH)
 
     def accept(self):
-        """Keep the result; a failure is said, and the panel stays."""
+        """Keep the result, which may have to be computed first; a failure is said, and the panel stays."""
+        if self.computation.busy:
+            return False
         if self.is_due() or not self.has_result() or error_text(self.obj):
-            self.preview()
+            self.preview(then=self._keep)
+            return False
+        self._keep()
+        return True
+
+    def _keep(self):
         failure = error_text(self.obj)
         if failure:
-            messages.show_error(failure)
-            return False
+            messages.show_notice(failure)
+            return
         self.show(True)
         self._end()
         self._doc.commitTransaction()
         Gui.getDocument(self._doc.Name).resetEdit()
-        return True
 
     def reject(self):
-        """Take back what was done since the panel was opened."""
+        """Stop what is computed; when nothing is, take back what was done since the panel was opened."""
+        if self.computation.stop():
+            return False
         self._end()
         replaced = self.replaced()
         if self._doc.HasPendingTransaction:
             self._doc.abortTransaction()
         elif not self._created:
-            for name, value in self._kept.items():
-                setattr(self.obj, name, value)
-            self._doc.recompute()
+            with step(self._doc, "Restore"):
+                for name, value in self._kept.items():
+                    setattr(self.obj, name, value)
+                self._doc.recompute()
         if self._created:
-            if self._doc.getObject(self._name) is not None:
-                self._doc.removeObject(self._name)
+            remove(self._doc, self._name)
             for each in replaced:
                 each.ViewObject.Visibility = each.Name not in self._hidden
         elif self.has_result():
@@ -104,11 +133,65 @@ class ResultPanel:
         return True
 
     def leave(self):
-        """The panel closes, by OK, by Cancel or because FreeCAD ends the editing."""
-        if not self._ended:
-            self._end()
-            self._doc.commitTransaction()
+        """The panel closes, by OK, by Cancel or because FreeCAD ends the editing; what was never computed is removed."""
+        if self._ended:
+            return
+        self._end()
+        self._doc.commitTransaction()
+        if self._created and not self.obj.Outcome:
+            later(self.obj, lambda obj: remove(obj.Document, obj.Name))
 
     def _end(self):
         self._ended = True
+        self.computation.drop()
         self.release()
+
+    # What it does.
+
+    def is_due(self):
+        """Whether a field was changed after the last computation."""
+        return self._edits != self._computed_edits
+
+    def changed(self, *_):
+        """A field says something else than what was computed."""
+        self._edits += 1
+
+    def preview(self, then=None):
+        """Compute as the fields say, and show the results; in the end call ``then``."""
+        try:
+            plan = Plan(self.obj, self.wanted())
+        except kernel.KernelUnavailable as error:
+            messages.show_error(str(error))
+            return
+        edits = self._edits
+
+        def keep(found, error):
+            plan.apply(found, error)
+            self._computed_edits, self._seen = edits, self._state()
+            self.computed()
+            if then is not None:
+                then()
+
+        self.computation.follow(plan, keep, self.left)
+
+    def computed(self):
+        """There are other results than before."""
+        self.refresh()
+
+    def left(self, why):
+        """Say why a computation came to nothing."""
+        self.say(why + (OLD_RESULTS if self.obj.Report else NO_RESULTS))
+
+    def reload(self):
+        """The object was changed from outside, such as by a step back: show it as it is now."""
+        state = self._state()
+        if self._ended or state == self._seen:
+            return
+        if state[0] != self._seen[0]:
+            self.read_fields()
+            self._computed_edits = self._edits
+        self._seen = state
+        self.refresh()
+
+    def _state(self):
+        return [plain(getattr(self.obj, name)) for name in self._kept], self.obj.Report, error_text(self.obj)

@@ -27,6 +27,7 @@ class ResultView(PanelView):
 
     def updateData(self, obj, prop):
         """Hide the sources when there begins to be a result, show them when there no longer is one."""
+        super().updateData(obj, prop)
         if prop != "Summary" or "Restore" in obj.State:  # the Summary is written last
             return
         has_result = self.has_result(obj)

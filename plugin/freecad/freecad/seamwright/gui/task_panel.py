@@ -4,14 +4,20 @@
 import FreeCADGui as Gui
 
 from freecad.seamwright.document import analysis
-from freecad.seamwright.gui import export_dialog, seam_view
+from freecad.seamwright.document.plan import Plan
+from freecad.seamwright.document.properties import plain
+from freecad.seamwright.gui import export_dialog, messages, seam_view
+from freecad.seamwright.gui.computation import Computation
 from freecad.seamwright.gui.dock import widen_dock
 from freecad.seamwright.gui.forms import buttons, make_box, make_form, make_text, show_seams_in
+from freecad.seamwright.gui.later import later
 from freecad.seamwright.gui.picking import EdgePicker
 from freecad.seamwright.gui.qt import QtCore, QtGui, QtWidgets
+from freecad.seamwright.gui.result_panel import OLD_RESULTS
+from freecad.seamwright.gui.steps import remove, take_back
 from freecad.seamwright.gui.table_model import SeamTableModel
 from freecad.seamwright.gui.tolerance_form import ToleranceForm
-from freecad.seamwright.plain import palette, rows, summary
+from freecad.seamwright.plain import kernel, palette, rows, summary
 
 TABLE_HEIGHT = 260
 DOCK_WIDTH = 600
@@ -21,19 +27,25 @@ class TaskPanel:
     """Shows one Seam Analysis.
 
     A click on a row selects the seam's edge, marks its worst point and zooms to it; picking an
-    edge in the 3D view selects its row.
+    edge in the 3D view selects its row. It measures in a thread, and the object stays as it was until that is done.
     """
 
-    def __init__(self, obj):
+    def __init__(self, obj, created):
+        """``created``: nothing was measured yet; the object is removed where that is cancelled, or fails."""
         self.obj = obj
+        self._doc, self._name = obj.Document, obj.Name
+        self._created = created
         self.model = SeamTableModel()
         self.picker = EdgePicker(obj, self._edge_picked)
         self._look = True
         self._build()
-        self.tolerances.read_from(obj)
+        self.computation = Computation(self.form)
+        self._read_fields()
         self.tolerances.changed.connect(self._tolerances_changed)
         self.refresh()
         self.picker.start()
+        if created:
+            self._measure()
 
     # What FreeCAD asks of a task panel.
 
@@ -46,8 +58,10 @@ class TaskPanel:
         widen_dock(self.form, DOCK_WIDTH)
 
     def reject(self):
-        """Close the panel."""
-        Gui.getDocument(self.obj.Document.Name).resetEdit()
+        """Stop what is computed; when nothing is, close the panel."""
+        if self.computation.stop():
+            return self._name is None
+        Gui.getDocument(self._doc.Name).resetEdit()
         return True
 
     # The window.
@@ -110,6 +124,7 @@ class TaskPanel:
 
     def refresh(self):
         """Show the results as they are stored now."""
+        self._shown = self._state()
         self.report, self.seams = seam_view.seams_by_number(self.obj)
         self.picker.report = self.report
         built = rows.build_rows(self.report)
@@ -131,14 +146,61 @@ class TaskPanel:
         self._tolerances_changed()
 
     def recompute(self, *_):
-        """Take over the tolerances and analyse again, as one step that can be undone."""
-        doc = self.obj.Document
-        doc.openTransaction("Seam tolerances")
-        self.tolerances.write_to(self.obj)
-        self.obj.touch()
-        doc.recompute()
-        doc.commitTransaction()
-        self.refresh()
+        """Analyse with the tolerances as the fields say, as one step that can be undone."""
+        self._measure()
+
+    def reload(self):
+        """The object was changed from outside, such as by a step back: show it as it is now."""
+        if self._values() != self._read:
+            self._read_fields()
+        if self._state() != self._shown:
+            self.refresh()
+
+    def _read_fields(self):
+        self._read = self._values()
+        self.tolerances.read_from(self.obj)
+
+    def _values(self):
+        return [plain(getattr(self.obj, name)) for name in self.tolerances.values()]
+
+    def _state(self):
+        return self.obj.Report, self.obj.Summary, analysis.error_text(self.obj)
+
+    def _measure(self):
+        try:
+            plan = Plan(self.obj, self.tolerances.values())
+        except kernel.KernelUnavailable as error:
+            messages.show_error(str(error))
+            return
+
+        def keep(found, error):
+            if self._created and error is not None:
+                self._withdraw()
+                messages.show_error(str(error))
+                return
+            if not self._created:
+                self._doc.openTransaction("Seam tolerances")
+            plan.apply(found, error)
+            self._doc.commitTransaction()
+            self._created = False
+            self._read = self._values()
+            self.refresh()
+
+        self.computation.follow(plan, keep, self._left)
+
+    def _left(self, why):
+        """Say why a computation came to nothing; of the first one nothing stays."""
+        if self._created:
+            self._withdraw()
+            messages.say("%s; nothing was analysed." % why)
+        else:
+            self.summary.setText(why + OLD_RESULTS)
+
+    def _withdraw(self):
+        """Remove the object that the command created, and close the panel."""
+        name, self._name, self._created = self._name, None, False
+        take_back(self._doc, name)
+        Gui.getDocument(self._doc.Name).resetEdit()
 
     def sort_worst_first(self, *_):
         """Go back to the order the table began with."""
@@ -147,8 +209,12 @@ class TaskPanel:
 
     def leave(self):
         """Drop the selection made from the table, and follow that of the view no longer."""
+        self.computation.drop()
         self.picker.stop()
         Gui.Selection.clearSelection()
+        if self._created:  # FreeCAD ends the editing before anything was measured
+            self._doc.commitTransaction()
+            later(self.obj, lambda obj: remove(obj.Document, obj.Name))
 
     def _filter_changed(self, place):
         self.model.set_filter(self.filter.itemData(place))

@@ -39,7 +39,7 @@ class NumberField(QtWidgets.QDoubleSpinBox):
 
 
 class ToleranceForm(QtWidgets.QWidget):
-    """Fields for the tolerances of an object, by a table of its module; nothing is written before ``write_to``.
+    """Fields for the tolerances of an object, by a table of its module; nothing is written, ``values`` says what they say.
 
     ``choice``: the property for the level of continuity, and its values; None where there is none.
     """
@@ -107,17 +107,9 @@ class ToleranceForm(QtWidgets.QWidget):
 
     def differs_from(self, obj):
         """Whether a field says something else than the object."""
-        return self._level_differs(obj) or any(
-            properties.number(obj, name) != field.value() for name, field in self.fields.items()
-        )
+        return bool(properties.differing(obj, self.values()))
 
-    def _level_differs(self, obj):
-        return bool(self._level_name) and self.level.currentText() != getattr(obj, self._level_name)
-
-    def write_to(self, obj):
-        """Set the tolerances of an object as the fields say."""
-        if self._level_differs(obj):
-            setattr(obj, self._level_name, self.level.currentText())
-        for name, field in self.fields.items():
-            if properties.number(obj, name) != field.value():
-                setattr(obj, name, field.value())
+    def values(self):
+        """{property: value} as the fields say."""
+        level = {self._level_name: self.level.currentText()} if self._level_name else {}
+        return {**level, **{name: field.value() for name, field in self.fields.items()}}

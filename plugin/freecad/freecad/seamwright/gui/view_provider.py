@@ -44,16 +44,15 @@ class SeamAnalysisView(PanelView):
 
     def make_panel(self, obj, created):
         """The task panel."""
-        return TaskPanel(obj)
+        return TaskPanel(obj, created)
 
     def updateData(self, obj, prop):
         """Follow the results."""
-        if prop in ("Shape", "Label"):
+        super().updateData(obj, prop)
+        if prop in ("Shape", "Label", "Report"):
             self._refresh_later(obj)
         elif prop == "Summary":  # written last, when FreeCAD has drawn the new Shape
             self._refresh(obj.ViewObject)
-            if self.panel is not None:
-                self.panel.refresh()
 
     def onChanged(self, vobj, prop):
         """Follow the view properties that concern the legend or make FreeCAD draw anew."""

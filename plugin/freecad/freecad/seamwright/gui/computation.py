@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a task panel computes: one thing at a time, with a bar and a button to stop it; the panel is locked meanwhile."""
+
+import traceback
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+from freecad.seamwright.gui.dock import dock_of
+from freecad.seamwright.gui.qt import QtCore, QtWidgets
+from freecad.seamwright.gui.tasks import tasks
+
+#: Shorter computations do not lock the panel: it would flicker, and take the cursor out of a field.
+LOCK_AFTER_MS = 300
+
+STEPS = 1000
+
+CANCELLED, CHANGED = "Cancelled", "The model was changed meanwhile"
+
+
+class _Escape(QtCore.QObject):
+    """Lets Esc stop a computation wherever it is pressed in the window, which does not hear of it then.
+
+    The view would end the editing otherwise, when the key goes down and again when it comes up.
+    """
+
+    def __init__(self, computation, parent):
+        super().__init__(parent)
+        self._computation = computation
+        self._is_down = False
+
+    def eventFilter(self, window, event):
+        """Whether the event ends here."""
+        if event.type() not in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+            return False
+        if event.key() != QtCore.Qt.Key_Escape:
+            return False
+        taken = self._is_down
+        if event.type() == QtCore.QEvent.KeyRelease:
+            self._is_down = False
+        elif self._computation.runs:
+            self._is_down = taken = True
+            QtCore.QTimer.singleShot(0, self._computation.stop)
+        return taken
+
+
+class Computation:
+    """The line at the start of a panel's form, and the task that it shows."""
+
+    def __init__(self, form):
+        """``form``: the widget of the panel; the line is added to its layout."""
+        self._form = form
+        self._task = self._stopped = None
+        self._locks = True
+        self._locked, self._focus = [], None
+        self._build()
+        Gui.getMainWindow().windowHandle().installEventFilter(_Escape(self, self.line))
+        self._timer = QtCore.QTimer(self.line)
+        self._timer.setInterval(LOCK_AFTER_MS)
+        self._timer.timeout.connect(self._show)
+
+    def _build(self):
+        self.line = QtWidgets.QWidget()
+        layout = QtWidgets.QHBoxLayout(self.line)
+        layout.setContentsMargins(0, 0, 0, 0)
+        self.text, self.bar = QtWidgets.QLabel(), QtWidgets.QProgressBar()
+        self.bar.setRange(0, STEPS)
+        self.stop_button = QtWidgets.QPushButton("Stop")
+        self.stop_button.setToolTip("Stop; the results stay as they are. Esc does the same.")
+        self.stop_button.clicked.connect(lambda *_: self.stop())
+        for widget, stretch in ((self.text, 0), (self.bar, 1), (self.stop_button, 0)):
+            layout.addWidget(widget, stretch)
+        self.line.hide()
+        self._form.layout().insertWidget(0, self.line)  # a long form goes on below what is seen
+
+    @property
+    def runs(self):
+        """Whether something is computed."""
+        return self._task is not None
+
+    @property
+    def busy(self):
+        """Whether something is computed that the panel has to wait for."""
+        return self._task is not None and self._locks
+
+    def start(self, text, run, done, stopped, locks=True):
+        """Compute in a thread what ``tasks.start`` takes; what was still computed is dropped.
+
+        Calls ``done(found, error)``, or ``stopped()`` where the user stopped it. ``locks``: the panel waits for it.
+        Returns the Task.
+        """
+        self.drop()
+        self._locks = locks
+
+        def over(found, error):
+            self._end()
+            done(found, error)
+
+        self._task, self._stopped = tasks.start(run, over), stopped
+        self.text.setText(text)
+        self._timer.start()
+        return self._task
+
+    def follow(self, plan, keep, left):
+        """Compute a plan.Plan in a thread, then call ``keep(found, error)``: what its ``apply`` takes.
+
+        Where there is nothing to keep, ``left(why)`` is called instead; and nothing where the object was deleted.
+        """
+
+        def done(found, error):
+            if plan.object() is None:
+                return
+            if isinstance(error, plan.cancelled):
+                left(CANCELLED)
+            elif error is not None and not isinstance(error, plan.failures):
+                App.Console.PrintError("".join(traceback.format_exception(type(error), error, error.__traceback__)))
+                left("Failed: %s" % error)
+            elif not plan.is_current():
+                left(CHANGED)
+            else:
+                keep(found, error)
+
+        self.start(plan.text, plan.run, done, lambda: left(CANCELLED))
+
+    def stop(self):
+        """The user stops it; False where there is nothing to stop."""
+        if self._task is None:
+            return False
+        stopped = self._stopped
+        self.drop()
+        stopped()
+        return True
+
+    def drop(self):
+        """Stop, and tell nobody."""
+        if self._task is not None:
+            self._task.cancel()
+            self._end()
+
+    def _end(self):
+        self._task = self._stopped = None
+        self._timer.stop()
+        self.line.hide()
+        if self._locked:
+            self._enable_ok(True)
+        for widget in self._locked:
+            widget.setEnabled(True)
+        if self._focus is not None:
+            self._focus.setFocus()
+        self._locked, self._focus = [], None
+
+    def _show(self):
+        """Lock the panel when it takes long, and show how far it is."""
+        if not self.line.isVisible():
+            if self._locks:
+                self._lock()
+            self.line.show()
+            if self._focus is not None:
+                self.stop_button.setFocus()  # so that the panel still hears Esc
+        self.bar.setValue(int(self._task.fraction * STEPS))
+
+    def _lock(self):
+        children = self._form.findChildren(QtWidgets.QWidget)
+        parts = [each for each in children if each.parentWidget() == self._form and each != self.line]
+        self._locked = [each for each in parts if each.isEnabled()]
+        self._enable_ok(False)
+        focus = QtWidgets.QApplication.focusWidget()
+        self._focus = focus if focus is not None and self._form.isAncestorOf(focus) else None
+        for widget in self._locked:
+            widget.setEnabled(False)
+
+    def _enable_ok(self, enabled):
+        """OK of the dock that holds the panel; it is not kept, as FreeCAD deletes it and PySide would not notice."""
+        dock = dock_of(self._form)
+        for box in dock.findChildren(QtWidgets.QDialogButtonBox) if dock is not None else ():
+            ok = box.button(QtWidgets.QDialogButtonBox.Ok)
+            if ok is not None:
+                ok.setEnabled(enabled)
