@@ -20,7 +20,7 @@ class CornerCase(DocumentCase):
         return models.add(self.doc, Part.makeBox(size, size, size), "Cube")
 
     def assertNotRounded(self, obj, text):
-        self.assertFailed(obj, text)
+        self.assertWithout(obj, text)
         self.assertEqual((obj.Met, obj.Patches, obj.MaxAngle.Value), (False, 0, 0.0))
         self.assertTrue(obj.Shape.isNull())
         self.assertTrue(obj.Summary.startswith("Not rounded: "), obj.Summary)
@@ -146,7 +146,7 @@ class Following(CornerCase):
                 obj.touch()
                 self.doc.recompute()
             if not seen:
-                self.assertFailed(obj, "Cancelled")
+                self.assertOutdated(obj)
                 self.assertEqual((obj.Report, len(obj.Shape.Faces)), (report, 15))
         self.assertEqual((corner.error_text(obj), seen), ("", sorted(seen)))
         self.assertTrue(len(seen) > 1 and 0 <= seen[0] and seen[-1] <= 1, seen)
@@ -175,7 +175,7 @@ class Errors(CornerCase):
 
     def test_tolerances_that_are_missed_make_nothing(self):
         obj = corner.create(self.cube(), "Vertex1", [1.0, 2.0, 3.0], gap_mm=1e-9, angle_deg=1e-9)
-        self.assertFailed(obj, "Not rounded: ")
+        self.assertWithout(obj, "Not rounded: ")
         self.assertTrue(obj.Shape.isNull() and not obj.Met)
         seams = corner.report_of(obj)["seams"]
         self.assertTrue(seams and all(seam["edges"] == [] for seam in seams))

@@ -10,8 +10,10 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import models
 import Part
-from fill_window_cases import BAND, CANCELLED, FEW, MANY, RESULT, tinted
-from window import PanelWindow, camera, click, click_row, count, messages, picture, settle, whole_window
+from fill_window_cases import BAND, FEW, MANY, RESULT, tinted
+from window import (
+    CANCELLED, PanelWindow, camera, click, click_row, count, messages, picture, settle, whole_window
+)  # fmt: skip
 
 from freecad.seamwright.document import corner
 from freecad.seamwright.gui.corner_panel import RADIUS, SETBACK

@@ -69,8 +69,38 @@ class DocumentCase(unittest.TestCase):
         self.doc.redo()
 
     def assertFailed(self, obj, text):
+        """The object is marked as in error, and says why."""
         self.assertIn("Invalid", obj.State)
         self.assertIn(text, analysis.error_text(obj))
+
+    def assertWithout(self, obj, text):
+        """The object has no result, and says why."""
+        self.assertEqual(obj.Outcome, "without result")
+        self.assertIn(text, analysis.error_text(obj))
+
+    def assertOutdated(self, obj):
+        """The last run was cancelled, which is no error, and the next recompute runs it again."""
+        self.assertNotIn("Invalid", obj.State)
+        self.assertEqual(analysis.error_text(obj), "Cancelled; the results are those of the last complete run.")
+        self.assertTrue(obj.Proxy.mustExecute(obj))
+
+    @contextlib.contextmanager
+    def quiet(self):
+        """FreeCAD writes of no failure meanwhile."""
+        kept = [os.dup(number) for number in (1, 2)]
+        with tempfile.TemporaryFile() as file:
+            for number in (1, 2):
+                os.dup2(file.fileno(), number)
+            try:
+                yield
+            finally:
+                for number, old in zip((1, 2), kept):
+                    os.dup2(old, number)
+                    os.close(old)
+            file.seek(0)
+            written = file.read().decode(errors="replace")
+        for word in ("Traceback", "Error", "failed"):
+            self.assertNotIn(word, written)
 
 
 class Results(DocumentCase):
@@ -184,7 +214,7 @@ class Tolerances(DocumentCase):
         obj = analysis.create([self.prism()])
         obj.AngleTolerance = -1.0
         self.doc.recompute()
-        self.assertFailed(obj, "-1")
+        self.assertWithout(obj, "-1")
         self.assertEqual((obj.Seams, obj.Passed), (0, False))
         self.assertTrue(obj.Summary.startswith("Not analysed: "))
         obj.AngleTolerance = 0.1
@@ -197,11 +227,22 @@ class Cancelling(DocumentCase):
         obj = analysis.create([self.prism()])
         report = obj.Report
         cancel = contextlib.nullcontext(lambda fraction: False)
-        with mock.patch.object(hooks, "progress", lambda text: cancel):
+        with mock.patch.object(hooks, "progress", lambda text: cancel), self.quiet():
             obj.touch()
             self.doc.recompute()
-        self.assertFailed(obj, "Cancelled")
+        self.assertOutdated(obj)
         self.assertEqual(obj.Report, report)
+        self.doc.recompute()
+        self.assertEqual((obj.Outcome, analysis.error_text(obj), obj.Seams), ("done", "", 18))
+
+    def test_a_cancelled_first_run_says_that_there_are_no_results(self):
+        with mock.patch.object(hooks, "progress", lambda text: contextlib.nullcontext(lambda fraction: False)):
+            with self.quiet():
+                obj = analysis.create([self.prism()])
+        self.assertEqual((obj.Report, obj.Summary), ("", "Cancelled; there are no results yet."))
+        self.assertEqual(analysis.error_text(obj), obj.Summary)
+        self.doc.recompute()
+        self.assertEqual((obj.Outcome, obj.Seams), ("done", 18))
 
     def test_progress_rises_to_the_end(self):
         seen = []

@@ -52,7 +52,7 @@ class FillCase(DocumentCase):
         return models.add(self.doc, shape, "Open"), models.open_loops(shape)
 
     def assertNotFilled(self, obj, text):
-        self.assertFailed(obj, text)
+        self.assertWithout(obj, text)
         self.assertEqual((obj.Filled, obj.Reached, obj.NewFaces), (0, False, 0))
         self.assertTrue(obj.Shape.isNull())
         self.assertTrue(obj.Summary.startswith("Not filled: "), obj.Summary)
@@ -269,7 +269,7 @@ class Following(FillCase):
                 obj.touch()
                 self.doc.recompute()
             if not seen:
-                self.assertFailed(obj, "Cancelled")
+                self.assertOutdated(obj)
                 self.assertEqual(obj.Report, report)
         self.assertEqual((fill.error_text(obj), seen), ("", sorted(seen)))
         self.assertTrue(len(seen) > 2 and 0 <= seen[0] and 0.8 < seen[-1] <= 1, seen)

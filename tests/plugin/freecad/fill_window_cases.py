@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Umbrella Fill in FreeCAD's window; run by run_freecad.py --window."""
 
-import contextlib
 import os
 import sys
 import tempfile
@@ -11,17 +10,17 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import models
 from PySide import QtCore
-from window import PanelWindow, camera, click, click_row, count, messages, picture, settle, whole_window
+from window import (
+    CANCELLED, PanelWindow, camera, click, click_row, count, messages, picture, settle, whole_window
+)  # fmt: skip
 
 from freecad.seamwright.document import analysis, elements, fill
-from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.plain import new_seams
 
 FILL = "Seamwright_UmbrellaFill"
 BAND = (255, 217, 0)
 FEW, MANY = 60, 1500
 RESULT = len(new_seams.COLUMNS) - 1
-CANCELLED = mock.patch.object(hooks, "progress", lambda text: contextlib.nullcontext(lambda fraction: False))
 
 
 def tinted(image):
@@ -91,7 +90,7 @@ class Filling(FillWindow):
         Gui.Selection.clearSelection()
         Gui.Selection.addSelection(self.doc.Name, "Block", self.loops[2][0])
         click(panel.pick, panel.pick.rect().center())
-        self.assertEqual((self.ticked(panel), panel.preview_button.text()), ([2], "Preview anew"))
+        self.assertEqual((self.ticked(panel), panel.preview_button.text()), ([2], "Preview again"))
         panel.holes.item(2).setCheckState(QtCore.Qt.Unchecked)
         self.assertEqual(self.ticked(panel), [2])  # one hole stays chosen
         self.preview(panel)

@@ -28,7 +28,7 @@ class MatchCase(DocumentCase):
         return match.create((self.left, "Face1"), (self.right, "Face1"), **options)
 
     def assertNotMatched(self, obj, text):
-        self.assertFailed(obj, text)
+        self.assertWithout(obj, text)
         self.assertFalse(obj.Matched)
         self.assertTrue(obj.Shape.isNull())
         self.assertTrue(obj.Summary.startswith("Not matched: "), obj.Summary)
@@ -171,7 +171,7 @@ class Following(MatchCase):
         with mock.patch.object(hooks, "progress", lambda text: contextlib.nullcontext(lambda fraction: False)):
             obj.touch()
             self.doc.recompute()
-        self.assertFailed(obj, "Cancelled")
+        self.assertOutdated(obj)
         self.assertEqual((obj.Report, obj.Matched, len(obj.Shape.Faces)), (report, True, 2))
 
 

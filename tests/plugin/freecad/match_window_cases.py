@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Match Surfaces and Zebra Stripes in FreeCAD's window; run by run_freecad.py --window."""
 
-import contextlib
 import os
 import sys
 import tempfile
@@ -13,10 +12,9 @@ import models
 import numpy
 import Part
 from PySide import QtGui
-from window import OUT, PanelWindow, click, messages, picture, settle, whole_window
+from window import CANCELLED, OUT, PanelWindow, click, messages, picture, settle, whole_window
 
 from freecad.seamwright.document import match
-from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.gui.zebra import zebra
 
 MATCH, ZEBRA = "Seamwright_MatchSurfaces", "Seamwright_ZebraStripes"
@@ -208,8 +206,9 @@ class Matching(MatchWindow):
 
     def test_a_cancelled_preview_says_so(self):
         obj, panel = self.start()
-        with mock.patch.object(hooks, "progress", lambda text: contextlib.nullcontext(lambda fraction: False)):
+        with CANCELLED:
             panel.preview()
+            settle()
         self.assertIn("Cancelled", panel.summary.text())
         self.ok()
         self.assertEqual(match.error_text(obj), "")

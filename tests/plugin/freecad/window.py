@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Handling FreeCAD's window in tests: waiting, clicking, looking at pictures."""
 
+import contextlib
 import os
 import shutil
 import subprocess
+import threading
 import time
 import unittest
+from unittest import mock
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -13,13 +16,20 @@ import numpy
 from PySide import QtCore, QtGui
 
 from freecad.seamwright.document import analysis
+from freecad.seamwright.gui import tasks
 from freecad.seamwright.gui.qt import QtWidgets
+
+#: Panels compute as if the kernel said that the user cancelled.
+CANCELLED = mock.patch.object(tasks.Task, "_progress", lambda self, fraction: False)
+
+#: The longest that a panel may compute.
+COMPUTED_S = 120
 
 OUT = os.environ["SEAMWRIGHT_TEST_OUT"]
 PICTURE = (1200, 800)
 
 
-def settle(seconds=0.2):
+def pause(seconds=0.2):
     """Let FreeCAD handle what is pending."""
     end = time.monotonic() + seconds
     while time.monotonic() < end:
@@ -28,7 +38,48 @@ def settle(seconds=0.2):
         time.sleep(0.01)
 
 
-def click(widget, position):
+def settle(seconds=0.2):
+    """Let FreeCAD handle what is pending, and panels end what they compute."""
+    pause(seconds)
+    end = time.monotonic() + COMPUTED_S
+    while not tasks.tasks.idle:
+        assert time.monotonic() < end, "something is computed for more than %d s" % COMPUTED_S
+        pause(0.05)
+
+
+@contextlib.contextmanager
+def held():
+    """Within it, what panels compute goes on until it is stopped."""
+
+    def hold(self, fraction):
+        self.fraction = fraction
+        while self.wanted and not over.is_set():
+            time.sleep(0.002)
+        return self.wanted
+
+    over = threading.Event()
+    with mock.patch.object(tasks.Task, "_progress", hold):
+        try:
+            yield
+        finally:
+            over.set()
+    settle()
+
+
+def press_escape():
+    """Press Esc: the window gives it to what has the focus."""
+    target = Gui.getMainWindow().windowHandle()
+    for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+        event = QtGui.QKeyEvent(kind, QtCore.Qt.Key_Escape, QtCore.Qt.NoModifier)
+        QtWidgets.QApplication.postEvent(target, event)
+
+
+def report_view():
+    """What FreeCAD has written into its report view."""
+    return Gui.getMainWindow().findChild(QtWidgets.QTextEdit, "Report view").toPlainText()
+
+
+def mouse(widget, position):
     """Press and release the left button at a position of a widget, as a mouse does."""
     local = QtCore.QPointF(position)
     everywhere = QtCore.QPointF(widget.mapToGlobal(position))
@@ -36,6 +87,11 @@ def click(widget, position):
     for kind, held in ((QtCore.QEvent.MouseButtonPress, left), (QtCore.QEvent.MouseButtonRelease, none)):
         event = QtGui.QMouseEvent(kind, local, everywhere, left, held, QtCore.Qt.NoModifier)
         QtWidgets.QApplication.sendEvent(widget, event)
+
+
+def click(widget, position):
+    """Click a position of a widget, and wait for what that does."""
+    mouse(widget, position)
     settle()
 
 
@@ -134,6 +190,7 @@ class WindowCase(unittest.TestCase):
         boxes = Gui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox)
         (button,) = [box.button(which) for box in boxes if box.isVisible() and box.button(which)]
         click(button, button.rect().center())
+        settle()
 
     def ok(self):
         self.press(QtWidgets.QDialogButtonBox.Ok)

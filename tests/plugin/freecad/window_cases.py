@@ -10,10 +10,14 @@ import FreeCADGui as Gui
 import ImportGui
 import models
 from PySide import QtCore
-from window import OUT, WindowCase, analyses, camera, click, click_row, count, messages, picture, settle, whole_window
+from window import (
+    OUT, WindowCase, analyses, camera, click, click_row, count, messages, mouse, picture, press_escape, settle, whole_window
+)  # fmt: skip
 
 from freecad.seamwright.document import analysis
 from freecad.seamwright.gui import export_dialog, marker, progress
+from freecad.seamwright.gui.qt import QtWidgets
+from freecad.seamwright.gui.task_panel import TaskPanel
 from freecad.seamwright.plain import palette, rows
 
 STEP = "/usr/share/opencascade/data/step/linkrods.step"
@@ -90,6 +94,43 @@ class Panel(WindowCase):
         self.doc.undo()
         settle()
         self.assertEqual(obj.AngleTolerance.Value, 0.1)
+
+    def shown(self, panel):
+        """All that a panel shows."""
+        places = range(panel.model.rowCount())
+        columns = range(panel.model.columnCount())
+        cells = [[panel.model.index(place, column).data() for column in columns] for place in places]
+        filters = [panel.filter.itemText(place) for place in range(panel.filter.count())]
+        fields = [panel.tolerances.level.currentText(), *(each.text() for each in panel.tolerances.fields.values())]
+        return panel.summary.text(), cells, filters, fields, panel.recompute_button.text()
+
+    def test_undo_and_redo_show_one_state_and_not_parts_of_two(self):
+        self.doc.UndoMode = 1
+        obj, panel = self.analyse()
+        states = []
+        for angle, level in ((0.1, "G1"), (2.0, "G1"), (2.0, "G2")):
+            panel.tolerances.level.setCurrentText(level)
+            panel.tolerances.fields["AngleTolerance"].setValue(angle)
+            click(panel.recompute_button, QtCore.QPoint(5, 5))
+            states.append((self.shown(panel), obj.Report, obj.Summary))
+        self.assertEqual(len({str(shown) for shown, *_ in states}), 3)
+        for step, expected in ((self.doc.undo, (1, 0)), (self.doc.redo, (1, 2)), (self.doc.undo, (1,))):
+            for place in expected:
+                step()
+                settle()
+                self.assertEqual((self.shown(panel), obj.Report, obj.Summary), states[place])
+                fresh = TaskPanel(obj, False)  # one that never saw another state
+                self.assertEqual(self.shown(fresh), states[place][0])
+                fresh.leave()
+
+    def test_a_property_that_was_changed_elsewhere_is_shown(self):
+        obj, panel = self.analyse()
+        obj.AngleTolerance = 2.0
+        settle()
+        self.assertEqual(panel.tolerances.fields["AngleTolerance"].value(), 2.0)
+        self.doc.recompute()
+        settle()
+        self.assertEqual((panel.summary.text(), obj.Defects), (obj.Summary, 0))
 
     def test_fields_show_small_numbers_in_full(self):
         _, panel = self.analyse()
@@ -242,6 +283,25 @@ class Commands(WindowCase):
         self.assertIn("It was built for Python", texts[0])
         self.assertNotIn("Traceback", texts[0])
         self.assertEqual(analyses(self.doc), [])
+
+    def test_progress_keeps_keys_and_clicks_from_all_but_its_dialog(self):
+        pressed = []
+        button = QtWidgets.QPushButton("Button", Gui.getMainWindow())
+        button.clicked.connect(lambda: pressed.append("button"))
+        button.show()
+        settle()
+        with progress.progress_dialog("Recomputing") as report:
+            QtCore.QTimer.singleShot(0, lambda: mouse(button, button.rect().center()))
+            QtCore.QTimer.singleShot(0, Gui.getMainWindow().close)
+            self.assertTrue(report(0.1))
+            press_escape()
+            report._next = 0.0
+            self.assertFalse(report(0.2))
+        self.assertTrue(Gui.getMainWindow().isVisible())
+        self.assertEqual(pressed, [])
+        click(button, button.rect().center())
+        self.assertEqual(pressed, ["button"])
+        button.deleteLater()
 
     def test_cancel_stops_an_analysis(self):
         with progress.progress_dialog("Analysing") as report:
