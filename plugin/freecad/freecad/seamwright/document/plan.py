@@ -108,7 +108,7 @@ def _same(one, other):
 
 
 def _same_shape(one, other):
-    """Whether two shapes are the same where they stand; compounds may be made anew of the same parts."""
+    """Whether two shapes are the same where they stand; a compound may be another one of the same parts."""
     if one.isNull() or other.isNull():
         return one.isNull() and other.isNull()
     if one.isPartner(other):
