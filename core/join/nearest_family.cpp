@@ -124,7 +124,7 @@ Family familyOf(const Degrees& degrees, std::vector<double> vanishing,
       std::erase(open, k);
     }
     const Eigen::MatrixXd all = Eigen::MatrixXd::Identity(degrees[f] + 1, degrees[f] + 1);
-    append(f, vanishes ? vanishingAt(zeros, degrees[f]) : Eigen::MatrixXd(all(Eigen::all, open)));
+    append(f, vanishes ? vanishingAt(zeros, degrees[f]) : Eigen::MatrixXd(all(Eigen::indexing::all, open)));
   }
   return family;
 }

@@ -114,7 +114,7 @@ void Equations::solve(FillSpace& space) const {
     if (is_shared || known_[pole]) continue;
     (laws_.col(pole).isZero(0) ? loose : bound).push_back(pole);
   }
-  const Eigen::MatrixXd matrix = laws_(Eigen::all, bound);
+  const Eigen::MatrixXd matrix = laws_(Eigen::indexing::all, bound);
   const Poles right = -laws_ * points_;
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> least(matrix);
   least.setThreshold(rank_threshold);
@@ -131,7 +131,7 @@ void Equations::solve(FillSpace& space) const {
   space.coefficients = Eigen::MatrixXd::Zero(laws_.cols(), idle.cols() + static_cast<Index>(loose.size()));
   space.constants = points_;
   space.coefficients(bound, Eigen::seqN(0, idle.cols())) = idle;
-  space.constants(bound, Eigen::all) = particular;
+  space.constants(bound, Eigen::indexing::all) = particular;
   for (std::size_t k = 0; k < loose.size(); ++k)
     space.coefficients(loose[k], idle.cols() + static_cast<Index>(k)) = 1;
   for (int patch = 0; patch <= count; ++patch)

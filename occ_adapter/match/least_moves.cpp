@@ -54,7 +54,7 @@ void LeastMoves::sortPoints(Group& group) {
   std::vector<int> order(group.points.size());
   std::iota(order.begin(), order.end(), 0);
   std::ranges::stable_sort(order, {}, [&](int k) { return group.points[k]; });
-  const Eigen::MatrixXd factors = group.factors(Eigen::all, order);
+  const Eigen::MatrixXd factors = group.factors(Eigen::indexing::all, order);
   group.factors = factors;
   std::ranges::sort(group.points);
 }

@@ -49,7 +49,7 @@ MoveConditions::Selected MoveConditions::select(const std::vector<int>& poles,
     selected.numbers.push_back(unknown_[poles[k]]);
     columns.push_back(static_cast<int>(k));
   }
-  selected.factors = factors(Eigen::all, columns);
+  selected.factors = factors(Eigen::indexing::all, columns);
   return selected;
 }
 
