@@ -22,7 +22,7 @@ Row rowOf(const AlphaSurface& surface, int i) {
   return surface.poles.middleRows<4>(4 * i);
 }
 
-double largest(const Eigen::Ref<const Eigen::MatrixXd>& values) {
+double largestEntry(const Eigen::Ref<const Eigen::MatrixXd>& values) {
   return values.cwiseAbs().maxCoeff();
 }
 
@@ -37,7 +37,7 @@ AlphaSurface inUnits(AlphaSurface surface, int exponent) {
 }
 
 int unitOf(const AlphaSurface& a, const AlphaSurface& b) {
-  return bernstein::scaleExponent(std::max(largest(a.poles), largest(b.poles)));
+  return bernstein::scaleExponent(std::max(largestEntry(a.poles), largestEntry(b.poles)));
 }
 
 void requireUsable(const AlphaSurface& surface, const char* prefix = "") {
@@ -95,14 +95,14 @@ Row alphaRow(const Quintic& q, double shape) {
 void findFamily(const AlphaSurface& given, double next_a_v, AlphaSeamCondition& condition) {
   const Seam seam = seamOf(given);
   requireRegular(seam);
-  const double across = largest(seam.across), along = largest(seam.along);
+  const double across = largestEntry(seam.across), along = largestEntry(seam.along);
   Eigen::Matrix<double, 6, 3> equations;
   equations << misfit(seam.across / across, next_a_v), misfit(slid(seam.along / along, 1, 0), next_a_v),
       misfit(slid(seam.along / along, 0, 1), next_a_v);
   if (condition.any_net) equations.col(0).setZero();
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(equations, Eigen::ComputeFullV);
   condition.singular = svd.singularValues();
-  condition.rank_noise = slack * largest(given.poles) * std::max(5 * given.a_u / across, 5 / along);
+  condition.rank_noise = slack * largestEntry(given.poles) * std::max(5 * given.a_u / across, 5 / along);
   const auto rank = (condition.singular.array() > condition.rank_noise).count();
   const Eigen::Vector3d sizes(1 / across, 1 / along, 1 / along);
   condition.first_rows = sizes.asDiagonal() * svd.matrixV().rightCols(3 - rank);
@@ -157,7 +157,7 @@ std::optional<double> positiveMinimum(double c3, double c1, double c0) {
   return b > 0 && below ? std::optional(b) : std::nullopt;
 }
 
-void requireNumbers(const AlphaSeamFit& fit) {
+void requireFit(const AlphaSeamFit& fit) {
   const std::pair<const char*, double> numbers[] = {{"beta1", fit.beta1},
                                                     {"beta2", fit.beta2},
                                                     {"gap_mm", fit.gap_mm},
@@ -218,7 +218,7 @@ AlphaSeamCondition alphaSeamCondition(const AlphaSurface& given, double next_a_v
   alpha::requireWithin("next_a_v", next_a_v, alpha::kSmallestShape, 1);
   AlphaSeamCondition condition;
   condition.any_net = given.a_v == next_a_v;
-  condition.noise_mm = slack * largest(given.poles);
+  condition.noise_mm = slack * largestEntry(given.poles);
   for (int i = 0; i < 3; ++i)
     condition.defects_mm[static_cast<std::size_t>(i)] = alpha::defect(rowOf(given, 3 - i)).stableNorm();
   const auto meets = [&](std::size_t i) {
@@ -241,7 +241,7 @@ Poles alphaSlidingRows(const AlphaSurface& given, double next_a_u, double next_a
   requireRegular(seam);
   const Quintic edge = alpha::quintic(given.a_v) * rowOf(given, 3),
                 first = alpha * seam.across + slid(seam.along, beta0, beta1);
-  const double size = largest(given.poles);
+  const double size = largestEntry(given.poles);
   const double edge_miss = misfit(edge, next_a_v).stableNorm(), miss = misfit(first, next_a_v).stableNorm();
   const double spread = alpha * given.a_u + std::abs(beta0) + std::abs(beta1);
   if (given.a_v != next_a_v && edge_miss > slack * size)
@@ -298,14 +298,14 @@ AlphaSeamFit alphaSeamFit(const AlphaSurface& a, const AlphaSurface& b, double l
       relative(longest(of_y * y.first - of_x * x.first), std::max(of_y * first, of_x * longest(x.first)));
   fit.c_second = relative(longest(of_y * of_y * y.second - of_x * of_x * x.second),
                           std::max(of_y * of_y * longest(y.second), of_x * of_x * longest(x.second)));
-  const double size = std::max(largest(from.poles), largest(to.poles));
+  const double size = std::max(largestEntry(from.poles), largestEntry(to.poles));
   const double speed = size * (a.a_u * std::abs(beta1) + b.a_u);
   const double bend = size * (beta1 * beta1 + 1 + std::abs(beta2) * a.a_u);
   const double gap = longest(y.position - x.position);
   fit.gap_mm = std::ldexp(gap, unit);
   fit.noise = {std::ldexp(slack * size, unit), relative(slack * 5 * speed, first),
                relative(slack * 40 * bend, second)};
-  requireNumbers(fit);
+  requireFit(fit);
   if (gap > slack * size) return fit;
   fit.geometric_order = !(fit.beta1 > 0) || fit.first > fit.noise[1] ? 0 : fit.second > fit.noise[2] ? 1 : 2;
   fit.parametric_order = fit.c_first > fit.noise[1] ? 0 : fit.c_second > fit.noise[2] ? 1 : 2;

@@ -52,18 +52,19 @@ SpokeEnd spokeEnd(const HoleCorner& corner, const FillCorner& figures, double le
 }
 
 /// The scalar functions of G = p T + q E', cubics: values and slopes at the ends.
-struct Scalars {
+struct RingScalars {
   Vector2d begin, end, slope_begin, slope_end;  // of p and q
 };
 
-Eigen::VectorXd cubic(const Scalars& s, int function) {
+Eigen::VectorXd cubic(const RingScalars& s, int function) {
   return Eigen::Vector4d(s.begin(function), s.begin(function) + s.slope_begin(function) / 3,
                          s.end(function) - s.slope_end(function) / 3, s.end(function));
 }
 
 /// The least change of slopes of p and q with which c V + d U = e S' holds to first order in the corner, S'' = 0. What it leaves is along the
 /// normal.
-Vector3d meetSlopes(const HoleCorner& corner, const SpokeEnd& spoke, Scalars& before, Scalars& after) {
+Vector3d meetSlopes(const HoleCorner& corner, const SpokeEnd& spoke, RingScalars& before,
+                    RingScalars& after) {
   const SideEnd &b = *corner.before(), &a = *corner.after();
   const auto slope = [](const SideEnd& end, const Vector2d& value, const Vector2d& change) {
     return Vector3d(change(0) * end.cross + value(0) * end.cross1 + change(1) * end.edge +
@@ -111,11 +112,11 @@ RingFields ringFields(const std::vector<FillSide>& sides, double spoke_scale, do
     result.spokes.push_back(spokeEnd(corners[k], result.corners[k], length_mm));
   }
 
-  std::vector<Scalars> scalars(n);
+  std::vector<RingScalars> scalars(n);
   for (std::size_t k = 0; k < n; ++k) {
     if (!sides[k].cross) continue;
     const SideEnd &a = *corners[k].after(), &b = *corners[next(k)].before();
-    Scalars& s = scalars[k];
+    RingScalars& s = scalars[k];
     s.begin = combination(a.cross, a.edge, *result.spokes[k].derivative);
     s.end = combination(b.cross, b.edge, *result.spokes[next(k)].derivative);
     s.slope_begin = s.slope_end = s.end - s.begin;

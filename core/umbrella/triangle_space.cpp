@@ -11,9 +11,9 @@ namespace {
 /// One point as an affine function of the unknowns: their coefficients, then the constant's x, y, z.
 using Form = Eigen::RowVectorXd;
 
-class Builder {
+class TriangleBuilder {
  public:
-  Builder(const CentreFields& fields, int degree) : fields_(fields) {
+  TriangleBuilder(const CentreFields& fields, int degree) : fields_(fields) {
     space_.degree = degree;
     unknowns_ = 3 * (degree - 2) * (degree - 3) / 2;
     for (const std::optional<Poles>& field : fields.sides)
@@ -95,7 +95,7 @@ Eigen::MatrixXd derivative(const Eigen::MatrixXd& net, int degree, const Eigen::
 }  // namespace
 
 TriangleSpace triangleSpace(const std::vector<FillSide>& sides, const CentreFields& fields, int degree) {
-  return Builder(fields, degree).build(sides);
+  return TriangleBuilder(fields, degree).build(sides);
 }
 
 Eigen::MatrixXd tensorsOf(const TriangleSpace& space, const Eigen::MatrixXd& poles, int order) {

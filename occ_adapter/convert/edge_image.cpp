@@ -19,6 +19,7 @@
 
 #include <seamwright/occ_adapter/convert/edge_image.hpp>
 #include <seamwright/occ_adapter/convert/pcurve.hpp>
+#include <seamwright/occ_adapter/convert/points.hpp>
 
 namespace seamwright::occ {
 
@@ -142,12 +143,6 @@ class MeanOfImages : public AdvApprox_EvaluatorFunction {
   std::vector<Adaptor3d_CurveOnSurface> images_;
   double first_, last_;
 };
-
-TColStd_Array1OfReal reals(const std::vector<double>& values) {
-  TColStd_Array1OfReal array(1, static_cast<int>(values.size()));
-  std::ranges::copy(values, array.begin());
-  return array;
-}
 
 handle<Geom_Curve> approximated(const std::vector<EdgeSide>& sides, double first, double last,
                                 double near_mm) {

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <TColStd_Array1OfReal.hxx>
+#include <algorithm>
 #include <gp_Dir.hxx>
 #include <gp_Pnt.hxx>
 #include <gp_XYZ.hxx>
+#include <vector>
 
-/// Points and vectors between OpenCASCADE and Eigen; not a public header.
+/// Points, vectors and numbers between OpenCASCADE and Eigen; not a public header.
 namespace seamwright::occ {
 
 inline Eigen::Vector3d vector(const gp_XYZ& xyz) {
@@ -20,6 +23,13 @@ inline gp_Pnt pointOf(const Eigen::Vector3d& p) {
 /// \param v not zero.
 inline gp_Dir directionOf(const Eigen::Vector3d& v) {
   return {v.x(), v.y(), v.z()};
+}
+
+/// \pre values not empty. The array counts from 1.
+inline TColStd_Array1OfReal reals(const std::vector<double>& values) {
+  TColStd_Array1OfReal array(1, static_cast<int>(values.size()));
+  std::ranges::copy(values, array.begin());
+  return array;
 }
 
 }  // namespace seamwright::occ

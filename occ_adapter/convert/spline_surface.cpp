@@ -13,6 +13,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
 
 namespace seamwright::occ {
@@ -65,12 +66,6 @@ Knots distinct(const std::vector<double>& flat) {
     ++knots.multiplicities.back();
   }
   return knots;
-}
-
-TColStd_Array1OfReal reals(const std::vector<double>& values) {
-  TColStd_Array1OfReal array(1, static_cast<int>(values.size()));
-  std::ranges::copy(values, array.begin());
-  return array;
 }
 
 TColStd_Array1OfInteger integers(const std::vector<int>& values) {

@@ -12,8 +12,6 @@ namespace seamwright::occ {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
 /// Even, but twice as dense near the ends, where a clamped spline has more poles.
 std::vector<double> sampleShares(int count, int dense) {
   std::vector<double> shares;
@@ -93,13 +91,14 @@ double ratioAt(const Place& place, const MovingSurface& surface, const Continuit
   const bool is_turned = place.order > 0 && place.target.normal.dot(jet.u.cross(jet.v)) < 0;
   if (place.order > 1) {
     const PairMeasure pair = measureAt(place, surface);
-    return is_turned && pair.angle_rad ? infinite : ratioOf(pair, place.order, tolerance);
+    return is_turned && pair.angle_rad ? std::numeric_limits<double>::infinity()
+                                       : ratioOf(pair, place.order, tolerance);
   }
   PairMeasure pair;
   if (const double gap = (jet.p - place.target.point).norm(); std::isfinite(gap)) pair.gap_mm = gap;
   if (place.order > 0)
     if (const auto normal = unitNormal(jet, noiseOf(jet, surface.basis()))) {
-      if (is_turned) return infinite;
+      if (is_turned) return std::numeric_limits<double>::infinity();
       pair.angle_rad =
           std::atan2(normal->cross(place.target.normal).norm(), normal->dot(place.target.normal)) +
           slidAngle(place, jet.p);

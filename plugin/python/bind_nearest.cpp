@@ -49,14 +49,14 @@ BSplineSurface makeSurface(const NumberArray& poles, std::vector<double> knots_u
   return surface;
 }
 
-NumberArray netPoles(const BSplineSurface& surface) {
+NumberArray splineNetPoles(const BSplineSurface& surface) {
   NumberArray result({surface.countU(), surface.countV(), 3});
   Eigen::Map<Poles>(result.mutable_data(), surface.poles.rows(), 3) =
       surface.poles.leftCols<3>().array().colwise() / surface.poles.col(3).array();
   return result;
 }
 
-NumberArray netWeights(const BSplineSurface& surface) {
+NumberArray splineNetWeights(const BSplineSurface& surface) {
   NumberArray result({surface.countU(), surface.countV()});
   Eigen::Map<Eigen::VectorXd>(result.mutable_data(), result.size()) = surface.poles.col(3);
   return result;
@@ -189,8 +189,8 @@ void bindSurface(py::module_& module) {
       .def_property_readonly("degree_v", [](const BSplineSurface& s) { return s.degree_v; })
       .def_property_readonly("knots_u", [](const BSplineSurface& s) { return s.knots_u; })
       .def_property_readonly("knots_v", [](const BSplineSurface& s) { return s.knots_v; })
-      .def_property_readonly("poles", &netPoles)
-      .def_property_readonly("weights", &netWeights)
+      .def_property_readonly("poles", &splineNetPoles)
+      .def_property_readonly("weights", &splineNetWeights)
       .def(
           "point", [](const BSplineSurface& s, double u, double v) { return jet(s, u, v).p; }, py::arg("u"),
           py::arg("v"))

@@ -65,7 +65,7 @@ Eigen::VectorXd costsOf(const Curve& curve, const std::string& side, const py::o
   return result;
 }
 
-NearestCurveJoinOptions::Moves movesOf(const py::object& value) {
+NearestCurveJoinOptions::Moves curveMovesOf(const py::object& value) {
   const auto name = argument<std::string>("moves", value, "'both', 'a' or 'b'");
   if (name == "both") return NearestCurveJoinOptions::Moves::Both;
   if (name == "a") return NearestCurveJoinOptions::Moves::A;
@@ -116,7 +116,7 @@ py::dict nearestCurveJoinOf(const Curve& a, const Curve& b, const py::object& or
                             const py::object& max_iterations) {
   NearestCurveJoinOptions options;
   options.order = argument<int>("order", order, "a whole number");
-  options.moves = movesOf(moves);
+  options.moves = curveMovesOf(moves);
   options.costs_a = costsOf(a, "a", costs_a, fixed_a);
   options.costs_b = costsOf(b, "b", costs_b, fixed_b);
   if (!beta.is_none()) options.beta = numbersOf("beta", beta);

@@ -37,8 +37,8 @@ int wholeNumber(const char* name, const py::object& value) {
   return argument<int>(name, value, "a whole number");
 }
 
-BSplineCurve makeCurve(const py::object& degree, std::vector<double> knots, const Array& poles,
-                       const std::optional<Array>& weights) {
+BSplineCurve makeBSplineCurve(const py::object& degree, std::vector<double> knots, const Array& poles,
+                              const std::optional<Array>& weights) {
   BSplineCurve curve{wholeNumber("degree", degree), std::move(knots), homogeneousOf(poles, weights)};
   requireValid(curve);
   return curve;
@@ -117,7 +117,7 @@ void bindSpline(py::module_& module) {
                                   "knots[i+1] with the poles i degree to (i+1) degree; weights or None; "
                                   "closed: the end is the beginning, and a joint.");
   curve
-      .def(py::init(&makeCurve), py::arg("degree"), py::arg("knots"), py::arg("poles"),
+      .def(py::init(&makeBSplineCurve), py::arg("degree"), py::arg("knots"), py::arg("poles"),
            py::arg("weights") = py::none())
       .def_static("from_bezier", &splineCurve, py::arg("curve"), "The same curve with knots 0 and 1.")
       .def(
