@@ -12,7 +12,6 @@ from pathlib import Path
 import pytest
 
 SOURCE = Path(os.environ["SEAMWRIGHT_SOURCE"])
-BUILD = Path(os.environ["SEAMWRIGHT_BUILD"])
 COMPONENTS = ("OCC", "CLI", "PYTHON", "FREECAD")
 
 
@@ -56,16 +55,19 @@ def commands(build):
 
 
 def test_core_alone_needs_neither_opencascade_nor_python(tmp_path):
-    """Core was built with these very commands, but for definitions that it does not name: so it builds alone."""
-    missing = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in ("OpenCASCADE", "Python", "pybind11", "CLI11")]
-    status, output = configure(tmp_path, (), "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON", *missing)
+    """Core compiles with these very commands in the whole, but for definitions that it does not name: so it builds alone."""
+    # The build beside may join sources to units; how each is compiled is asked of builds that don't.
+    status, output = configure(tmp_path / "whole", COMPONENTS, "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON")
     assert status == 0, output
-    alone, built = commands(tmp_path), commands(BUILD)
+    missing = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in ("OpenCASCADE", "Python", "pybind11", "CLI11")]
+    status, output = configure(tmp_path / "alone", (), "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON", *missing)
+    assert status == 0, output
+    alone, built = commands(tmp_path / "alone"), commands(tmp_path / "whole")
     assert alone and alone.keys() == built.keys()
     assert [path for path in alone if not alone[path] <= built[path]] == []
     more = {re.sub("^-D|=.*", "", word) for path in alone for word in built[path] - alone[path]}
     assert [(path, name) for path in alone for name in more if name in (SOURCE / path).read_text()] == []
-    plan = subprocess.run(["ninja", "-C", str(tmp_path), "-n"], capture_output=True, text=True, check=True).stdout
+    plan = subprocess.run(["ninja", "-C", str(tmp_path / "alone"), "-n"], capture_output=True, text=True, check=True).stdout
     assert set(re.findall(r"Building CXX object (\w+)/", plan)) == {"core"}, plan
     assert re.findall(r"Linking .* (\S+)\n", plan) == ["lib/libseamwright_core.a"], plan
 
