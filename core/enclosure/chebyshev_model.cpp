@@ -11,14 +11,14 @@ namespace seamwright {
 
 namespace {
 
-constexpr int size = ChebyshevModel::size;
+constexpr int model_size = ChebyshevModel::size;
 
 /// A bound computed from non-negative numbers by a few dozen operations, made safe against their rounding.
 double up(double bound) {
   return bound * (1 + 16 * machine_epsilon) + std::numeric_limits<double>::min();
 }
 
-using Matrix = std::array<std::array<double, size>, size>;
+using Matrix = std::array<std::array<double, model_size>, model_size>;
 
 double binomial(int n, int k) {
   double value = 1;
@@ -39,21 +39,22 @@ Matrix chebyshevToBernstein(int degree) {
   return matrix;
 }
 
-std::array<Matrix, size> bernsteinTables() {
-  std::array<Matrix, size> tables{};
-  for (int degree = 0; degree < size; ++degree) tables[degree] = chebyshevToBernstein(degree);
+std::array<Matrix, model_size> bernsteinTables() {
+  std::array<Matrix, model_size> tables{};
+  for (int degree = 0; degree < model_size; ++degree) tables[degree] = chebyshevToBernstein(degree);
   return tables;
 }
 
-/// Row i: T_k at the i-th of size Chebyshev points.
+/// Row i: T_k at the i-th of model_size Chebyshev points.
 Matrix chebyshevAtPoints() {
   Matrix matrix{};
-  for (int i = 0; i < size; ++i)
-    for (int k = 0; k < size; ++k) matrix[i][k] = std::cos(k * std::numbers::pi * (2 * i + 1) / (2 * size));
+  for (int i = 0; i < model_size; ++i)
+    for (int k = 0; k < model_size; ++k)
+      matrix[i][k] = std::cos(k * std::numbers::pi * (2 * i + 1) / (2 * model_size));
   return matrix;
 }
 
-const std::array<Matrix, size> to_bernstein = bernsteinTables();
+const std::array<Matrix, model_size> to_bernstein = bernsteinTables();
 const Matrix at_points = chebyshevAtPoints();
 
 /// The series that takes the values function(f) at the Chebyshev points: close to function(f), no more is
@@ -62,15 +63,15 @@ template <class Function>
 ChebyshevModel interpolate(const ChebyshevModel& f, const Function& function) {
   if (f.degree() == 0) return ChebyshevModel(function(f.coefficient(0)));
   ChebyshevModel::Coefficients values{};
-  for (int i = 0; i < size; ++i) {
+  for (int i = 0; i < model_size; ++i) {
     double value = 0;
     for (int k = 0; k <= f.degree(); ++k) value += f.coefficient(k) * at_points[i][k];
     values[i] = function(value);
   }
   ChebyshevModel::Coefficients series{};
-  for (int k = 0; k < size; ++k) {
-    for (int i = 0; i < size; ++i) series[k] += values[i] * at_points[i][k];
-    series[k] *= (k == 0 ? 1.0 : 2.0) / size;
+  for (int k = 0; k < model_size; ++k) {
+    for (int i = 0; i < model_size; ++i) series[k] += values[i] * at_points[i][k];
+    series[k] *= (k == 0 ? 1.0 : 2.0) / model_size;
   }
   return ChebyshevModel::series(series, 0);
 }
@@ -87,7 +88,7 @@ ChebyshevModel ChebyshevModel::linear(double middle, double half, double radius)
 
 ChebyshevModel ChebyshevModel::series(std::span<const double> coefficients, double radius) {
   ChebyshevModel model;
-  const std::size_t kept = std::min<std::size_t>(coefficients.size(), size);
+  const std::size_t kept = std::min<std::size_t>(coefficients.size(), model_size);
   std::copy_n(coefficients.begin(), kept, model.coefficients_.begin());
   double rest = 0;
   for (const double coefficient : coefficients.subspan(kept)) rest += std::abs(coefficient);
@@ -246,7 +247,7 @@ ChebyshevModel ProductSum::model() const {
   double rest = 0;
   for (int k = 0; k <= std::min(degree_, ChebyshevModel::max_degree); ++k)
     result.coefficients_[k] = 0.5 * twice_[k];
-  for (int k = size; k <= degree_; ++k) rest += std::abs(twice_[k]);
+  for (int k = model_size; k <= degree_; ++k) rest += std::abs(twice_[k]);
   result.degree_ = std::min(degree_, ChebyshevModel::max_degree);
   result.radius_ = up(radius_ + 0.5 * rest + 0.5 * machine_epsilon * (terms_ + 1) * absolute_);
   result.trim();
