@@ -136,11 +136,11 @@ TopoDS_Shape turnedSpline() {
 TopoDS_Face fan(double side, double slope, double width, double scatter = 0) {
   const std::array<double, 5> v = {0, width / 2, width, (1 + width) / 2, 1};
   TColgp_Array2OfPnt poles(1, 2, 1, 5);
-  for (int j = 0; j < 5; ++j) {
-    poles(1, j + 1) = gp_Pnt(v[j], 0, 0);
-    poles(2, j + 1) = gp_Pnt(v[j], side * v[j], j == 1 ? slope * width / 2 : 0);
-  }
-  poles(2, 1).SetZ(scatter);
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 5; ++j) {
+      const double z = j == 0 ? scatter : j == 1 ? slope * width / 2 : 0;
+      poles(i + 1, j + 1) = gp_Pnt(v[j], i * side * v[j], i * z);
+    }
   TColStd_Array1OfReal knots_u(1, 2), knots_v(1, 3);
   TColStd_Array1OfInteger times_u(1, 2), times_v(1, 3);
   knots_u(1) = knots_v(1) = 0;

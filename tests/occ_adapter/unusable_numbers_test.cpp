@@ -136,7 +136,7 @@ TEST(UnusableNumbers, ShapesFromMemoryAreAnalysedWithoutThem) {
       damage(shape);
       const Model model = occ::modelFromShape(shape);
       ASSERT_EQ(model.notes.size(), 1u);
-      const occ::Report report = occ::analyze(model, {.match_mm = 0.1});
+      const occ::Report report = occ::analyze(model, {.tolerance = {}, .match_mm = 0.1});
       EXPECT_EQ(report.seams.size(), 3u);
       EXPECT_FALSE(report.passed());
       for (const occ::SeamResult& seam : report.seams)
@@ -223,7 +223,7 @@ std::string withOneIgesNumber(const std::string& text, std::mt19937& random) {
 bool survives(const std::filesystem::path& path) {
   try {
     const Model model = readModel(path);
-    const occ::Report report = occ::analyze(model, {.match_mm = 0.1});
+    const occ::Report report = occ::analyze(model, {.tolerance = {}, .match_mm = 0.1});
     return true;
   } catch (const occ::ModelError& error) {
     EXPECT_THAT(std::string(error.what()), Not(HasSubstr("\n")));
