@@ -472,7 +472,7 @@ TEST(Match, PointsThatAreNotFiniteAreANote) {
   const SeamGraph graph = matched(compoundOf({plate(-10, 0, 0, 20), broken, plate(-20, -10, 0, 20)}));
   EXPECT_THAT(graph.seams, SizeIs(1));
   ASSERT_FALSE(graph.notes.empty());
-  EXPECT_THAT(graph.notes[0], HasSubstr("not finite"));
+  EXPECT_THAT(graph.notes[0], HasSubstr("face 2 has a surface with the number nan"));
 }
 
 TEST(Match, TooFewPiecesAreANote) {

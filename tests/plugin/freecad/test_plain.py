@@ -220,7 +220,7 @@ def test_the_tool_tip_says_bounds_place_and_certainty(report):
 def test_the_tool_tip_names_what_figures_leave_out():
     left_out = {"angle_deg": [], "curvature_per_mm": [], "curvature_rel": [[0, 1e-6], [0.25, 0.2501], [0.9995, 1]]}
     text = rows.detail_text({**seam(1), "left_out": left_out}, TOLERANCE)
-    (curvature,) = [line for line in text.split("\n") if "curvature" in line]
+    (curvature,) = [line for line in text.split("\n") if "without" in line]
     assert curvature.endswith(
         "at 0.25 of the edge, without the first 1e-06, 0.25 to 0.2501, the last 0.0005 of it"
     )
