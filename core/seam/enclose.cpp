@@ -422,8 +422,12 @@ void Enclosure::addLeftOut(SeamFigures& figures) {
     if (piece.left_out) add(figures.angle_left_out, piece, in_range ? 0 : infinite);
     if (!figures.curvature_rel || !(piece.left_out || piece.curvature_left_out)) continue;
     const auto& curvature = piece.figures.curvature_rel;
-    const double upper = in_range && isAtPole(piece) ? 0 : curvature ? curvature->upper : infinite;
-    add(figures.curvature_left_out, piece, in_range ? upper : infinite);
+    double upper = infinite;
+    if (in_range && isAtPole(piece))
+      upper = 0;
+    else if (in_range && curvature)
+      upper = curvature->upper;
+    add(figures.curvature_left_out, piece, upper);
   }
 }
 
