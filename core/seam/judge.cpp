@@ -45,18 +45,15 @@ bool isWithin(const std::optional<Figure>& figure, double limit, End end) {
   return figure && valueAt(*figure, end) <= limit;
 }
 
-/// The lower end of what is left out is 0.
-bool isWithin(const LeftOut& left_out, double limit, End end) {
-  return end == End::Lower || (left_out.upper && *left_out.upper <= limit);
-}
-
 Level reachedLevel(const SeamFigures& figures, const ContinuityTolerance& tolerance, End end) {
   if (!isWithin(figures.gap_mm, tolerance.gap_mm, end)) return Level::None;
   if (!isWithin(figures.angle_rad, tolerance.angle_rad, end) || figures.fold_at) return Level::G0;
-  if (!isWithin(figures.angle_left_out, tolerance.angle_rad, end)) return Level::G0;
+  const bool counts_left_out = end == End::Upper;  // its lower end is 0
+  if (counts_left_out && !figures.angle_left_out.isWithin(tolerance.angle_rad, tolerance)) return Level::G0;
   if (figures.plane_share < 0.95) return Level::G0;
   if (!isWithin(figures.curvature_rel, tolerance.curvature_rel, end)) return Level::G1;
-  if (!isWithin(figures.curvature_left_out, tolerance.curvature_rel, end)) return Level::G1;
+  if (counts_left_out && !figures.curvature_left_out.isWithin(tolerance.curvature_rel, tolerance))
+    return Level::G1;
   return isWithin(figures.curvature_change_rel, tolerance.curvature_rel, end) ? Level::G3 : Level::G2;
 }
 

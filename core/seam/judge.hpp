@@ -43,8 +43,8 @@ struct Verdict {
 /// reaches \p required.
 ///
 /// Level and class are those of the lower ends of the enclosures; certain iff the upper ends (infinite where
-/// none is known), those of what the figures leave out among them, give the same, and nothing else they depend
-/// on is only sampled.
+/// none is known), those of what the figures leave out among them (see LeftOut::isWithin()), give the same, and
+/// nothing else they depend on is only sampled.
 Verdict judge(const SeamFigures& figures, const ContinuityTolerance& tolerance, Level required);
 
 /// The level is reached by every value within the enclosures, also of what the figures leave out; without an

@@ -21,8 +21,9 @@ std::string doubt(const std::string& what, const std::optional<Figure>& figure, 
 
 /// "curvature is up to 37 % where it is left out, with 2 % as its limit", if so; else empty.
 std::string doubtLeftOut(const std::string& what, const std::optional<Figure>& figure,
-                         const LeftOut& left_out, double factor, double limit, const std::string& unit) {
-  if (!figure || figure->lower > limit || (left_out.upper && *left_out.upper <= limit)) return {};
+                         const LeftOut& left_out, const ContinuityTolerance& tolerance, double factor,
+                         double limit, const std::string& unit) {
+  if (!figure || figure->lower > limit || left_out.isWithin(limit, tolerance)) return {};
   std::ostringstream text;
   text.precision(3);
   text << what << " is ";
@@ -40,11 +41,11 @@ std::string firstDoubt(const SeamFigures& figures, const ContinuityTolerance& to
   for (const double limit : {tolerance.angle_rad, tolerance.crease_rad})
     if (text.empty()) text = doubt("angle", figures.angle_rad, degrees_per_radian, limit, "deg");
   if (text.empty())
-    text = doubtLeftOut("angle", figures.angle_rad, figures.angle_left_out, degrees_per_radian,
+    text = doubtLeftOut("angle", figures.angle_rad, figures.angle_left_out, tolerance, degrees_per_radian,
                         tolerance.angle_rad, "deg");
   if (text.empty()) text = doubt("curvature", figures.curvature_rel, 100, tolerance.curvature_rel, "%");
   if (text.empty())
-    text = doubtLeftOut("curvature", figures.curvature_rel, figures.curvature_left_out, 100,
+    text = doubtLeftOut("curvature", figures.curvature_rel, figures.curvature_left_out, tolerance, 100,
                         tolerance.curvature_rel, "%");
   if (text.empty())
     text = doubt("change of curvature", figures.curvature_change_rel, 100, tolerance.curvature_rel, "%");
