@@ -180,7 +180,15 @@ std::string countedParts(std::size_t count, const std::string& what) {
 }  // namespace
 
 UnusableParts::UnusableParts(const TopoDS_Shape& shape)
-    : faces_(faultsOf(shape, TopAbs_FACE, asFace)), edges_(faultsOf(shape, TopAbs_EDGE, asEdge)) {}
+    : faces_(faultsOf(shape, TopAbs_FACE, asFace)), edges_(faultsOf(shape, TopAbs_EDGE, asEdge)) {
+  if (edges_.empty()) return;
+  TopTools_IndexedMapOfShape faces, edges;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  TopExp::MapShapes(shape, TopAbs_EDGE, edges);
+  for (int f = 1; f <= faces.Extent(); ++f)
+    for (TopExp_Explorer it(faces(f), TopAbs_EDGE); it.More(); it.Next())
+      if (const int edge = edges.FindIndex(it.Current()); hasEdge(edge)) edge_of_face_.emplace(f, edge);
+}
 
 std::string UnusableParts::describeFace(int face) const {
   return "face " + std::to_string(face) + " has " + faces_.at(face);
@@ -188,6 +196,13 @@ std::string UnusableParts::describeFace(int face) const {
 
 std::string UnusableParts::describeEdge(int edge) const {
   return "edge " + std::to_string(edge) + " has " + edges_.at(edge);
+}
+
+std::string UnusableParts::whyLeftOut(int face) const {
+  if (hasFace(face)) return "has " + faces_.at(face);
+  const auto edge = edge_of_face_.find(face);
+  if (edge == edge_of_face_.end()) return {};
+  return "has edge " + std::to_string(edge->second) + ", which has " + edges_.at(edge->second);
 }
 
 std::string UnusableParts::note() const {
@@ -202,12 +217,20 @@ std::string UnusableParts::note() const {
          " numbers that are not finite or too large (1e100 and more): " + first;
 }
 
+bool isUsable(const TopoDS_Face& face) {
+  return faultOf(face).empty();
+}
+
+bool isUsable(const TopoDS_Edge& edge) {
+  return faultOf(edge).empty();
+}
+
 void noteUnusableParts(Model& model) {
   const UnusableParts unusable(model.shape);
   if (unusable.empty()) return;
   if (unusable.faceCount() == model.faceCount())
     throw ModelError(ModelErrc::Malformed, model.path, "has no face with finite numbers: " + unusable.note());
-  model.notes.push_back(unusable.note() + "; their seams are not measured");
+  model.notes.push_back(unusable.note() + "; they stay as they are, and their seams are not measured");
 }
 
 void requireUsable(const TopoDS_Shape& shape, const std::filesystem::path& path, const std::string& deed) {
