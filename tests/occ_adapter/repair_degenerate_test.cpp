@@ -229,14 +229,16 @@ TEST(RepairDegenerate, PolesThatAreNoNumbers) {
     EXPECT_TRUE(report.seams[0].treated);
     EXPECT_TRUE(report.seams[0].repaired) << report.seams[0].reason;
     EXPECT_FALSE(report.seams[1].treated);
-    EXPECT_NE(report.seams[1].reason.find("can't be measured: not measured: face 3 has a surface with the number"),
-              std::string::npos)
+    EXPECT_NE(
+        report.seams[1].reason.find("can't be measured: not measured: face 3 has a surface with the number"),
+        std::string::npos)
         << report.seams[1].reason;
     // Nothing is known of the edge between faces 2 and 3, so that neither moves.
     ASSERT_EQ(report.moves.size(), 1);
     EXPECT_EQ(report.moves[0].face, 1);
     ASSERT_EQ(report.before.model.notes.size(), 1);
-    EXPECT_NE(report.before.model.notes[0].find("1 face holds numbers that are not finite"), std::string::npos);
+    EXPECT_NE(report.before.model.notes[0].find("1 face holds numbers that are not finite"),
+              std::string::npos);
     EXPECT_TRUE(partsOf(report.model.shape, TopAbs_FACE)(3).IsSame(partsOf(shape, TopAbs_FACE)(3)));
 
     occ::RepairOptions held = trialOptions({});
