@@ -239,8 +239,14 @@ SeamResult measureSeam(const Seam& seam, const AnalyzeOptions& options) {
     result.verdict = {};
     addNote(result.note, "not measured: " + why);
   };
+  const auto unusable =
+      std::ranges::find_if(seam.sides, [](const FaceUse& side) { return !side.fault.empty(); });
+  if (unusable != seam.sides.end()) {
+    fail(unusable->fault);
+    result.figures.uncertified = "numbers that are not finite, or 1e100 and more, have no bounds";
+    return result;
+  }
   try {
-    for (const FaceUse& side : seam.sides) requireUsable(side);
     measure(seam, options, result);
   } catch (const Standard_Failure& failure) {
     fail(std::string(failure.DynamicType()->Name()) + " " + failure.GetMessageString());

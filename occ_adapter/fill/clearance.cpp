@@ -17,7 +17,9 @@
 #include <vector>
 
 #include <seamwright/occ_adapter/fill/clearance.hpp>
+#include <seamwright/occ_adapter/model/edge_curves.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
+#include <seamwright/occ_adapter/model/usable.hpp>
 
 namespace seamwright::occ {
 
@@ -109,7 +111,11 @@ bool meetElsewhere(const TopoDS_Shape& one, const TopoDS_Shape& other, const Top
 std::optional<std::pair<int, int>> touchingFaces(const TopoDS_Shape& shape, const std::set<int>& fresh) {
   const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE);
   std::vector<Bnd_Box> boxes(static_cast<std::size_t>(faces.Extent()) + 1);
-  for (int f = 1; f <= faces.Extent(); ++f) BRepBndLib::Add(faces(f), boxes[f], false);
+  const UnusableParts unusable(shape);
+  // Other boxes stay void, so that nothing meets them.
+  for (int f = 1; f <= faces.Extent(); ++f)
+    if (unusable.whyLeftOut(f).empty() && allEdgesHaveCurves(faces(f)))
+      BRepBndLib::Add(faces(f), boxes[f], false);
   for (const int a : fresh)
     for (int b = 1; b <= faces.Extent(); ++b) {
       if (b == a || (b < a && fresh.count(b) > 0) || boxes[a].IsOut(boxes[b])) continue;

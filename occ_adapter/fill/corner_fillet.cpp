@@ -197,6 +197,8 @@ std::vector<int> cornerEdges(const Model& model, int vertex) {
 CornerFillet cornerFillet(const Model& model, int vertex, const CornerFilletOptions& options,
                           const Progress& progress) {
   options.validate();
+  // Which side of the shell is solid is asked of OpenCASCADE's classifier, which looks at all its faces and may crash on
+  // numbers that are not finite.
   requireUsable(model.shape, model.path, "rounded");
   const Corner corner = cornerOf(model.shape, vertex);
   constexpr double built = 0.5;

@@ -50,6 +50,15 @@ void requireEdges(const Model& model, const Hole& hole) {
                                     std::to_string(edge.edge));
 }
 
+/// Why the border of a hole can't be met; empty if it can.
+std::string whyNotMet(const TopoDS_Shape& shape, const Hole& hole) {
+  const UnusableParts unusable(shape);
+  for (const HoleSide& side : hole.sides)
+    for (const HoleEdge& edge : side.edges)
+      if (std::string why = whyNotMet(unusable, edge.edge, edge.use.face); !why.empty()) return why;
+  return {};
+}
+
 std::optional<double> largest(const FillHoleReport& report, std::optional<Figure> SeamFigures::*figure) {
   std::optional<double> most;
   for (const auto* seams : {&report.outer, &report.inner})
@@ -132,9 +141,12 @@ FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOpti
                         const Progress& progress) {
   options.validate();
   requireEdges(model, hole);
-  requireUsable(model.shape, model.path, "filled");
-  const Model own = modelOfOwnParts(model);
-  FillHoleReport report = fillHole(own, holeIn(own, hole), options, numberedFace, progress);
+  FillHoleReport report;
+  report.reason = whyNotMet(model.shape, hole);
+  if (report.reason.empty()) {
+    const Model own = modelOfOwnParts(model);
+    report = fillHole(own, holeIn(own, hole), options, numberedFace, progress);
+  }
   if (!report.filled) report.model = model;
   return report;
 }

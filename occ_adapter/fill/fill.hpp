@@ -100,15 +100,19 @@ struct FillHoleReport {
 ///
 /// A hole with more than 12 corners, more than 4 one of which is above pi, or one above 5.3 rad is not filled.
 /// \param hole one of findHoles() of this model. Nothing that is wrong with the hole throws: it is a reason.
-/// \throws std::invalid_argument for bad options and for a hole with an edge that the model does not have; ModelError (Malformed)
-/// for a model with numbers that are not finite, or 1e100 and more; Cancelled.
+///
+/// Faces with numbers that are not finite, or 1e100 and more, stay as they are, and nothing is checked against them: neither
+/// OpenCASCADE's checks nor whether the fill runs into them. A shell that has one becomes no solid, nor is a solid that has one
+/// turned. A hole that is bounded by such a face or edge is not filled, with that reason.
+/// \throws std::invalid_argument for bad options and for a hole with an edge that the model does not have; Cancelled.
 /// Source: MATH-surfaces 5.6, 7.
 FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOptions& options = {},
                         const Progress& progress = {});
 
 /// Takes a face out and fills the hole that it leaves. \param face from 1, order of TopExp::MapShapes.
 /// A face that has several loops, or a neighbour on one side only, is not replaced; the model comes back as it is, with the reason.
-/// \throws std::invalid_argument for bad options and for a face that the model does not have; ModelError as fillHole(); Cancelled.
+/// A face with numbers that are not finite can be replaced where its edges and the faces beside it have none.
+/// \throws std::invalid_argument for bad options and for a face that the model does not have; Cancelled.
 FillHoleReport replaceFace(const Model& model, int face, const FillHoleOptions& options = {},
                            const Progress& progress = {});
 

@@ -23,4 +23,13 @@ Hole holeIn(const Model& model, Hole hole) {
   return hole;
 }
 
+std::string whyNotMet(const UnusableParts& unusable, int edge, int face) {
+  std::string fault;
+  if (unusable.hasFace(face))
+    fault = unusable.describeFace(face);
+  else if (unusable.hasEdge(edge))
+    fault = unusable.describeEdge(edge);
+  return fault.empty() ? fault : "the hole can't be met at edge " + std::to_string(edge) + ": " + fault;
+}
+
 }  // namespace seamwright::occ

@@ -5,6 +5,7 @@
 
 #include <seamwright/occ_adapter/fill/fill.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
+#include <seamwright/occ_adapter/model/usable.hpp>
 #include <seamwright/occ_adapter/repair/sewn_shape.hpp>
 
 /// Fills of models that are parts or stages of what the user gave; not a public header.
@@ -27,6 +28,9 @@ Model modelOfOwnParts(Model model);
 
 /// A hole of another model with the same numbers.
 Hole holeIn(const Model& model, Hole hole);
+
+/// Why a hole can't be met at an edge of its border, with a face beside it that stays; empty if it can.
+std::string whyNotMet(const UnusableParts& unusable, int edge, int face);
 
 /// As fillHole(); \param names of the model's faces.
 FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOptions& options,

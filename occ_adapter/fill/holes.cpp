@@ -81,6 +81,7 @@ class Loops {
   void addLink(const FaceUse& use) {
     const int number = edges_.FindIndex(use.edge);
     try {
+      requireUsable(use);
       const EdgePath path(use, number, options_.gap_mm);
       Link link;
       link.edge = {number, use, runsAgainst(use), path.length_mm()};

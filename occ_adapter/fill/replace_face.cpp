@@ -3,6 +3,7 @@
 #include <BRep_Tool.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <set>
@@ -37,6 +38,22 @@ Model without(const Model& model, const TopoDS_Shape& face) {
   return rest;
 }
 
+/// The edges of the face, and what lies beside them, have to be met by the new one.
+void requireUsableBorder(const TopoDS_Shape& whole, int face) {
+  const UnusableParts unusable(whole);
+  if (unusable.empty()) return;
+  const TopTools_IndexedMapOfShape faces = partsOf(whole, TopAbs_FACE), edges = partsOf(whole, TopAbs_EDGE);
+  TopTools_IndexedDataMapOfShapeListOfShape faces_of_edge;
+  TopExp::MapShapesAndUniqueAncestors(whole, TopAbs_EDGE, TopAbs_FACE, faces_of_edge);
+  for (TopExp_Explorer edge(faces(face), TopAbs_EDGE); edge.More(); edge.Next())
+    for (const TopoDS_Shape& beside : faces_of_edge.FindFromKey(edge.Current())) {
+      const int other = faces.FindIndex(beside);
+      if (other == face) continue;
+      const std::string why = whyNotMet(unusable, edges.FindIndex(edge.Current()), other);
+      if (!why.empty()) throw NotFilled(why);
+    }
+}
+
 /// The hole in the rest of a model that a face left.
 Hole holeOf(const Model& rest, const TopoDS_Shape& face, const FillHoleOptions& options) {
   std::set<int> wanted;
@@ -66,10 +83,10 @@ FillHoleReport replaceFace(const Model& model, int face, const FillHoleOptions& 
   if (face < 1 || face > model.faceCount())
     throw std::invalid_argument("the model has no face " + std::to_string(face) + ": they count from 1 to " +
                                 std::to_string(model.faceCount()));
-  requireUsable(model.shape, model.path, "filled");
   FillHoleReport report;
   try {
     const Model whole = modelOfOwnParts(model);
+    requireUsableBorder(whole.shape, face);
     const TopoDS_Shape old = partsOf(whole.shape, TopAbs_FACE)(face);
     const Model rest = without(whole, old);
     const Numbers faces(whole.shape, rest.shape, TopAbs_FACE), edges(whole.shape, rest.shape, TopAbs_EDGE);

@@ -16,6 +16,7 @@
 #include <stdexcept>
 
 #include <seamwright/occ_adapter/match/boundary.hpp>
+#include <seamwright/occ_adapter/model/edge_curves.hpp>
 #include <seamwright/occ_adapter/seams/match.hpp>
 
 namespace seamwright::occ {
@@ -39,10 +40,11 @@ std::string listOf(const std::vector<int>& numbers) {
 }
 
 std::string apartText(const std::array<TopoDS_Face, 2>& faces, double match_mm) {
-  const BRepExtrema_DistShapeShape distance(faces[0], faces[1]);
   std::ostringstream text;
   text << "the faces have no common boundary: no edge is shared, and no open edges run side by side within "
        << match_mm << " mm";
+  if (!allEdgesHaveCurves(faces[0]) || !allEdgesHaveCurves(faces[1])) return text.str();
+  const BRepExtrema_DistShapeShape distance(faces[0], faces[1]);
   if (distance.IsDone()) text << "; the faces are " << distance.Value() << " mm apart";
   return text.str();
 }

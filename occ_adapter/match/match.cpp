@@ -324,8 +324,15 @@ void FaceMatchOptions::validate() const {
 MatchReport matchFaces(const TopoDS_Shape& model, int face_a, int face_b, const FaceMatchOptions& options,
                        const Progress& progress) {
   options.validate();
-  requireUsable(model, {}, "matched");
   const std::array<TopoDS_Face, 2> faces = facesOf(model, face_a, face_b);
+  const UnusableParts unusable(model);
+  for (const int face : {face_a, face_b})
+    if (const std::string why = unusable.whyLeftOut(face); !why.empty()) {
+      MatchReport report;
+      report.shape = pairOf(faces);
+      report.reason = "face " + std::to_string(face) + " " + why;
+      return report;
+    }
   return Matching(faces, {face_a, face_b}, options, progress).run(model);
 }
 

@@ -71,7 +71,8 @@ struct MatchReport {
 ///
 /// \param face_a, face_b numbers from 1 in the order of TopExp::MapShapes.
 /// \throws std::invalid_argument for numbers that name no two faces, an edge that is none of their common ones, or bad options;
-/// ModelError (Malformed) for a model with numbers that are not finite, or 1e100 and more; Cancelled.
+/// Cancelled. A face with numbers that are not finite, or 1e100 and more, in its surface or one of its edges is refused with
+/// that reason; in other faces they do no harm.
 /// Source: MATH-surfaces 6.2, 6.3, 6.5 (exact), 7 (to the tolerance, here with one row at a time).
 MatchReport matchFaces(const TopoDS_Shape& model, int face_a, int face_b,
                        const FaceMatchOptions& options = {}, const Progress& progress = {});

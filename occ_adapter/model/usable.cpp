@@ -22,83 +22,20 @@
 #include <charconv>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 #include <sstream>
 
+#include <seamwright/occ_adapter/model/not_finite.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
 
 namespace seamwright::occ {
 
 namespace {
 
-bool isUsableNumber(double number) {
-  return std::isfinite(number) && !Precision::IsInfinite(number);
-}
-
 std::string numberInWords(const std::string& what, double number) {
   std::ostringstream text;
   text << what << " with the number " << number;
   return text.str();
-}
-
-/// What is wrong with numbers, or nothing.
-std::string faultOf(const std::string& what, std::initializer_list<double> numbers) {
-  for (const double number : numbers)
-    if (!isUsableNumber(number)) return numberInWords(what, number);
-  return {};
-}
-
-std::string faultOf(const std::string& what, const gp_XYZ& point) {
-  return faultOf(what, {point.X(), point.Y(), point.Z()});
-}
-
-std::string faultOf(const TopLoc_Location& location) {
-  if (location.IsIdentity()) return {};
-  const gp_Trsf motion = location.Transformation();
-  for (int row = 1; row <= 3; ++row)
-    for (int column = 1; column <= 4; ++column)
-      if (const double number = motion.Value(row, column); !isUsableNumber(number))
-        return numberInWords("a location", number);
-  return {};
-}
-
-/// OpenCASCADE writes each kind of curve and surface as its numbers, nested ones too.
-template <class Print>
-std::string faultInText(const std::string& what, const Print& print) {
-  std::ostringstream stream;
-  try {
-    print(stream);
-  } catch (const Standard_Failure&) {
-    return {};  // of a kind that it does not write
-  }
-  const std::string_view text = stream.view();
-  constexpr std::string_view between = " \n";
-  for (std::size_t begin = 0, end = 0; (begin = text.find_first_not_of(between, end)) != text.npos;) {
-    end = std::min(text.find_first_of(between, begin), text.size());
-    double number = 0;
-    const auto [stop, error] = std::from_chars(text.data() + begin, text.data() + end, number);
-    if (error == std::errc() && !isUsableNumber(number)) return numberInWords(what, number);
-  }
-  return {};
-}
-
-std::string faultOf(const opencascade::handle<Geom_Surface>& surface) {
-  if (surface.IsNull()) return {};
-  return faultInText("a surface", [&surface](std::ostream& stream) {
-    GeomTools_SurfaceSet::PrintSurface(surface, stream, true);
-  });
-}
-
-std::string faultOf(const opencascade::handle<Geom_Curve>& curve) {
-  if (curve.IsNull()) return {};
-  return faultInText("a curve",
-                     [&curve](std::ostream& stream) { GeomTools_CurveSet::PrintCurve(curve, stream, true); });
-}
-
-std::string faultOf(const opencascade::handle<Geom2d_Curve>& curve) {
-  if (curve.IsNull()) return {};
-  return faultInText("a path on a face", [&curve](std::ostream& stream) {
-    GeomTools_Curve2dSet::PrintCurve2d(curve, stream, true);
-  });
 }
 
 /// The first fault of several, or nothing.
@@ -108,60 +45,140 @@ std::string firstFaultOf(std::initializer_list<std::string> faults) {
   return {};
 }
 
-/// Without a curve the range means nothing: at the pole of a sphere an edge has a path on the face alone.
-template <class Curve>
-std::string faultOf(const BRep_GCurve& owner, const opencascade::handle<Curve>& curve) {
-  return curve.IsNull() ? std::string()
-                        : firstFaultOf({faultOf("a range", {owner.First(), owner.Last()}), faultOf(curve)});
-}
+/// Looks for numbers that are not finite, or as large as a limit.
+class FaultFinder {
+ public:
+  explicit FaultFinder(double too_large) : too_large_(too_large) {}
 
-std::string faultOf(const opencascade::handle<BRep_CurveRepresentation>& representation) {
-  const auto owner = opencascade::handle<BRep_GCurve>::DownCast(representation);
-  if (owner.IsNull()) return {};
-  std::string fault = faultOf(owner->Location());
-  if (fault.empty() && owner->IsCurve3D()) fault = faultOf(*owner, owner->Curve3D());
-  if (fault.empty() && owner->IsCurveOnSurface()) fault = faultOf(*owner, owner->PCurve());
-  if (fault.empty() && owner->IsCurveOnClosedSurface()) fault = faultOf(*owner, owner->PCurve2());
-  return fault;
-}
+  /// What is wrong with numbers, or nothing.
+  std::string faultOf(const std::string& what, std::initializer_list<double> numbers) const {
+    for (const double number : numbers)
+      if (!isUsableNumber(number)) return numberInWords(what, number);
+    return {};
+  }
 
-std::string faultOf(const TopoDS_Vertex& vertex) {
-  const auto body = opencascade::handle<BRep_TVertex>::DownCast(vertex.TShape());
-  if (body.IsNull()) return {};
-  std::string fault = firstFaultOf({faultOf(vertex.Location()), faultOf("a vertex", body->Pnt().XYZ()),
-                                    faultOf("a tolerance of a vertex", {body->Tolerance()})});
-  for (BRep_ListIteratorOfListOfPointRepresentation it(body->Points()); fault.empty() && it.More(); it.Next())
-    fault = firstFaultOf(
-        {faultOf(it.Value()->Location()), faultOf("a place of a vertex", {it.Value()->Parameter()})});
-  return fault;
-}
+  std::string faultOf(const std::string& what, const gp_XYZ& point) const {
+    return faultOf(what, {point.X(), point.Y(), point.Z()});
+  }
 
-std::string faultOf(const TopoDS_Edge& edge) {
-  const auto body = opencascade::handle<BRep_TEdge>::DownCast(edge.TShape());
-  if (body.IsNull()) return {};
-  std::string fault = firstFaultOf({faultOf(edge.Location()), faultOf("a tolerance", {body->Tolerance()})});
-  for (BRep_ListIteratorOfListOfCurveRepresentation it(body->Curves()); fault.empty() && it.More(); it.Next())
-    fault = faultOf(it.Value());
-  for (TopExp_Explorer it(edge, TopAbs_VERTEX); fault.empty() && it.More(); it.Next())
-    fault = faultOf(TopoDS::Vertex(it.Current()));
-  return fault;
-}
+  std::string faultOf(const TopLoc_Location& location) const {
+    if (location.IsIdentity()) return {};
+    const gp_Trsf motion = location.Transformation();
+    for (int row = 1; row <= 3; ++row)
+      for (int column = 1; column <= 4; ++column)
+        if (const double number = motion.Value(row, column); !isUsableNumber(number))
+          return numberInWords("a location", number);
+    return {};
+  }
 
-std::string faultOf(const TopoDS_Face& face) {
-  TopLoc_Location location;
-  const opencascade::handle<Geom_Surface> surface = BRep_Tool::Surface(face, location);
-  return firstFaultOf(
-      {faultOf(location), faultOf("a tolerance", {BRep_Tool::Tolerance(face)}), faultOf(surface)});
+  /// OpenCASCADE writes each kind of curve and surface as its numbers, nested ones too.
+  template <class Print>
+  std::string faultInText(const std::string& what, const Print& print) const {
+    std::ostringstream stream;
+    try {
+      print(stream);
+    } catch (const Standard_Failure&) {
+      return {};  // of a kind that it does not write
+    }
+    const std::string_view text = stream.view();
+    constexpr std::string_view between = " \n";
+    for (std::size_t begin = 0, end = 0; (begin = text.find_first_not_of(between, end)) != text.npos;) {
+      end = std::min(text.find_first_of(between, begin), text.size());
+      double number = 0;
+      const auto [stop, error] = std::from_chars(text.data() + begin, text.data() + end, number);
+      if (error == std::errc() && !isUsableNumber(number)) return numberInWords(what, number);
+    }
+    return {};
+  }
+
+  std::string faultOf(const opencascade::handle<Geom_Surface>& surface) const {
+    if (surface.IsNull()) return {};
+    return faultInText("a surface", [&surface](std::ostream& stream) {
+      GeomTools_SurfaceSet::PrintSurface(surface, stream, true);
+    });
+  }
+
+  std::string faultOf(const opencascade::handle<Geom_Curve>& curve) const {
+    if (curve.IsNull()) return {};
+    return faultInText(
+        "a curve", [&curve](std::ostream& stream) { GeomTools_CurveSet::PrintCurve(curve, stream, true); });
+  }
+
+  std::string faultOf(const opencascade::handle<Geom2d_Curve>& curve) const {
+    if (curve.IsNull()) return {};
+    return faultInText("a path on a face", [&curve](std::ostream& stream) {
+      GeomTools_Curve2dSet::PrintCurve2d(curve, stream, true);
+    });
+  }
+
+  /// Without a curve the range means nothing: at the pole of a sphere an edge has a path on the face alone.
+  template <class Curve>
+  std::string faultOf(const BRep_GCurve& owner, const opencascade::handle<Curve>& curve) const {
+    return curve.IsNull() ? std::string()
+                          : firstFaultOf({faultOf("a range", {owner.First(), owner.Last()}), faultOf(curve)});
+  }
+
+  std::string faultOf(const opencascade::handle<BRep_CurveRepresentation>& representation) const {
+    const auto owner = opencascade::handle<BRep_GCurve>::DownCast(representation);
+    if (owner.IsNull()) return {};
+    std::string fault = faultOf(owner->Location());
+    if (fault.empty() && owner->IsCurve3D()) fault = faultOf(*owner, owner->Curve3D());
+    if (fault.empty() && owner->IsCurveOnSurface()) fault = faultOf(*owner, owner->PCurve());
+    if (fault.empty() && owner->IsCurveOnClosedSurface()) fault = faultOf(*owner, owner->PCurve2());
+    return fault;
+  }
+
+  std::string faultOf(const TopoDS_Vertex& vertex) const {
+    const auto body = opencascade::handle<BRep_TVertex>::DownCast(vertex.TShape());
+    if (body.IsNull()) return {};
+    std::string fault = firstFaultOf({faultOf(vertex.Location()), faultOf("a vertex", body->Pnt().XYZ()),
+                                      faultOf("a tolerance of a vertex", {body->Tolerance()})});
+    for (BRep_ListIteratorOfListOfPointRepresentation it(body->Points()); fault.empty() && it.More();
+         it.Next())
+      fault = firstFaultOf(
+          {faultOf(it.Value()->Location()), faultOf("a place of a vertex", {it.Value()->Parameter()})});
+    return fault;
+  }
+
+  std::string faultOf(const TopoDS_Edge& edge) const {
+    const auto body = opencascade::handle<BRep_TEdge>::DownCast(edge.TShape());
+    if (body.IsNull()) return {};
+    std::string fault = firstFaultOf({faultOf(edge.Location()), faultOf("a tolerance", {body->Tolerance()})});
+    for (BRep_ListIteratorOfListOfCurveRepresentation it(body->Curves()); fault.empty() && it.More();
+         it.Next())
+      fault = faultOf(it.Value());
+    for (TopExp_Explorer it(edge, TopAbs_VERTEX); fault.empty() && it.More(); it.Next())
+      fault = faultOf(TopoDS::Vertex(it.Current()));
+    return fault;
+  }
+
+  std::string faultOf(const TopoDS_Face& face) const {
+    TopLoc_Location location;
+    const opencascade::handle<Geom_Surface> surface = BRep_Tool::Surface(face, location);
+    return firstFaultOf(
+        {faultOf(location), faultOf("a tolerance", {BRep_Tool::Tolerance(face)}), faultOf(surface)});
+  }
+
+ private:
+  bool isUsableNumber(double number) const { return std::isfinite(number) && std::abs(number) < too_large_; }
+
+  double too_large_;
+};
+
+/// Precision::IsInfinite() takes this for infinite.
+FaultFinder unusableNumbers() {
+  return FaultFinder(0.5 * Precision::Infinite());
 }
 
 template <class Part>
 std::map<int, std::string> faultsOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind,
-                                    const Part& (*cast)(const TopoDS_Shape&)) {
+                                    const Part& (*cast)(const TopoDS_Shape&), const FaultFinder& search) {
   TopTools_IndexedMapOfShape parts;
   TopExp::MapShapes(shape, kind, parts);
   std::map<int, std::string> faults;
   for (int i = 1; i <= parts.Extent(); ++i)
-    if (std::string fault = faultOf(cast(parts(i))); !fault.empty()) faults.emplace(i, std::move(fault));
+    if (std::string fault = search.faultOf(cast(parts(i))); !fault.empty())
+      faults.emplace(i, std::move(fault));
   return faults;
 }
 
@@ -180,7 +197,16 @@ std::string countedParts(std::size_t count, const std::string& what) {
 }  // namespace
 
 UnusableParts::UnusableParts(const TopoDS_Shape& shape)
-    : faces_(faultsOf(shape, TopAbs_FACE, asFace)), edges_(faultsOf(shape, TopAbs_EDGE, asEdge)) {}
+    : faces_(faultsOf(shape, TopAbs_FACE, asFace, unusableNumbers())),
+      edges_(faultsOf(shape, TopAbs_EDGE, asEdge, unusableNumbers())) {
+  if (edges_.empty()) return;
+  TopTools_IndexedMapOfShape faces, edges;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  TopExp::MapShapes(shape, TopAbs_EDGE, edges);
+  for (int f = 1; f <= faces.Extent(); ++f)
+    for (TopExp_Explorer it(faces(f), TopAbs_EDGE); it.More(); it.Next())
+      if (const int edge = edges.FindIndex(it.Current()); hasEdge(edge)) edge_of_face_.emplace(f, edge);
+}
 
 std::string UnusableParts::describeFace(int face) const {
   return "face " + std::to_string(face) + " has " + faces_.at(face);
@@ -188,6 +214,13 @@ std::string UnusableParts::describeFace(int face) const {
 
 std::string UnusableParts::describeEdge(int edge) const {
   return "edge " + std::to_string(edge) + " has " + edges_.at(edge);
+}
+
+std::string UnusableParts::whyLeftOut(int face) const {
+  if (hasFace(face)) return "has " + faces_.at(face);
+  const auto edge = edge_of_face_.find(face);
+  if (edge == edge_of_face_.end()) return {};
+  return "has edge " + std::to_string(edge->second) + ", which has " + edges_.at(edge->second);
 }
 
 std::string UnusableParts::note() const {
@@ -202,12 +235,29 @@ std::string UnusableParts::note() const {
          " numbers that are not finite or too large (1e100 and more): " + first;
 }
 
+bool isUsable(const TopoDS_Face& face) {
+  return unusableNumbers().faultOf(face).empty();
+}
+
+bool isUsable(const TopoDS_Edge& edge) {
+  return unusableNumbers().faultOf(edge).empty();
+}
+
+std::string whyNotFinite(const TopoDS_Shape& shape) {
+  const FaultFinder search(std::numeric_limits<double>::infinity());
+  const std::map<int, std::string> faces = faultsOf(shape, TopAbs_FACE, asFace, search);
+  if (!faces.empty()) return "face " + std::to_string(faces.begin()->first) + " has " + faces.begin()->second;
+  const std::map<int, std::string> edges = faultsOf(shape, TopAbs_EDGE, asEdge, search);
+  return edges.empty() ? std::string()
+                       : "edge " + std::to_string(edges.begin()->first) + " has " + edges.begin()->second;
+}
+
 void noteUnusableParts(Model& model) {
   const UnusableParts unusable(model.shape);
   if (unusable.empty()) return;
   if (unusable.faceCount() == model.faceCount())
     throw ModelError(ModelErrc::Malformed, model.path, "has no face with finite numbers: " + unusable.note());
-  model.notes.push_back(unusable.note() + "; their seams are not measured");
+  model.notes.push_back(unusable.note() + "; they stay as they are, and their seams are not measured");
 }
 
 void requireUsable(const TopoDS_Shape& shape, const std::filesystem::path& path, const std::string& deed) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 #include <filesystem>
 #include <map>
@@ -26,13 +28,21 @@ class UnusableParts {
   /// One clause, "face 3 has a surface with the number nan"; the part must be one of these.
   std::string describeFace(int face) const;
   std::string describeEdge(int edge) const;
+  /// Why algorithms over whole faces can't take a face, as "face 3 ..." goes on: "has a surface with the number nan",
+  /// "has edge 7, which has a vertex with the number inf". Empty if they can.
+  std::string whyLeftOut(int face) const;
   /// One sentence for a user; empty if there are no such parts.
   std::string note() const;
 
  private:
   std::map<int, std::string> faces_;  ///< what is wrong, by number
   std::map<int, std::string> edges_;
+  std::map<int, int> edge_of_face_;  ///< the first such edge of a face that has one
 };
+
+/// Whether numbers of one part can be computed with, as UnusableParts has it.
+bool isUsable(const TopoDS_Face& face);
+bool isUsable(const TopoDS_Edge& edge);
 
 /// Adds a note to the model if it has such parts.
 /// \throws ModelError (Malformed) if no face can be computed with

@@ -17,6 +17,7 @@
 #include <system_error>
 
 #include <seamwright/occ_adapter/model/failure_text.hpp>
+#include <seamwright/occ_adapter/model/not_finite.hpp>
 #include <seamwright/occ_adapter/model/reader.hpp>
 #include <seamwright/occ_adapter/model/target_file.hpp>
 #include <seamwright/occ_adapter/model/wire.hpp>
@@ -108,12 +109,23 @@ std::optional<Written> copyOfSource(const Model& model, Format format) {
   return Written{std::move(bytes).str(), {.format = format, .followed_source = true, .notes = {}}};
 }
 
+/// OpenCASCADE would write NAN and INF: it does not come to an end with such a STEP file, and from IGES it reads other
+/// numbers without a word.
+void requireFinite(const Model& model, const std::filesystem::path& path, Format format) {
+  if (const std::string why = whyNotFinite(model.shape); !why.empty())
+    throw ModelError(ModelErrc::NotWritten, path,
+                     "can't be written: " + why + ", which " + std::string(name(format)) +
+                         " can't hold: remove or replace that part, or write .brep or .bin");
+}
+
 Written writtenModel(const Model& model, const std::filesystem::path& path, Format format,
                      const WriteOptions& options, const Progress& progress) {
   if (options.unchanged)
     if (std::optional<Written> same = copyOfSource(model, format)) return std::move(*same);
-  if (format == Format::Step || format == Format::Iges)
+  if (format == Format::Step || format == Format::Iges) {
+    requireFinite(model, path, format);
     return writeElsewhere(model, path, format, options.afresh, progress);
+  }
   return writeBrep(model, format);
 }
 

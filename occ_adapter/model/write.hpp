@@ -74,6 +74,8 @@ void requireTarget(const std::filesystem::path& source, const std::filesystem::p
 /// before, or the new file. Only a killed process leaves the file beside (.NAME.NUMBER.part). A target that is a symbolic
 /// link stays one; the file it leads to is replaced.
 ///
+/// Numbers that are not finite are written in BREP, and refused (NotWritten) in STEP and IGES, which can't hold them.
+///
 /// \throws ModelError (its code says which kind) or Cancelled; nothing is written then.
 WriteReport writeModel(const Model& model, const std::filesystem::path& path,
                        const WriteOptions& options = {}, const Progress& progress = {});

@@ -22,6 +22,7 @@
 
 #include <seamwright/occ_adapter/analyze/workers.hpp>
 #include <seamwright/occ_adapter/convert/edge_image.hpp>
+#include <seamwright/occ_adapter/model/usable.hpp>
 #include <seamwright/occ_adapter/repair/change.hpp>
 #include <seamwright/occ_adapter/repair/own_parts.hpp>
 
@@ -321,6 +322,7 @@ class Changer {
       const int number = edges_.number(beside);
       const TopoDS_Edge old = edge(number);
       const auto changed = new_edges_.find(number);
+      if (changed == new_edges_.end() && !isUsable(old)) continue;  // ends nowhere
       const NewEdge edge = changed == new_edges_.end() ? asItIs(old, number) : changed->second;
       ends.tolerance_mm = std::max(ends.tolerance_mm, edge.tolerance_mm);
       ends.moved = ends.moved || edge.moved;
@@ -339,7 +341,7 @@ class Changer {
     NewEdge same;
     same.curve = BRep_Tool::Curve(edge, same.first, same.last);
     for (const int beside : facesOf(number))
-      if (const PlanarPath path = pathOf(edge, face(beside)); !path.curve.IsNull())
+      if (const PlanarPath path = pathOf(edge, face(beside)); !path.curve.IsNull() && isUsable(face(beside)))
         same.sides.push_back({surfaceOf(face(beside)), path});
     same.tolerance_mm = BRep_Tool::Tolerance(edge);
     return same;

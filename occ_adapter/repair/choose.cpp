@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
@@ -10,6 +12,7 @@
 
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
 #include <seamwright/occ_adapter/match/boundary.hpp>
+#include <seamwright/occ_adapter/model/usable.hpp>
 #include <seamwright/occ_adapter/repair/choose.hpp>
 #include <seamwright/occ_adapter/repair/own_parts.hpp>
 
@@ -72,20 +75,52 @@ class Instances {
   std::map<const TopoDS_TShape*, int> counts_;
 };
 
+/// Why a face stays that can't be computed with, or that has an edge in common with such a face: where such an edge
+/// would have to be is not known.
+class Unmovable {
+ public:
+  explicit Unmovable(const TopoDS_Shape& shape) : unusable_(shape) {
+    if (unusable_.empty()) return;
+    TopExp::MapShapes(shape, TopAbs_FACE, faces_);
+    TopExp::MapShapes(shape, TopAbs_EDGE, edges_);
+    TopExp::MapShapesAndUniqueAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces_of_edge_);
+  }
+
+  std::string whyNot(int face) const {
+    if (unusable_.empty()) return {};
+    if (std::string why = unusable_.whyLeftOut(face); !why.empty()) return why;
+    for (TopExp_Explorer edge(faces_(face), TopAbs_EDGE); edge.More(); edge.Next())
+      for (const TopoDS_Shape& beside : faces_of_edge_.FindFromKey(edge.Current()))
+        if (const int other = faces_.FindIndex(beside); unusable_.hasFace(other))
+          return "has edge " + std::to_string(edges_.FindIndex(edge.Current())) + " in common with face " +
+                 std::to_string(other) + ", which " + unusable_.whyLeftOut(other);
+    return {};
+  }
+
+ private:
+  UnusableParts unusable_;
+  TopTools_IndexedMapOfShape faces_, edges_;
+  TopTools_IndexedDataMapOfShapeListOfShape faces_of_edge_;
+};
+
 std::vector<FaceChoice> chooseFaces(const TopoDS_Shape& shape, const Report& before,
                                     const std::vector<int>& fixed) {
   const std::map<int, const LooseEdge*> crowded = crowdedEdges(before);
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
   const Instances instances(shape);
+  const Unmovable unmovable(shape);
   std::vector<FaceChoice> choices(static_cast<std::size_t>(faces.Extent()) + 1);
   for (int f = 1; f <= faces.Extent(); ++f) {
     const TopoDS_Face& face = TopoDS::Face(faces(f));
     TopLoc_Location location;
     const std::string of_instances = instances.whyNot(f);
+    const std::string of_numbers = unmovable.whyNot(f);
     std::string& why = choices[f].cannot_move;
     if (std::ranges::count(fixed, f) > 0)
       why = "is fixed";
+    else if (!of_numbers.empty())
+      why = of_numbers;
     else if (!of_instances.empty())
       why = of_instances;
     else if (const auto edge = crowded.find(f); edge != crowded.end())

@@ -26,7 +26,7 @@ struct Choice {
 
 /// Seams of class defect, or those of the edges picked that do not have the level yet; at least one of the faces has to be able to move.
 /// A face can move if it lies on a B-spline or Bezier surface, is not fixed, stands in the model once, and has no edge where three faces
-/// or more meet.
+/// or more meet. Nor does a face move that can't be computed with (UnusableParts), or that has an edge in common with one.
 /// A defect that would be a crease if its gap were closed is sharp by design: it stays so. Faces that fold back on one another below
 /// the crease angle are not treated, as no small move turns a normal over.
 /// \throws std::invalid_argument for edges and faces that the model does not have, and for a picked edge that is no seam.

@@ -16,6 +16,7 @@
 #include <seamwright/occ_adapter/analyze/measure_seam.hpp>
 #include <seamwright/occ_adapter/analyze/workers.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
+#include <seamwright/occ_adapter/model/usable.hpp>
 #include <seamwright/occ_adapter/repair/prove.hpp>
 #include <seamwright/occ_adapter/repair/surface_difference.hpp>
 #include <seamwright/occ_adapter/repair/volumes.hpp>
@@ -337,12 +338,17 @@ void addConnected(const RepairTask& task, const std::set<int>& moved,
 
 // The parallel mode of BRepCheck_Analyzer is no choice: faces that share an edge evaluate one adaptor of its curve on several threads, and
 // each replaces the adaptor's cache while others read it. Sound shapes fail the checks then, and freed memory is written to.
+//
+// Faces with numbers that are not finite make these checks crash or search without an end, so they count as not sound
+// without being looked at. The whole then counts as not sound either.
 Soundness soundnessOf(const TopoDS_Shape& shape, int jobs) {
   const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE);
+  const UnusableParts unusable(shape);
   // By face; at 0 the whole. Not of bool, of which neighbours share a word.
   std::vector<char> sound(static_cast<std::size_t>(faces.Extent()) + 1, 1);
   const auto check = [&](std::size_t k) {
-    sound[k + 1] = BRepCheck_Analyzer(faces(static_cast<int>(k) + 1)).IsValid() ? 1 : 0;
+    const int face = static_cast<int>(k) + 1;
+    sound[k + 1] = unusable.whyLeftOut(face).empty() && BRepCheck_Analyzer(faces(face)).IsValid() ? 1 : 0;
   };
   runParallel(sound.size() - 1, jobs, check, {});
   // Not beside the faces, of which both mark wires. Their geometry is checked.

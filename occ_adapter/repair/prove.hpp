@@ -12,7 +12,8 @@
 /// Whether a changed shape is a repaired one; not a public header.
 namespace seamwright::occ {
 
-/// Faces that pass OpenCASCADE's checks, from 1, and whether the whole does.
+/// Faces that pass OpenCASCADE's checks, from 1, and whether the whole does. Faces that can't be computed with
+/// (UnusableParts) do not.
 struct Soundness {
   std::vector<bool> faces;
   bool whole = true;

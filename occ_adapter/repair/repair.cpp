@@ -9,7 +9,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include <seamwright/occ_adapter/model/usable.hpp>
 #include <seamwright/occ_adapter/repair/convert_faces.hpp>
 #include <seamwright/occ_adapter/repair/prove.hpp>
 #include <seamwright/occ_adapter/repair/sew.hpp>
@@ -388,7 +387,6 @@ void RepairOptions::validate() const {
 
 RepairReport repair(const Model& model, const RepairOptions& options, const Progress& progress) {
   options.validate();
-  requireUsable(model.shape, model.path, "repaired");
   const auto plain = [](const Model& of, const RepairOptions& how, const Progress& part) {
     return Repairing(of, how, part).run();
   };

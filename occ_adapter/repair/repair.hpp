@@ -107,6 +107,10 @@ struct RepairReport {
 /// Figures within the tolerance are as good as one another, and so are those that differ by less than that tenth.
 /// A model without seams to treat or to sew comes back as it is, sharing everything.
 ///
+/// Faces with numbers that are not finite, or 1e100 and more, stay as they are, as do the faces that share an edge with them.
+/// Their seams can't be measured, so they are not repaired, with that reason. No check of OpenCASCADE looks at them, and the
+/// shape as a whole is not checked then. A shell that has one becomes no solid by sewing, nor is a solid that has one turned.
+///
 /// With convert_analytic other faces than splines may move too (planes, cylinders, cones, spheres, tori, extrusions, ...), as polynomial
 /// splines with the same parameters, so that edges keep their paths: planes and extrusions of splines exactly, others to a thousandth of
 /// the gap tolerance. That is done where it helps: beside seams where nothing else may move, one face of each first, else beside seams that
@@ -125,7 +129,7 @@ struct RepairReport {
 /// Parts with several instances, solids of several shells and faces that have one surface in common are not sewn.
 ///
 /// \throws std::invalid_argument for bad options, also for edges and faces that the model does not have and edges that are no
-/// seam; ModelError (Malformed) for a model with numbers that are not finite, or 1e100 and more; Cancelled.
+/// seam; Cancelled.
 /// Source: MATH-surfaces 6 and 7.
 RepairReport repair(const Model& model, const RepairOptions& options = {}, const Progress& progress = {});
 

@@ -11,6 +11,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <seamwright/occ_adapter/model/usable.hpp>
 #include <seamwright/occ_adapter/repair/groups.hpp>
 #include <seamwright/occ_adapter/repair/sewn_edges.hpp>
 
@@ -40,7 +41,8 @@ struct Corner {
 class EdgeSewer {
  public:
   EdgeSewer(const TopoDS_Shape& shape, const std::vector<Seam>& seams, double gap_mm)
-      : seams_(seams), gap_mm_(gap_mm) {
+      : seams_(seams), gap_mm_(gap_mm), unusable_(shape) {
+    TopExp::MapShapes(shape, TopAbs_FACE, faces_);
     TopExp::MapShapes(shape, TopAbs_EDGE, edges_);
     TopExp::MapShapes(shape, TopAbs_VERTEX, vertices_);
     TopExp::MapShapesAndUniqueAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces_of_edge_);
@@ -177,6 +179,7 @@ class EdgeSewer {
     const auto at = [](double first, double last, double place) { return first + place * (last - first); };
     EdgePiece piece;
     piece.edge = TopoDS::Edge(old.EmptyCopied());
+    if (unusable_.hasEdge(edge)) return piece;  // Nothing is known of where it ends.
     piece.tolerance_mm = BRep_Tool::Tolerance(old);
     const bool is_part = places[0] > 0 || places[1] < 1;
     double first = 0, last = 0;
@@ -185,6 +188,7 @@ class EdgeSewer {
     for (const int end : {0, 1})
       if (!curve.IsNull()) piece.curve_ends[end].push_back(curve->Value(at(first, last, places[end])));
     for (const TopoDS_Shape& beside : faces_of_edge_.FindFromKey(edges_(edge))) {
+      if (unusable_.hasFace(faces_.FindIndex(beside))) continue;
       const TopoDS_Face face = TopoDS::Face(beside.Oriented(TopAbs_FORWARD));
       const PlanarPath path = pathOf(old, face);
       if (path.curve.IsNull()) continue;
@@ -270,7 +274,8 @@ class EdgeSewer {
   const std::vector<Seam>& seams_;
   double gap_mm_;
   BRep_Builder builder_;
-  TopTools_IndexedMapOfShape edges_, vertices_;
+  UnusableParts unusable_;
+  TopTools_IndexedMapOfShape faces_, edges_, vertices_;
   TopTools_IndexedDataMapOfShapeListOfShape faces_of_edge_;
   std::map<int, std::vector<double>> cuts_;                        ///< by edge
   std::map<std::pair<int, int>, int> cut_nodes_;                   ///< by edge and number of the cut

@@ -16,6 +16,7 @@
 #include <set>
 #include <stdexcept>
 
+#include <seamwright/occ_adapter/model/usable.hpp>
 #include <seamwright/occ_adapter/repair/groups.hpp>
 #include <seamwright/occ_adapter/repair/sewn_edges.hpp>
 #include <seamwright/occ_adapter/repair/sewn_shape.hpp>
@@ -30,7 +31,7 @@ class Sewer {
  public:
   Sewer(const TopoDS_Shape& shape, const std::vector<Seam>& seams, const std::vector<std::size_t>& chosen,
         double gap_mm, const FaceNames& names)
-      : shape_(shape), seams_(seams), gap_mm_(gap_mm), names_(names) {
+      : shape_(shape), seams_(seams), gap_mm_(gap_mm), names_(names), unusable_(shape) {
     TopExp::MapShapes(shape, TopAbs_FACE, faces_);
     TopExp::MapShapes(shape, TopAbs_EDGE, edges_);
     TopExp::MapShapes(shape, TopAbs_VERTEX, vertices_);
@@ -226,16 +227,24 @@ class Sewer {
 
   // The whole.
 
-  TopoDS_Shape shellOf(int group) {
+  bool hasUnusable(int group) const {
+    return std::ranges::any_of(members_.at(group),
+                               [this](int face) { return !unusable_.whyLeftOut(face).empty(); });
+  }
+
+  /// A shell with faces that can't be computed with has no inside that could be told: it stays a shell, or the solid
+  /// that it was, turned as its first face.
+  TopoDS_Shape shellOf(int group, bool was_solid) {
     TopoDS_Shell shell;
     builder_.MakeShell(shell);
     for (const int face : members_.at(group)) builder_.Add(shell, new_faces_[face]);
     shell.Closed(BRep_Tool::IsClosed(shell));
-    if (!shell.Closed()) return shell;
+    const bool has_inside = !hasUnusable(group);
+    if (!shell.Closed() || (!has_inside && !was_solid)) return shell;
     TopoDS_Solid solid;
     builder_.MakeSolid(solid);
     builder_.Add(solid, shell);
-    BRepLib::OrientClosedSolid(solid);
+    if (has_inside) BRepLib::OrientClosedSolid(solid);
     return solid;
   }
 
@@ -265,7 +274,7 @@ class Sewer {
         kind == TopAbs_SOLID || kind == TopAbs_SHELL || kind == TopAbs_FACE ? sewnGroupOf(part) : 0;
     if (group != 0) {
       if (!placed_.insert(group).second) return {};
-      const TopoDS_Shape now = shellOf(group);
+      const TopoDS_Shape now = shellOf(group, kind == TopAbs_SOLID);
       if (now.ShapeType() == kind && isJoinedByLooseFacesAlone(part, group)) result_.became.Bind(part, now);
       return {now};
     }
@@ -314,6 +323,7 @@ class Sewer {
   const std::vector<Seam>& seams_;
   double gap_mm_;
   const FaceNames& names_;
+  const UnusableParts unusable_;
   BRep_Builder builder_;
   TopTools_IndexedMapOfShape faces_, edges_, vertices_;
   std::vector<std::size_t> chosen_;

@@ -33,7 +33,8 @@ struct SewnShape {
 /// Sews these seams: two edges become one with a path on both faces, or cut edges where only a part of one lies along the other; ends
 /// nearer than \p gap_mm to a vertex are that vertex; vertices are merged in their middle; faces that hang together become one shell,
 /// turned so that they agree with the first, in place of the first part (shell, or solid of one shell) that they stood in; a closed shell
-/// becomes a solid, turned outward. Surfaces and the curves of other edges stay; what is not concerned is shared with the given shape.
+/// becomes a solid, turned outward (but see UnusableParts: with one of these a shell stays a shell, and a solid is turned as its first
+/// face). Surfaces and the curves of other edges stay; what is not concerned is shared with the given shape.
 /// Tolerances are what is measured.
 ///
 /// Refused are seams whose faces stand in the shape several times, are in a solid of several shells or have one surface in common; whose

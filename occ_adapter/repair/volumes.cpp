@@ -20,6 +20,7 @@
 
 #include <seamwright/occ_adapter/analyze/workers.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
+#include <seamwright/occ_adapter/model/usable.hpp>
 #include <seamwright/occ_adapter/repair/volumes.hpp>
 
 namespace seamwright::occ {
@@ -150,6 +151,16 @@ double explainedByMoves_mm3(std::vector<FaceCone> cones, double least_mm3) {
   return explained_mm3;
 }
 
+/// Others have no box, and they do not move.
+Bnd_Box boxOfUsableFaces(const TopoDS_Shape& solid) {
+  const TopTools_IndexedMapOfShape faces = partsOf(solid, TopAbs_FACE);
+  const UnusableParts unusable(solid);
+  Bnd_Box box;
+  for (int f = 1; f <= faces.Extent(); ++f)
+    if (unusable.whyLeftOut(f).empty()) BRepBndLib::Add(faces(f), box, false);
+  return box;
+}
+
 }  // namespace
 
 // Faces that stay give the same. Adaptive quadrature is slow and comes only where the fixed one does not do.
@@ -161,8 +172,7 @@ std::string whyNotVolumes(const RepairTask& task, const std::vector<FaceChange>&
   const TopTools_IndexedMapOfShape solids_after = partsOf(changed, TopAbs_SOLID);
   const TopTools_IndexedMapOfShape faces = partsOf(task.shape, TopAbs_FACE);
   for (int s = 1; s <= solids.Extent(); ++s) {
-    Bnd_Box box;
-    BRepBndLib::Add(solids(s), box, false);
+    const Bnd_Box box = boxOfUsableFaces(solids(s));
     if (box.IsVoid()) continue;
     const double reach_mm = std::sqrt(box.SquareExtent()) / 2;
     const gp_Pnt tip((box.CornerMin().XYZ() + box.CornerMax().XYZ()) / 2);

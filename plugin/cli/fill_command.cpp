@@ -30,25 +30,27 @@ occ::FillHoleOptions optionsOf(const FillArguments& arguments) {
   return options;
 }
 
-std::string listed(const std::vector<occ::Hole>& holes) {
+/// With the edges that belong to no hole, and why: the one that is looked for may be missing for them.
+std::string listed(const occ::Holes& found) {
   std::string text;
-  for (const occ::Hole& hole : holes) text += "; " + report::shortly(hole);
+  for (const occ::Hole& hole : found.holes) text += "; " + report::shortly(hole);
+  for (const std::string& note : found.notes) text += "; " + note;
   return text;
 }
 
 occ::Hole holeOf(const occ::Model& model, const FillArguments& arguments,
                  const occ::FillHoleOptions& options) {
-  const std::vector<occ::Hole> holes =
-      occ::findHoles(model.shape, {options.corner_rad, options.tolerance.gap_mm}).holes;
-  if (holes.empty()) throw std::runtime_error(arguments.model + ": has no hole");
+  const occ::Holes found = occ::findHoles(model.shape, {options.corner_rad, options.tolerance.gap_mm});
+  const std::vector<occ::Hole>& holes = found.holes;
+  if (holes.empty()) throw std::runtime_error(arguments.model + ": has no hole" + listed(found));
   if (arguments.hole == 0 && holes.size() == 1) return holes.front();
   if (arguments.hole == 0)
     throw std::runtime_error(arguments.model + ": has " + std::to_string(holes.size()) +
-                             " holes, name one with --hole" + listed(holes));
+                             " holes, name one with --hole" + listed(found));
   const auto hole = std::ranges::find(holes, arguments.hole, &occ::Hole::id);
   if (hole == holes.end())
     throw std::runtime_error(arguments.model + ": has no hole " + std::to_string(arguments.hole) +
-                             listed(holes));
+                             listed(found));
   return *hole;
 }
 

@@ -223,15 +223,32 @@ TEST(RepairDegenerate, PolesThatAreNoNumbers) {
     const TopoDS_Shape shape = shapeOf(net);
     Geom_BSplineSurface& last = *net.faces[2].surface;
     for (int i = 1; i <= last.NbUPoles(); ++i) last.SetPole(i, 2, gp_Pnt(bad, 0, 0));
-    const RepairReport report = repair(modelFromShape(shape), trialOptions({}));
+    const occ::Model model = modelFromShape(shape);
+    const RepairReport report = repair(model, trialOptions({}));
     ASSERT_EQ(report.seams.size(), 2);
     EXPECT_TRUE(report.seams[0].treated);
-    EXPECT_FALSE(report.seams[0].repaired);
-    EXPECT_NE(report.seams[0].reason.find("face 3: OpenCASCADE's checks do not pass"), std::string::npos)
-        << report.seams[0].reason;
+    EXPECT_TRUE(report.seams[0].repaired) << report.seams[0].reason;
     EXPECT_FALSE(report.seams[1].treated);
-    EXPECT_NE(report.seams[1].reason.find("can't be measured"), std::string::npos) << report.seams[1].reason;
-    for (const occ::FaceMove& move : report.moves) EXPECT_NE(move.face, 3);
+    EXPECT_NE(
+        report.seams[1].reason.find("can't be measured: not measured: face 3 has a surface with the number"),
+        std::string::npos)
+        << report.seams[1].reason;
+    // Nothing is known of the edge between faces 2 and 3, so that neither moves.
+    ASSERT_EQ(report.moves.size(), 1);
+    EXPECT_EQ(report.moves[0].face, 1);
+    ASSERT_EQ(report.before.model.notes.size(), 1);
+    EXPECT_NE(report.before.model.notes[0].find("1 face holds numbers that are not finite"),
+              std::string::npos);
+    EXPECT_TRUE(partsOf(report.model.shape, TopAbs_FACE)(3).IsSame(partsOf(shape, TopAbs_FACE)(3)));
+
+    occ::RepairOptions held = trialOptions({});
+    held.fixed_faces = {1};
+    const RepairReport left = repair(model, held);
+    EXPECT_FALSE(left.seams[0].treated);
+    EXPECT_NE(left.seams[0].reason.find("in common with face 3, which has a surface with the number"),
+              std::string::npos)
+        << left.seams[0].reason;
+    EXPECT_FALSE(left.changed());
   }
 }
 
