@@ -317,6 +317,28 @@ TEST(DisplayMesh, AFaceThatCannotBeTriangulatedIsReportedByNumber) {
   EXPECT_NEAR(meshArea(mesh, 0), 25, 1e-9);
 }
 
+/// OpenCASCADE's triangulation of such a face takes minutes or does not end.
+TEST(DisplayMesh, AFaceWithUnusableNumbersIsReportedAndTheOthersAreTriangulated) {
+  const double nan = std::nan("");
+  const TopoDS_Face surface = bump(3);
+  const TopoDS_Shape edge = plate(10, 15, 0, 5);
+  opencascade::handle<Geom_BezierSurface>::DownCast(BRep_Tool::Surface(surface))
+      ->SetPole(2, 3, gp_Pnt(nan, INFINITY, 0));
+  const TopoDS_Shape side = partsOf(edge, TopAbs_EDGE)(1);
+  BRep_Builder().UpdateEdge(TopoDS::Edge(side), INFINITY);
+  const TopoDS_Shape all = compoundOf({surface, plate(0, 5, 0, 5, 3), edge, plate(20, 25, 0, 5, 3)});
+  const DisplayMesh mesh = occ::displayMesh(modelOf(all));
+  ASSERT_EQ(mesh.faults.size(), 2u);
+  EXPECT_EQ(mesh.faults[0].face, 1);
+  EXPECT_THAT(mesh.faults[0].reason, testing::HasSubstr("nan"));
+  EXPECT_EQ(mesh.faults[1].face, 3);
+  EXPECT_THAT(mesh.faults[1].reason, testing::HasSubstr("edge"));
+  EXPECT_NEAR(meshArea(mesh, 0), 0, 0);
+  EXPECT_NEAR(meshArea(mesh, 1), 25, 1e-9);
+  EXPECT_NEAR(meshArea(mesh, 2), 0, 0);
+  EXPECT_NEAR(meshArea(mesh, 3), 25, 1e-9);
+}
+
 TEST(DisplayMesh, MovesAreThoseOfTheParameters) {
   const TopoDS_Face before = bump(20), after = bump(20.5);
   const TopoDS_Shape old = compoundOf({plate(-9, -5, 0, 5), before}),
