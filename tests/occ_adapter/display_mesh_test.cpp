@@ -28,6 +28,7 @@
 #include <gp_Pln.hxx>
 #include <map>
 #include <numbers>
+#include <optional>
 
 #include <seamwright/occ_adapter/display/mesh.hpp>
 #include <seamwright/occ_adapter/model/read.hpp>
@@ -70,11 +71,13 @@ double meshArea(const DisplayMesh& mesh, std::size_t face) {
   return area;
 }
 
+/// Of the faces that are not among the faults.
 void expectCovers(const DisplayMesh& mesh, const TopoDS_Shape& shape, double share = 0.01) {
   const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE);
   ASSERT_EQ(mesh.first_nodes.size(), static_cast<std::size_t>(faces.Extent()) + 1);
   ASSERT_EQ(mesh.first_triangles.size(), mesh.first_nodes.size());
   for (int i = 0; i < faces.Extent(); ++i) {
+    if (std::ranges::find(mesh.faults, i + 1, &occ::MeshFault::face) != mesh.faults.end()) continue;
     const double exact = exactArea(faces(i + 1));
     EXPECT_NEAR(meshArea(mesh, i), exact, share * exact) << "face " << i + 1;
   }
@@ -396,6 +399,41 @@ TEST_P(DisplayMeshOfFiles, CoversEveryFaceWithNodesOnIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Folders, DisplayMeshOfFiles, testing::Values("small", "freeform", "large"));
+
+TEST(DisplayMesh, BrokenFilesThatCanBeReadAreCoveredButForTheFacesNamed) {
+  const std::filesystem::path folder = furtherModel("broken");
+  if (folder.empty()) GTEST_SKIP() << "no further models";
+  int meshed = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    SCOPED_TRACE(entry.path().filename().string());
+    std::optional<occ::Model> model;
+    try {
+      model = occ::readModel(entry.path());
+    } catch (const occ::ModelError&) {
+      continue;  // what can't be read is no matter of the mesh
+    }
+    const DisplayMesh mesh = occ::displayMesh(*model, {.curvatures = false});
+    EXPECT_LT(mesh.faults.size(), mesh.first_nodes.size() - 1) << "all faces are named";
+    expectCovers(mesh, model->shape);
+    expectNodesOnFaces(mesh, model->shape, 30);
+    ++meshed;
+  }
+  EXPECT_GE(meshed, 1);
+}
+
+/// One face of 310 by 321 knots.
+TEST(DisplayMesh, CoversTerrain) {
+  const std::filesystem::path path = "/usr/share/opencascade/data/occ/terrain.brep";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;
+  const occ::Model model = occ::readModel(path);
+  const DisplayMesh mesh = occ::displayMesh(model, {.curvatures = false});
+  EXPECT_THAT(mesh.faults, testing::IsEmpty());
+  expectCovers(mesh, model.shape);
+  const TopoDS_Face face = TopoDS::Face(partsOf(model.shape, TopAbs_FACE)(1));
+  for (std::size_t i = 0; i < mesh.points.size(); i += 500)
+    EXPECT_TRUE(isPointOfFace(face, mesh.points[i], mesh.parameters[i])) << "node " << i;
+}
 
 }  // namespace
 }  // namespace seamwright::test
