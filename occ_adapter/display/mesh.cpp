@@ -3,13 +3,16 @@
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepGProp.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
 #include <IMeshTools_Parameters.hxx>
 #include <Message_ProgressIndicator.hxx>
 #include <Standard_Failure.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -20,6 +23,7 @@
 #include <seamwright/occ_adapter/display/face_mesh.hpp>
 #include <seamwright/occ_adapter/display/mesh.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
+#include <seamwright/occ_adapter/model/usable.hpp>
 #include <stdexcept>
 
 namespace seamwright::occ {
@@ -100,6 +104,23 @@ std::optional<double> adaptiveAreaMm2(const TopoDS_Face& face) {
   }
 }
 
+/// What is wrong with the numbers of each face or its edges; empty where nothing is. OpenCASCADE's triangulation of
+/// faces with such numbers takes minutes or does not end.
+std::vector<std::string> unusableNumbers(const TopoDS_Shape& shape, const TopTools_IndexedMapOfShape& faces) {
+  std::vector<std::string> found(faces.Extent());
+  const UnusableParts unusable(shape);
+  if (unusable.empty()) return found;
+  const TopTools_IndexedMapOfShape edges = partsOf(shape, TopAbs_EDGE);
+  for (int i = 0; i < faces.Extent(); ++i) {
+    if (unusable.hasFace(i + 1)) found[i] = unusable.describeFace(i + 1);
+    for (TopExp_Explorer it(faces(i + 1), TopAbs_EDGE); it.More() && found[i].empty(); it.Next()) {
+      const int edge = edges.FindIndex(it.Current());
+      if (unusable.hasEdge(edge)) found[i] = unusable.describeEdge(edge);
+    }
+  }
+  return found;
+}
+
 /// A face on its way: its triangles, or why there are none.
 struct FaceWork {
   std::unique_ptr<FaceMesh> mesh;
@@ -151,7 +172,25 @@ class DisplayMeshBuilder {
         work_.size(), options_.jobs, [&](std::size_t i) { step(static_cast<int>(i)); }, progress);
   }
 
+  /// Sets aside the faces that can't be triangulated, and returns the others; their places go to usable_.
+  TopoDS_Shape usableFaces(const TopoDS_Shape& shape) {
+    const std::vector<std::string> wrong = unusableNumbers(shape, faces_);
+    TopoDS_Compound all;
+    BRep_Builder builder;
+    builder.MakeCompound(all);
+    for (int i = 0; i < faces_.Extent(); ++i) {
+      if (!wrong[i].empty()) {
+        work_[i].fault = "no triangles: " + wrong[i];
+        continue;
+      }
+      builder.Add(all, faces_(i + 1));
+      usable_.push_back(i);
+    }
+    return all;
+  }
+
   void triangulate(const TopoDS_Shape& shape, const Progress& progress) {
+    const TopoDS_Shape usable = usableFaces(shape);
     std::atomic<bool> stop = false;
     TopoDS_Shape copy;
     std::string failure;
@@ -162,17 +201,17 @@ class DisplayMeshBuilder {
     const opencascade::handle<StopSign> sign = new StopSign(stop);
     const auto mesh = [&](std::size_t) {
       try {
-        copy = triangulated(shape, first_fineness, sign->Start());
+        copy = triangulated(usable, first_fineness, sign->Start());
       } catch (const Standard_Failure& error) {
         failure = error.GetMessageString();
       }
     };
     runParallel(1, 1, mesh, watched);
     const TopTools_IndexedMapOfShape copies = partsOf(copy, TopAbs_FACE), edges = partsOf(copy, TopAbs_EDGE);
-    for (int i = 0; i < faces_.Extent(); ++i)
-      attemptFace(work_[i], [&] {
+    for (int i = 0; i < static_cast<int>(usable_.size()); ++i)
+      attemptFace(work_[usable_[i]], [&] {
         if (i >= copies.Extent()) throw Standard_Failure(failure.c_str());
-        start(i, TopoDS::Face(copies(i + 1)), edges);
+        start(usable_[i], TopoDS::Face(copies(i + 1)), edges);
       });
   }
 
@@ -208,6 +247,7 @@ class DisplayMeshBuilder {
 
   void finish(int place) {
     FaceWork& face = work_[place];
+    if (!face.fault.empty()) return;
     if (face.mesh) attemptFace(face, [&] { face.mesh->refineInside(); });
     const std::string wrong = faultOf(place);
     if (!wrong.empty()) tryAlone(place, wrong);
@@ -292,6 +332,7 @@ class DisplayMeshBuilder {
   const DisplayMeshOptions& options_;
   const MovedFaces& moved_;
   std::vector<FaceWork> work_;
+  std::vector<int> usable_;  ///< places of the faces that OpenCASCADE triangulates
 };
 
 }  // namespace

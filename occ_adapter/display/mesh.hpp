@@ -84,7 +84,8 @@ struct DisplayMesh {
 ///
 /// The area of the triangles of a face is compared with its true area. A face that has no triangles, or where
 /// the two differ by more than 1 %, is triangulated once more alone and finer; what remains wrong is listed
-/// in the faults.
+/// in the faults. A face with numbers that are not finite, or 1e100 and more, in itself or in its edges, gets no
+/// triangles and is listed too.
 ///
 /// \throws std::invalid_argument for bad options, faces the model does not have, and a shape before with
 /// another number of faces; Cancelled.

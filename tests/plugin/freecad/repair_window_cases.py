@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Repair Seams in FreeCAD's window; run by run_freecad.py --window."""
 
+import contextlib
 import os
 import sys
 import tempfile
@@ -11,7 +12,8 @@ import FreeCADGui as Gui
 import models
 from PySide import QtCore
 from window import (
-    CANCELLED, PanelWindow, camera, click, click_row, count, messages, picture, settle, whole_window
+    CANCELLED, PICTURE, PanelWindow, camera, click, click_row, count, messages, picture, report_view, settle,
+    whole_window
 )  # fmt: skip
 
 from freecad.seamwright.document import analysis, elements, repair
@@ -392,7 +394,8 @@ class Staying(RepairWindow):
         settle()
         self.assertEqual(self.visible(), ["Panel"])
 
-    def test_a_saved_repair_opens_with_its_view(self):
+    def reopen(self, within=contextlib.nullcontext()):
+        """Keep a repair whose moves are shown, save the document and open it ``within`` a context; the repair there."""
         obj, _ = self.start()
         self.ok()
         obj.ViewObject.ShowMoves = True
@@ -400,16 +403,35 @@ class Staying(RepairWindow):
             path = os.path.join(folder, "saved.FCStd")
             self.doc.saveAs(path)
             App.closeDocument(self.doc.Name)
-            with mock.patch.dict(sys.modules, seamwright=None):
+            with within:
                 self.doc = App.openDocument(path)
                 settle()
-                (again,) = self.made()
-                self.assertNotIn("Touched", again.State)
-                self.assertEqual(self.visible(), [again.Name])
-                self.fit()
-                self.assertGreater(coloured(picture("repair-reopened")), MANY)
-                self.assertEqual(again.ViewObject.Proxy.claimChildren(), [self.doc.Panel])
-            again.ViewObject.Proxy.doubleClicked(again.ViewObject)
-            settle()
-            self.assertEqual(again.ViewObject.Proxy.panel.summary.text(), again.Summary)
-            self.cancel()
+        (again,) = self.made()
+        self.assertNotIn("Touched", again.State)
+        self.assertEqual(self.visible(), [again.Name])
+        self.assertEqual(again.ViewObject.Proxy.claimChildren(), [self.doc.Panel])
+        self.fit()
+        return again
+
+    def test_a_saved_repair_opens_with_its_view(self):
+        again = self.reopen()
+        self.assertGreater(coloured(picture("repair-reopened")), MANY)
+        again.ViewObject.Proxy.doubleClicked(again.ViewObject)
+        settle()
+        self.assertEqual(again.ViewObject.Proxy.panel.summary.text(), again.Summary)
+        self.cancel()
+
+    def test_without_the_compiled_part_a_saved_repair_is_shown_without_its_moves(self):
+        before = report_view()
+        again = self.reopen(within=mock.patch.dict(sys.modules, seamwright=None))
+        written = report_view()[len(before) :]
+        self.assertIn("the moves of %s are not shown: The compiled part of Seamwright" % again.Name, written)
+        self.assertNotIn("Traceback", written)
+        plain = picture("repair-reopened-plain")
+        self.assertLess(coloured(plain), FEW)
+        size = PICTURE[0] * PICTURE[1]
+        self.assertLess(count(plain, (255, 255, 255)), size - MANY)
+        again.ViewObject.ShowMoves = False
+        again.ViewObject.ShowMoves = True
+        settle()
+        self.assertGreater(coloured(picture("repair-reopened-later")), MANY)
