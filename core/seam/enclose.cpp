@@ -24,6 +24,9 @@ constexpr double last_piece = 0x1p-50;
 /// Of the seam, in parameter and in length: so near a point without tangent plane, where curvature is as large as
 /// one likes, it is no part of the figures.
 constexpr double degenerate_reach = 0x1p-20;
+/// The same where no bound of the angle is known up to the point: its poles are scattered by rounding, which counts for
+/// curvature by the square of the distance.
+constexpr double scattered_reach = 0x1p-16;
 
 struct Piece {
   double from = 0;
@@ -88,7 +91,7 @@ class Enclosure {
   void see(Quantity quantity, const PieceBound& bound, const Piece& piece);
   bool isShort(double from, double to, double share);
   double wholeLength();
-  bool hasPole(double end);
+  std::optional<double> poleReach(double end);
   void findPoles();
   void leaveOutCurvatureNearDegenerate();
   bool isAtPole(const Piece& piece);
@@ -355,31 +358,36 @@ bool Enclosure::isShort(double from, double to, double share) {
   return to - from <= share && !(lengthOf(from, to).upper > share * wholeLength());
 }
 
-/// Whether a side lacks curvature on a short piece at an end, which is named then.
-bool Enclosure::hasPole(double end) {
+/// Up to where curvature is no part of the figures, if a side lacks it on a short piece at an end, which is named then.
+std::optional<double> Enclosure::poleReach(double end) {
   const double from = end == 0 ? 0 : 1 - pole_piece, to = end == 0 ? pole_piece : 1;
+  bool has_plane = true;
   const auto kind = [&](const SideEvaluator& evaluator) {
     const SideFields side = evaluator.fields(from, to, Detail::Curvature);
+    has_plane = has_plane && side.hasPlane();
     return side.split || side.hasCurvature() ? Degeneracy::None : Degeneracy::VanishingNormal;
   };
   const DegeneratePoint point{end, kind(a_), kind(b_)};
-  if (point.side_a == Degeneracy::None && point.side_b == Degeneracy::None) return false;
+  if (point.side_a == Degeneracy::None && point.side_b == Degeneracy::None) return std::nullopt;
   degenerate_.push_back(point);
-  return true;
+  return has_plane ? degenerate_reach : scattered_reach;
 }
 
 /// The ends, where edges end at poles; poles elsewhere are met by pieces that shrink to them.
 void Enclosure::findPoles() {
   const auto [first, last] = options_.range;
-  const auto reach = [&](int end) {
-    double length = degenerate_reach;
-    while (length > pole_piece &&
-           !(end == 0 ? isShort(0, length, degenerate_reach) : isShort(1 - length, 1, degenerate_reach)))
+  const auto reach = [&](int end, double share) {
+    double length = share;
+    while (length > pole_piece && !(end == 0 ? isShort(0, length, share) : isShort(1 - length, 1, share)))
       length *= 0.5;
     return length;
   };
-  if (first > 0 || hasPole(0)) curvature_range_.lower = std::max(first, reach(0));
-  if (last < 1 || hasPole(1)) curvature_range_.upper = std::min(last, 1 - reach(1));
+  const auto poleShare = [&](int end, bool is_left_out) {
+    return is_left_out ? std::optional(scattered_reach) : poleReach(end);
+  };
+  if (const auto share = poleShare(0, first > 0)) curvature_range_.lower = std::max(first, reach(0, *share));
+  if (const auto share = poleShare(1, last < 1))
+    curvature_range_.upper = std::min(last, 1 - reach(1, *share));
 }
 
 void Enclosure::leaveOutCurvatureNearDegenerate() {

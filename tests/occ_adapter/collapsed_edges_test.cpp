@@ -217,15 +217,21 @@ TEST(CollapsedEdges, OfSmoothFacesVerdictsAreCertainUpToThePoint) {
     }
 }
 
-TEST(CollapsedEdges, ScatteredPolesLeaveOutAStretchAndTheVerdictOpen) {
+TEST(CollapsedEdges, ScatteredPolesLeaveOutAStretchThatCountsIfItIsLongerThanTheGapAccepted) {
   AnalyzeOptions options;
   options.tolerance.angle_rad =
       0.2 * degree;  // where the stretch ends the scatter still turns the plane by 1 / 500
   for (const double scatter : {1e-12, 1e-9, 1e-8}) {
     SCOPED_TRACE(scatter);
-    const SeamResult seam = onlySeamOf(sewn(fan(-1, 0, 0.25), fan(1, 0, 0.25, scatter)), options);
+    const TopoDS_Shape shape = sewn(fan(-1, 0, 0.25), fan(1, 0, 0.25, scatter));
+    options.tolerance.gap_mm = 300 * scatter;
+    const SeamResult seam = onlySeamOf(shape, options);
     EXPECT_GE(seam.verdict.level, Level::G1);
     EXPECT_FALSE(seam.verdict.certain) << "the angle next to the point is a matter of the scatter";
+    options.tolerance.gap_mm = 800 * scatter + 4e-7;
+    const SeamResult point = onlySeamOf(shape, options);
+    EXPECT_GE(point.verdict.level, Level::G1);
+    EXPECT_TRUE(point.verdict.certain) << describe(point);
     ASSERT_EQ(seam.figures.angle_left_out.stretches.size(), 1u);
     const Interval& stretch = seam.figures.angle_left_out.stretches.front();
     EXPECT_GE(stretch.width(), 400 * scatter);
