@@ -69,7 +69,8 @@ std::array<std::set<double>, 2> middlesToInsert(const std::vector<const Place*>&
 /// Moves poles as fairly as can be, and refines where that does not do.
 class FaceFollower {
  public:
-  explicit FaceFollower(const FaceTask& task) : task_(task), now_(stageOf(MovingSurface(task.surface))) {
+  explicit FaceFollower(const FaceTask& task)
+      : task_(task), now_(stageOf(MovingSurface(task.surface, task.tolerance.gap_mm / 100))) {
     for (const FollowPath& path : task.paths) order_ = std::max(order_, path.order);
   }
 

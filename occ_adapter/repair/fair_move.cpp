@@ -11,10 +11,6 @@ namespace seamwright::occ {
 
 namespace {
 
-double nearMm(const FaceTask& task) {
-  return task.tolerance.gap_mm / 100;
-}
-
 bool asksForCurvature(const FaceTask& task) {
   return std::ranges::any_of(task.paths, [](const FollowPath& path) { return path.order > 1; });
 }
@@ -33,8 +29,8 @@ FairMove::FairMove(const FaceTask& task, const TaskPlaces& places, const MovingS
     : task_(task),
       places_(places),
       surface_(surface),
-      numbers_(surface.numbers(nearMm(task))),
-      depends_on_move_(asksForCurvature(task) || surface.isCollapsed(nearMm(task))),
+      numbers_(surface.numbers()),
+      depends_on_move_(asksForCurvature(task) || surface.isCollapsed()),
       start_(startOf(surface, numbers_)),
       conditions_(numbers_.of_pole, numbers_.count, surface.original(), start_) {
   for (const PathPlaces& path : places.paths)

@@ -42,21 +42,40 @@ bool isPeriodic(const Geom_BSplineSurface& surface) {
   return surface.IsUPeriodic() || surface.IsVPeriodic();
 }
 
-/// Periodic where it ends at itself, and as smooth there as it was.
+bool isClamped(const Geom_BSplineSurface& surface) {
+  const int u = surface.UDegree() + 1, v = surface.VDegree() + 1;
+  return surface.UMultiplicity(1) == u && surface.UMultiplicity(surface.NbUKnots()) == u &&
+         surface.VMultiplicity(1) == v && surface.VMultiplicity(surface.NbVKnots()) == v;
+}
+
+/// Periodic where it ends at itself, and as smooth there as it was; clamped if it is not periodic, so that its outermost
+/// poles are those of its boundaries.
 Surface closed(const Surface& given) {
   const double exactly_mm = Precision::Confusion() / 1000;
   const Surface surface = copyOf(given);
   if (isPeriodic(*given)) return surface;
   for (const Direction direction : {Direction::U, Direction::V})
     if (endsAtItself(*surface, direction, exactly_mm)) makePeriodic(*surface, direction, exactly_mm);
+  if (!isPeriodic(*surface) && !isClamped(*surface)) makeClamped(*surface);
+  return surface;
+}
+
+/// Scattered poles of a side would leave its tangent plane at the point to the scatter.
+Surface collapsed(const Surface& surface, double near_mm) {
+  const SurfaceBasis basis(*surface);
+  PointRows poles = polesOf(*surface);
+  for (const std::vector<int>& side : collapsedSides(basis, poles, near_mm))
+    for (const int pole : side) poles.row(pole) = poles.row(side.front());
+  setPoles(*surface, poles);
   return surface;
 }
 
 }  // namespace
 
-MovingSurface::MovingSurface(const Surface& given)
-    : given_periodic_(isPeriodic(*given)),
-      before_(closed(given)),
+MovingSurface::MovingSurface(const Surface& given, double near_mm)
+    : near_mm_(near_mm),
+      given_periodic_(isPeriodic(*given)),
+      before_(collapsed(closed(given), near_mm)),
       basis_(*before_),
       poles_(polesOf(*before_)),
       original_(poles_),
@@ -78,7 +97,7 @@ bool MovingSurface::raiseDegrees(int least) {
   if (basis_.u().degree >= least && basis_.v().degree >= least) return false;
   const Surface raised = copyOf(before_);
   raised->IncreaseDegree(std::max(basis_.u().degree, least), std::max(basis_.v().degree, least));
-  *this = MovingSurface(raised);
+  *this = MovingSurface(raised, near_mm_);
   return true;
 }
 
@@ -114,15 +133,15 @@ void MovingSurface::insert(const std::array<std::set<double>, 2>& knots,
   }
 }
 
-bool MovingSurface::isCollapsed(double near_mm) const {
-  return !collapsedSides(basis_, original_, near_mm).empty();
+bool MovingSurface::isCollapsed() const {
+  return !collapsedSides(basis_, original_, near_mm_).empty();
 }
 
-MoveNumbers MovingSurface::numbers(double near_mm) const {
+MoveNumbers MovingSurface::numbers() const {
   const PointRows touched = polesOf(*touched_);
   MoveNumbers numbers{std::vector<int>(touched.rows(), -1)};
   const auto moves = [&](int pole) { return touched(pole, 0) > 1e-12 && !settled_[pole]; };
-  for (const std::vector<int>& side : collapsedSides(basis_, original_, near_mm))
+  for (const std::vector<int>& side : collapsedSides(basis_, original_, near_mm_))
     if (std::ranges::any_of(side, moves)) {
       for (const int pole : side) numbers.of_pole[pole] = numbers.count;
       ++numbers.count;

@@ -21,10 +21,11 @@ struct MoveNumbers {
 /// poles and knots made it before.
 class MovingSurface {
  public:
-  explicit MovingSurface(const opencascade::handle<Geom_BSplineSurface>& given);
+  /// \param near_mm a side within that distance of one point becomes that point.
+  MovingSurface(const opencascade::handle<Geom_BSplineSurface>& given, double near_mm);
 
   const SurfaceBasis& basis() const { return basis_; }
-  /// As given, with the knots of now and periodic where it ends at itself.
+  /// As given, with the knots of now, periodic where it ends at itself, and sides that are nearly one point in one.
   const opencascade::handle<Geom_BSplineSurface>& before() const { return before_; }
   const PointRows& original() const { return original_; }
   const PointRows& poles() const { return poles_; }
@@ -45,14 +46,15 @@ class MovingSurface {
   void insert(const std::array<std::set<double>, 2>& knots, const std::vector<Eigen::Vector2d>& places,
               bool near_alone);
 
-  /// A side that is one point, or within that distance one, moves as one.
-  MoveNumbers numbers(double near_mm) const;
+  /// A side that is one point moves as one.
+  MoveNumbers numbers() const;
   /// There is such a side.
-  bool isCollapsed(double near_mm) const;
+  bool isCollapsed() const;
 
  private:
   opencascade::handle<Geom_BSplineSurface> now() const;
 
+  double near_mm_;
   bool given_periodic_;
   opencascade::handle<Geom_BSplineSurface> before_;
   opencascade::handle<Geom_BSplineSurface>
