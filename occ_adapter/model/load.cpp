@@ -161,7 +161,9 @@ LoadedDocument loadStep(const std::filesystem::path& path, const Message_Progres
   reader.SetColorMode(true);
   reader.SetLayerMode(true);
   reader.SetSHUOMode(true);
-  if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
+  // Since 7.8 OpenCASCADE opens only files whose names are UTF-8.
+  std::ifstream file(path, std::ios::binary);
+  if (reader.ChangeReader().ReadStream(path.c_str(), file) != IFSelect_RetDone)
     throw ModelError(ModelErrc::Malformed, path, "is malformed STEP: OpenCASCADE can't read it");
   const bool transferred = reader.Transfer(loaded.document, range);
   if (transferred) model.shape = reader.ChangeReader().OneShape();

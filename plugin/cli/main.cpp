@@ -29,9 +29,16 @@ int complain(std::string text) {
   return bad_input;
 }
 
+/// Newer versions of CLI11 fill the lines of a footer unless told not to; older ones know nothing else.
+void keepLinesOfFooters(auto& formatter) {
+  if constexpr (requires { formatter.enable_footer_formatting(false); })
+    formatter.enable_footer_formatting(false);
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Finds, measures and repairs the seams of CAD models: where faces meet, and how well.",
                "seamwright");
+  keepLinesOfFooters(*app.get_formatter());  // the commands inherit it
   app.set_version_flag("--version",
                        "seamwright " SEAMWRIGHT_VERSION " (OpenCASCADE " OCC_VERSION_COMPLETE ")");
   app.require_subcommand(1);

@@ -73,7 +73,8 @@ py::list cornerList(const std::vector<FillCorner>& corners) {
   return list;
 }
 
-std::vector<FillSide> sidesOf(const py::sequence& given) {
+/// \param given  a sequence, but no py::sequence: that one lets go of each item before it is used.
+std::vector<FillSide> sidesOf(const py::object& given) {
   std::vector<FillSide> sides;
   for (const py::handle side : given)
     sides.push_back(sideOf("side " + std::to_string(sides.size()), py::reinterpret_borrow<py::object>(side)));

@@ -14,7 +14,9 @@ namespace seamwright::python {
 
 namespace {
 
-py::sequence sequenceOf(const char* name, const py::object& value) {
+/// The value itself, to be iterated over. A py::sequence lets go of each item before it is used; nothing else holds the
+/// items of an array.
+const py::object& sequenceOf(const char* name, const py::object& value) {
   if (!py::isinstance<py::sequence>(value) || py::isinstance<py::str>(value))
     throw py::value_error(std::string(name) + " is " + shown(value) + ": a sequence is needed");
   return value;

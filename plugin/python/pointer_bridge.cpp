@@ -16,7 +16,8 @@ namespace {
 /// SWIG's entry for TopoDS_Shape; lives as long as the process, since the table keeps its address.
 swig_type_info* shapeType() {
   static swig_type_info type = {"_p_TopoDS_Shape", "TopoDS_Shape *", nullptr, nullptr, nullptr, 0};
-  static swig_cast_info cast = {&type, nullptr, nullptr, nullptr};
+  // The last member is a pointer, or a number since SWIG's runtime 5.
+  static swig_cast_info cast = {&type, nullptr, nullptr, {}};
   static swig_type_info* types[] = {&type};
   static swig_module_info table = {types, 1, nullptr, nullptr, nullptr, nullptr};
   static swig_type_info* found = nullptr;

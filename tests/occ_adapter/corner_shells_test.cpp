@@ -46,7 +46,7 @@ CornerFilletOptions byDirection(const TopoDS_Shape& shape) {
   const Model model = modelFromShape(shape);
   CornerFilletOptions options;
   for (const int edge : occ::cornerEdges(model, vertexAt(shape, corner))) {
-    const TopoDS_Edge& of = TopoDS::Edge(parts(shape, TopAbs_EDGE)(edge));
+    const TopoDS_Edge of = TopoDS::Edge(parts(shape, TopAbs_EDGE)(edge));
     const gp_Pnt a = BRep_Tool::Pnt(TopExp::FirstVertex(of)), b = BRep_Tool::Pnt(TopExp::LastVertex(of));
     options.radii_mm[edge] = a.Z() + b.Z() > 20 ? 3 : a.Y() + b.Y() > 10 ? 2 : 1;
   }

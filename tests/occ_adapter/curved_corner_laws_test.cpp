@@ -86,7 +86,7 @@ TEST(CurvedCorner, TakesTheSectionOfEachFillet) {
   const CornerFillet longer = rounded(wedge(20, 40), {20, 0, 0}, {1, 2, 3});
   int found = 0;
   for (const occ::CornerFilletEdge& edge : here.edges) {
-    const TopoDS_Edge& along = TopoDS::Edge(parts(given, TopAbs_EDGE)(edge.edge));
+    const TopoDS_Edge along = TopoDS::Edge(parts(given, TopAbs_EDGE)(edge.edge));
     const double height =
         BRep_Tool::Pnt(TopExp::LastVertex(along)).Z() + BRep_Tool::Pnt(TopExp::FirstVertex(along)).Z();
     if (height < 30) continue;

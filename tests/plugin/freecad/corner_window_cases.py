@@ -17,6 +17,7 @@ from window import (
 
 from freecad.seamwright.document import corner
 from freecad.seamwright.gui.corner_panel import RADIUS, SETBACK
+from freecad.seamwright.plain import corner_text
 
 CORNER = "Seamwright_CornerFillet"
 
@@ -157,13 +158,24 @@ class Rounding(CornerWindow):
             self.ok()
             shown = [colour[:3] for colour in obj.ViewObject.DiffuseColor]
             self.assertEqual(len(shown), len(obj.Shape.Faces))
-            for face, colour in zip(obj.Shape.Faces, shown):
-                if min(abs(colour[1] - other[1]) for other in colours) < 0.01 and abs(colour[0] - 0.1) < 0.01:
-                    number = round(10 * colour[1])
-                    surface = shape.Faces[number].Surface
-                    for vertex in face.Vertexes:
-                        foot = surface.value(*surface.parameter(vertex.Point))
-                        self.assertLess((foot - vertex.Point).Length, 1e-6)
+            # The colour of the whole model: since FreeCAD 1.0 it is the one of the first face.
+            whole = [round(each, 2) for each in source.ViewObject.ShapeColor[:3]]
+            new = corner_text.new_faces(corner.report_of(obj))
+            kept = []
+            for number, (face, colour) in enumerate(zip(obj.Shape.Faces, shown), 1):
+                colour = [round(each, 2) for each in colour]
+                if number in new:
+                    self.assertEqual(colour, whole)
+                else:
+                    kept.append((face, colour))
+            if all(colour == whole for _, colour in kept):
+                self.assertEqual(name, "Quarter")  # the order is another one
+                continue
+            for face, colour in kept:
+                surface = shape.Faces[round(10 * colour[1])].Surface
+                for vertex in face.Vertexes:
+                    foot = surface.value(*surface.parameter(vertex.Point))
+                    self.assertLess((foot - vertex.Point).Length, 1e-6)
             if name == "Plain":
                 self.assertEqual([round(10 * colour[1]) for colour in shown[:6]], list(range(6)))
 

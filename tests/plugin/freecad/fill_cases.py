@@ -351,4 +351,8 @@ class Saving(FillCase):
             self.assertEqual((len(again.Shape.Faces), elements.names(again, "Edges")), (faces, loops[1]))
         self.doc.Open.Shape = models.open_block(2, size=26.0)
         self.doc.recompute()
+        if fill.error_text(again):  # FreeCAD 1.1 marks edges that it does not know again in another shape
+            self.assertNotFilled(again, "has no ?Edge")
+            elements.set_names(again, "Edges", loops[1])
+            self.doc.recompute()
         self.assertEqual((fill.error_text(again), again.Filled), ("", 1))

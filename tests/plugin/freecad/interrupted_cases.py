@@ -42,6 +42,9 @@ TESTS = (analysis.is_analysis, corner.is_corner, fill.is_fill, match.is_match, r
 
 QUITS = 4  # of them two by closing the window
 
+#: FreeCAD 1.0 crashes on quit() while a document is shown, also without this workbench; there all close the window.
+QUIT_CRASHES = App.Version()[:2] == ["1", "0"]
+
 QUIT = """
 import os, sys
 sys.path.insert(0, os.environ["SEAMWRIGHT_TEST_DIR"])
@@ -356,8 +359,8 @@ def quit_while_computing(seed, seen):
     def end():
         with open(seen, "w", encoding="utf-8") as file:
             file.write("all had ended" if tasks.idle else "a thread worked")
-        if seed % 2:
-            QtCore.QTimer.singleShot(300, discard)
+        QtCore.QTimer.singleShot(300, discard)  # Qt 6 asks on quit() too
+        if seed % 2 or QUIT_CRASHES:
             Gui.getMainWindow().close()
         else:
             QtWidgets.QApplication.quit()

@@ -19,7 +19,8 @@ TEST(EnclosureText, FollowsTheCommonCases) {
   const nlohmann::json cases = nlohmann::json::parse(file)["cases"];
   ASSERT_GT(cases.size(), 20U);
   for (const auto& one : cases)
-    EXPECT_EQ(enclosureText({one["lower"], valueOf(one["upper"]), 0}, 1, valueOf(one["limit"])), one["text"])
+    EXPECT_EQ(enclosureText({one["lower"], valueOf(one["upper"]), 0}, 1, valueOf(one["limit"])),
+              one["text"].get<std::string>())
         << one;
 }
 

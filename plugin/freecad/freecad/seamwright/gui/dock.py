@@ -19,5 +19,7 @@ def widen_dock(form, width):
     dock = dock_of(form)
     window = Gui.getMainWindow()
     wanted = min(width, window.width() * 2 // 5)
-    if dock is not None and dock.width() < wanted and not dock.isFloating():
+    if dock is None or dock.isFloating() or window.dockWidgetArea(dock) == QtCore.Qt.NoDockWidgetArea:
+        return  # from 1.1 on FreeCAD lays panels over the view, as wide as the user wants them
+    if dock.width() < wanted:
         window.resizeDocks([dock], [wanted], QtCore.Qt.Horizontal)
