@@ -386,6 +386,7 @@ std::string writeStep(const Document& document, const Manner& manner, const Mess
   Interface_Static::SetIVal("write.precision.mode", manner.accuracy_mm ? given : largest);
   if (manner.accuracy_mm) Interface_Static::SetRVal("write.precision.val", *manner.accuracy_mm);
   STEPCAFControl_Writer writer;
+  keepLengthUnit(writer.ChangeWriter());
   writer.SetNameMode(true);
   writer.SetColorMode(true);
   writer.SetLayerMode(true);

@@ -15,6 +15,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <seamwright/occ_adapter/occt_version.hpp>
+
 namespace seamwright::test {
 
 namespace fs = std::filesystem;
@@ -42,6 +44,7 @@ void writeStep(const TopoDS_Shape& shape, const fs::path& path, const char* unit
   STEPControl_Controller::Init();
   Interface_Static::SetCVal("write.step.unit", unit);  // taken note of when the writer is made
   STEPControl_Writer writer;
+  occ::keepLengthUnit(writer);
   if (writer.Transfer(shape, STEPControl_AsIs) != IFSelect_RetDone ||
       writer.Write(path.c_str()) != IFSelect_RetDone)
     throw std::runtime_error("STEP was not written");

@@ -24,6 +24,7 @@
 #include "repair_checks.hpp"
 
 #include <seamwright/occ_adapter/model/write.hpp>
+#include <seamwright/occ_adapter/occt_version.hpp>
 
 namespace seamwright::test {
 namespace {
@@ -61,6 +62,7 @@ void writeAssembly(const std::filesystem::path& path) {
   shapes->UpdateAssemblies();
   Interface_Static::SetCVal("write.step.unit", "INCH");  // taken note of when the writer is made
   STEPCAFControl_Writer writer;
+  occ::keepLengthUnit(writer.ChangeWriter());
   Interface_Static::SetCVal("write.step.unit", "MM");
   if (!writer.Transfer(document, STEPControl_AsIs) || writer.Write(path.c_str()) != IFSelect_RetDone)
     throw std::runtime_error("not written");
