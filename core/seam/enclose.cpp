@@ -437,9 +437,11 @@ void Enclosure::addLeftOut(SeamFigures& figures) {
       upper = curvature->upper;
     add(figures.curvature_left_out, piece, upper);
   }
-  for (LeftOut* left_out : {&figures.angle_left_out, &figures.curvature_left_out})
+  for (LeftOut* left_out : {&figures.angle_left_out, &figures.curvature_left_out}) {
+    left_out->longest_mm = 0;
     for (const Interval& stretch : left_out->stretches)
       left_out->longest_mm = std::max(left_out->longest_mm, lengthOf(stretch.lower, stretch.upper).upper);
+  }
 }
 
 SeamFigures Enclosure::run() {

@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <string>
 
-#include <seamwright/core/numeric.hpp>
 #include <seamwright/core/seam/survey.hpp>
 
 namespace seamwright {
@@ -185,7 +184,6 @@ LeftOut Survey::leftOut(Quantity quantity) const {
       else
         left_out.stretches.push_back({from, to});
       left_out.upper.reset();
-      left_out.longest_mm = infinite;
     }
   return left_out;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -26,7 +27,7 @@ struct LeftOut {
   /// The quantity is nowhere larger there, but for points within 2^-30 of the seam, in parameter and in length,
   /// of one without a tangent plane: they are taken for that point. Nothing: no bound is known.
   std::optional<double> upper = 0;
-  double longest_mm = 0;  ///< no stretch is longer
+  double longest_mm = std::numeric_limits<double>::infinity();  ///< no stretch is longer
 
   /// Nothing that counts exceeds the limit. Stretches no longer than the gap that is accepted do not count: to the
   /// user they are points.

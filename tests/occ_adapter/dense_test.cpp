@@ -24,10 +24,10 @@ using occ::SeamResult;
 /// The largest values just before, at and just after a place: on a knot line both sides count.
 template <class Value>
 DenseValue largestAround(double at, const Value& value_at) {
-  constexpr double beside = 1e-9;
-  DenseValue largest = value_at(std::max(0.0, at - beside));
-  for (const double s : {at, std::min(1.0, at + beside)})
-    if (const DenseValue value = value_at(s); value.value > largest.value) largest = value;
+  DenseValue largest = value_at(at);
+  for (const double beside : {1e-9, 1e-6, 1e-4})
+    for (const double s : {std::max(0.0, at - beside), std::min(1.0, at + beside)})
+      if (const DenseValue value = value_at(s); value.value > largest.value) largest = value;
   return largest;
 }
 
