@@ -64,7 +64,7 @@ class MadeFaces {
 FaceCount countStepFaces(const Interface_InterfaceModel& entities, const MadeFaces& made) {
   FaceCount count;
   for (int i = 1; i <= entities.NbEntities(); ++i) {
-    const FileEntity entity = entities.Value(i);
+    const FileEntity& entity = entities.Value(i);
     if (entity->IsKind(STANDARD_TYPE(StepShape_FaceSurface))) {
       count.add(!made.has(entity));
     } else if (const auto shell = opencascade::handle<StepShape_ConnectedFaceSet>::DownCast(entity);
@@ -112,7 +112,7 @@ FaceCount countIgesFaces(const XSControl_Reader& reader, const MadeFaces& made) 
   const Interface_Graph graph(entities, reader.WS()->Protocol());
   FaceCount count;
   for (int i = 1; i <= entities->NbEntities(); ++i) {
-    const FileEntity entity = entities->Value(i);
+    const FileEntity& entity = entities->Value(i);
     if (isIgesFace(entity) || (isIgesSurface(entity) && isFaceByItself(entity, graph)))
       count.add(!made.has(entity));
   }

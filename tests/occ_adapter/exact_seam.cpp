@@ -152,7 +152,7 @@ ExactJet splineJet(const Geom_BSplineSurface& surface, const PathPoint2d& at, do
         w[k] += factor;
       }
     }
-  ExactJet jet;
+  ExactJet jet = {};
   const Quad inverse = 1 / w[0];
   jet.p = inverse * h[0];
   jet.u = inverse * (h[1] + -w[1] * jet.p);
