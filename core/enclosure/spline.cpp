@@ -380,7 +380,8 @@ JetModel SplineEvaluator::evaluated(const Cell& c, const ChebyshevModel& x, cons
 /// If all poles of the boundary are one point.
 std::optional<Eigen::Vector3d> SplineEvaluator::collapsedPoint(int span_u, int span_v,
                                                                const Boundary& boundary) const {
-  const auto& [d, at_end] = boundary;
+  const int d = boundary.direction;
+  const bool at_end = boundary.at_end;
   const int degree = directions_[d].degree;
   const int knot = spans_[d][d == 0 ? span_u : span_v].knot;
   const std::vector<double>& knots = directions_[d].knots;
