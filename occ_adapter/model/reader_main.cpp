@@ -27,6 +27,7 @@
 #include <seamwright/occ_adapter/model/child.hpp>
 #include <seamwright/occ_adapter/model/failure_text.hpp>
 #include <seamwright/occ_adapter/model/load.hpp>
+#include <seamwright/occ_adapter/model/out_of_memory.hpp>
 #include <seamwright/occ_adapter/model/reader.hpp>
 #include <seamwright/occ_adapter/model/store.hpp>
 #include <seamwright/occ_adapter/model/wire.hpp>
@@ -37,6 +38,7 @@ using namespace seamwright::occ;
 
 constexpr int answer = Child::answer_descriptor;
 std::uintmax_t memory_bound = 0;
+std::string deed;  ///< "read" or "written"
 
 /// Ends this process with the thread that waits for its answer. A thread that asks does nothing else until it has the
 /// answer, so it does not end before unless its whole process does, or somebody ends the thread.
@@ -56,6 +58,22 @@ std::uintmax_t memoryInUse() {
   return file ? pages * static_cast<std::uintmax_t>(sysconf(_SC_PAGESIZE)) : 0;
 }
 
+void sendError(ModelErrc code, const std::string& text) {
+  const nlohmann::json error = {{"code", code}, {"text", text}};
+  wire::send(answer, wire::Kind::Error, error.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+void sendOutOfMemory() {
+  // The answer needs some memory too.
+  const rlimit unbounded{RLIM_INFINITY, RLIM_INFINITY};
+  setrlimit(RLIMIT_DATA, &unbounded);
+  std::ostringstream text;
+  text << "can't be " << deed << ": OpenCASCADE asks for more than "
+       << static_cast<double>(memory_bound) / 1e6
+       << " MB of memory with it; SEAMWRIGHT_READER_MEMORY_MB allows more";
+  sendError(ModelErrc::ReaderDied, text.str());
+}
+
 /// Memory is bounded from here on. The parent bounds the time; it also is bounded here as processor time, as the parent
 /// may be stopped for a while.
 void limitResources(std::uintmax_t bytes) {
@@ -66,33 +84,18 @@ void limitResources(std::uintmax_t bytes) {
   setrlimit(RLIMIT_CPU, &processor);
   const rlimit memory{memoryInUse() + memory_bound, RLIM_INFINITY};
   setrlimit(RLIMIT_DATA, &memory);
+  answerWhenOutOfMemory([] {
+    sendOutOfMemory();
+    _exit(1);
+  });
   const rlimit none{0, 0};
   setrlimit(RLIMIT_CORE, &none);
 }
 
-void sendError(ModelErrc code, const std::string& text) {
-  const nlohmann::json error = {{"code", code}, {"text", text}};
-  wire::send(answer, wire::Kind::Error, error.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
-}
-
-void sendOutOfMemory(const std::string& deed) {
-  // The answer needs some memory too.
-  const rlimit unbounded{RLIM_INFINITY, RLIM_INFINITY};
-  setrlimit(RLIMIT_DATA, &unbounded);
-  sendError(ModelErrc::ReaderDied, "can't be " + deed + ": OpenCASCADE asks for more than " +
-                                       std::to_string(memory_bound / 1'000'000) +
-                                       " MB of memory with it; SEAMWRIGHT_READER_MEMORY_MB allows more");
-}
-
 void sendFailure(const Standard_Failure& failure, bool reads, const std::string& format) {
-  const std::string text = failureText(failure);
-  // OpenCASCADE may wrap the failure in another one, whose message has the name of the first.
-  if (text.find("Standard_OutOfMemory") != std::string::npos)
-    sendOutOfMemory(reads ? "read" : "written");
-  else
-    sendError(reads ? ModelErrc::Malformed : ModelErrc::NotWritten,
-              (reads ? "is malformed " + format : std::string("can't be written")) +
-                  ": OpenCASCADE stops at " + text);
+  sendError(reads ? ModelErrc::Malformed : ModelErrc::NotWritten,
+            (reads ? "is malformed " + format : std::string("can't be written")) + ": OpenCASCADE stops at " +
+                failureText(failure));
 }
 
 /// Sends progress when a percent more is done.
@@ -172,7 +175,7 @@ int main(int argc, char** argv) {
     std::fputs("This program reads model files for Seamwright and is not called by hand.\n", stderr);
     return 2;
   }
-  const std::string deed = reads ? "read" : "written";
+  deed = reads ? "read" : "written";
   endWithParent();
   try {
     obey(arguments);
@@ -182,7 +185,7 @@ int main(int argc, char** argv) {
   } catch (const Standard_Failure& failure) {
     sendFailure(failure, reads, arguments[1]);
   } catch (const std::bad_alloc&) {
-    sendOutOfMemory(deed);
+    sendOutOfMemory();
   } catch (const std::exception& error) {
     sendError(reads ? ModelErrc::Malformed : ModelErrc::NotWritten,
               "can't be " + deed + ": " + std::string(error.what()));
