@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 
@@ -108,23 +110,37 @@ void setFigure(const Uncertain& figure, int exponent, std::optional<double>& val
   if (!value || !error) value = error = std::nullopt;
 }
 
-/// The rate by which curvature changes, over kappa / |d|: (c.(d x d'') / |c|^2 - 3 d.d' / |d|^2 + shift), the terms
-/// brought to one exponent.
-Uncertain relativeChange(const GradedDerivatives& derivatives, const GradedVector& c, int exponent) {
+/// value 2^exponent
+struct Scaled {
+  Uncertain value;
+  int exponent = 0;
+};
+
+/// The exponent of the largest; terms that are zero have none.
+int commonExponent(std::span<const Scaled> terms) {
+  std::optional<int> common;
+  for (const Scaled& term : terms)
+    if (const double size = std::max(std::abs(term.value.value), term.value.error); size > 0)
+      common = std::max(common.value_or(std::numeric_limits<int>::min()), term.exponent + std::ilogb(size));
+  return common.value_or(0);
+}
+
+/// The rate by which curvature changes, over kappa / |d|: c.(d x d'') / |c|^2 - 3 d.d' / |d|^2 + shift
+Scaled relativeChange(const GradedDerivatives& derivatives, const GradedVector& c) {
   const GradedVector &d = derivatives.by_order[0], &d2 = derivatives.by_order[1],
                      &d3 = derivatives.by_order[2];
   const Uncertain length{d.value.norm(), d.error}, area{c.value.norm(), c.error};
-  const Uncertain terms[] = {quotient(dot(c, cross(d, d3)), area, 2),
-                             quotient(dot(d, d2), length, 2),
-                             {derivatives.shift.value, derivatives.shift.error}};
-  const int exponents[] = {d3.exponent - d2.exponent, d2.exponent - d.exponent, derivatives.shift.exponent};
+  const Scaled terms[] = {{quotient(dot(c, cross(d, d3)), area, 2), d3.exponent - d2.exponent},
+                          {quotient(dot(d, d2), length, 2), d2.exponent - d.exponent},
+                          {{derivatives.shift.value, derivatives.shift.error}, derivatives.shift.exponent}};
   const double factors[] = {1, -3, 1};
-  Uncertain sum{0, 0};
+  Scaled sum{{0, 0}, commonExponent(terms)};
   for (int i = 0; i < 3; ++i) {
-    const double value = std::ldexp(factors[i] * terms[i].value, exponents[i] - exponent);
-    sum.value += value;
-    sum.error += std::ldexp(std::abs(factors[i]) * terms[i].error, exponents[i] - exponent) +
-                 4 * machine_epsilon * std::abs(value);
+    const int by = terms[i].exponent - sum.exponent;
+    const double value = std::ldexp(factors[i] * terms[i].value.value, by);
+    sum.value.value += value;
+    sum.value.error +=
+        std::ldexp(std::abs(factors[i]) * terms[i].value.error, by) + 4 * machine_epsilon * std::abs(value);
   }
   return sum;
 }
@@ -151,10 +167,9 @@ void setCurvature(const GradedDerivatives& derivatives, double sense, FrenetFram
   const GradedVector& d3 = derivatives.by_order[2];
   setFigure(quotient(determinant(d, d2, d3), area, 2), d3.exponent - d.exponent - d2.exponent,
             frame.torsion_per_mm, frame.torsion_error_per_mm);
-  const int common =
-      std::max({d3.exponent - d2.exponent, d2.exponent - d.exponent, derivatives.shift.exponent});
-  const Uncertain change = product(quotient(area, length, 4), relativeChange(derivatives, c, common));
-  setFigure({sense * change.value, change.error}, d2.exponent - 3 * d.exponent + common,
+  const Scaled relative = relativeChange(derivatives, c);
+  const Uncertain change = product(quotient(area, length, 4), relative.value);
+  setFigure({sense * change.value, change.error}, d2.exponent - 3 * d.exponent + relative.exponent,
             frame.curvature_change_per_mm2, frame.curvature_change_error_per_mm2);
 }
 

@@ -56,7 +56,8 @@ struct FrenetFrame {
 /// Source: text 000 §1; MATH-curves 1; the printed N lacks the norm (ERRATA-curves 0.1).
 FrenetFrame frenetFrame(const CurveDerivatives& derivatives, double speed_noise = 0,
                         double acceleration_noise = 0);
-/// Of a curve, whose poles count as exact: backward stable, that is exact for poles moved by a few units in the last place of their
+/// Of a curve, whose homogeneous poles count as exact (where weights and poles were given apart, their products have
+/// been rounded): backward stable, that is exact for poles moved by a few units in the last place of their
 /// distances, whatever the weights and however near t is to an end. Orders above 3 are looked at where the lower ones
 /// are zero.
 /// \throws std::invalid_argument for a parameter that is not finite, or where the curve is not.

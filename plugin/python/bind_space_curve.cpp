@@ -122,7 +122,8 @@ void bindSpaceCurve(py::module_& module) {
       "The Frenet frame of a BezierCurve at t, a dict: kind (regular, inflection, cusp, point), speed, "
       "tangent, normal, binormal, curvature_per_mm, torsion_per_mm, curvature_change_per_mm2; and bounds "
       "of their errors, speed_error, tangent_error_rad, binormal_error_rad, curvature_error_per_mm, "
-      "torsion_error_per_mm, curvature_change_error_per_mm2.\n\n"
+      "torsion_error_per_mm, curvature_change_error_per_mm2. They are those of the curve in memory, where "
+      "products of weights and poles have been rounded.\n\n"
       "What there is none of is None: at an inflection normal, binormal and torsion; at a cusp all but "
       "the tangent, which is the one the curve leaves with.");
   module.def("find_degeneracies", &degeneraciesOf, py::arg("curve"), py::arg("resolution") = 1e-9,

@@ -123,6 +123,25 @@ TEST(FrenetExact, BeyondTheEndsAndPlanarCurves) {
   }
 }
 
+/// Where a third derivative vanishes, as at the ends of a conic, it has no size to compare others with.
+TEST(FrenetExact, ConicsAtTheirEnds) {
+  Eigen::MatrixX3d poles(3, 3);
+  poles << 0, 0, 0, 1, 0, 0, 1, 1, 0;
+  for (const auto& [t, change] : {std::pair{0.0, 0.75}, {1e-300, 0.75}, {1.0, -0.75}}) {
+    // kappa = (1 - 2 t + 2 t^2)^-1.5 / 2, |X'| = 2 (1 - 2 t + 2 t^2)^0.5
+    const FrenetFrame parabola = frenetFrame(BezierCurve(poles), t);
+    ASSERT_TRUE(parabola.curvature_change_per_mm2);
+    EXPECT_NEAR(*parabola.curvature_change_per_mm2, change, *parabola.curvature_change_error_per_mm2);
+    EXPECT_LT(*parabola.curvature_change_error_per_mm2, 1e-13);
+  }
+  std::mt19937_64 random(1207);
+  for (const double spread : {0.0, 4.0, 20.0})
+    for (const double t : {0.0, 0x1p-1000, 0x1p-30, 0.5, 1.0}) {
+      SCOPED_TRACE(std::to_string(spread) + ", t = " + std::to_string(t));
+      expectExact(unevenCurve(2, spread, random), t);
+    }
+}
+
 /// With B_k = w A_k - w_k A: w^3 X'' = w B_2 - 2 w_1 B_1, w^4 X''' = w^2 B_3 - 3 w_1 w^3 X'' - 3 w_2 w B_1.
 TEST(FrenetExact, DerivativesAreExactToTheirSize) {
   std::mt19937_64 random(1206);
