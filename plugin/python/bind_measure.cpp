@@ -101,7 +101,8 @@ void bindMeasure(py::module_& module) {
       py::arg("direction") = py::none(),
       "Normal and curvature of a BezierPatch, or of a BezierTriangle at l0, l1, with bounds of their errors, "
       "also where weights differ so much that partial derivatives lose their digits. The bounds hold for the "
-      "patch in memory, where products of weights and poles have been rounded. A dict of degeneracy, normal, normal_error_rad, tensor, "
+      "patch in memory, where products of weights and poles have been rounded. A dict of degeneracy, normal, "
+      "normal_error_rad, tensor, "
       "tensor_error_per_mm, principal_curvatures_per_mm and, along the direction, curvature_change_per_mm2 "
       "and curvature_change_error_per_mm2.");
 }
