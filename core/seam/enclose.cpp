@@ -10,6 +10,7 @@
 #include <seamwright/core/seam/enclose.hpp>
 #include <seamwright/core/seam/piece.hpp>
 #include <seamwright/core/seam/side_evaluator.hpp>
+#include <seamwright/core/seam/side_length.hpp>
 
 namespace seamwright {
 
@@ -68,7 +69,7 @@ class Enclosure {
  public:
   Enclosure(const SeamSide& a, const SeamSide& b, const ContinuityTolerance& tolerance,
             const EncloseOptions& options)
-      : a_(a), b_(b), tolerance_(tolerance), options_(options) {}
+      : a_(a), b_(b), length_a_(a_), length_b_(b_), tolerance_(tolerance), options_(options) {}
 
   SeamFigures run();
 
@@ -89,8 +90,6 @@ class Enclosure {
   bool measure(Piece& piece, Detail detail, std::optional<double>& split);
   void see(const Piece& piece);
   void see(Quantity quantity, const PieceBound& bound, const Piece& piece);
-  bool isShort(double from, double to, double share);
-  double wholeLength();
   std::optional<double> poleReach(double end);
   void findPoles();
   void leaveOutCurvatureNearDegenerate();
@@ -108,11 +107,11 @@ class Enclosure {
   double planeShare();
   SeamFigures figures();
   std::optional<Figure> figure(Quantity quantity, double upper) const;
-  Interval lengthOf(double from, double to, int halvings = 6) const;
   Interval belowCreaseShare() const;
 
   SideEvaluator a_;
   SideEvaluator b_;
+  SideLength length_a_, length_b_;
   const ContinuityTolerance& tolerance_;
   const EncloseOptions& options_;
   std::vector<Piece> pieces_;
@@ -124,7 +123,6 @@ class Enclosure {
   bool exhausted_ = false;
   std::vector<DegeneratePoint> degenerate_;
   Interval curvature_range_ = {0, 1};  ///< off the poles at the ends
-  std::optional<double> whole_length_;
 };
 
 double Enclosure::tolerated(Quantity quantity) const {
@@ -243,7 +241,7 @@ bool Enclosure::measure(Piece& piece, Detail detail, std::optional<double>& spli
   const bool without_plane = detail != Detail::Position && !std::isfinite(piece.figures.angle_rad.upper);
   // Of a short seam far from the origin the length of so short a piece is rounding.
   const double share = piece.width() < 2 * last_piece ? shortest_piece : pole_piece;
-  if (without_plane && piece.width() > 0 && isShort(piece.from, piece.to, share)) {
+  if (without_plane && piece.width() > 0 && length_a_.isShort(piece.from, piece.to, share)) {
     piece.left_out = true;
     leaveOut(piece, a, b);
   }
@@ -335,29 +333,6 @@ void Enclosure::refine() {
   }
 }
 
-/// At least so long is side a: a polygon of those of its points that are known.
-double Enclosure::wholeLength() {
-  if (whole_length_) return *whole_length_;
-  constexpr int chords = 64;
-  std::optional<Eigen::Vector3d> before;
-  whole_length_ = 0;
-  for (int i = 0; i <= chords; ++i) {
-    const double s = static_cast<double>(i) / chords;
-    const SideFields side = a_.fields(s, s, Detail::Position);
-    if (side.alternatives.empty()) continue;
-    const VectorModel& p = side.alternatives.front().point;
-    const Eigen::Vector3d here(p[0].coefficient(0), p[1].coefficient(0), p[2].coefficient(0));
-    if (before) *whole_length_ += (here - *before).norm();
-    before = here;
-  }
-  return *whole_length_;
-}
-
-/// Whether a stretch is no longer than a share of the seam, by length as by parameter.
-bool Enclosure::isShort(double from, double to, double share) {
-  return to - from <= share && !(lengthOf(from, to).upper > share * wholeLength());
-}
-
 /// Up to where curvature is no part of the figures, if a side lacks it on a short piece at an end, which is named then.
 std::optional<double> Enclosure::poleReach(double end) {
   const double from = end == 0 ? 0 : 1 - pole_piece, to = end == 0 ? pole_piece : 1;
@@ -378,7 +353,8 @@ void Enclosure::findPoles() {
   const auto [first, last] = options_.range;
   const auto reach = [&](int end, double share) {
     double length = share;
-    while (length > pole_piece && !(end == 0 ? isShort(0, length, share) : isShort(1 - length, 1, share)))
+    while (length > pole_piece &&
+           !(end == 0 ? length_a_.isShort(0, length, share) : length_a_.isShort(1 - length, 1, share)))
       length *= 0.5;
     return length;
   };
@@ -396,7 +372,8 @@ void Enclosure::leaveOutCurvatureNearDegenerate() {
     if (piece.curvature_left_out) continue;
     piece.curvature_left_out = std::ranges::any_of(degenerate_, [&](const DegeneratePoint& point) {
       return curvature_range_.contains(point.at) &&
-             isShort(std::min(piece.from, point.at), std::max(piece.to, point.at), 2 * degenerate_reach);
+             length_a_.isShort(std::min(piece.from, point.at), std::max(piece.to, point.at),
+                               2 * degenerate_reach);
     });
     changed |= piece.curvature_left_out;
   }
@@ -409,7 +386,7 @@ void Enclosure::leaveOutCurvatureNearDegenerate() {
 bool Enclosure::isAtPole(const Piece& piece) {
   if (piece.left_out) return true;
   const auto is_near = [&](double pole) {
-    return isShort(std::min(piece.from, pole), std::max(piece.to, pole), pole_piece);
+    return length_a_.isShort(std::min(piece.from, pole), std::max(piece.to, pole), pole_piece);
   };
   return std::ranges::any_of(degenerate_, [&](const DegeneratePoint& point) { return is_near(point.at); });
 }
@@ -440,7 +417,8 @@ void Enclosure::addLeftOut(SeamFigures& figures) {
   for (LeftOut* left_out : {&figures.angle_left_out, &figures.curvature_left_out}) {
     left_out->longest_mm = 0;
     for (const Interval& stretch : left_out->stretches)
-      left_out->longest_mm = std::max(left_out->longest_mm, lengthOf(stretch.lower, stretch.upper).upper);
+      left_out->longest_mm = std::max({left_out->longest_mm, length_a_.of(stretch.lower, stretch.upper).upper,
+                                       length_b_.of(stretch.lower, stretch.upper).upper});
   }
 }
 
@@ -479,37 +457,15 @@ std::optional<Figure> Enclosure::figure(Quantity quantity, double upper) const {
   return figure;
 }
 
-/// Bounds of the length of side a: chords and control polygons. Across knot lines as if each side went all
-/// the way; infinite above if there are too many of them.
-Interval Enclosure::lengthOf(double from, double to, int halvings) const {
-  const SideFields side = a_.fields(from, to, Detail::Position);
-  if (side.split) {
-    if (halvings == 0) return {0, infinite};
-    const Interval first = lengthOf(from, *side.split, halvings - 1);
-    const Interval second = lengthOf(*side.split, to, halvings - 1);
-    return {first.lower + second.lower, first.upper + second.upper};
-  }
-  Interval length;
-  for (const SurfaceFields& fields : side.alternatives) {
-    const ControlPolygon<3> polygon = controlPolygon(fields.point);
-    double sum = 2 * polygon.radius;
-    for (int i = 1; i <= polygon.degree; ++i) sum += (polygon.points[i] - polygon.points[i - 1]).norm();
-    length.upper = std::max(length.upper, sum);
-    const double chord = (polygon.points[polygon.degree] - polygon.points[0]).norm();
-    length.lower = std::max(0.0, chord - 2 * polygon.radius);
-  }
-  return length;
-}
-
 double Enclosure::planeShare() {
   const Interval& range = options_.range;
   double left_out = 0;
-  if (range.lower > 0) left_out += lengthOf(0, range.lower).upper;
-  if (range.upper < 1) left_out += lengthOf(range.upper, 1).upper;
+  if (range.lower > 0) left_out += length_a_.of(0, range.lower).upper;
+  if (range.upper < 1) left_out += length_a_.of(range.upper, 1).upper;
   for (const Piece& piece : pieces_)
     if (piece.left_out && piece.from >= range.lower && piece.to <= range.upper)
-      left_out += lengthOf(piece.from, piece.to).upper;
-  return left_out > 0 ? std::max(0.0, 1 - left_out / std::max(wholeLength(), left_out)) : 1;
+      left_out += length_a_.of(piece.from, piece.to).upper;
+  return left_out > 0 ? std::max(0.0, 1 - left_out / std::max(length_a_.whole_mm(), left_out)) : 1;
 }
 
 Interval Enclosure::belowCreaseShare() const {
@@ -526,7 +482,7 @@ Interval Enclosure::belowCreaseShare() const {
     const PieceFigures& f = piece.figures;
     const bool is_above = piece.left_out || f.smallest_angle_rad > tolerance_.crease_rad || folds(piece);
     Interval& sum = is_above ? other : f.angle_rad.upper <= tolerance_.crease_rad ? below : either;
-    const Interval length = lengthOf(piece.from, piece.to);
+    const Interval length = length_a_.of(piece.from, piece.to);
     sum.lower += length.lower;
     sum.upper += length.upper;
   }

@@ -142,6 +142,7 @@ class Loops {
     for (std::size_t k = 0; k < links_.size(); ++k)
       for (const int node : links_[k].nodes) at_node[node].push_back(k);
     std::vector<bool> used(links_.size());
+    std::vector<int> loose;
     for (std::size_t start = 0; start < links_.size(); ++start) {
       if (used[start]) continue;
       std::vector<Link> path;
@@ -152,9 +153,19 @@ class Loops {
         cutLoop(path);
         next = path.empty() ? std::nullopt : nextLink(path.back().nodes[1], at_node, used);
       }
-      for (const Link& link : path)
-        result_.notes.push_back("edge " + std::to_string(link.edge.edge) + " is part of no closed loop");
+      for (const Link& link : path) loose.push_back(link.edge.edge);
     }
+    if (!loose.empty()) result_.notes.push_back(looseText(loose));
+  }
+
+  static std::string looseText(std::vector<int> edges) {
+    constexpr std::size_t most = 10;
+    std::ranges::sort(edges);
+    std::string text = edges.size() == 1 ? "edge" : std::to_string(edges.size()) + " edges:";
+    for (std::size_t k = 0; k < std::min(edges.size(), most); ++k)
+      text += (k == 0 ? " " : ", ") + std::to_string(edges[k]);
+    if (edges.size() > most) text += " ...";
+    return text + (edges.size() == 1 ? " is" : " are") + " part of no closed loop";
   }
 
   /// A link that begins at the node, else one that ends there, turned.

@@ -158,7 +158,9 @@ std::string whyFolded(const SeamFigures& figures) {
 std::string whyNot(const SeamResult& seam, const std::vector<FaceChoice>& faces, bool sharp,
                    const RepairOptions& options) {
   if (!seam.figures.gap_mm)
-    return "it can't be measured" + (seam.note.empty() ? std::string() : ": " + seam.note);
+    return seam.note.empty()                       ? "it can't be measured"
+           : seam.note.starts_with("not measured") ? seam.note
+                                                   : "it can't be measured: " + seam.note;
   if (surelyReaches(seam.figures, options.tolerance, options.level())) return "it has the level already";
   if (std::ranges::any_of(seam.faces, [&faces](int face) { return faces[face].may_move; }))
     return seam.figures.fold_at && !sharp ? whyFolded(seam.figures) : "";

@@ -60,14 +60,18 @@ Surface closed(const Surface& given) {
   return surface;
 }
 
-/// Scattered poles of a side would leave its tangent plane at the point to the scatter.
-Surface collapsed(const Surface& surface, double near_mm) {
+/// Scattered poles of a side would leave its tangent plane at the point to the scatter: they become their mean.
+/// \returns the largest move of a pole.
+double collapse(const Surface& surface, double near_mm) {
   const SurfaceBasis basis(*surface);
-  PointRows poles = polesOf(*surface);
-  for (const std::vector<int>& side : collapsedSides(basis, poles, near_mm))
-    for (const int pole : side) poles.row(pole) = poles.row(side.front());
+  const PointRows given = polesOf(*surface);
+  PointRows poles = given;
+  for (const std::vector<int>& side : collapsedSides(basis, given, near_mm)) {
+    const Eigen::RowVector3d mean = given(side, Eigen::all).colwise().mean();
+    for (const int pole : side) poles.row(pole) = mean;
+  }
   setPoles(*surface, poles);
-  return surface;
+  return (poles - given).rowwise().norm().maxCoeff();
 }
 
 }  // namespace
@@ -75,7 +79,8 @@ Surface collapsed(const Surface& surface, double near_mm) {
 MovingSurface::MovingSurface(const Surface& given, double near_mm)
     : near_mm_(near_mm),
       given_periodic_(isPeriodic(*given)),
-      before_(collapsed(closed(given), near_mm)),
+      before_(closed(given)),
+      collapse_mm_(collapse(before_, near_mm)),
       basis_(*before_),
       poles_(polesOf(*before_)),
       original_(poles_),
@@ -93,11 +98,18 @@ Surface MovingSurface::moved() const {
   return surface;
 }
 
+double MovingSurface::largestMove_mm() const {
+  const double moved_mm = (poles_ - original_).rowwise().norm().maxCoeff();
+  return moved_mm > 0 ? moved_mm + collapse_mm_ : 0;
+}
+
 bool MovingSurface::raiseDegrees(int least) {
   if (basis_.u().degree >= least && basis_.v().degree >= least) return false;
   const Surface raised = copyOf(before_);
   raised->IncreaseDegree(std::max(basis_.u().degree, least), std::max(basis_.v().degree, least));
+  const double collapse_mm = collapse_mm_;
   *this = MovingSurface(raised, near_mm_);
+  collapse_mm_ += collapse_mm;
   return true;
 }
 

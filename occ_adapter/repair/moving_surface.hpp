@@ -32,7 +32,8 @@ class MovingSurface {
   void setPoles(PointRows poles) { poles_ = std::move(poles); }
   /// Periodic where it was given so.
   opencascade::handle<Geom_BSplineSurface> moved() const;
-  double largestMove_mm() const { return (poles_ - original_).rowwise().norm().maxCoeff(); }
+  /// Of a pole, with what sides moved to become one point; 0 if no pole moved since.
+  double largestMove_mm() const;
   /// Of the poles in u and v, in the mean, before knots were inserted.
   const std::array<double, 2>& givenSpacing() const { return given_spacing_; }
 
@@ -57,6 +58,7 @@ class MovingSurface {
   double near_mm_;
   bool given_periodic_;
   opencascade::handle<Geom_BSplineSurface> before_;
+  double collapse_mm_;  ///< the largest move of a pole that made a side one point
   opencascade::handle<Geom_BSplineSurface>
       touched_;  ///< one where a touched pole has a share in the pole of now
   SurfaceBasis basis_;

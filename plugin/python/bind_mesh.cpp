@@ -39,6 +39,8 @@ occ::DisplayMesh meshOf(const occ::Model& model, bool curvatures, const occ::Mod
   occ::DisplayMeshOptions options;
   options.curvatures = curvatures;
   options.jobs = jobs;
+  if (before == nullptr && !moved_faces.empty())
+    throw std::invalid_argument("moved_faces is given without the shape before");
   occ::MovedFaces moved;
   if (before != nullptr) moved.before = before->shape;
   moved.faces = moved_faces;
