@@ -229,9 +229,8 @@ TEST(RepairDegenerate, PolesThatAreNoNumbers) {
     EXPECT_TRUE(report.seams[0].treated);
     EXPECT_TRUE(report.seams[0].repaired) << report.seams[0].reason;
     EXPECT_FALSE(report.seams[1].treated);
-    EXPECT_NE(
-        report.seams[1].reason.find("not measured: face 3 has a surface with the number"),
-        std::string::npos)
+    EXPECT_NE(report.seams[1].reason.find("not measured: face 3 has a surface with the number"),
+              std::string::npos)
         << report.seams[1].reason;
     // Nothing is known of the edge between faces 2 and 3, so that neither moves.
     ASSERT_EQ(report.moves.size(), 1);
