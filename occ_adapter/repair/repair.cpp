@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <seamwright/occ_adapter/repair/convert_faces.hpp>
+#include <seamwright/occ_adapter/repair/face_change.hpp>
 #include <seamwright/occ_adapter/repair/prove.hpp>
 #include <seamwright/occ_adapter/repair/sew.hpp>
 #include <seamwright/occ_adapter/seams/match.hpp>
@@ -378,6 +379,7 @@ void RepairOptions::validate() const {
   analyzeOptions(*this).validate();
   if (order != 1 && order != 2)
     throw std::invalid_argument("order is " + std::to_string(order) + ": it must be 1 or 2");
+  SurfaceTolerance{fairness, 0}.validate();
   if (!(max_move_mm >= 0)) {
     std::ostringstream text;
     text << "largest move is " << max_move_mm << " mm: it must be zero or larger";
@@ -390,8 +392,13 @@ RepairReport repair(const Model& model, const RepairOptions& options, const Prog
   const auto plain = [](const Model& of, const RepairOptions& how, const Progress& part) {
     return Repairing(of, how, part).run();
   };
-  return options.convert_analytic ? repairConverting(model, options, plain, progress)
-                                  : plain(model, options, progress);
+  constexpr double share_before_judging = 0.97;
+  const Progress repairing = partOf(progress, 0, share_before_judging);
+  RepairReport report = options.convert_analytic ? repairConverting(model, options, plain, repairing)
+                                                 : plain(model, options, repairing);
+  judgeMoves(model.shape, report.model.shape, report.faces_now, options, report.moves,
+             partOf(progress, share_before_judging, 1));
+  return report;
 }
 
 }  // namespace seamwright::occ

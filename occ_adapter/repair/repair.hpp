@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include <seamwright/core/surface/judge.hpp>
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
 
 namespace seamwright::occ {
@@ -18,7 +20,9 @@ struct RepairOptions {
   double match_mm = 0;           ///< also open edges within this distance of one another; 0: none
   bool sew = true;               ///< matched seams that meet within the gap tolerance become one edge
   bool convert_analytic =
-      false;     ///< planes, cylinders and the like may become splines where they have to move
+      false;  ///< planes, cylinders and the like may become splines where they have to move
+  double fairness =
+      1.5;  ///< a face is worse if its curvature varies more than that many times what it did, see judgeSurface()
   int jobs = 0;  ///< threads; 0: one for each processor
 
   /// What a seam has to reach.
@@ -46,6 +50,10 @@ struct FaceMove {
   int face = 0;  ///< number in the given model
   double largest_move_mm =
       0;  ///< of a pole, against the surface as it was in the knots that it has now; at most
+  /// Of the face's surface, on a grid of lines that is even in its knot spans; nothing where OpenCASCADE can't evaluate it.
+  std::optional<SurfaceChange> surface = {};
+  SurfaceVerdict
+      verdict = {};  ///< of that change; what is visible is visibleVariation() over the diagonal of the face's box
 };
 
 /// An edge that runs elsewhere on the faces beside it, or along them at another speed.

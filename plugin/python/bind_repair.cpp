@@ -95,7 +95,9 @@ void bindRepair(py::module_& module) {
           "All seams: a list of dicts {before, after, treated, repaired, reason, sewn, not_sewn}.")
       .def_property_readonly(
           "moves", [](const RepairReport& repair) { return py::object(repairDict(repair)["moves"]); },
-          "The faces that moved: a list of dicts {face, largest_move_mm}.")
+          "The faces that moved: a list of dicts {face, largest_move_mm, surface}; surface tells what became "
+          "of the "
+          "face's curvature.")
       .def_property_readonly(
           "edge_moves",
           [](const RepairReport& repair) { return py::object(repairDict(repair)["edge_moves"]); },
@@ -109,7 +111,7 @@ void bindRepair(py::module_& module) {
             return plainObject(report::toJson(report::summarize(repair.report)));
           },
           "A dict {seams, treated, repaired, left, sewn, defects_before, defects_after, largest_move_mm, "
-          "changed}.")
+          "worse_faces, changed}.")
       .def("to_dict", &repairDict, "All but the model as a plain dict with the keys of the JSON.")
       .def(
           "to_json",

@@ -89,8 +89,10 @@ RepairSummary summarize(const occ::RepairReport& report) {
   }
   summary.defects_before = summarize(report.before).defects;
   summary.defects_after = summarize(report.after).defects;
-  for (const occ::FaceMove& move : report.moves)
+  for (const occ::FaceMove& move : report.moves) {
     summary.largest_move_mm = std::max(summary.largest_move_mm, move.largest_move_mm);
+    summary.worse_faces += move.verdict.worse;
+  }
   return summary;
 }
 
@@ -103,6 +105,7 @@ ordered_json toJson(const RepairSummary& summary) {
           {"defects_before", summary.defects_before},
           {"defects_after", summary.defects_after},
           {"largest_move_mm", summary.largest_move_mm},
+          {"worse_faces", summary.worse_faces},
           {"changed", summary.changed}};
 }
 
@@ -116,8 +119,31 @@ ordered_json toJson(const occ::SeamRepair& seam, const ContinuityTolerance& tole
           {"not_sewn", seam.not_sewn}};
 }
 
+namespace {
+
+ordered_json surfaceJson(const occ::FaceMove& move) {
+  if (!move.surface) return nullptr;
+  const SurfaceChange& change = *move.surface;
+  const auto compared = [](const auto& before, const auto& after) {
+    return ordered_json{{"before", before}, {"after", after}};
+  };
+  return {{"move_mm", {{"lower", change.move_mm.lower}, {"upper", change.move_mm.upper}}},
+          {"normal_move_mm", change.normal_move_mm},
+          {"tangential_move_mm", change.tangential_move_mm},
+          {"turn_deg", change.turn_rad * degrees_per_radian},
+          {"curvature_change_per_mm", change.curvature_change_per_mm},
+          {"variation_per_mm", compared(change.before.variation_per_mm, change.after.variation_per_mm)},
+          {"extrema", compared(change.before.extrema, change.after.extrema)},
+          {"inflections", compared(change.before.inflections, change.after.inflections)},
+          {"lines", change.after.lines},
+          {"worse", move.verdict.worse},
+          {"reason", move.verdict.reason}};
+}
+
+}  // namespace
+
 ordered_json toJson(const occ::FaceMove& move) {
-  return {{"face", move.face}, {"largest_move_mm", move.largest_move_mm}};
+  return {{"face", move.face}, {"largest_move_mm", move.largest_move_mm}, {"surface", surfaceJson(move)}};
 }
 
 ordered_json toJson(const occ::EdgeMove& move) {

@@ -18,6 +18,7 @@ struct RepairSummary {
   int defects_before = 0;
   int defects_after = 0;
   double largest_move_mm = 0;
+  int worse_faces = 0;  ///< of those that moved: less fair than before
   bool changed = false;
 };
 
@@ -29,6 +30,7 @@ Judge judgeOf(const occ::RepairReport& report, const occ::RepairOptions& options
 
 nlohmann::ordered_json toJson(const RepairSummary& summary);
 nlohmann::ordered_json toJson(const occ::SeamRepair& seam, const ContinuityTolerance& tolerance);
+/// Angles in degrees; surface is null where it could not be measured.
 nlohmann::ordered_json toJson(const occ::FaceMove& move);
 nlohmann::ordered_json toJson(const occ::EdgeMove& move);
 nlohmann::ordered_json toJson(const occ::FaceConversion& conversion);

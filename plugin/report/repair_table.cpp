@@ -74,6 +74,7 @@ void writeHead(std::ostream& out, const occ::RepairReport& report, const RepairS
         << number(summary.largest_move_mm, "%.3g") << " mm";
   else
     out << (report.changed() ? "no face moved" : "nothing moved");
+  if (summary.worse_faces > 0) out << ", " << summary.worse_faces << " less fair than before";
   if (!report.edge_moves.empty()) out << ", " << counted(report.edge_moves.size(), "edge") << " led anew";
   if (!report.converted.empty()) out << ", " << counted(report.converted.size(), "face") << " made a spline";
   out << ";  read in " << number(report.before.read_s, "%.2f") << " s, repaired in "
@@ -95,6 +96,8 @@ std::string toTable(const occ::RepairReport& report, const std::optional<Written
     out << '\n';
     writeRows(out, rows, first_figure);
   }
+  for (const occ::FaceMove& move : report.moves)
+    if (move.verdict.worse) out << "\nface " << move.face << " is less fair: " << move.verdict.reason << '\n';
   out << '\n';
   const std::string differences = output ? output->differences(countsOf(report.after, report.model)) : "";
   if (!differences.empty()) out << output->path.string() << ' ' << differences << '\n';

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepBndLib.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <GeomAdaptor_Surface.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <seamwright/occ_adapter/analyze/workers.hpp>
+#include <seamwright/occ_adapter/convert/points.hpp>
+#include <seamwright/occ_adapter/model/parts.hpp>
+#include <seamwright/occ_adapter/repair/face_change.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+/// The boundary of a face in its parameter plane, as polygons.
+class Outline {
+ public:
+  explicit Outline(const TopoDS_Face& face) {
+    for (TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next()) {
+      double first = 0, last = 0;
+      const auto path = BRep_Tool::CurveOnSurface(TopoDS::Edge(edge.Current()), face, first, last);
+      if (path.IsNull()) continue;
+      gp_Pnt2d before = path->Value(first);
+      for (int k = 1; k <= chords; ++k) {
+        const gp_Pnt2d here = path->Value(first + (last - first) * k / chords);
+        chords_.push_back({std::array{before.X(), before.Y()}, std::array{here.X(), here.Y()}});
+        before = here;
+      }
+    }
+  }
+
+  /// Where the line with that parameter is inside, as pairs of ends. \param fixed 0: u is, 1: v.
+  std::vector<std::pair<double, double>> inside(int fixed, double at) const {
+    std::vector<double> crossings;
+    for (const auto& [a, b] : chords_) {
+      if ((a[fixed] <= at) == (b[fixed] <= at)) continue;
+      const double share = (at - a[fixed]) / (b[fixed] - a[fixed]);
+      crossings.push_back(a[1 - fixed] + share * (b[1 - fixed] - a[1 - fixed]));
+    }
+    std::ranges::sort(crossings);
+    std::vector<std::pair<double, double>> parts;
+    for (std::size_t k = 1; k < crossings.size(); k += 2) parts.emplace_back(crossings[k - 1], crossings[k]);
+    return parts;
+  }
+
+ private:
+  static constexpr int chords = 64;
+  std::vector<std::array<std::array<double, 2>, 2>> chords_;
+};
+
+/// Places that are even in knot spans.
+class SpanScale {
+ public:
+  SpanScale(const TColStd_Array1OfReal& knots, double first, double last) : ends_{first} {
+    for (const double knot : knots)
+      if (knot > first && knot < last) ends_.push_back(knot);
+    ends_.push_back(last);
+  }
+  int spans() const { return static_cast<int>(ends_.size()) - 1; }
+  double at(double share) const {
+    const double place = share * spans();
+    const int span = std::clamp(static_cast<int>(place), 0, spans() - 1);
+    return ends_[span] + (place - span) * (ends_[span + 1] - ends_[span]);
+  }
+
+ private:
+  std::vector<double> ends_;
+};
+
+SurfaceJet jetOn(const Adaptor3d_Surface& surface, double u, double v) {
+  gp_Pnt p;
+  gp_Vec along_u, along_v, uu, vv, uv;
+  surface.D2(u, v, p, along_u, along_v, uu, vv, uv);
+  SurfaceJet jet;
+  jet.p = vector(p.XYZ());
+  jet.u = vector(along_u.XYZ());
+  jet.v = vector(along_v.XYZ());
+  jet.uu = vector(uu.XYZ());
+  jet.uv = vector(uv.XYZ());
+  jet.vv = vector(vv.XYZ());
+  return jet;
+}
+
+/// What is below a millionth of the largest is taken for none.
+JetNoise normalNoise(double longest_u, double longest_v) {
+  constexpr double share = 1e-6;
+  return {share * longest_u, share * longest_v};
+}
+
+/// Mean curvature, and normal curvature along the line; not a number where there is no normal.
+void addCurvature(const SurfaceJet& jet, const JetNoise& noise, bool along_u, CurvatureLine& line) {
+  const auto normal = unitNormal(jet, noise);
+  double mean = std::nan(""), along = std::nan("");
+  if (normal) {
+    const Eigen::Matrix3d tensor = curvatureTensor(jet, *normal);
+    const Eigen::Vector3d way = (along_u ? jet.u : jet.v).normalized();
+    mean = tensor.trace() / 2;
+    along = way.dot(tensor * way);
+  }
+  line.mean_per_mm.push_back(mean);
+  line.normal_per_mm.push_back(along);
+}
+
+/// The lines of one direction.
+class LineWalk {
+ public:
+  LineWalk(const Adaptor3d_Surface& before, const Adaptor3d_Surface& after, const FaceGrid& grid)
+      : before_(before), after_(after), grid_(grid) {}
+
+  void walk(const Outline& outline, int fixed, const SpanScale& across, const SpanScale& along,
+            SurfaceChange& change) {
+    const int places = std::clamp(grid_.places * along.spans(), grid_.least, grid_.most);
+    for (int line = 0; line < grid_.lines; ++line) {
+      const double at = across.at((line + 0.5) / grid_.lines);
+      const auto parts = outline.inside(fixed, at);
+      auto part = parts.begin();
+      start();
+      for (int k = 0; k < places && part != parts.end(); ++k) {
+        const double place = along.at((k + 0.5) / places);
+        while (part != parts.end() && place > part->second) {
+          ++part;
+          finish();
+        }
+        if (part == parts.end() || place < part->first) continue;
+        look(fixed == 0 ? at : place, fixed == 0 ? place : at, fixed == 1, change);
+      }
+      finish();
+    }
+  }
+
+  SurfaceMeasure before(double noise_per_mm) const { return measureSurface(lines_before_, noise_per_mm); }
+  SurfaceMeasure after(double noise_per_mm) const { return measureSurface(lines_after_, noise_per_mm); }
+
+ private:
+  void start() { of_before_ = of_after_ = {}; }
+  /// A gap between two parts of a line is no step.
+  void finish() {
+    if (!of_before_.mean_per_mm.empty()) {
+      lines_before_.push_back(std::move(of_before_));
+      lines_after_.push_back(std::move(of_after_));
+    }
+    start();
+  }
+  void look(double u, double v, bool along_u, SurfaceChange& change) {
+    const SurfaceJet was = jetOn(before_, u, v), is = jetOn(after_, u, v);
+    longest_[0] = std::max({longest_[0], was.u.norm(), is.u.norm()});
+    longest_[1] = std::max({longest_[1], was.v.norm(), is.v.norm()});
+    const JetNoise noise = normalNoise(longest_[0], longest_[1]);
+    include(change, was, is, noise);
+    addCurvature(was, noise, along_u, of_before_);
+    addCurvature(is, noise, along_u, of_after_);
+  }
+
+  const Adaptor3d_Surface &before_, &after_;
+  const FaceGrid& grid_;
+  std::array<double, 2> longest_{};
+  CurvatureLine of_before_, of_after_;
+  std::vector<CurvatureLine> lines_before_, lines_after_;
+};
+
+}  // namespace
+
+SurfaceChange measureChange(const TopoDS_Face& face, const opencascade::handle<Geom_BSplineSurface>& after,
+                            double bound_mm, double visible_per_mm, const FaceGrid& grid) {
+  std::array<double, 4> range{};
+  BRepTools::UVBounds(face, range[0], range[1], range[2], range[3]);
+  const BRepAdaptor_Surface before(face, false);
+  const GeomAdaptor_Surface moved(after);
+  const SpanScale u(after->UKnots(), range[0], range[1]), v(after->VKnots(), range[2], range[3]);
+  const Outline outline(face);
+  SurfaceChange change;
+  LineWalk walk(before, moved, grid);
+  walk.walk(outline, 0, u, v, change);
+  walk.walk(outline, 1, v, u, change);
+  change.move_mm.upper = std::max(change.move_mm.lower, bound_mm);
+  constexpr double unseen = 0.05;
+  const double noise = visible_per_mm + unseen * walk.before(0).variation_per_mm;
+  change.before = walk.before(noise);
+  change.after = walk.after(noise);
+  return change;
+}
+
+namespace {
+
+double diagonal_mm(const TopoDS_Face& face) {
+  Bnd_Box box;
+  BRepBndLib::Add(face, box, false);
+  return std::sqrt(box.SquareExtent());
+}
+
+opencascade::handle<Geom_BSplineSurface> splineOn(const TopoDS_Face& face) {
+  TopLoc_Location location;
+  const opencascade::handle<Geom_Surface> surface = BRep_Tool::Surface(face, location);
+  return opencascade::handle<Geom_BSplineSurface>::DownCast(surface->Transformed(location.Transformation()));
+}
+
+}  // namespace
+
+void judgeMoves(const TopoDS_Shape& before, const TopoDS_Shape& after, const std::vector<int>& faces_now,
+                const RepairOptions& options, std::vector<FaceMove>& moves, const Progress& progress) {
+  const TopTools_IndexedMapOfShape was = partsOf(before, TopAbs_FACE), is = partsOf(after, TopAbs_FACE);
+  const auto judge = [&](std::size_t k) {
+    FaceMove& move = moves[k];
+    const TopoDS_Face& face = TopoDS::Face(was(move.face));
+    const TopoDS_Face& now = TopoDS::Face(is(faces_now.empty() ? move.face : faces_now[move.face]));
+    try {
+      const opencascade::handle<Geom_BSplineSurface> spline = splineOn(now);
+      if (spline.IsNull()) return;
+      const double visible = visibleVariation(options.tolerance, diagonal_mm(face));
+      move.surface = measureChange(face, spline, move.largest_move_mm, visible);
+      move.verdict = judgeSurface(*move.surface, {options.fairness, visible});
+    } catch (const Standard_Failure&) {
+      move.surface.reset();
+    }
+  };
+  runParallel(moves.size(), options.jobs, judge, progress);
+}
+
+}  // namespace seamwright::occ

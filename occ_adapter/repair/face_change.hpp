@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Geom_BSplineSurface.hxx>
+#include <TopoDS_Face.hxx>
+#include <vector>
+
+#include <seamwright/occ_adapter/repair/repair.hpp>
+
+/// What a repair made of the surface of a face; not a public header.
+namespace seamwright::occ {
+
+/// Lines and places where a face is looked at.
+struct FaceGrid {
+  int lines = 32;   ///< in each direction of the parameters, at least 1
+  int places = 6;   ///< along a line in each knot span of the surface after, ...
+  int least = 96;   ///< ... and at least so many on a line,
+  int most = 1024;  ///< but no more
+};
+
+/// Both surfaces over the part of the parameter plane that the face shows: inside the polygons of its paths. Lines are even in
+/// the knot spans of the surface after, so that what was inserted is seen; both surfaces are looked at in the same places.
+///
+/// What is visible is the noise of extrema and inflections, with a twentieth of the variation before.
+///
+/// \param face with the surface before. \param after in the frame of the shape, with the parameters of the one before.
+/// \param visible_per_mm of curvature, see SurfaceTolerance. \param bound_mm what no point moves beyond: that of the poles, in the knots after.
+/// Places without a normal, as where a side collapses, have no curvature.
+/// \throws Standard_Failure.
+SurfaceChange measureChange(const TopoDS_Face& face, const opencascade::handle<Geom_BSplineSurface>& after,
+                            double bound_mm, double visible_per_mm, const FaceGrid& grid = {});
+
+/// Measures and judges the faces that moved. \param faces_now see RepairReport. \param moves of faces of the shape before; they get their change
+/// and verdict. \throws Cancelled.
+void judgeMoves(const TopoDS_Shape& before, const TopoDS_Shape& after, const std::vector<int>& faces_now,
+                const RepairOptions& options, std::vector<FaceMove>& moves, const Progress& progress);
+
+}  // namespace seamwright::occ
