@@ -48,12 +48,12 @@ struct SeamRepair {
 
 struct FaceMove {
   int face = 0;  ///< number in the given model
-  double largest_move_mm =
-      0;  ///< of a pole, against the surface as it was in the knots that it has now; at most
+  /// Of a pole, against the surface as it was in the knots that it has now; at most.
+  double largest_move_mm = 0;
   /// Of the face's surface, on a grid of lines that is even in its knot spans; nothing where OpenCASCADE can't evaluate it.
   std::optional<SurfaceChange> surface = {};
-  SurfaceVerdict
-      verdict = {};  ///< of that change; what is visible is visibleVariation() over the diagonal of the face's box
+  /// Of that change; what is visible is visibleVariation() over the diagonal of the face's box.
+  SurfaceVerdict verdict = {};
 };
 
 /// An edge that runs elsewhere on the faces beside it, or along them at another speed.
