@@ -11,6 +11,7 @@
 
 #include <seamwright/occ_adapter/repair/convert_faces.hpp>
 #include <seamwright/occ_adapter/repair/face_change.hpp>
+#include <seamwright/occ_adapter/repair/displace.hpp>
 #include <seamwright/occ_adapter/repair/prove.hpp>
 #include <seamwright/occ_adapter/repair/sew.hpp>
 #include <seamwright/occ_adapter/seams/match.hpp>
@@ -191,7 +192,8 @@ class Repairing {
         return followTargets(task, reach, followed_, part);
       };
     };
-    const std::array<Way, 7> ways = {{{joinPaths, Which::All},
+    const std::array<Way, 8> ways = {{{joinPaths, Which::All},
+                                      {displaceFaces, Which::All},
                                       {network(&dear), Which::All},
                                       {pairwise, Which::NotDear},
                                       {follow(LeadReach::Spans), Which::All},
@@ -200,6 +202,7 @@ class Repairing {
                                       {pairwise, Which::Dear}}};
     double done = 0;
     for (std::size_t k = 0; k < ways.size(); ++k) {
+      if (std::getenv("SW_ONLY") && k > 1) break;
       const double next = done + (1 - done) / static_cast<double>(ways.size() - k);
       const TopoDS_Shape shape = now_.shape;
       const std::vector<SeamResult> before = judged(now_.after.seams, options);
