@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRepGProp.hxx>
 #include <BRepTools.hxx>
+#include <GProp_GProps.hxx>
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
+#include <Eigen/Geometry>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -20,7 +24,9 @@
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
 #include <seamwright/occ_adapter/match/least_moves.hpp>
 #include <seamwright/occ_adapter/repair/displace.hpp>
+#include <seamwright/core/surface/judge.hpp>
 #include <seamwright/occ_adapter/repair/displacement.hpp>
+#include <seamwright/occ_adapter/repair/face_change.hpp>
 #include <seamwright/occ_adapter/repair/path_place.hpp>
 #include <seamwright/occ_adapter/seams/match.hpp>
 
@@ -45,7 +51,9 @@ handle<Geom_BSplineSurface> splineOfFace(const TopoDS_Face& face) {
 struct Mover {
   int face = 0;
   Displacement displacement;
-  int first = 0;  ///< of its unknowns
+  std::vector<int> unknown;  ///< by coefficient: its number, -1: it stays
+  double budget_per_mm = 0;  ///< by how much its curvature may vary more
+  double area_mm2 = 0;
 };
 
 enum class Ask {
@@ -62,6 +70,7 @@ struct Joint {
   std::vector<FaceUse> sides;
   std::vector<Pcurve> paths;
   Correspondence map;
+  std::set<double> also;  ///< places that samples missed before
 };
 
 /// A side at a sample: a mover's shares, or what a face that stays shows.
@@ -107,8 +116,10 @@ class Displacing {
 
   /// By joint: what it misses over its tolerance.
   const std::vector<double>& run() {
-    constexpr int most_refinements = 3;
+    constexpr int most_refinements = 4;
     placeSamples();
+    freeAll();
+    if (debug) std::fprintf(stderr, "times assemble %.2f solve %.2f look %.2f energy %.2f place %.2f\n", assemble_s, solve_s, look_s, energy_s, place_s);
     for (int refinement = 0;; ++refinement) {
       solve();
       if (debug) std::fprintf(stderr, "  refinement %d: unknowns %d worst %g\n", refinement, unknowns_, worst());
@@ -117,23 +128,7 @@ class Displacing {
     return ratios_;
   }
 
-  void verify() const {
-    double worst = 0, worst_d1 = 0;
-    for (std::size_t j = 0; j < joints_.size(); ++j)
-      for (const Sample& sample : samples_[j])
-        for (const SampleSide& side : sample.sides)
-          if (side.mover) {
-            static std::map<const Mover*, handle<Geom_BSplineSurface>> made;
-            if (!made.count(side.mover)) made[side.mover] = side.mover->displacement.surface();
-            gp_Pnt p; gp_Vec u, v;
-            made[side.mover]->D1(side.uv[0], side.uv[1], p, u, v);
-            const SurfaceJet jet = jetAt(side);
-            worst = std::max(worst, (jet.p - Eigen::Vector3d(p.X(), p.Y(), p.Z())).norm());
-            worst_d1 = std::max(worst_d1, (jet.u - Eigen::Vector3d(u.X(), u.Y(), u.Z())).norm());
-            worst_d1 = std::max(worst_d1, (jet.v - Eigen::Vector3d(v.X(), v.Y(), v.Z())).norm());
-          }
-    std::fprintf(stderr, "  verify: point %g derivative %g\n", worst, worst_d1);
-  }
+  double effortOf(std::size_t j) const { return effort(j); }
 
   std::string tell(std::size_t j) const {
     const Sample* worst = nullptr;
@@ -152,6 +147,7 @@ class Displacing {
   }
 
  private:
+  static inline double assemble_s = 0, solve_s = 0, place_s = 0, energy_s = 0, look_s = 0;
   static inline const bool debug = std::getenv("SW_DEBUG") != nullptr;
   static constexpr double enough = 0.6;
 
@@ -175,8 +171,8 @@ class Displacing {
 
   /// Even in the spans of the movers' surfaces that are crossed, with both ends.
   std::vector<double> sampleParameters(const Joint& joint) {
-    constexpr double per_span = 4;
-    constexpr int least = 16, most = 256;
+    constexpr double per_pole = 2;
+    constexpr int least = 24, most = 400;
     std::vector<double> best;
     for (std::size_t side = 0; side < joint.sides.size(); ++side) {
       Mover* const mover = moverOf(joint.sides[side].face);
@@ -184,8 +180,10 @@ class Displacing {
       FollowPath path;
       path.path = joint.paths[side];
       const PlanePath plane(path);
-      const SpanMeasure measure(plane, mover->displacement.givenBasis(), mover->displacement.givenSurface());
-      const int count = std::clamp(static_cast<int>(std::ceil(per_span * measure.crossed())), least, most);
+      const SurfaceBasis& basis = mover->displacement.givenBasis();
+      const Eigen::Vector2d poles(std::max(1.0, polesPerSpan(basis.u())), std::max(1.0, polesPerSpan(basis.v())));
+      const SpanMeasure measure(plane, basis, mover->displacement.givenSurface(), poles);
+      const int count = std::clamp(static_cast<int>(std::ceil(per_pole * measure.crossed())), least, most);
       if (count < static_cast<int>(best.size())) continue;
       best.clear();
       for (int k = 0; k <= count; ++k)
@@ -193,17 +191,18 @@ class Displacing {
     }
     best.push_back(0);
     best.push_back(1);
+    const double near = 0.25 / static_cast<double>(best.size());
+    for (const double s : joint.also)
+      for (const double beside : {-near, -near / 3, 0.0, near / 3, near})
+        if (s + beside >= 0 && s + beside <= 1) best.push_back(s + beside);
     std::ranges::sort(best);
     best.erase(std::unique(best.begin(), best.end(), [](double a, double b) { return b - a < 1e-9; }), best.end());
     return best;
   }
 
   void placeSamples() {
-    unknowns_ = 0;
-    for (auto& [face, mover] : movers_) {
-      mover.first = unknowns_;
-      unknowns_ += mover.displacement.count();
-    }
+    const auto t5 = std::chrono::steady_clock::now();
+    const std::vector<std::vector<Sample>> before = std::move(samples_);
     samples_.assign(joints_.size(), {});
     for (std::size_t j = 0; j < joints_.size(); ++j) {
       const Joint& joint = joints_[j];
@@ -223,6 +222,16 @@ class Displacing {
         sample.part = length > 0 ? sample.part / length : 1.0 / static_cast<double>(samples.size());
         if (joint.ask != Ask::Join) sample.given = differences(joint, sample, true);
       }
+      if (j < before.size()) inheritWeights(before[j], samples);
+    }
+    place_s += std::chrono::duration<double>(std::chrono::steady_clock::now() - t5).count();
+  }
+
+  static void inheritWeights(const std::vector<Sample>& from, std::vector<Sample>& to) {
+    if (from.empty()) return;
+    for (Sample& sample : to) {
+      const auto nearest = std::ranges::min_element(from, {}, [&](const Sample& other) { return std::abs(other.s - sample.s); });
+      sample.weight = nearest->weight;
     }
   }
 
@@ -323,7 +332,9 @@ class Displacing {
       if (side.mover == nullptr) return;
       for (std::size_t k = 0; k < side.shares.poles.size(); ++k) {
         const double factor = sign * shares[static_cast<Eigen::Index>(k)];
-        add(side.mover->first + side.shares.poles[k], factor);
+        const int unknown = side.mover->unknown[side.shares.poles[k]];
+        if (unknown < 0) continue;
+        add(unknown, factor);
         now += factor * side.mover->displacement.coefficients().row(side.shares.poles[k]).transpose();
       }
     }
@@ -345,6 +356,7 @@ class Displacing {
     for (std::size_t k = 0; k < sample.sides.size(); ++k)
       if (sample.sides[k].mover != nullptr)
         place.add(sample.sides[k], sample.sides[k].shares.share.row(0), k == 0 ? 1 : -1);
+    if (place.unknowns.empty()) return;
     const double gap_weight = weightOf(sample) / tolerance.gap_mm;
     system.addPoint(place.unknowns, place.weighted(gap_weight), gap_weight * (place.now - now.gap + sample.given.gap));
     if (joint.order < 1 || sample.sides.size() < 2) return keepNormals(sample, system);
@@ -361,6 +373,7 @@ class Displacing {
       for (const int k : {0, 1})
         if (const SampleSide& side = sample.sides[k]; side.mover != nullptr)
           row.add(side, derivative(side.shares, parameterStep(*jets[k], way)), k == 0 ? -1 : 1);
+      if (row.unknowns.empty()) continue;
       system.add(row.unknowns, row.weighted(angle_weight), frame.normal,
                  Eigen::VectorXd::Constant(1, angle_weight * (frame.normal.dot(row.now) - way.dot(left))));
     }
@@ -394,23 +407,42 @@ class Displacing {
       const Frame frame = frameOf(sample, *normal);
       Row row;
       row.add(side, derivative(side.shares, parameterStep(side.shown.jet, frame.cross)), 1);
-      system.add(row.unknowns, row.weighted(weight), frame.normal, Eigen::VectorXd::Zero(1));
+      if (row.unknowns.empty()) continue;
+      const SurfaceJet by = jetOf(side.shares, side.mover->displacement.coefficients());
+      const Eigen::Vector2d step = parameterStep(side.shown.jet, frame.cross);
+      const double now = frame.normal.dot(step[0] * by.u + step[1] * by.v);
+      system.add(row.unknowns, row.weighted(weight), frame.normal, Eigen::VectorXd::Constant(1, weight * (frame.normal.dot(row.now) - now)));
     }
   }
 
   void solve() {
     constexpr int most_passes = 10;
-    constexpr double fairness = 1, most_growth = 10, most_weight = 1e4;
+    constexpr double most_growth = 5, most_weight = 1e5;
+    static const double fairness = std::getenv("SW_K") ? std::atof(std::getenv("SW_K")) : 300;
     std::optional<std::map<int, PointRows>> best;
-    double best_ratio = no_limit;
-    std::vector<EnergyRow> energy = energyRows();
+    double best_ratio = no_limit, last = no_limit;
+    int idle = 0;
+    const auto t4 = std::chrono::steady_clock::now();
+    const std::vector<SoftRow> energy = energyRows();
+    energy_s += std::chrono::duration<double>(std::chrono::steady_clock::now() - t4).count();
     for (int pass = 0; pass < most_passes; ++pass) {
       if (progress_ && !progress_(0)) throw Cancelled();
+      const auto t0 = std::chrono::steady_clock::now();
       LeastMoves system = assemble(energy);
-      const PointRows coefficients = system.solve(0, fairness / task_.options.tolerance.angle_rad);
-      for (auto& [face, mover] : movers_)
-        mover.displacement.setCoefficients(coefficients.middleRows(mover.first, mover.displacement.count()));
+      const auto t1 = std::chrono::steady_clock::now();
+      const PointRows coefficients = system.solve(0, fairness);
+      const auto t2 = std::chrono::steady_clock::now();
+      assemble_s += std::chrono::duration<double>(t1 - t0).count();
+      solve_s += std::chrono::duration<double>(t2 - t1).count();
+      for (auto& [face, mover] : movers_) {
+        PointRows own = mover.displacement.coefficients();
+        for (std::size_t k = 0; k < mover.unknown.size(); ++k)
+          if (mover.unknown[k] >= 0) own.row(static_cast<Eigen::Index>(k)) = coefficients.row(mover.unknown[k]);
+        mover.displacement.setCoefficients(std::move(own));
+      }
+      const auto t3 = std::chrono::steady_clock::now();
       look();
+      look_s += std::chrono::duration<double>(std::chrono::steady_clock::now() - t3).count();
       if (debug) std::fprintf(stderr, "    pass %d ratio %g\n", pass, worst());
       if (pass > 0 && worst() < best_ratio) {
         best_ratio = worst();
@@ -419,6 +451,9 @@ class Displacing {
       }
       if (pass > 0 && worst() <= enough) return;
       if (worst() > 4 * best_ratio) break;
+      idle = pass > 1 && worst() > 0.7 * last ? idle + 1 : 0;
+      last = worst();
+      if (idle >= (worst() > 3 ? 1 : 4)) break;
       if (pass > 0)
         for (auto& samples : samples_)
           for (Sample& sample : samples)
@@ -429,28 +464,43 @@ class Displacing {
     look();
   }
 
-  std::vector<EnergyRow> energyRows() const {
-    std::vector<EnergyRow> rows;
+  /// A term of the energy and what the coefficients that stay give to it.
+  struct SoftRow {
+    std::vector<int> unknowns;
+    Eigen::RowVectorXd factors;
+    Eigen::Vector3d rest;
+  };
+
+  std::vector<SoftRow> energyRows() const {
+    std::vector<SoftRow> rows;
     for (const auto& [face, mover] : movers_) {
-      for (EnergyRow& row : mover.displacement.bending()) {
+      const double unit = 1 / (mover.budget_per_mm * std::sqrt(mover.area_mm2));
+      for (const EnergyRow& row : mover.displacement.bending()) {
         Row merged;
-        for (std::size_t k = 0; k < row.coefficients.size(); ++k)
-          merged.add(mover.first + row.coefficients[k], row.factors[static_cast<Eigen::Index>(k)]);
-        rows.push_back({merged.unknowns, merged.weighted(1)});
+        Eigen::Vector3d rest = Eigen::Vector3d::Zero();
+        for (std::size_t k = 0; k < row.coefficients.size(); ++k) {
+          const int coefficient = row.coefficients[k];
+          const double factor = unit * row.factors[static_cast<Eigen::Index>(k)];
+          if (mover.unknown[coefficient] >= 0)
+            merged.add(mover.unknown[coefficient], factor);
+          else
+            rest += factor * mover.displacement.coefficients().row(coefficient).transpose();
+        }
+        if (!merged.unknowns.empty()) rows.push_back({merged.unknowns, merged.weighted(1), rest});
       }
       // The integral of |D|^2 / size^4, as if coefficients were spread evenly.
-      const double rest = 1 / (mover.displacement.size_mm() * std::sqrt(static_cast<double>(mover.displacement.count())));
-      for (int k = 0; k < mover.displacement.count(); ++k)
-        rows.push_back({{mover.first + k}, Eigen::RowVectorXd::Constant(1, rest)});
+      const double rest = unit / (mover.displacement.size_mm() * std::sqrt(static_cast<double>(mover.displacement.count())));
+      for (const int unknown : mover.unknown)
+        if (unknown >= 0) rows.push_back({{unknown}, Eigen::RowVectorXd::Constant(1, rest), Eigen::Vector3d::Zero()});
     }
     return rows;
   }
 
-  LeastMoves assemble(const std::vector<EnergyRow>& energy) const {
+  LeastMoves assemble(const std::vector<SoftRow>& energy) const {
     LeastMoves system(unknowns_);
     for (std::size_t j = 0; j < joints_.size(); ++j)
       for (const Sample& sample : samples_[j]) addSample(joints_[j], sample, system);
-    for (const EnergyRow& row : energy) system.addSoft(row.coefficients, row.factors, Eigen::Vector3d::Zero());
+    for (const SoftRow& row : energy) system.addSoft(row.unknowns, row.factors, -row.rest);
     return system;
   }
 
@@ -478,12 +528,18 @@ class Displacing {
       }
   }
 
+  double effort(std::size_t j) const {
+    double most = 1;
+    for (const Sample& sample : samples_[j]) most = std::max(most, sample.weight);
+    return most;
+  }
+
   double worst() const { return ratios_.empty() ? 0 : std::ranges::max(ratios_); }
 
   /// Halves spans beside samples that are missed. \returns whether any was.
   bool refine() {
     constexpr int most_unknowns = 1500;
-    constexpr double shortest = 1.0 / 64;
+    constexpr double shortest = 1.0 / 128;
     std::map<int, std::array<std::set<int>, 2>> spans;
     for (const std::vector<Sample>& samples : samples_)
       for (const Sample& sample : samples) {
@@ -508,7 +564,31 @@ class Displacing {
     if (!any) return false;
     placeSamples();
     look();
+    freeNearMissed();
     return true;
+  }
+
+  void freeAll() {
+    unknowns_ = 0;
+    for (auto& [face, mover] : movers_) {
+      mover.unknown.resize(static_cast<std::size_t>(mover.displacement.count()));
+      for (int& unknown : mover.unknown) unknown = unknowns_++;
+    }
+  }
+
+  /// What is far from all that is missed was found with fewer knots.
+  void freeNearMissed() {
+    for (auto& [face, mover] : movers_) mover.unknown.assign(static_cast<std::size_t>(mover.displacement.count()), -1);
+    for (const std::vector<Sample>& samples : samples_)
+      for (const Sample& sample : samples)
+        if (sample.ratio > enough)
+          for (const SampleSide& side : sample.sides)
+            if (side.mover != nullptr)
+              for (const int coefficient : side.mover->displacement.coefficientsNear(side.uv)) side.mover->unknown[coefficient] = 0;
+    unknowns_ = 0;
+    for (auto& [face, mover] : movers_)
+      for (int& unknown : mover.unknown)
+        if (unknown == 0) unknown = unknowns_++;
   }
 
   static constexpr double share_ = 0.25;
@@ -528,8 +608,8 @@ int orderKept(const SeamResult& seam, const ContinuityTolerance& tolerance) {
 
 }  // namespace
 
-RepairSolution displaceFaces(const RepairTask& task, const Progress& progress) {
-  RepairSolution solution;
+FairSolution displaceFaces(const RepairTask& task, const MissedPlaces& missed, SolvedComponents& known, const Progress& progress) {
+  FairSolution all;
   const bool keeps_curvature = std::getenv("SW_KEEP2") != nullptr;
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(task.shape, TopAbs_FACE, faces);
@@ -538,15 +618,6 @@ RepairSolution displaceFaces(const RepairTask& task, const Progress& progress) {
     if (task.treated[i])
       for (const FaceUse& side : task.seams[i].sides)
         if (task.faces[side.face].may_move) moving.insert(side.face);
-  std::map<int, Mover> movers;
-  for (const int face : moving) {
-    const TopoDS_Face& shape = TopoDS::Face(faces(face));
-    std::array<double, 4> range{};
-    BRepTools::UVBounds(shape, range[0], range[1], range[2], range[3]);
-    constexpr int spans = 4;
-    Mover mover{face, Displacement(splineOfFace(shape), range, spans, task.options.tolerance.gap_mm / 100), 0};
-    movers.emplace(face, std::move(mover));
-  }
   std::vector<Joint> joints;
   for (std::size_t i = 0; i < task.seams.size(); ++i) {
     const Seam& seam = task.seams[i];
@@ -565,6 +636,7 @@ RepairSolution displaceFaces(const RepairTask& task, const Progress& progress) {
       joint.paths.push_back(pcurveOf(side.edge, side.shape, task.options.tolerance.gap_mm));
     }
     joint.map = seam.correspondence;
+    if (const auto places = missed.find(i); places != missed.end()) joint.also = places->second;
     joints.push_back(std::move(joint));
   }
   for (const FaceUse& use : findSeams(task.shape).open_uses) {
@@ -576,6 +648,20 @@ RepairSolution displaceFaces(const RepairTask& task, const Progress& progress) {
     joint.paths.push_back(pcurveOf(use.edge, use.shape, task.options.tolerance.gap_mm));
     joints.push_back(std::move(joint));
   }
+  const auto moverFor = [&](int face) {
+    const TopoDS_Face& shape = TopoDS::Face(faces(face));
+    std::array<double, 4> range{};
+    BRepTools::UVBounds(shape, range[0], range[1], range[2], range[3]);
+    constexpr int spans = 4;
+    Mover mover{face, Displacement(splineOfFace(shape), range, spans, task.options.tolerance.gap_mm / 100), {}, 0, 0};
+    const double visible = visibleVariation(task.options.tolerance, mover.displacement.size_mm());
+    const SurfaceChange still = measureChange(shape, splineOfFace(shape), 0, visible, {.lines = 16});
+    mover.budget_per_mm = 0.5 * still.before.variation_per_mm + visible;
+    GProp_GProps properties;
+    BRepGProp::SurfaceProperties(shape, properties);
+    mover.area_mm2 = properties.Mass();
+    return mover;
+  };
   // Movers that seams connect.
   std::map<int, int> group;
   for (const int face : moving) group[face] = face;
@@ -594,42 +680,47 @@ RepairSolution displaceFaces(const RepairTask& task, const Progress& progress) {
         break;
       }
   for (auto& [first, members] : joints_of) {
-    std::map<int, Mover> own;
+    std::ostringstream key;
+    key.precision(17);
     for (const int face : moving)
-      if (leader(face) == first) own.emplace(face, std::move(movers.at(face)));
-    std::vector<std::size_t> seams;
-    std::vector<Ask> asks;
+      if (leader(face) == first) key << face << ' ';
     for (const Joint& joint : members) {
-      seams.push_back(joint.seam);
-      asks.push_back(joint.ask);
+      key << joint.seam << ':' << static_cast<int>(joint.ask) << joint.order;
+      for (const double s : joint.also) key << '@' << s;
+      key << ' ';
     }
-    if (std::getenv("SW_DEBUG"))
-      for (auto& [face, mover] : own) {
-        const auto& x = *mover.displacement.givenSurface();
-        std::fprintf(stderr, "face %d: rational %d periodic %d%d degree %d %d poles %d %d knots %d %d D %d\n", face, x.IsURational() || x.IsVRational(), x.IsUPeriodic(), x.IsVPeriodic(), x.UDegree(), x.VDegree(), x.NbUPoles(), x.NbVPoles(), x.NbUKnots(), x.NbVKnots(), mover.displacement.count());
-      }
-    Displacing displacement(task, std::move(members), own, progress);
-    const std::vector<double>& ratios = displacement.run();
-    bool failed = false;
-    for (std::size_t j = 0; j < seams.size(); ++j)
-      if (asks[j] == Ask::Join && ratios[j] > 1) {
+    auto found = known.find(key.str());
+    if (found == known.end()) {
+      FairSolution own_solution;
+      RepairSolution& solution = own_solution.solution;
+      std::map<int, Mover> own;
+      for (const int face : moving)
+        if (leader(face) == first) own.emplace(face, moverFor(face));
+      const std::vector<Joint> kept = members;
+      Displacing displacement(task, std::move(members), own, progress);
+      const std::vector<double>& ratios = displacement.run();
+      for (std::size_t j = 0; j < kept.size(); ++j) {
+        if (std::getenv("SW_DEBUG") && ratios[j] > 0.61)
+          std::fprintf(stderr, "  edge %d ask %d ratio %g %s\n", task.before[kept[j].seam].edges.front(), int(kept[j].ask), ratios[j], displacement.tell(j).c_str());
+        if (kept[j].ask != Ask::Join) continue;
+        own_solution.effort[kept[j].seam] = displacement.effortOf(j);
+        if (ratios[j] <= 1) continue;
         std::ostringstream text;
         text << "what moves fairly leaves " << ratios[j] << " times the tolerance";
-        solution.failures[seams[j]] = text.str();
-        failed = true;
+        solution.failures[kept[j].seam] = text.str();
       }
-    if (std::getenv("SW_DEBUG"))
-      for (std::size_t j = 0; j < seams.size(); ++j)
-        if (ratios[j] > 0.5)
-          std::fprintf(stderr, "  edge %d ask %d ratio %g %s\n", task.before[seams[j]].edges.front(), int(asks[j]), ratios[j], displacement.tell(j).c_str());
-    if (std::getenv("SW_DEBUG")) displacement.verify();
-    if (failed) solution.complete = false;
-    for (auto& [face, mover] : own)
-      if (mover.displacement.coefficients().cwiseAbs().maxCoeff() > 0)
-        solution.changes.push_back({face, handle<Geom_Surface>(mover.displacement.surface()), mover.displacement.largestMove_mm()});
+      for (auto& [face, mover] : own)
+        if (mover.displacement.coefficients().cwiseAbs().maxCoeff() > 0)
+          solution.changes.push_back({face, handle<Geom_Surface>(mover.displacement.surface()), mover.displacement.largestMove_mm()});
+      found = known.emplace(key.str(), std::move(own_solution)).first;
+    }
+    const FairSolution& one = found->second;
+    all.effort.insert(one.effort.begin(), one.effort.end());
+    all.solution.failures.insert(one.solution.failures.begin(), one.solution.failures.end());
+    all.solution.changes.insert(all.solution.changes.end(), one.solution.changes.begin(), one.solution.changes.end());
   }
-  if (!solution.complete) solution.changes.clear();
-  return solution;
+  all.solution.complete = all.solution.failures.empty();
+  return all;
 }
 
 }  // namespace seamwright::occ

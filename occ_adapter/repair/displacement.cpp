@@ -150,7 +150,8 @@ Displacement::Displacement(const SplineSurface& given, const std::array<double, 
       basis_(*given_),
       given_poles_(polesOf(*given_)) {
   constexpr int least_degree = 3;
-  const int u = std::max(least_degree, given_->UDegree()), v = std::max(least_degree, given_->VDegree());
+  constexpr int most_degree = 5;
+  const int u = std::clamp(given_->UDegree(), least_degree, most_degree), v = std::clamp(given_->VDegree(), least_degree, most_degree);
   const std::array<int, 2> degrees = {u, v};
   const std::array<bool, 2> periodic = {static_cast<bool>(given_->IsUPeriodic()), static_cast<bool>(given_->IsVPeriodic())};
   std::array<std::vector<double>, 2> knots;
@@ -197,6 +198,14 @@ PoleShares Displacement::shares(const Eigen::Vector2d& uv, const Eigen::Vector2d
   PoleShares shares = basis_.at(uv, into, 2);
   for (int& pole : shares.poles) pole = number_[pole];
   return shares;
+}
+
+std::vector<int> Displacement::coefficientsNear(const Eigen::Vector2d& uv) const {
+  std::vector<int> near;
+  const std::vector<int> near_u = basis_.u().polesNear(uv[0]), near_v = basis_.v().polesNear(uv[1]);
+  for (const int i : near_u)
+    for (const int j : near_v) near.push_back(number_[basis_.pole(i, j)]);
+  return near;
 }
 
 SurfaceJet Displacement::given(const Eigen::Vector2d& uv, const Eigen::Vector2d& into) const {
@@ -250,7 +259,7 @@ bool Displacement::halve(const std::array<std::set<int>, 2>& spans) {
 }
 
 std::vector<EnergyRow> Displacement::bending() const {
-  constexpr double share_outside = 1e-3;
+  constexpr double share_outside = 0.03;
   struct Point {
     PoleShares shares;
     SurfaceJet jet;
@@ -275,7 +284,7 @@ std::vector<EnergyRow> Displacement::bending() const {
           mean_metric += 0.5 * (point.jet.u.squaredNorm() + point.jet.v.squaredNorm());
           points.push_back(std::move(point));
         }
-  const double least_metric = 1e-6 * mean_metric / static_cast<double>(points.size());
+  const double least_metric = 1e-12 * mean_metric / static_cast<double>(points.size());
   std::vector<EnergyRow> rows;
   rows.reserve(3 * points.size());
   for (const Point& point : points) {

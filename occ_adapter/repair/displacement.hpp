@@ -35,6 +35,8 @@ class Displacement {
 
   /// D and its derivatives by (u, v) as sums over coefficients. \param into see SurfaceBasis::at().
   PoleShares shares(const Eigen::Vector2d& uv, const Eigen::Vector2d& into) const;
+  /// The coefficients whose functions are not zero at (u, v), and those of a few neighbours in both directions.
+  std::vector<int> coefficientsNear(const Eigen::Vector2d& uv) const;
   /// X and its derivatives.
   SurfaceJet given(const Eigen::Vector2d& uv, const Eigen::Vector2d& into) const;
   SurfaceJet moved(SurfaceJet given, const PoleShares& shares) const;

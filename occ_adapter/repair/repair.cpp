@@ -12,6 +12,16 @@
 #include <seamwright/occ_adapter/repair/convert_faces.hpp>
 #include <seamwright/occ_adapter/repair/face_change.hpp>
 #include <seamwright/occ_adapter/repair/displace.hpp>
+#include <seamwright/occ_adapter/repair/face_change.hpp>
+#include <seamwright/core/surface/judge.hpp>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <BRepBndLib.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <cstdio>
 #include <seamwright/occ_adapter/repair/prove.hpp>
 #include <seamwright/occ_adapter/repair/sew.hpp>
 #include <seamwright/occ_adapter/seams/match.hpp>
@@ -57,6 +67,35 @@ class Repairing {
         repair(choice.faces, toG1(), part);
       else
         repairToG2(choice.faces, part);
+    }
+    if (std::getenv("SW_FAIR")) {
+      TopTools_IndexedMapOfShape was, is;
+      TopExp::MapShapes(model_.shape, TopAbs_FACE, was);
+      TopExp::MapShapes(now_.shape, TopAbs_FACE, is);
+      int worse = 0, count = 0;
+      for (const auto& [face, move] : now_.moves) {
+        TopLoc_Location where;
+        const auto placed = BRep_Tool::Surface(TopoDS::Face(is(face)), where);
+        const auto spline = opencascade::handle<Geom_BSplineSurface>::DownCast(placed->Transformed(where.Transformation()));
+        if (spline.IsNull() || !(move > 0)) continue;
+        const double size = 1;
+        (void)size;
+        Bnd_Box box;
+        BRepBndLib::Add(was(face), box);
+        const double visible = visibleVariation(options_.tolerance, std::sqrt(box.SquareExtent()));
+        const SurfaceChange change = measureChange(TopoDS::Face(was(face)), spline, move, visible);
+        const SurfaceVerdict verdict = judgeSurface(change, {1.5, visible});
+        ++count;
+        worse += verdict.worse;
+        std::fprintf(stderr, "FACE %d move %.4g normal %.3g tangential %.3g turn %.3g curv %.3g TV %.4g -> %.4g (visible %.3g) extrema %d -> %d infl %d -> %d lines %d %s\n", face, move, change.normal_move_mm, change.tangential_move_mm, change.turn_rad, change.curvature_change_per_mm,
+                     change.before.variation_per_mm, change.after.variation_per_mm, visible, change.before.extrema, change.after.extrema, change.before.inflections, change.after.inflections, change.after.lines, verdict.worse ? "WORSE" : "");
+      }
+      int before = 0, after = 0;
+      for (std::size_t i = 0; i < now_.after.seams.size(); ++i) {
+        before += result_.before.seams[i].verdict.seam_class == SeamClass::Defect;
+        after += now_.after.seams[i].verdict.seam_class == SeamClass::Defect;
+      }
+      std::fprintf(stderr, "SUM defects %d -> %d changed %d worse %d time %.2f\n", before, after, count, worse, secondsSince(start));
     }
     result_.model.shape = now_.shape;
     result_.after = now_.after;
@@ -192,8 +231,7 @@ class Repairing {
         return followTargets(task, reach, followed_, part);
       };
     };
-    const std::array<Way, 8> ways = {{{joinPaths, Which::All},
-                                      {displaceFaces, Which::All},
+    const std::array<Way, 7> ways = {{{joinPaths, Which::All},
                                       {network(&dear), Which::All},
                                       {pairwise, Which::NotDear},
                                       {follow(LeadReach::Spans), Which::All},
@@ -202,7 +240,8 @@ class Repairing {
                                       {pairwise, Which::Dear}}};
     double done = 0;
     for (std::size_t k = 0; k < ways.size(); ++k) {
-      if (std::getenv("SW_ONLY") && k > 1) break;
+      if (k == 1) displace(faces, options, progress);
+      if (std::getenv("SW_ONLY") && k > 0) break;
       const double next = done + (1 - done) / static_cast<double>(ways.size() - k);
       const TopoDS_Shape shape = now_.shape;
       const std::vector<SeamResult> before = judged(now_.after.seams, options);
@@ -217,6 +256,88 @@ class Repairing {
       if (std::ranges::count(task.treated, true) > 0)
         improve(std::move(task), ways[k].solver, partOf(progress, done, next));
       done = next;
+    }
+  }
+
+  struct Fairness {
+    std::map<int, std::string> worse;
+  };
+
+  std::map<int, std::string> unfair(const std::vector<FaceChange>& changes) const {
+    std::map<int, std::string> found;
+    TopTools_IndexedMapOfShape was;
+    TopExp::MapShapes(model_.shape, TopAbs_FACE, was);
+    for (const FaceChange& change : changes) {
+      const auto spline = opencascade::handle<Geom_BSplineSurface>::DownCast(change.surface);
+      if (spline.IsNull()) continue;
+      Bnd_Box box;
+      BRepBndLib::Add(was(change.face), box);
+      const double visible = visibleVariation(options_.tolerance, std::sqrt(box.SquareExtent()));
+      const SurfaceChange measured = measureChange(TopoDS::Face(was(change.face)), spline, change.largest_move_mm, visible);
+      const SurfaceVerdict verdict = judgeSurface(measured, {1.5, visible});
+      if (verdict.worse) found[change.face] = verdict.reason;
+    }
+    return found;
+  }
+
+  void displace(const std::vector<FaceChoice>& faces, const RepairOptions& options, const Progress& progress) {
+    constexpr int rounds = 12, most_looks = 3;
+    const bool debug = std::getenv("SW_DEBUG") != nullptr;
+    const TopoDS_Shape shape = now_.shape;
+    const std::vector<SeamResult> before = judged(now_.after.seams, options);
+    RepairTask task{shape, now_.seams, now_.to_keep, before, faces, sharp_, now_.open, options, options_.level()};
+    MissedPlaces missed;
+    SolvedComponents known;
+    MeasuredSeams measured;
+    std::map<std::size_t, int> looks;
+    const auto lookAgain = [&](std::size_t i, const SeamResult& seam) {
+      if (++looks[i] > most_looks) return false;
+      for (const auto* figure : {&seam.figures.gap_mm, &seam.figures.angle_rad, &seam.figures.curvature_rel})
+        if (*figure) missed[i].insert((*figure)->at);
+      return true;
+    };
+    for (int round = 0; round < rounds && std::ranges::count(task.treated, true) > 0; ++round) {
+      FairSolution fair = displaceFaces(task, missed, known, progress);
+      if (!fair.solution.complete) {
+        if (debug) std::fprintf(stderr, "round %d: %zu fail\n", round, fair.solution.failures.size());
+        giveUp(fair.solution.failures, task);
+        continue;
+      }
+      if (fair.solution.changes.empty()) return;
+      Proof proof;
+      TopoDS_Shape changed;
+      proof.too_far = movedTooFar(task, fair.solution.changes);
+      if (proof.holds()) {
+        changed = withChanges(task.shape, fair.solution.changes, options_.tolerance.gap_mm, {}, options_.jobs);
+        proof = prove(task, fair.solution.changes, changed, now_.was, measured, {});
+      }
+      std::map<int, std::string> spoilt = unfair(fair.solution.changes);
+      if (debug)
+        std::fprintf(stderr, "round %d: unrepaired %zu worse %zu far %zu faces %zu unfair %zu whole %s\n", round, proof.unrepaired.size(), proof.worse.size(), proof.too_far.size(), proof.faces.size(), spoilt.size(), proof.whole.c_str());
+      if (proof.holds() && spoilt.empty()) {
+        keep(task, fair.solution, changed, proof);
+        return;
+      }
+      Reasons given_up;
+      for (const auto& [i, why] : proof.unrepaired)
+        if (!lookAgain(i, proof.after[i])) given_up[i] = why;
+      for (const auto& [i, why] : proof.worse)
+        if (!lookAgain(i, proof.after[i]))
+          for (std::size_t k = 0; k < task.seams.size(); ++k)
+            if (task.treated[k] && (task.seams[k].sides[0].face == task.seams[i].sides[0].face || task.seams[k].sides[1].face == task.seams[i].sides[0].face ||
+                                    task.seams[k].sides[0].face == task.seams[i].sides[1].face || task.seams[k].sides[1].face == task.seams[i].sides[1].face))
+              given_up.emplace(k, why);
+      spoilt.insert(proof.faces.begin(), proof.faces.end());
+      spoilt.insert(proof.too_far.begin(), proof.too_far.end());
+      for (const auto& [face, why] : spoilt) {
+        std::optional<std::size_t> hardest;
+        for (std::size_t k = 0; k < task.seams.size(); ++k)
+          if (task.treated[k] && (task.seams[k].sides[0].face == face || task.seams[k].sides[1].face == face))
+            if (!hardest || fair.effort[k] > fair.effort[*hardest]) hardest = k;
+        if (hardest) given_up.emplace(*hardest, "face " + std::to_string(face) + ": " + why);
+      }
+      if (given_up.empty() && proof.unrepaired.empty() && proof.worse.empty()) given_up = everything(task, proof.whole.empty() ? "no way" : proof.whole);
+      giveUp(given_up, task);
     }
   }
 
