@@ -4,27 +4,31 @@
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 
+#include <seamwright/occ_adapter/repair/fair_solve.hpp>
 #include <seamwright/occ_adapter/repair/solve.hpp>
 
 /// All faces of a repair moved together; not a public header.
 namespace seamwright::occ {
 
-/// Places of seams, 0..1, that samples missed, by seam.
+/// Places of seams, 0..1, where samples missed something, by seam.
 using MissedPlaces = std::map<std::size_t, std::set<double>>;
 
-struct FairSolution {
-  RepairSolution solution;
-  /// By treated seam: how much more its samples had to count than those of others.
-  std::map<std::size_t, double> effort;
+/// Faces that joints connect, and how they move.
+struct FairComponent {
+  std::string asked;  ///< all that was asked of it, as a key
+  MovingFaces movers;
+  std::map<std::size_t, SampleWeights> weights;  ///< by seam
+  std::map<std::size_t, double> effort;          ///< by treated seam: the largest weight of its samples
+  std::map<std::size_t, std::string> failures;   ///< treated seams that miss their tolerance: why
+  std::vector<FaceChange> changes;
 };
 
-/// Components that were solved before, by all that was asked of them.
-using SolvedComponents = std::map<std::string, FairSolution>;
-
 /// The displacement of the faces beside treated seams with the least bending energy that brings these seams within the tolerance and keeps
-/// what the other edges of the faces show. Sampled; prove() decides.
-/// \throws Cancelled; Standard_Failure.
-FairSolution displaceFaces(const RepairTask& task, const MissedPlaces& missed, SolvedComponents& known, const Progress& progress);
+/// what the other edges of the faces have. It is sampled; prove() decides.
+/// \param before components of a task that asked for more; they are where the solution starts. \throws Cancelled; Standard_Failure.
+std::vector<FairComponent> displaceFaces(const RepairTask& task, const MissedPlaces& missed,
+                                         const std::vector<FairComponent>& before, const Progress& progress);
 
 }  // namespace seamwright::occ

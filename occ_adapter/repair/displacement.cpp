@@ -115,6 +115,12 @@ GaussRule gaussRule(int points) {
                 {(18 + std::sqrt(30.0)) / 36, (18 - std::sqrt(30.0)) / 36});
 }
 
+std::vector<int> sortedOnce(std::vector<int> numbers) {
+  std::ranges::sort(numbers);
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  return numbers;
+}
+
 /// The rows of the Hessian in an orthonormal frame: along both axes and, by the root of 2, mixed.
 Eigen::MatrixXd hessianShares(const PoleShares& shares, const SurfaceJet& jet, double least_metric) {
   Eigen::Matrix2d metric;
@@ -151,24 +157,28 @@ Displacement::Displacement(const SplineSurface& given, const std::array<double, 
       given_poles_(polesOf(*given_)) {
   constexpr int least_degree = 3;
   constexpr int most_degree = 5;
-  const int u = std::clamp(given_->UDegree(), least_degree, most_degree), v = std::clamp(given_->VDegree(), least_degree, most_degree);
+  const int u = std::clamp(given_->UDegree(), least_degree, most_degree),
+            v = std::clamp(given_->VDegree(), least_degree, most_degree);
   const std::array<int, 2> degrees = {u, v};
-  const std::array<bool, 2> periodic = {static_cast<bool>(given_->IsUPeriodic()), static_cast<bool>(given_->IsVPeriodic())};
+  const std::array<bool, 2> periodic = {static_cast<bool>(given_->IsUPeriodic()),
+                                        static_cast<bool>(given_->IsVPeriodic())};
   std::array<std::vector<double>, 2> knots;
   std::array<TColStd_Array1OfInteger, 2> multiplicities;
   std::array<int, 2> poles_count{};
   for (const int k : {0, 1}) {
     const KnotLine own = knotLine(*given_, k);
-    knots[k] = periodic[k] ? coarseKnots(own, own.knots.front(), own.knots.back(), std::max(spans, degrees[k] + 1))
-                           : coarseKnots(own, range_[2 * k], range_[2 * k + 1], spans);
+    knots[k] = periodic[k]
+                   ? coarseKnots(own, own.knots.front(), own.knots.back(), std::max(spans, degrees[k] + 1))
+                   : coarseKnots(own, range_[2 * k], range_[2 * k + 1], spans);
     const int count = static_cast<int>(knots[k].size());
     multiplicities[k].Resize(1, count, false);
     multiplicities[k].Init(1);
     if (!periodic[k]) multiplicities[k](1) = multiplicities[k](count) = degrees[k] + 1;
     poles_count[k] = periodic[k] ? count - 1 : count + degrees[k] - 1;
   }
-  shape_ = new Geom_BSplineSurface(TColgp_Array2OfPnt(1, poles_count[0], 1, poles_count[1]), arrayOf(knots[0]), arrayOf(knots[1]),
-                                   multiplicities[0], multiplicities[1], u, v, periodic[0], periodic[1]);
+  shape_ = new Geom_BSplineSurface(TColgp_Array2OfPnt(1, poles_count[0], 1, poles_count[1]),
+                                   arrayOf(knots[0]), arrayOf(knots[1]), multiplicities[0], multiplicities[1],
+                                   u, v, periodic[0], periodic[1]);
   size_mm_ = (given_poles_.colwise().maxCoeff() - given_poles_.colwise().minCoeff()).norm();
   basis_ = SurfaceBasis(*shape_);
   number();
@@ -185,7 +195,8 @@ void Displacement::number() {
     const bool along_v = side.size() < 2 || side[1] - side[0] == 1;
     const bool is_first = along_v ? side.front() / given_columns == 0 : side.front() % given_columns == 0;
     for (int k = 0; k < (along_v ? columns : rows); ++k) {
-      const int pole = along_v ? basis_.pole(is_first ? 0 : rows - 1, k) : basis_.pole(k, is_first ? 0 : columns - 1);
+      const int pole =
+          along_v ? basis_.pole(is_first ? 0 : rows - 1, k) : basis_.pole(k, is_first ? 0 : columns - 1);
       number_[pole] = count_;
     }
     ++count_;
@@ -258,41 +269,51 @@ bool Displacement::halve(const std::array<std::set<int>, 2>& spans) {
   return true;
 }
 
-std::vector<EnergyRow> Displacement::bending() const {
+EnergyBlock Displacement::bendingOfSpan(int span_u, int span_v, double least_metric) const {
   constexpr double share_outside = 0.03;
-  struct Point {
-    PoleShares shares;
-    SurfaceJet jet;
-    double weight;
-  };
-  std::vector<Point> points;
   const SplineAxis &u = basis_.u(), &v = basis_.v();
   const GaussRule rule_u = gaussRule(u.degree), rule_v = gaussRule(v.degree);
   const auto isWithin = [this](const SplineAxis& axis, double t, int k) {
     return axis.periodic || (t >= range_[k] && t <= range_[k + 1]);
   };
-  double mean_metric = 0;
+  EnergyBlock block;
+  std::vector<Eigen::Index> column;  // by place among the span's poles
+  Eigen::MatrixXd rows;
+  Eigen::Index row = 0;
+  for (std::size_t i = 0; i < rule_u.nodes.size(); ++i)
+    for (std::size_t j = 0; j < rule_v.nodes.size(); ++j, row += 3) {
+      const Eigen::Vector2d uv(u.knots[span_u] + rule_u.nodes[i] * u.length(span_u),
+                               v.knots[span_v] + rule_v.nodes[j] * v.length(span_v));
+      const PoleShares of_point = shares(uv, Eigen::Vector2d::Zero());
+      if (column.empty()) {
+        block.coefficients = sortedOnce(of_point.poles);
+        for (const int pole : of_point.poles)
+          column.push_back(std::ranges::lower_bound(block.coefficients, pole) - block.coefficients.begin());
+        rows = Eigen::MatrixXd::Zero(3 * std::ssize(rule_u.nodes) * std::ssize(rule_v.nodes),
+                                     std::ssize(block.coefficients));
+      }
+      const SurfaceJet jet = given(uv, Eigen::Vector2d::Zero());
+      const bool is_within = isWithin(u, uv[0], 0) && isWithin(v, uv[1], 2);
+      const double area = std::max(jet.u.cross(jet.v).norm(), least_metric) * rule_u.weights[i] *
+                          rule_v.weights[j] * u.length(span_u) * v.length(span_v) *
+                          (is_within ? 1 : share_outside);
+      const Eigen::MatrixXd hessian = hessianShares(of_point, jet, least_metric);
+      for (std::size_t k = 0; k < column.size(); ++k)
+        rows.block<3, 1>(row, column[k]) += std::sqrt(area) * hessian.col(static_cast<Eigen::Index>(k));
+    }
+  block.matrix = rows.transpose() * rows;
+  return block;
+}
+
+std::vector<EnergyBlock> Displacement::bending() const {
+  constexpr double share_of_metric = 1e-12;
+  const SplineAxis &u = basis_.u(), &v = basis_.v();
+  const double least_metric =
+      share_of_metric * std::pow(size_mm_ / std::max(u.last - u.first, v.last - v.first), 2);
+  std::vector<EnergyBlock> blocks;
   for (const int span_u : u.spans())
-    for (const int span_v : v.spans())
-      for (std::size_t i = 0; i < rule_u.nodes.size(); ++i)
-        for (std::size_t j = 0; j < rule_v.nodes.size(); ++j) {
-          const Eigen::Vector2d uv(u.knots[span_u] + rule_u.nodes[i] * u.length(span_u),
-                                   v.knots[span_v] + rule_v.nodes[j] * v.length(span_v));
-          Point point{shares(uv, Eigen::Vector2d::Zero()), given(uv, Eigen::Vector2d::Zero()), 0};
-          point.weight = rule_u.weights[i] * rule_v.weights[j] * u.length(span_u) * v.length(span_v) *
-                         (isWithin(u, uv[0], 0) && isWithin(v, uv[1], 2) ? 1 : share_outside);
-          mean_metric += 0.5 * (point.jet.u.squaredNorm() + point.jet.v.squaredNorm());
-          points.push_back(std::move(point));
-        }
-  const double least_metric = 1e-12 * mean_metric / static_cast<double>(points.size());
-  std::vector<EnergyRow> rows;
-  rows.reserve(3 * points.size());
-  for (const Point& point : points) {
-    const Eigen::MatrixXd hessian = hessianShares(point.shares, point.jet, least_metric);
-    const double area = std::max(point.jet.u.cross(point.jet.v).norm(), least_metric) * point.weight;
-    for (int row = 0; row < 3; ++row) rows.push_back({point.shares.poles, std::sqrt(area) * hessian.row(row)});
-  }
-  return rows;
+    for (const int span_v : v.spans()) blocks.push_back(bendingOfSpan(span_u, span_v, least_metric));
+  return blocks;
 }
 
 namespace {
@@ -316,7 +337,8 @@ std::vector<double> fitPlaces(const SplineAxis& axis) {
   const int inside = axis.degree + 2;
   for (const int span : axis.spans())
     for (int k = 0; k < inside; ++k)
-      places.push_back(axis.knots[span] + (0.5 - 0.5 * std::cos((k + 0.5) * std::numbers::pi / inside)) * axis.length(span));
+      places.push_back(axis.knots[span] +
+                       (0.5 - 0.5 * std::cos((k + 0.5) * std::numbers::pi / inside)) * axis.length(span));
   if (!axis.periodic) {
     places.front() = axis.first;
     places.back() = axis.last;
@@ -327,7 +349,7 @@ std::vector<double> fitPlaces(const SplineAxis& axis) {
 /// Their mean, of sides that are one point.
 void joinSides(const SurfaceBasis& basis, const PointRows& given, double near_mm, PointRows& moves) {
   for (const std::vector<int>& side : collapsedSides(basis, given, near_mm)) {
-    const Eigen::RowVector3d mean = moves(side, Eigen::all).colwise().mean();
+    const Eigen::RowVector3d mean = moves(side, Eigen::indexing::all).colwise().mean();
     for (const int pole : side) moves.row(pole) = mean;
   }
 }

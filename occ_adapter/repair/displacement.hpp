@@ -12,10 +12,10 @@
 /// The displacement of a spline surface, as a spline of its own; not a public header.
 namespace seamwright::occ {
 
-/// Rows r with sum over r of |sum of factor times coefficient|^2 = an energy.
-struct EnergyRow {
-  std::vector<int> coefficients;
-  Eigen::RowVectorXd factors;
+/// A part of an energy: the sum over coordinates of c^T matrix c, where c has the coefficients' coordinates.
+struct EnergyBlock {
+  std::vector<int> coefficients;  ///< increasing
+  Eigen::MatrixXd matrix;
 };
 
 /// X + D: a surface X that is given and a displacement D, a spline over the same domain with few knots of its own. D has degree 3 at least and
@@ -49,9 +49,10 @@ class Displacement {
   /// \returns whether any was inserted.
   bool halve(const std::array<std::set<int>, 2>& spans);
 
-  /// See bending energy: integral over the face of |Hess D|^2 dA, which has no unit. Hess is the covariant Hessian of each coordinate of D in the
+  /// The bending energy: the integral over the face of |Hess D|^2 dA, which has no unit. Hess is the covariant Hessian of each coordinate of D in the
   /// metric of X. Gauss points in each span of D. Beyond the face's range it counts for a thousandth.
-  std::vector<EnergyRow> bending() const;
+  /// \returns a block for each span of D.
+  std::vector<EnergyBlock> bending() const;
 
   double size_mm() const { return size_mm_; }
   /// The largest move of a pole of X in the knots of both.
@@ -61,11 +62,13 @@ class Displacement {
 
  private:
   void number();
+  EnergyBlock bendingOfSpan(int span_u, int span_v, double least_metric) const;
   opencascade::handle<Geom_BSplineSurface> displacementSurface() const;
   std::pair<opencascade::handle<Geom_BSplineSurface>, PointRows> refined() const;
 
   opencascade::handle<Geom_BSplineSurface> given_;
-  opencascade::handle<Geom_BSplineSurface> shape_;  ///< knots, degrees and weights of D; its poles are no matter
+  opencascade::handle<Geom_BSplineSurface>
+      shape_;  ///< knots, degrees and weights of D; its poles are no matter
   std::array<double, 4> range_;
   double near_mm_;
   bool given_periodic_;

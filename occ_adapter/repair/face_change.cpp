@@ -207,6 +207,15 @@ opencascade::handle<Geom_BSplineSurface> splineOn(const TopoDS_Face& face) {
 
 }  // namespace
 
+FaceMove judgedMove(int number, const TopoDS_Face& face, const opencascade::handle<Geom_BSplineSurface>& after,
+                    double largest_move_mm, const RepairOptions& options) {
+  FaceMove move{number, largest_move_mm};
+  const double visible = visibleVariation(options.tolerance, diagonal_mm(face));
+  move.surface = measureChange(face, after, largest_move_mm, visible);
+  move.verdict = judgeSurface(*move.surface, {options.fairness, visible});
+  return move;
+}
+
 void judgeMoves(const TopoDS_Shape& before, const TopoDS_Shape& after, const std::vector<int>& faces_now,
                 const RepairOptions& options, std::vector<FaceMove>& moves, const Progress& progress) {
   const TopTools_IndexedMapOfShape was = partsOf(before, TopAbs_FACE), is = partsOf(after, TopAbs_FACE);
@@ -217,9 +226,7 @@ void judgeMoves(const TopoDS_Shape& before, const TopoDS_Shape& after, const std
     try {
       const opencascade::handle<Geom_BSplineSurface> spline = splineOn(now);
       if (spline.IsNull()) return;
-      const double visible = visibleVariation(options.tolerance, diagonal_mm(face));
-      move.surface = measureChange(face, spline, move.largest_move_mm, visible);
-      move.verdict = judgeSurface(*move.surface, {options.fairness, visible});
+      move = judgedMove(move.face, face, spline, move.largest_move_mm, options);
     } catch (const Standard_Failure&) {
       move.surface.reset();
     }

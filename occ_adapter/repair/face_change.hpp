@@ -30,6 +30,10 @@ struct FaceGrid {
 SurfaceChange measureChange(const TopoDS_Face& face, const opencascade::handle<Geom_BSplineSurface>& after,
                             double bound_mm, double visible_per_mm, const FaceGrid& grid = {});
 
+/// A face's change, measured and judged. \param after see measureChange(). \throws Standard_Failure.
+FaceMove judgedMove(int number, const TopoDS_Face& face, const opencascade::handle<Geom_BSplineSurface>& after,
+                    double largest_move_mm, const RepairOptions& options);
+
 /// Measures and judges the faces that moved. \param faces_now see RepairReport. \param moves of faces of the shape before; they get their change
 /// and verdict. \throws Cancelled.
 void judgeMoves(const TopoDS_Shape& before, const TopoDS_Shape& after, const std::vector<int>& faces_now,

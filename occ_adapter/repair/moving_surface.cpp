@@ -67,7 +67,7 @@ double collapse(const Surface& surface, double near_mm) {
   const PointRows given = polesOf(*surface);
   PointRows poles = given;
   for (const std::vector<int>& side : collapsedSides(basis, given, near_mm)) {
-    const Eigen::RowVector3d mean = given(side, Eigen::all).colwise().mean();
+    const Eigen::RowVector3d mean = given(side, Eigen::indexing::all).colwise().mean();
     for (const int pole : side) poles.row(pole) = mean;
   }
   setPoles(*surface, poles);

@@ -21,8 +21,10 @@ struct RepairOptions {
   bool sew = true;               ///< matched seams that meet within the gap tolerance become one edge
   bool convert_analytic =
       false;  ///< planes, cylinders and the like may become splines where they have to move
-  double fairness =
-      1.5;  ///< a face is worse if its curvature varies more than that many times what it did, see judgeSurface()
+  /// A face may not become worse: its curvature may vary so many times as much as before, see judgeSurface().
+  double fairness = 1.5;
+  /// A seam that surely is G2 stays so also where G1 is asked for.
+  bool keep_curvature = false;
   int jobs = 0;  ///< threads; 0: one for each processor
 
   /// What a seam has to reach.

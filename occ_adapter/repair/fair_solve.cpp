@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <seamwright/occ_adapter/repair/fair_solve.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+/// A sample is met if it misses less than this share of the tolerance: between samples it may be more.
+constexpr double enough = 0.6;
+
+class FairSolving {
+ public:
+  FairSolving(const std::vector<Joint>& joints, const ContinuityTolerance& tolerance, MovingFaces& movers,
+              const Progress& progress)
+      : joints_(joints), tolerance_(tolerance), movers_(movers), progress_(progress) {}
+
+  FairResult run(const FairStart& start) {
+    constexpr int most_refinements = 4;
+    for (const Joint& joint : joints_) samples_.push_back(sampled(joint, movers_));
+    inherit(start.weights);
+    look();
+    if (start.is_new)
+      freeAll();
+    else
+      freeWhereNeeded(start.relaxed);
+    for (int refinement = 0;; ++refinement) {
+      if (unknowns_ > 0) solve(start.is_new);
+      if (worst() <= enough || refinement == most_refinements || !refine()) break;
+    }
+    FairResult result{missed_, {}};
+    for (std::size_t j = 0; j < joints_.size(); ++j)
+      if (joints_[j].ask != Ask::Outline)
+        for (const JointSample& sample : samples_[j])
+          result.weights[joints_[j].seam].emplace_back(sample.s, sample.weight);
+    return result;
+  }
+
+ private:
+  /// Less than before: what made a sample hard may be gone.
+  void inherit(const std::map<std::size_t, SampleWeights>& weights) {
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+      const auto known = weights.find(joints_[j].seam);
+      if (joints_[j].ask == Ask::Outline || known == weights.end()) continue;
+      for (JointSample& sample : samples_[j]) {
+        const auto distance = [&](const auto& other) { return std::abs(other.first - sample.s); };
+        sample.weight = std::sqrt(std::ranges::min_element(known->second, {}, distance)->second);
+      }
+    }
+  }
+
+  double worst() const { return missed_.empty() ? 0 : std::ranges::max(missed_); }
+
+  void look() {
+    missed_.assign(joints_.size(), 0);
+    for (std::size_t j = 0; j < joints_.size(); ++j)
+      for (JointSample& sample : samples_[j]) {
+        sample.ratio = missedShare(joints_[j], sample, tolerance_);
+        missed_[j] = std::max(missed_[j], sample.ratio);
+      }
+  }
+
+  void freeAll() {
+    for (auto& [face, mover] : movers_)
+      unknown_[face].assign(static_cast<std::size_t>(mover.displacement.count()), 0);
+    number();
+  }
+
+  /// Coefficients near samples that are missed; what is far from them was found with fewer knots. \param whole faces of which all are free.
+  void freeWhereNeeded(const std::set<int>& whole) {
+    for (auto& [face, mover] : movers_)
+      unknown_[face].assign(static_cast<std::size_t>(mover.displacement.count()),
+                            whole.count(face) > 0 ? 0 : -1);
+    for (std::size_t j = 0; j < joints_.size(); ++j)
+      for (const JointSample& sample : samples_[j]) {
+        if (sample.ratio <= enough) continue;
+        for (std::size_t k = 0; k < sample.sides.size(); ++k)
+          if (const JointSide& side = sample.sides[k]; side.mover != nullptr)
+            for (const int coefficient : side.mover->displacement.coefficientsNear(side.uv))
+              unknown_[joints_[j].sides[k].face][coefficient] = 0;
+      }
+    number();
+  }
+
+  /// Numbers what is free.
+  void number() {
+    unknowns_ = 0;
+    for (auto& [face, numbers] : unknown_)
+      for (int& number : numbers)
+        if (number >= 0) number = unknowns_++;
+  }
+
+  struct FaceEnergy {
+    int face = 0, cell = 0;
+    EnergyBlock block;
+    std::vector<Eigen::Index> free;  ///< places in the block
+  };
+
+  int cellOf(std::vector<int> unknowns) {
+    const auto [found, is_new] = cell_numbers_.emplace(unknowns, static_cast<int>(cells_.size()));
+    if (is_new) cells_.push_back(std::move(unknowns));
+    return found->second;
+  }
+
+  /// Which unknowns stand in a condition together.
+  StepSystem prepare() {
+    cells_.clear();
+    cell_numbers_.clear();
+    prepareEnergies();
+    for (std::size_t j = 0; j < joints_.size(); ++j)
+      for (JointSample& sample : samples_[j]) prepareSample(joints_[j], sample);
+    return {unknowns_, cells_};
+  }
+
+  void prepareEnergies() {
+    energies_.clear();
+    for (const auto& [face, mover] : movers_) {
+      const std::vector<int>& unknown = unknown_[face];
+      const double unit = 1 / (mover.budget_per_mm * mover.budget_per_mm * mover.area_mm2);
+      for (EnergyBlock& block : mover.displacement.bending()) {
+        FaceEnergy energy{face, 0, std::move(block), {}};
+        std::vector<int> unknowns;
+        for (std::size_t k = 0; k < energy.block.coefficients.size(); ++k)
+          if (const int number = unknown[energy.block.coefficients[k]]; number >= 0) {
+            energy.free.push_back(static_cast<Eigen::Index>(k));
+            unknowns.push_back(number);
+          }
+        if (unknowns.empty()) continue;
+        energy.block.matrix *= unit * fairness * fairness;
+        energy.cell = cellOf(std::move(unknowns));
+        energies_.push_back(std::move(energy));
+      }
+    }
+  }
+
+  void prepareSample(const Joint& joint, JointSample& sample) {
+    std::vector<int> unknowns;
+    for (std::size_t k = 0; k < sample.sides.size(); ++k)
+      if (sample.sides[k].mover != nullptr)
+        for (const int coefficient : sample.sides[k].shares.poles)
+          if (const int number = unknown_[joint.sides[k].face][coefficient]; number >= 0)
+            unknowns.push_back(number);
+    std::ranges::sort(unknowns);
+    unknowns.erase(std::unique(unknowns.begin(), unknowns.end()), unknowns.end());
+    sample.cell = -1;
+    if (unknowns.empty()) return;
+    for (std::size_t k = 0; k < sample.sides.size(); ++k) {
+      JointSide& side = sample.sides[k];
+      side.column.clear();
+      if (side.mover == nullptr) continue;
+      for (const int coefficient : side.shares.poles) {
+        const int number = unknown_[joint.sides[k].face][coefficient];
+        side.column.push_back(number < 0 ? -1
+                                         : std::ranges::lower_bound(unknowns, number) - unknowns.begin());
+      }
+    }
+    sample.cell = cellOf(std::move(unknowns));
+  }
+
+  void assemble(StepSystem& system) {
+    system.clear();
+    for (const FaceEnergy& energy : energies_) {
+      const PointRows& all = movers_.at(energy.face).displacement.coefficients();
+      const PointRows at = all(energy.block.coefficients, Eigen::indexing::all);
+      const PointRows pull = energy.block.matrix * at;
+      system.addEnergy(energy.cell, energy.block.matrix(energy.free, energy.free),
+                       pull(energy.free, Eigen::indexing::all));
+    }
+    for (auto& [face, mover] : movers_) addSize(face, mover, system);
+    for (std::size_t j = 0; j < joints_.size(); ++j)
+      for (const JointSample& sample : samples_[j])
+        if (sample.cell >= 0) addConditions(joints_[j], sample, tolerance_, system);
+  }
+
+  /// The integral of |D|^2 / size^4, as if coefficients were spread evenly: the size of the move comes second.
+  void addSize(int face, const MovingFace& mover, StepSystem& system) {
+    const double unit =
+        fairness / (mover.budget_per_mm * std::sqrt(mover.area_mm2) * mover.displacement.size_mm() *
+                    std::sqrt(static_cast<double>(mover.displacement.count())));
+    const std::vector<int>& unknown = unknown_[face];
+    for (std::size_t k = 0; k < unknown.size(); ++k)
+      if (unknown[k] >= 0)
+        system.addDamping(unknown[k], unit * unit,
+                          mover.displacement.coefficients().row(static_cast<Eigen::Index>(k)).transpose());
+  }
+
+  void take(const PointRows& step) {
+    for (auto& [face, mover] : movers_) {
+      PointRows own = mover.displacement.coefficients();
+      const std::vector<int>& unknown = unknown_[face];
+      for (std::size_t k = 0; k < unknown.size(); ++k)
+        if (unknown[k] >= 0) own.row(static_cast<Eigen::Index>(k)) += step.row(unknown[k]);
+      mover.displacement.setCoefficients(std::move(own));
+    }
+  }
+
+  std::map<int, PointRows> coefficients() const {
+    std::map<int, PointRows> all;
+    for (const auto& [face, mover] : movers_) all[face] = mover.displacement.coefficients();
+    return all;
+  }
+
+  /// Passes until all samples are met, or more weight does not help.
+  void solve(bool is_first) {
+    constexpr int most_passes = 10;
+    constexpr double diverges = 4, helps = 0.7, far = 3;
+    StepSystem system = prepare();
+    std::optional<std::map<int, PointRows>> best;
+    double best_ratio = std::numeric_limits<double>::infinity(), last = best_ratio;
+    int idle = 0;
+    for (int pass = 0; pass < most_passes; ++pass) {
+      if (progress_ && !progress_(0)) throw Cancelled();
+      assemble(system);
+      take(system.solve());
+      look();
+      if (std::getenv("SW_DEBUG")) std::fprintf(stderr, "   pass %d unknowns %d worst %g\n", pass, unknowns_, worst());
+      if (worst() < best_ratio) {
+        best_ratio = worst();
+        best = coefficients();
+      }
+      if (worst() <= enough) return;
+      if (worst() > diverges * best_ratio) break;
+      idle = pass > 0 && worst() > helps * last ? idle + 1 : 0;
+      last = worst();
+      if (idle >= (worst() > far ? 2 : 4)) break;
+      if (pass > 0 || !is_first) addWeight();
+    }
+    if (!best) return;
+    for (auto& [face, mover] : movers_) mover.displacement.setCoefficients(best->at(face));
+    look();
+  }
+
+  void addWeight() {
+    constexpr double most_growth = 5, most_weight = 1e5;
+    for (auto& samples : samples_)
+      for (JointSample& sample : samples)
+        if (sample.ratio > enough)
+          sample.weight =
+              std::min(most_weight, sample.weight * std::min(most_growth, sample.ratio / (0.7 * enough)));
+  }
+
+  /// Halves spans beside samples that are missed. \returns whether any was.
+  bool refine() {
+    constexpr double shortest = 1.0 / 128;
+    std::map<int, std::array<std::set<int>, 2>> spans;
+    for (std::size_t j = 0; j < joints_.size(); ++j)
+      for (const JointSample& sample : samples_[j]) {
+        if (sample.ratio <= enough) continue;
+        for (std::size_t k = 0; k < sample.sides.size(); ++k) {
+          const JointSide& side = sample.sides[k];
+          if (side.mover == nullptr) continue;
+          const SurfaceBasis& basis = side.mover->displacement.basis();
+          for (const int way : {0, 1}) {
+            const SplineAxis& axis = way == 0 ? basis.u() : basis.v();
+            double t = side.uv[way];
+            const int span = axis.span(t, side.into[way]);
+            if (axis.length(span) > shortest * (axis.last - axis.first))
+              spans[joints_[j].sides[k].face][way].insert(span);
+          }
+        }
+      }
+    bool any = false;
+    for (const auto& [face, halves] : spans) any = halve(movers_.at(face).displacement, halves) || any;
+    if (!any) return false;
+    for (auto& samples : samples_)
+      for (JointSample& sample : samples)
+        for (JointSide& side : sample.sides) takeShares(side);
+    freeWhereNeeded({});
+    return true;
+  }
+
+  static bool halve(Displacement& displacement, const std::array<std::set<int>, 2>& spans) {
+    constexpr std::size_t most_coefficients = 1500;
+    const SurfaceBasis& basis = displacement.basis();
+    const std::size_t count = (basis.u().poles + spans[0].size()) * (basis.v().poles + spans[1].size());
+    return count <= most_coefficients && displacement.halve(spans);
+  }
+
+  /// Of the energy that spends a face's budget to a sample that is missed by a quarter of its tolerance.
+  static constexpr double fairness = 300;
+
+  const std::vector<Joint>& joints_;
+  const ContinuityTolerance& tolerance_;
+  MovingFaces& movers_;
+  const Progress& progress_;
+  std::vector<std::vector<JointSample>> samples_;  ///< by joint
+  std::vector<double> missed_;                     ///< by joint
+  std::map<int, std::vector<int>> unknown_;        ///< by face and coefficient: its number, -1: it stays
+  int unknowns_ = 0;
+  std::vector<std::vector<int>> cells_;
+  std::map<std::vector<int>, int> cell_numbers_;
+  std::vector<FaceEnergy> energies_;
+};
+
+}  // namespace
+
+FairResult fairSolve(const std::vector<Joint>& joints, const ContinuityTolerance& tolerance,
+                     const FairStart& start, MovingFaces& movers, const Progress& progress) {
+  return FairSolving(joints, tolerance, movers, progress).run(start);
+}
+
+}  // namespace seamwright::occ

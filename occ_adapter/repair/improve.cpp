@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Geom_BSplineSurface.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <sstream>
+
+#include <seamwright/occ_adapter/repair/displace.hpp>
+#include <seamwright/occ_adapter/repair/face_change.hpp>
+#include <seamwright/occ_adapter/repair/improve.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+using opencascade::handle;
+
+/// Rounds in which single seams are given up, and those after them, which give up all seams of a face at fault, ...
+constexpr int single_rounds = 16, face_rounds = 4;
+/// ... and how often a seam is tried again with samples where it was missed.
+constexpr int most_looks = 3;
+
+std::string nameOf(int face) {
+  return "face " + std::to_string(face);
+}
+
+/// A task while seams of it are given up.
+class Rounds {
+ public:
+  Rounds(RepairTask task, const std::optional<Soundness>& was) : task_(std::move(task)), was_(was) {}
+
+  const RepairTask& task() const { return task_; }
+  bool isOver() const { return !task_.treatsAny(); }
+
+  /// G2 first becomes G1, where that is wanting.
+  void giveUp(const Reasons& seams) {
+    for (const auto& [i, why] : seams) {
+      if (!task_.isTreated(i)) continue;
+      const bool has_g1 = isRepaired(task_.before[i], task_.sharp[i], task_.options.tolerance, Level::G1);
+      task_.orders[i] = task_.orders[i] == 2 && !has_g1 && !task_.sharp[i] ? 1 : 0;
+      std::string& reason = reasons_[i];
+      reason = reason.empty() || task_.options.order == 1 ? why : reason + "; G1: " + why;
+    }
+  }
+
+  void giveUpAll(const std::string& why) {
+    for (std::size_t i = 0; i < task_.seams.size(); ++i)
+      if (task_.isTreated(i)) reasons_[i] = why;
+    std::ranges::fill(task_.orders, 0);
+  }
+
+  Proof proven(const std::vector<FaceChange>& changes, const std::vector<PathChange>& paths,
+               const Progress& progress) {
+    changed_ = withChanges(task_.shape, changes, task_.options.tolerance.gap_mm, paths, task_.options.jobs);
+    MeasuredSeams of_paths;
+    return prove(task_, changes, changed_, was_, paths.empty() ? measured_ : of_paths, progress);
+  }
+
+  Improvement kept(std::vector<FaceChange> changes, std::vector<PathChange> paths, Proof proof) const {
+    return {changed_,     std::move(changes), std::move(paths),          std::move(proof.after),
+            task_.orders, reasons_,           std::move(proof.soundness)};
+  }
+
+  Improvement nothing() const {
+    return {task_.shape, {}, {}, task_.before, std::vector<int>(task_.seams.size(), 0), reasons_, was_};
+  }
+
+ private:
+  RepairTask task_;
+  std::optional<Soundness> was_;
+  MeasuredSeams measured_;
+  TopoDS_Shape changed_;
+  Reasons reasons_;
+};
+
+bool touches(const Seam& seam, int face) {
+  return seam.sides[0].face == face || seam.sides[1].face == face;
+}
+
+std::string nameOf(const Standard_Failure& failure) {
+  return std::string("OpenCASCADE failed: ") + failure.DynamicType()->Name() + " " +
+         failure.GetMessageString();
+}
+
+/// What is wrong with a way to move faces.
+struct Faults {
+  std::map<int, std::string> faces;
+  Proof proof;
+
+  bool any() const { return !faces.empty() || !proof.holds(); }
+};
+
+class Moving {
+ public:
+  Moving(const RepairTask& task, const std::optional<Soundness>& was) : rounds_(task, was) {
+    TopExp::MapShapes(task.shape, TopAbs_FACE, faces_);
+  }
+
+  Improvement run(const Progress& progress) {
+    double done = 0;
+    for (int round = 0; round < single_rounds + face_rounds && !rounds_.isOver(); ++round) {
+      const double next = done + (1 - done) / 3;
+      const Progress solving = partOf(progress, done, (done + next) / 2),
+                     proving = partOf(progress, (done + next) / 2, next);
+      done = next;
+      components_ = displaceFaces(rounds_.task(), missed_, components_, solving);
+      std::vector<FaceChange> changes;
+      Reasons failures;
+      for (const FairComponent& component : components_) {
+        failures.insert(component.failures.begin(), component.failures.end());
+        changes.insert(changes.end(), component.changes.begin(), component.changes.end());
+      }
+      if (!failures.empty()) {
+        rounds_.giveUp(failures);
+        continue;
+      }
+      if (changes.empty()) break;
+      Faults faults = faultsOf(changes, proving);
+      if (std::getenv("SW_DEBUG")) {
+        std::fprintf(stderr, "round %d unrepaired %zu worse %zu faces %zu unfair %zu whole %s\n", round, faults.proof.unrepaired.size(), faults.proof.worse.size(), faults.proof.faces.size(), faults.faces.size(), faults.proof.whole.c_str());
+        for (auto& [f, w] : faults.faces) std::fprintf(stderr, "    face %d %s\n", f, w.c_str());
+      }
+      if (!faults.any()) return rounds_.kept(std::move(changes), {}, std::move(faults.proof));
+      rounds_.giveUp(whatToGiveUp(faults, round >= single_rounds));
+    }
+    rounds_.giveUpAll("no change of the faces beside it was proven");
+    return rounds_.nothing();
+  }
+
+ private:
+  const RepairTask& task() const { return rounds_.task(); }
+
+  Faults faultsOf(const std::vector<FaceChange>& changes, const Progress& progress) {
+    Faults faults;
+    const double limit_mm = task().options.max_move_mm;
+    for (const FaceChange& change : changes) {
+      if (change.largest_move_mm > limit_mm) {
+        std::ostringstream text;
+        text << "it would move by " << change.largest_move_mm << " mm, more than " << limit_mm << " mm";
+        faults.faces[change.face] = text.str();
+      } else if (std::string why = whyUnfair(change); !why.empty()) {
+        faults.faces[change.face] = "it would be less fair: " + why;
+      }
+    }
+    faults.proof = rounds_.proven(changes, {}, progress);
+    return faults;
+  }
+
+  /// Empty if it is fair enough. Surfaces that were looked at before are not again.
+  const std::string& whyUnfair(const FaceChange& change) {
+    const auto [known, is_new] = unfair_.emplace(change.surface, "");
+    if (!is_new) return known->second;
+    const auto spline = handle<Geom_BSplineSurface>::DownCast(change.surface);
+    const TopoDS_Face& face = TopoDS::Face(faces_(change.face));
+    known->second =
+        judgedMove(change.face, face, spline, change.largest_move_mm, task().options).verdict.reason;
+    return known->second;
+  }
+
+  /// Of a face at fault the seam that took most effort. \param all seams of it
+  Reasons whatToGiveUp(const Faults& faults, bool all) {
+    Reasons seams;
+    for (const auto& [i, why] : faults.proof.unrepaired)
+      if (!looksAgain(i, faults.proof.after[i])) seams[i] = why;
+    for (const auto& [i, why] : faults.proof.worse)
+      if (!looksAgain(i, faults.proof.after[i]))
+        for (const FaceUse& side : task().seams[i].sides) giveUpAt(side.face, why, all, seams);
+    for (const auto* faces : {&faults.faces, &faults.proof.faces})
+      for (const auto& [face, why] : *faces) giveUpAt(face, nameOf(face) + ": " + why, all, seams);
+    const bool looks = !faults.proof.unrepaired.empty() || !faults.proof.worse.empty();
+    if (seams.empty() && (!looks || all))
+      for (std::size_t i = 0; i < task().seams.size(); ++i)
+        if (task().isTreated(i))
+          seams[i] = faults.proof.whole.empty() ? "no change was proven" : faults.proof.whole;
+    return seams;
+  }
+
+  void giveUpAt(int face, const std::string& why, bool all, Reasons& seams) const {
+    std::optional<std::size_t> hardest;
+    for (std::size_t i = 0; i < task().seams.size(); ++i) {
+      if (!task().isTreated(i) || !touches(task().seams[i], face)) continue;
+      if (all) seams.emplace(i, why);
+      if (!hardest || effortOf(i) > effortOf(*hardest)) hardest = i;
+    }
+    if (hardest) seams.emplace(*hardest, why);
+  }
+
+  double effortOf(std::size_t seam) const {
+    for (const FairComponent& component : components_)
+      if (const auto effort = component.effort.find(seam); effort != component.effort.end())
+        return effort->second;
+    return 0;
+  }
+
+  /// The next solution has samples where a figure is largest.
+  bool looksAgain(std::size_t i, const SeamResult& seam) {
+    if (++looks_[i] > most_looks) return false;
+    for (const auto* figure : {&seam.figures.gap_mm, &seam.figures.angle_rad, &seam.figures.curvature_rel})
+      if (*figure) missed_[i].insert((*figure)->at);
+    return true;
+  }
+
+  Rounds rounds_;
+  TopTools_IndexedMapOfShape faces_;
+  std::vector<FairComponent> components_;
+  MissedPlaces missed_;
+  std::map<std::size_t, int> looks_;
+  std::map<handle<Geom_Surface>, std::string> unfair_;
+};
+
+/// \throws Cancelled. What else is thrown becomes the reason of all.
+template <class Work>
+Improvement orNothing(const RepairTask& task, const std::optional<Soundness>& was, const Work& work) {
+  Rounds none(task, was);
+  try {
+    return work();
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Standard_Failure& failure) {
+    none.giveUpAll(nameOf(failure));
+  } catch (const std::exception& error) {
+    none.giveUpAll(error.what());
+  }
+  return none.nothing();
+}
+
+}  // namespace
+
+Improvement improveByPaths(const RepairTask& task, const std::optional<Soundness>& was,
+                           const Progress& progress) {
+  return orNothing(task, was, [&] {
+    Rounds rounds(task, was);
+    JoinedPaths joined = joinPaths(task, partOf(progress, 0, 0.5));
+    rounds.giveUp(joined.failures);
+    while (!rounds.isOver()) {
+      Proof proof = rounds.proven({}, joined.paths, partOf(progress, 0.5, 1));
+      if (proof.holds()) return rounds.kept({}, std::move(joined.paths), std::move(proof));
+      // New paths are of single edges: what is not repaired goes, and the rest is tried once more; else all goes.
+      if (proof.unrepaired.empty()) rounds.giveUpAll("its new path would spoil another edge");
+      rounds.giveUp(proof.unrepaired);
+      std::erase_if(joined.paths, [&](const PathChange& path) {
+        return std::ranges::none_of(task.seams, [&](const Seam& seam) {
+          return seam.edges.front() == path.edge &&
+                 rounds.task().isTreated(static_cast<std::size_t>(&seam - task.seams.data()));
+        });
+      });
+    }
+    return rounds.nothing();
+  });
+}
+
+Improvement improveByMoves(const RepairTask& task, const std::optional<Soundness>& was,
+                           const Progress& progress) {
+  return orNothing(task, was, [&] { return Moving(task, was).run(progress); });
+}
+
+}  // namespace seamwright::occ

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include <seamwright/core/differential/fundamental_forms.hpp>
+#include <seamwright/occ_adapter/convert/nearest.hpp>
+#include <seamwright/occ_adapter/repair/joint.hpp>
+#include <seamwright/occ_adapter/repair/path_place.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+struct Frame {
+  Eigen::Vector3d normal, tangent, cross;
+};
+
+double linearIn(const std::vector<double>& x, const std::vector<double>& y, double at) {
+  const std::size_t i = std::clamp<std::size_t>(std::ranges::upper_bound(x, at) - x.begin(), 1, x.size() - 1);
+  const double width = x[i] - x[i - 1];
+  return width > 0 ? y[i - 1] + (at - x[i - 1]) / width * (y[i] - y[i - 1]) : y[i];
+}
+
+/// Where a place of a side is on the seam.
+double seamParameter(const Joint& joint, std::size_t side, double place) {
+  if (joint.map.s.empty()) return place;
+  std::vector<double> places = side == 0 ? joint.map.a : joint.map.b, s = joint.map.s;
+  if (places.front() > places.back()) {
+    std::ranges::reverse(places);
+    std::ranges::reverse(s);
+  }
+  return std::clamp(linearIn(places, s, place), 0.0, 1.0);
+}
+
+/// Even in the spans of a mover's surface that its path crosses.
+std::vector<double> evenPlaces(const Joint& joint, std::size_t side, const Displacement& displacement) {
+  constexpr double per_pole = 2;
+  constexpr int least = 24, most = 400;
+  const Pcurve& path = joint.paths[side];
+  const SurfaceBasis& basis = displacement.givenBasis();
+  const Eigen::Vector2d poles(std::max(1.0, polesPerSpan(basis.u())), std::max(1.0, polesPerSpan(basis.v())));
+  const SpanMeasure measure(path, basis, displacement.givenSurface(), poles);
+  const int count = std::clamp(static_cast<int>(std::ceil(per_pole * measure.crossed())), least, most);
+  std::vector<double> places;
+  for (int k = 0; k <= count; ++k)
+    places.push_back(seamParameter(joint, side, measure.at(static_cast<double>(k) / count)));
+  return places;
+}
+
+std::vector<double> sampleParameters(const Joint& joint, const MovingFaces& movers) {
+  constexpr double distinct = 1e-9;
+  std::vector<double> best;
+  for (std::size_t side = 0; side < joint.sides.size(); ++side)
+    if (const auto mover = movers.find(joint.sides[side].face); mover != movers.end())
+      if (std::vector<double> places = evenPlaces(joint, side, mover->second.displacement);
+          places.size() > best.size())
+        best = std::move(places);
+  best.push_back(0);
+  best.push_back(1);
+  const double near = 0.25 / static_cast<double>(best.size());
+  for (const double s : joint.also)
+    for (const double beside : {-near, -near / 3, 0.0, near / 3, near})
+      if (s + beside >= 0 && s + beside <= 1) best.push_back(s + beside);
+  std::ranges::sort(best);
+  const auto same = [](double a, double b) { return b - a < distinct; };
+  best.erase(std::unique(best.begin(), best.end(), same), best.end());
+  return best;
+}
+
+JointSide sideAt(const Joint& joint, std::size_t side, double place, const FaceStrip& strip,
+                 const MovingFaces& movers) {
+  JointSide made;
+  made.shown = strip.at(place);
+  const auto mover = movers.find(joint.sides[side].face);
+  if (mover == movers.end()) return made;
+  made.mover = &mover->second;
+  const Pcurve& path = joint.paths[side];
+  gp_Pnt2d p;
+  gp_Vec2d d;
+  path.curve->D1(path.first + place * (path.last - path.first), p, d);
+  made.uv = {p.X(), p.Y()};
+  made.into = {-d.Y(), d.X()};
+  if (joint.sides[side].edge.Orientation() != TopAbs_FORWARD) made.into = -made.into;
+  made.shown.jet = made.mover->displacement.given(made.uv, made.into);
+  takeShares(made);
+  return made;
+}
+
+JointSample sampleAt(const Joint& joint, const std::vector<std::unique_ptr<FaceStrip>>& strips, double s,
+                     const MovingFaces& movers) {
+  JointSample made;
+  made.s = s;
+  for (std::size_t side = 0; side < joint.sides.size(); ++side) {
+    double place = s;
+    if (!joint.map.s.empty()) {
+      place = linearIn(joint.map.s, side == 0 ? joint.map.a : joint.map.b, s);
+      if (side == 1) {
+        const auto [low, high] = std::minmax(joint.map.b.front(), joint.map.b.back());
+        const Eigen::Vector3d beside = strips[0]->trace(linearIn(joint.map.s, joint.map.a, s)).p;
+        place = nearestPlace(*strips[1], beside, place, low, high);
+      }
+    }
+    made.sides.push_back(sideAt(joint, side, place, *strips[side], movers));
+  }
+  return made;
+}
+
+SurfaceJet jetOf(const JointSide& side) {
+  return side.mover == nullptr ? side.shown.jet : side.mover->displacement.moved(side.shown.jet, side.shares);
+}
+
+std::optional<Eigen::Vector3d> normalOf(const JointSide& side, const SurfaceJet& jet) {
+  return unitNormal(jet, side.mover == nullptr ? side.shown.noise : side.mover->displacement.noise(jet));
+}
+
+Frame frameOf(const JointSample& sample, const Eigen::Vector3d& normal) {
+  Eigen::Vector3d tangent = sample.sides[0].shown.tangent;
+  tangent -= normal.dot(tangent) * normal;
+  if (!(tangent.norm() > 0)) tangent = normal.unitOrthogonal();
+  tangent.normalize();
+  return {normal, tangent, normal.cross(tangent)};
+}
+
+Differences differencesOf(const Joint& joint, const JointSample& sample, const SurfaceJet& a,
+                          const SurfaceJet& b) {
+  Differences found;
+  found.gap = a.p - b.p;
+  if (joint.order < 1 || sample.sides.size() < 2) return found;
+  const auto na = normalOf(sample.sides[0], a);
+  auto nb = normalOf(sample.sides[1], b);
+  if (!na || !nb) return found;
+  if (na->dot(*nb) < 0) *nb = -*nb;
+  found.normal = *na - *nb;
+  if (joint.order < 2) return found;
+  const Frame frame = frameOf(sample, (*na + *nb).normalized());
+  const Eigen::Matrix3d difference = curvatureTensor(a, *na) - curvatureTensor(b, *nb);
+  found.bend = {frame.tangent.dot(difference * frame.tangent), frame.tangent.dot(difference * frame.cross),
+                frame.cross.dot(difference * frame.cross)};
+  return found;
+}
+
+/// Of the norm of the curvature tensor.
+double curvatureLimit(const JointSample& sample, const ContinuityTolerance& tolerance) {
+  const SurfaceJet jet = jetOf(sample.sides[0]);
+  const auto normal = normalOf(sample.sides[0], jet);
+  const double flat = 1 / tolerance.flat_radius_mm;
+  const double norm = normal ? curvatureTensor(jet, *normal).norm() : 0;
+  return norm < flat ? flat : tolerance.curvature_rel * norm;
+}
+
+/// Factors of the cell's coefficients.
+class Row {
+ public:
+  Row(const JointSample& sample, const StepSystem& system)
+      : factors_(Eigen::VectorXd::Zero(std::ssize(system.cell(sample.cell)))) {}
+
+  Row& add(const JointSide& side, const Eigen::RowVectorXd& shares, double sign) {
+    for (std::size_t k = 0; k < side.column.size(); ++k)
+      if (side.column[k] >= 0) factors_[side.column[k]] += sign * shares[static_cast<Eigen::Index>(k)];
+    return *this;
+  }
+  Eigen::VectorXd times(double weight) const { return weight * factors_; }
+
+ private:
+  Eigen::VectorXd factors_;
+};
+
+/// A sample stands for its part of a joint, as if each joint had so many, and is missed by a quarter of the tolerance for the price of all it may cost.
+double weightOf(const JointSample& sample) {
+  constexpr double samples_per_joint = 16, share_of_tolerance = 0.25;
+  return sample.weight * std::sqrt(samples_per_joint * sample.part) / share_of_tolerance;
+}
+
+void addNormals(const JointSample& sample, const Differences& now, const Frame& frame,
+                const std::array<SurfaceJet, 2>& jets, double weight, StepSystem& system) {
+  const Eigen::Vector3d missing = *now.normal - sample.given.normal.value_or(Eigen::Vector3d::Zero());
+  for (const Eigen::Vector3d& way : {frame.tangent, frame.cross}) {
+    Row row(sample, system);
+    for (const int k : {0, 1})
+      if (sample.sides[k].mover != nullptr)
+        row.add(sample.sides[k], derivative(sample.sides[k].shares, parameterStep(jets[k], way)),
+                k == 0 ? -1 : 1);
+    system.add(sample.cell, row.times(weight), frame.normal, -weight * way.dot(missing));
+  }
+}
+
+void addCurvatures(const JointSample& sample, const Differences& now, const Frame& frame,
+                   const std::array<SurfaceJet, 2>& jets, double weight, StepSystem& system) {
+  const Eigen::Vector3d missing = now.bend - sample.given.bend;
+  const std::array<const Eigen::Vector3d*, 2> ways = {&frame.tangent, &frame.cross};
+  constexpr std::array<std::array<int, 2>, 3> pairs = {{{0, 0}, {0, 1}, {1, 1}}};
+  for (int m = 0; m < 3; ++m) {
+    Row row(sample, system);
+    for (const int k : {0, 1}) {
+      const JointSide& side = sample.sides[k];
+      if (side.mover == nullptr) continue;
+      const SurfaceJet& jet = jets[k];
+      const Eigen::Vector2d x = parameterStep(jet, *ways[pairs[m][0]]),
+                            y = parameterStep(jet, *ways[pairs[m][1]]);
+      const Eigen::Vector3d second =
+          x[0] * y[0] * jet.uu + (x[0] * y[1] + x[1] * y[0]) * jet.uv + x[1] * y[1] * jet.vv;
+      row.add(side, secondDerivative(side.shares, x, y) - derivative(side.shares, parameterStep(jet, second)),
+              k == 0 ? 1 : -1);
+    }
+    system.add(sample.cell, row.times(weight), frame.normal, -weight * missing[m]);
+  }
+}
+
+/// Beside a crease no side turns.
+void keepNormals(const JointSample& sample, double weight, StepSystem& system) {
+  for (const JointSide& side : sample.sides) {
+    if (side.mover == nullptr) continue;
+    const auto normal = normalOf(side, side.shown.jet);
+    if (!normal) continue;
+    const Frame frame = frameOf(sample, *normal);
+    const Eigen::Vector2d step = parameterStep(side.shown.jet, frame.cross);
+    const SurfaceJet by = seamwright::occ::jetOf(side.shares, side.mover->displacement.coefficients());
+    const double turned = frame.normal.dot(step[0] * by.u + step[1] * by.v);
+    const Row row = Row(sample, system).add(side, derivative(side.shares, step), 1);
+    system.add(sample.cell, row.times(weight), frame.normal, -weight * turned);
+  }
+}
+
+}  // namespace
+
+void takeShares(JointSide& side) {
+  if (side.mover != nullptr) side.shares = side.mover->displacement.shares(side.uv, side.into);
+}
+
+std::vector<JointSample> sampled(const Joint& joint, const MovingFaces& movers) {
+  std::vector<std::unique_ptr<FaceStrip>> strips;
+  for (std::size_t side = 0; side < joint.sides.size(); ++side)
+    strips.push_back(std::make_unique<FaceStrip>(joint.sides[side], joint.paths[side]));
+  std::vector<JointSample> samples;
+  for (const double s : sampleParameters(joint, movers))
+    samples.push_back(sampleAt(joint, strips, s, movers));
+  double length = 0;
+  for (std::size_t k = 1; k < samples.size(); ++k) {
+    const double chord = (samples[k].sides[0].shown.jet.p - samples[k - 1].sides[0].shown.jet.p).norm();
+    samples[k].part += chord / 2;
+    samples[k - 1].part += chord / 2;
+    length += chord;
+  }
+  for (JointSample& sample : samples) {
+    sample.part = length > 0 ? sample.part / length : 1.0 / static_cast<double>(samples.size());
+    if (joint.ask != Ask::Keep) continue;
+    const SurfaceJet &a = sample.sides[0].shown.jet, &b = sample.sides[1].shown.jet;
+    sample.given = differencesOf(joint, sample, a, b);
+  }
+  return samples;
+}
+
+Differences differencesAt(const Joint& joint, const JointSample& sample) {
+  const JointSide& other = sample.sides.back();
+  return differencesOf(joint, sample, jetOf(sample.sides[0]),
+                       joint.ask == Ask::Outline ? other.shown.jet : jetOf(other));
+}
+
+double missedShare(const Joint& joint, const JointSample& sample, const ContinuityTolerance& tolerance) {
+  constexpr double free_share = 0.5, growth_share = 0.2;
+  if (joint.ask == Ask::Outline) return 0;
+  const Differences now = differencesAt(joint, sample);
+  const auto share = [&joint](double is, double was, double limit) {
+    return joint.ask == Ask::Join ? is / limit
+                                  : (is - std::max(was, free_share * limit)) / (growth_share * limit);
+  };
+  double missed = std::max(0.0, share(now.gap.norm(), sample.given.gap.norm(), tolerance.gap_mm));
+  if (!now.normal) return missed;
+  const double was = sample.given.normal ? sample.given.normal->norm() : 0;
+  missed = std::max(missed, share(now.normal->norm(), was, tolerance.angle_rad));
+  if (joint.order < 2) return missed;
+  return std::max(missed,
+                  (now.bend - sample.given.bend).cwiseAbs().maxCoeff() / curvatureLimit(sample, tolerance));
+}
+
+void addConditions(const Joint& joint, const JointSample& sample, const ContinuityTolerance& tolerance,
+                   StepSystem& system) {
+  constexpr double share_of_crease = 0.1;
+  const double weight = weightOf(sample);
+  const Differences now = differencesAt(joint, sample);
+  Row place(sample, system);
+  for (std::size_t k = 0; k < sample.sides.size(); ++k)
+    if (sample.sides[k].mover != nullptr)
+      place.add(sample.sides[k], sample.sides[k].shares.share.row(0), k == 0 ? 1 : -1);
+  const double gap_weight = weight / tolerance.gap_mm;
+  system.addPoint(sample.cell, place.times(gap_weight), -gap_weight * (now.gap - sample.given.gap));
+  if (sample.sides.size() < 2) return;
+  if (joint.order < 1) return keepNormals(sample, share_of_crease * weight / tolerance.angle_rad, system);
+  if (!now.normal) return;
+  const std::array<SurfaceJet, 2> jets = {jetOf(sample.sides[0]), jetOf(sample.sides[1])};
+  const auto normal = normalOf(sample.sides[0], jets[0]);
+  const Frame frame = frameOf(sample, (*normal - 0.5 * *now.normal).normalized());
+  addNormals(sample, now, frame, jets, weight / tolerance.angle_rad, system);
+  if (joint.order > 1)
+    addCurvatures(sample, now, frame, jets, weight / curvatureLimit(sample, tolerance), system);
+}
+
+}  // namespace seamwright::occ
