@@ -22,7 +22,7 @@ class FairSolving {
 
   FairResult run(const FairStart& start) {
     constexpr int most_refinements = 4;
-    for (const Joint& joint : joints_) samples_.push_back(sampled(joint, movers_));
+    for (const Joint& joint : joints_) samples_.push_back(sampled(joint, movers_, tolerance_));
     inherit(start.weights);
     look();
     if (start.is_new)

@@ -151,6 +151,20 @@ double curvatureLimit(const JointSample& sample, const ContinuityTolerance& tole
   return norm < flat ? flat : tolerance.curvature_rel * norm;
 }
 
+/// How far the sides may be apart along the seam: readers of files look for nearest points, and where the tangent plane turns along the seam an
+/// angle between planes of different points is not that of the seam.
+double slideLimit_mm(const JointSample& sample, const ContinuityTolerance& tolerance) {
+  constexpr double share_of_gap = 0.2, share_of_angle = 0.2;
+  double turn_per_mm = 0;
+  for (const JointSide& side : sample.sides)
+    if (const auto normal = normalOf(side, side.shown.jet)) {
+      const Frame frame = frameOf(sample, *normal);
+      turn_per_mm = std::max(turn_per_mm, (curvatureTensor(side.shown.jet, *normal) * frame.tangent).norm());
+    }
+  const double limit_mm = share_of_gap * tolerance.gap_mm;
+  return turn_per_mm * limit_mm > share_of_angle * tolerance.angle_rad ? share_of_angle * tolerance.angle_rad / turn_per_mm : limit_mm;
+}
+
 /// Factors of the cell's coefficients.
 class Row {
  public:
@@ -224,13 +238,30 @@ void keepNormals(const JointSample& sample, double weight, StepSystem& system) {
   }
 }
 
+/// What the sides may go on to lack. Of a joint that is to meet a gap that is small enough everywhere: to close it would copy its course into the faces.
+void setGiven(const Joint& joint, const ContinuityTolerance& tolerance, std::vector<JointSample>& samples) {
+  constexpr double small = 0.5;
+  double largest_mm = 0;
+  for (JointSample& sample : samples) {
+    sample.given = differencesOf(joint, sample, sample.sides[0].shown.jet, sample.sides[1].shown.jet);
+    largest_mm = std::max(largest_mm, sample.given.gap.norm());
+  }
+  if (joint.ask != Ask::Join) return;
+  for (JointSample& sample : samples) {
+    const Eigen::Vector3d gap = sample.given.gap;
+    sample.given = {};
+    if (largest_mm <= small * tolerance.gap_mm) sample.given.gap = gap;
+  }
+}
+
 }  // namespace
 
 void takeShares(JointSide& side) {
   if (side.mover != nullptr) side.shares = side.mover->displacement.shares(side.uv, side.into);
 }
 
-std::vector<JointSample> sampled(const Joint& joint, const MovingFaces& movers) {
+std::vector<JointSample> sampled(const Joint& joint, const MovingFaces& movers,
+                                 const ContinuityTolerance& tolerance) {
   std::vector<std::unique_ptr<FaceStrip>> strips;
   for (std::size_t side = 0; side < joint.sides.size(); ++side)
     strips.push_back(std::make_unique<FaceStrip>(joint.sides[side], joint.paths[side]));
@@ -244,12 +275,9 @@ std::vector<JointSample> sampled(const Joint& joint, const MovingFaces& movers) 
     samples[k - 1].part += chord / 2;
     length += chord;
   }
-  for (JointSample& sample : samples) {
+  for (JointSample& sample : samples)
     sample.part = length > 0 ? sample.part / length : 1.0 / static_cast<double>(samples.size());
-    if (joint.ask != Ask::Keep) continue;
-    const SurfaceJet &a = sample.sides[0].shown.jet, &b = sample.sides[1].shown.jet;
-    sample.given = differencesOf(joint, sample, a, b);
-  }
+  if (joint.ask != Ask::Outline) setGiven(joint, tolerance, samples);
   return samples;
 }
 
@@ -285,9 +313,13 @@ void addConditions(const Joint& joint, const JointSample& sample, const Continui
   for (std::size_t k = 0; k < sample.sides.size(); ++k)
     if (sample.sides[k].mover != nullptr)
       place.add(sample.sides[k], sample.sides[k].shares.share.row(0), k == 0 ? 1 : -1);
+  const Eigen::Vector3d gap = now.gap - sample.given.gap;
   const double gap_weight = weight / tolerance.gap_mm;
-  system.addPoint(sample.cell, place.times(gap_weight), -gap_weight * (now.gap - sample.given.gap));
+  system.addPoint(sample.cell, place.times(gap_weight), -gap_weight * gap);
   if (sample.sides.size() < 2) return;
+  const Eigen::Vector3d along = sample.sides[0].shown.tangent.stableNormalized();
+  const double slide_weight = weight / slideLimit_mm(sample, tolerance);
+  system.add(sample.cell, place.times(slide_weight), along, -slide_weight * gap.dot(along));
   if (joint.order < 1) return keepNormals(sample, share_of_crease * weight / tolerance.angle_rad, system);
   if (!now.normal) return;
   const std::array<SurfaceJet, 2> jets = {jetOf(sample.sides[0]), jetOf(sample.sides[1])};

@@ -62,7 +62,7 @@ struct Differences {
 struct JointSample {
   double s = 0;
   std::vector<JointSide> sides;
-  Differences given;  ///< what may stay: none of a joint that is to meet
+  Differences given;  ///< what may stay: of a joint that is to meet at most a small gap
   double part = 0;    ///< of the joint's length
   double weight = 1;  ///< grows where the sample is missed
   double ratio = 0;   ///< of what it misses to its tolerance
@@ -71,7 +71,8 @@ struct JointSample {
 
 /// Samples even in the knot spans of the movers that the joint crosses, both ends, and five around each place of Joint::also.
 /// \throws Standard_Failure where OpenCASCADE can't evaluate.
-std::vector<JointSample> sampled(const Joint& joint, const MovingFaces& movers);
+std::vector<JointSample> sampled(const Joint& joint, const MovingFaces& movers,
+                                 const ContinuityTolerance& tolerance);
 
 /// The shares of a side's mover, as its knots are now.
 void takeShares(JointSide& side);
