@@ -128,10 +128,15 @@ std::vector<Part> connectedParts(const std::set<int>& moving, std::vector<Joint>
   return list;
 }
 
-std::string keyOf(const Part& part) {
+double stiffnessOf(int face, const Stiffness& stiffness) {
+  const auto found = stiffness.find(face);
+  return found == stiffness.end() ? 1 : found->second;
+}
+
+std::string keyOf(const Part& part, const Stiffness& stiffness) {
   std::ostringstream key;
   key.precision(17);
-  for (const int face : part.faces) key << face << ' ';
+  for (const int face : part.faces) key << face << '*' << stiffnessOf(face, stiffness) << ' ';
   for (const Joint& joint : part.joints) {
     key << joint.seam << ':' << static_cast<int>(joint.ask) << joint.order;
     for (const double s : joint.also) key << '@' << s;
@@ -141,13 +146,14 @@ std::string keyOf(const Part& part) {
 }
 
 /// What a solution can take over from those before.
-FairStart startOf(const Part& part, const std::vector<FairComponent>& before, MovingFaces& movers) {
+FairStart startOf(const Part& part, const std::vector<FairComponent>& before, const Stiffness& stiffness, MovingFaces& movers) {
   FairStart start;
   for (const FairComponent& component : before) {
     for (const auto& [face, mover] : component.movers)
       if (part.faces.count(face) > 0) {
         movers.emplace(face, mover);
         start.is_new = false;
+        if (mover.stiffness != stiffnessOf(face, stiffness)) start.relaxed.insert(face);
       }
     for (const Joint& joint : part.joints) {
       const auto weights = component.weights.find(joint.seam);
@@ -171,21 +177,26 @@ std::string whyMissed(double missed) {
 
 FairComponent solved(const RepairTask& task, const Part& part, std::string key,
                      const TopTools_IndexedMapOfShape& faces, const std::vector<FairComponent>& before,
-                     const Progress& progress) {
+                     const Stiffness& stiffness, const Progress& progress) {
   FairComponent component;
   component.asked = std::move(key);
-  const FairStart start = startOf(part, before, component.movers);
+  const FairStart start = startOf(part, before, stiffness, component.movers);
   for (const int face : part.faces)
     if (component.movers.count(face) == 0)
       component.movers.emplace(face, moverOf(TopoDS::Face(faces(face)), task.options.tolerance));
+  for (auto& [face, mover] : component.movers) mover.stiffness = stiffnessOf(face, stiffness);
   FairResult result = fairSolve(part.joints, task.options.tolerance, start, component.movers, progress);
   component.weights = std::move(result.weights);
+  double most_missed = 1;
+  for (std::size_t j = 0; j < part.joints.size(); ++j)
+    if (part.joints[j].ask == Ask::Join) most_missed = std::max(most_missed, result.missed[j]);
   for (std::size_t j = 0; j < part.joints.size(); ++j) {
     const Joint& joint = part.joints[j];
     if (joint.ask != Ask::Join) continue;
     double& effort = component.effort[joint.seam];
     for (const auto& [s, weight] : component.weights[joint.seam]) effort = std::max(effort, weight);
-    if (result.missed[j] > 1) component.failures[joint.seam] = whyMissed(result.missed[j]);
+    // Others may be missed for the sake of the worst.
+    if (result.missed[j] > std::max(1.0, 0.5 * most_missed)) component.failures[joint.seam] = whyMissed(result.missed[j]);
   }
   for (const auto& [face, mover] : component.movers)
     if (!mover.displacement.coefficients().isZero(0))
@@ -196,7 +207,7 @@ FairComponent solved(const RepairTask& task, const Part& part, std::string key,
 
 }  // namespace
 
-std::vector<FairComponent> displaceFaces(const RepairTask& task, const MissedPlaces& missed,
+std::vector<FairComponent> displaceFaces(const RepairTask& task, const MissedPlaces& missed, const Stiffness& stiffness,
                                          const std::vector<FairComponent>& before, const Progress& progress) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(task.shape, TopAbs_FACE, faces);
@@ -204,10 +215,10 @@ std::vector<FairComponent> displaceFaces(const RepairTask& task, const MissedPla
   const std::vector<Part> parts = connectedParts(moving, jointsOf(task, moving, missed), faces.Extent());
   std::vector<FairComponent> components(parts.size());
   const auto solve = [&](std::size_t k) {
-    std::string key = keyOf(parts[k]);
+    std::string key = keyOf(parts[k], stiffness);
     const auto known = std::ranges::find(before, key, &FairComponent::asked);
     components[k] =
-        known != before.end() ? *known : solved(task, parts[k], std::move(key), faces, before, {});
+        known != before.end() ? *known : solved(task, parts[k], std::move(key), faces, before, stiffness, {});
   };
   runParallel(parts.size(), task.options.jobs, solve, progress);
   return components;

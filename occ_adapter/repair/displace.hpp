@@ -15,6 +15,9 @@ namespace seamwright::occ {
 /// Places of seams, 0..1, where samples missed something, by seam.
 using MissedPlaces = std::map<std::size_t, std::set<double>>;
 
+/// How much less than its budget a face may spend, by face; of others 1.
+using Stiffness = std::map<int, double>;
+
 /// Faces that joints connect, and how they move.
 struct FairComponent {
   std::string asked;  ///< all that was asked of it, as a key
@@ -28,7 +31,7 @@ struct FairComponent {
 /// The displacement of the faces beside treated seams with the least bending energy that brings these seams within the tolerance and keeps
 /// what the other edges of the faces have. It is sampled; prove() decides.
 /// \param before components of a task that asked for more; they are where the solution starts. \throws Cancelled; Standard_Failure.
-std::vector<FairComponent> displaceFaces(const RepairTask& task, const MissedPlaces& missed,
+std::vector<FairComponent> displaceFaces(const RepairTask& task, const MissedPlaces& missed, const Stiffness& stiffness,
                                          const std::vector<FairComponent>& before, const Progress& progress);
 
 }  // namespace seamwright::occ

@@ -33,6 +33,13 @@ class FairSolving {
       if (unknowns_ > 0) solve(start.is_new);
       if (worst() <= enough || refinement == most_refinements || !refine()) break;
     }
+    if (std::getenv("SW_DEBUG")) for (std::size_t j = 0; j < joints_.size(); ++j) if (missed_[j] > 3) {
+      const JointSample& w = *std::ranges::max_element(samples_[j], {}, &JointSample::ratio);
+      const Differences d = differencesAt(joints_[j], w);
+      std::fprintf(stderr, "  seam %zu ask %d s %g gap %g given %g angle %g weight %g", joints_[j].seam, int(joints_[j].ask), w.s, d.gap.norm(), w.given.gap.norm(), d.normal ? d.normal->norm() : -1, w.weight);
+      for (std::size_t k = 0; k < w.sides.size(); ++k) { const auto& side = w.sides[k]; const SurfaceJet g = side.shown.jet; std::fprintf(stderr, " face %d %d |u| %g |v| %g sin %g", joints_[j].sides[k].face, side.mover != nullptr, g.u.norm(), g.v.norm(), g.u.cross(g.v).norm() / (g.u.norm() * g.v.norm())); }
+      std::fprintf(stderr, "\n");
+    }
     FairResult result{missed_, {}};
     for (std::size_t j = 0; j < joints_.size(); ++j)
       if (joints_[j].ask != Ask::Outline)
@@ -121,7 +128,7 @@ class FairSolving {
     energies_.clear();
     for (const auto& [face, mover] : movers_) {
       const std::vector<int>& unknown = unknown_[face];
-      const double unit = 1 / (mover.budget_per_mm * mover.budget_per_mm * mover.area_mm2);
+      const double unit = std::pow(fairness * mover.stiffness / mover.budget_per_mm, 2) / mover.area_mm2;
       for (EnergyBlock& block : mover.displacement.bending()) {
         FaceEnergy energy{face, 0, std::move(block), {}};
         std::vector<int> unknowns;
@@ -131,7 +138,7 @@ class FairSolving {
             unknowns.push_back(number);
           }
         if (unknowns.empty()) continue;
-        energy.block.matrix *= unit * fairness * fairness;
+        energy.block.matrix *= unit;
         energy.cell = cellOf(std::move(unknowns));
         energies_.push_back(std::move(energy));
       }
@@ -199,6 +206,34 @@ class FairSolving {
     }
   }
 
+  double cost() const {
+    double sum = 0;
+    for (const FaceEnergy& energy : energies_) {
+      const PointRows& all = movers_.at(energy.face).displacement.coefficients();
+      const PointRows at = all(energy.block.coefficients, Eigen::indexing::all);
+      sum += (at.transpose() * energy.block.matrix * at).trace();
+    }
+    for (std::size_t j = 0; j < joints_.size(); ++j)
+      for (const JointSample& sample : samples_[j])
+        if (sample.cell >= 0) sum += costOf(joints_[j], sample, tolerance_);
+    return sum;
+  }
+
+  /// Takes the step, or as much of it as makes the cost smaller.
+  void descend(const PointRows& step) {
+    constexpr int halvings = 4;
+    const double before = cost();
+    double taken = 1;
+    take(step);
+    for (int k = 0; k < halvings; ++k) {
+      const double now = cost();
+      if (now <= before) return;
+      take(-0.5 * taken * step);
+      taken *= 0.5;
+    }
+    take(-taken * step);
+  }
+
   std::map<int, PointRows> coefficients() const {
     std::map<int, PointRows> all;
     for (const auto& [face, mover] : movers_) all[face] = mover.displacement.coefficients();
@@ -216,7 +251,7 @@ class FairSolving {
     for (int pass = 0; pass < most_passes; ++pass) {
       if (progress_ && !progress_(0)) throw Cancelled();
       assemble(system);
-      take(system.solve());
+      descend(system.solve());
       look();
       if (std::getenv("SW_DEBUG")) std::fprintf(stderr, "   pass %d unknowns %d worst %g\n", pass, unknowns_, worst());
       if (worst() < best_ratio) {

@@ -19,7 +19,7 @@ using SampleWeights = std::vector<std::pair<double, double>>;
 struct FairStart {
   bool is_new = true;                            ///< nothing was solved before
   std::map<std::size_t, SampleWeights> weights;  ///< by seam
-  std::set<int> relaxed;                         ///< faces of which less is asked than before
+  std::set<int> relaxed;                         ///< faces of which something else is asked than before
 };
 
 struct FairResult {

@@ -86,10 +86,10 @@ std::string nameOf(const Standard_Failure& failure) {
 
 /// What is wrong with a way to move faces.
 struct Faults {
-  std::map<int, std::string> faces;
+  std::map<int, std::string> too_far, unfair;  ///< by face
   Proof proof;
 
-  bool any() const { return !faces.empty() || !proof.holds(); }
+  bool any() const { return !too_far.empty() || !unfair.empty() || !proof.holds(); }
 };
 
 class Moving {
@@ -105,7 +105,7 @@ class Moving {
       const Progress solving = partOf(progress, done, (done + next) / 2),
                      proving = partOf(progress, (done + next) / 2, next);
       done = next;
-      components_ = displaceFaces(rounds_.task(), missed_, components_, solving);
+      components_ = displaceFaces(rounds_.task(), missed_, stiffness_, components_, solving);
       std::vector<FaceChange> changes;
       Reasons failures;
       for (const FairComponent& component : components_) {
@@ -119,8 +119,8 @@ class Moving {
       if (changes.empty()) break;
       Faults faults = faultsOf(changes, proving);
       if (std::getenv("SW_DEBUG")) {
-        std::fprintf(stderr, "round %d unrepaired %zu worse %zu faces %zu unfair %zu whole %s\n", round, faults.proof.unrepaired.size(), faults.proof.worse.size(), faults.proof.faces.size(), faults.faces.size(), faults.proof.whole.c_str());
-        for (auto& [f, w] : faults.faces) std::fprintf(stderr, "    face %d %s\n", f, w.c_str());
+        std::fprintf(stderr, "round %d unrepaired %zu worse %zu faces %zu unfair %zu whole %s\n", round, faults.proof.unrepaired.size(), faults.proof.worse.size(), faults.proof.faces.size(), faults.unfair.size(), faults.proof.whole.c_str());
+        for (auto& [f, w] : faults.unfair) std::fprintf(stderr, "    face %d %s\n", f, w.c_str());
       }
       if (!faults.any()) return rounds_.kept(std::move(changes), {}, std::move(faults.proof));
       rounds_.giveUp(whatToGiveUp(faults, round >= single_rounds));
@@ -139,9 +139,9 @@ class Moving {
       if (change.largest_move_mm > limit_mm) {
         std::ostringstream text;
         text << "it would move by " << change.largest_move_mm << " mm, more than " << limit_mm << " mm";
-        faults.faces[change.face] = text.str();
+        faults.too_far[change.face] = text.str();
       } else if (std::string why = whyUnfair(change); !why.empty()) {
-        faults.faces[change.face] = "it would be less fair: " + why;
+        faults.unfair[change.face] = "it would be less fair: " + why;
       }
     }
     faults.proof = rounds_.proven(changes, {}, progress);
@@ -167,9 +167,14 @@ class Moving {
     for (const auto& [i, why] : faults.proof.worse)
       if (!looksAgain(i, faults.proof.after[i]))
         for (const FaceUse& side : task().seams[i].sides) giveUpAt(side.face, why, all, seams);
-    for (const auto* faces : {&faults.faces, &faults.proof.faces})
+    bool looks = !faults.proof.unrepaired.empty() || !faults.proof.worse.empty();
+    for (const auto& [face, why] : faults.unfair)
+      if (stiffens(face))
+        looks = true;
+      else
+        giveUpAt(face, nameOf(face) + ": " + why, all, seams);
+    for (const auto* faces : {&faults.too_far, &faults.proof.faces})
       for (const auto& [face, why] : *faces) giveUpAt(face, nameOf(face) + ": " + why, all, seams);
-    const bool looks = !faults.proof.unrepaired.empty() || !faults.proof.worse.empty();
     if (seams.empty() && (!looks || all))
       for (std::size_t i = 0; i < task().seams.size(); ++i)
         if (task().isTreated(i))
@@ -202,10 +207,20 @@ class Moving {
     return true;
   }
 
+  /// The next solution spends less on a face.
+  bool stiffens(int face) {
+    constexpr double factor = 2, most = 4;
+    double& stiffness = stiffness_.emplace(face, 1).first->second;
+    if (stiffness >= most) return false;
+    stiffness *= factor;
+    return true;
+  }
+
   Rounds rounds_;
   TopTools_IndexedMapOfShape faces_;
   std::vector<FairComponent> components_;
   MissedPlaces missed_;
+  Stiffness stiffness_;
   std::map<std::size_t, int> looks_;
   std::map<handle<Geom_Surface>, std::string> unfair_;
 };

@@ -304,9 +304,23 @@ double missedShare(const Joint& joint, const JointSample& sample, const Continui
                   (now.bend - sample.given.bend).cwiseAbs().maxCoeff() / curvatureLimit(sample, tolerance));
 }
 
+double costOf(const Joint& joint, const JointSample& sample, const ContinuityTolerance& tolerance) {
+  const double weight = weightOf(sample);
+  const Differences now = differencesAt(joint, sample);
+  const Eigen::Vector3d gap = now.gap - sample.given.gap;
+  double cost = gap.squaredNorm() / std::pow(tolerance.gap_mm, 2);
+  if (sample.sides.size() > 1) {
+    const Eigen::Vector3d along = sample.sides[0].shown.tangent.stableNormalized();
+    cost += std::pow(gap.dot(along) / slideLimit_mm(sample, tolerance), 2);
+  }
+  if (now.normal) cost += (*now.normal - sample.given.normal.value_or(Eigen::Vector3d::Zero())).squaredNorm() / std::pow(tolerance.angle_rad, 2);
+  if (joint.order > 1) cost += (now.bend - sample.given.bend).squaredNorm() / std::pow(curvatureLimit(sample, tolerance), 2);
+  return weight * weight * cost;
+}
+
 void addConditions(const Joint& joint, const JointSample& sample, const ContinuityTolerance& tolerance,
                    StepSystem& system) {
-  constexpr double share_of_crease = 0.1;
+  constexpr double share_of_crease = 0.3;
   const double weight = weightOf(sample);
   const Differences now = differencesAt(joint, sample);
   Row place(sample, system);

@@ -21,6 +21,7 @@ struct MovingFace {
   Displacement displacement;
   double budget_per_mm = 0;  ///< by how much the mean curvature may vary more
   double area_mm2 = 0;
+  double stiffness = 1;  ///< above 1: it may spend so much less
 };
 
 using MovingFaces = std::map<int, MovingFace>;  ///< by number of the face
@@ -81,6 +82,9 @@ Differences differencesAt(const Joint& joint, const JointSample& sample);
 
 /// What a sample misses over its tolerance; what may stay counts where it grows by more than a fifth of the tolerance.
 double missedShare(const Joint& joint, const JointSample& sample, const ContinuityTolerance& tolerance);
+
+/// The sum of squares of a sample's conditions.
+double costOf(const Joint& joint, const JointSample& sample, const ContinuityTolerance& tolerance);
 
 /// The conditions of a sample for the steps of its cell's coefficients, linear in the moves.
 void addConditions(const Joint& joint, const JointSample& sample, const ContinuityTolerance& tolerance,
