@@ -271,7 +271,7 @@ class FairSolving {
   }
 
   void addWeight() {
-    constexpr double most_growth = 5, most_weight = 1e5;
+    constexpr double most_growth = 5; static const double most_weight = std::getenv("SW_W") ? std::atof(std::getenv("SW_W")) : 100;
     for (auto& samples : samples_)
       for (JointSample& sample : samples)
         if (sample.ratio > enough)

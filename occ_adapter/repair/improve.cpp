@@ -17,8 +17,9 @@ namespace {
 
 using opencascade::handle;
 
-/// Rounds in which single seams are given up, and those after them, which give up all seams of a face at fault, ...
-constexpr int single_rounds = 16, face_rounds = 4;
+/// Rounds in which single seams of a component at fault are given up, and those after them, which give up all seams of a face at fault; then all
+/// of the component go.
+constexpr int single_rounds = 12, face_rounds = 4;
 /// ... and how often a seam is tried again with samples where it was missed.
 constexpr int most_looks = 3;
 
@@ -100,7 +101,7 @@ class Moving {
 
   Improvement run(const Progress& progress) {
     double done = 0;
-    for (int round = 0; round < single_rounds + face_rounds && !rounds_.isOver(); ++round) {
+    while (!rounds_.isOver()) {
       const double next = done + (1 - done) / 3;
       const Progress solving = partOf(progress, done, (done + next) / 2),
                      proving = partOf(progress, (done + next) / 2, next);
@@ -113,17 +114,20 @@ class Moving {
         changes.insert(changes.end(), component.changes.begin(), component.changes.end());
       }
       if (!failures.empty()) {
+        for (const FairComponent& component : components_)
+          if (!component.failures.empty()) addAge(component, "it was not met", failures);
         rounds_.giveUp(failures);
         continue;
       }
       if (changes.empty()) break;
       Faults faults = faultsOf(changes, proving);
       if (std::getenv("SW_DEBUG")) {
-        std::fprintf(stderr, "round %d unrepaired %zu worse %zu faces %zu unfair %zu whole %s\n", round, faults.proof.unrepaired.size(), faults.proof.worse.size(), faults.proof.faces.size(), faults.unfair.size(), faults.proof.whole.c_str());
+        std::fprintf(stderr, "round unrepaired %zu worse %zu faces %zu unfair %zu whole %s\n", faults.proof.unrepaired.size(), faults.proof.worse.size(), faults.proof.faces.size(), faults.unfair.size(), faults.proof.whole.c_str());
         for (auto& [f, w] : faults.unfair) std::fprintf(stderr, "    face %d %s\n", f, w.c_str());
       }
+      if (!faults.any() && std::getenv("SW_DEBUG")) { std::vector<double> e; for (auto& c : components_) for (auto& [i, w] : c.effort) e.push_back(w); std::ranges::sort(e); std::fprintf(stderr, "EFFORT"); for (std::size_t k = 0; k < e.size(); k += 1 + e.size() / 40) std::fprintf(stderr, " %.3g", e[k]); std::fprintf(stderr, "\n"); }
       if (!faults.any()) return rounds_.kept(std::move(changes), {}, std::move(faults.proof));
-      rounds_.giveUp(whatToGiveUp(faults, round >= single_rounds));
+      rounds_.giveUp(whatToGiveUp(faults));
     }
     rounds_.giveUpAll("no change of the faces beside it was proven");
     return rounds_.nothing();
@@ -159,34 +163,56 @@ class Moving {
     return known->second;
   }
 
-  /// Of a face at fault the seam that took most effort. \param all seams of it
-  Reasons whatToGiveUp(const Faults& faults, bool all) {
+  /// Of a face at fault the seam that took most effort, later all of them.
+  Reasons whatToGiveUp(const Faults& faults) {
     Reasons seams;
-    for (const auto& [i, why] : faults.proof.unrepaired)
+    std::map<int, std::string> at_fault;  // by face
+    const auto addSides = [&](std::size_t i, const std::string& why) {
+      for (const FaceUse& side : task().seams[i].sides) at_fault.emplace(side.face, why);
+    };
+    for (const auto& [i, why] : faults.proof.unrepaired) {
+      addSides(i, why);
       if (!looksAgain(i, faults.proof.after[i])) seams[i] = why;
-    for (const auto& [i, why] : faults.proof.worse)
+    }
+    for (const auto& [i, why] : faults.proof.worse) {
+      addSides(i, why);
       if (!looksAgain(i, faults.proof.after[i]))
-        for (const FaceUse& side : task().seams[i].sides) giveUpAt(side.face, why, all, seams);
-    bool looks = !faults.proof.unrepaired.empty() || !faults.proof.worse.empty();
-    for (const auto& [face, why] : faults.unfair)
-      if (stiffens(face))
-        looks = true;
-      else
-        giveUpAt(face, nameOf(face) + ": " + why, all, seams);
+        for (const FaceUse& side : task().seams[i].sides) giveUpAt(side.face, why, seams);
+    }
+    for (const auto& [face, why] : faults.unfair) {
+      at_fault.emplace(face, why);
+      if (!stiffens(face)) giveUpAt(face, nameOf(face) + ": " + why, seams);
+    }
     for (const auto* faces : {&faults.too_far, &faults.proof.faces})
-      for (const auto& [face, why] : *faces) giveUpAt(face, nameOf(face) + ": " + why, all, seams);
-    if (seams.empty() && (!looks || all))
+      for (const auto& [face, why] : *faces) {
+        at_fault.emplace(face, why);
+        giveUpAt(face, nameOf(face) + ": " + why, seams);
+      }
+    for (const FairComponent& component : components_)
+      for (const auto& [face, why] : at_fault)
+        if (component.movers.count(face) > 0) {
+          addAge(component, why, seams);
+          break;
+        }
+    if (at_fault.empty())
       for (std::size_t i = 0; i < task().seams.size(); ++i)
-        if (task().isTreated(i))
-          seams[i] = faults.proof.whole.empty() ? "no change was proven" : faults.proof.whole;
+        if (task().isTreated(i)) seams[i] = faults.proof.whole.empty() ? "no change was proven" : faults.proof.whole;
     return seams;
   }
 
-  void giveUpAt(int face, const std::string& why, bool all, Reasons& seams) const {
+  /// A component that was at fault in all its rounds is given up.
+  void addAge(const FairComponent& component, const std::string& why, Reasons& seams) {
+    int age = 0;
+    for (const auto& [i, effort] : component.effort) age = std::max(age, ++ages_[i]);
+    if (age >= single_rounds + face_rounds)
+      for (const auto& [i, effort] : component.effort) seams.emplace(i, why);
+  }
+
+  void giveUpAt(int face, const std::string& why, Reasons& seams) const {
     std::optional<std::size_t> hardest;
     for (std::size_t i = 0; i < task().seams.size(); ++i) {
       if (!task().isTreated(i) || !touches(task().seams[i], face)) continue;
-      if (all) seams.emplace(i, why);
+      if (const auto age = ages_.find(i); age != ages_.end() && age->second >= single_rounds) seams.emplace(i, why);
       if (!hardest || effortOf(i) > effortOf(*hardest)) hardest = i;
     }
     if (hardest) seams.emplace(*hardest, why);
@@ -221,7 +247,7 @@ class Moving {
   std::vector<FairComponent> components_;
   MissedPlaces missed_;
   Stiffness stiffness_;
-  std::map<std::size_t, int> looks_;
+  std::map<std::size_t, int> looks_, ages_;  ///< by seam
   std::map<handle<Geom_Surface>, std::string> unfair_;
 };
 
