@@ -151,7 +151,11 @@ double curvatureLimit(const JointSample& sample, const ContinuityTolerance& tole
   return norm < flat ? flat : tolerance.curvature_rel * norm;
 }
 
-/// How far the sides may be apart along the seam: readers of files look for nearest points, and where the tangent plane turns along the seam an
+bool isEnd(const JointSample& sample) {
+  return sample.s <= 0 || sample.s >= 1;
+}
+
+/// How far the sides may go apart along the seam, and at its ends in all directions: readers of files look for nearest points, and where the tangent plane turns along the seam an
 /// angle between planes of different points is not that of the seam.
 double slideLimit_mm(const JointSample& sample, const ContinuityTolerance& tolerance) {
   constexpr double share_of_gap = 0.2, share_of_angle = 0.2;
@@ -163,6 +167,15 @@ double slideLimit_mm(const JointSample& sample, const ContinuityTolerance& toler
     }
   const double limit_mm = share_of_gap * tolerance.gap_mm;
   return turn_per_mm * limit_mm > share_of_angle * tolerance.angle_rad ? share_of_angle * tolerance.angle_rad / turn_per_mm : limit_mm;
+}
+
+Eigen::Vector3d along(const JointSample& sample) {
+  return sample.sides[0].shown.tangent.stableNormalized();
+}
+
+/// Of a difference of places, see slideLimit_mm().
+double slide_mm(const JointSample& sample, const Eigen::Vector3d& gap) {
+  return isEnd(sample) ? gap.norm() : std::abs(gap.dot(along(sample)));
 }
 
 /// Factors of the cell's coefficients.
@@ -296,6 +309,7 @@ double missedShare(const Joint& joint, const JointSample& sample, const Continui
                                   : (is - std::max(was, free_share * limit)) / (growth_share * limit);
   };
   double missed = std::max(0.0, share(now.gap.norm(), sample.given.gap.norm(), tolerance.gap_mm));
+  missed = std::max(missed, slide_mm(sample, now.gap - sample.given.gap) / slideLimit_mm(sample, tolerance));
   if (!now.normal) return missed;
   const double was = sample.given.normal ? sample.given.normal->norm() : 0;
   missed = std::max(missed, share(now.normal->norm(), was, tolerance.angle_rad));
@@ -309,10 +323,7 @@ double costOf(const Joint& joint, const JointSample& sample, const ContinuityTol
   const Differences now = differencesAt(joint, sample);
   const Eigen::Vector3d gap = now.gap - sample.given.gap;
   double cost = gap.squaredNorm() / std::pow(tolerance.gap_mm, 2);
-  if (sample.sides.size() > 1) {
-    const Eigen::Vector3d along = sample.sides[0].shown.tangent.stableNormalized();
-    cost += std::pow(gap.dot(along) / slideLimit_mm(sample, tolerance), 2);
-  }
+  if (sample.sides.size() > 1) cost += std::pow(slide_mm(sample, gap) / slideLimit_mm(sample, tolerance), 2);
   if (now.normal) cost += (*now.normal - sample.given.normal.value_or(Eigen::Vector3d::Zero())).squaredNorm() / std::pow(tolerance.angle_rad, 2);
   if (joint.order > 1) cost += (now.bend - sample.given.bend).squaredNorm() / std::pow(curvatureLimit(sample, tolerance), 2);
   return weight * weight * cost;
@@ -331,9 +342,11 @@ void addConditions(const Joint& joint, const JointSample& sample, const Continui
   const double gap_weight = weight / tolerance.gap_mm;
   system.addPoint(sample.cell, place.times(gap_weight), -gap_weight * gap);
   if (sample.sides.size() < 2) return;
-  const Eigen::Vector3d along = sample.sides[0].shown.tangent.stableNormalized();
   const double slide_weight = weight / slideLimit_mm(sample, tolerance);
-  system.add(sample.cell, place.times(slide_weight), along, -slide_weight * gap.dot(along));
+  if (isEnd(sample))
+    system.addPoint(sample.cell, place.times(slide_weight), -slide_weight * gap);
+  else
+    system.add(sample.cell, place.times(slide_weight), along(sample), -slide_weight * gap.dot(along(sample)));
   if (joint.order < 1) return keepNormals(sample, share_of_crease * weight / tolerance.angle_rad, system);
   if (!now.normal) return;
   const std::array<SurfaceJet, 2> jets = {jetOf(sample.sides[0]), jetOf(sample.sides[1])};
