@@ -18,8 +18,8 @@ void SurfaceTolerance::validate() const {
   throw std::invalid_argument(text.str());
 }
 
-double visibleVariation(const ContinuityTolerance& tolerance, double size_mm) {
-  return 3 * tolerance.angle_rad / size_mm;
+double visibleVariation(double angle_rad, double size_mm) {
+  return 3 * angle_rad / size_mm;
 }
 
 SurfaceVerdict judgeSurface(const SurfaceChange& change, const SurfaceTolerance& tolerance) {

@@ -17,11 +17,12 @@ struct SurfaceTolerance {
   void validate() const;
 };
 
-/// What a turn of the tangent plane along one boundary by the accepted angle costs at the least in variation of the mean curvature, if it ends
-/// smoothly at the far end of a face of that size: 3 angle / size. Less is no more visible than the seam that is accepted.
+/// What a turn of the tangent plane along one boundary by that angle costs at the least in variation of the mean curvature, if it ends
+/// smoothly at the far end of a face of that size: 3 angle / size. For the accepted angle it is no more visible than the seam that is accepted; for the
+/// angle of a seam that is repaired no repair costs less.
 /// \param size_mm above 0.
 /// Source: MATH-repair 1: the curvature of the profile of least bending energy runs from -4 angle / size to 2 angle / size.
-double visibleVariation(const ContinuityTolerance& tolerance, double size_mm);
+double visibleVariation(double angle_rad, double size_mm);
 
 struct SurfaceVerdict {
   bool worse = false;

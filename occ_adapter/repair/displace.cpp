@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <sstream>
 
-#include <seamwright/core/surface/judge.hpp>
 #include <seamwright/occ_adapter/analyze/workers.hpp>
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
 #include <seamwright/occ_adapter/repair/displace.hpp>
@@ -31,15 +30,16 @@ handle<Geom_BSplineSurface> splineOfFace(const TopoDS_Face& face) {
   return handle<Geom_BSplineSurface>::DownCast(spline->Transformed(location.Transformation()));
 }
 
-/// Half of what its curvature varies by, and what can't be seen.
-MovingFace moverOf(const TopoDS_Face& face, const ContinuityTolerance& tolerance) {
+/// Its budget is half of what its curvature varies by, and what can't be seen or is needed.
+MovingFace moverOf(int number, const TopoDS_Face& face, const RepairTask& task) {
   constexpr int first_spans = 4;
   constexpr double share_of_gap = 0.01, share_of_variation = 0.5;
   const handle<Geom_BSplineSurface> surface = splineOfFace(face);
   std::array<double, 4> range{};
   BRepTools::UVBounds(face, range[0], range[1], range[2], range[3]);
-  MovingFace mover{Displacement(surface, range, first_spans, share_of_gap * tolerance.gap_mm), 0, 0};
-  const double visible = visibleVariation(tolerance, mover.displacement.size_mm());
+  MovingFace mover{Displacement(surface, range, first_spans, share_of_gap * task.options.tolerance.gap_mm), 0,
+                   0};
+  const double visible = allowedVariation(number, face, task.options.tolerance, task.needed);
   const SurfaceChange still = measureChange(face, surface, 0, visible, {.lines = 16});
   mover.budget_per_mm = share_of_variation * still.before.variation_per_mm + visible;
   GProp_GProps properties;
@@ -58,7 +58,7 @@ int orderKept(const SeamResult& seam, const RepairOptions& options) {
   return keeps_curvature && seam.verdict.level >= Level::G2 && !anyCurvatureDoes(options.tolerance) ? 2 : 1;
 }
 
-Joint jointOf(const RepairTask& task, std::size_t i, const MissedPlaces& missed) {
+Joint jointOf(const RepairTask& task, std::size_t i, const MissedPlaces& missed, const TurnsAtEnds& turns) {
   Joint joint;
   joint.seam = i;
   joint.ask = task.isTreated(i) ? Ask::Join : Ask::Keep;
@@ -69,6 +69,7 @@ Joint jointOf(const RepairTask& task, std::size_t i, const MissedPlaces& missed)
     joint.sides.push_back(side);
     joint.paths.push_back(pcurveOf(side.edge, side.shape, task.options.tolerance.gap_mm));
   }
+  joint.turn_rad = task.options.tolerance.angle_rad + turns.at_rad(task.seams[i]);
   joint.map = task.seams[i].correspondence;
   if (const auto places = missed.find(i); places != missed.end()) joint.also = places->second;
   return joint;
@@ -93,11 +94,12 @@ std::set<int> facesToMove(const RepairTask& task) {
 }
 
 std::vector<Joint> jointsOf(const RepairTask& task, const std::set<int>& moving, const MissedPlaces& missed) {
+  const TurnsAtEnds turns(task);
   std::vector<Joint> joints;
   for (std::size_t i = 0; i < task.seams.size(); ++i) {
     const auto& sides = task.seams[i].sides;
     if (moving.count(sides[0].face) > 0 || moving.count(sides[1].face) > 0)
-      joints.push_back(jointOf(task, i, missed));
+      joints.push_back(jointOf(task, i, missed, turns));
   }
   for (const FaceUse& use : findSeams(task.shape).open_uses)
     if (moving.count(use.face) > 0) joints.push_back(outlineOf(use, task.options.tolerance.gap_mm));
@@ -146,7 +148,8 @@ std::string keyOf(const Part& part, const Stiffness& stiffness) {
 }
 
 /// What a solution can take over from those before.
-FairStart startOf(const Part& part, const std::vector<FairComponent>& before, const Stiffness& stiffness, MovingFaces& movers) {
+FairStart startOf(const Part& part, const std::vector<FairComponent>& before, const Stiffness& stiffness,
+                  MovingFaces& movers) {
   FairStart start;
   for (const FairComponent& component : before) {
     for (const auto& [face, mover] : component.movers)
@@ -183,7 +186,7 @@ FairComponent solved(const RepairTask& task, const Part& part, std::string key,
   const FairStart start = startOf(part, before, stiffness, component.movers);
   for (const int face : part.faces)
     if (component.movers.count(face) == 0)
-      component.movers.emplace(face, moverOf(TopoDS::Face(faces(face)), task.options.tolerance));
+      component.movers.emplace(face, moverOf(face, TopoDS::Face(faces(face)), task));
   for (auto& [face, mover] : component.movers) mover.stiffness = stiffnessOf(face, stiffness);
   FairResult result = fairSolve(part.joints, task.options.tolerance, start, component.movers, progress);
   component.weights = std::move(result.weights);
@@ -196,7 +199,8 @@ FairComponent solved(const RepairTask& task, const Part& part, std::string key,
     double& effort = component.effort[joint.seam];
     for (const auto& [s, weight] : component.weights[joint.seam]) effort = std::max(effort, weight);
     // Others may be missed for the sake of the worst.
-    if (result.missed[j] > std::max(1.0, 0.5 * most_missed)) component.failures[joint.seam] = whyMissed(result.missed[j]);
+    if (result.missed[j] > std::max(1.0, 0.5 * most_missed))
+      component.failures[joint.seam] = whyMissed(result.missed[j]);
   }
   for (const auto& [face, mover] : component.movers)
     if (!mover.displacement.coefficients().isZero(0))
@@ -207,8 +211,9 @@ FairComponent solved(const RepairTask& task, const Part& part, std::string key,
 
 }  // namespace
 
-std::vector<FairComponent> displaceFaces(const RepairTask& task, const MissedPlaces& missed, const Stiffness& stiffness,
-                                         const std::vector<FairComponent>& before, const Progress& progress) {
+std::vector<FairComponent> displaceFaces(const RepairTask& task, const MissedPlaces& missed,
+                                         const Stiffness& stiffness, const std::vector<FairComponent>& before,
+                                         const Progress& progress) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(task.shape, TopAbs_FACE, faces);
   const std::set<int> moving = facesToMove(task);

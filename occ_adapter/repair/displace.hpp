@@ -31,7 +31,8 @@ struct FairComponent {
 /// The displacement of the faces beside treated seams with the least bending energy that brings these seams within the tolerance and keeps
 /// what the other edges of the faces have. It is sampled; prove() decides.
 /// \param before components of a task that asked for more; they are where the solution starts. \throws Cancelled; Standard_Failure.
-std::vector<FairComponent> displaceFaces(const RepairTask& task, const MissedPlaces& missed, const Stiffness& stiffness,
-                                         const std::vector<FairComponent>& before, const Progress& progress);
+std::vector<FairComponent> displaceFaces(const RepairTask& task, const MissedPlaces& missed,
+                                         const Stiffness& stiffness, const std::vector<FairComponent>& before,
+                                         const Progress& progress);
 
 }  // namespace seamwright::occ

@@ -122,10 +122,20 @@ class Moving {
       if (changes.empty()) break;
       Faults faults = faultsOf(changes, proving);
       if (std::getenv("SW_DEBUG")) {
-        std::fprintf(stderr, "round unrepaired %zu worse %zu faces %zu unfair %zu whole %s\n", faults.proof.unrepaired.size(), faults.proof.worse.size(), faults.proof.faces.size(), faults.unfair.size(), faults.proof.whole.c_str());
+        std::fprintf(stderr, "round unrepaired %zu worse %zu faces %zu unfair %zu whole %s\n",
+                     faults.proof.unrepaired.size(), faults.proof.worse.size(), faults.proof.faces.size(),
+                     faults.unfair.size(), faults.proof.whole.c_str());
         for (auto& [f, w] : faults.unfair) std::fprintf(stderr, "    face %d %s\n", f, w.c_str());
       }
-      if (!faults.any() && std::getenv("SW_DEBUG")) { std::vector<double> e; for (auto& c : components_) for (auto& [i, w] : c.effort) e.push_back(w); std::ranges::sort(e); std::fprintf(stderr, "EFFORT"); for (std::size_t k = 0; k < e.size(); k += 1 + e.size() / 40) std::fprintf(stderr, " %.3g", e[k]); std::fprintf(stderr, "\n"); }
+      if (!faults.any() && std::getenv("SW_DEBUG")) {
+        std::vector<double> e;
+        for (auto& c : components_)
+          for (auto& [i, w] : c.effort) e.push_back(w);
+        std::ranges::sort(e);
+        std::fprintf(stderr, "EFFORT");
+        for (std::size_t k = 0; k < e.size(); k += 1 + e.size() / 40) std::fprintf(stderr, " %.3g", e[k]);
+        std::fprintf(stderr, "\n");
+      }
       if (!faults.any()) return rounds_.kept(std::move(changes), {}, std::move(faults.proof));
       rounds_.giveUp(whatToGiveUp(faults));
     }
@@ -159,7 +169,8 @@ class Moving {
     const auto spline = handle<Geom_BSplineSurface>::DownCast(change.surface);
     const TopoDS_Face& face = TopoDS::Face(faces_(change.face));
     known->second =
-        judgedMove(change.face, face, spline, change.largest_move_mm, task().options).verdict.reason;
+        judgedMove(change.face, face, spline, change.largest_move_mm, task().options, task().needed)
+            .verdict.reason;
     return known->second;
   }
 
@@ -196,7 +207,8 @@ class Moving {
         }
     if (at_fault.empty())
       for (std::size_t i = 0; i < task().seams.size(); ++i)
-        if (task().isTreated(i)) seams[i] = faults.proof.whole.empty() ? "no change was proven" : faults.proof.whole;
+        if (task().isTreated(i))
+          seams[i] = faults.proof.whole.empty() ? "no change was proven" : faults.proof.whole;
     return seams;
   }
 
@@ -212,7 +224,8 @@ class Moving {
     std::optional<std::size_t> hardest;
     for (std::size_t i = 0; i < task().seams.size(); ++i) {
       if (!task().isTreated(i) || !touches(task().seams[i], face)) continue;
-      if (const auto age = ages_.find(i); age != ages_.end() && age->second >= single_rounds) seams.emplace(i, why);
+      if (const auto age = ages_.find(i); age != ages_.end() && age->second >= single_rounds)
+        seams.emplace(i, why);
       if (!hardest || effortOf(i) > effortOf(*hardest)) hardest = i;
     }
     if (hardest) seams.emplace(*hardest, why);

@@ -223,7 +223,8 @@ class PathSolver {
     if (before.verdict.level != Level::None) return false;
     SeamFigures closed = before.figures;
     closed.gap_mm = Figure{0, 0, 0};
-    return task_.sharp[i] || judge(closed, task_.options.tolerance, Level::G1).level >= levelOf(task_.orders[i]);
+    return task_.sharp[i] ||
+           judge(closed, task_.options.tolerance, Level::G1).level >= levelOf(task_.orders[i]);
   }
 
   bool mayTrim(const Seam& seam, int side) const { return task_.faces[seam.sides[side].face].may_be_trimmed; }

@@ -166,7 +166,9 @@ double slideLimit_mm(const JointSample& sample, const ContinuityTolerance& toler
       turn_per_mm = std::max(turn_per_mm, (curvatureTensor(side.shown.jet, *normal) * frame.tangent).norm());
     }
   const double limit_mm = share_of_gap * tolerance.gap_mm;
-  return turn_per_mm * limit_mm > share_of_angle * tolerance.angle_rad ? share_of_angle * tolerance.angle_rad / turn_per_mm : limit_mm;
+  return turn_per_mm * limit_mm > share_of_angle * tolerance.angle_rad
+             ? share_of_angle * tolerance.angle_rad / turn_per_mm
+             : limit_mm;
 }
 
 Eigen::Vector3d along(const JointSample& sample) {
@@ -251,6 +253,23 @@ void keepNormals(const JointSample& sample, double weight, StepSystem& system) {
   }
 }
 
+/// By how much the angle of a crease has changed.
+double turned_rad(const JointSample& sample) {
+  std::array<Eigen::Vector3d, 2> was, is;
+  for (const int k : {0, 1}) {
+    const JointSide& side = sample.sides[k];
+    const SurfaceJet jet = jetOf(side);
+    const auto before = normalOf(side, side.shown.jet), now = normalOf(side, jet);
+    if (!before || !now) return 0;
+    was[k] = *before;
+    is[k] = *now;
+  }
+  const auto angle = [](const std::array<Eigen::Vector3d, 2>& n) {
+    return std::atan2(n[0].cross(n[1]).norm(), n[0].dot(n[1]));
+  };
+  return std::abs(angle(is) - angle(was));
+}
+
 /// What the sides may go on to lack. Of a joint that is to meet a gap that is small enough everywhere: to close it would copy its course into the faces.
 void setGiven(const Joint& joint, const ContinuityTolerance& tolerance, std::vector<JointSample>& samples) {
   constexpr double small = 0.5;
@@ -310,6 +329,7 @@ double missedShare(const Joint& joint, const JointSample& sample, const Continui
   };
   double missed = std::max(0.0, share(now.gap.norm(), sample.given.gap.norm(), tolerance.gap_mm));
   missed = std::max(missed, slide_mm(sample, now.gap - sample.given.gap) / slideLimit_mm(sample, tolerance));
+  if (joint.order < 1) return std::max(missed, turned_rad(sample) / joint.turn_rad);
   if (!now.normal) return missed;
   const double was = sample.given.normal ? sample.given.normal->norm() : 0;
   missed = std::max(missed, share(now.normal->norm(), was, tolerance.angle_rad));
@@ -324,8 +344,11 @@ double costOf(const Joint& joint, const JointSample& sample, const ContinuityTol
   const Eigen::Vector3d gap = now.gap - sample.given.gap;
   double cost = gap.squaredNorm() / std::pow(tolerance.gap_mm, 2);
   if (sample.sides.size() > 1) cost += std::pow(slide_mm(sample, gap) / slideLimit_mm(sample, tolerance), 2);
-  if (now.normal) cost += (*now.normal - sample.given.normal.value_or(Eigen::Vector3d::Zero())).squaredNorm() / std::pow(tolerance.angle_rad, 2);
-  if (joint.order > 1) cost += (now.bend - sample.given.bend).squaredNorm() / std::pow(curvatureLimit(sample, tolerance), 2);
+  if (now.normal)
+    cost += (*now.normal - sample.given.normal.value_or(Eigen::Vector3d::Zero())).squaredNorm() /
+            std::pow(tolerance.angle_rad, 2);
+  if (joint.order > 1)
+    cost += (now.bend - sample.given.bend).squaredNorm() / std::pow(curvatureLimit(sample, tolerance), 2);
   return weight * weight * cost;
 }
 
@@ -347,7 +370,7 @@ void addConditions(const Joint& joint, const JointSample& sample, const Continui
     system.addPoint(sample.cell, place.times(slide_weight), -slide_weight * gap);
   else
     system.add(sample.cell, place.times(slide_weight), along(sample), -slide_weight * gap.dot(along(sample)));
-  if (joint.order < 1) return keepNormals(sample, share_of_crease * weight / tolerance.angle_rad, system);
+  if (joint.order < 1) return keepNormals(sample, share_of_crease * weight / joint.turn_rad, system);
   if (!now.normal) return;
   const std::array<SurfaceJet, 2> jets = {jetOf(sample.sides[0]), jetOf(sample.sides[1])};
   const auto normal = normalOf(sample.sides[0], jets[0]);

@@ -40,6 +40,7 @@ struct Joint {
   std::vector<FaceUse> sides;
   std::vector<Pcurve> paths;
   Correspondence map;
+  double turn_rad = 0;    ///< by which the angle of a kept crease may change
   std::set<double> also;  ///< places, 0..1, where samples missed something before
 };
 

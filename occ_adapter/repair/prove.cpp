@@ -135,7 +135,8 @@ std::string whyWorse(const SeamResult& after, const SeamResult& before, const Re
   if (was_crease && after.verdict.seam_class == SeamClass::Defect) return "another class";
   if (isLessCertain(after, before, options.tolerance, options.level())) return "less certain";
   if (isLarger(after.figures.gap_mm, before.figures.gap_mm, options.tolerance.gap_mm)) return "a larger gap";
-  if (was_crease) return hasTurned(after, before, options.tolerance.angle_rad + turn_rad) ? "another angle" : "";
+  if (was_crease)
+    return hasTurned(after, before, options.tolerance.angle_rad + turn_rad) ? "another angle" : "";
   if (isLarger(after.figures.angle_rad, before.figures.angle_rad, options.tolerance.angle_rad))
     return "a larger angle";
   const bool counts = options.order == 2 && before.figures.curvature_rel;
@@ -152,48 +153,13 @@ void judgeTreated(const RepairTask& task, Proof& proof) {
       proof.unrepaired[i] = "after a move it has " + figuresText(proof.after[i]);
 }
 
-/// By vertex: the largest angle that a treated seam has lost there.
-class TurnsAtVertices {
- public:
-  explicit TurnsAtVertices(const RepairTask& task) {
-    for (std::size_t i = 0; i < task.seams.size(); ++i) {
-      const auto& angle = task.before[i].figures.angle_rad;
-      if (!task.isTreated(i) || !angle) continue;
-      for (const TopoDS_Shape& vertex : endsOf(task.seams[i])) {
-        const int number = vertices_.Add(vertex);
-        turns_[number] = std::max(turns_[number], known(*angle));
-      }
-    }
-  }
-
-  double at(const Seam& seam) const {
-    double most = 0;
-    for (const TopoDS_Shape& vertex : endsOf(seam))
-      if (const auto turn = turns_.find(vertices_.FindIndex(vertex)); turn != turns_.end())
-        most = std::max(most, turn->second);
-    return most;
-  }
-
- private:
-  static std::vector<TopoDS_Shape> endsOf(const Seam& seam) {
-    std::vector<TopoDS_Shape> ends;
-    for (const FaceUse& side : seam.sides) {
-      ends.push_back(TopExp::FirstVertex(side.edge));
-      ends.push_back(TopExp::LastVertex(side.edge));
-    }
-    return ends;
-  }
-
-  TopTools_IndexedMapOfShape vertices_;
-  std::map<int, double> turns_;
-};
-
 void judgeOthers(const RepairTask& task, Proof& proof) {
-  const TurnsAtVertices turns(task);
+  const TurnsAtEnds turns(task);
   for (std::size_t i = 0; i < proof.after.size(); ++i) {
     if (task.isTreated(i)) continue;
     const SeamResult &after = proof.after[i], &before = task.to_keep[i];
-    if (const std::string why = whyWorse(after, before, task.options, turns.at(task.seams[i])); !why.empty())
+    if (const std::string why = whyWorse(after, before, task.options, turns.at_rad(task.seams[i]));
+        !why.empty())
       proof.worse[i] = "edge " + std::to_string(after.edges.front()) + " would get " + why + " (" +
                        figuresText(after) + "; before " + figuresText(before) + ")";
   }

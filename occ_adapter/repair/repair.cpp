@@ -46,6 +46,7 @@ class Repairing {
     const std::vector<bool> wanted = std::move(choice.treated);
     if (std::ranges::count(wanted, true) > 0) {
       now_.seams = seamsOf(model_.shape, options_, {});
+      needed_ = neededVariation(model_.shape, result_.before.seams, turned(wanted));
       const double all = options_.match_mm > 0 && options_.sew ? share_before_sewing : 1;
       repair(wanted, choice.faces, partOf(progress_, share_of_analysis, all));
     }
@@ -85,9 +86,15 @@ class Repairing {
     if (task.treatsAny()) keep(improveByMoves(task, now_.was, partOf(progress, share_of_paths, 1)));
   }
 
+  /// Seams that are to lose their angle.
+  std::vector<bool> turned(std::vector<bool> wanted) const {
+    for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = wanted[i] && !sharp_[i];
+    return wanted;
+  }
+
   RepairTask taskOf(const std::vector<FaceChoice>& faces, std::vector<int> orders) const {
-    return {now_.shape, now_.seams, now_.to_keep, now_.after.seams,
-            faces,      sharp_,     options_,     std::move(orders)};
+    return {now_.shape, now_.seams, now_.to_keep, now_.after.seams, faces,
+            sharp_,     options_,   needed_,      std::move(orders)};
   }
 
   void keep(Improvement done) {
@@ -111,14 +118,9 @@ class Repairing {
     const TopoDS_Shape shape = result_.model.shape;
     const std::vector<SeamResult> before = result_.after.seams;
     const std::vector<FaceChoice> no_faces;
-    const RepairTask task{shape,
-                          now_.seams,
-                          result_.before.seams,
-                          before,
-                          no_faces,
-                          sharp_,
-                          options_,
-                          std::vector<int>(before.size(), 0)};
+    const RepairTask task{shape,    now_.seams, result_.before.seams,
+                          before,   no_faces,   sharp_,
+                          options_, needed_,    std::vector<int>(before.size(), 0)};
     const std::vector<Seam> seams = seamsAfter(task, shape, {});
     SewSolution solution =
         sewLoose({shape, seams, before, options_}, partOf(progress_, share_before_sewing, 1));
@@ -157,6 +159,7 @@ class Repairing {
   const Progress& progress_;
   State now_;
   std::vector<bool> sharp_;  ///< by seam, see Choice
+  NeededVariation needed_;   ///< by face
   Reasons not_sewn_;
   RepairReport result_;
 };
@@ -193,7 +196,14 @@ RepairReport repair(const Model& model, const RepairOptions& options, const Prog
   const Progress repairing = partOf(progress, 0, share_before_judging);
   RepairReport report = options.convert_analytic ? repairConverting(model, options, plain, repairing)
                                                  : plain(model, options, repairing);
-  judgeMoves(model.shape, report.model.shape, report.faces_now, options, report.moves,
+  std::vector<SeamResult> before;
+  std::vector<bool> turned;
+  for (const SeamRepair& seam : report.seams) {
+    before.push_back(seam.before);
+    turned.push_back(seam.treated && seam.after.verdict.seam_class != SeamClass::Crease);
+  }
+  const NeededVariation needed = neededVariation(model.shape, before, turned);
+  judgeMoves(model.shape, report.model.shape, report.faces_now, options, needed, report.moves,
              partOf(progress, share_before_judging, 1));
   return report;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <algorithm>
 #include <map>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include <seamwright/occ_adapter/repair/change.hpp>
 #include <seamwright/occ_adapter/repair/choose.hpp>
+#include <seamwright/occ_adapter/repair/face_change.hpp>
 
 /// What a repair has to do; not a public header.
 namespace seamwright::occ {
@@ -21,6 +23,7 @@ struct RepairTask {
   const std::vector<FaceChoice>& faces;    ///< from 1
   const std::vector<bool>& sharp;          ///< by seam, see Choice
   const RepairOptions& options;
+  const NeededVariation& needed;  ///< by face
   /// By seam: 0: not treated, it may not become worse; 1: it is to have G1, or, where it is sharp, to be closed; 2: G2.
   std::vector<int> orders;
 
@@ -28,6 +31,19 @@ struct RepairTask {
   bool treatsAny() const {
     return std::ranges::any_of(orders, [](int order) { return order > 0; });
   }
+};
+
+/// By how much the tangent planes turn where treated seams end: there other seams can't keep their angle.
+class TurnsAtEnds {
+ public:
+  explicit TurnsAtEnds(const RepairTask& task);
+
+  /// The largest angle of a treated seam that ends where this one does.
+  double at_rad(const Seam& seam) const;
+
+ private:
+  TopTools_IndexedMapOfShape vertices_;
+  std::map<int, double> turns_rad_;  ///< by number of the vertex
 };
 
 /// No difference of curvature is beyond the tolerance, as relativeDifference() is at most 2: G2 is G1.
