@@ -9,8 +9,8 @@ namespace seamwright {
 
 void SurfaceTolerance::validate() const {
   std::ostringstream text;
-  if (!(fairness >= 1))
-    text << "fairness is " << fairness << ": it must be 1 or larger";
+  if (!(fairness >= 1) || !std::isfinite(fairness))
+    text << "fairness is " << fairness << ": it must be a finite number, 1 or larger";
   else if (!(visible_per_mm >= 0) || !std::isfinite(visible_per_mm))
     text << "visible variation is " << visible_per_mm << " per mm: it must be finite and not negative";
   else

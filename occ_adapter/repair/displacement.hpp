@@ -50,7 +50,7 @@ class Displacement {
   bool halve(const std::array<std::set<int>, 2>& spans);
 
   /// The bending energy: the integral over the face of |Hess D|^2 dA, which has no unit. Hess is the covariant Hessian of each coordinate of D in the
-  /// metric of X. Gauss points in each span of D. Beyond the face's range it counts for a thousandth.
+  /// metric of X. Gauss points in each span of D. Beyond the face's range it counts for three hundredths.
   /// \returns a block for each span of D.
   std::vector<EnergyBlock> bending() const;
 

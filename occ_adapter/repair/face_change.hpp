@@ -31,8 +31,8 @@ struct FaceGrid {
 SurfaceChange measureChange(const TopoDS_Face& face, const opencascade::handle<Geom_BSplineSurface>& after,
                             double bound_mm, double visible_per_mm, const FaceGrid& grid = {});
 
-/// By face: what no way to turn its tangent plane along its treated seams, by their angles, costs less than, in variation of the mean curvature. The turn
-/// fades over the mean width of the face beside the seam: its area over the seam's length.
+/// By face: what the way of least bending to turn its tangent plane along its treated seams, by their angles, costs in variation of the mean
+/// curvature. The turn fades over the mean width of the face beside the seam: its area over the seam's length.
 using NeededVariation = std::map<int, double>;
 NeededVariation neededVariation(const TopoDS_Shape& shape, const std::vector<SeamResult>& seams,
                                 const std::vector<bool>& treated);

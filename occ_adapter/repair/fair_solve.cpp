@@ -77,7 +77,7 @@ class FairSolving {
     missed_.assign(joints_.size(), 0);
     for (std::size_t j = 0; j < joints_.size(); ++j)
       for (JointSample& sample : samples_[j]) {
-        sample.ratio = missedShare(joints_[j], sample, tolerance_);
+        sample.ratio = missedShare(joints_[j], sample);
         missed_[j] = std::max(missed_[j], sample.ratio);
       }
   }
@@ -188,21 +188,25 @@ class FairSolving {
       system.addEnergy(energy.cell, energy.block.matrix(energy.free, energy.free),
                        pull(energy.free, Eigen::indexing::all));
     }
-    for (auto& [face, mover] : movers_) addSize(face, mover, system);
+    for (auto& [face, mover] : movers_) addDamping(face, mover, system);
     for (std::size_t j = 0; j < joints_.size(); ++j)
       for (const JointSample& sample : samples_[j])
-        if (sample.cell >= 0) addConditions(joints_[j], sample, tolerance_, system);
+        if (sample.cell >= 0) addConditions(joints_[j], sample, system);
   }
 
-  /// The integral of |D|^2 / size^4, as if coefficients were spread evenly: the size of the move comes second.
-  void addSize(int face, const MovingFace& mover, StepSystem& system) {
-    const double unit =
-        fairness / (mover.budget_per_mm * std::sqrt(mover.area_mm2) * mover.displacement.size_mm() *
-                    std::sqrt(static_cast<double>(mover.displacement.count())));
+  /// The integral of |D|^2 / size^4, as if coefficients were spread evenly, is this times the sum of their squares: the size of the move comes
+  /// second.
+  static double damping(const MovingFace& mover) {
+    return std::pow(fairness * mover.stiffness / (mover.budget_per_mm * mover.displacement.size_mm()), 2) /
+           (mover.area_mm2 * mover.displacement.count());
+  }
+
+  void addDamping(int face, const MovingFace& mover, StepSystem& system) {
     const std::vector<int>& unknown = unknown_[face];
+    const double factor = damping(mover);
     for (std::size_t k = 0; k < unknown.size(); ++k)
       if (unknown[k] >= 0)
-        system.addDamping(unknown[k], unit * unit,
+        system.addDamping(unknown[k], factor,
                           mover.displacement.coefficients().row(static_cast<Eigen::Index>(k)).transpose());
   }
 
@@ -223,9 +227,11 @@ class FairSolving {
       const PointRows at = all(energy.block.coefficients, Eigen::indexing::all);
       sum += (at.transpose() * energy.block.matrix * at).trace();
     }
+    for (const auto& [face, mover] : movers_)
+      sum += damping(mover) * mover.displacement.coefficients().squaredNorm();
     for (std::size_t j = 0; j < joints_.size(); ++j)
       for (const JointSample& sample : samples_[j])
-        if (sample.cell >= 0) sum += costOf(joints_[j], sample, tolerance_);
+        if (sample.cell >= 0) sum += costOf(joints_[j], sample);
     return sum;
   }
 

@@ -5,6 +5,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 #include <seamwright/occ_adapter/repair/displace.hpp>
@@ -113,6 +114,9 @@ class Moving {
         failures.insert(component.failures.begin(), component.failures.end());
         changes.insert(changes.end(), component.changes.begin(), component.changes.end());
       }
+      if (std::getenv("SW_DEBUG"))
+        std::fprintf(stderr, "solved: %zu components, %zu failures, %zu changes\n", components_.size(),
+                     failures.size(), changes.size());
       if (!failures.empty()) {
         for (const FairComponent& component : components_)
           if (!component.failures.empty()) addAge(component, "it was not met", failures);
@@ -178,21 +182,30 @@ class Moving {
   Reasons whatToGiveUp(const Faults& faults) {
     Reasons seams;
     std::map<int, std::string> at_fault;  // by face
+    bool tries_again = false;
     const auto addSides = [&](std::size_t i, const std::string& why) {
       for (const FaceUse& side : task().seams[i].sides) at_fault.emplace(side.face, why);
     };
     for (const auto& [i, why] : faults.proof.unrepaired) {
       addSides(i, why);
-      if (!looksAgain(i, faults.proof.after[i])) seams[i] = why;
+      if (looksAgain(i, faults.proof.after[i]))
+        tries_again = true;
+      else
+        seams[i] = why;
     }
     for (const auto& [i, why] : faults.proof.worse) {
       addSides(i, why);
-      if (!looksAgain(i, faults.proof.after[i]))
+      if (looksAgain(i, faults.proof.after[i]))
+        tries_again = true;
+      else
         for (const FaceUse& side : task().seams[i].sides) giveUpAt(side.face, why, seams);
     }
     for (const auto& [face, why] : faults.unfair) {
       at_fault.emplace(face, why);
-      if (!stiffens(face)) giveUpAt(face, nameOf(face) + ": " + why, seams);
+      if (stiffens(face))
+        tries_again = true;
+      else
+        giveUpAt(face, nameOf(face) + ": " + why, seams);
     }
     for (const auto* faces : {&faults.too_far, &faults.proof.faces})
       for (const auto& [face, why] : *faces) {
@@ -205,7 +218,7 @@ class Moving {
           addAge(component, why, seams);
           break;
         }
-    if (at_fault.empty())
+    if (seams.empty() && !tries_again)
       for (std::size_t i = 0; i < task().seams.size(); ++i)
         if (task().isTreated(i))
           seams[i] = faults.proof.whole.empty() ? "no change was proven" : faults.proof.whole;
@@ -220,15 +233,31 @@ class Moving {
       for (const auto& [i, effort] : component.effort) seams.emplace(i, why);
   }
 
+  /// Treated seams of a face; of one that has none, as it stays, those of the faces beside it.
+  std::vector<std::size_t> treatedAt(int face) const {
+    std::set<int> faces = {face};
+    const auto seamsOf = [&] {
+      std::vector<std::size_t> seams;
+      for (std::size_t i = 0; i < task().seams.size(); ++i)
+        if (task().isTreated(i) &&
+            std::ranges::any_of(faces, [&](int one) { return touches(task().seams[i], one); }))
+          seams.push_back(i);
+      return seams;
+    };
+    std::vector<std::size_t> own = seamsOf();
+    if (!own.empty()) return own;
+    for (const Seam& seam : task().seams)
+      if (touches(seam, face)) faces.insert({seam.sides[0].face, seam.sides[1].face});
+    return seamsOf();
+  }
+
   void giveUpAt(int face, const std::string& why, Reasons& seams) const {
-    std::optional<std::size_t> hardest;
-    for (std::size_t i = 0; i < task().seams.size(); ++i) {
-      if (!task().isTreated(i) || !touches(task().seams[i], face)) continue;
+    const std::vector<std::size_t> treated = treatedAt(face);
+    for (const std::size_t i : treated)
       if (const auto age = ages_.find(i); age != ages_.end() && age->second >= single_rounds)
         seams.emplace(i, why);
-      if (!hardest || effortOf(i) > effortOf(*hardest)) hardest = i;
-    }
-    if (hardest) seams.emplace(*hardest, why);
+    const auto effort = [this](std::size_t i) { return effortOf(i); };
+    if (!treated.empty()) seams.emplace(*std::ranges::max_element(treated, {}, effort), why);
   }
 
   double effortOf(std::size_t seam) const {

@@ -142,40 +142,34 @@ Differences differencesOf(const Joint& joint, const JointSample& sample, const S
   return found;
 }
 
-/// Of the norm of the curvature tensor.
-double curvatureLimit(const JointSample& sample, const ContinuityTolerance& tolerance) {
-  const SurfaceJet jet = jetOf(sample.sides[0]);
-  const auto normal = normalOf(sample.sides[0], jet);
-  const double flat = 1 / tolerance.flat_radius_mm;
-  const double norm = normal ? curvatureTensor(jet, *normal).norm() : 0;
-  return norm < flat ? flat : tolerance.curvature_rel * norm;
-}
-
 bool isEnd(const JointSample& sample) {
   return sample.s <= 0 || sample.s >= 1;
 }
 
-/// How far the sides may go apart along the seam, and at its ends in all directions: readers of files look for nearest points, and where the tangent plane turns along the seam an
-/// angle between planes of different points is not that of the seam.
-double slideLimit_mm(const JointSample& sample, const ContinuityTolerance& tolerance) {
+/// Readers of files look for nearest points: where the tangent plane turns along the seam, or the ends of edges are apart, an angle between planes of
+/// different points is not that of the seam. So sides may not slide by more than turns them by a fifth of the accepted angle.
+JointLimits limitsOf(const JointSample& sample, const ContinuityTolerance& tolerance) {
   constexpr double share_of_gap = 0.2, share_of_angle = 0.2;
+  JointLimits limits{tolerance.gap_mm, share_of_gap * tolerance.gap_mm, tolerance.angle_rad,
+                     1 / tolerance.flat_radius_mm};
   double turn_per_mm = 0;
   for (const JointSide& side : sample.sides)
     if (const auto normal = normalOf(side, side.shown.jet)) {
-      const Frame frame = frameOf(sample, *normal);
-      turn_per_mm = std::max(turn_per_mm, (curvatureTensor(side.shown.jet, *normal) * frame.tangent).norm());
+      const Eigen::Matrix3d tensor = curvatureTensor(side.shown.jet, *normal);
+      turn_per_mm = std::max(turn_per_mm, (tensor * frameOf(sample, *normal).tangent).norm());
+      if (&side == &sample.sides[0] && tensor.norm() >= limits.curvature_per_mm)
+        limits.curvature_per_mm = tolerance.curvature_rel * tensor.norm();
     }
-  const double limit_mm = share_of_gap * tolerance.gap_mm;
-  return turn_per_mm * limit_mm > share_of_angle * tolerance.angle_rad
-             ? share_of_angle * tolerance.angle_rad / turn_per_mm
-             : limit_mm;
+  if (turn_per_mm * limits.slide_mm > share_of_angle * tolerance.angle_rad)
+    limits.slide_mm = share_of_angle * tolerance.angle_rad / turn_per_mm;
+  return limits;
 }
 
 Eigen::Vector3d along(const JointSample& sample) {
   return sample.sides[0].shown.tangent.stableNormalized();
 }
 
-/// Of a difference of places, see slideLimit_mm().
+/// What of a difference of places counts as slide.
 double slide_mm(const JointSample& sample, const Eigen::Vector3d& gap) {
   return isEnd(sample) ? gap.norm() : std::abs(gap.dot(along(sample)));
 }
@@ -238,19 +232,31 @@ void addCurvatures(const JointSample& sample, const Differences& now, const Fram
   }
 }
 
+/// A side's derivative across the seam along its normal, as a step of parameters.
+struct Tilt {
+  Eigen::Vector3d normal;
+  Eigen::Vector2d step;
+  double turned_rad = 0;  ///< since it was given
+};
+
+std::optional<Tilt> tiltOf(const JointSample& sample, const JointSide& side) {
+  const auto normal = side.mover == nullptr ? std::nullopt : normalOf(side, side.shown.jet);
+  if (!normal) return {};
+  const Eigen::Vector2d step = parameterStep(side.shown.jet, frameOf(sample, *normal).cross);
+  const SurfaceJet by = seamwright::occ::jetOf(side.shares, side.mover->displacement.coefficients());
+  return Tilt{*normal, step, normal->dot(step[0] * by.u + step[1] * by.v)};
+}
+
+/// How much a side that turns beside a crease counts.
+constexpr double share_of_crease = 0.3;
+
 /// Beside a crease no side turns.
 void keepNormals(const JointSample& sample, double weight, StepSystem& system) {
-  for (const JointSide& side : sample.sides) {
-    if (side.mover == nullptr) continue;
-    const auto normal = normalOf(side, side.shown.jet);
-    if (!normal) continue;
-    const Frame frame = frameOf(sample, *normal);
-    const Eigen::Vector2d step = parameterStep(side.shown.jet, frame.cross);
-    const SurfaceJet by = seamwright::occ::jetOf(side.shares, side.mover->displacement.coefficients());
-    const double turned = frame.normal.dot(step[0] * by.u + step[1] * by.v);
-    const Row row = Row(sample, system).add(side, derivative(side.shares, step), 1);
-    system.add(sample.cell, row.times(weight), frame.normal, -weight * turned);
-  }
+  for (const JointSide& side : sample.sides)
+    if (const std::optional<Tilt> tilt = tiltOf(sample, side)) {
+      const Row row = Row(sample, system).add(side, derivative(side.shares, tilt->step), 1);
+      system.add(sample.cell, row.times(weight), tilt->normal, -weight * tilt->turned_rad);
+    }
 }
 
 /// By how much the angle of a crease has changed.
@@ -309,6 +315,7 @@ std::vector<JointSample> sampled(const Joint& joint, const MovingFaces& movers,
   }
   for (JointSample& sample : samples)
     sample.part = length > 0 ? sample.part / length : 1.0 / static_cast<double>(samples.size());
+  for (JointSample& sample : samples) sample.limits = limitsOf(sample, tolerance);
   if (joint.ask != Ask::Outline) setGiven(joint, tolerance, samples);
   return samples;
 }
@@ -319,7 +326,7 @@ Differences differencesAt(const Joint& joint, const JointSample& sample) {
                        joint.ask == Ask::Outline ? other.shown.jet : jetOf(other));
 }
 
-double missedShare(const Joint& joint, const JointSample& sample, const ContinuityTolerance& tolerance) {
+double missedShare(const Joint& joint, const JointSample& sample) {
   constexpr double free_share = 0.5, growth_share = 0.2;
   if (joint.ask == Ask::Outline) return 0;
   const Differences now = differencesAt(joint, sample);
@@ -327,34 +334,36 @@ double missedShare(const Joint& joint, const JointSample& sample, const Continui
     return joint.ask == Ask::Join ? is / limit
                                   : (is - std::max(was, free_share * limit)) / (growth_share * limit);
   };
-  double missed = std::max(0.0, share(now.gap.norm(), sample.given.gap.norm(), tolerance.gap_mm));
-  missed = std::max(missed, slide_mm(sample, now.gap - sample.given.gap) / slideLimit_mm(sample, tolerance));
+  double missed = std::max(0.0, share(now.gap.norm(), sample.given.gap.norm(), sample.limits.gap_mm));
+  missed = std::max(missed, slide_mm(sample, now.gap - sample.given.gap) / sample.limits.slide_mm);
   if (joint.order < 1) return std::max(missed, turned_rad(sample) / joint.turn_rad);
   if (!now.normal) return missed;
   const double was = sample.given.normal ? sample.given.normal->norm() : 0;
-  missed = std::max(missed, share(now.normal->norm(), was, tolerance.angle_rad));
+  missed = std::max(missed, share(now.normal->norm(), was, sample.limits.angle_rad));
   if (joint.order < 2) return missed;
   return std::max(missed,
-                  (now.bend - sample.given.bend).cwiseAbs().maxCoeff() / curvatureLimit(sample, tolerance));
+                  (now.bend - sample.given.bend).cwiseAbs().maxCoeff() / sample.limits.curvature_per_mm);
 }
 
-double costOf(const Joint& joint, const JointSample& sample, const ContinuityTolerance& tolerance) {
+double costOf(const Joint& joint, const JointSample& sample) {
   const double weight = weightOf(sample);
   const Differences now = differencesAt(joint, sample);
   const Eigen::Vector3d gap = now.gap - sample.given.gap;
-  double cost = gap.squaredNorm() / std::pow(tolerance.gap_mm, 2);
-  if (sample.sides.size() > 1) cost += std::pow(slide_mm(sample, gap) / slideLimit_mm(sample, tolerance), 2);
+  double cost = gap.squaredNorm() / std::pow(sample.limits.gap_mm, 2);
+  if (sample.sides.size() > 1) cost += std::pow(slide_mm(sample, gap) / sample.limits.slide_mm, 2);
   if (now.normal)
     cost += (*now.normal - sample.given.normal.value_or(Eigen::Vector3d::Zero())).squaredNorm() /
-            std::pow(tolerance.angle_rad, 2);
+            std::pow(sample.limits.angle_rad, 2);
+  if (joint.order < 1 && sample.sides.size() > 1)
+    for (const JointSide& side : sample.sides)
+      if (const std::optional<Tilt> tilt = tiltOf(sample, side))
+        cost += std::pow(share_of_crease * tilt->turned_rad / joint.turn_rad, 2);
   if (joint.order > 1)
-    cost += (now.bend - sample.given.bend).squaredNorm() / std::pow(curvatureLimit(sample, tolerance), 2);
+    cost += (now.bend - sample.given.bend).squaredNorm() / std::pow(sample.limits.curvature_per_mm, 2);
   return weight * weight * cost;
 }
 
-void addConditions(const Joint& joint, const JointSample& sample, const ContinuityTolerance& tolerance,
-                   StepSystem& system) {
-  constexpr double share_of_crease = 0.3;
+void addConditions(const Joint& joint, const JointSample& sample, StepSystem& system) {
   const double weight = weightOf(sample);
   const Differences now = differencesAt(joint, sample);
   Row place(sample, system);
@@ -362,10 +371,10 @@ void addConditions(const Joint& joint, const JointSample& sample, const Continui
     if (sample.sides[k].mover != nullptr)
       place.add(sample.sides[k], sample.sides[k].shares.share.row(0), k == 0 ? 1 : -1);
   const Eigen::Vector3d gap = now.gap - sample.given.gap;
-  const double gap_weight = weight / tolerance.gap_mm;
+  const double gap_weight = weight / sample.limits.gap_mm;
   system.addPoint(sample.cell, place.times(gap_weight), -gap_weight * gap);
   if (sample.sides.size() < 2) return;
-  const double slide_weight = weight / slideLimit_mm(sample, tolerance);
+  const double slide_weight = weight / sample.limits.slide_mm;
   if (isEnd(sample))
     system.addPoint(sample.cell, place.times(slide_weight), -slide_weight * gap);
   else
@@ -375,9 +384,9 @@ void addConditions(const Joint& joint, const JointSample& sample, const Continui
   const std::array<SurfaceJet, 2> jets = {jetOf(sample.sides[0]), jetOf(sample.sides[1])};
   const auto normal = normalOf(sample.sides[0], jets[0]);
   const Frame frame = frameOf(sample, (*normal - 0.5 * *now.normal).normalized());
-  addNormals(sample, now, frame, jets, weight / tolerance.angle_rad, system);
+  addNormals(sample, now, frame, jets, weight / sample.limits.angle_rad, system);
   if (joint.order > 1)
-    addCurvatures(sample, now, frame, jets, weight / curvatureLimit(sample, tolerance), system);
+    addCurvatures(sample, now, frame, jets, weight / sample.limits.curvature_per_mm, system);
 }
 
 }  // namespace seamwright::occ

@@ -61,9 +61,18 @@ struct Differences {
   Eigen::Vector3d bend = Eigen::Vector3d::Zero();  ///< of the curvature tensors: along, mixed, across
 };
 
+/// What a sample may miss.
+struct JointLimits {
+  double gap_mm = 0;
+  double slide_mm = 0;  ///< along the seam, and at its ends in all directions
+  double angle_rad = 0;
+  double curvature_per_mm = 0;  ///< of entries of the curvature tensors
+};
+
 struct JointSample {
   double s = 0;
   std::vector<JointSide> sides;
+  JointLimits limits;
   Differences given;  ///< what may stay: of a joint that is to meet at most a small gap
   double part = 0;    ///< of the joint's length
   double weight = 1;  ///< grows where the sample is missed
@@ -82,13 +91,12 @@ void takeShares(JointSide& side);
 Differences differencesAt(const Joint& joint, const JointSample& sample);
 
 /// What a sample misses over its tolerance; what may stay counts where it grows by more than a fifth of the tolerance.
-double missedShare(const Joint& joint, const JointSample& sample, const ContinuityTolerance& tolerance);
+double missedShare(const Joint& joint, const JointSample& sample);
 
 /// The sum of squares of a sample's conditions.
-double costOf(const Joint& joint, const JointSample& sample, const ContinuityTolerance& tolerance);
+double costOf(const Joint& joint, const JointSample& sample);
 
 /// The conditions of a sample for the steps of its cell's coefficients, linear in the moves.
-void addConditions(const Joint& joint, const JointSample& sample, const ContinuityTolerance& tolerance,
-                   StepSystem& system);
+void addConditions(const Joint& joint, const JointSample& sample, StepSystem& system);
 
 }  // namespace seamwright::occ
