@@ -7,6 +7,8 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <sstream>
 
 #include <seamwright/occ_adapter/analyze/workers.hpp>
@@ -219,13 +221,19 @@ std::vector<FairComponent> displaceFaces(const RepairTask& task, const MissedPla
   const std::set<int> moving = facesToMove(task);
   const std::vector<Part> parts = connectedParts(moving, jointsOf(task, moving, missed), faces.Extent());
   std::vector<FairComponent> components(parts.size());
+  std::atomic<bool> is_cancelled = false;
+  const Progress goes_on = [&is_cancelled](double) { return !is_cancelled; };
   const auto solve = [&](std::size_t k) {
     std::string key = keyOf(parts[k], stiffness);
     const auto known = std::ranges::find(before, key, &FairComponent::asked);
-    components[k] =
-        known != before.end() ? *known : solved(task, parts[k], std::move(key), faces, before, stiffness, {});
+    components[k] = known != before.end()
+                        ? *known
+                        : solved(task, parts[k], std::move(key), faces, before, stiffness, goes_on);
   };
-  runParallel(parts.size(), task.options.jobs, solve, progress);
+  runParallel(parts.size(), task.options.jobs, solve, [&](double share) {
+    if (progress && !progress(share)) is_cancelled = true;
+    return !is_cancelled;
+  });
   return components;
 }
 

@@ -12,7 +12,7 @@
 #include <seamwright/core/bspline/basis.hpp>
 #include <seamwright/occ_adapter/convert/closed_spline.hpp>
 #include <seamwright/occ_adapter/repair/displacement.hpp>
-#include <seamwright/occ_adapter/repair/moving_surface.hpp>
+#include <seamwright/occ_adapter/repair/prepared_surface.hpp>
 
 namespace seamwright::occ {
 
@@ -148,10 +148,16 @@ Eigen::MatrixXd hessianShares(const PoleShares& shares, const SurfaceJet& jet, d
 
 Displacement::Displacement(const SplineSurface& given, const std::array<double, 4>& face_range, int spans,
                            double near_mm)
-    : given_(MovingSurface(given, near_mm).before()),
+    : Displacement(prepared(given, near_mm), given->IsUPeriodic() || given->IsVPeriodic(), face_range, spans,
+                   near_mm) {}
+
+Displacement::Displacement(const PreparedSurface& given, bool given_periodic,
+                           const std::array<double, 4>& face_range, int spans, double near_mm)
+    : given_(given.surface),
+      collapse_mm_(given.collapse_mm),
       range_(face_range),
       near_mm_(near_mm),
-      given_periodic_(given->IsUPeriodic() || given->IsVPeriodic()),
+      given_periodic_(given_periodic),
       given_basis_(*given_),
       basis_(*given_),
       given_poles_(polesOf(*given_)) {
@@ -389,7 +395,7 @@ std::pair<SplineSurface, PointRows> Displacement::refined() const {
 }
 
 double Displacement::largestMove_mm() const {
-  return refined().second.rowwise().norm().maxCoeff();
+  return refined().second.rowwise().norm().maxCoeff() + collapse_mm_;
 }
 
 SplineSurface Displacement::surface() const {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <seamwright/occ_adapter/repair/prepared_surface.hpp>
 #include <seamwright/occ_adapter/repair/surface_basis.hpp>
 
 /// The displacement of a spline surface, as a spline of its own; not a public header.
@@ -55,12 +56,14 @@ class Displacement {
   std::vector<EnergyBlock> bending() const;
 
   double size_mm() const { return size_mm_; }
-  /// The largest move of a pole of X in the knots of both.
+  /// The largest move of a pole of X in the knots of both, with what made a side one point.
   double largestMove_mm() const;
   /// X + D in the knots of both; X itself where D is zero.
   opencascade::handle<Geom_BSplineSurface> surface() const;
 
  private:
+  Displacement(const PreparedSurface& given, bool given_periodic, const std::array<double, 4>& face_range,
+               int spans, double near_mm);
   void number();
   EnergyBlock bendingOfSpan(int span_u, int span_v, double least_metric) const;
   opencascade::handle<Geom_BSplineSurface> displacementSurface() const;
@@ -68,7 +71,8 @@ class Displacement {
 
   opencascade::handle<Geom_BSplineSurface> given_;
   opencascade::handle<Geom_BSplineSurface>
-      shape_;  ///< knots, degrees and weights of D; its poles are no matter
+      shape_;           ///< knots, degrees and weights of D; its poles are no matter
+  double collapse_mm_;  ///< see PreparedSurface
   std::array<double, 4> range_;
   double near_mm_;
   bool given_periodic_;

@@ -33,23 +33,6 @@ class FairSolving {
       if (unknowns_ > 0) solve(start.is_new);
       if (worst() <= enough || refinement == most_refinements || !refine()) break;
     }
-    if (std::getenv("SW_DEBUG"))
-      for (std::size_t j = 0; j < joints_.size(); ++j)
-        if (missed_[j] > 3) {
-          const JointSample& w = *std::ranges::max_element(samples_[j], {}, &JointSample::ratio);
-          const Differences d = differencesAt(joints_[j], w);
-          std::fprintf(stderr, "  seam %zu ask %d s %g gap %g given %g angle %g weight %g", joints_[j].seam,
-                       int(joints_[j].ask), w.s, d.gap.norm(), w.given.gap.norm(),
-                       d.normal ? d.normal->norm() : -1, w.weight);
-          for (std::size_t k = 0; k < w.sides.size(); ++k) {
-            const auto& side = w.sides[k];
-            const SurfaceJet g = side.shown.jet;
-            std::fprintf(stderr, " face %d %d |u| %g |v| %g sin %g", joints_[j].sides[k].face,
-                         side.mover != nullptr, g.u.norm(), g.v.norm(),
-                         g.u.cross(g.v).norm() / (g.u.norm() * g.v.norm()));
-          }
-          std::fprintf(stderr, "\n");
-        }
     FairResult result{missed_, {}};
     for (std::size_t j = 0; j < joints_.size(); ++j)
       if (joints_[j].ask != Ask::Outline)
@@ -269,8 +252,6 @@ class FairSolving {
       assemble(system);
       descend(system.solve());
       look();
-      if (std::getenv("SW_DEBUG"))
-        std::fprintf(stderr, "   pass %d unknowns %d worst %g\n", pass, unknowns_, worst());
       if (worst() < best_ratio) {
         best_ratio = worst();
         best = coefficients();
@@ -288,8 +269,7 @@ class FairSolving {
   }
 
   void addWeight() {
-    constexpr double most_growth = 5;
-    static const double most_weight = std::getenv("SW_W") ? std::atof(std::getenv("SW_W")) : 100;
+    constexpr double most_growth = 5, most_weight = 100;
     for (auto& samples : samples_)
       for (JointSample& sample : samples)
         if (sample.ratio > enough)

@@ -114,32 +114,14 @@ class Moving {
         failures.insert(component.failures.begin(), component.failures.end());
         changes.insert(changes.end(), component.changes.begin(), component.changes.end());
       }
-      if (std::getenv("SW_DEBUG"))
-        std::fprintf(stderr, "solved: %zu components, %zu failures, %zu changes\n", components_.size(),
-                     failures.size(), changes.size());
       if (!failures.empty()) {
         for (const FairComponent& component : components_)
-          if (!component.failures.empty()) addAge(component, "it was not met", failures);
+          if (!component.failures.empty()) addAge(component, component.failures.begin()->second, failures);
         rounds_.giveUp(failures);
         continue;
       }
       if (changes.empty()) break;
       Faults faults = faultsOf(changes, proving);
-      if (std::getenv("SW_DEBUG")) {
-        std::fprintf(stderr, "round unrepaired %zu worse %zu faces %zu unfair %zu whole %s\n",
-                     faults.proof.unrepaired.size(), faults.proof.worse.size(), faults.proof.faces.size(),
-                     faults.unfair.size(), faults.proof.whole.c_str());
-        for (auto& [f, w] : faults.unfair) std::fprintf(stderr, "    face %d %s\n", f, w.c_str());
-      }
-      if (!faults.any() && std::getenv("SW_DEBUG")) {
-        std::vector<double> e;
-        for (auto& c : components_)
-          for (auto& [i, w] : c.effort) e.push_back(w);
-        std::ranges::sort(e);
-        std::fprintf(stderr, "EFFORT");
-        for (std::size_t k = 0; k < e.size(); k += 1 + e.size() / 40) std::fprintf(stderr, " %.3g", e[k]);
-        std::fprintf(stderr, "\n");
-      }
       if (!faults.any()) return rounds_.kept(std::move(changes), {}, std::move(faults.proof));
       rounds_.giveUp(whatToGiveUp(faults));
     }

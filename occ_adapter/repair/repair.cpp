@@ -54,6 +54,7 @@ class Repairing {
     result_.after = now_.after;
     if (options_.match_mm > 0 && options_.sew) sew();
     tell(wanted);
+    judgeMoves(model_.shape, result_.model.shape, result_.faces_now, options_, needed_, result_.moves, {});
     result_.repair_s = secondsSince(start);
     if (progress_) progress_(1);
     return std::move(result_);
@@ -192,20 +193,8 @@ RepairReport repair(const Model& model, const RepairOptions& options, const Prog
   const auto plain = [](const Model& of, const RepairOptions& how, const Progress& part) {
     return Repairing(of, how, part).run();
   };
-  constexpr double share_before_judging = 0.97;
-  const Progress repairing = partOf(progress, 0, share_before_judging);
-  RepairReport report = options.convert_analytic ? repairConverting(model, options, plain, repairing)
-                                                 : plain(model, options, repairing);
-  std::vector<SeamResult> before;
-  std::vector<bool> turned;
-  for (const SeamRepair& seam : report.seams) {
-    before.push_back(seam.before);
-    turned.push_back(seam.treated && seam.after.verdict.seam_class != SeamClass::Crease);
-  }
-  const NeededVariation needed = neededVariation(model.shape, before, turned);
-  judgeMoves(model.shape, report.model.shape, report.faces_now, options, needed, report.moves,
-             partOf(progress, share_before_judging, 1));
-  return report;
+  return options.convert_analytic ? repairConverting(model, options, plain, progress)
+                                  : plain(model, options, progress);
 }
 
 }  // namespace seamwright::occ

@@ -34,8 +34,8 @@ RepairReport repairModel(const occ::Model& model, const py::object& target, cons
                          const py::object& curvature_rel, const py::object& flat_radius_mm,
                          const py::object& crease_deg, const py::object& max_move_mm,
                          const py::object& fairness, const py::object& keep_curvature,
-                         const py::object& edges, const py::object& fixed_faces, const py::object& match_mm, const py::object& sew,
-                         const py::object& convert_analytic, const py::object& jobs,
+                         const py::object& edges, const py::object& fixed_faces, const py::object& match_mm,
+                         const py::object& sew, const py::object& convert_analytic, const py::object& jobs,
                          const py::object& progress) {
   occ::RepairOptions options;
   options.order = orderOf(target);
@@ -142,7 +142,8 @@ void bindRepair(py::module_& module) {
       "leaves them as they were. Returns a RepairReport; the model is not changed.\n\n"
       "target: 'G1' or 'G2'. Tolerances as in analyze(). max_move_mm: no pole moves further; None: any "
       "distance. fairness: how many times as much as before the mean curvature of a face may vary, at "
-      "least 1. keep_curvature: seams that are G2 stay so, also where G1 is the target. edges: numbers of the edges, from 1, whose seams are treated; None: all defects. "
+      "least 1. keep_curvature: seams that are G2 stay so, also where G1 is the target. "
+      "edges: numbers of the edges, from 1, whose seams are treated; None: all defects. "
       "fixed_faces: numbers of faces that stay. match_mm: also open edges no further apart than this; 0: "
       "none. sew: such edges become one where they meet within the gap tolerance. convert_analytic: planes, "
       "cylinders and the like may become splines where they have to move. jobs: threads; 0: one for "
