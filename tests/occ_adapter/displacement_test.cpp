@@ -2,6 +2,7 @@
 // A surface and its displacement, seen by OpenCASCADE's evaluation and the recursion that defines B-splines.
 #include <gtest/gtest.h>
 
+#include <Eigen/QR>
 #include <GeomConvert.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
