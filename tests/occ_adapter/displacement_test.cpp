@@ -44,6 +44,7 @@ double bspline(const SplineAxis& axis, int i, int degree, double t) {
 
 /// By pole of an axis.
 Eigen::VectorXd functionsAt(const SplineAxis& axis, double t) {
+  if (axis.periodic && t == axis.last) t = axis.first;
   Eigen::VectorXd values = Eigen::VectorXd::Zero(axis.poles);
   const int functions = static_cast<int>(axis.knots.size()) - axis.degree - 1;
   for (int i = 0; i < functions; ++i) values[axis.pole(i)] += bspline(axis, i, axis.degree, t);
@@ -155,7 +156,7 @@ TEST(Displacement, OfARationalSurfaceIsAddedNearly) {
   const handle<Geom_Surface> cylinder = new Geom_CylindricalSurface(gp_Ax3(), 20),
                              ball = new Geom_SphericalSurface(gp_Ax3(), 20);
   for (const Spline& given : {splineFrom(cylinder, 0, 1.2, 0, 30), splineFrom(ball, 0.1, 1.2, -0.5, 0.6)}) {
-    ASSERT_TRUE(given->IsURational());
+    ASSERT_TRUE(given->IsURational() || given->IsVRational());
     Displacement displacement(given, wholeOf(given), 4, near_mm);
     moveAnyhow(displacement, generator, 0.01);
     const double error = largestError_mm(given, displacement);
@@ -187,7 +188,9 @@ Spline tube(bool periodic) {
   of_v.Init(1);
   of_v(1) = of_v(along - 2) = 4;
   const Spline surface = new Geom_BSplineSurface(poles, u, v, of_u, of_v, 3, 3, true, false);
-  if (!periodic) surface->SetUNotPeriodic();
+  if (periodic) return surface;
+  surface->SetUNotPeriodic();
+  surface->Segment(0, around, 0, along - 3);  // clamped
   return surface;
 }
 
@@ -199,6 +202,7 @@ TEST(Displacement, ATubeStaysClosedAndSmooth) {
     Displacement displacement(given, wholeOf(given), 6, near_mm);
     moveAnyhow(displacement, generator, 0.5);
     EXPECT_LT(largestError_mm(given, displacement), 1e-12 * displacement.size_mm());
+    EXPECT_TRUE(displacement.basis().u().periodic);
     const Spline moved = displacement.surface();
     EXPECT_EQ(moved->IsUPeriodic(), periodic);
     const std::array<double, 4> range = wholeOf(given);
@@ -327,7 +331,7 @@ TEST(Displacement, BendingOfAQuadraticOverAPlaneIsInClosedForm) {
             [](const Eigen::Vector3d& p) { return Eigen::Vector3d(1 + 0.1 * p[0], p[0] - 0.2 * p[1], p[1]); },
             displacement),
         1e-11);
-    EXPECT_LT(energyOf(displacement), 1e-18);
+    EXPECT_LT(energyOf(displacement), 1e-8 * exact);
   }
 }
 

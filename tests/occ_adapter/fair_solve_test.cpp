@@ -88,7 +88,7 @@ MovingFaces moversOf(const TopoDS_Shape& shape, const std::vector<int>& faces) {
     std::array<double, 4> range{};
     surface->Bounds(range[0], range[1], range[2], range[3]);
     occ::MovingFace mover{occ::Displacement(surface, range, 4, 1e-4), 0, length_mm * width_mm};
-    mover.budget_per_mm = visibleVariation({}, mover.displacement.size_mm());
+    mover.budget_per_mm = visibleVariation(ContinuityTolerance{}.angle_rad, mover.displacement.size_mm());
     movers.emplace(number, std::move(mover));
   }
   return movers;

@@ -2,13 +2,16 @@
 #include "fairness.hpp"
 
 #include <BRepBndLib.hxx>
+#include <BRepGProp.hxx>
 #include <BRepTools.hxx>
 #include <BRepTopAdaptor_FClass2d.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <GProp_GProps.hxx>
 #include <GeomLProp_SLProps.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <algorithm>
 #include <cmath>
 
 #include "shapes.hpp"
@@ -42,21 +45,44 @@ double variationByOpenCascade(const TopoDS_Face& face, const opencascade::handle
   return sum / count;
 }
 
-std::vector<FaceFairness> fairnessOfChanges(const TopoDS_Shape& before, const TopoDS_Shape& after,
+namespace {
+
+double diagonal_mm(const TopoDS_Face& face) {
+  Bnd_Box box;
+  BRepBndLib::AddOptimal(face, box, false, false);
+  return box.CornerMin().Distance(box.CornerMax());
+}
+
+/// The largest angle over width of the treated seams of a face.
+double neededTurn_per_mm(int number, const TopoDS_Face& face, const occ::RepairReport& report) {
+  GProp_GProps area;
+  BRepGProp::SurfaceProperties(face, area);
+  double largest = 0;
+  for (const occ::SeamRepair& seam : report.seams) {
+    const auto& [a, b] = seam.before.faces;
+    if (!seam.treated || (a != number && b != number) || !seam.before.figures.angle_rad) continue;
+    const double width_mm = std::min(diagonal_mm(face), area.Mass() / seam.before.length_mm);
+    largest = std::max(largest, upper(seam.before.figures.angle_rad) / width_mm);
+  }
+  return largest;
+}
+
+}  // namespace
+
+std::vector<FaceFairness> fairnessOfChanges(const TopoDS_Shape& before, const occ::RepairReport& report,
                                             const ContinuityTolerance& tolerance) {
   constexpr double times = 1.5;
-  const TopTools_IndexedMapOfShape was = partsOf(before, TopAbs_FACE), is = partsOf(after, TopAbs_FACE);
+  const TopTools_IndexedMapOfShape was = partsOf(before, TopAbs_FACE),
+                                   is = partsOf(report.model.shape, TopAbs_FACE);
   std::vector<FaceFairness> faces;
   for (int f = 1; f <= was.Extent(); ++f) {
     const TopoDS_Face &old_face = TopoDS::Face(was(f)), &new_face = TopoDS::Face(is(f));
     const auto old_surface = BRep_Tool::Surface(old_face), new_surface = BRep_Tool::Surface(new_face);
     if (old_surface == new_surface) continue;
-    Bnd_Box box;
-    BRepBndLib::AddOptimal(old_face, box, false, false);
-    const double size_mm = box.CornerMin().Distance(box.CornerMax());
     FaceFairness face{f, variationByOpenCascade(old_face, old_surface),
                       variationByOpenCascade(new_face, new_surface), 0};
-    face.limit_per_mm = times * face.before_per_mm + 3 * tolerance.angle_rad / size_mm;
+    face.limit_per_mm = times * face.before_per_mm + 3 * tolerance.angle_rad / diagonal_mm(old_face) +
+                        3 * neededTurn_per_mm(f, old_face, report);
     faces.push_back(face);
   }
   return faces;

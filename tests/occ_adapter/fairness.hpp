@@ -6,7 +6,7 @@
 #include <TopoDS_Shape.hxx>
 #include <vector>
 
-#include <seamwright/core/seam/tolerance.hpp>
+#include <seamwright/occ_adapter/repair/repair.hpp>
 
 /// Fairness of faces by OpenCASCADE's curvature, on grids that know nothing of the judge's own.
 namespace seamwright::test {
@@ -19,13 +19,15 @@ double variationByOpenCascade(const TopoDS_Face& face, const opencascade::handle
 struct FaceFairness {
   int face = 0;  ///< from 1
   double before_per_mm = 0, after_per_mm = 0;
-  double limit_per_mm = 0;  ///< 1.5 times before, and 3 angle / size more
+  /// 1.5 times before, and 3 angle / size more: once for the angle that is tolerated, over the face's diagonal, and for the largest angle of a
+  /// treated seam, over the face's mean width beside it.
+  double limit_per_mm = 0;
 
   bool isWorse() const { return after_per_mm > limit_per_mm; }
 };
 
-/// Of all faces whose surface is another one. \pre both have the same faces in the same order
-std::vector<FaceFairness> fairnessOfChanges(const TopoDS_Shape& before, const TopoDS_Shape& after,
+/// Of all faces whose surface is another one. \pre nothing was sewn
+std::vector<FaceFairness> fairnessOfChanges(const TopoDS_Shape& before, const occ::RepairReport& report,
                                             const ContinuityTolerance& tolerance);
 
 }  // namespace seamwright::test

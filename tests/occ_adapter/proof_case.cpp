@@ -64,13 +64,14 @@ ProofCase::ProofCase(const TopoDS_Shape& shape, const occ::RepairOptions& option
     occ::matchFreeEdges({.match_mm = options.match_mm, .gap_mm = options.tolerance.gap_mm}, graph, {});
   seams_ = std::move(graph.seams);
   choice_ = occ::choose(model, report_, options);
+  needed_ = occ::neededVariation(shape, report_.seams, choice_.treated);
 }
 
 occ::RepairTask ProofCase::task() const {
   std::vector<int> orders;
   for (const bool is_treated : choice_.treated) orders.push_back(is_treated ? options_.order : 0);
-  return {shape_,        seams_,        report_.seams, report_.seams,
-          choice_.faces, choice_.sharp, options_,      std::move(orders)};
+  return {shape_,        seams_,   report_.seams, report_.seams,    choice_.faces,
+          choice_.sharp, options_, needed_,       std::move(orders)};
 }
 
 occ::FaceChange ProofCase::changed(int number, const Strip& strip) const {
