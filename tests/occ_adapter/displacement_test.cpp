@@ -366,6 +366,7 @@ TEST(Displacement, BendingUnderMotionScaleAndExchange) {
   Displacement there(Spline::DownCast(given->Transformed(turn)), wholeOf(given), 4, near_mm);
   there.setCoefficients(here.coefficients());  // turning all of them changes no sum of squares
   EXPECT_NEAR(energyOf(there), energy, 1e-9 * energy);
+  EXPECT_NEAR(there.size_mm(), here.size_mm(), 1e-9 * here.size_mm());
   gp_Trsf grow;
   grow.SetScale(gp_Pnt(1, 2, 3), 30);
   Displacement larger(Spline::DownCast(given->Transformed(grow)), wholeOf(given), 4, 30 * near_mm);
