@@ -29,7 +29,11 @@ int expectFair(const TopoDS_Shape& shape, const RepairOptions& options) {
     EXPECT_FALSE(face.isWorse()) << "face " << face.face << ": " << face.before_per_mm << " -> "
                                  << face.after_per_mm << " /mm, at most " << face.limit_per_mm;
   for (const occ::FaceMove& move : report.moves) EXPECT_FALSE(move.verdict.worse) << move.verdict.reason;
-  std::cout << repairedSeams(report) << " of " << treated(report) << " seams, " << faces.size() << " faces\n"
+  double broken_rad = 0;
+  for (const occ::SeamRepair& seam : report.seams)
+    broken_rad = std::max(broken_rad, upper(seam.before.figures.angle_rad));
+  std::cout << repairedSeams(report) << " of " << treated(report) << " seams, broken by up to "
+            << broken_rad / degree << " degrees; " << faces.size() << " faces\n"
             << reasonsOf(report);
   return repairedSeams(report);
 }

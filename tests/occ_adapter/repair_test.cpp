@@ -61,39 +61,44 @@ TopoDS_Shape disturbedGrid(std::mt19937& generator, int count_u, int count_v, do
   return gridOf(patches);
 }
 
-/// Noise of 0.03 mm breaks these seams by up to four degrees.
+/// To tolerances of 0.1 micrometres and 0.001 degrees. Noise of 0.1 mm breaks the seam by more than four degrees; a fair move of the faces is
+/// then larger than usually allowed.
 TEST(Repair, TwoSheets) {
   for (const int order : {1, 2})
-    for (const double noise_mm : {0.001, 0.01, 0.03})
+    for (const double noise_mm : {0.001, 0.01, 0.1})
       for (unsigned seed = 1; seed <= 3; ++seed) {
         std::mt19937 generator(seed);
         const TopoDS_Shape shape = disturbedGrid(generator, 2, 1, noise_mm);
         SCOPED_TRACE("order " + std::to_string(order) + ", noise " + std::to_string(noise_mm) + " mm, seed " +
                      std::to_string(seed));
-        const RepairReport report = repairedModel(shape, strictRepair(order));
+        RepairOptions options = strictRepair(order);
+        options.max_move_mm = 1;
+        const RepairReport report = repairedModel(shape, options);
         EXPECT_EQ(treated(report), 1);
         EXPECT_EQ(repairedSeams(report), 1) << reasonsOf(report);
-        EXPECT_LE(largestMove_mm(report), (order == 1 ? 5 : 10) * noise_mm);
-        const RepairReport again = repairedModel(report.model.shape, strictRepair(order));
+        EXPECT_LE(largestMove_mm(report), 10 * noise_mm);
+        const RepairReport again = repairedModel(report.model.shape, options);
         EXPECT_FALSE(again.changed());
       }
 }
 
 TEST(Repair, Grids) {
-  for (const double noise_mm : {0.001, 0.01, 0.03})
+  for (const double noise_mm : {0.001, 0.01, 0.1})
     for (unsigned seed = 1; seed <= 2; ++seed) {
       std::mt19937 generator(seed);
       const TopoDS_Shape shape = disturbedGrid(generator, 2, 2, noise_mm);
       SCOPED_TRACE("noise " + std::to_string(noise_mm) + " mm, seed " + std::to_string(seed));
-      const RepairReport report = repairedModel(shape, strictRepair(1));
+      RepairOptions options = strictRepair(1);
+      options.max_move_mm = 1;
+      const RepairReport report = repairedModel(shape, options);
       EXPECT_EQ(treated(report), 4);
       EXPECT_EQ(repairedSeams(report), 4) << reasonsOf(report);
       EXPECT_LE(largestMove_mm(report), 10 * noise_mm);
     }
 }
 
-/// Where noise breaks seams by tens of degrees, and no fair move mends that, what is promised holds all the same.
-TEST(Repair, WhatIsBrokenBeyondAFairMoveIsNoWorseAfter) {
+/// Where a fair move is larger than allowed what is promised holds all the same.
+TEST(Repair, WhatIsBrokenBeyondTheMovesAllowedIsNoWorseAfter) {
   for (const int count_v : {1, 2})
     for (unsigned seed = 1; seed <= 2; ++seed) {
       std::mt19937 generator(seed);
