@@ -54,6 +54,7 @@ class ProofCase {
   occ::Report report_;
   std::vector<occ::Seam> seams_;
   occ::Choice choice_;
+  occ::NeededVariation needed_;
 };
 
 /// All that speaks against a change.
