@@ -226,6 +226,7 @@ TEST(SurfaceJudge, LargerTolerancesAcceptMore) {
 TEST(SurfaceJudge, BadTolerances) {
   for (const double fairness : {0.99, -1.0, nan})
     EXPECT_THROW((SurfaceTolerance{fairness, 0}).validate(), std::invalid_argument);
+  EXPECT_THROW((SurfaceTolerance{infinity, 0}).validate(), std::invalid_argument);
   for (const double visible : {-1e-9, infinity, nan})
     EXPECT_THROW((SurfaceTolerance{1.5, visible}).validate(), std::invalid_argument);
   EXPECT_NO_THROW((SurfaceTolerance{infinity, 0}).validate());
@@ -242,8 +243,8 @@ TEST(SurfaceJudge, VisibleVariationIsWhatTheFairestTurnCosts) {
   const double h = width / places;
   for (int k = 1; k < places; ++k)
     mean.push_back(0.5 * (height((k - 1) * h) - 2 * height(k * h) + height((k + 1) * h)) / (h * h));
-  EXPECT_NEAR(variationOf(mean, 0).total, visibleVariation(tolerance, width),
-              0.01 * visibleVariation(tolerance, width));
+  EXPECT_NEAR(variationOf(mean, 0).total, visibleVariation(tolerance.angle_rad, width),
+              0.01 * visibleVariation(tolerance.angle_rad, width));
 }
 
 }  // namespace
