@@ -31,7 +31,7 @@ SurfaceVerdict judgeSurface(const SurfaceChange& change, const SurfaceTolerance&
     return {true, text.str()};
   }
   const int more = change.after.inflections - change.before.inflections;
-  constexpr int lines_with_one = 10;
+  constexpr int lines_with_one = 5;
   if (lines_with_one * more > change.after.lines) {
     text << "it has " << more << " more inflections along " << change.after.lines << " lines";
     return {true, text.str()};

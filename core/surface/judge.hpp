@@ -29,8 +29,8 @@ struct SurfaceVerdict {
   std::string reason;  ///< with the figures; empty if it is not worse
 };
 
-/// Worse iff the variation after exceeds fairness times that before plus what is visible, or more than one line in ten has an inflection
-/// that it did not have before: the difference of all inflections is larger than a tenth of the lines.
+/// Worse iff the variation after exceeds fairness times that before plus what is visible, or more than one line in five has an inflection
+/// that it did not have before: the difference of all inflections is larger than a fifth of the lines.
 ///
 /// Nothing becomes worse by a larger tolerance.
 SurfaceVerdict judgeSurface(const SurfaceChange& change, const SurfaceTolerance& tolerance);

@@ -71,6 +71,7 @@ Joint jointOf(const RepairTask& task, std::size_t i, const MissedPlaces& missed,
     joint.sides.push_back(side);
     joint.paths.push_back(pcurveOf(side.edge, side.shape, task.options.tolerance.gap_mm));
   }
+  joint.is_defect = task.before[i].verdict.seam_class == SeamClass::Defect;
   joint.turn_rad = task.options.tolerance.angle_rad + turns.at_rad(task.seams[i]);
   joint.map = task.seams[i].correspondence;
   if (const auto places = missed.find(i); places != missed.end()) joint.also = places->second;
@@ -154,6 +155,7 @@ FairStart startOf(const Part& part, const std::vector<FairComponent>& before, co
                   MovingFaces& movers) {
   FairStart start;
   for (const FairComponent& component : before) {
+    if (component.diverged) continue;
     for (const auto& [face, mover] : component.movers)
       if (part.faces.count(face) > 0) {
         movers.emplace(face, mover);
@@ -163,8 +165,9 @@ FairStart startOf(const Part& part, const std::vector<FairComponent>& before, co
     for (const Joint& joint : part.joints) {
       const auto weights = component.weights.find(joint.seam);
       if (joint.ask == Ask::Outline || weights == component.weights.end()) continue;
-      const bool was_treated = component.effort.count(joint.seam) > 0;
-      if (was_treated == (joint.ask == Ask::Join))
+      const auto order = component.orders.find(joint.seam);
+      const int was = order == component.orders.end() ? 0 : order->second;
+      if (was == (joint.ask == Ask::Join ? joint.order : 0))
         start.weights.insert(*weights);
       else
         for (const FaceUse& side : joint.sides) start.relaxed.insert(side.face);
@@ -192,18 +195,21 @@ FairComponent solved(const RepairTask& task, const Part& part, std::string key,
   for (auto& [face, mover] : component.movers) mover.stiffness = stiffnessOf(face, stiffness);
   FairResult result = fairSolve(part.joints, task.options.tolerance, start, component.movers, progress);
   component.weights = std::move(result.weights);
+  constexpr double far = 10;
   double most_missed = 1;
   for (std::size_t j = 0; j < part.joints.size(); ++j)
     if (part.joints[j].ask == Ask::Join) most_missed = std::max(most_missed, result.missed[j]);
   for (std::size_t j = 0; j < part.joints.size(); ++j) {
     const Joint& joint = part.joints[j];
     if (joint.ask != Ask::Join) continue;
+    component.orders[joint.seam] = joint.order;
     double& effort = component.effort[joint.seam];
     for (const auto& [s, weight] : component.weights[joint.seam]) effort = std::max(effort, weight);
     // Others may be missed for the sake of the worst.
     if (result.missed[j] > std::max(1.0, 0.5 * most_missed))
       component.failures[joint.seam] = whyMissed(result.missed[j]);
   }
+  component.diverged = most_missed > far;
   for (const auto& [face, mover] : component.movers)
     if (!mover.displacement.coefficients().isZero(0))
       component.changes.push_back(

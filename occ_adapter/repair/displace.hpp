@@ -23,9 +23,11 @@ struct FairComponent {
   std::string asked;  ///< all that was asked of it, as a key
   MovingFaces movers;
   std::map<std::size_t, SampleWeights> weights;  ///< by seam
+  std::map<std::size_t, int> orders;             ///< by treated seam: what was asked for
   std::map<std::size_t, double> effort;          ///< by treated seam: the largest weight of its samples
   std::map<std::size_t, std::string> failures;   ///< treated seams that miss their tolerance: why
   std::vector<FaceChange> changes;
+  bool diverged = false;  ///< it is no place to start from
 };
 
 /// The displacement of the faces beside treated seams with the least bending energy that brings these seams within the tolerance and keeps

@@ -185,7 +185,7 @@ Displacement::Displacement(const PreparedSurface& given, bool given_periodic,
   shape_ = new Geom_BSplineSurface(TColgp_Array2OfPnt(1, poles_count[0], 1, poles_count[1]),
                                    arrayOf(knots[0]), arrayOf(knots[1]), multiplicities[0], multiplicities[1],
                                    u, v, periodic[0], periodic[1]);
-  size_mm_ = (given_poles_.colwise().maxCoeff() - given_poles_.colwise().minCoeff()).norm();
+  size_mm_ = 2 * (given_poles_.rowwise() - given_poles_.colwise().mean()).rowwise().norm().maxCoeff();
   basis_ = SurfaceBasis(*shape_);
   number();
   coefficients_ = PointRows::Zero(count_, 3);
@@ -365,10 +365,12 @@ void joinSides(const SurfaceBasis& basis, const PointRows& given, double near_mm
 /// X in the knots of both, and the moves of its poles: W D is fitted by least squares in the polynomial functions of X, which for a polynomial X
 /// hold it.
 std::pair<SplineSurface, PointRows> Displacement::refined() const {
-  const SplineSurface x = copied(given_);
-  x->IncreaseDegree(std::max(x->UDegree(), shape_->UDegree()), std::max(x->VDegree(), shape_->VDegree()));
+  const SplineSurface x = copied(given_), d = copied(shape_);
+  x->IncreaseDegree(std::max(x->UDegree(), d->UDegree()), std::max(x->VDegree(), d->VDegree()));
+  // In a higher degree the knots of D stand as often as its smoothness there asks for.
+  d->IncreaseDegree(x->UDegree(), x->VDegree());
   for (const int direction : {0, 1})
-    insertKnots(*x, direction, lacking(knotLine(*shape_, direction), knotLine(*x, direction)));
+    insertKnots(*x, direction, lacking(knotLine(*d, direction), knotLine(*x, direction)));
   const SurfaceBasis basis(*x);
   const std::vector<double> places_u = fitPlaces(basis.u()), places_v = fitPlaces(basis.v());
   const Eigen::MatrixXd x_u = collocation(basis.u(), places_u), x_v = collocation(basis.v(), places_v);

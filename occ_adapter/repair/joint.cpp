@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 #include <seamwright/core/differential/fundamental_forms.hpp>
@@ -197,9 +198,16 @@ double weightOf(const JointSample& sample) {
   return sample.weight * std::sqrt(samples_per_joint * sample.part) / share_of_tolerance;
 }
 
-void addNormals(const JointSample& sample, const Differences& now, const Frame& frame,
+/// What normals differ by beyond what they may: that of a kept defect may shrink, or turn.
+Eigen::Vector3d tooMuch(const Joint& joint, const JointSample& sample, const Eigen::Vector3d& normal) {
+  const Eigen::Vector3d given = sample.given.normal.value_or(Eigen::Vector3d::Zero());
+  if (joint.ask != Ask::Keep || !joint.is_defect) return normal - given;
+  return normal.norm() > given.norm() ? Eigen::Vector3d(normal - given.norm() * normal.normalized())
+                                      : Eigen::Vector3d::Zero();
+}
+
+void addNormals(const JointSample& sample, const Eigen::Vector3d& missing, const Frame& frame,
                 const std::array<SurfaceJet, 2>& jets, double weight, StepSystem& system) {
-  const Eigen::Vector3d missing = *now.normal - sample.given.normal.value_or(Eigen::Vector3d::Zero());
   for (const Eigen::Vector3d& way : {frame.tangent, frame.cross}) {
     Row row(sample, system);
     for (const int k : {0, 1})
@@ -326,7 +334,14 @@ Differences differencesAt(const Joint& joint, const JointSample& sample) {
                        joint.ask == Ask::Outline ? other.shown.jet : jetOf(other));
 }
 
-double missedShare(const Joint& joint, const JointSample& sample) {
+namespace {
+
+/// Not a number where one of them is none.
+double larger(double a, double b) {
+  return a >= b ? a : b;
+}
+
+double missedShareOf(const Joint& joint, const JointSample& sample) {
   constexpr double free_share = 0.5, growth_share = 0.2;
   if (joint.ask == Ask::Outline) return 0;
   const Differences now = differencesAt(joint, sample);
@@ -334,15 +349,22 @@ double missedShare(const Joint& joint, const JointSample& sample) {
     return joint.ask == Ask::Join ? is / limit
                                   : (is - std::max(was, free_share * limit)) / (growth_share * limit);
   };
-  double missed = std::max(0.0, share(now.gap.norm(), sample.given.gap.norm(), sample.limits.gap_mm));
-  missed = std::max(missed, slide_mm(sample, now.gap - sample.given.gap) / sample.limits.slide_mm);
-  if (joint.order < 1) return std::max(missed, turned_rad(sample) / joint.turn_rad);
+  double missed = larger(0, share(now.gap.norm(), sample.given.gap.norm(), sample.limits.gap_mm));
+  missed = larger(missed, slide_mm(sample, now.gap - sample.given.gap) / sample.limits.slide_mm);
+  if (joint.order < 1) return larger(missed, turned_rad(sample) / joint.turn_rad);
   if (!now.normal) return missed;
   const double was = sample.given.normal ? sample.given.normal->norm() : 0;
-  missed = std::max(missed, share(now.normal->norm(), was, sample.limits.angle_rad));
+  missed = larger(missed, share(now.normal->norm(), was, sample.limits.angle_rad));
   if (joint.order < 2) return missed;
   return std::max(missed,
                   (now.bend - sample.given.bend).cwiseAbs().maxCoeff() / sample.limits.curvature_per_mm);
+}
+
+}  // namespace
+
+double missedShare(const Joint& joint, const JointSample& sample) {
+  const double missed = missedShareOf(joint, sample);
+  return std::isnan(missed) ? std::numeric_limits<double>::infinity() : missed;
 }
 
 double costOf(const Joint& joint, const JointSample& sample) {
@@ -352,8 +374,7 @@ double costOf(const Joint& joint, const JointSample& sample) {
   double cost = gap.squaredNorm() / std::pow(sample.limits.gap_mm, 2);
   if (sample.sides.size() > 1) cost += std::pow(slide_mm(sample, gap) / sample.limits.slide_mm, 2);
   if (now.normal)
-    cost += (*now.normal - sample.given.normal.value_or(Eigen::Vector3d::Zero())).squaredNorm() /
-            std::pow(sample.limits.angle_rad, 2);
+    cost += tooMuch(joint, sample, *now.normal).squaredNorm() / std::pow(sample.limits.angle_rad, 2);
   if (joint.order < 1 && sample.sides.size() > 1)
     for (const JointSide& side : sample.sides)
       if (const std::optional<Tilt> tilt = tiltOf(sample, side))
@@ -384,7 +405,9 @@ void addConditions(const Joint& joint, const JointSample& sample, StepSystem& sy
   const std::array<SurfaceJet, 2> jets = {jetOf(sample.sides[0]), jetOf(sample.sides[1])};
   const auto normal = normalOf(sample.sides[0], jets[0]);
   const Frame frame = frameOf(sample, (*normal - 0.5 * *now.normal).normalized());
-  addNormals(sample, now, frame, jets, weight / sample.limits.angle_rad, system);
+  const Eigen::Vector3d missing = tooMuch(joint, sample, *now.normal);
+  const bool may_shrink = joint.ask == Ask::Keep && joint.is_defect && missing.isZero(0);
+  if (!may_shrink) addNormals(sample, missing, frame, jets, weight / sample.limits.angle_rad, system);
   if (joint.order > 1)
     addCurvatures(sample, now, frame, jets, weight / sample.limits.curvature_per_mm, system);
 }

@@ -110,7 +110,10 @@ class Repairing {
     for (std::size_t i = 0; i < done.orders.size(); ++i) {
       if (done.orders[i] == 0) continue;
       now_.to_keep[i] = now_.after.seams[i];
-      if (done.orders[i] == options_.order) now_.reasons[i].clear();
+      if (done.orders[i] == options_.order || sharp_[i])
+        now_.reasons[i].clear();
+      else
+        now_.reasons[i] = "G1 reached; G2: " + now_.reasons[i];
     }
   }
 

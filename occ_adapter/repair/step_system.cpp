@@ -96,8 +96,10 @@ PointRows StepSystem::solve() {
   double largest = 0;
   for (const SymmetricBlock& block : blocks_) largest = std::max(largest, block.head<3>().maxCoeff());
   double raised = 0;
-  while (!cholesky_.factor(blocks_, raised))
+  while (!cholesky_.factor(blocks_, raised)) {
     raised = std::max(10 * raised, std::numeric_limits<double>::epsilon() * largest);
+    if (!(raised > 0) || !(raised <= largest)) return PointRows::Zero(right_.rows(), 3);
+  }
   return cholesky_.solve(right_);
 }
 

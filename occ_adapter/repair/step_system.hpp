@@ -29,7 +29,8 @@ class StepSystem {
   /// factor |step + at|^2
   void addDamping(int point, double factor, const Eigen::Vector3d& at);
 
-  /// Where rounding hides that the normal matrix is positive definite its diagonal is raised by as much.
+  /// Where rounding hides that the normal matrix is positive definite its diagonal is raised by as much. No step where it is zero or not
+  /// finite.
   PointRows solve();
 
  private:
