@@ -41,7 +41,7 @@ MovingFace moverOf(int number, const TopoDS_Face& face, const RepairTask& task) 
   BRepTools::UVBounds(face, range[0], range[1], range[2], range[3]);
   MovingFace mover{Displacement(surface, range, first_spans, share_of_gap * task.options.tolerance.gap_mm), 0,
                    0};
-  const double visible = allowedVariation(number, face, task.options.tolerance, task.needed);
+  const double visible = allowedVariation(number, face, task.options, task.needed);
   const SurfaceChange still = measureChange(face, surface, 0, visible, {.lines = 16});
   mover.budget_per_mm = share_of_variation * still.before.variation_per_mm + visible;
   GProp_GProps properties;
@@ -150,12 +150,21 @@ std::string keyOf(const Part& part, const Stiffness& stiffness) {
   return key.str();
 }
 
-/// What a solution can take over from those before.
+/// A seam that was to have G2 is to have G1.
+bool getsLower(const Part& part, const FairComponent& component) {
+  return std::ranges::any_of(part.joints, [&component](const Joint& joint) {
+    const auto order = component.orders.find(joint.seam);
+    return joint.ask == Ask::Join && order != component.orders.end() && joint.order < order->second;
+  });
+}
+
+/// What a solution can take over from those before. Where less continuity is asked for it begins again: curvature that was in the way has left its
+/// traces.
 FairStart startOf(const Part& part, const std::vector<FairComponent>& before, const Stiffness& stiffness,
                   MovingFaces& movers) {
   FairStart start;
   for (const FairComponent& component : before) {
-    if (component.diverged) continue;
+    if (component.diverged || getsLower(part, component)) continue;
     for (const auto& [face, mover] : component.movers)
       if (part.faces.count(face) > 0) {
         movers.emplace(face, mover);

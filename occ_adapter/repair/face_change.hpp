@@ -37,8 +37,8 @@ using NeededVariation = std::map<int, double>;
 NeededVariation neededVariation(const TopoDS_Shape& shape, const std::vector<SeamResult>& seams,
                                 const std::vector<bool>& treated);
 
-/// What can't be seen on a face or is needed, see visibleVariation(): over the diagonal of its box for the accepted angle.
-double allowedVariation(int number, const TopoDS_Face& face, const ContinuityTolerance& tolerance,
+/// What can't be seen on a face or is needed: visibleVariation() of the accepted angle over the diagonal of its box, and fairness times what is needed.
+double allowedVariation(int number, const TopoDS_Face& face, const RepairOptions& options,
                         const NeededVariation& needed);
 
 /// A face's change, measured and judged. \param after see measureChange(). \throws Standard_Failure.

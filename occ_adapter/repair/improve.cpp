@@ -103,6 +103,7 @@ class Moving {
   Improvement run(const Progress& progress) {
     double done = 0;
     while (!rounds_.isOver()) {
+      if (progress && !progress(done)) throw Cancelled();
       const double next = done + (1 - done) / 3;
       const Progress solving = partOf(progress, done, (done + next) / 2),
                      proving = partOf(progress, (done + next) / 2, next);

@@ -336,18 +336,24 @@ Differences differencesAt(const Joint& joint, const JointSample& sample) {
 
 namespace {
 
+/// Up to half the tolerance any growth does, then by a fifth of it; what is within the tolerance stays so, by a margin.
+double grownShare(double is, double was, double limit) {
+  constexpr double free_share = 0.5, growth_share = 0.2, least_share = 1e-3;
+  const double start = std::max(was, free_share * limit);
+  const double room = was < limit ? 0.5 * (limit - start) : limit;
+  return (is - start) / std::clamp(room, least_share * limit, growth_share * limit);
+}
+
 /// Not a number where one of them is none.
 double larger(double a, double b) {
   return a >= b ? a : b;
 }
 
 double missedShareOf(const Joint& joint, const JointSample& sample) {
-  constexpr double free_share = 0.5, growth_share = 0.2;
   if (joint.ask == Ask::Outline) return 0;
   const Differences now = differencesAt(joint, sample);
   const auto share = [&joint](double is, double was, double limit) {
-    return joint.ask == Ask::Join ? is / limit
-                                  : (is - std::max(was, free_share * limit)) / (growth_share * limit);
+    return joint.ask == Ask::Join ? is / limit : grownShare(is, was, limit);
   };
   double missed = larger(0, share(now.gap.norm(), sample.given.gap.norm(), sample.limits.gap_mm));
   missed = larger(missed, slide_mm(sample, now.gap - sample.given.gap) / sample.limits.slide_mm);

@@ -287,7 +287,7 @@ TEST(Improve, ASeamThatCantHaveCurvatureGetsATangentPlane) {
   for (std::size_t i = 0; i < task.seams.size(); ++i) {
     if (task.before[i].verdict.level != Level::G0 || !task.isTreated(i)) continue;
     ++kinks;
-    EXPECT_EQ(done.orders[i], 1) << describe(done.after[i]);
+    EXPECT_EQ(done.orders[i], 1) << describe(done.after[i]) << done.reasons.at(i);
     EXPECT_TRUE(occ::isRepaired(done.after[i], false, {}, Level::G1)) << describe(done.after[i]);
     EXPECT_EQ(done.reasons.count(i), 1);
   }

@@ -135,6 +135,7 @@ RepairOptions strictRepair(int order) {
   RepairOptions options;
   options.order = order;
   options.tolerance = strict(order).tolerance;
+  options.fairness = 100;  // what is within such tolerances follows all that sides do along the seam
   return options;
 }
 
