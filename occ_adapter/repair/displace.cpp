@@ -41,7 +41,7 @@ MovingFace moverOf(int number, const TopoDS_Face& face, const RepairTask& task) 
   BRepTools::UVBounds(face, range[0], range[1], range[2], range[3]);
   MovingFace mover{Displacement(surface, range, first_spans, share_of_gap * task.options.tolerance.gap_mm), 0,
                    0};
-  const double visible = allowedVariation(number, face, task.options, task.needed);
+  const double visible = allowedVariation(number, face, task.options.tolerance, task.needed, 1);
   const SurfaceChange still = measureChange(face, surface, 0, visible, {.lines = 16});
   mover.budget_per_mm = share_of_variation * still.before.variation_per_mm + visible;
   GProp_GProps properties;

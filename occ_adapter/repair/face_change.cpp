@@ -229,18 +229,18 @@ NeededVariation neededVariation(const TopoDS_Shape& shape, const std::vector<Sea
   return needed;
 }
 
-double allowedVariation(int number, const TopoDS_Face& face, const RepairOptions& options,
-                        const NeededVariation& needed) {
+double allowedVariation(int number, const TopoDS_Face& face, const ContinuityTolerance& tolerance,
+                        const NeededVariation& needed, double fairness) {
   const auto found = needed.find(number);
-  return visibleVariation(options.tolerance.angle_rad, diagonal_mm(face)) +
-         (found == needed.end() ? 0 : options.fairness * found->second);
+  return visibleVariation(tolerance.angle_rad, diagonal_mm(face)) +
+         (found == needed.end() ? 0 : fairness * found->second);
 }
 
 FaceMove judgedMove(int number, const TopoDS_Face& face,
                     const opencascade::handle<Geom_BSplineSurface>& after, double largest_move_mm,
                     const RepairOptions& options, const NeededVariation& needed) {
   FaceMove move{number, largest_move_mm};
-  const double visible = allowedVariation(number, face, options, needed);
+  const double visible = allowedVariation(number, face, options.tolerance, needed, options.fairness);
   move.surface = measureChange(face, after, largest_move_mm, visible);
   move.verdict = judgeSurface(*move.surface, {options.fairness, visible});
   return move;

@@ -38,8 +38,8 @@ NeededVariation neededVariation(const TopoDS_Shape& shape, const std::vector<Sea
                                 const std::vector<bool>& treated);
 
 /// What can't be seen on a face or is needed: visibleVariation() of the accepted angle over the diagonal of its box, and fairness times what is needed.
-double allowedVariation(int number, const TopoDS_Face& face, const RepairOptions& options,
-                        const NeededVariation& needed);
+double allowedVariation(int number, const TopoDS_Face& face, const ContinuityTolerance& tolerance,
+                        const NeededVariation& needed, double fairness);
 
 /// A face's change, measured and judged. \param after see measureChange(). \throws Standard_Failure.
 FaceMove judgedMove(int number, const TopoDS_Face& face,
