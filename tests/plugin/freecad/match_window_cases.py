@@ -329,9 +329,10 @@ class Stripes(MatchWindow):
             view.fitAll()
             settle()
             lines = greys(picture("zebra-seam-%g" % slope))
-            middle = lines.shape[1] // 2
-            inside = slice(lines.shape[0] // 2 - 150, lines.shape[0] // 2 + 150)
-            jumps.append(int((abs(lines[inside, middle - 1] - lines[inside, middle + 1]) > 150).sum()))
+            # The seam is near the middle: fitAll() centres by some pixels differently in different releases.
+            middle, inside = lines.shape[1] // 2, slice(lines.shape[0] // 2 - 150, lines.shape[0] // 2 + 150)
+            near = range(middle - 20, middle + 20)
+            jumps.append(max(int((abs(lines[inside, x - 1] - lines[inside, x + 1]) > 150).sum()) for x in near))
         self.assertGreater(jumps[0], 3 * jumps[1] + 20)
 
     def test_stripes_follow_shape_place_and_visibility(self):

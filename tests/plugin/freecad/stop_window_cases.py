@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Computations that the user stops, in FreeCAD's window: what the panel says, and what stays; run by run_freecad.py --window."""
 
+import re
 import threading
 import time
 from unittest import mock
@@ -48,8 +49,9 @@ class Repairing(PanelWindow):
         super().tearDown()
 
     def values(self):
-        """All that the document keeps of the repair."""
-        return [str(getattr(self.obj, name)) for name in sorted(self.obj.PropertiesList) if name != "Shape"]
+        """All that the document keeps of the repair; objects of FreeCAD without the addresses in their names."""
+        kept = [name for name in sorted(self.obj.PropertiesList) if name != "Shape"]
+        return [re.sub("0x[0-9a-f]+", "", str(getattr(self.obj, name))) for name in kept]
 
     def test_escape_stops_the_first_run_and_then_closes_the_panel(self):
         before = self.values()
