@@ -32,6 +32,14 @@ handle<Geom_BSplineSurface> splineOfFace(const TopoDS_Face& face) {
   return handle<Geom_BSplineSurface>::DownCast(spline->Transformed(location.Transformation()));
 }
 
+bool isTreatedWhereItCloses(int face, const RepairTask& task) {
+  for (std::size_t i = 0; i < task.seams.size(); ++i)
+    if (const auto& sides = task.seams[i].sides;
+        task.isTreated(i) && sides[0].face == face && sides[1].face == face)
+      return true;
+  return false;
+}
+
 /// Its budget is half of what its curvature varies by, and what can't be seen or is needed.
 MovingFace moverOf(int number, const TopoDS_Face& face, const RepairTask& task) {
   constexpr int first_spans = 4;
@@ -39,8 +47,9 @@ MovingFace moverOf(int number, const TopoDS_Face& face, const RepairTask& task) 
   const handle<Geom_BSplineSurface> surface = splineOfFace(face);
   std::array<double, 4> range{};
   BRepTools::UVBounds(face, range[0], range[1], range[2], range[3]);
-  MovingFace mover{Displacement(surface, range, first_spans, share_of_gap * task.options.tolerance.gap_mm), 0,
-                   0};
+  MovingFace mover{Displacement(surface, range, first_spans, share_of_gap * task.options.tolerance.gap_mm,
+                                isTreatedWhereItCloses(number, task)),
+                   0, 0};
   const double visible = allowedVariation(number, face, task.options.tolerance, task.needed, 1);
   const SurfaceChange still = measureChange(face, surface, 0, visible, {.lines = 16});
   mover.budget_per_mm = share_of_variation * still.before.variation_per_mm + visible;
@@ -71,7 +80,6 @@ Joint jointOf(const RepairTask& task, std::size_t i, const MissedPlaces& missed,
     joint.sides.push_back(side);
     joint.paths.push_back(pcurveOf(side.edge, side.shape, task.options.tolerance.gap_mm));
   }
-  joint.is_defect = task.before[i].verdict.seam_class == SeamClass::Defect;
   joint.turn_rad = task.options.tolerance.angle_rad + turns.at_rad(task.seams[i]);
   joint.map = task.seams[i].correspondence;
   if (const auto places = missed.find(i); places != missed.end()) joint.also = places->second;
@@ -192,6 +200,22 @@ std::string whyMissed(double missed) {
   return text.str();
 }
 
+/// Those that miss most, as others may be missed for their sake. \param with_curvature of the seams that are to have G2, else of the others.
+Reasons failuresOf(const Part& part, const std::vector<double>& missed, bool with_curvature) {
+  constexpr double share_of_worst = 0.5;
+  double worst = 0;
+  const auto counts = [&](std::size_t j) {
+    return part.joints[j].ask == Ask::Join && (part.joints[j].order > 1) == with_curvature;
+  };
+  for (std::size_t j = 0; j < missed.size(); ++j)
+    if (counts(j)) worst = std::max(worst, missed[j]);
+  Reasons failures;
+  for (std::size_t j = 0; j < missed.size(); ++j)
+    if (counts(j) && missed[j] >= share_of_worst * worst)
+      failures[part.joints[j].seam] = whyMissed(missed[j]);
+  return failures;
+}
+
 FairComponent solved(const RepairTask& task, const Part& part, std::string key,
                      const TopTools_IndexedMapOfShape& faces, const std::vector<FairComponent>& before,
                      const Stiffness& stiffness, const Progress& progress) {
@@ -206,23 +230,35 @@ FairComponent solved(const RepairTask& task, const Part& part, std::string key,
   component.weights = std::move(result.weights);
   constexpr double far = 10;
   double most_missed = 1;
+  int most_asked = 0;
   for (std::size_t j = 0; j < part.joints.size(); ++j)
-    if (part.joints[j].ask == Ask::Join) most_missed = std::max(most_missed, result.missed[j]);
-  for (std::size_t j = 0; j < part.joints.size(); ++j) {
-    const Joint& joint = part.joints[j];
-    if (joint.ask != Ask::Join) continue;
-    component.orders[joint.seam] = joint.order;
-    double& effort = component.effort[joint.seam];
-    for (const auto& [s, weight] : component.weights[joint.seam]) effort = std::max(effort, weight);
-    // Others may be missed for the sake of the worst.
-    if (result.missed[j] > std::max(1.0, 0.5 * most_missed))
-      component.failures[joint.seam] = whyMissed(result.missed[j]);
-  }
+    if (const Joint& joint = part.joints[j]; joint.ask == Ask::Join) {
+      most_missed = std::max(most_missed, result.missed[j]);
+      most_asked = std::max(most_asked, joint.order);
+      component.orders[joint.seam] = joint.order;
+      double& effort = component.effort[joint.seam];
+      for (const auto& [s, weight] : component.weights[joint.seam]) effort = std::max(effort, weight);
+    }
+  if (most_missed > 1) component.failures = failuresOf(part, result.missed, most_asked > 1);
   component.diverged = most_missed > far;
   for (const auto& [face, mover] : component.movers)
     if (!mover.displacement.coefficients().isZero(0))
       component.changes.push_back(
           {face, handle<Geom_Surface>(mover.displacement.surface()), mover.displacement.largestMove_mm()});
+  return component;
+}
+
+/// The others can do without it.
+FairComponent failed(const Part& part, std::string key, const std::string& why) {
+  FairComponent component;
+  component.asked = std::move(key);
+  component.diverged = true;
+  for (const Joint& joint : part.joints)
+    if (joint.ask == Ask::Join) {
+      component.orders[joint.seam] = joint.order;
+      component.effort[joint.seam] = 0;
+      component.failures[joint.seam] = why;
+    }
   return component;
 }
 
@@ -241,9 +277,15 @@ std::vector<FairComponent> displaceFaces(const RepairTask& task, const MissedPla
   const auto solve = [&](std::size_t k) {
     std::string key = keyOf(parts[k], stiffness);
     const auto known = std::ranges::find(before, key, &FairComponent::asked);
-    components[k] = known != before.end()
-                        ? *known
-                        : solved(task, parts[k], std::move(key), faces, before, stiffness, goes_on);
+    if (known != before.end()) {
+      components[k] = *known;
+      return;
+    }
+    try {
+      components[k] = solved(task, parts[k], key, faces, before, stiffness, goes_on);
+    } catch (const Standard_Failure& failure) {
+      components[k] = failed(parts[k], std::move(key), whyFailed(failure));
+    }
   };
   runParallel(parts.size(), task.options.jobs, solve, [&](double share) {
     if (progress && !progress(share)) is_cancelled = true;

@@ -7,7 +7,10 @@
 #include <TColgp_Array2OfPnt.hxx>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <tuple>
+#include <utility>
 
 #include <seamwright/core/bspline/basis.hpp>
 #include <seamwright/occ_adapter/convert/closed_spline.hpp>
@@ -38,6 +41,14 @@ KnotLine knotLine(const Geom_BSplineSurface& surface, int direction) {
     line.multiplicities.push_back(direction == 0 ? surface.UMultiplicity(i) : surface.VMultiplicity(i));
   }
   return line;
+}
+
+/// Whether its second derivatives jump there.
+bool bendsAt(const Geom_BSplineSurface& surface, int direction, double knot) {
+  const KnotLine own = knotLine(surface, direction);
+  const auto found = std::ranges::find(own.knots, knot);
+  const int degree = direction == 0 ? surface.UDegree() : surface.VDegree();
+  return found != own.knots.end() && own.multiplicities[found - own.knots.begin()] >= degree - 1;
 }
 
 void insertKnots(Geom_BSplineSurface& surface, int direction, const KnotLine& line) {
@@ -85,6 +96,12 @@ std::vector<double> coarseKnots(const KnotLine& own, double from, double to, int
   }
   knots.push_back(last);
   return knots;
+}
+
+/// Of a periodic surface: continuous derivatives that its knots grant where it ends at itself.
+int smoothnessAtClosing(const Geom_BSplineSurface& surface, int direction) {
+  return direction == 0 ? surface.UDegree() - surface.UMultiplicity(1)
+                        : surface.VDegree() - surface.VMultiplicity(1);
 }
 
 TColStd_Array1OfReal arrayOf(const std::vector<double>& values) {
@@ -147,12 +164,13 @@ Eigen::MatrixXd hessianShares(const PoleShares& shares, const SurfaceJet& jet, d
 }  // namespace
 
 Displacement::Displacement(const SplineSurface& given, const std::array<double, 4>& face_range, int spans,
-                           double near_mm)
+                           double near_mm, bool bends_at_closing)
     : Displacement(prepared(given, near_mm), given->IsUPeriodic() || given->IsVPeriodic(), face_range, spans,
-                   near_mm) {}
+                   near_mm, bends_at_closing) {}
 
 Displacement::Displacement(const PreparedSurface& given, bool given_periodic,
-                           const std::array<double, 4>& face_range, int spans, double near_mm)
+                           const std::array<double, 4>& face_range, int spans, double near_mm,
+                           bool bends_at_closing)
     : given_(given.surface),
       collapse_mm_(given.collapse_mm),
       range_(face_range),
@@ -179,8 +197,11 @@ Displacement::Displacement(const PreparedSurface& given, bool given_periodic,
     const int count = static_cast<int>(knots[k].size());
     multiplicities[k].Resize(1, count, false);
     multiplicities[k].Init(1);
-    if (!periodic[k]) multiplicities[k](1) = multiplicities[k](count) = degrees[k] + 1;
-    poles_count[k] = periodic[k] ? count - 1 : count + degrees[k] - 1;
+    const int ends = !periodic[k]       ? degrees[k] + 1
+                     : bends_at_closing ? std::max(1, degrees[k] - smoothnessAtClosing(*given_, k))
+                                        : 1;
+    multiplicities[k](1) = multiplicities[k](count) = ends;
+    poles_count[k] = periodic[k] ? count - 2 + ends : count + degrees[k] - 1;
   }
   shape_ = new Geom_BSplineSurface(TColgp_Array2OfPnt(1, poles_count[0], 1, poles_count[1]),
                                    arrayOf(knots[0]), arrayOf(knots[1]), multiplicities[0], multiplicities[1],
@@ -256,14 +277,21 @@ bool Displacement::halve(const std::array<std::set<int>, 2>& spans) {
   for (const int direction : {0, 1}) {
     const SplineAxis& axis = direction == 0 ? basis_.u() : basis_.v();
     const std::vector<double> own = knotLine(*given_, direction).knots;
-    KnotLine inserted;
+    std::map<double, int> inserted;  // by knot: its multiplicity
     for (const int span : spans[direction]) {
       const double length = axis.length(span);
-      inserted.knots.push_back(snapped(axis.middle(span), own, 0.25 * length));
-      inserted.multiplicities.push_back(1);
+      inserted.emplace(snapped(axis.middle(span), own, 0.25 * length), 1);
+      for (const double knot : {axis.knots[span], axis.knots[span + 1]})
+        if (knot > axis.first && knot < axis.last && bendsAt(*given_, direction, knot))
+          inserted[knot] = axis.degree - 1;
     }
-    any = any || !inserted.knots.empty();
-    insertKnots(*refined, direction, inserted);
+    any = any || !inserted.empty();
+    KnotLine line;
+    for (const auto& [knot, multiplicity] : inserted) {
+      line.knots.push_back(knot);
+      line.multiplicities.push_back(multiplicity);
+    }
+    insertKnots(*refined, direction, line);
   }
   if (!any) return false;
   const PointRows poles = polesOf(*refined);
@@ -362,11 +390,15 @@ void joinSides(const SurfaceBasis& basis, const PointRows& given, double near_mm
 
 }  // namespace
 
-/// X in the knots of both, and the moves of its poles: W D is fitted by least squares in the polynomial functions of X, which for a polynomial X
-/// hold it.
+/// X in the knots of both, and the moves of its poles. W D, with W the denominator of X, is a spline of the sum of their degrees in these knots: a fit by
+/// least squares finds it.
 std::pair<SplineSurface, PointRows> Displacement::refined() const {
   const SplineSurface x = copied(given_), d = copied(shape_);
-  x->IncreaseDegree(std::max(x->UDegree(), d->UDegree()), std::max(x->VDegree(), d->VDegree()));
+  const bool is_rational = x->IsURational() || x->IsVRational();
+  const auto degree = [is_rational](int of_x, int of_d) {
+    return is_rational ? of_x + of_d : std::max(of_x, of_d);
+  };
+  x->IncreaseDegree(degree(x->UDegree(), d->UDegree()), degree(x->VDegree(), d->VDegree()));
   // In a higher degree the knots of D stand as often as its smoothness there asks for.
   d->IncreaseDegree(x->UDegree(), x->VDegree());
   for (const int direction : {0, 1})
@@ -396,8 +428,21 @@ std::pair<SplineSurface, PointRows> Displacement::refined() const {
   return {x, moves};
 }
 
+/// The poles of the part over the face bound the moves of its points. Nothing is cut off in a periodic direction.
 double Displacement::largestMove_mm() const {
-  return refined().second.rowwise().norm().maxCoeff() + collapse_mm_;
+  const auto [surface, moves] = refined();
+  setPoles(*surface, moves);
+  std::array<double, 4> part{};
+  surface->Bounds(part[0], part[1], part[2], part[3]);
+  const std::array<bool, 2> periodic = {static_cast<bool>(surface->IsUPeriodic()),
+                                        static_cast<bool>(surface->IsVPeriodic())};
+  for (const int k : {0, 1}) {
+    const double from = std::max(part[2 * k], range_[2 * k]),
+                 to = std::min(part[2 * k + 1], range_[2 * k + 1]);
+    if (!periodic[k] && from < to) std::tie(part[2 * k], part[2 * k + 1]) = std::pair(from, to);
+  }
+  if (!periodic[0] && !periodic[1]) surface->Segment(part[0], part[1], part[2], part[3]);
+  return polesOf(*surface).rowwise().norm().maxCoeff() + collapse_mm_;
 }
 
 SplineSurface Displacement::surface() const {

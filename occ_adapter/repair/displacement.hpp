@@ -20,14 +20,15 @@ struct EnergyBlock {
 };
 
 /// X + D: a surface X that is given and a displacement D, a spline over the same domain with few knots of its own. D has degree 3 at least and
-/// simple knots, so it bends nowhere sharply, whatever knots X has. It is periodic where X is.
+/// simple knots, so it bends nowhere sharply, whatever knots X has. It is periodic where X is; where X ends at itself with a seam that is to be repaired
+/// it may bend as sharply as X.
 /// Sides of X that are one point, or within \p near_mm one, have one coefficient.
 class Displacement {
  public:
   /// \param given clamped or periodic. \param face_range of the parameters that the face shows: u from, to, v from, to.
-  /// \param spans of D over the face's range, in both directions.
+  /// \param spans of D over the face's range, in both directions. \param bends_at_closing see above.
   Displacement(const opencascade::handle<Geom_BSplineSurface>& given, const std::array<double, 4>& face_range,
-               int spans, double near_mm);
+               int spans, double near_mm, bool bends_at_closing = false);
 
   /// Unknowns: D = sum of share times coefficient.
   int count() const { return count_; }
@@ -56,14 +57,14 @@ class Displacement {
   std::vector<EnergyBlock> bending() const;
 
   double size_mm() const { return size_mm_; }
-  /// The largest move of a pole of X in the knots of both, with what made a side one point.
+  /// No point of the face moves by more: the largest move of a pole of its part of X in the knots of both, with what made a side one point.
   double largestMove_mm() const;
-  /// X + D in the knots of both; X itself where D is zero.
+  /// X + D in the knots of both, for a rational X in the sum of their degrees; X itself where D is zero.
   opencascade::handle<Geom_BSplineSurface> surface() const;
 
  private:
   Displacement(const PreparedSurface& given, bool given_periodic, const std::array<double, 4>& face_range,
-               int spans, double near_mm);
+               int spans, double near_mm, bool bends_at_closing);
   void number();
   EnergyBlock bendingOfSpan(int span_u, int span_v, double least_metric) const;
   opencascade::handle<Geom_BSplineSurface> displacementSurface() const;

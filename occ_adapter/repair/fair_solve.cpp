@@ -30,7 +30,7 @@ class FairSolving {
     else
       freeWhereNeeded(start.relaxed);
     for (int refinement = 0;; ++refinement) {
-      if (unknowns_ > 0) solve(start.is_new);
+      if (unknowns_ > 0) solve(start.is_new, refinement < most_refinements);
       if (worst() <= enough || refinement == most_refinements || !refine()) break;
     }
     FairResult result{missed_, {}};
@@ -168,8 +168,8 @@ class FairSolving {
       const PointRows& all = movers_.at(energy.face).displacement.coefficients();
       const PointRows at = all(energy.block.coefficients, Eigen::indexing::all);
       const PointRows pull = energy.block.matrix * at;
-      system.addEnergy(energy.cell, energy.block.matrix(energy.free, energy.free),
-                       pull(energy.free, Eigen::indexing::all));
+      system.addEnergy(energy.cell, ease_ * energy.block.matrix(energy.free, energy.free),
+                       ease_ * pull(energy.free, Eigen::indexing::all));
     }
     for (auto& [face, mover] : movers_) addDamping(face, mover, system);
     for (std::size_t j = 0; j < joints_.size(); ++j)
@@ -186,7 +186,7 @@ class FairSolving {
 
   void addDamping(int face, const MovingFace& mover, StepSystem& system) {
     const std::vector<int>& unknown = unknown_[face];
-    const double factor = damping(mover);
+    const double factor = ease_ * damping(mover);
     for (std::size_t k = 0; k < unknown.size(); ++k)
       if (unknown[k] >= 0)
         system.addDamping(unknown[k], factor,
@@ -208,64 +208,92 @@ class FairSolving {
     for (const FaceEnergy& energy : energies_) {
       const PointRows& all = movers_.at(energy.face).displacement.coefficients();
       const PointRows at = all(energy.block.coefficients, Eigen::indexing::all);
-      sum += (at.transpose() * energy.block.matrix * at).trace();
+      sum += ease_ * (at.transpose() * energy.block.matrix * at).trace();
     }
     for (const auto& [face, mover] : movers_)
-      sum += damping(mover) * mover.displacement.coefficients().squaredNorm();
+      sum += ease_ * damping(mover) * mover.displacement.coefficients().squaredNorm();
     for (std::size_t j = 0; j < joints_.size(); ++j)
       for (const JointSample& sample : samples_[j])
         if (sample.cell >= 0) sum += costOf(joints_[j], sample);
     return sum;
   }
 
-  /// Takes the step, or as much of it as makes the cost smaller.
-  void descend(const PointRows& step) {
-    constexpr int halvings = 4;
+  /// Takes the step, or as much of it as makes the cost smaller; if a quarter does not, a damped one.
+  void descend(StepSystem& system) {
+    constexpr std::array<double, 4> dampings = {0, 1e-3, 3e-2, 1};
+    constexpr int halvings = 2;
     const double before = cost();
-    double taken = 1;
-    take(step);
-    for (int k = 0; k < halvings; ++k) {
-      const double now = cost();
-      if (now <= before) return;
-      take(-0.5 * taken * step);
-      taken *= 0.5;
+    for (const double damping : dampings) {
+      system.damp(damping);
+      PointRows step = system.solve();
+      for (int k = 0; k <= halvings; ++k) {
+        take(step);
+        if (cost() <= before) return;
+        take(-step);
+        step *= 0.5;
+      }
     }
-    take(-taken * step);
   }
 
-  std::map<int, PointRows> coefficients() const {
-    std::map<int, PointRows> all;
-    for (const auto& [face, mover] : movers_) all[face] = mover.displacement.coefficients();
-    return all;
+  struct State {
+    std::map<int, PointRows> coefficients;     ///< by face
+    std::vector<std::vector<double>> weights;  ///< by joint and sample
+  };
+
+  State state() const {
+    State now;
+    for (const auto& [face, mover] : movers_) now.coefficients[face] = mover.displacement.coefficients();
+    for (const auto& samples : samples_) {
+      now.weights.emplace_back();
+      for (const JointSample& sample : samples) now.weights.back().push_back(sample.weight);
+    }
+    return now;
   }
 
-  /// Passes until all samples are met, or more weight does not help.
-  void solve(bool is_first) {
+  void returnTo(const State& state) {
+    for (auto& [face, mover] : movers_) mover.displacement.setCoefficients(state.coefficients.at(face));
+    for (std::size_t j = 0; j < samples_.size(); ++j)
+      for (std::size_t i = 0; i < samples_[j].size(); ++i) samples_[j][i].weight = state.weights[j][i];
+    look();
+  }
+
+  /// Passes until all samples are met, or more weight does not help. Where weight is far from helping knots are wanting: what it did goes.
+  void solve(bool is_first, bool may_refine) {
     constexpr int most_passes = 10;
-    constexpr double diverges = 4, helps = 0.7, far = 3;
+    constexpr double diverges = 4, helps = 0.7, far = 3, wanting_knots = 10;
     StepSystem system = prepare();
-    std::optional<std::map<int, PointRows>> best;
+    std::optional<State> plain, best;
     double best_ratio = std::numeric_limits<double>::infinity(), last = best_ratio;
     int idle = 0;
     for (int pass = 0; pass < most_passes; ++pass) {
+      easeBy(pass == 0 ? std::numeric_limits<double>::infinity() : ease_);
       if (progress_ && !progress_(0)) throw Cancelled();
       assemble(system);
-      descend(system.solve());
+      descend(system);
       look();
       if (worst() < best_ratio) {
         best_ratio = worst();
-        best = coefficients();
+        best = state();
       }
       if (worst() <= enough) return;
-      if (worst() > diverges * best_ratio) break;
-      idle = pass > 0 && worst() > helps * last ? idle + 1 : 0;
+      idle = ease_ > 1 || worst() <= helps * last ? 0 : idle + 1;
       last = worst();
+      if (ease_ > 1) continue;
+      if (worst() > diverges * best_ratio) break;
       if (idle >= (worst() > far ? 2 : 4)) break;
-      if (pass > 0 || !is_first) addWeight();
+      if (pass == 0 && is_first) continue;
+      if (!plain) plain = state();
+      addWeight();
     }
-    if (!best) return;
-    for (auto& [face, mover] : movers_) mover.displacement.setCoefficients(best->at(face));
-    look();
+    if (best) returnTo(may_refine && plain && best_ratio > wanting_knots ? *plain : *best);
+  }
+
+  /// Normals turn in a straight line for small turns only. Where much is missed energies count for more at first, as if tolerances were larger, less in
+  /// each pass.
+  void easeBy(double last) {
+    constexpr double near = 20, less = 0.1;
+    const double far = worst() / near;
+    ease_ = std::max(1.0, std::min(far * far, less * last));
   }
 
   void addWeight() {
@@ -325,6 +353,7 @@ class FairSolving {
   std::vector<double> missed_;                     ///< by joint
   std::map<int, std::vector<int>> unknown_;        ///< by face and coefficient: its number, -1: it stays
   int unknowns_ = 0;
+  double ease_ = 1;  ///< factor of energies
   std::vector<std::vector<int>> cells_;
   std::map<std::vector<int>, int> cell_numbers_;
   std::vector<FaceEnergy> energies_;

@@ -81,11 +81,6 @@ bool touches(const Seam& seam, int face) {
   return seam.sides[0].face == face || seam.sides[1].face == face;
 }
 
-std::string nameOf(const Standard_Failure& failure) {
-  return std::string("OpenCASCADE failed: ") + failure.DynamicType()->Name() + " " +
-         failure.GetMessageString();
-}
-
 /// What is wrong with a way to move faces.
 struct Faults {
   std::map<int, std::string> too_far, unfair;  ///< by face
@@ -234,8 +229,24 @@ class Moving {
     return seamsOf();
   }
 
+  /// Of those that move with the face, and of which most is asked. What curvature spoils beside a face is not the tangent plane's fault.
+  std::vector<std::size_t> mostAskedAt(int face) const {
+    std::vector<std::size_t> seams = treatedAt(face);
+    int most = 0;
+    for (const FairComponent& component : components_)
+      if (component.movers.count(face) > 0)
+        for (const auto& [i, order] : component.orders) most = std::max(most, task().orders[i]);
+    std::erase_if(seams, [&](std::size_t i) { return task().orders[i] < most; });
+    if (!seams.empty()) return seams;
+    for (const FairComponent& component : components_)
+      if (component.movers.count(face) > 0)
+        for (const auto& [i, order] : component.orders)
+          if (task().orders[i] == most) seams.push_back(i);
+    return seams;
+  }
+
   void giveUpAt(int face, const std::string& why, Reasons& seams) const {
-    const std::vector<std::size_t> treated = treatedAt(face);
+    const std::vector<std::size_t> treated = mostAskedAt(face);
     for (const std::size_t i : treated)
       if (const auto age = ages_.find(i); age != ages_.end() && age->second >= single_rounds)
         seams.emplace(i, why);
@@ -285,7 +296,7 @@ Improvement orNothing(const RepairTask& task, const std::optional<Soundness>& wa
   } catch (const Cancelled&) {
     throw;
   } catch (const Standard_Failure& failure) {
-    none.giveUpAll(nameOf(failure));
+    none.giveUpAll(whyFailed(failure));
   } catch (const std::exception& error) {
     none.giveUpAll(error.what());
   }

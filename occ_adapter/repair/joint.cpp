@@ -148,11 +148,13 @@ bool isEnd(const JointSample& sample) {
 }
 
 /// Readers of files look for nearest points: where the tangent plane turns along the seam, or the ends of edges are apart, an angle between planes of
-/// different points is not that of the seam. So sides may not slide by more than turns them by a fifth of the accepted angle.
-JointLimits limitsOf(const JointSample& sample, const ContinuityTolerance& tolerance) {
-  constexpr double share_of_gap = 0.2, share_of_angle = 0.2;
-  JointLimits limits{tolerance.gap_mm, share_of_gap * tolerance.gap_mm, tolerance.angle_rad,
-                     1 / tolerance.flat_radius_mm};
+/// different points is not that of the seam. So sides may not slide by more than turns them by a fifth of the accepted angle. Of a crease no angle is accepted.
+/// Open sides keep their place as far as that costs little, whatever the tolerance is: samples of them get no more weight where they are missed.
+JointLimits limitsOf(const Joint& joint, const JointSample& sample, const ContinuityTolerance& tolerance) {
+  constexpr double share_of_gap = 0.2, share_of_angle = 0.2, share_of_size = 1e-4, least_slide = 1e-3;
+  JointLimits limits{sample.sides.size() < 2 ? share_of_size * sample.sides[0].mover->displacement.size_mm()
+                                             : tolerance.gap_mm,
+                     share_of_gap * tolerance.gap_mm, tolerance.angle_rad, 1 / tolerance.flat_radius_mm};
   double turn_per_mm = 0;
   for (const JointSide& side : sample.sides)
     if (const auto normal = normalOf(side, side.shown.jet)) {
@@ -161,8 +163,9 @@ JointLimits limitsOf(const JointSample& sample, const ContinuityTolerance& toler
       if (&side == &sample.sides[0] && tensor.norm() >= limits.curvature_per_mm)
         limits.curvature_per_mm = tolerance.curvature_rel * tensor.norm();
     }
-  if (turn_per_mm * limits.slide_mm > share_of_angle * tolerance.angle_rad)
-    limits.slide_mm = share_of_angle * tolerance.angle_rad / turn_per_mm;
+  if (joint.order > 0 && turn_per_mm * limits.slide_mm > share_of_angle * tolerance.angle_rad)
+    limits.slide_mm =
+        std::max(least_slide * tolerance.gap_mm, share_of_angle * tolerance.angle_rad / turn_per_mm);
   return limits;
 }
 
@@ -171,8 +174,8 @@ Eigen::Vector3d along(const JointSample& sample) {
 }
 
 /// What of a difference of places counts as slide.
-double slide_mm(const JointSample& sample, const Eigen::Vector3d& gap) {
-  return isEnd(sample) ? gap.norm() : std::abs(gap.dot(along(sample)));
+Eigen::Vector3d slide(const JointSample& sample, const Eigen::Vector3d& gap) {
+  return isEnd(sample) ? gap : Eigen::Vector3d(gap.dot(along(sample)) * along(sample));
 }
 
 /// Factors of the cell's coefficients.
@@ -198,12 +201,32 @@ double weightOf(const JointSample& sample) {
   return sample.weight * std::sqrt(samples_per_joint * sample.part) / share_of_tolerance;
 }
 
-/// What normals differ by beyond what they may: that of a kept defect may shrink, or turn.
-Eigen::Vector3d tooMuch(const Joint& joint, const JointSample& sample, const Eigen::Vector3d& normal) {
-  const Eigen::Vector3d given = sample.given.normal.value_or(Eigen::Vector3d::Zero());
-  if (joint.ask != Ask::Keep || !joint.is_defect) return normal - given;
-  return normal.norm() > given.norm() ? Eigen::Vector3d(normal - given.norm() * normal.normalized())
-                                      : Eigen::Vector3d::Zero();
+/// Up to so much of its limit what a kept joint lacks is free.
+constexpr double free_share = 0.5;
+
+/// What is lacking beyond what was given; of a kept joint, beyond its free share as well. Its direction is no matter: where edges meet, what
+/// one of them loses another one has to take over.
+Eigen::Vector3d beyondGiven(const Joint& joint, const Eigen::Vector3d& now, const Eigen::Vector3d& given,
+                            double limit) {
+  const double free = std::max(given.norm(), joint.ask == Ask::Keep ? free_share * limit : 0);
+  return now.norm() > free ? Eigen::Vector3d(now - free * now.normalized()) : Eigen::Vector3d::Zero();
+}
+
+/// What of the differences is to go.
+struct Missing {
+  Eigen::Vector3d gap, slide, normal = Eigen::Vector3d::Zero(), bend = Eigen::Vector3d::Zero();
+};
+
+Missing missingOf(const Joint& joint, const JointSample& sample, const Differences& now) {
+  const Differences& given = sample.given;
+  const JointLimits& limits = sample.limits;
+  Missing missing{beyondGiven(joint, now.gap, given.gap, limits.gap_mm),
+                  beyondGiven(joint, slide(sample, now.gap), slide(sample, given.gap), limits.slide_mm)};
+  if (now.normal)
+    missing.normal =
+        beyondGiven(joint, *now.normal, given.normal.value_or(Eigen::Vector3d::Zero()), limits.angle_rad);
+  missing.bend = now.bend - given.bend;
+  return missing;
 }
 
 void addNormals(const JointSample& sample, const Eigen::Vector3d& missing, const Frame& frame,
@@ -218,9 +241,8 @@ void addNormals(const JointSample& sample, const Eigen::Vector3d& missing, const
   }
 }
 
-void addCurvatures(const JointSample& sample, const Differences& now, const Frame& frame,
+void addCurvatures(const JointSample& sample, const Eigen::Vector3d& missing, const Frame& frame,
                    const std::array<SurfaceJet, 2>& jets, double weight, StepSystem& system) {
-  const Eigen::Vector3d missing = now.bend - sample.given.bend;
   const std::array<const Eigen::Vector3d*, 2> ways = {&frame.tangent, &frame.cross};
   constexpr std::array<std::array<int, 2>, 3> pairs = {{{0, 0}, {0, 1}, {1, 1}}};
   for (int m = 0; m < 3; ++m) {
@@ -323,7 +345,7 @@ std::vector<JointSample> sampled(const Joint& joint, const MovingFaces& movers,
   }
   for (JointSample& sample : samples)
     sample.part = length > 0 ? sample.part / length : 1.0 / static_cast<double>(samples.size());
-  for (JointSample& sample : samples) sample.limits = limitsOf(sample, tolerance);
+  for (JointSample& sample : samples) sample.limits = limitsOf(joint, sample, tolerance);
   if (joint.ask != Ask::Outline) setGiven(joint, tolerance, samples);
   return samples;
 }
@@ -338,7 +360,7 @@ namespace {
 
 /// Up to half the tolerance any growth does, then by a fifth of it; what is within the tolerance stays so, by a margin.
 double grownShare(double is, double was, double limit) {
-  constexpr double free_share = 0.5, growth_share = 0.2, least_share = 1e-3;
+  constexpr double growth_share = 0.2, least_share = 1e-3;
   const double start = std::max(was, free_share * limit);
   const double room = was < limit ? 0.5 * (limit - start) : limit;
   return (is - start) / std::clamp(room, least_share * limit, growth_share * limit);
@@ -356,7 +378,7 @@ double missedShareOf(const Joint& joint, const JointSample& sample) {
     return joint.ask == Ask::Join ? is / limit : grownShare(is, was, limit);
   };
   double missed = larger(0, share(now.gap.norm(), sample.given.gap.norm(), sample.limits.gap_mm));
-  missed = larger(missed, slide_mm(sample, now.gap - sample.given.gap) / sample.limits.slide_mm);
+  missed = larger(missed, missingOf(joint, sample, now).slide.norm() / sample.limits.slide_mm);
   if (joint.order < 1) return larger(missed, turned_rad(sample) / joint.turn_rad);
   if (!now.normal) return missed;
   const double was = sample.given.normal ? sample.given.normal->norm() : 0;
@@ -376,46 +398,44 @@ double missedShare(const Joint& joint, const JointSample& sample) {
 double costOf(const Joint& joint, const JointSample& sample) {
   const double weight = weightOf(sample);
   const Differences now = differencesAt(joint, sample);
-  const Eigen::Vector3d gap = now.gap - sample.given.gap;
-  double cost = gap.squaredNorm() / std::pow(sample.limits.gap_mm, 2);
-  if (sample.sides.size() > 1) cost += std::pow(slide_mm(sample, gap) / sample.limits.slide_mm, 2);
-  if (now.normal)
-    cost += tooMuch(joint, sample, *now.normal).squaredNorm() / std::pow(sample.limits.angle_rad, 2);
+  const Missing missing = missingOf(joint, sample, now);
+  const JointLimits& limits = sample.limits;
+  double cost = missing.gap.squaredNorm() / std::pow(limits.gap_mm, 2) +
+                missing.normal.squaredNorm() / std::pow(limits.angle_rad, 2);
+  if (sample.sides.size() > 1) cost += missing.slide.squaredNorm() / std::pow(limits.slide_mm, 2);
   if (joint.order < 1 && sample.sides.size() > 1)
     for (const JointSide& side : sample.sides)
       if (const std::optional<Tilt> tilt = tiltOf(sample, side))
         cost += std::pow(share_of_crease * tilt->turned_rad / joint.turn_rad, 2);
-  if (joint.order > 1)
-    cost += (now.bend - sample.given.bend).squaredNorm() / std::pow(sample.limits.curvature_per_mm, 2);
+  if (joint.order > 1) cost += missing.bend.squaredNorm() / std::pow(limits.curvature_per_mm, 2);
   return weight * weight * cost;
 }
 
 void addConditions(const Joint& joint, const JointSample& sample, StepSystem& system) {
   const double weight = weightOf(sample);
   const Differences now = differencesAt(joint, sample);
+  const Missing missing = missingOf(joint, sample, now);
   Row place(sample, system);
   for (std::size_t k = 0; k < sample.sides.size(); ++k)
     if (sample.sides[k].mover != nullptr)
       place.add(sample.sides[k], sample.sides[k].shares.share.row(0), k == 0 ? 1 : -1);
-  const Eigen::Vector3d gap = now.gap - sample.given.gap;
   const double gap_weight = weight / sample.limits.gap_mm;
-  system.addPoint(sample.cell, place.times(gap_weight), -gap_weight * gap);
+  system.addPoint(sample.cell, place.times(gap_weight), -gap_weight * missing.gap);
   if (sample.sides.size() < 2) return;
   const double slide_weight = weight / sample.limits.slide_mm;
   if (isEnd(sample))
-    system.addPoint(sample.cell, place.times(slide_weight), -slide_weight * gap);
+    system.addPoint(sample.cell, place.times(slide_weight), -slide_weight * missing.slide);
   else
-    system.add(sample.cell, place.times(slide_weight), along(sample), -slide_weight * gap.dot(along(sample)));
+    system.add(sample.cell, place.times(slide_weight), along(sample),
+               -slide_weight * missing.slide.dot(along(sample)));
   if (joint.order < 1) return keepNormals(sample, share_of_crease * weight / joint.turn_rad, system);
   if (!now.normal) return;
   const std::array<SurfaceJet, 2> jets = {jetOf(sample.sides[0]), jetOf(sample.sides[1])};
   const auto normal = normalOf(sample.sides[0], jets[0]);
   const Frame frame = frameOf(sample, (*normal - 0.5 * *now.normal).normalized());
-  const Eigen::Vector3d missing = tooMuch(joint, sample, *now.normal);
-  const bool may_shrink = joint.ask == Ask::Keep && joint.is_defect && missing.isZero(0);
-  if (!may_shrink) addNormals(sample, missing, frame, jets, weight / sample.limits.angle_rad, system);
+  addNormals(sample, missing.normal, frame, jets, weight / sample.limits.angle_rad, system);
   if (joint.order > 1)
-    addCurvatures(sample, now, frame, jets, weight / sample.limits.curvature_per_mm, system);
+    addCurvatures(sample, missing.bend, frame, jets, weight / sample.limits.curvature_per_mm, system);
 }
 
 }  // namespace seamwright::occ

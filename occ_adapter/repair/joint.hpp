@@ -40,9 +40,8 @@ struct Joint {
   std::vector<FaceUse> sides;
   std::vector<Pcurve> paths;
   Correspondence map;
-  bool is_defect = false;  ///< what a kept joint lacks may also shrink
-  double turn_rad = 0;     ///< by which the angle of a kept crease may change
-  std::set<double> also;   ///< places, 0..1, where samples missed something before
+  double turn_rad = 0;    ///< by which the angle of a kept crease may change
+  std::set<double> also;  ///< places, 0..1, where samples missed something before
 };
 
 /// A side at a sample.

@@ -139,9 +139,11 @@ std::string whyWorse(const SeamResult& after, const SeamResult& before, const Re
     return hasTurned(after, before, options.tolerance.angle_rad + turn_rad) ? "another angle" : "";
   if (isLarger(after.figures.angle_rad, before.figures.angle_rad, options.tolerance.angle_rad))
     return "a larger angle";
-  const bool counts = options.order == 2 && before.figures.curvature_rel;
-  if (counts &&
-      isLarger(after.figures.curvature_rel, before.figures.curvature_rel, options.tolerance.curvature_rel))
+  const auto &curvature = after.figures.curvature_rel, &curvature_before = before.figures.curvature_rel;
+  constexpr double seen = 1.1;
+  if (options.order == 2 && curvature_before &&
+      isLarger(curvature, curvature_before, options.tolerance.curvature_rel) &&
+      !(curvature && curvature->lower <= seen * known(*curvature_before)))
     return "a larger difference of curvature";
   return {};
 }

@@ -39,6 +39,11 @@ double TurnsAtEnds::at_rad(const Seam& seam) const {
   return most;
 }
 
+std::string whyFailed(const Standard_Failure& failure) {
+  return std::string("OpenCASCADE failed: ") + failure.DynamicType()->Name() + " " +
+         failure.GetMessageString();
+}
+
 std::vector<Seam> seamsIn(const TopoDS_Shape& shape, std::vector<Seam> seams) {
   TopTools_IndexedMapOfShape faces, edges;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);

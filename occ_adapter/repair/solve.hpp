@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <Standard_Failure.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <algorithm>
 #include <map>
@@ -53,6 +54,8 @@ inline bool anyCurvatureDoes(const ContinuityTolerance& tolerance) {
 
 /// Why seams are left, by seam.
 using Reasons = std::map<std::size_t, std::string>;
+
+std::string whyFailed(const Standard_Failure& failure);
 
 /// The same seams in a shape that withChanges() made of theirs.
 std::vector<Seam> seamsIn(const TopoDS_Shape& shape, std::vector<Seam> seams);

@@ -92,6 +92,10 @@ void StepSystem::addDamping(int point, double factor, const Eigen::Vector3d& at)
   right_.row(point) -= factor * at.transpose();
 }
 
+void StepSystem::damp(double share) {
+  for (const int place : diagonal_) blocks_[place].head<3>() *= 1 + share;
+}
+
 PointRows StepSystem::solve() {
   double largest = 0;
   for (const SymmetricBlock& block : blocks_) largest = std::max(largest, block.head<3>().maxCoeff());

@@ -29,6 +29,9 @@ class StepSystem {
   /// factor |step + at|^2
   void addDamping(int point, double factor, const Eigen::Vector3d& at);
 
+  /// Adds that share of the diagonal of the normal matrix to it: steps become shorter, first those that conditions hardly tell (Levenberg and Marquardt).
+  void damp(double share);
+
   /// Where rounding hides that the normal matrix is positive definite its diagonal is raised by as much. No step where it is zero or not
   /// finite.
   PointRows solve();
