@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepGProp.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
+#include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
@@ -40,6 +42,18 @@ bool isTreatedWhereItCloses(int face, const RepairTask& task) {
   return false;
 }
 
+/// Of the face; where a path is missing it can't be integrated, and counts as its part of the parameters.
+double area_mm2(const TopoDS_Face& face, const handle<Geom_BSplineSurface>& surface,
+                const std::array<double, 4>& range) {
+  GProp_GProps of_face, of_range;
+  BRepGProp::SurfaceProperties(face, of_face);
+  if (of_face.Mass() > 0) return of_face.Mass();
+  BRepGProp::SurfaceProperties(
+      BRepBuilderAPI_MakeFace(surface, range[0], range[1], range[2], range[3], Precision::Confusion()).Face(),
+      of_range);
+  return of_range.Mass();
+}
+
 /// Its budget is half of what its curvature varies by, and what can't be seen or is needed.
 MovingFace moverOf(int number, const TopoDS_Face& face, const RepairTask& task) {
   constexpr int first_spans = 4;
@@ -53,9 +67,7 @@ MovingFace moverOf(int number, const TopoDS_Face& face, const RepairTask& task) 
   const double visible = allowedVariation(number, face, task.options.tolerance, task.needed, 1);
   const SurfaceChange still = measureChange(face, surface, 0, visible, {.lines = 16});
   mover.budget_per_mm = share_of_variation * still.before.variation_per_mm + visible;
-  GProp_GProps properties;
-  BRepGProp::SurfaceProperties(face, properties);
-  mover.area_mm2 = properties.Mass();
+  mover.area_mm2 = area_mm2(face, surface, range);
   return mover;
 }
 

@@ -47,11 +47,13 @@ class FairSolving {
     for (std::size_t j = 0; j < joints_.size(); ++j) {
       const auto known = weights.find(joints_[j].seam);
       if (joints_[j].ask == Ask::Outline || known == weights.end()) continue;
-      for (JointSample& sample : samples_[j]) {
-        const auto distance = [&](const auto& other) { return std::abs(other.first - sample.s); };
-        sample.weight = std::sqrt(std::ranges::min_element(known->second, {}, distance)->second);
-      }
+      for (JointSample& sample : samples_[j]) sample.weight = std::sqrt(nearest(known->second, sample.s));
     }
+  }
+
+  static double nearest(const SampleWeights& weights, double s) {
+    return std::ranges::min_element(weights, {}, [s](const auto& one) { return std::abs(one.first - s); })
+        ->second;
   }
 
   double worst() const { return missed_.empty() ? 0 : std::ranges::max(missed_); }
@@ -328,11 +330,21 @@ class FairSolving {
     bool any = false;
     for (const auto& [face, halves] : spans) any = halve(movers_.at(face).displacement, halves) || any;
     if (!any) return false;
-    for (auto& samples : samples_)
-      for (JointSample& sample : samples)
-        for (JointSide& side : sample.sides) takeShares(side);
+    for (std::size_t j = 0; j < joints_.size(); ++j)
+      if (std::ranges::any_of(joints_[j].sides,
+                              [&](const FaceUse& side) { return spans.count(side.face) > 0; }))
+        sampleAgain(j);
+    look();
     freeWhereNeeded({});
     return true;
+  }
+
+  /// As many samples as the new knots need; each has the weight of the one that was nearest.
+  void sampleAgain(std::size_t j) {
+    SampleWeights weights;
+    for (const JointSample& sample : samples_[j]) weights.emplace_back(sample.s, sample.weight);
+    samples_[j] = sampled(joints_[j], movers_, tolerance_);
+    for (JointSample& sample : samples_[j]) sample.weight = nearest(weights, sample.s);
   }
 
   static bool halve(Displacement& displacement, const std::array<std::set<int>, 2>& spans) {

@@ -92,7 +92,7 @@ struct Faults {
 class Moving {
  public:
   Moving(const RepairTask& task, const std::optional<Soundness>& was) : rounds_(task, was) {
-    TopExp::MapShapes(task.shape, TopAbs_FACE, faces_);
+    TopExp::MapShapes(task.given, TopAbs_FACE, faces_);
   }
 
   Improvement run(const Progress& progress) {
@@ -132,9 +132,11 @@ class Moving {
     Faults faults;
     const double limit_mm = task().options.max_move_mm;
     for (const FaceChange& change : changes) {
-      if (change.largest_move_mm > limit_mm) {
+      const auto before = task().moved_mm.find(change.face);
+      const double move_mm = change.largest_move_mm + (before == task().moved_mm.end() ? 0 : before->second);
+      if (move_mm > limit_mm) {
         std::ostringstream text;
-        text << "it would move by " << change.largest_move_mm << " mm, more than " << limit_mm << " mm";
+        text << "it would move by " << move_mm << " mm, more than " << limit_mm << " mm";
         faults.too_far[change.face] = text.str();
       } else if (std::string why = whyUnfair(change); !why.empty()) {
         faults.unfair[change.face] = "it would be less fair: " + why;
@@ -279,7 +281,7 @@ class Moving {
   }
 
   Rounds rounds_;
-  TopTools_IndexedMapOfShape faces_;
+  TopTools_IndexedMapOfShape faces_;  ///< as given
   std::vector<FairComponent> components_;
   MissedPlaces missed_;
   Stiffness stiffness_;

@@ -36,12 +36,12 @@ double seamParameter(const Joint& joint, std::size_t side, double place) {
   return std::clamp(linearIn(places, s, place), 0.0, 1.0);
 }
 
-/// Even in the spans of a mover's surface that its path crosses.
-std::vector<double> evenPlaces(const Joint& joint, std::size_t side, const Displacement& displacement) {
+/// Even in the spans of a surface that the joint's path crosses.
+std::vector<double> evenPlaces(const Joint& joint, std::size_t side, const Displacement& displacement,
+                               const SurfaceBasis& basis) {
   constexpr double per_pole = 2;
   constexpr int least = 24, most = 400;
   const Pcurve& path = joint.paths[side];
-  const SurfaceBasis& basis = displacement.givenBasis();
   const Eigen::Vector2d poles(std::max(1.0, polesPerSpan(basis.u())), std::max(1.0, polesPerSpan(basis.v())));
   const SpanMeasure measure(path, basis, displacement.givenSurface(), poles);
   const int count = std::clamp(static_cast<int>(std::ceil(per_pole * measure.crossed())), least, most);
@@ -56,9 +56,10 @@ std::vector<double> sampleParameters(const Joint& joint, const MovingFaces& move
   std::vector<double> best;
   for (std::size_t side = 0; side < joint.sides.size(); ++side)
     if (const auto mover = movers.find(joint.sides[side].face); mover != movers.end())
-      if (std::vector<double> places = evenPlaces(joint, side, mover->second.displacement);
-          places.size() > best.size())
-        best = std::move(places);
+      for (const Displacement& d = mover->second.displacement;
+           const SurfaceBasis* basis : {&d.givenBasis(), &d.basis()})
+        if (std::vector<double> places = evenPlaces(joint, side, d, *basis); places.size() > best.size())
+          best = std::move(places);
   best.push_back(0);
   best.push_back(1);
   const double near = 0.25 / static_cast<double>(best.size());
@@ -86,7 +87,7 @@ JointSide sideAt(const Joint& joint, std::size_t side, double place, const FaceS
   made.into = {-d.Y(), d.X()};
   if (joint.sides[side].edge.Orientation() != TopAbs_FORWARD) made.into = -made.into;
   made.shown.jet = made.mover->displacement.given(made.uv, made.into);
-  takeShares(made);
+  made.shares = made.mover->displacement.shares(made.uv, made.into);
   return made;
 }
 
@@ -324,10 +325,6 @@ void setGiven(const Joint& joint, const ContinuityTolerance& tolerance, std::vec
 
 }  // namespace
 
-void takeShares(JointSide& side) {
-  if (side.mover != nullptr) side.shares = side.mover->displacement.shares(side.uv, side.into);
-}
-
 std::vector<JointSample> sampled(const Joint& joint, const MovingFaces& movers,
                                  const ContinuityTolerance& tolerance) {
   std::vector<std::unique_ptr<FaceStrip>> strips;
@@ -343,8 +340,12 @@ std::vector<JointSample> sampled(const Joint& joint, const MovingFaces& movers,
     samples[k - 1].part += chord / 2;
     length += chord;
   }
+  // Ends count in full, though samples may lie close beside them: other seams end there.
+  constexpr double least_share = 0.125, least_at_end = 1.0 / 48;
+  const double even = 1.0 / static_cast<double>(samples.size());
   for (JointSample& sample : samples)
-    sample.part = length > 0 ? sample.part / length : 1.0 / static_cast<double>(samples.size());
+    sample.part =
+        std::max(isEnd(sample) ? least_at_end : least_share * even, length > 0 ? sample.part / length : even);
   for (JointSample& sample : samples) sample.limits = limitsOf(joint, sample, tolerance);
   if (joint.ask != Ask::Outline) setGiven(joint, tolerance, samples);
   return samples;

@@ -80,13 +80,10 @@ struct JointSample {
   int cell = -1;      ///< of the system
 };
 
-/// Samples even in the knot spans of the movers that the joint crosses, both ends, and five around each place of Joint::also.
+/// Samples even in the knot spans, of the movers or of their displacements, that the joint crosses, both ends, and five around each place of Joint::also.
 /// \throws Standard_Failure where OpenCASCADE can't evaluate.
 std::vector<JointSample> sampled(const Joint& joint, const MovingFaces& movers,
                                  const ContinuityTolerance& tolerance);
-
-/// The shares of a side's mover, as its knots are now.
-void takeShares(JointSide& side);
 
 Differences differencesAt(const Joint& joint, const JointSample& sample);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -61,7 +62,8 @@ class Repairing {
   }
 
  private:
-  static constexpr double share_of_analysis = 0.2, share_of_paths = 0.1, share_before_sewing = 0.9;
+  static constexpr double share_of_analysis = 0.2, share_of_paths = 0.1, share_of_moves = 0.7,
+                          share_before_sewing = 0.9;
 
   /// The model on its way.
   struct State {
@@ -83,8 +85,51 @@ class Repairing {
     keep(improveByPaths(taskOf(faces, orders), now_.was, partOf(progress, 0, share_of_paths)));
     for (std::size_t i = 0; i < orders.size(); ++i)
       if (isRepaired(now_.after.seams[i], sharp_[i], options_.tolerance, levelOf(order))) orders[i] = 0;
-    const RepairTask task = taskOf(faces, std::move(orders));
-    if (task.treatsAny()) keep(improveByMoves(task, now_.was, partOf(progress, share_of_paths, 1)));
+    keep(improveByMoves(taskOf(faces, orders), now_.was, partOf(progress, share_of_paths, share_of_moves)));
+    repairAlone(orders, faces, partOf(progress, share_of_moves, 1));
+  }
+
+  /// Seams that were left, from the smallest angle on, by themselves: what was asked for together with them may be what can't be had. Several
+  /// at a time, as long as no face of one is next to a face of another.
+  void repairAlone(const std::vector<int>& orders, const std::vector<FaceChoice>& faces,
+                   const Progress& progress) {
+    constexpr int most_batches = 8;
+    std::set<std::size_t> left;
+    for (std::size_t i = 0; i < orders.size(); ++i)
+      if (orders[i] > 0 && !isRepaired(now_.after.seams[i], sharp_[i], options_.tolerance, Level::G1))
+        left.insert(i);
+    for (int batch = 0; batch < most_batches && !left.empty(); ++batch) {
+      std::vector<int> of_batch(orders.size(), 0);
+      for (const std::size_t i : apart(left)) {
+        of_batch[i] = orders[i];
+        left.erase(i);
+      }
+      keep(improveByMoves(
+          taskOf(faces, std::move(of_batch)), now_.was,
+          partOf(progress, static_cast<double>(batch) / most_batches, (batch + 1.0) / most_batches)));
+    }
+  }
+
+  /// As many of these seams as have no face in common, nor faces that meet.
+  std::vector<std::size_t> apart(const std::set<std::size_t>& seams) const {
+    std::vector<std::size_t> order(seams.begin(), seams.end());
+    const auto angle = [this](std::size_t i) {
+      const auto& figure = now_.after.seams[i].figures.angle_rad;
+      return figure ? figure->lower : 0;
+    };
+    std::ranges::stable_sort(order, {}, angle);
+    std::set<int> taken;
+    std::vector<std::size_t> chosen;
+    for (const std::size_t i : order) {
+      const auto& own = now_.seams[i].sides;
+      if (taken.count(own[0].face) > 0 || taken.count(own[1].face) > 0) continue;
+      chosen.push_back(i);
+      for (const FaceUse& side : own)
+        for (const Seam& seam : now_.seams)
+          if (seam.sides[0].face == side.face || seam.sides[1].face == side.face)
+            taken.insert({seam.sides[0].face, seam.sides[1].face});
+    }
+    return chosen;
   }
 
   /// Seams that are to lose their angle.
@@ -94,8 +139,8 @@ class Repairing {
   }
 
   RepairTask taskOf(const std::vector<FaceChoice>& faces, std::vector<int> orders) const {
-    return {now_.shape, now_.seams, now_.to_keep, now_.after.seams, faces,
-            sharp_,     options_,   needed_,      std::move(orders)};
+    return {now_.shape, now_.seams,   now_.to_keep, now_.after.seams, faces, sharp_, options_,
+            needed_,    model_.shape, now_.moves,   std::move(orders)};
   }
 
   void keep(Improvement done) {
@@ -105,9 +150,11 @@ class Repairing {
     now_.shape = done.shape;
     now_.after.seams = std::move(done.after);
     now_.seams = seamsIn(done.shape, now_.seams);
-    for (const FaceChange& change : done.changes) now_.moves[change.face] = change.largest_move_mm;
+    for (const FaceChange& change : done.changes) now_.moves[change.face] += change.largest_move_mm;
     for (const PathChange& change : done.paths) now_.edge_moves[change.edge] = change.largest_move_mm;
     for (std::size_t i = 0; i < done.orders.size(); ++i) {
+      // By how much a crease may turn depends on the seams beside it, and has been judged.
+      if (now_.to_keep[i].verdict.seam_class == SeamClass::Crease) now_.to_keep[i] = now_.after.seams[i];
       if (done.orders[i] == 0) continue;
       now_.to_keep[i] = now_.after.seams[i];
       if (done.orders[i] == options_.order || sharp_[i])
@@ -122,9 +169,17 @@ class Repairing {
     const TopoDS_Shape shape = result_.model.shape;
     const std::vector<SeamResult> before = result_.after.seams;
     const std::vector<FaceChoice> no_faces;
-    const RepairTask task{shape,    now_.seams, result_.before.seams,
-                          before,   no_faces,   sharp_,
-                          options_, needed_,    std::vector<int>(before.size(), 0)};
+    const RepairTask task{shape,
+                          now_.seams,
+                          result_.before.seams,
+                          before,
+                          no_faces,
+                          sharp_,
+                          options_,
+                          needed_,
+                          model_.shape,
+                          now_.moves,
+                          std::vector<int>(before.size(), 0)};
     const std::vector<Seam> seams = seamsAfter(task, shape, {});
     SewSolution solution =
         sewLoose({shape, seams, before, options_}, partOf(progress_, share_before_sewing, 1));

@@ -24,7 +24,9 @@ struct RepairTask {
   const std::vector<FaceChoice>& faces;    ///< from 1
   const std::vector<bool>& sharp;          ///< by seam, see Choice
   const RepairOptions& options;
-  const NeededVariation& needed;  ///< by face
+  const NeededVariation& needed;          ///< by face
+  const TopoDS_Shape& given;              ///< the shape before any move, to which fairness compares
+  const std::map<int, double>& moved_mm;  ///< by face that has moved before: by how much
   /// By seam: 0: not treated, it may not become worse; 1: it is to have G1, or, where it is sharp, to be closed; 2: G2.
   std::vector<int> orders;
 

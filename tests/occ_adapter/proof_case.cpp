@@ -70,8 +70,8 @@ ProofCase::ProofCase(const TopoDS_Shape& shape, const occ::RepairOptions& option
 occ::RepairTask ProofCase::task() const {
   std::vector<int> orders;
   for (const bool is_treated : choice_.treated) orders.push_back(is_treated ? options_.order : 0);
-  return {shape_,        seams_,   report_.seams, report_.seams,    choice_.faces,
-          choice_.sharp, options_, needed_,       std::move(orders)};
+  return {shape_,   seams_,  report_.seams, report_.seams, choice_.faces,    choice_.sharp,
+          options_, needed_, shape_,        moved_,        std::move(orders)};
 }
 
 occ::FaceChange ProofCase::changed(int number, const Strip& strip) const {

@@ -55,6 +55,7 @@ class ProofCase {
   std::vector<occ::Seam> seams_;
   occ::Choice choice_;
   occ::NeededVariation needed_;
+  std::map<int, double> moved_;
 };
 
 /// All that speaks against a change.
