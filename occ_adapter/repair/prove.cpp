@@ -141,7 +141,7 @@ std::string whyWorse(const SeamResult& after, const SeamResult& before, const Re
     return "a larger angle";
   const auto &curvature = after.figures.curvature_rel, &curvature_before = before.figures.curvature_rel;
   constexpr double seen = 1.1;
-  if (options.order == 2 && curvature_before &&
+  if (options.order == 2 && before.verdict.level >= Level::G1 && curvature_before &&
       isLarger(curvature, curvature_before, options.tolerance.curvature_rel) &&
       !(curvature && curvature->lower <= seen * known(*curvature_before)))
     return "a larger difference of curvature";

@@ -62,8 +62,8 @@ class Repairing {
   }
 
  private:
-  static constexpr double share_of_analysis = 0.2, share_of_paths = 0.1, share_of_moves = 0.7,
-                          share_before_sewing = 0.9;
+  static constexpr double share_of_analysis = 0.2, share_of_paths = 0.1, share_of_moves = 0.6,
+                          share_of_g1 = 0.7, share_before_sewing = 0.9;
 
   /// The model on its way.
   struct State {
@@ -83,10 +83,17 @@ class Repairing {
     std::vector<int> orders(wanted.size());
     std::ranges::transform(wanted, orders.begin(), [order](bool is_wanted) { return is_wanted ? order : 0; });
     keep(improveByPaths(taskOf(faces, orders), now_.was, partOf(progress, 0, share_of_paths)));
-    for (std::size_t i = 0; i < orders.size(); ++i)
+    for (std::size_t i = 0; i < orders.size(); ++i) {
       if (isRepaired(now_.after.seams[i], sharp_[i], options_.tolerance, levelOf(order))) orders[i] = 0;
+      if (orders[i] > 0) now_.reasons[i].clear();
+    }
     keep(improveByMoves(taskOf(faces, orders), now_.was, partOf(progress, share_of_paths, share_of_moves)));
-    repairAlone(orders, faces, partOf(progress, share_of_moves, 1));
+    for (int& left : orders) left = std::min(left, 1);
+    for (std::size_t i = 0; i < orders.size(); ++i)
+      if (isRepaired(now_.after.seams[i], sharp_[i], options_.tolerance, Level::G1)) orders[i] = 0;
+    if (order > 1)
+      keep(improveByMoves(taskOf(faces, orders), now_.was, partOf(progress, share_of_moves, share_of_g1)));
+    repairAlone(orders, faces, partOf(progress, share_of_g1, 1));
   }
 
   /// Seams that were left, from the smallest angle on, by themselves: what was asked for together with them may be what can't be had. Several
@@ -144,7 +151,7 @@ class Repairing {
   }
 
   void keep(Improvement done) {
-    for (const auto& [i, why] : done.reasons) now_.reasons[i] = why;
+    for (const auto& [i, why] : done.reasons) tellWhy(i, why);
     now_.was = std::move(done.soundness);
     if (done.changes.empty() && done.paths.empty()) return;
     now_.shape = done.shape;
@@ -160,8 +167,19 @@ class Repairing {
       if (done.orders[i] == options_.order || sharp_[i])
         now_.reasons[i].clear();
       else
-        now_.reasons[i] = "G1 reached; G2: " + now_.reasons[i];
+        now_.reasons[i] = "G1 reached; G2: " + whyNoG2(now_.reasons[i]);
     }
+  }
+
+  static constexpr const char* g1_too = "; G1: ";
+
+  static std::string whyNoG2(const std::string& reason) { return reason.substr(0, reason.find(g1_too)); }
+
+  /// Of a seam that was asked for G2 before, and for G1 now, both reasons.
+  void tellWhy(std::size_t i, const std::string& why) {
+    std::string& reason = now_.reasons[i];
+    const bool both = options_.order > 1 && !reason.empty() && why.find(g1_too) == std::string::npos;
+    reason = both ? whyNoG2(reason) + g1_too + why : why;
   }
 
   void sew() {

@@ -203,8 +203,9 @@ TEST(SurfaceJudge, VariationAndInflections) {
   EXPECT_TRUE(judgeSurface(changed(2, 3.2), tolerance).worse);
   EXPECT_FALSE(judgeSurface(changed(0, 0.1), tolerance).worse);
   EXPECT_TRUE(judgeSurface(changed(0, 0.11), tolerance).worse);
-  EXPECT_FALSE(judgeSurface(changed(1, 1, 5, 9), tolerance).worse);
-  EXPECT_TRUE(judgeSurface(changed(1, 1, 5, 10), tolerance).worse);
+  // A fifth of the 40 lines may have one more.
+  EXPECT_FALSE(judgeSurface(changed(1, 1, 5, 13), tolerance).worse);
+  EXPECT_TRUE(judgeSurface(changed(1, 1, 5, 14), tolerance).worse);
   EXPECT_TRUE(judgeSurface(changed(1, nan), tolerance).worse);
   const std::string reason = judgeSurface(changed(2, 30), tolerance).reason;
   EXPECT_NE(reason.find("30 per mm"), std::string::npos) << reason;

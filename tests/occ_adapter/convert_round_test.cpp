@@ -121,7 +121,7 @@ bool cutsItself(const TopoDS_Shape& shape) {
 TEST(ConvertRound, ClosingSeamsStayExact) {
   occ::AnalyzeOptions exact;
   exact.tolerance.gap_mm = 1e-9;
-  exact.tolerance.angle_rad = 1e-6 * degree;
+  exact.tolerance.angle_rad = 1e-5 * degree;
   for (const double kink : {0.4, -0.4})
     for (const Round& pair : roundPairs(kink * degree, 2 * pi))
       for (const int fixed : {1, 2}) {
