@@ -207,6 +207,17 @@ opencascade::handle<Geom_BSplineSurface> splineOn(const TopoDS_Face& face) {
   return opencascade::handle<Geom_BSplineSurface>::DownCast(surface->Transformed(location.Transformation()));
 }
 
+/// The mean width of a face beside a seam; 0 where the face can't be integrated.
+double widthBeside_mm(const TopoDS_Face& face, double length_mm) {
+  try {
+    GProp_GProps area;
+    BRepGProp::SurfaceProperties(face, area);
+    return std::min(diagonal_mm(face), area.Mass() / length_mm);
+  } catch (const Standard_Failure&) {
+    return 0;
+  }
+}
+
 }  // namespace
 
 NeededVariation neededVariation(const TopoDS_Shape& shape, const std::vector<SeamResult>& seams,
@@ -217,10 +228,7 @@ NeededVariation neededVariation(const TopoDS_Shape& shape, const std::vector<Sea
     const auto& angle = seams[i].figures.angle_rad;
     if (!treated[i] || !angle || !(seams[i].length_mm > 0)) continue;
     for (const int number : seams[i].faces) {
-      const TopoDS_Face& face = TopoDS::Face(faces(number));
-      GProp_GProps area;
-      BRepGProp::SurfaceProperties(face, area);
-      const double width_mm = std::min(diagonal_mm(face), area.Mass() / seams[i].length_mm);
+      const double width_mm = widthBeside_mm(TopoDS::Face(faces(number)), seams[i].length_mm);
       if (width_mm > 0)
         needed[number] =
             std::max(needed[number], visibleVariation(angle->upper.value_or(angle->lower), width_mm));

@@ -14,6 +14,9 @@ namespace {
 /// A sample is met if it misses less than this share of the tolerance: between samples it may be more.
 constexpr double enough = 0.6;
 
+/// More weight, or more knots, help if they make the worst miss so much smaller.
+constexpr double helps = 0.7;
+
 class FairSolving {
  public:
   FairSolving(const std::vector<Joint>& joints, const ContinuityTolerance& tolerance, MovingFaces& movers,
@@ -29,9 +32,12 @@ class FairSolving {
       freeAll();
     else
       freeWhereNeeded(start.relaxed);
+    int in_vain = 0;
     for (int refinement = 0;; ++refinement) {
+      const double before = refinement == 0 ? std::numeric_limits<double>::infinity() : worst();
       if (unknowns_ > 0) solve(start.is_new, refinement < most_refinements);
-      if (worst() <= enough || refinement == most_refinements || !refine()) break;
+      in_vain = worst() > helps * before ? in_vain + 1 : 0;
+      if (worst() <= enough || refinement == most_refinements || in_vain > 1 || !refine()) break;
     }
     FairResult result{missed_, {}};
     for (std::size_t j = 0; j < joints_.size(); ++j)
@@ -262,7 +268,7 @@ class FairSolving {
   /// Passes until all samples are met, or more weight does not help. Where weight is far from helping knots are wanting: what it did goes.
   void solve(bool is_first, bool may_refine) {
     constexpr int most_passes = 10;
-    constexpr double diverges = 4, helps = 0.7, far = 3, wanting_knots = 10;
+    constexpr double diverges = 4, far = 3, wanting_knots = 10;
     StepSystem system = prepare();
     std::optional<State> plain, best;
     double best_ratio = std::numeric_limits<double>::infinity(), last = best_ratio;

@@ -91,20 +91,22 @@ JointSide sideAt(const Joint& joint, std::size_t side, double place, const FaceS
   return made;
 }
 
+/// Where the second side of a matched seam is beside a point of the first.
+double placeBeside(const Joint& joint, const std::vector<std::unique_ptr<FaceStrip>>& strips, double s) {
+  const Eigen::Vector3d beside = strips[0]->trace(linearIn(joint.map.s, joint.map.a, s)).p;
+  const double place = linearIn(joint.map.s, joint.map.b, s);
+  const auto [low, high] = std::minmax(joint.map.b.front(), joint.map.b.back());
+  return nearestPlace(*strips[1], beside, place, low, high);
+}
+
 JointSample sampleAt(const Joint& joint, const std::vector<std::unique_ptr<FaceStrip>>& strips, double s,
                      const MovingFaces& movers) {
   JointSample made;
   made.s = s;
   for (std::size_t side = 0; side < joint.sides.size(); ++side) {
-    double place = s;
-    if (!joint.map.s.empty()) {
-      place = linearIn(joint.map.s, side == 0 ? joint.map.a : joint.map.b, s);
-      if (side == 1) {
-        const auto [low, high] = std::minmax(joint.map.b.front(), joint.map.b.back());
-        const Eigen::Vector3d beside = strips[0]->trace(linearIn(joint.map.s, joint.map.a, s)).p;
-        place = nearestPlace(*strips[1], beside, place, low, high);
-      }
-    }
+    const double place = joint.map.s.empty() ? s
+                         : side == 0         ? linearIn(joint.map.s, joint.map.a, s)
+                                             : placeBeside(joint, strips, s);
     made.sides.push_back(sideAt(joint, side, place, *strips[side], movers));
   }
   return made;
@@ -149,7 +151,8 @@ bool isEnd(const JointSample& sample) {
 }
 
 /// Readers of files look for nearest points: where the tangent plane turns along the seam, or the ends of edges are apart, an angle between planes of
-/// different points is not that of the seam. So sides may not slide by more than turns them by a fifth of the accepted angle. Of a crease no angle is accepted.
+/// different points is not that of the seam. So sides may be shifted in the tangent plane by no more than turns them by a fifth of the accepted angle. Of a
+/// crease no angle is accepted.
 /// Open sides keep their place as far as that costs little, whatever the tolerance is: samples of them get no more weight where they are missed.
 JointLimits limitsOf(const Joint& joint, const JointSample& sample, const ContinuityTolerance& tolerance) {
   constexpr double share_of_gap = 0.2, share_of_angle = 0.2, share_of_size = 1e-4, least_slide = 1e-3;
@@ -157,17 +160,27 @@ JointLimits limitsOf(const Joint& joint, const JointSample& sample, const Contin
                      1 / tolerance.flat_radius_mm};
   if (const MovingFace* mover = sample.sides[0].mover; sample.sides.size() < 2 && mover != nullptr)
     limits.gap_mm = share_of_size * mover->displacement.size_mm();
-  double turn_per_mm = 0;
+  limits.overlap_mm = limits.gap_mm;
+  double along_per_mm = 0, across_per_mm = 0;
   for (const JointSide& side : sample.sides)
     if (const auto normal = normalOf(side, side.shown.jet)) {
       const Eigen::Matrix3d tensor = curvatureTensor(side.shown.jet, *normal);
-      turn_per_mm = std::max(turn_per_mm, (tensor * frameOf(sample, *normal).tangent).norm());
+      const Frame frame = frameOf(sample, *normal);
+      along_per_mm = std::max(along_per_mm, (tensor * frame.tangent).norm());
+      across_per_mm = std::max(across_per_mm, (tensor * frame.cross).norm());
       if (&side == &sample.sides[0] && tensor.norm() >= limits.curvature_per_mm)
         limits.curvature_per_mm = tolerance.curvature_rel * tensor.norm();
     }
-  if (joint.order > 0 && turn_per_mm * limits.slide_mm > share_of_angle * tolerance.angle_rad)
-    limits.slide_mm =
-        std::max(least_slide * tolerance.gap_mm, share_of_angle * tolerance.angle_rad / turn_per_mm);
+  if (joint.order < 1) return limits;
+  const auto shift_mm = [&](double limit_mm, double turn_per_mm) {
+    const double allowed_rad = share_of_angle * tolerance.angle_rad;
+    return turn_per_mm * limit_mm > allowed_rad
+               ? std::max(least_slide * tolerance.gap_mm, allowed_rad / turn_per_mm)
+               : limit_mm;
+  };
+  limits.slide_mm = shift_mm(limits.slide_mm, along_per_mm);
+  limits.overlap_mm = shift_mm(limits.overlap_mm, across_per_mm);
+  if (isEnd(sample)) limits.slide_mm = std::min(limits.slide_mm, limits.overlap_mm);
   return limits;
 }
 
@@ -178,6 +191,10 @@ Eigen::Vector3d along(const JointSample& sample) {
 /// What of a difference of places counts as slide.
 Eigen::Vector3d slide(const JointSample& sample, const Eigen::Vector3d& gap) {
   return isEnd(sample) ? gap : Eigen::Vector3d(gap.dot(along(sample)) * along(sample));
+}
+
+Eigen::Vector3d across(const JointSample& sample, const Eigen::Vector3d& gap) {
+  return gap.dot(sample.across) * sample.across;
 }
 
 /// Factors of the cell's coefficients.
@@ -216,7 +233,8 @@ Eigen::Vector3d beyondGiven(const Joint& joint, const Eigen::Vector3d& now, cons
 
 /// What of the differences is to go.
 struct Missing {
-  Eigen::Vector3d gap, slide, normal = Eigen::Vector3d::Zero(), bend = Eigen::Vector3d::Zero();
+  Eigen::Vector3d gap, slide, overlap = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::Zero(),
+                              bend = Eigen::Vector3d::Zero();
 };
 
 Missing missingOf(const Joint& joint, const JointSample& sample, const Differences& now) {
@@ -224,6 +242,9 @@ Missing missingOf(const Joint& joint, const JointSample& sample, const Differenc
   const JointLimits& limits = sample.limits;
   Missing missing{beyondGiven(joint, now.gap, given.gap, limits.gap_mm),
                   beyondGiven(joint, slide(sample, now.gap), slide(sample, given.gap), limits.slide_mm)};
+  if (limits.overlap_mm < limits.gap_mm)
+    missing.overlap =
+        beyondGiven(joint, across(sample, now.gap), across(sample, given.gap), limits.overlap_mm);
   if (now.normal)
     missing.normal =
         beyondGiven(joint, *now.normal, given.normal.value_or(Eigen::Vector3d::Zero()), limits.angle_rad);
@@ -347,7 +368,11 @@ std::vector<JointSample> sampled(const Joint& joint, const MovingFaces& movers,
   for (JointSample& sample : samples)
     sample.part =
         std::max(isEnd(sample) ? least_at_end : least_share * even, length > 0 ? sample.part / length : even);
-  for (JointSample& sample : samples) sample.limits = limitsOf(joint, sample, tolerance);
+  for (JointSample& sample : samples) {
+    sample.limits = limitsOf(joint, sample, tolerance);
+    if (const auto normal = normalOf(sample.sides[0], sample.sides[0].shown.jet))
+      sample.across = frameOf(sample, *normal).cross;
+  }
   if (joint.ask != Ask::Outline) setGiven(joint, tolerance, samples);
   return samples;
 }
@@ -380,7 +405,9 @@ double missedShareOf(const Joint& joint, const JointSample& sample) {
     return joint.ask == Ask::Join ? is / limit : grownShare(is, was, limit);
   };
   double missed = larger(0, share(now.gap.norm(), sample.given.gap.norm(), sample.limits.gap_mm));
-  missed = larger(missed, missingOf(joint, sample, now).slide.norm() / sample.limits.slide_mm);
+  const Missing missing = missingOf(joint, sample, now);
+  missed = larger(missed, missing.slide.norm() / sample.limits.slide_mm);
+  missed = larger(missed, missing.overlap.norm() / sample.limits.overlap_mm);
   if (joint.order < 1) return larger(missed, turned_rad(sample) / joint.turn_rad);
   if (!now.normal) return missed;
   const double was = sample.given.normal ? sample.given.normal->norm() : 0;
@@ -404,7 +431,9 @@ double costOf(const Joint& joint, const JointSample& sample) {
   const JointLimits& limits = sample.limits;
   double cost = missing.gap.squaredNorm() / std::pow(limits.gap_mm, 2) +
                 missing.normal.squaredNorm() / std::pow(limits.angle_rad, 2);
-  if (sample.sides.size() > 1) cost += missing.slide.squaredNorm() / std::pow(limits.slide_mm, 2);
+  if (sample.sides.size() > 1)
+    cost += missing.slide.squaredNorm() / std::pow(limits.slide_mm, 2) +
+            missing.overlap.squaredNorm() / std::pow(limits.overlap_mm, 2);
   if (joint.order < 1 && sample.sides.size() > 1)
     for (const JointSide& side : sample.sides)
       if (const std::optional<Tilt> tilt = tiltOf(sample, side))
@@ -430,6 +459,10 @@ void addConditions(const Joint& joint, const JointSample& sample, StepSystem& sy
   else
     system.add(sample.cell, place.times(slide_weight), along(sample),
                -slide_weight * missing.slide.dot(along(sample)));
+  const double overlap_weight = weight / sample.limits.overlap_mm;
+  if (sample.limits.overlap_mm < sample.limits.gap_mm)
+    system.add(sample.cell, place.times(overlap_weight), sample.across,
+               -overlap_weight * missing.overlap.dot(sample.across));
   if (joint.order < 1) return keepNormals(sample, share_of_crease * weight / joint.turn_rad, system);
   if (!now.normal) return;
   const std::array<SurfaceJet, 2> jets = {jetOf(sample.sides[0]), jetOf(sample.sides[1])};

@@ -64,7 +64,8 @@ struct Differences {
 /// What a sample may miss.
 struct JointLimits {
   double gap_mm = 0;
-  double slide_mm = 0;  ///< along the seam, and at its ends in all directions
+  double slide_mm = 0;    ///< along the seam, and at its ends in all directions
+  double overlap_mm = 0;  ///< in the tangent plane across the seam
   double angle_rad = 0;
   double curvature_per_mm = 0;  ///< of entries of the curvature tensors
 };
@@ -73,6 +74,7 @@ struct JointSample {
   double s = 0;
   std::vector<JointSide> sides;
   JointLimits limits;
+  Eigen::Vector3d across = Eigen::Vector3d::Zero();  ///< the seam, in the tangent plane of the first side
   Differences given;  ///< what may stay: of a joint that is to meet at most a small gap
   double part = 0;    ///< of the joint's length
   double weight = 1;  ///< grows where the sample is missed

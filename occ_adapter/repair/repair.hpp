@@ -50,7 +50,7 @@ struct SeamRepair {
 
 struct FaceMove {
   int face = 0;  ///< number in the given model
-  /// Of a pole, against the surface as it was in the knots that it has now; at most.
+  /// No point of the face moved further: the largest of the poles of the part that it shows, in the knots that it has now.
   double largest_move_mm = 0;
   /// Of the face's surface, on a grid of lines that is even in its knot spans; nothing where OpenCASCADE can't evaluate it.
   std::optional<SurfaceChange> surface = {};

@@ -45,7 +45,7 @@ void addRepairOptions(CLI::App& command, RepairArguments& arguments) {
   command.add_option("--target", arguments.target, "What the seams must reach: G1 or G2")
       ->check(CLI::IsMember({"G1", "G2"}))
       ->capture_default_str();
-  command.add_option("--max-move", arguments.max_move_mm, "No pole moves further than this, mm")
+  command.add_option("--max-move", arguments.max_move_mm, "No point of a face moves further than this, mm")
       ->type_name("MM")
       ->capture_default_str();
   command

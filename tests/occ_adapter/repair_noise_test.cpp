@@ -110,7 +110,7 @@ TEST(RepairNoise, StarsOfNaturalSides) {
 TEST(RepairNoise, CurvatureToo) {
   for (const double noise_mm : {0.001, 0.01}) {
     const RepairCounts counts = counted(flowing, {"", noise_mm, 1, 2, noise_mm < 0.01 ? 10.0 : 1.0});
-    expectRepaired(counts, 100, most_on_face);
+    expectRepaired(counts, 100, most_on_dense_face);
     EXPECT_LT(counts.largest_curvature_rel, 0.02);
   }
 }

@@ -120,7 +120,7 @@ def has_changed(report):
 
 
 def largest_move_mm(report):
-    """The largest move of a pole; 0 when no face moved."""
+    """No point of a face moved further; 0 when no face moved."""
     return max((move["largest_move_mm"] for move in report["moves"]), default=0.0)
 
 
