@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
+#include <limits>
 #include <sstream>
 
 #include <seamwright/occ_adapter/analyze/workers.hpp>
@@ -153,15 +155,18 @@ std::vector<Part> connectedParts(const std::set<int>& moving, std::vector<Joint>
   return list;
 }
 
-double stiffnessOf(int face, const Stiffness& stiffness) {
-  const auto found = stiffness.find(face);
-  return found == stiffness.end() ? 1 : found->second;
+Restraint restraintOf(int face, const Restraints& restraints) {
+  const auto found = restraints.find(face);
+  return found == restraints.end() ? Restraint{} : found->second;
 }
 
-std::string keyOf(const Part& part, const Stiffness& stiffness) {
+std::string keyOf(const Part& part, const Restraints& restraints) {
   std::ostringstream key;
   key.precision(17);
-  for (const int face : part.faces) key << face << '*' << stiffnessOf(face, stiffness) << ' ';
+  for (const int face : part.faces) {
+    const Restraint restraint = restraintOf(face, restraints);
+    key << face << '*' << restraint.stiffness << '<' << restraint.move_mm << ' ';
+  }
   for (const Joint& joint : part.joints) {
     key << joint.seam << ':' << static_cast<int>(joint.ask) << joint.order;
     for (const double s : joint.also) key << '@' << s;
@@ -180,7 +185,7 @@ bool getsLower(const Part& part, const FairComponent& component) {
 
 /// What a solution can take over from those before. Where less continuity is asked for it begins again: curvature that was in the way has left its
 /// traces.
-FairStart startOf(const Part& part, const std::vector<FairComponent>& before, const Stiffness& stiffness,
+FairStart startOf(const Part& part, const std::vector<FairComponent>& before, const Restraints& restraints,
                   MovingFaces& movers) {
   FairStart start;
   for (const FairComponent& component : before) {
@@ -189,7 +194,8 @@ FairStart startOf(const Part& part, const std::vector<FairComponent>& before, co
       if (part.faces.count(face) > 0) {
         movers.emplace(face, mover);
         start.is_new = false;
-        if (mover.stiffness != stiffnessOf(face, stiffness)) start.relaxed.insert(face);
+        if (Restraint{mover.stiffness, mover.restraint_mm} != restraintOf(face, restraints))
+          start.relaxed.insert(face);
       }
     for (const Joint& joint : part.joints) {
       const auto weights = component.weights.find(joint.seam);
@@ -205,15 +211,19 @@ FairStart startOf(const Part& part, const std::vector<FairComponent>& before, co
   return start;
 }
 
-std::string whyMissed(double missed) {
+/// \param limit_mm finite: of moves that were to be smaller
+std::string whyMissed(double missed, double limit_mm) {
   std::ostringstream text;
   text.precision(3);
-  text << "a fair move of the faces beside it leaves " << missed << " times the tolerance";
+  text << "a fair move of the faces beside it";
+  if (std::isfinite(limit_mm)) text << ", of no more than " << limit_mm << " mm,";
+  text << " leaves " << missed << " times the tolerance";
   return text.str();
 }
 
 /// Those that miss most, as others may be missed for their sake. \param with_curvature of the seams that are to have G2, else of the others.
-Reasons failuresOf(const Part& part, const std::vector<double>& missed, bool with_curvature) {
+Reasons failuresOf(const Part& part, const std::vector<double>& missed, bool with_curvature,
+                   double limit_mm) {
   constexpr double share_of_worst = 0.5;
   double worst = 0;
   const auto counts = [&](std::size_t j) {
@@ -224,20 +234,24 @@ Reasons failuresOf(const Part& part, const std::vector<double>& missed, bool wit
   Reasons failures;
   for (std::size_t j = 0; j < missed.size(); ++j)
     if (counts(j) && missed[j] >= share_of_worst * worst)
-      failures[part.joints[j].seam] = whyMissed(missed[j]);
+      failures[part.joints[j].seam] = whyMissed(missed[j], limit_mm);
   return failures;
 }
 
 FairComponent solved(const RepairTask& task, const Part& part, std::string key,
                      const TopTools_IndexedMapOfShape& faces, const std::vector<FairComponent>& before,
-                     const Stiffness& stiffness, const Progress& progress) {
+                     const Restraints& restraints, const Progress& progress) {
   FairComponent component;
   component.asked = std::move(key);
-  const FairStart start = startOf(part, before, stiffness, component.movers);
+  const FairStart start = startOf(part, before, restraints, component.movers);
   for (const int face : part.faces)
     if (component.movers.count(face) == 0)
       component.movers.emplace(face, moverOf(face, TopoDS::Face(faces(face)), task));
-  for (auto& [face, mover] : component.movers) mover.stiffness = stiffnessOf(face, stiffness);
+  for (auto& [face, mover] : component.movers) {
+    const Restraint restraint = restraintOf(face, restraints);
+    mover.stiffness = restraint.stiffness;
+    mover.restraint_mm = restraint.move_mm;
+  }
   FairResult result = fairSolve(part.joints, task.options.tolerance, start, component.movers, progress);
   component.weights = std::move(result.weights);
   constexpr double far = 10;
@@ -251,7 +265,13 @@ FairComponent solved(const RepairTask& task, const Part& part, std::string key,
       double& effort = component.effort[joint.seam];
       for (const auto& [s, weight] : component.weights[joint.seam]) effort = std::max(effort, weight);
     }
-  if (most_missed > 1) component.failures = failuresOf(part, result.missed, most_asked > 1);
+  if (most_missed > 1) {
+    const bool restrained = std::ranges::any_of(
+        component.movers, [](const auto& mover) { return std::isfinite(mover.second.restraint_mm); });
+    component.failures =
+        failuresOf(part, result.missed, most_asked > 1,
+                   restrained ? task.options.max_move_mm : std::numeric_limits<double>::infinity());
+  }
   component.diverged = most_missed > far;
   for (const auto& [face, mover] : component.movers)
     if (!mover.displacement.coefficients().isZero(0))
@@ -277,8 +297,8 @@ FairComponent failed(const Part& part, std::string key, const std::string& why) 
 }  // namespace
 
 std::vector<FairComponent> displaceFaces(const RepairTask& task, const MissedPlaces& missed,
-                                         const Stiffness& stiffness, const std::vector<FairComponent>& before,
-                                         const Progress& progress) {
+                                         const Restraints& restraints,
+                                         const std::vector<FairComponent>& before, const Progress& progress) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(task.shape, TopAbs_FACE, faces);
   const std::set<int> moving = facesToMove(task);
@@ -287,14 +307,14 @@ std::vector<FairComponent> displaceFaces(const RepairTask& task, const MissedPla
   std::atomic<bool> is_cancelled = false;
   const Progress goes_on = [&is_cancelled](double) { return !is_cancelled; };
   const auto solve = [&](std::size_t k) {
-    std::string key = keyOf(parts[k], stiffness);
+    std::string key = keyOf(parts[k], restraints);
     const auto known = std::ranges::find(before, key, &FairComponent::asked);
     if (known != before.end()) {
       components[k] = *known;
       return;
     }
     try {
-      components[k] = solved(task, parts[k], key, faces, before, stiffness, goes_on);
+      components[k] = solved(task, parts[k], key, faces, before, restraints, goes_on);
     } catch (const Standard_Failure& failure) {
       components[k] = failed(parts[k], std::move(key), whyFailed(failure));
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -15,8 +16,14 @@ namespace seamwright::occ {
 /// Places of seams, 0..1, where samples missed something, by seam.
 using MissedPlaces = std::map<std::size_t, std::set<double>>;
 
-/// How much less than its budget a face may spend, by face; of others 1.
-using Stiffness = std::map<int, double>;
+/// What is asked of a face after it came out unfair, or moved too far: see MovingFace.
+struct Restraint {
+  double stiffness = 1;
+  double move_mm = std::numeric_limits<double>::infinity();
+
+  bool operator==(const Restraint&) const = default;
+};
+using Restraints = std::map<int, Restraint>;  ///< by face; of others none
 
 /// Faces that joints connect, and how they move.
 struct FairComponent {
@@ -34,7 +41,7 @@ struct FairComponent {
 /// what the other edges of the faces have. It is sampled; prove() decides.
 /// \param before components of a task that asked for more; they are where the solution starts. \throws Cancelled; Standard_Failure.
 std::vector<FairComponent> displaceFaces(const RepairTask& task, const MissedPlaces& missed,
-                                         const Stiffness& stiffness, const std::vector<FairComponent>& before,
-                                         const Progress& progress);
+                                         const Restraints& restraints,
+                                         const std::vector<FairComponent>& before, const Progress& progress);
 
 }  // namespace seamwright::occ

@@ -186,10 +186,12 @@ class FairSolving {
   }
 
   /// The integral of |D|^2 / size^4, as if coefficients were spread evenly, is this times the sum of their squares: the size of the move comes
-  /// second.
+  /// second, but for faces that moved too far.
   static double damping(const MovingFace& mover) {
-    return std::pow(fairness * mover.stiffness / (mover.budget_per_mm * mover.displacement.size_mm()), 2) /
-           (mover.area_mm2 * mover.displacement.count());
+    const double of_size =
+        std::pow(fairness * mover.stiffness / (mover.budget_per_mm * mover.displacement.size_mm()), 2) /
+        mover.area_mm2;
+    return (of_size + std::pow(fairness / mover.restraint_mm, 2)) / mover.displacement.count();
   }
 
   void addDamping(int face, const MovingFace& mover, StepSystem& system) {

@@ -103,7 +103,7 @@ class Moving {
       const Progress solving = partOf(progress, done, (done + next) / 2),
                      proving = partOf(progress, (done + next) / 2, next);
       done = next;
-      components_ = displaceFaces(rounds_.task(), missed_, stiffness_, components_, solving);
+      components_ = displaceFaces(rounds_.task(), missed_, restraints_, components_, solving);
       std::vector<FaceChange> changes;
       Reasons failures;
       for (const FairComponent& component : components_) {
@@ -187,11 +187,17 @@ class Moving {
       else
         giveUpAt(face, nameOf(face) + ": " + why, seams);
     }
-    for (const auto* faces : {&faults.too_far, &faults.proof.faces})
-      for (const auto& [face, why] : *faces) {
-        at_fault.emplace(face, why);
+    for (const auto& [face, why] : faults.too_far) {
+      at_fault.emplace(face, why);
+      if (restrains(face))
+        tries_again = true;
+      else
         giveUpAt(face, nameOf(face) + ": " + why, seams);
-      }
+    }
+    for (const auto& [face, why] : faults.proof.faces) {
+      at_fault.emplace(face, why);
+      giveUpAt(face, nameOf(face) + ": " + why, seams);
+    }
     for (const FairComponent& component : components_)
       for (const auto& [face, why] : at_fault)
         if (component.movers.count(face) > 0) {
@@ -274,9 +280,19 @@ class Moving {
   /// The next solution spends less on a face.
   bool stiffens(int face) {
     constexpr double factor = 2, most = 4;
-    double& stiffness = stiffness_.emplace(face, 1).first->second;
+    double& stiffness = restraints_[face].stiffness;
     if (stiffness >= most) return false;
     stiffness *= factor;
+    return true;
+  }
+
+  /// The next solution moves a face less, for the price of more bending.
+  bool restrains(int face) {
+    constexpr double factor = 0.5, least = 0.1;
+    const double limit_mm = task().options.max_move_mm;
+    double& move_mm = restraints_[face].move_mm;
+    if (!(limit_mm > 0) || move_mm <= least * limit_mm) return false;
+    move_mm = std::min(limit_mm, factor * move_mm);
     return true;
   }
 
@@ -284,7 +300,7 @@ class Moving {
   TopTools_IndexedMapOfShape faces_;  ///< as given
   std::vector<FairComponent> components_;
   MissedPlaces missed_;
-  Stiffness stiffness_;
+  Restraints restraints_;
   std::map<std::size_t, int> looks_, ages_;  ///< by seam
   std::map<handle<Geom_Surface>, std::string> unfair_;
 };

