@@ -225,9 +225,8 @@ constexpr double free_share = 0.5;
 
 /// What is lacking beyond what was given; of a kept joint, beyond its free share as well. Its direction is no matter: where edges meet, what
 /// one of them loses another one has to take over.
-Eigen::Vector3d beyondGiven(const Joint& joint, const Eigen::Vector3d& now, const Eigen::Vector3d& given,
-                            double limit) {
-  const double free = std::max(given.norm(), joint.ask == Ask::Keep ? free_share * limit : 0);
+Eigen::Vector3d beyondGiven(const Joint& joint, const Eigen::Vector3d& now, double given, double limit) {
+  const double free = std::max(given, joint.ask == Ask::Keep ? free_share * limit : 0);
   return now.norm() > free ? Eigen::Vector3d(now - free * now.normalized()) : Eigen::Vector3d::Zero();
 }
 
@@ -240,14 +239,13 @@ struct Missing {
 Missing missingOf(const Joint& joint, const JointSample& sample, const Differences& now) {
   const Differences& given = sample.given;
   const JointLimits& limits = sample.limits;
-  Missing missing{beyondGiven(joint, now.gap, given.gap, limits.gap_mm),
-                  beyondGiven(joint, slide(sample, now.gap), slide(sample, given.gap), limits.slide_mm)};
+  Missing missing{
+      beyondGiven(joint, now.gap, std::max(given.gap.norm(), sample.kept_gap_mm), limits.gap_mm),
+      beyondGiven(joint, slide(sample, now.gap), slide(sample, given.gap).norm(), limits.slide_mm)};
   if (limits.overlap_mm < limits.gap_mm)
     missing.overlap =
-        beyondGiven(joint, across(sample, now.gap), across(sample, given.gap), limits.overlap_mm);
-  if (now.normal)
-    missing.normal =
-        beyondGiven(joint, *now.normal, given.normal.value_or(Eigen::Vector3d::Zero()), limits.angle_rad);
+        beyondGiven(joint, across(sample, now.gap), across(sample, given.gap).norm(), limits.overlap_mm);
+  if (now.normal) missing.normal = beyondGiven(joint, *now.normal, sample.kept_angle_rad, limits.angle_rad);
   missing.bend = now.bend - given.bend;
   return missing;
 }
@@ -337,7 +335,16 @@ void setGiven(const Joint& joint, const ContinuityTolerance& tolerance, std::vec
     sample.given = differencesOf(joint, sample, sample.sides[0].shown.jet, sample.sides[1].shown.jet);
     largest_mm = std::max(largest_mm, sample.given.gap.norm());
   }
-  if (joint.ask != Ask::Join) return;
+  if (joint.ask != Ask::Join) {
+    double largest_rad = 0;
+    for (const JointSample& sample : samples)
+      if (sample.given.normal) largest_rad = std::max(largest_rad, sample.given.normal->norm());
+    for (JointSample& sample : samples) {
+      sample.kept_gap_mm = largest_mm;
+      sample.kept_angle_rad = largest_rad;
+    }
+    return;
+  }
   for (JointSample& sample : samples) {
     const Eigen::Vector3d gap = sample.given.gap;
     sample.given = {};
@@ -404,14 +411,14 @@ double missedShareOf(const Joint& joint, const JointSample& sample) {
   const auto share = [&joint](double is, double was, double limit) {
     return joint.ask == Ask::Join ? is / limit : grownShare(is, was, limit);
   };
-  double missed = larger(0, share(now.gap.norm(), sample.given.gap.norm(), sample.limits.gap_mm));
+  double missed = larger(
+      0, share(now.gap.norm(), std::max(sample.given.gap.norm(), sample.kept_gap_mm), sample.limits.gap_mm));
   const Missing missing = missingOf(joint, sample, now);
   missed = larger(missed, missing.slide.norm() / sample.limits.slide_mm);
   missed = larger(missed, missing.overlap.norm() / sample.limits.overlap_mm);
   if (joint.order < 1) return larger(missed, turned_rad(sample) / joint.turn_rad);
   if (!now.normal) return missed;
-  const double was = sample.given.normal ? sample.given.normal->norm() : 0;
-  missed = larger(missed, share(now.normal->norm(), was, sample.limits.angle_rad));
+  missed = larger(missed, share(now.normal->norm(), sample.kept_angle_rad, sample.limits.angle_rad));
   if (joint.order < 2) return missed;
   return std::max(missed,
                   (now.bend - sample.given.bend).cwiseAbs().maxCoeff() / sample.limits.curvature_per_mm);

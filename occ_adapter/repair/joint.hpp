@@ -79,6 +79,9 @@ struct JointSample {
   JointLimits limits;
   Eigen::Vector3d across = Eigen::Vector3d::Zero();  ///< the seam, in the tangent plane of the first side
   Differences given;  ///< what may stay: of a joint that is to meet at most a small gap
+  double kept_gap_mm = 0,
+         kept_angle_rad =
+             0;       ///< of a kept joint: the largest that it lacks anywhere, as no more is seen of it
   double part = 0;    ///< of the joint's length
   double weight = 1;  ///< grows where the sample is missed
   double ratio = 0;   ///< of what it misses to its tolerance
