@@ -156,11 +156,13 @@ bool isEnd(const JointSample& sample) {
 /// Open sides keep their place as far as that costs little, whatever the tolerance is: samples of them get no more weight where they are missed.
 JointLimits limitsOf(const Joint& joint, const JointSample& sample, const ContinuityTolerance& tolerance) {
   constexpr double share_of_gap = 0.2, share_of_angle = 0.2, share_of_size = 1e-4, least_slide = 1e-3;
-  JointLimits limits{tolerance.gap_mm, share_of_gap * tolerance.gap_mm, tolerance.angle_rad,
-                     1 / tolerance.flat_radius_mm};
+  JointLimits limits{.gap_mm = tolerance.gap_mm,
+                     .slide_mm = share_of_gap * tolerance.gap_mm,
+                     .overlap_mm = tolerance.gap_mm,
+                     .angle_rad = tolerance.angle_rad,
+                     .curvature_per_mm = 1 / tolerance.flat_radius_mm};
   if (const MovingFace* mover = sample.sides[0].mover; sample.sides.size() < 2 && mover != nullptr)
     limits.gap_mm = share_of_size * mover->displacement.size_mm();
-  limits.overlap_mm = limits.gap_mm;
   double along_per_mm = 0, across_per_mm = 0;
   for (const JointSide& side : sample.sides)
     if (const auto normal = normalOf(side, side.shown.jet)) {
