@@ -394,9 +394,9 @@ Differences differencesAt(const Joint& joint, const JointSample& sample) {
 
 namespace {
 
-/// Up to half the tolerance any growth does, then by a fifth of it; what is within the tolerance stays so, by a margin.
+/// Up to half the tolerance any growth does, then by a tenth of it; what is within the tolerance stays so, by a margin.
 double grownShare(double is, double was, double limit) {
-  constexpr double growth_share = 0.2, least_share = 1e-3;
+  constexpr double growth_share = 0.1, least_share = 1e-3;
   const double start = std::max(was, free_share * limit);
   const double room = was < limit ? 0.5 * (limit - start) : limit;
   return (is - start) / std::clamp(room, least_share * limit, growth_share * limit);
