@@ -73,12 +73,9 @@ MovingFace moverOf(int number, const TopoDS_Face& face, const RepairTask& task) 
   return mover;
 }
 
-/// The order to which a seam that is not treated is to stay as it is. A defect of which the angle is no matter, as it may be a fold, keeps its place.
+/// The order to which a seam that is not treated is to stay as it is.
 int orderKept(const SeamResult& seam, const RepairOptions& options) {
-  const auto& angle = seam.figures.angle_rad;
-  if (seam.verdict.seam_class == SeamClass::Crease) return 0;
-  if (seam.verdict.seam_class == SeamClass::Defect && !(angle && angle->lower < options.tolerance.crease_rad))
-    return 0;
+  if (isFold(seam, options.tolerance)) return 0;
   const bool keeps_curvature = options.keep_curvature || options.order > 1;
   return keeps_curvature && seam.verdict.level >= Level::G2 && !anyCurvatureDoes(options.tolerance) ? 2 : 1;
 }

@@ -132,13 +132,10 @@ std::string whyWorse(const SeamResult& after, const SeamResult& before, const Re
                      double turn_rad) {
   if (isLower(after, before, options)) return "a lower level";
   const bool was_crease = before.verdict.seam_class == SeamClass::Crease;
-  const bool is_fold =
-      was_crease ||
-      (before.figures.angle_rad && before.figures.angle_rad->lower >= options.tolerance.crease_rad);
   if (was_crease && after.verdict.seam_class == SeamClass::Defect) return "another class";
   if (isLessCertain(after, before, options.tolerance, options.level())) return "less certain";
   if (isLarger(after.figures.gap_mm, before.figures.gap_mm, options.tolerance.gap_mm)) return "a larger gap";
-  if (is_fold)
+  if (isFold(before, options.tolerance))
     return hasTurned(after, before, options.tolerance.angle_rad + turn_rad) ? "another angle" : "";
   if (isLarger(after.figures.angle_rad, before.figures.angle_rad, options.tolerance.angle_rad))
     return "a larger angle";

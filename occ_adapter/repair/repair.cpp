@@ -160,8 +160,9 @@ class Repairing {
     for (const FaceChange& change : done.changes) now_.moves[change.face] += change.largest_move_mm;
     for (const PathChange& change : done.paths) now_.edge_moves[change.edge] = change.largest_move_mm;
     for (std::size_t i = 0; i < done.orders.size(); ++i) {
-      // By how much a crease may turn depends on the seams beside it, and has been judged.
-      if (now_.to_keep[i].verdict.seam_class == SeamClass::Crease) now_.to_keep[i] = now_.after.seams[i];
+      // By how much a fold may turn depends on the seams beside it, and has been judged.
+      if (SeamResult& kept = now_.to_keep[i]; isFold(kept, options_.tolerance))
+        kept.figures.angle_rad = now_.after.seams[i].figures.angle_rad;
       if (done.orders[i] == 0) continue;
       now_.to_keep[i] = now_.after.seams[i];
       if (done.orders[i] == options_.order || sharp_[i])

@@ -39,6 +39,12 @@ double TurnsAtEnds::at_rad(const Seam& seam) const {
   return most;
 }
 
+bool isFold(const SeamResult& seam, const ContinuityTolerance& tolerance) {
+  if (seam.verdict.seam_class == SeamClass::Crease) return true;
+  const auto& angle = seam.figures.angle_rad;
+  return seam.verdict.seam_class == SeamClass::Defect && !(angle && angle->lower < tolerance.crease_rad);
+}
+
 std::string whyFailed(const Standard_Failure& failure) {
   return std::string("OpenCASCADE failed: ") + failure.DynamicType()->Name() + " " +
          failure.GetMessageString();

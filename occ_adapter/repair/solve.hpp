@@ -49,6 +49,9 @@ class TurnsAtEnds {
   std::map<int, double> turns_rad_;  ///< by number of the vertex
 };
 
+/// A crease, or a defect that may be one with a gap: its faces keep their angle, whatever it is.
+bool isFold(const SeamResult& seam, const ContinuityTolerance& tolerance);
+
 /// No difference of curvature is beyond the tolerance, as relativeDifference() is at most 2: G2 is G1.
 inline bool anyCurvatureDoes(const ContinuityTolerance& tolerance) {
   return tolerance.curvature_rel >= 2;
