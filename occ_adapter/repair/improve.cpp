@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include <seamwright/occ_adapter/analyze/workers.hpp>
 #include <seamwright/occ_adapter/repair/displace.hpp>
 #include <seamwright/occ_adapter/repair/face_change.hpp>
 #include <seamwright/occ_adapter/repair/improve.hpp>
@@ -131,6 +132,7 @@ class Moving {
   Faults faultsOf(const std::vector<FaceChange>& changes, const Progress& progress) {
     Faults faults;
     const double limit_mm = task().options.max_move_mm;
+    judgeFairness(changes, partOf(progress, 0, 0.5));
     for (const FaceChange& change : changes) {
       const auto before = task().moved_mm.find(change.face);
       const double move_mm = change.largest_move_mm + (before == task().moved_mm.end() ? 0 : before->second);
@@ -138,24 +140,33 @@ class Moving {
         std::ostringstream text;
         text << "it would move by " << move_mm << " mm, more than " << limit_mm << " mm";
         faults.too_far[change.face] = text.str();
-      } else if (std::string why = whyUnfair(change); !why.empty()) {
+      } else if (const std::string& why = unfair_.at(change.surface); !why.empty()) {
         faults.unfair[change.face] = "it would be less fair: " + why;
       }
     }
-    faults.proof = rounds_.proven(changes, {}, progress);
+    faults.proof = rounds_.proven(changes, {}, partOf(progress, 0.5, 1));
     return faults;
   }
 
-  /// Empty if it is fair enough. Surfaces that were looked at before are not again.
-  const std::string& whyUnfair(const FaceChange& change) {
-    const auto [known, is_new] = unfair_.emplace(change.surface, "");
-    if (!is_new) return known->second;
-    const auto spline = handle<Geom_BSplineSurface>::DownCast(change.surface);
-    const TopoDS_Face& face = TopoDS::Face(faces_(change.face));
-    known->second =
-        judgedMove(change.face, face, spline, change.largest_move_mm, task().options, task().needed)
-            .verdict.reason;
-    return known->second;
+  /// Of surfaces that were not judged before.
+  void judgeFairness(const std::vector<FaceChange>& changes, const Progress& progress) {
+    std::vector<const FaceChange*> unknown;
+    for (const FaceChange& change : changes)
+      if (unfair_.count(change.surface) == 0) unknown.push_back(&change);
+    std::vector<std::string> whys(unknown.size());
+    const auto judge = [&](std::size_t k) {
+      const FaceChange& change = *unknown[k];
+      const TopoDS_Face& face = TopoDS::Face(faces_(change.face));
+      const auto spline = handle<Geom_BSplineSurface>::DownCast(change.surface);
+      try {
+        whys[k] = judgedMove(change.face, face, spline, change.largest_move_mm, task().options, task().needed)
+                      .verdict.reason;
+      } catch (const Standard_Failure& failure) {
+        whys[k] = whyFailed(failure);
+      }
+    };
+    runParallel(unknown.size(), task().options.jobs, judge, progress);
+    for (std::size_t k = 0; k < unknown.size(); ++k) unfair_[unknown[k]->surface] = whys[k];
   }
 
   /// Of a face at fault the seam that took most effort, later all of them.
@@ -302,7 +313,7 @@ class Moving {
   MissedPlaces missed_;
   Restraints restraints_;
   std::map<std::size_t, int> looks_, ages_;  ///< by seam
-  std::map<handle<Geom_Surface>, std::string> unfair_;
+  std::map<handle<Geom_Surface>, std::string> unfair_;  ///< why; empty: fair enough
 };
 
 /// \throws Cancelled. What else is thrown becomes the reason of all.
