@@ -39,36 +39,6 @@ class FairSolving {
       in_vain = worst() > helps * before ? in_vain + 1 : 0;
       if (worst() <= enough || refinement == most_refinements || in_vain > 1 || !refine()) break;
     }
-    if (getenv("DBG")) {
-      fprintf(stderr, "SOLVED unknowns %d worst %g joints %zu movers:", unknowns_, worst(), joints_.size());
-      for (auto& [f, m] : movers_) fprintf(stderr, " %d(stiff %g coef %d budget %g area %g)", f, m.stiffness, m.displacement.count(), m.budget_per_mm, m.area_mm2);
-      fprintf(stderr, "\n");
-      for (std::size_t j = 0; j < joints_.size(); ++j) {
-        const JointSample* worst_sample = nullptr;
-        for (const JointSample& sample : samples_[j])
-          if (worst_sample == nullptr || sample.ratio > worst_sample->ratio) worst_sample = &sample;
-        if (worst_sample == nullptr || worst_sample->ratio < 0.8) continue;
-        const JointSample& sample = *worst_sample;
-        const Differences d = differencesAt(joints_[j], sample);
-        fprintf(stderr, "   seam %zu faces %d %d ask %d order %d s %g of %zu part %g weight %g gap %g of %g was %g slide %g of %g normal %g was %g turn %g ratio %g\n", joints_[j].seam + 1, joints_[j].sides[0].face, joints_[j].sides.back().face, (int)joints_[j].ask, joints_[j].order, sample.s, samples_[j].size(), sample.part, sample.weight,
-                d.gap.norm(), sample.limits.gap_mm, sample.given.gap.norm(), (d.gap - sample.given.gap).norm(), sample.limits.slide_mm, d.normal ? d.normal->norm() / sample.limits.angle_rad : -1, sample.given.normal ? sample.given.normal->norm() / sample.limits.angle_rad : -1, joints_[j].turn_rad, sample.ratio);
-      }
-    }
-    if (getenv("DBG")) {
-      fprintf(stderr, "SOLVED unknowns %d worst %g joints %zu movers:", unknowns_, worst(), joints_.size());
-      for (auto& [f, m] : movers_) fprintf(stderr, " %d(stiff %g coef %d budget %g area %g)", f, m.stiffness, m.displacement.count(), m.budget_per_mm, m.area_mm2);
-      fprintf(stderr, "\n");
-      for (std::size_t j = 0; j < joints_.size(); ++j) {
-        const JointSample* worst_sample = nullptr;
-        for (const JointSample& sample : samples_[j])
-          if (worst_sample == nullptr || sample.ratio > worst_sample->ratio) worst_sample = &sample;
-        if (worst_sample == nullptr || worst_sample->ratio < 0.8) continue;
-        const JointSample& sample = *worst_sample;
-        const Differences d = differencesAt(joints_[j], sample);
-        fprintf(stderr, "   seam %zu faces %d %d ask %d order %d s %g of %zu part %g weight %g gap %g of %g was %g slide %g of %g normal %g was %g turn %g ratio %g\n", joints_[j].seam + 1, joints_[j].sides[0].face, joints_[j].sides.back().face, (int)joints_[j].ask, joints_[j].order, sample.s, samples_[j].size(), sample.part, sample.weight,
-                d.gap.norm(), sample.limits.gap_mm, sample.given.gap.norm(), (d.gap - sample.given.gap).norm(), sample.limits.slide_mm, d.normal ? d.normal->norm() / sample.limits.angle_rad : -1, sample.given.normal ? sample.given.normal->norm() / sample.limits.angle_rad : -1, joints_[j].turn_rad, sample.ratio);
-      }
-    }
     FairResult result{missed_, {}};
     for (std::size_t j = 0; j < joints_.size(); ++j)
       if (joints_[j].ask != Ask::Outline)
