@@ -173,7 +173,10 @@ JointLimits limitsOf(const Joint& joint, const JointSample& sample, const Contin
       if (&side == &sample.sides[0] && tensor.norm() >= limits.curvature_per_mm)
         limits.curvature_per_mm = tolerance.curvature_rel * tensor.norm();
     }
-  if (joint.order < 1) return limits;
+  if (joint.order < 1) {
+    limits.slide_mm = tolerance.gap_mm;
+    return limits;
+  }
   const auto shift_mm = [&](double limit_mm, double turn_per_mm) {
     const double allowed_rad = share_of_angle * tolerance.angle_rad;
     return turn_per_mm * limit_mm > allowed_rad
