@@ -76,8 +76,11 @@ MovingFace moverOf(int number, const TopoDS_Face& face, const RepairTask& task) 
 /// The order to which a seam that is not treated is to stay as it is.
 int orderKept(const SeamResult& seam, const RepairOptions& options) {
   if (isFold(seam, options.tolerance)) return 0;
-  const bool keeps_curvature = options.keep_curvature || options.order > 1;
-  return keeps_curvature && seam.verdict.level >= Level::G2 && !anyCurvatureDoes(options.tolerance) ? 2 : 1;
+  if (anyCurvatureDoes(options.tolerance)) return 1;
+  const bool keeps_curvature = options.order > 1        ? seam.verdict.level >= Level::G1
+                               : options.keep_curvature ? seam.verdict.level >= Level::G2
+                                                        : false;
+  return keeps_curvature ? 2 : 1;
 }
 
 Joint jointOf(const RepairTask& task, std::size_t i, const MissedPlaces& missed, const TurnsAtEnds& turns) {

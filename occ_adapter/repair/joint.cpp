@@ -251,7 +251,7 @@ Missing missingOf(const Joint& joint, const JointSample& sample, const Differenc
     missing.overlap =
         beyondGiven(joint, across(sample, now.gap), across(sample, given.gap).norm(), limits.overlap_mm);
   if (now.normal) missing.normal = beyondGiven(joint, *now.normal, sample.kept_angle_rad, limits.angle_rad);
-  missing.bend = now.bend - given.bend;
+  missing.bend = beyondGiven(joint, now.bend, sample.kept_bend_per_mm, limits.curvature_per_mm);
   return missing;
 }
 
@@ -341,12 +341,15 @@ void setGiven(const Joint& joint, const ContinuityTolerance& tolerance, std::vec
     largest_mm = std::max(largest_mm, sample.given.gap.norm());
   }
   if (joint.ask != Ask::Join) {
-    double largest_rad = 0;
-    for (const JointSample& sample : samples)
+    double largest_rad = 0, largest_per_mm = 0;
+    for (const JointSample& sample : samples) {
       if (sample.given.normal) largest_rad = std::max(largest_rad, sample.given.normal->norm());
+      largest_per_mm = std::max(largest_per_mm, sample.given.bend.norm());
+    }
     for (JointSample& sample : samples) {
       sample.kept_gap_mm = largest_mm;
       sample.kept_angle_rad = largest_rad;
+      sample.kept_bend_per_mm = largest_per_mm;
     }
     return;
   }
@@ -425,8 +428,7 @@ double missedShareOf(const Joint& joint, const JointSample& sample) {
   if (!now.normal) return missed;
   missed = larger(missed, share(now.normal->norm(), sample.kept_angle_rad, sample.limits.angle_rad));
   if (joint.order < 2) return missed;
-  return std::max(missed,
-                  (now.bend - sample.given.bend).cwiseAbs().maxCoeff() / sample.limits.curvature_per_mm);
+  return std::max(missed, share(now.bend.norm(), sample.kept_bend_per_mm, sample.limits.curvature_per_mm));
 }
 
 }  // namespace

@@ -79,9 +79,8 @@ struct JointSample {
   JointLimits limits;
   Eigen::Vector3d across = Eigen::Vector3d::Zero();  ///< the seam, in the tangent plane of the first side
   Differences given;  ///< what may stay: of a joint that is to meet at most a small gap
-  double kept_gap_mm = 0,
-         kept_angle_rad =
-             0;       ///< of a kept joint: the largest that it lacks anywhere, as no more is seen of it
+  /// Of a kept joint: the largest that it lacks anywhere, as no more is seen of it.
+  double kept_gap_mm = 0, kept_angle_rad = 0, kept_bend_per_mm = 0;
   double part = 0;    ///< of the joint's length
   double weight = 1;  ///< grows where the sample is missed
   double ratio = 0;   ///< of what it misses to its tolerance
@@ -95,7 +94,7 @@ std::vector<JointSample> sampled(const Joint& joint, const MovingFaces& movers,
 
 Differences differencesAt(const Joint& joint, const JointSample& sample);
 
-/// What a sample misses over its tolerance; what may stay counts where it grows by more than a fifth of the tolerance.
+/// What a sample misses over its tolerance; what may stay counts where it grows by more than a tenth of the tolerance.
 double missedShare(const Joint& joint, const JointSample& sample);
 
 /// The sum of squares of a sample's conditions.
