@@ -37,7 +37,7 @@ RepairCounts counted(const std::vector<Series>& series, RepairTrial trial) {
 
 /// A fair move spreads a change over the face, so it is larger than the noise: by 4/27 of the kink times the width of the face. Noise on the dense
 /// poles of refitted faces kinks by much for its size.
-constexpr double most_on_face = 30, most_on_dense_face = 200;
+constexpr double most_on_face = 25, most_on_dense_face = 150;
 
 /// \param largest_on_face over the noise.
 void expectRepaired(const RepairCounts& counts, int at_least_treated, double largest_on_face) {

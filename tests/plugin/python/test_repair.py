@@ -210,8 +210,8 @@ def test_no_thread_is_left_behind(tmp_path):
     assert (run.stdout, run.stderr) == ("True 0\n", "")
 
 
-def test_what_was_repaired_stays_so_through_later_ways():
-    """Edge135 and Edge197 get G2 by a way that is not the last one."""
+def test_reasons_are_told_where_a_part_of_the_seams_reaches_g2():
+    """19 of these 35 seams reach G2 now, 13 others G1."""
     model = seamwright.read(installed(OCCT_DATA / "occ/shell1.brep"))
     edges = [86, 87, 90, 91, 92, 103, 104, 105, 106, 107, 109, 111, 131, 132, 134, 135, 137, 140, 141, 143, 144, 146, 147]
     edges += [150, 189, 190, 192, 193, 194, 195, 196, 197, 198, 199, 200]
@@ -219,6 +219,4 @@ def test_what_was_repaired_stays_so_through_later_ways():
     for edge in edges:
         assert seams[edge]["treated"]
         assert seams[edge]["repaired"] == (seams[edge]["reason"] == ""), edge
-    assert sum(seam["repaired"] for seam in seams.values()) >= 4
-    for edge in (135, 197):
-        assert seams[edge]["repaired"], seams[edge]["reason"]
+    assert sum(seam["repaired"] for seam in seams.values()) >= 15
