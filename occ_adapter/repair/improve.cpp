@@ -312,7 +312,7 @@ class Moving {
   std::vector<FairComponent> components_;
   MissedPlaces missed_;
   Restraints restraints_;
-  std::map<std::size_t, int> looks_, ages_;  ///< by seam
+  std::map<std::size_t, int> looks_, ages_;             ///< by seam
   std::map<handle<Geom_Surface>, std::string> unfair_;  ///< why; empty: fair enough
 };
 

@@ -140,7 +140,8 @@ void bindRepair(py::module_& module) {
       py::arg("progress") = py::none(),
       "Moves spline faces, with the least bending, until the seams chosen are smooth; proves it, or "
       "leaves them as they were. Returns a RepairReport; the model is not changed.\n\n"
-      "target: 'G1' or 'G2'. Tolerances as in analyze(). max_move_mm: no point of a face moves further; None: any "
+      "target: 'G1' or 'G2'. Tolerances as in analyze(). max_move_mm: no point of a face moves further; "
+      "None: any "
       "distance. fairness: how many times as much as before the mean curvature of a face may vary, at "
       "least 1. keep_curvature: seams that are G2 stay so, also where G1 is the target. "
       "edges: numbers of the edges, from 1, whose seams are treated; None: all defects. "
