@@ -221,7 +221,7 @@ def test_options_arrive(tmp_path):
                           "--match", "0.05", "--no-sew", "--jobs", "1", "--gap", "0.02", "--angle", "0.05", "--curvature", "0.1",
                           "--flat-radius", "5000", "--crease", "7")
     assert report["options"] == {"target": "G2", "max_move_mm": 0.25, "edges": [second, first], "fixed_faces": [1, 3],
-                                 "match_mm": 0.05, "sew": False, "convert_analytic": False}
+                                 "match_mm": 0.05, "sew": False, "convert_analytic": False, "fairness": 1.5, "keep_curvature": False}
     tolerance = {"gap_mm": 0.02, "angle_deg": 0.05, "curvature_rel": 0.1, "flat_radius_mm": 5000, "crease_deg": 7}
     assert {key: report["tolerance"][key] for key in tolerance} == pytest.approx(tolerance, rel=1e-12)
     assert [move["face"] for move in report["moves"]] == [2]
