@@ -9,8 +9,8 @@ namespace seamwright {
 
 void SurfaceTolerance::validate() const {
   std::ostringstream text;
-  if (!(fairness >= 1))
-    text << "fairness is " << fairness << ": it must be 1 or larger";
+  if (!(fairness >= 1) || !std::isfinite(fairness))
+    text << "fairness is " << fairness << ": it must be a finite number, 1 or larger";
   else if (!(visible_per_mm >= 0) || !std::isfinite(visible_per_mm))
     text << "visible variation is " << visible_per_mm << " per mm: it must be finite and not negative";
   else
@@ -18,8 +18,8 @@ void SurfaceTolerance::validate() const {
   throw std::invalid_argument(text.str());
 }
 
-double visibleVariation(const ContinuityTolerance& tolerance, double size_mm) {
-  return 3 * tolerance.angle_rad / size_mm;
+double visibleVariation(double angle_rad, double size_mm) {
+  return 3 * angle_rad / size_mm;
 }
 
 SurfaceVerdict judgeSurface(const SurfaceChange& change, const SurfaceTolerance& tolerance) {
@@ -31,7 +31,7 @@ SurfaceVerdict judgeSurface(const SurfaceChange& change, const SurfaceTolerance&
     return {true, text.str()};
   }
   const int more = change.after.inflections - change.before.inflections;
-  constexpr int lines_with_one = 10;
+  constexpr int lines_with_one = 5;
   if (lines_with_one * more > change.after.lines) {
     text << "it has " << more << " more inflections along " << change.after.lines << " lines";
     return {true, text.str()};

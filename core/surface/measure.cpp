@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -70,10 +69,11 @@ void include(SurfaceChange& change, const SurfaceJet& before, const SurfaceJet& 
   const Eigen::Matrix3d difference =
       back * curvatureTensor(after, *is) * back.transpose() - curvatureTensor(before, *was);
   if (!difference.allFinite()) return;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(0.5 * (difference + difference.transpose()),
-                                                              Eigen::EigenvaluesOnly);
+  const Eigen::Vector3d u = was->unitOrthogonal(), v = was->cross(u);
+  const double half_sum = (u.dot(difference * u) + v.dot(difference * v)) / 2;
+  const double half = (u.dot(difference * u) - v.dot(difference * v)) / 2, mixed = u.dot(difference * v);
   change.curvature_change_per_mm =
-      std::max(change.curvature_change_per_mm, solver.eigenvalues().cwiseAbs().maxCoeff());
+      std::max(change.curvature_change_per_mm, std::abs(half_sum) + std::hypot(half, mixed));
 }
 
 }  // namespace seamwright

@@ -61,7 +61,7 @@ void runParallel(std::size_t count, int jobs, const std::function<void(std::size
   }
   if (failure) std::rethrow_exception(failure);
   if (cancelled) throw Cancelled();
-  if (progress) progress(1);
+  if (progress && !progress(1)) throw Cancelled();
 }
 
 }  // namespace seamwright::occ

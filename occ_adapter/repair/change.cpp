@@ -313,7 +313,7 @@ class Changer {
   struct Ends {
     std::vector<gp_Pnt> curves, images;
     double tolerance_mm = 0;
-    bool moved = false;
+    bool any_moved = false, any_stays = false;
   };
 
   Ends endsAt(const TopoDS_Vertex& vertex) const {
@@ -325,7 +325,8 @@ class Changer {
       if (changed == new_edges_.end() && !isUsable(old)) continue;  // ends nowhere
       const NewEdge edge = changed == new_edges_.end() ? asItIs(old, number) : changed->second;
       ends.tolerance_mm = std::max(ends.tolerance_mm, edge.tolerance_mm);
-      ends.moved = ends.moved || edge.moved;
+      ends.any_moved = ends.any_moved || edge.moved;
+      ends.any_stays = ends.any_stays || (!edge.moved && !edge.curve.IsNull());
       for (const bool at_first : {true, false}) {
         const TopoDS_Vertex end = at_first ? TopExp::FirstVertex(old) : TopExp::LastVertex(old);
         if (!vertex.IsSame(end)) continue;
@@ -353,7 +354,8 @@ class Changer {
     const std::vector<gp_Pnt>& of_place = ends.curves.empty() ? ends.images : ends.curves;
     if (of_place.empty()) return;
     gp_Pnt place = BRep_Tool::Pnt(old);
-    if (ends.moved) {
+    // Readers of files trim edges at their vertices: what stays is to be the same in the file.
+    if (ends.any_moved && !ends.any_stays) {
       gp_XYZ sum;
       for (const gp_Pnt& end : of_place) sum += end.XYZ();
       place = gp_Pnt(sum / static_cast<double>(of_place.size()));
@@ -362,7 +364,7 @@ class Changer {
     double reach = std::max(Precision::Confusion(), ends.tolerance_mm);
     for (const std::vector<gp_Pnt>* points : {&ends.curves, &ends.images})
       for (const gp_Pnt& end : *points) reach = std::max(reach, rounding * end.Distance(place));
-    if (!ends.moved && reach <= BRep_Tool::Tolerance(old)) return;
+    if (!ends.any_moved && reach <= BRep_Tool::Tolerance(old)) return;
     vertices_.requireOnce(number, "vertex");
     TopoDS_Vertex vertex;
     builder_.MakeVertex(vertex, place.Transformed(outOf(old.Location())), reach);

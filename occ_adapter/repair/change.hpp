@@ -13,7 +13,7 @@ namespace seamwright::occ {
 struct FaceChange {
   int face = 0;  ///< from 1, order of TopExp::MapShapes
   opencascade::handle<Geom_Surface> surface;
-  double largest_move_mm = 0;  ///< of a pole
+  double largest_move_mm = 0;  ///< no point of the face moves further
 };
 
 /// Another path of an edge in the parameter plane of a face; from end to end of the old one over the same range.

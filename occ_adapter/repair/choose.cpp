@@ -190,11 +190,11 @@ Choice choose(const Model& model, const Report& before, const RepairOptions& opt
   return choice;
 }
 
-bool isRepaired(const SeamResult& after, bool sharp, const RepairOptions& options) {
-  if (!sharp) return surelyReaches(after.figures, options.tolerance, options.level());
+bool isRepaired(const SeamResult& after, bool sharp, const ContinuityTolerance& tolerance, Level level) {
+  if (!sharp) return surelyReaches(after.figures, tolerance, level);
   const auto& gap = after.figures.gap_mm;
   return after.verdict.seam_class == SeamClass::Crease && gap && gap->upper &&
-         *gap->upper <= options.tolerance.gap_mm;
+         *gap->upper <= tolerance.gap_mm;
 }
 
 }  // namespace seamwright::occ

@@ -32,7 +32,12 @@ struct Choice {
 /// \throws std::invalid_argument for edges and faces that the model does not have, and for a picked edge that is no seam.
 Choice choose(const Model& model, const Report& before, const RepairOptions& options);
 
-/// The seam surely has what the repair asks for. \param sharp see Choice.
-bool isRepaired(const SeamResult& after, bool sharp, const RepairOptions& options);
+/// 1: G1, 2: G2.
+inline Level levelOf(int order) {
+  return order == 1 ? Level::G1 : Level::G2;
+}
+
+/// The seam surely has what is asked for. \param sharp see Choice.
+bool isRepaired(const SeamResult& after, bool sharp, const ContinuityTolerance& tolerance, Level level);
 
 }  // namespace seamwright::occ

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
+#include <BRepGProp.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <GProp_GProps.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
@@ -205,10 +207,56 @@ opencascade::handle<Geom_BSplineSurface> splineOn(const TopoDS_Face& face) {
   return opencascade::handle<Geom_BSplineSurface>::DownCast(surface->Transformed(location.Transformation()));
 }
 
+/// The mean width of a face beside a seam; 0 where the face can't be integrated.
+double widthBeside_mm(const TopoDS_Face& face, double length_mm) {
+  try {
+    GProp_GProps area;
+    BRepGProp::SurfaceProperties(face, area);
+    return std::min(diagonal_mm(face), area.Mass() / length_mm);
+  } catch (const Standard_Failure&) {
+    return 0;
+  }
+}
+
 }  // namespace
 
+NeededVariation neededVariation(const TopoDS_Shape& shape, const std::vector<SeamResult>& seams,
+                                const std::vector<bool>& treated) {
+  const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE);
+  NeededVariation needed;
+  for (std::size_t i = 0; i < seams.size(); ++i) {
+    const auto& angle = seams[i].figures.angle_rad;
+    if (!treated[i] || !angle || !(seams[i].length_mm > 0)) continue;
+    for (const int number : seams[i].faces) {
+      const double width_mm = widthBeside_mm(TopoDS::Face(faces(number)), seams[i].length_mm);
+      if (width_mm > 0)
+        needed[number] =
+            std::max(needed[number], visibleVariation(angle->upper.value_or(angle->lower), width_mm));
+    }
+  }
+  return needed;
+}
+
+double allowedVariation(int number, const TopoDS_Face& face, const ContinuityTolerance& tolerance,
+                        const NeededVariation& needed, double fairness) {
+  const auto found = needed.find(number);
+  return visibleVariation(tolerance.angle_rad, diagonal_mm(face)) +
+         (found == needed.end() ? 0 : fairness * found->second);
+}
+
+FaceMove judgedMove(int number, const TopoDS_Face& face,
+                    const opencascade::handle<Geom_BSplineSurface>& after, double largest_move_mm,
+                    const RepairOptions& options, const NeededVariation& needed) {
+  FaceMove move{number, largest_move_mm};
+  const double visible = allowedVariation(number, face, options.tolerance, needed, options.fairness);
+  move.surface = measureChange(face, after, largest_move_mm, visible);
+  move.verdict = judgeSurface(*move.surface, {options.fairness, visible});
+  return move;
+}
+
 void judgeMoves(const TopoDS_Shape& before, const TopoDS_Shape& after, const std::vector<int>& faces_now,
-                const RepairOptions& options, std::vector<FaceMove>& moves, const Progress& progress) {
+                const RepairOptions& options, const NeededVariation& needed, std::vector<FaceMove>& moves,
+                const Progress& progress) {
   const TopTools_IndexedMapOfShape was = partsOf(before, TopAbs_FACE), is = partsOf(after, TopAbs_FACE);
   const auto judge = [&](std::size_t k) {
     FaceMove& move = moves[k];
@@ -217,9 +265,7 @@ void judgeMoves(const TopoDS_Shape& before, const TopoDS_Shape& after, const std
     try {
       const opencascade::handle<Geom_BSplineSurface> spline = splineOn(now);
       if (spline.IsNull()) return;
-      const double visible = visibleVariation(options.tolerance, diagonal_mm(face));
-      move.surface = measureChange(face, spline, move.largest_move_mm, visible);
-      move.verdict = judgeSurface(*move.surface, {options.fairness, visible});
+      move = judgedMove(move.face, face, spline, move.largest_move_mm, options, needed);
     } catch (const Standard_Failure&) {
       move.surface.reset();
     }

@@ -3,6 +3,7 @@
 
 #include <Geom_BSplineSurface.hxx>
 #include <TopoDS_Face.hxx>
+#include <map>
 #include <vector>
 
 #include <seamwright/occ_adapter/repair/repair.hpp>
@@ -30,9 +31,25 @@ struct FaceGrid {
 SurfaceChange measureChange(const TopoDS_Face& face, const opencascade::handle<Geom_BSplineSurface>& after,
                             double bound_mm, double visible_per_mm, const FaceGrid& grid = {});
 
+/// By face: what the way of least bending to turn its tangent plane along its treated seams, by their angles, costs in variation of the mean
+/// curvature. The turn fades over the mean width of the face beside the seam: its area over the seam's length.
+using NeededVariation = std::map<int, double>;
+NeededVariation neededVariation(const TopoDS_Shape& shape, const std::vector<SeamResult>& seams,
+                                const std::vector<bool>& treated);
+
+/// What can't be seen on a face or is needed: visibleVariation() of the accepted angle over the diagonal of its box, and fairness times what is needed.
+double allowedVariation(int number, const TopoDS_Face& face, const ContinuityTolerance& tolerance,
+                        const NeededVariation& needed, double fairness);
+
+/// A face's change, measured and judged. \param after see measureChange(). \throws Standard_Failure.
+FaceMove judgedMove(int number, const TopoDS_Face& face,
+                    const opencascade::handle<Geom_BSplineSurface>& after, double largest_move_mm,
+                    const RepairOptions& options, const NeededVariation& needed);
+
 /// Measures and judges the faces that moved. \param faces_now see RepairReport. \param moves of faces of the shape before; they get their change
 /// and verdict. \throws Cancelled.
 void judgeMoves(const TopoDS_Shape& before, const TopoDS_Shape& after, const std::vector<int>& faces_now,
-                const RepairOptions& options, std::vector<FaceMove>& moves, const Progress& progress);
+                const RepairOptions& options, const NeededVariation& needed, std::vector<FaceMove>& moves,
+                const Progress& progress);
 
 }  // namespace seamwright::occ

@@ -158,10 +158,10 @@ class PathSolver {
  public:
   explicit PathSolver(const RepairTask& task) : task_(task) {}
 
-  RepairSolution run(const Progress& progress) {
+  JoinedPaths run(const Progress& progress) {
     std::vector<std::size_t> treated;
-    for (std::size_t i = 0; i < task_.treated.size(); ++i)
-      if (task_.treated[i]) treated.push_back(i);
+    for (std::size_t i = 0; i < task_.seams.size(); ++i)
+      if (task_.isTreated(i)) treated.push_back(i);
     std::vector<Outcome> outcomes(treated.size());
     // Nothing that others read is changed.
     const auto tryToJoin = [&](std::size_t k) {
@@ -172,7 +172,7 @@ class PathSolver {
       }
     };
     runParallel(treated.size(), task_.options.jobs, tryToJoin, progress);
-    RepairSolution solution;
+    JoinedPaths solution;
     for (std::size_t k = 0; k < treated.size(); ++k) {
       solution.paths.insert(solution.paths.end(), outcomes[k].paths.begin(), outcomes[k].paths.end());
       if (!outcomes[k].why_not.empty()) solution.failures[treated[k]] = outcomes[k].why_not;
@@ -223,7 +223,8 @@ class PathSolver {
     if (before.verdict.level != Level::None) return false;
     SeamFigures closed = before.figures;
     closed.gap_mm = Figure{0, 0, 0};
-    return task_.sharp[i] || judge(closed, task_.options.tolerance, Level::G1).level >= task_.options.level();
+    return task_.sharp[i] ||
+           judge(closed, task_.options.tolerance, Level::G1).level >= levelOf(task_.orders[i]);
   }
 
   bool mayTrim(const Seam& seam, int side) const { return task_.faces[seam.sides[side].face].may_be_trimmed; }
@@ -233,7 +234,7 @@ class PathSolver {
 
 }  // namespace
 
-RepairSolution joinPaths(const RepairTask& task, const Progress& progress) {
+JoinedPaths joinPaths(const RepairTask& task, const Progress& progress) {
   return PathSolver(task).run(progress);
 }
 

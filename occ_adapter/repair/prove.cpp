@@ -52,7 +52,7 @@ class Remeasuring {
   void measure(bool treated, std::vector<SeamResult>& after, const Progress& progress) {
     std::vector<std::size_t> again;
     for (std::size_t i = 0; i < seams_.size(); ++i) {
-      if (task_.treated[i] != treated || !isNew(seams_[i], task_.seams[i])) continue;
+      if (task_.isTreated(i) != treated || !isNew(seams_[i], task_.seams[i])) continue;
       if (const auto there = known_.find(keyOf(i)); there != known_.end())
         after[i] = there->second;
       else
@@ -105,12 +105,12 @@ bool isLarger(const std::optional<Figure>& after, const std::optional<Figure>& b
   return after->lower > std::max(tolerance, before ? known(*before) + margin * tolerance : 0);
 }
 
-/// Up to the level asked for what is seen counts, above it what is sure.
-bool isLower(const SeamResult& after, const SeamResult& before, const ContinuityTolerance& tolerance,
-             Level asked) {
+/// Up to the level asked for what is seen counts; above it what is sure, and only where curvature is to be kept.
+bool isLower(const SeamResult& after, const SeamResult& before, const RepairOptions& options) {
   const Level level = before.verdict.level;
   if (after.verdict.level >= level) return false;
-  return after.verdict.level < asked || surelyReaches(before.figures, tolerance, level);
+  if (after.verdict.level < options.level()) return true;
+  return options.keep_curvature && surelyReaches(before.figures, options.tolerance, level);
 }
 
 bool isLessCertain(const SeamResult& after, const SeamResult& before, const ContinuityTolerance& tolerance,
@@ -120,35 +120,48 @@ bool isLessCertain(const SeamResult& after, const SeamResult& before, const Cont
          (had_it && !surelyReaches(after.figures, tolerance, asked));
 }
 
-/// Which figure is worse than it was; empty if none.
+/// The largest angle of a crease is another one, by more than that.
+bool hasTurned(const SeamResult& after, const SeamResult& before, double allowed_rad) {
+  const auto &is = after.figures.angle_rad, &was = before.figures.angle_rad;
+  if (!is || !was || !is->upper || !was->upper) return false;
+  return is->lower - *was->upper > allowed_rad || was->lower - *is->upper > allowed_rad;
+}
+
+/// Which figure is worse than it was; empty if none. \param turn_rad by which a crease's faces have to turn at its ends
 std::string whyWorse(const SeamResult& after, const SeamResult& before, const RepairOptions& options,
-                     Level asked) {
-  if (isLower(after, before, options.tolerance, asked)) return "a lower level";
+                     double turn_rad) {
+  if (isLower(after, before, options)) return "a lower level";
   const bool was_crease = before.verdict.seam_class == SeamClass::Crease;
   if (was_crease && after.verdict.seam_class == SeamClass::Defect) return "another class";
-  if (isLessCertain(after, before, options.tolerance, asked)) return "less certain";
+  if (isLessCertain(after, before, options.tolerance, options.level())) return "less certain";
   if (isLarger(after.figures.gap_mm, before.figures.gap_mm, options.tolerance.gap_mm)) return "a larger gap";
-  if (was_crease) return {};
+  if (isFold(before, options.tolerance))
+    return hasTurned(after, before, options.tolerance.angle_rad + turn_rad) ? "another angle" : "";
   if (isLarger(after.figures.angle_rad, before.figures.angle_rad, options.tolerance.angle_rad))
     return "a larger angle";
-  const bool counts = options.order == 2 && before.figures.curvature_rel;
-  if (counts &&
-      isLarger(after.figures.curvature_rel, before.figures.curvature_rel, options.tolerance.curvature_rel))
+  const auto &curvature = after.figures.curvature_rel, &curvature_before = before.figures.curvature_rel;
+  constexpr double seen = 1.1;
+  if (options.order == 2 && before.verdict.level >= Level::G1 && curvature_before &&
+      isLarger(curvature, curvature_before, options.tolerance.curvature_rel) &&
+      !(curvature && curvature->lower <= seen * known(*curvature_before)))
     return "a larger difference of curvature";
   return {};
 }
 
 void judgeTreated(const RepairTask& task, Proof& proof) {
   for (std::size_t i = 0; i < proof.after.size(); ++i)
-    if (task.treated[i] && !isRepaired(proof.after[i], task.sharp[i], task.options))
+    if (task.isTreated(i) &&
+        !isRepaired(proof.after[i], task.sharp[i], task.options.tolerance, levelOf(task.orders[i])))
       proof.unrepaired[i] = "after a move it has " + figuresText(proof.after[i]);
 }
 
 void judgeOthers(const RepairTask& task, Proof& proof) {
+  const TurnsAtEnds turns(task);
   for (std::size_t i = 0; i < proof.after.size(); ++i) {
-    if (task.treated[i]) continue;
+    if (task.isTreated(i)) continue;
     const SeamResult &after = proof.after[i], &before = task.to_keep[i];
-    if (const std::string why = whyWorse(after, before, task.options, task.asked); !why.empty())
+    if (const std::string why = whyWorse(after, before, task.options, turns.at_rad(task.seams[i]));
+        !why.empty())
       proof.worse[i] = "edge " + std::to_string(after.edges.front()) + " would get " + why + " (" +
                        figuresText(after) + "; before " + figuresText(before) + ")";
   }
@@ -252,88 +265,6 @@ void judgeSoundness(const RepairTask& task, const TopoDS_Shape& changed, std::op
   if (was->whole && proof.faces.empty()) proof.whole = "OpenCASCADE's checks do not pass";
 }
 
-std::set<int> movedFaces(const RepairSolution& solution) {
-  std::set<int> faces;
-  for (const FaceChange& change : solution.changes) faces.insert(change.face);
-  for (const PathChange& change : solution.paths) faces.insert(change.face);
-  return faces;
-}
-
-bool moves(const Seam& seam, const std::set<int>& moved, int face) {
-  return moved.count(face) > 0 && (seam.sides[0].face == face || seam.sides[1].face == face);
-}
-
-bool meet(const Seam& a, const Seam& b) {
-  TopTools_IndexedMapOfShape ends;
-  for (const FaceUse& side : a.sides) TopExp::MapShapes(side.edge, TopAbs_VERTEX, ends);
-  for (const FaceUse& side : b.sides)
-    if (ends.Contains(TopExp::FirstVertex(side.edge)) || ends.Contains(TopExp::LastVertex(side.edge)))
-      return true;
-  return false;
-}
-
-/// Treated seams that moved a face of the seam.
-std::vector<std::size_t> blameFor(const RepairTask& task, const std::set<int>& moved, const Seam& worse) {
-  std::vector<std::size_t> near, all;
-  for (std::size_t i = 0; i < task.seams.size(); ++i) {
-    if (!task.treated[i]) continue;
-    const Seam& seam = task.seams[i];
-    if (!moves(seam, moved, worse.sides[0].face) && !moves(seam, moved, worse.sides[1].face)) continue;
-    all.push_back(i);
-    if (meet(seam, worse)) near.push_back(i);
-  }
-  return near.empty() ? all : near;
-}
-
-double missOf(const SeamResult& seam, const ContinuityTolerance& tolerance) {
-  const auto share = [](const std::optional<Figure>& figure, double limit) {
-    return figure ? known(*figure) / limit : 0;
-  };
-  return std::max(share(seam.figures.gap_mm, tolerance.gap_mm),
-                  share(seam.figures.angle_rad, tolerance.angle_rad));
-}
-
-/// The treated seam that moves the face and is furthest from its tolerance now.
-std::optional<std::size_t> worstOf(const RepairTask& task, const std::set<int>& moved, int face) {
-  std::optional<std::size_t> worst;
-  double most = -1;
-  for (std::size_t i = 0; i < task.seams.size(); ++i) {
-    if (!task.treated[i] || !moves(task.seams[i], moved, face)) continue;
-    const double miss = missOf(task.before[i], task.options.tolerance);
-    if (miss <= most) continue;
-    most = miss;
-    worst = i;
-  }
-  return worst;
-}
-
-/// Of a proof that does not hold, where nothing that was treated is to blame.
-std::string firstFault(const Proof& proof) {
-  if (!proof.faces.empty()) {
-    const auto& [face, why] = *proof.faces.begin();
-    return "face " + std::to_string(face) + ": " + why;
-  }
-  return proof.worse.empty() ? proof.whole : proof.worse.begin()->second;
-}
-
-void addConnected(const RepairTask& task, const std::set<int>& moved,
-                  std::map<std::size_t, std::string>& given_up) {
-  for (bool grew = true; grew;) {
-    grew = false;
-    for (std::size_t i = 0; i < task.seams.size(); ++i) {
-      if (!task.treated[i] || given_up.count(i) > 0) continue;
-      for (const auto& [other, why] : given_up) {
-        const bool connected = moves(task.seams[i], moved, task.seams[other].sides[0].face) ||
-                               moves(task.seams[i], moved, task.seams[other].sides[1].face);
-        if (!connected) continue;
-        given_up[i] = "it depends on edge " + std::to_string(task.seams[other].edges.front()) + ": " + why;
-        grew = true;
-        break;
-      }
-    }
-  }
-}
-
 }  // namespace
 
 // The parallel mode of BRepCheck_Analyzer is no choice: faces that share an edge evaluate one adaptor of its curve on several threads, and
@@ -396,41 +327,6 @@ Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes, cons
   if (proof.holds())
     proof.whole = whyNotVolumes(task, changes, changed, proof.after, partOf(progress, 0.9, 1));
   return proof;
-}
-
-std::map<int, std::string> movedTooFar(const RepairTask& task, const std::vector<FaceChange>& changes) {
-  constexpr double near_largest = 0.7;
-  double largest_mm = 0;
-  for (const FaceChange& change : changes) largest_mm = std::max(largest_mm, change.largest_move_mm);
-  std::map<int, std::string> faces;
-  for (const FaceChange& change : changes)
-    if (change.largest_move_mm > std::max(task.options.max_move_mm, near_largest * largest_mm))
-      faces[change.face] = "it needs a move of " + shortText(change.largest_move_mm) + " mm, more than " +
-                           shortText(task.options.max_move_mm) + " mm";
-  return faces;
-}
-
-std::map<std::size_t, std::string> culprits(const RepairTask& task, const RepairSolution& solution,
-                                            const Proof& proof, bool with_connected) {
-  const std::set<int> moved = movedFaces(solution);
-  std::map<std::size_t, std::string> given_up;
-  for (const auto& [face, why] : proof.faces)
-    for (std::size_t i = 0; i < task.seams.size(); ++i)
-      if (task.treated[i] && moves(task.seams[i], moved, face))
-        given_up.emplace(i, "face " + std::to_string(face) + ": " + why);
-  for (const auto& [face, why] : proof.too_far)
-    if (const auto worst = worstOf(task, moved, face))
-      given_up.emplace(*worst, "face " + std::to_string(face) + ": " + why);
-  for (const auto& [i, why] : proof.unrepaired) given_up[i] = why;
-  // What is worse may be so for one of these.
-  if (given_up.empty())
-    for (const auto& [worse, why] : proof.worse)
-      for (const std::size_t i : blameFor(task, moved, task.seams[worse])) given_up.emplace(i, why);
-  const bool nobody = given_up.empty();
-  for (std::size_t i = 0; nobody && i < task.seams.size(); ++i)
-    if (task.treated[i]) given_up[i] = firstFault(proof);
-  if (with_connected) addConnected(task, moved, given_up);
-  return given_up;
 }
 
 }  // namespace seamwright::occ

@@ -30,14 +30,11 @@ struct Proof {
   std::vector<SeamResult> after;                  ///< in the order of before
   std::map<std::size_t, std::string> unrepaired;  ///< treated seams that do not have the level
   std::map<std::size_t, std::string> worse;       ///< other seams
-  std::map<int, std::string> too_far;             ///< faces, see movedTooFar()
   std::map<int, std::string> faces;    ///< folded, moved further than told, or failing OpenCASCADE's checks
   std::string whole;                   ///< of the shape as a whole
   std::optional<Soundness> soundness;  ///< of the changed shape, if it was looked at
 
-  bool holds() const {
-    return unrepaired.empty() && worse.empty() && too_far.empty() && faces.empty() && whole.empty();
-  }
+  bool holds() const { return unrepaired.empty() && worse.empty() && faces.empty() && whole.empty(); }
 };
 
 /// The seams of the task in a shape that withChanges() made of its own, or the same one. Of a matched seam the stretch that is found there now,
@@ -50,14 +47,5 @@ std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed
 /// \param was of the task's shape; found where it is needed and not known. \param known of the task's shape; it grows. \throws Cancelled.
 Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
             std::optional<Soundness>& was, MeasuredSeams& known, const Progress& progress);
-
-/// Faces that move further than is allowed, with the figures; only those that move most, as the others may move less without them.
-std::map<int, std::string> movedTooFar(const RepairTask& task, const std::vector<FaceChange>& changes);
-
-/// Treated seams to be given up for the proof to hold, with the reason of each: those that do not have the level, and of a face that is at fault
-/// all of its own, or, where it only moves too far, the worst of them. Where there are none, of a seam that is worse those that move one of its faces, and end where it ends if there are such.
-/// \param with_connected also seams that moved faces connect with these.
-std::map<std::size_t, std::string> culprits(const RepairTask& task, const RepairSolution& solution,
-                                            const Proof& proof, bool with_connected);
 
 }  // namespace seamwright::occ

@@ -5,13 +5,14 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include <seamwright/occ_adapter/repair/convert_faces.hpp>
 #include <seamwright/occ_adapter/repair/face_change.hpp>
-#include <seamwright/occ_adapter/repair/prove.hpp>
+#include <seamwright/occ_adapter/repair/improve.hpp>
 #include <seamwright/occ_adapter/repair/sew.hpp>
 #include <seamwright/occ_adapter/seams/match.hpp>
 
@@ -30,7 +31,7 @@ std::vector<Seam> seamsOf(const TopoDS_Shape& shape, const RepairOptions& option
   return std::move(graph.seams);
 }
 
-/// One call of repair(): what is asked for is tried; what spoils it is given up; until what is left can be proven.
+/// One call of repair(): first edges get other paths, then faces move, then what meets is sewn.
 class Repairing {
  public:
   Repairing(const Model& model, const RepairOptions& options, const Progress& progress)
@@ -40,49 +41,35 @@ class Repairing {
     const auto start = std::chrono::steady_clock::now();
     result_.model = model_;
     result_.before = analyze(model_, analyzeOptions(options_), partOf(progress_, 0, share_of_analysis));
-    now_.shape = model_.shape;
-    now_.after = result_.before;
     Choice choice = choose(model_, result_.before, options_);
-    now_.reasons = std::move(choice.reasons);
+    now_ = {model_.shape, result_.before, {}, result_.before.seams, std::move(choice.reasons), {}, {}, {}};
     sharp_ = std::move(choice.sharp);
-    const std::vector<bool> wanted = choice.treated;
-    now_.open = wanted;
+    const std::vector<bool> wanted = std::move(choice.treated);
     if (std::ranges::count(wanted, true) > 0) {
       now_.seams = seamsOf(model_.shape, options_, {});
+      needed_ = neededVariation(model_.shape, result_.before.seams, turned(wanted));
       const double all = options_.match_mm > 0 && options_.sew ? share_before_sewing : 1;
-      const Progress part = partOf(progress_, share_of_analysis, all);
-      now_.to_keep = result_.before.seams;
-      if (options_.order == 1 || anyCurvatureDoes(options_.tolerance))
-        repair(choice.faces, toG1(), part);
-      else
-        repairToG2(choice.faces, part);
+      repair(wanted, choice.faces, partOf(progress_, share_of_analysis, all));
     }
     result_.model.shape = now_.shape;
     result_.after = now_.after;
     if (options_.match_mm > 0 && options_.sew) sew();
     tell(wanted);
+    judgeMoves(model_.shape, result_.model.shape, result_.faces_now, options_, needed_, result_.moves, {});
     result_.repair_s = secondsSince(start);
     if (progress_) progress_(1);
     return std::move(result_);
   }
 
  private:
-  /// Says less than what a way before has found.
-  static constexpr const char* nothing_moved = "nothing was moved";
-  static constexpr double share_of_analysis = 0.2, share_before_sewing = 0.9;
-  static constexpr int most_rounds = 12;
-  /// From then on what is connected with a culprit is given up with it.
-  static constexpr int rounds_for_culprits_alone = 6;
-
-  using Solver = std::function<RepairSolution(const RepairTask&, const Progress&)>;
-  using Reasons = std::map<std::size_t, std::string>;
+  static constexpr double share_of_analysis = 0.2, share_of_paths = 0.1, share_of_moves = 0.6,
+                          share_of_g1 = 0.7, share_before_sewing = 0.9;
 
   /// The model on its way.
   struct State {
     TopoDS_Shape shape;
     Report after;
     std::vector<Seam> seams;
-    std::vector<bool> open;            ///< by seam: to be repaired, and not yet
     std::vector<SeamResult> to_keep;   ///< what no seam may be worse than: as given, or as repaired
     std::vector<std::string> reasons;  ///< by seam
     std::map<int, double> moves;       ///< by face
@@ -90,235 +77,128 @@ class Repairing {
     std::optional<Soundness> was;      ///< of the shape, once known
   };
 
-  enum class Which { All, Dear, NotDear };
-  struct Way {
-    Solver solver;
-    Which which = Which::All;
-    bool gives_curvature = true;  ///< false: hardly ever, and as slowly as the others together
-  };
-
-  RepairOptions toG1() const {
-    RepairOptions options = options_;
-    options.order = 1;
-    return options;
-  }
-
-  bool hasG1(const State& state, std::size_t i) const {
-    return isRepaired(state.after.seams[i], sharp_[i], toG1());
-  }
-
-  /// Seams that can't have one curvature get one tangent plane, if they lack that too; what was repaired stays so. What one plane alone
-  /// would have got it has got it then: where the curvature of others is in the way, planes come first.
-  void repairToG2(const std::vector<FaceChoice>& faces, const Progress& progress) {
-    const State given = now_;
-    const std::vector<bool>& wanted = given.open;
-    repair(faces, options_, partOf(progress, 0, 0.5));
-    std::vector<std::string> of_g2 = now_.reasons;
-    // Of these the gap alone was to be closed.
-    for (std::size_t i = 0; i < wanted.size(); ++i) now_.open[i] = now_.open[i] && !sharp_[i];
-    repairToG1(faces, partOf(progress, 0.5, 0.7));
-    std::vector<std::string> of_g1 = now_.reasons;
-    const auto lacks = [&](const State& state, std::size_t i) { return wanted[i] && !hasG1(state, i); };
-    const auto some = [&](const auto& holds) {
-      for (std::size_t i = 0; i < wanted.size(); ++i)
-        if (holds(i)) return true;
-      return false;
-    };
-    if (some([&](std::size_t i) { return lacks(now_, i); })) {
-      State curved = std::exchange(now_, given);
-      repairToG1(faces, partOf(progress, 0.7, 0.85));
-      if (some([&](std::size_t i) { return lacks(curved, i) && !lacks(now_, i); })) {
-        of_g1 = now_.reasons;
-        repairAgain(curved, faces, of_g2, partOf(progress, 0.85, 1));
-      } else {
-        now_ = std::move(curved);
-      }
+  void repair(const std::vector<bool>& wanted, const std::vector<FaceChoice>& faces,
+              const Progress& progress) {
+    const int order = anyCurvatureDoes(options_.tolerance) ? 1 : options_.order;
+    std::vector<int> orders(wanted.size());
+    std::ranges::transform(wanted, orders.begin(), [order](bool is_wanted) { return is_wanted ? order : 0; });
+    keep(improveByPaths(taskOf(faces, orders), now_.was, partOf(progress, 0, share_of_paths)));
+    for (std::size_t i = 0; i < orders.size(); ++i) {
+      if (isRepaired(now_.after.seams[i], sharp_[i], options_.tolerance, levelOf(order))) orders[i] = 0;
+      if (orders[i] > 0) now_.reasons[i].clear();
     }
-    for (std::size_t i = 0; i < wanted.size(); ++i)
-      if (wanted[i] && !sharp_[i] && !hasG1(given, i))
-        now_.reasons[i] = hasG1(now_, i) ? "G1 reached; G2: " + of_g2[i] : of_g2[i] + "; G1: " + of_g1[i];
-      else if (wanted[i])
-        now_.reasons[i] = of_g2[i];
+    keep(improveByMoves(taskOf(faces, orders), now_.was, partOf(progress, share_of_paths, share_of_moves)));
+    for (int& left : orders) left = std::min(left, 1);
+    for (std::size_t i = 0; i < orders.size(); ++i)
+      if (isRepaired(now_.after.seams[i], sharp_[i], options_.tolerance, Level::G1)) orders[i] = 0;
+    if (order > 1)
+      keep(improveByMoves(taskOf(faces, orders), now_.was, partOf(progress, share_of_moves, share_of_g1)));
+    repairAlone(orders, faces, partOf(progress, share_of_g1, 1));
   }
 
-  /// Open seams that lack one tangent plane.
-  void repairToG1(const std::vector<FaceChoice>& faces, const Progress& progress) {
-    const RepairOptions options = toG1();
-    now_.to_keep = judged(std::move(now_.to_keep), options);
-    for (std::size_t i = 0; i < now_.open.size(); ++i) {
-      now_.open[i] = now_.open[i] && !hasG1(now_, i);
-      if (now_.open[i]) now_.reasons[i].clear();
-    }
-    repair(faces, options, progress);
-  }
-
-  /// Seams that got one curvature in another state. \param of_g2 why seams have none.
-  void repairAgain(const State& curved, const std::vector<FaceChoice>& faces, std::vector<std::string>& of_g2,
+  /// Seams that were left, from the smallest angle on, by themselves: what was asked for together with them may be what can't be had. Several
+  /// at a time, as long as no face of one is next to a face of another.
+  void repairAlone(const std::vector<int>& orders, const std::vector<FaceChoice>& faces,
                    const Progress& progress) {
-    const auto has = [this](const State& state, std::size_t i) {
-      return isRepaired(state.after.seams[i], sharp_[i], options_);
-    };
-    now_.to_keep = judged(std::move(now_.to_keep), options_);
-    for (std::size_t i = 0; i < now_.open.size(); ++i) {
-      now_.open[i] = has(curved, i) && !has(now_, i);
-      if (now_.open[i]) now_.reasons[i].clear();
-    }
-    const std::vector<bool> tried = now_.open;
-    repair(faces, options_, progress);
-    for (std::size_t i = 0; i < tried.size(); ++i)
-      if (tried[i]) of_g2[i] = now_.reasons[i];
-  }
-
-  static std::vector<SeamResult> judged(std::vector<SeamResult> seams, const RepairOptions& options) {
-    for (SeamResult& seam : seams) seam.verdict = judge(seam.figures, options.tolerance, options.level());
-    return seams;
-  }
-
-  /// What one way leaves the next one tries, in the shape as it is then; what an exact join moves far, first by following.
-  /// \param options with the order that is tried.
-  void repair(const std::vector<FaceChoice>& faces, const RepairOptions& options, const Progress& progress) {
-    followed_.clear();
-    JoinedPairs pairs;
-    DearSeams dear;
-    const auto network = [](DearSeams* left) {
-      return [left](const RepairTask& task, const Progress& part) { return joinNetwork(task, left, part); };
-    };
-    const Solver pairwise = [&pairs](const RepairTask& task, const Progress& part) {
-      return joinPairs(task, pairs, part);
-    };
-    const auto follow = [this](LeadReach reach) {
-      return [this, reach](const RepairTask& task, const Progress& part) {
-        return followTargets(task, reach, followed_, part);
-      };
-    };
-    const std::array<Way, 7> ways = {{{joinPaths, Which::All},
-                                      {network(&dear), Which::All},
-                                      {pairwise, Which::NotDear},
-                                      {follow(LeadReach::Spans), Which::All},
-                                      {follow(LeadReach::Half), Which::All, false},
-                                      {network(nullptr), Which::Dear, false},
-                                      {pairwise, Which::Dear}}};
-    double done = 0;
-    for (std::size_t k = 0; k < ways.size(); ++k) {
-      const double next = done + (1 - done) / static_cast<double>(ways.size() - k);
-      const TopoDS_Shape shape = now_.shape;
-      const std::vector<SeamResult> before = judged(now_.after.seams, options);
-      RepairTask task{shape,  now_.seams, now_.to_keep, before,          faces,
-                      sharp_, now_.open,  options,      options_.level()};
-      for (std::size_t i = 0; i < now_.open.size(); ++i)
-        if (ways[k].which != Which::All && (dear.count(i) > 0) != (ways[k].which == Which::Dear))
-          task.treated[i] = false;
-      if (options.order > 1 && !ways[k].gives_curvature) task.treated.assign(now_.open.size(), false);
-      pairs.clear();
-      says_why_ = ways[k].which != Which::Dear;
-      if (std::ranges::count(task.treated, true) > 0)
-        improve(std::move(task), ways[k].solver, partOf(progress, done, next));
-      done = next;
-    }
-  }
-
-  void improve(RepairTask task, const Solver& solver, const Progress& progress) {
-    MeasuredSeams measured;
-    double done = 0;
-    for (int round = 0; round < most_rounds && std::ranges::count(task.treated, true) > 0; ++round) {
-      const double next = done + (1 - done) / 3;
-      const Progress part = partOf(progress, done, next);
-      done = next;
-      const Reasons given_up = attempt(task, solver, measured, round >= rounds_for_culprits_alone, part);
-      if (given_up.empty()) return;
-      giveUp(given_up, task);
-    }
-    giveUp(everything(task, "no change was proven in " + std::to_string(most_rounds) + " rounds"), task);
-  }
-
-  /// Gives up what fails until the solver knows how all the rest is met.
-  RepairSolution solve(RepairTask& task, const Solver& solver, const Progress& progress) {
-    double done = 0;
-    for (;;) {
-      const double next = done + (1 - done) / 2;
-      RepairSolution solution = solver(task, partOf(progress, done, next));
-      if (solution.complete) return solution;
-      giveUp(solution.failures, task);
-      done = next;
-    }
-  }
-
-  /// \returns seams to give up; none if the change was kept or all were given up.
-  Reasons attempt(RepairTask& task, const Solver& solver, MeasuredSeams& measured, bool with_connected,
-                  const Progress& progress) {
-    try {
-      RepairSolution solution = solve(task, solver, partOf(progress, 0, 0.5));
-      if (std::ranges::count(task.treated, true) == 0) return {};
-      RepairTask rest = task;
-      giveUp(solution.failures, rest);
-      if (solution.changes.empty() && solution.paths.empty()) return everything(task, nothing_moved);
-      for (FaceChange& change : solution.changes) change.largest_move_mm += now_.moves[change.face];
-      Proof proof;
-      TopoDS_Shape changed;
-      proof.too_far = movedTooFar(rest, solution.changes);
-      if (proof.holds()) {
-        changed = withChanges(task.shape, solution.changes, options_.tolerance.gap_mm, solution.paths,
-                              options_.jobs);
-        // Figures known are of edges with the paths that they have in the shape.
-        MeasuredSeams of_paths;
-        MeasuredSeams& known = solution.paths.empty() ? measured : of_paths;
-        proof = prove(rest, solution.changes, changed, now_.was, known, partOf(progress, 0.5, 1));
+    constexpr int most_batches = 8;
+    std::set<std::size_t> left;
+    for (std::size_t i = 0; i < orders.size(); ++i)
+      if (orders[i] > 0 && !isRepaired(now_.after.seams[i], sharp_[i], options_.tolerance, Level::G1))
+        left.insert(i);
+    for (int batch = 0; batch < most_batches && !left.empty(); ++batch) {
+      std::vector<int> of_batch(orders.size(), 0);
+      for (const std::size_t i : apart(left)) {
+        of_batch[i] = orders[i];
+        left.erase(i);
       }
-      if (!proof.holds()) {
-        Reasons given_up = culprits(rest, solution, proof, with_connected);
-        given_up.merge(solution.failures);
-        return given_up;
-      }
-      keep(rest, solution, changed, proof);
-      return {};
-    } catch (const Cancelled&) {
-      throw;
-    } catch (const Standard_Failure& failure) {
-      return everything(task, std::string("OpenCASCADE failed: ") + failure.DynamicType()->Name() + " " +
-                                  failure.GetMessageString());
-    } catch (const std::exception& error) {
-      return everything(task, error.what());
+      keep(improveByMoves(
+          taskOf(faces, std::move(of_batch)), now_.was,
+          partOf(progress, static_cast<double>(batch) / most_batches, (batch + 1.0) / most_batches)));
     }
   }
 
-  static Reasons everything(const RepairTask& task, const std::string& why) {
-    Reasons all;
-    for (std::size_t i = 0; i < task.treated.size(); ++i)
-      if (task.treated[i]) all[i] = why;
-    return all;
+  /// As many of these seams as have no face in common, nor faces that meet.
+  std::vector<std::size_t> apart(const std::set<std::size_t>& seams) const {
+    std::vector<std::size_t> order(seams.begin(), seams.end());
+    const auto angle = [this](std::size_t i) {
+      const auto& figure = now_.after.seams[i].figures.angle_rad;
+      return figure ? figure->lower : 0;
+    };
+    std::ranges::stable_sort(order, {}, angle);
+    std::set<int> taken;
+    std::vector<std::size_t> chosen;
+    for (const std::size_t i : order) {
+      const auto& own = now_.seams[i].sides;
+      if (taken.count(own[0].face) > 0 || taken.count(own[1].face) > 0) continue;
+      chosen.push_back(i);
+      for (const FaceUse& side : own)
+        for (const Seam& seam : now_.seams)
+          if (seam.sides[0].face == side.face || seam.sides[1].face == side.face)
+            taken.insert({seam.sides[0].face, seam.sides[1].face});
+    }
+    return chosen;
   }
 
-  void giveUp(const Reasons& seams, RepairTask& task) {
-    for (const auto& [i, why] : seams) {
-      task.treated[i] = false;
-      const bool tells = says_why_ && why != nothing_moved;
-      if (tells || now_.reasons[i].empty()) now_.reasons[i] = why;
+  /// Seams that are to lose their angle.
+  std::vector<bool> turned(std::vector<bool> wanted) const {
+    for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = wanted[i] && !sharp_[i];
+    return wanted;
+  }
+
+  RepairTask taskOf(const std::vector<FaceChoice>& faces, std::vector<int> orders) const {
+    return {now_.shape, now_.seams,   now_.to_keep, now_.after.seams, faces, sharp_, options_,
+            needed_,    model_.shape, now_.moves,   std::move(orders)};
+  }
+
+  void keep(Improvement done) {
+    for (const auto& [i, why] : done.reasons) tellWhy(i, why);
+    now_.was = std::move(done.soundness);
+    if (done.changes.empty() && done.paths.empty()) return;
+    now_.shape = done.shape;
+    now_.after.seams = std::move(done.after);
+    now_.seams = seamsIn(done.shape, now_.seams);
+    for (const FaceChange& change : done.changes) now_.moves[change.face] += change.largest_move_mm;
+    for (const PathChange& change : done.paths) now_.edge_moves[change.edge] = change.largest_move_mm;
+    for (std::size_t i = 0; i < done.orders.size(); ++i) {
+      // By how much a fold may turn depends on the seams beside it, and has been judged.
+      if (SeamResult& kept = now_.to_keep[i]; isFold(kept, options_.tolerance))
+        kept.figures.angle_rad = now_.after.seams[i].figures.angle_rad;
+      if (done.orders[i] == 0) continue;
+      now_.to_keep[i] = now_.after.seams[i];
+      if (done.orders[i] == options_.order || sharp_[i])
+        now_.reasons[i].clear();
+      else
+        now_.reasons[i] = "G1 reached; G2: " + whyNoG2(now_.reasons[i]);
     }
   }
 
-  void keep(const RepairTask& task, const RepairSolution& solution, const TopoDS_Shape& changed,
-            const Proof& proof) {
-    now_.shape = changed;
-    followed_.clear();
-    now_.was = proof.soundness;
-    now_.after.seams = judged(proof.after, options_);
-    now_.seams = seamsIn(changed, now_.seams);
-    for (const FaceChange& change : solution.changes) now_.moves[change.face] = change.largest_move_mm;
-    for (const PathChange& change : solution.paths) now_.edge_moves[change.edge] = change.largest_move_mm;
-    for (std::size_t i = 0; i < task.treated.size(); ++i) {
-      if (now_.open[i] && isRepaired(proof.after[i], sharp_[i], task.options))
-        now_.to_keep[i] = proof.after[i];
-      if (!task.treated[i]) continue;
-      now_.open[i] = false;
-      now_.reasons[i].clear();
-    }
+  static constexpr const char* g1_too = "; G1: ";
+
+  static std::string whyNoG2(const std::string& reason) { return reason.substr(0, reason.find(g1_too)); }
+
+  /// Of a seam that was asked for G2 before, and for G1 now, both reasons.
+  void tellWhy(std::size_t i, const std::string& why) {
+    std::string& reason = now_.reasons[i];
+    const bool both = options_.order > 1 && !reason.empty() && why.find(g1_too) == std::string::npos;
+    reason = both ? whyNoG2(reason) + g1_too + why : why;
   }
 
   void sew() {
     if (now_.seams.empty()) now_.seams = seamsOf(model_.shape, options_, {});
     const TopoDS_Shape shape = result_.model.shape;
     const std::vector<SeamResult> before = result_.after.seams;
-    const RepairTask task{shape, now_.seams, result_.before.seams, before, {}, sharp_, now_.open, options_};
+    const std::vector<FaceChoice> no_faces;
+    const RepairTask task{shape,
+                          now_.seams,
+                          result_.before.seams,
+                          before,
+                          no_faces,
+                          sharp_,
+                          options_,
+                          needed_,
+                          model_.shape,
+                          now_.moves,
+                          std::vector<int>(before.size(), 0)};
     const std::vector<Seam> seams = seamsAfter(task, shape, {});
     SewSolution solution =
         sewLoose({shape, seams, before, options_}, partOf(progress_, share_before_sewing, 1));
@@ -340,11 +220,10 @@ class Repairing {
           result_.before.seams[i], result_.after.seams[i], wanted[i], false, now_.reasons[i], false, {}};
       seam.sewn = seam.before.kind == SeamKind::Matched && seam.after.kind != SeamKind::Matched;
       if (const auto why = not_sewn_.find(i); why != not_sewn_.end()) seam.not_sewn = why->second;
-      seam.repaired = wanted[i] && isRepaired(seam.after, sharp_[i], options_);
+      seam.repaired = wanted[i] && isRepaired(seam.after, sharp_[i], options_.tolerance, options_.level());
       if (seam.repaired)
         seam.reason.clear();
-      else if (wanted[i] && now_.open[i] && seam.before.kind == SeamKind::Matched &&
-               !seam.before.note.empty())
+      else if (wanted[i] && seam.before.kind == SeamKind::Matched && !seam.before.note.empty())
         seam.reason = seam.before.note + "; " + seam.reason;
       result_.seams.push_back(std::move(seam));
     }
@@ -358,8 +237,7 @@ class Repairing {
   const Progress& progress_;
   State now_;
   std::vector<bool> sharp_;  ///< by seam, see Choice
-  bool says_why_ = true;     ///< the way at work, also where one before did
-  FollowedFaces followed_;   ///< in the shape as it is
+  NeededVariation needed_;   ///< by face
   Reasons not_sewn_;
   RepairReport result_;
 };
@@ -392,13 +270,8 @@ RepairReport repair(const Model& model, const RepairOptions& options, const Prog
   const auto plain = [](const Model& of, const RepairOptions& how, const Progress& part) {
     return Repairing(of, how, part).run();
   };
-  constexpr double share_before_judging = 0.97;
-  const Progress repairing = partOf(progress, 0, share_before_judging);
-  RepairReport report = options.convert_analytic ? repairConverting(model, options, plain, repairing)
-                                                 : plain(model, options, repairing);
-  judgeMoves(model.shape, report.model.shape, report.faces_now, options, report.moves,
-             partOf(progress, share_before_judging, 1));
-  return report;
+  return options.convert_analytic ? repairConverting(model, options, plain, progress)
+                                  : plain(model, options, progress);
 }
 
 }  // namespace seamwright::occ

@@ -21,8 +21,10 @@ struct RepairOptions {
   bool sew = true;               ///< matched seams that meet within the gap tolerance become one edge
   bool convert_analytic =
       false;  ///< planes, cylinders and the like may become splines where they have to move
-  double fairness =
-      1.5;  ///< a face is worse if its curvature varies more than that many times what it did, see judgeSurface()
+  /// A face may not become worse: its curvature may vary so many times as much as before, see judgeSurface().
+  double fairness = 1.5;
+  /// A seam that surely is G2 stays so also where G1 is asked for.
+  bool keep_curvature = false;
   int jobs = 0;  ///< threads; 0: one for each processor
 
   /// What a seam has to reach.
@@ -48,11 +50,12 @@ struct SeamRepair {
 
 struct FaceMove {
   int face = 0;  ///< number in the given model
-  /// Of a pole, against the surface as it was in the knots that it has now; at most.
+  /// No point of the face moved further: the largest of the poles of the part that it shows, in the knots that it has now.
   double largest_move_mm = 0;
   /// Of the face's surface, on a grid of lines that is even in its knot spans; nothing where OpenCASCADE can't evaluate it.
   std::optional<SurfaceChange> surface = {};
-  /// Of that change; what is visible is visibleVariation() over the diagonal of the face's box.
+  /// Of that change. What may be added to the variation is visibleVariation() for the accepted angle over the diagonal of the face's box, and for the
+  /// angles of its treated seams over the mean width of the face beside them.
   SurfaceVerdict verdict = {};
 };
 
@@ -88,29 +91,30 @@ struct RepairReport {
   bool changed() const { return !moves.empty() || !edge_moves.empty() || sewn(); }
 };
 
-/// Moves poles of B-spline and Bezier faces, as little as possible, until the seams chosen flow; proves it, or leaves them as they were.
+/// Moves B-spline and Bezier faces, with the least bending, until the seams chosen are smooth; proves it, or leaves them as they were.
 /// Planes, cylinders and the like stay, and parts with several instances, and faces that have an edge where three or more meet.
 ///
-/// Four ways are tried one after the other, each for what the one before left: where the gap alone is too large and the surfaces meet near
-/// the edge, it is led anew along them, between the same ends, and no surface moves; all seams between natural sides of polynomial
-/// surfaces at once, exactly (core/join/network.hpp); one pair after the other (see matchFaces()); and all faces at once, to a share of
-/// the tolerance, towards common targets of their seams that agree at vertices, led there over few knot spans, else over half the seam. What
-/// can only be joined exactly by moves of more than twice its defects is followed first. What spoils a way is given up until the rest can be proven.
+/// First, where the gap alone is too large and the surfaces meet near the edge, the edge gets new paths on its faces, between the same ends, and
+/// no surface moves. Then all faces beside the other seams move at once: each by a displacement with few knots of its own, which has the least
+/// bending energy, over what the face may spend, that brings the seams within the tolerance and keeps what other edges have. What can't be met so, or
+/// makes a face less fair (judgeSurface()), or another seam worse, is given up, one seam of a face after the other, until the rest can be
+/// proven. Source: docs/theory/repair.md.
 ///
-/// With order 2, seams that can't have one curvature are tried once more as G1, if they lack that too: they are not repaired then, but left
-/// better, and their reason begins with "G1 reached; G2: ". A seam that has neither has a reason of the form "...; G1: ...".
+/// With order 2, seams that can't have one curvature are tried as G1, if they lack that too: they are not repaired then, but left
+/// better. A seam that has neither has a reason of the form "...; G1: ...".
 ///
 /// A seam that would be a crease (see judge()) if its sides met gets its gap closed and stays sharp, unless its edge was picked. Where faces
 /// fold back on one another below the crease angle nothing is tried.
 ///
 /// A treated seam counts as repaired, and its change is kept, only if afterwards its enclosed figures meet the target (of a sharp one: its
-/// gap does); no other seam of the model is worse than it was; no pole moved further than max_move_mm, all ways together; no face folded;
+/// gap does); no other seam of the model is worse than it was; no face is less fair; no pole moved further than max_move_mm; no face folded;
 /// no edge lies further from its faces than twice the gap tolerance or what it had; and the shape passes OpenCASCADE's checks as before,
 /// closed solids stay closed, and their volume changed by no more than the moves explain. What could not be repaired is told with the
 /// reason and left as it was. A seam on a moved face, or between two, may be left better than it was.
 ///
-/// A seam is worse if it was a crease and is a defect, or it is less certain; if its level is lower, above the level asked for only where it had the higher
-/// one for sure (where a side is nearly flat the figures often can't tell); or if a figure that the target asks for, of a crease the gap
+/// A seam is worse if it was a crease and is a defect, or it is less certain; if its level is lower, above the level asked for only with keep_curvature and where it had the higher
+/// one for sure (where a side is nearly flat the figures often can't tell); if it was a crease whose largest angle changed by more than the angle
+/// tolerance and what treated seams lose at its ends; or if a figure that the target asks for, of a crease the gap
 /// alone, is surely above its tolerance and exceeds its upper bound in the model given by more than a tenth of the tolerance.
 /// Figures within the tolerance are as good as one another, and so are those that differ by less than that tenth.
 /// A model without seams to treat or to sew comes back as it is, sharing everything.
@@ -138,7 +142,7 @@ struct RepairReport {
 ///
 /// \throws std::invalid_argument for bad options, also for edges and faces that the model does not have and edges that are no
 /// seam; Cancelled.
-/// Source: MATH-surfaces 6 and 7.
+/// Source: MATH-repair 1 to 3.
 RepairReport repair(const Model& model, const RepairOptions& options = {}, const Progress& progress = {});
 
 }  // namespace seamwright::occ

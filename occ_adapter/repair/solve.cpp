@@ -7,6 +7,49 @@
 
 namespace seamwright::occ {
 
+namespace {
+
+std::vector<TopoDS_Shape> endsOf(const Seam& seam) {
+  std::vector<TopoDS_Shape> ends;
+  for (const FaceUse& side : seam.sides) {
+    ends.push_back(TopExp::FirstVertex(side.edge));
+    ends.push_back(TopExp::LastVertex(side.edge));
+  }
+  return ends;
+}
+
+}  // namespace
+
+TurnsAtEnds::TurnsAtEnds(const RepairTask& task) {
+  for (std::size_t i = 0; i < task.seams.size(); ++i) {
+    const auto& angle = task.before[i].figures.angle_rad;
+    if (!task.isTreated(i) || task.sharp[i] || !angle) continue;
+    for (const TopoDS_Shape& vertex : endsOf(task.seams[i])) {
+      double& turn_rad = turns_rad_[vertices_.Add(vertex)];
+      turn_rad = std::max(turn_rad, angle->upper.value_or(angle->lower));
+    }
+  }
+}
+
+double TurnsAtEnds::at_rad(const Seam& seam) const {
+  double most = 0;
+  for (const TopoDS_Shape& vertex : endsOf(seam))
+    if (const auto turn = turns_rad_.find(vertices_.FindIndex(vertex)); turn != turns_rad_.end())
+      most = std::max(most, turn->second);
+  return most;
+}
+
+bool isFold(const SeamResult& seam, const ContinuityTolerance& tolerance) {
+  if (seam.verdict.seam_class == SeamClass::Crease) return true;
+  const auto& angle = seam.figures.angle_rad;
+  return seam.verdict.seam_class == SeamClass::Defect && !(angle && angle->lower < tolerance.crease_rad);
+}
+
+std::string whyFailed(const Standard_Failure& failure) {
+  return std::string("OpenCASCADE failed: ") + failure.DynamicType()->Name() + " " +
+         failure.GetMessageString();
+}
+
 std::vector<Seam> seamsIn(const TopoDS_Shape& shape, std::vector<Seam> seams) {
   TopTools_IndexedMapOfShape faces, edges;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <array>
+#include <Standard_Failure.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <algorithm>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
 #include <seamwright/occ_adapter/repair/change.hpp>
 #include <seamwright/occ_adapter/repair/choose.hpp>
-#include <seamwright/occ_adapter/repair/face_follow.hpp>
-#include <seamwright/occ_adapter/repair/seam_target.hpp>
+#include <seamwright/occ_adapter/repair/face_change.hpp>
 
-/// How faces have to move for seams to flow; not a public header.
+/// What a repair has to do; not a public header.
 namespace seamwright::occ {
 
-/// What has to flow, and what has to stay as it is.
+/// What has to meet, and what has to stay as it is.
 struct RepairTask {
   const TopoDS_Shape& shape;
   const std::vector<Seam>& seams;          ///< of the shape, in the order of the report before
@@ -23,65 +23,58 @@ struct RepairTask {
   const std::vector<SeamResult>& before;   ///< in the shape
   const std::vector<FaceChoice>& faces;    ///< from 1
   const std::vector<bool>& sharp;          ///< by seam, see Choice
-  std::vector<bool> treated;               ///< by seam; the others may not become worse
   const RepairOptions& options;
-  Level asked = options.level();  ///< by the user, where the options ask for less
+  const NeededVariation& needed;          ///< by face
+  const TopoDS_Shape& given;              ///< the shape before any move, to which fairness compares
+  const std::map<int, double>& moved_mm;  ///< by face that has moved before: by how much
+  /// By seam: 0: not treated, it may not become worse; 1: it is to have G1, or, where it is sharp, to be closed; 2: G2.
+  std::vector<int> orders;
+
+  bool isTreated(std::size_t seam) const { return orders[seam] > 0; }
+  bool treatsAny() const {
+    return std::ranges::any_of(orders, [](int order) { return order > 0; });
+  }
 };
+
+/// By how much the tangent planes turn where treated seams end: there other seams can't keep their angle.
+class TurnsAtEnds {
+ public:
+  explicit TurnsAtEnds(const RepairTask& task);
+
+  /// The largest angle of a treated seam that ends where this one does.
+  double at_rad(const Seam& seam) const;
+
+ private:
+  TopTools_IndexedMapOfShape vertices_;
+  std::map<int, double> turns_rad_;  ///< by number of the vertex
+};
+
+/// A crease, or a defect that may be one with a gap: its faces keep their angle, whatever it is.
+bool isFold(const SeamResult& seam, const ContinuityTolerance& tolerance);
 
 /// No difference of curvature is beyond the tolerance, as relativeDifference() is at most 2: G2 is G1.
 inline bool anyCurvatureDoes(const ContinuityTolerance& tolerance) {
   return tolerance.curvature_rel >= 2;
 }
 
-/// Surfaces that make seams flow, as far as the solver can tell.
-struct RepairSolution {
-  std::vector<FaceChange> changes;
-  std::vector<PathChange> paths;
-  std::map<std::size_t, std::string> failures;  ///< seams that were to be treated and are not: why
-  bool complete = true;                         ///< false: to be asked again without the failures
-};
+/// Why seams are left, by seam.
+using Reasons = std::map<std::size_t, std::string>;
+
+std::string whyFailed(const Standard_Failure& failure);
 
 /// The same seams in a shape that withChanges() made of theirs.
 std::vector<Seam> seamsIn(const TopoDS_Shape& shape, std::vector<Seam> seams);
+
+/// Other paths for edges, and the treated seams that have none.
+struct JoinedPaths {
+  std::vector<PathChange> paths;
+  Reasons failures;
+};
 
 /// Seams of which the gap alone is too large and the surfaces meet near the edge: its paths in the parameter planes are made to run together,
 /// between the same ends, along the image of one of them or where the surfaces cut one another. No surface moves. (Paths that stray are
 /// mostly approximations of exact curves in files of other programs.)
 /// \throws Cancelled.
-RepairSolution joinPaths(const RepairTask& task, const Progress& progress);
-
-/// Seams that can be joined exactly, but by moves much larger than what they lack.
-using DearSeams = std::set<std::size_t>;
-
-/// All seams whose sides are natural sides of polynomial surfaces at once, exactly, with the smallest move. Poles beside other boundaries stay.
-/// Sharp seams are left to followTargets(), also by joinPairs().
-/// \param dear grows by the seams of what hangs together if its largest move exceeds twice the largest gap, and angle times distance of
-/// the first rows of poles, which are left then; null: none is.
-/// \throws Cancelled.
-RepairSolution joinNetwork(const RepairTask& task, DearSeams* dear, const Progress& progress);
-
-/// A pair that was joined before, or was not.
-struct JoinedPair {
-  std::vector<FaceChange> changes;
-  std::string why_not;    ///< empty: it was
-  std::size_t state = 0;  ///< number of what its faces are then
-};
-
-/// In one shape by the seam and the states of its two faces, 0: as they are in the shape.
-using JoinedPairs = std::map<std::array<std::size_t, 3>, JoinedPair>;
-
-/// Joins one pair after the other in poles where both faces end with a side of their surfaces, else one face follows the other; what ends at
-/// the seam stays. What one pair gains the next may spoil.
-/// \throws Cancelled.
-RepairSolution joinPairs(const RepairTask& task, JoinedPairs& known, const Progress& progress);
-
-/// Faces that followed before, by all that was asked of them, in one shape.
-using FollowedFaces = std::map<std::string, FaceFollow>;
-
-/// All faces at once follow common targets of their seams, which agree at vertices. A boundary that is not treated keeps its shape, or, where
-/// a vertex has to move, stays as smooth as it is.
-/// \throws Cancelled.
-RepairSolution followTargets(const RepairTask& task, LeadReach reach, FollowedFaces& known,
-                             const Progress& progress);
+JoinedPaths joinPaths(const RepairTask& task, const Progress& progress);
 
 }  // namespace seamwright::occ

@@ -59,12 +59,6 @@ std::vector<int> SplineAxis::polesNear(double t) const {
   return near;
 }
 
-double SplineAxis::greville(int function) const {
-  double sum = 0;
-  for (int k = 1; k <= degree; ++k) sum += knots[function + k];
-  return sum / degree;
-}
-
 namespace {
 
 SplineAxis withStep(SplineAxis axis) {
@@ -184,15 +178,6 @@ Eigen::Matrix<double, rows, 3> sumOf(const PoleShares& shares, const PointRows& 
 
 }  // namespace
 
-SurfaceJet firstOrderJetOf(const PoleShares& shares, const PointRows& poles) {
-  const auto sum = sumOf<3>(shares, poles);
-  SurfaceJet jet;
-  jet.p = sum.row(0);
-  jet.u = sum.row(1);
-  jet.v = sum.row(2);
-  return jet;
-}
-
 SurfaceJet jetOf(const PoleShares& shares, const PointRows& poles) {
   const auto sum = sumOf<6>(shares, poles);
   SurfaceJet jet;
@@ -242,31 +227,6 @@ double spanLength(const SplineAxis& axis, double t) {
 double polesPerSpan(const SplineAxis& axis) {
   return static_cast<double>(axis.poles - (axis.periodic ? 0 : axis.degree)) /
          static_cast<double>(axis.spans().size());
-}
-
-double meanSpacing(const SplineAxis& axis) {
-  return (axis.last - axis.first) / std::max(1, axis.poles - (axis.periodic ? 0 : 1));
-}
-
-std::vector<SecondDifference> secondDifferences(const SplineAxis& axis) {
-  std::vector<SecondDifference> found;
-  const int first = axis.periodic ? 0 : 1, last = axis.periodic ? axis.poles : axis.poles - 1;
-  for (int i = first; i < last; ++i) {
-    // Functions of a periodic direction: i .. i + 2 so that none is negative.
-    const int low = axis.periodic ? i : i - 1;
-    const bool beyond = low + 2 + axis.degree >= static_cast<int>(axis.knots.size());
-    double before = 1, after = 1, spacing = meanSpacing(axis);
-    if (!beyond) {
-      before = axis.greville(low + 1) - axis.greville(low);
-      after = axis.greville(low + 2) - axis.greville(low + 1);
-      spacing = (before + after) / 2;
-    }
-    if (!(before + after > 0)) continue;
-    found.push_back({{axis.pole(low), axis.pole(low + 1), axis.pole(low + 2)},
-                     2 / (before + after) * Eigen::RowVector3d(after, -(before + after), before),
-                     spacing});
-  }
-  return found;
 }
 
 }  // namespace seamwright::occ

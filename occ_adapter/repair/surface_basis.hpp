@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <seamwright/core/differential/jet.hpp>
-#include <seamwright/occ_adapter/match/least_moves.hpp>
+#include <seamwright/occ_adapter/match/block_cholesky.hpp>
 
 /// Points and derivatives of a spline surface as sums over its poles; not a public header.
 namespace seamwright::occ {
@@ -39,8 +39,6 @@ struct SplineAxis {
   int pole(int function) const { return periodic ? function % poles : function; }
   /// The poles whose functions are not zero at t, and up to three more on both sides.
   std::vector<int> polesNear(double t) const;
-  /// The mean of the knots that a pole's function depends on.
-  double greville(int function) const;
 };
 
 /// Of a surface with given knots and weights; poles are given to it.
@@ -67,8 +65,6 @@ void setPoles(Geom_BSplineSurface& surface, const PointRows& poles);
 
 /// \pre the shares have second derivatives
 SurfaceJet jetOf(const PoleShares& shares, const PointRows& poles);
-/// The same without second derivatives.
-SurfaceJet firstOrderJetOf(const PoleShares& shares, const PointRows& poles);
 
 /// The step of (u, v) that goes along a tangent vector.
 Eigen::Vector2d parameterStep(const SurfaceJet& jet, const Eigen::Vector3d& way);
@@ -88,16 +84,5 @@ std::vector<std::vector<int>> collapsedSides(const SurfaceBasis& basis, const Po
 double spanLength(const SplineAxis& axis, double t);
 /// Poles that a knot span adds, in the mean.
 double polesPerSpan(const SplineAxis& axis);
-/// Of the poles, in the mean.
-double meanSpacing(const SplineAxis& axis);
-
-/// The poles of three neighbours and how far the middle one is off the line between the others.
-struct SecondDifference {
-  std::array<int, 3> functions{};
-  Eigen::RowVector3d factors;
-  double spacing = 0;
-};
-
-std::vector<SecondDifference> secondDifferences(const SplineAxis& axis);
 
 }  // namespace seamwright::occ

@@ -41,7 +41,7 @@ PointNormal at(const GeomAdaptor_Surface& surface, double u, double v) {
 SurfaceDifference differenceOf(const opencascade::handle<Geom_Surface>& before,
                                const opencascade::handle<Geom_BSplineSurface>& after,
                                const std::array<double, 4>& range) {
-  constexpr double none = 1e-6;
+  constexpr double collapsed = 1e-4;
   SurfaceDifference difference;
   struct Turned {
     double length;
@@ -60,10 +60,11 @@ SurfaceDifference differenceOf(const opencascade::handle<Geom_Surface>& before,
           const double length = old.normal.Magnitude();
           longest = std::max(longest, length);
           difference.largest_mm = std::max(difference.largest_mm, old.point.Distance(now.point));
-          if (old.normal.Dot(now.normal) < 0) turned.push_back({length, now.point});
+          if (old.normal.Dot(now.normal) < 0)
+            turned.push_back({std::max(length, now.normal.Magnitude()), now.point});
         }
   const auto real =
-      std::ranges::find_if(turned, [&](const Turned& place) { return place.length > none * longest; });
+      std::ranges::find_if(turned, [&](const Turned& place) { return place.length > collapsed * longest; });
   if (real != turned.end()) difference.folded_at = real->at;
   return difference;
 }

@@ -12,7 +12,7 @@ namespace seamwright::occ {
 struct SurfaceDifference {
   double largest_mm = 0;  ///< of points
   std::optional<gp_Pnt>
-      folded_at;  ///< where the normal turned by 90 degrees or more; not where a side collapses, as it has none there
+      folded_at;  ///< where the normal turned by 90 degrees or more; not where both sides are nearly collapsed
 };
 
 /// \param range of the parameters that both surfaces have: u from, to, v from, to.

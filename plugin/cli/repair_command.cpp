@@ -20,6 +20,8 @@ occ::RepairOptions optionsOf(const RepairArguments& arguments) {
   options.order = arguments.target == "G2" ? 2 : 1;
   options.tolerance = toleranceOf(arguments.measure);
   options.max_move_mm = arguments.max_move_mm;
+  options.fairness = arguments.fairness;
+  options.keep_curvature = arguments.keep_curvature;
   options.edges = arguments.edges;
   options.fixed_faces = arguments.fixed_faces;
   options.match_mm = arguments.measure.match_mm;
@@ -43,9 +45,16 @@ void addRepairOptions(CLI::App& command, RepairArguments& arguments) {
   command.add_option("--target", arguments.target, "What the seams must reach: G1 or G2")
       ->check(CLI::IsMember({"G1", "G2"}))
       ->capture_default_str();
-  command.add_option("--max-move", arguments.max_move_mm, "No pole moves further than this, mm")
+  command.add_option("--max-move", arguments.max_move_mm, "No point of a face moves further than this, mm")
       ->type_name("MM")
       ->capture_default_str();
+  command
+      .add_option("--fairness", arguments.fairness,
+                  "The mean curvature of a face may vary so many times as much as before, at least 1")
+      ->type_name("FACTOR")
+      ->capture_default_str();
+  command.add_flag("--keep-curvature", arguments.keep_curvature,
+                   "Seams that are G2 stay so, also where G1 is the target");
   listOf(command
              .add_option("--edges", arguments.edges,
                          "Edges whose seams are treated, as 3,7,12 or Edge3,Edge7; else all defects")

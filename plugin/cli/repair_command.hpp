@@ -15,6 +15,8 @@ struct RepairArguments {
   std::string target = "G1";
   MeasureArguments measure;
   double max_move_mm = occ::RepairOptions{}.max_move_mm;
+  double fairness = occ::RepairOptions{}.fairness;
+  bool keep_curvature = false;
   std::vector<int> edges;
   std::vector<int> fixed_faces;
   bool sew = true;

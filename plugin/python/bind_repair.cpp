@@ -32,15 +32,18 @@ std::vector<int> edgesOf(const py::object& edges) {
 RepairReport repairModel(const occ::Model& model, const py::object& target, const py::object& profile,
                          const py::object& gap_mm, const py::object& angle_deg,
                          const py::object& curvature_rel, const py::object& flat_radius_mm,
-                         const py::object& crease_deg, const py::object& max_move_mm, const py::object& edges,
-                         const py::object& fixed_faces, const py::object& match_mm, const py::object& sew,
-                         const py::object& convert_analytic, const py::object& jobs,
+                         const py::object& crease_deg, const py::object& max_move_mm,
+                         const py::object& fairness, const py::object& keep_curvature,
+                         const py::object& edges, const py::object& fixed_faces, const py::object& match_mm,
+                         const py::object& sew, const py::object& convert_analytic, const py::object& jobs,
                          const py::object& progress) {
   occ::RepairOptions options;
   options.order = orderOf(target);
   options.tolerance = toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg});
   options.max_move_mm = max_move_mm.is_none() ? std::numeric_limits<double>::infinity()
                                               : argument<double>("max_move_mm", max_move_mm, "a number");
+  options.fairness = argument<double>("fairness", fairness, "a number");
+  options.keep_curvature = flagOf("keep_curvature", keep_curvature);
   options.edges = edgesOf(edges);
   options.fixed_faces = wholeNumbers("fixed_faces", fixed_faces);
   if (!match_mm.is_none()) options.match_mm = argument<double>("match_mm", match_mm, "a number");
@@ -101,7 +104,7 @@ void bindRepair(py::module_& module) {
       .def_property_readonly(
           "edge_moves",
           [](const RepairReport& repair) { return py::object(repairDict(repair)["edge_moves"]); },
-          "Edges led anew on faces that stay: a list of dicts {edge, largest_move_mm}.")
+          "Edges with new paths on faces that stay: a list of dicts {edge, largest_move_mm}.")
       .def_property_readonly(
           "converted", [](const RepairReport& repair) { return py::object(repairDict(repair)["converted"]); },
           "Faces that became splines: a list of dicts {face, kind, error_mm}.")
@@ -131,13 +134,17 @@ void bindRepair(py::module_& module) {
       py::arg("gap_mm") = py::none(), py::arg("angle_deg") = py::none(),
       py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
       py::arg("crease_deg") = py::none(), py::arg("max_move_mm") = occ::RepairOptions{}.max_move_mm,
+      py::arg("fairness") = occ::RepairOptions{}.fairness, py::arg("keep_curvature") = false,
       py::arg("edges") = py::none(), py::arg("fixed_faces") = py::tuple(), py::arg("match_mm") = 0.0,
       py::arg("sew") = true, py::arg("convert_analytic") = false, py::arg("jobs") = 0,
       py::arg("progress") = py::none(),
-      "Moves poles of spline faces, as little as possible, until the seams chosen flow; proves it, or "
+      "Moves spline faces, with the least bending, until the seams chosen are smooth; proves it, or "
       "leaves them as they were. Returns a RepairReport; the model is not changed.\n\n"
-      "target: 'G1' or 'G2'. Tolerances as in analyze(). max_move_mm: no pole moves further; None: any "
-      "distance. edges: numbers of the edges, from 1, whose seams are treated; None: all defects. "
+      "target: 'G1' or 'G2'. Tolerances as in analyze(). max_move_mm: no point of a face moves further; "
+      "None: any "
+      "distance. fairness: how many times as much as before the mean curvature of a face may vary, at "
+      "least 1. keep_curvature: seams that are G2 stay so, also where G1 is the target. "
+      "edges: numbers of the edges, from 1, whose seams are treated; None: all defects. "
       "fixed_faces: numbers of faces that stay. match_mm: also open edges no further apart than this; 0: "
       "none. sew: such edges become one where they meet within the gap tolerance. convert_analytic: planes, "
       "cylinders and the like may become splines where they have to move. jobs: threads; 0: one for "

@@ -17,6 +17,8 @@ ordered_json optionsJson(const occ::RepairOptions& options) {
   return {{"target", name(options.level())},
           {"max_move_mm",
            std::isfinite(options.max_move_mm) ? ordered_json(options.max_move_mm) : ordered_json(nullptr)},
+          {"fairness", options.fairness},
+          {"keep_curvature", options.keep_curvature},
           {"edges", options.edges},
           {"fixed_faces", options.fixed_faces},
           {"match_mm", options.match_mm},

@@ -75,7 +75,7 @@ void writeHead(std::ostream& out, const occ::RepairReport& report, const RepairS
   else
     out << (report.changed() ? "no face moved" : "nothing moved");
   if (summary.worse_faces > 0) out << ", " << summary.worse_faces << " less fair than before";
-  if (!report.edge_moves.empty()) out << ", " << counted(report.edge_moves.size(), "edge") << " led anew";
+  if (!report.edge_moves.empty()) out << ", " << counted(report.edge_moves.size(), "edge") << " on new paths";
   if (!report.converted.empty()) out << ", " << counted(report.converted.size(), "face") << " made a spline";
   out << ";  read in " << number(report.before.read_s, "%.2f") << " s, repaired in "
       << number(report.repair_s, "%.2f") << " s\n";

@@ -203,8 +203,9 @@ TEST(SurfaceJudge, VariationAndInflections) {
   EXPECT_TRUE(judgeSurface(changed(2, 3.2), tolerance).worse);
   EXPECT_FALSE(judgeSurface(changed(0, 0.1), tolerance).worse);
   EXPECT_TRUE(judgeSurface(changed(0, 0.11), tolerance).worse);
-  EXPECT_FALSE(judgeSurface(changed(1, 1, 5, 9), tolerance).worse);
-  EXPECT_TRUE(judgeSurface(changed(1, 1, 5, 10), tolerance).worse);
+  // A fifth of the 40 lines may have one more.
+  EXPECT_FALSE(judgeSurface(changed(1, 1, 5, 13), tolerance).worse);
+  EXPECT_TRUE(judgeSurface(changed(1, 1, 5, 14), tolerance).worse);
   EXPECT_TRUE(judgeSurface(changed(1, nan), tolerance).worse);
   const std::string reason = judgeSurface(changed(2, 30), tolerance).reason;
   EXPECT_NE(reason.find("30 per mm"), std::string::npos) << reason;
@@ -226,9 +227,9 @@ TEST(SurfaceJudge, LargerTolerancesAcceptMore) {
 TEST(SurfaceJudge, BadTolerances) {
   for (const double fairness : {0.99, -1.0, nan})
     EXPECT_THROW((SurfaceTolerance{fairness, 0}).validate(), std::invalid_argument);
+  EXPECT_THROW((SurfaceTolerance{infinity, 0}).validate(), std::invalid_argument);
   for (const double visible : {-1e-9, infinity, nan})
     EXPECT_THROW((SurfaceTolerance{1.5, visible}).validate(), std::invalid_argument);
-  EXPECT_NO_THROW((SurfaceTolerance{infinity, 0}).validate());
 }
 
 /// The profile x (1 - x / w)^2 of unit slope, which bends least: its second derivative by differences.
@@ -242,8 +243,8 @@ TEST(SurfaceJudge, VisibleVariationIsWhatTheFairestTurnCosts) {
   const double h = width / places;
   for (int k = 1; k < places; ++k)
     mean.push_back(0.5 * (height((k - 1) * h) - 2 * height(k * h) + height((k + 1) * h)) / (h * h));
-  EXPECT_NEAR(variationOf(mean, 0).total, visibleVariation(tolerance, width),
-              0.01 * visibleVariation(tolerance, width));
+  EXPECT_NEAR(variationOf(mean, 0).total, visibleVariation(tolerance.angle_rad, width),
+              0.01 * visibleVariation(tolerance.angle_rad, width));
 }
 
 }  // namespace

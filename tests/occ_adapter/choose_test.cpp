@@ -134,36 +134,34 @@ TEST(Choose, AFaceThatMeetsItselfIsNamedOnce) {
 
 TEST(IsRepaired, MeansThatBoundsAreWithinTheTolerance) {
   SeamResult seam = analyzed(chain({{}, {}})).seams[0];
-  EXPECT_TRUE(isRepaired(seam, false, {}));
+  EXPECT_TRUE(isRepaired(seam, false, {}, Level::G1));
   for (const auto figure : {&SeamFigures::gap_mm, &SeamFigures::angle_rad}) {
     SeamResult unsure = seam;
     (unsure.figures.*figure)->upper.reset();
     EXPECT_GE(unsure.verdict.level, Level::G1);
-    EXPECT_FALSE(isRepaired(unsure, false, {}));
+    EXPECT_FALSE(isRepaired(unsure, false, {}, Level::G1));
   }
-  RepairOptions flowing;
-  flowing.order = 2;
-  EXPECT_TRUE(isRepaired(seam, false, flowing));
+  EXPECT_TRUE(isRepaired(seam, false, {}, Level::G2));
   seam.figures.curvature_rel = Figure{0.03, 0.03, 0};
-  EXPECT_TRUE(isRepaired(seam, false, {}));
-  EXPECT_FALSE(isRepaired(seam, false, flowing));
+  EXPECT_TRUE(isRepaired(seam, false, {}, Level::G1));
+  EXPECT_FALSE(isRepaired(seam, false, {}, Level::G2));
 }
 
 TEST(IsRepaired, OfASharpOneMeansACreaseThatMeets) {
   const SeamResult crease = analyzed(chain({{}, {.kink = 6 * degree}})).seams[0];
   ASSERT_EQ(crease.verdict.seam_class, SeamClass::Crease);
-  EXPECT_TRUE(isRepaired(crease, true, {}));
-  EXPECT_FALSE(isRepaired(crease, false, {}));
+  EXPECT_TRUE(isRepaired(crease, true, {}, Level::G1));
+  EXPECT_FALSE(isRepaired(crease, false, {}, Level::G1));
   SeamResult other = crease;
   other.verdict.seam_class = SeamClass::Defect;
-  EXPECT_FALSE(isRepaired(other, true, {}));
+  EXPECT_FALSE(isRepaired(other, true, {}, Level::G1));
   other = crease;
   other.figures.gap_mm->upper = 0.011;
-  EXPECT_FALSE(isRepaired(other, true, {}));
+  EXPECT_FALSE(isRepaired(other, true, {}, Level::G1));
   other.figures.gap_mm->upper.reset();
-  EXPECT_FALSE(isRepaired(other, true, {}));
+  EXPECT_FALSE(isRepaired(other, true, {}, Level::G1));
   other.figures.gap_mm.reset();
-  EXPECT_FALSE(isRepaired(other, true, {}));
+  EXPECT_FALSE(isRepaired(other, true, {}, Level::G1));
 }
 
 }  // namespace

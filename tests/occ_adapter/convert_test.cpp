@@ -287,7 +287,7 @@ TEST(Convert, WhatDoesNotHelpIsNotDone) {
   EXPECT_FALSE(report.changed());
   EXPECT_TRUE(report.converted.empty());
   EXPECT_TRUE(report.model.shape.IsEqual(shape));
-  EXPECT_NE(reasonsOf(report).find("as splines: face "), std::string::npos) << reasonsOf(report);
+  EXPECT_NE(reasonsOf(report).find("as splines: a fair move"), std::string::npos) << reasonsOf(report);
 }
 
 TEST(Convert, StopsWhereItIsAskedTo) {

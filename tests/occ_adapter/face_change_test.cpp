@@ -5,11 +5,8 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepLib.hxx>
-#include <BRepTools.hxx>
-#include <BRepTopAdaptor_FClass2d.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Circle.hxx>
-#include <GeomLProp_SLProps.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
@@ -23,6 +20,7 @@
 #include <gp_Ax1.hxx>
 #include <random>
 
+#include "fairness.hpp"
 #include "grids.hpp"
 #include "match_pairs.hpp"
 
@@ -63,34 +61,6 @@ TopoDS_Face discIn(const SplineSurface& surface, double u, double v, double radi
   TopoDS_Face face = BRepBuilderAPI_MakeFace(surface, wire).Face();
   BRepLib::BuildCurves3d(face);
   return face;
-}
-
-/// The mean over iso-lines of the total variation of OpenCASCADE's mean curvature, on a grid and with a test for inside of its own.
-double variationByOpenCascade(const TopoDS_Face& face, const opencascade::handle<Geom_Surface>& surface) {
-  constexpr int lines = 40, places = 400;
-  double first_u = 0, last_u = 0, first_v = 0, last_v = 0;
-  BRepTools::UVBounds(face, first_u, last_u, first_v, last_v);
-  BRepTopAdaptor_FClass2d inside(face, 1e-9);
-  double sum = 0;
-  int count = 0;
-  for (const bool along_u : {true, false})
-    for (int line = 0; line < lines; ++line) {
-      double total = 0, before = 0;
-      int seen = 0;
-      for (int k = 0; k < places; ++k) {
-        const double along = (k + 0.5) / places, across = (line + 0.5) / lines;
-        const double u = first_u + (last_u - first_u) * (along_u ? along : across);
-        const double v = first_v + (last_v - first_v) * (along_u ? across : along);
-        if (inside.Perform(gp_Pnt2d(u, v)) != TopAbs_IN) continue;
-        const double mean = GeomLProp_SLProps(surface, u, v, 2, 1e-12).MeanCurvature();
-        if (seen++ > 0) total += std::abs(mean - before);
-        before = mean;
-      }
-      if (seen < 2) continue;
-      sum += total;
-      ++count;
-    }
-  return sum / count;
 }
 
 TEST(FaceChange, OfASurfaceThatStaysIsNone) {

@@ -64,11 +64,14 @@ ProofCase::ProofCase(const TopoDS_Shape& shape, const occ::RepairOptions& option
     occ::matchFreeEdges({.match_mm = options.match_mm, .gap_mm = options.tolerance.gap_mm}, graph, {});
   seams_ = std::move(graph.seams);
   choice_ = occ::choose(model, report_, options);
+  needed_ = occ::neededVariation(shape, report_.seams, choice_.treated);
 }
 
 occ::RepairTask ProofCase::task() const {
-  return {shape_,        seams_,        report_.seams,   report_.seams,
-          choice_.faces, choice_.sharp, choice_.treated, options_};
+  std::vector<int> orders;
+  for (const bool is_treated : choice_.treated) orders.push_back(is_treated ? options_.order : 0);
+  return {shape_,   seams_,  report_.seams, report_.seams, choice_.faces,    choice_.sharp,
+          options_, needed_, shape_,        moved_,        std::move(orders)};
 }
 
 occ::FaceChange ProofCase::changed(int number, const Strip& strip) const {
@@ -109,7 +112,6 @@ std::string textOf(const occ::Proof& proof) {
   for (const auto& [seam, why] : proof.unrepaired)
     text += "unrepaired " + std::to_string(seam) + ": " + why + "\n";
   for (const auto& [seam, why] : proof.worse) text += "worse " + std::to_string(seam) + ": " + why + "\n";
-  for (const auto& [face, why] : proof.too_far) text += "too far " + std::to_string(face) + ": " + why + "\n";
   for (const auto& [face, why] : proof.faces) text += "face " + std::to_string(face) + ": " + why + "\n";
   return text + proof.whole;
 }

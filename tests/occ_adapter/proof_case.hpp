@@ -54,6 +54,8 @@ class ProofCase {
   occ::Report report_;
   std::vector<occ::Seam> seams_;
   occ::Choice choice_;
+  occ::NeededVariation needed_;
+  std::map<int, double> moved_;
 };
 
 /// All that speaks against a change.

@@ -141,7 +141,7 @@ TEST_P(RepairOfModels, LeavesFewDefects) {
   const RepairReport report = repair(occ::readModel(path));
   EXPECT_EQ(std::ranges::count(report.seams, true, &occ::SeamRepair::treated), GetParam().treated);
   const auto isLeft = [](const occ::SeamRepair& seam) { return seam.treated && !seam.repaired; };
-  EXPECT_LE(std::ranges::count_if(report.seams, isLeft), GetParam().most_left);
+  EXPECT_LE(std::ranges::count_if(report.seams, isLeft), GetParam().most_left) << reasonsOf(report);
 }
 
 // Faces with poles and flat ones; edges of which the paths alone are apart.

@@ -31,16 +31,21 @@ RepairCounts counted(const std::vector<Series>& series, RepairTrial trial) {
   testing::Test::RecordProperty("treated", all.treated);
   testing::Test::RecordProperty("repaired", all.repaired);
   testing::Test::RecordProperty("angle_deg", std::to_string(all.largest_angle_deg));
-  testing::Test::RecordProperty("move_over_noise", std::to_string(all.largest_move));
+  testing::Test::RecordProperty("move_over_noise", std::to_string(all.largest_on_face));
   return all;
 }
 
-void expectRepaired(const RepairCounts& counts, int at_least_treated, double largest_move) {
+/// A fair move spreads a change over the face, so it is larger than the noise: by 4/27 of the kink times the width of the face. Noise on the dense
+/// poles of refitted faces kinks by much for its size.
+constexpr double most_on_face = 25, most_on_dense_face = 150;
+
+/// \param largest_on_face over the noise.
+void expectRepaired(const RepairCounts& counts, int at_least_treated, double largest_on_face) {
   constexpr double share = 0.95;
   EXPECT_GE(counts.treated, at_least_treated);
   EXPECT_GE(counts.share(), share);
   EXPECT_LT(counts.largest_angle_deg, 0.01);
-  EXPECT_LE(counts.largest_move, largest_move);
+  EXPECT_LE(counts.largest_on_face, largest_on_face);
 }
 
 const std::vector<Series> flowing = {{"sheet", 2},          {"ring", 1},          {"mixed sheet", 1},
@@ -70,15 +75,15 @@ TEST(RepairNoise, TheModelsAreSmoothBeforeTheyAreBroken) {
 }
 
 TEST(RepairNoise, OfAThousandth) {
-  expectRepaired(counted(flowing, {"", 0.001, 1, 1, 10}), 180, 3);
+  expectRepaired(counted(flowing, {"", 0.001, 1, 1, 10}), 180, most_on_dense_face);
 }
 
 TEST(RepairNoise, OfAHundredth) {
-  expectRepaired(counted(flowing, {"", 0.01}), 180, 3);
+  expectRepaired(counted(flowing, {"", 0.01}), 180, most_on_face);
 }
 
 TEST(RepairNoise, OfATenth) {
-  expectRepaired(counted(fewer, {"", 0.1}), 140, 3);
+  expectRepaired(counted(fewer, {"", 0.1}), 140, most_on_face);
 }
 
 /// Seams within the tolerance are noisy too, and stay.
@@ -88,24 +93,24 @@ TEST(RepairNoise, WhereOthersStay) {
   for (const double noise_mm : {0.0015, 0.002}) {
     const RepairCounts counts = counted(trimmed, {"", noise_mm});
     EXPECT_LT(counts.treated, counts.seams - 10);
-    expectRepaired(counts, 60, 3);
+    expectRepaired(counts, 60, most_on_face);
   }
 }
 
 TEST(RepairNoise, StarsBesideTheErrorOfTheirFit) {
   for (const double noise_mm : {0.001, 0.003})
-    expectRepaired(counted({{"blob 6", 2}}, {"", noise_mm}), 20, 3);
+    expectRepaired(counted({{"blob 6", 2}}, {"", noise_mm}), 20, most_on_face);
 }
 
 TEST(RepairNoise, StarsOfNaturalSides) {
   const std::vector<Series> stars = {{"blob 6", 1}, {"blob 24", 1}};
-  for (const double noise_mm : {0.01, 0.1}) expectRepaired(counted(stars, {"", noise_mm}), 60, 3);
+  for (const double noise_mm : {0.01, 0.1}) expectRepaired(counted(stars, {"", noise_mm}), 60, most_on_face);
 }
 
 TEST(RepairNoise, CurvatureToo) {
   for (const double noise_mm : {0.001, 0.01}) {
     const RepairCounts counts = counted(flowing, {"", noise_mm, 1, 2, noise_mm < 0.01 ? 10.0 : 1.0});
-    expectRepaired(counts, 100, 3);
+    expectRepaired(counts, 100, most_on_dense_face);
     EXPECT_LT(counts.largest_curvature_rel, 0.02);
   }
 }

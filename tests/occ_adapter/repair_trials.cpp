@@ -80,6 +80,7 @@ RepairCounts& RepairCounts::operator+=(const RepairCounts& other) {
   largest_angle_deg = std::max(largest_angle_deg, other.largest_angle_deg);
   largest_curvature_rel = std::max(largest_curvature_rel, other.largest_curvature_rel);
   largest_move = std::max(largest_move, other.largest_move);
+  largest_on_face = std::max(largest_on_face, other.largest_on_face);
   analyze_s += other.analyze_s;
   repair_s += other.repair_s;
   for (const auto& [why, count] : other.reasons) reasons[why] += count;
@@ -87,11 +88,13 @@ RepairCounts& RepairCounts::operator+=(const RepairCounts& other) {
 }
 
 occ::RepairOptions trialOptions(const RepairTrial& trial) {
+  constexpr double most_over_noise = 20;
   occ::RepairOptions options;
   options.order = trial.order;
   options.tolerance.gap_mm = 0.001 / trial.strictness;
   options.tolerance.angle_rad = 0.01 * degree / trial.strictness;
   options.tolerance.curvature_rel = 0.02 / trial.strictness;
+  options.max_move_mm = std::max(options.max_move_mm, most_over_noise * trial.noise_mm);
   return options;
 }
 
@@ -116,8 +119,11 @@ RepairCounts countsOf(const occ::RepairReport& report, double noise_mm) {
     if (report.after.level == Level::G2)
       counts.largest_curvature_rel = std::max(counts.largest_curvature_rel, upper(figures.curvature_rel));
   }
-  for (const occ::FaceMove& move : report.moves)
+  for (const occ::FaceMove& move : report.moves) {
     counts.largest_move = std::max(counts.largest_move, move.largest_move_mm / noise_mm);
+    if (move.surface)
+      counts.largest_on_face = std::max(counts.largest_on_face, move.surface->move_mm.lower / noise_mm);
+  }
   counts.analyze_s = report.before.analyze_s;
   counts.repair_s = report.repair_s;
   return counts;
@@ -129,16 +135,18 @@ RepairCounts countsOf(const RepairTrial& trial) {
 }
 
 std::string tableHead() {
-  return "kind               noise_mm  seams treated repaired  gap_mm  angle_deg  curvature  move/noise  "
+  return "kind               noise_mm  seams treated repaired  gap_mm  angle_deg  curvature  move/noise  on "
+         "face  "
          "analysis_s  repair_s";
 }
 
 std::string tableLine(const std::string& name, double noise_mm, const RepairCounts& counts) {
   std::array<char, 200> line{};
-  std::snprintf(line.data(), line.size(), "%-18s %8g %6d %7d %8d %8.2g %10.2g %10.2g %11.2f %11.2f %9.2f",
-                name.c_str(), noise_mm, counts.seams, counts.treated, counts.repaired, counts.largest_gap_mm,
-                counts.largest_angle_deg, counts.largest_curvature_rel, counts.largest_move, counts.analyze_s,
-                counts.repair_s);
+  std::snprintf(line.data(), line.size(),
+                "%-18s %8g %6d %7d %8d %8.2g %10.2g %10.2g %11.2f %8.2f %11.2f %9.2f", name.c_str(), noise_mm,
+                counts.seams, counts.treated, counts.repaired, counts.largest_gap_mm,
+                counts.largest_angle_deg, counts.largest_curvature_rel, counts.largest_move,
+                counts.largest_on_face, counts.analyze_s, counts.repair_s);
   return line.data();
 }
 

@@ -39,7 +39,8 @@ struct RepairCounts {
   double largest_gap_mm = 0;         ///< upper bound, of the repaired seams but creases
   double largest_angle_deg = 0;      ///< upper bound, of the repaired seams but creases
   double largest_curvature_rel = 0;  ///< upper bound, of the repaired seams but creases; order 2
-  double largest_move = 0;           ///< over the noise
+  double largest_move = 0;           ///< of a pole, over the noise
+  double largest_on_face = 0;        ///< of a point of a face, over the noise
   double analyze_s = 0;
   double repair_s = 0;
   std::map<std::string, int> reasons;
@@ -48,7 +49,7 @@ struct RepairCounts {
   double share() const { return treated > 0 ? repaired / (1.0 * treated) : 1; }
 };
 
-/// 0.001 mm, 0.01 degrees, 2 % over the strictness.
+/// 0.001 mm, 0.01 degrees, 2 % over the strictness. Moves of twenty times the noise are allowed, as fair ones are larger than it.
 occ::RepairOptions trialOptions(const RepairTrial& trial);
 
 /// The model of a trial.

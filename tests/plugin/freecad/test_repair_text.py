@@ -116,7 +116,7 @@ def test_a_model_changes_also_where_no_face_moved():
     assert not repair_text.has_changed(repair_text.build_report(both, both, every, [], "G1", False))
     led = repair_text.build_report(both, both, every, [], "G1", False, 3)
     assert repair_text.has_changed(led)
-    assert "3 edges led anew" in repair_text.summary_text(led) and "nothing" not in repair_text.summary_text(led)
+    assert "3 edges on new paths" in repair_text.summary_text(led) and "nothing" not in repair_text.summary_text(led)
     sewn = repair_text.build_report(both, both, [{**every[0], "treated": False, "reason": "", "sewn": True}], [], "G1", False)
     assert repair_text.has_changed(sewn) and "1 seam sewn" in repair_text.summary_text(sewn)
 

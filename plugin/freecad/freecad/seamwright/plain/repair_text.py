@@ -59,7 +59,7 @@ def build_report(before, after, seams, moves, target, chosen, edges_led=0):
     """The report from what the kernel found.
 
     ``before``, ``after``: reports of the analysis; ``after`` is None before the repair. ``seams``: dicts of before,
-    after, treated, repaired, reason, and sewn where one was, of all seams. ``edges_led``: how many edges were led anew.
+    after, treated, repaired, reason, and sewn where one was, of all seams. ``edges_led``: how many edges have new paths.
     """
     wanted = [
         {name: seam[name] for name in ("before", "after", "repaired", "reason")}
@@ -120,7 +120,7 @@ def has_changed(report):
 
 
 def largest_move_mm(report):
-    """The largest move of a pole; 0 when no face moved."""
+    """No point of a face moved further; 0 when no face moved."""
     return max((move["largest_move_mm"] for move in report["moves"]), default=0.0)
 
 
@@ -137,7 +137,7 @@ def summary_text(report):
         moved = summary.counted(len(report["moves"]), "face")
         parts.append("%s moved by up to %s mm" % (moved, enclosure.number(largest_move_mm(report))))
     if report["edges_led"]:
-        parts.append("%s led anew" % summary.counted(report["edges_led"], "edge"))
+        parts.append("%s on new paths" % summary.counted(report["edges_led"], "edge"))
     if report["sewn"]:
         parts.append("%s sewn" % summary.counted(report["sewn"], "seam"))
     if not has_changed(report):

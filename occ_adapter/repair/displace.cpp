@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepGProp.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
+#include <Precision.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include <seamwright/occ_adapter/analyze/workers.hpp>
+#include <seamwright/occ_adapter/convert/spline_surface.hpp>
+#include <seamwright/occ_adapter/repair/displace.hpp>
+#include <seamwright/occ_adapter/repair/face_change.hpp>
+#include <seamwright/occ_adapter/repair/groups.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+using opencascade::handle;
+
+handle<Geom_BSplineSurface> splineOfFace(const TopoDS_Face& face) {
+  TopLoc_Location location;
+  const handle<Geom_Surface> surface = BRep_Tool::Surface(face, location);
+  const auto spline = handle<Geom_BSplineSurface>::DownCast(surface);
+  const bool periodic = !spline.IsNull() && (spline->IsUPeriodic() || spline->IsVPeriodic());
+  if (!periodic) return clampedSpline(surface, location);
+  return handle<Geom_BSplineSurface>::DownCast(spline->Transformed(location.Transformation()));
+}
+
+bool isTreatedWhereItCloses(int face, const RepairTask& task) {
+  for (std::size_t i = 0; i < task.seams.size(); ++i)
+    if (const auto& sides = task.seams[i].sides;
+        task.isTreated(i) && sides[0].face == face && sides[1].face == face)
+      return true;
+  return false;
+}
+
+/// Of the face; where a path is missing it can't be integrated, and counts as its part of the parameters.
+double area_mm2(const TopoDS_Face& face, const handle<Geom_BSplineSurface>& surface,
+                const std::array<double, 4>& range) {
+  GProp_GProps of_face, of_range;
+  BRepGProp::SurfaceProperties(face, of_face);
+  if (of_face.Mass() > 0) return of_face.Mass();
+  BRepGProp::SurfaceProperties(
+      BRepBuilderAPI_MakeFace(surface, range[0], range[1], range[2], range[3], Precision::Confusion()).Face(),
+      of_range);
+  return of_range.Mass();
+}
+
+/// Its budget is half of what its curvature varies by, and what can't be seen or is needed.
+MovingFace moverOf(int number, const TopoDS_Face& face, const RepairTask& task) {
+  constexpr int first_spans = 4;
+  constexpr double share_of_gap = 0.01, share_of_variation = 0.5;
+  const handle<Geom_BSplineSurface> surface = splineOfFace(face);
+  std::array<double, 4> range{};
+  BRepTools::UVBounds(face, range[0], range[1], range[2], range[3]);
+  MovingFace mover{Displacement(surface, range, first_spans, share_of_gap * task.options.tolerance.gap_mm,
+                                isTreatedWhereItCloses(number, task)),
+                   0, 0};
+  const double visible = allowedVariation(number, face, task.options.tolerance, task.needed, 1);
+  const SurfaceChange still = measureChange(face, surface, 0, visible, {.lines = 16});
+  mover.budget_per_mm = share_of_variation * still.before.variation_per_mm + visible;
+  mover.area_mm2 = area_mm2(face, surface, range);
+  return mover;
+}
+
+/// The order to which a seam that is not treated is to stay as it is.
+int orderKept(const SeamResult& seam, const RepairOptions& options) {
+  if (isFold(seam, options.tolerance)) return 0;
+  if (anyCurvatureDoes(options.tolerance)) return 1;
+  const bool keeps_curvature = options.order > 1        ? seam.verdict.level >= Level::G1
+                               : options.keep_curvature ? seam.verdict.level >= Level::G2
+                                                        : false;
+  return keeps_curvature ? 2 : 1;
+}
+
+Joint jointOf(const RepairTask& task, std::size_t i, const MissedPlaces& missed, const TurnsAtEnds& turns) {
+  Joint joint;
+  joint.seam = i;
+  joint.ask = task.isTreated(i) ? Ask::Join : Ask::Keep;
+  joint.order = !task.isTreated(i) ? orderKept(task.before[i], task.options)
+                : task.sharp[i]    ? 0
+                                   : task.orders[i];
+  for (const FaceUse& side : task.seams[i].sides) {
+    joint.sides.push_back(side);
+    joint.paths.push_back(pcurveOf(side.edge, side.shape, task.options.tolerance.gap_mm));
+  }
+  joint.turn_rad = task.options.tolerance.angle_rad + turns.at_rad(task.seams[i]);
+  joint.map = task.seams[i].correspondence;
+  if (const auto places = missed.find(i); places != missed.end()) joint.also = places->second;
+  return joint;
+}
+
+Joint outlineOf(const FaceUse& use, double gap_mm) {
+  Joint joint;
+  joint.ask = Ask::Outline;
+  joint.order = 0;
+  joint.sides.push_back(use);
+  joint.paths.push_back(pcurveOf(use.edge, use.shape, gap_mm));
+  return joint;
+}
+
+std::set<int> facesToMove(const RepairTask& task) {
+  std::set<int> faces;
+  for (std::size_t i = 0; i < task.seams.size(); ++i)
+    if (task.isTreated(i))
+      for (const FaceUse& side : task.seams[i].sides)
+        if (task.faces[side.face].may_move) faces.insert(side.face);
+  return faces;
+}
+
+std::vector<Joint> jointsOf(const RepairTask& task, const std::set<int>& moving, const MissedPlaces& missed) {
+  const TurnsAtEnds turns(task);
+  std::vector<Joint> joints;
+  for (std::size_t i = 0; i < task.seams.size(); ++i) {
+    const auto& sides = task.seams[i].sides;
+    if (moving.count(sides[0].face) > 0 || moving.count(sides[1].face) > 0)
+      joints.push_back(jointOf(task, i, missed, turns));
+  }
+  for (const FaceUse& use : findSeams(task.shape).open_uses)
+    if (moving.count(use.face) > 0) joints.push_back(outlineOf(use, task.options.tolerance.gap_mm));
+  return joints;
+}
+
+/// Movers that joints connect, with all joints of them.
+struct Part {
+  std::set<int> faces;
+  std::vector<Joint> joints;
+};
+
+std::vector<Part> connectedParts(const std::set<int>& moving, std::vector<Joint> joints, int faces) {
+  Groups groups(faces + 1);
+  for (const Joint& joint : joints)
+    if (joint.sides.size() == 2 && moving.count(joint.sides[0].face) > 0 &&
+        moving.count(joint.sides[1].face) > 0)
+      groups.join(joint.sides[0].face, joint.sides[1].face);
+  std::map<int, Part> parts;
+  for (const int face : moving) parts[groups.of(face)].faces.insert(face);
+  for (Joint& joint : joints) {
+    const auto mover =
+        std::ranges::find_if(joint.sides, [&](const FaceUse& side) { return moving.count(side.face) > 0; });
+    parts[groups.of(mover->face)].joints.push_back(std::move(joint));
+  }
+  std::vector<Part> list;
+  for (auto& [first, part] : parts) list.push_back(std::move(part));
+  return list;
+}
+
+Restraint restraintOf(int face, const Restraints& restraints) {
+  const auto found = restraints.find(face);
+  return found == restraints.end() ? Restraint{} : found->second;
+}
+
+std::string keyOf(const Part& part, const Restraints& restraints) {
+  std::ostringstream key;
+  key.precision(17);
+  for (const int face : part.faces) {
+    const Restraint restraint = restraintOf(face, restraints);
+    key << face << '*' << restraint.stiffness << '<' << restraint.move_mm << ' ';
+  }
+  for (const Joint& joint : part.joints) {
+    key << joint.seam << ':' << static_cast<int>(joint.ask) << joint.order;
+    for (const double s : joint.also) key << '@' << s;
+    key << ' ';
+  }
+  return key.str();
+}
+
+/// A seam that was to have G2 is to have G1.
+bool getsLower(const Part& part, const FairComponent& component) {
+  return std::ranges::any_of(part.joints, [&component](const Joint& joint) {
+    const auto order = component.orders.find(joint.seam);
+    return joint.ask == Ask::Join && order != component.orders.end() && joint.order < order->second;
+  });
+}
+
+/// What a solution can take over from those before. Where less continuity is asked for it begins again: curvature that was in the way has left its
+/// traces.
+FairStart startOf(const Part& part, const std::vector<FairComponent>& before, const Restraints& restraints,
+                  MovingFaces& movers) {
+  FairStart start;
+  for (const FairComponent& component : before) {
+    if (component.diverged || getsLower(part, component)) continue;
+    for (const auto& [face, mover] : component.movers)
+      if (part.faces.count(face) > 0) {
+        movers.emplace(face, mover);
+        start.is_new = false;
+        if (Restraint{mover.stiffness, mover.restraint_mm} != restraintOf(face, restraints))
+          start.relaxed.insert(face);
+      }
+    for (const Joint& joint : part.joints) {
+      const auto weights = component.weights.find(joint.seam);
+      if (joint.ask == Ask::Outline || weights == component.weights.end()) continue;
+      const auto order = component.orders.find(joint.seam);
+      const int was = order == component.orders.end() ? 0 : order->second;
+      if (was == (joint.ask == Ask::Join ? joint.order : 0))
+        start.weights.insert(*weights);
+      else
+        for (const FaceUse& side : joint.sides) start.relaxed.insert(side.face);
+    }
+  }
+  return start;
+}
+
+/// \param limit_mm finite: of moves that were to be smaller
+std::string whyMissed(double missed, double limit_mm) {
+  std::ostringstream text;
+  text.precision(3);
+  text << "a fair move of the faces beside it";
+  if (std::isfinite(limit_mm)) text << ", of no more than " << limit_mm << " mm,";
+  text << " leaves " << missed << " times the tolerance";
+  return text.str();
+}
+
+/// Those that miss most, as others may be missed for their sake. \param with_curvature of the seams that are to have G2, else of the others.
+Reasons failuresOf(const Part& part, const std::vector<double>& missed, bool with_curvature,
+                   double limit_mm) {
+  constexpr double share_of_worst = 0.5;
+  double worst = 0;
+  const auto counts = [&](std::size_t j) {
+    return part.joints[j].ask == Ask::Join && (part.joints[j].order > 1) == with_curvature;
+  };
+  for (std::size_t j = 0; j < missed.size(); ++j)
+    if (counts(j)) worst = std::max(worst, missed[j]);
+  Reasons failures;
+  for (std::size_t j = 0; j < missed.size(); ++j)
+    if (counts(j) && missed[j] >= share_of_worst * worst)
+      failures[part.joints[j].seam] = whyMissed(missed[j], limit_mm);
+  return failures;
+}
+
+FairComponent solved(const RepairTask& task, const Part& part, std::string key,
+                     const TopTools_IndexedMapOfShape& faces, const std::vector<FairComponent>& before,
+                     const Restraints& restraints, const Progress& progress) {
+  FairComponent component;
+  component.asked = std::move(key);
+  const FairStart start = startOf(part, before, restraints, component.movers);
+  for (const int face : part.faces)
+    if (component.movers.count(face) == 0)
+      component.movers.emplace(face, moverOf(face, TopoDS::Face(faces(face)), task));
+  for (auto& [face, mover] : component.movers) {
+    const Restraint restraint = restraintOf(face, restraints);
+    mover.stiffness = restraint.stiffness;
+    mover.restraint_mm = restraint.move_mm;
+  }
+  FairResult result = fairSolve(part.joints, task.options.tolerance, start, component.movers, progress);
+  component.weights = std::move(result.weights);
+  constexpr double far = 10;
+  double most_missed = 1;
+  int most_asked = 0;
+  for (std::size_t j = 0; j < part.joints.size(); ++j)
+    if (const Joint& joint = part.joints[j]; joint.ask == Ask::Join) {
+      most_missed = std::max(most_missed, result.missed[j]);
+      most_asked = std::max(most_asked, joint.order);
+      component.orders[joint.seam] = joint.order;
+      double& effort = component.effort[joint.seam];
+      for (const auto& [s, weight] : component.weights[joint.seam]) effort = std::max(effort, weight);
+    }
+  if (most_missed > 1) {
+    const bool restrained = std::ranges::any_of(
+        component.movers, [](const auto& mover) { return std::isfinite(mover.second.restraint_mm); });
+    component.failures =
+        failuresOf(part, result.missed, most_asked > 1,
+                   restrained ? task.options.max_move_mm : std::numeric_limits<double>::infinity());
+  }
+  component.diverged = most_missed > far;
+  for (const auto& [face, mover] : component.movers)
+    if (!mover.displacement.coefficients().isZero(0))
+      component.changes.push_back(
+          {face, handle<Geom_Surface>(mover.displacement.surface()), mover.displacement.largestMove_mm()});
+  return component;
+}
+
+/// The others can do without it.
+FairComponent failed(const Part& part, std::string key, const std::string& why) {
+  FairComponent component;
+  component.asked = std::move(key);
+  component.diverged = true;
+  for (const Joint& joint : part.joints)
+    if (joint.ask == Ask::Join) {
+      component.orders[joint.seam] = joint.order;
+      component.effort[joint.seam] = 0;
+      component.failures[joint.seam] = why;
+    }
+  return component;
+}
+
+}  // namespace
+
+std::vector<FairComponent> displaceFaces(const RepairTask& task, const MissedPlaces& missed,
+                                         const Restraints& restraints,
+                                         const std::vector<FairComponent>& before, const Progress& progress) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(task.shape, TopAbs_FACE, faces);
+  const std::set<int> moving = facesToMove(task);
+  const std::vector<Part> parts = connectedParts(moving, jointsOf(task, moving, missed), faces.Extent());
+  std::vector<FairComponent> components(parts.size());
+  std::atomic<bool> is_cancelled = false;
+  const Progress goes_on = [&is_cancelled](double) { return !is_cancelled; };
+  const auto solve = [&](std::size_t k) {
+    std::string key = keyOf(parts[k], restraints);
+    const auto known = std::ranges::find(before, key, &FairComponent::asked);
+    if (known != before.end()) {
+      components[k] = *known;
+      return;
+    }
+    try {
+      components[k] = solved(task, parts[k], key, faces, before, restraints, goes_on);
+    } catch (const Standard_Failure& failure) {
+      components[k] = failed(parts[k], std::move(key), whyFailed(failure));
+    }
+  };
+  runParallel(parts.size(), task.options.jobs, solve, [&](double share) {
+    if (progress && !progress(share)) is_cancelled = true;
+    return !is_cancelled;
+  });
+  return components;
+}
+
+}  // namespace seamwright::occ

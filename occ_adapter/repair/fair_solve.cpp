@@ -1,0 +1,389 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <seamwright/occ_adapter/repair/fair_solve.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+/// A sample is met if it misses less than this share of the tolerance: between samples it may be more.
+constexpr double enough = 0.6;
+
+/// More weight, or more knots, help if they make the worst miss so much smaller.
+constexpr double helps = 0.7;
+
+class FairSolving {
+ public:
+  FairSolving(const std::vector<Joint>& joints, const ContinuityTolerance& tolerance, MovingFaces& movers,
+              const Progress& progress)
+      : joints_(joints), tolerance_(tolerance), movers_(movers), progress_(progress) {}
+
+  FairResult run(const FairStart& start) {
+    constexpr int most_refinements = 4;
+    for (const Joint& joint : joints_) samples_.push_back(sampled(joint, movers_, tolerance_));
+    inherit(start.weights);
+    look();
+    if (start.is_new)
+      freeAll();
+    else
+      freeWhereNeeded(start.relaxed);
+    int in_vain = 0;
+    for (int refinement = 0;; ++refinement) {
+      const double before = refinement == 0 ? std::numeric_limits<double>::infinity() : worst();
+      if (unknowns_ > 0) solve(start.is_new, refinement < most_refinements);
+      in_vain = worst() > helps * before ? in_vain + 1 : 0;
+      if (worst() <= enough || refinement == most_refinements || in_vain > 1 || !refine()) break;
+    }
+    FairResult result{missed_, {}};
+    for (std::size_t j = 0; j < joints_.size(); ++j)
+      if (joints_[j].ask != Ask::Outline)
+        for (const JointSample& sample : samples_[j])
+          result.weights[joints_[j].seam].emplace_back(sample.s, sample.weight);
+    return result;
+  }
+
+ private:
+  /// Less than before: what made a sample hard may be gone.
+  void inherit(const std::map<std::size_t, SampleWeights>& weights) {
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+      const auto known = weights.find(joints_[j].seam);
+      if (joints_[j].ask == Ask::Outline || known == weights.end()) continue;
+      for (JointSample& sample : samples_[j]) sample.weight = std::sqrt(nearest(known->second, sample.s));
+    }
+  }
+
+  static double nearest(const SampleWeights& weights, double s) {
+    return std::ranges::min_element(weights, {}, [s](const auto& one) { return std::abs(one.first - s); })
+        ->second;
+  }
+
+  double worst() const { return missed_.empty() ? 0 : std::ranges::max(missed_); }
+
+  void look() {
+    missed_.assign(joints_.size(), 0);
+    for (std::size_t j = 0; j < joints_.size(); ++j)
+      for (JointSample& sample : samples_[j]) {
+        sample.ratio = missedShare(joints_[j], sample);
+        missed_[j] = std::max(missed_[j], sample.ratio);
+      }
+  }
+
+  void freeAll() {
+    for (auto& [face, mover] : movers_)
+      unknown_[face].assign(static_cast<std::size_t>(mover.displacement.count()), 0);
+    number();
+  }
+
+  /// Coefficients near samples that are missed; what is far from them was found with fewer knots. \param whole faces of which all are free.
+  void freeWhereNeeded(const std::set<int>& whole) {
+    for (auto& [face, mover] : movers_)
+      unknown_[face].assign(static_cast<std::size_t>(mover.displacement.count()),
+                            whole.count(face) > 0 ? 0 : -1);
+    for (std::size_t j = 0; j < joints_.size(); ++j)
+      for (const JointSample& sample : samples_[j]) {
+        if (sample.ratio <= enough) continue;
+        for (std::size_t k = 0; k < sample.sides.size(); ++k)
+          if (const JointSide& side = sample.sides[k]; side.mover != nullptr)
+            for (const int coefficient : side.mover->displacement.coefficientsNear(side.uv))
+              unknown_[joints_[j].sides[k].face][coefficient] = 0;
+      }
+    number();
+  }
+
+  /// Numbers what is free.
+  void number() {
+    unknowns_ = 0;
+    for (auto& [face, numbers] : unknown_)
+      for (int& number : numbers)
+        if (number >= 0) number = unknowns_++;
+  }
+
+  struct FaceEnergy {
+    int face = 0, cell = 0;
+    EnergyBlock block;
+    std::vector<Eigen::Index> free;  ///< places in the block
+  };
+
+  int cellOf(std::vector<int> unknowns) {
+    const auto [found, is_new] = cell_numbers_.emplace(unknowns, static_cast<int>(cells_.size()));
+    if (is_new) cells_.push_back(std::move(unknowns));
+    return found->second;
+  }
+
+  /// Which unknowns stand in a condition together.
+  StepSystem prepare() {
+    cells_.clear();
+    cell_numbers_.clear();
+    prepareEnergies();
+    for (std::size_t j = 0; j < joints_.size(); ++j)
+      for (JointSample& sample : samples_[j]) prepareSample(joints_[j], sample);
+    return {unknowns_, cells_};
+  }
+
+  void prepareEnergies() {
+    energies_.clear();
+    for (const auto& [face, mover] : movers_) {
+      const std::vector<int>& unknown = unknown_[face];
+      const double unit = std::pow(fairness * mover.stiffness / mover.budget_per_mm, 2) / mover.area_mm2;
+      for (EnergyBlock& block : mover.displacement.bending()) {
+        FaceEnergy energy{face, 0, std::move(block), {}};
+        std::vector<int> unknowns;
+        for (std::size_t k = 0; k < energy.block.coefficients.size(); ++k)
+          if (const int number = unknown[energy.block.coefficients[k]]; number >= 0) {
+            energy.free.push_back(static_cast<Eigen::Index>(k));
+            unknowns.push_back(number);
+          }
+        if (unknowns.empty()) continue;
+        energy.block.matrix *= unit;
+        energy.cell = cellOf(std::move(unknowns));
+        energies_.push_back(std::move(energy));
+      }
+    }
+  }
+
+  void prepareSample(const Joint& joint, JointSample& sample) {
+    std::vector<int> unknowns;
+    for (std::size_t k = 0; k < sample.sides.size(); ++k)
+      if (sample.sides[k].mover != nullptr)
+        for (const int coefficient : sample.sides[k].shares.poles)
+          if (const int number = unknown_[joint.sides[k].face][coefficient]; number >= 0)
+            unknowns.push_back(number);
+    std::ranges::sort(unknowns);
+    unknowns.erase(std::unique(unknowns.begin(), unknowns.end()), unknowns.end());
+    sample.cell = -1;
+    if (unknowns.empty()) return;
+    for (std::size_t k = 0; k < sample.sides.size(); ++k) {
+      JointSide& side = sample.sides[k];
+      side.column.clear();
+      if (side.mover == nullptr) continue;
+      for (const int coefficient : side.shares.poles) {
+        const int number = unknown_[joint.sides[k].face][coefficient];
+        side.column.push_back(number < 0 ? -1
+                                         : std::ranges::lower_bound(unknowns, number) - unknowns.begin());
+      }
+    }
+    sample.cell = cellOf(std::move(unknowns));
+  }
+
+  void assemble(StepSystem& system) {
+    system.clear();
+    for (const FaceEnergy& energy : energies_) {
+      const PointRows& all = movers_.at(energy.face).displacement.coefficients();
+      const PointRows at = all(energy.block.coefficients, Eigen::indexing::all);
+      const PointRows pull = energy.block.matrix * at;
+      system.addEnergy(energy.cell, ease_ * energy.block.matrix(energy.free, energy.free),
+                       ease_ * pull(energy.free, Eigen::indexing::all));
+    }
+    for (auto& [face, mover] : movers_) addDamping(face, mover, system);
+    for (std::size_t j = 0; j < joints_.size(); ++j)
+      for (const JointSample& sample : samples_[j])
+        if (sample.cell >= 0) addConditions(joints_[j], sample, system);
+  }
+
+  /// The integral of |D|^2 / size^4, as if coefficients were spread evenly, is this times the sum of their squares: the size of the move comes
+  /// second, but for faces that moved too far.
+  static double damping(const MovingFace& mover) {
+    const double of_size =
+        std::pow(fairness * mover.stiffness / (mover.budget_per_mm * mover.displacement.size_mm()), 2) /
+        mover.area_mm2;
+    return (of_size + std::pow(fairness / mover.restraint_mm, 2)) / mover.displacement.count();
+  }
+
+  void addDamping(int face, const MovingFace& mover, StepSystem& system) {
+    const std::vector<int>& unknown = unknown_[face];
+    const double factor = ease_ * damping(mover);
+    for (std::size_t k = 0; k < unknown.size(); ++k)
+      if (unknown[k] >= 0)
+        system.addDamping(unknown[k], factor,
+                          mover.displacement.coefficients().row(static_cast<Eigen::Index>(k)).transpose());
+  }
+
+  void take(const PointRows& step) {
+    for (auto& [face, mover] : movers_) {
+      PointRows own = mover.displacement.coefficients();
+      const std::vector<int>& unknown = unknown_[face];
+      for (std::size_t k = 0; k < unknown.size(); ++k)
+        if (unknown[k] >= 0) own.row(static_cast<Eigen::Index>(k)) += step.row(unknown[k]);
+      mover.displacement.setCoefficients(std::move(own));
+    }
+  }
+
+  double cost() const {
+    double sum = 0;
+    for (const FaceEnergy& energy : energies_) {
+      const PointRows& all = movers_.at(energy.face).displacement.coefficients();
+      const PointRows at = all(energy.block.coefficients, Eigen::indexing::all);
+      sum += ease_ * (at.transpose() * energy.block.matrix * at).trace();
+    }
+    for (const auto& [face, mover] : movers_)
+      sum += ease_ * damping(mover) * mover.displacement.coefficients().squaredNorm();
+    for (std::size_t j = 0; j < joints_.size(); ++j)
+      for (const JointSample& sample : samples_[j])
+        if (sample.cell >= 0) sum += costOf(joints_[j], sample);
+    return sum;
+  }
+
+  /// Takes the step, or as much of it as makes the cost smaller; if a quarter does not, a damped one.
+  void descend(StepSystem& system) {
+    constexpr std::array<double, 4> dampings = {0, 1e-3, 3e-2, 1};
+    constexpr int halvings = 2;
+    const double before = cost();
+    for (const double damping : dampings) {
+      system.damp(damping);
+      PointRows step = system.solve();
+      for (int k = 0; k <= halvings; ++k) {
+        take(step);
+        if (cost() <= before) return;
+        take(-step);
+        step *= 0.5;
+      }
+    }
+  }
+
+  struct State {
+    std::map<int, PointRows> coefficients;     ///< by face
+    std::vector<std::vector<double>> weights;  ///< by joint and sample
+  };
+
+  State state() const {
+    State now;
+    for (const auto& [face, mover] : movers_) now.coefficients[face] = mover.displacement.coefficients();
+    for (const auto& samples : samples_) {
+      now.weights.emplace_back();
+      for (const JointSample& sample : samples) now.weights.back().push_back(sample.weight);
+    }
+    return now;
+  }
+
+  void returnTo(const State& state) {
+    for (auto& [face, mover] : movers_) mover.displacement.setCoefficients(state.coefficients.at(face));
+    for (std::size_t j = 0; j < samples_.size(); ++j)
+      for (std::size_t i = 0; i < samples_[j].size(); ++i) samples_[j][i].weight = state.weights[j][i];
+    look();
+  }
+
+  /// Passes until all samples are met, or more weight does not help. Where weight is far from helping knots are wanting: what it did goes.
+  void solve(bool is_first, bool may_refine) {
+    constexpr int most_passes = 10;
+    constexpr double diverges = 4, far = 3, wanting_knots = 10;
+    StepSystem system = prepare();
+    std::optional<State> plain, best;
+    double best_ratio = std::numeric_limits<double>::infinity(), last = best_ratio;
+    int idle = 0;
+    for (int pass = 0; pass < most_passes; ++pass) {
+      easeBy(pass == 0 ? std::numeric_limits<double>::infinity() : ease_);
+      if (progress_ && !progress_(0)) throw Cancelled();
+      assemble(system);
+      descend(system);
+      look();
+      if (worst() < best_ratio) {
+        best_ratio = worst();
+        best = state();
+      }
+      if (worst() <= enough) return;
+      idle = ease_ > 1 || worst() <= helps * last ? 0 : idle + 1;
+      last = worst();
+      if (ease_ > 1) continue;
+      if (worst() > diverges * best_ratio) break;
+      if (idle >= (worst() > far ? 2 : 4)) break;
+      if (pass == 0 && is_first) continue;
+      if (!plain) plain = state();
+      addWeight();
+    }
+    if (best) returnTo(may_refine && plain && best_ratio > wanting_knots ? *plain : *best);
+  }
+
+  /// Normals turn in a straight line for small turns only. Where much is missed energies count for more at first, as if tolerances were larger, less in
+  /// each pass.
+  void easeBy(double last) {
+    constexpr double near = 20, less = 0.1;
+    const double far = worst() / near;
+    ease_ = std::max(1.0, std::min(far * far, less * last));
+  }
+
+  void addWeight() {
+    constexpr double most_growth = 5, most_weight = 100;
+    for (auto& samples : samples_)
+      for (JointSample& sample : samples)
+        if (sample.ratio > enough)
+          sample.weight =
+              std::min(most_weight, sample.weight * std::min(most_growth, sample.ratio / (0.7 * enough)));
+  }
+
+  /// Halves spans beside samples that are missed. \returns whether any was.
+  bool refine() {
+    constexpr double shortest = 1.0 / 128;
+    std::map<int, std::array<std::set<int>, 2>> spans;
+    for (std::size_t j = 0; j < joints_.size(); ++j)
+      for (const JointSample& sample : samples_[j]) {
+        if (sample.ratio <= enough) continue;
+        for (std::size_t k = 0; k < sample.sides.size(); ++k) {
+          const JointSide& side = sample.sides[k];
+          if (side.mover == nullptr) continue;
+          const SurfaceBasis& basis = side.mover->displacement.basis();
+          for (const int way : {0, 1}) {
+            const SplineAxis& axis = way == 0 ? basis.u() : basis.v();
+            double t = side.uv[way];
+            const int span = axis.span(t, side.into[way]);
+            if (axis.length(span) > shortest * (axis.last - axis.first))
+              spans[joints_[j].sides[k].face][way].insert(span);
+          }
+        }
+      }
+    bool any = false;
+    for (const auto& [face, halves] : spans) any = halve(movers_.at(face).displacement, halves) || any;
+    if (!any) return false;
+    for (std::size_t j = 0; j < joints_.size(); ++j)
+      if (std::ranges::any_of(joints_[j].sides,
+                              [&](const FaceUse& side) { return spans.count(side.face) > 0; }))
+        sampleAgain(j);
+    look();
+    freeWhereNeeded({});
+    return true;
+  }
+
+  /// As many samples as the new knots need; each has the weight of the one that was nearest.
+  void sampleAgain(std::size_t j) {
+    SampleWeights weights;
+    for (const JointSample& sample : samples_[j]) weights.emplace_back(sample.s, sample.weight);
+    samples_[j] = sampled(joints_[j], movers_, tolerance_);
+    for (JointSample& sample : samples_[j]) sample.weight = nearest(weights, sample.s);
+  }
+
+  static bool halve(Displacement& displacement, const std::array<std::set<int>, 2>& spans) {
+    constexpr std::size_t most_coefficients = 1500;
+    const SurfaceBasis& basis = displacement.basis();
+    const std::size_t count = (basis.u().poles + spans[0].size()) * (basis.v().poles + spans[1].size());
+    return count <= most_coefficients && displacement.halve(spans);
+  }
+
+  /// Of the energy that spends a face's budget to a sample that is missed by a quarter of its tolerance.
+  static constexpr double fairness = 300;
+
+  const std::vector<Joint>& joints_;
+  const ContinuityTolerance& tolerance_;
+  MovingFaces& movers_;
+  const Progress& progress_;
+  std::vector<std::vector<JointSample>> samples_;  ///< by joint
+  std::vector<double> missed_;                     ///< by joint
+  std::map<int, std::vector<int>> unknown_;        ///< by face and coefficient: its number, -1: it stays
+  int unknowns_ = 0;
+  double ease_ = 1;  ///< factor of energies
+  std::vector<std::vector<int>> cells_;
+  std::map<std::vector<int>, int> cell_numbers_;
+  std::vector<FaceEnergy> energies_;
+};
+
+}  // namespace
+
+FairResult fairSolve(const std::vector<Joint>& joints, const ContinuityTolerance& tolerance,
+                     const FairStart& start, MovingFaces& movers, const Progress& progress) {
+  return FairSolving(joints, tolerance, movers, progress).run(start);
+}
+
+}  // namespace seamwright::occ

@@ -1,0 +1,490 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include <seamwright/core/differential/fundamental_forms.hpp>
+#include <seamwright/occ_adapter/convert/nearest.hpp>
+#include <seamwright/occ_adapter/repair/joint.hpp>
+#include <seamwright/occ_adapter/repair/path_place.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+struct Frame {
+  Eigen::Vector3d normal, tangent, cross;
+};
+
+double linearIn(const std::vector<double>& x, const std::vector<double>& y, double at) {
+  const std::size_t i = std::clamp<std::size_t>(std::ranges::upper_bound(x, at) - x.begin(), 1, x.size() - 1);
+  const double width = x[i] - x[i - 1];
+  return width > 0 ? y[i - 1] + (at - x[i - 1]) / width * (y[i] - y[i - 1]) : y[i];
+}
+
+/// Where a place of a side is on the seam.
+double seamParameter(const Joint& joint, std::size_t side, double place) {
+  if (joint.map.s.empty()) return place;
+  std::vector<double> places = side == 0 ? joint.map.a : joint.map.b, s = joint.map.s;
+  if (places.front() > places.back()) {
+    std::ranges::reverse(places);
+    std::ranges::reverse(s);
+  }
+  return std::clamp(linearIn(places, s, place), 0.0, 1.0);
+}
+
+/// Even in the spans of a surface that the joint's path crosses.
+std::vector<double> evenPlaces(const Joint& joint, std::size_t side, const Displacement& displacement,
+                               const SurfaceBasis& basis) {
+  constexpr double per_pole = 2;
+  constexpr int least = 24, most = 400;
+  const Pcurve& path = joint.paths[side];
+  const Eigen::Vector2d poles(std::max(1.0, polesPerSpan(basis.u())), std::max(1.0, polesPerSpan(basis.v())));
+  const SpanMeasure measure(path, basis, displacement.givenSurface(), poles);
+  const int count = std::clamp(static_cast<int>(std::ceil(per_pole * measure.crossed())), least, most);
+  std::vector<double> places;
+  for (int k = 0; k <= count; ++k)
+    places.push_back(seamParameter(joint, side, measure.at(static_cast<double>(k) / count)));
+  return places;
+}
+
+std::vector<double> sampleParameters(const Joint& joint, const MovingFaces& movers) {
+  constexpr double distinct = 1e-9;
+  std::vector<double> best;
+  for (std::size_t side = 0; side < joint.sides.size(); ++side)
+    if (const auto mover = movers.find(joint.sides[side].face); mover != movers.end())
+      for (const Displacement& d = mover->second.displacement;
+           const SurfaceBasis* basis : {&d.givenBasis(), &d.basis()})
+        if (std::vector<double> places = evenPlaces(joint, side, d, *basis); places.size() > best.size())
+          best = std::move(places);
+  best.push_back(0);
+  best.push_back(1);
+  const double near = 0.25 / static_cast<double>(best.size());
+  for (const double s : joint.also)
+    for (const double beside : {-near, -near / 3, 0.0, near / 3, near})
+      if (s + beside >= 0 && s + beside <= 1) best.push_back(s + beside);
+  std::ranges::sort(best);
+  const auto same = [](double a, double b) { return b - a < distinct; };
+  best.erase(std::unique(best.begin(), best.end(), same), best.end());
+  return best;
+}
+
+JointSide sideAt(const Joint& joint, std::size_t side, double place, const FaceStrip& strip,
+                 const MovingFaces& movers) {
+  JointSide made;
+  made.shown = strip.at(place);
+  const auto mover = movers.find(joint.sides[side].face);
+  if (mover == movers.end()) return made;
+  made.mover = &mover->second;
+  const Pcurve& path = joint.paths[side];
+  gp_Pnt2d p;
+  gp_Vec2d d;
+  path.curve->D1(path.first + place * (path.last - path.first), p, d);
+  made.uv = {p.X(), p.Y()};
+  made.into = {-d.Y(), d.X()};
+  if (joint.sides[side].edge.Orientation() != TopAbs_FORWARD) made.into = -made.into;
+  made.shown.jet = made.mover->displacement.given(made.uv, made.into);
+  made.shares = made.mover->displacement.shares(made.uv, made.into);
+  return made;
+}
+
+/// Where the second side of a matched seam is beside a point of the first.
+double placeBeside(const Joint& joint, const std::vector<std::unique_ptr<FaceStrip>>& strips, double s) {
+  const Eigen::Vector3d beside = strips[0]->trace(linearIn(joint.map.s, joint.map.a, s)).p;
+  const double place = linearIn(joint.map.s, joint.map.b, s);
+  const auto [low, high] = std::minmax(joint.map.b.front(), joint.map.b.back());
+  return nearestPlace(*strips[1], beside, place, low, high);
+}
+
+JointSample sampleAt(const Joint& joint, const std::vector<std::unique_ptr<FaceStrip>>& strips, double s,
+                     const MovingFaces& movers) {
+  JointSample made;
+  made.s = s;
+  for (std::size_t side = 0; side < joint.sides.size(); ++side) {
+    const double place = joint.map.s.empty() ? s
+                         : side == 0         ? linearIn(joint.map.s, joint.map.a, s)
+                                             : placeBeside(joint, strips, s);
+    made.sides.push_back(sideAt(joint, side, place, *strips[side], movers));
+  }
+  return made;
+}
+
+SurfaceJet jetOf(const JointSide& side) {
+  return side.mover == nullptr ? side.shown.jet : side.mover->displacement.moved(side.shown.jet, side.shares);
+}
+
+std::optional<Eigen::Vector3d> normalOf(const JointSide& side, const SurfaceJet& jet) {
+  return unitNormal(jet, side.mover == nullptr ? side.shown.noise : side.mover->displacement.noise(jet));
+}
+
+Frame frameOf(const JointSample& sample, const Eigen::Vector3d& normal) {
+  Eigen::Vector3d tangent = sample.sides[0].shown.tangent;
+  tangent -= normal.dot(tangent) * normal;
+  if (!(tangent.norm() > 0)) tangent = normal.unitOrthogonal();
+  tangent.normalize();
+  return {normal, tangent, normal.cross(tangent)};
+}
+
+Differences differencesOf(const Joint& joint, const JointSample& sample, const SurfaceJet& a,
+                          const SurfaceJet& b) {
+  Differences found;
+  found.gap = a.p - b.p;
+  if (joint.order < 1 || sample.sides.size() < 2) return found;
+  const auto na = normalOf(sample.sides[0], a);
+  auto nb = normalOf(sample.sides[1], b);
+  if (!na || !nb) return found;
+  if (na->dot(*nb) < 0) *nb = -*nb;
+  found.normal = *na - *nb;
+  if (joint.order < 2) return found;
+  const Frame frame = frameOf(sample, (*na + *nb).normalized());
+  const Eigen::Matrix3d difference = curvatureTensor(a, *na) - curvatureTensor(b, *nb);
+  found.bend = {frame.tangent.dot(difference * frame.tangent), frame.tangent.dot(difference * frame.cross),
+                frame.cross.dot(difference * frame.cross)};
+  return found;
+}
+
+bool isEnd(const JointSample& sample) {
+  return sample.s <= 0 || sample.s >= 1;
+}
+
+/// Readers of files look for nearest points: where the tangent plane turns along the seam, or the ends of edges are apart, an angle between planes of
+/// different points is not that of the seam. So sides may be shifted in the tangent plane by no more than turns them by a fifth of the accepted angle. Of a
+/// crease no angle is accepted.
+/// Open sides keep their place as far as that costs little, whatever the tolerance is: samples of them get no more weight where they are missed.
+JointLimits limitsOf(const Joint& joint, const JointSample& sample, const ContinuityTolerance& tolerance) {
+  constexpr double share_of_gap = 0.2, share_of_angle = 0.2, share_of_size = 1e-4, least_slide = 1e-3;
+  JointLimits limits{.gap_mm = tolerance.gap_mm,
+                     .slide_mm = share_of_gap * tolerance.gap_mm,
+                     .overlap_mm = tolerance.gap_mm,
+                     .angle_rad = tolerance.angle_rad,
+                     .curvature_per_mm = 1 / tolerance.flat_radius_mm};
+  if (const MovingFace* mover = sample.sides[0].mover; sample.sides.size() < 2 && mover != nullptr)
+    limits.gap_mm = share_of_size * mover->displacement.size_mm();
+  double along_per_mm = 0, across_per_mm = 0;
+  for (const JointSide& side : sample.sides)
+    if (const auto normal = normalOf(side, side.shown.jet)) {
+      const Eigen::Matrix3d tensor = curvatureTensor(side.shown.jet, *normal);
+      const Frame frame = frameOf(sample, *normal);
+      along_per_mm = std::max(along_per_mm, (tensor * frame.tangent).norm());
+      across_per_mm = std::max(across_per_mm, (tensor * frame.cross).norm());
+      if (&side == &sample.sides[0] && tensor.norm() >= limits.curvature_per_mm)
+        limits.curvature_per_mm = tolerance.curvature_rel * tensor.norm();
+    }
+  if (joint.order < 1) {
+    limits.slide_mm = tolerance.gap_mm;
+    return limits;
+  }
+  const auto shift_mm = [&](double limit_mm, double turn_per_mm) {
+    const double allowed_rad = share_of_angle * tolerance.angle_rad;
+    return turn_per_mm * limit_mm > allowed_rad
+               ? std::max(least_slide * tolerance.gap_mm, allowed_rad / turn_per_mm)
+               : limit_mm;
+  };
+  limits.slide_mm = shift_mm(limits.slide_mm, along_per_mm);
+  limits.overlap_mm = shift_mm(limits.overlap_mm, across_per_mm);
+  if (isEnd(sample)) limits.slide_mm = std::min(limits.slide_mm, limits.overlap_mm);
+  return limits;
+}
+
+Eigen::Vector3d along(const JointSample& sample) {
+  return sample.sides[0].shown.tangent.stableNormalized();
+}
+
+/// What of a difference of places counts as slide.
+Eigen::Vector3d slide(const JointSample& sample, const Eigen::Vector3d& gap) {
+  return isEnd(sample) ? gap : Eigen::Vector3d(gap.dot(along(sample)) * along(sample));
+}
+
+Eigen::Vector3d across(const JointSample& sample, const Eigen::Vector3d& gap) {
+  return gap.dot(sample.across) * sample.across;
+}
+
+/// Factors of the cell's coefficients.
+class Row {
+ public:
+  Row(const JointSample& sample, const StepSystem& system)
+      : factors_(Eigen::VectorXd::Zero(std::ssize(system.cell(sample.cell)))) {}
+
+  Row& add(const JointSide& side, const Eigen::RowVectorXd& shares, double sign) {
+    for (std::size_t k = 0; k < side.column.size(); ++k)
+      if (side.column[k] >= 0) factors_[side.column[k]] += sign * shares[static_cast<Eigen::Index>(k)];
+    return *this;
+  }
+  Eigen::VectorXd times(double weight) const { return weight * factors_; }
+
+ private:
+  Eigen::VectorXd factors_;
+};
+
+/// A sample stands for its part of a joint, as if each joint had so many, and is missed by a quarter of the tolerance for the price of all it may cost.
+double weightOf(const JointSample& sample) {
+  constexpr double samples_per_joint = 16, share_of_tolerance = 0.25;
+  return sample.weight * std::sqrt(samples_per_joint * sample.part) / share_of_tolerance;
+}
+
+/// Up to so much of its limit what a kept joint lacks is free.
+constexpr double free_share = 0.5;
+
+/// What is lacking beyond what was given; of a kept joint, beyond its free share as well. Its direction is no matter: where edges meet, what
+/// one of them loses another one has to take over.
+Eigen::Vector3d beyondGiven(const Joint& joint, const Eigen::Vector3d& now, double given, double limit) {
+  const double free = std::max(given, joint.ask == Ask::Keep ? free_share * limit : 0);
+  return now.norm() > free ? Eigen::Vector3d(now - free * now.normalized()) : Eigen::Vector3d::Zero();
+}
+
+/// What of the differences is to go.
+struct Missing {
+  Eigen::Vector3d gap, slide, overlap = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::Zero(),
+                              bend = Eigen::Vector3d::Zero();
+};
+
+Missing missingOf(const Joint& joint, const JointSample& sample, const Differences& now) {
+  const Differences& given = sample.given;
+  const JointLimits& limits = sample.limits;
+  Missing missing{
+      beyondGiven(joint, now.gap, std::max(given.gap.norm(), sample.kept_gap_mm), limits.gap_mm),
+      beyondGiven(joint, slide(sample, now.gap), slide(sample, given.gap).norm(), limits.slide_mm)};
+  if (limits.overlap_mm < limits.gap_mm)
+    missing.overlap =
+        beyondGiven(joint, across(sample, now.gap), across(sample, given.gap).norm(), limits.overlap_mm);
+  if (now.normal) missing.normal = beyondGiven(joint, *now.normal, sample.kept_angle_rad, limits.angle_rad);
+  missing.bend = beyondGiven(joint, now.bend, sample.kept_bend_per_mm, limits.curvature_per_mm);
+  return missing;
+}
+
+void addNormals(const JointSample& sample, const Eigen::Vector3d& missing, const Frame& frame,
+                const std::array<SurfaceJet, 2>& jets, double weight, StepSystem& system) {
+  for (const Eigen::Vector3d& way : {frame.tangent, frame.cross}) {
+    Row row(sample, system);
+    for (const int k : {0, 1})
+      if (sample.sides[k].mover != nullptr)
+        row.add(sample.sides[k], derivative(sample.sides[k].shares, parameterStep(jets[k], way)),
+                k == 0 ? -1 : 1);
+    system.add(sample.cell, row.times(weight), frame.normal, -weight * way.dot(missing));
+  }
+}
+
+void addCurvatures(const JointSample& sample, const Eigen::Vector3d& missing, const Frame& frame,
+                   const std::array<SurfaceJet, 2>& jets, double weight, StepSystem& system) {
+  const std::array<const Eigen::Vector3d*, 2> ways = {&frame.tangent, &frame.cross};
+  constexpr std::array<std::array<int, 2>, 3> pairs = {{{0, 0}, {0, 1}, {1, 1}}};
+  for (int m = 0; m < 3; ++m) {
+    Row row(sample, system);
+    for (const int k : {0, 1}) {
+      const JointSide& side = sample.sides[k];
+      if (side.mover == nullptr) continue;
+      const SurfaceJet& jet = jets[k];
+      const Eigen::Vector2d x = parameterStep(jet, *ways[pairs[m][0]]),
+                            y = parameterStep(jet, *ways[pairs[m][1]]);
+      const Eigen::Vector3d second =
+          x[0] * y[0] * jet.uu + (x[0] * y[1] + x[1] * y[0]) * jet.uv + x[1] * y[1] * jet.vv;
+      row.add(side, secondDerivative(side.shares, x, y) - derivative(side.shares, parameterStep(jet, second)),
+              k == 0 ? 1 : -1);
+    }
+    system.add(sample.cell, row.times(weight), frame.normal, -weight * missing[m]);
+  }
+}
+
+/// A side's derivative across the seam along its normal, as a step of parameters.
+struct Tilt {
+  Eigen::Vector3d normal;
+  Eigen::Vector2d step;
+  double turned_rad = 0;  ///< since it was given
+};
+
+std::optional<Tilt> tiltOf(const JointSample& sample, const JointSide& side) {
+  const auto normal = side.mover == nullptr ? std::nullopt : normalOf(side, side.shown.jet);
+  if (!normal) return {};
+  const Eigen::Vector2d step = parameterStep(side.shown.jet, frameOf(sample, *normal).cross);
+  const SurfaceJet by = seamwright::occ::jetOf(side.shares, side.mover->displacement.coefficients());
+  return Tilt{*normal, step, normal->dot(step[0] * by.u + step[1] * by.v)};
+}
+
+/// How much a side that turns beside a crease counts.
+constexpr double share_of_crease = 0.3;
+
+/// Beside a crease no side turns.
+void keepNormals(const JointSample& sample, double weight, StepSystem& system) {
+  for (const JointSide& side : sample.sides)
+    if (const std::optional<Tilt> tilt = tiltOf(sample, side)) {
+      const Row row = Row(sample, system).add(side, derivative(side.shares, tilt->step), 1);
+      system.add(sample.cell, row.times(weight), tilt->normal, -weight * tilt->turned_rad);
+    }
+}
+
+/// By how much the angle of a crease has changed.
+double turned_rad(const JointSample& sample) {
+  std::array<Eigen::Vector3d, 2> was, is;
+  for (const int k : {0, 1}) {
+    const JointSide& side = sample.sides[k];
+    const SurfaceJet jet = jetOf(side);
+    const auto before = normalOf(side, side.shown.jet), now = normalOf(side, jet);
+    if (!before || !now) return 0;
+    was[k] = *before;
+    is[k] = *now;
+  }
+  const auto angle = [](const std::array<Eigen::Vector3d, 2>& n) {
+    return std::atan2(n[0].cross(n[1]).norm(), n[0].dot(n[1]));
+  };
+  return std::abs(angle(is) - angle(was));
+}
+
+/// What the sides may go on to lack. Of a joint that is to meet a gap that is small enough everywhere: to close it would copy its course into the faces.
+void setGiven(const Joint& joint, const ContinuityTolerance& tolerance, std::vector<JointSample>& samples) {
+  constexpr double small = 0.5;
+  double largest_mm = 0;
+  for (JointSample& sample : samples) {
+    sample.given = differencesOf(joint, sample, sample.sides[0].shown.jet, sample.sides[1].shown.jet);
+    largest_mm = std::max(largest_mm, sample.given.gap.norm());
+  }
+  if (joint.ask != Ask::Join) {
+    double largest_rad = 0, largest_per_mm = 0;
+    for (const JointSample& sample : samples) {
+      if (sample.given.normal) largest_rad = std::max(largest_rad, sample.given.normal->norm());
+      largest_per_mm = std::max(largest_per_mm, sample.given.bend.norm());
+    }
+    for (JointSample& sample : samples) {
+      sample.kept_gap_mm = largest_mm;
+      sample.kept_angle_rad = largest_rad;
+      sample.kept_bend_per_mm = largest_per_mm;
+    }
+    return;
+  }
+  for (JointSample& sample : samples) {
+    const Eigen::Vector3d gap = sample.given.gap;
+    sample.given = {};
+    if (largest_mm <= small * tolerance.gap_mm) sample.given.gap = gap;
+  }
+}
+
+}  // namespace
+
+std::vector<JointSample> sampled(const Joint& joint, const MovingFaces& movers,
+                                 const ContinuityTolerance& tolerance) {
+  std::vector<std::unique_ptr<FaceStrip>> strips;
+  for (std::size_t side = 0; side < joint.sides.size(); ++side)
+    strips.push_back(std::make_unique<FaceStrip>(joint.sides[side], joint.paths[side]));
+  std::vector<JointSample> samples;
+  for (const double s : sampleParameters(joint, movers))
+    samples.push_back(sampleAt(joint, strips, s, movers));
+  double length = 0;
+  for (std::size_t k = 1; k < samples.size(); ++k) {
+    const double chord = (samples[k].sides[0].shown.jet.p - samples[k - 1].sides[0].shown.jet.p).norm();
+    samples[k].part += chord / 2;
+    samples[k - 1].part += chord / 2;
+    length += chord;
+  }
+  // Ends count in full, though samples may lie close beside them: other seams end there.
+  constexpr double least_share = 0.125, least_at_end = 1.0 / 48;
+  const double even = 1.0 / static_cast<double>(samples.size());
+  for (JointSample& sample : samples)
+    sample.part =
+        std::max(isEnd(sample) ? least_at_end : least_share * even, length > 0 ? sample.part / length : even);
+  for (JointSample& sample : samples) {
+    sample.limits = limitsOf(joint, sample, tolerance);
+    if (const auto normal = normalOf(sample.sides[0], sample.sides[0].shown.jet))
+      sample.across = frameOf(sample, *normal).cross;
+  }
+  if (joint.ask != Ask::Outline) setGiven(joint, tolerance, samples);
+  return samples;
+}
+
+Differences differencesAt(const Joint& joint, const JointSample& sample) {
+  const JointSide& other = sample.sides.back();
+  return differencesOf(joint, sample, jetOf(sample.sides[0]),
+                       joint.ask == Ask::Outline ? other.shown.jet : jetOf(other));
+}
+
+namespace {
+
+/// Up to half the tolerance any growth does, then by a tenth of it; what is within the tolerance stays so, by a margin.
+double grownShare(double is, double was, double limit) {
+  constexpr double growth_share = 0.1, least_share = 1e-3;
+  const double start = std::max(was, free_share * limit);
+  const double room = was < limit ? 0.5 * (limit - start) : limit;
+  return (is - start) / std::clamp(room, least_share * limit, growth_share * limit);
+}
+
+/// Not a number where one of them is none.
+double larger(double a, double b) {
+  return a >= b ? a : b;
+}
+
+double missedShareOf(const Joint& joint, const JointSample& sample) {
+  if (joint.ask == Ask::Outline) return 0;
+  const Differences now = differencesAt(joint, sample);
+  const auto share = [&joint](double is, double was, double limit) {
+    return joint.ask == Ask::Join ? is / limit : grownShare(is, was, limit);
+  };
+  double missed = larger(
+      0, share(now.gap.norm(), std::max(sample.given.gap.norm(), sample.kept_gap_mm), sample.limits.gap_mm));
+  const Missing missing = missingOf(joint, sample, now);
+  missed = larger(missed, missing.slide.norm() / sample.limits.slide_mm);
+  missed = larger(missed, missing.overlap.norm() / sample.limits.overlap_mm);
+  if (joint.order < 1) return larger(missed, turned_rad(sample) / joint.turn_rad);
+  if (!now.normal) return missed;
+  missed = larger(missed, share(now.normal->norm(), sample.kept_angle_rad, sample.limits.angle_rad));
+  if (joint.order < 2) return missed;
+  return std::max(missed, share(now.bend.norm(), sample.kept_bend_per_mm, sample.limits.curvature_per_mm));
+}
+
+}  // namespace
+
+double missedShare(const Joint& joint, const JointSample& sample) {
+  const double missed = missedShareOf(joint, sample);
+  return std::isnan(missed) ? std::numeric_limits<double>::infinity() : missed;
+}
+
+double costOf(const Joint& joint, const JointSample& sample) {
+  const double weight = weightOf(sample);
+  const Differences now = differencesAt(joint, sample);
+  const Missing missing = missingOf(joint, sample, now);
+  const JointLimits& limits = sample.limits;
+  double cost = missing.gap.squaredNorm() / std::pow(limits.gap_mm, 2) +
+                missing.normal.squaredNorm() / std::pow(limits.angle_rad, 2);
+  if (sample.sides.size() > 1)
+    cost += missing.slide.squaredNorm() / std::pow(limits.slide_mm, 2) +
+            missing.overlap.squaredNorm() / std::pow(limits.overlap_mm, 2);
+  if (joint.order < 1 && sample.sides.size() > 1)
+    for (const JointSide& side : sample.sides)
+      if (const std::optional<Tilt> tilt = tiltOf(sample, side))
+        cost += std::pow(share_of_crease * tilt->turned_rad / joint.turn_rad, 2);
+  if (joint.order > 1) cost += missing.bend.squaredNorm() / std::pow(limits.curvature_per_mm, 2);
+  return weight * weight * cost;
+}
+
+void addConditions(const Joint& joint, const JointSample& sample, StepSystem& system) {
+  const double weight = weightOf(sample);
+  const Differences now = differencesAt(joint, sample);
+  const Missing missing = missingOf(joint, sample, now);
+  Row place(sample, system);
+  for (std::size_t k = 0; k < sample.sides.size(); ++k)
+    if (sample.sides[k].mover != nullptr)
+      place.add(sample.sides[k], sample.sides[k].shares.share.row(0), k == 0 ? 1 : -1);
+  const double gap_weight = weight / sample.limits.gap_mm;
+  system.addPoint(sample.cell, place.times(gap_weight), -gap_weight * missing.gap);
+  if (sample.sides.size() < 2) return;
+  const double slide_weight = weight / sample.limits.slide_mm;
+  if (isEnd(sample))
+    system.addPoint(sample.cell, place.times(slide_weight), -slide_weight * missing.slide);
+  else
+    system.add(sample.cell, place.times(slide_weight), along(sample),
+               -slide_weight * missing.slide.dot(along(sample)));
+  const double overlap_weight = weight / sample.limits.overlap_mm;
+  if (sample.limits.overlap_mm < sample.limits.gap_mm)
+    system.add(sample.cell, place.times(overlap_weight), sample.across,
+               -overlap_weight * missing.overlap.dot(sample.across));
+  if (joint.order < 1) return keepNormals(sample, share_of_crease * weight / joint.turn_rad, system);
+  if (!now.normal) return;
+  const std::array<SurfaceJet, 2> jets = {jetOf(sample.sides[0]), jetOf(sample.sides[1])};
+  const auto normal = normalOf(sample.sides[0], jets[0]);
+  const Frame frame = frameOf(sample, (*normal - 0.5 * *now.normal).normalized());
+  addNormals(sample, missing.normal, frame, jets, weight / sample.limits.angle_rad, system);
+  if (joint.order > 1)
+    addCurvatures(sample, missing.bend, frame, jets, weight / sample.limits.curvature_per_mm, system);
+}
+
+}  // namespace seamwright::occ
