@@ -246,6 +246,15 @@ std::vector<int> Displacement::coefficientsNear(const Eigen::Vector2d& uv) const
   return near;
 }
 
+std::vector<int> Displacement::coefficientsOfSide(int fixed, bool at_last) const {
+  const int rows = basis_.u().poles, columns = basis_.v().poles;
+  std::vector<int> side;
+  for (int k = 0; k < (fixed == 0 ? columns : rows); ++k)
+    side.push_back(number_[fixed == 0 ? basis_.pole(at_last ? rows - 1 : 0, k)
+                                      : basis_.pole(k, at_last ? columns - 1 : 0)]);
+  return side;
+}
+
 SurfaceJet Displacement::given(const Eigen::Vector2d& uv, const Eigen::Vector2d& into) const {
   return jetOf(given_basis_.at(uv, into, 2), given_poles_);
 }

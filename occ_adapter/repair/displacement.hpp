@@ -39,6 +39,8 @@ class Displacement {
   PoleShares shares(const Eigen::Vector2d& uv, const Eigen::Vector2d& into) const;
   /// The coefficients whose functions are not zero at (u, v), and those of a few neighbours in both directions.
   std::vector<int> coefficientsNear(const Eigen::Vector2d& uv) const;
+  /// Of the side where u (\p fixed 0) or v (1) is first or last, in the order of the other parameter.
+  std::vector<int> coefficientsOfSide(int fixed, bool at_last) const;
   /// X and its derivatives.
   SurfaceJet given(const Eigen::Vector2d& uv, const Eigen::Vector2d& into) const;
   SurfaceJet moved(SurfaceJet given, const PoleShares& shares) const;

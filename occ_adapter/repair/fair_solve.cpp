@@ -6,6 +6,7 @@
 #include <optional>
 
 #include <seamwright/occ_adapter/repair/fair_solve.hpp>
+#include <seamwright/occ_adapter/repair/natural_sides.hpp>
 
 namespace seamwright::occ {
 
@@ -95,12 +96,31 @@ class FairSolving {
     number();
   }
 
-  /// Numbers what is free.
+  /// Numbers what is free. Coefficients that are one are free if one of them is.
   void number() {
+    const NaturalSides sides = naturalSides();
+    std::map<std::pair<int, int>, int> numbers;  // by first of those that are one
+    const auto forEach = [&](const auto& work) {
+      for (auto& [face, all] : unknown_)
+        for (std::size_t k = 0; k < all.size(); ++k) work(sides.first(face, static_cast<int>(k)), all[k]);
+    };
+    forEach([&](const auto& first, int& own) {
+      if (own >= 0) numbers[first] = 0;
+    });
     unknowns_ = 0;
-    for (auto& [face, numbers] : unknown_)
-      for (int& number : numbers)
-        if (number >= 0) number = unknowns_++;
+    for (auto& [first, number] : numbers) number = unknowns_++;
+    forEach([&](const auto& first, int& own) {
+      const auto found = numbers.find(first);
+      own = found == numbers.end() ? -1 : found->second;
+    });
+  }
+
+  NaturalSides naturalSides() const {
+    std::vector<bool> gaps_stay;
+    for (std::size_t j = 0; j < joints_.size(); ++j)
+      gaps_stay.push_back(joints_[j].ask == Ask::Keep ||
+                          std::ranges::all_of(samples_[j], &JointSample::keeps_gap));
+    return {joints_, gaps_stay, movers_};
   }
 
   struct FaceEnergy {
@@ -132,13 +152,13 @@ class FairSolving {
       const double unit = std::pow(fairness * mover.stiffness / mover.budget_per_mm, 2) / mover.area_mm2;
       for (EnergyBlock& block : mover.displacement.bending()) {
         FaceEnergy energy{face, 0, std::move(block), {}};
+        const auto numberOf = [&](Eigen::Index k) { return unknown[energy.block.coefficients[k]]; };
+        for (Eigen::Index k = 0; k < std::ssize(energy.block.coefficients); ++k)
+          if (numberOf(k) >= 0) energy.free.push_back(k);
+        if (energy.free.empty()) continue;
+        std::ranges::sort(energy.free, {}, numberOf);
         std::vector<int> unknowns;
-        for (std::size_t k = 0; k < energy.block.coefficients.size(); ++k)
-          if (const int number = unknown[energy.block.coefficients[k]]; number >= 0) {
-            energy.free.push_back(static_cast<Eigen::Index>(k));
-            unknowns.push_back(number);
-          }
-        if (unknowns.empty()) continue;
+        std::ranges::transform(energy.free, std::back_inserter(unknowns), numberOf);
         energy.block.matrix *= unit;
         energy.cell = cellOf(std::move(unknowns));
         energies_.push_back(std::move(energy));
@@ -335,6 +355,7 @@ class FairSolving {
           }
         }
       }
+    naturalSides().spread(spans, movers_);
     bool any = false;
     for (const auto& [face, halves] : spans) any = halve(movers_.at(face).displacement, halves) || any;
     if (!any) return false;

@@ -356,7 +356,8 @@ void setGiven(const Joint& joint, const ContinuityTolerance& tolerance, std::vec
   for (JointSample& sample : samples) {
     const Eigen::Vector3d gap = sample.given.gap;
     sample.given = {};
-    if (largest_mm <= small * tolerance.gap_mm) sample.given.gap = gap;
+    sample.keeps_gap = largest_mm <= small * tolerance.gap_mm;
+    if (sample.keeps_gap) sample.given.gap = gap;
   }
 }
 

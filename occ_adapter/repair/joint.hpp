@@ -78,7 +78,8 @@ struct JointSample {
   std::vector<JointSide> sides;
   JointLimits limits;
   Eigen::Vector3d across = Eigen::Vector3d::Zero();  ///< the seam, in the tangent plane of the first side
-  Differences given;  ///< what may stay: of a joint that is to meet at most a small gap
+  Differences given;       ///< what may stay: of a joint that is to meet at most a small gap
+  bool keeps_gap = false;  ///< the gap may stay as it was
   /// Of a kept joint: the largest that it lacks anywhere, as no more is seen of it.
   double kept_gap_mm = 0, kept_angle_rad = 0, kept_bend_per_mm = 0;
   double part = 0;    ///< of the joint's length

@@ -17,7 +17,7 @@ import pytest
 SOURCE = Path(os.environ["SEAMWRIGHT_SOURCE"])
 PREFIX = Path(os.environ["SEAMWRIGHT_PREFIX"])
 MODELS = Path(os.environ["SEAMWRIGHT_MODELS"])
-PAGES = ("README.md", *sorted(f"docs/{page.name}" for page in (SOURCE / "docs").glob("*.md")))
+PAGES = ("README.md", *sorted(str(page.relative_to(SOURCE)) for page in (SOURCE / "docs").rglob("*.md")))
 BLOCK = re.compile(r"(<!-- not run[^>]*-->\n)?^```(python|sh)\n(.*?)^```\n(?:\n?^```text\n(.*?)^```)?", re.M | re.S)
 RUN = {"python": ["/usr/bin/python3", "-c"], "sh": ["bash", "-uc"]}
 

@@ -103,7 +103,7 @@ def test_a_sheet_flows_again(tmp_path, target, seed):
     assert before[1] > 0.1 and report["summary"]["repaired"] > 1
     assert max(seam["before"]["angle_deg"]["upper"] for seam in report["seams"]) == pytest.approx(before[1], rel=1e-3)
     gap_mm, angle_deg = worst_figures(surfaces_of(out.read_text()))
-    assert gap_mm <= 0.01 and angle_deg <= 0.1
+    assert gap_mm <= 1e-9 and angle_deg <= 0.1
     assert angle_deg <= max(seam["after"]["angle_deg"]["upper"] for seam in report["seams"]) + 1e-6
     expect_same_verdicts(report, out)
     assert report["output"] == {"path": str(out), "format": "STEP", "edges": 12, "faces": 4, "open_edges": 8,
