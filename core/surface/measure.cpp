@@ -52,13 +52,18 @@ SurfaceMeasure measureSurface(std::span<const CurvatureLine> lines, double noise
   return measure;
 }
 
-void include(SurfaceChange& change, const SurfaceJet& before, const SurfaceJet& after,
-             const JetNoise& noise) {
+CurvedPoint curvedPoint(const SurfaceJet& jet, const JetNoise& noise) {
+  CurvedPoint point{jet.p, unitNormal(jet, noise)};
+  if (point.normal) point.curvature_per_mm = curvatureTensor(jet, *point.normal);
+  return point;
+}
+
+void include(SurfaceChange& change, const CurvedPoint& before, const CurvedPoint& after) {
   const Eigen::Vector3d move = after.p - before.p;
   if (!move.allFinite()) return;
   change.move_mm.lower = std::max(change.move_mm.lower, move.norm());
   change.move_mm.upper = std::max(change.move_mm.upper, change.move_mm.lower);
-  const auto was = unitNormal(before, noise), is = unitNormal(after, noise);
+  const auto &was = before.normal, &is = after.normal;
   if (!was) return;
   const double along = was->dot(move);
   change.normal_move_mm = std::max(change.normal_move_mm, std::abs(along));
@@ -67,7 +72,7 @@ void include(SurfaceChange& change, const SurfaceJet& before, const SurfaceJet& 
   change.turn_rad = std::max(change.turn_rad, std::atan2(was->cross(*is).norm(), was->dot(*is)));
   const Eigen::Matrix3d back = Eigen::Quaterniond::FromTwoVectors(*is, *was).toRotationMatrix();
   const Eigen::Matrix3d difference =
-      back * curvatureTensor(after, *is) * back.transpose() - curvatureTensor(before, *was);
+      back * after.curvature_per_mm * back.transpose() - before.curvature_per_mm;
   if (!difference.allFinite()) return;
   const Eigen::Vector3d u = was->unitOrthogonal(), v = was->cross(u);
   const double half_sum = (u.dot(difference * u) + v.dot(difference * v)) / 2;

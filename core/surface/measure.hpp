@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <Eigen/Core>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -61,9 +63,16 @@ struct SurfaceChange {
   SurfaceMeasure before, after;
 };
 
-/// Takes one place into the change: moves, turn and change of curvature, as far as both jets have a normal. \p move_mm grows at its lower
-/// end. Nothing where a jet is not finite.
-void include(SurfaceChange& change, const SurfaceJet& before, const SurfaceJet& after,
-             const JetNoise& noise = {});
+/// A place of a surface, with its curvature tensor where it has a normal.
+struct CurvedPoint {
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();
+  std::optional<Eigen::Vector3d> normal;
+  Eigen::Matrix3d curvature_per_mm = Eigen::Matrix3d::Zero();
+};
+CurvedPoint curvedPoint(const SurfaceJet& jet, const JetNoise& noise = {});
+
+/// Takes one place into the change: moves, turn and change of curvature, as far as both have a normal. \p move_mm grows at its lower
+/// end. Nothing where a place is not finite.
+void include(SurfaceChange& change, const CurvedPoint& before, const CurvedPoint& after);
 
 }  // namespace seamwright

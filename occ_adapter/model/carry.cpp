@@ -74,28 +74,48 @@ std::string recordOf(const gp_Trsf& placement) {
   return bytes.str();
 }
 
-/// The placements of two sides told by the same steps: OpenCASCADE tells steps apart by identity, and a journey makes new ones.
+/// The placements of two sides told by the same steps: OpenCASCADE tells steps apart by identity, and a journey makes new ones. Steps with one
+/// transformation are one, also where a file has them twice.
 class Steps {
  public:
   /// Notes what the steps of the shape that is changed in place come back as.
   void note(TopLoc_Location into, TopLoc_Location unchanged) {
     for (; !into.IsIdentity() && !unchanged.IsIdentity();
-         into = into.NextLocation(), unchanged = unchanged.NextLocation())
-      steps_.emplace(recordOf(unchanged.FirstDatum()->Transformation()), into.FirstDatum());
+         into = into.NextLocation(), unchanged = unchanged.NextLocation()) {
+      const auto step = steps_.emplace(recordOf(unchanged.FirstDatum()->Transformation()), into.FirstDatum());
+      own_.emplace(into.FirstDatum().get(), step.first->second);
+    }
   }
 
-  TopLoc_Location translated(TopLoc_Location location) const {
-    TopLoc_Location result;
-    for (; !location.IsIdentity(); location = location.NextLocation()) {
-      const auto found = steps_.find(recordOf(location.FirstDatum()->Transformation()));
-      const TopLoc_Location step(found == steps_.end() ? location.FirstDatum() : found->second);
-      result = result * step.Powered(location.FirstPower());
-    }
-    return result;
+  /// Of the shape that is changed in place.
+  TopLoc_Location own(const TopLoc_Location& location) const {
+    return inSteps(location, [this](const Step& step) {
+      const auto found = own_.find(step.get());
+      return found == own_.end() ? step : found->second;
+    });
+  }
+
+  /// Of what came back.
+  TopLoc_Location translated(const TopLoc_Location& location) const {
+    return inSteps(location, [this](const Step& step) {
+      const auto found = steps_.find(recordOf(step->Transformation()));
+      return found == steps_.end() ? step : found->second;
+    });
   }
 
  private:
-  std::map<std::string, opencascade::handle<TopLoc_Datum3D>> steps_;
+  using Step = opencascade::handle<TopLoc_Datum3D>;
+
+  template <class Chosen>
+  static TopLoc_Location inSteps(TopLoc_Location location, const Chosen& chosen) {
+    TopLoc_Location result;
+    for (; !location.IsIdentity(); location = location.NextLocation())
+      result = result * TopLoc_Location(chosen(location.FirstDatum())).Powered(location.FirstPower());
+    return result;
+  }
+
+  std::map<std::string, Step> steps_;             ///< by what comes back
+  std::map<const TopLoc_Datum3D*, Step> own_;
 };
 
 void record(BinTools_OStream& out, TopLoc_Location location) {
@@ -271,7 +291,8 @@ class Carrier {
   /// Walks the three graphs side by side, placements added up. \returns whether they are the same.
   bool pair(const TopoDS_Shape& into, const TopoDS_Shape& unchanged, const TopoDS_Shape& changed) {
     if (into.ShapeType() != changed.ShapeType() || into.Orientation() != changed.Orientation()) return false;
-    const Placed placed{changed, into.Location().Inverted() * steps_.translated(changed.Location())};
+    const Placed placed{changed,
+                        steps_.own(into.Location()).Inverted() * steps_.translated(changed.Location())};
     // Two parts that became one are another graph: the shape was sewn.
     const auto origin = origins_.emplace(changed.TShape().get(), Origin{into.TShape().get(), placed.frame});
     if (origin.first->second.shape != into.TShape().get()) return false;

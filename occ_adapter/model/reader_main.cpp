@@ -3,8 +3,9 @@
 // not to the program that asked.
 //
 //   read FORMAT PATH            reads a model file: facts and shape
-//   write FORMAT HOW PATH       writes the model whose facts and shape stand on standard input: a report and the bytes of
-//                               the file. HOW: "follow", where the model has one, the file PATH; or "afresh"
+//   write FORMAT HOW SHARE PATH writes the model whose facts and shape stand on standard input: a report and the bytes of
+//                               the file. HOW: "follow", where the model has one, the file PATH; or "afresh".
+//                               SHARE: of the accuracy that is stated
 #include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
@@ -143,10 +144,10 @@ Model requestedModel(const std::string& path) {
   return model;
 }
 
-void writeAndSend(const std::string& format, bool afresh, const std::string& path) {
+void writeAndSend(const std::string& format, const WriteOptions& options, const std::string& path) {
   const Model model = requestedModel(path);
   const Stored stored =
-      storeModel(model, format == name(Format::Step) ? Format::Step : Format::Iges, afresh, Announcer());
+      storeModel(model, format == name(Format::Step) ? Format::Step : Format::Iges, options, Announcer());
   wire::send(answer, wire::Kind::Report, wire::reportToJson(stored.report));
   wire::send(answer, wire::Kind::File, stored.bytes);
 }
@@ -155,7 +156,9 @@ void obey(const std::vector<std::string>& arguments) {
   if (arguments[0] == "read")
     readAndSend(arguments[2], arguments[1]);
   else
-    writeAndSend(arguments[1], arguments[2] == "afresh", arguments[3]);
+    writeAndSend(arguments[1],
+                 {.afresh = arguments[2] == "afresh", .share_of_accuracy = std::stod(arguments[3])},
+                 arguments[4]);
 }
 
 /// The text of a ModelError without the path, which the asking process puts in front again.
@@ -170,7 +173,7 @@ std::string withoutPath(const ModelError& error, const std::string& path) {
 int main(int argc, char** argv) {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   const bool reads = arguments.size() == 3 && arguments[0] == "read";
-  const bool writes = arguments.size() == 4 && arguments[0] == "write";
+  const bool writes = arguments.size() == 5 && arguments[0] == "write";
   if (!reads && !writes) {
     std::fputs("This program reads model files for Seamwright and is not called by hand.\n", stderr);
     return 2;

@@ -437,10 +437,10 @@ struct Prepared {
   WriteReport report;
 };
 
-Prepared prepare(const Model& model, bool afresh, const Progress& progress) {
+Prepared prepare(const Model& model, const WriteOptions& options, const Progress& progress) {
   Prepared prepared;
   const bool has_structure = !model.path.empty() && (model.format == "STEP" || model.format == "IGES");
-  if (!has_structure || afresh) {
+  if (!has_structure || options.afresh) {
     chooseUnit(prepared.manner, model.length_unit);
     prepared.document = NewDocument(model).document();
     return prepared;
@@ -456,6 +456,7 @@ Prepared prepare(const Model& model, bool afresh, const Progress& progress) {
     // Readers that find edges and vertices further apart than the stated accuracy make parameter curves of their own.
     if (carried->largest_tolerance_mm > prepared.manner.accuracy_mm.value_or(0))
       prepared.manner.accuracy_mm = carried->largest_tolerance_mm;
+    if (prepared.manner.accuracy_mm) *prepared.manner.accuracy_mm *= options.share_of_accuracy;
     return prepared;
   }
   // What the source states is about its shape, not this one: how accurate it is, and that no faces share edges.
@@ -471,9 +472,9 @@ Prepared prepare(const Model& model, bool afresh, const Progress& progress) {
 
 }  // namespace
 
-Stored storeModel(const Model& model, Format target, bool afresh, const Progress& progress) {
+Stored storeModel(const Model& model, Format target, const WriteOptions& options, const Progress& progress) {
   constexpr double read = 0.5;
-  Prepared prepared = prepare(model, afresh, partOf(progress, 0, read));
+  Prepared prepared = prepare(model, options, partOf(progress, 0, read));
   const Progress rest = partOf(progress, read, 1);
   const opencascade::handle<Reporter> reporter = new Reporter(rest);
   Stored stored;

@@ -14,7 +14,7 @@ struct Stored {
 };
 
 /// Writes a model as STEP or IGES in this process, see writeModel(); only the reading program calls it.
-/// \throws ModelError, Standard_Failure
-Stored storeModel(const Model& model, Format target, bool afresh, const Progress& progress);
+/// \param options what concerns the content: afresh, share_of_accuracy. \throws ModelError, Standard_Failure
+Stored storeModel(const Model& model, Format target, const WriteOptions& options, const Progress& progress);
 
 }  // namespace seamwright::occ

@@ -10,8 +10,11 @@
 #include <GeomTools_Curve2dSet.hxx>
 #include <GeomTools_CurveSet.hxx>
 #include <GeomTools_SurfaceSet.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Precision.hxx>
 #include <Standard_Failure.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -91,8 +94,25 @@ class FaultFinder {
     return {};
   }
 
+  /// The kind that most numbers belong to, without writing them.
+  std::string faultOf(const Geom_BSplineSurface& spline) const {
+    const std::string what = "a surface";
+    for (const TColStd_Array1OfReal* knots : {&spline.UKnots(), &spline.VKnots()})
+      for (const double knot : *knots)
+        if (!isUsableNumber(knot)) return numberInWords(what, knot);
+    for (int i = 1; i <= spline.NbUPoles(); ++i)
+      for (int j = 1; j <= spline.NbVPoles(); ++j) {
+        const gp_XYZ& pole = spline.Poles().Value(i, j).XYZ();
+        for (const double number : {pole.X(), pole.Y(), pole.Z(), spline.Weight(i, j)})
+          if (!isUsableNumber(number)) return numberInWords(what, number);
+      }
+    return {};
+  }
+
   std::string faultOf(const opencascade::handle<Geom_Surface>& surface) const {
     if (surface.IsNull()) return {};
+    if (const auto spline = opencascade::handle<Geom_BSplineSurface>::DownCast(surface); !spline.IsNull())
+      return faultOf(*spline);
     return faultInText("a surface", [&surface](std::ostream& stream) {
       GeomTools_SurfaceSet::PrintSurface(surface, stream, true);
     });

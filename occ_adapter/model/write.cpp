@@ -68,14 +68,15 @@ std::uintmax_t sizeOfSource(const Model& model) {
   return error ? 0 : bytes;
 }
 
-Written writeElsewhere(const Model& model, const std::filesystem::path& path, Format format, bool afresh,
-                       const Progress& progress) {
+Written writeElsewhere(const Model& model, const std::filesystem::path& path, Format format,
+                       const WriteOptions& options, const Progress& progress) {
   const Request request(model);
   const Question question{
       .model = path,
       .bytes = request.bytes() + sizeOfSource(model),
       .deed = "written",
-      .arguments = {"write", std::string(name(format)), afresh ? "afresh" : "follow", model.path},
+      .arguments = {"write", std::string(name(format)), options.afresh ? "afresh" : "follow",
+                    std::to_string(options.share_of_accuracy), model.path},
       .input = request.descriptor()};
   Answer answer = askReader(question, progress);
   if (!answer.file)
@@ -124,7 +125,7 @@ Written writtenModel(const Model& model, const std::filesystem::path& path, Form
     if (std::optional<Written> same = copyOfSource(model, format)) return std::move(*same);
   if (format == Format::Step || format == Format::Iges) {
     requireFinite(model, path, format);
-    return writeElsewhere(model, path, format, options.afresh, progress);
+    return writeElsewhere(model, path, format, options, progress);
   }
   return writeBrep(model, format);
 }

@@ -17,6 +17,9 @@ struct WriteOptions {
   bool overwrite_source = false;  ///< the file the model was read from may be replaced
   /// Writes the shape with Model::attributes alone, though the model has a source that could be followed.
   bool afresh = false;
+  /// A STEP file that follows its source states this share of the accuracy that it would else. Readers join what is nearer than that, so a
+  /// coarse one costs them short edges.
+  double share_of_accuracy = 1;
   /// The model is what its file holds: a file of the same format becomes a copy of that file, byte for byte.
   bool unchanged = false;
   /// Called with the new file, whole, while it waits beside its place under another name: to read it back, say. What it

@@ -6,10 +6,14 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
+#include <array>
 #include <map>
+#include <numbers>
 #include <sstream>
 #include <stdexcept>
 
+#include <seamwright/core/differential/fundamental_forms.hpp>
+#include <seamwright/occ_adapter/convert/face_strip.hpp>
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
 #include <seamwright/occ_adapter/match/boundary.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
@@ -188,6 +192,51 @@ Choice choose(const Model& model, const Report& before, const RepairOptions& opt
     choice.reasons.push_back(why);
   }
   return choice;
+}
+
+namespace {
+
+/// By how much the normal of a side turns at a place of its path; zero where it has none.
+Eigen::Vector3d turnAt(const FaceStrip& strip, double s) {
+  constexpr double beside = 1e-7;
+  std::array<Eigen::Vector3d, 2> normals;
+  for (const int k : {0, 1}) {
+    const SidePoint at = strip.firstOrderAt(k == 0 ? s - beside : s + beside);
+    const auto normal = unitNormal(at.jet, at.noise);
+    if (!normal) return Eigen::Vector3d::Zero();
+    normals[k] = *normal;
+  }
+  return normals[1] - normals[0];
+}
+
+}  // namespace
+
+std::string whyKinked(const Seam& seam, const ContinuityTolerance& tolerance) {
+  // A little more than twice the tolerance, as normals also turn beside the kink.
+  constexpr double surely = 2.1;
+  if (seam.kind != SeamKind::Shared) return {};
+  std::vector<FaceStrip> strips;
+  for (const FaceUse& side : seam.sides)
+    strips.emplace_back(side, pcurveOf(side.edge, side.shape, tolerance.gap_mm));
+  const auto normalOf = [&strips](std::size_t k, double s) {
+    const SidePoint at = strips[k].firstOrderAt(s);
+    return unitNormal(at.jet, at.noise);
+  };
+  for (const std::size_t k : {0, 1})
+    for (const double s : strips[k].breaks()) {
+      const auto a = normalOf(0, s), b = normalOf(1, s);
+      if (!a || !b) continue;
+      const double sense = a->dot(*b) < 0 ? -1 : 1;
+      const double turn_rad = (turnAt(strips[0], s) - sense * turnAt(strips[1], s)).norm();
+      if (turn_rad <= surely * tolerance.angle_rad) continue;
+      std::ostringstream text;
+      text.precision(3);
+      text << "the surface of face " << seam.sides[k].face << " has a kink of "
+           << turn_rad * 180 / std::numbers::pi << " degrees across the edge, at " << s
+           << " of its length: no smooth move takes that out";
+      return text.str();
+    }
+  return {};
 }
 
 bool isRepaired(const SeamResult& after, bool sharp, const ContinuityTolerance& tolerance, Level level) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <seamwright/occ_adapter/repair/repair.hpp>
+#include <seamwright/occ_adapter/seams/find.hpp>
 
 /// What is to be repaired, and what may move for it; not a public header.
 namespace seamwright::occ {
@@ -31,6 +32,10 @@ struct Choice {
 /// the crease angle are not treated, as no small move turns a normal over.
 /// \throws std::invalid_argument for edges and faces that the model does not have, and for a picked edge that is no seam.
 Choice choose(const Model& model, const Report& before, const RepairOptions& options);
+
+/// Why the sides of a seam cannot have one tangent plane within the tolerance, whatever smooth displacement they get: where the surface of one has a kink of its
+/// own across the seam, and the other one does not turn with it, one of them misses on one side of the kink. Empty if that is not so. \throws Standard_Failure.
+std::string whyKinked(const Seam& seam, const ContinuityTolerance& tolerance);
 
 /// 1: G1, 2: G2.
 inline Level levelOf(int order) {

@@ -56,20 +56,38 @@ double area_mm2(const TopoDS_Face& face, const handle<Geom_BSplineSurface>& surf
   return of_range.Mass();
 }
 
+/// As they are, and as they were given.
+class TaskFaces {
+ public:
+  explicit TaskFaces(const RepairTask& task) {
+    TopExp::MapShapes(task.shape, TopAbs_FACE, now_);
+    TopExp::MapShapes(task.given, TopAbs_FACE, given_);
+  }
+
+  int count() const { return now_.Extent(); }
+  const TopoDS_Shape& operator()(int face) const { return now_(face); }
+  const TopoDS_Shape& given(int face) const { return given_(face); }
+
+ private:
+  TopTools_IndexedMapOfShape now_, given_;
+};
+
 /// Its budget is half of what its curvature varies by, and what can't be seen or is needed.
-MovingFace moverOf(int number, const TopoDS_Face& face, const RepairTask& task) {
+MovingFace moverOf(int number, const TopoDS_Face& face, const TopoDS_Face& given, const RepairTask& task) {
   constexpr int first_spans = 4;
   constexpr double share_of_gap = 0.01, share_of_variation = 0.5;
   const handle<Geom_BSplineSurface> surface = splineOfFace(face);
   std::array<double, 4> range{};
   BRepTools::UVBounds(face, range[0], range[1], range[2], range[3]);
-  MovingFace mover{Displacement(surface, range, first_spans, share_of_gap * task.options.tolerance.gap_mm,
-                                isTreatedWhereItCloses(number, task)),
-                   0, 0};
-  const double visible = allowedVariation(number, face, task.options.tolerance, task.needed, 1);
-  const SurfaceChange still = measureChange(face, surface, 0, visible, {.lines = 16});
-  mover.budget_per_mm = share_of_variation * still.before.variation_per_mm + visible;
+  const handle<Geom_BSplineSurface> first = splineOfFace(given);
+  MovingFace mover{
+      Displacement(surface, range, first_spans, share_of_gap * task.options.tolerance.gap_mm,
+                   isTreatedWhereItCloses(number, task), std::array{first->UDegree(), first->VDegree()}),
+      0, 0, 0};
+  mover.budget_per_mm = share_of_variation * variationOf_per_mm(face, surface, {.lines = 16}) +
+                        allowedVariation(number, face, task.options.tolerance, task.needed, 1);
   mover.area_mm2 = area_mm2(face, surface, range);
+  mover.size_mm = sizeOf_mm(face);
   return mover;
 }
 
@@ -83,7 +101,23 @@ int orderKept(const SeamResult& seam, const RepairOptions& options) {
   return keeps_curvature ? 2 : 1;
 }
 
-Joint jointOf(const RepairTask& task, std::size_t i, const MissedPlaces& missed, const TurnsAtEnds& turns) {
+Restraint restraintOf(int face, const Restraints& restraints) {
+  const auto found = restraints.find(face);
+  return found == restraints.end() ? Restraint{} : found->second;
+}
+
+/// A face that stays is trimmed elsewhere where its neighbour moves, if there is surface on both sides of the edge.
+bool maySlide(const RepairTask& task, std::size_t i, int side, const Pcurve& path,
+              const std::set<int>& moving, const Restraints& restraints) {
+  const Seam& seam = task.seams[i];
+  const FaceUse &own = seam.sides[side], &other = seam.sides[1 - side];
+  return seam.kind == SeamKind::Shared && moving.count(own.face) == 0 && moving.count(other.face) > 0 &&
+         task.faces[own.face].may_be_trimmed && !restraintOf(own.face, restraints).keeps_edges &&
+         !BRep_Tool::IsClosed(own.edge, own.shape) && StayingSurface(own.shape).surrounds(path);
+}
+
+Joint jointOf(const RepairTask& task, std::size_t i, const MissedPlaces& missed, const TurnsAtEnds& turns,
+              const std::set<int>& moving, const Restraints& restraints) {
   Joint joint;
   joint.seam = i;
   joint.ask = task.isTreated(i) ? Ask::Join : Ask::Keep;
@@ -94,6 +128,7 @@ Joint jointOf(const RepairTask& task, std::size_t i, const MissedPlaces& missed,
     joint.sides.push_back(side);
     joint.paths.push_back(pcurveOf(side.edge, side.shape, task.options.tolerance.gap_mm));
   }
+  for (const int k : {0, 1}) joint.slides[k] = maySlide(task, i, k, joint.paths[k], moving, restraints);
   joint.turn_rad = task.options.tolerance.angle_rad + turns.at_rad(task.seams[i]);
   joint.map = task.seams[i].correspondence;
   if (const auto places = missed.find(i); places != missed.end()) joint.also = places->second;
@@ -111,22 +146,29 @@ Joint outlineOf(const FaceUse& use, double gap_mm) {
 
 std::set<int> facesToMove(const RepairTask& task) {
   std::set<int> faces;
-  for (std::size_t i = 0; i < task.seams.size(); ++i)
-    if (task.isTreated(i))
-      for (const FaceUse& side : task.seams[i].sides)
-        if (task.faces[side.face].may_move) faces.insert(side.face);
+  const FacesAtVertices around(task.shape);
+  for (std::size_t i = 0; i < task.seams.size(); ++i) {
+    if (!task.isTreated(i)) continue;
+    const auto& sides = task.seams[i].sides;
+    const std::set<int> moving =
+        task.neighbours_help ? around.of(task.seams[i]) : std::set<int>{sides[0].face, sides[1].face};
+    for (const int face : moving)
+      if (task.faces[face].may_move) faces.insert(face);
+  }
   return faces;
 }
 
-std::vector<Joint> jointsOf(const RepairTask& task, const std::set<int>& moving, const MissedPlaces& missed) {
+std::vector<Joint> jointsOf(const RepairTask& task, const std::vector<FaceUse>& open,
+                            const std::set<int>& moving, const MissedPlaces& missed,
+                            const Restraints& restraints) {
   const TurnsAtEnds turns(task);
   std::vector<Joint> joints;
   for (std::size_t i = 0; i < task.seams.size(); ++i) {
     const auto& sides = task.seams[i].sides;
     if (moving.count(sides[0].face) > 0 || moving.count(sides[1].face) > 0)
-      joints.push_back(jointOf(task, i, missed, turns));
+      joints.push_back(jointOf(task, i, missed, turns, moving, restraints));
   }
-  for (const FaceUse& use : findSeams(task.shape).open_uses)
+  for (const FaceUse& use : open)
     if (moving.count(use.face) > 0) joints.push_back(outlineOf(use, task.options.tolerance.gap_mm));
   return joints;
 }
@@ -155,11 +197,6 @@ std::vector<Part> connectedParts(const std::set<int>& moving, std::vector<Joint>
   return list;
 }
 
-Restraint restraintOf(int face, const Restraints& restraints) {
-  const auto found = restraints.find(face);
-  return found == restraints.end() ? Restraint{} : found->second;
-}
-
 std::string keyOf(const Part& part, const Restraints& restraints) {
   std::ostringstream key;
   key.precision(17);
@@ -168,7 +205,8 @@ std::string keyOf(const Part& part, const Restraints& restraints) {
     key << face << '*' << restraint.stiffness << '<' << restraint.move_mm << ' ';
   }
   for (const Joint& joint : part.joints) {
-    key << joint.seam << ':' << static_cast<int>(joint.ask) << joint.order;
+    key << joint.seam << ':' << static_cast<int>(joint.ask) << joint.order << joint.slides[0]
+        << joint.slides[1];
     for (const double s : joint.also) key << '@' << s;
     key << ' ';
   }
@@ -238,15 +276,32 @@ Reasons failuresOf(const Part& part, const std::vector<double>& missed, bool wit
   return failures;
 }
 
-FairComponent solved(const RepairTask& task, const Part& part, std::string key,
-                     const TopTools_IndexedMapOfShape& faces, const std::vector<FairComponent>& before,
-                     const Restraints& restraints, const Progress& progress) {
+/// Of the edges that slide.
+std::vector<PathChange> slidPaths(const Part& part, const RepairTask& task,
+                                  const std::vector<FaceChange>& changes) {
+  std::vector<PathChange> paths;
+  for (const Joint& joint : part.joints)
+    for (const int k : {0, 1}) {
+      if (!joint.slides[k]) continue;
+      const auto change = std::ranges::find(changes, joint.sides[1 - k].face, &FaceChange::face);
+      if (change == changes.end()) continue;
+      if (auto path = slidPath(task.seams[joint.seam].edges.front(), joint.sides[k], joint.sides[1 - k],
+                               change->surface, task.options.tolerance.gap_mm))
+        paths.push_back(*std::move(path));
+    }
+  return paths;
+}
+
+FairComponent solved(const RepairTask& task, const Part& part, std::string key, const TaskFaces& faces,
+                     const std::vector<FairComponent>& before, const Restraints& restraints,
+                     const Progress& progress) {
   FairComponent component;
   component.asked = std::move(key);
   const FairStart start = startOf(part, before, restraints, component.movers);
   for (const int face : part.faces)
     if (component.movers.count(face) == 0)
-      component.movers.emplace(face, moverOf(face, TopoDS::Face(faces(face)), task));
+      component.movers.emplace(
+          face, moverOf(face, TopoDS::Face(faces(face)), TopoDS::Face(faces.given(face)), task));
   for (auto& [face, mover] : component.movers) {
     const Restraint restraint = restraintOf(face, restraints);
     mover.stiffness = restraint.stiffness;
@@ -266,17 +321,18 @@ FairComponent solved(const RepairTask& task, const Part& part, std::string key,
       for (const auto& [s, weight] : component.weights[joint.seam]) effort = std::max(effort, weight);
     }
   if (most_missed > 1) {
-    const bool restrained = std::ranges::any_of(
-        component.movers, [](const auto& mover) { return std::isfinite(mover.second.restraint_mm); });
-    component.failures =
-        failuresOf(part, result.missed, most_asked > 1,
-                   restrained ? task.options.max_move_mm : std::numeric_limits<double>::infinity());
+    double limit_mm = std::numeric_limits<double>::infinity();
+    for (const auto& [face, mover] : component.movers)
+      if (std::isfinite(mover.restraint_mm)) limit_mm = std::min(limit_mm, task.limits_mm.at(face));
+    component.failures = failuresOf(part, result.missed, most_asked > 1, limit_mm);
   }
   component.diverged = most_missed > far;
-  for (const auto& [face, mover] : component.movers)
-    if (!mover.displacement.coefficients().isZero(0))
-      component.changes.push_back(
-          {face, handle<Geom_Surface>(mover.displacement.surface()), mover.displacement.largestMove_mm()});
+  for (const auto& [face, mover] : component.movers) {
+    if (mover.displacement.coefficients().isZero(0)) continue;
+    const Displacement::Moved moved = mover.displacement.moved();
+    component.changes.push_back({face, handle<Geom_Surface>(moved.surface), moved.largest_move_mm});
+  }
+  component.paths = slidPaths(part, task, component.changes);
   return component;
 }
 
@@ -296,13 +352,13 @@ FairComponent failed(const Part& part, std::string key, const std::string& why) 
 
 }  // namespace
 
-std::vector<FairComponent> displaceFaces(const RepairTask& task, const MissedPlaces& missed,
-                                         const Restraints& restraints,
+std::vector<FairComponent> displaceFaces(const RepairTask& task, const std::vector<FaceUse>& open,
+                                         const MissedPlaces& missed, const Restraints& restraints,
                                          const std::vector<FairComponent>& before, const Progress& progress) {
-  TopTools_IndexedMapOfShape faces;
-  TopExp::MapShapes(task.shape, TopAbs_FACE, faces);
+  const TaskFaces faces(task);
   const std::set<int> moving = facesToMove(task);
-  const std::vector<Part> parts = connectedParts(moving, jointsOf(task, moving, missed), faces.Extent());
+  const std::vector<Part> parts =
+      connectedParts(moving, jointsOf(task, open, moving, missed, restraints), faces.count());
   std::vector<FairComponent> components(parts.size());
   std::atomic<bool> is_cancelled = false;
   const Progress goes_on = [&is_cancelled](double) { return !is_cancelled; };

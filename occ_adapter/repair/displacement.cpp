@@ -164,25 +164,27 @@ Eigen::MatrixXd hessianShares(const PoleShares& shares, const SurfaceJet& jet, d
 }  // namespace
 
 Displacement::Displacement(const SplineSurface& given, const std::array<double, 4>& face_range, int spans,
-                           double near_mm, bool bends_at_closing)
+                           double near_mm, bool bends_at_closing,
+                           const std::optional<std::array<int, 2>>& degrees)
     : Displacement(prepared(given, near_mm), given->IsUPeriodic() || given->IsVPeriodic(), face_range, spans,
-                   near_mm, bends_at_closing) {}
+                   near_mm, bends_at_closing, degrees) {}
 
 Displacement::Displacement(const PreparedSurface& given, bool given_periodic,
                            const std::array<double, 4>& face_range, int spans, double near_mm,
-                           bool bends_at_closing)
+                           bool bends_at_closing, const std::optional<std::array<int, 2>>& of_denominator)
     : given_(given.surface),
       collapse_mm_(given.collapse_mm),
       range_(face_range),
       near_mm_(near_mm),
       given_periodic_(given_periodic),
+      degrees_(of_denominator.value_or(std::array<int, 2>{given_->UDegree(), given_->VDegree()})),
       given_basis_(*given_),
       basis_(*given_),
       given_poles_(polesOf(*given_)) {
   constexpr int least_degree = 3;
   constexpr int most_degree = 5;
-  const int u = std::clamp(given_->UDegree(), least_degree, most_degree),
-            v = std::clamp(given_->VDegree(), least_degree, most_degree);
+  const int u = std::clamp(degrees_[0], least_degree, most_degree),
+            v = std::clamp(degrees_[1], least_degree, most_degree);
   const std::array<int, 2> degrees = {u, v};
   const std::array<bool, 2> periodic = {static_cast<bool>(given_->IsUPeriodic()),
                                         static_cast<bool>(given_->IsVPeriodic())};
@@ -206,7 +208,8 @@ Displacement::Displacement(const PreparedSurface& given, bool given_periodic,
   shape_ = new Geom_BSplineSurface(TColgp_Array2OfPnt(1, poles_count[0], 1, poles_count[1]),
                                    arrayOf(knots[0]), arrayOf(knots[1]), multiplicities[0], multiplicities[1],
                                    u, v, periodic[0], periodic[1]);
-  size_mm_ = 2 * (given_poles_.rowwise() - given_poles_.colwise().mean()).rowwise().norm().maxCoeff();
+  const Eigen::RowVector3d centre = given_poles_.colwise().mean();
+  size_mm_ = 2 * (given_poles_.rowwise() - centre).rowwise().norm().maxCoeff();
   basis_ = SurfaceBasis(*shape_);
   number();
   coefficients_ = PointRows::Zero(count_, 3);
@@ -404,10 +407,10 @@ void joinSides(const SurfaceBasis& basis, const PointRows& given, double near_mm
 std::pair<SplineSurface, PointRows> Displacement::refined() const {
   const SplineSurface x = copied(given_), d = copied(shape_);
   const bool is_rational = x->IsURational() || x->IsVRational();
-  const auto degree = [is_rational](int of_x, int of_d) {
-    return is_rational ? of_x + of_d : std::max(of_x, of_d);
+  const auto degree = [&](int direction, int of_x, int of_d) {
+    return std::max(of_x, is_rational ? degrees_[direction] + of_d : of_d);
   };
-  x->IncreaseDegree(degree(x->UDegree(), d->UDegree()), degree(x->VDegree(), d->VDegree()));
+  x->IncreaseDegree(degree(0, x->UDegree(), d->UDegree()), degree(1, x->VDegree(), d->VDegree()));
   // In a higher degree the knots of D stand as often as its smoothness there asks for.
   d->IncreaseDegree(x->UDegree(), x->VDegree());
   for (const int direction : {0, 1})
@@ -438,27 +441,28 @@ std::pair<SplineSurface, PointRows> Displacement::refined() const {
 }
 
 /// The poles of the part over the face bound the moves of its points. Nothing is cut off in a periodic direction.
-double Displacement::largestMove_mm() const {
-  const auto [surface, moves] = refined();
-  setPoles(*surface, moves);
+/// Of the part of the face. \param moves as a surface.
+double Displacement::largestOf(SplineSurface moves) const {
   std::array<double, 4> part{};
-  surface->Bounds(part[0], part[1], part[2], part[3]);
-  const std::array<bool, 2> periodic = {static_cast<bool>(surface->IsUPeriodic()),
-                                        static_cast<bool>(surface->IsVPeriodic())};
+  moves->Bounds(part[0], part[1], part[2], part[3]);
+  const std::array<bool, 2> periodic = {static_cast<bool>(moves->IsUPeriodic()),
+                                        static_cast<bool>(moves->IsVPeriodic())};
   for (const int k : {0, 1}) {
     const double from = std::max(part[2 * k], range_[2 * k]),
                  to = std::min(part[2 * k + 1], range_[2 * k + 1]);
     if (!periodic[k] && from < to) std::tie(part[2 * k], part[2 * k + 1]) = std::pair(from, to);
   }
-  if (!periodic[0] && !periodic[1]) surface->Segment(part[0], part[1], part[2], part[3]);
-  return polesOf(*surface).rowwise().norm().maxCoeff() + collapse_mm_;
+  if (!periodic[0] && !periodic[1]) moves->Segment(part[0], part[1], part[2], part[3]);
+  return polesOf(*moves).rowwise().norm().maxCoeff() + collapse_mm_;
 }
 
-SplineSurface Displacement::surface() const {
+Displacement::Moved Displacement::moved() const {
   const auto [x, moves] = refined();
+  const SplineSurface of_moves = copied(x);
+  setPoles(*of_moves, moves);
   setPoles(*x, polesOf(*x) + moves);
   if ((x->IsUPeriodic() || x->IsVPeriodic()) && !given_periodic_) makeClamped(*x);
-  return x;
+  return {x, largestOf(of_moves)};
 }
 
 }  // namespace seamwright::occ

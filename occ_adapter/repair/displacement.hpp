@@ -3,6 +3,7 @@
 
 #include <Geom_BSplineSurface.hxx>
 #include <array>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -27,8 +28,11 @@ class Displacement {
  public:
   /// \param given clamped or periodic. \param face_range of the parameters that the face shows: u from, to, v from, to.
   /// \param spans of D over the face's range, in both directions. \param bends_at_closing see above.
+  /// \param degrees by direction: those that X had before it was displaced for the first time, and so those of its denominator; none: those of X. With
+  /// them, further displacements need no higher degree.
   Displacement(const opencascade::handle<Geom_BSplineSurface>& given, const std::array<double, 4>& face_range,
-               int spans, double near_mm, bool bends_at_closing = false);
+               int spans, double near_mm, bool bends_at_closing = false,
+               const std::optional<std::array<int, 2>>& degrees = {});
 
   /// Unknowns: D = sum of share times coefficient.
   int count() const { return count_; }
@@ -59,18 +63,23 @@ class Displacement {
   std::vector<EnergyBlock> bending() const;
 
   double size_mm() const { return size_mm_; }
-  /// No point of the face moves by more: the largest move of a pole of its part of X in the knots of both, with what made a side one point.
-  double largestMove_mm() const;
-  /// X + D in the knots of both, for a rational X in the sum of their degrees; X itself where D is zero.
-  opencascade::handle<Geom_BSplineSurface> surface() const;
+  struct Moved {
+    /// X + D in the knots of both, for a rational X in the sum of the degrees of its denominator and D.
+    opencascade::handle<Geom_BSplineSurface> surface;
+    /// No point of the face moves by more: the largest move of a pole of its part of X in these knots, with what made a side one point.
+    double largest_move_mm = 0;
+  };
+  Moved moved() const;
 
  private:
   Displacement(const PreparedSurface& given, bool given_periodic, const std::array<double, 4>& face_range,
-               int spans, double near_mm, bool bends_at_closing);
+               int spans, double near_mm, bool bends_at_closing,
+               const std::optional<std::array<int, 2>>& degrees);
   void number();
   EnergyBlock bendingOfSpan(int span_u, int span_v, double least_metric) const;
   opencascade::handle<Geom_BSplineSurface> displacementSurface() const;
   std::pair<opencascade::handle<Geom_BSplineSurface>, PointRows> refined() const;
+  double largestOf(opencascade::handle<Geom_BSplineSurface> moves) const;
 
   opencascade::handle<Geom_BSplineSurface> given_;
   opencascade::handle<Geom_BSplineSurface>
@@ -79,6 +88,7 @@ class Displacement {
   std::array<double, 4> range_;
   double near_mm_;
   bool given_periodic_;
+  std::array<int, 2> degrees_;  ///< of the denominator of X
   SurfaceBasis given_basis_, basis_;
   PointRows given_poles_;
   std::vector<int> number_;  ///< by pole of D: its coefficient

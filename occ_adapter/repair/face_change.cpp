@@ -94,32 +94,47 @@ SurfaceJet jetOn(const Adaptor3d_Surface& surface, double u, double v) {
   return jet;
 }
 
-/// What is below a millionth of the largest is taken for none.
-JetNoise normalNoise(double longest_u, double longest_v) {
-  constexpr double share = 1e-6;
-  return {share * longest_u, share * longest_v};
-}
-
 /// Mean curvature, and normal curvature along the line; not a number where there is no normal.
-void addCurvature(const SurfaceJet& jet, const JetNoise& noise, bool along_u, CurvatureLine& line) {
-  const auto normal = unitNormal(jet, noise);
+void addCurvature(const CurvedPoint& point, const Eigen::Vector3d& tangent, CurvatureLine& line) {
   double mean = std::nan(""), along = std::nan("");
-  if (normal) {
-    const Eigen::Matrix3d tensor = curvatureTensor(jet, *normal);
-    const Eigen::Vector3d way = (along_u ? jet.u : jet.v).normalized();
-    mean = tensor.trace() / 2;
-    along = way.dot(tensor * way);
+  if (point.normal) {
+    const Eigen::Vector3d way = tangent.normalized();
+    mean = point.curvature_per_mm.trace() / 2;
+    along = way.dot(point.curvature_per_mm * way);
   }
   line.mean_per_mm.push_back(mean);
   line.normal_per_mm.push_back(along);
 }
 
-/// The lines of one direction.
+/// Of the parameters that the face shows: u from, to, v from, to.
+std::array<double, 4> rangeOf(const TopoDS_Face& face) {
+  std::array<double, 4> range{};
+  BRepTools::UVBounds(face, range[0], range[1], range[2], range[3]);
+  return range;
+}
+
+/// Lines on a surface, and in the same places on the one after it, if there is one.
 class LineWalk {
  public:
-  LineWalk(const Adaptor3d_Surface& before, const Adaptor3d_Surface& after, const FaceGrid& grid)
-      : before_(before), after_(after), grid_(grid) {}
+  /// \param after null: none. \param range of the parameters that the face shows: u from, to, v from, to.
+  LineWalk(const Adaptor3d_Surface& before, const Adaptor3d_Surface* after,
+           const std::array<double, 4>& range, const FaceGrid& grid)
+      : before_(before), after_(after), grid_(grid), noise_(noiseOn(range)) {}
 
+  /// \param knots of this surface tell where lines and places are.
+  void walk(const TopoDS_Face& face, const opencascade::handle<Geom_BSplineSurface>& knots,
+            SurfaceChange& change) {
+    const std::array<double, 4> range = rangeOf(face);
+    const SpanScale u(knots->UKnots(), range[0], range[1]), v(knots->VKnots(), range[2], range[3]);
+    const Outline outline(face);
+    walk(outline, 0, u, v, change);
+    walk(outline, 1, v, u, change);
+  }
+
+  SurfaceMeasure before(double noise_per_mm) const { return measureSurface(lines_before_, noise_per_mm); }
+  SurfaceMeasure after(double noise_per_mm) const { return measureSurface(lines_after_, noise_per_mm); }
+
+ private:
   void walk(const Outline& outline, int fixed, const SpanScale& across, const SpanScale& along,
             SurfaceChange& change) {
     const int places = std::clamp(grid_.places * along.spans(), grid_.least, grid_.most);
@@ -141,10 +156,6 @@ class LineWalk {
     }
   }
 
-  SurfaceMeasure before(double noise_per_mm) const { return measureSurface(lines_before_, noise_per_mm); }
-  SurfaceMeasure after(double noise_per_mm) const { return measureSurface(lines_after_, noise_per_mm); }
-
- private:
   void start() { of_before_ = of_after_ = {}; }
   /// A gap between two parts of a line is no step.
   void finish() {
@@ -155,18 +166,39 @@ class LineWalk {
     start();
   }
   void look(double u, double v, bool along_u, SurfaceChange& change) {
-    const SurfaceJet was = jetOn(before_, u, v), is = jetOn(after_, u, v);
-    longest_[0] = std::max({longest_[0], was.u.norm(), is.u.norm()});
-    longest_[1] = std::max({longest_[1], was.v.norm(), is.v.norm()});
-    const JetNoise noise = normalNoise(longest_[0], longest_[1]);
-    include(change, was, is, noise);
-    addCurvature(was, noise, along_u, of_before_);
-    addCurvature(is, noise, along_u, of_after_);
+    const SurfaceJet was = jetOn(before_, u, v);
+    const CurvedPoint point = curvedPoint(was, noise_);
+    addCurvature(point, along_u ? was.u : was.v, of_before_);
+    if (after_ == nullptr) return;
+    const SurfaceJet is = jetOn(*after_, u, v);
+    const CurvedPoint moved = curvedPoint(is, noise_);
+    addCurvature(moved, along_u ? is.u : is.v, of_after_);
+    include(change, point, moved);
+  }
+  /// What is below a millionth of the longest derivative is taken for none. It is looked for on an even grid, as lines crowd where knots do, as
+  /// beside a pole.
+  JetNoise noiseOn(const std::array<double, 4>& range) const {
+    constexpr int places = 8;
+    constexpr double share = 1e-6;
+    double longest_u = 0, longest_v = 0;
+    for (int i = 0; i < places; ++i)
+      for (int j = 0; j < places; ++j)
+        for (const Adaptor3d_Surface* surface : {&before_, after_}) {
+          if (surface == nullptr) continue;
+          gp_Pnt p;
+          gp_Vec along_u, along_v;
+          surface->D1(range[0] + (i + 0.5) / places * (range[1] - range[0]),
+                      range[2] + (j + 0.5) / places * (range[3] - range[2]), p, along_u, along_v);
+          longest_u = std::max(longest_u, along_u.Magnitude());
+          longest_v = std::max(longest_v, along_v.Magnitude());
+        }
+    return {share * longest_u, share * longest_v};
   }
 
-  const Adaptor3d_Surface &before_, &after_;
+  const Adaptor3d_Surface& before_;
+  const Adaptor3d_Surface* after_;
   const FaceGrid& grid_;
-  std::array<double, 2> longest_{};
+  const JetNoise noise_;
   CurvatureLine of_before_, of_after_;
   std::vector<CurvatureLine> lines_before_, lines_after_;
 };
@@ -175,16 +207,11 @@ class LineWalk {
 
 SurfaceChange measureChange(const TopoDS_Face& face, const opencascade::handle<Geom_BSplineSurface>& after,
                             double bound_mm, double visible_per_mm, const FaceGrid& grid) {
-  std::array<double, 4> range{};
-  BRepTools::UVBounds(face, range[0], range[1], range[2], range[3]);
   const BRepAdaptor_Surface before(face, false);
   const GeomAdaptor_Surface moved(after);
-  const SpanScale u(after->UKnots(), range[0], range[1]), v(after->VKnots(), range[2], range[3]);
-  const Outline outline(face);
   SurfaceChange change;
-  LineWalk walk(before, moved, grid);
-  walk.walk(outline, 0, u, v, change);
-  walk.walk(outline, 1, v, u, change);
+  LineWalk walk(before, &moved, rangeOf(face), grid);
+  walk.walk(face, after, change);
   change.move_mm.upper = std::max(change.move_mm.lower, bound_mm);
   constexpr double unseen = 0.05;
   const double noise = visible_per_mm + unseen * walk.before(0).variation_per_mm;
@@ -193,18 +220,21 @@ SurfaceChange measureChange(const TopoDS_Face& face, const opencascade::handle<G
   return change;
 }
 
+double variationOf_per_mm(const TopoDS_Face& face, const opencascade::handle<Geom_BSplineSurface>& surface,
+                          const FaceGrid& grid) {
+  const GeomAdaptor_Surface given(surface);
+  SurfaceChange none;
+  LineWalk walk(given, nullptr, rangeOf(face), grid);
+  walk.walk(face, surface, none);
+  return walk.before(0).variation_per_mm;
+}
+
 namespace {
 
 double diagonal_mm(const TopoDS_Face& face) {
   Bnd_Box box;
   BRepBndLib::Add(face, box, false);
   return std::sqrt(box.SquareExtent());
-}
-
-opencascade::handle<Geom_BSplineSurface> splineOn(const TopoDS_Face& face) {
-  TopLoc_Location location;
-  const opencascade::handle<Geom_Surface> surface = BRep_Tool::Surface(face, location);
-  return opencascade::handle<Geom_BSplineSurface>::DownCast(surface->Transformed(location.Transformation()));
 }
 
 /// The mean width of a face beside a seam; 0 where the face can't be integrated.
@@ -237,6 +267,33 @@ NeededVariation neededVariation(const TopoDS_Shape& shape, const std::vector<Sea
   return needed;
 }
 
+double sizeOf_mm(const TopoDS_Face& face) {
+  GProp_GProps surface, boundary;
+  BRepGProp::SurfaceProperties(face, surface);
+  BRepGProp::LinearProperties(face, boundary);
+  const double of_area_mm = 4 * std::sqrt(2.0) * surface.Mass() / boundary.Mass(),
+               largest_mm = diagonal_mm(face);
+  return of_area_mm > 0 ? std::min(of_area_mm, largest_mm) : largest_mm;
+}
+
+MoveLimits moveLimits(const TopoDS_Shape& shape, const std::vector<SeamResult>& seams,
+                      const std::set<int>& may_move, const std::vector<bool>& treated,
+                      const RepairOptions& options) {
+  constexpr double share_of_size = 0.01, times_gap = 2;
+  const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE);
+  std::map<int, double> gaps_mm;
+  for (std::size_t i = 0; i < seams.size(); ++i)
+    if (const auto& gap = seams[i].figures.gap_mm; treated[i] && gap)
+      for (const int face : seams[i].faces)
+        gaps_mm[face] = std::max(gaps_mm[face], gap->upper.value_or(gap->lower));
+  MoveLimits limits;
+  for (const int face : may_move)
+    limits[face] = options.max_move_mm
+                       ? *options.max_move_mm
+                       : share_of_size * sizeOf_mm(TopoDS::Face(faces(face))) + times_gap * gaps_mm[face];
+  return limits;
+}
+
 double allowedVariation(int number, const TopoDS_Face& face, const ContinuityTolerance& tolerance,
                         const NeededVariation& needed, double fairness) {
   const auto found = needed.find(number);
@@ -252,25 +309,6 @@ FaceMove judgedMove(int number, const TopoDS_Face& face,
   move.surface = measureChange(face, after, largest_move_mm, visible);
   move.verdict = judgeSurface(*move.surface, {options.fairness, visible});
   return move;
-}
-
-void judgeMoves(const TopoDS_Shape& before, const TopoDS_Shape& after, const std::vector<int>& faces_now,
-                const RepairOptions& options, const NeededVariation& needed, std::vector<FaceMove>& moves,
-                const Progress& progress) {
-  const TopTools_IndexedMapOfShape was = partsOf(before, TopAbs_FACE), is = partsOf(after, TopAbs_FACE);
-  const auto judge = [&](std::size_t k) {
-    FaceMove& move = moves[k];
-    const TopoDS_Face& face = TopoDS::Face(was(move.face));
-    const TopoDS_Face& now = TopoDS::Face(is(faces_now.empty() ? move.face : faces_now[move.face]));
-    try {
-      const opencascade::handle<Geom_BSplineSurface> spline = splineOn(now);
-      if (spline.IsNull()) return;
-      move = judgedMove(move.face, face, spline, move.largest_move_mm, options, needed);
-    } catch (const Standard_Failure&) {
-      move.surface.reset();
-    }
-  };
-  runParallel(moves.size(), options.jobs, judge, progress);
 }
 
 }  // namespace seamwright::occ

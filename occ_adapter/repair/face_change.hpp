@@ -4,6 +4,7 @@
 #include <Geom_BSplineSurface.hxx>
 #include <TopoDS_Face.hxx>
 #include <map>
+#include <set>
 #include <vector>
 
 #include <seamwright/occ_adapter/repair/repair.hpp>
@@ -31,6 +32,11 @@ struct FaceGrid {
 SurfaceChange measureChange(const TopoDS_Face& face, const opencascade::handle<Geom_BSplineSurface>& after,
                             double bound_mm, double visible_per_mm, const FaceGrid& grid = {});
 
+/// The total variation of the mean curvature along a line, the mean of all lines, of the surface over the part that the face shows.
+/// \throws Standard_Failure.
+double variationOf_per_mm(const TopoDS_Face& face, const opencascade::handle<Geom_BSplineSurface>& surface,
+                          const FaceGrid& grid = {});
+
 /// By face: what the way of least bending to turn its tangent plane along its treated seams, by their angles, costs in variation of the mean
 /// curvature. The turn fades over the mean width of the face beside the seam: its area over the seam's length.
 using NeededVariation = std::map<int, double>;
@@ -41,15 +47,22 @@ NeededVariation neededVariation(const TopoDS_Shape& shape, const std::vector<Sea
 double allowedVariation(int number, const TopoDS_Face& face, const ContinuityTolerance& tolerance,
                         const NeededVariation& needed, double fairness);
 
+/// The diagonal of a square with the face's ratio of area to perimeter, at most that of its box: of a strip nearly three times its width.
+/// The diagonal of the box where the face can't be integrated.
+double sizeOf_mm(const TopoDS_Face& face);
+
+/// How far the points of faces may move, mm, by face.
+using MoveLimits = std::map<int, double>;
+
+/// What the user allows; where that is left open, a hundredth of the face's size and twice the largest gap of its treated seams.
+/// \param may_move faces, which can be computed with.
+MoveLimits moveLimits(const TopoDS_Shape& shape, const std::vector<SeamResult>& seams,
+                      const std::set<int>& may_move, const std::vector<bool>& treated,
+                      const RepairOptions& options);
+
 /// A face's change, measured and judged. \param after see measureChange(). \throws Standard_Failure.
 FaceMove judgedMove(int number, const TopoDS_Face& face,
                     const opencascade::handle<Geom_BSplineSurface>& after, double largest_move_mm,
                     const RepairOptions& options, const NeededVariation& needed);
-
-/// Measures and judges the faces that moved. \param faces_now see RepairReport. \param moves of faces of the shape before; they get their change
-/// and verdict. \throws Cancelled.
-void judgeMoves(const TopoDS_Shape& before, const TopoDS_Shape& after, const std::vector<int>& faces_now,
-                const RepairOptions& options, const NeededVariation& needed, std::vector<FaceMove>& moves,
-                const Progress& progress);
 
 }  // namespace seamwright::occ

@@ -69,6 +69,8 @@ class FairSolving {
     missed_.assign(joints_.size(), 0);
     for (std::size_t j = 0; j < joints_.size(); ++j)
       for (JointSample& sample : samples_[j]) {
+        followSlide(sample);
+        followCurvature(joints_[j], tolerance_, sample);
         sample.ratio = missedShare(joints_[j], sample);
         missed_[j] = std::max(missed_[j], sample.ratio);
       }
@@ -209,8 +211,7 @@ class FairSolving {
   /// second, but for faces that moved too far.
   static double damping(const MovingFace& mover) {
     const double of_size =
-        std::pow(fairness * mover.stiffness / (mover.budget_per_mm * mover.displacement.size_mm()), 2) /
-        mover.area_mm2;
+        std::pow(fairness * mover.stiffness / (mover.budget_per_mm * mover.size_mm), 2) / mover.area_mm2;
     return (of_size + std::pow(fairness / mover.restraint_mm, 2)) / mover.displacement.count();
   }
 

@@ -5,6 +5,9 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
+#include <functional>
+#include <limits>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -19,9 +22,8 @@ namespace {
 
 using opencascade::handle;
 
-/// Rounds in which single seams of a component at fault are given up, and those after them, which give up all seams of a face at fault; then all
-/// of the component go.
-constexpr int single_rounds = 12, face_rounds = 4;
+/// Rounds in which single seams of a component at fault are given up; each one after them gives up half of what is left.
+constexpr int single_rounds = 12;
 /// ... and how often a seam is tried again with samples where it was missed.
 constexpr int most_looks = 3;
 
@@ -32,7 +34,7 @@ std::string nameOf(int face) {
 /// A task while seams of it are given up.
 class Rounds {
  public:
-  Rounds(RepairTask task, const std::optional<Soundness>& was) : task_(std::move(task)), was_(was) {}
+  explicit Rounds(RepairTask task) : task_(std::move(task)) {}
 
   const RepairTask& task() const { return task_; }
   bool isOver() const { return !task_.treatsAny(); }
@@ -57,22 +59,24 @@ class Rounds {
   Proof proven(const std::vector<FaceChange>& changes, const std::vector<PathChange>& paths,
                const Progress& progress) {
     changed_ = withChanges(task_.shape, changes, task_.options.tolerance.gap_mm, paths, task_.options.jobs);
-    MeasuredSeams of_paths;
-    return prove(task_, changes, changed_, was_, paths.empty() ? measured_ : of_paths, progress);
+    // Paths beside a face that moves follow from its surface.
+    MeasuredSeams of_paths_alone;
+    return prove(task_, changes, changed_, changes.empty() ? of_paths_alone : measured_, progress);
   }
 
-  Improvement kept(std::vector<FaceChange> changes, std::vector<PathChange> paths, Proof proof) const {
-    return {changed_,     std::move(changes), std::move(paths),          std::move(proof.after),
-            task_.orders, reasons_,           std::move(proof.soundness)};
+  Improvement kept(std::vector<FaceChange> changes, std::map<int, FaceMove> judged,
+                   std::vector<PathChange> paths, Proof proof) const {
+    return {changed_,         std::move(changes),     std::move(judged),
+            std::move(paths), std::move(proof.after), task_.orders,
+            reasons_};
   }
 
   Improvement nothing() const {
-    return {task_.shape, {}, {}, task_.before, std::vector<int>(task_.seams.size(), 0), reasons_, was_};
+    return {task_.shape, {}, {}, {}, task_.before, std::vector<int>(task_.seams.size(), 0), reasons_};
   }
 
  private:
   RepairTask task_;
-  std::optional<Soundness> was_;
   MeasuredSeams measured_;
   TopoDS_Shape changed_;
   Reasons reasons_;
@@ -92,7 +96,7 @@ struct Faults {
 
 class Moving {
  public:
-  Moving(const RepairTask& task, const std::optional<Soundness>& was) : rounds_(task, was) {
+  explicit Moving(const RepairTask& task) : rounds_(task), open_(findSeams(task.shape).open_uses) {
     TopExp::MapShapes(task.given, TopAbs_FACE, faces_);
   }
 
@@ -104,12 +108,14 @@ class Moving {
       const Progress solving = partOf(progress, done, (done + next) / 2),
                      proving = partOf(progress, (done + next) / 2, next);
       done = next;
-      components_ = displaceFaces(rounds_.task(), missed_, restraints_, components_, solving);
+      components_ = displaceFaces(rounds_.task(), open_, missed_, restraints_, components_, solving);
       std::vector<FaceChange> changes;
+      std::vector<PathChange> paths;
       Reasons failures;
       for (const FairComponent& component : components_) {
         failures.insert(component.failures.begin(), component.failures.end());
         changes.insert(changes.end(), component.changes.begin(), component.changes.end());
+        paths.insert(paths.end(), component.paths.begin(), component.paths.end());
       }
       if (!failures.empty()) {
         for (const FairComponent& component : components_)
@@ -118,8 +124,11 @@ class Moving {
         continue;
       }
       if (changes.empty()) break;
-      Faults faults = faultsOf(changes, proving);
-      if (!faults.any()) return rounds_.kept(std::move(changes), {}, std::move(faults.proof));
+      Faults faults = faultsOf(changes, paths, proving);
+      if (!faults.any()) {
+        std::map<int, FaceMove> judged = judgedFaces(changes);
+        return rounds_.kept(std::move(changes), std::move(judged), std::move(paths), std::move(faults.proof));
+      }
       rounds_.giveUp(whatToGiveUp(faults));
     }
     rounds_.giveUpAll("no change of the faces beside it was proven");
@@ -129,44 +138,50 @@ class Moving {
  private:
   const RepairTask& task() const { return rounds_.task(); }
 
-  Faults faultsOf(const std::vector<FaceChange>& changes, const Progress& progress) {
+  Faults faultsOf(const std::vector<FaceChange>& changes, const std::vector<PathChange>& paths,
+                  const Progress& progress) {
     Faults faults;
-    const double limit_mm = task().options.max_move_mm;
     judgeFairness(changes, partOf(progress, 0, 0.5));
     for (const FaceChange& change : changes) {
       const auto before = task().moved_mm.find(change.face);
       const double move_mm = change.largest_move_mm + (before == task().moved_mm.end() ? 0 : before->second);
-      if (move_mm > limit_mm) {
+      if (const double limit_mm = task().limits_mm.at(change.face); move_mm > limit_mm) {
         std::ostringstream text;
         text << "it would move by " << move_mm << " mm, more than " << limit_mm << " mm";
         faults.too_far[change.face] = text.str();
-      } else if (const std::string& why = unfair_.at(change.surface); !why.empty()) {
+      } else if (const std::string& why = judged_.at(change.surface).verdict.reason; !why.empty()) {
         faults.unfair[change.face] = "it would be less fair: " + why;
       }
     }
-    faults.proof = rounds_.proven(changes, {}, partOf(progress, 0.5, 1));
+    faults.proof = rounds_.proven(changes, paths, partOf(progress, 0.5, 1));
     return faults;
+  }
+
+  std::map<int, FaceMove> judgedFaces(const std::vector<FaceChange>& changes) const {
+    std::map<int, FaceMove> judged;
+    for (const FaceChange& change : changes) judged.emplace(change.face, judged_.at(change.surface));
+    return judged;
   }
 
   /// Of surfaces that were not judged before.
   void judgeFairness(const std::vector<FaceChange>& changes, const Progress& progress) {
     std::vector<const FaceChange*> unknown;
     for (const FaceChange& change : changes)
-      if (unfair_.count(change.surface) == 0) unknown.push_back(&change);
-    std::vector<std::string> whys(unknown.size());
+      if (judged_.count(change.surface) == 0) unknown.push_back(&change);
+    std::vector<FaceMove> moves(unknown.size());
     const auto judge = [&](std::size_t k) {
       const FaceChange& change = *unknown[k];
       const TopoDS_Face& face = TopoDS::Face(faces_(change.face));
       const auto spline = handle<Geom_BSplineSurface>::DownCast(change.surface);
       try {
-        whys[k] = judgedMove(change.face, face, spline, change.largest_move_mm, task().options, task().needed)
-                      .verdict.reason;
+        moves[k] =
+            judgedMove(change.face, face, spline, change.largest_move_mm, task().options, task().needed);
       } catch (const Standard_Failure& failure) {
-        whys[k] = whyFailed(failure);
+        moves[k].verdict = {true, whyFailed(failure)};
       }
     };
     runParallel(unknown.size(), task().options.jobs, judge, progress);
-    for (std::size_t k = 0; k < unknown.size(); ++k) unfair_[unknown[k]->surface] = whys[k];
+    for (std::size_t k = 0; k < unknown.size(); ++k) judged_[unknown[k]->surface] = std::move(moves[k]);
   }
 
   /// Of a face at fault the seam that took most effort, later all of them.
@@ -207,7 +222,10 @@ class Moving {
     }
     for (const auto& [face, why] : faults.proof.faces) {
       at_fault.emplace(face, why);
-      giveUpAt(face, nameOf(face) + ": " + why, seams);
+      if (keepsEdges(face))
+        tries_again = true;
+      else
+        giveUpAt(face, nameOf(face) + ": " + why, seams);
     }
     for (const FairComponent& component : components_)
       for (const auto& [face, why] : at_fault)
@@ -222,12 +240,20 @@ class Moving {
     return seams;
   }
 
-  /// A component that was at fault in all its rounds is given up.
+  /// Of a component that was at fault in many rounds the half is given up that takes more effort; of that what asks most.
   void addAge(const FairComponent& component, const std::string& why, Reasons& seams) {
-    int age = 0;
-    for (const auto& [i, effort] : component.effort) age = std::max(age, ++ages_[i]);
-    if (age >= single_rounds + face_rounds)
-      for (const auto& [i, effort] : component.effort) seams.emplace(i, why);
+    int age = 0, most = 0;
+    for (const auto& [i, effort] : component.effort) {
+      age = std::max(age, ++ages_[i]);
+      most = std::max(most, task().orders[i]);
+    }
+    if (age < single_rounds) return;
+    std::vector<std::size_t> asked;
+    for (const auto& [i, effort] : component.effort)
+      if (task().orders[i] == most) asked.push_back(i);
+    std::ranges::stable_sort(asked, std::greater(), [this](std::size_t i) { return effortOf(i); });
+    asked.resize((asked.size() + 1) / 2);
+    for (const std::size_t i : asked) seams.emplace(i, why);
   }
 
   /// Treated seams of a face; of one that has none, as it stays, those of the faces beside it.
@@ -266,9 +292,6 @@ class Moving {
 
   void giveUpAt(int face, const std::string& why, Reasons& seams) const {
     const std::vector<std::size_t> treated = mostAskedAt(face);
-    for (const std::size_t i : treated)
-      if (const auto age = ages_.find(i); age != ages_.end() && age->second >= single_rounds)
-        seams.emplace(i, why);
     const auto effort = [this](std::size_t i) { return effortOf(i); };
     if (!treated.empty()) seams.emplace(*std::ranges::max_element(treated, {}, effort), why);
   }
@@ -280,12 +303,29 @@ class Moving {
     return 0;
   }
 
-  /// The next solution has samples where a figure is largest.
+  /// The next solution has samples where a figure is largest, as long as such samples help.
   bool looksAgain(std::size_t i, const SeamResult& seam) {
-    if (++looks_[i] > most_looks) return false;
+    constexpr double is_less = 0.9;
+    Look& look = looks_[i];
+    const double missed = missedBy(seam);
+    if (++look.count > most_looks || !(missed < is_less * look.missed)) return false;
+    look.missed = missed;
     for (const auto* figure : {&seam.figures.gap_mm, &seam.figures.angle_rad, &seam.figures.curvature_rel})
       if (*figure) missed_[i].insert((*figure)->at);
     return true;
+  }
+
+  /// The largest of what its figures are over their tolerances.
+  double missedBy(const SeamResult& seam) const {
+    const ContinuityTolerance& tolerance = task().options.tolerance;
+    const auto share = [](const std::optional<Figure>& figure, double limit) {
+      return figure ? figure->lower / limit : std::numeric_limits<double>::infinity();
+    };
+    const double g1 = std::max(share(seam.figures.gap_mm, tolerance.gap_mm),
+                               share(seam.figures.angle_rad, tolerance.angle_rad));
+    return task().options.order == 1
+               ? g1
+               : std::max(g1, share(seam.figures.curvature_rel, tolerance.curvature_rel));
   }
 
   /// The next solution spends less on a face.
@@ -297,10 +337,25 @@ class Moving {
     return true;
   }
 
+  /// In the next solution no edge slides on the faces around those that move beside this one.
+  bool keepsEdges(int face) {
+    bool any = false;
+    for (const FairComponent& component : components_) {
+      const bool is_beside = std::ranges::any_of(task().seams, [&](const Seam& seam) {
+        return touches(seam, face) && (component.movers.count(seam.sides[0].face) > 0 ||
+                                       component.movers.count(seam.sides[1].face) > 0);
+      });
+      if (!is_beside) continue;
+      for (const PathChange& path : component.paths)
+        if (bool& keeps_edges = restraints_[path.face].keeps_edges; !keeps_edges) any = keeps_edges = true;
+    }
+    return any;
+  }
+
   /// The next solution moves a face less, for the price of more bending.
   bool restrains(int face) {
     constexpr double factor = 0.5, least = 0.1;
-    const double limit_mm = task().options.max_move_mm;
+    const double limit_mm = task().limits_mm.at(face);
     double& move_mm = restraints_[face].move_mm;
     if (!(limit_mm > 0) || move_mm <= least * limit_mm) return false;
     move_mm = std::min(limit_mm, factor * move_mm);
@@ -308,18 +363,25 @@ class Moving {
   }
 
   Rounds rounds_;
+  const std::vector<FaceUse> open_;
   TopTools_IndexedMapOfShape faces_;  ///< as given
   std::vector<FairComponent> components_;
   MissedPlaces missed_;
   Restraints restraints_;
-  std::map<std::size_t, int> looks_, ages_;             ///< by seam
-  std::map<handle<Geom_Surface>, std::string> unfair_;  ///< why; empty: fair enough
+  /// How often a seam had more samples, and what it missed the last time.
+  struct Look {
+    int count = 0;
+    double missed = std::numeric_limits<double>::max();
+  };
+  std::map<std::size_t, Look> looks_;  ///< by seam
+  std::map<std::size_t, int> ages_;    ///< by seam
+  std::map<handle<Geom_Surface>, FaceMove> judged_;
 };
 
 /// \throws Cancelled. What else is thrown becomes the reason of all.
 template <class Work>
-Improvement orNothing(const RepairTask& task, const std::optional<Soundness>& was, const Work& work) {
-  Rounds none(task, was);
+Improvement orNothing(const RepairTask& task, const Work& work) {
+  Rounds none(task);
   try {
     return work();
   } catch (const Cancelled&) {
@@ -334,18 +396,43 @@ Improvement orNothing(const RepairTask& task, const std::optional<Soundness>& wa
 
 }  // namespace
 
-Improvement improveByPaths(const RepairTask& task, const std::optional<Soundness>& was,
-                           const Progress& progress) {
-  return orNothing(task, was, [&] {
-    Rounds rounds(task, was);
+namespace {
+
+/// New paths are of single edges: those go that repair nothing, and of those on a face that is spoilt, or beside a seam that is, the one that moves the edge furthest.
+Reasons pathsAtFault(const RepairTask& task, const std::vector<PathChange>& paths, const Proof& proof) {
+  Reasons at_fault = proof.unrepaired;
+  const auto addAt = [&](int face, const std::string& why) {
+    std::optional<std::size_t> furthest;
+    double most_mm = -1;
+    for (std::size_t i = 0; i < task.seams.size(); ++i) {
+      if (!task.isTreated(i) || !touches(task.seams[i], face)) continue;
+      for (const PathChange& path : paths)
+        if (path.edge == task.seams[i].edges.front() && path.largest_move_mm > most_mm) {
+          furthest = i;
+          most_mm = path.largest_move_mm;
+        }
+    }
+    if (furthest) at_fault.emplace(*furthest, "its new path would spoil " + why);
+  };
+  for (const auto& [face, why] : proof.faces) addAt(face, nameOf(face) + ": " + why);
+  for (const auto& [i, why] : proof.worse)
+    for (const FaceUse& side : task.seams[i].sides) addAt(side.face, why);
+  return at_fault;
+}
+
+}  // namespace
+
+Improvement improveByPaths(const RepairTask& task, const Progress& progress) {
+  return orNothing(task, [&] {
+    Rounds rounds(task);
     JoinedPaths joined = joinPaths(task, partOf(progress, 0, 0.5));
     rounds.giveUp(joined.failures);
     while (!rounds.isOver()) {
       Proof proof = rounds.proven({}, joined.paths, partOf(progress, 0.5, 1));
-      if (proof.holds()) return rounds.kept({}, std::move(joined.paths), std::move(proof));
-      // New paths are of single edges: what is not repaired goes, and the rest is tried once more; else all goes.
-      if (proof.unrepaired.empty()) rounds.giveUpAll("its new path would spoil another edge");
-      rounds.giveUp(proof.unrepaired);
+      if (proof.holds()) return rounds.kept({}, {}, std::move(joined.paths), std::move(proof));
+      const Reasons at_fault = pathsAtFault(rounds.task(), joined.paths, proof);
+      if (at_fault.empty()) rounds.giveUpAll("its new path would spoil the shape: " + proof.whole);
+      rounds.giveUp(at_fault);
       std::erase_if(joined.paths, [&](const PathChange& path) {
         return std::ranges::none_of(task.seams, [&](const Seam& seam) {
           return seam.edges.front() == path.edge &&
@@ -357,9 +444,8 @@ Improvement improveByPaths(const RepairTask& task, const std::optional<Soundness
   });
 }
 
-Improvement improveByMoves(const RepairTask& task, const std::optional<Soundness>& was,
-                           const Progress& progress) {
-  return orNothing(task, was, [&] { return Moving(task, was).run(progress); });
+Improvement improveByMoves(const RepairTask& task, const Progress& progress) {
+  return orNothing(task, [&] { return Moving(task).run(progress); });
 }
 
 }  // namespace seamwright::occ

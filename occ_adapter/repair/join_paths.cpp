@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <BRep_Tool.hxx>
-#include <Extrema_GenLocateExtPS.hxx>
-#include <Extrema_POnSurf.hxx>
 #include <Geom2dAPI_Interpolate.hxx>
 #include <Geom2d_BSplineCurve.hxx>
-#include <GeomAdaptor_Surface.hxx>
 #include <Standard_Failure.hxx>
 #include <TColStd_HArray1OfReal.hxx>
 #include <TColgp_HArray1OfPnt2d.hxx>
@@ -15,6 +12,7 @@
 
 #include <seamwright/occ_adapter/analyze/workers.hpp>
 #include <seamwright/occ_adapter/convert/edge_image.hpp>
+#include <seamwright/occ_adapter/repair/slide.hpp>
 #include <seamwright/occ_adapter/repair/solve.hpp>
 
 namespace seamwright::occ {
@@ -26,26 +24,18 @@ using opencascade::handle;
 /// A side of an edge, and where on its surface the nearest point of another one is.
 class TrimmedSide {
  public:
-  explicit TrimmedSide(const FaceUse& use)
-      : placed_(surfaceOf(use.shape)), path_(pathOf(use.edge, use.shape)), surface_(placed_.surface) {}
+  explicit TrimmedSide(const FaceUse& use) : path_(pathOf(use.edge, use.shape)), surface_(use.shape) {}
 
   const PlanarPath& path() const { return path_; }
   gp_Pnt2d at(double s) const { return path_.curve->Value(path_.first + s * (path_.last - path_.first)); }
-  gp_Pnt point(const gp_Pnt2d& uv) const { return placed_.at(uv); }
-  /// The start where none is found.
+  gp_Pnt point(const gp_Pnt2d& uv) const { return surface_.at(uv); }
   gp_Pnt2d nearest(const gp_Pnt& point, const gp_Pnt2d& start) const {
-    Extrema_GenLocateExtPS search(surface_);
-    search.Perform(point.Transformed(placed_.location.Transformation().Inverted()), start.X(), start.Y());
-    if (!search.IsDone()) return start;
-    double u = 0, v = 0;
-    search.Point().Parameter(u, v);
-    return {u, v};
+    return surface_.within(surface_.nearest(point, start));
   }
 
  private:
-  PlacedSurface placed_;
   PlanarPath path_;
-  GeomAdaptor_Surface surface_;
+  StayingSurface surface_;
 };
 
 /// Points in both parameter planes that are one in space.
@@ -202,7 +192,11 @@ class PathSolver {
          {std::array{false, true}, std::array{true, false}, std::array{true, true}}) {
       if ((change[0] && !first) || (change[1] && !second)) continue;
       const std::optional<NewPaths> joined = paths.join(change);
-      if (!joined || joined->move_mm > task_.options.max_move_mm) continue;
+      if (!joined) continue;
+      const bool is_too_far = std::ranges::any_of(std::array{0, 1}, [&](int side) {
+        return change[side] && joined->move_mm > task_.limits_mm.at(seam.sides[side].face);
+      });
+      if (is_too_far) continue;
       Outcome outcome;
       for (const int side : {0, 1})
         if (change[side])

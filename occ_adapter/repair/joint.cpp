@@ -8,6 +8,7 @@
 
 #include <seamwright/core/differential/fundamental_forms.hpp>
 #include <seamwright/occ_adapter/convert/nearest.hpp>
+#include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/repair/joint.hpp>
 #include <seamwright/occ_adapter/repair/path_place.hpp>
 
@@ -77,9 +78,15 @@ JointSide sideAt(const Joint& joint, std::size_t side, double place, const FaceS
   JointSide made;
   made.shown = strip.at(place);
   const auto mover = movers.find(joint.sides[side].face);
-  if (mover == movers.end()) return made;
-  made.mover = &mover->second;
   const Pcurve& path = joint.paths[side];
+  if (mover == movers.end()) {
+    if (!joint.slides[side] || place <= 0 || place >= 1) return made;
+    made.slides_on = std::make_shared<StayingSurface>(joint.sides[side].shape);
+    const gp_Pnt2d uv = path.curve->Value(path.first + place * (path.last - path.first));
+    made.uv = {uv.X(), uv.Y()};
+    return made;
+  }
+  made.mover = &mover->second;
   gp_Pnt2d p;
   gp_Vec2d d;
   path.curve->D1(path.first + place * (path.last - path.first), p, d);
@@ -120,6 +127,13 @@ std::optional<Eigen::Vector3d> normalOf(const JointSide& side, const SurfaceJet&
   return unitNormal(jet, side.mover == nullptr ? side.shown.noise : side.mover->displacement.noise(jet));
 }
 
+/// Of a side that the edge slides on.
+std::optional<Eigen::Vector3d> slideNormal(const JointSample& sample) {
+  for (const JointSide& side : sample.sides)
+    if (side.slides_on) return normalOf(side, side.shown.jet);
+  return {};
+}
+
 Frame frameOf(const JointSample& sample, const Eigen::Vector3d& normal) {
   Eigen::Vector3d tangent = sample.sides[0].shown.tangent;
   tangent -= normal.dot(tangent) * normal;
@@ -132,6 +146,7 @@ Differences differencesOf(const Joint& joint, const JointSample& sample, const S
                           const SurfaceJet& b) {
   Differences found;
   found.gap = a.p - b.p;
+  if (const auto normal = slideNormal(sample)) found.gap = normal->dot(found.gap) * *normal;
   if (joint.order < 1 || sample.sides.size() < 2) return found;
   const auto na = normalOf(sample.sides[0], a);
   auto nb = normalOf(sample.sides[1], b);
@@ -170,8 +185,8 @@ JointLimits limitsOf(const Joint& joint, const JointSample& sample, const Contin
       const Frame frame = frameOf(sample, *normal);
       along_per_mm = std::max(along_per_mm, (tensor * frame.tangent).norm());
       across_per_mm = std::max(across_per_mm, (tensor * frame.cross).norm());
-      if (&side == &sample.sides[0] && tensor.norm() >= limits.curvature_per_mm)
-        limits.curvature_per_mm = tolerance.curvature_rel * tensor.norm();
+      if (tensor.norm() >= 1 / tolerance.flat_radius_mm)
+        limits.curvature_per_mm = std::max(limits.curvature_per_mm, tolerance.curvature_rel * tensor.norm());
     }
   if (joint.order < 1) {
     limits.slide_mm = tolerance.gap_mm;
@@ -393,6 +408,30 @@ std::vector<JointSample> sampled(const Joint& joint, const MovingFaces& movers,
   return samples;
 }
 
+void followCurvature(const Joint& joint, const ContinuityTolerance& tolerance, JointSample& sample) {
+  if (joint.order < 2 || joint.ask != Ask::Join) return;
+  double largest_per_mm = 0;
+  for (const JointSide& side : sample.sides) {
+    const SurfaceJet jet = jetOf(side);
+    if (const auto normal = normalOf(side, jet))
+      largest_per_mm = std::max(largest_per_mm, curvatureTensor(jet, *normal).norm());
+  }
+  const double flat_per_mm = 1 / tolerance.flat_radius_mm;
+  sample.limits.curvature_per_mm =
+      largest_per_mm >= flat_per_mm ? tolerance.curvature_rel * largest_per_mm : flat_per_mm;
+}
+
+void followSlide(JointSample& sample) {
+  for (const std::size_t k : {0, 1}) {
+    if (sample.sides.size() < 2 || !sample.sides[k].slides_on) continue;
+    JointSide& side = sample.sides[k];
+    const gp_Pnt2d foot =
+        side.slides_on->nearest(pointOf(jetOf(sample.sides[1 - k]).p), gp_Pnt2d(side.uv[0], side.uv[1]));
+    side.uv = {foot.X(), foot.Y()};
+    side.shown.jet = side.slides_on->jet(foot);
+  }
+}
+
 Differences differencesAt(const Joint& joint, const JointSample& sample) {
   const JointSide& other = sample.sides.back();
   return differencesOf(joint, sample, jetOf(sample.sides[0]),
@@ -457,17 +496,11 @@ double costOf(const Joint& joint, const JointSample& sample) {
   return weight * weight * cost;
 }
 
-void addConditions(const Joint& joint, const JointSample& sample, StepSystem& system) {
-  const double weight = weightOf(sample);
-  const Differences now = differencesAt(joint, sample);
-  const Missing missing = missingOf(joint, sample, now);
-  Row place(sample, system);
-  for (std::size_t k = 0; k < sample.sides.size(); ++k)
-    if (sample.sides[k].mover != nullptr)
-      place.add(sample.sides[k], sample.sides[k].shares.share.row(0), k == 0 ? 1 : -1);
-  const double gap_weight = weight / sample.limits.gap_mm;
-  system.addPoint(sample.cell, place.times(gap_weight), -gap_weight * missing.gap);
-  if (sample.sides.size() < 2) return;
+namespace {
+
+/// Sides that have their places do not shift along one another.
+void addSlides(const JointSample& sample, const Row& place, const Missing& missing, double weight,
+               StepSystem& system) {
   const double slide_weight = weight / sample.limits.slide_mm;
   if (isEnd(sample))
     system.addPoint(sample.cell, place.times(slide_weight), -slide_weight * missing.slide);
@@ -478,6 +511,27 @@ void addConditions(const Joint& joint, const JointSample& sample, StepSystem& sy
   if (sample.limits.overlap_mm < sample.limits.gap_mm)
     system.add(sample.cell, place.times(overlap_weight), sample.across,
                -overlap_weight * missing.overlap.dot(sample.across));
+}
+
+}  // namespace
+
+void addConditions(const Joint& joint, const JointSample& sample, StepSystem& system) {
+  const double weight = weightOf(sample);
+  const Differences now = differencesAt(joint, sample);
+  const Missing missing = missingOf(joint, sample, now);
+  Row place(sample, system);
+  for (std::size_t k = 0; k < sample.sides.size(); ++k)
+    if (sample.sides[k].mover != nullptr)
+      place.add(sample.sides[k], sample.sides[k].shares.share.row(0), k == 0 ? 1 : -1);
+  const double gap_weight = weight / sample.limits.gap_mm;
+  const auto slide_normal = slideNormal(sample);
+  if (slide_normal)
+    system.add(sample.cell, place.times(gap_weight), *slide_normal,
+               -gap_weight * missing.gap.dot(*slide_normal));
+  else
+    system.addPoint(sample.cell, place.times(gap_weight), -gap_weight * missing.gap);
+  if (sample.sides.size() < 2) return;
+  if (!slide_normal) addSlides(sample, place, missing, weight, system);
   if (joint.order < 1) return keepNormals(sample, share_of_crease * weight / joint.turn_rad, system);
   if (!now.normal) return;
   const std::array<SurfaceJet, 2> jets = {jetOf(sample.sides[0]), jetOf(sample.sides[1])};

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <vector>
@@ -11,6 +13,7 @@
 #include <seamwright/core/seam/tolerance.hpp>
 #include <seamwright/occ_adapter/convert/face_strip.hpp>
 #include <seamwright/occ_adapter/repair/displacement.hpp>
+#include <seamwright/occ_adapter/repair/slide.hpp>
 #include <seamwright/occ_adapter/repair/step_system.hpp>
 #include <seamwright/occ_adapter/seams/find.hpp>
 
@@ -22,6 +25,7 @@ struct MovingFace {
   Displacement displacement;
   double budget_per_mm = 0;  ///< by how much the mean curvature may vary more
   double area_mm2 = 0;
+  double size_mm = 0;  ///< of the face, see sizeOf_mm()
   double stiffness = 1;  ///< above 1: it may spend so much less
   double restraint_mm =
       std::numeric_limits<double>::infinity();  ///< a move of this size costs as much as the budget
@@ -43,8 +47,9 @@ struct Joint {
   std::vector<FaceUse> sides;
   std::vector<Pcurve> paths;
   Correspondence map;
-  double turn_rad = 0;    ///< by which the angle of a kept crease may change
-  std::set<double> also;  ///< places, 0..1, where samples missed something before
+  double turn_rad = 0;           ///< by which the angle of a kept crease may change
+  std::set<double> also;         ///< places, 0..1, where samples missed something before
+  std::array<bool, 2> slides{};  ///< by side: its face stays, and the edge may run elsewhere on it
 };
 
 /// A side at a sample.
@@ -53,8 +58,10 @@ struct JointSide {
   Eigen::Vector2d uv = Eigen::Vector2d::Zero(), into = Eigen::Vector2d::Zero();
   PoleShares shares;  ///< of the mover's coefficients
   std::vector<Eigen::Index>
-      column;       ///< by coefficient of the shares: its place in the sample's cell, -1: it stays
-  SidePoint shown;  ///< before any move
+      column;  ///< by coefficient of the shares: its place in the sample's cell, -1: it stays
+  SidePoint
+      shown;  ///< before any move; of a side that the edge slides on: beside the other side as it is now
+  std::shared_ptr<const StayingSurface> slides_on = {};  ///< null: the edge has its place on the side
 };
 
 /// What two sides lack. Normals are aligned. Of an outline: the way from its place.
@@ -92,6 +99,12 @@ struct JointSample {
 /// \throws Standard_Failure where OpenCASCADE can't evaluate.
 std::vector<JointSample> sampled(const Joint& joint, const MovingFaces& movers,
                                  const ContinuityTolerance& tolerance);
+
+/// Of a joint that is to have G2: the accepted difference is a share of the larger curvature, which changes while faces move.
+void followCurvature(const Joint& joint, const ContinuityTolerance& tolerance, JointSample& sample);
+
+/// Edges that slide run to the feet of the sides that move.
+void followSlide(JointSample& sample);
 
 Differences differencesAt(const Joint& joint, const JointSample& sample);
 

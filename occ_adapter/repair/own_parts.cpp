@@ -6,21 +6,13 @@
 #include <TopoDS_Iterator.hxx>
 #include <map>
 #include <set>
+#include <utility>
 
 #include <seamwright/occ_adapter/repair/own_parts.hpp>
 
 namespace seamwright::occ {
 
 namespace {
-
-/// In how many places each thing in the shape stands.
-std::map<const TopoDS_TShape*, int> instancesIn(const TopoDS_Shape& shape) {
-  TopTools_IndexedMapOfShape all;
-  TopExp::MapShapes(shape, all);
-  std::map<const TopoDS_TShape*, int> instances;
-  for (int i = 1; i <= all.Extent(); ++i) ++instances[all(i).TShape().get()];
-  return instances;
-}
 
 /// What compounds hold, in place.
 void addAssembled(const TopoDS_Shape& shape, TopTools_IndexedMapOfShape& parts) {
@@ -33,14 +25,7 @@ void addAssembled(const TopoDS_Shape& shape, TopTools_IndexedMapOfShape& parts) 
 
 class Parting {
  public:
-  explicit Parting(const TopoDS_Shape& shape) {
-    const std::map<const TopoDS_TShape*, int> instances = instancesIn(shape);
-    TopTools_IndexedMapOfShape assembled;
-    addAssembled(shape, assembled);
-    for (int i = 1; i <= assembled.Extent(); ++i)
-      for (const auto& [part, count] : instancesIn(assembled(i)))
-        if (count > 1 && count == instances.at(part)) parted_.insert(part);
-  }
+  explicit Parting(std::set<const TopoDS_TShape*> parted) : parted_(std::move(parted)) {}
 
   TopoDS_Shape own(const TopoDS_Shape& placed) {
     if (done_.IsBound(placed)) return done_.Find(placed).Oriented(placed.Orientation());
@@ -65,14 +50,35 @@ class Parting {
 
  private:
   BRep_Builder builder_;
-  std::set<const TopoDS_TShape*> parted_;  ///< what stands several times, all in one part of the assembly
+  std::set<const TopoDS_TShape*> parted_;  ///< what becomes a thing of its own in every place
   TopTools_DataMapOfShapeShape done_;
 };
 
 }  // namespace
 
 TopoDS_Shape withOwnParts(const TopoDS_Shape& shape) {
-  return Parting(shape).own(shape);
+  const std::map<const TopoDS_TShape*, int> instances = instancesIn(shape);
+  TopTools_IndexedMapOfShape assembled;
+  addAssembled(shape, assembled);
+  std::set<const TopoDS_TShape*> several;  // all in one part of the assembly
+  for (int i = 1; i <= assembled.Extent(); ++i)
+    for (const auto& [part, count] : instancesIn(assembled(i)))
+      if (count > 1 && count == instances.at(part)) several.insert(part);
+  return Parting(std::move(several)).own(shape);
+}
+
+TopoDS_Shape ownCopyOf(const TopoDS_Shape& shape) {
+  std::set<const TopoDS_TShape*> all;
+  for (const auto& [part, count] : instancesIn(shape)) all.insert(part);
+  return Parting(std::move(all)).own(shape);
+}
+
+std::map<const TopoDS_TShape*, int> instancesIn(const TopoDS_Shape& shape) {
+  TopTools_IndexedMapOfShape all;
+  TopExp::MapShapes(shape, all);
+  std::map<const TopoDS_TShape*, int> instances;
+  for (int i = 1; i <= all.Extent(); ++i) ++instances[all(i).TShape().get()];
+  return instances;
 }
 
 }  // namespace seamwright::occ

@@ -15,6 +15,7 @@
 
 #include <seamwright/occ_adapter/analyze/measure_seam.hpp>
 #include <seamwright/occ_adapter/analyze/workers.hpp>
+#include <seamwright/occ_adapter/convert/edge_image.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
 #include <seamwright/occ_adapter/repair/prove.hpp>
@@ -179,14 +180,24 @@ SurfaceDifference differenceOn(const TopoDS_Face& face, const handle<Geom_BSplin
   return differenceOf(BRep_Tool::Surface(face), after, range);
 }
 
+/// How far the edge's curve is from its image on the face, whatever its tolerance says.
+double away_mm(const TopoDS_Edge& edge, const TopoDS_Face& face, double gap_mm) {
+  double first = 0, last = 0;
+  const handle<Geom_Curve> curve = BRep_Tool::Curve(edge, first, last);
+  if (curve.IsNull()) return 0;
+  return largestDistance_mm({{surfaceOf(face), pathOrBuilt(edge, face, gap_mm)}}, *curve, first, last);
+}
+
 /// Largest tolerance of an edge of the face beyond what it may have; 0 if there is none.
 double strayEdge_mm(const TopoDS_Face& before, const TopoDS_Face& after, double gap_mm) {
   double largest = 0;
   TopExp_Explorer was(before, TopAbs_EDGE), is(after, TopAbs_EDGE);
   for (; is.More(); is.Next(), was.Next()) {
     const double tolerance = BRep_Tool::Tolerance(TopoDS::Edge(is.Current()));
-    const double allowed = 2 * std::max(gap_mm, BRep_Tool::Tolerance(TopoDS::Edge(was.Current())));
-    if (tolerance > allowed) largest = std::max(largest, tolerance);
+    const TopoDS_Edge& old = TopoDS::Edge(was.Current());
+    const double allowed = 2 * std::max(gap_mm, BRep_Tool::Tolerance(old));
+    if (tolerance > allowed && tolerance > 2 * away_mm(old, before, gap_mm))
+      largest = std::max(largest, tolerance);
   }
   return largest;
 }
@@ -254,15 +265,36 @@ void judgeFaces(const RepairTask& task, const std::vector<FaceChange>& changes, 
   }
 }
 
-/// What a shape that was not sound lacked is not asked of the new one.
-void judgeSoundness(const RepairTask& task, const TopoDS_Shape& changed, std::optional<Soundness>& was,
-                    Proof& proof) {
-  const Soundness& is = proof.soundness.emplace(soundnessOf(changed, task.options.jobs));
-  if (is.whole) return;
-  if (!was) was = soundnessOf(task.shape, task.options.jobs);
-  for (std::size_t f = 1; f < is.faces.size(); ++f)
-    if (was->faces[f] && !is.faces[f]) proof.faces[static_cast<int>(f)] = "OpenCASCADE's checks do not pass";
-  if (was->whole && proof.faces.empty()) proof.whole = "OpenCASCADE's checks do not pass";
+bool isSound(const TopoDS_Face& face) {
+  return BRepCheck_Analyzer(face).IsValid();
+}
+
+/// Without the geometry of its faces.
+bool isSoundAsAWhole(const TopoDS_Shape& shape) {
+  constexpr bool with_geometry = false;
+  return BRepCheck_Analyzer(shape, with_geometry).IsValid();
+}
+
+/// What a shape that was not sound lacked is not asked of the new one. Faces that both have are as sound as they were.
+void judgeSoundness(const RepairTask& task, const TopoDS_Shape& changed, Proof& proof) {
+  constexpr const char* why = "OpenCASCADE's checks do not pass";
+  const TopTools_IndexedMapOfShape before = partsOf(task.shape, TopAbs_FACE),
+                                   after = partsOf(changed, TopAbs_FACE);
+  std::vector<int> renewed;
+  for (int f = 1; f <= after.Extent(); ++f)
+    if (!after(f).IsPartner(before(f)) && task.unusable.whyLeftOut(f).empty()) renewed.push_back(f);
+  // Not of bool, of which neighbours share a word.
+  std::vector<char> spoilt(renewed.size(), 0);
+  const auto check = [&](std::size_t k) {
+    const int f = renewed[k];
+    spoilt[k] = !isSound(TopoDS::Face(after(f))) && isSound(TopoDS::Face(before(f))) ? 1 : 0;
+  };
+  runParallel(renewed.size(), task.options.jobs, check, {});
+  for (std::size_t k = 0; k < renewed.size(); ++k)
+    if (spoilt[k] != 0) proof.faces[renewed[k]] = why;
+  if (proof.faces.empty() && task.unusable.empty() && !isSoundAsAWhole(changed) &&
+      isSoundAsAWhole(task.shape))
+    proof.whole = why;
 }
 
 }  // namespace
@@ -283,8 +315,7 @@ Soundness soundnessOf(const TopoDS_Shape& shape, int jobs) {
   };
   runParallel(sound.size() - 1, jobs, check, {});
   // Not beside the faces, of which both mark wires. Their geometry is checked.
-  constexpr bool with_geometry = false;
-  const bool whole = std::ranges::count(sound, 0) == 0 && BRepCheck_Analyzer(shape, with_geometry).IsValid();
+  const bool whole = std::ranges::count(sound, 0) == 0 && isSoundAsAWhole(shape);
   return {{sound.begin(), sound.end()}, whole};
 }
 
@@ -313,7 +344,7 @@ std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed
 }
 
 Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
-            std::optional<Soundness>& was, MeasuredSeams& known, const Progress& progress) {
+            MeasuredSeams& known, const Progress& progress) {
   Proof proof;
   proof.after = task.before;
   Remeasuring again(task, changes, seamsAfter(task, changed, partOf(progress, 0, 0.2)), known);
@@ -323,7 +354,7 @@ Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes, cons
   if (!proof.unrepaired.empty() || !proof.faces.empty()) return proof;
   again.measure(false, proof.after, partOf(progress, 0.5, 0.9));
   judgeOthers(task, proof);
-  if (proof.holds()) judgeSoundness(task, changed, was, proof);
+  if (proof.holds()) judgeSoundness(task, changed, proof);
   if (proof.holds())
     proof.whole = whyNotVolumes(task, changes, changed, proof.after, partOf(progress, 0.9, 1));
   return proof;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <map>
-#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -30,9 +29,8 @@ struct Proof {
   std::vector<SeamResult> after;                  ///< in the order of before
   std::map<std::size_t, std::string> unrepaired;  ///< treated seams that do not have the level
   std::map<std::size_t, std::string> worse;       ///< other seams
-  std::map<int, std::string> faces;    ///< folded, moved further than told, or failing OpenCASCADE's checks
-  std::string whole;                   ///< of the shape as a whole
-  std::optional<Soundness> soundness;  ///< of the changed shape, if it was looked at
+  std::map<int, std::string> faces;  ///< folded, moved further than told, or failing OpenCASCADE's checks
+  std::string whole;                 ///< of the shape as a whole
 
   bool holds() const { return unrepaired.empty() && worse.empty() && faces.empty() && whole.empty(); }
 };
@@ -44,8 +42,8 @@ std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed
 /// Seams beside faces and edges that are new are measured again, the others have their figures from before. What costs much is looked at only
 /// where nothing before it speaks against the change: first the faces and the treated seams, then the other seams, then OpenCASCADE's checks,
 /// then volumes. A face's points must not move further than its poles were told to.
-/// \param was of the task's shape; found where it is needed and not known. \param known of the task's shape; it grows. \throws Cancelled.
+/// \param known of the task's shape; it grows. \throws Cancelled.
 Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
-            std::optional<Soundness>& was, MeasuredSeams& known, const Progress& progress);
+            MeasuredSeams& known, const Progress& progress);
 
 }  // namespace seamwright::occ

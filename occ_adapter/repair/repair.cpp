@@ -13,6 +13,7 @@
 #include <seamwright/occ_adapter/repair/convert_faces.hpp>
 #include <seamwright/occ_adapter/repair/face_change.hpp>
 #include <seamwright/occ_adapter/repair/improve.hpp>
+#include <seamwright/occ_adapter/repair/instances.hpp>
 #include <seamwright/occ_adapter/repair/sew.hpp>
 #include <seamwright/occ_adapter/seams/match.hpp>
 
@@ -35,7 +36,7 @@ std::vector<Seam> seamsOf(const TopoDS_Shape& shape, const RepairOptions& option
 class Repairing {
  public:
   Repairing(const Model& model, const RepairOptions& options, const Progress& progress)
-      : model_(model), options_(options), progress_(progress) {}
+      : model_(model), options_(options), progress_(progress), unusable_(model.shape) {}
 
   RepairReport run() {
     const auto start = std::chrono::steady_clock::now();
@@ -44,10 +45,14 @@ class Repairing {
     Choice choice = choose(model_, result_.before, options_);
     now_ = {model_.shape, result_.before, {}, result_.before.seams, std::move(choice.reasons), {}, {}, {}};
     sharp_ = std::move(choice.sharp);
-    const std::vector<bool> wanted = std::move(choice.treated);
+    std::vector<bool> wanted = std::move(choice.treated);
     if (std::ranges::count(wanted, true) > 0) {
       now_.seams = seamsOf(model_.shape, options_, {});
+      leaveKinks(wanted);
+    }
+    if (std::ranges::count(wanted, true) > 0) {
       needed_ = neededVariation(model_.shape, result_.before.seams, turned(wanted));
+      limits_mm_ = moveLimits(model_.shape, result_.before.seams, facesAround(wanted), wanted, options_);
       const double all = options_.match_mm > 0 && options_.sew ? share_before_sewing : 1;
       repair(wanted, choice.faces, partOf(progress_, share_of_analysis, all));
     }
@@ -55,7 +60,6 @@ class Repairing {
     result_.after = now_.after;
     if (options_.match_mm > 0 && options_.sew) sew();
     tell(wanted);
-    judgeMoves(model_.shape, result_.model.shape, result_.faces_now, options_, needed_, result_.moves, {});
     result_.repair_s = secondsSince(start);
     if (progress_) progress_(1);
     return std::move(result_);
@@ -73,8 +77,8 @@ class Repairing {
     std::vector<SeamResult> to_keep;   ///< what no seam may be worse than: as given, or as repaired
     std::vector<std::string> reasons;  ///< by seam
     std::map<int, double> moves;       ///< by face
+    std::map<int, FaceMove> judged;    ///< by face that moved
     std::map<int, double> edge_moves;  ///< by edge
-    std::optional<Soundness> was;      ///< of the shape, once known
   };
 
   void repair(const std::vector<bool>& wanted, const std::vector<FaceChoice>& faces,
@@ -82,61 +86,101 @@ class Repairing {
     const int order = anyCurvatureDoes(options_.tolerance) ? 1 : options_.order;
     std::vector<int> orders(wanted.size());
     std::ranges::transform(wanted, orders.begin(), [order](bool is_wanted) { return is_wanted ? order : 0; });
-    keep(improveByPaths(taskOf(faces, orders), now_.was, partOf(progress, 0, share_of_paths)));
+    keep(improveByPaths(taskOf(faces, orders), partOf(progress, 0, share_of_paths)));
     for (std::size_t i = 0; i < orders.size(); ++i) {
       if (isRepaired(now_.after.seams[i], sharp_[i], options_.tolerance, levelOf(order))) orders[i] = 0;
       if (orders[i] > 0) now_.reasons[i].clear();
     }
-    keep(improveByMoves(taskOf(faces, orders), now_.was, partOf(progress, share_of_paths, share_of_moves)));
+    keep(improveByMoves(taskOf(faces, orders), partOf(progress, share_of_paths, share_of_moves)));
+    const std::vector<int> asked = orders;
     for (int& left : orders) left = std::min(left, 1);
     for (std::size_t i = 0; i < orders.size(); ++i)
       if (isRepaired(now_.after.seams[i], sharp_[i], options_.tolerance, Level::G1)) orders[i] = 0;
-    if (order > 1)
-      keep(improveByMoves(taskOf(faces, orders), now_.was, partOf(progress, share_of_moves, share_of_g1)));
-    repairAlone(orders, faces, partOf(progress, share_of_g1, 1));
+    if (order > 1) keep(improveByMoves(taskOf(faces, orders), partOf(progress, share_of_moves, share_of_g1)));
+    const double alone = order > 1 ? (share_of_g1 + 1) / 2 : 1;
+    repairAlone(orders, Level::G1, faces, partOf(progress, share_of_g1, alone));
+    if (order > 1) repairAlone(asked, Level::G2, faces, partOf(progress, alone, 1));
   }
 
-  /// Seams that were left, from the smallest angle on, by themselves: what was asked for together with them may be what can't be had. Several
-  /// at a time, as long as no face of one is next to a face of another.
-  void repairAlone(const std::vector<int>& orders, const std::vector<FaceChoice>& faces,
+  /// Seams that were left below the level, from the smallest angle on, by themselves: what was asked for together with them may be what can't be had.
+  /// What is left then is tried with the faces around its ends moving too.
+  void repairAlone(const std::vector<int>& orders, Level level, const std::vector<FaceChoice>& faces,
                    const Progress& progress) {
+    for (const bool neighbours_help : {false, true})
+      repairAlone(orders, level, faces, neighbours_help,
+                  partOf(progress, neighbours_help ? 0.5 : 0, neighbours_help ? 1 : 0.5));
+  }
+
+  /// Several at a time, as long as no face of one is next to a face of another.
+  void repairAlone(const std::vector<int>& orders, Level level, const std::vector<FaceChoice>& faces,
+                   bool neighbours_help, const Progress& progress) {
     constexpr int most_batches = 8;
     std::set<std::size_t> left;
     for (std::size_t i = 0; i < orders.size(); ++i)
-      if (orders[i] > 0 && !isRepaired(now_.after.seams[i], sharp_[i], options_.tolerance, Level::G1))
+      if (orders[i] > 0 && !isRepaired(now_.after.seams[i], sharp_[i], options_.tolerance, level))
         left.insert(i);
     for (int batch = 0; batch < most_batches && !left.empty(); ++batch) {
       std::vector<int> of_batch(orders.size(), 0);
-      for (const std::size_t i : apart(left)) {
+      for (const std::size_t i : apart(left, neighbours_help)) {
         of_batch[i] = orders[i];
         left.erase(i);
       }
       keep(improveByMoves(
-          taskOf(faces, std::move(of_batch)), now_.was,
+          taskOf(faces, std::move(of_batch), neighbours_help),
           partOf(progress, static_cast<double>(batch) / most_batches, (batch + 1.0) / most_batches)));
     }
   }
 
-  /// As many of these seams as have no face in common, nor faces that meet.
-  std::vector<std::size_t> apart(const std::set<std::size_t>& seams) const {
+  /// As many of these seams as have no face in common that moves for them, nor faces that meet.
+  std::vector<std::size_t> apart(const std::set<std::size_t>& seams, bool neighbours_help) const {
     std::vector<std::size_t> order(seams.begin(), seams.end());
     const auto angle = [this](std::size_t i) {
       const auto& figure = now_.after.seams[i].figures.angle_rad;
       return figure ? figure->lower : 0;
     };
     std::ranges::stable_sort(order, {}, angle);
+    const FacesAtVertices around(now_.shape);
+    std::map<int, std::set<int>> beside;
+    for (const Seam& seam : now_.seams) {
+      beside[seam.sides[0].face].insert(seam.sides[1].face);
+      beside[seam.sides[1].face].insert(seam.sides[0].face);
+    }
     std::set<int> taken;
     std::vector<std::size_t> chosen;
     for (const std::size_t i : order) {
-      const auto& own = now_.seams[i].sides;
-      if (taken.count(own[0].face) > 0 || taken.count(own[1].face) > 0) continue;
+      const auto& sides = now_.seams[i].sides;
+      const std::set<int> moving =
+          neighbours_help ? around.of(now_.seams[i]) : std::set<int>{sides[0].face, sides[1].face};
+      if (std::ranges::any_of(moving, [&taken](int face) { return taken.count(face) > 0; })) continue;
       chosen.push_back(i);
-      for (const FaceUse& side : own)
-        for (const Seam& seam : now_.seams)
-          if (seam.sides[0].face == side.face || seam.sides[1].face == side.face)
-            taken.insert({seam.sides[0].face, seam.sides[1].face});
+      for (const int face : moving) {
+        taken.insert(face);
+        taken.insert(beside[face].begin(), beside[face].end());
+      }
     }
     return chosen;
+  }
+
+  /// Faces that have an end of a wanted seam, and can be computed with.
+  std::set<int> facesAround(const std::vector<bool>& wanted) const {
+    const FacesAtVertices around(model_.shape);
+    std::set<int> faces;
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      if (wanted[i]) faces.merge(around.of(now_.seams[i]));
+    std::erase_if(faces, [this](int face) { return unusable_.hasFace(face); });
+    return faces;
+  }
+
+  void leaveKinks(std::vector<bool>& wanted) {
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      if (!wanted[i] || sharp_[i]) continue;
+      try {
+        now_.reasons[i] = whyKinked(now_.seams[i], options_.tolerance);
+      } catch (const Standard_Failure& failure) {
+        now_.reasons[i] = whyFailed(failure);
+      }
+      wanted[i] = now_.reasons[i].empty();
+    }
   }
 
   /// Seams that are to lose their angle.
@@ -145,19 +189,21 @@ class Repairing {
     return wanted;
   }
 
-  RepairTask taskOf(const std::vector<FaceChoice>& faces, std::vector<int> orders) const {
-    return {now_.shape, now_.seams,   now_.to_keep, now_.after.seams, faces, sharp_, options_,
-            needed_,    model_.shape, now_.moves,   std::move(orders)};
+  RepairTask taskOf(const std::vector<FaceChoice>& faces, std::vector<int> orders,
+                    bool neighbours_help = false) const {
+    return {now_.shape,   now_.seams, now_.to_keep,      now_.after.seams, faces,
+            sharp_,       options_,   unusable_,         needed_,          limits_mm_,
+            model_.shape, now_.moves, std::move(orders), neighbours_help};
   }
 
   void keep(Improvement done) {
     for (const auto& [i, why] : done.reasons) tellWhy(i, why);
-    now_.was = std::move(done.soundness);
     if (done.changes.empty() && done.paths.empty()) return;
     now_.shape = done.shape;
     now_.after.seams = std::move(done.after);
     now_.seams = seamsIn(done.shape, now_.seams);
     for (const FaceChange& change : done.changes) now_.moves[change.face] += change.largest_move_mm;
+    for (auto& [face, move] : done.judged) now_.judged[face] = std::move(move);
     for (const PathChange& change : done.paths) now_.edge_moves[change.edge] = change.largest_move_mm;
     for (std::size_t i = 0; i < done.orders.size(); ++i) {
       // By how much a fold may turn depends on the seams beside it, and has been judged.
@@ -195,7 +241,9 @@ class Repairing {
                           no_faces,
                           sharp_,
                           options_,
+                          unusable_,
                           needed_,
+                          limits_mm_,
                           model_.shape,
                           now_.moves,
                           std::vector<int>(before.size(), 0)};
@@ -227,17 +275,24 @@ class Repairing {
         seam.reason = seam.before.note + "; " + seam.reason;
       result_.seams.push_back(std::move(seam));
     }
-    for (const auto& [face, move_mm] : now_.moves)
-      if (move_mm > 0) result_.moves.push_back({face, move_mm});
+    for (const auto& [face, move_mm] : now_.moves) {
+      if (!(move_mm > 0)) continue;
+      FaceMove move = now_.judged.at(face);
+      move.largest_move_mm = move_mm;
+      if (move.surface) move.surface->move_mm.upper = std::max(move.surface->move_mm.lower, move_mm);
+      result_.moves.push_back(std::move(move));
+    }
     for (const auto& [edge, move_mm] : now_.edge_moves) result_.edge_moves.push_back({edge, move_mm});
   }
 
   const Model& model_;
   const RepairOptions& options_;
   const Progress& progress_;
+  const UnusableParts unusable_;
   State now_;
   std::vector<bool> sharp_;  ///< by seam, see Choice
   NeededVariation needed_;   ///< by face
+  MoveLimits limits_mm_;
   Reasons not_sewn_;
   RepairReport result_;
 };
@@ -258,9 +313,9 @@ void RepairOptions::validate() const {
   if (order != 1 && order != 2)
     throw std::invalid_argument("order is " + std::to_string(order) + ": it must be 1 or 2");
   SurfaceTolerance{fairness, 0}.validate();
-  if (!(max_move_mm >= 0)) {
+  if (max_move_mm && !(*max_move_mm >= 0)) {
     std::ostringstream text;
-    text << "largest move is " << max_move_mm << " mm: it must be zero or larger";
+    text << "largest move is " << *max_move_mm << " mm: it must be zero or larger";
     throw std::invalid_argument(text.str());
   }
 }
@@ -270,8 +325,10 @@ RepairReport repair(const Model& model, const RepairOptions& options, const Prog
   const auto plain = [](const Model& of, const RepairOptions& how, const Progress& part) {
     return Repairing(of, how, part).run();
   };
-  return options.convert_analytic ? repairConverting(model, options, plain, progress)
-                                  : plain(model, options, progress);
+  const auto converting = [&plain](const Model& of, const RepairOptions& how, const Progress& part) {
+    return how.convert_analytic ? repairConverting(of, how, plain, part) : plain(of, how, part);
+  };
+  return repairInstances(model, options, converting, progress);
 }
 
 }  // namespace seamwright::occ

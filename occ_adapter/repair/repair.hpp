@@ -13,7 +13,9 @@ namespace seamwright::occ {
 struct RepairOptions {
   int order = 1;                  ///< 1: G1, 2: G2
   ContinuityTolerance tolerance;  ///< what a seam must meet to count as repaired
-  double max_move_mm = 0.5;       ///< no pole may move further, and no point of an edge on its face
+  /// No pole may move further, and no point of an edge on its face. None: by a hundredth of the size of the face, see sizeOf_mm(), and
+  /// twice the largest gap of its seams to be repaired.
+  std::optional<double> max_move_mm;
   /// Edges whose seams are treated, from 1, order of TopExp::MapShapes; empty: all seams of class defect.
   std::vector<int> edges;
   std::vector<int> fixed_faces;  ///< faces that stay
@@ -79,7 +81,7 @@ struct RepairReport {
   std::vector<SeamRepair> seams;          ///< all seams, in the order of before
   std::vector<FaceMove> moves;            ///< of the faces that moved
   std::vector<FaceConversion> converted;  ///< of moved faces
-  /// Of the edges that were led anew on faces that stay; numbers of the given model.
+  /// Of the edges that run elsewhere on faces that stay; numbers of the given model.
   std::vector<EdgeMove> edge_moves;
   /// What has which number in model, by its number in the given one (from 1; the first stands for none); empty if nothing was sewn. Edges
   /// that were sewn have one number; one that was cut has several, in the sense of its curve, and is in the reports with the first.
@@ -92,11 +94,12 @@ struct RepairReport {
 };
 
 /// Moves B-spline and Bezier faces, with the least bending, until the seams chosen are smooth; proves it, or leaves them as they were.
-/// Planes, cylinders and the like stay, and parts with several instances, and faces that have an edge where three or more meet.
+/// Planes, cylinders and the like stay, and faces that have an edge where three or more meet.
 ///
 /// First, where the gap alone is too large and the surfaces meet near the edge, the edge gets new paths on its faces, between the same ends, and
 /// no surface moves. Then all faces beside the other seams move at once: each by a displacement with few knots of its own, which has the least
-/// bending energy, over what the face may spend, that brings the seams within the tolerance and keeps what other edges have. What can't be met so, or
+/// bending energy, over what the face may spend, that brings the seams within the tolerance and keeps what other edges have. Edges slide on faces that
+/// stay, where there is surface on both sides of them and the face is not fixed. What can't be met so, or
 /// makes a face less fair (judgeSurface()), or another seam worse, is given up, one seam of a face after the other, until the rest can be
 /// proven. Source: docs/theory/repair.md.
 ///
@@ -107,7 +110,7 @@ struct RepairReport {
 /// fold back on one another below the crease angle nothing is tried.
 ///
 /// A treated seam counts as repaired, and its change is kept, only if afterwards its enclosed figures meet the target (of a sharp one: its
-/// gap does); no other seam of the model is worse than it was; no face is less fair; no pole moved further than max_move_mm; no face folded;
+/// gap does); no other seam of the model is worse than it was; no face is less fair; no pole moved further than it may; no face folded;
 /// no edge lies further from its faces than twice the gap tolerance or what it had; and the shape passes OpenCASCADE's checks as before,
 /// closed solids stay closed, and their volume changed by no more than the moves explain. What could not be repaired is told with the
 /// reason and left as it was. A seam on a moved face, or between two, may be left better than it was.
@@ -127,6 +130,10 @@ struct RepairReport {
 /// splines with the same parameters, so that edges keep their paths: planes and extrusions of splines exactly, others to a thousandth of
 /// the gap tolerance. That is done where it helps: beside seams where nothing else may move, one face of each first, else beside seams that
 /// were not repaired; what did not move stays what it was. No seam has then a level lower than the model surely had before conversion.
+///
+/// A part with several instances is repaired in its first place, and changed alike in all others: edges picked and faces fixed in one place are
+/// so in all. Seams in the other places are measured there; where rounding makes one less certain, it is not repaired, with that reason. Instances
+/// that have an edge or a face in common with other parts stay, and so do all with match_mm above 0.
 ///
 /// At last matched seams (of the edges picked, or all) are sewn, creases too, if they surely meet within the gap tolerance: their two edges
 /// become one halfway between them, with a path on both faces and the tolerance that is measured. Of edges that are longer than what lies

@@ -39,6 +39,20 @@ double TurnsAtEnds::at_rad(const Seam& seam) const {
   return most;
 }
 
+FacesAtVertices::FacesAtVertices(const TopoDS_Shape& shape) {
+  TopExp::MapShapes(shape, TopAbs_FACE, faces_);
+  TopExp::MapShapesAndUniqueAncestors(shape, TopAbs_VERTEX, TopAbs_FACE, faces_of_vertex_);
+}
+
+std::set<int> FacesAtVertices::of(const Seam& seam) const {
+  std::set<int> faces = {seam.sides[0].face, seam.sides[1].face};
+  for (const TopoDS_Shape& vertex : endsOf(seam))
+    if (faces_of_vertex_.Contains(vertex))
+      for (const TopoDS_Shape& face : faces_of_vertex_.FindFromKey(vertex))
+        faces.insert(faces_.FindIndex(face));
+  return faces;
+}
+
 bool isFold(const SeamResult& seam, const ContinuityTolerance& tolerance) {
   if (seam.verdict.seam_class == SeamClass::Crease) return true;
   const auto& angle = seam.figures.angle_rad;

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <Standard_Failure.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
+#include <seamwright/occ_adapter/model/usable.hpp>
 #include <seamwright/occ_adapter/repair/change.hpp>
 #include <seamwright/occ_adapter/repair/choose.hpp>
 #include <seamwright/occ_adapter/repair/face_change.hpp>
@@ -24,11 +27,14 @@ struct RepairTask {
   const std::vector<FaceChoice>& faces;    ///< from 1
   const std::vector<bool>& sharp;          ///< by seam, see Choice
   const RepairOptions& options;
+  const UnusableParts& unusable;          ///< of the shape, whatever moved: such faces stay
   const NeededVariation& needed;          ///< by face
+  const MoveLimits& limits_mm;            ///< of the faces beside treated seams
   const TopoDS_Shape& given;              ///< the shape before any move, to which fairness compares
   const std::map<int, double>& moved_mm;  ///< by face that has moved before: by how much
   /// By seam: 0: not treated, it may not become worse; 1: it is to have G1, or, where it is sharp, to be closed; 2: G2.
   std::vector<int> orders;
+  bool neighbours_help = false;  ///< faces that have an end of a treated seam move too
 
   bool isTreated(std::size_t seam) const { return orders[seam] > 0; }
   bool treatsAny() const {
@@ -47,6 +53,19 @@ class TurnsAtEnds {
  private:
   TopTools_IndexedMapOfShape vertices_;
   std::map<int, double> turns_rad_;  ///< by number of the vertex
+};
+
+/// The faces of a shape around its vertices.
+class FacesAtVertices {
+ public:
+  explicit FacesAtVertices(const TopoDS_Shape& shape);
+
+  /// Those that have an end of the seam, and its own.
+  std::set<int> of(const Seam& seam) const;
+
+ private:
+  TopTools_IndexedMapOfShape faces_;
+  TopTools_IndexedDataMapOfShapeListOfShape faces_of_vertex_;
 };
 
 /// A crease, or a defect that may be one with a gap: its faces keep their angle, whatever it is.

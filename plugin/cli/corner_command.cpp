@@ -96,7 +96,7 @@ int runCorner(const CornerArguments& arguments) {
   const bool kept = fillet.met() || arguments.keep_anyway;
   const report::ModelCounts memory = judge(fillet.model, {});
   const WrittenOutcome written =
-      writeOutcome({kept ? &fillet.model : nullptr, judge, json}, arguments.output);
+      writeOutcome({kept ? &fillet.model : nullptr, judge, json, false, memory}, arguments.output);
   writeStandardOutput(report::toTable(fillet, memory, written.model));
   warn(arguments.model, model.notes);
   warnOf(written, arguments.output, memory);

@@ -103,11 +103,12 @@ int runFill(const FillArguments& arguments) {
   const auto json = [&](const std::optional<report::WrittenModel>& output) {
     return report::toJson(report, options, occ::factsOf(model), output);
   };
+  const report::ModelCounts memory = report::countsOf(report, options);
   const WrittenOutcome written = writeOutcome(
-      {report.filled ? &report.model : nullptr, report::judgeOf(report, options), json}, arguments.output);
+      {report.filled ? &report.model : nullptr, report::judgeOf(report, options), json, false, memory},
+      arguments.output);
   writeStandardOutput(report::toTable(report, options, written.model));
   warn(arguments.model, model.notes);
-  const report::ModelCounts memory = report::countsOf(report, options);
   warnOf(written, arguments.output, memory);
   return report.reached && written.model->isAsGoodAs(memory) ? 0 : 1;
 }

@@ -6,16 +6,6 @@
 
 namespace seamwright::cli {
 
-namespace {
-
-report::WrittenModel readBack(const std::filesystem::path& waiting, const std::string& output,
-                              const report::Judge& judge) {
-  ProgressBar bar(doing("checking", output));
-  return report::readBack(waiting, output, judge, bar.progress());
-}
-
-}  // namespace
-
 WrittenOutcome writeOutcome(const Outcome& outcome, const OutputArguments& arguments) {
   WrittenOutcome written;
   std::optional<PendingFile> report;
@@ -26,11 +16,15 @@ WrittenOutcome writeOutcome(const Outcome& outcome, const OutputArguments& argum
   if (outcome.model != nullptr) {
     occ::WriteOptions how = arguments.writeOptions();
     how.unchanged = outcome.unchanged;
-    how.check = [&](const std::filesystem::path& waiting) {
-      written.model = readBack(waiting, arguments.model, outcome.judge);
+    ProgressBar writing(doing("writing", arguments.model)), checking(doing("checking", arguments.model));
+    const auto accepted = [&](const report::WrittenModel& model) {
+      written.model = model;
       prepareReport();
     };
-    written.notes = writeUnderBar(*outcome.model, arguments.model, how).notes;
+    written.notes = report::writeJudged(*outcome.model, arguments.model, how,
+                                        {outcome.judge, outcome.memory, outcome.given},
+                                        {writing.progress(), checking.progress()}, accepted)
+                        .report.notes;
   } else {
     prepareReport();
   }

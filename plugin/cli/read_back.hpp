@@ -18,7 +18,9 @@ struct Outcome {
   report::Judge judge;                ///< of the model's file
   /// The report, by what was written.
   std::function<nlohmann::ordered_json(const std::optional<report::WrittenModel>&)> report;
-  bool unchanged = false;  ///< as of occ::WriteOptions
+  bool unchanged = false;             ///< as of occ::WriteOptions
+  report::ModelCounts memory;         ///< of the model
+  const occ::Model* given = nullptr;  ///< as of report::FileJudge
 };
 
 struct WrittenOutcome {
@@ -26,8 +28,7 @@ struct WrittenOutcome {
   std::vector<std::string> notes;  ///< as of occ::WriteReport
 };
 
-/// Writes the model, if there is one, and the report, if one was asked for. The model's file is read back and judged while it waits
-/// beside its place; one that can't be read back does not take it.
+/// Writes the model, if there is one, see report::writeJudged(), and the report, if one was asked for.
 /// \throws std::runtime_error, occ::ModelError, occ::Cancelled.
 WrittenOutcome writeOutcome(const Outcome& outcome, const OutputArguments& arguments);
 

@@ -32,8 +32,8 @@ occ::RepairOptions optionsOf(const RepairArguments& arguments) {
   return options;
 }
 
-occ::RepairReport repairFile(const std::string& path, const occ::RepairOptions& options) {
-  const occ::Model model = readUnderBar(path);
+occ::RepairReport repaired(const occ::Model& model, const std::string& path,
+                           const occ::RepairOptions& options) {
   ProgressBar bar(doing("repairing", path));
   return occ::repair(model, options, bar.progress());
 }
@@ -45,9 +45,12 @@ void addRepairOptions(CLI::App& command, RepairArguments& arguments) {
   command.add_option("--target", arguments.target, "What the seams must reach: G1 or G2")
       ->check(CLI::IsMember({"G1", "G2"}))
       ->capture_default_str();
-  command.add_option("--max-move", arguments.max_move_mm, "No point of a face moves further than this, mm")
-      ->type_name("MM")
-      ->capture_default_str();
+  command
+      .add_option(
+          "--max-move", arguments.max_move_mm,
+          "No point of a face moves further than this, mm, or inf; else a hundredth of the size of the "
+          "face and twice the gap of its seams")
+      ->type_name("MM");
   command
       .add_option("--fairness", arguments.fairness,
                   "The mean curvature of a face may vary so many times as much as before, at least 1")
@@ -77,15 +80,18 @@ void addRepairOptions(CLI::App& command, RepairArguments& arguments) {
 int runRepair(const RepairArguments& arguments) {
   const occ::RepairOptions options = optionsOf(arguments);
   requireOutputs(arguments.model, arguments.output);
-  const occ::RepairReport report = repairFile(arguments.model, options);
+  const occ::Model model = readUnderBar(arguments.model);
+  const occ::RepairReport report = repaired(model, arguments.model, options);
   const auto json = [&](const std::optional<report::WrittenModel>& output) {
     return report::toJson(report, options, output);
   };
-  const WrittenOutcome written = writeOutcome(
-      {&report.model, report::judgeOf(report, options), json, !report.changed()}, arguments.output);
+  const report::ModelCounts memory = report::countsOf(report.after, report.model);
+  const WrittenOutcome written =
+      writeOutcome({&report.model, report::judgeOf(report, options), json, !report.changed(), memory, &model},
+                   arguments.output);
   writeStandardOutput(report::toTable(report, written.model));
   warn(arguments.model, report.before.model.notes);
-  warnOf(written, arguments.output, report::countsOf(report.after, report.model));
+  warnOf(written, arguments.output, memory);
   return report.after.passed() && written.model->found.defects == 0 ? 0 : 1;
 }
 

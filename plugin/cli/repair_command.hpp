@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <optional>
 #include <seamwright/occ_adapter/repair/repair.hpp>
 #include <seamwright/plugin/cli/model_arguments.hpp>
 #include <string>
@@ -14,7 +15,7 @@ struct RepairArguments {
   OutputArguments output;
   std::string target = "G1";
   MeasureArguments measure;
-  double max_move_mm = occ::RepairOptions{}.max_move_mm;
+  std::optional<double> max_move_mm;
   double fairness = occ::RepairOptions{}.fairness;
   bool keep_curvature = false;
   std::vector<int> edges;

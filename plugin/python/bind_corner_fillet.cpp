@@ -102,7 +102,7 @@ py::dict writeRounded(const CornerFilletResult& result, const std::filesystem::p
     const py::gil_scoped_release release;
     return judge(result.fillet.model, {});
   }();
-  return writeResult({result.fillet.model, false, judge, memory}, {path, overwrite, overwrite_source},
+  return writeResult({result.fillet.model, false, {judge, memory}}, {path, overwrite, overwrite_source},
                      progress);
 }
 

@@ -94,7 +94,7 @@ py::dict writeFilled(const FillReport& fill, const std::filesystem::path& path, 
     const py::gil_scoped_release release;
     return fill.report.filled ? report::countsOf(fill.report, fill.options) : judge(fill.report.model, {});
   }();
-  return writeResult({fill.report.model, !fill.report.filled, judge, memory},
+  return writeResult({fill.report.model, !fill.report.filled, {judge, memory}},
                      {path, overwrite, overwrite_source}, progress);
 }
 

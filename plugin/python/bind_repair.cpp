@@ -2,6 +2,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <limits>
+#include <optional>
 #include <seamwright/occ_adapter/repair/repair.hpp>
 #include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
@@ -16,6 +17,7 @@ namespace {
 
 /// What came of a repair, with what was asked for.
 struct RepairReport {
+  occ::Model given;
   occ::RepairReport report;
   occ::RepairOptions options;
 };
@@ -29,6 +31,13 @@ std::vector<int> edgesOf(const py::object& edges) {
   return numbers;
 }
 
+/// None: any distance; "auto": by the sizes of faces.
+std::optional<double> maxMoveOf(const py::object& max_move_mm) {
+  if (max_move_mm.is_none()) return std::numeric_limits<double>::infinity();
+  if (py::isinstance<py::str>(max_move_mm) && max_move_mm.cast<std::string>() == "auto") return {};
+  return argument<double>("max_move_mm", max_move_mm, "a number, None or 'auto'");
+}
+
 RepairReport repairModel(const occ::Model& model, const py::object& target, const py::object& profile,
                          const py::object& gap_mm, const py::object& angle_deg,
                          const py::object& curvature_rel, const py::object& flat_radius_mm,
@@ -40,8 +49,7 @@ RepairReport repairModel(const occ::Model& model, const py::object& target, cons
   occ::RepairOptions options;
   options.order = orderOf(target);
   options.tolerance = toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg});
-  options.max_move_mm = max_move_mm.is_none() ? std::numeric_limits<double>::infinity()
-                                              : argument<double>("max_move_mm", max_move_mm, "a number");
+  options.max_move_mm = maxMoveOf(max_move_mm);
   options.fairness = argument<double>("fairness", fairness, "a number");
   options.keep_curvature = flagOf("keep_curvature", keep_curvature);
   options.edges = edgesOf(edges);
@@ -51,7 +59,7 @@ RepairReport repairModel(const occ::Model& model, const py::object& target, cons
   options.convert_analytic = flagOf("convert_analytic", convert_analytic);
   options.jobs = argument<int>("jobs", jobs, "a whole number");
   return longCall(progress, [&](const occ::Progress& report) {
-    return RepairReport{occ::repair(model, options, report), options};
+    return RepairReport{model, occ::repair(model, options, report), options};
   });
 }
 
@@ -61,9 +69,10 @@ py::object repairDict(const RepairReport& repair) {
 
 py::dict writeRepaired(const RepairReport& repair, const std::filesystem::path& path, bool overwrite,
                        bool overwrite_source, const py::object& progress) {
-  const ResultToWrite result{repair.report.model, !repair.report.changed(),
-                             report::judgeOf(repair.report, repair.options),
-                             report::countsOf(repair.report.after, repair.report.model)};
+  const ResultToWrite result{repair.report.model,
+                             !repair.report.changed(),
+                             {report::judgeOf(repair.report, repair.options),
+                              report::countsOf(repair.report.after, repair.report.model), &repair.given}};
   return writeResult(result, {path, overwrite, overwrite_source}, progress);
 }
 
@@ -133,7 +142,7 @@ void bindRepair(py::module_& module) {
       "repair", &repairModel, py::kw_only(), py::arg("target") = "G1", py::arg("profile") = "default",
       py::arg("gap_mm") = py::none(), py::arg("angle_deg") = py::none(),
       py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
-      py::arg("crease_deg") = py::none(), py::arg("max_move_mm") = occ::RepairOptions{}.max_move_mm,
+      py::arg("crease_deg") = py::none(), py::arg("max_move_mm") = "auto",
       py::arg("fairness") = occ::RepairOptions{}.fairness, py::arg("keep_curvature") = false,
       py::arg("edges") = py::none(), py::arg("fixed_faces") = py::tuple(), py::arg("match_mm") = 0.0,
       py::arg("sew") = true, py::arg("convert_analytic") = false, py::arg("jobs") = 0,
@@ -141,8 +150,9 @@ void bindRepair(py::module_& module) {
       "Moves spline faces, with the least bending, until the seams chosen are smooth; proves it, or "
       "leaves them as they were. Returns a RepairReport; the model is not changed.\n\n"
       "target: 'G1' or 'G2'. Tolerances as in analyze(). max_move_mm: no point of a face moves further; "
-      "None: any "
-      "distance. fairness: how many times as much as before the mean curvature of a face may vary, at "
+      "None: any distance; 'auto': a hundredth of the size of the face and twice the largest gap of its "
+      "seams "
+      "to be repaired. fairness: how many times as much as before the mean curvature of a face may vary, at "
       "least 1. keep_curvature: seams that are G2 stay so, also where G1 is the target. "
       "edges: numbers of the edges, from 1, whose seams are treated; None: all defects. "
       "fixed_faces: numbers of faces that stay. match_mm: also open edges no further apart than this; 0: "

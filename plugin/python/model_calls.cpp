@@ -47,21 +47,17 @@ py::dict plainDict(const occ::WriteReport& written) {
 
 py::dict writeResult(const ResultToWrite& result, const ResultTarget& target, const py::object& progress) {
   constexpr double written_by = 0.5;
-  report::WrittenModel output;
-  const occ::WriteReport written = longCall(progress, [&](const occ::Progress& share) {
+  const report::JudgedFile written = longCall(progress, [&](const occ::Progress& share) {
     const occ::Progress shown = rising(share);
-    const auto check = [&](const std::filesystem::path& waiting) {
-      output = report::readBack(waiting, target.path, result.judge, occ::partOf(shown, written_by, 1));
-    };
     const occ::WriteOptions how = {.overwrite = target.overwrite,
                                    .overwrite_source = target.overwrite_source,
-                                   .unchanged = result.unchanged,
-                                   .check = check};
-    return occ::writeModel(result.model, target.path, how, occ::partOf(shown, 0, written_by));
+                                   .unchanged = result.unchanged};
+    return report::writeJudged(result.model, target.path, how, result.judge,
+                               {occ::partOf(shown, 0, written_by), occ::partOf(shown, written_by, 1)});
   });
-  py::dict dict = plainDict(written);
-  dict["output"] = plainObject(report::toJson(output));
-  dict["differences"] = output.differences(result.memory);
+  py::dict dict = plainDict(written.report);
+  dict["output"] = plainObject(report::toJson(written.model));
+  dict["differences"] = written.model.differences(result.judge.memory);
   return dict;
 }
 

@@ -46,8 +46,7 @@ py::dict plainDict(const occ::WriteReport& written);
 struct ResultToWrite {
   const occ::Model& model;
   bool unchanged = false;  ///< as of occ::WriteOptions
-  report::Judge judge;
-  report::ModelCounts memory;
+  report::FileJudge judge;
 };
 
 struct ResultTarget {

@@ -47,10 +47,16 @@ ordered_json seamsJson(const std::vector<occ::SeamResult>& seams, const Continui
 }
 
 /// Seams that do not surely reach the target.
-int missed(const std::vector<occ::SeamResult>& seams, const occ::FillHoleOptions& options) {
-  return static_cast<int>(std::ranges::count_if(seams, [&options](const occ::SeamResult& seam) {
-    return !surelyReaches(seam.figures, options.tolerance, options.target);
-  }));
+std::vector<occ::SeamResult> missed(std::vector<occ::SeamResult> seams, const occ::FillHoleOptions& options) {
+  std::erase_if(seams, [&options](const occ::SeamResult& seam) {
+    return surelyReaches(seam.figures, options.tolerance, options.target);
+  });
+  return seams;
+}
+
+void setDefects(std::vector<occ::SeamResult> seams, ModelCounts& counts) {
+  counts.defects = static_cast<int>(seams.size());
+  counts.defect_seams = std::move(seams);
 }
 
 std::string textOf(const std::optional<double>& value, const char* unit, double factor = 1) {
@@ -104,17 +110,20 @@ ordered_json toJson(const occ::Hole& hole) {
 }
 
 ModelCounts countsOf(const occ::FillHoleReport& report, const occ::FillHoleOptions& options) {
-  return {.edges = report.model.edgeCount(),
-          .faces = report.model.faceCount(),
-          .open_edges = static_cast<int>(occ::findSeams(report.model.shape).open.size()),
-          .seams = static_cast<int>(report.outer.size() + report.inner.size()),
-          .defects = missed(report.outer, options) + missed(report.inner, options),
-          .without_length = occ::degenerateEdges(report.model)};
+  ModelCounts counts{.edges = report.model.edgeCount(),
+                     .faces = report.model.faceCount(),
+                     .open_edges = static_cast<int>(occ::findSeams(report.model.shape).open.size()),
+                     .seams = static_cast<int>(report.outer.size() + report.inner.size()),
+                     .without_length = occ::degenerateEdges(report.model)};
+  std::vector<occ::SeamResult> seams = report.outer;
+  seams.insert(seams.end(), report.inner.begin(), report.inner.end());
+  setDefects(missed(std::move(seams), options), counts);
+  return counts;
 }
 
 ModelCounts countsOf(const occ::Report& found, const occ::Model& model, const occ::FillHoleOptions& options) {
   ModelCounts counts = countsOf(found, model);
-  counts.defects = missed(found.seams, options);
+  setDefects(missed(found.seams, options), counts);
   return counts;
 }
 

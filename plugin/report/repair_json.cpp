@@ -13,10 +13,15 @@ namespace {
 
 using nlohmann::ordered_json;
 
+/// A number; null: any distance; else by the sizes of faces.
+ordered_json maxMoveJson(const std::optional<double>& max_move_mm) {
+  if (!max_move_mm) return "auto";
+  return std::isfinite(*max_move_mm) ? ordered_json(*max_move_mm) : ordered_json(nullptr);
+}
+
 ordered_json optionsJson(const occ::RepairOptions& options) {
   return {{"target", name(options.level())},
-          {"max_move_mm",
-           std::isfinite(options.max_move_mm) ? ordered_json(options.max_move_mm) : ordered_json(nullptr)},
+          {"max_move_mm", maxMoveJson(options.max_move_mm)},
           {"fairness", options.fairness},
           {"keep_curvature", options.keep_curvature},
           {"edges", options.edges},

@@ -142,14 +142,14 @@ TEST(SurfaceChange, PartsOfMovesTurnsAndCurvatures) {
   SurfaceJet after = paraboloid(3, 0, 1);
   after.p = {3, 4, -2};
   SurfaceChange change;
-  include(change, paraboloid(1, 0, 1), after);
+  include(change, curvedPoint(paraboloid(1, 0, 1)), curvedPoint(after));
   EXPECT_DOUBLE_EQ(change.normal_move_mm, 2);
   EXPECT_DOUBLE_EQ(change.tangential_move_mm, 5);
   EXPECT_DOUBLE_EQ(change.move_mm.lower, std::sqrt(29.0));
   EXPECT_DOUBLE_EQ(change.turn_rad, 0);
   EXPECT_DOUBLE_EQ(change.curvature_change_per_mm, 2);
   // The largest counts.
-  include(change, paraboloid(0, 0, 0), paraboloid(0, 0.5, 0));
+  include(change, curvedPoint(paraboloid(0, 0, 0)), curvedPoint(paraboloid(0, 0.5, 0)));
   EXPECT_DOUBLE_EQ(change.curvature_change_per_mm, 2);
   EXPECT_DOUBLE_EQ(change.normal_move_mm, 2);
 }
@@ -166,7 +166,7 @@ TEST(SurfaceChange, TurnsAreNotTakenForCurvature) {
     SurfaceJet after = before;
     for (Eigen::Vector3d* part : {&after.u, &after.v, &after.uu, &after.uv, &after.vv}) *part = turn * *part;
     SurfaceChange change;
-    include(change, before, after);
+    include(change, curvedPoint(before), curvedPoint(after));
     EXPECT_NEAR(change.turn_rad, std::abs(angle), 1e-12);
     EXPECT_NEAR(change.curvature_change_per_mm, 0, 1e-12);
   }
@@ -176,12 +176,12 @@ TEST(SurfaceChange, DegenerateAndNotFinitePlaces) {
   SurfaceChange change;
   SurfaceJet broken = paraboloid(1, 0, 0);
   broken.p.x() = nan;
-  include(change, paraboloid(0, 0, 0), broken);
+  include(change, curvedPoint(paraboloid(0, 0, 0)), curvedPoint(broken));
   EXPECT_EQ(change.move_mm.upper, 0);
   SurfaceJet pole = paraboloid(1, 0, 0);
   pole.u.setZero();
   pole.p.z() = 3;
-  include(change, pole, paraboloid(5, 5, 5));
+  include(change, curvedPoint(pole), curvedPoint(paraboloid(5, 5, 5)));
   EXPECT_DOUBLE_EQ(change.move_mm.lower, 3);
   EXPECT_EQ(change.turn_rad, 0);
   EXPECT_EQ(change.curvature_change_per_mm, 0);

@@ -89,7 +89,7 @@ void forGrid(const Spline& surface, const std::function<void(double u, double v)
 
 /// The largest distance of the moved surface from X + D.
 double largestError_mm(const Spline& given, const Displacement& displacement) {
-  const Spline moved = displacement.surface();
+  const Spline moved = displacement.moved().surface;
   double largest = 0;
   forGrid(given, [&](double u, double v) {
     largest =
@@ -105,6 +105,31 @@ Spline unevenSheet(std::mt19937& generator, int degree_u, int degree_v) {
   surface->InsertUKnot(u, std::max(1, degree_u - 1), 1e-9);
   surface->InsertVKnot(v, std::min(2, degree_v), 1e-9);
   return surface;
+}
+
+/// The denominator is what it was, so moves of moved surfaces need no higher degree.
+TEST(Displacement, FurtherOnesKeepTheDegreeOfRationalSurfaces) {
+  std::mt19937 generator(20331);
+  for (const auto& [degree_u, degree_v] : {std::pair(2, 3), std::pair(3, 1), std::pair(4, 2)}) {
+    const Spline given = unevenSheet(generator, degree_u, degree_v);
+    for (int i = 1; i <= given->NbUPoles(); ++i)
+      for (int j = 1; j <= given->NbVPoles(); ++j)
+        given->SetWeight(i, j, 1 + std::abs(random(generator, 0.5)));
+    const std::array degrees = {degree_u, degree_v};
+    Displacement first(given, wholeOf(given), 4, near_mm);
+    moveAnyhow(first, generator, 0.5);
+    Spline now = first.moved().surface;
+    const int u = now->UDegree(), v = now->VDegree();
+    EXPECT_EQ(u, degree_u + std::max(3, degree_u));
+    for (int turn = 0; turn < 3; ++turn) {
+      Displacement next(now, wholeOf(now), 4, near_mm, false, degrees);
+      moveAnyhow(next, generator, 0.5);
+      EXPECT_LT(largestError_mm(now, next), 1e-10);
+      now = next.moved().surface;
+      EXPECT_EQ(now->UDegree(), u);
+      EXPECT_EQ(now->VDegree(), v);
+    }
+  }
 }
 
 TEST(Displacement, OfAPolynomialSurfaceIsAddedToIt) {
@@ -127,7 +152,7 @@ TEST(Displacement, WithoutAMoveTheSurfaceStays) {
   const Spline given = unevenSheet(generator, 3, 2);
   const Displacement displacement(given, wholeOf(given), 4, near_mm);
   EXPECT_LT(largestError_mm(given, displacement), 1e-13 * displacement.size_mm());
-  EXPECT_EQ(displacement.largestMove_mm(), 0);
+  EXPECT_EQ(displacement.moved().largest_move_mm, 0);
 }
 
 TEST(Displacement, SharesAreTheDerivativesOfTheMove) {
@@ -135,7 +160,7 @@ TEST(Displacement, SharesAreTheDerivativesOfTheMove) {
   const Spline given = unevenSheet(generator, 3, 4);
   Displacement displacement(given, wholeOf(given), 5, near_mm);
   moveAnyhow(displacement, generator, 1);
-  const Spline moved = displacement.surface();
+  const Spline moved = displacement.moved().surface;
   for (int k = 0; k < 50; ++k) {
     const Eigen::Vector2d uv(0.5 + random(generator, 0.5), 0.5 + random(generator, 0.5)),
         none = Eigen::Vector2d::Zero();
@@ -169,12 +194,12 @@ TEST(Displacement, OfARationalSurfaceIsAddedNearly) {
     const double error = largestError_mm(given, displacement);
     EXPECT_LT(error, bound * 0.01);
     // The move is never larger than that of the poles.
-    const Spline moved = displacement.surface();
+    const Spline moved = displacement.moved().surface;
     double largest = 0;
     forGrid(given, [&](double u, double v) {
       largest = std::max(largest, (pointOf(moved, u, v) - pointOf(given, u, v)).norm());
     });
-    EXPECT_LE(largest, displacement.largestMove_mm() * (1 + 1e-9));
+    EXPECT_LE(largest, displacement.moved().largest_move_mm * (1 + 1e-9));
   }
 }
 
@@ -197,7 +222,7 @@ TEST(Displacement, OfAClosedRationalSurfaceIsAddedNearly) {
       if (name != "ball") {
         EXPECT_LT(largestError_mm(given, displacement), 0.1 * size_mm);
       }
-      EXPECT_LT(displacement.largestMove_mm(), 4 * size_mm);
+      EXPECT_LT(displacement.moved().largest_move_mm, 4 * size_mm);
     }
 }
 
@@ -233,7 +258,7 @@ TEST(Displacement, ATubeStaysClosedAndSmooth) {
     moveAnyhow(displacement, generator, 0.5);
     EXPECT_LT(largestError_mm(given, displacement), 1e-12 * displacement.size_mm());
     EXPECT_TRUE(displacement.basis().u().periodic);
-    const Spline moved = displacement.surface();
+    const Spline moved = displacement.moved().surface;
     EXPECT_EQ(moved->IsUPeriodic(), periodic);
     const std::array<double, 4> range = wholeOf(given);
     EXPECT_EQ(wholeOf(moved), range);
@@ -267,7 +292,7 @@ TEST(Displacement, ASideThatIsOnePointStaysOne) {
       const int across = side < 2 ? basis.v().poles : basis.u().poles;
       EXPECT_EQ(displacement.count(), basis.u().poles * basis.v().poles - across + 1);
       moveAnyhow(displacement, generator, 0.3);
-      const Spline moved = displacement.surface();
+      const Spline moved = displacement.moved().surface;
       const auto at = [&](double t) { return side < 2 ? moved->Value(side, t) : moved->Value(t, side - 2); };
       EXPECT_GT(at(0.5).Distance(top), 1e-3);
       for (double t = 0; t <= 1; t += 0.04) EXPECT_LT(at(t).Distance(at(0)), 1e-11) << side << " " << t;

@@ -203,6 +203,37 @@ TEST(FaceChange, ASideThatIsOnePointIsNoDifficulty) {
   EXPECT_GT(change.normal_move_mm, 0.01);
 }
 
+/// A plane in polar parameters: lines are even in knot spans, so those of the first spans lie where nothing is left of X_v but rounding.
+TEST(FaceChange, NarrowSpansBesideAPoleAreNoDifficulty) {
+  SplineSurface fan = flat();
+  for (int j = 1; j <= 4; ++j) fan->SetPole(1, j, gp_Pnt(0, 5, 0));
+  TColStd_Array1OfReal knots(1, 2);
+  knots(1) = 1e-9;
+  knots(2) = 1e-8;
+  TColStd_Array1OfInteger multiplicities(1, 2);
+  multiplicities.Init(1);
+  fan->InsertUKnots(knots, multiplicities, 1e-12);
+  gp_Trsf turn;
+  turn.SetRotation(gp_Ax1(gp_Pnt(1, 2, 3), gp_Dir(1, -1, 2)), 0.7);
+  fan = SplineSurface::DownCast(fan->Transformed(turn));
+  const SurfaceChange change = occ::measureChange(wholeFace(fan), fan, 0, 0);
+  EXPECT_LT(change.before.largest_variation_per_mm, 1e-6);
+  EXPECT_GE(change.after.lines, 32);
+}
+
+/// How far faces may move where the user does not say.
+TEST(MoveLimits, AreByTheSizeOfTheFaceAndTheGap) {
+  const TopoDS_Face face = wholeFace(flat());  // a square of side 10
+  occ::SeamResult seam;
+  seam.faces = {1, 1};
+  seam.figures.gap_mm = Figure{0.02, 0.03, 0.5};
+  occ::RepairOptions options;
+  EXPECT_NEAR(occ::moveLimits(face, {seam}, {1}, {true}, options).at(1), std::sqrt(200) / 100 + 0.06, 1e-6);
+  EXPECT_NEAR(occ::moveLimits(face, {seam}, {1}, {false}, options).at(1), std::sqrt(200) / 100, 1e-6);
+  options.max_move_mm = 0.25;
+  EXPECT_EQ(occ::moveLimits(face, {seam}, {1}, {true}, options).at(1), 0.25);
+}
+
 /// What a repair tells of its faces is what OpenCASCADE's curvature says of the shapes before and after.
 TEST(FaceChange, OfRepairedFacesIsInTheReport) {
   std::mt19937 random(12);

@@ -87,7 +87,8 @@ MovingFaces moversOf(const TopoDS_Shape& shape, const std::vector<int>& faces) {
     const Spline surface = Spline::DownCast(BRep_Tool::Surface(face(shape, number)));
     std::array<double, 4> range{};
     surface->Bounds(range[0], range[1], range[2], range[3]);
-    occ::MovingFace mover{occ::Displacement(surface, range, 4, 1e-4), 0, length_mm * width_mm};
+    occ::MovingFace mover{occ::Displacement(surface, range, 4, 1e-4), 0, length_mm * width_mm,
+                          std::hypot(length_mm, width_mm)};
     mover.budget_per_mm = visibleVariation(ContinuityTolerance{}.angle_rad, mover.displacement.size_mm());
     movers.emplace(number, std::move(mover));
   }
@@ -126,7 +127,7 @@ Roof solvedRoof(const TopoDS_Shape& shape, const std::vector<int>& faces,
   const auto now = [&](int number) {
     const auto mover = movers.find(number);
     return mover == movers.end() ? Spline::DownCast(BRep_Tool::Surface(face(shape, number)))
-                                 : mover->second.displacement.surface();
+                                 : mover->second.displacement.moved().surface;
   };
   return {now(1), now(2)};
 }
@@ -200,7 +201,7 @@ TEST(FairSolve, WhereNothingIsMissedNothingMoves) {
     const TopoDS_Shape shape = roof(kink);
     MovingFaces movers = moversOf(shape, {1, 2});
     fairSolve(jointsOf(shape, ask, 1), {}, {}, movers, {});
-    for (const auto& [number, mover] : movers) EXPECT_LT(mover.displacement.largestMove_mm(), 1e-9);
+    for (const auto& [number, mover] : movers) EXPECT_LT(mover.displacement.moved().largest_move_mm, 1e-9);
   }
 }
 
@@ -223,7 +224,7 @@ TEST(FairSolve, MirroredFacesMoveAlike) {
 Improvement improved(const ProofCase& strips, std::vector<int> orders) {
   occ::RepairTask task = strips.task();
   task.orders = std::move(orders);
-  return occ::improveByMoves(task, {}, {});
+  return occ::improveByMoves(task, {});
 }
 
 occ::RepairOptions flowing() {
@@ -284,7 +285,7 @@ TEST(Improve, ASeamThatCantHaveCurvatureGetsATangentPlane) {
                                    {quarter(0, -20, bend_per_mm, slope), quarter(0, 0, bend_per_mm, slope)}}),
                            options);
   const occ::RepairTask task = quarters.task();
-  const Improvement done = occ::improveByMoves(task, {}, {});
+  const Improvement done = occ::improveByMoves(task, {});
   int kinks = 0, with_one_plane = 0;
   for (std::size_t i = 0; i < task.seams.size(); ++i) {
     if (task.before[i].verdict.level != Level::G0 || !task.isTreated(i)) continue;

@@ -148,23 +148,24 @@ class NetBuilder {
 
 }  // namespace
 
+void disturbNear(const std::vector<gp_Pnt2d>& seams, double noise_mm, std::mt19937& random,
+                 Geom_BSplineSurface& surface) {
+  const Places u(surface.UKnotSequence(), surface.UDegree(), surface.NbUPoles());
+  const Places v(surface.VKnotSequence(), surface.VDegree(), surface.NbVPoles());
+  const double span_u = longestSpan(surface.UKnots()), span_v = longestSpan(surface.VKnots());
+  for (int i = 1; i <= surface.NbUPoles(); ++i)
+    for (int j = 1; j <= surface.NbVPoles(); ++j) {
+      const bool near = std::ranges::any_of(seams, [&](const gp_Pnt2d& uv) {
+        return std::hypot((uv.X() - u.parameters[i - 1]) / span_u, (uv.Y() - v.parameters[j - 1]) / span_v) <
+               1;
+      });
+      if (near) surface.SetPole(i, j, surface.Pole(i, j).Translated(anyBelow(noise_mm, random)));
+    }
+}
+
 void disturb(Net& net, double noise_mm, std::mt19937& random) {
   const std::vector<int> uses = usesOf(net);
-  for (NetFace& face : net.faces) {
-    Geom_BSplineSurface& surface = *face.surface;
-    const Places u(surface.UKnotSequence(), surface.UDegree(), surface.NbUPoles());
-    const Places v(surface.VKnotSequence(), surface.VDegree(), surface.NbVPoles());
-    const double span_u = longestSpan(surface.UKnots()), span_v = longestSpan(surface.VKnots());
-    const std::vector<gp_Pnt2d> seams = seamPoints(face, uses);
-    for (int i = 1; i <= surface.NbUPoles(); ++i)
-      for (int j = 1; j <= surface.NbVPoles(); ++j) {
-        const bool near = std::ranges::any_of(seams, [&](const gp_Pnt2d& uv) {
-          return std::hypot((uv.X() - u.parameters[i - 1]) / span_u,
-                            (uv.Y() - v.parameters[j - 1]) / span_v) < 1;
-        });
-        if (near) surface.SetPole(i, j, surface.Pole(i, j).Translated(anyBelow(noise_mm, random)));
-      }
-  }
+  for (NetFace& face : net.faces) disturbNear(seamPoints(face, uses), noise_mm, random, *face.surface);
 }
 
 void swapParameters(NetFace& face) {

@@ -79,7 +79,11 @@ Net dome(int sectors, double radius_mm);
 /// The same face with a copy of its surface that has the parameters swapped.
 void swapParameters(NetFace& face);
 
-/// Moves the poles near the seams, by less than noise_mm each: those over places nearer than a knot span to a side of the face that is a seam.
+/// Moves the poles over places nearer than a knot span to one of these places in the parameter plane, by less than noise_mm each.
+void disturbNear(const std::vector<gp_Pnt2d>& seams, double noise_mm, std::mt19937& random,
+                 Geom_BSplineSurface& surface);
+
+/// Near the sides of all faces that are seams.
 void disturb(Net& net, double noise_mm, std::mt19937& random);
 
 /// A shell, or a solid. The tolerances of edges and vertices are what they need.

@@ -39,6 +39,12 @@ std::vector<Spline> surfacesOf(const std::vector<Strip>& strips) {
   return surfaces;
 }
 
+std::set<int> allFaces(const TopoDS_Shape& shape) {
+  std::set<int> faces;
+  for (int face = 1; face <= partsOf(shape, TopAbs_FACE).Extent(); ++face) faces.insert(face);
+  return faces;
+}
+
 }  // namespace
 
 TopoDS_Shape chain(const std::vector<Strip>& strips, double tolerance_mm) {
@@ -56,7 +62,7 @@ TopoDS_Shape looseChain(const std::vector<Strip>& strips) {
 }
 
 ProofCase::ProofCase(const TopoDS_Shape& shape, const occ::RepairOptions& options)
-    : shape_(shape), options_(options) {
+    : shape_(shape), options_(options), unusable_(shape) {
   const occ::Model model = occ::modelFromShape(shape);
   report_ = occ::analyze(model, occ::analyzeOptions(options));
   occ::SeamGraph graph = occ::findSeams(shape);
@@ -65,13 +71,14 @@ ProofCase::ProofCase(const TopoDS_Shape& shape, const occ::RepairOptions& option
   seams_ = std::move(graph.seams);
   choice_ = occ::choose(model, report_, options);
   needed_ = occ::neededVariation(shape, report_.seams, choice_.treated);
+  limits_mm_ = occ::moveLimits(shape, report_.seams, allFaces(shape), choice_.treated, options);
 }
 
 occ::RepairTask ProofCase::task() const {
   std::vector<int> orders;
   for (const bool is_treated : choice_.treated) orders.push_back(is_treated ? options_.order : 0);
-  return {shape_,   seams_,  report_.seams, report_.seams, choice_.faces,    choice_.sharp,
-          options_, needed_, shape_,        moved_,        std::move(orders)};
+  return {shape_,    seams_,  report_.seams, report_.seams, choice_.faces, choice_.sharp,    options_,
+          unusable_, needed_, limits_mm_,    shape_,        moved_,        std::move(orders)};
 }
 
 occ::FaceChange ProofCase::changed(int number, const Strip& strip) const {
@@ -95,16 +102,13 @@ occ::Proof ProofCase::proofOf(const std::vector<occ::FaceChange>& changes) const
 occ::Proof ProofCase::proofOf(const occ::RepairTask& task, const std::vector<occ::FaceChange>& changes,
                               occ::MeasuredSeams* known) const {
   occ::MeasuredSeams none;
-  std::optional<occ::Soundness> was;
-  return occ::prove(task, changes, withChanges(changes), was, known ? *known : none, {});
+  return occ::prove(task, changes, withChanges(changes), known ? *known : none, {});
 }
 
 occ::Proof ProofCase::proofOf(const occ::RepairTask& task, const std::vector<occ::FaceChange>& changes,
-                              const TopoDS_Shape& changed, const occ::Soundness* was) const {
+                              const TopoDS_Shape& changed) const {
   occ::MeasuredSeams none;
-  std::optional<occ::Soundness> known_was;
-  if (was) known_was = *was;
-  return occ::prove(task, changes, changed, known_was, none, {});
+  return occ::prove(task, changes, changed, none, {});
 }
 
 std::string textOf(const occ::Proof& proof) {

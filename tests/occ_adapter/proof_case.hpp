@@ -44,9 +44,9 @@ class ProofCase {
   occ::Proof proofOf(const std::vector<occ::FaceChange>& changes) const;
   occ::Proof proofOf(const occ::RepairTask& task, const std::vector<occ::FaceChange>& changes,
                      occ::MeasuredSeams* known = nullptr) const;
-  /// Of a changed shape made by hand. \param was null: what the shape is.
+  /// Of a changed shape made by hand.
   occ::Proof proofOf(const occ::RepairTask& task, const std::vector<occ::FaceChange>& changes,
-                     const TopoDS_Shape& changed, const occ::Soundness* was = nullptr) const;
+                     const TopoDS_Shape& changed) const;
 
  private:
   TopoDS_Shape shape_;
@@ -54,7 +54,9 @@ class ProofCase {
   occ::Report report_;
   std::vector<occ::Seam> seams_;
   occ::Choice choice_;
+  occ::UnusableParts unusable_;
   occ::NeededVariation needed_;
+  occ::MoveLimits limits_mm_;
   std::map<int, double> moved_;
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <BRepBuilderAPI_NurbsConvert.hxx>
@@ -8,6 +9,9 @@
 #include <BRep_Tool.hxx>
 #include <Geom2dAPI_Interpolate.hxx>
 #include <Geom2d_BSplineCurve.hxx>
+#include <GeomAPI_PointsToBSpline.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <TColgp_HArray1OfPnt2d.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
@@ -19,6 +23,7 @@
 #include <numbers>
 
 #include "dense_oracle.hpp"
+#include "grids.hpp"
 #include "repair_checks.hpp"
 #include "shapes.hpp"
 
@@ -156,6 +161,41 @@ TEST(RepairCauses, WhatFoldsBackIsToldAndLeft) {
   const RepairReport report = repair(occ::readModel(path));
   EXPECT_FALSE(report.changed());
   EXPECT_EQ(seamOf(report, 4).reason.find("the faces fold back on one another there"), 0);
+}
+
+/// Part of a cylinder of radius 20 about the x axis, x from x0 to x0 + 10: through its points at every degree of 30, with degree 1 or 3.
+handle<Geom_BSplineSurface> barrelStave(double x0_mm, int degree) {
+  constexpr int points = 31;
+  constexpr double radius_mm = 20, length_mm = 10, step_rad = std::numbers::pi / 180;
+  TColgp_Array1OfPnt row(1, points);
+  for (int k = 0; k < points; ++k)
+    row(k + 1) = gp_Pnt(x0_mm, radius_mm * std::sin(k * step_rad), radius_mm * std::cos(k * step_rad));
+  const opencascade::handle<Geom_BSplineCurve> curve =
+      degree == 1 ? GeomAPI_PointsToBSpline(row, 1, 1, GeomAbs_C0, 1e-9).Curve()
+                  : GeomAPI_PointsToBSpline(row, 3, 3, GeomAbs_C2, 1e-6).Curve();
+  TColgp_Array2OfPnt poles(1, 2, 1, curve->NbPoles());
+  for (int j = 1; j <= curve->NbPoles(); ++j) {
+    poles(1, j) = curve->Pole(j);
+    poles(2, j) = curve->Pole(j).Translated(gp_Vec(length_mm, 0, 0));
+  }
+  TColStd_Array1OfReal ends(1, 2);
+  ends(1) = 0;
+  ends(2) = 1;
+  TColStd_Array1OfInteger twice(1, 2);
+  twice.Init(2);
+  return new Geom_BSplineSurface(poles, ends, curve->Knots(), twice, curve->Multiplicities(), 1,
+                                 curve->Degree());
+}
+
+/// Facets of one degree beside a smooth surface: half a degree is wrong everywhere, and the gap is a thousandth of a millimetre.
+TEST(RepairCauses, KinksOfASurfaceAreToldAndLeft) {
+  const RepairReport report = repairedModel(gridOf({{barrelStave(0, 1)}, {barrelStave(10, 3)}}), {});
+  ASSERT_EQ(report.seams.size(), 1);
+  EXPECT_FALSE(report.seams[0].treated);
+  EXPECT_THAT(report.seams[0].reason,
+              testing::AllOf(testing::HasSubstr("the surface of face 1 has a kink of 1"),
+                             testing::HasSubstr("no smooth move takes that out")));
+  EXPECT_FALSE(report.changed());
 }
 
 }  // namespace

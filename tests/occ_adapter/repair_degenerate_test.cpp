@@ -205,20 +205,6 @@ TEST(RepairDegenerate, AnEdgeOfThreeFaces) {
   EXPECT_EQ(report.moves[0].face, 3);
 }
 
-TEST(RepairDegenerate, AFaceBesideInstances) {
-  gp_Trsf away;
-  away.SetTranslation(gp_Vec(0, 0, 200));
-  const TopoDS_Shape twice = shapeOf(brokenSheet(2, 20316)), once = shapeOf(brokenSheet(2, 20317));
-  const RepairReport report =
-      repair(modelFromShape(loose(loose(twice, located(twice, away)), once)), trialOptions({}));
-  ASSERT_EQ(report.seams.size(), 3);
-  EXPECT_EQ(repairedSeams(report), 1);
-  EXPECT_TRUE(report.seams[2].repaired);
-  for (const std::size_t i : {0, 1})
-    EXPECT_NE(report.seams[i].reason.find("stands in the model 2 times"), std::string::npos);
-  for (const occ::FaceMove& move : report.moves) EXPECT_GE(move.face, 5);
-}
-
 TEST(RepairDegenerate, PolesThatAreNoNumbers) {
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
@@ -257,17 +243,17 @@ TEST(RepairDegenerate, PolesThatAreNoNumbers) {
 TEST(RepairDegenerate, OptionsThatAreNoNumbers) {
   const occ::Model model = modelFromShape(shapeOf(brokenSheet(2, 20319)));
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), -1.0})
-    for (double* (*const field)(occ::RepairOptions&) : {
-             +[](occ::RepairOptions& options) { return &options.max_move_mm; },
-             +[](occ::RepairOptions& options) { return &options.match_mm; },
-             +[](occ::RepairOptions& options) { return &options.tolerance.gap_mm; },
-             +[](occ::RepairOptions& options) { return &options.tolerance.angle_rad; },
-             +[](occ::RepairOptions& options) { return &options.tolerance.curvature_rel; },
-             +[](occ::RepairOptions& options) { return &options.tolerance.crease_rad; },
-             +[](occ::RepairOptions& options) { return &options.tolerance.flat_radius_mm; },
+    for (void (*const set)(occ::RepairOptions&, double) : {
+             +[](occ::RepairOptions&options, double value) { options.max_move_mm = value; },
+             +[](occ::RepairOptions&options, double value) { options.match_mm = value; },
+             +[](occ::RepairOptions&options, double value) { options.tolerance.gap_mm = value; },
+             +[](occ::RepairOptions&options, double value) { options.tolerance.angle_rad = value; },
+             +[](occ::RepairOptions&options, double value) { options.tolerance.curvature_rel = value; },
+             +[](occ::RepairOptions&options, double value) { options.tolerance.crease_rad = value; },
+             +[](occ::RepairOptions&options, double value) { options.tolerance.flat_radius_mm = value; },
          }) {
       occ::RepairOptions options;
-      *field(options) = bad;
+      set(options, bad);
       EXPECT_THROW(repair(model, options), std::invalid_argument);
     }
 }

@@ -85,7 +85,7 @@ TEST_P(RepairLaws, ScaleWithTheTolerances) {
     occ::RepairOptions options = options_;
     options.tolerance.gap_mm *= scale;
     options.tolerance.flat_radius_mm *= scale;
-    options.max_move_mm *= scale;
+    if (options.max_move_mm) *options.max_move_mm *= scale;
     expectSame(outcome_, outcomeOf(transformed(shapeOf(net_), grown), options), options_, scale);
   }
 }

@@ -197,17 +197,6 @@ TEST(Repair, RigidMotionChangesNothing) {
   }
 }
 
-TEST(Repair, InstancesStay) {
-  std::mt19937 generator(20265);
-  gp_Trsf away;
-  away.SetTranslation(gp_Vec(0, 300, 0));
-  const TopoDS_Shape shape = disturbedGrid(generator, 2, 1, 0.01);
-  const RepairReport report = repair(modelFromShape(loose(shape, located(shape, away))), strictRepair(1));
-  EXPECT_FALSE(report.changed());
-  for (const occ::SeamRepair& seam : report.seams)
-    EXPECT_NE(seam.reason.find("stands in the model 2 times"), std::string::npos) << seam.reason;
-}
-
 double volume_mm3(const TopoDS_Shape& shape) {
   GProp_GProps properties;
   BRepGProp::VolumeProperties(shape, properties);

@@ -88,13 +88,13 @@ RepairCounts& RepairCounts::operator+=(const RepairCounts& other) {
 }
 
 occ::RepairOptions trialOptions(const RepairTrial& trial) {
-  constexpr double most_over_noise = 20;
+  constexpr double least_mm = 0.5, most_over_noise = 20;
   occ::RepairOptions options;
   options.order = trial.order;
   options.tolerance.gap_mm = 0.001 / trial.strictness;
   options.tolerance.angle_rad = 0.01 * degree / trial.strictness;
   options.tolerance.curvature_rel = 0.02 / trial.strictness;
-  options.max_move_mm = std::max(options.max_move_mm, most_over_noise * trial.noise_mm);
+  options.max_move_mm = std::max(least_mm, most_over_noise * trial.noise_mm);
   return options;
 }
 

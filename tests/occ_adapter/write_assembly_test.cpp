@@ -14,6 +14,7 @@
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_LayerTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
+#include <array>
 
 #include "files.hpp"
 #include "shapes.hpp"
@@ -30,8 +31,8 @@ using occ::writeModel;
 using occ::WriteReport;
 using ::testing::HasSubstr;
 
-/// Two blocks of one part and a rod, with names, colours and layers, in an assembly.
-void writeAssembly(const fs::path& path) {
+/// Two blocks of one part and a rod, with names, colours and layers, in an assembly. \param places of the blocks along x.
+void writeAssembly(const fs::path& path, const std::array<double, 2>& places = {0, 50}) {
   const opencascade::handle<TDocStd_Document> document = new TDocStd_Document("BinXCAF");
   const auto shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
   const auto colors = XCAFDoc_DocumentTool::ColorTool(document->Main());
@@ -47,7 +48,7 @@ void writeAssembly(const fs::path& path) {
   layers->SetLayer(lid, "Deckel");
   const TDF_Label assembly = shapes->NewShape();
   TDataStd_Name::Set(assembly, "whole");
-  for (const double x : {0.0, 50.0}) {
+  for (const double x : places) {
     gp_Trsf away, turn;
     away.SetTranslation(gp_Vec(x, 0, 7));
     turn.SetRotation(gp_Ax1(gp_Pnt(), gp_Dir(1, 2, 3)), 0.3 + x);
@@ -111,6 +112,19 @@ TEST_F(Assembly, APartChangedInAllItsPlacesStaysOnePart) {
   expectStructure(folder_ / "bent.step");
   expectSameModel(changed, back, 1e-6);
   for (const int face : {2, 8}) EXPECT_EQ(numbersOf(splineOf(back.shape, face)), numbers) << face;
+}
+
+/// As in files that have a part twice by mistake: two placements with one transformation.
+TEST(TwiceInOnePlace, APartIsChangedInBoth) {
+  const Folder folder;
+  writeAssembly(folder / "twice.step", {20, 20});
+  Model changed = readModel(folder / "twice.step");
+  bend(changed.shape, 2);
+  const WriteReport report = writeModel(changed, folder / "bent.step");
+  EXPECT_TRUE(report.followed_source);
+  EXPECT_EQ(report.changed_faces, 1);
+  EXPECT_EQ(numbersOf(splineOf(readModel(folder / "bent.step").shape, 2)),
+            numbersOf(splineOf(changed.shape, 2)));
 }
 
 TEST_F(Assembly, APlaceChangedAloneIsAnErrorWithItsFaces) {

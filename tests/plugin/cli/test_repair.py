@@ -53,7 +53,7 @@ def check_laws(report, status):
     assert (report["numbers_now"] is not None) == bool(summary["sewn"])
     assert summary["largest_move_mm"] == max((move["largest_move_mm"] for move in report["moves"]), default=0)
     limit = report["options"]["max_move_mm"]
-    assert limit is None or summary["largest_move_mm"] <= limit
+    assert limit in (None, "auto") or summary["largest_move_mm"] <= limit
     assert not {move["face"] for move in report["moves"]} & set(report["options"]["fixed_faces"])
     assert report["tolerance"]["level"] == report["options"]["target"]
     for seam in seams:
@@ -107,7 +107,7 @@ def test_a_sheet_flows_again(tmp_path, target, seed):
     assert angle_deg <= max(seam["after"]["angle_deg"]["upper"] for seam in report["seams"]) + 1e-6
     expect_same_verdicts(report, out)
     assert report["output"] == {"path": str(out), "format": "STEP", "edges": 12, "faces": 4, "open_edges": 8,
-                                "defects": 0}
+                                "defects": 0, "only_in_file": [], "spoilt_by_writing": None}
 
 
 def test_the_schema_notices_a_missing_key_a_wrong_type_and_a_foreign_key(tmp_path):
@@ -159,7 +159,7 @@ def test_the_verdict_is_on_the_file_too(tmp_path):
     expect_valid(report, VALIDATOR)
     assert report["summary"]["defects_after"] == 0
     assert report["output"] == {"path": str(out), "format": "STEP", "edges": 10, "faces": 3, "open_edges": 8,
-                                "defects": 2}
+                                "defects": 2, "only_in_file": [], "spoilt_by_writing": None}
     assert (found["model"]["edges"], found["model"]["faces"]) == (10, 3)
     line = ("read back: 2 defects, 3 faces, 10 edges, 8 open edges, 2 seams; the model in memory has 0, 2, 7, 6, 1: "
             "numbers of faces and edges differ")
@@ -177,7 +177,7 @@ def test_what_cannot_be_read_back_is_not_written(tmp_path):
     assert sorted(tmp_path.iterdir()) == before
 
 
-@pytest.mark.parametrize("file,defects", [("bottle.brep", 0), ("hammer.brep", 5)])
+@pytest.mark.parametrize("file,defects", [("bottle.brep", 0), ("hammer.brep", 4)])
 def test_step_of_loose_tolerances_keeps_the_verdict(tmp_path, file, defects):
     """Vertices of these stand off their edges; a reader that is not told so bends the curves to them."""
     model = tmp_path / file
@@ -253,11 +253,11 @@ def test_each_command_says_its_exit_status():
 
 def test_defaults_are_those_of_the_help(tmp_path):
     _, report, _ = repair(sheet(tmp_path))
-    assert report["options"] == {"target": "G1", "max_move_mm": 0.5, "edges": [], "fixed_faces": [], "match_mm": 0, "sew": True,
+    assert report["options"] == {"target": "G1", "max_move_mm": "auto", "edges": [], "fixed_faces": [], "match_mm": 0, "sew": True,
                                  "convert_analytic": False, "fairness": 1.5, "keep_curvature": False}
     expected = {"gap_mm": 0.01, "angle_deg": 0.1, "curvature_rel": 0.02, "flat_radius_mm": 100000, "crease_deg": 5}
     assert {key: report["tolerance"][key] for key in expected} == pytest.approx(expected, rel=1e-12)
-    assert re.search(r"--max-move MM(=0\.5| \[0\.5\])", run("repair", "--help").stdout)
+    assert re.search(r"--max-move MM +No point", run("repair", "--help").stdout)
     _, report, _ = repair(sheet(tmp_path), "--max-move", "inf", "--profile", "class-a")
     assert report["options"]["max_move_mm"] is None and report["tolerance"]["gap_mm"] == 0.001
 
@@ -301,7 +301,8 @@ def test_the_name_of_the_output_tells_its_format(tmp_path, name, format):
     assert result.returncode == 0
     found = analysis(out)
     facts = {key: found["model"][key] for key in ("edges", "faces")}
-    assert report["output"] == {"path": str(out), "format": format, **facts, "open_edges": found["summary"]["open_edges"], "defects": 0}
+    assert report["output"] == {"path": str(out), "format": format, **facts, "open_edges": found["summary"]["open_edges"], "defects": 0,
+                                "only_in_file": [], "spoilt_by_writing": None}
     assert found["model"]["format"] == format and found["model"]["faces"] == 4
     # Other formats may number edges otherwise.
     levels = sorted((seam["faces"], seam["level"], seam["class"]) for seam in found["seams"])

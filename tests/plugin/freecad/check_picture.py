@@ -45,6 +45,9 @@ def main():
     pair = run(program, "--pair", BREP, BREP, both, "--mod", addon, "--zebra")
     assert pair.returncode == 0 and pair.stderr.count("seams:") == 2, "no pair"
     assert png_size(both) == (1600, 800)
+    bent = os.path.join(out, "picture-curvature.png")
+    assert run(program, BREP, bent, "--mod", addon, "--curvature").returncode == 0, "no curvature"
+    assert png_size(bent) == (1600, 1000)
     with tempfile.TemporaryDirectory() as folder:
         broken = os.path.join(folder, "broken.step")
         with open(broken, "w", encoding="utf-8") as file:

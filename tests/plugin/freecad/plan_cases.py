@@ -68,7 +68,7 @@ class Plans(DocumentCase):
         plan = Plan(obj, {"MaxMove": 0.05, "Target": "G1"})
         self.assertEqual(plan.values, {"MaxMove": 0.05})
         found = run_in_thread(plan)
-        self.assertEqual(obj.MaxMove.Value, 0.5)
+        self.assertEqual(obj.MaxMove.Value, 0)
         plan.apply(*found)
         self.assertEqual((obj.MaxMove.Value, obj.Outcome), (0.05, "done"))
         self.assertLessEqual(obj.LargestMove.Value, 0.05)

@@ -94,10 +94,10 @@ class Repairing(RepairWindow):
         for sample, _, _ in moves.legend_entries(1.0):
             self.assertGreater(count(shown, sample.rgb, LEGEND), FEW)
         self.assertGreater(coloured(shown), MANY)
-        panel.moves.setChecked(False)
+        panel.colours.setCurrentText("None")
         settle()
         self.assertLess(coloured(picture("repair-plain")), FEW)
-        panel.moves.setChecked(True)
+        panel.colours.setCurrentText("Moves")
         panel.before.setChecked(True)
         settle()
         self.assertEqual(self.visible(), ["Panel"])
@@ -116,7 +116,7 @@ class Repairing(RepairWindow):
         obj, panel = self.start()
         self.preview(panel)
         shown = picture("repair-placed")
-        panel.moves.setChecked(False)
+        panel.colours.setCurrentText("None")
         settle()
         plain = picture("repair-placed-plain")
         white = [count(image, (255, 255, 255), MODEL) for image in (shown, plain)]
@@ -184,7 +184,7 @@ class Repairing(RepairWindow):
             self.assertEqual((obj.MaxMove.Value, elements.names(obj, "FixedFaces")), (0.01, ["Face2"]))
             self.assertNotEqual(obj.Report, report)
             self.cancel()
-            self.assertEqual((obj.MaxMove.Value, elements.names(obj, "FixedFaces")), (0.5, []))
+            self.assertEqual((obj.MaxMove.Value, elements.names(obj, "FixedFaces")), (0, []))
             self.assertEqual((obj.Repaired, self.visible(), obj.ViewObject.ShowMoves), (7, [obj.Name], False))
 
     def test_seams_and_faces_are_picked_in_the_view(self):

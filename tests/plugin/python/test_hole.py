@@ -51,7 +51,8 @@ def test_what_is_written_is_read_back(shell, tmp_path):
     written = fill.write(tmp_path / "out.step", progress=shares.append)
     model = fill.model.analyze().to_dict()["model"]
     assert written["output"] == {"path": str(tmp_path / "out.step"), "format": "STEP", "edges": model["edges"], "faces": model["faces"],
-                                 "open_edges": written["output"]["open_edges"], "defects": 0}
+                                 "open_edges": written["output"]["open_edges"], "defects": 0,
+                                 "only_in_file": [], "spoilt_by_writing": None}
     assert seamwright.read(tmp_path / "out.step").face_count == fill.model.face_count
     assert shares == sorted(shares) and shares[-1] == 1
     with pytest.raises(seamwright.ModelError, match="overwrite"):

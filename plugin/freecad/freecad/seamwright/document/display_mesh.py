@@ -11,15 +11,18 @@ from freecad.seamwright.plain import kernel
 
 
 class ShownMesh:
-    """Arrays to draw: ``points`` and ``normals`` (n, 3), ``triangles`` (m, 3), ``moves_mm`` (n,) or empty.
+    """Arrays to draw: ``points`` and ``normals`` (n, 3), ``triangles`` (m, 3), ``moves_mm`` and ``mean_per_mm`` (n,) or empty.
 
-    ``faults``: dicts of face, from 1, and reason, for the faces whose triangles are missing or do not cover them.
+    ``mean_per_mm``: the mean curvatures in 1/mm, positive where the face bends towards its normal; nan where it has none.
+    The points of face k are those from ``first_nodes[k - 1]`` to ``first_nodes[k]``. ``faults``: dicts of face, from 1, and
+    reason, for the faces whose triangles are missing or do not cover them.
     """
 
     def __init__(self):
         self.points = self.normals = numpy.empty((0, 3))
         self.triangles = numpy.empty((0, 3), numpy.int32)
-        self.moves_mm = numpy.empty(0)
+        self.moves_mm = self.mean_per_mm = numpy.empty(0)
+        self.first_nodes = numpy.zeros(1, int)
         self.faults = []
 
     @classmethod
@@ -27,8 +30,14 @@ class ShownMesh:
         """What is drawn of a DisplayMesh of the kernel."""
         shown = cls()
         shown.points, shown.normals, shown.triangles = mesh.points, mesh.normals, mesh.triangles
-        shown.moves_mm, shown.faults = mesh.moves_mm, mesh.faults
+        shown.first_nodes = numpy.asarray(mesh.first_nodes, int)
+        shown.moves_mm, shown.mean_per_mm, shown.faults = mesh.moves_mm, mesh.mean_curvature, mesh.faults
         return shown
+
+    def turn(self, signs):
+        """Turn over the normals of the faces that have a -1, and with them the signs of the curvatures."""
+        each = numpy.repeat(signs, numpy.diff(self.first_nodes))
+        self.normals, self.mean_per_mm = self.normals * each[:, None], self.mean_per_mm * each
 
     @property
     def largest_mm(self):

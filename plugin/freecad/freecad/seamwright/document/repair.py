@@ -29,8 +29,6 @@ ELEMENTS = (
     ("FixedFaces", "Face", "Faces that stay as they are"),
 )
 
-MAX_MOVE_MM = 0.5
-
 RESULTS = (
     ("Summary", "App::PropertyString", "What came of it, in one line"),
     ("Changed", "App::PropertyBool", "Whether a face was moved"),
@@ -63,8 +61,8 @@ class SeamRepair(feature.Feature):
         for name, _, tip in ELEMENTS:
             adder.add("App::PropertyLinkSubGlobal", name, "Seams", tip)
         adder.add_choice("Target", "Repair", "Level of continuity to reach", TARGETS, TARGETS[0])
-        tip = "No pole may move further, in mm; 0: as far as it takes"
-        adder.add_with("App::PropertyLength", "MaxMove", "Repair", tip, MAX_MOVE_MM)
+        tip = "No point of a face may move further, in mm; 0: a hundredth of the size of the face and twice the gap of its seams"
+        adder.add("App::PropertyLength", "MaxMove", "Repair", tip)
         adder.add_tolerances(TOLERANCES)
         adder.add_results(RESULTS, feature.INTERNAL)
         obj.setEditorMode("Placement", ["Hidden"])
@@ -115,7 +113,7 @@ def repair_job(module, obj, private=False):
     target, make = obj.Target, feature.model_maker(module, shape, private)
     given = {
         "target": target, "edges": edges or None, "fixed_faces": faces,
-        "max_move_mm": properties.number(obj, "MaxMove") or None, **tolerances(obj)
+        "max_move_mm": properties.number(obj, "MaxMove") or "auto", **tolerances(obj)
     }  # fmt: skip
 
     def run(progress):
@@ -153,12 +151,12 @@ def foreseeing(module, obj, private=False):
     return feature.Job("Analysing seams\u2026", run, finish)
 
 
-def create(source, *, edges=(), fixed_faces=(), target="G1", max_move_mm=MAX_MOVE_MM, **tolerances):
+def create(source, *, edges=(), fixed_faces=(), target="G1", max_move_mm=0.0, **tolerances):
     """Repair the seams of an object: add a Seam Repair to its document, compute it and return it.
 
     ``edges``: ["Edge5", ...] or [5, ...], whose seams are repaired; none means all defects. ``fixed_faces``: ["Face3", ...]
-    or [3, ...], which stay. ``target``: "G1" or "G2". ``max_move_mm``: no pole may move further; 0: no limit. ``tolerances``: gap_mm,
-    angle_deg, curvature_rel, flat_radius_mm, crease_deg, match_mm, profile, as for an analysis. Raises TypeError and
+    or [3, ...], which stay. ``target``: "G1" or "G2". ``max_move_mm``: no point of a face may move
+    further; 0: a hundredth of the size of the face and twice the gap of its seams. ``tolerances``: gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg, match_mm, profile, as for an analysis. Raises TypeError and
     ValueError for bad arguments, kernel.KernelUnavailable when the compiled part is missing. When nothing can be
     repaired, the object has no shape, and ``error_text`` says why; seams that
     could not be repaired are no error, the report has the reasons.
@@ -170,7 +168,7 @@ def create(source, *, edges=(), fixed_faces=(), target="G1", max_move_mm=MAX_MOV
     return obj
 
 
-def prepare(source, *, edges=(), fixed_faces=(), target="G1", max_move_mm=MAX_MOVE_MM, **tolerances):
+def prepare(source, *, edges=(), fixed_faces=(), target="G1", max_move_mm=0.0, **tolerances):
     """As ``create``, but nothing is computed yet."""
     kernel.load(Part.OCC_VERSION)
     table = TOLERANCES + (("MaxMove", "max_move_mm"),)

@@ -31,7 +31,7 @@ class Legend:
         self._switch.whichChild = coin.SO_SWITCH_ALL if visible else coin.SO_SWITCH_NONE
 
     def update(self, title, entries, footer, text_px):
-        """Draw anew: a title, (SeamClass, name, meaning) lines, and a line below them."""
+        """Draw anew: a title, (SeamClass, name, meaning) lines, and the lines of the footer below them."""
         set_image(self._image, draw(title, entries, footer, text_px))
 
 
@@ -63,8 +63,10 @@ def draw(title, entries, footer, text_px):
     name_width = max([_width(bold, name) for _, name, _ in entries] + [0])
     meaning_x = pad + bar + pad + name_width + pad
     meaning_width = max([_width(font, meaning) for _, _, meaning in entries] + [0])
-    right = max(meaning_x + meaning_width, pad + _width(bold, title), pad + _width(font, footer))
-    image = QtGui.QImage(right + pad, (len(entries) + 2) * line + 2 * pad, QtGui.QImage.Format_ARGB32)
+    last = footer.split("\n")
+    right = max(meaning_x + meaning_width, pad + _width(bold, title), *(pad + _width(font, text) for text in last))
+    height = (len(entries) + 1 + len(last)) * line + 2 * pad
+    image = QtGui.QImage(right + pad, height, QtGui.QImage.Format_ARGB32)
     image.fill(QtGui.QColor(*PANEL))
     painter = QtGui.QPainter(image)
     painter.setRenderHint(QtGui.QPainter.TextAntialiasing)
@@ -81,7 +83,8 @@ def draw(title, entries, footer, text_px):
         painter.drawRect(pad, top + (line - thick) // 2, bar, thick)
         pen.text(bold, pad + bar + pad, top, name)
         pen.text(font, meaning_x, top, meaning)
-    pen.text(font, pad, pad + (len(entries) + 1) * line, footer)
+    for place, text in enumerate(last, len(entries) + 1):
+        pen.text(font, pad, pad + place * line, text)
     painter.end()
     return image
 

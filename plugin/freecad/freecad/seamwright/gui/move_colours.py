@@ -3,13 +3,8 @@
 
 from pivy import coin
 
-from freecad.seamwright.gui import stripes
+from freecad.seamwright.gui import coloured, stripes
 from freecad.seamwright.plain import moves
-
-EDGE_COLOUR, EDGE_WIDTH = (0.1, 0.1, 0.1), 1.5
-
-#: Deviation of the drawn edges from the model's, as a part of their size.
-DEFLECTION = 1e-3
 
 
 class MoveColours:
@@ -28,33 +23,7 @@ class MoveColours:
     def update(self, move_map, edges):
         """Draw another ShownMesh with moves and the edges of its shape."""
         self._drawn.removeAllChildren()
-        pick = coin.SoPickStyle()
-        pick.style = coin.SoPickStyle.UNPICKABLE
-        for node in (pick, _faces(move_map), _edges(edges)):
+        colours = moves.colours(move_map.moves_mm, move_map.largest_mm)
+        lines = coloured.lines(coloured.polylines(edges))
+        for node in (coloured.unpickable(), coloured.faces(move_map, colours), lines):
             self._drawn.addChild(node)
-
-
-def _faces(move_map):
-    group, hints, offset = coin.SoSeparator(), coin.SoShapeHints(), coin.SoPolygonOffset()
-    hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE  # with an unknown type of shape: lit from both sides
-    binding, material = coin.SoMaterialBinding(), coin.SoMaterial()
-    binding.value = coin.SoMaterialBinding.PER_VERTEX_INDEXED
-    colours = moves.colours(move_map.moves_mm, move_map.largest_mm)
-    material.diffuseColor.setValues(0, len(colours), colours)
-    for node in (hints, offset, binding, material, *stripes.mesh(move_map)):
-        group.addChild(node)
-    return group
-
-
-def _edges(edges):
-    lines = [edge.discretize(Deflection=max(DEFLECTION * edge.BoundBox.DiagonalLength, 1e-7)) for edge in edges]
-    points = [tuple(point) for line in lines for point in line]
-    group, light, colour, style = coin.SoSeparator(), coin.SoLightModel(), coin.SoBaseColor(), coin.SoDrawStyle()
-    light.model = coin.SoLightModel.BASE_COLOR
-    colour.rgb, style.lineWidth = EDGE_COLOUR, EDGE_WIDTH
-    places, line_set = coin.SoCoordinate3(), coin.SoLineSet()
-    places.point.setValues(0, len(points), points)
-    line_set.numVertices.setValues(0, len(lines), [len(line) for line in lines])
-    for node in (light, colour, style, places, line_set):
-        group.addChild(node)
-    return group

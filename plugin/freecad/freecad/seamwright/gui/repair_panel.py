@@ -9,11 +9,19 @@ from freecad.seamwright.gui import seam_view
 from freecad.seamwright.gui.element_list import ElementList
 from freecad.seamwright.gui.forms import make_box
 from freecad.seamwright.gui.preview_panel import PreviewPanel
-from freecad.seamwright.gui.qt import QtWidgets
+from freecad.seamwright.gui.qt import QtCore, QtWidgets
+from freecad.seamwright.gui.surface_colours import CURVATURE, ZEBRA, SurfaceColours
 from freecad.seamwright.gui.tolerance_form import NumberField, ToleranceForm
 from freecad.seamwright.plain import repair_text, rows
 
 CHOSEN = "The seams at these edges:"
+NONE, MOVES = "None", "Moves"
+COLOURS = (
+    (NONE, "The faces as they look in the document"),
+    (MOVES, "After: each point coloured by how far it moved"),
+    (CURVATURE, "Before and after: each point coloured by its mean curvature, both with the same scale"),
+    (ZEBRA, "Before and after: stripes that break where faces meet at an angle, and bend at a step of curvature"),
+)
 ALL_DEFECTS = "All defects; to choose, select rows or edges and add them:"
 
 
@@ -38,18 +46,24 @@ class RepairPanel(PreviewPanel):
         return self.sources() + [each for each in _analyses(self.obj) if each.Name in self._lines]
 
     def release(self):
-        """Drop the selection, and let the faces look as those of the source."""
+        """Drop the selection, and let the faces look as those of the source, and the source as it did."""
         Gui.Selection.clearSelection()
         self.obj.ViewObject.ShowMoves = False
+        self.surface.end()
+        self._show_lines(not self.obj.ViewObject.Visibility)
 
     # The window.
 
     def build_boxes(self):
         """The seams, the target and the limits."""
-        self.moves = QtWidgets.QCheckBox("Moves in colour")
-        self.moves.setToolTip("Colour each point by how far it moved")
-        self.moves.setChecked(True)
-        self.show_line.insertWidget(3, self.moves)
+        self.colours = QtWidgets.QComboBox()
+        for place, (name, tip) in enumerate(COLOURS):
+            self.colours.addItem(name)
+            self.colours.setItemData(place, tip, QtCore.Qt.ToolTipRole)
+        self.colours.setCurrentText(MOVES)
+        self.colours.setToolTip("What the colours of the faces tell")
+        for place, widget in enumerate((QtWidgets.QLabel("Colours"), self.colours), 3):
+            self.show_line.insertWidget(place, widget)
         return self._build_seams(), self._build_limits()
 
     def _build_seams(self):
@@ -67,18 +81,27 @@ class RepairPanel(PreviewPanel):
     def _build_limits(self):
         self.tolerances = ToleranceForm(repair.TOLERANCES, ("Target", repair.TARGETS))
         self.max_move = NumberField(" mm", 1e6)
-        self.max_move.setSpecialValueText("no limit")
-        self.max_move.setToolTip("No pole of a surface may move further")
+        self.max_move.setSpecialValueText("by size of face")
+        self.max_move.setToolTip(
+            "No point of a face may move further; by size: a hundredth of it and twice the gap of its seams"
+        )
         self.tolerances.layout().insertRow(1, "Largest move", self.max_move)
         return make_box("Target and limits", self.tolerances)[0]
 
     def connect_fields(self):
-        """Follow the fields."""
+        """Follow the fields, and draw on the surfaces as they say."""
+        self.surface = SurfaceColours(
+            self.obj,
+            self.computation,
+            surfaces=lambda: self.sources() + ([self.obj] if self.has_result() else []),
+            left=lambda: self.colours.setCurrentText(NONE),
+            changed=lambda: None if self._ended else self.show(self.after.isChecked()),
+        )
         for each in self.lists.values():
             each.changed.connect(self.changed)
         self.max_move.valueChanged.connect(self.changed)
         self.tolerances.changed.connect(self.changed)
-        self.moves.toggled.connect(lambda *_: self.show(self.after.isChecked()))
+        self.colours.currentIndexChanged.connect(lambda *_: self.show(self.after.isChecked()))
 
     def read_fields(self):
         """Show the values of the object."""
@@ -118,18 +141,32 @@ class RepairPanel(PreviewPanel):
         return repair_text.build_rows(self._report), repair.error_text(self.obj) or self.obj.Summary
 
     def show(self, after):
-        """Show the result, with its moves in colour where they are wanted, or the source."""
-        self.obj.ViewObject.ShowMoves = (
-            after and self.has_result() and self.moves.isChecked() and not self._ended
-        )
+        """Show the result or the source, in the colours that are wanted."""
+        wanted = None if self._ended else self.colours.currentText()
+        self.obj.ViewObject.ShowMoves = after and self.has_result() and wanted == MOVES
         super().show(after)
+        if self._ended:
+            return
+        on_surface = wanted in (CURVATURE, ZEBRA)
+        self._show_lines(not self.obj.ViewObject.Visibility and not on_surface)
+        self.surface.show(wanted if on_surface else None)
+
+    def _show_lines(self, visible):
+        """Show or hide the analyses of the source."""
+        for each in self.replaced():
+            if each.Name in self._lines:
+                each.ViewObject.Visibility = visible
+
+    def left(self, why):
+        """Say why a repair came to nothing, and go on with the colours that it interrupted."""
+        super().left(why)
+        self.show(self.after.isChecked())
 
     def fill(self, built, text):
         """Show these rows and the text above them."""
         super().fill(built, text)
         self.table.setColumnHidden(repair_text.CURVATURE_COLUMN, self._report["target"] != "G2")
         self._fit_columns()
-        self.moves.setEnabled(self.has_result())
 
     def changed(self, *_):
         """A field says something else than what was computed."""

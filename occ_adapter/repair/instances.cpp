@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRep_Builder.hxx>
+#include <TopExp.hxx>
+#include <TopTools_DataMapOfShapeShape.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <seamwright/occ_adapter/repair/choose.hpp>
+#include <seamwright/occ_adapter/repair/instances.hpp>
+#include <seamwright/occ_adapter/repair/own_parts.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+/// A part in all its places, in the order of the model.
+using PartPlaces = std::vector<TopoDS_Shape>;
+
+class RepeatedParts {
+ public:
+  explicit RepeatedParts(const TopoDS_Shape& shape) {
+    addPlaces(shape);
+    addParents(shape);
+    choose(shape);
+  }
+
+  const std::map<const TopoDS_TShape*, PartPlaces>& parts() const { return chosen_; }
+
+ private:
+  void addPlaces(const TopoDS_Shape& shape) {
+    PartPlaces& places = places_[shape.TShape().get()];
+    const bool is_known =
+        std::ranges::any_of(places, [&shape](const TopoDS_Shape& place) { return place.IsSame(shape); });
+    if (!is_known) places.push_back(shape);
+    if (shape.ShapeType() != TopAbs_COMPOUND) return;
+    for (TopoDS_Iterator it(shape, false, true); it.More(); it.Next()) addPlaces(it.Value());
+  }
+
+  void addParents(const TopoDS_Shape& shape) {
+    if (!seen_.insert(shape.TShape().get()).second) return;
+    for (TopoDS_Iterator it(shape); it.More(); it.Next()) {
+      parents_[it.Value().TShape().get()].insert(shape.TShape().get());
+      addParents(it.Value());
+    }
+  }
+
+  /// Nothing that a part consists of belongs to anything else.
+  bool isSelfContained(const TopoDS_Shape& part) const {
+    const std::map<const TopoDS_TShape*, int> inside = instancesIn(part);
+    return std::ranges::all_of(inside, [&](const auto& inner) {
+      return inner.first == part.TShape().get() ||
+             std::ranges::all_of(parents_.at(inner.first),
+                                 [&inside](const TopoDS_TShape* parent) { return inside.contains(parent); });
+    });
+  }
+
+  /// The smallest parts that have all they consist of to themselves. \return whether there is one in the shape
+  bool choose(const TopoDS_Shape& shape) {
+    bool has_one = false;
+    if (shape.ShapeType() == TopAbs_COMPOUND)
+      for (TopoDS_Iterator it(shape, false, true); it.More(); it.Next())
+        has_one = choose(it.Value()) || has_one;
+    const PartPlaces& places = places_.at(shape.TShape().get());
+    if (has_one || places.size() < 2) return has_one;
+    if (!isSelfContained(places.front())) return false;
+    chosen_.emplace(shape.TShape().get(), places);
+    return true;
+  }
+
+  std::map<const TopoDS_TShape*, PartPlaces> places_, chosen_;
+  std::map<const TopoDS_TShape*, std::set<const TopoDS_TShape*>> parents_;
+  std::set<const TopoDS_TShape*> seen_;
+};
+
+TopoDS_Shape withoutPlace(const TopoDS_Shape& shape) {
+  return shape.Located(TopLoc_Location()).Oriented(TopAbs_FORWARD);
+}
+
+TopoDS_Shape placedAs(const TopoDS_Shape& place, const TopoDS_Shape& part) {
+  return part.Located(place.Location()).Oriented(place.Orientation());
+}
+
+/// An assembly with other parts. Rebuilt compounds keep their places; those that stay are shared.
+/// \param part of a place in the assembly: what stands there now, in this place; null: look inside.
+template <class Part>
+TopoDS_Shape withParts(const TopoDS_Shape& place, const Part& part) {
+  if (const TopoDS_Shape now = part(place); !now.IsNull()) return now;
+  if (place.ShapeType() != TopAbs_COMPOUND) return place;
+  TopTools_ListOfShape children;
+  bool is_new = false;
+  for (TopoDS_Iterator it(place, false, true); it.More(); it.Next()) {
+    children.Append(withParts(it.Value(), part));
+    is_new = is_new || !children.Last().IsPartner(it.Value());
+  }
+  if (!is_new) return place;
+  TopoDS_Shape copy = place.Oriented(TopAbs_FORWARD).EmptyCopied();
+  const BRep_Builder builder;
+  for (const TopoDS_Shape& child : children) builder.Add(copy, child);
+  return copy.Oriented(place.Orientation());
+}
+
+/// Numbers of faces or edges that have instances, and of the same ones in the first place.
+class InstanceNumbers {
+ public:
+  InstanceNumbers(const TopoDS_Shape& shape, const std::map<const TopoDS_TShape*, PartPlaces>& parts,
+                  TopAbs_ShapeEnum kind) {
+    TopTools_IndexedMapOfShape all;
+    TopExp::MapShapes(shape, kind, all);
+    for (const auto& [part, places] : parts) {
+      std::vector<std::vector<int>> numbers;
+      for (const TopoDS_Shape& place : places) {
+        TopTools_IndexedMapOfShape own;
+        TopExp::MapShapes(place, kind, own);
+        numbers.emplace_back();
+        for (int i = 1; i <= own.Extent(); ++i) numbers.back().push_back(all.FindIndex(own(i)));
+      }
+      for (const std::vector<int>& of_place : numbers)
+        for (std::size_t i = 0; i < of_place.size(); ++i) first_[of_place[i]] = numbers.front()[i];
+    }
+    for (const auto& [number, first] : first_)
+      if (number != first) others_[first].push_back(number);
+  }
+
+  /// Itself, where it has no instances or is the first.
+  int first(int number) const {
+    const auto found = first_.find(number);
+    return found == first_.end() ? number : found->second;
+  }
+  std::vector<int> firsts(std::vector<int> numbers) const {
+    for (int& number : numbers) number = first(number);
+    return numbers;
+  }
+  bool isRepeat(int number) const { return first(number) != number; }
+  /// Of what stands in the first place.
+  std::vector<int> others(int number) const {
+    const auto found = others_.find(number);
+    return found == others_.end() ? std::vector<int>{} : found->second;
+  }
+  std::vector<int> repeats() const {
+    std::vector<int> numbers;
+    for (const auto& [first, others] : others_) numbers.insert(numbers.end(), others.begin(), others.end());
+    return numbers;
+  }
+
+ private:
+  std::map<int, int> first_;
+  std::map<int, std::vector<int>> others_;
+};
+
+class RepairingOnce {
+ public:
+  RepairingOnce(const Model& model, const RepairOptions& options,
+                const std::map<const TopoDS_TShape*, PartPlaces>& parts)
+      : model_(model),
+        options_(options),
+        parts_(parts),
+        faces_(model.shape, parts, TopAbs_FACE),
+        edges_(model.shape, parts, TopAbs_EDGE) {}
+
+  RepairReport run(const PlainRepair& repair, const Progress& progress) {
+    RepairReport report = repair(prepared(), once(), partOf(progress, 0, share_of_repair));
+    report.model.shape = everywhere(report.model.shape);
+    if (!report.model.shape.IsEqual(model_.shape))
+      report.after = analyze(report.model, analyzeOptions(options_), partOf(progress, share_of_repair, 1));
+    tellSeams(report);
+    tellMoves(report);
+    return report;
+  }
+
+ private:
+  static constexpr double share_of_repair = 0.9;
+
+  /// The model in which what stands in the first place is no instance any more: same numbers.
+  Model prepared() {
+    Model model = model_;
+    model.shape = withParts(model_.shape, [this](const TopoDS_Shape& place) -> TopoDS_Shape {
+      const auto part = parts_.find(place.TShape().get());
+      if (part == parts_.end() || !place.IsSame(part->second.front())) return {};
+      TopoDS_Shape& own = own_[part->first];
+      if (own.IsNull()) own = ownCopyOf(withoutPlace(place));
+      return placedAs(place, own);
+    });
+    return model;
+  }
+
+  RepairOptions once() const {
+    RepairOptions options = options_;
+    options.edges = edges_.firsts(options.edges);
+    options.fixed_faces = faces_.firsts(options.fixed_faces);
+    for (const int face : faces_.repeats()) options.fixed_faces.push_back(face);
+    return options;
+  }
+
+  /// Like the first place, all others; what did not change is what it was.
+  TopoDS_Shape everywhere(const TopoDS_Shape& repaired) {
+    std::map<const TopoDS_TShape*, TopoDS_Shape> now;
+    addParts(model_.shape, repaired, now);
+    return withParts(model_.shape, [&now](const TopoDS_Shape& place) -> TopoDS_Shape {
+      const auto part = now.find(place.TShape().get());
+      return part == now.end() ? TopoDS_Shape() : placedAs(place, part->second);
+    });
+  }
+
+  /// What the parts of the assembly became.
+  void addParts(const TopoDS_Shape& place, const TopoDS_Shape& repaired,
+                std::map<const TopoDS_TShape*, TopoDS_Shape>& now) const {
+    const TopoDS_TShape* part = place.TShape().get();
+    if (now.contains(part)) return;
+    if (const auto own = own_.find(part); own != own_.end()) {
+      now[part] = withoutPlace(repaired.IsPartner(own->second) ? place : repaired);
+    } else if (place.ShapeType() != TopAbs_COMPOUND) {
+      now[part] = withoutPlace(repaired);
+    } else {
+      TopoDS_Iterator of_repaired(repaired, false, true);
+      for (TopoDS_Iterator it(place, false, true); it.More(); it.Next(), of_repaired.Next())
+        addParts(it.Value(), of_repaired.Value(), now);
+    }
+  }
+
+  void tellSeams(RepairReport& report) const {
+    std::map<int, std::size_t> seam_of_edge;
+    for (std::size_t i = 0; i < report.seams.size(); ++i)
+      for (const int edge : report.seams[i].before.edges) seam_of_edge[edge] = i;
+    for (std::size_t i = 0; i < report.seams.size(); ++i) {
+      SeamRepair& seam = report.seams[i];
+      seam.after = report.after.seams[i];
+      const int edge = seam.before.edges.front(), first = edges_.first(edge);
+      if (first == edge) continue;
+      const SeamRepair& of_first = report.seams[seam_of_edge.at(first)];
+      seam.treated = of_first.treated;
+      const std::string instance = "instance of edge " + std::to_string(first) + ": ";
+      if (!of_first.reason.empty()) seam.reason = instance + of_first.reason;
+      if (!of_first.repaired) continue;
+      seam.repaired = isAsGood(seam.after.verdict, of_first.after.verdict);
+      seam.reason = seam.repaired ? "" : instance + "measured in this place it is less certain";
+    }
+  }
+
+  /// In what was asked for. The same seam may be less certain where coordinates are large.
+  bool isAsGood(const Verdict& verdict, const Verdict& of_first) const {
+    return verdict.seam_class == of_first.seam_class &&
+           verdict.level >= std::min(of_first.level, options_.level());
+  }
+
+  void tellMoves(RepairReport& report) const {
+    addInstances(report.moves, faces_, &FaceMove::face);
+    addInstances(report.converted, faces_, &FaceConversion::face);
+    addInstances(report.edge_moves, edges_, &EdgeMove::edge);
+  }
+
+  template <class What>
+  static void addInstances(std::vector<What>& told, const InstanceNumbers& numbers, int What::*number) {
+    const std::size_t count = told.size();
+    for (std::size_t i = 0; i < count; ++i)
+      for (const int other : numbers.others(told[i].*number)) {
+        told.push_back(told[i]);
+        told.back().*number = other;
+      }
+    std::ranges::sort(told, {}, number);
+  }
+
+  const Model& model_;
+  const RepairOptions& options_;
+  const std::map<const TopoDS_TShape*, PartPlaces>& parts_;
+  const InstanceNumbers faces_, edges_;
+  std::map<const TopoDS_TShape*, TopoDS_Shape> own_;  ///< copies for the first places, without place
+};
+
+}  // namespace
+
+RepairReport repairInstances(const Model& model, const RepairOptions& options, const PlainRepair& repair,
+                             const Progress& progress) {
+  if (options.match_mm > 0 || model.shape.IsNull()) return repair(model, options, progress);
+  const RepeatedParts repeated(model.shape);
+  if (repeated.parts().empty()) return repair(model, options, progress);
+  return RepairingOnce(model, options, repeated.parts()).run(repair, progress);
+}
+
+}  // namespace seamwright::occ

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/Cholesky>
+#include <Geom2dAPI_Interpolate.hxx>
+#include <Geom2d_BSplineCurve.hxx>
+#include <Precision.hxx>
+#include <TColStd_HArray1OfReal.hxx>
+#include <TColgp_HArray1OfPnt2d.hxx>
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include <seamwright/occ_adapter/convert/points.hpp>
+#include <seamwright/occ_adapter/repair/slide.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+using opencascade::handle;
+
+/// 1 at an end, 0 from a quarter of the edge on, with a continuous derivative.
+double fade(double from_end) {
+  constexpr double reach = 0.25;
+  const double t = std::clamp(from_end / reach, 0.0, 1.0);
+  return (1 - t) * (1 - t) * (1 + 2 * t);
+}
+
+/// Where an edge runs on a face that stays.
+class Slide {
+ public:
+  Slide(const FaceUse& stays, const FaceUse& moves, const handle<Geom_Surface>& moved, double gap_mm)
+      : surface_(stays.shape),
+        path_(pcurveOf(stays.edge, stays.shape, gap_mm)),
+        boundary_(pcurveOf(moves.edge, moves.shape, gap_mm)),
+        moved_(moved),
+        near_mm_(share_of_gap * gap_mm) {
+    for (const int end : {0, 1}) at_end_[end] = old(end).XY() - foot(end).XY();
+  }
+
+  std::optional<PathChange> path() const {
+    constexpr int looks = 32, fewest = 16, most = 512;
+    double largest_mm = 0;
+    for (int k = 0; k <= looks; ++k)
+      largest_mm = std::max(largest_mm, move_mm(static_cast<double>(k) / looks));
+    if (largest_mm <= near_mm_) return {};
+    for (int count = fewest; count <= most; count *= 2) {
+      const handle<Geom2d_Curve> curve = interpolated(count);
+      if (missed_mm(*curve, count) <= near_mm_) return PathChange{0, 0, curve, largest_mm};
+    }
+    return {};
+  }
+
+ private:
+  static constexpr double share_of_gap = 0.02;
+
+  double parameter(const Pcurve& path, double s) const { return path.first + s * (path.last - path.first); }
+  gp_Pnt2d old(double s) const { return path_.curve->Value(parameter(path_, s)); }
+  gp_Pnt2d foot(double s) const {
+    const gp_Pnt2d uv = boundary_.curve->Value(parameter(boundary_, s));
+    return surface_.nearest(moved_->Value(uv.X(), uv.Y()), old(s));
+  }
+  gp_Pnt2d at(double s) const {
+    if (s <= 0 || s >= 1) return old(s);
+    return {foot(s).XY() + fade(s) * at_end_[0] + fade(1 - s) * at_end_[1]};
+  }
+  double move_mm(double s) const { return surface_.at(old(s)).Distance(surface_.at(at(s))); }
+
+  handle<Geom2d_Curve> interpolated(int count) const {
+    const handle<TColgp_HArray1OfPnt2d> places = new TColgp_HArray1OfPnt2d(1, count + 1);
+    const handle<TColStd_HArray1OfReal> parameters = new TColStd_HArray1OfReal(1, count + 1);
+    for (int k = 0; k <= count; ++k) {
+      const double s = static_cast<double>(k) / count;
+      places->SetValue(k + 1, at(s));
+      parameters->SetValue(k + 1, k == count ? path_.last : parameter(path_, s));
+    }
+    Geom2dAPI_Interpolate interpolation(places, parameters, false, 0);
+    interpolation.Perform();
+    return handle<Geom2d_Curve>(interpolation.Curve());
+  }
+
+  double missed_mm(const Geom2d_Curve& curve, int count) const {
+    double missed_mm = 0;
+    for (int k = 0; k < count; ++k) {
+      const double s = (k + 0.5) / count;
+      missed_mm =
+          std::max(missed_mm, surface_.at(curve.Value(parameter(path_, s))).Distance(surface_.at(at(s))));
+    }
+    return missed_mm;
+  }
+
+  StayingSurface surface_;
+  Pcurve path_, boundary_;
+  handle<Geom_Surface> moved_;
+  double near_mm_;
+  std::array<gp_XY, 2> at_end_;
+};
+
+bool keepsAway(double value, double first, double last, bool is_periodic) {
+  constexpr double share = 0.02;
+  if (is_periodic || Precision::IsInfinite(first) || Precision::IsInfinite(last)) return true;
+  const double margin = share * (last - first);
+  return value > first + margin && value < last - margin;
+}
+
+}  // namespace
+
+gp_Pnt2d StayingSurface::nearest(const gp_Pnt& point, const gp_Pnt2d& start) const {
+  constexpr int most_steps = 10;
+  constexpr double near = 1e-10;
+  gp_Pnt2d uv = start;
+  for (int k = 0; k < most_steps; ++k) {
+    gp_Pnt at;
+    gp_Vec du, dv;
+    surface_.D1(uv.X(), uv.Y(), at, du, dv);
+    const gp_Vec to(at, point);
+    const Eigen::Matrix2d metric{{du.Dot(du), du.Dot(dv)}, {du.Dot(dv), dv.Dot(dv)}};
+    const Eigen::Vector2d step = metric.ldlt().solve(Eigen::Vector2d(to.Dot(du), to.Dot(dv)));
+    if (!step.allFinite()) return uv;
+    uv.SetXY(uv.XY() + gp_XY(step[0], step[1]));
+    if (step.dot(metric * step) <= near * near) break;
+  }
+  return uv;
+}
+
+gp_Pnt2d StayingSurface::within(const gp_Pnt2d& uv) const {
+  const auto clamped = [](double value, double first, double last, bool is_periodic) {
+    return is_periodic ? value : std::clamp(value, first, last);
+  };
+  return {clamped(uv.X(), surface_.FirstUParameter(), surface_.LastUParameter(), surface_.IsUPeriodic()),
+          clamped(uv.Y(), surface_.FirstVParameter(), surface_.LastVParameter(), surface_.IsVPeriodic())};
+}
+
+SurfaceJet StayingSurface::jet(const gp_Pnt2d& uv) const {
+  gp_Pnt p;
+  gp_Vec du, dv, duu, dvv, duv;
+  surface_.D2(uv.X(), uv.Y(), p, du, dv, duu, dvv, duv);
+  SurfaceJet jet;
+  jet.p = vector(p.XYZ());
+  jet.u = vector(du.XYZ());
+  jet.v = vector(dv.XYZ());
+  jet.uu = vector(duu.XYZ());
+  jet.uv = vector(duv.XYZ());
+  jet.vv = vector(dvv.XYZ());
+  return jet;
+}
+
+bool StayingSurface::surrounds(const Pcurve& path) const {
+  constexpr int looks = 32;
+  for (int k = 0; k <= looks; ++k) {
+    const gp_Pnt2d uv = path.curve->Value(path.first + (path.last - path.first) * k / looks);
+    if (!keepsAway(uv.X(), surface_.FirstUParameter(), surface_.LastUParameter(), surface_.IsUPeriodic()) ||
+        !keepsAway(uv.Y(), surface_.FirstVParameter(), surface_.LastVParameter(), surface_.IsVPeriodic()))
+      return false;
+  }
+  return true;
+}
+
+std::optional<PathChange> slidPath(int edge, const FaceUse& stays, const FaceUse& moves,
+                                   const handle<Geom_Surface>& moved, double gap_mm) {
+  std::optional<PathChange> change = Slide(stays, moves, moved, gap_mm).path();
+  if (change) {
+    change->edge = edge;
+    change->face = stays.face;
+  }
+  return change;
+}
+
+}  // namespace seamwright::occ
