@@ -114,7 +114,7 @@ class Steps {
     return result;
   }
 
-  std::map<std::string, Step> steps_;             ///< by what comes back
+  std::map<std::string, Step> steps_;  ///< by what comes back
   std::map<const TopLoc_Datum3D*, Step> own_;
 };
 

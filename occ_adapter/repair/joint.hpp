@@ -25,7 +25,7 @@ struct MovingFace {
   Displacement displacement;
   double budget_per_mm = 0;  ///< by how much the mean curvature may vary more
   double area_mm2 = 0;
-  double size_mm = 0;  ///< of the face, see sizeOf_mm()
+  double size_mm = 0;    ///< of the face, see sizeOf_mm()
   double stiffness = 1;  ///< above 1: it may spend so much less
   double restraint_mm =
       std::numeric_limits<double>::infinity();  ///< a move of this size costs as much as the budget

@@ -187,7 +187,7 @@ TEST_F(ReaderProcess, EndsWithItsParent) {
   const std::string note = folder_ / "pid";
   const std::string program =
       script("echo $$ > " + note + ".part; mv " + note + ".part " + note + "; exec " +
-             readerBesideThisProgram().string() + " write STEP afresh '' <>" + (folder_ / "fifo").string());
+             readerBesideThisProgram().string() + " write STEP afresh 1 '' <>" + (folder_ / "fifo").string());
   const Environment reader("SEAMWRIGHT_READER", program);
   const pid_t parent = fork();
   if (parent == 0) {
