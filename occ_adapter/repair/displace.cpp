@@ -276,17 +276,20 @@ Reasons failuresOf(const Part& part, const std::vector<double>& missed, bool wit
   return failures;
 }
 
-/// Of the edges that slide.
+/// Of the edges that slide. Those of seams to be repaired may do so although no face moves: the edge alone may be what strays.
 std::vector<PathChange> slidPaths(const Part& part, const RepairTask& task,
                                   const std::vector<FaceChange>& changes) {
   std::vector<PathChange> paths;
   for (const Joint& joint : part.joints)
     for (const int k : {0, 1}) {
       if (!joint.slides[k]) continue;
-      const auto change = std::ranges::find(changes, joint.sides[1 - k].face, &FaceChange::face);
-      if (change == changes.end()) continue;
-      if (auto path = slidPath(task.seams[joint.seam].edges.front(), joint.sides[k], joint.sides[1 - k],
-                               change->surface, task.options.tolerance.gap_mm))
+      const FaceUse &stays = joint.sides[k], &moves = joint.sides[1 - k];
+      const auto change = std::ranges::find(changes, moves.face, &FaceChange::face);
+      const bool is_moved = change != changes.end();
+      if (!is_moved && joint.ask != Ask::Join) continue;
+      const handle<Geom_Surface> surface = is_moved ? change->surface : BRep_Tool::Surface(moves.shape);
+      if (auto path = slidPath(task.seams[joint.seam].edges.front(), stays, moves, surface,
+                               task.options.tolerance.gap_mm))
         paths.push_back(*std::move(path));
     }
   return paths;

@@ -123,7 +123,7 @@ class Moving {
         rounds_.giveUp(failures);
         continue;
       }
-      if (changes.empty()) break;
+      if (changes.empty() && paths.empty()) break;
       Faults faults = faultsOf(changes, paths, proving);
       if (!faults.any()) {
         std::map<int, FaceMove> judged = judgedFaces(changes);

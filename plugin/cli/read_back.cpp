@@ -18,6 +18,7 @@ WrittenOutcome writeOutcome(const Outcome& outcome, const OutputArguments& argum
     how.unchanged = outcome.unchanged;
     ProgressBar writing(doing("writing", arguments.model)), checking(doing("checking", arguments.model));
     const auto accepted = [&](const report::WrittenModel& model) {
+      if (outcome.accepts) outcome.accepts(model);
       written.model = model;
       prepareReport();
     };

@@ -21,6 +21,8 @@ struct Outcome {
   bool unchanged = false;             ///< as of occ::WriteOptions
   report::ModelCounts memory;         ///< of the model
   const occ::Model* given = nullptr;  ///< as of report::FileJudge
+  /// Asked before a file takes its place; what it throws is passed on, and nothing is written then.
+  std::function<void(const report::WrittenModel&)> accepts = {};
 };
 
 struct WrittenOutcome {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <exception>
 #include <optional>
 #include <seamwright/occ_adapter/model/write.hpp>
 #include <seamwright/plugin/cli/output.hpp>
@@ -10,6 +12,8 @@
 #include <seamwright/plugin/report/repair_json.hpp>
 #include <seamwright/plugin/report/repair_table.hpp>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace seamwright::cli {
 
@@ -36,6 +40,67 @@ occ::RepairReport repaired(const occ::Model& model, const std::string& path,
                            const occ::RepairOptions& options) {
   ProgressBar bar(doing("repairing", path));
   return occ::repair(model, options, bar.progress());
+}
+
+/// A file that is not kept: the repair made seams of it worse that these faces have.
+struct FacesToHold : std::exception {
+  std::vector<int> faces;
+  double repair_s = 0;  ///< spent on the repair
+};
+
+/// A repair, and its file.
+struct Done {
+  occ::RepairReport report;
+  WrittenOutcome written;
+};
+
+/// \param asked in the report; \param used may hold more faces
+/// \throws FacesToHold if \p may_refuse
+Done repairedAndWritten(const occ::Model& model, const RepairArguments& arguments,
+                        const occ::RepairOptions& asked, const occ::RepairOptions& used, double spent_s,
+                        bool may_refuse) {
+  Done done;
+  done.report = repaired(model, arguments.model, used);
+  occ::RepairReport& report = done.report;
+  report.repair_s += spent_s;
+  const auto json = [&](const std::optional<report::WrittenModel>& output) {
+    return report::toJson(report, asked, output);
+  };
+  const auto accepts = [&](const report::WrittenModel& written) {
+    FacesToHold hold;
+    hold.repair_s = report.repair_s;
+    for (const occ::SeamResult& seam : written.worse)
+      for (const int face : seam.faces)
+        if (std::ranges::count(used.fixed_faces, face) + std::ranges::count(hold.faces, face) == 0)
+          hold.faces.push_back(face);
+    if (may_refuse && !hold.faces.empty()) throw hold;
+  };
+  done.written = writeOutcome({&report.model, report::judgeOf(report, asked), json, !report.changed(),
+                               report::countsOf(report.after, report.model), &model, accepts},
+                              arguments.output);
+  return done;
+}
+
+/// Seams that the repair made worse in the file get the faces back that they had: these are held, and the rest is repaired again.
+Done repairForFile(const occ::Model& model, const RepairArguments& arguments,
+                   const occ::RepairOptions& asked) {
+  constexpr int most_repeats = 2;
+  occ::RepairOptions used = asked;
+  double spent_s = 0;
+  for (int repeat = 0;; ++repeat) {
+    try {
+      return repairedAndWritten(model, arguments, asked, used, spent_s, repeat < most_repeats);
+    } catch (const FacesToHold& hold) {
+      spent_s = hold.repair_s;
+      std::string names;
+      for (const int face : hold.faces) names += (names.empty() ? "" : ", ") + std::to_string(face);
+      used.fixed_faces.insert(used.fixed_faces.end(), hold.faces.begin(), hold.faces.end());
+      warn(arguments.output.model,
+           {"a repair that moves these faces makes seams of theirs worse in the file, so "
+            "they are held: " +
+            names});
+    }
+  }
 }
 
 }  // namespace
@@ -81,17 +146,10 @@ int runRepair(const RepairArguments& arguments) {
   const occ::RepairOptions options = optionsOf(arguments);
   requireOutputs(arguments.model, arguments.output);
   const occ::Model model = readUnderBar(arguments.model);
-  const occ::RepairReport report = repaired(model, arguments.model, options);
-  const auto json = [&](const std::optional<report::WrittenModel>& output) {
-    return report::toJson(report, options, output);
-  };
-  const report::ModelCounts memory = report::countsOf(report.after, report.model);
-  const WrittenOutcome written =
-      writeOutcome({&report.model, report::judgeOf(report, options), json, !report.changed(), memory, &model},
-                   arguments.output);
+  const auto [report, written] = repairForFile(model, arguments, options);
   writeStandardOutput(report::toTable(report, written.model));
   warn(arguments.model, report.before.model.notes);
-  warnOf(written, arguments.output, memory);
+  warnOf(written, arguments.output, report::countsOf(report.after, report.model));
   return report.after.passed() && written.model->found.defects == 0 ? 0 : 1;
 }
 

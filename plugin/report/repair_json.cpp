@@ -47,12 +47,6 @@ ordered_json arrayOf(const std::vector<Item>& items) {
   return array;
 }
 
-using FacePair = std::pair<int, int>;
-
-FacePair facesOf(const occ::SeamResult& seam) {
-  return std::minmax(seam.faces[0], seam.faces[1]);
-}
-
 std::set<FacePair> facesWithCommonEdge(const occ::Report& report) {
   std::set<FacePair> faces;
   for (const occ::SeamResult& seam : report.seams)

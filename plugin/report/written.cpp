@@ -35,16 +35,24 @@ std::string renumbering(const ModelCounts& file, const ModelCounts& memory) {
          " added by reading; numbers of edges differ from Edge" + std::to_string(first) + " on";
 }
 
-/// Between the same faces seams are told apart by their edges no more: reading may number them anew.
+std::map<FacePair, int> defectsBetween(const std::vector<occ::SeamResult>& seams) {
+  std::map<FacePair, int> counts;
+  for (const occ::SeamResult& seam : seams) ++counts[facesOf(seam)];
+  return counts;
+}
+
+/// Defects beyond those that are known. Between the same faces seams are told apart by their edges no more: reading may number them anew.
+std::vector<occ::SeamResult> beyond(std::map<FacePair, int> known,
+                                    const std::vector<occ::SeamResult>& seams) {
+  std::vector<occ::SeamResult> found;
+  for (const occ::SeamResult& seam : seams)
+    if (--known[facesOf(seam)] < 0) found.push_back(seam);
+  return found;
+}
+
 std::vector<occ::SeamResult> onlyInFile(const ModelCounts& file, const ModelCounts& memory) {
   if (file.faces != memory.faces) return {};
-  const auto facesOf = [](const occ::SeamResult& seam) { return std::minmax(seam.faces[0], seam.faces[1]); };
-  std::map<std::pair<int, int>, int> in_memory;
-  for (const occ::SeamResult& seam : memory.defect_seams) ++in_memory[facesOf(seam)];
-  std::vector<occ::SeamResult> found;
-  for (const occ::SeamResult& seam : file.defect_seams)
-    if (--in_memory[facesOf(seam)] < 0) found.push_back(seam);
-  return found;
+  return beyond(defectsBetween(memory.defect_seams), file.defect_seams);
 }
 
 std::string namesOf(const std::vector<occ::SeamResult>& seams) {
@@ -115,9 +123,11 @@ class JudgedWriting {
   }
 
   WrittenModel readBack(const std::filesystem::path& waiting) const {
-    WrittenModel found{target_, occ::targetFormat(target_), countsIn(waiting), {}, {}};
+    WrittenModel found{target_, occ::targetFormat(target_), countsIn(waiting), {}, {}, {}};
     found.only_in_file = onlyInFile(found.found, judge_.memory);
-    if (!found.only_in_file.empty() && spoilt_) found.spoilt_by_writing = countSpoilt(found.only_in_file);
+    if (found.only_in_file.empty() || !spoilt_) return found;
+    found.spoilt_by_writing = countSpoilt(found.only_in_file);
+    found.worse = worseThanGiven(found.only_in_file);
     return found;
   }
 
@@ -145,8 +155,19 @@ class JudgedWriting {
     try {
       occ::writeModel(*judge_.given, target_, how, progress_.writing);
     } catch (const Refused&) {
-      spoilt_ = onlyInFile(found, judge_.count(*judge_.given, progress_.checking));
+      const ModelCounts given = judge_.count(*judge_.given, progress_.checking);
+      spoilt_ = onlyInFile(found, given);
+      given_ = given.defect_seams;
     }
+  }
+
+  /// Of seams that are defects in the file alone.
+  std::vector<occ::SeamResult> worseThanGiven(const std::vector<occ::SeamResult>& only_in_file) const {
+    std::map<FacePair, int> known = defectsBetween(given_);
+    for (const auto& [faces, count] : defectsBetween(judge_.memory.defect_seams)) known[faces] -= count;
+    for (auto& [faces, count] : known) count = std::max(count, 0);
+    for (const auto& [faces, count] : defectsBetween(*spoilt_)) known[faces] += count;
+    return beyond(std::move(known), only_in_file);
   }
 
   int countSpoilt(const std::vector<occ::SeamResult>& seams) const {
@@ -174,9 +195,14 @@ class JudgedWriting {
   WrittenModel last_;  ///< what was read back last
   std::optional<JudgedFile> file_;
   std::optional<std::vector<occ::SeamResult>> spoilt_;  ///< what writing the model before the change spoils
+  std::vector<occ::SeamResult> given_;                  ///< defects of the model before the change
 };
 
 }  // namespace
+
+FacePair facesOf(const occ::SeamResult& seam) {
+  return std::minmax(seam.faces[0], seam.faces[1]);
+}
 
 ModelCounts countsOf(const occ::Report& report, const occ::Model& model) {
   return {.edges = report.model.edges,

@@ -11,9 +11,15 @@
 #include <seamwright/occ_adapter/model/write.hpp>
 #include <seamwright/occ_adapter/progress.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace seamwright::report {
+
+using FacePair = std::pair<int, int>;
+
+/// The faces beside a seam, ascending.
+FacePair facesOf(const occ::SeamResult& seam);
 
 /// What is counted in a changed model, in memory and in its file.
 struct ModelCounts {
@@ -38,6 +44,9 @@ struct WrittenModel {
   std::vector<occ::SeamResult> only_in_file = {};
   /// Of those: how many are defects too where the model before the change is written and read. Nothing where that was not looked at.
   std::optional<int> spoilt_by_writing = {};
+  /// Of those: the seams that the change made worse. Between their faces the model before the change has fewer defects, in memory and, written and
+  /// read, in its file. None where that was not looked at.
+  std::vector<occ::SeamResult> worse = {};
 
   /// It has no more defects and no more open edges.
   bool isAsGoodAs(const ModelCounts& memory) const {

@@ -121,12 +121,24 @@ TEST_F(WriteJudged, DefectsInTheFileAloneAreNamedWithWhatWritingSpoils) {
   ASSERT_EQ(written_file.model.only_in_file.size(), 2u);
   EXPECT_EQ(written_file.model.only_in_file[0].edges, std::vector{4});
   EXPECT_EQ(written_file.model.spoilt_by_writing, 1);
+  ASSERT_EQ(written_file.model.worse.size(), 1u);
+  EXPECT_EQ(written_file.model.worse[0].edges, std::vector{4});
   const std::string text = written_file.model.differences(memory);
   EXPECT_THAT(text, HasSubstr("Edge4 (faces 2-3), Edge7 (faces 3-6); writing spoils 1 of them"));
   const nlohmann::json json = toJson(written_file.model);
   EXPECT_EQ(json["only_in_file"][1]["faces"], (std::vector{3, 6}));
   EXPECT_EQ(json["spoilt_by_writing"], 1);
   expectFiles(2);
+}
+
+TEST_F(WriteJudged, ASeamThatIsRepairedInMemoryAloneIsNotWorse) {
+  const ModelCounts memory = counts({}), given = counts({defect(5, 2, 1)});
+  const ModelCounts file = counts({defect(3, 1, 2), defect(4, 1, 2)});
+  const JudgedFile written_file = written({file, file, given, given, file}, memory, true);
+  EXPECT_EQ(written_file.model.only_in_file.size(), 2u);
+  EXPECT_EQ(written_file.model.spoilt_by_writing, 0);
+  ASSERT_EQ(written_file.model.worse.size(), 1u);
+  EXPECT_EQ(written_file.model.worse[0].edges, std::vector{4});
 }
 
 TEST_F(WriteJudged, WhereFacesAreOthersNoSeamIsNamed) {
