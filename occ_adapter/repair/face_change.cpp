@@ -237,15 +237,31 @@ double diagonal_mm(const TopoDS_Face& face) {
   return std::sqrt(box.SquareExtent());
 }
 
-/// The mean width of a face beside a seam; 0 where the face can't be integrated.
-double widthBeside_mm(const TopoDS_Face& face, double length_mm) {
+/// 0 where the face can't be integrated.
+double area_mm2(const TopoDS_Face& face) {
   try {
     GProp_GProps area;
     BRepGProp::SurfaceProperties(face, area);
-    return std::min(diagonal_mm(face), area.Mass() / length_mm);
+    return area.Mass();
   } catch (const Standard_Failure&) {
     return 0;
   }
+}
+
+/// 0 where the edges can't be integrated.
+double perimeter_mm(const TopoDS_Face& face) {
+  try {
+    GProp_GProps boundary;
+    BRepGProp::LinearProperties(face, boundary);
+    return boundary.Mass();
+  } catch (const Standard_Failure&) {
+    return 0;
+  }
+}
+
+/// The mean width of a face beside a seam; 0 where the face can't be integrated.
+double widthBeside_mm(const TopoDS_Face& face, double length_mm) {
+  return std::min(diagonal_mm(face), area_mm2(face) / length_mm);
 }
 
 }  // namespace
@@ -268,12 +284,9 @@ NeededVariation neededVariation(const TopoDS_Shape& shape, const std::vector<Sea
 }
 
 double sizeOf_mm(const TopoDS_Face& face) {
-  GProp_GProps surface, boundary;
-  BRepGProp::SurfaceProperties(face, surface);
-  BRepGProp::LinearProperties(face, boundary);
-  const double of_area_mm = 4 * std::sqrt(2.0) * surface.Mass() / boundary.Mass(),
-               largest_mm = diagonal_mm(face);
-  return of_area_mm > 0 ? std::min(of_area_mm, largest_mm) : largest_mm;
+  const double area = area_mm2(face), perimeter = perimeter_mm(face), largest_mm = diagonal_mm(face);
+  if (!(area > 0 && perimeter > 0)) return largest_mm;
+  return std::min(4 * std::sqrt(2.0) * area / perimeter, largest_mm);
 }
 
 MoveLimits moveLimits(const TopoDS_Shape& shape, const std::vector<SeamResult>& seams,

@@ -464,7 +464,9 @@ double missedShareOf(const Joint& joint, const JointSample& sample) {
   const Missing missing = missingOf(joint, sample, now);
   missed = larger(missed, missing.slide.norm() / sample.limits.slide_mm);
   missed = larger(missed, missing.overlap.norm() / sample.limits.overlap_mm);
-  if (joint.order < 1) return larger(missed, turned_rad(sample) / joint.turn_rad);
+  // To close the gap of a short sharp edge its faces have to turn: they do so as little as they can, see addConditions().
+  if (joint.order < 1)
+    return joint.ask == Ask::Join ? missed : larger(missed, turned_rad(sample) / joint.turn_rad);
   if (!now.normal) return missed;
   missed = larger(missed, share(now.normal->norm(), sample.kept_angle_rad, sample.limits.angle_rad));
   if (joint.order < 2) return missed;

@@ -77,7 +77,8 @@ TEST_P(RepairModels, BrokenByNoise) {
   EXPECT_GT(counts.treated, 0);
   EXPECT_GE(counts.share(), 0.95);
   EXPECT_LE(counts.largest_angle_deg, 0.1);
-  EXPECT_LE(counts.largest_on_face, 20);
+  // Kinks of up to 6 degrees that fade over strips of some 30 mm: 4 θ w / 27.
+  EXPECT_LE(counts.largest_on_face, 30);
 }
 
 /// Edge20 of it may have G2 before: its bounds don't tell.
