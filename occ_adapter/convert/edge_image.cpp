@@ -226,4 +226,11 @@ handle<Geom_Curve> meanImage(const std::vector<EdgeSide>& sides, double first, d
   return approximated(sides, first, last, near_mm);
 }
 
+double distanceFromImage_mm(const TopoDS_Edge& edge, const TopoDS_Face& face, double gap_mm) {
+  double first = 0, last = 0;
+  const handle<Geom_Curve> curve = BRep_Tool::Curve(edge, first, last);
+  if (curve.IsNull()) return 0;
+  return largestDistance_mm({{surfaceOf(face), pathOrBuilt(edge, face, gap_mm)}}, *curve, first, last);
+}
+
 }  // namespace seamwright::occ

@@ -52,6 +52,9 @@ double largestDistance_mm(const PlacedSurface& a, const PlacedSurface& b, const 
 /// Of the images of paths from a curve over [first, last], at points_of_an_edge points.
 double largestDistance_mm(const std::vector<EdgeSide>& sides, const Geom_Curve& curve, double first,
                           double last);
+/// Of an edge's curve from its image on the face, at equal parameters, whatever its tolerance says; 0 without a curve.
+/// \throws std::runtime_error as pcurveOf().
+double distanceFromImage_mm(const TopoDS_Edge& edge, const TopoDS_Face& face, double gap_mm);
 
 /// The mean of the images of the paths as a curve over [first, last]: exact where the paths are parameter lines of polynomial splines, or one
 /// of a rational one, run along at constant speed; else approximated.

@@ -166,17 +166,33 @@ std::string whyNot(const SeamResult& seam, const std::vector<FaceChoice>& faces,
            : seam.note.starts_with("not measured") ? seam.note
                                                    : "it can't be measured: " + seam.note;
   if (surelyReaches(seam.figures, options.tolerance, options.level())) return "it has the level already";
-  if (std::ranges::any_of(seam.faces, [&faces](int face) { return faces[face].may_move; }))
-    return seam.figures.fold_at && !sharp ? whyFolded(seam.figures) : "";
+  if (const std::string why = whyNoneMoves(seam.faces, faces); !why.empty()) {
+    const bool may_be_trimmed =
+        std::ranges::any_of(seam.faces, [&faces](int face) { return faces[face].may_be_trimmed; });
+    return may_be_trimmed && isOfGapAlone(seam, sharp, options.tolerance, options.level()) ? "" : why;
+  }
+  return seam.figures.fold_at && !sharp ? whyFolded(seam.figures) : "";
+}
+
+}  // namespace
+
+std::string whyNoneMoves(const std::array<int, 2>& faces, const std::vector<FaceChoice>& choices) {
+  if (std::ranges::any_of(faces, [&choices](int face) { return choices[face].may_move; })) return {};
   std::string why;
-  for (const int face : seam.faces) {
-    if (!why.empty() && face == seam.faces[0]) continue;
-    why += (why.empty() ? "face " : "; face ") + std::to_string(face) + " " + faces[face].cannot_move;
+  for (const int face : faces) {
+    if (!why.empty() && face == faces[0]) continue;
+    why += (why.empty() ? "face " : "; face ") + std::to_string(face) + " " + choices[face].cannot_move;
   }
   return why;
 }
 
-}  // namespace
+bool isOfGapAlone(const SeamResult& seam, bool sharp, const ContinuityTolerance& tolerance, Level level) {
+  if (seam.kind != SeamKind::Shared || seam.faces[0] == seam.faces[1]) return false;
+  if (seam.verdict.level != Level::None) return false;
+  SeamFigures closed = seam.figures;
+  closed.gap_mm = Figure{0, 0, 0};
+  return sharp || judge(closed, tolerance, Level::G1).level >= level;
+}
 
 Choice choose(const Model& model, const Report& before, const RepairOptions& options) {
   requireNumbers("face", options.fixed_faces, model.faceCount());

@@ -291,7 +291,7 @@ class FairSolving {
   /// Passes until all samples are met, or more weight does not help. Where weight is far from helping knots are wanting: what it did goes.
   void solve(bool is_first, bool may_refine) {
     constexpr int most_passes = 10;
-    constexpr double diverges = 4, far = 3, wanting_knots = 10;
+    constexpr double diverges = 4, wanting_knots = 10;
     StepSystem system = prepare();
     std::optional<State> plain, best;
     double best_ratio = std::numeric_limits<double>::infinity(), last = best_ratio;
@@ -311,7 +311,7 @@ class FairSolving {
       last = worst();
       if (ease_ > 1) continue;
       if (worst() > diverges * best_ratio) break;
-      if (idle >= (worst() > far ? 2 : 4)) break;
+      if (idle >= 4) break;
       if (pass == 0 && is_first) continue;
       if (!plain) plain = state();
       addWeight();

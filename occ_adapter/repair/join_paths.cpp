@@ -9,6 +9,8 @@
 #include <array>
 #include <optional>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include <seamwright/occ_adapter/analyze/workers.hpp>
 #include <seamwright/occ_adapter/convert/edge_image.hpp>
@@ -51,7 +53,7 @@ struct NewPaths {
 class PathJoin {
  public:
   /// Of the gap tolerance that new paths may be apart.
-  static constexpr double share = 0.25;
+  static constexpr double share = 0.6;
 
   PathJoin(const Seam& seam, double gap_mm)
       : sides_{TrimmedSide(seam.sides[0]), TrimmedSide(seam.sides[1])}, gap_mm_(gap_mm) {}
@@ -180,17 +182,14 @@ class PathSolver {
   Outcome join(std::size_t i) const {
     const Seam& seam = task_.seams[i];
     const double gap_mm = task_.options.tolerance.gap_mm;
-    if (!isOfPathsAlone(i)) return {{}, "moving the edge alone does not make it flow"};
+    if (!isOfPathsAlone(i)) return {{}, "another path of the edge alone does not make it smooth"};
     const PathJoin paths(seam, gap_mm);
     if (const double apart_mm = paths.apartAtEnds_mm(); apart_mm > PathJoin::share * gap_mm) {
       std::ostringstream text;
       text << "its sides are " << apart_mm << " mm apart at an end";
       return {{}, text.str()};
     }
-    const bool first = mayTrim(seam, 0), second = mayTrim(seam, 1);
-    for (const std::array<bool, 2> change :
-         {std::array{false, true}, std::array{true, false}, std::array{true, true}}) {
-      if ((change[0] && !first) || (change[1] && !second)) continue;
+    for (const std::array<bool, 2>& change : waysToChange(seam)) {
       const std::optional<NewPaths> joined = paths.join(change);
       if (!joined) continue;
       const bool is_too_far = std::ranges::any_of(std::array{0, 1}, [&](int side) {
@@ -207,18 +206,25 @@ class PathSolver {
     return {{}, "the surfaces do not meet near the edge"};
   }
 
+  /// Which sides may have another path; first the one alone that strays further from the edge's curve, or runs along it at another speed.
+  std::vector<std::array<bool, 2>> waysToChange(const Seam& seam) const {
+    std::array<double, 2> stray_mm{};
+    for (const int side : {0, 1})
+      stray_mm[side] =
+          distanceFromImage_mm(seam.sides[side].edge, seam.sides[side].shape, task_.options.tolerance.gap_mm);
+    std::vector<std::array<bool, 2>> ways = {{false, true}, {true, false}, {true, true}};
+    if (stray_mm[0] > stray_mm[1]) std::swap(ways[0], ways[1]);
+    std::erase_if(ways, [&](const std::array<bool, 2>& change) {
+      return (change[0] && !mayTrim(seam, 0)) || (change[1] && !mayTrim(seam, 1));
+    });
+    return ways;
+  }
+
   /// But for its gap the seam is as it should be, and the paths are the edge's own.
   bool isOfPathsAlone(std::size_t i) const {
-    const Seam& seam = task_.seams[i];
-    if (seam.kind != SeamKind::Shared || seam.sides[0].face == seam.sides[1].face) return false;
-    for (const FaceUse& side : seam.sides)
+    for (const FaceUse& side : task_.seams[i].sides)
       if (pathOf(side.edge, side.shape).curve.IsNull()) return false;
-    const SeamResult& before = task_.before[i];
-    if (before.verdict.level != Level::None) return false;
-    SeamFigures closed = before.figures;
-    closed.gap_mm = Figure{0, 0, 0};
-    return task_.sharp[i] ||
-           judge(closed, task_.options.tolerance, Level::G1).level >= levelOf(task_.orders[i]);
+    return isOfGapAlone(task_.before[i], task_.sharp[i], task_.options.tolerance, levelOf(task_.orders[i]));
   }
 
   bool mayTrim(const Seam& seam, int side) const { return task_.faces[seam.sides[side].face].may_be_trimmed; }

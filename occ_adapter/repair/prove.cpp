@@ -180,14 +180,6 @@ SurfaceDifference differenceOn(const TopoDS_Face& face, const handle<Geom_BSplin
   return differenceOf(BRep_Tool::Surface(face), after, range);
 }
 
-/// How far the edge's curve is from its image on the face, whatever its tolerance says.
-double away_mm(const TopoDS_Edge& edge, const TopoDS_Face& face, double gap_mm) {
-  double first = 0, last = 0;
-  const handle<Geom_Curve> curve = BRep_Tool::Curve(edge, first, last);
-  if (curve.IsNull()) return 0;
-  return largestDistance_mm({{surfaceOf(face), pathOrBuilt(edge, face, gap_mm)}}, *curve, first, last);
-}
-
 /// Largest tolerance of an edge of the face beyond what it may have; 0 if there is none.
 double strayEdge_mm(const TopoDS_Face& before, const TopoDS_Face& after, double gap_mm) {
   double largest = 0;
@@ -196,7 +188,7 @@ double strayEdge_mm(const TopoDS_Face& before, const TopoDS_Face& after, double 
     const double tolerance = BRep_Tool::Tolerance(TopoDS::Edge(is.Current()));
     const TopoDS_Edge& old = TopoDS::Edge(was.Current());
     const double allowed = 2 * std::max(gap_mm, BRep_Tool::Tolerance(old));
-    if (tolerance > allowed && tolerance > 2 * away_mm(old, before, gap_mm))
+    if (tolerance > allowed && tolerance > 2 * distanceFromImage_mm(old, before, gap_mm))
       largest = std::max(largest, tolerance);
   }
   return largest;

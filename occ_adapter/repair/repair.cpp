@@ -89,7 +89,13 @@ class Repairing {
     keep(improveByPaths(taskOf(faces, orders), partOf(progress, 0, share_of_paths)));
     for (std::size_t i = 0; i < orders.size(); ++i) {
       if (isRepaired(now_.after.seams[i], sharp_[i], options_.tolerance, levelOf(order))) orders[i] = 0;
-      if (orders[i] > 0) now_.reasons[i].clear();
+      if (orders[i] == 0) continue;
+      if (const std::string why = whyNoneMoves(now_.after.seams[i].faces, faces); !why.empty()) {
+        now_.reasons[i] = why + "; " + now_.reasons[i];
+        orders[i] = 0;
+      } else {
+        now_.reasons[i].clear();
+      }
     }
     keep(improveByMoves(taskOf(faces, orders), partOf(progress, share_of_paths, share_of_moves)));
     const std::vector<int> asked = orders;
