@@ -10,6 +10,7 @@
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <exception>
+#include <map>
 #include <optional>
 #include <sstream>
 
@@ -180,19 +181,39 @@ SurfaceDifference differenceOn(const TopoDS_Face& face, const handle<Geom_BSplin
   return differenceOf(BRep_Tool::Surface(face), after, range);
 }
 
-/// Largest tolerance of an edge of the face beyond what it may have; 0 if there is none.
-double strayEdge_mm(const TopoDS_Face& before, const TopoDS_Face& after, double gap_mm) {
-  double largest = 0;
-  TopExp_Explorer was(before, TopAbs_EDGE), is(after, TopAbs_EDGE);
-  for (; is.More(); is.Next(), was.Next()) {
-    const double tolerance = BRep_Tool::Tolerance(TopoDS::Edge(is.Current()));
-    const TopoDS_Edge& old = TopoDS::Edge(was.Current());
-    const double allowed = 2 * std::max(gap_mm, BRep_Tool::Tolerance(old));
-    if (tolerance > allowed && tolerance > 2 * distanceFromImage_mm(old, before, gap_mm))
-      largest = std::max(largest, tolerance);
+/// Where edges were that stray. The curve of such an edge may lie on one of its faces, and comes to lie halfway between both.
+class GivenEdges {
+ public:
+  explicit GivenEdges(const RepairTask& task)
+      : edges_(partsOf(task.shape, TopAbs_EDGE)), gap_mm_(task.options.tolerance.gap_mm) {
+    for (const SeamResult& seam : task.before)
+      for (const int edge : seam.edges)
+        if (seam.figures.gap_mm) gaps_mm_[edge] = std::max(gaps_mm_[edge], seam.figures.gap_mm->lower);
   }
-  return largest;
-}
+
+  /// Largest tolerance of an edge of the face beyond what it may have; 0 if there is none.
+  double stray_mm(const TopoDS_Face& before, const TopoDS_Face& after) const {
+    double largest = 0;
+    TopExp_Explorer was(before, TopAbs_EDGE), is(after, TopAbs_EDGE);
+    for (; is.More(); is.Next(), was.Next()) {
+      const double tolerance = BRep_Tool::Tolerance(TopoDS::Edge(is.Current()));
+      if (isStray(TopoDS::Edge(was.Current()), before, tolerance)) largest = std::max(largest, tolerance);
+    }
+    return largest;
+  }
+
+ private:
+  bool isStray(const TopoDS_Edge& old, const TopoDS_Face& face, double tolerance) const {
+    if (tolerance <= 2 * std::max(gap_mm_, BRep_Tool::Tolerance(old))) return false;
+    const auto gap = gaps_mm_.find(edges_.FindIndex(old));
+    if (gap != gaps_mm_.end() && tolerance <= gap->second) return false;
+    return tolerance > 2 * distanceFromImage_mm(old, face, gap_mm_);
+  }
+
+  TopTools_IndexedMapOfShape edges_;
+  std::map<int, double> gaps_mm_;  ///< by edge
+  double gap_mm_;
+};
 
 bool areBetweenTheSameEdges(const Seam& a, const Seam& b) {
   return a.kind == SeamKind::Matched && b.kind == SeamKind::Matched && a.edges == b.edges;
@@ -219,10 +240,10 @@ bool isThatOf(const Seam& found, const Seam& seam, double share, const std::vect
 }
 
 /// What is wrong with a face's change; empty if nothing.
-std::string whyNotFace(const RepairTask& task, const FaceChange& change, const TopoDS_Face& before,
-                       const TopoDS_Face& after) {
+std::string whyNotFace(const RepairTask& task, const GivenEdges& edges, const FaceChange& change,
+                       const TopoDS_Face& before, const TopoDS_Face& after) {
   const double gap_mm = task.options.tolerance.gap_mm;
-  const double stray = strayEdge_mm(before, after, gap_mm);
+  const double stray = edges.stray_mm(before, after);
   if (stray > 0) return "an edge of it would be " + shortText(stray) + " mm away";
   const auto spline = handle<Geom_BSplineSurface>::DownCast(change.surface);
   if (spline.IsNull()) return {};
@@ -240,12 +261,13 @@ void judgeFaces(const RepairTask& task, const std::vector<FaceChange>& changes, 
                 Proof& proof, const Progress& progress) {
   const TopTools_IndexedMapOfShape before = partsOf(task.shape, TopAbs_FACE);
   const TopTools_IndexedMapOfShape after = partsOf(changed, TopAbs_FACE);
+  const GivenEdges edges(task);
   std::vector<std::string> whys(changes.size());
   std::vector<std::exception_ptr> errors(changes.size());
   const auto judge = [&](std::size_t k) {
     try {
       const int face = changes[k].face;
-      whys[k] = whyNotFace(task, changes[k], TopoDS::Face(before(face)), TopoDS::Face(after(face)));
+      whys[k] = whyNotFace(task, edges, changes[k], TopoDS::Face(before(face)), TopoDS::Face(after(face)));
     } catch (...) {
       errors[k] = std::current_exception();
     }
