@@ -181,7 +181,7 @@ SurfaceDifference differenceOn(const TopoDS_Face& face, const handle<Geom_BSplin
   return differenceOf(BRep_Tool::Surface(face), after, range);
 }
 
-/// Where edges were that stray. The curve of such an edge may lie on one of its faces, and comes to lie halfway between both.
+/// Where edges were that stray. The curve of such an edge may lie on one of its faces, and comes to lie between both.
 class GivenEdges {
  public:
   explicit GivenEdges(const RepairTask& task)
@@ -204,10 +204,9 @@ class GivenEdges {
 
  private:
   bool isStray(const TopoDS_Edge& old, const TopoDS_Face& face, double tolerance) const {
-    if (tolerance <= 2 * std::max(gap_mm_, BRep_Tool::Tolerance(old))) return false;
     const auto gap = gaps_mm_.find(edges_.FindIndex(old));
-    if (gap != gaps_mm_.end() && tolerance <= gap->second) return false;
-    return tolerance > 2 * distanceFromImage_mm(old, face, gap_mm_);
+    const double was = std::max(BRep_Tool::Tolerance(old), gap == gaps_mm_.end() ? 0 : gap->second);
+    return tolerance > 2 * std::max(gap_mm_, was) && tolerance > 2 * distanceFromImage_mm(old, face, gap_mm_);
   }
 
   TopTools_IndexedMapOfShape edges_;

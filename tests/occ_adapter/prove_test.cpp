@@ -257,6 +257,12 @@ TEST(Prove, NoEdgeStaysBehindItsFaces) {
   EXPECT_EQ(far.faces.at(3), "an edge of it would be 0.024 mm away");
 }
 
+TEST(Prove, AnEdgeThatStrayedMayRunBetweenItsFaces) {
+  const ProofCase strips(chain({{}, {.kink = 0.5 * degree}, {.step_mm = 0.06}}, 1e-7),
+                         picking({first_seam_edge}));
+  EXPECT_THAT(strips.proofOf({strips.changed(2, {})}).faces, IsEmpty());
+}
+
 TEST(Prove, ChecksThatPassedPassStill) {
   const ProofCase strips(chain({{}, {.kink = 0.5 * degree}, {}}, 1e-7), {});
   const std::vector<FaceChange> changes = {strips.changed(2, {}), strips.changed(3, {})};

@@ -62,16 +62,21 @@ handle<Geom2d_Curve> strayed(const handle<Geom2d_Curve>& path, double first, dou
   return handle<Geom2d_Curve>(interpolation.Curve());
 }
 
-/// The shape as splines, the path of one edge on one of its faces led astray. \param edge from 1.
-TopoDS_Shape withStrayPath(const TopoDS_Shape& shape, int edge, double aside, double ahead) {
-  const TopoDS_Shape splines = BRepBuilderAPI_NurbsConvert(shape, true).Shape();
+/// Its path on one of its faces led astray. \param edge from 1.
+void leadAstray(const TopoDS_Shape& shape, int edge, double aside, double ahead) {
   TopTools_IndexedDataMapOfShapeListOfShape faces;
-  TopExp::MapShapesAndAncestors(splines, TopAbs_EDGE, TopAbs_FACE, faces);
+  TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces);
   const TopoDS_Edge changed = TopoDS::Edge(faces.FindKey(edge));
   const TopoDS_Face face = TopoDS::Face(faces(edge).First());
   double first = 0, last = 0;
   const handle<Geom2d_Curve> path = BRep_Tool::CurveOnSurface(changed, face, first, last);
   BRep_Builder().UpdateEdge(changed, strayed(path, first, last, aside, ahead), face, 0.3);
+}
+
+/// The shape as splines, with an edge that strays.
+TopoDS_Shape withStrayPath(const TopoDS_Shape& shape, int edge, double aside, double ahead) {
+  TopoDS_Shape splines = BRepBuilderAPI_NurbsConvert(shape, true).Shape();
+  leadAstray(splines, edge, aside, ahead);
   return splines;
 }
 
@@ -111,6 +116,19 @@ TEST(RepairCauses, SharpEdgesWithAStrayPathStaySharpAndMeet) {
       std::mt19937 random(20400);
       expectLedAnew(transformed(shape, randomMotion(random)), edge);
     }
+}
+
+TEST(RepairCauses, EdgesBetweenFacesWithoutPolesAreLedAnewToo) {
+  for (const int edge : {1, 4, 7, 12}) {
+    SCOPED_TRACE("edge " + std::to_string(edge));
+    const TopoDS_Shape planes = BRepPrimAPI_MakeBox(20, 30, 40).Shape();
+    leadAstray(planes, edge, 0.1, 0.05);
+    expectLedAnew(planes, edge);
+  }
+  // The circle between a cylinder and its lid.
+  const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(10, 20).Shape();
+  leadAstray(cylinder, 1, 0.1, 0);
+  expectLedAnew(cylinder, 1);
 }
 
 TEST(RepairCauses, AnEdgeThatRunsAtTwoSpeedsIsLedAnew) {
