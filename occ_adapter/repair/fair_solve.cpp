@@ -64,6 +64,9 @@ class FairSolving {
   }
 
   double worst() const { return missed_.empty() ? 0 : std::ranges::max(missed_); }
+  std::size_t worstJoint() const {
+    return static_cast<std::size_t>(std::ranges::max_element(missed_) - missed_.begin());
+  }
 
   void look() {
     missed_.assign(joints_.size(), 0);
@@ -291,11 +294,12 @@ class FairSolving {
   /// Passes until all samples are met, or more weight does not help. Where weight is far from helping knots are wanting: what it did goes.
   void solve(bool is_first, bool may_refine) {
     constexpr int most_passes = 10;
-    constexpr double diverges = 4, wanting_knots = 10;
+    constexpr double diverges = 4, far = 3, wanting_knots = 10;
     StepSystem system = prepare();
     std::optional<State> plain, best;
     double best_ratio = std::numeric_limits<double>::infinity(), last = best_ratio;
     int idle = 0;
+    std::size_t last_joint = worstJoint();
     for (int pass = 0; pass < most_passes; ++pass) {
       easeBy(pass == 0 ? std::numeric_limits<double>::infinity() : ease_);
       if (progress_ && !progress_(0)) throw Cancelled();
@@ -307,11 +311,17 @@ class FairSolving {
         best = state();
       }
       if (worst() <= enough) return;
-      idle = ease_ > 1 || worst() <= helps * last ? 0 : idle + 1;
+      const std::size_t worst_joint = worstJoint();
+      // Where another joint is worst now, weight has not been tried yet.
+      if (ease_ > 1 || worst() <= helps * last)
+        idle = 0;
+      else if (worst_joint == last_joint)
+        ++idle;
       last = worst();
+      last_joint = worst_joint;
       if (ease_ > 1) continue;
       if (worst() > diverges * best_ratio) break;
-      if (idle >= 4) break;
+      if (idle >= (worst() > far ? 2 : 4)) break;
       if (pass == 0 && is_first) continue;
       if (!plain) plain = state();
       addWeight();
