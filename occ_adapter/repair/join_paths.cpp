@@ -47,7 +47,7 @@ using PathMeeting = std::array<gp_Pnt2d, 2>;
 struct NewPaths {
   std::array<handle<Geom2d_Curve>, 2> curves;
   double apart_mm = 0;
-  double move_mm = 0;  ///< of a point of the edge
+  double move_mm = 0;  ///< of the edge, across itself
 };
 
 class PathJoin {
@@ -128,18 +128,43 @@ class PathJoin {
     const int count = static_cast<int>(points.size()) - 1;
     for (int k = 0; k <= between * count; ++k) {
       const double s = static_cast<double>(k) / (between * count);
-      const PathMeeting before = shown(s);
-      PathMeeting after = before;
+      PathMeeting after = shown(s);
       for (const int side : {0, 1}) {
         if (paths.curves[side].IsNull()) continue;
         const PlanarPath& path = sides_[side].path();
         after[side] = paths.curves[side]->Value(path.first + s * (path.last - path.first));
-        paths.move_mm = std::max(paths.move_mm,
-                                 sides_[side].point(before[side]).Distance(sides_[side].point(after[side])));
       }
       paths.apart_mm = std::max(paths.apart_mm, apart(after));
     }
+    for (const int side : {0, 1})
+      if (may_change[side]) paths.move_mm = std::max(paths.move_mm, move_mm(side, *paths.curves[side]));
     return paths;
+  }
+
+  /// How far the image of a new path is from that of the old one. The speeds at which they are run along are no matter.
+  double move_mm(int side, const Geom2d_Curve& curve) const {
+    constexpr int old_points = 512, places = 64;
+    const PlanarPath& path = sides_[side].path();
+    std::vector<gp_Pnt> old;
+    for (int k = 0; k <= old_points; ++k)
+      old.push_back(sides_[side].point(sides_[side].at(static_cast<double>(k) / old_points)));
+    double largest_mm = 0;
+    for (int k = 0; k <= places; ++k) {
+      const gp_Pnt point =
+          sides_[side].point(curve.Value(path.first + (path.last - path.first) * k / places));
+      double nearest_mm = point.Distance(old.front());
+      for (std::size_t i = 1; i < old.size(); ++i)
+        nearest_mm = std::min(nearest_mm, distance_mm(point, old[i - 1], old[i]));
+      largest_mm = std::max(largest_mm, nearest_mm);
+    }
+    return largest_mm;
+  }
+
+  static double distance_mm(const gp_Pnt& point, const gp_Pnt& from, const gp_Pnt& to) {
+    const gp_Vec along(from, to), away(from, point);
+    const double square = along.SquareMagnitude();
+    const double share = square > 0 ? std::clamp(away.Dot(along) / square, 0.0, 1.0) : 0;
+    return (away - share * along).Magnitude();
   }
 
   std::array<TrimmedSide, 2> sides_;

@@ -210,7 +210,7 @@ class Repairing {
     now_.seams = seamsIn(done.shape, now_.seams);
     for (const FaceChange& change : done.changes) now_.moves[change.face] += change.largest_move_mm;
     for (auto& [face, move] : done.judged) now_.judged[face] = std::move(move);
-    for (const PathChange& change : done.paths) now_.edge_moves[change.edge] = change.largest_move_mm;
+    for (const PathChange& change : done.paths) now_.edge_moves[change.edge] += change.largest_move_mm;
     for (std::size_t i = 0; i < done.orders.size(); ++i) {
       // By how much a fold may turn depends on the seams beside it, and has been judged.
       if (SeamResult& kept = now_.to_keep[i]; isFold(kept, options_.tolerance))
@@ -220,17 +220,21 @@ class Repairing {
       if (done.orders[i] == options_.order || sharp_[i])
         now_.reasons[i].clear();
       else
-        now_.reasons[i] = "G1 reached; G2: " + whyNoG2(now_.reasons[i]);
+        now_.reasons[i] = g1_reached + whyNoG2(now_.reasons[i]);
     }
   }
 
-  static constexpr const char* g1_too = "; G1: ";
+  static constexpr const char *g1_too = "; G1: ", *g1_reached = "G1 reached; G2: ";
 
   static std::string whyNoG2(const std::string& reason) { return reason.substr(0, reason.find(g1_too)); }
 
   /// Of a seam that was asked for G2 before, and for G1 now, both reasons.
   void tellWhy(std::size_t i, const std::string& why) {
     std::string& reason = now_.reasons[i];
+    if (reason.starts_with(g1_reached)) {
+      reason = g1_reached + whyNoG2(why);
+      return;
+    }
     const bool both = options_.order > 1 && !reason.empty() && why.find(g1_too) == std::string::npos;
     reason = both ? whyNoG2(reason) + g1_too + why : why;
   }

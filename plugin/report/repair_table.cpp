@@ -75,7 +75,12 @@ void writeHead(std::ostream& out, const occ::RepairReport& report, const RepairS
   else
     out << (report.changed() ? "no face moved" : "nothing moved");
   if (summary.worse_faces > 0) out << ", " << summary.worse_faces << " less fair than before";
-  if (!report.edge_moves.empty()) out << ", " << counted(report.edge_moves.size(), "edge") << " on new paths";
+  if (!report.edge_moves.empty()) {
+    const double furthest_mm =
+        std::ranges::max_element(report.edge_moves, {}, &occ::EdgeMove::largest_move_mm)->largest_move_mm;
+    out << ", " << counted(report.edge_moves.size(), "edge") << " on new paths, by at most "
+        << number(furthest_mm, "%.3g") << " mm";
+  }
   if (!report.converted.empty()) out << ", " << counted(report.converted.size(), "face") << " made a spline";
   out << ";  read in " << number(report.before.read_s, "%.2f") << " s, repaired in "
       << number(report.repair_s, "%.2f") << " s\n";

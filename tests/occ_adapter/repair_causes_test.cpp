@@ -133,7 +133,12 @@ TEST(RepairCauses, EdgesBetweenFacesWithoutPolesAreLedAnewToo) {
 
 TEST(RepairCauses, AnEdgeThatRunsAtTwoSpeedsIsLedAnew) {
   // Both paths are the same line in space: only their speed differs.
-  expectLedAnew(withStrayPath(BRepPrimAPI_MakeBox(20, 30, 40).Shape(), 3, 0, 0.1), 3);
+  const TopoDS_Shape shape = withStrayPath(BRepPrimAPI_MakeBox(20, 30, 40).Shape(), 3, 0, 0.1);
+  expectLedAnew(shape, 3);
+  EXPECT_LT(repairedModel(shape, {}).edge_moves.at(0).largest_move_mm, 1e-6);
+  RepairOptions near;
+  near.max_move_mm = 0.001;
+  EXPECT_TRUE(seamOf(repairedModel(shape, near), 3).repaired);
 }
 
 TEST(RepairCauses, NoEdgeIsLedFurtherThanAllowedOrOnAFixedFace) {
