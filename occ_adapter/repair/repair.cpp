@@ -210,7 +210,7 @@ class Repairing {
     now_.seams = seamsIn(done.shape, now_.seams);
     for (const FaceChange& change : done.changes) now_.moves[change.face] += change.largest_move_mm;
     for (auto& [face, move] : done.judged) now_.judged[face] = std::move(move);
-    for (const PathChange& change : done.paths) now_.edge_moves[change.edge] += change.largest_move_mm;
+    addEdgeMoves(done.paths);
     for (std::size_t i = 0; i < done.orders.size(); ++i) {
       // By how much a fold may turn depends on the seams beside it, and has been judged.
       if (SeamResult& kept = now_.to_keep[i]; isFold(kept, options_.tolerance))
@@ -222,6 +222,14 @@ class Repairing {
       else
         now_.reasons[i] = g1_reached + whyNoG2(now_.reasons[i]);
     }
+  }
+
+  /// Of an edge with new paths on both faces the larger one counts.
+  void addEdgeMoves(const std::vector<PathChange>& paths) {
+    std::map<int, double> moves;
+    for (const PathChange& change : paths)
+      moves[change.edge] = std::max(moves[change.edge], change.largest_move_mm);
+    for (const auto& [edge, move_mm] : moves) now_.edge_moves[edge] += move_mm;
   }
 
   static constexpr const char *g1_too = "; G1: ", *g1_reached = "G1 reached; G2: ";

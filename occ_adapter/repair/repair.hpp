@@ -64,7 +64,8 @@ struct FaceMove {
 /// An edge that runs elsewhere on the faces beside it, or along them at another speed.
 struct EdgeMove {
   int edge = 0;
-  double largest_move_mm = 0;  ///< of a point of it on a face
+  double largest_move_mm =
+      0;  ///< how far its image on a face is from the one before; the sum where it moved several times
 };
 
 /// A face that was a plane, a cylinder, ... and is a polynomial spline with the same parameters now.

@@ -141,6 +141,15 @@ TEST(RepairCauses, AnEdgeThatRunsAtTwoSpeedsIsLedAnew) {
   EXPECT_TRUE(seamOf(repairedModel(shape, near), 3).repaired);
 }
 
+TEST(RepairCauses, NoEdgeMovesFurtherThanItStrayed) {
+  TopoDS_Shape box = BRepPrimAPI_MakeBox(20, 30, 40).Shape();
+  leadAstray(box, 1, 0.1, 0);
+  const RepairReport report = repairedModel(box, {});
+  ASSERT_EQ(report.edge_moves.size(), 1);
+  EXPECT_LT(report.edge_moves[0].largest_move_mm, 0.101);
+  EXPECT_GT(report.edge_moves[0].largest_move_mm, 0.09);
+}
+
 TEST(RepairCauses, NoEdgeIsLedFurtherThanAllowedOrOnAFixedFace) {
   const TopoDS_Shape shape = withStrayPath(BRepPrimAPI_MakeBox(20, 30, 40).Shape(), 1, 0.2, 0);
   RepairOptions near;
