@@ -63,6 +63,44 @@ void insertKnots(Geom_BSplineSurface& surface, int direction, const KnotLine& li
     surface.InsertVKnots(knots, multiplicities, 0, false);
 }
 
+/// Whether the denominator varies in u, and in v. Of an arc moved along a curve it varies along the arc alone.
+std::array<bool, 2> denominatorVaries(const Geom_BSplineSurface& surface) {
+  std::array<bool, 2> varies = {false, false};
+  const auto differ = [](double a, double b) { return std::abs(a - b) > Epsilon(std::abs(a)); };
+  for (int i = 1; i <= surface.NbUPoles(); ++i)
+    for (int j = 1; j <= surface.NbVPoles(); ++j) {
+      if (differ(surface.Weight(i, j), surface.Weight(1, j))) varies[0] = true;
+      if (differ(surface.Weight(i, j), surface.Weight(i, 1))) varies[1] = true;
+    }
+  return varies;
+}
+
+/// Along a side. \param side poles, as SurfaceBasis counts them
+bool denominatorVaries(const Geom_BSplineSurface& surface, const std::vector<int>& side) {
+  constexpr double same_share = 1e-6;
+  const auto weight = [&surface](int pole) {
+    return surface.Weight(pole / surface.NbVPoles() + 1, pole % surface.NbVPoles() + 1);
+  };
+  return std::ranges::any_of(side, [&](int pole) {
+    return !(std::abs(weight(pole) - weight(side.front())) <= same_share * weight(side.front()));
+  });
+}
+
+/// Of a rational surface: it has continuous first derivatives.
+bool hasSmoothDenominator(const Geom_BSplineSurface& surface) {
+  const std::array<bool, 2> varies = denominatorVaries(surface);
+  const auto isSmooth = [&](int direction) {
+    const std::vector<int> multiplicities = knotLine(surface, direction).multiplicities;
+    const int degree = direction == 0 ? surface.UDegree() : surface.VDegree();
+    const bool is_periodic = direction == 0 ? surface.IsUPeriodic() : surface.IsVPeriodic();
+    const auto inner = std::ranges::subrange(multiplicities.begin() + (is_periodic ? 0 : 1),
+                                             multiplicities.end() - (is_periodic ? 0 : 1));
+    return !varies[direction] ||
+           std::ranges::all_of(inner, [degree](int multiplicity) { return multiplicity < degree; });
+  };
+  return (varies[0] || varies[1]) && isSmooth(0) && isSmooth(1);
+}
+
 /// What the first line has in its inside and the second lacks.
 KnotLine lacking(const KnotLine& has, const KnotLine& lacks) {
   KnotLine missing;
@@ -211,6 +249,10 @@ Displacement::Displacement(const PreparedSurface& given, bool given_periodic,
   const Eigen::RowVector3d centre = given_poles_.colwise().mean();
   size_mm_ = 2 * (given_poles_.rowwise() - centre).rowwise().norm().maxCoeff();
   basis_ = SurfaceBasis(*shape_);
+  has_denominator_ =
+      hasSmoothDenominator(*given_) &&
+      std::ranges::none_of(collapsedSides(given_basis_, given_poles_, near_mm_),
+                           [this](const auto& side) { return denominatorVaries(*given_, side); });
   number();
   coefficients_ = PointRows::Zero(count_, 3);
 }
@@ -237,8 +279,13 @@ void Displacement::number() {
 
 PoleShares Displacement::shares(const Eigen::Vector2d& uv, const Eigen::Vector2d& into) const {
   PoleShares shares = basis_.at(uv, into, 2);
+  if (has_denominator_) divide(shares, given_basis_.denominator(uv, into));
   for (int& pole : shares.poles) pole = number_[pole];
   return shares;
+}
+
+double Displacement::denominator(const Eigen::Vector2d& uv) const {
+  return has_denominator_ ? given_basis_.denominator(uv, Eigen::Vector2d::Zero())[0] : 1;
 }
 
 std::vector<int> Displacement::coefficientsNear(const Eigen::Vector2d& uv) const {
@@ -402,13 +449,13 @@ void joinSides(const SurfaceBasis& basis, const PointRows& given, double near_mm
 
 }  // namespace
 
-/// X in the knots of both, and the moves of its poles. W D, with W the denominator of X, is a spline of the sum of their degrees in these knots: a fit by
-/// least squares finds it.
+/// X in the knots of both, and the moves of its poles. W D, with W the denominator of X, is a spline in these knots, of the sum of their degrees if D has
+/// no denominator: a fit by least squares finds it.
 std::pair<SplineSurface, PointRows> Displacement::refined() const {
   const SplineSurface x = copied(given_), d = copied(shape_);
-  const bool is_rational = x->IsURational() || x->IsVRational();
+  const std::array<bool, 2> varies = denominatorVaries(*x);
   const auto degree = [&](int direction, int of_x, int of_d) {
-    return std::max(of_x, is_rational ? degrees_[direction] + of_d : of_d);
+    return std::max(of_x, varies[direction] && !has_denominator_ ? degrees_[direction] + of_d : of_d);
   };
   x->IncreaseDegree(degree(0, x->UDegree(), d->UDegree()), degree(1, x->VDegree(), d->VDegree()));
   // In a higher degree the knots of D stand as often as its smoothness there asks for.
@@ -424,13 +471,14 @@ std::pair<SplineSurface, PointRows> Displacement::refined() const {
   Eigen::MatrixXd weights = Eigen::MatrixXd::Ones(rows, columns);
   for (int i = 0; i < rows; ++i)
     for (int j = 0; j < columns; ++j) weights(i, j) = x->Weight(i + 1, j + 1);
-  const Eigen::MatrixXd sum = x_u * weights * x_v.transpose();
+  Eigen::MatrixXd factor = x_u * weights * x_v.transpose();
+  if (has_denominator_) factor.setConstant(weights(0, 0));
   PointRows moves(static_cast<Eigen::Index>(rows) * columns, 3);
   for (int k = 0; k < 3; ++k) {
     Eigen::MatrixXd own(basis_.u().poles, basis_.v().poles);
     for (int i = 0; i < own.rows(); ++i)
       for (int j = 0; j < own.cols(); ++j) own(i, j) = coefficients_(number_[basis_.pole(i, j)], k);
-    const Eigen::MatrixXd values = sum.cwiseProduct(d_u * own * d_v.transpose());
+    const Eigen::MatrixXd values = factor.cwiseProduct(d_u * own * d_v.transpose());
     const Eigen::MatrixXd half = fit_u.solve(values);
     const Eigen::MatrixXd fitted = fit_v.solve(half.transpose()).transpose();
     for (int i = 0; i < rows; ++i)

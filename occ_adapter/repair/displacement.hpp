@@ -21,7 +21,8 @@ struct EnergyBlock {
 };
 
 /// X + D: a surface X that is given and a displacement D, a spline over the same domain with few knots of its own. D has degree 3 at least and
-/// simple knots, so it bends nowhere sharply, whatever knots X has. It is periodic where X is; where X ends at itself with a seam that is to be repaired
+/// simple knots, so it bends nowhere sharply, whatever knots X has. If X has a denominator with continuous derivatives D is divided by it, over its value
+/// at the first pole: so X + D has the degree of X, or of D. It is periodic where X is; where X ends at itself with a seam that is to be repaired
 /// it may bend as sharply as X.
 /// Sides of X that are one point, or within \p near_mm one, have one coefficient.
 class Displacement {
@@ -49,6 +50,8 @@ class Displacement {
   SurfaceJet given(const Eigen::Vector2d& uv, const Eigen::Vector2d& into) const;
   SurfaceJet moved(SurfaceJet given, const PoleShares& shares) const;
   JetNoise noise(const SurfaceJet& jet) const { return noiseOf(jet, given_basis_); }
+  /// Of D, 1 if it has none.
+  double denominator(const Eigen::Vector2d& uv) const;
   const SurfaceBasis& givenBasis() const { return given_basis_; }
   const SurfaceBasis& basis() const { return basis_; }
   const opencascade::handle<Geom_BSplineSurface>& givenSurface() const { return given_; }
@@ -64,7 +67,7 @@ class Displacement {
 
   double size_mm() const { return size_mm_; }
   struct Moved {
-    /// X + D in the knots of both, for a rational X in the sum of the degrees of its denominator and D.
+    /// X + D in the knots of both; in the sum of the degrees of the denominator and D if D is not divided by it.
     opencascade::handle<Geom_BSplineSurface> surface;
     /// No point of the face moves by more: the largest move of a pole of its part of X in these knots, with what made a side one point.
     double largest_move_mm = 0;
@@ -88,7 +91,8 @@ class Displacement {
   std::array<double, 4> range_;
   double near_mm_;
   bool given_periodic_;
-  std::array<int, 2> degrees_;  ///< of the denominator of X
+  std::array<int, 2> degrees_;    ///< of the denominator of X
+  bool has_denominator_ = false;  ///< D has that of X
   SurfaceBasis given_basis_, basis_;
   PointRows given_poles_;
   std::vector<int> number_;  ///< by pole of D: its coefficient

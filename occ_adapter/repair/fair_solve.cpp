@@ -18,6 +18,9 @@ constexpr double enough = 0.6;
 /// More weight, or more knots, help if they make the worst miss so much smaller.
 constexpr double helps = 0.7;
 
+/// What misses more wants knots. If it still does with knots of its own, it can't be had together with the rest.
+constexpr double wanting_knots = 10;
+
 class FairSolving {
  public:
   FairSolving(const std::vector<Joint>& joints, const ContinuityTolerance& tolerance, MovingFaces& movers,
@@ -38,7 +41,8 @@ class FairSolving {
       const double before = refinement == 0 ? std::numeric_limits<double>::infinity() : worst();
       if (unknowns_ > 0) solve(start.is_new, refinement < most_refinements);
       in_vain = worst() > helps * before ? in_vain + 1 : 0;
-      if (worst() <= enough || refinement == most_refinements || in_vain > 1 || !refine()) break;
+      const bool is_hopeless = in_vain > 1 || (refinement > 0 && worst() > wanting_knots);
+      if (worst() <= enough || refinement == most_refinements || is_hopeless || !refine()) break;
     }
     FairResult result{missed_, {}};
     for (std::size_t j = 0; j < joints_.size(); ++j)
@@ -294,7 +298,7 @@ class FairSolving {
   /// Passes until all samples are met, or more weight does not help. Where weight is far from helping knots are wanting: what it did goes.
   void solve(bool is_first, bool may_refine) {
     constexpr int most_passes = 10;
-    constexpr double diverges = 4, far = 3, wanting_knots = 10;
+    constexpr double diverges = 4, far = 3, stands_still = 0.01;
     StepSystem system = prepare();
     std::optional<State> plain, best;
     double best_ratio = std::numeric_limits<double>::infinity(), last = best_ratio;
@@ -316,7 +320,7 @@ class FairSolving {
       if (ease_ > 1 || worst() <= helps * last)
         idle = 0;
       else if (worst_joint == last_joint)
-        ++idle;
+        idle += plain && std::abs(worst() - last) < stands_still * last ? 2 : 1;
       last = worst();
       last_joint = worst_joint;
       if (ease_ > 1) continue;

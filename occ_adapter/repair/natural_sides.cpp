@@ -90,10 +90,29 @@ NaturalSides::NaturalSides(const std::vector<Joint>& joints, const std::vector<b
   }
 }
 
+bool NaturalSides::haveSameDenominator(const Side& a, const Side& b, const MovingFaces& movers) {
+  const auto denominator = [&movers](const Side& side, double s) {
+    const Displacement& displacement = movers.at(side.face).displacement;
+    const SplineAxis &own = along(side, movers),
+                     &other = side.fixed == 0 ? displacement.basis().u() : displacement.basis().v();
+    const double t = own.first + (side.forward ? s : 1 - s) * (own.last - own.first),
+                 at = side.at_last ? other.last : other.first;
+    return displacement.denominator(side.fixed == 0 ? Eigen::Vector2d(at, t) : Eigen::Vector2d(t, at));
+  };
+  const int looks = 2 * along(a, movers).poles;
+  for (int look = 0; look <= looks; ++look) {
+    const double s = static_cast<double>(look) / looks, of_a = denominator(a, s);
+    if (!(std::abs(of_a - denominator(b, s)) <= same_place * of_a)) return false;
+  }
+  return true;
+}
+
 void NaturalSides::tie(const Side& a, const Side& b, const MovingFaces& movers) {
   if (a.face == b.face) return;
   tied_.emplace_back(a, b);
-  if (!haveSameKnots(along(a, movers), a.forward, along(b, movers), b.forward)) return;
+  if (!haveSameKnots(along(a, movers), a.forward, along(b, movers), b.forward) ||
+      !haveSameDenominator(a, b, movers))
+    return;
   const std::vector<int> of_a = coefficients(a, movers), of_b = coefficients(b, movers);
   const PointRows &at_a = movers.at(a.face).displacement.coefficients(),
                   &at_b = movers.at(b.face).displacement.coefficients();

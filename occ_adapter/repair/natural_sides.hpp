@@ -15,7 +15,7 @@
 namespace seamwright::occ {
 
 /// Where two faces meet along whole sides of their surfaces both sides are displaced as one: what they have of a gap stays as it is, to rounding. For that
-/// their displacements need the same knots along the side. Beside a face that stays a side has the freedom of the gap tolerance: without it most vertices
+/// their displacements need the same knots and the same denominator along the side. Beside a face that stays a side has the freedom of the gap tolerance: without it most vertices
 /// there could not be repaired.
 class NaturalSides {
  public:
@@ -40,6 +40,7 @@ class NaturalSides {
   static const SplineAxis& along(const Side& side, const MovingFaces& movers);
   static std::vector<int> coefficients(const Side& side, const MovingFaces& movers);
   static std::optional<Side> find(const Joint& joint, std::size_t k, const MovingFaces& movers);
+  static bool haveSameDenominator(const Side& a, const Side& b, const MovingFaces& movers);
   void tie(const Side& a, const Side& b, const MovingFaces& movers);
 
   std::map<int, int> offset_;                 ///< by face

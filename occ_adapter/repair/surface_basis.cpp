@@ -95,7 +95,8 @@ SurfaceBasis::SurfaceBasis(const Geom_BSplineSurface& surface) : u_(axisU(surfac
     for (int j = 0; j < v_.poles; ++j) weights_[pole(i, j)] = surface.Weight(i + 1, j + 1);
 }
 
-PoleShares SurfaceBasis::at(const Eigen::Vector2d& uv, const Eigen::Vector2d& into, int order) const {
+PoleShares SurfaceBasis::ofNumerator(const Eigen::Vector2d& uv, const Eigen::Vector2d& into,
+                                     int order) const {
   double u = uv[0], v = uv[1];
   const int span_u = u_.span(u, into[0]), span_v = v_.span(v, into[1]);
   const Eigen::MatrixXd a = bspline::basisDerivatives(u_.degree, u_.knots, span_u, u, order);
@@ -115,18 +116,29 @@ PoleShares SurfaceBasis::at(const Eigen::Vector2d& uv, const Eigen::Vector2d& in
       if (order > 1) share.tail<3>() << a(2, i) * b(0, j), a(1, i) * b(1, j), a(0, i) * b(2, j);
       share *= weight;
     }
-  if (weights_.size() == 0) return shares;
-  // The derivatives of sum N w P / sum N w by the rule for quotients.
+  return shares;
+}
+
+PoleShares SurfaceBasis::at(const Eigen::Vector2d& uv, const Eigen::Vector2d& into, int order) const {
+  PoleShares shares = ofNumerator(uv, into, order);
+  if (weights_.size() > 0) divide(shares, shares.share.rowwise().sum());
+  return shares;
+}
+
+Eigen::VectorXd SurfaceBasis::denominator(const Eigen::Vector2d& uv, const Eigen::Vector2d& into) const {
+  if (weights_.size() == 0) return {};
+  return ofNumerator(uv, into, 2).share.rowwise().sum() / weights_[0];
+}
+
+void divide(PoleShares& shares, const Eigen::VectorXd& w) {
   auto& s = shares.share;
-  const Eigen::VectorXd w = s.rowwise().sum();
   s.row(0) /= w[0];
   s.row(1) = (s.row(1) - w[1] * s.row(0)) / w[0];
   s.row(2) = (s.row(2) - w[2] * s.row(0)) / w[0];
-  if (order < 2) return shares;
+  if (s.rows() < 6) return;
   s.row(3) = (s.row(3) - 2 * w[1] * s.row(1) - w[3] * s.row(0)) / w[0];
   s.row(4) = (s.row(4) - w[1] * s.row(2) - w[2] * s.row(1) - w[4] * s.row(0)) / w[0];
   s.row(5) = (s.row(5) - 2 * w[2] * s.row(2) - w[5] * s.row(0)) / w[0];
-  return shares;
 }
 
 PointRows polesOf(const Geom_BSplineSurface& surface) {

@@ -53,11 +53,19 @@ class SurfaceBasis {
   /// \param into on knot lines the polynomials on that side. \param order of the highest derivatives, 1 or 2.
   PoleShares at(const Eigen::Vector2d& uv, const Eigen::Vector2d& into = Eigen::Vector2d::Zero(),
                 int order = 2) const;
+  /// The denominator and its derivatives, as the rows of PoleShares, over its value at the first pole; empty if the surface is polynomial.
+  Eigen::VectorXd denominator(const Eigen::Vector2d& uv, const Eigen::Vector2d& into) const;
 
  private:
+  /// Shares in the numerator.
+  PoleShares ofNumerator(const Eigen::Vector2d& uv, const Eigen::Vector2d& into, int order) const;
+
   SplineAxis u_, v_;
   Eigen::VectorXd weights_;
 };
+
+/// Shares in a numerator become those in the quotient. \param denominator with its derivatives, as the rows of the shares
+void divide(PoleShares& shares, const Eigen::VectorXd& denominator);
 
 PointRows polesOf(const Geom_BSplineSurface& surface);
 /// Poles with equal coordinates are not touched.

@@ -66,7 +66,7 @@ Eigen::Vector3d moveAt(const Displacement& displacement, double u, double v) {
   for (int i = 0; i < basis.u().poles; ++i)
     for (int j = 0; j < basis.v().poles; ++j)
       sum += of_u[i] * of_v[j] * displacement.coefficients().row(basis.pole(i, j)).transpose();
-  return sum;
+  return sum / displacement.denominator({u, v});
 }
 
 void moveAnyhow(Displacement& displacement, std::mt19937& generator, double size) {
@@ -107,16 +107,55 @@ Spline unevenSheet(std::mt19937& generator, int degree_u, int degree_v) {
   return surface;
 }
 
-/// The denominator is what it was, so moves of moved surfaces need no higher degree.
+void setRandomWeights(const Spline& surface, std::mt19937& generator) {
+  for (int i = 1; i <= surface->NbUPoles(); ++i)
+    for (int j = 1; j <= surface->NbVPoles(); ++j)
+      surface->SetWeight(i, j, 1 + std::abs(random(generator, 0.5)));
+}
+
+/// Over its value at the first pole.
+double denominatorAt(const Spline& surface, double u, double v) {
+  const occ::SurfaceBasis basis(*surface);
+  const Eigen::VectorXd of_u = functionsAt(basis.u(), u), of_v = functionsAt(basis.v(), v);
+  double sum = 0;
+  for (int i = 0; i < basis.u().poles; ++i)
+    for (int j = 0; j < basis.v().poles; ++j) sum += of_u[i] * of_v[j] * surface->Weight(i + 1, j + 1);
+  return sum / surface->Weight(1, 1);
+}
+
+/// So moves of it need no higher degree, however often it moves.
+TEST(Displacement, HasASmoothDenominatorOfItsSurface) {
+  std::mt19937 generator(20331);
+  for (const auto& [degree_u, degree_v] : {std::pair(2, 3), std::pair(3, 3), std::pair(4, 2)}) {
+    const Spline given = sheet(generator, degree_u + 4, degree_v + 4, degree_u, degree_v);
+    given->InsertUKnot(0.2, degree_u - 1, 1e-9);
+    setRandomWeights(given, generator);
+    const std::array degrees = {degree_u, degree_v};
+    Spline now = given;
+    for (int turn = 0; turn < 3; ++turn) {
+      Displacement next(now, wholeOf(now), 4, near_mm, false, degrees);
+      forGrid(given, [&](double u, double v) {
+        EXPECT_NEAR(next.denominator({u, v}), denominatorAt(given, u, v), 1e-10);
+      });
+      moveAnyhow(next, generator, 0.5);
+      EXPECT_LT(largestError_mm(now, next), 1e-10);
+      now = next.moved().surface;
+      EXPECT_EQ(now->UDegree(), std::max(3, degree_u));
+      EXPECT_EQ(now->VDegree(), std::max(3, degree_v));
+    }
+  }
+}
+
+/// Where the denominator bends D has none. The denominator is what it was, so moves of moved surfaces need no higher degree.
 TEST(Displacement, FurtherOnesKeepTheDegreeOfRationalSurfaces) {
   std::mt19937 generator(20331);
   for (const auto& [degree_u, degree_v] : {std::pair(2, 3), std::pair(3, 1), std::pair(4, 2)}) {
     const Spline given = unevenSheet(generator, degree_u, degree_v);
-    for (int i = 1; i <= given->NbUPoles(); ++i)
-      for (int j = 1; j <= given->NbVPoles(); ++j)
-        given->SetWeight(i, j, 1 + std::abs(random(generator, 0.5)));
+    given->InsertVKnot(0.4, degree_v, 1e-9);
+    setRandomWeights(given, generator);
     const std::array degrees = {degree_u, degree_v};
     Displacement first(given, wholeOf(given), 4, near_mm);
+    EXPECT_EQ(first.denominator({0.5, 0.5}), 1);
     moveAnyhow(first, generator, 0.5);
     Spline now = first.moved().surface;
     const int u = now->UDegree(), v = now->VDegree();
@@ -181,13 +220,26 @@ Spline splineFrom(const handle<Geom_Surface>& surface, double u0, double u1, dou
   return GeomConvert::SurfaceToBSplineSurface(new Geom_RectangularTrimmedSurface(surface, u0, u1, v0, v1));
 }
 
-/// W D is fitted in the functions of W X: the error is of the order of what the weights vary by in a span of D.
+/// Along a direction in which the denominator does not vary the degree stays.
+TEST(Displacement, RaisesTheDegreeOnlyWhereTheDenominatorVaries) {
+  const handle<Geom_Surface> cylinder = new Geom_CylindricalSurface(gp_Ax3(), 20);
+  const Spline given = splineFrom(cylinder, 0, 5, 0, 30);
+  std::mt19937 generator(20332);
+  Displacement displacement(given, wholeOf(given), 4, near_mm);
+  moveAnyhow(displacement, generator, 0.01);
+  const Spline moved = displacement.moved().surface;
+  EXPECT_EQ(moved->UDegree(), given->UDegree() + 3);
+  EXPECT_EQ(moved->VDegree(), 3);
+  EXPECT_LT(largestError_mm(given, displacement), 1e-10);
+}
+
 TEST(Displacement, OfARationalSurfaceIsAddedNearly) {
   constexpr double bound = 0.1;
   std::mt19937 generator(20824);
   const handle<Geom_Surface> cylinder = new Geom_CylindricalSurface(gp_Ax3(), 20),
                              ball = new Geom_SphericalSurface(gp_Ax3(), 20);
-  for (const Spline& given : {splineFrom(cylinder, 0, 1.2, 0, 30), splineFrom(ball, 0.1, 1.2, -0.5, 0.6)}) {
+  for (const Spline& given : {splineFrom(cylinder, 0, 1.2, 0, 30), splineFrom(ball, 0.1, 1.2, -0.5, 0.6),
+                              splineFrom(ball, 0.1, 5.2, -0.5, 0.6)}) {
     ASSERT_TRUE(given->IsURational() || given->IsVRational());
     Displacement displacement(given, wholeOf(given), 4, near_mm);
     moveAnyhow(displacement, generator, 0.01);
