@@ -15,6 +15,7 @@
 #include <seamwright/occ_adapter/repair/displace.hpp>
 #include <seamwright/occ_adapter/repair/face_change.hpp>
 #include <seamwright/occ_adapter/repair/improve.hpp>
+#include <seamwright/occ_adapter/repair/passed_faces.hpp>
 
 namespace seamwright::occ {
 
@@ -38,6 +39,7 @@ class Rounds {
 
   const RepairTask& task() const { return task_; }
   bool isOver() const { return !task_.treatsAny(); }
+  const TopoDS_Shape& changed() const { return changed_; }
 
   /// G2 first becomes G1, where that is wanting.
   void giveUp(const Reasons& seams) {
@@ -154,7 +156,19 @@ class Moving {
       }
     }
     faults.proof = rounds_.proven(changes, paths, partOf(progress, 0.5, 1));
+    if (!faults.any()) faults.too_far = throughOthers(changes);
     return faults;
+  }
+
+  /// Moves that are as good as invisible can't pass a wall.
+  std::map<int, std::string> throughOthers(const std::vector<FaceChange>& changes) const {
+    std::set<int> moved;
+    for (const FaceChange& change : changes) moved.insert(change.face);
+    std::map<int, std::string> through;
+    for (const auto& [face, other] :
+         passedFaces(task().given, rounds_.changed(), moved, task().options.tolerance.gap_mm))
+      through[face] = "it would pass through " + nameOf(other);
+    return through;
   }
 
   std::map<int, FaceMove> judgedFaces(const std::vector<FaceChange>& changes) const {

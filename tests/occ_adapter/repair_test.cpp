@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <gp_Pln.hxx>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "grids.hpp"
 #include "match_pairs.hpp"
@@ -170,6 +176,59 @@ TEST(Repair, NoMoveIsLargerThanAllowed) {
   EXPECT_EQ(repairedSeams(report), 0);
   EXPECT_TRUE(report.model.shape.IsEqual(shape));
   for (const occ::SeamRepair& seam : report.seams) EXPECT_FALSE(seam.reason.empty());
+}
+
+/// The point of a shape's faces that a repair moves furthest.
+std::pair<gp_Pnt, gp_Pnt> furthestMove(const TopoDS_Shape& before, const TopoDS_Shape& after, int faces) {
+  constexpr int points = 60;
+  std::pair<gp_Pnt, gp_Pnt> furthest;
+  for (int number = 1; number <= faces; ++number) {
+    const handle<Geom_Surface> from = BRep_Tool::Surface(face(before, number)),
+                               to = BRep_Tool::Surface(face(after, number));
+    std::array<double, 4> range{};
+    from->Bounds(range[0], range[1], range[2], range[3]);
+    for (int i = 0; i <= points; ++i)
+      for (int j = 0; j <= points; ++j) {
+        const double u = range[0] + (range[1] - range[0]) * i / points,
+                     v = range[2] + (range[3] - range[2]) * j / points;
+        const std::pair<gp_Pnt, gp_Pnt> move(from->Value(u, v), to->Value(u, v));
+        if (move.first.Distance(move.second) > furthest.first.Distance(furthest.second)) furthest = move;
+      }
+  }
+  return furthest;
+}
+
+/// A small wall stands in the way of the point that would move furthest.
+TEST(Repair, NoFaceMovesThroughAnother) {
+  RepairOptions options;
+  options.max_move_mm = 5;
+  int in_the_way = 0;
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 generator(seed);
+    const TopoDS_Shape sheets = disturbedGrid(generator, 2, 1, 0.1);
+    const RepairReport free = repairedModel(sheets, options);
+    if (repairedSeams(free) == 0) continue;
+    const auto [from, to] = furthestMove(sheets, free.model.shape, 2);
+    const double way_mm = from.Distance(to), half_mm = 20 * way_mm;
+    const gp_Pln plane(from.Translated(gp_Vec(from, to) / 2), gp_Vec(from, to));
+    TopoDS_Compound both;
+    const BRep_Builder builder;
+    builder.MakeCompound(both);
+    builder.Add(both, sheets);
+    builder.Add(both, BRepBuilderAPI_MakeFace(plane, -half_mm, half_mm, -half_mm, half_mm).Face());
+    const RepairReport report = repairedModel(both, options);
+    const std::string reasons = reasonsOf(report);
+    if (reasons.find("it would pass through face 3") != std::string::npos) ++in_the_way;
+    // Whatever was found instead: what was before the wall still is.
+    const auto [from_now, to_now] = furthestMove(sheets, report.model.shape, 2);
+    if (plane.Distance(from_now) < way_mm && from_now.Distance(plane.Location()) < half_mm) {
+      const gp_Vec normal(from, to);
+      EXPECT_GT(gp_Vec(plane.Location(), from_now).Dot(normal) * gp_Vec(plane.Location(), to_now).Dot(normal),
+                0);
+    }
+  }
+  EXPECT_GT(in_the_way, 0);
 }
 
 TEST(Repair, AModelWithoutDefectsIsShared) {
