@@ -18,8 +18,10 @@ constexpr double enough = 0.6;
 /// More weight, or more knots, help if they make the worst miss so much smaller.
 constexpr double helps = 0.7;
 
-/// What misses more wants knots. If it still does with knots of its own, it can't be had together with the rest.
+/// What misses more wants knots. If it still does with knots of its own, and many faces move, it can't be had together with the rest, and knots for its
+/// sake would cost most of the time.
 constexpr double wanting_knots = 10;
+constexpr std::size_t many_faces = 12;
 
 class FairSolving {
  public:
@@ -41,7 +43,8 @@ class FairSolving {
       const double before = refinement == 0 ? std::numeric_limits<double>::infinity() : worst();
       if (unknowns_ > 0) solve(start.is_new, refinement < most_refinements);
       in_vain = worst() > helps * before ? in_vain + 1 : 0;
-      const bool is_hopeless = in_vain > 1 || (refinement > 0 && worst() > wanting_knots);
+      const bool is_hopeless =
+          in_vain > 1 || (refinement > 0 && movers_.size() > many_faces && worst() > wanting_knots);
       if (worst() <= enough || refinement == most_refinements || is_hopeless || !refine()) break;
     }
     FairResult result{missed_, {}};
