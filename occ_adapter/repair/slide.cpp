@@ -38,14 +38,19 @@ class Slide {
   }
 
   std::optional<PathChange> path() const {
-    constexpr int looks = 32, fewest = 16, most = 512;
+    constexpr int looks = 32, fewest = 16;
+    constexpr std::size_t most = 1024;
     double largest_mm = 0;
     for (int k = 0; k <= looks; ++k)
       largest_mm = std::max(largest_mm, move_mm(static_cast<double>(k) / looks));
     if (largest_mm <= near_mm_) return {};
-    for (int count = fewest; count <= most; count *= 2) {
-      const handle<Geom2d_Curve> curve = interpolated(count);
-      if (missed_mm(*curve, count) <= near_mm_) return PathChange{0, 0, curve, largest_mm};
+    std::vector<double> places;
+    for (int k = 0; k <= fewest; ++k) places.push_back(static_cast<double>(k) / fewest);
+    while (places.size() <= most) {
+      const handle<Geom2d_Curve> curve = interpolated(places);
+      std::vector<double> denser = withMissed(places, *curve);
+      if (denser.size() == places.size()) return PathChange{0, 0, curve, largest_mm};
+      places = std::move(denser);
     }
     return {};
   }
@@ -65,27 +70,29 @@ class Slide {
   }
   double move_mm(double s) const { return surface_.at(old(s)).Distance(surface_.at(at(s))); }
 
-  handle<Geom2d_Curve> interpolated(int count) const {
-    const handle<TColgp_HArray1OfPnt2d> places = new TColgp_HArray1OfPnt2d(1, count + 1);
-    const handle<TColStd_HArray1OfReal> parameters = new TColStd_HArray1OfReal(1, count + 1);
-    for (int k = 0; k <= count; ++k) {
-      const double s = static_cast<double>(k) / count;
-      places->SetValue(k + 1, at(s));
-      parameters->SetValue(k + 1, k == count ? path_.last : parameter(path_, s));
+  handle<Geom2d_Curve> interpolated(const std::vector<double>& places) const {
+    const int count = static_cast<int>(places.size());
+    const handle<TColgp_HArray1OfPnt2d> points = new TColgp_HArray1OfPnt2d(1, count);
+    const handle<TColStd_HArray1OfReal> parameters = new TColStd_HArray1OfReal(1, count);
+    for (int k = 0; k < count; ++k) {
+      points->SetValue(k + 1, at(places[k]));
+      parameters->SetValue(k + 1, k + 1 == count ? path_.last : parameter(path_, places[k]));
     }
-    Geom2dAPI_Interpolate interpolation(places, parameters, false, 0);
+    Geom2dAPI_Interpolate interpolation(points, parameters, false, 0);
     interpolation.Perform();
     return handle<Geom2d_Curve>(interpolation.Curve());
   }
 
-  double missed_mm(const Geom2d_Curve& curve, int count) const {
-    double missed_mm = 0;
-    for (int k = 0; k < count; ++k) {
-      const double s = (k + 0.5) / count;
-      missed_mm =
-          std::max(missed_mm, surface_.at(curve.Value(parameter(path_, s))).Distance(surface_.at(at(s))));
+  /// With the middle between two of them where the curve misses it.
+  std::vector<double> withMissed(const std::vector<double>& places, const Geom2d_Curve& curve) const {
+    std::vector<double> denser = {places.front()};
+    for (std::size_t k = 1; k < places.size(); ++k) {
+      const double s = (places[k - 1] + places[k]) / 2;
+      if (surface_.at(curve.Value(parameter(path_, s))).Distance(surface_.at(at(s))) > near_mm_)
+        denser.push_back(s);
+      denser.push_back(places[k]);
     }
-    return missed_mm;
+    return denser;
   }
 
   StayingSurface surface_;
