@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepExtrema_DistShapeShape.hxx>
 #include <BRepTools.hxx>
 #include <BRepTopAdaptor_FClass2d.hxx>
 #include <Bnd_Box.hxx>
@@ -54,8 +56,12 @@ Bnd_Box boxOf(const Way& way) {
 /// The faces of a shape, each made ready for lines when the first one comes near.
 class CrossedFaces {
  public:
-  explicit CrossedFaces(const TopTools_IndexedMapOfShape& faces)
-      : faces_(faces), crossers_(static_cast<std::size_t>(faces.Extent()) + 1) {
+  CrossedFaces(const TopTools_IndexedMapOfShape& before, const TopTools_IndexedMapOfShape& faces,
+               double least_mm)
+      : before_(before),
+        faces_(faces),
+        least_mm_(least_mm),
+        crossers_(static_cast<std::size_t>(faces.Extent()) + 1) {
     boxes_.emplace_back();
     for (int face = 1; face <= faces.Extent(); ++face)
       BRepBndLib::Add(faces(face), boxes_.emplace_back(), false);
@@ -68,7 +74,7 @@ class CrossedFaces {
     for (int face = 1; face <= faces_.Extent(); ++face) {
       if (boxes_[face].IsOut(all) || but.count(face) > 0) continue;
       for (const Way& way : ways)
-        if (!boxes_[face].IsOut(boxOf(way)) && crosses(way, face)) return face;
+        if (!boxes_[face].IsOut(boxOf(way)) && crosses(way, face) && !touched(way.first, face)) return face;
     }
     return {};
   }
@@ -84,7 +90,14 @@ class CrossedFaces {
     return crosser->IsDone() && crosser->NbPnt() > 0;
   }
 
-  const TopTools_IndexedMapOfShape& faces_;
+  /// Parts that lie on one another.
+  bool touched(const gp_Pnt& start, int face) const {
+    const BRepExtrema_DistShapeShape distance(BRepBuilderAPI_MakeVertex(start).Vertex(), before_(face));
+    return distance.IsDone() && distance.Value() <= least_mm_;
+  }
+
+  const TopTools_IndexedMapOfShape &before_, &faces_;
+  double least_mm_;
   std::vector<Bnd_Box> boxes_;  ///< by face
   std::vector<std::unique_ptr<IntCurvesFace_Intersector>> crossers_;
 };
@@ -115,7 +128,7 @@ std::map<int, int> passedFaces(const TopoDS_Shape& before, const TopoDS_Shape& a
   for (const int face : moved) {
     const std::vector<Way> ways = waysOf(TopoDS::Face(were(face)), TopoDS::Face(are(face)), least_mm);
     if (ways.empty()) continue;
-    if (!others) others.emplace(are);
+    if (!others) others.emplace(were, are, least_mm);
     if (const auto other = others->crossed(ways, facesAround(were(face), were, faces_of_vertex)))
       passed.emplace(face, *other);
   }

@@ -10,9 +10,10 @@ namespace seamwright::occ {
 
 /// Sampled at 32 by 32 points of the parameters inside each face that moved: the straight way from the place of such a point before to the one after
 /// crosses a face, as that is after. So a thin wall is found that a face was pushed through, unless all points on the other side lie between samples.
-/// Faces that share a vertex before do not count: they meet there, and have seams that are measured.
+/// Faces that share a vertex before do not count: they meet there, and have seams that are measured. Nor do faces that were nearer than that to such a
+/// point before: they lie on one another, as the parts of an assembly do.
 ///
-/// \param before, after with the same numbers of faces, and the same parameters. \param moved faces. \param least_mm shorter ways are not looked at
+/// \param before, after with the same numbers of faces, and the same parameters. \param moved faces. \param least_mm shorter ways are not looked at, nearer faces touch
 /// \returns a face that was passed, by face that moved. \throws Standard_Failure.
 std::map<int, int> passedFaces(const TopoDS_Shape& before, const TopoDS_Shape& after,
                                const std::set<int>& moved, double least_mm);
