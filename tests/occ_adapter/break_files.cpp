@@ -3,7 +3,7 @@
 //   break_files [--noise MM]... [--seed NUMBER] FILE...
 // The poles of spline faces near seams are moved by less than the noise each. Counted are the seams that surely were G1 within 0.001 mm and 0.01
 // degrees, and are broken by less than 5 degrees; those of them that are G1 again; the faces whose mean curvature then varies more than the judge
-// allows over that of the broken face; and over that of the face before the noise.
+// allows over that of the broken face; and over that of the face before the noise. Reasons of seams that are left go to the error stream.
 #include <BRep_Tool.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
@@ -95,7 +95,9 @@ Counts countsOf(const occ::Model& smooth, double noise_mm, unsigned seed) {
       continue;
     if (seam.before.verdict.level >= Level::G1 || *angle->upper >= 5 * degree) continue;
     ++counts.broken;
-    counts.repaired += surelyReaches(seam.after.figures, options.tolerance, Level::G1) ? 1 : 0;
+    const bool is_repaired = surelyReaches(seam.after.figures, options.tolerance, Level::G1);
+    counts.repaired += is_repaired ? 1 : 0;
+    if (!is_repaired) std::cerr << "  Edge" << seam.before.edges.front() << ": " << seam.reason << "\n";
   }
   for (const FaceFairness& face : fairnessOfChanges(model.shape, report, options.tolerance)) {
     ++counts.moved;
