@@ -18,9 +18,11 @@ constexpr double enough = 0.6;
 /// More weight, or more knots, help if they make the worst miss so much smaller.
 constexpr double helps = 0.7;
 
-/// What misses more wants knots. If it still does with knots of its own, and many faces move, it can't be had together with the rest, and knots for its
-/// sake would cost most of the time.
+/// What misses more wants knots.
 constexpr double wanting_knots = 10;
+
+/// Where more faces move, what still wants knots after it got some can't be had together with the rest: it would cost most of the time. Nor may it weigh
+/// as much as where few faces are at stake; it is tried again alone.
 constexpr std::size_t many_faces = 12;
 
 class FairSolving {
@@ -345,7 +347,8 @@ class FairSolving {
   }
 
   void addWeight() {
-    constexpr double most_growth = 5, most_weight = 100;
+    constexpr double most_growth = 5;
+    const double most_weight = movers_.size() > many_faces ? 100 : 1000;
     for (auto& samples : samples_)
       for (JointSample& sample : samples)
         if (sample.ratio > enough)
