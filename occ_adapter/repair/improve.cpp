@@ -160,13 +160,13 @@ class Moving {
     return faults;
   }
 
-  /// Moves that are as good as invisible can't pass a wall.
   std::map<int, std::string> throughOthers(const std::vector<FaceChange>& changes) const {
+    const double gap_mm = task().options.tolerance.gap_mm;
     std::set<int> moved;
     for (const FaceChange& change : changes) moved.insert(change.face);
     std::map<int, std::string> through;
-    for (const auto& [face, other] :
-         passedFaces(task().given, rounds_.changed(), moved, task().options.tolerance.gap_mm))
+    for (const auto& [face, other] : passedFaces(task().given, rounds_.changed(), moved, gap_mm,
+                                                 std::max(gap_mm, task().options.match_mm)))
       through[face] = "it would pass through " + nameOf(other);
     return through;
   }

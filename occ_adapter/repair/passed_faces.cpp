@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
-#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
 #include <BRepTools.hxx>
 #include <BRepTopAdaptor_FClass2d.hxx>
@@ -12,6 +11,7 @@
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <algorithm>
 #include <array>
 #include <gp_Lin.hxx>
 #include <memory>
@@ -57,47 +57,47 @@ Bnd_Box boxOf(const Way& way) {
 class CrossedFaces {
  public:
   CrossedFaces(const TopTools_IndexedMapOfShape& before, const TopTools_IndexedMapOfShape& faces,
-               double least_mm)
+               double touch_mm)
       : before_(before),
         faces_(faces),
-        least_mm_(least_mm),
+        touch_mm_(touch_mm),
         crossers_(static_cast<std::size_t>(faces.Extent()) + 1) {
     boxes_.emplace_back();
     for (int face = 1; face <= faces.Extent(); ++face)
       BRepBndLib::Add(faces(face), boxes_.emplace_back(), false);
   }
 
-  /// One that a way crosses, but for some.
-  std::optional<int> crossed(const std::vector<Way>& ways, const std::set<int>& but) {
+  /// One that a way of a face crosses, but for some.
+  std::optional<int> crossed(int own, const std::vector<Way>& ways, const std::set<int>& but) {
     Bnd_Box all;
     for (const Way& way : ways) all.Add(boxOf(way));
-    for (int face = 1; face <= faces_.Extent(); ++face) {
-      if (boxes_[face].IsOut(all) || but.count(face) > 0) continue;
-      for (const Way& way : ways)
-        if (!boxes_[face].IsOut(boxOf(way)) && crosses(way, face) && !touched(way.first, face)) return face;
-    }
+    for (int face = 1; face <= faces_.Extent(); ++face)
+      if (!boxes_[face].IsOut(all) && but.count(face) == 0 && crosses(ways, face) && !touched(own, face))
+        return face;
     return {};
   }
 
  private:
-  bool crosses(const Way& way, int face) {
-    auto& crosser = crossers_[face];
-    if (!crosser)
-      crosser =
-          std::make_unique<IntCurvesFace_Intersector>(TopoDS::Face(faces_(face)), Precision::Confusion());
-    const gp_Vec along(way.first, way.second);
-    crosser->Perform(gp_Lin(way.first, gp_Dir(along)), 0, along.Magnitude());
-    return crosser->IsDone() && crosser->NbPnt() > 0;
+  bool crosses(const std::vector<Way>& ways, int face) {
+    return std::ranges::any_of(ways, [&](const Way& way) {
+      if (boxes_[face].IsOut(boxOf(way))) return false;
+      auto& crosser = crossers_[face];
+      if (!crosser)
+        crosser =
+            std::make_unique<IntCurvesFace_Intersector>(TopoDS::Face(faces_(face)), Precision::Confusion());
+      const gp_Vec along(way.first, way.second);
+      crosser->Perform(gp_Lin(way.first, gp_Dir(along)), 0, along.Magnitude());
+      return crosser->IsDone() && crosser->NbPnt() > 0;
+    });
   }
 
-  /// Parts that lie on one another.
-  bool touched(const gp_Pnt& start, int face) const {
-    const BRepExtrema_DistShapeShape distance(BRepBuilderAPI_MakeVertex(start).Vertex(), before_(face));
-    return distance.IsDone() && distance.Value() <= least_mm_;
+  bool touched(int face, int other) const {
+    const BRepExtrema_DistShapeShape distance(before_(face), before_(other));
+    return distance.IsDone() && distance.Value() <= touch_mm_;
   }
 
   const TopTools_IndexedMapOfShape &before_, &faces_;
-  double least_mm_;
+  double touch_mm_;
   std::vector<Bnd_Box> boxes_;  ///< by face
   std::vector<std::unique_ptr<IntCurvesFace_Intersector>> crossers_;
 };
@@ -117,7 +117,7 @@ std::set<int> facesAround(const TopoDS_Shape& face, const TopTools_IndexedMapOfS
 }  // namespace
 
 std::map<int, int> passedFaces(const TopoDS_Shape& before, const TopoDS_Shape& after,
-                               const std::set<int>& moved, double least_mm) {
+                               const std::set<int>& moved, double least_mm, double touch_mm) {
   TopTools_IndexedMapOfShape were, are;
   TopTools_IndexedDataMapOfShapeListOfShape faces_of_vertex;
   TopExp::MapShapes(before, TopAbs_FACE, were);
@@ -128,8 +128,8 @@ std::map<int, int> passedFaces(const TopoDS_Shape& before, const TopoDS_Shape& a
   for (const int face : moved) {
     const std::vector<Way> ways = waysOf(TopoDS::Face(were(face)), TopoDS::Face(are(face)), least_mm);
     if (ways.empty()) continue;
-    if (!others) others.emplace(were, are, least_mm);
-    if (const auto other = others->crossed(ways, facesAround(were(face), were, faces_of_vertex)))
+    if (!others) others.emplace(were, are, touch_mm);
+    if (const auto other = others->crossed(face, ways, facesAround(were(face), were, faces_of_vertex)))
       passed.emplace(face, *other);
   }
   return passed;
