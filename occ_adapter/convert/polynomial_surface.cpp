@@ -5,6 +5,7 @@
 #include <GeomConvert_ApproxSurface.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Precision.hxx>
+#include <TColStd_Array1OfReal.hxx>
 #include <TopLoc_Location.hxx>
 #include <algorithm>
 #include <array>
@@ -83,12 +84,26 @@ PolynomialSurface exact(const handle<Geom_Surface>& trimmed, const Range& range)
   return {spline, distance.largest_mm};
 }
 
-PolynomialSurface approximated(const handle<Geom_Surface>& trimmed, double near_mm) {
+void moveKnots(Geom_BSplineSurface& spline, Direction direction, double by) {
+  if (by == 0) return;
+  TColStd_Array1OfReal knots(1, direction == Direction::U ? spline.NbUKnots() : spline.NbVKnots());
+  direction == Direction::U ? spline.UKnots(knots) : spline.VKnots(knots);
+  for (double& knot : knots) knot += by;
+  direction == Direction::U ? spline.SetUKnots(knots) : spline.SetVKnots(knots);
+}
+
+/// In the parameters of the range: OpenCASCADE counts those of a trimmed periodic surface from its first period on.
+PolynomialSurface approximated(const handle<Geom_Surface>& trimmed, const Range& range, double near_mm) {
   constexpr int largest_degree = 8, most_spans = 200;
   const GeomConvert_ApproxSurface approximation(trimmed, near_mm, GeomAbs_C2, GeomAbs_C2, largest_degree,
                                                 largest_degree, most_spans, 0);
   if (!approximation.HasResult()) throw std::runtime_error("it can't be approximated by a polynomial spline");
-  return {approximation.Surface(), approximation.MaxError()};
+  const Spline spline = approximation.Surface();
+  Range of_spline{};
+  spline->Bounds(of_spline[0], of_spline[1], of_spline[2], of_spline[3]);
+  moveKnots(*spline, Direction::U, range[0] - of_spline[0]);
+  moveKnots(*spline, Direction::V, range[2] - of_spline[2]);
+  return {spline, approximation.MaxError()};
 }
 
 double largestDifference_mm(const Geom_BSplineSurface& a, const Geom_BSplineSurface& b) {
@@ -145,7 +160,7 @@ PolynomialSurface polynomialSurface(const TopoDS_Face& face, double near_mm) {
       new Geom_RectangularTrimmedSurface(surface, range[0], range[1], range[2], range[3]);
   PolynomialSurface polynomial = exact(trimmed, range);
   if (polynomial.surface.IsNull()) {
-    polynomial = approximated(trimmed, near_mm / 2);
+    polynomial = approximated(trimmed, range, near_mm / 2);
     polynomial.error_mm += close(*surface, range, near_mm / 16, *polynomial.surface);
     collapse(*surface, range, *polynomial.surface);
     polynomial.error_mm =

@@ -7,6 +7,7 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
@@ -93,6 +94,14 @@ std::vector<Analytic> analyticKinds() {
       {"cylinder", new Geom_CylindricalSurface(gp::XOY(), 30), {0.3, 1.2, -5, 40}, cylinder(30)},
       {"whole cylinder", new Geom_CylindricalSurface(gp::XOY(), 30), {0, 2 * pi, -5, 40}, cylinder(30)},
       {"turned cylinder", new Geom_CylindricalSurface(gp::XOY(), 3), {5, 8, 0, 1}, cylinder(3)},
+      {"cylinder from before its first period",
+       new Geom_CylindricalSurface(gp::XOY(), 3),
+       {-0.3, 0.2, 0, 1},
+       cylinder(3)},
+      {"cylinder of the period before",
+       new Geom_CylindricalSurface(gp::XOY(), 3),
+       {-4, -3, 0, 1},
+       cylinder(3)},
       {"cone", new Geom_ConicalSurface(gp::XOY(), 0.4, 10), {0, 3, 0, 20}, cone(10)},
       {"cone to its tip", new Geom_ConicalSurface(gp::XOY(), 0.4, 0), {0, 2 * pi, 0, 20}, cone(0)},
       {"sphere", new Geom_SphericalSurface(gp::XOY(), 40), {0, 2 * pi, -pi / 2, pi / 2}, sphere},
@@ -100,6 +109,10 @@ std::vector<Analytic> analyticKinds() {
       {"torus",
        new Geom_ToroidalSurface(gp::XOY(), 40, 10),
        {0, 2 * pi, 0, 2 * pi},
+       [](double u, double v) { return aboutZ(40 + 10 * std::cos(v), 10 * std::sin(v), u); }},
+      {"part of a torus",
+       new Geom_ToroidalSurface(gp::XOY(), 40, 10),
+       {-0.5, 0.5, -1, 0.3},
        [](double u, double v) { return aboutZ(40 + 10 * std::cos(v), 10 * std::sin(v), u); }},
       {"extrusion",
        new Geom_SurfaceOfLinearExtrusion(profile(), gp::DY()),
@@ -111,10 +124,24 @@ std::vector<Analytic> analyticKinds() {
        }}};
 }
 
+/// BRepBuilderAPI_MakeFace takes parameters of the first period; files have others too.
 TopoDS_Face faceOf(const Analytic& kind) {
-  return BRepBuilderAPI_MakeFace(kind.surface, kind.range[0], kind.range[1], kind.range[2], kind.range[3],
-                                 1e-7)
-      .Face();
+  const TopoDS_Face face =
+      BRepBuilderAPI_MakeFace(kind.surface, kind.range[0], kind.range[1], kind.range[2], kind.range[3], 1e-7)
+          .Face();
+  std::array<double, 4> range{};
+  BRepTools::UVBounds(face, range[0], range[1], range[2], range[3]);
+  const gp_Vec2d shift(kind.range[0] - range[0], kind.range[2] - range[2]);
+  if (shift.Magnitude() < 1) return face;
+  const TopTools_IndexedMapOfShape edges = partsOf(face, TopAbs_EDGE);
+  const BRep_Builder builder;
+  for (int e = 1; e <= edges.Extent(); ++e) {
+    double first = 0, last = 0;
+    const TopoDS_Edge edge = TopoDS::Edge(edges(e));
+    const handle<Geom2d_Curve> path = BRep_Tool::CurveOnSurface(edge, face, first, last);
+    builder.UpdateEdge(edge, handle<Geom2d_Curve>::DownCast(path->Translated(shift)), face, 1e-7);
+  }
+  return face;
 }
 
 TEST(PolynomialSurface, HasTheSameParameters) {
