@@ -472,7 +472,8 @@ std::pair<SplineSurface, PointRows> Displacement::refined() const {
   for (int i = 0; i < rows; ++i)
     for (int j = 0; j < columns; ++j) weights(i, j) = x->Weight(i + 1, j + 1);
   Eigen::MatrixXd factor = x_u * weights * x_v.transpose();
-  if (has_denominator_) factor.setConstant(weights(0, 0));
+  // Not that of x: where a surface is periodic its first pole changes with degree and knots.
+  if (has_denominator_) factor.setConstant(given_->Weight(1, 1));
   PointRows moves(static_cast<Eigen::Index>(rows) * columns, 3);
   for (int k = 0; k < 3; ++k) {
     Eigen::MatrixXd own(basis_.u().poles, basis_.v().poles);
@@ -488,8 +489,7 @@ std::pair<SplineSurface, PointRows> Displacement::refined() const {
   return {x, moves};
 }
 
-/// The poles of the part over the face bound the moves of its points. Nothing is cut off in a periodic direction.
-/// Of the part of the face. \param moves as a surface.
+/// The poles of the part over the face bound the moves of its points. Nothing is cut off in a periodic direction. \param moves as a surface.
 double Displacement::largestOf(SplineSurface moves) const {
   std::array<double, 4> part{};
   moves->Bounds(part[0], part[1], part[2], part[3]);

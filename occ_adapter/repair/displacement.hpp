@@ -21,8 +21,8 @@ struct EnergyBlock {
 };
 
 /// X + D: a surface X that is given and a displacement D, a spline over the same domain with few knots of its own. D has degree 3 at least and
-/// simple knots, so it bends nowhere sharply, whatever knots X has. If X has a denominator with continuous derivatives D is divided by it, over its value
-/// at the first pole: so X + D has the degree of X, or of D. It is periodic where X is; where X ends at itself with a seam that is to be repaired
+/// simple knots, so it bends nowhere sharply, whatever knots X has. If X has a denominator with continuous first derivatives D is divided by it, over its
+/// first weight: so X + D has the degree of X, or of D. Where second derivatives of the denominator jump, those of D do so in proportion. It is periodic where X is; where X ends at itself with a seam that is to be repaired
 /// it may bend as sharply as X.
 /// Sides of X that are one point, or within \p near_mm one, have one coefficient.
 class Displacement {

@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include <seamwright/occ_adapter/analyze/workers.hpp>
 #include <seamwright/occ_adapter/repair/displace.hpp>
@@ -96,9 +97,18 @@ struct Faults {
   bool any() const { return !too_far.empty() || !unfair.empty() || !proof.holds(); }
 };
 
+std::set<std::pair<int, int>> besideSeams(const RepairTask& task) {
+  std::set<std::pair<int, int>> pairs;
+  for (const Seam& seam : task.seams) pairs.insert(std::minmax(seam.sides[0].face, seam.sides[1].face));
+  return pairs;
+}
+
 class Moving {
  public:
-  explicit Moving(const RepairTask& task) : rounds_(task), open_(findSeams(task.shape).open_uses) {
+  explicit Moving(const RepairTask& task)
+      : rounds_(task),
+        open_(findSeams(task.shape).open_uses),
+        passed_(task.given, besideSeams(task), task.options.tolerance.gap_mm) {
     TopExp::MapShapes(task.given, TopAbs_FACE, faces_);
   }
 
@@ -160,13 +170,11 @@ class Moving {
     return faults;
   }
 
-  std::map<int, std::string> throughOthers(const std::vector<FaceChange>& changes) const {
-    const double gap_mm = task().options.tolerance.gap_mm;
+  std::map<int, std::string> throughOthers(const std::vector<FaceChange>& changes) {
     std::set<int> moved;
     for (const FaceChange& change : changes) moved.insert(change.face);
     std::map<int, std::string> through;
-    for (const auto& [face, other] : passedFaces(task().given, rounds_.changed(), moved, gap_mm,
-                                                 std::max(gap_mm, task().options.match_mm)))
+    for (const auto& [face, other] : passed_.in(rounds_.changed(), moved))
       through[face] = "it would pass through " + nameOf(other);
     return through;
   }
@@ -378,6 +386,7 @@ class Moving {
 
   Rounds rounds_;
   const std::vector<FaceUse> open_;
+  PassedFaces passed_;
   TopTools_IndexedMapOfShape faces_;  ///< as given
   std::vector<FairComponent> components_;
   MissedPlaces missed_;

@@ -7,16 +7,13 @@
 #include <Bnd_Box.hxx>
 #include <IntCurvesFace_Intersector.hxx>
 #include <Precision.hxx>
+#include <Standard_Failure.hxx>
 #include <TopExp.hxx>
-#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <array>
 #include <gp_Lin.hxx>
 #include <memory>
-#include <optional>
-#include <utility>
 #include <vector>
 
 #include <seamwright/occ_adapter/repair/passed_faces.hpp>
@@ -25,7 +22,16 @@ namespace seamwright::occ {
 
 namespace {
 
-using Way = std::pair<gp_Pnt, gp_Pnt>;
+struct Way {
+  gp_Pnt from, to;
+
+  Bnd_Box box() const {
+    Bnd_Box box;
+    box.Add(from);
+    box.Add(to);
+    return box;
+  }
+};
 
 /// Ways of points inside a face that are long enough.
 std::vector<Way> waysOf(const TopoDS_Face& before, const TopoDS_Face& after, double least_mm) {
@@ -39,100 +45,112 @@ std::vector<Way> waysOf(const TopoDS_Face& before, const TopoDS_Face& after, dou
     for (int j = 0; j < points; ++j) {
       const double u = range[0] + static_cast<double>(i) / (points - 1) * (range[1] - range[0]),
                    v = range[2] + static_cast<double>(j) / (points - 1) * (range[3] - range[2]);
-      const Way way(from.Value(u, v), to.Value(u, v));
-      if (way.first.Distance(way.second) > least_mm && inside.Perform(gp_Pnt2d(u, v)) != TopAbs_OUT)
+      const Way way{from.Value(u, v), to.Value(u, v)};
+      if (way.from.Distance(way.to) > least_mm && inside.Perform(gp_Pnt2d(u, v)) != TopAbs_OUT)
         ways.push_back(way);
     }
   return ways;
 }
 
-Bnd_Box boxOf(const Way& way) {
-  Bnd_Box box;
-  box.Add(way.first);
-  box.Add(way.second);
-  return box;
-}
-
-/// The faces of a shape, each made ready for lines when the first one comes near.
-class CrossedFaces {
+/// A face as it was and as it is.
+class Other {
  public:
-  CrossedFaces(const TopTools_IndexedMapOfShape& before, const TopTools_IndexedMapOfShape& faces,
-               double touch_mm)
-      : before_(before),
-        faces_(faces),
-        touch_mm_(touch_mm),
-        crossers_(static_cast<std::size_t>(faces.Extent()) + 1) {
-    boxes_.emplace_back();
-    for (int face = 1; face <= faces.Extent(); ++face)
-      BRepBndLib::Add(faces(face), boxes_.emplace_back(), false);
+  Other(const TopoDS_Face& before, const TopoDS_Face& after)
+      : surfaces_{BRepAdaptor_Surface(before), BRepAdaptor_Surface(after)} {
+    BRepBndLib::Add(before, box_, false);
+    BRepBndLib::Add(after, box_, false);
+    const bool moved = !after.IsPartner(before);
+    crossers_.push_back(std::make_unique<IntCurvesFace_Intersector>(before, Precision::Confusion()));
+    if (moved)
+      crossers_.push_back(std::make_unique<IntCurvesFace_Intersector>(after, Precision::Confusion()));
   }
 
-  /// One that a way of a face crosses, but for some.
-  std::optional<int> crossed(int own, const std::vector<Way>& ways, const std::set<int>& but) {
-    Bnd_Box all;
-    for (const Way& way : ways) all.Add(boxOf(way));
-    for (int face = 1; face <= faces_.Extent(); ++face)
-      if (!boxes_[face].IsOut(all) && but.count(face) == 0 && crosses(ways, face) && !touched(own, face))
-        return face;
-    return {};
-  }
-
- private:
-  bool crosses(const std::vector<Way>& ways, int face) {
-    return std::ranges::any_of(ways, [&](const Way& way) {
-      if (boxes_[face].IsOut(boxOf(way))) return false;
-      auto& crosser = crossers_[face];
-      if (!crosser)
-        crosser =
-            std::make_unique<IntCurvesFace_Intersector>(TopoDS::Face(faces_(face)), Precision::Confusion());
-      const gp_Vec along(way.first, way.second);
-      crosser->Perform(gp_Lin(way.first, gp_Dir(along)), 0, along.Magnitude());
-      return crosser->IsDone() && crosser->NbPnt() > 0;
+  bool isPassed(const Way& way) {
+    if (box_.IsOut(way.box())) return false;
+    const gp_Vec along(way.from, way.to);
+    return std::ranges::any_of(crossers_, [&](const auto& crosser) {
+      crosser->Perform(gp_Lin(way.from, gp_Dir(along)), 0, along.Magnitude());
+      if (!crosser->IsDone()) return false;
+      for (int k = 1; k <= crosser->NbPnt(); ++k) {
+        const double u = crosser->UParameter(k), v = crosser->VParameter(k);
+        if (side(surfaces_[0], u, v, way.from) * side(surfaces_[1], u, v, way.to) < 0) return true;
+      }
+      return false;
     });
   }
 
-  bool touched(int face, int other) const {
-    const BRepExtrema_DistShapeShape distance(before_(face), before_(other));
-    return distance.IsDone() && distance.Value() <= touch_mm_;
+ private:
+  static double side(const BRepAdaptor_Surface& surface, double u, double v, const gp_Pnt& point) {
+    gp_Pnt on;
+    gp_Vec du, dv;
+    surface.D1(u, v, on, du, dv);
+    return gp_Vec(on, point).Dot(du.Crossed(dv));
   }
 
-  const TopTools_IndexedMapOfShape &before_, &faces_;
-  double touch_mm_;
-  std::vector<Bnd_Box> boxes_;  ///< by face
+  std::array<BRepAdaptor_Surface, 2> surfaces_;
+  Bnd_Box box_;
   std::vector<std::unique_ptr<IntCurvesFace_Intersector>> crossers_;
 };
 
-/// Those that share a vertex with a face, and itself.
-std::set<int> facesAround(const TopoDS_Shape& face, const TopTools_IndexedMapOfShape& faces,
-                          const TopTools_IndexedDataMapOfShapeListOfShape& faces_of_vertex) {
-  std::set<int> around = {faces.FindIndex(face)};
+}  // namespace
+
+PassedFaces::PassedFaces(const TopoDS_Shape& before, std::set<std::pair<int, int>> beside_seams,
+                         double touch_mm)
+    : beside_seams_(std::move(beside_seams)), touch_mm_(touch_mm) {
+  TopExp::MapShapes(before, TopAbs_FACE, faces_);
+  TopExp::MapShapesAndUniqueAncestors(before, TopAbs_VERTEX, TopAbs_FACE, faces_of_vertex_);
+}
+
+std::map<int, int> PassedFaces::in(const TopoDS_Shape& after, const std::set<int>& moved) {
+  TopTools_IndexedMapOfShape now;
+  TopExp::MapShapes(after, TopAbs_FACE, now);
+  std::vector<Bnd_Box> boxes(static_cast<std::size_t>(faces_.Extent()) + 1);
+  for (int face = 1; face <= faces_.Extent(); ++face) {
+    BRepBndLib::Add(faces_(face), boxes[face], false);
+    BRepBndLib::Add(now(face), boxes[face], false);
+  }
+  std::map<int, int> passed;
+  std::map<int, Other> others;
+  for (const int face : moved) try {
+      const std::vector<Way> ways = waysOf(TopoDS::Face(faces_(face)), TopoDS::Face(now(face)), touch_mm_);
+      if (ways.empty()) continue;
+      Bnd_Box all;
+      for (const Way& way : ways) all.Add(way.box());
+      const std::set<int> around = facesAround(face);
+      for (int other = 1; other <= faces_.Extent() && passed.count(face) == 0; ++other) {
+        if (boxes[other].IsOut(all) || around.count(other) > 0) continue;
+        Other& there =
+            others.try_emplace(other, TopoDS::Face(faces_(other)), TopoDS::Face(now(other))).first->second;
+        const bool passes = std::ranges::any_of(ways, [&](const Way& way) { return there.isPassed(way); });
+        if (passes && !touched(face, other)) passed[face] = other;
+      }
+    } catch (const Standard_Failure&) {
+      // What can't be told is no reason to leave a seam.
+      continue;
+    }
+  return passed;
+}
+
+/// Those that share a vertex or a seam with a face, and itself.
+std::set<int> PassedFaces::facesAround(int face) const {
+  std::set<int> around = {face};
   TopTools_IndexedMapOfShape vertices;
-  TopExp::MapShapes(face, TopAbs_VERTEX, vertices);
+  TopExp::MapShapes(faces_(face), TopAbs_VERTEX, vertices);
   for (int vertex = 1; vertex <= vertices.Extent(); ++vertex)
-    for (const TopoDS_Shape& other : faces_of_vertex.FindFromKey(vertices(vertex)))
-      around.insert(faces.FindIndex(other));
+    for (const TopoDS_Shape& other : faces_of_vertex_.FindFromKey(vertices(vertex)))
+      around.insert(faces_.FindIndex(other));
+  for (const auto& [a, b] : beside_seams_)
+    if (a == face || b == face) around.insert({a, b});
   return around;
 }
 
-}  // namespace
-
-std::map<int, int> passedFaces(const TopoDS_Shape& before, const TopoDS_Shape& after,
-                               const std::set<int>& moved, double least_mm, double touch_mm) {
-  TopTools_IndexedMapOfShape were, are;
-  TopTools_IndexedDataMapOfShapeListOfShape faces_of_vertex;
-  TopExp::MapShapes(before, TopAbs_FACE, were);
-  TopExp::MapShapes(after, TopAbs_FACE, are);
-  TopExp::MapShapesAndUniqueAncestors(before, TopAbs_VERTEX, TopAbs_FACE, faces_of_vertex);
-  std::map<int, int> passed;
-  std::optional<CrossedFaces> others;
-  for (const int face : moved) {
-    const std::vector<Way> ways = waysOf(TopoDS::Face(were(face)), TopoDS::Face(are(face)), least_mm);
-    if (ways.empty()) continue;
-    if (!others) others.emplace(were, are, touch_mm);
-    if (const auto other = others->crossed(face, ways, facesAround(were(face), were, faces_of_vertex)))
-      passed.emplace(face, *other);
+bool PassedFaces::touched(int face, int other) {
+  const auto [known, is_new] = touched_.try_emplace(std::minmax(face, other), false);
+  if (is_new) {
+    const BRepExtrema_DistShapeShape distance(faces_(face), faces_(other));
+    known->second = distance.IsDone() && distance.Value() <= touch_mm_;
   }
-  return passed;
+  return known->second;
 }
 
 }  // namespace seamwright::occ

@@ -53,7 +53,7 @@ class SurfaceBasis {
   /// \param into on knot lines the polynomials on that side. \param order of the highest derivatives, 1 or 2.
   PoleShares at(const Eigen::Vector2d& uv, const Eigen::Vector2d& into = Eigen::Vector2d::Zero(),
                 int order = 2) const;
-  /// The denominator and its derivatives, as the rows of PoleShares, over its value at the first pole; empty if the surface is polynomial.
+  /// The denominator and its derivatives, as the rows of PoleShares, over the weight of the first pole; empty if the surface is polynomial.
   Eigen::VectorXd denominator(const Eigen::Vector2d& uv, const Eigen::Vector2d& into) const;
 
  private:

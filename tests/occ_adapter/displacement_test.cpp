@@ -17,6 +17,7 @@
 #include <functional>
 #include <numbers>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -299,6 +300,34 @@ Spline tube(bool periodic) {
   surface->SetUNotPeriodic();
   surface->Segment(0, around, 0, along - 3);  // clamped
   return surface;
+}
+
+/// The first weight of a periodic surface changes with its degree and its knots.
+TEST(Displacement, OfAPeriodicSurfaceHasItsDenominator) {
+  constexpr int around = 12, along = 6;
+  std::mt19937 generator(20333);
+  for (const int degree : {2, 3, 5}) {
+    SCOPED_TRACE(degree);
+    const Spline model = tube(true);
+    TColgp_Array2OfPnt poles(1, around, 1, along);
+    model->Poles(poles);
+    TColStd_Array1OfReal u(1, around + 1), v(1, along - 2);
+    TColStd_Array1OfInteger of_u(1, around + 1), of_v(1, along - 2);
+    for (int k = 0; k <= around; ++k) u(k + 1) = k;
+    for (int k = 0; k < along - 2; ++k) v(k + 1) = k;
+    of_u.Init(1);
+    of_v.Init(1);
+    of_v(1) = of_v(along - 2) = 4;
+    const Spline given = new Geom_BSplineSurface(poles, u, v, of_u, of_v, degree, 3, true, false);
+    setRandomWeights(given, generator);
+    Displacement displacement(given, wholeOf(given), 4, near_mm);
+    for (const bool halved : {false, true}) {
+      if (halved) displacement.halve({std::set<int>{displacement.basis().u().spans().back()}, {}});
+      moveAnyhow(displacement, generator, 0.5);
+      EXPECT_NE(displacement.denominator({0.5, 0.5}), 1);
+      EXPECT_LT(largestError_mm(given, displacement), 1e-10);
+    }
+  }
 }
 
 TEST(Displacement, ATubeStaysClosedAndSmooth) {
