@@ -51,7 +51,7 @@ int run(int argc, char** argv) {
   AnalyzeArguments to_analyze;
   addAnalyzeOptions(*analyze, to_analyze);
   CLI::App* repair =
-      app.add_subcommand("repair", "Move poles of spline faces until the seams of a model flow");
+      app.add_subcommand("repair", "Move poles of spline faces until the seams of a model are smooth");
   RepairArguments to_repair;
   addRepairOptions(*repair, to_repair);
   CLI::App* fill =
