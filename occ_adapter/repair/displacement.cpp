@@ -93,10 +93,9 @@ bool hasSmoothDenominator(const Geom_BSplineSurface& surface) {
     const std::vector<int> multiplicities = knotLine(surface, direction).multiplicities;
     const int degree = direction == 0 ? surface.UDegree() : surface.VDegree();
     const bool is_periodic = direction == 0 ? surface.IsUPeriodic() : surface.IsVPeriodic();
-    const auto inner = std::ranges::subrange(multiplicities.begin() + (is_periodic ? 0 : 1),
-                                             multiplicities.end() - (is_periodic ? 0 : 1));
-    return !varies[direction] ||
-           std::ranges::all_of(inner, [degree](int multiplicity) { return multiplicity < degree; });
+    const std::ptrdiff_t ends = is_periodic ? 0 : 1;
+    return !varies[direction] || std::all_of(multiplicities.begin() + ends, multiplicities.end() - ends,
+                                             [degree](int multiplicity) { return multiplicity < degree; });
   };
   return (varies[0] || varies[1]) && isSmooth(0) && isSmooth(1);
 }
