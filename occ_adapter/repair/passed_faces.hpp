@@ -5,7 +5,6 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Shape.hxx>
 #include <map>
-#include <optional>
 #include <set>
 #include <utility>
 

@@ -2,8 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <BRepBuilderAPI_MakeFace.hxx>
-#include <BRep_Builder.hxx>
-#include <TopoDS_Compound.hxx>
 #include <gp.hxx>
 #include <gp_Pln.hxx>
 #include <map>
