@@ -152,6 +152,14 @@ bool isSharp(const SeamResult& seam, const RepairOptions& options) {
   return judge(closed, options.tolerance, options.level()).seam_class == SeamClass::Crease;
 }
 
+/// No face of the seam moves, but one would as a spline.
+bool mayMoveAsSplines(const std::array<int, 2>& faces, const std::vector<FaceChoice>& choices) {
+  const auto any = [&](bool FaceChoice::*is) {
+    return std::ranges::any_of(faces, [&](int face) { return choices[face].*is; });
+  };
+  return !any(&FaceChoice::may_move) && any(&FaceChoice::convertible);
+}
+
 std::string whyFolded(const SeamFigures& figures) {
   std::ostringstream text;
   text << "the faces fold back on one another there, first at " << *figures.fold_at
@@ -198,7 +206,7 @@ Choice choose(const Model& model, const Report& before, const RepairOptions& opt
   requireNumbers("face", options.fixed_faces, model.faceCount());
   requireNumbers("edge", options.edges, model.edgeCount());
   requireSeams(options.edges, before);
-  Choice choice{{}, {}, {}, chooseFaces(model.shape, before, options.fixed_faces)};
+  Choice choice{{}, {}, {}, {}, chooseFaces(model.shape, before, options.fixed_faces)};
   for (const SeamResult& seam : before.seams) {
     const bool wanted = isWanted(seam, options.edges);
     const bool sharp = isSharp(seam, options);
@@ -206,6 +214,7 @@ Choice choose(const Model& model, const Report& before, const RepairOptions& opt
     choice.treated.push_back(wanted && why.empty());
     choice.sharp.push_back(sharp);
     choice.reasons.push_back(why);
+    choice.wants_conversion.push_back(!why.empty() && mayMoveAsSplines(seam.faces, choice.faces));
   }
   return choice;
 }

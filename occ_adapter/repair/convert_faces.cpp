@@ -4,6 +4,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -13,6 +14,7 @@
 #include <seamwright/occ_adapter/repair/change.hpp>
 #include <seamwright/occ_adapter/repair/convert_faces.hpp>
 #include <seamwright/occ_adapter/repair/prove.hpp>
+#include <seamwright/occ_adapter/repair/time_limit.hpp>
 
 namespace seamwright::occ {
 
@@ -22,7 +24,11 @@ class Converting {
  public:
   Converting(const Model& model, const RepairOptions& options, const PlainRepair& repair,
              const Progress& progress)
-      : model_(model), options_(options), repair_(repair), progress_(progress) {
+      : model_(model),
+        options_(options),
+        repair_(repair),
+        progress_(progress),
+        time_(options.max_time_s) {
     TopExp::MapShapes(model.shape, TopAbs_FACE, faces_);
   }
 
@@ -32,7 +38,7 @@ class Converting {
     choice_ = choose(model_, original_, options_);
     std::set<int> chosen = fewest(plain);
     RepairReport report;
-    for (bool first = true; !chosen.empty(); first = false) {
+    for (bool first = true; !chosen.empty() && !time_.isOver(); first = false) {
       report = repaired(converted(chosen));
       noteTried(chosen, report);
       const std::set<int> moved = movedOf(chosen, report), spoilt = besideWorse(chosen, report);
@@ -43,9 +49,12 @@ class Converting {
       chosen = std::move(now);
     }
     for (std::size_t i = 0; i < plain.seams.size(); ++i) {
-      addReasons(plain.seams[i]);
-      if (const auto tried = tried_.find(i); tried != tried_.end() && isOpen(plain.seams[i]))
-        plain.seams[i].reason += "; as splines: " + tried->second;
+      SeamRepair& seam = plain.seams[i];
+      if (const auto tried = tried_.find(i); tried != tried_.end() && isOpen(seam)) {
+        seam.reason = "with its faces as splines: " + tried->second;
+        seam.treated = true;
+      }
+      addReasons(seam);
     }
     return finished(std::move(plain));
   }
@@ -60,17 +69,18 @@ class Converting {
     }
   }
 
-  /// Each run takes half of what is left of the progress.
+  /// Each run takes half of what is left of the progress, and of the time.
   RepairReport repaired(const Model& model) {
     const double from = done_;
     done_ += (1 - done_) / 2;
-    RepairReport report = repair_(model, options_, partOf(progress_, from, done_));
-    seconds_ += report.repair_s;
-    return report;
+    RepairOptions options = options_;
+    if (std::isfinite(options.max_time_s)) options.max_time_s = std::max(time_.left_s() / 2, 1e-3);
+    return repair_(model, options, partOf(progress_, from, done_));
   }
 
   RepairReport finished(RepairReport report) const {
-    report.repair_s = seconds_;
+    report.repair_s = time_.spent_s();
+    for (SeamRepair& seam : report.seams) seam.wants_conversion = false;
     if (progress_) progress_(1);
     return report;
   }
@@ -207,7 +217,8 @@ class Converting {
   std::map<int, double> errors_mm_;           ///< by face converted
   std::map<int, std::string> failures_;       ///< by face that can't be
   std::map<std::size_t, std::string> tried_;  ///< by seam
-  double done_ = 0, seconds_ = 0;
+  const TimeLimit time_;
+  double done_ = 0;
 };
 
 }  // namespace

@@ -231,6 +231,7 @@ class RepairingOnce {
       if (first == edge) continue;
       const SeamRepair& of_first = report.seams[seam_of_edge.at(first)];
       seam.treated = of_first.treated;
+      seam.wants_conversion = of_first.wants_conversion;
       const std::string instance = "instance of edge " + std::to_string(first) + ": ";
       if (!of_first.reason.empty()) seam.reason = instance + of_first.reason;
       if (!of_first.repaired) continue;

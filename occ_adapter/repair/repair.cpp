@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Standard_Failure.hxx>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -15,15 +14,12 @@
 #include <seamwright/occ_adapter/repair/improve.hpp>
 #include <seamwright/occ_adapter/repair/instances.hpp>
 #include <seamwright/occ_adapter/repair/sew.hpp>
+#include <seamwright/occ_adapter/repair/time_limit.hpp>
 #include <seamwright/occ_adapter/seams/match.hpp>
 
 namespace seamwright::occ {
 
 namespace {
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 std::vector<Seam> seamsOf(const TopoDS_Shape& shape, const RepairOptions& options, const Progress& progress) {
   SeamGraph graph = findSeams(shape);
@@ -36,15 +32,19 @@ std::vector<Seam> seamsOf(const TopoDS_Shape& shape, const RepairOptions& option
 class Repairing {
  public:
   Repairing(const Model& model, const RepairOptions& options, const Progress& progress)
-      : model_(model), options_(options), progress_(progress), unusable_(model.shape) {}
+      : model_(model),
+        options_(options),
+        progress_(progress),
+        unusable_(model.shape),
+        time_(options.max_time_s) {}
 
   RepairReport run() {
-    const auto start = std::chrono::steady_clock::now();
     result_.model = model_;
     result_.before = analyze(model_, analyzeOptions(options_), partOf(progress_, 0, share_of_analysis));
     Choice choice = choose(model_, result_.before, options_);
     now_ = {model_.shape, result_.before, {}, result_.before.seams, std::move(choice.reasons), {}, {}, {}};
     sharp_ = std::move(choice.sharp);
+    wants_conversion_ = std::move(choice.wants_conversion);
     std::vector<bool> wanted = std::move(choice.treated);
     if (std::ranges::count(wanted, true) > 0) {
       now_.seams = seamsOf(model_.shape, options_, {});
@@ -60,7 +60,7 @@ class Repairing {
     result_.after = now_.after;
     if (options_.match_mm > 0 && options_.sew) sew();
     tell(wanted);
-    result_.repair_s = secondsSince(start);
+    result_.repair_s = time_.spent_s();
     if (progress_) progress_(1);
     return std::move(result_);
   }
@@ -86,7 +86,9 @@ class Repairing {
     const int order = anyCurvatureDoes(options_.tolerance) ? 1 : options_.order;
     std::vector<int> orders(wanted.size());
     std::ranges::transform(wanted, orders.begin(), [order](bool is_wanted) { return is_wanted ? order : 0; });
-    keep(improveByPaths(taskOf(faces, orders), partOf(progress, 0, share_of_paths)));
+    keepInTime(share_of_paths, partOf(progress, 0, share_of_paths), [&](const Progress& part) {
+      return improveByPaths(taskOf(faces, orders), part);
+    });
     for (std::size_t i = 0; i < orders.size(); ++i) {
       if (isRepaired(now_.after.seams[i], sharp_[i], options_.tolerance, levelOf(order))) orders[i] = 0;
       if (orders[i] == 0) continue;
@@ -97,12 +99,13 @@ class Repairing {
         now_.reasons[i].clear();
       }
     }
-    keep(improveByMoves(taskOf(faces, orders), partOf(progress, share_of_paths, share_of_moves)));
+    const auto move = [&](const Progress& part) { return improveByMoves(taskOf(faces, orders), part); };
+    keepInTime(share_of_moves, partOf(progress, share_of_paths, share_of_moves), move);
     const std::vector<int> asked = orders;
     for (int& left : orders) left = std::min(left, 1);
     for (std::size_t i = 0; i < orders.size(); ++i)
       if (isRepaired(now_.after.seams[i], sharp_[i], options_.tolerance, Level::G1)) orders[i] = 0;
-    if (order > 1) keep(improveByMoves(taskOf(faces, orders), partOf(progress, share_of_moves, share_of_g1)));
+    if (order > 1) keepInTime(share_of_g1, partOf(progress, share_of_moves, share_of_g1), move);
     const double alone = order > 1 ? (share_of_g1 + 1) / 2 : 1;
     repairAlone(orders, Level::G1, faces, partOf(progress, share_of_g1, alone));
     if (order > 1) repairAlone(asked, Level::G2, faces, partOf(progress, alone, 1));
@@ -131,9 +134,11 @@ class Repairing {
         of_batch[i] = orders[i];
         left.erase(i);
       }
-      keep(improveByMoves(
-          taskOf(faces, std::move(of_batch), neighbours_help),
-          partOf(progress, static_cast<double>(batch) / most_batches, (batch + 1.0) / most_batches)));
+      keepInTime(
+          1, partOf(progress, static_cast<double>(batch) / most_batches, (batch + 1.0) / most_batches),
+          [&](const Progress& part) {
+            return improveByMoves(taskOf(faces, of_batch, neighbours_help), part);
+          });
     }
   }
 
@@ -200,6 +205,16 @@ class Repairing {
     return {now_.shape,   now_.seams, now_.to_keep,      now_.after.seams, faces,
             sharp_,       options_,   unusable_,         needed_,          limits_mm_,
             model_.shape, now_.moves, std::move(orders), neighbours_help};
+  }
+
+  /// \param share of the time after which the stage is stopped, without effect.
+  template <class Stage>
+  void keepInTime(double share, const Progress& progress, const Stage& stage) {
+    std::optional<Improvement> done = time_.within(share, progress, stage);
+    if (done)
+      keep(std::move(*done));
+    else
+      out_of_time_ = true;
   }
 
   void keep(Improvement done) {
@@ -282,11 +297,16 @@ class Repairing {
 
   void tell(const std::vector<bool>& wanted) {
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-      SeamRepair seam{
-          result_.before.seams[i], result_.after.seams[i], wanted[i], false, now_.reasons[i], false, {}};
+      SeamRepair seam;
+      seam.before = result_.before.seams[i];
+      seam.after = result_.after.seams[i];
+      seam.treated = wanted[i];
+      seam.reason = now_.reasons[i];
+      seam.wants_conversion = wants_conversion_[i];
       seam.sewn = seam.before.kind == SeamKind::Matched && seam.after.kind != SeamKind::Matched;
       if (const auto why = not_sewn_.find(i); why != not_sewn_.end()) seam.not_sewn = why->second;
       seam.repaired = wanted[i] && isRepaired(seam.after, sharp_[i], options_.tolerance, options_.level());
+      if (wanted[i] && out_of_time_ && seam.reason.empty()) seam.reason = whyOutOfTime();
       if (seam.repaired)
         seam.reason.clear();
       else if (wanted[i] && seam.before.kind == SeamKind::Matched && !seam.before.note.empty())
@@ -303,12 +323,20 @@ class Repairing {
     for (const auto& [edge, move_mm] : now_.edge_moves) result_.edge_moves.push_back({edge, move_mm});
   }
 
+  std::string whyOutOfTime() const {
+    std::ostringstream text;
+    text << "the time limit of " << options_.max_time_s << " s was reached first";
+    return text.str();
+  }
+
   const Model& model_;
   const RepairOptions& options_;
   const Progress& progress_;
   const UnusableParts unusable_;
+  const TimeLimit time_;
+  bool out_of_time_ = false;  ///< a stage was stopped, or not begun
   State now_;
-  std::vector<bool> sharp_;  ///< by seam, see Choice
+  std::vector<bool> sharp_, wants_conversion_;  ///< by seam, see Choice
   NeededVariation needed_;   ///< by face
   MoveLimits limits_mm_;
   Reasons not_sewn_;
@@ -331,11 +359,14 @@ void RepairOptions::validate() const {
   if (order != 1 && order != 2)
     throw std::invalid_argument("order is " + std::to_string(order) + ": it must be 1 or 2");
   SurfaceTolerance{fairness, 0}.validate();
-  if (max_move_mm && !(*max_move_mm >= 0)) {
+  const auto requirePositive = [](const char* name, double value, const char* unit) {
+    if (value > 0) return;
     std::ostringstream text;
-    text << "largest move is " << *max_move_mm << " mm: it must be zero or larger";
+    text << name << " is " << value << " " << unit << ": it must be larger than zero";
     throw std::invalid_argument(text.str());
-  }
+  };
+  if (max_move_mm) requirePositive("largest move", *max_move_mm, "mm");
+  requirePositive("time limit", max_time_s, "s");
 }
 
 RepairReport repair(const Model& model, const RepairOptions& options, const Progress& progress) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,7 +14,7 @@ namespace seamwright::occ {
 struct RepairOptions {
   int order = 1;                  ///< 1: G1, 2: G2
   ContinuityTolerance tolerance;  ///< what a seam must meet to count as repaired
-  /// No pole may move further, and no point of an edge on its face. None: by a hundredth of the size of the face, see sizeOf_mm(), and
+  /// Larger than zero. No pole may move further, and no point of an edge on its face. None: by a hundredth of the size of the face, see sizeOf_mm(), and
   /// twice the largest gap of its seams to be repaired.
   std::optional<double> max_move_mm;
   /// Edges whose seams are treated, from 1, order of TopExp::MapShapes; empty: all seams of class defect.
@@ -27,6 +28,9 @@ struct RepairOptions {
   double fairness = 1.5;
   /// A seam that surely is G2 stays so also where G1 is asked for.
   bool keep_curvature = false;
+  /// After this time no more repairs are tried; what was repaired so far is kept. The analysis counts, but is never cut short,
+  /// and sewing comes after it.
+  double max_time_s = std::numeric_limits<double>::infinity();
   int jobs = 0;  ///< threads; 0: one for each processor
 
   /// What a seam has to reach.
@@ -46,6 +50,8 @@ struct SeamRepair {
   bool repaired = false;  ///< it meets the target, and its change was kept
   /// Why it was not treated or not repaired; of a matched one that is left it begins with the note before.
   std::string reason;
+  /// It was meant, but not treated as its faces have no poles; they may get some with RepairOptions::convert_analytic.
+  bool wants_conversion = false;
   bool sewn = false;     ///< two edges before, one after
   std::string not_sewn;  ///< of a matched seam that was to be sewn: why it was not
 };

@@ -26,6 +26,7 @@ occ::RepairOptions optionsOf(const RepairArguments& arguments) {
   options.max_move_mm = arguments.max_move_mm;
   options.fairness = arguments.fairness;
   options.keep_curvature = arguments.keep_curvature;
+  options.max_time_s = arguments.max_time_s;
   options.edges = arguments.edges;
   options.fixed_faces = arguments.fixed_faces;
   options.match_mm = arguments.measure.match_mm;
@@ -113,7 +114,7 @@ void addRepairOptions(CLI::App& command, RepairArguments& arguments) {
   command
       .add_option(
           "--max-move", arguments.max_move_mm,
-          "No point of a face moves further than this, mm, or inf; else a hundredth of the size of the "
+          "No point of a face moves further than this, mm, above 0, or inf; else a hundredth of the size of the "
           "face and twice the gap of its seams")
       ->type_name("MM");
   command
@@ -131,6 +132,10 @@ void addRepairOptions(CLI::App& command, RepairArguments& arguments) {
   listOf(command.add_option("--fix", arguments.fixed_faces, "Faces that stay, as 1,4 or Face1,Face4")
              ->type_name("FACES")
              ->transform(numberOf("Face")));
+  command
+      .add_option("--max-time", arguments.max_time_s,
+                  "No more repairs are tried after this time, s; what was repaired is kept; else no limit")
+      ->type_name("SECONDS");
   addMeasureOptions(command, arguments.measure);
   command.add_flag("--convert", arguments.convert_analytic,
                    "Planes, cylinders and the like may become splines where they have to move");

@@ -18,6 +18,7 @@ struct RepairArguments {
   std::optional<double> max_move_mm;
   double fairness = occ::RepairOptions{}.fairness;
   bool keep_curvature = false;
+  double max_time_s = occ::RepairOptions{}.max_time_s;
   std::vector<int> edges;
   std::vector<int> fixed_faces;
   bool sew = true;

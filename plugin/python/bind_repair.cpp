@@ -43,6 +43,7 @@ RepairReport repairModel(const occ::Model& model, const py::object& target, cons
                          const py::object& curvature_rel, const py::object& flat_radius_mm,
                          const py::object& crease_deg, const py::object& max_move_mm,
                          const py::object& fairness, const py::object& keep_curvature,
+                         const py::object& max_time_s,
                          const py::object& edges, const py::object& fixed_faces, const py::object& match_mm,
                          const py::object& sew, const py::object& convert_analytic, const py::object& jobs,
                          const py::object& progress) {
@@ -52,6 +53,7 @@ RepairReport repairModel(const occ::Model& model, const py::object& target, cons
   options.max_move_mm = maxMoveOf(max_move_mm);
   options.fairness = argument<double>("fairness", fairness, "a number");
   options.keep_curvature = flagOf("keep_curvature", keep_curvature);
+  if (!max_time_s.is_none()) options.max_time_s = argument<double>("max_time_s", max_time_s, "a number");
   options.edges = edgesOf(edges);
   options.fixed_faces = wholeNumbers("fixed_faces", fixed_faces);
   if (!match_mm.is_none()) options.match_mm = argument<double>("match_mm", match_mm, "a number");
@@ -104,7 +106,8 @@ void bindRepair(py::module_& module) {
           "No seam is a defect any more.")
       .def_property_readonly(
           "seams", [](const RepairReport& repair) { return py::object(repairDict(repair)["seams"]); },
-          "All seams: a list of dicts {before, after, treated, repaired, reason, sewn, not_sewn}.")
+          "All seams: a list of dicts {before, after, treated, repaired, reason, wants_conversion, "
+          "sewn, not_sewn}.")
       .def_property_readonly(
           "moves", [](const RepairReport& repair) { return py::object(repairDict(repair)["moves"]); },
           "The faces that moved: a list of dicts {face, largest_move_mm, surface}; surface tells what became "
@@ -122,7 +125,7 @@ void bindRepair(py::module_& module) {
           [](const RepairReport& repair) {
             return plainObject(report::toJson(report::summarize(repair.report)));
           },
-          "A dict {seams, treated, repaired, left, sewn, defects_before, defects_after, largest_move_mm, "
+          "A dict {seams, treated, repaired, left, wants_conversion, sewn, defects_before, defects_after, largest_move_mm, "
           "worse_faces, changed}.")
       .def("to_dict", &repairDict, "All but the model as a plain dict with the keys of the JSON.")
       .def(
@@ -144,6 +147,7 @@ void bindRepair(py::module_& module) {
       py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
       py::arg("crease_deg") = py::none(), py::arg("max_move_mm") = "auto",
       py::arg("fairness") = occ::RepairOptions{}.fairness, py::arg("keep_curvature") = false,
+      py::arg("max_time_s") = py::none(),
       py::arg("edges") = py::none(), py::arg("fixed_faces") = py::tuple(), py::arg("match_mm") = 0.0,
       py::arg("sew") = true, py::arg("convert_analytic") = false, py::arg("jobs") = 0,
       py::arg("progress") = py::none(),
@@ -154,6 +158,7 @@ void bindRepair(py::module_& module) {
       "seams "
       "to be repaired. fairness: how many times as much as before the mean curvature of a face may vary, at "
       "least 1. keep_curvature: seams that are G2 stay so, also where G1 is the target. "
+      "max_time_s: no more repairs are tried after this time, what was repaired is kept; None: no limit. "
       "edges: numbers of the edges, from 1, whose seams are treated; None: all defects. "
       "fixed_faces: numbers of faces that stay. match_mm: also open edges no further apart than this; 0: "
       "none. sew: such edges become one where they meet within the gap tolerance. convert_analytic: planes, "

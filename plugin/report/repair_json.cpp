@@ -24,6 +24,7 @@ ordered_json optionsJson(const occ::RepairOptions& options) {
           {"max_move_mm", maxMoveJson(options.max_move_mm)},
           {"fairness", options.fairness},
           {"keep_curvature", options.keep_curvature},
+          {"max_time_s", std::isfinite(options.max_time_s) ? ordered_json(options.max_time_s) : ordered_json(nullptr)},
           {"edges", options.edges},
           {"fixed_faces", options.fixed_faces},
           {"match_mm", options.match_mm},
@@ -87,6 +88,7 @@ RepairSummary summarize(const occ::RepairReport& report) {
     summary.repaired += seam.repaired;
     summary.sewn += seam.sewn;
     summary.left += seam.treated && !seam.repaired;
+    summary.wants_conversion += seam.wants_conversion;
   }
   summary.defects_before = summarize(report.before).defects;
   summary.defects_after = summarize(report.after).defects;
@@ -102,6 +104,7 @@ ordered_json toJson(const RepairSummary& summary) {
           {"treated", summary.treated},
           {"repaired", summary.repaired},
           {"left", summary.left},
+          {"wants_conversion", summary.wants_conversion},
           {"sewn", summary.sewn},
           {"defects_before", summary.defects_before},
           {"defects_after", summary.defects_after},
@@ -116,6 +119,7 @@ ordered_json toJson(const occ::SeamRepair& seam, const ContinuityTolerance& tole
           {"treated", seam.treated},
           {"repaired", seam.repaired},
           {"reason", seam.reason},
+          {"wants_conversion", seam.wants_conversion},
           {"sewn", seam.sewn},
           {"not_sewn", seam.not_sewn}};
 }

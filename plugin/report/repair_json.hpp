@@ -14,6 +14,7 @@ struct RepairSummary {
   int treated = 0;
   int repaired = 0;  ///< of those treated
   int left = 0;      ///< of those treated: not repaired
+  int wants_conversion = 0;  ///< of those not treated, see occ::SeamRepair
   int sewn = 0;
   int defects_before = 0;
   int defects_after = 0;

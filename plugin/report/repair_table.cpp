@@ -101,6 +101,11 @@ std::string toTable(const occ::RepairReport& report, const std::optional<Written
     out << '\n';
     writeRows(out, rows, first_figure);
   }
+  if (summary.wants_conversion > 0)
+    out << '\n'
+        << counted(static_cast<std::size_t>(summary.wants_conversion), "seam")
+        << " not treated between faces without poles, as planes and cylinders: these can move as splines, "
+           "with --convert (in Python convert_analytic=True)\n";
   for (const occ::FaceMove& move : report.moves)
     if (move.verdict.worse) out << "\nface " << move.face << " is less fair: " << move.verdict.reason << '\n';
   out << '\n';

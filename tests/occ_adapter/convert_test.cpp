@@ -230,8 +230,10 @@ TEST(Convert, OneOfTwoPlanes) {
   const RepairReport kept = repair(modelFromShape(shape), options);
   EXPECT_FALSE(kept.changed());
   EXPECT_NE(reasonsOf(kept).find("no poles to move"), std::string::npos);
+  EXPECT_EQ(std::ranges::count(kept.seams, true, &occ::SeamRepair::wants_conversion), 1);
   const RepairReport report = repair(modelFromShape(shape), converting());
   EXPECT_EQ(repairedSeams(report), 1) << reasonsOf(report);
+  EXPECT_EQ(std::ranges::count(report.seams, true, &occ::SeamRepair::wants_conversion), 0);
   ASSERT_EQ(report.converted.size(), 1);
   EXPECT_EQ(report.converted[0].kind, "a plane");
   EXPECT_LE(report.converted[0].error_mm, 1e-12);

@@ -179,6 +179,20 @@ TEST(Repair, NoMoveIsLargerThanAllowed) {
   for (const occ::SeamRepair& seam : report.seams) EXPECT_FALSE(seam.reason.empty());
 }
 
+TEST(Repair, TimeLimitKeepsWhatWasRepaired) {
+  std::mt19937 generator(20264);
+  RepairOptions options = strictRepair(1);
+  const TopoDS_Shape shape = disturbedGrid(generator, 2, 2, 0.01);
+  options.max_time_s = 1e-9;
+  const RepairReport none = repairedModel(shape, options);
+  EXPECT_EQ(treated(none), 4);
+  EXPECT_TRUE(none.model.shape.IsEqual(shape));
+  for (const occ::SeamRepair& seam : none.seams)
+    EXPECT_EQ(seam.reason, "the time limit of 1e-09 s was reached first");
+  options.max_time_s = 1e9;
+  EXPECT_EQ(repairedSeams(repairedModel(shape, options)), 4);
+}
+
 /// Where a repair moves a face furthest along its normal: by how much, the face and the place.
 struct Furthest {
   double move_mm = 0;
@@ -354,8 +368,15 @@ TEST(Repair, RefusesBadOptions) {
   options = {};
   options.max_move_mm = -0.1;
   refused(options, "-0.1 mm");
+  options.max_move_mm = 0;
+  refused(options, "0 mm");
   options.max_move_mm = nan;
   refused(options, "nan");
+  options = {};
+  options.max_time_s = 0;
+  refused(options, "time limit is 0 s");
+  options.max_time_s = nan;
+  refused(options, "nan s");
   options = {};
   options.tolerance.gap_mm = nan;
   refused(options, "nan");

@@ -203,6 +203,7 @@ def test_planes_stay_and_the_reason_says_so(tmp_path):
     assert result.returncode == 1
     (seam,) = report["seams"]
     assert not seam["treated"] and "plane" in seam["reason"]
+    assert seam["wants_conversion"] and report["summary"]["wants_conversion"] == 1 and "with --convert" in result.stdout
 
 
 def test_planes_move_where_told(tmp_path):
@@ -211,6 +212,7 @@ def test_planes_move_where_told(tmp_path):
     result, report, out = repair(model, "--convert", "--max-move", "inf")
     assert report["options"]["convert_analytic"] and report["converted"]
     assert result.returncode == 0 and report["summary"]["repaired"] == 1
+    assert report["summary"]["wants_conversion"] == 0
     expect_same_verdicts(report, out)
 
 
@@ -221,7 +223,7 @@ def test_options_arrive(tmp_path):
                           "--match", "0.05", "--no-sew", "--jobs", "1", "--gap", "0.02", "--angle", "0.05", "--curvature", "0.1",
                           "--flat-radius", "5000", "--crease", "7")
     assert report["options"] == {"target": "G2", "max_move_mm": 0.25, "edges": [second, first], "fixed_faces": [1, 3],
-                                 "match_mm": 0.05, "sew": False, "convert_analytic": False, "fairness": 1.5, "keep_curvature": False}
+                                 "match_mm": 0.05, "sew": False, "convert_analytic": False, "fairness": 1.5, "keep_curvature": False, "max_time_s": None}
     tolerance = {"gap_mm": 0.02, "angle_deg": 0.05, "curvature_rel": 0.1, "flat_radius_mm": 5000, "crease_deg": 7}
     assert {key: report["tolerance"][key] for key in tolerance} == pytest.approx(tolerance, rel=1e-12)
     assert [move["face"] for move in report["moves"]] == [2]
@@ -251,10 +253,16 @@ def test_each_command_says_its_exit_status():
         assert text.count("Exit status:") == 1 and f"Exit status: {meaning}" in text
 
 
+def test_repair_ends_in_time(tmp_path):
+    result, report, _ = repair(sheet(tmp_path), "--max-time", "1e-6")
+    assert result.returncode == 1 and not report["summary"]["changed"] and report["options"]["max_time_s"] == 1e-6
+    assert {seam["reason"] for seam in report["seams"] if seam["treated"]} == {"the time limit of 1e-06 s was reached first"}
+
+
 def test_defaults_are_those_of_the_help(tmp_path):
     _, report, _ = repair(sheet(tmp_path))
     assert report["options"] == {"target": "G1", "max_move_mm": "auto", "edges": [], "fixed_faces": [], "match_mm": 0, "sew": True,
-                                 "convert_analytic": False, "fairness": 1.5, "keep_curvature": False}
+                                 "convert_analytic": False, "fairness": 1.5, "keep_curvature": False, "max_time_s": None}
     expected = {"gap_mm": 0.01, "angle_deg": 0.1, "curvature_rel": 0.02, "flat_radius_mm": 100000, "crease_deg": 5}
     assert {key: report["tolerance"][key] for key in expected} == pytest.approx(expected, rel=1e-12)
     assert re.search(r"--max-move MM +No point", run("repair", "--help").stdout)

@@ -99,7 +99,7 @@ def test_keywords_are_taken(tmp_path):
                           gap_mm=0.02, angle_deg=0.05, curvature_rel=0.1, flat_radius_mm=5000, crease_deg=7)
     found = report.to_dict()
     assert found["options"] == {"target": "G2", "max_move_mm": 0.25, "edges": [second], "fixed_faces": [3], "match_mm": 0.05,
-                                "sew": False, "convert_analytic": False, "fairness": 1.5, "keep_curvature": False}
+                                "sew": False, "convert_analytic": False, "fairness": 1.5, "keep_curvature": False, "max_time_s": None}
     expected = {"gap_mm": 0.02, "angle_deg": 0.05, "curvature_rel": 0.1, "flat_radius_mm": 5000, "crease_deg": 7}
     assert {key: found["tolerance"][key] for key in expected} == pytest.approx(expected)
     assert [seam["before"]["edges"] for seam in report.seams if seam["treated"]] == [[second]]
