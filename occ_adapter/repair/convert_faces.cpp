@@ -24,11 +24,7 @@ class Converting {
  public:
   Converting(const Model& model, const RepairOptions& options, const PlainRepair& repair,
              const Progress& progress)
-      : model_(model),
-        options_(options),
-        repair_(repair),
-        progress_(progress),
-        time_(options.max_time_s) {
+      : model_(model), options_(options), repair_(repair), progress_(progress), time_(options.max_time_s) {
     TopExp::MapShapes(model.shape, TopAbs_FACE, faces_);
   }
 

@@ -86,9 +86,8 @@ class Repairing {
     const int order = anyCurvatureDoes(options_.tolerance) ? 1 : options_.order;
     std::vector<int> orders(wanted.size());
     std::ranges::transform(wanted, orders.begin(), [order](bool is_wanted) { return is_wanted ? order : 0; });
-    keepInTime(share_of_paths, partOf(progress, 0, share_of_paths), [&](const Progress& part) {
-      return improveByPaths(taskOf(faces, orders), part);
-    });
+    keepInTime(share_of_paths, partOf(progress, 0, share_of_paths),
+               [&](const Progress& part) { return improveByPaths(taskOf(faces, orders), part); });
     for (std::size_t i = 0; i < orders.size(); ++i) {
       if (isRepaired(now_.after.seams[i], sharp_[i], options_.tolerance, levelOf(order))) orders[i] = 0;
       if (orders[i] == 0) continue;
@@ -134,11 +133,10 @@ class Repairing {
         of_batch[i] = orders[i];
         left.erase(i);
       }
-      keepInTime(
-          1, partOf(progress, static_cast<double>(batch) / most_batches, (batch + 1.0) / most_batches),
-          [&](const Progress& part) {
-            return improveByMoves(taskOf(faces, of_batch, neighbours_help), part);
-          });
+      keepInTime(1, partOf(progress, static_cast<double>(batch) / most_batches, (batch + 1.0) / most_batches),
+                 [&](const Progress& part) {
+                   return improveByMoves(taskOf(faces, of_batch, neighbours_help), part);
+                 });
     }
   }
 
@@ -337,7 +335,7 @@ class Repairing {
   bool out_of_time_ = false;  ///< a stage was stopped, or not begun
   State now_;
   std::vector<bool> sharp_, wants_conversion_;  ///< by seam, see Choice
-  NeededVariation needed_;   ///< by face
+  NeededVariation needed_;                      ///< by face
   MoveLimits limits_mm_;
   Reasons not_sewn_;
   RepairReport result_;

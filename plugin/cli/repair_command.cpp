@@ -112,10 +112,10 @@ void addRepairOptions(CLI::App& command, RepairArguments& arguments) {
       ->check(CLI::IsMember({"G1", "G2"}))
       ->capture_default_str();
   command
-      .add_option(
-          "--max-move", arguments.max_move_mm,
-          "No point of a face moves further than this, mm, above 0, or inf; else a hundredth of the size of the "
-          "face and twice the gap of its seams")
+      .add_option("--max-move", arguments.max_move_mm,
+                  "No point of a face moves further than this, mm, above 0, or inf; else a hundredth of the "
+                  "size of the "
+                  "face and twice the gap of its seams")
       ->type_name("MM");
   command
       .add_option("--fairness", arguments.fairness,

@@ -43,9 +43,9 @@ RepairReport repairModel(const occ::Model& model, const py::object& target, cons
                          const py::object& curvature_rel, const py::object& flat_radius_mm,
                          const py::object& crease_deg, const py::object& max_move_mm,
                          const py::object& fairness, const py::object& keep_curvature,
-                         const py::object& max_time_s,
-                         const py::object& edges, const py::object& fixed_faces, const py::object& match_mm,
-                         const py::object& sew, const py::object& convert_analytic, const py::object& jobs,
+                         const py::object& max_time_s, const py::object& edges, const py::object& fixed_faces,
+                         const py::object& match_mm, const py::object& sew,
+                         const py::object& convert_analytic, const py::object& jobs,
                          const py::object& progress) {
   occ::RepairOptions options;
   options.order = orderOf(target);
@@ -125,7 +125,8 @@ void bindRepair(py::module_& module) {
           [](const RepairReport& repair) {
             return plainObject(report::toJson(report::summarize(repair.report)));
           },
-          "A dict {seams, treated, repaired, left, wants_conversion, sewn, defects_before, defects_after, largest_move_mm, "
+          "A dict {seams, treated, repaired, left, wants_conversion, sewn, defects_before, defects_after, "
+          "largest_move_mm, "
           "worse_faces, changed}.")
       .def("to_dict", &repairDict, "All but the model as a plain dict with the keys of the JSON.")
       .def(
@@ -147,10 +148,9 @@ void bindRepair(py::module_& module) {
       py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
       py::arg("crease_deg") = py::none(), py::arg("max_move_mm") = "auto",
       py::arg("fairness") = occ::RepairOptions{}.fairness, py::arg("keep_curvature") = false,
-      py::arg("max_time_s") = py::none(),
-      py::arg("edges") = py::none(), py::arg("fixed_faces") = py::tuple(), py::arg("match_mm") = 0.0,
-      py::arg("sew") = true, py::arg("convert_analytic") = false, py::arg("jobs") = 0,
-      py::arg("progress") = py::none(),
+      py::arg("max_time_s") = py::none(), py::arg("edges") = py::none(), py::arg("fixed_faces") = py::tuple(),
+      py::arg("match_mm") = 0.0, py::arg("sew") = true, py::arg("convert_analytic") = false,
+      py::arg("jobs") = 0, py::arg("progress") = py::none(),
       "Moves spline faces, with the least bending, until the seams chosen are smooth; proves it, or "
       "leaves them as they were. Returns a RepairReport; the model is not changed.\n\n"
       "target: 'G1' or 'G2'. Tolerances as in analyze(). max_move_mm: no point of a face moves further; "

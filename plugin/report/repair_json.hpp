@@ -12,8 +12,8 @@ namespace seamwright::report {
 struct RepairSummary {
   int seams = 0;
   int treated = 0;
-  int repaired = 0;  ///< of those treated
-  int left = 0;      ///< of those treated: not repaired
+  int repaired = 0;          ///< of those treated
+  int left = 0;              ///< of those treated: not repaired
   int wants_conversion = 0;  ///< of those not treated, see occ::SeamRepair
   int sewn = 0;
   int defects_before = 0;
