@@ -214,7 +214,9 @@ Choice choose(const Model& model, const Report& before, const RepairOptions& opt
     choice.treated.push_back(wanted && why.empty());
     choice.sharp.push_back(sharp);
     choice.reasons.push_back(why);
-    choice.wants_conversion.push_back(!why.empty() && mayMoveAsSplines(seam.faces, choice.faces));
+    choice.wants_conversion.push_back(wanted && seam.figures.gap_mm &&
+                                      !surelyReaches(seam.figures, options.tolerance, options.level()) &&
+                                      mayMoveAsSplines(seam.faces, choice.faces));
   }
   return choice;
 }

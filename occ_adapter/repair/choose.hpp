@@ -22,7 +22,7 @@ struct Choice {
   std::vector<bool> treated;           ///< by seam, in the order of the report
   std::vector<bool> sharp;             ///< by seam: of a treated one the gap alone is to be closed
   std::vector<std::string> reasons;    ///< by seam: why it is not treated though it was meant; else empty
-  std::vector<bool> wants_conversion;  ///< by seam: it is not treated as its faces have no poles
+  std::vector<bool> wants_conversion;  ///< by seam: it falls short, and no face of it moves but as a spline
   std::vector<FaceChoice> faces;
 };
 

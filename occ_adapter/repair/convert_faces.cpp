@@ -51,6 +51,8 @@ class Converting {
         seam.treated = true;
       }
       addReasons(seam);
+      if (time_.isOver() && seam.wants_conversion)
+        seam.reason += "; the time limit was reached before its faces were tried as splines";
     }
     return finished(std::move(plain));
   }
@@ -65,12 +67,12 @@ class Converting {
     }
   }
 
-  /// Each run takes half of what is left of the progress, and of the time.
+  /// Each run takes half of what is left of the progress, and all that is left of the time.
   RepairReport repaired(const Model& model) {
     const double from = done_;
     done_ += (1 - done_) / 2;
     RepairOptions options = options_;
-    if (std::isfinite(options.max_time_s)) options.max_time_s = std::max(time_.left_s() / 2, 1e-3);
+    if (std::isfinite(options.max_time_s)) options.max_time_s = std::max(time_.left_s(), 1e-3);
     return repair_(model, options, partOf(progress_, from, done_));
   }
 

@@ -68,6 +68,8 @@ class Repairing {
  private:
   static constexpr double share_of_analysis = 0.2, share_of_paths = 0.1, share_of_moves = 0.6,
                           share_of_g1 = 0.7, share_before_sewing = 0.9;
+  /// Shares of a time limit after which a stage is stopped: what follows repairs single seams, which is quick for each.
+  static constexpr double time_of_paths = 0.5, time_of_g2 = 0.6, time_of_moves = 0.9;
 
   /// The model on its way.
   struct State {
@@ -86,25 +88,27 @@ class Repairing {
     const int order = anyCurvatureDoes(options_.tolerance) ? 1 : options_.order;
     std::vector<int> orders(wanted.size());
     std::ranges::transform(wanted, orders.begin(), [order](bool is_wanted) { return is_wanted ? order : 0; });
-    keepInTime(share_of_paths, partOf(progress, 0, share_of_paths),
+    keepInTime(time_of_paths, partOf(progress, 0, share_of_paths),
                [&](const Progress& part) { return improveByPaths(taskOf(faces, orders), part); });
     for (std::size_t i = 0; i < orders.size(); ++i) {
       if (isRepaired(now_.after.seams[i], sharp_[i], options_.tolerance, levelOf(order))) orders[i] = 0;
       if (orders[i] == 0) continue;
       if (const std::string why = whyNoneMoves(now_.after.seams[i].faces, faces); !why.empty()) {
-        now_.reasons[i] = why + "; " + now_.reasons[i];
+        now_.reasons[i] =
+            why + "; " + (now_.reasons[i].empty() && out_of_time_ ? out_of_time : now_.reasons[i]);
         orders[i] = 0;
       } else {
         now_.reasons[i].clear();
       }
     }
     const auto move = [&](const Progress& part) { return improveByMoves(taskOf(faces, orders), part); };
-    keepInTime(share_of_moves, partOf(progress, share_of_paths, share_of_moves), move);
+    keepInTime(order > 1 ? time_of_g2 : time_of_moves, partOf(progress, share_of_paths, share_of_moves),
+               move);
     const std::vector<int> asked = orders;
     for (int& left : orders) left = std::min(left, 1);
     for (std::size_t i = 0; i < orders.size(); ++i)
       if (isRepaired(now_.after.seams[i], sharp_[i], options_.tolerance, Level::G1)) orders[i] = 0;
-    if (order > 1) keepInTime(share_of_g1, partOf(progress, share_of_moves, share_of_g1), move);
+    if (order > 1) keepInTime(time_of_moves, partOf(progress, share_of_moves, share_of_g1), move);
     const double alone = order > 1 ? (share_of_g1 + 1) / 2 : 1;
     repairAlone(orders, Level::G1, faces, partOf(progress, share_of_g1, alone));
     if (order > 1) repairAlone(asked, Level::G2, faces, partOf(progress, alone, 1));
@@ -245,6 +249,7 @@ class Repairing {
     for (const auto& [edge, move_mm] : moves) now_.edge_moves[edge] += move_mm;
   }
 
+  static constexpr const char* out_of_time = "the time limit was reached first";
   static constexpr const char *g1_too = "; G1: ", *g1_reached = "G1 reached; G2: ";
 
   static std::string whyNoG2(const std::string& reason) { return reason.substr(0, reason.find(g1_too)); }
@@ -300,11 +305,11 @@ class Repairing {
       seam.after = result_.after.seams[i];
       seam.treated = wanted[i];
       seam.reason = now_.reasons[i];
-      seam.wants_conversion = wants_conversion_[i];
       seam.sewn = seam.before.kind == SeamKind::Matched && seam.after.kind != SeamKind::Matched;
       if (const auto why = not_sewn_.find(i); why != not_sewn_.end()) seam.not_sewn = why->second;
       seam.repaired = wanted[i] && isRepaired(seam.after, sharp_[i], options_.tolerance, options_.level());
-      if (wanted[i] && out_of_time_ && seam.reason.empty()) seam.reason = whyOutOfTime();
+      seam.wants_conversion = wants_conversion_[i] && !seam.repaired;
+      if (wanted[i] && out_of_time_ && seam.reason.empty()) seam.reason = out_of_time;
       if (seam.repaired)
         seam.reason.clear();
       else if (wanted[i] && seam.before.kind == SeamKind::Matched && !seam.before.note.empty())
@@ -319,12 +324,6 @@ class Repairing {
       result_.moves.push_back(std::move(move));
     }
     for (const auto& [edge, move_mm] : now_.edge_moves) result_.edge_moves.push_back({edge, move_mm});
-  }
-
-  std::string whyOutOfTime() const {
-    std::ostringstream text;
-    text << "the time limit of " << options_.max_time_s << " s was reached first";
-    return text.str();
   }
 
   const Model& model_;

@@ -28,8 +28,8 @@ struct RepairOptions {
   double fairness = 1.5;
   /// A seam that surely is G2 stays so also where G1 is asked for.
   bool keep_curvature = false;
-  /// After this time no more repairs are tried; what was repaired so far is kept. The analysis counts, but is never cut short,
-  /// and sewing comes after it.
+  /// After this time no more repairs are tried; what was repaired so far is kept. The analysis counts, but is never cut short.
+  /// Sewing, and the proof of what is kept, come after it.
   double max_time_s = std::numeric_limits<double>::infinity();
   int jobs = 0;  ///< threads; 0: one for each processor
 
@@ -50,7 +50,7 @@ struct SeamRepair {
   bool repaired = false;  ///< it meets the target, and its change was kept
   /// Why it was not treated or not repaired; of a matched one that is left it begins with the note before.
   std::string reason;
-  /// It was meant, but not treated as its faces have no poles; they may get some with RepairOptions::convert_analytic.
+  /// It was meant and not repaired, and no face of it can move, but one could as a spline: see RepairOptions::convert_analytic.
   bool wants_conversion = false;
   bool sewn = false;     ///< two edges before, one after
   std::string not_sewn;  ///< of a matched seam that was to be sewn: why it was not

@@ -49,6 +49,17 @@ struct FacesToHold : std::exception {
   double repair_s = 0;  ///< spent on the repair
 };
 
+/// Faces that are held for the file were not fixed by the user.
+void tellHeld(const std::vector<int>& asked, const std::vector<int>& held, occ::RepairReport& report) {
+  for (const int face : held) {
+    if (std::ranges::count(asked, face) > 0) continue;
+    const std::string name = "face " + std::to_string(face), fixed = name + " is fixed";
+    for (occ::SeamRepair& seam : report.seams)
+      if (const std::size_t at = seam.reason.find(fixed); at != std::string::npos)
+        seam.reason.replace(at, fixed.size(), name + " stays, as its move makes a seam worse in the file");
+  }
+}
+
 /// A repair, and its file.
 struct Done {
   occ::RepairReport report;
@@ -64,6 +75,7 @@ Done repairedAndWritten(const occ::Model& model, const RepairArguments& argument
   done.report = repaired(model, arguments.model, used);
   occ::RepairReport& report = done.report;
   report.repair_s += spent_s;
+  tellHeld(asked.fixed_faces, used.fixed_faces, report);
   const auto json = [&](const std::optional<report::WrittenModel>& output) {
     return report::toJson(report, asked, output);
   };
@@ -86,6 +98,7 @@ Done repairedAndWritten(const occ::Model& model, const RepairArguments& argument
 Done repairForFile(const occ::Model& model, const RepairArguments& arguments,
                    const occ::RepairOptions& asked) {
   constexpr int most_repeats = 2;
+  constexpr double least_s = 1e-3;
   occ::RepairOptions used = asked;
   double spent_s = 0;
   for (int repeat = 0;; ++repeat) {
@@ -93,6 +106,7 @@ Done repairForFile(const occ::Model& model, const RepairArguments& arguments,
       return repairedAndWritten(model, arguments, asked, used, spent_s, repeat < most_repeats);
     } catch (const FacesToHold& hold) {
       spent_s = hold.repair_s;
+      used.max_time_s = std::max(least_s, asked.max_time_s - spent_s);
       std::string names;
       for (const int face : hold.faces) names += (names.empty() ? "" : ", ") + std::to_string(face);
       used.fixed_faces.insert(used.fixed_faces.end(), hold.faces.begin(), hold.faces.end());

@@ -125,9 +125,10 @@ void bindRepair(py::module_& module) {
           [](const RepairReport& repair) {
             return plainObject(report::toJson(report::summarize(repair.report)));
           },
-          "A dict {seams, treated, repaired, left, wants_conversion, sewn, defects_before, defects_after, "
+          "A dict {seams, treated, repaired, left, wants_conversion, sewn, lowered, defects_before, "
+          "defects_after, "
           "largest_move_mm, "
-          "worse_faces, changed}.")
+          "worse_faces, changed, passed}.")
       .def("to_dict", &repairDict, "All but the model as a plain dict with the keys of the JSON.")
       .def(
           "to_json",

@@ -80,16 +80,22 @@ Judge judgeOf(const occ::RepairReport& report, const occ::RepairOptions& options
   };
 }
 
+bool isLowered(const occ::SeamRepair& seam) {
+  return !seam.treated && !seam.sewn && seam.after.verdict.level < seam.before.verdict.level;
+}
+
 RepairSummary summarize(const occ::RepairReport& report) {
   RepairSummary summary;
   summary.seams = static_cast<int>(report.seams.size());
   summary.changed = report.changed();
+  summary.passed = report.after.passed();
   for (const occ::SeamRepair& seam : report.seams) {
     summary.treated += seam.treated;
     summary.repaired += seam.repaired;
     summary.sewn += seam.sewn;
     summary.left += seam.treated && !seam.repaired;
     summary.wants_conversion += seam.wants_conversion;
+    summary.lowered += isLowered(seam);
   }
   summary.defects_before = summarize(report.before).defects;
   summary.defects_after = summarize(report.after).defects;
@@ -107,11 +113,13 @@ ordered_json toJson(const RepairSummary& summary) {
           {"left", summary.left},
           {"wants_conversion", summary.wants_conversion},
           {"sewn", summary.sewn},
+          {"lowered", summary.lowered},
           {"defects_before", summary.defects_before},
           {"defects_after", summary.defects_after},
           {"largest_move_mm", summary.largest_move_mm},
           {"worse_faces", summary.worse_faces},
-          {"changed", summary.changed}};
+          {"changed", summary.changed},
+          {"passed", summary.passed}};
 }
 
 ordered_json toJson(const occ::SeamRepair& seam, const ContinuityTolerance& tolerance) {
@@ -165,6 +173,7 @@ ordered_json toJson(const occ::RepairReport& report, const occ::RepairOptions& o
   ordered_json json = headJson("seamwright.repair/1", report.before);
   json["options"] = optionsJson(options);
   json["summary"] = toJson(summarize(report));
+  if (output && output->found.defects > 0) json["summary"]["passed"] = false;
   json["time_s"] = {{"read", report.before.read_s}, {"repair", report.repair_s}};
   json["output"] = toJson(output);
   json["seams"] = ordered_json::array();

@@ -16,12 +16,17 @@ struct RepairSummary {
   int left = 0;              ///< of those treated: not repaired
   int wants_conversion = 0;  ///< of those not treated, see occ::SeamRepair
   int sewn = 0;
+  int lowered = 0;  ///< of those not treated: of a lower level than before, which the target allows
   int defects_before = 0;
   int defects_after = 0;
   double largest_move_mm = 0;
   int worse_faces = 0;  ///< of those that moved: less fair than before
   bool changed = false;
+  bool passed = false;  ///< no seam is a defect any more
 };
+
+/// A seam that was not treated has a lower level than before, as a neighbour was repaired. The level that is asked for is kept.
+bool isLowered(const occ::SeamRepair& seam);
 
 RepairSummary summarize(const occ::RepairReport& report);
 

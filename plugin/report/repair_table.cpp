@@ -101,11 +101,19 @@ std::string toTable(const occ::RepairReport& report, const std::optional<Written
     out << '\n';
     writeRows(out, rows, first_figure);
   }
+  if (summary.lowered > 0) {
+    std::string names;
+    for (const occ::SeamRepair& seam : report.seams)
+      if (isLowered(seam)) names += (names.empty() ? "" : ", ") + edgesText(seam.after);
+    out << '\n'
+        << counted(static_cast<std::size_t>(summary.lowered), "other seam")
+        << " lost a level above the target, which --keep-curvature prevents: " << names << '\n';
+  }
   if (summary.wants_conversion > 0)
     out << '\n'
         << counted(static_cast<std::size_t>(summary.wants_conversion), "seam")
-        << " not treated between faces without poles, as planes and cylinders: these can move as splines, "
-           "with --convert (in Python convert_analytic=True)\n";
+        << " left at planes, cylinders and the like: these can move as splines, with --convert (in Python "
+           "convert_analytic=True)\n";
   for (const occ::FaceMove& move : report.moves)
     if (move.verdict.worse) out << "\nface " << move.face << " is less fair: " << move.verdict.reason << '\n';
   out << '\n';

@@ -9,6 +9,7 @@
 #include <seamwright/plugin/report/numbers.hpp>
 #include <seamwright/plugin/report/text.hpp>
 #include <seamwright/plugin/report/written.hpp>
+#include <set>
 #include <vector>
 
 namespace seamwright::report {
@@ -35,24 +36,66 @@ std::string renumbering(const ModelCounts& file, const ModelCounts& memory) {
          " added by reading; numbers of edges differ from Edge" + std::to_string(first) + " on";
 }
 
-std::map<FacePair, int> defectsBetween(const std::vector<occ::SeamResult>& seams) {
-  std::map<FacePair, int> counts;
-  for (const occ::SeamResult& seam : seams) ++counts[facesOf(seam)];
-  return counts;
+/// The figure by which a defect misses the next level.
+const std::optional<Figure>& missingFigure(const occ::SeamResult& seam) {
+  switch (seam.verdict.level) {
+    case Level::None:
+      return seam.figures.gap_mm;
+    case Level::G0:
+      return seam.figures.angle_rad;
+    default:
+      return seam.figures.curvature_rel;
+  }
 }
 
-/// Defects beyond those that are known. Between the same faces seams are told apart by their edges no more: reading may number them anew.
-std::vector<occ::SeamResult> beyond(std::map<FacePair, int> known,
+/// A lower level, or of the same one a figure that surely is larger by more than a tenth.
+bool isWorse(const occ::SeamResult& seam, const occ::SeamResult& other) {
+  constexpr double more = 1.1;
+  if (seam.verdict.level != other.verdict.level) return seam.verdict.level < other.verdict.level;
+  const auto &is = missingFigure(seam), &was = missingFigure(other);
+  return is && was && was->upper && is->lower > more * *was->upper;
+}
+
+std::map<FacePair, std::vector<occ::SeamResult>> byFaces(const std::vector<occ::SeamResult>& seams) {
+  std::map<FacePair, std::vector<occ::SeamResult>> sorted;
+  for (const occ::SeamResult& seam : seams) sorted[facesOf(seam)].push_back(seam);
+  for (auto& [faces, defects] : sorted)
+    std::ranges::stable_sort(defects, [](const occ::SeamResult& a, const occ::SeamResult& b) {
+      const auto lower = [](const occ::SeamResult& seam) {
+        return missingFigure(seam) ? missingFigure(seam)->lower : 0;
+      };
+      return std::pair(a.verdict.level, -lower(a)) < std::pair(b.verdict.level, -lower(b));
+    });
+  return sorted;
+}
+
+/// Defects beyond those that are known, or worse than these. Between the same faces the worst one is compared with the worst one, and so on:
+/// edges do not tell seams apart, as reading may number them anew.
+std::vector<occ::SeamResult> beyond(const std::vector<occ::SeamResult>& known,
                                     const std::vector<occ::SeamResult>& seams) {
+  const auto known_by_faces = byFaces(known);
   std::vector<occ::SeamResult> found;
-  for (const occ::SeamResult& seam : seams)
-    if (--known[facesOf(seam)] < 0) found.push_back(seam);
+  for (const auto& [faces, defects] : byFaces(seams)) {
+    const auto at = known_by_faces.find(faces);
+    const std::size_t count = at == known_by_faces.end() ? 0 : at->second.size();
+    for (std::size_t k = 0; k < defects.size(); ++k)
+      if (k >= count || isWorse(defects[k], at->second[k])) found.push_back(defects[k]);
+  }
   return found;
 }
 
+/// Whether faces have the same numbers in the file: nearly the same ones are neighbours.
+bool hasSameFaces(const ModelCounts& file, const ModelCounts& memory) {
+  constexpr double nearly_all = 0.9;
+  if (file.faces != memory.faces) return false;
+  const auto same = std::ranges::count_if(
+      memory.neighbours, [&file](const FacePair& faces) { return file.neighbours.contains(faces); });
+  return static_cast<double>(same) >= nearly_all * static_cast<double>(memory.neighbours.size());
+}
+
 std::vector<occ::SeamResult> onlyInFile(const ModelCounts& file, const ModelCounts& memory) {
-  if (file.faces != memory.faces) return {};
-  return beyond(defectsBetween(memory.defect_seams), file.defect_seams);
+  if (!hasSameFaces(file, memory)) return {};
+  return beyond(memory.defect_seams, file.defect_seams);
 }
 
 std::string namesOf(const std::vector<occ::SeamResult>& seams) {
@@ -70,6 +113,13 @@ std::vector<occ::SeamResult> defectSeamsOf(const occ::Report& report) {
     return seam.verdict.seam_class == SeamClass::Defect;
   });
   return defects;
+}
+
+std::set<FacePair> neighboursOf(const occ::Report& report) {
+  std::set<FacePair> neighbours;
+  for (const occ::SeamResult& seam : report.seams)
+    if (seam.kind != occ::SeamKind::Matched) neighbours.insert(facesOf(seam));
+  return neighbours;
 }
 
 /// A file that does not take its place.
@@ -127,7 +177,7 @@ class JudgedWriting {
     found.only_in_file = onlyInFile(found.found, judge_.memory);
     if (found.only_in_file.empty() || !spoilt_) return found;
     found.spoilt_by_writing = countSpoilt(found.only_in_file);
-    found.worse = worseThanGiven(found.only_in_file);
+    found.worse = worseThanGiven(found);
     return found;
   }
 
@@ -158,16 +208,24 @@ class JudgedWriting {
       const ModelCounts given = judge_.count(*judge_.given, progress_.checking);
       spoilt_ = onlyInFile(found, given);
       given_ = given.defect_seams;
+      given_in_file_ = found.defect_seams;
     }
   }
 
-  /// Of seams that are defects in the file alone.
-  std::vector<occ::SeamResult> worseThanGiven(const std::vector<occ::SeamResult>& only_in_file) const {
-    std::map<FacePair, int> known = defectsBetween(given_);
-    for (const auto& [faces, count] : defectsBetween(judge_.memory.defect_seams)) known[faces] -= count;
-    for (auto& [faces, count] : known) count = std::max(count, 0);
-    for (const auto& [faces, count] : defectsBetween(*spoilt_)) known[faces] += count;
-    return beyond(std::move(known), only_in_file);
+  /// Of the seams that are worse in the file than in memory.
+  std::vector<occ::SeamResult> worseThanGiven(const WrittenModel& written) const {
+    const auto edgesOf = [](const std::vector<occ::SeamResult>& seams) {
+      std::set<std::vector<int>> edges;
+      for (const occ::SeamResult& seam : seams) edges.insert(seam.edges);
+      return edges;
+    };
+    const auto than_given = edgesOf(beyond(given_, written.found.defect_seams)),
+               than_its_file = edgesOf(beyond(given_in_file_, written.found.defect_seams));
+    std::vector<occ::SeamResult> worse = written.only_in_file;
+    std::erase_if(worse, [&](const occ::SeamResult& seam) {
+      return !than_given.contains(seam.edges) || !than_its_file.contains(seam.edges);
+    });
+    return worse;
   }
 
   int countSpoilt(const std::vector<occ::SeamResult>& seams) const {
@@ -195,7 +253,7 @@ class JudgedWriting {
   WrittenModel last_;  ///< what was read back last
   std::optional<JudgedFile> file_;
   std::optional<std::vector<occ::SeamResult>> spoilt_;  ///< what writing the model before the change spoils
-  std::vector<occ::SeamResult> given_;                  ///< defects of the model before the change
+  std::vector<occ::SeamResult> given_, given_in_file_;  ///< defects of the model before the change
 };
 
 }  // namespace
@@ -211,7 +269,8 @@ ModelCounts countsOf(const occ::Report& report, const occ::Model& model) {
           .seams = static_cast<int>(report.seams.size()),
           .defects = summarize(report).defects,
           .without_length = occ::degenerateEdges(model),
-          .defect_seams = defectSeamsOf(report)};
+          .defect_seams = defectSeamsOf(report),
+          .neighbours = neighboursOf(report)};
 }
 
 std::string WrittenModel::differences(const ModelCounts& memory) const {
@@ -230,6 +289,8 @@ std::string WrittenModel::differences(const ModelCounts& memory) const {
   if (!here.empty())
     text = "read back: " + listed(here) + "; the model in memory has " + listed(there) +
            renumbering(found, memory);
+  if (found.faces == memory.faces && !hasSameFaces(found, memory))
+    text += (text.empty() ? "read back: " : "; ") + std::string("numbers of faces and edges differ");
   if (only_in_file.empty()) return text;
   text += (text.empty() ? "read back: " : "; ") + std::string("defects in the file alone: ") +
           namesOf(only_in_file);

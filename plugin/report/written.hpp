@@ -10,6 +10,7 @@
 #include <seamwright/occ_adapter/model/model.hpp>
 #include <seamwright/occ_adapter/model/write.hpp>
 #include <seamwright/occ_adapter/progress.hpp>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,6 +31,7 @@ struct ModelCounts {
   int defects = 0;                  ///< seams that do not meet the target
   std::vector<int> without_length;  ///< numbers of edges that have no curve in space, ascending
   std::vector<occ::SeamResult> defect_seams = {};  ///< those that do not meet the target
+  std::set<FacePair> neighbours = {};              ///< faces with an edge in common
 };
 
 /// \param model the one that the report is about
@@ -40,12 +42,13 @@ struct WrittenModel {
   std::filesystem::path path;
   occ::Format format = occ::Format::Step;
   ModelCounts found;
-  /// Seams that are defects in the file, between faces that have fewer in memory; none where the numbers of faces differ. Numbers of the file.
+  /// Seams that are defects in the file, between faces that have fewer in memory, or smaller ones: of a higher level, or by a tenth. None
+  /// where faces have other numbers. Numbers of the file.
   std::vector<occ::SeamResult> only_in_file = {};
   /// Of those: how many are defects too where the model before the change is written and read. Nothing where that was not looked at.
   std::optional<int> spoilt_by_writing = {};
-  /// Of those: the seams that the change made worse. Between their faces the model before the change has fewer defects, in memory and, written and
-  /// read, in its file. None where that was not looked at.
+  /// Of those: the seams that the change made worse. Between their faces the model before the change has fewer or smaller defects, in memory and,
+  /// written and read, in its file. None where that was not looked at.
   std::vector<occ::SeamResult> worse = {};
 
   /// It has no more defects and no more open edges.

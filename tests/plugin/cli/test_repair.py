@@ -49,6 +49,10 @@ def check_laws(report, status):
         assert summary[f"defects_{key}"] == sum(seam[key]["class"] == "defect" for seam in seams)
     assert status == (1 if summary["defects_after"] or report["output"]["defects"] else 0)
     assert summary["sewn"] == sum(seam["sewn"] for seam in seams)
+    assert summary["passed"] == (status == 0)
+    levels = ["none", "G0", "G1", "G2", "G3"]
+    lost = [seam for seam in seams if levels.index(seam["after"]["level"]) < levels.index(seam["before"]["level"])]
+    assert summary["lowered"] == sum(not seam["treated"] and not seam["sewn"] for seam in lost)
     assert summary["changed"] == bool(report["moves"] or report["edge_moves"] or summary["sewn"])
     assert (report["numbers_now"] is not None) == bool(summary["sewn"])
     assert summary["largest_move_mm"] == max((move["largest_move_mm"] for move in report["moves"]), default=0)
@@ -256,7 +260,7 @@ def test_each_command_says_its_exit_status():
 def test_repair_ends_in_time(tmp_path):
     result, report, _ = repair(sheet(tmp_path), "--max-time", "1e-6")
     assert result.returncode == 1 and not report["summary"]["changed"] and report["options"]["max_time_s"] == 1e-6
-    assert {seam["reason"] for seam in report["seams"] if seam["treated"]} == {"the time limit of 1e-06 s was reached first"}
+    assert {seam["reason"] for seam in report["seams"] if seam["treated"]} == {"the time limit was reached first"}
 
 
 def test_defaults_are_those_of_the_help(tmp_path):

@@ -141,6 +141,52 @@ TEST_F(WriteJudged, ASeamThatIsRepairedInMemoryAloneIsNotWorse) {
   EXPECT_EQ(written_file.model.worse[0].edges, std::vector{4});
 }
 
+/// A seam with a kink.
+occ::SeamResult kink(int edge, double angle_rad, Level level = Level::G0) {
+  occ::SeamResult seam = defect(edge, 1, 2);
+  seam.verdict.level = level;
+  seam.figures.angle_rad = Figure{angle_rad, angle_rad, 0};
+  return seam;
+}
+
+/// Of two kinks edge 4 is another one in the file; what writing the unchanged model makes of them.
+WrittenModel writtenKinks(const std::function<JudgedFile(std::vector<ModelCounts>, ModelCounts, bool)>& write,
+                          const occ::SeamResult& in_file, const ModelCounts& rewritten) {
+  const ModelCounts memory = counts({kink(3, 0.02), kink(4, 0.1)}), file = counts({kink(3, 0.021), in_file});
+  return write({file, file, rewritten, memory, file}, memory, true).model;
+}
+
+TEST_F(WriteJudged, ADefectThatIsLargerInTheFileIsWorse) {
+  const auto write = [this](auto... given) { return written(given...); };
+  const WrittenModel found = writtenKinks(write, kink(4, 0.12), counts({kink(3, 0.02), kink(4, 0.1)}));
+  ASSERT_EQ(found.worse.size(), 1u);
+  EXPECT_EQ(found.worse[0].edges, std::vector{4});
+}
+
+TEST_F(WriteJudged, ADefectOfALowerLevelInTheFileIsWorse) {
+  const auto write = [this](auto... given) { return written(given...); };
+  const WrittenModel found =
+      writtenKinks(write, kink(4, 0.1, Level::None), counts({kink(3, 0.02), kink(4, 0.1)}));
+  ASSERT_EQ(found.worse.size(), 1u);
+  EXPECT_EQ(found.worse[0].edges, std::vector{4});
+}
+
+TEST_F(WriteJudged, WhatWritingAloneMakesLargerIsNotWorse) {
+  const auto write = [this](auto... given) { return written(given...); };
+  const WrittenModel found = writtenKinks(write, kink(4, 0.12), counts({kink(3, 0.02), kink(4, 0.12)}));
+  EXPECT_EQ(found.only_in_file.size(), 1u);
+  EXPECT_TRUE(found.worse.empty());
+}
+
+TEST_F(WriteJudged, FacesThatHaveOtherNumbersInTheFileAreTold) {
+  ModelCounts memory = counts({defect(2, 1, 2)}), file = counts({defect(9, 5, 6)});
+  memory.neighbours = {{1, 2}, {3, 4}, {3, 5}};
+  file.neighbours = {{5, 6}, {1, 2}, {1, 3}};
+  const JudgedFile found = written({file}, memory);
+  EXPECT_TRUE(found.model.only_in_file.empty());
+  EXPECT_EQ(found.model.differences(memory), "read back: numbers of faces and edges differ");
+}
+
 TEST_F(WriteJudged, WhereFacesAreOthersNoSeamIsNamed) {
   ModelCounts file = counts({defect(4, 2, 3)});
   file.faces = 7;
