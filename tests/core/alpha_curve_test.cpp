@@ -404,8 +404,8 @@ TEST(AlphaCurve, Identity6NoShapeHasLess) {
   EXPECT_GT(clamped, 20);
 }
 
-/// free_a of the matrices in print for k = 3 ([TuYanXu2022]), with that entry (P_2, P_3) and the right
-/// sign.
+/// free_a of the matrices in print for k = 3 ([TuYanXu2022]), with that entry (P_2, P_3) and the
+/// right sign.
 double printedThird(const AlphaCurve::Polygon& poles, double entry) {
   Eigen::Matrix4d X, Y;
   X << -5, 8, 4, -2, 0, -3, -6, 4, 0, 0, -3, entry, 0, 0, 0, -5;
