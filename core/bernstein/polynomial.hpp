@@ -51,7 +51,7 @@ namespace seamwright {
 /// Coefficients and padding are below 2^1023 in size; an operation whose result is not throws
 /// std::overflow_error. No result is ever NaN or infinite, except that a bound of an interval may be
 /// infinite.
-/// Source: MATH-surfaces 0.3, 3.6 (midpoint and radius).
+/// Source: docs/theory/enclosures.md E1.1 to E1.3, E4.1; [FaroukiRajan1987].
 class BernsteinPolynomial {
  public:
   /// \param coefficients n + 1 >= 1 numbers. \param padding not negative.

@@ -35,7 +35,7 @@ namespace seamwright {
 ///   (8) f.composed(u, v)(t) = f(u(t), v(t)).
 ///
 /// Limits, overflow and rounding modes as for BernsteinPolynomial.
-/// Source: MATH-surfaces 0.3, 3.4, 3.6.
+/// Source: docs/theory/enclosures.md E1.1 to E1.4, E4.1.
 class BernsteinTensor {
  public:
   /// An edge of the square, named by the parameter that is constant on it.

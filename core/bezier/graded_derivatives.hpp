@@ -25,8 +25,8 @@ struct GradedNumber {
 /// Derivatives of orders 1, 2, 3, ... at a point by a parameter of their own, of which a multiple of the lower ones
 /// is taken away: span and determinant of the first k are those of X', ..., X^(k).
 ///
-/// With d, d', d'' the first three, for a parameter s: X_s = d, X_ss = d' + (...) d and
-/// X_sss = d'' + shift d' + (...) d, the sum of (...) such that curvature changes by the arc length at the rate
+/// With d, d', d'' the first three there is a parameter by which the derivatives of X are d, d' and
+/// d'' + shift d' + (...) d. So curvature changes by the arc length at the rate
 /// kappa / |d| ((d x d').(d x d'') / |d x d'|^2 - 3 d.d' / |d|^2 + shift).
 struct GradedDerivatives {
   std::vector<GradedVector> by_order;  ///< that of order k at k - 1
@@ -43,6 +43,7 @@ struct GradedDerivatives {
 /// k acts like a movement of pole p_k by a few units in the last place of its distance to the others. That is
 /// backward stable whatever the weights. Derivatives by t are not: where one weight exceeds the others by 10^7, X', X''
 /// and X''' are parallel to 10^-7 and more, and torsion is what is left of them.
+/// Source: docs/theory/curves.md C1.3.
 /// \param t finite; outside [0, 1] the weights may cancel, which the errors include.
 /// \throws std::invalid_argument if a pole or the point is beyond the range of a double.
 GradedDerivatives gradedDerivatives(const HomogeneousPoles& poles, double t, int order);

@@ -29,7 +29,7 @@ struct ArcLength {
 ///   (4) A cusp inside: the bracket holds the length of both branches.
 /// \throws std::invalid_argument for a tolerance that is not positive and finite, a range outside
 /// 0 <= first <= last <= 1, or a degree above 401, of a rational curve 197.
-/// Source: MATH-curves 1 (Gravesen).
+/// Source: docs/theory/curves.md C1.5; [Gravesen1997].
 ArcLength arcLength(const BezierCurve& curve, double tolerance_mm, double first = 0, double last = 1);
 
 /// The parameter t at which the length from t = 0 is \p length_mm, by Newton's method between bounds.

@@ -29,7 +29,7 @@ using Barycentric = Eigen::Vector3d;
 ///   (3) elevated(), subtriangle(), splitAt(), quartered() and permuted() are the same surface: the point at
 ///       l of the result is that of this triangle at the combination l of the corners.
 ///   (4) Triangles out of one split share the poles of their common edges bit by bit.
-/// Source: text 001, section 2; MATH-surfaces 0.1, 4.
+/// Source: docs/theory/surfaces.md S4.1; [Farin1986]; [Ramshaw1989].
 class BezierTriangle {
  public:
   /// Polynomial triangle. \param poles (n+1)(n+2)/2 by 3; their number gives the degree.

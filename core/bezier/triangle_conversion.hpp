@@ -21,9 +21,9 @@
 ///   (4) A patch X(u, v) is T(1-u, u(1-v), uv) for some triangle T if and only if its row r has degree <= r
 ///       in v for every r. The least degree of such a T is the degree of X in u.
 ///   (5) recogniseTriangle(degeneratePatch(T)) is T, but for rounding, at the lowest degree that T has.
-/// Source: text 001, section 2; MATH-surfaces 4.3. (4): in powers X = sum_k u^k x_k(v); with x = u(1-v),
-/// y = uv the terms of degree k of a polynomial in x, y are u^k times a polynomial of degree <= k in v, and
-/// each such polynomial occurs.
+/// Source: docs/theory/surfaces.md S4.4, S4.5; [Hu1996]. (4): in powers X = sum_k u^k x_k(v); with
+/// x = u(1-v), y = uv the terms of degree k of a polynomial in x, y are u^k times a polynomial of
+/// degree <= k in v, and each such polynomial occurs.
 namespace seamwright {
 
 /// The triangle as one patch of degrees n, n, whose edge u = 0 is the corner \p apex; the other corners

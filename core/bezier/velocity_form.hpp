@@ -18,6 +18,7 @@ using VectorForm = std::array<BernsteinPolynomial, 3>;
 /// With X = A / w, A = (1 - t) A_0 + t A_1 and the same for w (A_0 has the first n poles, A_1 the last n),
 /// X' = n (A_1 w_0 - A_0 w_1) / w^2: degree 2 n - 2, divisor w^2. A polynomial curve has degree n - 1, and a
 /// constant for divisor.
+/// Source: docs/theory/curves.md C1.4, C1.5.
 struct VelocityForm {
   VectorForm velocity;
   BernsteinPolynomial divisor;
@@ -37,6 +38,7 @@ VelocityForm velocityForm(const BezierCurve& curve);
 /// With A_0, A_1, A_2 of the poles without the last two, without the ends, without the first two, it is
 /// (w_0 A_1 x A_2 + w_1 A_2 x A_0 + w_2 A_0 x A_1) / w^3 times n^2 (n - 1): degree 3 n - 6. A polynomial curve
 /// has degree 2 n - 4.
+/// Source: docs/theory/curves.md C1.4.
 VectorForm curvatureForm(const BezierCurve& curve);
 
 std::pair<VectorForm, VectorForm> halves(const VectorForm& form);

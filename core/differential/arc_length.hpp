@@ -27,7 +27,7 @@ namespace seamwright {
 /// \returns c_0..c_n, (n+1) by 3; nothing where the tangent is lost (|X'| <= speed_noise) or a number is not
 /// finite. With n = 0 the point alone.
 /// \throws std::invalid_argument if there is no row.
-/// Source: MATH-curves 1.
+/// Source: docs/theory/curves.md C1.2.
 std::optional<CurveDerivatives> arcLengthDerivatives(const CurveDerivatives& derivatives,
                                                      double speed_noise = 0);
 

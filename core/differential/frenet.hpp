@@ -53,7 +53,7 @@ struct FrenetFrame {
 /// \param speed_noise, acceleration_noise what rounding may have added to the first, and to each of the higher
 /// derivatives.
 /// \throws std::invalid_argument for fewer than two rows, a number that is not finite, a negative noise.
-/// Source: text 000 §1; MATH-curves 1; the printed N lacks the norm (ERRATA-curves 0.1).
+/// Source: docs/theory/curves.md C1.1, C1.3; [doCarmo1976].
 FrenetFrame frenetFrame(const CurveDerivatives& derivatives, double speed_noise = 0,
                         double acceleration_noise = 0);
 /// Of a curve, whose homogeneous poles count as exact (where weights and poles were given apart, their products have
@@ -86,7 +86,7 @@ struct CurveDegeneracies {
 /// a double zero there, so rounding hides an inflection that is near. On a line the places of cusps are short, and
 /// all the rest is a place without curvature.
 /// \throws std::invalid_argument for a resolution outside 1e-12..1.
-/// Source: MATH-curves 2.3 (1).
+/// Source: docs/theory/curves.md C1.4.
 CurveDegeneracies findDegeneracies(const BezierCurve& curve, double resolution = 1e-9);
 
 /// A frame that does not turn about the tangent: rotation minimising, by double reflection.
@@ -100,7 +100,7 @@ struct MovingFrame {
 /// tangent turns by more than a right angle are halved.
 /// \throws std::invalid_argument for parameters that do not increase; for a normal along the tangent or not finite; at a
 /// cusp (as findDegeneracies() sees it), also between the parameters, with the parameter.
-/// Source: W. Wang, B. Juettler, D. Zheng, Y. Liu, Computation of rotation minimizing frames, ACM TOG 27 (2008).
+/// Source: docs/theory/curves.md C1.6; [WangEtAl2008].
 std::vector<MovingFrame> rotationMinimizingFrames(const BezierCurve& curve,
                                                   const std::vector<double>& parameters,
                                                   std::optional<Eigen::Vector3d> normal = std::nullopt);

@@ -62,7 +62,7 @@ SecondForm secondForm(const SurfaceJet& jet, const Eigen::Vector3d& normal);
 ///   (6) Under a rotation R it becomes R W R^T, under a scale s it becomes W / s.
 ///
 /// \pre degeneracy(jet) is None; \p normal is the unit normal or its negative.
-/// Source: MATH-surfaces 1.3, 1.4 (second fundamental form on the tangent plane).
+/// Source: docs/theory/surfaces.md S1.4; [doCarmo1976].
 Eigen::Matrix3d curvatureTensor(const SurfaceJet& jet, const Eigen::Vector3d& normal);
 
 /// The change of curvature in a tangent direction d: the derivative by arc length of the curvature of the
@@ -85,7 +85,7 @@ Eigen::Matrix3d curvatureTensor(const SurfaceJet& jet, const Eigen::Vector3d& no
 /// \param jet to third order. \pre degeneracy(jet) is None; \p normal is the unit normal or its negative; \p
 /// direction is a unit vector of the tangent plane. Not finite where third partials are not, or leave the
 /// range of a double.
-/// Source: MATH-surfaces 1.4 (M3).
+/// Source: docs/theory/surfaces.md S1.6.
 double curvatureChange(const SurfaceJet& jet, const Eigen::Vector3d& normal,
                        const Eigen::Vector3d& direction);
 

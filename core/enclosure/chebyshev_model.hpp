@@ -28,7 +28,7 @@ namespace seamwright {
 ///   (2) range() contains every value; its excess falls with the square of the length of the piece.
 ///   (3) Halving the interval divides the radius of an analytic function by about 2^8.
 ///
-/// Source: MATH-surfaces 3.4 and 3.6 (fallback where exact composition is impossible, rounding).
+/// Source: docs/theory/enclosures.md E2.1 to E2.3, E4.2; [BrisebarreJoldes2010]; [MakinoBerz2003].
 class ChebyshevModel {
  public:
   static constexpr int max_degree = 7;

@@ -85,8 +85,8 @@ VectorModel space(const HomogeneousModel& h) {
   return {h[0], h[1], h[2]};
 }
 
-/// Partial derivatives of the quotient of h's space part and weight (MATH-surfaces 3.1, 8): the product rule,
-/// solved.
+/// Partial derivatives of the quotient of h's space part and weight: the product rule, solved.
+/// Source: docs/theory/enclosures.md E2.4.
 JetModel projected(const std::array<HomogeneousModel, 6>& h, int order) {
   const ChebyshevModel w = inverse(h[0][3]);
   JetModel jet;

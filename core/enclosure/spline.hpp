@@ -42,6 +42,7 @@ struct SplineDirection {
 /// on, or the spline repeats if it is periodic.
 ///
 /// Not to be shared between threads: pieces met are kept.
+/// Source: docs/theory/enclosures.md E2.4, E5.1.
 class SplineEvaluator {
  public:
   static constexpr int max_degree = 25;

@@ -20,10 +20,12 @@ struct SurfaceFields {
   SymmetricModel tensor;  ///< curvature tensor to that normal, see curvatureTensor()
 };
 
-/// The fields of a parametrised surface from its jet. Source: MATH-surfaces 1.3, 1.4.
+/// The fields of a parametrised surface from its jet.
+/// Source: docs/theory/enclosures.md E3.1; docs/theory/surfaces.md S1.4.
 SurfaceFields fieldsOf(const JetModel& jet, Detail detail);
 /// The same next to a boundary that is one point: the normal is known up to it where X_tau and Q_s, the
 /// derivative of the quotient along the boundary, are independent; the tensor off it.
+/// Source: docs/theory/enclosures.md E5.1.
 SurfaceFields collapsedFieldsOf(const CollapsedJetModel& jet, Detail detail);
 
 /// A surface for evaluation along pieces of paths in its parameter plane.

@@ -23,7 +23,7 @@ namespace seamwright {
 ///   (4) beta = (1, 0, .., 0): the unit matrix, C^n.
 /// \throws std::invalid_argument for numbers not finite, beta_1 <= 0, more than 30 betas, different numbers
 /// of betas, or a result beyond the range of a double; with index and value.
-/// Source: text 000 §2(c); MATH-curves 2.1; other conventions in the texts: ERRATA-curves 0.3.
+/// Source: docs/theory/curves.md C2.1, C2.2 (also the opposite convention); [BarskyDeRose1989].
 Eigen::MatrixXd betaMatrix(const Eigen::VectorXd& beta);
 Eigen::VectorXd composedBeta(const Eigen::VectorXd& beta, const Eigen::VectorXd& first);
 Eigen::VectorXd inverseBeta(const Eigen::VectorXd& beta);
@@ -42,9 +42,9 @@ struct BetaFit {
   double length_mm = 0;  ///< L
 };
 
-/// Measures by the text's equations: beta_k is the projection of row k on a's tangent, by the parameters of
-/// the curves. The bounds come of running error analysis: the speed v from (v^2)^(m) = (X' . X')^(m), then
-/// c from the equations X^(k) = sum_j B_kj(v, v', ..) c_j.
+/// Measures by the beta constraint: beta_k is the projection of row k on a's tangent, by the
+/// parameters of the curves. The bounds come of running error analysis: the speed v from
+/// (v^2)^(m) = (X' . X')^(m), then c from the equations X^(k) = sum_j B_kj(v, v', ..) c_j.
 /// \param length_mm L. Nothing: the smaller distance of the end points of the two curves; a closed curve,
 /// whose end points are within 1e-12 of its size, does not count, and for two of them it is the diagonal of
 /// the smaller box of poles.
@@ -54,7 +54,7 @@ struct BetaFit {
 ///   (7) defects against measureJoint(): differences[k] L^(k-1).
 /// \throws std::invalid_argument for an order outside 0..30, a length that is not positive (all poles are one
 /// point), or end points beyond the range of a double.
-/// Source: text 000 §2; MATH-curves 2.3.
+/// Source: docs/theory/curves.md C2.5 to C2.7.
 BetaFit fitBeta(const BezierCurve& a, const BezierCurve& b, int order,
                 std::optional<double> length_mm = std::nullopt);
 
@@ -76,7 +76,7 @@ struct CurveJoinRule {
 /// \throws std::invalid_argument for a degree below n or above 100, betas as betaMatrix(), lengths not
 /// positive, a scale of another number than n + 1 or with e_0 <= 0, a without tangent at its end, and a
 /// weight that comes out not positive (index and value): a smaller next_length or smaller e_1, e_2, .. help.
-/// Source: text 000 §2; MATH-curves 2.2, 3.
+/// Source: docs/theory/curves.md C2.4, C3.1, C3.2.
 HomogeneousPoles nextPoles(const BezierCurve& a, int degree, const CurveJoinRule& rule);
 
 /// \p b with its first n + 1 homogeneous poles replaced by nextPoles(); elevated first to degree 2n + 1 if
@@ -85,6 +85,7 @@ HomogeneousPoles nextPoles(const BezierCurve& a, int degree, const CurveJoinRule
 ///   (9) fitBeta() returns beta_k next_length^k / length, which is beta for unit lengths; C^n equals
 ///       derivatives by the common parameter.
 /// \throws as nextPoles().
+/// Source: docs/theory/curves.md C3.3.
 BezierCurve joinedCurve(const BezierCurve& a, const BezierCurve& b, const CurveJoinRule& rule,
                         bool keep_end = true);
 
@@ -93,6 +94,7 @@ BezierCurve joinedCurve(const BezierCurve& a, const BezierCurve& b, const CurveJ
 /// derivatives are those of the bridge by betaMatrix(beta_end)). Its end is nextPoles() of b backwards, with
 /// reversedBeta(beta_end).
 /// \throws std::invalid_argument for a rational curve (the first weights that differ), else as nextPoles().
+/// Source: docs/theory/curves.md C3.3.
 BezierCurve bridgeCurve(const BezierCurve& a, const BezierCurve& b, const Eigen::VectorXd& beta,
                         const Eigen::VectorXd& beta_end);
 

@@ -253,7 +253,7 @@ class NormalSum {
   double scale_ = 0, noise_ = 0, ordinary_ = 0;
 };
 
-/// With the weights: alpha = A w_P / (w_Q^2 mu), N.X_ij w^3 = h_ij, so that
+/// With the weights: alpha = A w_P^2 / (w_Q^2 mu), N.X_ij w^3 = h_ij, so that
 /// mu^2 w_Q h^Q_ss - w_P (A^2 h_ss + 2 A B h_st + B^2 h_tt) = 0.
 JoinResidual curvatureCondition(const Derivatives& a, const Derivatives& b, const Field<3>& normal,
                                 double length, std::optional<double> tolerance) {

@@ -84,7 +84,7 @@ struct JoinConditionOptions {
 ///
 /// \throws std::invalid_argument for a ribbon with an empty or not finite part, a degree above 30 or weights that are not positive, a
 /// tolerance that is negative or not finite, or functions of a given connection that tensorRows() would refuse.
-/// Source: MATH-surfaces 1.2, 2.2, 2.3, 2.5, 6.1, 8.2; text 001, sections 1, 2, 4, 5.
+/// Source: docs/theory/surfaces.md S1.2, S1.3, S2.2 to S2.4, S3.2; [DeRose1990]; [Liu1990].
 JoinCondition joinCondition(const Ribbon& a, const Ribbon& b, const JoinConditionOptions& options = {});
 
 }  // namespace seamwright

@@ -16,7 +16,7 @@ namespace seamwright {
 ///   Q_ss = e2 P + 2 e1 (alpha P_s + beta P_t)
 ///          + e0 (alpha^2 P_ss + 2 alpha beta P_st + beta^2 P_tt + p P_s + q P_t)                 (G2)
 /// Polynomial patches have e0 = 1, e1 = e2 = 0. alpha = 1 and beta = p = q = 0 is C^1 (C^2) in s.
-/// Source: MATH-surfaces 1.1, 8.2 (text 001, sections 2, 4, 5).
+/// Source: docs/theory/surfaces.md S1.1, S2.4, S3.3; [Peters2002].
 struct Connection {
   Eigen::VectorXd alpha = Eigen::VectorXd::Ones(1);
   Eigen::VectorXd beta = Eigen::VectorXd::Zero(1);
@@ -61,7 +61,7 @@ struct ConnectionFit {
 ///
 /// \throws std::invalid_argument for ribbons and tolerances as in joinCondition(), an order other than 1 and 2, a negative degree, or one
 /// above 30.
-/// Source: MATH-surfaces 2.6, 8.2.
+/// Source: docs/theory/surfaces.md S2.5, S3.3.
 ConnectionFit fitConnection(const Ribbon& a, const Ribbon& b, const ConnectionFitOptions& options = {});
 
 }  // namespace seamwright

@@ -26,13 +26,14 @@ struct JoinRows {
 ///   triangle     max of n, 1 + deg alpha + deg P_s, 1 + deg beta + n - 1
 /// with deg P_s = deg P_ss = n of a tensor-product patch, n - 1 and n - 2 of a triangle. A function that is zero has no term, and one whose
 /// coefficients are all the same is a constant. So constant alpha and p with linear beta and q keep the degree n of a tensor-product
-/// patch. With a degree asked for, rows are raised to it, or lowered where their sums happen to allow that: see MATH-surfaces 2.1, 4.1.
+/// patch. With a degree asked for, rows are raised to it, or lowered where their sums happen to
+/// allow that: see docs/theory/surfaces.md S2.1, S4.2.
 ///
 /// \throws std::invalid_argument, with name, index and value, for a function without coefficients, above degree 100, or with one that is
 /// not finite; for alpha or e0 that is not positive everywhere on [0, 1]; for an order other than 1 and 2 or above the degree across; for
 /// a degree above 800; for rows that cannot be written in the degree asked for, with the defect in the size of homogeneous poles; and for
 /// a weight that comes out zero or negative, with its place (e1 and e2 control the weights of rows 1 and 2).
-/// Source: MATH-surfaces 2.1, 4.1, 4.2, 6.1, 8.2 (text 001, sections 2, 4, 5).
+/// Source: docs/theory/surfaces.md S2.1, S3.1, S3.3, S4.2, S4.3; [Farin2002].
 
 /// The first order + 1 rows of a tensor-product patch of that degree across:
 ///   Q[0] = Q(0), Q[1] = Q[0] + Q_u / l, Q[2] = 2 Q[1] - Q[0] + Q_uu / (l (l - 1)).

@@ -106,7 +106,7 @@ struct NearestJoin {
 /// degrees but 0 to 6, a share smallest_alpha that is not in (0, 1], fewer than 0 iterations, weights that are not positive or of
 /// another number than the poles, surfaces that are none (see requireValid()), a side without extent across the seam, a held connection with
 /// an alpha that has a coefficient that is not positive, and seams of so many poles that the matrix has more than 1.5 million entries (about 220 cubic spans for G2).
-/// Source: MATH-surfaces 2.6, 6.2, 6.3, 6.5, 8.2 (text 001, sections 2, 4, 5).
+/// Source: docs/theory/surfaces.md S5.1 to S5.4, S2.5, S3.3; [GolubPereyra1973].
 NearestJoin nearestJoin(const JoinSide& a, const JoinSide& b, const NearestOptions& options = {});
 
 }  // namespace seamwright

@@ -60,7 +60,9 @@ class Condition {
   std::vector<Eigen::MatrixXd> transposed(const Eigen::VectorXd& c, const Eigen::MatrixXd& nu) const;
   /// <nu, d2A/dc_i dc_j x>.
   Eigen::MatrixXd curvature(const Eigen::MatrixXd& nu, const Eigen::MatrixXd& x) const;
-  /// The coefficients held + basis y that fit these poles best, condition by condition (MATH-surfaces 2.6), those of alpha not below a bound.
+  /// The coefficients held + basis y that fit these poles best, condition by condition, those of
+  /// alpha not below a bound.
+  /// Source: docs/theory/surfaces.md S2.5.
   Eigen::VectorXd fitted(const Eigen::MatrixXd& x, const Eigen::MatrixXd& basis, const Eigen::VectorXd& held,
                          double smallest_alpha) const;
   /// Root mean squares of |P_s| and |Q_s| along the seam.

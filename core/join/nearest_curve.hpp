@@ -68,7 +68,7 @@ struct NearestCurveJoin {
 ///   (5) Fixed poles do not change bit by bit.
 /// \throws std::invalid_argument for an order, costs, betas out of range or of wrong number (index and value); a degree below the order (elevate first);
 /// curves without tangent at the joint.
-/// Source: MATH-curves 4.
+/// Source: docs/theory/curves.md C4.1 to C4.4.
 NearestCurveJoin<BezierCurve> nearestJoin(const BezierCurve& a, const BezierCurve& b,
                                           const NearestCurveJoinOptions& options = {});
 NearestCurveJoin<BSplineCurve> nearestJoin(const BSplineCurve& a, const BSplineCurve& b,

@@ -4,6 +4,7 @@
 #include <seamwright/core/join/nearest_curve_side.hpp>
 
 /// The search for the beta whose join is nearest; not a public header.
+/// Source: docs/theory/curves.md C4.2 to C4.4.
 namespace seamwright::nearest_curve {
 
 /// Everything is without unit: lengths by one of the joint, derivatives by parameters that pass at one speed.

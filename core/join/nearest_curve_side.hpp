@@ -34,6 +34,7 @@ struct Side {
 
 /// In a parameter by which a curve without inner knots has the first derivative P_n - P_(n-1) (for equal weights).
 /// \param costs one a pole of the whole curve, or none. \pre order <= degree
+/// Source: docs/theory/curves.md C4.1.
 Side sideOf(const End& end, int order, const Eigen::Vector3d& origin, const Eigen::VectorXd& costs,
             bool moves);
 

@@ -37,6 +37,7 @@ bool holds(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& x, double round
 /// (A_i x), nu the multipliers, H_i = D A_i' nu, the gradient by c_i is -<z, T_i> and the Hessian
 ///   <T_i, T_j> - <T_i, H_j> - <H_i, T_j> - <H_i, (1 - M^+ M) H_j> + <nu, A_ij x>.
 /// What of A_i x no movable pole can reach, (1 - M M^+) A_i x, makes linear conditions on the step. Coefficients of alpha stay above a bound.
+/// Source: docs/theory/surfaces.md S5.2; [GolubPereyra1973].
 Solution solve(const Unknowns& unknowns, const Condition& condition, const Family& family,
                double smallest_alpha, int max_iterations);
 

@@ -125,7 +125,7 @@ struct NetworkResult {
 /// are not positive, seams that name no surface, an edge in two seams or joined to itself, sides of other degree or knots along
 /// the seam (scaled to 0..1), orders but 1 and 2, held laws with coefficients that are not finite or c, d not positive, and options out of
 /// range: an angle not in [0, 1], fewer than 0 iterations.
-/// Source: MATH-surfaces 2.7, 5.2, 5.3, 6.3 to 6.5 (text 001, sections 2 to 5).
+/// Source: docs/theory/surfaces.md S2.6, S5.3, S6.1 to S6.3; docs/theory/fills.md F1.2 to F1.5.
 NetworkResult nearestNetwork(const std::vector<NetworkSurface>& surfaces,
                              const std::vector<NetworkSeam>& seams, const NetworkOptions& options = {});
 

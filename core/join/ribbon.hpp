@@ -55,7 +55,7 @@ struct CanonicalPair {
 
 /// Brings two patches with named edges into common parameters. b's edge is run against its own sense if its ends are nearer to a's ends
 /// that way, in the sum of distances; where the ends do not decide, as on a closed seam, those at t = 1/4 and 3/4 do.
-/// Source: MATH-surfaces 0.2.
+/// Source: docs/theory/surfaces.md S1.7.
 CanonicalPair orient(const BezierPatch& a, PatchEdge edge_a, const BezierPatch& b, PatchEdge edge_b);
 
 }  // namespace seamwright

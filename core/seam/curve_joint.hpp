@@ -45,7 +45,7 @@ struct CurveJoint {
 ///
 /// Figures go to the lower order of both ends.
 /// \throws std::invalid_argument if an end has no row.
-/// Source: MATH-curves 1, 2.1, 2.3.
+/// Source: docs/theory/curves.md C1.2, C2.1, C2.3, C2.5.
 CurveJoint measureJoint(const CurveEnd& a, const CurveEnd& b);
 
 /// The end t = 1 of \p a and the beginning t = 0 of \p b, to that order.
@@ -57,6 +57,7 @@ CurveJoint measureJoint(const BezierCurve& a, const BezierCurve& b, int order);
 /// it holds the lower orders, so where c_k vanishes rounding of it counts for nothing. 0 where sizes[k] <
 /// (100 / R)^(k-2) / R with R the flat radius: within R / 100 that adds less than the flat curvature 1 / R.
 /// \pre 2 <= k < differences.size(); \param flat_radius_mm positive.
+/// Source: docs/theory/curves.md C2.5.
 double relativeDifference(const CurveJoint& joint, int k, double flat_radius_mm);
 
 /// The geometric continuity of a joint: the largest n up to the order measured for which the gap is <=

@@ -47,7 +47,7 @@ struct EncloseOptions {
 ///   (3) Of an exact G1 (G2) join the upper bound of the angle (curvature) is rounding only.
 ///
 /// \throws std::invalid_argument for a tolerance that is none.
-/// Source: MATH-surfaces 3 (certified enclosures), 1.4 (M0, M1, M2').
+/// Source: docs/theory/enclosures.md E3.1 to E3.5, E5.1, E5.2; docs/theory/surfaces.md S1.5.
 SeamFigures encloseSeam(const SeamSide& a, const SeamSide& b, const ContinuityTolerance& tolerance,
                         const EncloseOptions& options = {});
 

@@ -16,7 +16,8 @@ std::optional<Eigen::Vector3d> seamDirection(const SidePoint& a, const SidePoint
   return a.tangent.normalized() + b.tangent.normalized();
 }
 
-/// Whether both faces lie to the same side of their common tangent (MATH-surfaces 1.2, d_P and d_Q).
+/// Whether both faces lie to the same side of their common tangent: the directions into them.
+/// Source: docs/theory/surfaces.md S1.2.
 bool leaveToTheSameSide(const SidePoint& a, const Eigen::Vector3d& normal_a, const SidePoint& b,
                         const Eigen::Vector3d& normal_b, const Eigen::Vector3d& along) {
   const Eigen::Vector3d into_a = (a.face_on_left ? 1 : -1) * normal_a.cross(along);

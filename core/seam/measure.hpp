@@ -80,7 +80,7 @@ struct PairMeasure {
 ///       curvature |N.X| / |Q_u.B|^3.
 ///
 /// Degenerate input (no tangent plane, not finite) is named in the result; no figure is ever NaN or infinite.
-/// Source: MATH-surfaces 1.2 (angle, fold), 1.3 and 1.4 (M2', M3).
+/// Source: docs/theory/surfaces.md S1.2, S1.3, S1.5, S1.6; [PegnaWolter1992].
 PairMeasure measurePair(const SidePoint& a, const SidePoint& b);
 
 /// The difference divided by the larger norm. 0 where both sides are flatter than the flat radius, 1 where

@@ -47,6 +47,7 @@ struct PieceSlack {
 /// Bounds gap, angle and curvature difference over a piece, from the fields of both sides there.
 ///
 /// \param detail Curvature: with the curvature figures; TangentPlane: without; Position: the gap only.
+/// Source: docs/theory/enclosures.md E3.2 to E3.4.
 PieceFigures measurePiece(const SurfaceFields& a, const SurfaceFields& b, Detail detail,
                           double flat_radius_mm, const PieceSlack& slack);
 

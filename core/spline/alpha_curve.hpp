@@ -26,7 +26,7 @@ Eigen::Vector4d alphaBasis(double a, double t);
 
 /// The same curve as a quintic Bézier curve: exact. Derivatives, splitting, conversion go through it.
 /// \throws std::invalid_argument for a pole that is not finite, or a shape outside 0..1.
-/// Source: text 002; MATH-curves 8.1.
+/// Source: docs/theory/curves.md C8.1, C8.2; [TuYanXu2022].
 BezierCurve alphaCurveBezier(const AlphaCurve& curve);
 
 /// How the next alpha-curve goes on at the end of a given one.
@@ -40,13 +40,13 @@ struct AlphaCurveJoin {
 
 /// The poles Q_0, Q_1 and, with order 2 or 3, Q_2 of the next curve; the others are free.
 ///
-///   (4) The joint is G^order with beta1, beta2 (with order 3 those of MATH-curves 8.2).
+///   (4) The joint is G^order with beta1, beta2 (with order 3 beta2, beta3 of C8.5).
 ///   (5) A C2 join has continuous curvature and torsion (FC^3), since alpha-curves have no torsion at their
 ///       ends, and is not G3 unless X'' is parallel to X'. A G2 join is G3 only for beta2 = -2 beta1 (beta1 /
 ///       h + 1 / k).
 /// \throws std::invalid_argument for an order, length, beta1 or shape out of range (shapes of a join are 1e-6
 /// to 1), for given poles P_2 = P_3, and for poles that come out beyond the range of a double (index and value).
-/// Source: text 002; MATH-curves 8.2; ERRATA-curves 2.6, 2.11, 2.12.
+/// Source: docs/theory/curves.md C8.3 to C8.5; [TuYanXu2022].
 Poles alphaJoinPoles(const AlphaCurve& given, const AlphaCurveJoin& join);
 
 /// What an energy measures: the integral of |X^(k)|^2 over [0, 1], k = 1, 2, 3.
@@ -62,7 +62,7 @@ struct AlphaOptimum {
 /// The shape of least energy for four poles; exact, since the energy is a quadratic of a.
 ///   (6) The derivative of the energy vanishes at free_a, and no shape within the bounds has less than a.
 /// \throws std::invalid_argument for poles not finite or bounds outside 0 <= a_min <= a_max <= 1.
-/// Source: text 002 §2.4; MATH-curves 8.3; the printed sign is wrong (ERRATA-curves 2.2 - 2.4).
+/// Source: docs/theory/curves.md C8.7 (the printed sign differs); [TuYanXu2022].
 AlphaOptimum energyOptimalAlpha(const AlphaCurve::Polygon& poles, AlphaEnergy energy, double a_min = 0.05,
                                 double a_max = 1);
 

@@ -74,7 +74,7 @@ inline double beta2OfG3(double beta1, double length, double next_length) {
   return -2 * beta1 * (beta1 / length + 1 / next_length);
 }
 
-/// MATH-curves 8.2.
+/// Source: docs/theory/curves.md C8.4.
 inline Factors factors(const Side& given, const Side& next, double beta1, double beta2) {
   const double ratio = next.length / given.length, pace = beta1 * ratio;
   const double first = pace * given.a / next.a, third = pace * pace;

@@ -37,7 +37,7 @@ namespace seamwright {
 ///   (2) What the condition allows alphaJoinRows() builds, what it forbids that refuses.
 ///   (3) A general net has a family of dimension 1 for c = a, alpha alone, and of dimension 0 for c != a.
 ///   (4) The three curved boundaries above have dimension 2.
-/// Source: text 002 §4 leaves it open; derived here. MATH-curves 9, which names straight boundaries alone.
+/// Source: docs/theory/curves.md C9.2 to C9.4.
 struct AlphaSeamCondition {
   bool any_net = false;  ///< the shapes along the seam are the same
   /// |P_i0 + P_i3 - P_i1 - P_i2| of the rows i = 3, 2, 1, and what counts as rounding of it.
@@ -70,6 +70,7 @@ Poles alphaSlidingRows(const AlphaSurface& given, double next_a_u, double next_a
 /// The given surface with the nearest rows 3 .. 3 - order that are balanced: X_1, X_2 move by a quarter of
 /// the defect, X_0, X_3 by as much against it. \param order 0 to 2.
 ///   (6) No balanced rows are nearer in the sum of squares.
+/// Source: docs/theory/curves.md C9.2.
 AlphaSurface alphaBalanced(const AlphaSurface& given, int order);
 
 /// How two alpha-surfaces meet, a at u = 1 and b at u = 0, in proportional form: the largest Bernstein
@@ -90,6 +91,7 @@ struct AlphaSeamFit {
 /// range of a double.
 ///   (7) Surfaces of alphaJoinRows() have its order and betas; a pole moved by 1e-6 of the size ends the
 ///       order of its row.
+/// Source: docs/theory/curves.md C9.5.
 AlphaSeamFit alphaSeamFit(const AlphaSurface& a, const AlphaSurface& b, double length = 1,
                           double next_length = 1);
 
@@ -116,6 +118,7 @@ struct AlphaNearest {
 /// rule the next surface runs backwards.
 /// \throws std::invalid_argument as alphaSeamCondition(), for an order or length out of range, and for betas or
 /// poles of the join beyond the range of a double.
+/// Source: docs/theory/curves.md C9.5.
 std::optional<AlphaNearest> alphaNearestJoin(const AlphaSurface& given, const AlphaSurface& next,
                                              const AlphaNearestOptions& options = {});
 

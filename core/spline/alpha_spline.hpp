@@ -45,8 +45,8 @@ struct AlphaSplineShape {
 /// alphaChain().
 ///
 /// Identities (each has a test of its number):
-///   (1) Every joint is G^order with beta1, beta2 (and with order 3 those of MATH-curves 8.2); C^order for 1
-///       and 0.
+///   (1) Every joint is G^order with beta1, beta2 (with order 3 beta2, beta3 of C8.5); C^order
+///       for 1 and 0.
 ///   (2) Affine maps of the polygon map the spline.
 ///   (3) The polygon run backwards, with shapes and lengths backwards and 1 / beta1, beta2 / beta1^3, is the
 ///       spline run backwards.
@@ -55,7 +55,7 @@ struct AlphaSplineShape {
 /// \throws std::invalid_argument for poles not finite, counts that do not fit, less than one segment (closed:
 /// two, with order 2 or 3 three), numbers out of range, joints with second <= first + third, and joints
 /// without tangent; with the index and the value.
-/// Source: text 002 §2.3; the polygon of order 2 is derived here as de Boor's of the cubic B-spline.
+/// Source: docs/theory/curves.md C8.4 to C8.6; [TuYanXu2022] (the joins).
 AlphaSpline alphaSpline(const Poles& polygon, const AlphaSplineShape& shape);
 
 /// A segment of a chain: its join with the segment before, and the poles that the join leaves free.

@@ -18,7 +18,7 @@ struct AlphaSurface {
 
 /// The same surface as a Bézier patch of degrees 5, 5: exact, as the basis is quintic.
 /// \throws std::invalid_argument for a pole that is not finite, or a shape outside [0, 1].
-/// Source: MATH-curves 8.1.
+/// Source: docs/theory/curves.md C8.1, C9.1.
 BezierPatch alphaSurfacePatch(const AlphaSurface& surface);
 
 /// How the next alpha-surface goes on at u = 1 of a given one.
@@ -45,7 +45,7 @@ struct AlphaJoin {
 /// \throws std::invalid_argument for an order, a length, beta1 or a shape out of range (shapes of a join are 1e-6 to 1); for a given
 /// surface whose two last rows are the same; for a_v other than next_a_v where a row does not allow it, with its defect in mm;
 /// and for poles that come out beyond the range of a double (index and value).
-/// Source: MATH-curves 8.2, 9.
+/// Source: docs/theory/curves.md C8.4, C8.5, C9.2 to C9.4.
 Poles alphaJoinRows(const AlphaSurface& given, const AlphaJoin& join);
 
 }  // namespace seamwright

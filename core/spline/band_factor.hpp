@@ -37,6 +37,7 @@ inline constexpr double kSmallestCondition = 1e-12;
 /// ring without one unknown is singular and the ring is not.)
 /// \pre at least one row, all finite. \throws std::domain_error with number and size of the smallest pivot if
 /// the reciprocal condition in the maximum norm is below kSmallestCondition.
+/// Source: docs/theory/curves.md C6.3; [Higham2002].
 BandSolution solveBand(const BandMatrix& matrix, Poles right);
 
 }  // namespace seamwright

@@ -30,7 +30,7 @@ struct BetaSpline {
   std::vector<int> stationary;  ///< as of NuSpline
 };
 
-/// The interpolating beta-spline of the text, G2 at all joints where X' != 0.
+/// The interpolating beta-spline, G2 at all joints where X' != 0.
 ///
 /// Open ones are nu-splines with nu_j = -tension_j / (bias_j h_j). Periodic ones whose biases do not multiply to
 /// 1 may have no solution (all bias (3 + sqrt 5) / 2, no tension, n even): the cyclic system is solved with
@@ -43,7 +43,7 @@ struct BetaSpline {
 ///   (4) The nu-spline that it is.
 /// \throws as nuSpline(), and std::invalid_argument for a bias that is not positive, and where the lengths shrink so
 /// far that the knots do not increase; with the index.
-/// Source: text 000 §5; MATH-curves 7; the printed last coefficient is wrong (ERRATA-curves 0.12).
+/// Source: docs/theory/curves.md C7.1 to C7.3; [BarskyBeatty1983].
 BetaSpline betaSpline(const BetaSplineData& data);
 
 }  // namespace seamwright

@@ -69,7 +69,7 @@ int continuity(const BezierSpline& spline, bool around = false);
 /// \throws std::invalid_argument for another order, a degree above 25, and where a derivative jumps by more than
 /// continuity() allows, with the knot's index, the order, the jump and what rounding makes of it; or with the index of
 /// the segment that is not given back.
-/// Source: MATH-curves 23.
+/// Source: docs/theory/curves.md C10.1, C10.2; [Ramshaw1989].
 BSplineCurve bsplineCurve(const BezierSpline& spline, int order);
 
 /// The Bézier segments of a B-spline curve (knots inserted until they are as many as the degree), with its

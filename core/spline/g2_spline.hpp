@@ -36,7 +36,7 @@ struct G2Polygon {
 /// \throws std::invalid_argument for too few vertices, wrong counts, numbers that are not finite, alpha or omega
 /// out of order, an edge of no length, and a vertex where the polygon folds back on itself so that the joint has
 /// no tangent; with index and value.
-/// Source: text 000 §3(a); MATH-curves 5.1; the printed end indices are wrong (ERRATA-curves 0.6).
+/// Source: docs/theory/curves.md C5.1 to C5.3; [Boehm1985]; [Farin1982b].
 BezierSpline directG2Spline(const G2Polygon& polygon);
 
 /// A gamma-spline: the direct G2 spline with alpha, omega from lengths of the segments in the parameter and
@@ -63,7 +63,7 @@ G2Polygon g2Polygon(const GammaPolygon& polygon);
 ///       and the last do so; these go to the cubics with poles d_0, d_1, d_2, d_2 and their mirror image.
 /// \throws std::invalid_argument as g2Polygon() and directG2Spline(): also for gamma so small (below about 1e-16)
 /// that alpha or omega round to 0 or 1.
-/// Source: text 000 §3(b); MATH-curves 5.2; the printed omega is wrong (ERRATA-curves 0.7).
+/// Source: docs/theory/curves.md C5.4 (a printed omega differs); [Boehm1985].
 BezierSpline gammaSpline(const GammaPolygon& polygon);
 
 }  // namespace seamwright

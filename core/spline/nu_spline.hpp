@@ -50,7 +50,7 @@ struct NuSpline {
 /// neighbours that are the same point, a last point of a periodic one other than the first, numbers that are not
 /// finite; with index and value. std::domain_error if the system is singular (reciprocal condition below 1e-12),
 /// with number and size of the smallest pivot.
-/// Source: text 000 §4; MATH-curves 6.
+/// Source: docs/theory/curves.md C6.1 to C6.4; [Nielson1974].
 NuSpline nuSpline(const NuSplineData& data);
 
 /// Knots for points: 0, then growing by |P_i - P_{i-1}|^exponent. 0: uniform, 1/2: centripetal, 1: chord length.

@@ -21,7 +21,9 @@ struct SurfaceTolerance {
 /// ends smoothly at the far end of a face of that size: 3 angle / size. For the accepted angle it is no more visible than the seam that is accepted; for the
 /// angle of a seam that is repaired it is what the fairest repair by one face alone costs.
 /// \param size_mm above 0.
-/// Source: MATH-repair 1: the curvature of the profile of least bending energy runs from -4 angle / size to 2 angle / size.
+/// The curvature of the profile of least bending energy runs from -4 angle / size to
+/// 2 angle / size.
+/// Source: docs/theory/repair.md R1.
 double visibleVariation(double angle_rad, double size_mm);
 
 struct SurfaceVerdict {

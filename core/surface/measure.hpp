@@ -47,7 +47,7 @@ struct SurfaceMeasure {
 };
 
 /// \param noise_per_mm of curvature, see variationOf(). Values that are not finite are left out.
-/// Source: MATH-repair 5.
+/// Source: docs/theory/repair.md R4.
 SurfaceMeasure measureSurface(std::span<const CurvatureLine> lines, double noise_per_mm);
 
 /// What became of the points of a surface.

@@ -26,7 +26,8 @@ namespace seamwright {
 ///   (3) Without defects they are the patches.
 ///   (4) Second derivatives across the sides change by (N - 1) / 2 delta phi_1 times the normal where u = 1, by minus that where v = 1.
 ///
-/// \throws std::invalid_argument for an angle that is not positive. Source: MATH-surfaces 5.6 (incompatible corner).
+/// \throws std::invalid_argument for an angle that is not positive.
+/// Source: docs/theory/fills.md F3.1, F3.2.
 std::vector<BSplineSurface> withCornerKnots(const NSidedFill& fill, double angle_rad);
 
 }  // namespace seamwright

@@ -44,6 +44,7 @@ struct CurvedPatches {
 /// derivatives there are fixed; across inner ones it is linearised at the patches given, and this is repeated. What is not proved regular,
 /// or has a larger jump by a fiftieth, is not taken: where nothing better comes out, the patches come back.
 /// \param patchesOf the patches of unknowns.
+/// Source: docs/theory/fills.md F2.7.
 CurvedPatches leastCurvatureJump(
     const FillSpace& space, const std::vector<BezierPatch>& given, const FillEdges& edges,
     const std::vector<FillSide>& sides, int order,

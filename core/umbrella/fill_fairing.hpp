@@ -18,7 +18,7 @@ Eigen::MatrixXd differencesOf(const FillSpace& space, const Eigen::MatrixXd& pol
 
 /// \param spoke_scale prescribes the star of the spokes' tangents: so long as the regular star that is nearest to the vectors from the centre
 /// to the middles of the sides, times that scale.
-/// Source: MATH-surfaces 5.6, steps 5 and 11.
+/// Source: docs/theory/fills.md F2.6.
 Fairest fairest(const FillSpace& space, int order, std::optional<double> spoke_scale);
 
 }  // namespace seamwright::fill

@@ -30,7 +30,7 @@ struct CrossFields {
 };
 
 /// \throws as nSidedFill() for what concerns corners.
-/// Source: MATH-surfaces 5.6, steps 1 to 4 and 6.
+/// Source: docs/theory/fills.md F2.1 to F2.3, F3.1.
 CrossFields crossFields(const std::vector<FillSide>& sides, SpokeLaw law, int degree, double tolerance_rad);
 
 /// Both halves of a polynomial.

@@ -21,7 +21,7 @@ struct FillSpace {
   }
 };
 
-/// Source: MATH-surfaces 5.6, steps 5 and 7 to 10.
+/// Source: docs/theory/fills.md F2.4 to F2.6.
 FillSpace fillSpace(const std::vector<FillSide>& sides, const CrossFields& fields, SpokeLaw law, int degree);
 
 /// Poles of neighbours along a spoke are the same to the bit.

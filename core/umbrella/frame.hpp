@@ -70,7 +70,8 @@ struct FrameInput {
 };
 
 /// All poles: one a row, as combinations of as many free vectors as are handed out by then.
-/// \pre the degrees allow the laws, see requiredDegree().
+/// \pre the degrees allow the laws, see lowestUmbrellaDegree().
+/// Source: docs/theory/fills.md F1.7, F1.8.
 Forms framed(const FrameInput& input, FreeVectors& free);
 
 /// Sum of squares of what the rows times the poles are is the energy: second derivatives by u, by v and, twice, mixed, as differences of poles.

@@ -67,6 +67,7 @@ class HoleCorner {
 };
 
 /// Bound of the angle between span(E', G) and span(E', G + change), Bernstein coefficients on one interval.
+/// Source: docs/theory/fills.md F3.1.
 double angleBound(const Poles& field, const Poles& change, const Poles& edge1);
 
 }  // namespace seamwright::fill

@@ -114,7 +114,7 @@ struct NSidedFill {
 /// not begin where the previous one ends, to rounding; for a cross field that is empty, of degree above 12, not finite, or parallel to
 /// the edge at a corner; for corners whose planes differ by more than rounding and the tolerance; for an angle of pi (merge the two sides)
 /// or more (split the hole), or 0; for an order other than 2 and 3; for a tolerance outside [0, 0.1]; for curvature degrees outside 0 to 6.
-/// Source: MATH-surfaces 5.6, 5.2.
+/// Source: docs/theory/fills.md F2.1 to F2.7, F3.1; [GregoryZhou1994]; [Hahn1989].
 NSidedFill nSidedFill(const std::vector<FillSide>& sides, const FillOptions& options = {});
 
 }  // namespace seamwright

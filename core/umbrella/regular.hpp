@@ -13,7 +13,7 @@ namespace seamwright {
 ///
 /// \param max_pieces work limit; another is 16 cuts of one piece, by turns in u and in v.
 /// \return false where that was not proved within the limit, so always where a normal vanishes. False too for a rational patch.
-/// Source: MATH-surfaces 5.6 (Regularity), 3.6.
+/// Source: docs/theory/enclosures.md E5.3.
 bool provedRegular(const BezierPatch& patch, int max_pieces = 256);
 /// The same of a triangle, by its regularPatches(), each with that limit.
 bool provedRegular(const BezierTriangle& triangle, int max_pieces = 256);

@@ -25,6 +25,7 @@ struct RingFields {
 };
 
 /// \throws as ringFill() for what concerns corners.
+/// Source: docs/theory/fills.md F5.1.
 RingFields ringFields(const std::vector<FillSide>& sides, double spoke_scale, double tolerance_rad,
                       int more_degrees);
 

@@ -53,7 +53,7 @@ struct RingFill {
 ///
 /// \throws std::invalid_argument as nSidedFill() for sides, fields and planes, with side or corner and number; for another number of sides
 /// than 4; for angles of 0 and 2 pi, and for corners that turn by less than 0.01 rad but more than rounding.
-/// Source: MATH-surfaces 5.2, 5.6, 6.4.
+/// Source: docs/theory/fills.md F5.1, F1.2.
 RingFill ringFill(const std::vector<FillSide>& sides, const RingFillOptions& options = {});
 
 }  // namespace seamwright

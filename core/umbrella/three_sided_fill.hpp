@@ -59,7 +59,7 @@ struct ThreeSidedFill {
 ///
 /// \throws std::invalid_argument as nSidedFill() for sides, corners, order and tolerance, with side or corner and number; for another
 /// number of sides than 3.
-/// Source: MATH-surfaces 4.1, 5.2 to 5.4 (three triangles with constant a = b = -1), 5.6 (incompatible corner: a spoke from it).
+/// Source: docs/theory/fills.md F4.1; [CloughTocher1965].
 ThreeSidedFill threeSidedFill(const std::vector<FillSide>& sides, const ThreeSidedFillOptions& options = {});
 
 }  // namespace seamwright

@@ -16,7 +16,7 @@ struct CentreFields {
 };
 
 /// \throws as threeSidedFill() for what concerns corners.
-/// Source: MATH-surfaces 5.6, step 1, with the spoke's law at the corner in place of the other side.
+/// Source: docs/theory/fills.md F4.1.
 CentreFields centreFields(const std::vector<FillSide>& sides, int degree, double tolerance_rad);
 
 /// The poles of the three triangles as affine functions of unknown points: coefficients * unknowns + constants.

@@ -32,7 +32,7 @@ Eigen::Vector3d closingDefect(const UmbrellaVertex& vertex, const SpokeSeconds& 
 /// part in it, and stay. The tangential part goes into lambda: the least sum of weight_i dlambda_i^2.
 /// \param weights of lambda, > 0, one for each spoke; none: 1 / |beta_i|, with which the sense of the order does not matter.
 /// \throws std::invalid_argument for other numbers of columns and entries than spokes, and values that are not finite.
-/// Source: MATH-surfaces 5.3.
+/// Source: docs/theory/fills.md F1.5.
 SpokeSeconds closed(const UmbrellaVertex& vertex, const SpokeSeconds& seconds,
                     const std::optional<Eigen::VectorXd>& weights = std::nullopt);
 
@@ -45,7 +45,7 @@ struct TwistSolution {
 };
 
 /// A closed fan of an odd number of members has unique twists, others have one free vector.
-/// Source: MATH-surfaces 5.2.
+/// Source: docs/theory/fills.md F1.4.
 TwistSolution solveTwists(const UmbrellaVertex& vertex);
 
 /// The twists of that solution, 3 by #members. \pre closingDefect() is zero.

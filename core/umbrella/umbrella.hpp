@@ -86,7 +86,7 @@ int lowestUmbrellaDegree(const std::vector<MemberKind>& kinds, bool closed, int 
 /// \throws std::invalid_argument as umbrellaVertex(), and for spokes or members that are rational, spokes of degree 0 or that do not begin at one
 /// point, other numbers of kinds, members, lambda and mu than the spokes ask for, values that are not finite, a degree too low, and
 /// mu that is not zero where no member can follow.
-/// Source: MATH-surfaces 5.1 to 5.5 (text 001, section 3).
+/// Source: docs/theory/fills.md F1.1 to F1.8; [DuSchmitt1990]; [Peters1991].
 Umbrella umbrellaAround(const std::vector<BezierCurve>& spokes, const UmbrellaOptions& options = {});
 
 struct UmbrellaInsideOptions {
@@ -105,7 +105,7 @@ struct UmbrellaInsideOptions {
 /// \param sides polynomial curves, each beginning where the one before ends, of either sense; 3 to 12.
 /// \throws std::invalid_argument for other numbers, sides that are rational or not connected, a degree that is too low, and a boundary inside which
 /// the tangents at O come out parallel.
-/// Source: MATH-surfaces 5.6 step 5, 5.5.
+/// Source: docs/theory/fills.md F1.8, F1.9; [Loop1994].
 Umbrella umbrellaInside(const std::vector<BezierCurve>& sides, const UmbrellaInsideOptions& options = {});
 
 }  // namespace seamwright

@@ -22,7 +22,7 @@ struct VertexOptions {
 ///   (2) Of a closed fan the product of the matrices [[alpha_i, beta_i], [1, 0]] around O is the identity.
 ///   (3) The order reversed: alpha_i becomes -alpha_i / beta_i, beta_i its reciprocal, N the opposite; rigid motion changes nothing, a
 ///       linear map neither, and the factor f_i on r_i gives alpha_i f_(i+1) / f_i and beta_i f_(i+1) / f_(i-1).
-/// Source: MATH-surfaces 5.1 to 5.3 (text 001, section 3).
+/// Source: docs/theory/fills.md F1.1 to F1.3; [DuSchmitt1990].
 struct UmbrellaVertex {
   bool closed = true;
   Eigen::Vector3d

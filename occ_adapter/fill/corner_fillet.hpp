@@ -103,7 +103,7 @@ std::vector<int> cornerEdges(const Model& model, int vertex);
 /// and radii and setbacks of other edges; std::domain_error, with numbers, for corners that are not supported, setbacks that leave no room for
 /// spring curves, fillets that reach beyond their faces or that OpenCASCADE does not make, and openings too sharp for section_mm; ModelError
 /// (Malformed) for a model with numbers that are not finite, or 1e100 and more; Cancelled.
-/// Source: MATH-surfaces 5.6.
+/// Source: docs/theory/fills.md F2.1, F2.3.
 CornerFillet cornerFillet(const Model& model, int vertex, const CornerFilletOptions& options,
                           const Progress& progress = {});
 

@@ -105,7 +105,7 @@ struct FillHoleReport {
 /// OpenCASCADE's checks nor whether the fill runs into them. A shell that has one becomes no solid, nor is a solid that has one
 /// turned. A hole that is bounded by such a face or edge is not filled, with that reason.
 /// \throws std::invalid_argument for bad options and for a hole with an edge that the model does not have; Cancelled.
-/// Source: MATH-surfaces 5.6, 7.
+/// Source: docs/theory/fills.md F2.1 to F2.7, F3.2, F5.1; docs/theory/enclosures.md E3.5, E5.3.
 FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOptions& options = {},
                         const Progress& progress = {});
 

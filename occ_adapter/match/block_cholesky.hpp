@@ -23,7 +23,8 @@ using SymmetricBlock = Eigen::Matrix<double, 6, 1>;
 
 /// The Cholesky factorisation of a positive definite matrix of symmetric blocks of 3 x 3. Columns with nearly one structure are
 /// factored together as a dense front, in an order that fills in little, which is found once for all matrices of a pattern.
-/// Source: multifrontal method, Duff and Reid 1983, with amalgamation of fronts, Ashcraft and Grimes 1989.
+/// This is the multifrontal method with amalgamation of fronts.
+/// Source: [DuffReid1983]; [AshcraftGrimes1989].
 class BlockCholesky {
  public:
   explicit BlockCholesky(const BlockPattern& pattern);

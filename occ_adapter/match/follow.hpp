@@ -35,7 +35,7 @@ double largestMove_mm(const EdgeRows& before, const EdgeRows& after, int order);
 /// n.X_ww = II(X_w, X_w), where w runs across. Each row is the least-squares solution at some points of each knot span, and of the
 /// rows that meet them alike the one that moves least (Tikhonov, 1e-5 of a unit row). A column that is one point stays
 /// one. Weights stay.
-/// Source: MATH-surfaces 7, row by row.
+/// Source: docs/theory/surfaces.md S5.5.
 MovedSurface follow(const EdgeRows& rows, const Reference& reference, const FollowOptions& options);
 
 /// For each knot span along the side the largest figure over its tolerance, sampled; infinite where the faces fold.

@@ -73,7 +73,7 @@ struct MatchReport {
 /// \throws std::invalid_argument for numbers that name no two faces, an edge that is none of their common ones, or bad options;
 /// Cancelled. A face with numbers that are not finite, or 1e100 and more, in its surface or one of its edges is refused with
 /// that reason; in other faces they do no harm.
-/// Source: MATH-surfaces 6.2, 6.3, 6.5 (exact), 7 (to the tolerance, here with one row at a time).
+/// Source: docs/theory/surfaces.md S5.1 to S5.5 (exact joins, and to the tolerance row by row).
 MatchReport matchFaces(const TopoDS_Shape& model, int face_a, int face_b,
                        const FaceMatchOptions& options = {}, const Progress& progress = {});
 

@@ -156,7 +156,7 @@ struct RepairReport {
 ///
 /// \throws std::invalid_argument for bad options, also for edges and faces that the model does not have and edges that are no
 /// seam; Cancelled.
-/// Source: MATH-repair 1 to 3.
+/// Source: docs/theory/repair.md R1 to R4.
 RepairReport repair(const Model& model, const RepairOptions& options = {}, const Progress& progress = {});
 
 }  // namespace seamwright::occ

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Alpha-curves against the powers of text 002 (3), data of 60 digits, equations of their joints and integrals by quadrature.
+// Alpha-curves against their basis in powers of t, data of 60 digits, equations of their joints and
+// integrals by quadrature. C8.1 to C8.7 are statements of docs/theory/curves.md.
 #include <gmock/gmock.h>
 
 #include <array>
@@ -185,11 +186,11 @@ TEST(AlphaCurve, ShapeZeroAndTheCubic) {
   curve.poles << 0, 0, 0, 1, 3, 0, 4, 2, 1, 5, 0, 0;
   curve.a = 0;
   const CurveDerivatives x = alphaCurveBezier(curve).derivatives(0, 2);
-  EXPECT_EQ(x.row(1).norm(), 0) << "ERRATA-curves 2.7: no tangent along the first leg";
+  EXPECT_EQ(x.row(1).norm(), 0) << "C8.2: for a = 0 no tangent along the first leg";
   const Vec middle = (curve.poles.row(1) + curve.poles.row(2)).transpose() / 2;
   EXPECT_LE(x.row(2).transpose().normalized().cross(middle.normalized()).norm(), 1e-15);
   const Eigen::Vector4d b = alphaBasis(0, 0.3);
-  EXPECT_EQ(b(1), b(2)) << "ERRATA-curves 2.14: the functions are dependent";
+  EXPECT_EQ(b(1), b(2)) << "C8.2: the functions are dependent";
   // No shape gives the cubic Bezier curve: its quintic has poles 2 and 3 apart.
   const BezierCurve cubic = BezierCurve(Poles(curve.poles)).elevated().elevated();
   EXPECT_GT((cubic.poles().row(3) - cubic.poles().row(2)).norm(), 0.5);
@@ -300,7 +301,7 @@ TEST(AlphaCurve, Identity5CurvatureAndTorsionAreContinuousAndG3IsNotReached) {
     const CurveJoint joint = measureJoint(a, b, 3);
     EXPECT_NEAR(joint.differences[2], 0, 1e-10 * (1 + kappa));
     EXPECT_NEAR(joint.differences[3], jump, 1e-8 * (1 + joint.sizes[3])) << "jump of the change of curvature";
-    EXPECT_GT(jump, 0) << "text 002: G2 is not G3 by itself";
+    EXPECT_GT(jump, 0) << "C8.5: G2 is not G3 by itself";
     join.beta2 = test::thirdOrderBetas(b1, h, k)(1);
     const CurveJoint third = measureJoint(a, alphaCurveBezier(next(given, join, random)), 3);
     EXPECT_NEAR(third.differences[3], 0, 1e-8 * (1 + third.sizes[3]));
@@ -394,16 +395,17 @@ TEST(AlphaCurve, Identity6NoShapeHasLess) {
                  down = energyByPoints(poles, optimum.free_a - 1, k);
     EXPECT_NEAR(up - down, 0, 1e-11 * (up + down));
     EXPECT_GT(up, free_least);
-    // Text 002 (32) has the other sign, which is no minimum.
+    // [TuYanXu2022] has the other sign, which is no minimum.
     const double printed = energyByPoints(poles, -optimum.free_a, k);
     if (std::abs(optimum.free_a) > 0.01) {
-      EXPECT_GT(printed, free_least * (1 + 1e-9)) << "ERRATA-curves 2.2";
+      EXPECT_GT(printed, free_least * (1 + 1e-9)) << "C8.7: the sign in print";
     }
   }
   EXPECT_GT(clamped, 20);
 }
 
-/// a_raw of the printed matrices for k = 3 with that entry (P_2, P_3) and the right sign.
+/// free_a of the matrices in print for k = 3 ([TuYanXu2022]), with that entry (P_2, P_3) and the
+/// right sign.
 double printedThird(const AlphaCurve::Polygon& poles, double entry) {
   Eigen::Matrix4d X, Y;
   X << -5, 8, 4, -2, 0, -3, -6, 4, 0, 0, -3, entry, 0, 0, 0, -5;
@@ -417,7 +419,7 @@ TEST(AlphaCurve, ThePrintedMatrixHasAnErrorInOneEntry) {
     const AlphaCurve::Polygon poles = test::randomAlphaCurve(random).poles;
     const double a = energyOptimalAlpha(poles, AlphaEnergy::CurvatureVariation).free_a;
     EXPECT_NEAR(printedThird(poles, 8), a, 1e-11);
-    EXPECT_GT(std::abs(printedThird(poles, 6) - a), 1e-6) << "ERRATA-curves 2.4";
+    EXPECT_GT(std::abs(printedThird(poles, 6) - a), 1e-6) << "C8.7: the entry in print";
   }
 }
 
@@ -462,7 +464,7 @@ TEST(AlphaCurve, Refusals) {
   EXPECT_THAT(with([&](auto&, auto& j) { j.next_length = inf; }), HasSubstr("next_length is inf"));
   EXPECT_THAT(with([](auto&, auto& j) { j.next_a = 0; }), HasSubstr("next_a is 0"));
   EXPECT_THAT(with([](auto& c, auto&) { c.a = 1.25; }), HasSubstr("a is 1.25"));
-  EXPECT_THAT(with([](auto& c, auto&) { c.a = 0; }), HasSubstr("a is 0")) << "ERRATA-curves 2.6";
+  EXPECT_THAT(with([](auto& c, auto&) { c.a = 0; }), HasSubstr("a is 0")) << "C8.4: a > 0";
   EXPECT_THAT(with([&](auto& c, auto&) { c.poles(2, 1) = nan; }), HasSubstr("pole 2 is ("));
   EXPECT_THAT(with([](auto& c, auto&) { c.poles.row(2) = c.poles.row(3).eval(); }),
               HasSubstr("poles 2 and 3 are the same"));

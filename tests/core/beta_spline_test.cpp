@@ -189,7 +189,8 @@ TEST(BetaSpline, JointsAreG2TheSeamIncluded) {
 }
 
 TEST(BetaSpline, PrintedLastCoefficientBreaksTheJoint) {
-  // Row j of the text ends in bias_j^3 m_(j+1), which is bias_j^2 bias_(j+1) m_(j+1).
+  // In print row j ends in bias_j^3 m_(j+1). By C7.1 of docs/theory/curves.md it is
+  // bias_j^2 bias_(j+1) m_(j+1).
   std::mt19937_64 random(26);
   BetaSplineData data = randomData(6, SplineEnds::Natural, random);
   const auto row = [&](Index j, double last) {

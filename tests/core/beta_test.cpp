@@ -65,7 +65,7 @@ TEST(Beta, MatricesOfSixtyDigits) {
   }
 }
 
-/// The printed rows of the text; its third derivative has four dots, the row is that of the third.
+/// The rows that C2.1 of docs/theory/curves.md writes out.
 TEST(Beta, FirstRowsWrittenOut) {
   std::mt19937_64 random(301);
   for (int run = 0; run < 100; ++run) {
@@ -157,8 +157,7 @@ TEST(Beta, Identity4UnitMatrix) {
 }
 
 /// The other convention: left_1 = p right_1, left_2 = p^2 right_2 + q right_1 is beta_1 = 1 / p,
-/// beta_2 = -q / p^3.
-/// The text uses both conventions without notice, one cannot stand for the other.
+/// beta_2 = -q / p^3 (C2.2 of docs/theory/curves.md). One cannot stand for the other.
 TEST(Beta, TheTextsOtherConventionIsTheInverse) {
   const double p = 1.6, q = -0.7;
   const Eigen::VectorXd other = Eigen::Vector2d(p, q), beta = inverseBeta(other);

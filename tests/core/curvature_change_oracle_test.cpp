@@ -54,7 +54,8 @@ class G2Join : public testing::TestWithParam<json> {
     return {l, n, poles};
   }
 
-  /// X3 of MATH-surfaces 1.4: what Q_uuu has beyond the third-order chain rule, up to tangent vectors.
+  /// X3: what Q_uuu has beyond the third-order chain rule, up to tangent vectors.
+  /// Source: docs/theory/surfaces.md S1.6.
   Vec thirdOrderExcess(const SurfaceJet& p, const SurfaceJet& q, double t) const {
     const double alpha = bernsteinSum(input_["alpha"], t), beta = bernsteinSum(input_["beta"], t);
     const double pp = bernsteinSum(input_["p"], t), qq = bernsteinSum(input_["q"], t);

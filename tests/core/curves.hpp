@@ -70,7 +70,7 @@ inline Eigen::VectorXd randomParameter(int order, std::mt19937_64& random) {
   return t;
 }
 
-/// Derivatives of X(t(u)) by u with the partial Bell polynomials of MATH-curves 2.1:
+/// Derivatives of X(t(u)) by u with the partial Bell polynomials (docs/theory/curves.md C2.1):
 /// B_kj = sum_i C(k-1, i-1) t_i B_(k-i)(j-1).
 inline CurveDerivatives reparametrised(const CurveDerivatives& x, const Eigen::VectorXd& t) {
   const Eigen::Index n = x.rows() - 1;

@@ -294,7 +294,7 @@ Bernstein<double> randomFactor(double middle, double spread, std::mt19937_64& ra
 }
 
 /// A patch Q with Q = P, Q_u = alpha P_u + beta P_v and (order 2) Q_uu by the chain rule along P's edge u = 1.
-/// Source: MATH-surfaces 1.3.
+/// Source: docs/theory/surfaces.md S1.1, S3.1.
 BezierPatch joined(const BezierPatch& p, int order, std::mt19937_64& random) {
   const int m = p.degreeU(), n = p.degreeV();
   const auto row = [&](int i) {

@@ -338,7 +338,8 @@ TEST(G2Spline, Identity6SmallGammaRunsIntoThePolygon) {
 }
 
 /// The printed ends, alpha_0 = 0 and b_{3L-4} = d_{L-1}: there is no such pole, and alpha_0 belongs to an edge
-/// without segment. What holds is alpha_1 = 0, b_{3L-7} = d_{L-1}, b_{3L-6} = d_L.
+/// without segment. What holds is alpha_1 = 0, b_{3L-7} = d_{L-1}, b_{3L-6} = d_L (C5.2 of
+/// docs/theory/curves.md).
 TEST(G2Spline, PrintedEndIndicesAreFalse) {
   std::mt19937_64 random(330);
   for (int i = 1; i < 100; i += 2) {
@@ -357,7 +358,7 @@ TEST(G2Spline, PrintedEndIndicesAreFalse) {
 }
 
 /// The printed omega of gamma-splines is 1 - alpha. Unless lengths and gamma are symmetric the joint then divides
-/// its leg in another ratio than that of the lengths, and gamma = 1 is not the B-spline.
+/// its leg in another ratio than that of the lengths, and gamma = 1 is not the B-spline (C5.4).
 TEST(G2Spline, PrintedGammaOmegaIsFalse) {
   GammaPolygon polygon{Poles(5, 3), true, {1, 1.2, 1.1, 1, 1.3}, {1, 1, 1, 1, 1}};
   polygon.vertices << 0, 0, 0, 4, 0, 0, 5, 3, 0, 2, 5, 0, -1, 3, 0;

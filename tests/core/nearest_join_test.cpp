@@ -86,7 +86,9 @@ Rows rowsOf(const BSplineSurface& surface) {
   return rows;
 }
 
-/// The rows of b that Connection's equations of the natural degrees ask for (MATH-surfaces 6.1), by products of polynomials.
+/// The rows of b that Connection's equations of the natural degrees ask for, by products of
+/// polynomials.
+/// Source: docs/theory/surfaces.md S3.1.
 Rows continued(const Rows& p, int across_a, int across_b, const Connection& c, int order) {
   const double m = across_a, l = across_b;
   const auto n = static_cast<int>(p[0].rows()) - 1;

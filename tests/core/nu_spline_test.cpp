@@ -324,7 +324,8 @@ TEST(NuSpline, CriticalTensionIsSingularAndBeyondItIsSolved) {
 }
 
 TEST(NuSpline, WhereTheDerivativeVanishesG2IsLost) {
-  // The text promises G2 at every point; by these end derivatives the one in the middle has none.
+  // G2 at every point is claimed in print (docs/theory/curves.md C6.4). With these end derivatives
+  // X' vanishes in the middle.
   NuSplineData data{Poles(3, 3), {0, 1, 2}, {0, 3, 0}, SplineEnds::Clamped};
   data.points << 5, 5, 5, 1, 2, 3, 4, -4, 0.5;
   const Vec sum = 3 * (data.points.row(2) - data.points.row(0)).transpose();

@@ -133,7 +133,7 @@ Roof solvedRoof(const TopoDS_Shape& shape, const std::vector<int>& faces,
 }
 
 /// The turn of the tangent plane at one end of a beam that is held at both costs 3 turn / length of variation of the mean curvature: that is
-/// the least, as for MATH-repair 1; half of the lines run across.
+/// the least, as for docs/theory/repair.md R1; half of the lines run across.
 void expectFair(const Spline& surface, double turn_rad, const std::string& name) {
   const double least = 3 * turn_rad / length_mm;
   EXPECT_LE(variationByOpenCascade(wholeFace(surface), surface), 1.5 * least) << name;
