@@ -175,7 +175,7 @@ Outcome constrainedFilling(const Opened& of, int times) {
         try {
           std::vector<opencascade::handle<GeomFill_Boundary>> sides;
           for (const occ::HoleSide& side : of.hole.sides) {
-            const occ::FaceUse& use = side.edges.front().use;
+            const occ::Coedge& use = side.edges.front().use;
             const opencascade::handle<BRepAdaptor_Curve2d> path =
                 new BRepAdaptor_Curve2d(use.edge, use.shape);
             const opencascade::handle<BRepAdaptor_Surface> surface = new BRepAdaptor_Surface(use.shape);

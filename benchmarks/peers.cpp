@@ -22,7 +22,7 @@ namespace {
 /// One side of a seam in OpenCASCADE's terms.
 class Side {
  public:
-  explicit Side(const occ::FaceUse& use)
+  explicit Side(const occ::Coedge& use)
       : path_(BRep_Tool::CurveOnSurface(use.edge, use.shape, first_, last_)),
         properties_(BRep_Tool::Surface(use.shape), 2, 1e-7) {}
 

@@ -80,7 +80,7 @@ TopoDS_Wire rimOf(const TopoDS_Shape& pocket) {
   TopTools_IndexedMapOfShape edges;
   TopExp::MapShapes(pocket, TopAbs_EDGE, edges);
   TopTools_ListOfShape rim;
-  for (const occ::LooseEdge& open : occ::findSeams(pocket).open) rim.Append(edges(open.edge));
+  for (const occ::NonSeamEdge& open : occ::findSeams(pocket).open) rim.Append(edges(open.edge));
   BRepBuilderAPI_MakeWire wire;
   wire.Add(rim);
   return TopoDS::Wire(wire.Wire().Reversed());

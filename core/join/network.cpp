@@ -144,7 +144,7 @@ class Attempt {
           const std::vector<bool>& takes_part, const NetworkOptions& options, bool linear);
 
   bool joins() const { return obstacles_.empty(); }
-  bool hasStars() const { return plan_.has_stars; }
+  bool hasExtraordinaryVertices() const { return plan_.has_extraordinary; }
   const std::vector<Obstacle>& obstacles() const { return obstacles_; }
   double largestMove() const { return largest_move_; }
   NetworkResult result() const;
@@ -422,7 +422,7 @@ NetworkResult nearestNetwork(const std::vector<NetworkSurface>& surfaces,
     const Attempt natural(surfaces, seams, takes_part, options, false);
     const Attempt* best = &natural;
     std::optional<Attempt> linear;
-    if (natural.hasStars() && options.raise) {
+    if (natural.hasExtraordinaryVertices() && options.raise) {
       linear.emplace(surfaces, seams, takes_part, options, true);
       if (linear->joins() && (!natural.joins() || linear->largestMove() < much * natural.largestMove()))
         best = &*linear;

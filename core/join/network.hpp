@@ -43,8 +43,8 @@ struct NetworkSeam {
 };
 
 struct NetworkOptions {
-  /// A vertex of four surfaces is a crossing if its opposite seams are opposite to this angle; then they become so exactly.
-  double crossing_rad = 0.1;
+  /// A vertex of four surfaces is regular if its opposite seams are opposite to this angle; then they become so exactly.
+  double regular_rad = 0.1;
   bool raise = true;        ///< degrees and multiplicities may be raised where a vertex demands it
   int max_iterations = 30;  ///< of the improvement of the laws
 };
@@ -95,13 +95,13 @@ struct NetworkResult {
 /// that seams surround, the values of the laws have to close: with r_i the tangents of the seams in turn and A_i = det(r_(i-1), r_i) in the tangent
 /// plane, c : d : e = A_i : A_(i+1) : det(r_(i-1), r_(i+1)) (e with the sign of the seam's sense). They are taken from tangents in one plane, so
 /// that no vertex collapses. Three sorts are told apart:
-///   - a *crossing* of two lines through four surfaces, as inside a grid: e (and q) is zero along each seam that ends there, d / c (and p / d) one
+///   - a regular vertex of two lines through four surfaces, as inside a grid: e (and q) is zero along each seam that ends there, d / c (and p / d) one
 ///     constant along each line. Degrees and knots stay. G2 is possible.
-///   - a *star* of 3, 5, or more surfaces, or of 4 that is no crossing: e is linear between its values at the ends (quadratic towards a
-///     crossing). First d / c is constant on each seam, with which bicubic patches can do. If the move with linear c and d and quadratic e is less than half as
+///   - an extraordinary vertex of 3, 5, or more surfaces, or of 4 that is not regular: e is linear between its values at the ends (quadratic towards a
+///     regular one). First d / c is constant on each seam, with which bicubic patches can do. If the move with linear c and d and quadratic e is less than half as
 ///     large, those are used; surfaces come back in degree 4 along such seams (inner knots: with one multiplicity more), as do all that the
-///     opposite edges are tied to. A star allows no G2 in general: such seams join with G1, and say so.
-///   - a *rim* vertex, which seams do not surround: the laws are free there, each seam having d / c constant and e (and q) linear, or zero where
+///     opposite edges are tied to. An extraordinary vertex allows no G2 in general: such seams join with G1, and say so.
+///   - a boundary vertex, which seams do not surround: the laws are free there, each seam having d / c constant and e (and q) linear, or zero where
 ///     inner knots are no smoother than that needs (see nearestJoin()).
 ///
 /// **What stays.** Surfaces and poles that are fixed keep every bit; seams between two of them should be given too, as their laws rule those at

@@ -71,11 +71,11 @@ int flatSector(const Eigen::Matrix2Xd& rays) {
   return -1;
 }
 
-bool isCrossing(const VertexPlan& plan, double crossing_rad) {
+bool isRegular(const VertexPlan& plan, double regular_rad) {
   constexpr double exactly = 1e-10;
   for (int i = 0; i < 2; ++i) {
     const double angle = angleFromOpposite(plan.rays.col(i), plan.rays.col(i + 2));
-    if (angle > (plan.stays[i] && plan.stays[i + 2] ? exactly : crossing_rad)) return false;
+    if (angle > (plan.stays[i] && plan.stays[i + 2] ? exactly : regular_rad)) return false;
   }
   return true;
 }
@@ -102,8 +102,9 @@ VertexPlan vertexPlan(const Network& network, const Unknowns& u, const Vertex& v
                                   " has an angle that is not between 0 and 180 degrees"});
     return result;
   }
-  result.sort = vertex.corners.size() == 4 && isCrossing(result, options.crossing_rad) ? VertexSort::Crossing
-                                                                                       : VertexSort::Star;
+  result.sort = vertex.corners.size() == 4 && isRegular(result, options.regular_rad)
+                    ? VertexSort::Regular
+                    : VertexSort::Extraordinary;
   return result;
 }
 
@@ -152,16 +153,16 @@ void placeEnds(Plan& plan) {
 
 void setForm(const Network& network, const Unknowns& u, int seam, bool linear, SeamPlan& plan) {
   const auto any = [&](VertexSort sort) { return plan.ends[0].sort == sort || plan.ends[1].sort == sort; };
-  const bool star = any(VertexSort::Star), crossing = any(VertexSort::Crossing);
+  const bool extraordinary = any(VertexSort::Extraordinary), regular = any(VertexSort::Regular);
   plan.order = network.seams[seam].order;
-  if (star && plan.order == 2) {
+  if (extraordinary && plan.order == 2) {
     plan.order = 1;
     plan.why = "G1 instead of G2: it ends at a vertex of surfaces whose seams do not cross in lines";
   }
-  plan.linear = linear && star && !crossing;
-  if (star)
-    plan.e = crossing ? SeamPlan::E::Double : plan.linear ? SeamPlan::E::Quadratic : SeamPlan::E::Linear;
-  else if (!crossing) {
+  plan.linear = linear && extraordinary && !regular;
+  if (extraordinary)
+    plan.e = regular ? SeamPlan::E::Double : plan.linear ? SeamPlan::E::Quadratic : SeamPlan::E::Linear;
+  else if (!regular) {
     const Condition condition = naturalCondition(network, seam, plan.order);
     const bool knots = !innerKnots(condition.side(0)).empty();
     const bool free = !knots || needsE(condition, polesOf(u, columnsOf(u, network.seams[seam], condition)));
@@ -169,12 +170,12 @@ void setForm(const Network& network, const Unknowns& u, int seam, bool linear, S
   }
 }
 
-/// Lines: seams of constant ratio that are opposite at a crossing have the same, from left to right of the line.
+/// Lines: seams of constant ratio that are opposite at a regular vertex have the same, from left to right of the line.
 void setLines(const Network& network, Plan& plan) {
   const auto constant = [&](int seam) { return !plan.seams[seam].linear && !network.seams[seam].held; };
   std::vector<std::vector<std::pair<int, int>>> next(plan.seams.size());
   for (std::size_t v = 0; v < plan.vertices.size(); ++v) {
-    if (plan.sorts[v].sort != VertexSort::Crossing) continue;
+    if (plan.sorts[v].sort != VertexSort::Regular) continue;
     for (int i = 0; i < 2; ++i) {
       const Spoke& one = plan.vertices[v].spokes[i];
       const Spoke& other = plan.vertices[v].spokes[i + 2];
@@ -218,11 +219,11 @@ void findObstacles(const Network& network, const Unknowns& u, int seam, Plan& pl
   if (!(together > 0)) plan.obstacles.push_back({seam, 0, "the surfaces fold back along it"});
 }
 
-/// e need not be zero on a line of two seams, from the rim to the rim, if it comes from the crossing with the same slope in both.
+/// e need not be zero on a line of two seams, from the boundary to the boundary, if it comes from the regular vertex with the same slope in both.
 void tieSlopes(const Network& network, const Unknowns& u, Plan& plan) {
   const auto otherEnd = [&](const Spoke& spoke) { return plan.seams[spoke.seam].ends[1 - spoke.end].sort; };
   for (std::size_t v = 0; v < plan.vertices.size(); ++v) {
-    if (plan.sorts[v].sort != VertexSort::Crossing) continue;
+    if (plan.sorts[v].sort != VertexSort::Regular) continue;
     const std::vector<Spoke>& spokes = plan.vertices[v].spokes;
     if (!std::ranges::all_of(spokes, [&](const Spoke& s) {
           return plan.seams[s.seam].order == 1 && !network.seams[s.seam].held;
@@ -236,7 +237,7 @@ void tieSlopes(const Network& network, const Unknowns& u, Plan& plan) {
       };
       const Spoke& one = spokes[i];
       const Spoke& other = spokes[i + 2];
-      if (otherEnd(one) != VertexSort::Rim || otherEnd(other) != VertexSort::Rim || rough(one) ||
+      if (otherEnd(one) != VertexSort::Boundary || otherEnd(other) != VertexSort::Boundary || rough(one) ||
           rough(other))
         continue;
       plan.seams[one.seam].e = plan.seams[other.seam].e = SeamPlan::E::Tied;
@@ -264,7 +265,7 @@ Plan planOf(const Network& network, const Unknowns& u, const NetworkOptions& opt
   plan.vertices = vertices(network.surfaces.size(), network.seams, network.takes_part);
   for (const Vertex& vertex : plan.vertices) {
     plan.sorts.push_back(vertexPlan(network, u, vertex, options, plan));
-    plan.has_stars = plan.has_stars || plan.sorts.back().sort == VertexSort::Star;
+    plan.has_extraordinary = plan.has_extraordinary || plan.sorts.back().sort == VertexSort::Extraordinary;
   }
   if (!plan.obstacles.empty()) return plan;
   placeEnds(plan);
@@ -283,7 +284,10 @@ Plan planOf(const Network& network, const Unknowns& u, const NetworkOptions& opt
 }
 
 Laws::Laws(const Network& network, const Unknowns& unknowns, const Plan& plan)
-    : network_(network), plan_(plan), slots_(plan.seams.size()), star_slot_(plan.vertices.size(), -1) {
+    : network_(network),
+      plan_(plan),
+      slots_(plan.seams.size()),
+      extraordinary_slot_(plan.vertices.size(), -1) {
   addParameters();
   setStart(network, unknowns);
 }
@@ -295,8 +299,8 @@ void Laws::addParameters() {
   tied_slot_.assign(plan_.lines, -1);
   for (int& slot : line_slot_) slot = count++;
   for (std::size_t v = 0; v < plan_.vertices.size(); ++v)
-    if (plan_.sorts[v].sort == VertexSort::Star) {
-      star_slot_[v] = count;
+    if (plan_.sorts[v].sort == VertexSort::Extraordinary) {
+      extraordinary_slot_[v] = count;
       count += static_cast<int>(2 * plan_.vertices[v].spokes.size());
     }
   of_seam_.resize(plan_.seams.size());
@@ -318,8 +322,8 @@ void Laws::addParameters() {
     if (seam.e == SeamPlan::E::Quadratic) add(slots.bulge);
     for (int end = 0; end < 2; ++end) {
       const VertexSort sort = seam.ends[end].sort;
-      if (sort == VertexSort::Star) {
-        const int vertex = seam.ends[end].vertex, begin = star_slot_[vertex];
+      if (sort == VertexSort::Extraordinary) {
+        const int vertex = seam.ends[end].vertex, begin = extraordinary_slot_[vertex];
         for (std::size_t k = 0; k < 2 * plan_.vertices[vertex].spokes.size(); ++k)
           own.push_back(begin + static_cast<int>(k));
         continue;
@@ -334,8 +338,8 @@ void Laws::addParameters() {
 
 void Laws::setStart(const Network& network, const Unknowns& u) {
   for (std::size_t v = 0; v < plan_.vertices.size(); ++v)
-    if (star_slot_[v] >= 0)
-      start_.segment(star_slot_[v], plan_.sorts[v].rays.size()) = plan_.sorts[v].rays.reshaped();
+    if (extraordinary_slot_[v] >= 0)
+      start_.segment(extraordinary_slot_[v], plan_.sorts[v].rays.size()) = plan_.sorts[v].rays.reshaped();
 
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(plan_.lines), weight = sum, stiff_sum = sum, stiff_weight = sum;
   const auto eachSeam = [&](const auto& visit) {
@@ -367,17 +371,17 @@ void Laws::setStart(const Network& network, const Unknowns& u) {
   }
   setLines(sum, weight, stiff);
   for (std::size_t v = 0; v < plan_.vertices.size(); ++v)
-    if (star_slot_[v] >= 0) restore(static_cast<int>(v), start_);
+    if (extraordinary_slot_[v] >= 0) restore(static_cast<int>(v), start_);
 
   Eigen::VectorXd share_sum = Eigen::VectorXd::Zero(plan_.lines), share_weight = share_sum;
   eachSeam([&](int i, const SeamPlan& seam, const Condition& condition, const std::vector<int>& columns,
                const Eigen::MatrixXd& x) {
     SeamLaw law = this->law(i, start_);
     const Slots& slots = slots_[i];
-    // At an end that is a star e is given; the other end's value fits best with it.
+    // At an end that is an extraordinary vertex e is given; the other end's value fits best with it.
     if (slots.tied >= 0) {
       law = condition.fitted(law, 1, {E}, x);
-      start_(slots.tied) += (seam.ends[0].sort == VertexSort::Crossing ? law.e(1) : -law.e(0)) / 2;
+      start_(slots.tied) += (seam.ends[0].sort == VertexSort::Regular ? law.e(1) : -law.e(0)) / 2;
     }
     if (slots.bulge >= 0 || slots.e[0] >= 0 || slots.e[1] >= 0) {
       law = condition.fitted(law, 1, {E}, x);
@@ -406,7 +410,7 @@ void Laws::setLines(const Eigen::VectorXd& sum, const Eigen::VectorXd& weight,
   int rows = 0;
   for (std::size_t v = 0; v < plan_.vertices.size(); ++v) {
     const Vertex& vertex = plan_.vertices[v];
-    const bool all = star_slot_[v] >= 0 && std::ranges::all_of(vertex.spokes, [&](const Spoke& s) {
+    const bool all = extraordinary_slot_[v] >= 0 && std::ranges::all_of(vertex.spokes, [&](const Spoke& s) {
                        return plan_.seams[s.seam].line >= 0;
                      });
     if (!all) continue;
@@ -425,11 +429,11 @@ void Laws::setLines(const Eigen::VectorXd& sum, const Eigen::VectorXd& weight,
   for (int line = 0; line < plan_.lines; ++line) start_(line_slot_[line]) = found.x(line, 0);
 }
 
-/// c, d, e of a star at the end of a seam whose side 0 is the corner before its spoke; they change places where it is the corner after it.
-Eigen::Vector3d Laws::starValues(const SeamPlan::End& end, const Eigen::VectorXd& y) const {
+/// c, d, e of an extraordinary vertex at the end of a seam whose side 0 is the corner before its spoke; they change places where it is the corner after it.
+Eigen::Vector3d Laws::extraordinaryValues(const SeamPlan::End& end, const Eigen::VectorXd& y) const {
   const auto count = static_cast<int>(plan_.vertices[end.vertex].spokes.size());
   const auto ray = [&](int k) -> Eigen::Vector2d {
-    return y.segment<2>(star_slot_[end.vertex] + 2L * (k % count));
+    return y.segment<2>(extraordinary_slot_[end.vertex] + 2L * (k % count));
   };
   const Eigen::Vector2d before = ray(end.spoke + count - 1), own = ray(end.spoke), after = ray(end.spoke + 1);
   const double c = cross(before, own), d = cross(own, after), e = cross(before, after);
@@ -447,8 +451,8 @@ SeamLaw Laws::law(int seam, const Eigen::VectorXd& y) const {
   for (int end = 0; end < 2; ++end) {
     const SeamPlan::End& at = plan.ends[end];
     const Eigen::Index e = end == 0 ? 0 : law.e.size() - 1;
-    if (at.sort == VertexSort::Star) {
-      Eigen::Vector3d values = starValues(at, y);
+    if (at.sort == VertexSort::Extraordinary) {
+      Eigen::Vector3d values = extraordinaryValues(at, y);
       if (!plan_.vertices[at.vertex].spokes[at.spoke].first) std::swap(values(0), values(1));
       law.e(e) = end == 0 ? values(2) : -values(2);
       if (plan.linear) {
@@ -466,7 +470,7 @@ SeamLaw Laws::law(int seam, const Eigen::VectorXd& y) const {
     if (slots.q[end] >= 0) law.q(end) = y(slots.q[end]);
   }
   if (slots.tied >= 0) {
-    const bool begins = plan.ends[0].sort == VertexSort::Crossing;
+    const bool begins = plan.ends[0].sort == VertexSort::Regular;
     law.e(begins ? 1 : 0) = begins ? y(slots.tied) : -y(slots.tied);
   }
   if (slots.bulge >= 0) law.e(1) = (law.e(0) + law.e(2)) / 2 + y(slots.bulge);
@@ -497,14 +501,15 @@ SeamLaw Laws::derivative(int seam, const Eigen::VectorXd& y, int k) const {
   return result;
 }
 
-/// By how much the logarithm of a star's d / c is more than that of the line, for each spoke of a line.
+/// By how much the logarithm of an extraordinary vertex's d / c is more than that of the line, for each spoke of a line.
 Eigen::VectorXd Laws::excess(int vertex, const Eigen::VectorXd& y) const {
   const Vertex& of = plan_.vertices[vertex];
   std::vector<double> result;
   for (std::size_t i = 0; i < of.spokes.size(); ++i) {
     const SeamPlan& seam = plan_.seams[of.spokes[i].seam];
     if (seam.line < 0) continue;
-    const Eigen::Vector3d values = starValues({vertex, static_cast<int>(i), VertexSort::Star}, y);
+    const Eigen::Vector3d values =
+        extraordinaryValues({vertex, static_cast<int>(i), VertexSort::Extraordinary}, y);
     const double of_line = seam.sense * (of.spokes[i].first ? 1 : -1) * y(line_slot_[seam.line]);
     result.push_back(std::log(values(1) / values(0)) - of_line);
   }
@@ -518,8 +523,8 @@ Eigen::MatrixXd Laws::excessDerivative(int vertex, const Eigen::VectorXd& y) con
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(excess(vertex, y).size(), coordinates);
   for (Eigen::Index k = 0; k < coordinates && result.rows() > 0; ++k) {
     if (stays[k / 2]) continue;
-    const Eigen::Index slot = star_slot_[vertex] + k;
-    const double h = 1e-5 * y.segment(star_slot_[vertex], coordinates).norm();
+    const Eigen::Index slot = extraordinary_slot_[vertex] + k;
+    const double h = 1e-5 * y.segment(extraordinary_slot_[vertex], coordinates).norm();
     Eigen::VectorXd above = y, below = y;
     above(slot) += h;
     below(slot) -= h;
@@ -536,7 +541,7 @@ void Laws::restore(int vertex, Eigen::VectorXd& y) const {
     // The ratios around a vertex have the product 1: one of them follows from the others.
     const linear::LeastSquares inverse(by, least_pivot);
     Eigen::VectorXd trial = y;
-    trial.segment(star_slot_[vertex], by.cols()) -= inverse.solve(excess(vertex, y));
+    trial.segment(extraordinary_slot_[vertex], by.cols()) -= inverse.solve(excess(vertex, y));
     const double next = excess(vertex, trial).norm();
     if (!(next < size)) return;
     y = trial;
@@ -547,20 +552,20 @@ void Laws::restore(int vertex, Eigen::VectorXd& y) const {
 void Laws::setBasis() {
   std::vector<Eigen::Triplet<double>> entries;
   int count = 0;
-  std::vector<bool> of_star(start_.size(), false), held(start_.size(), false);
+  std::vector<bool> of_extraordinary(start_.size(), false), held(start_.size(), false);
   for (std::size_t v = 0; v < plan_.vertices.size(); ++v) {
-    if (star_slot_[v] < 0) continue;
+    if (extraordinary_slot_[v] < 0) continue;
     for (const Spoke& spoke : plan_.vertices[v].spokes)
       if (plan_.seams[spoke.seam].line >= 0) held[line_slot_[plan_.seams[spoke.seam].line]] = true;
     const auto& stays = plan_.sorts[v].stays;
     const auto coordinates = static_cast<Eigen::Index>(2 * stays.size());
-    // A star may turn and stretch as a whole without any change of the laws: those directions are left out as well.
+    // An extraordinary vertex may turn and stretch as a whole without any change of the laws: those directions are left out as well.
     Eigen::MatrixXd conditions = excessDerivative(static_cast<int>(v), start_);
     const Eigen::Index ratios = conditions.rows();
     conditions.conservativeResizeLike(Eigen::MatrixXd::Zero(ratios + 4 + coordinates, coordinates));
-    const Eigen::VectorXd rays = start_.segment(star_slot_[v], coordinates);
+    const Eigen::VectorXd rays = start_.segment(extraordinary_slot_[v], coordinates);
     for (Eigen::Index k = 0; k < coordinates; ++k) {
-      of_star[star_slot_[v] + k] = true;
+      of_extraordinary[extraordinary_slot_[v] + k] = true;
       conditions(ratios + 2 * (k % 2), k) = rays(2 * (k / 2)) / rays.norm();
       conditions(ratios + 2 * (k % 2) + 1, k) = rays(2 * (k / 2) + 1) / rays.norm();
       if (stays[k / 2]) conditions(ratios + 4 + k, k) = 1;
@@ -569,10 +574,10 @@ void Laws::setBasis() {
     const Eigen::MatrixXd kernel = linear::kernel(conditions, least_pivot);
     for (Eigen::Index i = 0; i < kernel.cols(); ++i, ++count)
       for (Eigen::Index k = 0; k < coordinates; ++k)
-        entries.emplace_back(star_slot_[v] + k, count, kernel(k, i));
+        entries.emplace_back(extraordinary_slot_[v] + k, count, kernel(k, i));
   }
   for (Eigen::Index k = 0; k < start_.size(); ++k)
-    if (!of_star[k] && !held[k]) entries.emplace_back(k, count++, 1.0);
+    if (!of_extraordinary[k] && !held[k]) entries.emplace_back(k, count++, 1.0);
   basis_.resize(start_.size(), count);
   basis_.setFromTriplets(entries.begin(), entries.end());
 }
@@ -580,7 +585,7 @@ void Laws::setBasis() {
 Eigen::VectorXd Laws::moved(const Eigen::VectorXd& y, const Eigen::VectorXd& step) const {
   Eigen::VectorXd result = y + basis_ * step;
   for (std::size_t v = 0; v < plan_.vertices.size(); ++v)
-    if (star_slot_[v] >= 0) restore(static_cast<int>(v), result);
+    if (extraordinary_slot_[v] >= 0) restore(static_cast<int>(v), result);
   return result;
 }
 

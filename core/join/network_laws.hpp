@@ -12,11 +12,11 @@
 /// The laws of a network, and the parameters that they depend on; not a public header.
 namespace seamwright::network {
 
-enum class VertexSort { Rim, Crossing, Star };
+enum class VertexSort { Boundary, Regular, Extraordinary };
 
 /// What a vertex is taken for, and the tangents of its rays in a plane.
 struct VertexPlan {
-  VertexSort sort = VertexSort::Rim;
+  VertexSort sort = VertexSort::Boundary;
   Eigen::Matrix2Xd rays;
   std::vector<bool> stays;  ///< of the rays
 };
@@ -39,12 +39,12 @@ struct SeamPlan {
   bool linear = false;  ///< c and d are; else d / c is a constant
   int line = -1;        ///< whose constant it is; none if linear or held
   int sense = 1;        ///< -1: c / d is
-  /// Double: two zeros at the end that is no star. Tied: linear from a crossing to the rim, and the same on the other half of the line.
+  /// Double: two zeros at the end that is not extraordinary. Tied: linear from a regular vertex to the boundary, and the same on the other half of the line.
   enum class E { Zero, Linear, Quadratic, Double, Tied } e = E::Zero;
   struct End {
     int vertex = -1;
-    int spoke = -1;  ///< of a star or crossing, -1 at the rim
-    VertexSort sort = VertexSort::Rim;
+    int spoke = -1;  ///< of an extraordinary vertex or regular vertex, -1 at the boundary
+    VertexSort sort = VertexSort::Boundary;
   };
   std::array<End, 2> ends;
 };
@@ -55,7 +55,7 @@ struct Plan {
   std::vector<VertexPlan> sorts;
   std::vector<SeamPlan> seams;
   int lines = 0;
-  bool has_stars = false;
+  bool has_extraordinary = false;
   std::vector<Obstacle> obstacles;
 };
 
@@ -90,12 +90,12 @@ class Laws {
  private:
   struct Slots {
     int ratio = -1, share = -1;               ///< of the line: log d / c, p / d
-    std::array<int, 2> end_ratio = {-1, -1};  ///< log d / c at a rim, of a linear one
+    std::array<int, 2> end_ratio = {-1, -1};  ///< log d / c at a boundary vertex, of a linear one
     std::array<int, 2> e = {-1, -1}, q = {-1, -1};
-    int tied = -1;   ///< of the line: e at the rim
+    int tied = -1;   ///< of the line: e at the boundary
     int bulge = -1;  ///< of a quadratic e above the mean of its ends
   };
-  Eigen::Vector3d starValues(const SeamPlan::End& end, const Eigen::VectorXd& y) const;
+  Eigen::Vector3d extraordinaryValues(const SeamPlan::End& end, const Eigen::VectorXd& y) const;
   void addParameters();
   void setStart(const Network& network, const Unknowns& unknowns);
   void setLines(const Eigen::VectorXd& sum, const Eigen::VectorXd& weight, const std::vector<bool>& stiff);
@@ -107,7 +107,7 @@ class Laws {
   const Network& network_;
   const Plan& plan_;
   std::vector<Slots> slots_;
-  std::vector<int> star_slot_;  ///< of each vertex; -1: no star
+  std::vector<int> extraordinary_slot_;  ///< of each vertex; -1: not extraordinary
   std::vector<int> line_slot_, share_slot_, tied_slot_;
   std::vector<std::vector<int>> of_seam_;
   Eigen::VectorXd start_;

@@ -135,8 +135,8 @@ void requireSameSeam(const nearest::SeamRows& a, const nearest::SeamRows& b, con
 
 void requireNetwork(const std::vector<NetworkSurface>& surfaces, const std::vector<NetworkSeam>& seams,
                     const NetworkOptions& options) {
-  if (!(options.crossing_rad >= 0 && options.crossing_rad <= 1))
-    refuse("crossing_rad is " + std::to_string(options.crossing_rad) + ": 0 to 1 is needed");
+  if (!(options.regular_rad >= 0 && options.regular_rad <= 1))
+    refuse("regular_rad is " + std::to_string(options.regular_rad) + ": 0 to 1 is needed");
   if (options.max_iterations < 0)
     refuse("max_iterations is " + std::to_string(options.max_iterations) + ": it must not be negative");
   for (std::size_t i = 0; i < surfaces.size(); ++i) requireSurface(surfaces[i], i);

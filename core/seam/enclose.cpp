@@ -394,10 +394,10 @@ bool Enclosure::isAtPole(const Piece& piece) {
 void Enclosure::addLeftOut(SeamFigures& figures) {
   std::ranges::sort(pieces_, {}, &Piece::from);
   const auto add = [&](LeftOut& left_out, const Piece& piece, double upper) {
-    if (!left_out.stretches.empty() && piece.from <= left_out.stretches.back().upper)
-      left_out.stretches.back().upper = piece.to;
+    if (!left_out.intervals.empty() && piece.from <= left_out.intervals.back().upper)
+      left_out.intervals.back().upper = piece.to;
     else
-      left_out.stretches.push_back({piece.from, piece.to});
+      left_out.intervals.push_back({piece.from, piece.to});
     if (upper > left_out.upper.value_or(infinite)) left_out.upper = upper;
     if (left_out.upper == infinite) left_out.upper.reset();
   };
@@ -416,9 +416,10 @@ void Enclosure::addLeftOut(SeamFigures& figures) {
   }
   for (LeftOut* left_out : {&figures.angle_left_out, &figures.curvature_left_out}) {
     left_out->longest_mm = 0;
-    for (const Interval& stretch : left_out->stretches)
-      left_out->longest_mm = std::max({left_out->longest_mm, length_a_.of(stretch.lower, stretch.upper).upper,
-                                       length_b_.of(stretch.lower, stretch.upper).upper});
+    for (const Interval& interval : left_out->intervals)
+      left_out->longest_mm =
+          std::max({left_out->longest_mm, length_a_.of(interval.lower, interval.upper).upper,
+                    length_b_.of(interval.lower, interval.upper).upper});
   }
 }
 

@@ -179,10 +179,10 @@ LeftOut Survey::leftOut(Quantity quantity) const {
       if (span[i].values[quantity]) continue;
       const double from = place(span[i > 0 ? i - 1 : i].t);
       const double to = place(span[i + 1 < span.size() ? i + 1 : i].t);
-      if (!left_out.stretches.empty() && from <= left_out.stretches.back().upper)
-        left_out.stretches.back().upper = to;
+      if (!left_out.intervals.empty() && from <= left_out.intervals.back().upper)
+        left_out.intervals.back().upper = to;
       else
-        left_out.stretches.push_back({from, to});
+        left_out.intervals.push_back({from, to});
       left_out.upper.reset();
     }
   return left_out;

@@ -23,13 +23,13 @@ struct Figure {
 
 /// What a figure leaves out of the seam.
 struct LeftOut {
-  std::vector<Interval> stretches;  ///< parts of 0..1 that do not touch, increasing
+  std::vector<Interval> intervals;  ///< parts of 0..1 that do not touch, increasing
   /// The quantity is nowhere larger there, but for points within 2^-30 of the seam, in parameter and in length,
   /// of one without a tangent plane: they are taken for that point. Nothing: no bound is known.
   std::optional<double> upper = 0;
-  double longest_mm = std::numeric_limits<double>::infinity();  ///< no stretch is longer
+  double longest_mm = std::numeric_limits<double>::infinity();  ///< no interval is longer
 
-  /// Nothing that counts exceeds the limit. Stretches no longer than the gap that is accepted do not count: to the
+  /// Nothing that counts exceeds the limit. Intervals no longer than the gap that is accepted do not count: to the
   /// user they are points.
   bool isWithin(double limit, const ContinuityTolerance& tolerance) const {
     return longest_mm <= tolerance.gap_mm || (upper && *upper <= limit);

@@ -86,11 +86,12 @@ std::array<Poles, 2> halved(const Poles& coefficients) {
   return {left.poles(), right.poles()};
 }
 
-CrossFields crossFields(const std::vector<FillSide>& sides, SpokeLaw law, int degree, double tolerance_rad) {
+CrossBoundaryDerivatives crossBoundaryDerivatives(const std::vector<FillSide>& sides, SpokeLaw law,
+                                                  int degree, double tolerance_rad) {
   const std::size_t n = sides.size();
   const auto next = [n](std::size_t k) { return (k + 1) % n; };
   std::vector<HoleCorner> corners;
-  CrossFields result;
+  CrossBoundaryDerivatives result;
   for (std::size_t k = 0; k < n; ++k) {
     corners.emplace_back(sides, k);
     result.corners.push_back(corners[k].convexFigures(tolerance_rad));

@@ -24,14 +24,15 @@ struct SideField {
   FillSideJoin joins;
 };
 
-struct CrossFields {
+struct CrossBoundaryDerivatives {
   std::vector<std::optional<SideField>> sides;  ///< nothing: position alone
   std::vector<FillCorner> corners;
 };
 
 /// \throws as nSidedFill() for what concerns corners.
 /// Source: docs/theory/fills.md F2.1 to F2.3, F3.1.
-CrossFields crossFields(const std::vector<FillSide>& sides, SpokeLaw law, int degree, double tolerance_rad);
+CrossBoundaryDerivatives crossBoundaryDerivatives(const std::vector<FillSide>& sides, SpokeLaw law,
+                                                  int degree, double tolerance_rad);
 
 /// Both halves of a polynomial.
 std::array<Poles, 2> halved(const Poles& coefficients);

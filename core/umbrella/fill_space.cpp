@@ -13,7 +13,8 @@ namespace {
 using Form = Eigen::RowVectorXd;
 class Builder {
  public:
-  Builder(const std::vector<FillSide>& sides, const CrossFields& fields, SpokeLaw law, int degree)
+  Builder(const std::vector<FillSide>& sides, const CrossBoundaryDerivatives& fields, SpokeLaw law,
+          int degree)
       : sides_(sides), given_(fields.sides), law_(law), n_(static_cast<int>(sides.size())), degree_(degree) {
     spoke_degree_ = law == SpokeLaw::Linear || n_ == 4 ? degree : degree - 1;
     // Before forms are made their length must be known: centre, star, spokes, twist, cross fields, differences, interiors.
@@ -191,7 +192,8 @@ class Builder {
 
 }  // namespace
 
-FillSpace fillSpace(const std::vector<FillSide>& sides, const CrossFields& fields, SpokeLaw law, int degree) {
+FillSpace fillSpace(const std::vector<FillSide>& sides, const CrossBoundaryDerivatives& fields, SpokeLaw law,
+                    int degree) {
   return Builder(sides, fields, law, degree).build();
 }
 

@@ -22,7 +22,8 @@ struct FillSpace {
 };
 
 /// Source: docs/theory/fills.md F2.4 to F2.6.
-FillSpace fillSpace(const std::vector<FillSide>& sides, const CrossFields& fields, SpokeLaw law, int degree);
+FillSpace fillSpace(const std::vector<FillSide>& sides, const CrossBoundaryDerivatives& fields, SpokeLaw law,
+                    int degree);
 
 /// Poles of neighbours along a spoke are the same to the bit.
 std::vector<BezierPatch> patchesOf(const FillSpace& space, const Poles& unknowns);

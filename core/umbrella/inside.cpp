@@ -96,7 +96,7 @@ std::vector<Forms> freeSpokes(const UmbrellaVertex& vertex, const std::vector<Ha
     spoke.row(0) = origin;
     spoke.row(1) = origin + (vertex.tangents(0, i) * x + vertex.tangents(1, i) * y) / degree;
     for (int k = 2; k < degree; ++k) {
-      const bool follows = k == 2 && i == n - 1 && n % 2 == 0 && !vertex.isCrossing();
+      const bool follows = k == 2 && i == n - 1 && n % 2 == 0 && !vertex.isRegular();
       spoke.row(k) = follows ? alternating : free.next();
     }
     alternating += (i % 2 == 0 ? 1 : -1) * spoke.row(2);

@@ -72,7 +72,8 @@ FillSide fillSide(const BezierPatch& neighbour, PatchEdge edge, bool reversed) {
 NSidedFill nSidedFill(const std::vector<FillSide>& sides, const FillOptions& options) {
   requireInput(sides, options);
   const int degree = degreeOf(sides, options);
-  fill::CrossFields fields = fill::crossFields(sides, options.law, degree, options.corner_tolerance_rad);
+  fill::CrossBoundaryDerivatives fields =
+      fill::crossBoundaryDerivatives(sides, options.law, degree, options.corner_tolerance_rad);
   const fill::FillSpace space = fill::fillSpace(sides, fields, options.law, degree);
   NSidedFill result;
   result.spoke = acrossSpokes(options.law, static_cast<int>(sides.size()));

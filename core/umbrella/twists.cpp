@@ -72,7 +72,7 @@ SpokeSeconds closed(const UmbrellaVertex& vertex, const SpokeSeconds& seconds,
 
   const Eigen::VectorXd share = vertex.alpha.cwiseQuotient(vertex.sectors);
   const Eigen::Vector3d defect = closingDefect(vertex, seconds);
-  if (!vertex.isCrossing())
+  if (!vertex.isRegular())
     for (int i = 0; i < spokes; ++i)
       result.second.col(i) -=
           sign(i) * share(i) * vertex.normal.dot(defect) / share.squaredNorm() * vertex.normal;

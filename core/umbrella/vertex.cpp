@@ -94,7 +94,7 @@ double conditionOf(const UmbrellaVertex& vertex) {
 
 }  // namespace
 
-bool UmbrellaVertex::isCrossing() const {
+bool UmbrellaVertex::isRegular() const {
   return closed && members() == 4 && alpha.isZero(0);
 }
 

@@ -48,7 +48,7 @@ struct UmbrellaVertex {
   /// The member between the spoke before and this one, -1 where a rim has none.
   int memberBefore(int spoke) const { return before(spoke); }
   /// All second derivatives drop out of the condition of an even fan: four spokes, opposite in pairs.
-  bool isCrossing() const;
+  bool isRegular() const;
 
  private:
   int wrapped(int spoke) const {

@@ -52,7 +52,7 @@ void requireFaces(const Model& model, const std::vector<int>& faces) {
 void keepSeamsOf(const std::vector<int>& faces, std::vector<Seam>& seams) {
   std::erase_if(seams, [&faces](const Seam& seam) {
     return std::ranges::none_of(
-        seam.sides, [&faces](const FaceUse& side) { return std::ranges::count(faces, side.face) > 0; });
+        seam.sides, [&faces](const Coedge& side) { return std::ranges::count(faces, side.face) > 0; });
   });
 }
 

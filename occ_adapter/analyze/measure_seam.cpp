@@ -27,7 +27,7 @@ void addNote(std::string& notes, const std::string& note) {
   notes += note;
 }
 
-/// Of the edge; of a matched seam, of its stretch of the first edge.
+/// Of the edge; of a matched seam, of its interval of the first edge.
 double lengthOf(const Seam& seam) {
   const TopoDS_Edge& edge = seam.sides[0].edge;
   if (BRep_Tool::Degenerated(edge)) return 0;
@@ -45,7 +45,7 @@ std::string placeText(double place) {
 }
 
 /// "at 0" or, for places that lie close together, "from 0 to 0.012".
-std::string stretches(std::vector<double> places) {
+std::string intervals(std::vector<double> places) {
   constexpr double close_together = 0.02;
   constexpr double shortest_told = 1e-4;
   std::ranges::sort(places);
@@ -69,7 +69,7 @@ std::string degeneracyNote(const SeamFigures& figures, const std::array<int, 2>&
   std::string notes;
   for (const auto& [what, where] : places)
     addNote(notes, std::string(name(what.second)) + " on face " + std::to_string(what.first) + " " +
-                       stretches(where));
+                       intervals(where));
   return notes;
 }
 
@@ -90,7 +90,7 @@ std::string noteOfFace(int face, const std::string& note) {
   return note.empty() ? note : "face " + std::to_string(face) + ": " + note;
 }
 
-/// The path's parameter over the seam: the pcurve's own range, or that of a matched stretch.
+/// The path's parameter over the seam: the pcurve's own range, or that of a matched interval.
 void runAlong(const std::vector<double>& s, const std::vector<double>& places, SeamSide& side) {
   if (s.empty()) return;
   const double first = side.t.front();
@@ -105,15 +105,15 @@ bool isSphere(const TopoDS_Face& face) {
   return BRepAdaptor_Surface(face, false).GetType() == GeomAbs_Sphere;
 }
 
-/// Stretches at the ends where a boundary of a surface collapses, so that its normal is rounding. Of a sphere
+/// Intervals at the ends where a boundary of a surface collapses, so that its normal is rounding. Of a sphere
 /// the normal is known at the poles too.
-struct PoleStretches {
+struct PoleIntervals {
   Interval between = {0, 1};
   std::vector<DegeneratePoint> points;
 };
 
-PoleStretches poleStretches(const Seam& seam, const std::array<Pcurve, 2>& pcurves) {
-  PoleStretches poles;
+PoleIntervals poleIntervals(const Seam& seam, const std::array<Pcurve, 2>& pcurves) {
+  PoleIntervals poles;
   if (!seam.correspondence.s.empty()) return poles;
   for (const int side : {0, 1})
     for (const int end : {0, 1}) {
@@ -141,7 +141,7 @@ SeamFigures enclosed(const Seam& seam, const std::array<Pcurve, 2>& pcurves, con
   SeamSide b = seamSide(seam.sides[1], pcurves[1]);
   runAlong(seam.correspondence.s, seam.correspondence.a, a);
   runAlong(seam.correspondence.s, seam.correspondence.b, b);
-  const PoleStretches poles = poleStretches(seam, pcurves);
+  const PoleIntervals poles = poleIntervals(seam, pcurves);
   EncloseOptions enclose_options;
   enclose_options.range = poles.between;
   SeamFigures figures = encloseSeam(a, b, options.tolerance, enclose_options);
@@ -213,7 +213,7 @@ void measure(const Seam& seam, const AnalyzeOptions& options, SeamResult& result
   result.length_mm = lengthOf(seam);
   std::array<Pcurve, 2> pcurves;
   for (const int side : {0, 1}) {
-    const FaceUse& use = seam.sides[side];
+    const Coedge& use = seam.sides[side];
     pcurves[side] = pcurveOf(use.edge, use.shape, options.tolerance.gap_mm);
     addNote(result.note, noteOfFace(use.face, pcurves[side].note));
   }
@@ -240,7 +240,7 @@ SeamResult measureSeam(const Seam& seam, const AnalyzeOptions& options) {
     addNote(result.note, "not measured: " + why);
   };
   const auto unusable =
-      std::ranges::find_if(seam.sides, [](const FaceUse& side) { return !side.fault.empty(); });
+      std::ranges::find_if(seam.sides, [](const Coedge& side) { return !side.fault.empty(); });
   if (unusable != seam.sides.end()) {
     fail(unusable->fault);
     result.figures.uncertified = "numbers that are not finite, or 1e100 and more, have no bounds";

@@ -46,8 +46,8 @@ struct Report {
   ContinuityTolerance tolerance;
   Level level = Level::G1;
   std::vector<SeamResult> seams;
-  std::vector<LooseEdge> open;
-  std::vector<LooseEdge> non_manifold;
+  std::vector<NonSeamEdge> open;
+  std::vector<NonSeamEdge> non_manifold;
   double read_s = 0;
   double analyze_s = 0;
 

@@ -124,7 +124,7 @@ bool endsAtOnePoint(const BRepAdaptor_Surface& surface, const gp_Pnt2d& uv) {
 
 }  // namespace
 
-FaceStrip::FaceStrip(const FaceUse& use, const Pcurve& pcurve, JetOrder order)
+FaceStrip::FaceStrip(const Coedge& use, const Pcurve& pcurve, JetOrder order)
     : order_(order),
       pcurve_(pcurve),
       path_(pcurve_.curve, pcurve_.first, pcurve_.last),

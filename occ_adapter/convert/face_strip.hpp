@@ -27,7 +27,7 @@ struct PathPoint {
 class FaceStrip {
  public:
   /// \param pcurve the path of the edge on the face, see pcurveOf().
-  FaceStrip(const FaceUse& use, const Pcurve& pcurve, JetOrder order = JetOrder::Second);
+  FaceStrip(const Coedge& use, const Pcurve& pcurve, JetOrder order = JetOrder::Second);
 
   /// Jet to the order asked for, its noise, and the direction of the seam.
   /// \throws Standard_Failure where OpenCASCADE can't evaluate.

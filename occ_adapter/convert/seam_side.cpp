@@ -246,7 +246,7 @@ Placement placementOf(const gp_Trsf& trsf) {
 
 }  // namespace
 
-SeamSide seamSide(const FaceUse& use, const Pcurve& pcurve) {
+SeamSide seamSide(const Coedge& use, const Pcurve& pcurve) {
   TopLoc_Location location;
   const handle<Geom_Surface> surface = BRep_Tool::Surface(use.shape, location);
   std::unique_ptr<SurfaceEvaluator> evaluator = surfaceEvaluator(surface);

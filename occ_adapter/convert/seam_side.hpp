@@ -18,6 +18,6 @@ namespace seamwright::occ {
 /// s runs with the pcurve over its whole range. Not to be shared between threads.
 /// \throws std::domain_error if the surface or a curve is of another kind, with its name;
 /// std::invalid_argument if a number is not finite.
-SeamSide seamSide(const FaceUse& use, const Pcurve& pcurve);
+SeamSide seamSide(const Coedge& use, const Pcurve& pcurve);
 
 }  // namespace seamwright::occ

@@ -44,22 +44,22 @@ using Eigen::Vector2d, Eigen::Vector3d;
 using opencascade::handle;
 
 /// An edge of the hole, and what is seen along it in the sense of the hole.
-struct Stretch {
+struct EdgeInterval {
   HoleEdge edge;
   std::vector<SideSample> samples;
 };
 
-std::vector<Stretch> stretchesOf(const Hole& hole, double gap_mm) {
+std::vector<EdgeInterval> intervalsOf(const Hole& hole, double gap_mm) {
   constexpr int count = 64;
-  std::vector<Stretch> stretches;
+  std::vector<EdgeInterval> intervals;
   for (const HoleSide& side : hole.sides)
     for (const HoleEdge& edge : side.edges) {
       const SidePath path({{edge}, edge.length_mm}, gap_mm);
-      Stretch& stretch = stretches.emplace_back(Stretch{edge, {}});
+      EdgeInterval& interval = intervals.emplace_back(EdgeInterval{edge, {}});
       for (int k = 0; k <= count; ++k)
-        stretch.samples.push_back(path.atPlace(static_cast<double>(k) / count));
+        interval.samples.push_back(path.atPlace(static_cast<double>(k) / count));
     }
-  return stretches;
+  return intervals;
 }
 
 /// Twice the area that a closed polygon goes around, to its left.
@@ -99,10 +99,10 @@ bool isRegular(const handle<Geom_Surface>& surface, const Range& at) {
 }
 
 /// The plane of least squares through the hole.
-handle<Geom_Surface> planeOf(const std::vector<Stretch>& stretches, const Vector3d& centre) {
+handle<Geom_Surface> planeOf(const std::vector<EdgeInterval>& intervals, const Vector3d& centre) {
   std::vector<Vector3d> points;
-  for (const Stretch& stretch : stretches)
-    for (const SideSample& sample : stretch.samples) points.push_back(sample.point - centre);
+  for (const EdgeInterval& interval : intervals)
+    for (const SideSample& sample : interval.samples) points.push_back(sample.point - centre);
   const Eigen::Map<const Eigen::Matrix3Xd> all(points.front().data(), 3,
                                                static_cast<Eigen::Index>(points.size()));
   const Eigen::JacobiSVD<Eigen::Matrix3Xd> axes(all, Eigen::ComputeFullU);
@@ -125,13 +125,13 @@ handle<Geom_Surface> copyOf(const TopoDS_Face& face, const Vector3d& centre) {
 /// One face made on one surface.
 class FaceMaker {
  public:
-  FaceMaker(const std::vector<Stretch>& stretches, handle<Geom_Surface> surface, bool own_paths)
-      : stretches_(stretches), surface_(std::move(surface)), own_paths_(own_paths) {}
+  FaceMaker(const std::vector<EdgeInterval>& intervals, handle<Geom_Surface> surface, bool own_paths)
+      : intervals_(intervals), surface_(std::move(surface)), own_paths_(own_paths) {}
 
   bool isNear(double gap_mm, const std::optional<double>& angle_rad) const {
     ShapeAnalysis_Surface nearest(surface_);
-    for (const Stretch& stretch : stretches_)
-      for (const SideSample& sample : stretch.samples) {
+    for (const EdgeInterval& interval : intervals_)
+      for (const SideSample& sample : interval.samples) {
         const gp_Pnt point = pointOf(sample.point);
         const gp_Pnt2d at = nearest.ValueOfUV(point, Precision::Confusion());
         if (nearest.Value(at).Distance(point) > gap_mm) return false;
@@ -159,19 +159,20 @@ class FaceMaker {
   }
 
   bool makePaths() {
-    for (const Stretch& stretch : stretches_) {
+    for (const EdgeInterval& interval : intervals_) {
       Path& path = paths_.emplace_back();
-      path.curve = BRep_Tool::Curve(stretch.edge.use.edge, path.location, path.first, path.last);
+      path.curve = BRep_Tool::Curve(interval.edge.use.edge, path.location, path.first, path.last);
       if (path.curve.IsNull()) return false;
       if (own_paths_) {
         path.on_surface =
-            BRep_Tool::CurveOnSurface(stretch.edge.use.edge, stretch.edge.use.shape, path.first, path.last);
+            BRep_Tool::CurveOnSurface(interval.edge.use.edge, interval.edge.use.shape, path.first, path.last);
         if (!path.on_surface.IsNull())
           path.on_surface = handle<Geom2d_Curve>::DownCast(path.on_surface->Copy());
       } else {
         double tolerance = Precision::Confusion();
-        path.on_surface = GeomProjLib::Curve2d(BRep_Tool::Curve(stretch.edge.use.edge, path.first, path.last),
-                                               path.first, path.last, surface_, tolerance);
+        path.on_surface =
+            GeomProjLib::Curve2d(BRep_Tool::Curve(interval.edge.use.edge, path.first, path.last), path.first,
+                                 path.last, surface_, tolerance);
       }
       if (path.on_surface.IsNull()) return false;
     }
@@ -181,7 +182,7 @@ class FaceMaker {
   /// In the sense of the hole.
   gp_Pnt2d at(std::size_t k, double share) const {
     const Path& path = paths_[k];
-    const double place = stretches_[k].edge.reversed ? 1 - share : share;
+    const double place = intervals_[k].edge.reversed ? 1 - share : share;
     return path.on_surface->Value(path.first + place * (path.last - path.first));
   }
 
@@ -219,18 +220,18 @@ class FaceMaker {
   /// The faces beside the hole are outside of the loop, where they go on in the surface.
   bool boundsTheHole() {
     for (std::size_t k = 0; k < paths_.size(); ++k)
-      for (std::size_t i = 0; i + 1 < stretches_[k].samples.size(); ++i) {
+      for (std::size_t i = 0; i + 1 < intervals_[k].samples.size(); ++i) {
         const gp_Pnt2d uv =
-            at(k, static_cast<double>(i) / static_cast<double>(stretches_[k].samples.size() - 1));
+            at(k, static_cast<double>(i) / static_cast<double>(intervals_[k].samples.size() - 1));
         polygon_.emplace_back(uv.X(), uv.Y());
       }
     const double area = signedArea(polygon_);
     is_left_ = area > 0;
     constexpr double least_slope = 1e-3;  // of a face beside the hole that is not above or below it
     for (std::size_t k = 0; k < paths_.size(); ++k)
-      for (std::size_t i = 1; i + 1 < stretches_[k].samples.size(); ++i) {
-        const SideSample& sample = stretches_[k].samples[i];
-        const double share = static_cast<double>(i) / static_cast<double>(stretches_[k].samples.size() - 1);
+      for (std::size_t i = 1; i + 1 < intervals_[k].samples.size(); ++i) {
+        const SideSample& sample = intervals_[k].samples[i];
+        const double share = static_cast<double>(i) / static_cast<double>(intervals_[k].samples.size() - 1);
         const Vector3d into =
             (is_left_ ? 1 : -1) * normalAt(at(k, share)).cross(sample.derivative.normalized());
         if (into.dot(sample.beyond) > 1 - least_slope) return false;
@@ -239,9 +240,9 @@ class FaceMaker {
   }
 
   TopoDS_Vertex vertexBefore(std::size_t k) const {
-    const TopoDS_Edge edge = TopoDS::Edge(stretches_[k].edge.use.edge.Oriented(TopAbs_FORWARD));
+    const TopoDS_Edge edge = TopoDS::Edge(intervals_[k].edge.use.edge.Oriented(TopAbs_FORWARD));
     const TopoDS_Vertex given =
-        stretches_[k].edge.reversed ? TopExp::LastVertex(edge) : TopExp::FirstVertex(edge);
+        intervals_[k].edge.reversed ? TopExp::LastVertex(edge) : TopExp::FirstVertex(edge);
     TopoDS_Vertex vertex;
     const BRep_Builder builder;
     builder.MakeVertex(vertex, BRep_Tool::Pnt(given), BRep_Tool::Tolerance(given));
@@ -257,7 +258,7 @@ class FaceMaker {
     for (std::size_t k = 0; k < paths_.size(); ++k) {
       const Path& path = paths_[k];
       TopoDS_Vertex begin = vertices[k], end = vertices[(k + 1) % vertices.size()];
-      if (stretches_[k].edge.reversed) std::swap(begin, end);
+      if (intervals_[k].edge.reversed) std::swap(begin, end);
       TopoDS_Edge& edge = edges_.emplace_back();
       builder.MakeEdge(edge, path.curve, path.location, Precision::Confusion());
       builder.UpdateEdge(edge, path.on_surface, face, Precision::Confusion());
@@ -270,7 +271,7 @@ class FaceMaker {
     builder.MakeWire(wire);
     for (std::size_t k = 0; k < edges_.size(); ++k) {
       const std::size_t i = is_left_ ? k : edges_.size() - 1 - k;
-      builder.Add(wire, edges_[i].Oriented(stretches_[i].edge.reversed == is_left_ ? TopAbs_REVERSED
+      builder.Add(wire, edges_[i].Oriented(intervals_[i].edge.reversed == is_left_ ? TopAbs_REVERSED
                                                                                    : TopAbs_FORWARD));
     }
     wire.Closed(true);
@@ -287,7 +288,7 @@ class FaceMaker {
     double first = 0, last = 0;
   };
 
-  const std::vector<Stretch>& stretches_;
+  const std::vector<EdgeInterval>& intervals_;
   handle<Geom_Surface> surface_;
   bool own_paths_;
   std::vector<Path> paths_;  ///< by edge
@@ -296,32 +297,32 @@ class FaceMaker {
   std::vector<TopoDS_Edge> edges_;
 };
 
-bool haveOneSurface(const std::vector<Stretch>& stretches) {
-  const TopoDS_Face& first = stretches.front().edge.use.shape;
+bool haveOneSurface(const std::vector<EdgeInterval>& intervals) {
+  const TopoDS_Face& first = intervals.front().edge.use.shape;
   TopLoc_Location here, there;
   const handle<Geom_Surface>& surface = BRep_Tool::Surface(first, here);
-  return std::ranges::all_of(stretches, [&](const Stretch& stretch) {
-    return BRep_Tool::Surface(stretch.edge.use.shape, there) == surface && here == there;
+  return std::ranges::all_of(intervals, [&](const EdgeInterval& interval) {
+    return BRep_Tool::Surface(interval.edge.use.shape, there) == surface && here == there;
   });
 }
 
 }  // namespace
 
 std::optional<TopoDS_Face> continuedFace(const Hole& hole, double gap_mm, std::optional<double> angle_rad) {
-  const std::vector<Stretch> stretches = stretchesOf(hole, gap_mm);
+  const std::vector<EdgeInterval> intervals = intervalsOf(hole, gap_mm);
   const auto tried = [&](const handle<Geom_Surface>& surface, bool own_paths) -> std::optional<TopoDS_Face> {
-    FaceMaker maker(stretches, surface, own_paths);
+    FaceMaker maker(intervals, surface, own_paths);
     return own_paths || maker.isNear(gap_mm, angle_rad) ? maker.run(gap_mm) : std::nullopt;
   };
-  if (haveOneSurface(stretches)) {
-    const TopoDS_Face& face = stretches.front().edge.use.shape;
+  if (haveOneSurface(intervals)) {
+    const TopoDS_Face& face = intervals.front().edge.use.shape;
     const handle<Geom_Surface> own = handle<Geom_Surface>::DownCast(BRep_Tool::Surface(face)->Copy());
     if (const auto made = tried(own, true)) return made;
   }
-  if (const auto made = tried(planeOf(stretches, hole.centre), false)) return made;
+  if (const auto made = tried(planeOf(intervals, hole.centre), false)) return made;
   int before = 0;
-  for (const Stretch& stretch : stretches) {
-    const FaceUse& use = stretch.edge.use;
+  for (const EdgeInterval& interval : intervals) {
+    const Coedge& use = interval.edge.use;
     if (use.face == before || !BRep_Tool::Surface(use.shape)->IsKind(STANDARD_TYPE(Geom_ElementarySurface)))
       continue;
     before = use.face;

@@ -16,7 +16,7 @@ Hole holeIn(const Model& model, Hole hole) {
                                    edges = partsOf(model.shape, TopAbs_EDGE);
   for (HoleSide& side : hole.sides)
     for (HoleEdge& edge : side.edges) {
-      FaceUse& use = edge.use;
+      Coedge& use = edge.use;
       use.shape = TopoDS::Face(faces(use.face).Oriented(TopAbs_FORWARD));
       use.edge = TopoDS::Edge(edges(edge.edge).Oriented(use.edge.Orientation()));
     }

@@ -52,7 +52,7 @@ constexpr std::size_t ring_sides = 4;
 constexpr double most_reach = 3;
 
 /// Fills cost the sixth power of the degree, and several are tried for one that is not regular.
-constexpr int dear_degree = 7;
+constexpr int costly_degree = 7;
 
 /// Of a smaller angle, or so near to a full turn, is a cusp.
 constexpr double least_corner_rad = 1e-3;
@@ -152,7 +152,7 @@ class Filling {
     const double gap_mm = options_.tolerance.gap_mm / fit_share;
     cuts_.push_back(fitted(cutSides(hole_, ring_sides, gap_mm, false)));
     if (!hole_.has_corners)
-      for (std::vector<SideStretch>& cut : loopCuts(hole_, ring_sides, gap_mm))
+      for (std::vector<SideInterval>& cut : loopCuts(hole_, ring_sides, gap_mm))
         cuts_.push_back(fitted(std::move(cut)));
     std::ranges::stable_sort(cuts_, {}, &Cut::misses);
   }
@@ -179,22 +179,22 @@ class Filling {
 
   /// Sides, and what is reached by them over what is asked for.
   struct Cut {
-    std::vector<SideStretch> stretches;
+    std::vector<SideInterval> intervals;
     std::vector<FittedSide> fitted;
     double misses = 0;
   };
 
-  Cut fitted(std::vector<SideStretch> stretches) const {
+  Cut fitted(std::vector<SideInterval> intervals) const {
     // A ring of position alone is asked for; corners say so themselves, smooth loops do not.
     const bool position_only = is_ring_ && options_.target == Level::G0;
-    std::vector<FittedSide> sides = fitSides(hole_.sides, stretches,
+    std::vector<FittedSide> sides = fitSides(hole_.sides, intervals,
                                              {.gap_mm = options_.tolerance.gap_mm / fit_share,
                                               .angle_rad = options_.tolerance.angle_rad / fit_share,
                                               .most_degree = attempt_.most_degree,
                                               .planar_rad = position_only ? -1 : most_planar_rad,
                                               .curvature = attempt_.curvature_raise.has_value()});
     const double most = misses(sides);
-    return {std::move(stretches), std::move(sides), most};
+    return {std::move(intervals), std::move(sides), most};
   }
 
   double misses(const std::vector<FittedSide>& sides) const {
@@ -215,11 +215,11 @@ class Filling {
                       side.gap_mm,
                       side.angle_rad,
                       side.corner_rad};
-      const HoleSide& of_hole = hole_.sides[stretches_[k].side];
+      const HoleSide& of_hole = hole_.sides[intervals_[k].side];
       double begin_mm = 0;
       for (const HoleEdge& edge : of_hole.edges) {
         const double end_mm = begin_mm + edge.length_mm, round_mm = of_hole.length_mm;
-        const double first_mm = stretches_[k].begin * round_mm, last_mm = stretches_[k].end * round_mm;
+        const double first_mm = intervals_[k].begin * round_mm, last_mm = intervals_[k].end * round_mm;
         if ((end_mm > first_mm && begin_mm < last_mm) || begin_mm + round_mm < last_mm)
           told.edges.push_back(edge.edge);
         begin_mm = end_mm;
@@ -260,7 +260,7 @@ class Filling {
   }
 
   void take(const Cut& cut) {
-    stretches_ = cut.stretches;
+    intervals_ = cut.intervals;
     fitted_ = cut.fitted;
     result_.sides.clear();
     tellSides();
@@ -280,8 +280,8 @@ class Filling {
     for (const FillSide& side : sides)
       degree = std::max({degree, Eigen::Index{side.edge.degree()}, side.cross ? side.cross->rows() - 1 : 0});
     degree += more;
-    if (options_.target == Level::G1 && degree >= dear_degree) return std::nullopt;
-    const int most_degree = options_.target == Level::G1 ? dear_degree - 1 : 9;
+    if (options_.target == Level::G1 && degree >= costly_degree) return std::nullopt;
+    const int most_degree = options_.target == Level::G1 ? costly_degree - 1 : 9;
     return std::clamp(most_degree - static_cast<int>(degree), 0, *attempt_.curvature_raise);
   }
 
@@ -304,7 +304,7 @@ class Filling {
       options.curvature_degrees.reset();
       fill = nSidedFill(sides, options);
     }
-    if (!fill.regular && fill.patches.front().degreeU() < dear_degree) {
+    if (!fill.regular && fill.patches.front().degreeU() < costly_degree) {
       options.law = SpokeLaw::Quadratic;
       NSidedFill other = nSidedFill(sides, options);
       if (other.regular) fill = std::move(other);
@@ -340,7 +340,7 @@ class Filling {
 
   /// Of a seam of the fill before it is sewn.
   std::string placeOf(const Seam& seam) const {
-    for (const FaceUse& side : seam.sides)
+    for (const Coedge& side : seam.sides)
       if (!isNew(side.face))
         return "to edge " + std::to_string(partsOf(model_.shape, TopAbs_EDGE).FindIndex(side.edge)) + " of " +
                nameOf(side.face);
@@ -358,7 +358,7 @@ class Filling {
 
   /// Seams between new faces, and those between a new face and one beside the hole.
   bool isOfFill(const Seam& seam) const {
-    const auto belongs = [this](const FaceUse& side) {
+    const auto belongs = [this](const Coedge& side) {
       if (isNew(side.face)) return true;
       for (const HoleSide& of_hole : hole_.sides)
         for (const HoleEdge& edge : of_hole.edges)
@@ -372,7 +372,7 @@ class Filling {
   void requireClosed() {
     graph_ = findSeams(sewn_.shape);
     int open = 0;
-    for (const LooseEdge& edge : graph_.open)
+    for (const NonSeamEdge& edge : graph_.open)
       open += std::ranges::any_of(edge.faces, [this](int face) { return numbers_.count(face) > 0; }) ? 1 : 0;
     if (open > 0)
       throw NotFilled(std::to_string(open) +
@@ -476,9 +476,8 @@ class Filling {
            text(turn_rad / degree) + " degrees; the target G0 closes the hole";
   }
 
-  std::string unsound() const {
-    const Soundness was = soundnessOf(model_.shape, options_.jobs),
-                    is = soundnessOf(sewn_.shape, options_.jobs);
+  std::string invalid() const {
+    const Validity was = validityOf(model_.shape, options_.jobs), is = validityOf(sewn_.shape, options_.jobs);
     for (int face = 1; face <= model_.faceCount() + static_cast<int>(new_faces_.size()); ++face)
       if ((isNew(face) || was.faces[face]) && !is.faces[sewn_.faces[face]])
         return "OpenCASCADE's checks would not pass for " + nameOf(face);
@@ -507,7 +506,7 @@ class Filling {
     result_.reason = missed();
     if (!result_.reason.empty()) result_.reason += nearness();
     if (result_.reason.empty()) result_.reason = misshapen();
-    const std::string fault = unsound();
+    const std::string fault = invalid();
     if (!fault.empty()) result_.reason = fault;
     result_.reached = result_.reason.empty();
     if (!fault.empty() || (!result_.reached && !options_.keep_anyway)) return;
@@ -525,7 +524,7 @@ class Filling {
   const char* doing_ = "";  ///< for what fails
   bool is_ring_ = false;
   std::vector<Cut> cuts_;  ///< of the hole into sides, in the order in which they are tried
-  std::vector<SideStretch> stretches_;
+  std::vector<SideInterval> intervals_;
   std::vector<FittedSide> fitted_;
   std::vector<TopoDS_Face> new_faces_;
   TopoDS_Shape whole_;

@@ -55,7 +55,7 @@ class Loops {
   }
 
   Holes run() {
-    for (const FaceUse& use : graph_.open_uses) addLink(use);
+    for (const Coedge& use : graph_.open_uses) addLink(use);
     mergeNodes();
     walk();
     std::ranges::sort(loops_, {}, [](const std::vector<Link>& loop) { return smallestEdge(loop); });
@@ -73,12 +73,12 @@ class Loops {
   }
 
   /// The face lies to the left of the edge as used, so the hole is to the right, unless the face is turned.
-  bool runsAgainst(const FaceUse& use) const {
+  bool runsAgainst(const Coedge& use) const {
     const bool face_turned = faces_(use.face).Orientation() == TopAbs_REVERSED;
     return (use.edge.Orientation() == TopAbs_REVERSED) == face_turned;
   }
 
-  void addLink(const FaceUse& use) {
+  void addLink(const Coedge& use) {
     const int number = edges_.FindIndex(use.edge);
     try {
       requireUsable(use);

@@ -12,7 +12,7 @@ namespace seamwright::occ {
 /// An open edge as it runs around a hole.
 struct HoleEdge {
   int edge = 0;  ///< from 1, order of TopExp::MapShapes
-  FaceUse use;
+  Coedge use;
   bool reversed = false;  ///< the hole's sense runs against the edge's curve
   double length_mm = 0;
 };

@@ -165,14 +165,14 @@ class LoopCutter {
     return between;
   }
 
-  /// By so many stretches after where it turns most.
+  /// By so many intervals after where it turns most.
   double bent(double shift) const {
     return come_.shareAround(come_.bent() + shift * come_.total() / static_cast<double>(count_));
   }
 
-  /// The first stretch begins at a share, or at a joint so near that a sliver would be left; the others end at the joints given where these
+  /// The first interval begins at a share, or at a joint so near that a sliver would be left; the others end at the joints given where these
   /// are near, or at any to which a sliver would be left.
-  std::vector<SideStretch> cut(double begin, std::vector<double> joints) const {
+  std::vector<SideInterval> cut(double begin, std::vector<double> joints) const {
     constexpr double near = 1 / 3.0, sliver = 1 / 20.0;
     begin = moved(begin, sliver);
     std::vector<double> cuts;
@@ -184,20 +184,20 @@ class LoopCutter {
     moveToJoints(cuts, after(begin, std::move(joints)), near / static_cast<double>(count_));
     moveToJoints(cuts, after(begin, joints_), sliver / static_cast<double>(count_));
     cuts.push_back(1);
-    std::vector<SideStretch> stretches;
+    std::vector<SideInterval> intervals;
     double last = 0;
     for (const double next : cuts) {
       const double rounds = std::floor(begin + last);
-      stretches.push_back({0, begin + last - rounds, begin + next - rounds, true});
+      intervals.push_back({0, begin + last - rounds, begin + next - rounds, true});
       last = next;
     }
-    return stretches;
+    return intervals;
   }
 
  private:
-  double moved(double at, double stretches) const {
+  double moved(double at, double intervals) const {
     at -= std::floor(at);
-    double nearest = at, reach = stretches / static_cast<double>(count_);
+    double nearest = at, reach = intervals / static_cast<double>(count_);
     for (const double joint : joints_)
       for (const double same : {joint, joint + 1})
         if (std::abs(same - at) < reach) nearest = joint, reach = std::abs(same - at);
@@ -220,17 +220,17 @@ class LoopCutter {
 
 }  // namespace
 
-std::vector<SideStretch> wholeSides(const Hole& hole) {
-  std::vector<SideStretch> stretches;
-  for (std::size_t k = 0; k < hole.sides.size(); ++k) stretches.push_back({k, 0, 1, !hole.has_corners});
-  return stretches;
+std::vector<SideInterval> wholeSides(const Hole& hole) {
+  std::vector<SideInterval> intervals;
+  for (std::size_t k = 0; k < hole.sides.size(); ++k) intervals.push_back({k, 0, 1, !hole.has_corners});
+  return intervals;
 }
 
-std::vector<SideStretch> cutSides(const Hole& hole, std::size_t count, double gap_mm, bool at_joints) {
+std::vector<SideInterval> cutSides(const Hole& hole, std::size_t count, double gap_mm, bool at_joints) {
   const std::vector<SidePath> paths = pathsOf(hole, gap_mm);
   const std::vector<Progression> progressions = progressionsOf(paths);
   const std::vector<int> parts = partsOf(progressions, count);
-  std::vector<SideStretch> stretches;
+  std::vector<SideInterval> intervals;
   for (std::size_t k = 0; k < paths.size(); ++k) {
     std::vector<double> cuts;
     for (int part = 1; part < parts[k]; ++part)
@@ -239,16 +239,16 @@ std::vector<SideStretch> cutSides(const Hole& hole, std::size_t count, double ga
     cuts.push_back(1);
     double begin = 0;
     for (const double end : cuts) {
-      stretches.push_back({k, begin, end, begin > 0 || !hole.has_corners});
+      intervals.push_back({k, begin, end, begin > 0 || !hole.has_corners});
       begin = end;
     }
   }
-  return stretches;
+  return intervals;
 }
 
-std::vector<std::vector<SideStretch>> loopCuts(const Hole& hole, std::size_t count, double gap_mm) {
+std::vector<std::vector<SideInterval>> loopCuts(const Hole& hole, std::size_t count, double gap_mm) {
   const LoopCutter loop(hole, count, gap_mm);
-  std::vector<std::vector<SideStretch>> cuts;
+  std::vector<std::vector<SideInterval>> cuts;
   for (const std::vector<double>& joints : {loop.bends(), loop.faceJoints()})
     if (!joints.empty()) cuts.push_back(loop.cut(joints.front(), joints));
   for (const double shift : {0.0, 0.5}) cuts.push_back(loop.cut(loop.bent(shift), {}));

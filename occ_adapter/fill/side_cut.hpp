@@ -11,24 +11,24 @@
 namespace seamwright::occ {
 
 /// A part of a side of a hole, by shares of its length.
-struct SideStretch {
+struct SideInterval {
   std::size_t side = 0;
   double begin = 0, end = 1;     ///< of a smooth loop the end may be beyond 1, up to begin + 1
-  bool begins_smoothly = false;  ///< it goes on from the stretch before it without a corner
+  bool begins_smoothly = false;  ///< it goes on from the interval before it without a corner
 };
 
 /// Every side whole.
-std::vector<SideStretch> wholeSides(const Hole& hole);
+std::vector<SideInterval> wholeSides(const Hole& hole);
 
-/// So many stretches. The sides that are longest and turn most are cut, into parts of which the sum of length over the length of the hole and
+/// So many intervals. The sides that are longest and turn most are cut, into parts of which the sum of length over the length of the hole and
 /// turning over that of the hole is the same. \param at_joints cuts are moved to the nearest joint of two edges of different curvature that is not too far away.
 /// \pre the hole has no more sides. \throws as SidePath.
-std::vector<SideStretch> cutSides(const Hole& hole, std::size_t count, double gap_mm, bool at_joints);
+std::vector<SideInterval> cutSides(const Hole& hole, std::size_t count, double gap_mm, bool at_joints);
 
-/// Ways to cut a smooth loop into so many stretches of nearly the same sum of length and turning: at joints of lines and arcs; at joints of
-/// faces; from where it turns most; and from half a stretch after that. No stretch ends so near to a joint of edges that a sliver is left.
+/// Ways to cut a smooth loop into so many intervals of nearly the same sum of length and turning: at joints of lines and arcs; at joints of
+/// faces; from where it turns most; and from half an interval after that. No interval ends so near to a joint of edges that a sliver is left.
 /// \pre the hole has no corners. \throws as SidePath.
-std::vector<std::vector<SideStretch>> loopCuts(const Hole& hole, std::size_t count, double gap_mm);
+std::vector<std::vector<SideInterval>> loopCuts(const Hole& hole, std::size_t count, double gap_mm);
 
 /// A corner of a hole, where a side begins.
 struct HoleAngle {

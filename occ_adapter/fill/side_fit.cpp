@@ -18,20 +18,20 @@ namespace {
 
 using Eigen::Index, Eigen::Vector3d;
 
-/// The parameter along a stretch: that of its edge, or arc length, or between arc length and one in which each edge has as much as the root
+/// The parameter along an interval: that of its edge, or arc length, or between arc length and one in which each edge has as much as the root
 /// of its length: then short edges have more of the freedom of a polynomial; or nearly affine arc length, in which ellipses and parabolas
 /// are passed as by their own parameters.
-enum class Speed { Own, Even, Rooted, Bent };
+enum class Parametrisation { Own, ArcLength, Centripetal, AffineArcLength };
 
-/// The share of a stretch as a function of t with dt / ds as the cube root of the geodesic curvature, which is smooth where the path goes
+/// The share of an interval as a function of t with dt / ds as the cube root of the geodesic curvature, which is smooth where the path goes
 /// from one surface to another that is tangent to it. Straight parts get a little.
-class BentShare {
+class AffineArcLengthShare {
  public:
-  /// \param at the path at shares of the stretch. Its normals may turn over between edges, as faces do.
-  explicit BentShare(const std::function<SideSample(double)>& at) {
+  /// \param at the path at shares of the interval. Its normals may turn over between edges, as faces do.
+  explicit AffineArcLengthShare(const std::function<SideSample(double)>& at) {
     std::vector<SideSample> samples;
     for (int k = 0; k <= 2 * pieces; ++k) samples.push_back(at(k / (2.0 * pieces)));
-    std::vector<double> bending(samples.size());  // per stretch
+    std::vector<double> bending(samples.size());  // per interval
     for (std::size_t k = 1; k + 1 < samples.size(); ++k)
       bending[k] = pieces * (samples[k + 1].derivative.normalized() - samples[k - 1].derivative.normalized())
                                 .dot(samples[k].beyond);
@@ -70,36 +70,36 @@ class BentShare {
   std::array<double, pieces + 1> rate_{}, come_{};
 };
 
-/// A stretch of a side over t in [0, 1].
-class StretchPath {
+/// An interval of a side over t in [0, 1].
+class IntervalPath {
  public:
-  StretchPath(std::shared_ptr<const SidePath> path, const SideStretch& stretch)
-      : path_(std::move(path)), stretch_(stretch), slope_(rootedSlope()) {}
+  IntervalPath(std::shared_ptr<const SidePath> path, const SideInterval& interval)
+      : path_(std::move(path)), interval_(interval), slope_(centripetalSlope()) {}
 
   bool isOneEdge() const { return path_->isOneEdge(); }
-  double length_mm() const { return (stretch_.end - stretch_.begin) * path_->length_mm(); }
+  double length_mm() const { return (interval_.end - interval_.begin) * path_->length_mm(); }
 
-  SideSample at(double t, Speed speed) const {
-    if (speed == Speed::Own) {
-      const double first = path_->placeOf(stretch_.begin), range = placeAround(stretch_.end) - first;
+  SideSample at(double t, Parametrisation parametrisation) const {
+    if (parametrisation == Parametrisation::Own) {
+      const double first = path_->placeOf(interval_.begin), range = placeAround(interval_.end) - first;
       const double place = first + t * range;
       return placed(path_->atPlace(place > 1 ? place - 1 : place), t, range);
     }
-    if (speed == Speed::Bent) {
-      const auto [share, rate] = bentShare().at(t);
+    if (parametrisation == Parametrisation::AffineArcLength) {
+      const auto [share, rate] = affineShare().at(t);
       return placed(atShare(t == 1 ? 1 : share), t, rate * range());
     }
-    const double slope = speed == Speed::Even ? 1 : slope_;
+    const double slope = parametrisation == Parametrisation::ArcLength ? 1 : slope_;
     return placed(atShare(t == 1 ? 1 : t * (slope + (1 - slope) * t)), t,
                   (slope + 2 * (1 - slope) * t) * range());
   }
 
  private:
-  double range() const { return stretch_.end - stretch_.begin; }
+  double range() const { return interval_.end - interval_.begin; }
 
-  /// At a share of the stretch.
+  /// At a share of the interval.
   SideSample atShare(double part) const {
-    const double share = part == 1 ? stretch_.end : stretch_.begin + part * range();
+    const double share = part == 1 ? interval_.end : interval_.begin + part * range();
     return share > 1 ? path_->atShare(share - 1, part < 1) : path_->atShare(share, part < 1);
   }
 
@@ -107,9 +107,10 @@ class StretchPath {
     return share > 1 ? 1 + path_->placeOf(share - 1) : path_->placeOf(share);
   }
 
-  const BentShare& bentShare() const {
-    if (!bent_) bent_ = std::make_shared<const BentShare>([this](double part) { return atShare(part); });
-    return *bent_;
+  const AffineArcLengthShare& affineShare() const {
+    if (!affine_)
+      affine_ = std::make_shared<const AffineArcLengthShare>([this](double part) { return atShare(part); });
+    return *affine_;
   }
 
   static SideSample placed(SideSample sample, double t, double range) {
@@ -119,13 +120,13 @@ class StretchPath {
   }
 
   /// The derivative at the beginning of the parabola from (0, 0) to (1, 1) that comes nearest to the joints of the edges.
-  double rootedSlope() const {
+  double centripetalSlope() const {
     constexpr double least = 0.25;
     std::vector<double> ends;
     for (const double joint : path_->joints())
       for (const double share : {joint, joint + 1})
-        if (share > stretch_.begin && share < stretch_.end)
-          ends.push_back((share - stretch_.begin) / range());
+        if (share > interval_.begin && share < interval_.end)
+          ends.push_back((share - interval_.begin) / range());
     ends.push_back(1);
     std::ranges::sort(ends);
     std::vector<double> roots;
@@ -141,15 +142,15 @@ class StretchPath {
   }
 
   std::shared_ptr<const SidePath> path_;
-  SideStretch stretch_;
-  double slope_;                                   ///< of Speed::Rooted where the stretch begins
-  mutable std::shared_ptr<const BentShare> bent_;  ///< once it is asked for
+  SideInterval interval_;
+  double slope_;  ///< of Parametrisation::Centripetal where the interval begins
+  mutable std::shared_ptr<const AffineArcLengthShare> affine_;  ///< once it is asked for
 };
 
-std::vector<SideSample> samplesOf(const StretchPath& path, Speed speed, int count) {
+std::vector<SideSample> samplesOf(const IntervalPath& path, Parametrisation parametrisation, int count) {
   std::vector<SideSample> samples;
   for (int i = 0; i <= count; ++i)
-    samples.push_back(path.at((1 - std::cos(std::numbers::pi * i / count)) / 2, speed));
+    samples.push_back(path.at((1 - std::cos(std::numbers::pi * i / count)) / 2, parametrisation));
   return samples;
 }
 
@@ -294,10 +295,10 @@ Poles fittedBend(const std::vector<SideSample>& samples, const Eigen::VectorXd& 
 /// One side while it is fitted.
 class SideFit {
  public:
-  SideFit(std::shared_ptr<const SidePath> path, const SideStretch& stretch, const SideFitOptions& options)
-      : path_(std::move(path), stretch), options_(options) {}
+  SideFit(std::shared_ptr<const SidePath> path, const SideInterval& interval, const SideFitOptions& options)
+      : path_(std::move(path), interval), options_(options) {}
 
-  SideSample end(bool last) const { return path_.at(last ? 1 : 0, speeds()[0]); }
+  SideSample end(bool last) const { return path_.at(last ? 1 : 0, parametrisations()[0]); }
 
   /// An end turned by so much moves a cubic edge by a share of the gap that others leave.
   double mostTurn_rad() const {
@@ -314,10 +315,10 @@ class SideFit {
     const std::array<Vector3d, 2> normals = {begin.normal, end.normal};
     std::optional<FittedSide> best;
     std::vector<EdgeFit> edges;
-    const auto all = speeds();
-    for (const Speed speed : all) {
-      edges.push_back(nearestEdge(speed, ends));
-      if (edges.back().miss > 1 && speed != all.back()) continue;
+    const auto all = parametrisations();
+    for (const Parametrisation parametrisation : all) {
+      edges.push_back(nearestEdge(parametrisation, ends));
+      if (edges.back().miss > 1 && parametrisation != all.back()) continue;
       std::ranges::stable_sort(edges, {}, &EdgeFit::miss);
       for (const EdgeFit& edge : edges) {
         if (best && edge.miss >= missOf(*best)) continue;
@@ -345,15 +346,17 @@ class SideFit {
     double miss = HUGE_VAL;  ///< what is reached over what is asked for
   };
 
-  std::array<Speed, 3> speeds() const {
-    return path_.isOneEdge() ? std::array{Speed::Own, Speed::Even, Speed::Bent}
-                             : std::array{Speed::Even, Speed::Rooted, Speed::Bent};
+  std::array<Parametrisation, 3> parametrisations() const {
+    return path_.isOneEdge() ? std::array{Parametrisation::Own, Parametrisation::ArcLength,
+                                          Parametrisation::AffineArcLength}
+                             : std::array{Parametrisation::ArcLength, Parametrisation::Centripetal,
+                                          Parametrisation::AffineArcLength};
   }
 
-  std::shared_ptr<const Samples> samplesAt(Speed speed) const {
+  std::shared_ptr<const Samples> samplesAt(Parametrisation parametrisation) const {
     constexpr int finer = 4;
     const auto samples = std::make_shared<Samples>();
-    samples->checked = samplesOf(path_, speed, finer * 6 * options_.most_degree);
+    samples->checked = samplesOf(path_, parametrisation, finer * 6 * options_.most_degree);
     for (std::size_t i = 0; i < samples->checked.size(); i += finer)
       samples->fitted.push_back(samples->checked[i]);
     for (const SideSample* sample : {&samples->fitted.front(), &samples->fitted.back()})
@@ -376,10 +379,10 @@ class SideFit {
 
   /// The lowest degree that is near enough, or that others come hardly nearer than. Ends may lie a little off the path, as neighbours do:
   /// the higher the degree the shorter the way on which that is made good, and the more the edge tilts.
-  EdgeFit nearestEdge(Speed speed, const std::array<SideFitEnd, 2>& ends) const {
+  EdgeFit nearestEdge(Parametrisation parametrisation, const std::array<SideFitEnd, 2>& ends) const {
     constexpr double nearer = 0.9;
     constexpr int patience = 2;  // symmetric paths gain by every other degree
-    const std::shared_ptr<const Samples> samples = samplesAt(speed);
+    const std::shared_ptr<const Samples> samples = samplesAt(parametrisation);
     EdgeFit best;
     for (int degree = 3; degree <= options_.most_degree; ++degree) {
       EdgeFit tried = measured(samples, fittedEdge(samples->fitted, ends, degree));
@@ -491,7 +494,7 @@ class SideFit {
     }
   }
 
-  StretchPath path_;
+  IntervalPath path_;
   SideFitOptions options_;
   std::array<double, 2> corner_rad_{};
   double enough_rad_ = 0;  ///< what the corners let be reached, or what is asked for
@@ -500,18 +503,19 @@ class SideFit {
 }  // namespace
 
 std::vector<FittedSide> fitSides(const std::vector<HoleSide>& sides,
-                                 const std::vector<SideStretch>& stretches, const SideFitOptions& options) {
-  const std::size_t n = stretches.size();
+                                 const std::vector<SideInterval>& intervals, const SideFitOptions& options) {
+  const std::size_t n = intervals.size();
   const auto before = [n](std::size_t k) { return (k + n - 1) % n; };
   const auto next = [n](std::size_t k) { return (k + 1) % n; };
   std::vector<std::shared_ptr<const SidePath>> paths;
   for (const HoleSide& side : sides) paths.push_back(std::make_shared<const SidePath>(side, options.gap_mm));
   std::vector<SideFit> fits;
-  for (const SideStretch& stretch : stretches) fits.emplace_back(paths.at(stretch.side), stretch, options);
+  for (const SideInterval& interval : intervals)
+    fits.emplace_back(paths.at(interval.side), interval, options);
   std::vector<FitCorner> corners;  // where side k begins
   for (std::size_t k = 0; k < n; ++k) {
     const SideFit &in = fits[before(k)], &out = fits[k];
-    corners.push_back(stretches[k].begins_smoothly ? smoothCorner(in.end(true), out.end(false))
+    corners.push_back(intervals[k].begins_smoothly ? smoothCorner(in.end(true), out.end(false))
                                                    : sharpCorner(in.end(true), out.end(false),
                                                                  {in.mostTurn_rad(), out.mostTurn_rad()}));
   }

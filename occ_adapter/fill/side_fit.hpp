@@ -31,15 +31,15 @@ struct FittedSide {
 };
 
 /// Edges and cross fields of the lowest degrees that come near enough, or of the highest, by least squares; exact, but for rounding, where
-/// the edge is a polynomial of such a degree in its own parameter, and where such a field exists. A stretch of one edge keeps the edge's parameter
+/// the edge is a polynomial of such a degree in its own parameter, and where such a field exists. An interval of one edge keeps the edge's parameter
 /// unless that of arc length, or of nearly affine arc length, comes nearer and its own is not near enough; one of several has that of arc
 /// length, or one in which short edges or bent places have more. Ends of neighbouring
-/// stretches are one point, halfway, and T is in the plane of both edges at each corner: the one halfway between the planes of the faces,
-/// into which both edges are turned, where that moves neither by much, else that of the edges as they are. Where a stretch begins smoothly,
+/// intervals are one point, halfway, and T is in the plane of both edges at each corner: the one halfway between the planes of the faces,
+/// into which both edges are turned, where that moves neither by much, else that of the edges as they are. Where an interval begins smoothly,
 /// both edges have one tangent, halfway, and T is in a plane halfway between those of the faces. Where that plane leaves the tangent plane
 /// of a side by more than planar_rad, the side asks for position alone.
 /// \throws std::runtime_error for an edge that can't be evaluated or has no tangent at a corner; Standard_Failure.
 std::vector<FittedSide> fitSides(const std::vector<HoleSide>& sides,
-                                 const std::vector<SideStretch>& stretches, const SideFitOptions& options);
+                                 const std::vector<SideInterval>& intervals, const SideFitOptions& options);
 
 }  // namespace seamwright::occ

@@ -25,7 +25,7 @@ namespace {
 
 using opencascade::handle;
 
-/// Of the edge; of a matched seam, of its stretch of the first edge.
+/// Of the edge; of a matched seam, of its interval of the first edge.
 double lengthOf_mm(const Seam& seam) {
   const BRepAdaptor_Curve curve(seam.sides[0].edge);
   const double length = GCPnts_AbscissaPoint::Length(curve);
@@ -197,7 +197,7 @@ class NaturalSide {
 
 /// The pcurve that the edge has on the face, if it stays within the larger of that distance and the edge's tolerance from the curve in
 /// space; else null. A side of a surface is the boundary also where a gap parts it from the edge.
-Pcurve storedPath(const FaceUse& use, double match_mm) {
+Pcurve storedPath(const Coedge& use, double match_mm) {
   Pcurve path;
   path.curve = BRep_Tool::CurveOnSurface(use.edge, use.shape, path.first, path.last);
   double first = 0, last = 0;
@@ -289,7 +289,7 @@ std::string whyApart(const Seam& seam, const FaceMatchOptions& options) {
   return {};
 }
 
-MatchSide matchSide(const TopoDS_Face& face, const FaceUse& use, const FaceMatchOptions& options) {
+MatchSide matchSide(const TopoDS_Face& face, const Coedge& use, const FaceMatchOptions& options) {
   MatchSide side{face, use, storedPath(use, options.match_mm), {}, PatchEdge::U0, true, {}};
   const bool is_stored = !side.pcurve.curve.IsNull();
   if (!is_stored) side.pcurve = pcurveOf(use.edge, use.shape, options.tolerance.gap_mm);

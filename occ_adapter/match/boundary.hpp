@@ -34,7 +34,7 @@ std::string whyApart(const Seam& seam, const FaceMatchOptions& options);
 /// A face beside the common boundary.
 struct MatchSide {
   TopoDS_Face face;  ///< as in the model
-  FaceUse use;
+  Coedge use;
   Pcurve pcurve;
   /// A copy of the face's surface where it can move: placed, clamped, cut off at the boundary where it went on
   /// beyond it, with the same parameters. Null where it cannot.
@@ -48,6 +48,6 @@ struct MatchSide {
 
 /// The boundary may be away from a side of the surface by a hundredth of the gap tolerance.
 /// \throws std::runtime_error if the edge has no path on the face; Standard_Failure.
-MatchSide matchSide(const TopoDS_Face& face, const FaceUse& use, const FaceMatchOptions& options);
+MatchSide matchSide(const TopoDS_Face& face, const Coedge& use, const FaceMatchOptions& options);
 
 }  // namespace seamwright::occ

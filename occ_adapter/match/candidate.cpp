@@ -181,7 +181,7 @@ Candidate joinInPoles(const PairToMatch& pair) {
 Candidate joinToTolerance(const PairToMatch& pair, double limit) {
   constexpr int most_refinements = 6;
   constexpr int most_columns = 600;
-  const FollowOptions options{pair.options.order, pair.options.hold_sides, pair.options.tolerance};
+  const DeformationOptions options{pair.options.order, pair.options.hold_sides, pair.options.tolerance};
   const Reference reference(pair.other(), pair.path);
   EdgeRows rows = rowsToMove(pair.sides[pair.driver], options.order);
   Candidate candidate;
@@ -192,7 +192,7 @@ Candidate joinToTolerance(const PairToMatch& pair, double limit) {
   rows.raiseDegreeAlong(options.order + 2);
   double worst = 0;
   for (int refinements = 0; refinements <= most_refinements; ++refinements) {
-    MovedSurface moved = follow(rows, reference, options);
+    MovedSurface moved = deformed(rows, reference, options);
     const EdgeRows after(moved.after, rows.edge());
     const std::vector<double> ratios = sampledRatios(after, reference, options);
     worst = *std::ranges::max_element(ratios);

@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-#include <seamwright/occ_adapter/match/follow.hpp>
+#include <seamwright/occ_adapter/match/constrained_deformation.hpp>
 #include <seamwright/occ_adapter/match/rebuild.hpp>
 
 /// Ways to make two faces join; not a public header.
@@ -14,7 +14,7 @@ struct PairToMatch {
   std::array<MatchSide, 2> sides;
   std::array<bool, 2> moves{};  ///< at least one; true only where the side is natural
   int driver = 0;               ///< the side that moves; its parameter is that of the seam
-  FollowedPath path;            ///< of the other side
+  ReferencePath path;           ///< of the other side
   FaceMatchOptions options;
 
   const MatchSide& other() const { return sides[1 - driver]; }

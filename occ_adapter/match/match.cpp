@@ -159,7 +159,7 @@ class Matching {
 
   std::string prepareAndJoin(const Seam& seam) {
     const EdgeRows driver(pair_.sides[pair_.driver].spline, pair_.sides[pair_.driver].edge);
-    pair_.path = followedPath(driver, pair_.other(), options_);
+    pair_.path = referencePath(driver, pair_.other(), options_);
     report(progress_, 0.3);
     if (pair_.path.ends_apart_mm > 2 * std::max(options_.match_mm, options_.tolerance.gap_mm)) {
       std::ostringstream text;

@@ -16,7 +16,7 @@ namespace seamwright::occ {
 /// A face that is built again.
 struct FacePlan {
   TopoDS_Face face;  ///< as it was
-  FaceUse use;       ///< the edge that becomes the seam
+  Coedge use;        ///< the edge that becomes the seam
   /// The new surface, placed in space, with the parameters of the old one; null: the old one stays.
   opencascade::handle<Geom_Surface> surface;
   opencascade::handle<Geom2d_Curve> path;  ///< of the seam

@@ -79,7 +79,7 @@ double straying_mm(const FaceStrip& fitted, const FaceStrip& given, const std::v
 }
 
 void fit(const FaceStrip& strip, const Feet& feet, const MatchSide& other, double near_mm,
-         FollowedPath& path) {
+         ReferencePath& path) {
   constexpr int fewest = 16, most = 1024;
   path.linear = false;
   path.with_edge_curve = !path.against;
@@ -113,9 +113,9 @@ bool faceOnLeft(PatchEdge edge, bool reversed) {
 
 }  // namespace
 
-FollowedPath followedPath(const EdgeRows& moving, const MatchSide& other, const FaceMatchOptions& options) {
+ReferencePath referencePath(const EdgeRows& moving, const MatchSide& other, const FaceMatchOptions& options) {
   const FaceStrip strip(other.use, other.pcurve);
-  FollowedPath path{other.pcurve, false, true, true, 0, 0, 0, {}};
+  ReferencePath path{other.pcurve, false, true, true, 0, 0, 0, {}};
   const Eigen::Vector3d start = sidePoint(moving, 0).jet.p, end = sidePoint(moving, 1).jet.p;
   const Eigen::Vector3d first = strip.trace(0).p, last = strip.trace(1).p;
   path.against = (start - last).norm() + (end - first).norm() < (start - first).norm() + (end - last).norm();
@@ -156,7 +156,7 @@ SidePoint sidePoint(const EdgeRows& rows, double t) {
   return point;
 }
 
-Reference::Reference(const MatchSide& other, const FollowedPath& path)
+Reference::Reference(const MatchSide& other, const ReferencePath& path)
     : strip_(other.use, path.pcurve),
       against_(path.against),
       other_side_(path.against == path.with_edge_curve) {}

@@ -7,11 +7,11 @@
 #include <seamwright/occ_adapter/convert/face_strip.hpp>
 #include <seamwright/occ_adapter/match/boundary.hpp>
 
-/// What stays of a pair while the other face is made to follow; not a public header.
+/// The face of a pair that stays while the other one is deformed to meet it; not a public header.
 namespace seamwright::occ {
 
 /// The other face's path along the side of a spline surface, brought to the parameter t of that side.
-struct FollowedPath {
+struct ReferencePath {
   /// A point of it belongs to t in [0, 1] linearly: t = 0 at first, or at last if against.
   Pcurve pcurve;
   bool against = false;
@@ -23,20 +23,20 @@ struct FollowedPath {
   std::string failure;          ///< why there is none
 };
 
-/// \param moving the side that follows; \param other the face beside it.
+/// \param moving the side that is deformed; \param other the face beside it.
 /// A linear correspondence is kept where the nearest points are within the larger of a tenth of the gap tolerance and the distance of
 /// the edges from it; else the path is run through at the nearest points of the side, as a spline that keeps within a hundredth of the
 /// gap tolerance of the path given.
 /// \throws Standard_Failure.
-FollowedPath followedPath(const EdgeRows& moving, const MatchSide& other, const FaceMatchOptions& options);
+ReferencePath referencePath(const EdgeRows& moving, const MatchSide& other, const FaceMatchOptions& options);
 
 /// A point of a side of a spline surface as core sees it, tangent in the sense of t.
 SidePoint sidePoint(const EdgeRows& rows, double t);
 
-/// Points of the other face by the parameter t of the side that follows it.
+/// Points of the other face by the parameter t of the side that is deformed.
 class Reference {
  public:
-  Reference(const MatchSide& other, const FollowedPath& path);
+  Reference(const MatchSide& other, const ReferencePath& path);
   /// \throws Standard_Failure where OpenCASCADE can't evaluate.
   SidePoint at(double t) const;
 

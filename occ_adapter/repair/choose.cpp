@@ -42,9 +42,9 @@ void requireSeams(const std::vector<int>& edges, const Report& report) {
 }
 
 /// The first edge of each face where three faces or more meet.
-std::map<int, const LooseEdge*> crowdedEdges(const Report& report) {
-  std::map<int, const LooseEdge*> edges;
-  for (const LooseEdge& edge : report.non_manifold)
+std::map<int, const NonSeamEdge*> crowdedEdges(const Report& report) {
+  std::map<int, const NonSeamEdge*> edges;
+  for (const NonSeamEdge& edge : report.non_manifold)
     for (const int face : edge.faces) edges.emplace(face, &edge);
   return edges;
 }
@@ -109,7 +109,7 @@ class Unmovable {
 
 std::vector<FaceChoice> chooseFaces(const TopoDS_Shape& shape, const Report& before,
                                     const std::vector<int>& fixed) {
-  const std::map<int, const LooseEdge*> crowded = crowdedEdges(before);
+  const std::map<int, const NonSeamEdge*> crowded = crowdedEdges(before);
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
   const Instances instances(shape);
@@ -243,7 +243,7 @@ std::string whyKinked(const Seam& seam, const ContinuityTolerance& tolerance) {
   constexpr double surely = 2.1;
   if (seam.kind != SeamKind::Shared) return {};
   std::vector<FaceStrip> strips;
-  for (const FaceUse& side : seam.sides)
+  for (const Coedge& side : seam.sides)
     strips.emplace_back(side, pcurveOf(side.edge, side.shape, tolerance.gap_mm));
   const auto normalOf = [&strips](std::size_t k, double s) {
     const SidePoint at = strips[k].firstOrderAt(s);

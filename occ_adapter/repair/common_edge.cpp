@@ -83,7 +83,7 @@ class Along {
     for (const int end : {0, 1}) off_[end] = places[1][end] - nearest(end);
   }
 
-  /// s in 0..1 of the stretch. At the ends the given places, which may be a little off the nearest ones.
+  /// s in 0..1 of the interval. At the ends the given places, which may be a little off the nearest ones.
   double at(double s) const {
     if (s == 0 || s == 1) return places_[1][s == 0 ? 0 : 1];
     const auto [low, high] = std::minmax(places_[1][0], places_[1][1]);
@@ -208,7 +208,7 @@ CommonEdge commonEdge(const Seam& seam, const std::array<Places, 2>& places, dou
   common.last = first + places[0][1] * (last - first);
   std::array<Pcurve, 2> pcurves;
   for (const int side : {0, 1}) {
-    const FaceUse& use = seam.sides[side];
+    const Coedge& use = seam.sides[side];
     pcurves[side] = pcurveOf(use.edge, use.shape, gap_mm);
     common.sides.push_back(
         {surfaceOf(use.shape), {pcurves[side].curve, pcurves[side].first, pcurves[side].last}});

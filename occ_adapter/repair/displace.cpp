@@ -110,7 +110,7 @@ Restraint restraintOf(int face, const Restraints& restraints) {
 bool maySlide(const RepairTask& task, std::size_t i, int side, const Pcurve& path,
               const std::set<int>& moving, const Restraints& restraints) {
   const Seam& seam = task.seams[i];
-  const FaceUse &own = seam.sides[side], &other = seam.sides[1 - side];
+  const Coedge &own = seam.sides[side], &other = seam.sides[1 - side];
   return seam.kind == SeamKind::Shared && moving.count(own.face) == 0 && moving.count(other.face) > 0 &&
          task.faces[own.face].may_be_trimmed && !restraintOf(own.face, restraints).keeps_edges &&
          !BRep_Tool::IsClosed(own.edge, own.shape) && StayingSurface(own.shape).surrounds(path);
@@ -124,7 +124,7 @@ Joint jointOf(const RepairTask& task, std::size_t i, const MissedPlaces& missed,
   joint.order = !task.isTreated(i) ? orderKept(task.before[i], task.options)
                 : task.sharp[i]    ? 0
                                    : task.orders[i];
-  for (const FaceUse& side : task.seams[i].sides) {
+  for (const Coedge& side : task.seams[i].sides) {
     joint.sides.push_back(side);
     joint.paths.push_back(pcurveOf(side.edge, side.shape, task.options.tolerance.gap_mm));
   }
@@ -135,7 +135,7 @@ Joint jointOf(const RepairTask& task, std::size_t i, const MissedPlaces& missed,
   return joint;
 }
 
-Joint outlineOf(const FaceUse& use, double gap_mm) {
+Joint outlineOf(const Coedge& use, double gap_mm) {
   Joint joint;
   joint.ask = Ask::Outline;
   joint.order = 0;
@@ -158,7 +158,7 @@ std::set<int> facesToMove(const RepairTask& task) {
   return faces;
 }
 
-std::vector<Joint> jointsOf(const RepairTask& task, const std::vector<FaceUse>& open,
+std::vector<Joint> jointsOf(const RepairTask& task, const std::vector<Coedge>& open,
                             const std::set<int>& moving, const MissedPlaces& missed,
                             const Restraints& restraints) {
   const TurnsAtEnds turns(task);
@@ -168,7 +168,7 @@ std::vector<Joint> jointsOf(const RepairTask& task, const std::vector<FaceUse>& 
     if (moving.count(sides[0].face) > 0 || moving.count(sides[1].face) > 0)
       joints.push_back(jointOf(task, i, missed, turns, moving, restraints));
   }
-  for (const FaceUse& use : open)
+  for (const Coedge& use : open)
     if (moving.count(use.face) > 0) joints.push_back(outlineOf(use, task.options.tolerance.gap_mm));
   return joints;
 }
@@ -189,7 +189,7 @@ std::vector<Part> connectedParts(const std::set<int>& moving, std::vector<Joint>
   for (const int face : moving) parts[groups.of(face)].faces.insert(face);
   for (Joint& joint : joints) {
     const auto mover =
-        std::ranges::find_if(joint.sides, [&](const FaceUse& side) { return moving.count(side.face) > 0; });
+        std::ranges::find_if(joint.sides, [&](const Coedge& side) { return moving.count(side.face) > 0; });
     parts[groups.of(mover->face)].joints.push_back(std::move(joint));
   }
   std::vector<Part> list;
@@ -243,7 +243,7 @@ FairStart startOf(const Part& part, const std::vector<FairComponent>& before, co
       if (was == (joint.ask == Ask::Join ? joint.order : 0))
         start.weights.insert(*weights);
       else
-        for (const FaceUse& side : joint.sides) start.relaxed.insert(side.face);
+        for (const Coedge& side : joint.sides) start.relaxed.insert(side.face);
     }
   }
   return start;
@@ -283,7 +283,7 @@ std::vector<PathChange> slidPaths(const Part& part, const RepairTask& task,
   for (const Joint& joint : part.joints)
     for (const int k : {0, 1}) {
       if (!joint.slides[k]) continue;
-      const FaceUse &stays = joint.sides[k], &moves = joint.sides[1 - k];
+      const Coedge &stays = joint.sides[k], &moves = joint.sides[1 - k];
       const auto change = std::ranges::find(changes, moves.face, &FaceChange::face);
       const bool is_moved = change != changes.end();
       if (!is_moved && joint.ask != Ask::Join) continue;
@@ -355,7 +355,7 @@ FairComponent failed(const Part& part, std::string key, const std::string& why) 
 
 }  // namespace
 
-std::vector<FairComponent> displaceFaces(const RepairTask& task, const std::vector<FaceUse>& open,
+std::vector<FairComponent> displaceFaces(const RepairTask& task, const std::vector<Coedge>& open,
                                          const MissedPlaces& missed, const Restraints& restraints,
                                          const std::vector<FairComponent>& before, const Progress& progress) {
   const TaskFaces faces(task);

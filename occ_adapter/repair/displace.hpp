@@ -43,7 +43,7 @@ struct FairComponent {
 /// what the other edges of the faces have. It is sampled; prove() decides.
 /// \param open uses of open edges in the task's shape. \param before components of a task that asked for more; they are where the solution starts.
 /// \throws Cancelled; Standard_Failure.
-std::vector<FairComponent> displaceFaces(const RepairTask& task, const std::vector<FaceUse>& open,
+std::vector<FairComponent> displaceFaces(const RepairTask& task, const std::vector<Coedge>& open,
                                          const MissedPlaces& missed, const Restraints& restraints,
                                          const std::vector<FairComponent>& before, const Progress& progress);
 

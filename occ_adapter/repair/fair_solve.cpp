@@ -382,7 +382,7 @@ class FairSolving {
     if (!any) return false;
     for (std::size_t j = 0; j < joints_.size(); ++j)
       if (std::ranges::any_of(joints_[j].sides,
-                              [&](const FaceUse& side) { return spans.count(side.face) > 0; }))
+                              [&](const Coedge& side) { return spans.count(side.face) > 0; }))
         sampleAgain(j);
     look();
     freeWhereNeeded({});

@@ -43,7 +43,7 @@ class Rounds {
   const TopoDS_Shape& changed() const { return changed_; }
 
   /// G2 first becomes G1, where that is wanting.
-  void giveUp(const Reasons& seams) {
+  void exclude(const Reasons& seams) {
     for (const auto& [i, why] : seams) {
       if (!task_.isTreated(i)) continue;
       const bool has_g1 = isRepaired(task_.before[i], task_.sharp[i], task_.options.tolerance, Level::G1);
@@ -53,7 +53,7 @@ class Rounds {
     }
   }
 
-  void giveUpAll(const std::string& why) {
+  void excludeAll(const std::string& why) {
     for (std::size_t i = 0; i < task_.seams.size(); ++i)
       if (task_.isTreated(i)) reasons_[i] = why;
     std::ranges::fill(task_.orders, 0);
@@ -132,7 +132,7 @@ class Moving {
       if (!failures.empty()) {
         for (const FairComponent& component : components_)
           if (!component.failures.empty()) addAge(component, component.failures.begin()->second, failures);
-        rounds_.giveUp(failures);
+        rounds_.exclude(failures);
         continue;
       }
       if (changes.empty() && paths.empty()) break;
@@ -141,9 +141,9 @@ class Moving {
         std::map<int, FaceMove> judged = judgedFaces(changes);
         return rounds_.kept(std::move(changes), std::move(judged), std::move(paths), std::move(faults.proof));
       }
-      rounds_.giveUp(whatToGiveUp(faults));
+      rounds_.exclude(whatToExclude(faults));
     }
-    rounds_.giveUpAll("no change of the faces beside it was proven");
+    rounds_.excludeAll("no change of the faces beside it was proven");
     return rounds_.nothing();
   }
 
@@ -207,12 +207,12 @@ class Moving {
   }
 
   /// Of a face at fault the seam that took most effort, later all of them.
-  Reasons whatToGiveUp(const Faults& faults) {
+  Reasons whatToExclude(const Faults& faults) {
     Reasons seams;
     std::map<int, std::string> at_fault;  // by face
     bool tries_again = false;
     const auto addSides = [&](std::size_t i, const std::string& why) {
-      for (const FaceUse& side : task().seams[i].sides) at_fault.emplace(side.face, why);
+      for (const Coedge& side : task().seams[i].sides) at_fault.emplace(side.face, why);
     };
     for (const auto& [i, why] : faults.proof.unrepaired) {
       addSides(i, why);
@@ -226,28 +226,28 @@ class Moving {
       if (looksAgain(i, faults.proof.after[i]))
         tries_again = true;
       else
-        for (const FaceUse& side : task().seams[i].sides) giveUpAt(side.face, why, seams);
+        for (const Coedge& side : task().seams[i].sides) excludeAt(side.face, why, seams);
     }
     for (const auto& [face, why] : faults.unfair) {
       at_fault.emplace(face, why);
       if (stiffens(face))
         tries_again = true;
       else
-        giveUpAt(face, nameOf(face) + ": " + why, seams);
+        excludeAt(face, nameOf(face) + ": " + why, seams);
     }
     for (const auto& [face, why] : faults.too_far) {
       at_fault.emplace(face, why);
       if (restrains(face))
         tries_again = true;
       else
-        giveUpAt(face, nameOf(face) + ": " + why, seams);
+        excludeAt(face, nameOf(face) + ": " + why, seams);
     }
     for (const auto& [face, why] : faults.proof.faces) {
       at_fault.emplace(face, why);
       if (keepsEdges(face))
         tries_again = true;
       else
-        giveUpAt(face, nameOf(face) + ": " + why, seams);
+        excludeAt(face, nameOf(face) + ": " + why, seams);
     }
     for (const FairComponent& component : components_)
       for (const auto& [face, why] : at_fault)
@@ -312,7 +312,7 @@ class Moving {
     return seams;
   }
 
-  void giveUpAt(int face, const std::string& why, Reasons& seams) const {
+  void excludeAt(int face, const std::string& why, Reasons& seams) const {
     const std::vector<std::size_t> treated = mostAskedAt(face);
     const auto effort = [this](std::size_t i) { return effortOf(i); };
     if (!treated.empty()) seams.emplace(*std::ranges::max_element(treated, {}, effort), why);
@@ -385,7 +385,7 @@ class Moving {
   }
 
   Rounds rounds_;
-  const std::vector<FaceUse> open_;
+  const std::vector<Coedge> open_;
   PassedFaces passed_;
   TopTools_IndexedMapOfShape faces_;  ///< as given
   std::vector<FairComponent> components_;
@@ -410,9 +410,9 @@ Improvement orNothing(const RepairTask& task, const Work& work) {
   } catch (const Cancelled&) {
     throw;
   } catch (const Standard_Failure& failure) {
-    none.giveUpAll(whyFailed(failure));
+    none.excludeAll(whyFailed(failure));
   } catch (const std::exception& error) {
-    none.giveUpAll(error.what());
+    none.excludeAll(error.what());
   }
   return none.nothing();
 }
@@ -439,7 +439,7 @@ Reasons pathsAtFault(const RepairTask& task, const std::vector<PathChange>& path
   };
   for (const auto& [face, why] : proof.faces) addAt(face, nameOf(face) + ": " + why);
   for (const auto& [i, why] : proof.worse)
-    for (const FaceUse& side : task.seams[i].sides) addAt(side.face, why);
+    for (const Coedge& side : task.seams[i].sides) addAt(side.face, why);
   return at_fault;
 }
 
@@ -449,13 +449,13 @@ Improvement improveByPaths(const RepairTask& task, const Progress& progress) {
   return orNothing(task, [&] {
     Rounds rounds(task);
     JoinedPaths joined = joinPaths(task, partOf(progress, 0, 0.5));
-    rounds.giveUp(joined.failures);
+    rounds.exclude(joined.failures);
     while (!rounds.isOver()) {
       Proof proof = rounds.proven({}, joined.paths, partOf(progress, 0.5, 1));
       if (proof.holds()) return rounds.kept({}, {}, std::move(joined.paths), std::move(proof));
       const Reasons at_fault = pathsAtFault(rounds.task(), joined.paths, proof);
-      if (at_fault.empty()) rounds.giveUpAll("its new path would spoil the shape: " + proof.whole);
-      rounds.giveUp(at_fault);
+      if (at_fault.empty()) rounds.excludeAll("its new path would spoil the shape: " + proof.whole);
+      rounds.exclude(at_fault);
       std::erase_if(joined.paths, [&](const PathChange& path) {
         return std::ranges::none_of(task.seams, [&](const Seam& seam) {
           return seam.edges.front() == path.edge &&

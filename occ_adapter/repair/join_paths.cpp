@@ -26,7 +26,7 @@ using opencascade::handle;
 /// A side of an edge, and where on its surface the nearest point of another one is.
 class TrimmedSide {
  public:
-  explicit TrimmedSide(const FaceUse& use) : path_(pathOf(use.edge, use.shape)), surface_(use.shape) {}
+  explicit TrimmedSide(const Coedge& use) : path_(pathOf(use.edge, use.shape)), surface_(use.shape) {}
 
   const PlanarPath& path() const { return path_; }
   gp_Pnt2d at(double s) const { return path_.curve->Value(path_.first + s * (path_.last - path_.first)); }
@@ -247,7 +247,7 @@ class PathSolver {
 
   /// But for its gap the seam is as it should be, and the paths are the edge's own.
   bool isOfPathsAlone(std::size_t i) const {
-    for (const FaceUse& side : task_.seams[i].sides)
+    for (const Coedge& side : task_.seams[i].sides)
       if (pathOf(side.edge, side.shape).curve.IsNull()) return false;
     return isOfGapAlone(task_.before[i], task_.sharp[i], task_.options.tolerance, levelOf(task_.orders[i]));
   }

@@ -44,7 +44,7 @@ struct Joint {
   std::size_t seam = 0;  ///< of an outline: none
   Ask ask = Ask::Keep;
   int order = 1;  ///< 0: place, 1: tangent planes, 2: curvature
-  std::vector<FaceUse> sides;
+  std::vector<Coedge> sides;
   std::vector<Pcurve> paths;
   Correspondence map;
   double turn_rad = 0;           ///< by which the angle of a kept crease may change

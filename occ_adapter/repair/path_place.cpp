@@ -17,7 +17,7 @@ Eigen::Vector2d pointAt(const Pcurve& path, double s) {
 
 /// Where a path crosses knots, with 0 and 1.
 std::vector<double> breaksOf(const Pcurve& path, const opencascade::handle<Geom_BSplineSurface>& surface) {
-  FaceUse use;
+  Coedge use;
   const BRep_Builder builder;
   builder.MakeFace(use.shape, surface, Precision::Confusion());
   builder.MakeEdge(use.edge);

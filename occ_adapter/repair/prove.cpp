@@ -47,7 +47,7 @@ class Remeasuring {
     for (const FaceChange& change : changes) surfaces_[change.face] = change.surface;
     for (const Seam& seam : seams_)
       for (const int edge : seam.edges)
-        for (const FaceUse& side : seam.sides) faces_of_edge_[edge].insert(side.face);
+        for (const Coedge& side : seam.sides) faces_of_edge_[edge].insert(side.face);
   }
 
   /// Of the seams that are treated, or of the others.
@@ -289,7 +289,7 @@ bool isSoundAsAWhole(const TopoDS_Shape& shape) {
 }
 
 /// What a shape that was not sound lacked is not asked of the new one. Faces that both have are as sound as they were.
-void judgeSoundness(const RepairTask& task, const TopoDS_Shape& changed, Proof& proof) {
+void judgeValidity(const RepairTask& task, const TopoDS_Shape& changed, Proof& proof) {
   constexpr const char* why = "OpenCASCADE's checks do not pass";
   const TopTools_IndexedMapOfShape before = partsOf(task.shape, TopAbs_FACE),
                                    after = partsOf(changed, TopAbs_FACE);
@@ -317,7 +317,7 @@ void judgeSoundness(const RepairTask& task, const TopoDS_Shape& changed, Proof& 
 //
 // Faces with numbers that are not finite make these checks crash or search without an end, so they count as not sound
 // without being looked at. The whole then counts as not sound either.
-Soundness soundnessOf(const TopoDS_Shape& shape, int jobs) {
+Validity validityOf(const TopoDS_Shape& shape, int jobs) {
   const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE);
   const UnusableParts unusable(shape);
   // By face; at 0 the whole. Not of bool, of which neighbours share a word.
@@ -367,7 +367,7 @@ Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes, cons
   if (!proof.unrepaired.empty() || !proof.faces.empty()) return proof;
   again.measure(false, proof.after, partOf(progress, 0.5, 0.9));
   judgeOthers(task, proof);
-  if (proof.holds()) judgeSoundness(task, changed, proof);
+  if (proof.holds()) judgeValidity(task, changed, proof);
   if (proof.holds())
     proof.whole = whyNotVolumes(task, changes, changed, proof.after, partOf(progress, 0.9, 1));
   return proof;

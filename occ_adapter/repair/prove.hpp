@@ -13,12 +13,12 @@ namespace seamwright::occ {
 
 /// Faces that pass OpenCASCADE's checks, from 1, and whether the whole does. Faces that can't be computed with
 /// (UnusableParts) do not.
-struct Soundness {
+struct Validity {
   std::vector<bool> faces;
   bool whole = true;
 };
 /// \param jobs threads; 0: one for each processor. What is found does not depend on it.
-Soundness soundnessOf(const TopoDS_Shape& shape, int jobs);
+Validity validityOf(const TopoDS_Shape& shape, int jobs);
 
 /// Seams of one shape measured after changes of it, by the seam and the surfaces of the faces beside its edges (none: it stays).
 using MeasuredSeams =
@@ -35,7 +35,7 @@ struct Proof {
   bool holds() const { return unrepaired.empty() && worse.empty() && faces.empty() && whole.empty(); }
 };
 
-/// The seams of the task in a shape that withChanges() made of its own, or the same one. Of a matched seam the stretch that is found there now,
+/// The seams of the task in a shape that withChanges() made of its own, or the same one. Of a matched seam the interval that is found there now,
 /// if it holds the one before; else that one, so that nothing of it is lost where it opened beyond the distance to match. \throws Cancelled.
 std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed, const Progress& progress);
 

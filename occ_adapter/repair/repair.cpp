@@ -285,7 +285,7 @@ class Repairing {
                           std::vector<int>(before.size(), 0)};
     const std::vector<Seam> seams = seamsAfter(task, shape, {});
     SewSolution solution =
-        sewLoose({shape, seams, before, options_}, partOf(progress_, share_before_sewing, 1));
+        sewFreeEdges({shape, seams, before, options_}, partOf(progress_, share_before_sewing, 1));
     not_sewn_ = std::move(solution.reasons);
     if (solution.sewn.shape.IsNull()) return;
     result_.model.shape = solution.sewn.shape;

@@ -144,12 +144,12 @@ struct RepairReport {
 ///
 /// At last matched seams (of the edges picked, or all) are sewn, creases too, if they surely meet within the gap tolerance: their two edges
 /// become one halfway between them, with a path on both faces and the tolerance that is measured. Of edges that are longer than what lies
-/// beside them the stretch is cut out. Vertices are merged where edges end together; what ends nearer than the gap tolerance to a vertex
+/// beside them the interval is cut out. Vertices are merged where edges end together; what ends nearer than the gap tolerance to a vertex
 /// ends there. Faces that hang together so become one shell, turned as the first of them, and a closed one a solid, turned outward;
 /// it stands where the first part (face, shell, or solid of one shell) stood that it is made of. Surfaces stay, and so do fixed faces.
 /// The order of the faces stays if the faces of each new shell stood one after another. Names, colours and layers stay with their faces,
 /// edges and vertices; those of shells and solids that became part of another go to their faces, as far as these have none.
-/// A seam that moved apart by more than match_mm is sewn over all of the stretch that was found in the given model.
+/// A seam that moved apart by more than match_mm is sewn over all of the interval that was found in the given model.
 /// It is kept only if each sewn seam, measured again as one edge, has a gap within the tolerance and the level that it surely had; if the faces
 /// and the shape pass OpenCASCADE's checks as before; and if no vertex reaches further than twice the gap tolerance or what it did.
 /// Parts with several instances, solids of several shells and faces that have one surface in common are not sewn.

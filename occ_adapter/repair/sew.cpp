@@ -42,7 +42,7 @@ class Sewing {
       const Reasons refused = attempt(partOf(progress_, done, next));
       done = next;
       if (refused.empty()) return std::move(solution_);
-      giveUp(refused);
+      exclude(refused);
     }
     solution_.sewn = {};
     return std::move(solution_);
@@ -64,7 +64,7 @@ class Sewing {
     }
   }
 
-  void giveUp(const Reasons& seams) {
+  void exclude(const Reasons& seams) {
     for (const auto& [i, why] : seams) solution_.reasons[i] = why;
     std::erase_if(chosen_, [&seams](std::size_t i) { return seams.count(i) > 0; });
   }
@@ -86,18 +86,18 @@ class Sewing {
       return everything(error.what());
     }
     if (!solution_.sewn.refused.empty()) return solution_.sewn.refused;
-    Reasons refused = unsound();
+    Reasons refused = invalid();
     if (refused.empty()) refused = measure(progress);
     return refused;
   }
 
-  Reasons unsound() {
+  Reasons invalid() {
     const SewnShape& sewn = solution_.sewn;
-    const Soundness is = soundnessOf(sewn.shape, task_.options.jobs);
-    if (!is.whole && !was_) was_ = soundnessOf(task_.shape, task_.options.jobs);
+    const Validity is = validityOf(sewn.shape, task_.options.jobs);
+    if (!is.whole && !was_) was_ = validityOf(task_.shape, task_.options.jobs);
     Reasons refused;
     for (const std::size_t i : chosen_)
-      for (const FaceUse& side : task_.seams[i].sides)
+      for (const Coedge& side : task_.seams[i].sides)
         if (!is.whole && was_->faces[side.face] && !is.faces[sewn.faces[side.face]])
           refused[i] = "OpenCASCADE's checks would not pass for face " + std::to_string(side.face);
     if (!refused.empty()) return refused;
@@ -166,7 +166,7 @@ class Sewing {
   const SewTask& task_;
   const Progress& progress_;
   std::vector<std::size_t> chosen_;
-  std::optional<Soundness> was_;  ///< of the task's shape, once it is needed
+  std::optional<Validity> was_;  ///< of the task's shape, once it is needed
   SewSolution solution_;
 };
 
@@ -233,7 +233,7 @@ class Attributes {
 
 }  // namespace
 
-SewSolution sewLoose(const SewTask& task, const Progress& progress) {
+SewSolution sewFreeEdges(const SewTask& task, const Progress& progress) {
   return Sewing(task, progress).run();
 }
 

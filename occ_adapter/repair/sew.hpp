@@ -20,14 +20,14 @@ struct SewTask {
 };
 
 struct SewSolution {
-  SewnShape sewn;                              ///< without a shape if nothing is sewn
-  std::vector<SeamResult> after;               ///< in the order of before, with the numbers of the sewn shape
-  std::vector<LooseEdge> open, non_manifold;   ///< of the sewn shape
-  std::map<std::size_t, std::string> reasons;  ///< seams that were to be sewn and are not
+  SewnShape sewn;                 ///< without a shape if nothing is sewn
+  std::vector<SeamResult> after;  ///< in the order of before, with the numbers of the sewn shape
+  std::vector<NonSeamEdge> open, non_manifold;  ///< of the sewn shape
+  std::map<std::size_t, std::string> reasons;   ///< seams that were to be sewn and are not
 };
 
 /// Sews what can be proven. \throws Cancelled.
-SewSolution sewLoose(const SewTask& task, const Progress& progress);
+SewSolution sewFreeEdges(const SewTask& task, const Progress& progress);
 
 /// What the attributes of a shape are for the sewn one.
 std::vector<ShapeAttribute> attributesAfter(const std::vector<ShapeAttribute>& attributes,

@@ -23,8 +23,8 @@ using opencascade::handle;
 
 /// What an edge, or a part of it, is after sewing.
 struct EdgePiece {
-  TopoDS_Edge edge;  ///< in the frame of the shape, running as the edge that it is a piece of if forward
-  int stretch = -1;  ///< of a common edge
+  TopoDS_Edge edge;   ///< in the frame of the shape, running as the edge that it is a piece of if forward
+  int interval = -1;  ///< of a common edge
   std::array<int, 2> nodes{};  ///< at the first and the last end of the old edge's piece
   std::array<std::vector<gp_Pnt>, 2> curve_ends, image_ends;
   double tolerance_mm = 0;
@@ -69,8 +69,8 @@ class EdgeSewer {
   void refuse(std::size_t seam, const std::string& why) { result_.refused.emplace(seam, why); }
 
   void cut(const std::vector<std::size_t>& chosen) {
-    SewnStretches found = sewnStretches(seams_, chosen, gap_mm_);
-    result_.stretches = std::move(found.stretches);
+    SewnIntervals found = sewnIntervals(seams_, chosen, gap_mm_);
+    result_.intervals = std::move(found.intervals);
     cuts_ = std::move(found.cuts);
     result_.refused = std::move(found.refused);
     for (const auto& [edge, cuts] : cuts_)
@@ -93,13 +93,13 @@ class EdgeSewer {
   }
 
   void joinEnds() {
-    for (const SewnStretch& stretch : result_.stretches)
+    for (const SewnInterval& interval : result_.intervals)
       for (const int end : {0, 1}) {
-        const int on_b = stretch.reversed() ? 1 - end : end;
-        const int a = nodeAt(stretch.edges[0], stretch.pieces[0] + end);
-        const int b = nodeAt(stretch.edges[1], stretch.pieces[1] + on_b);
+        const int on_b = interval.reversed() ? 1 - end : end;
+        const int a = nodeAt(interval.edges[0], interval.pieces[0] + end);
+        const int b = nodeAt(interval.edges[1], interval.pieces[1] + on_b);
         if (a == 0 || b == 0)
-          refuse(stretch.seam, "an edge ends without a vertex");
+          refuse(interval.seam, "an edge ends without a vertex");
         else
           nodes_.join(a, b);
       }
@@ -107,9 +107,10 @@ class EdgeSewer {
     for (int node = 1; node < nodes_.count(); ++node) ++members[nodes_.of(node)];
     for (int node = 1; node < nodes_.count(); ++node)
       if (node > vertices_.Extent() || members.at(nodes_.of(node)) > 1) corners_[nodes_.of(node)];
-    for (const SewnStretch& stretch : result_.stretches)
+    for (const SewnInterval& interval : result_.intervals)
       for (const int end : {0, 1})
-        corners_[nodes_.of(nodeAt(stretch.edges[0], stretch.pieces[0] + end))].seams.push_back(stretch.seam);
+        corners_[nodes_.of(nodeAt(interval.edges[0], interval.pieces[0] + end))].seams.push_back(
+            interval.seam);
   }
 
   bool isCorner(int node) const { return corners_.count(nodes_.of(node)) > 0; }
@@ -117,16 +118,16 @@ class EdgeSewer {
   // Edges.
 
   void makeCommonEdges() {
-    for (std::size_t k = 0; k < result_.stretches.size(); ++k) {
-      const SewnStretch& stretch = result_.stretches[k];
+    for (std::size_t k = 0; k < result_.intervals.size(); ++k) {
+      const SewnInterval& interval = result_.intervals[k];
       try {
-        common_.push_back(commonEdge(seams_[stretch.seam], stretch.places, gap_mm_));
+        common_.push_back(commonEdge(seams_[interval.seam], interval.places, gap_mm_));
       } catch (const std::runtime_error& error) {
-        refuse(stretch.seam, error.what());
+        refuse(interval.seam, error.what());
         return;
       }
       for (const int side : {0, 1})
-        stretch_at_[{stretch.edges[side], stretch.pieces[side]}] = {static_cast<int>(k), side};
+        interval_at_[{interval.edges[side], interval.pieces[side]}] = {static_cast<int>(k), side};
     }
   }
 
@@ -141,9 +142,9 @@ class EdgeSewer {
   }
 
   EdgePiece pieceOf(int edge, int k) const {
-    const auto sewn = stretch_at_.find({edge, k});
+    const auto sewn = interval_at_.find({edge, k});
     EdgePiece piece =
-        sewn == stretch_at_.end() ? ownPiece(edge, k) : commonPiece(sewn->second.first, sewn->second.second);
+        sewn == interval_at_.end() ? ownPiece(edge, k) : commonPiece(sewn->second.first, sewn->second.second);
     piece.nodes = {nodeAt(edge, k), nodeAt(edge, k + 1)};
     return piece;
   }
@@ -151,8 +152,8 @@ class EdgeSewer {
   EdgePiece commonPiece(int number, int side) const {
     const CommonEdge& common = common_[number];
     EdgePiece piece;
-    piece.stretch = number;
-    const bool reversed = side == 1 && result_.stretches[number].reversed();
+    piece.interval = number;
+    const bool reversed = side == 1 && result_.intervals[number].reversed();
     piece.edge = TopoDS::Edge(common.edge.Oriented(reversed ? TopAbs_REVERSED : TopAbs_FORWARD));
     piece.tolerance_mm = common.tolerance_mm;
     for (const int end : {0, 1}) {
@@ -252,7 +253,7 @@ class EdgeSewer {
     std::set<int> closed;
     for (auto& [edge, pieces] : pieces_)
       for (EdgePiece& piece : pieces) {
-        if (piece.stretch >= 0 && !closed.insert(piece.stretch).second) continue;
+        if (piece.interval >= 0 && !closed.insert(piece.interval).second) continue;
         const bool reversed = piece.edge.Orientation() == TopAbs_REVERSED;
         TopoDS_Edge forward = TopoDS::Edge(piece.edge.Oriented(TopAbs_FORWARD));
         for (const int end : {0, 1}) {
@@ -277,13 +278,13 @@ class EdgeSewer {
   UnusableParts unusable_;
   TopTools_IndexedMapOfShape faces_, edges_, vertices_;
   TopTools_IndexedDataMapOfShapeListOfShape faces_of_edge_;
-  std::map<int, std::vector<double>> cuts_;                        ///< by edge
-  std::map<std::pair<int, int>, int> cut_nodes_;                   ///< by edge and number of the cut
-  Groups nodes_;                                                   ///< vertices by number, and cuts
-  std::map<int, Corner> corners_;                                  ///< by node: what is a new vertex
-  std::vector<CommonEdge> common_;                                 ///< by stretch
-  std::map<std::pair<int, int>, std::pair<int, int>> stretch_at_;  ///< stretch and side, by edge and piece
-  std::map<int, std::vector<EdgePiece>> pieces_;                   ///< by edge, of those that are new
+  std::map<int, std::vector<double>> cuts_;                         ///< by edge
+  std::map<std::pair<int, int>, int> cut_nodes_;                    ///< by edge and number of the cut
+  Groups nodes_;                                                    ///< vertices by number, and cuts
+  std::map<int, Corner> corners_;                                   ///< by node: what is a new vertex
+  std::vector<CommonEdge> common_;                                  ///< by interval
+  std::map<std::pair<int, int>, std::pair<int, int>> interval_at_;  ///< interval and side, by edge and piece
+  std::map<int, std::vector<EdgePiece>> pieces_;                    ///< by edge, of those that are new
   SewnEdges result_;
 };
 

@@ -74,7 +74,7 @@ class Sewer {
 
   std::string whyUnfit(const Seam& seam, const std::map<const TopoDS_TShape*, int>& instances,
                        const std::set<int>& in_hollow) const {
-    for (const FaceUse& side : seam.sides) {
+    for (const Coedge& side : seam.sides) {
       const std::string face = names_(side.face);
       const int count = instances.at(side.shape.TShape().get());
       if (count > 1) return face + " stands in the model " + std::to_string(count) + " times";
@@ -154,8 +154,8 @@ class Sewer {
 
   /// Faces of one shell after sewing.
   void joinFaces() {
-    for (const SewnStretch& stretch : edges_now_.stretches) {
-      const auto& sides = seams_[stretch.seam].sides;
+    for (const SewnInterval& interval : edges_now_.intervals) {
+      const auto& sides = seams_[interval.seam].sides;
       groups_.join(sides[0].face, sides[1].face);
       sewn_faces_.insert({sides[0].face, sides[1].face});
     }
@@ -211,12 +211,12 @@ class Sewer {
   }
 
   void refuseOneSided() {
-    for (std::size_t k = 0; k < edges_now_.stretches.size(); ++k) {
-      const std::size_t seam = edges_now_.stretches[k].seam;
+    for (std::size_t k = 0; k < edges_now_.intervals.size(); ++k) {
+      const std::size_t seam = edges_now_.intervals[k].seam;
       const TopoDS_Edge& common = edges_now_.common[k];
       std::vector<TopAbs_Orientation> senses;
       std::set<int> faces;
-      for (const FaceUse& side : seams_[seam].sides) faces.insert(side.face);
+      for (const Coedge& side : seams_[seam].sides) faces.insert(side.face);
       for (const int face : faces)
         for (TopExp_Explorer edge(new_faces_[face], TopAbs_EDGE); edge.More(); edge.Next())
           if (edge.Current().IsSame(common)) senses.push_back(edge.Current().Orientation());
@@ -314,8 +314,8 @@ class Sewer {
         numbers.push_back(edges.FindIndex(piece));
       result_.edges.push_back(numbers);
     }
-    for (std::size_t k = 0; k < edges_now_.stretches.size(); ++k)
-      result_.seam_edges[edges_now_.stretches[k].seam] = edges.FindIndex(edges_now_.common[k]);
+    for (std::size_t k = 0; k < edges_now_.intervals.size(); ++k)
+      result_.seam_edges[edges_now_.intervals[k].seam] = edges.FindIndex(edges_now_.common[k]);
     for (const auto& [v, vertex] : edges_now_.vertices) result_.became.Bind(vertices_(v), vertex);
   }
 

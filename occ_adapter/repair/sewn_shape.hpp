@@ -38,7 +38,7 @@ struct SewnShape {
 /// Tolerances are what is measured.
 ///
 /// Refused are seams whose faces stand in the shape several times, are in a solid of several shells or have one surface in common; whose
-/// stretch another one interrupts or has taken; whose vertices would reach further than twice \p gap_mm, or as far as they did; and that
+/// interval another one interrupts or has taken; whose vertices would reach further than twice \p gap_mm, or as far as they did; and that
 /// would close a band which has one side only.
 /// \param seams of kind Matched. \throws Standard_Failure.
 SewnShape sewnShape(const TopoDS_Shape& shape, const std::vector<Seam>& seams,

@@ -28,7 +28,7 @@ double fade(double from_end) {
 /// Where an edge runs on a face that stays.
 class Slide {
  public:
-  Slide(const FaceUse& stays, const FaceUse& moves, const handle<Geom_Surface>& moved, double gap_mm)
+  Slide(const Coedge& stays, const Coedge& moves, const handle<Geom_Surface>& moved, double gap_mm)
       : surface_(stays.shape),
         path_(pcurveOf(stays.edge, stays.shape, gap_mm)),
         boundary_(pcurveOf(moves.edge, moves.shape, gap_mm)),
@@ -162,7 +162,7 @@ bool StayingSurface::surrounds(const Pcurve& path) const {
   return true;
 }
 
-std::optional<PathChange> slidPath(int edge, const FaceUse& stays, const FaceUse& moves,
+std::optional<PathChange> slidPath(int edge, const Coedge& stays, const Coedge& moves,
                                    const handle<Geom_Surface>& moved, double gap_mm) {
   std::optional<PathChange> change = Slide(stays, moves, moved, gap_mm).path();
   if (change) {

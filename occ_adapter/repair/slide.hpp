@@ -39,7 +39,7 @@ class StayingSurface {
 /// The ends keep their places, as other edges end there; what the boundary moved by at an end fades over a quarter of the edge.
 /// \param moved in the frame of the shape. \returns nothing where the old path is within a fiftieth of the gap tolerance, or no new one can be
 /// interpolated to as much. \throws std::runtime_error as pcurveOf(); Standard_Failure.
-std::optional<PathChange> slidPath(int edge, const FaceUse& stays, const FaceUse& moves,
+std::optional<PathChange> slidPath(int edge, const Coedge& stays, const Coedge& moves,
                                    const opencascade::handle<Geom_Surface>& moved, double gap_mm);
 
 }  // namespace seamwright::occ

@@ -11,7 +11,7 @@ namespace {
 
 std::vector<TopoDS_Shape> endsOf(const Seam& seam) {
   std::vector<TopoDS_Shape> ends;
-  for (const FaceUse& side : seam.sides) {
+  for (const Coedge& side : seam.sides) {
     ends.push_back(TopExp::FirstVertex(side.edge));
     ends.push_back(TopExp::LastVertex(side.edge));
   }
@@ -70,7 +70,7 @@ std::vector<Seam> seamsIn(const TopoDS_Shape& shape, std::vector<Seam> seams) {
   TopExp::MapShapes(shape, TopAbs_EDGE, edges);
   for (Seam& seam : seams)
     for (const int which : {0, 1}) {
-      FaceUse& side = seam.sides[which];
+      Coedge& side = seam.sides[which];
       const int edge = which == 0 ? seam.edges.front() : seam.edges.back();
       side.shape = TopoDS::Face(faces(side.face).Oriented(TopAbs_FORWARD));
       side.edge = TopoDS::Edge(edges(edge).Oriented(side.edge.Orientation()));

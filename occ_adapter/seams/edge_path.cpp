@@ -42,7 +42,7 @@ double PathPiece::nearestShare(const Eigen::Vector3d& p) const {
   return square > 0 ? std::clamp((p - start).dot(chord) / square, 0.0, 1.0) : 0;
 }
 
-EdgePath::EdgePath(const FaceUse& use, int edge, double gap_mm)
+EdgePath::EdgePath(const Coedge& use, int edge, double gap_mm)
     : use_(use), edge_(edge), strip_(use, pcurveOf(use.edge, use.shape, gap_mm)) {
   const std::vector<double> cuts = firstCuts(strip_);
   PathPoint start = strip_.trace(0);

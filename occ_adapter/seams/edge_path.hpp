@@ -30,9 +30,9 @@ class EdgePath {
  public:
   /// \throws std::runtime_error if the edge has no path on the face or one that is not finite;
   /// Standard_Failure.
-  EdgePath(const FaceUse& use, int edge, double gap_mm);
+  EdgePath(const Coedge& use, int edge, double gap_mm);
 
-  const FaceUse& use() const { return use_; }
+  const Coedge& use() const { return use_; }
   int edge() const { return edge_; }
   const FaceStrip& strip() const { return strip_; }
   const std::vector<PathPiece>& pieces() const { return pieces_; }
@@ -53,7 +53,7 @@ class EdgePath {
  private:
   void addPieces(double from, double to, const PathPoint& start, const PathPoint& end, int depth);
 
-  FaceUse use_;
+  Coedge use_;
   int edge_;
   FaceStrip strip_;
   std::vector<PathPiece> pieces_;
@@ -61,7 +61,7 @@ class EdgePath {
   bool closed_ = false;
 };
 
-/// How far apart the path and another may be: a stretch is at least 4 times as long as the paths are apart.
+/// How far apart the path and another may be: an interval is at least 4 times as long as the paths are apart.
 inline double reach_mm(const EdgePath& path, double match_mm) {
   return std::min(match_mm, path.length_mm() / 4);
 }

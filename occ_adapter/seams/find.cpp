@@ -14,7 +14,7 @@ namespace seamwright::occ {
 
 namespace {
 
-using UsesOfEdge = std::vector<FaceUse>;
+using UsesOfEdge = std::vector<Coedge>;
 
 /// Vertices to which a boundary of the face collapses.
 TopTools_MapOfShape polesOf(const TopoDS_Face& face) {
@@ -30,8 +30,8 @@ double poleTolerance(const TopTools_MapOfShape& poles, const TopoDS_Vertex& vert
   return !vertex.IsNull() && poles.Contains(vertex) ? BRep_Tool::Tolerance(vertex) : 0;
 }
 
-FaceUse faceUse(int number, const TopoDS_Face& face, const TopoDS_Edge& edge,
-                const TopTools_MapOfShape& poles) {
+Coedge faceUse(int number, const TopoDS_Face& face, const TopoDS_Edge& edge,
+               const TopTools_MapOfShape& poles) {
   return {number,
           face,
           edge,
@@ -64,15 +64,15 @@ std::vector<UsesOfEdge> collectUses(const TopoDS_Shape& shape, const TopTools_In
   return uses;
 }
 
-LooseEdge looseEdge(int edge, const UsesOfEdge& uses) {
-  LooseEdge loose{edge, {}};
-  for (const FaceUse& use : uses) loose.faces.push_back(use.face);
+NonSeamEdge looseEdge(int edge, const UsesOfEdge& uses) {
+  NonSeamEdge loose{edge, {}};
+  for (const Coedge& use : uses) loose.faces.push_back(use.face);
   return loose;
 }
 
 }  // namespace
 
-void requireUsable(const FaceUse& use) {
+void requireUsable(const Coedge& use) {
   if (!use.fault.empty()) throw std::runtime_error(use.fault);
 }
 

@@ -13,11 +13,11 @@ namespace seamwright::occ {
 enum class SeamKind {
   Shared,  ///< two faces share an edge
   Closed,  ///< a face meets itself along an edge: a cylinder, a torus, a closed spline surface
-  Matched  ///< free edges of two faces that lie close together over a common stretch
+  Matched  ///< free edges of two faces that lie close together over a common interval
 };
 
 /// One side of a seam: a face and the edge as it runs around it.
-struct FaceUse {
+struct Coedge {
   int face = 0;       ///< from 1, order of TopExp::MapShapes
   TopoDS_Face shape;  ///< oriented FORWARD
   TopoDS_Edge edge;   ///< oriented so that the face lies to its left, seen from the tip of X_u x X_v
@@ -28,7 +28,7 @@ struct FaceUse {
 };
 
 /// \throws std::runtime_error with the fault of the side, if it has one
-void requireUsable(const FaceUse& use);
+void requireUsable(const Coedge& use);
 
 /// Points of the two sides of a seam that belong together: place a[i] of the first edge, 0..1 of the range of
 /// its curve, and b[i] of the second, both linear in s between s[i] and s[i + 1]. s runs from 0 to 1 and a
@@ -43,23 +43,23 @@ struct Seam {
   int id = 0;  ///< from 1
   SeamKind kind = SeamKind::Shared;
   std::vector<int> edges;  ///< from 1, order of TopExp::MapShapes; two of a matched seam
-  std::array<FaceUse, 2> sides;
+  std::array<Coedge, 2> sides;
   Correspondence correspondence;  ///< empty: both sides run with the curve of their one edge, s = a = b
   std::string note;               ///< what to know of how it was found; mostly empty
 };
 
 /// An edge that bounds one face, or more than two.
-struct LooseEdge {
+struct NonSeamEdge {
   int edge = 0;
   std::vector<int> faces;
 };
 
 struct SeamGraph {
-  std::vector<Seam> seams;              ///< by edge number; matched ones after the others
-  std::vector<LooseEdge> open;          ///< one face
-  std::vector<FaceUse> open_uses;       ///< the one use of each open edge, in the order of open
-  std::vector<LooseEdge> non_manifold;  ///< more than two uses, by edge number
-  std::vector<std::string> notes;       ///< what could not be looked at, and why
+  std::vector<Seam> seams;                ///< by edge number; matched ones after the others
+  std::vector<NonSeamEdge> open;          ///< one face
+  std::vector<Coedge> open_uses;          ///< the one use of each open edge, in the order of open
+  std::vector<NonSeamEdge> non_manifold;  ///< more than two uses, by edge number
+  std::vector<std::string> notes;         ///< what could not be looked at, and why
 };
 
 /// Finds where the faces of a shape meet by shared topology (for loose faces see matchFreeEdges()), in time

@@ -182,9 +182,9 @@ class Matcher {
 
  private:
   void makePaths(const Progress& progress);
-  std::vector<Stretch> walk(const Progress& progress);
-  void walkPair(std::size_t a, std::size_t b, const ClosePieces& close, std::vector<Stretch>& stretches);
-  void addSeam(Stretch& stretch);
+  std::vector<EdgeInterval> walk(const Progress& progress);
+  void walkPair(std::size_t a, std::size_t b, const ClosePieces& close, std::vector<EdgeInterval>& intervals);
+  void addSeam(EdgeInterval& interval);
   bool coversWhole(std::size_t path, std::vector<std::pair<double, double>> ranges) const;
   void sortOut(const Settled& settled);
   std::string edgeName(std::size_t i) const { return "Edge" + std::to_string(graph_.open[i].edge); }
@@ -213,20 +213,20 @@ void Matcher::makePaths(const Progress& progress) {
 }
 
 void Matcher::walkPair(std::size_t a, std::size_t b, const ClosePieces& close,
-                       std::vector<Stretch>& stretches) {
+                       std::vector<EdgeInterval>& intervals) {
   const EdgePath &path_a = *paths_[a], &path_b = *paths_[b];
   const double reach = std::min(reach_mm(path_a, options_.match_mm), reach_mm(path_b, options_.match_mm));
-  for (std::vector<Foot>& feet : PairWalk(path_a, path_b, close, reach).stretches()) {
+  for (std::vector<Foot>& feet : PairWalk(path_a, path_b, close, reach).intervals()) {
     const bool one_face = path_a.use().face == path_b.use().face;
     if (one_face && !surfaceClosesBetween(path_a, path_b, feet[feet.size() / 2])) continue;
-    stretches.push_back({a, b, std::move(feet)});
+    intervals.push_back({a, b, std::move(feet)});
   }
 }
 
-std::vector<Stretch> Matcher::walk(const Progress& progress) {
+std::vector<EdgeInterval> Matcher::walk(const Progress& progress) {
   makePaths(partOf(progress, 0, 0.4));
   const auto close = findClosePieces(paths_, options_.match_mm, partOf(progress, 0.4, 0.5));
-  std::vector<Stretch> stretches;
+  std::vector<EdgeInterval> intervals;
   const Progress walked = partOf(progress, 0.5, 1);
   std::size_t done = 0;
   for (const auto& close_pair : close) {
@@ -236,27 +236,27 @@ std::vector<Stretch> Matcher::walk(const Progress& progress) {
       throw Cancelled();
     summary_.close_pieces += pieces.size();
     noteFailure(graph_.notes, edgeName(pair.first) + " can't be matched with " + edgeName(pair.second),
-                [&] { walkPair(pair.first, pair.second, pieces, stretches); });
+                [&] { walkPair(pair.first, pair.second, pieces, intervals); });
   }
-  return stretches;
+  return intervals;
 }
 
-void Matcher::addSeam(Stretch& stretch) {
-  const EdgePath &a = *paths_[stretch.path_a], &b = *paths_[stretch.path_b];
-  for (Foot* end : {&stretch.feet.front(), &stretch.feet.back()})
+void Matcher::addSeam(EdgeInterval& interval) {
+  const EdgePath &a = *paths_[interval.path_a], &b = *paths_[interval.path_b];
+  for (Foot* end : {&interval.feet.front(), &interval.feet.back()})
     *end = footFrom(a, b, end->a, end->b, end->against);
   const Refinement refinement(a, b, options_);
-  stretch.feet = refinement.thinned(stretch.feet);
-  const double left_mm = refinement.refine(stretch.feet);
+  interval.feet = refinement.thinned(interval.feet);
+  const double left_mm = refinement.refine(interval.feet);
   Seam seam;
   seam.id = static_cast<int>(graph_.seams.size()) + 1;
   seam.kind = SeamKind::Matched;
   seam.edges = {a.edge(), b.edge()};
   seam.sides = {a.use(), b.use()};
-  seam.correspondence = correspondenceOf(stretch.feet, a);
+  seam.correspondence = correspondenceOf(interval.feet, a);
   if (left_mm > 0) {
     std::ostringstream text;
-    text << "after " << stretch.feet.size() - 1
+    text << "after " << interval.feet.size() - 1
          << " pieces the points of the two edges still correspond only to " << left_mm << " mm";
     seam.note = text.str();
   }
@@ -280,13 +280,13 @@ bool Matcher::coversWhole(std::size_t path, std::vector<std::pair<double, double
 /// Moves edges that are crowded to non_manifold and forgets those that are matched.
 void Matcher::sortOut(const Settled& settled) {
   std::map<std::size_t, std::vector<std::pair<double, double>>> matched;
-  for (const Stretch& stretch : settled.stretches) {
-    const Foot &front = stretch.front(), &back = stretch.back();
-    matched[stretch.path_a].emplace_back(front.a, back.a);
-    matched[stretch.path_b].emplace_back(std::min(front.b, back.b), std::max(front.b, back.b));
+  for (const EdgeInterval& interval : settled.intervals) {
+    const Foot &front = interval.front(), &back = interval.back();
+    matched[interval.path_a].emplace_back(front.a, back.a);
+    matched[interval.path_b].emplace_back(std::min(front.b, back.b), std::max(front.b, back.b));
   }
-  std::vector<LooseEdge> open;
-  std::vector<FaceUse> open_uses;
+  std::vector<NonSeamEdge> open;
+  std::vector<Coedge> open_uses;
   for (std::size_t i = 0; i < graph_.open.size(); ++i) {
     if (const auto crowd = settled.crowded.find(i); crowd != settled.crowded.end()) {
       graph_.non_manifold.push_back({graph_.open[i].edge, {crowd->second.begin(), crowd->second.end()}});
@@ -298,18 +298,19 @@ void Matcher::sortOut(const Settled& settled) {
   }
   graph_.open = std::move(open);
   graph_.open_uses = std::move(open_uses);
-  std::ranges::sort(graph_.non_manifold, {}, &LooseEdge::edge);
+  std::ranges::sort(graph_.non_manifold, {}, &NonSeamEdge::edge);
 }
 
 MatchSummary Matcher::run(const Progress& progress) {
   Settled settled = settleRivals(walk(progress), paths_, options_.match_mm);
-  std::ranges::sort(settled.stretches, {}, [](const Stretch& stretch) {
-    return std::tuple(stretch.path_a, stretch.path_b, stretch.front().a);
+  std::ranges::sort(settled.intervals, {}, [](const EdgeInterval& interval) {
+    return std::tuple(interval.path_a, interval.path_b, interval.front().a);
   });
-  std::erase_if(settled.stretches, [&](Stretch& stretch) {
+  std::erase_if(settled.intervals, [&](EdgeInterval& interval) {
     const std::size_t before = graph_.seams.size();
-    noteFailure(graph_.notes, edgeName(stretch.path_a) + " can't be matched with " + edgeName(stretch.path_b),
-                [&] { addSeam(stretch); });
+    noteFailure(graph_.notes,
+                edgeName(interval.path_a) + " can't be matched with " + edgeName(interval.path_b),
+                [&] { addSeam(interval); });
     return graph_.seams.size() == before;
   });
   sortOut(settled);

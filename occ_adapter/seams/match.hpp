@@ -22,13 +22,13 @@ struct MatchSummary {
 };
 
 /// Finds where open edges (graph.open) run side by side, and adds a seam of kind Matched for each common
-/// stretch.
+/// interval.
 ///
 /// An edge is here what its face makes of it: the image of its pcurve on the surface, which is what is
-/// measured later. A common stretch of edges n < m is where the point of m nearest to a point of n is no
+/// measured later. A common interval of edges n < m is where the point of m nearest to a point of n is no
 /// further than match_mm, is not beyond the end of m, and the directions differ by less than 45 degrees. So a
 /// long edge and three short ones make three seams, and two circles that start at different points make two,
-/// because stretches end where a closed edge starts. A stretch counts if
+/// because intervals end where a closed edge starts. An interval counts if
 ///  (1) its length is at least 4 times its largest distance, so edges that only meet at a corner and part at
 ///      more than 14.5 degrees (sin = 1/4) make no seam, nor does anything else if match_mm is larger than
 ///      the edges;
@@ -51,7 +51,7 @@ struct MatchSummary {
 /// min(gap_mm, length of m / 1000) and the distance (and 1e-9 of the length of m), unless most_pieces are not
 /// enough or m turns back on itself, which is a note on the seam.
 ///
-/// An edge leaves graph.open if matched stretches leave out no more than 4 match_mm and a tenth of it at a
+/// An edge leaves graph.open if matched intervals leave out no more than 4 match_mm and a tenth of it at a
 /// time. An edge that is matched in part is in graph.seams and in graph.open.
 ///
 /// The result does not depend on the order of the faces but for which of two edges is the first. Time grows

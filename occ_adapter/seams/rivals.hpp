@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include <seamwright/occ_adapter/seams/stretch.hpp>
+#include <seamwright/occ_adapter/seams/edge_interval.hpp>
 
 namespace seamwright::occ {
 
@@ -14,11 +14,11 @@ namespace seamwright::occ {
 using EdgePaths = std::vector<std::unique_ptr<EdgePath>>;
 
 struct Settled {
-  std::vector<Stretch> stretches;
+  std::vector<EdgeInterval> intervals;
   std::map<std::size_t, std::set<int>> crowded;  ///< paths where three or more faces meet, and these faces
 };
 
-/// The stretches that are long enough and not contested, or won; for the rules see matchFreeEdges().
-Settled settleRivals(const std::vector<Stretch>& stretches, const EdgePaths& paths, double match_mm);
+/// The intervals that are long enough and not contested, or won; for the rules see matchFreeEdges().
+Settled settleRivals(const std::vector<EdgeInterval>& intervals, const EdgePaths& paths, double match_mm);
 
 }  // namespace seamwright::occ

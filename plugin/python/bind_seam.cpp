@@ -49,12 +49,12 @@ py::list degenerateList(const std::vector<DegeneratePoint>& points) {
   return list;
 }
 
-py::list stretchList(const LeftOut& left_out) {
+py::list intervalList(const LeftOut& left_out) {
   py::list list;
-  for (const Interval& stretch : left_out.stretches) {
+  for (const Interval& interval : left_out.intervals) {
     py::list ends;
-    ends.append(stretch.lower);
-    ends.append(stretch.upper);
+    ends.append(interval.lower);
+    ends.append(interval.upper);
     list.append(std::move(ends));
   }
   return list;
@@ -62,9 +62,9 @@ py::list stretchList(const LeftOut& left_out) {
 
 py::dict leftOutDict(const SeamFigures& figures) {
   py::dict dict;
-  dict["angle_deg"] = stretchList(figures.angle_left_out);
-  dict["curvature_per_mm"] = stretchList(figures.curvature_left_out);
-  dict["curvature_rel"] = stretchList(figures.curvature_left_out);
+  dict["angle_deg"] = intervalList(figures.angle_left_out);
+  dict["curvature_per_mm"] = intervalList(figures.curvature_left_out);
+  dict["curvature_rel"] = intervalList(figures.curvature_left_out);
   return dict;
 }
 

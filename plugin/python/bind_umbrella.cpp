@@ -103,7 +103,7 @@ py::dict umbrellaDict(const Umbrella& umbrella) {
   dict["normal"] = umbrella.vertex.normal;
   dict["angles_rad"] = umbrella.vertex.angles_rad;
   dict["condition"] = umbrella.vertex.condition;
-  dict["crossing"] = umbrella.vertex.isCrossing();
+  dict["crossing"] = umbrella.vertex.isRegular();
   dict["spoke_move_mm"] = umbrella.largest_spoke_move_mm;
   dict["second_change_mm"] = umbrella.largest_second_change;
   dict["slope_change"] = umbrella.largest_lambda_change;

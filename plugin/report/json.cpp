@@ -16,15 +16,15 @@ ordered_json figureJson(const std::optional<Figure>& figure, double factor = 1) 
           {"at", figure->at}};
 }
 
-ordered_json stretchesJson(const LeftOut& left_out) {
-  ordered_json stretches = ordered_json::array();
-  for (const Interval& stretch : left_out.stretches) stretches.push_back({stretch.lower, stretch.upper});
-  return stretches;
+ordered_json intervalsJson(const LeftOut& left_out) {
+  ordered_json intervals = ordered_json::array();
+  for (const Interval& interval : left_out.intervals) intervals.push_back({interval.lower, interval.upper});
+  return intervals;
 }
 
 ordered_json leftOutJson(const SeamFigures& figures) {
-  const ordered_json curvature = stretchesJson(figures.curvature_left_out);
-  return {{"angle_deg", stretchesJson(figures.angle_left_out)},
+  const ordered_json curvature = intervalsJson(figures.curvature_left_out);
+  return {{"angle_deg", intervalsJson(figures.angle_left_out)},
           {"curvature_per_mm", curvature},
           {"curvature_rel", curvature}};
 }
@@ -95,10 +95,10 @@ ordered_json toJson(const occ::Report& report) {
   ordered_json seams = ordered_json::array();
   for (const occ::SeamResult& seam : report.seams) seams.push_back(toJson(seam, report.tolerance));
   ordered_json open = ordered_json::array();
-  for (const occ::LooseEdge& edge : report.open)
+  for (const occ::NonSeamEdge& edge : report.open)
     open.push_back({{"edge", edge.edge}, {"face", edge.faces.front()}});
   ordered_json non_manifold = ordered_json::array();
-  for (const occ::LooseEdge& edge : report.non_manifold)
+  for (const occ::NonSeamEdge& edge : report.non_manifold)
     non_manifold.push_back({{"edge", edge.edge}, {"faces", edge.faces}});
   ordered_json json = headJson("seamwright.analysis/1", report);
   json["summary"] = summaryJson(report);

@@ -53,23 +53,23 @@ std::string firstDoubt(const SeamFigures& figures, const ContinuityTolerance& to
 }
 
 /// "the first 9.54e-07", "the last 0.00049", "0.25 to 0.250001".
-std::string stretchText(const Interval& stretch) {
+std::string intervalText(const Interval& interval) {
   std::ostringstream text;
-  text.precision(stretch.lower > 0 && stretch.upper < 1 ? 6 : 3);
-  if (stretch.lower <= 0)
-    text << "the first " << stretch.upper;
-  else if (stretch.upper >= 1)
-    text << "the last " << 1 - stretch.lower;
+  text.precision(interval.lower > 0 && interval.upper < 1 ? 6 : 3);
+  if (interval.lower <= 0)
+    text << "the first " << interval.upper;
+  else if (interval.upper >= 1)
+    text << "the last " << 1 - interval.lower;
   else
-    text << stretch.lower << " to " << stretch.upper;
+    text << interval.lower << " to " << interval.upper;
   return text.str();
 }
 
 /// "the curvature leaves out the first 9.54e-07"; empty if it leaves out nothing.
 std::string leftOutText(const std::string& what, const LeftOut& left_out) {
   std::string text;
-  for (const Interval& stretch : left_out.stretches)
-    text += (text.empty() ? "" : ", ") + stretchText(stretch);
+  for (const Interval& interval : left_out.intervals)
+    text += (text.empty() ? "" : ", ") + intervalText(interval);
   return text.empty() ? text : "the " + what + " leaves out " + text;
 }
 

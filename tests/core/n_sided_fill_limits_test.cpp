@@ -52,7 +52,7 @@ TEST(NSidedFillLimits, Edges) {
   expectRefused(sides, HasSubstr("side 1: the edge has no tangent"));
 }
 
-TEST(NSidedFillLimits, CrossFields) {
+TEST(NSidedFillLimits, CrossBoundaryDerivatives) {
   for (double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     std::vector<FillSide> sides = square();
     (*sides[2].cross)(3, 1) = bad;

@@ -43,7 +43,7 @@ Poles listed(const json& patches) {
 
 TEST_P(FillOracle, ListedPatchesAreAmongThoseChosenFrom) {
   const int degree = GetParam()["mode"];
-  const fill::CrossFields fields = fill::crossFields(sides_, law_, degree, 0);
+  const fill::CrossBoundaryDerivatives fields = fill::crossBoundaryDerivatives(sides_, law_, degree, 0);
   const fill::FillSpace space = fill::fillSpace(sides_, fields, law_, degree);
   const Poles wanted = listed(GetParam()["patches"]);
   ASSERT_EQ(wanted.rows(), space.constants.rows());
@@ -56,7 +56,7 @@ TEST_P(FillOracle, ListedPatchesAreAmongThoseChosenFrom) {
 
 TEST_P(FillOracle, NumberOfFreePoints) {
   const int degree = GetParam()["mode"];
-  const fill::CrossFields fields = fill::crossFields(sides_, law_, degree, 0);
+  const fill::CrossBoundaryDerivatives fields = fill::crossBoundaryDerivatives(sides_, law_, degree, 0);
   const fill::FillSpace space = fill::fillSpace(sides_, fields, law_, degree);
   const int four = n_ == 4 ? 1 : 0;
   EXPECT_EQ(space.coefficients.cols(), degree == 4 ? 3 + 3 * n_ + four : 3 + 7 * n_ + 5 * four);

@@ -123,7 +123,7 @@ TEST_P(FillOfGraph, CurvatureAtTheCentreIsThatOfTheSurface) {
 // The spokes begin along a star of vectors sum_j cos(2 pi (k - j) / n) M_j, with M_j the middles of the sides.
 TEST_P(FillOfGraph, PrescribedSpokes) {
   const std::vector<FillSide> sides = skew(test::sphere(20));
-  const fill::CrossFields fields = fill::crossFields(sides, SpokeLaw::Linear, 6, 0);
+  const fill::CrossBoundaryDerivatives fields = fill::crossBoundaryDerivatives(sides, SpokeLaw::Linear, 6, 0);
   const fill::FillSpace space = fill::fillSpace(sides, fields, SpokeLaw::Linear, 6);
   const fill::Fairest fairest = fill::fairest(space, 3, std::nullopt);
   for (double scale : {0.5, 1.4}) {

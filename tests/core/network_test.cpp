@@ -455,7 +455,7 @@ TEST(Network, BadInputIsRefused) {
                   n.seams[0].held->d(0) = 0;
                 }),
                 "coefficient 0 of d of the law of seam 0 is 0");
-  expectRefused(net, "crossing_rad is 2", {.crossing_rad = 2});
+  expectRefused(net, "regular_rad is 2", {.regular_rad = 2});
   expectRefused(net, "max_iterations is -1", {.max_iterations = -1});
   EXPECT_EQ(nearestNetwork({}, {}).status, NetworkStatus::Unchanged);
   EXPECT_EQ(nearestNetwork(net.surfaces, {}).status, NetworkStatus::Unchanged);

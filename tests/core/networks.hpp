@@ -142,7 +142,7 @@ inline Net fan(const std::vector<Eigen::Vector2d>& r, const std::vector<Eigen::V
   return net;
 }
 
-/// A fan with the symmetry of a regular polygon in its plan.
+/// A fan with the symmetry of a regular vertex polygon in its plan.
 inline Net regularFan(int valence, std::mt19937_64& random) {
   std::vector<Eigen::Vector2d> r, w;
   for (int i = 0; i < valence; ++i) {

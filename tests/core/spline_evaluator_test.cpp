@@ -163,10 +163,10 @@ TEST(Evaluator, PeriodicSplinesRepeat) {
 
 /// The offset's fields from those of the basis: the tensor W (I - d W)^-1, the normal turned where the area does.
 Fields offsetAt(const Fields& basis, Real distance) {
-  const Matrix3 stretch = Matrix3::Identity() - distance * basis.tensor;
-  const Real side = stretch.determinant() < 0 ? -1 : 1;
+  const Matrix3 interval = Matrix3::Identity() - distance * basis.tensor;
+  const Real side = interval.determinant() < 0 ? -1 : 1;
   return {basis.point + distance * basis.normal, side * basis.normal,
-          side * basis.tensor * stretch.inverse()};
+          side * basis.tensor * interval.inverse()};
 }
 
 TEST(Evaluator, OffsetsAreHeldOnBothSidesOfTheFocus) {

@@ -370,7 +370,7 @@ TEST(Umbrella, ACrossingKeepsItsSpokes) {
       spokes[i] = BezierCurve(poles);
     }
     const Umbrella found = umbrellaAround(spokes);
-    EXPECT_TRUE(found.vertex.isCrossing());
+    EXPECT_TRUE(found.vertex.isRegular());
     EXPECT_LE(found.largest_spoke_move_mm, 1e-13) << run;
     EXPECT_LE(test::worstLaw(found), 1e-12) << run;
     // Hardly a crossing: the same to what the angle is.
@@ -378,7 +378,7 @@ TEST(Umbrella, ACrossingKeepsItsSpokes) {
     poles.row(1) += 1e-4 * (spokes[1].poles().row(1) - poles.row(0));
     spokes[0] = BezierCurve(poles);
     const Umbrella nearly = umbrellaAround(spokes);
-    EXPECT_FALSE(nearly.vertex.isCrossing());
+    EXPECT_FALSE(nearly.vertex.isRegular());
     EXPECT_LE(test::worstLaw(nearly), 1e-12) << run;
   }
 }

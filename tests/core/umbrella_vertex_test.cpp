@@ -174,7 +174,7 @@ TEST(UmbrellaVertex, RegularFansHaveKnownFigures) {
     for (int i = 0; i < m; ++i) r.col(i) << std::cos(2 * pi * i / m), std::sin(2 * pi * i / m), 0;
     const UmbrellaVertex vertex = umbrellaVertex(r, true);
     EXPECT_LE((vertex.alpha.array() - 2 * std::cos(2 * pi / m)).abs().maxCoeff(), 1e-14);
-    EXPECT_EQ(vertex.isCrossing(), m == 4);
+    EXPECT_EQ(vertex.isRegular(), m == 4);
     EXPECT_NEAR(vertex.angles_rad.sum(), 2 * pi, 1e-13);
     // |1 + w^k| of the roots of unity w^k.
     const double smallest = m % 2 == 1 ? 2 * std::sin(pi / (2 * m)) : 2 * std::sin(pi / m);

@@ -42,8 +42,8 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double at_pole = 0x1p-29;
 
 bool holds(const LeftOut& left_out, double s) {
-  return std::ranges::any_of(left_out.stretches,
-                             [&](const Interval& stretch) { return stretch.contains(s); });
+  return std::ranges::any_of(left_out.intervals,
+                             [&](const Interval& interval) { return interval.contains(s); });
 }
 
 double upperOf(const std::optional<Figure>& figure) {
@@ -94,7 +94,7 @@ Samples expectBoundsHold(const TopoDS_Shape& shape) {
   Samples samples;
   AnalyzeOptions options;
   for (const Seam& seam : occ::findSeams(shape).seams) {
-    const auto collapses = [](const occ::FaceUse& use) {
+    const auto collapses = [](const occ::Coedge& use) {
       return use.pole_tolerance_mm != std::array<double, 2>{};
     };
     if (std::ranges::none_of(seam.sides, collapses)) continue;
@@ -191,7 +191,7 @@ TEST(CollapsedEdges, AnAngleThatOnlyThePointShowsIsFound) {
     ASSERT_TRUE(seam.figures.angle_rad && seam.figures.angle_rad->upper) << describe(seam);
     EXPECT_GE(*seam.figures.angle_rad->upper, degree * (1 - 1e-9));
     EXPECT_GE(seam.figures.angle_rad->lower, 0.99 * degree);
-    EXPECT_TRUE(seam.figures.angle_left_out.stretches.empty());
+    EXPECT_TRUE(seam.figures.angle_left_out.intervals.empty());
     EXPECT_EQ(seam.verdict.level, Level::G0);
     EXPECT_TRUE(seam.verdict.certain) << describe(seam);
   }
@@ -209,18 +209,18 @@ TEST(CollapsedEdges, OfSmoothFacesVerdictsAreCertainUpToThePoint) {
                                       << result.figures.curvature_left_out.upper.value_or(infinite));
       EXPECT_EQ(result.verdict.level, Level::G2);
       EXPECT_TRUE(result.verdict.certain);
-      ASSERT_EQ(result.figures.curvature_left_out.stretches.size(), 1u);
-      const Interval& stretch = result.figures.curvature_left_out.stretches.front();
-      EXPECT_LE(stretch.width(), 0x1p-20);
-      EXPECT_GT(stretch.width(), 0x1p-24);
-      EXPECT_TRUE(stretch.lower == 0 || stretch.upper == 1);
+      ASSERT_EQ(result.figures.curvature_left_out.intervals.size(), 1u);
+      const Interval& interval = result.figures.curvature_left_out.intervals.front();
+      EXPECT_LE(interval.width(), 0x1p-20);
+      EXPECT_GT(interval.width(), 0x1p-24);
+      EXPECT_TRUE(interval.lower == 0 || interval.upper == 1);
     }
 }
 
 TEST(CollapsedEdges, ScatteredPolesLeaveOutAStretchThatCountsIfItIsLongerThanTheGapAccepted) {
   AnalyzeOptions options;
   options.tolerance.angle_rad =
-      0.2 * degree;  // where the stretch ends the scatter still turns the plane by 1 / 500
+      0.2 * degree;  // where the interval ends the scatter still turns the plane by 1 / 500
   for (const double scatter : {1e-12, 1e-9, 1e-8}) {
     SCOPED_TRACE(scatter);
     const TopoDS_Shape shape = sewn(fan(-1, 0, 0.25), fan(1, 0, 0.25, scatter));
@@ -232,11 +232,11 @@ TEST(CollapsedEdges, ScatteredPolesLeaveOutAStretchThatCountsIfItIsLongerThanThe
     const SeamResult point = onlySeamOf(shape, options);
     EXPECT_GE(point.verdict.level, Level::G1);
     EXPECT_TRUE(point.verdict.certain) << describe(point);
-    ASSERT_EQ(seam.figures.angle_left_out.stretches.size(), 1u);
-    const Interval& stretch = seam.figures.angle_left_out.stretches.front();
-    EXPECT_GE(stretch.width(), 400 * scatter);
-    EXPECT_LE(stretch.width(), 600 * scatter + 2e-7);
-    EXPECT_GE(seam.figures.curvature_left_out.stretches.at(0).width(), stretch.width());
+    ASSERT_EQ(seam.figures.angle_left_out.intervals.size(), 1u);
+    const Interval& interval = seam.figures.angle_left_out.intervals.front();
+    EXPECT_GE(interval.width(), 400 * scatter);
+    EXPECT_LE(interval.width(), 600 * scatter + 2e-7);
+    EXPECT_GE(seam.figures.curvature_left_out.intervals.at(0).width(), interval.width());
   }
   const SeamResult sharp = onlySeamOf(sewn(fan(-1, 0, 0.25), fan(1, 0.01, 0.25, 1e-9)));
   EXPECT_EQ(sharp.verdict.level, Level::G0);

@@ -115,7 +115,7 @@ TEST(CurvatureChange, ThirdPartialsOfAStripAreThoseOfTheSurface) {
     const gp_Vec d = surface->DN(uv.X(), uv.Y(), u_order, v_order);
     return Eigen::Vector3d(d.X(), d.Y(), d.Z());
   };
-  for (const occ::FaceUse& use : graph.seams[0].sides) {
+  for (const occ::Coedge& use : graph.seams[0].sides) {
     const occ::FaceStrip strip(use, occ::pcurveOf(use.edge, use.shape, 0.01), occ::JetOrder::Third);
     for (const double s : {0.0, 0.3, 1.0}) {
       const SidePoint side = strip.at(s);

@@ -172,7 +172,7 @@ double hintAt(const std::vector<double>& knots, double value, double into) {
   return value;
 }
 
-std::optional<ExactJet> jetOf(const occ::FaceUse& use, const occ::Pcurve& pcurve, double s) {
+std::optional<ExactJet> jetOf(const occ::Coedge& use, const occ::Pcurve& pcurve, double s) {
   TopLoc_Location location;
   handle<Geom_Surface> surface = BRep_Tool::Surface(use.shape, location);
   while (const auto trimmed = handle<Geom_RectangularTrimmedSurface>::DownCast(surface))

@@ -54,7 +54,7 @@ Joint jointOf(const occ::Seam& seam, Ask ask, int order) {
   Joint joint;
   joint.ask = ask;
   joint.order = order;
-  for (const occ::FaceUse& side : seam.sides) {
+  for (const occ::Coedge& side : seam.sides) {
     joint.sides.push_back(side);
     joint.paths.push_back(occ::pcurveOf(side.edge, side.shape, 0.01));
   }
@@ -70,7 +70,7 @@ std::vector<Joint> jointsOf(const TopoDS_Shape& shape, Ask ask, int order) {
     joints.push_back(jointOf(seam, ask, order));
     joints.back().seam = joints.size() - 1;
   }
-  for (const occ::FaceUse& use : graph.open_uses) {
+  for (const occ::Coedge& use : graph.open_uses) {
     Joint joint;
     joint.ask = Ask::Outline;
     joint.order = 0;

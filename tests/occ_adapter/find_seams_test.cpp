@@ -46,7 +46,7 @@ TEST(FindSeams, AFaceAloneHasOpenEdges) {
   const SeamGraph graph = findSeams(BRepBuilderAPI_MakeFace(gp_Pln(), 0, 1, 0, 1).Shape());
   EXPECT_TRUE(graph.seams.empty());
   ASSERT_EQ(graph.open.size(), 4u);
-  for (const occ::LooseEdge& edge : graph.open) EXPECT_EQ(edge.faces, std::vector<int>{1});
+  for (const occ::NonSeamEdge& edge : graph.open) EXPECT_EQ(edge.faces, std::vector<int>{1});
 }
 
 TEST(FindSeams, ABoxWithoutItsLid) {
@@ -67,7 +67,7 @@ TEST(FindSeams, AFaceSharedByTwoSolidsCountsOnceAndItsEdgesAreNonManifold) {
   EXPECT_EQ(graph.seams.size(), 16u);
   EXPECT_TRUE(graph.open.empty());
   ASSERT_EQ(graph.non_manifold.size(), 4u);
-  for (const occ::LooseEdge& edge : graph.non_manifold)
+  for (const occ::NonSeamEdge& edge : graph.non_manifold)
     EXPECT_EQ(std::set<int>(edge.faces.begin(), edge.faces.end()).size(), 3u);
 }
 
@@ -135,14 +135,14 @@ TEST(FindSeams, NumbersAreThoseOfTheMapsOfTheShape) {
     for (const TopoDS_Shape& face : ancestors.FindFromKey(edges(seam.edges.front())))
       expected.insert(faces.FindIndex(face));
     EXPECT_EQ(found, expected);
-    for (const occ::FaceUse& side : seam.sides) EXPECT_TRUE(side.edge.IsSame(edges(seam.edges.front())));
+    for (const occ::Coedge& side : seam.sides) EXPECT_TRUE(side.edge.IsSame(edges(seam.edges.front())));
   }
 }
 
 TEST(FindSeams, TheFaceLiesToTheLeftOfItsEdge) {
   for (const TopoDS_Shape& shape : {plateWithHole(), plateWithHole().Reversed(), gluedBoxes()})
     for (const occ::Seam& seam : findSeams(shape).seams)
-      for (const occ::FaceUse& side : seam.sides) {
+      for (const occ::Coedge& side : seam.sides) {
         EXPECT_EQ(side.shape.Orientation(), TopAbs_FORWARD);
         double first = 0, last = 0;
         const auto path = BRep_Tool::CurveOnSurface(side.edge, side.shape, first, last);

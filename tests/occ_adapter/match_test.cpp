@@ -110,7 +110,7 @@ double gap(const SeamResult& seam) {
 const double no_gap_mm = 0.01 * ContinuityTolerance().gap_mm;
 
 /// The point of a place of a side, from the edge's curve in space.
-gp_Pnt pointAt(const occ::FaceUse& side, double place) {
+gp_Pnt pointAt(const occ::Coedge& side, double place) {
   const BRepAdaptor_Curve curve(side.edge);
   return curve.Value(curve.FirstParameter() + place * (curve.LastParameter() - curve.FirstParameter()));
 }
@@ -352,7 +352,7 @@ TEST(Match, ThreeFacesAtALineAreNotManifold) {
   EXPECT_THAT(graph.seams, IsEmpty());
   EXPECT_THAT(graph.open, SizeIs(9));
   ASSERT_THAT(graph.non_manifold, SizeIs(3));
-  for (const occ::LooseEdge& edge : graph.non_manifold) EXPECT_THAT(edge.faces, ElementsAre(1, 2, 3));
+  for (const occ::NonSeamEdge& edge : graph.non_manifold) EXPECT_THAT(edge.faces, ElementsAre(1, 2, 3));
 }
 
 TEST(Match, AThirdFaceAlongAPartLeavesTheRest) {
@@ -436,7 +436,7 @@ TEST(Match, OrderAndPlaceOfTheFacesDoNotMatter) {
     const std::vector<Figures> found = figures(shape);
     ASSERT_EQ(found.size(), expected.size());
     for (std::size_t i = 0; i < found.size(); ++i) {
-      // A stretch is as long on one edge as on the other but for about the gap.
+      // An interval is as long on one edge as on the other but for about the gap.
       EXPECT_NEAR(found[i].length, expected[i].length, 0.01);
       EXPECT_NEAR(found[i].gap, expected[i].gap, 1e-6);
       EXPECT_NEAR(found[i].angle, expected[i].angle, 1e-6);

@@ -35,7 +35,7 @@ std::string textOf(const TopoDS_Shape& shape) {
 
 struct Fixture {
   TopoDS_Shape shape = planeAndCylinder(10, 8);
-  occ::FaceUse cylinder = occ::findSeams(shape).seams.at(0).sides[1];
+  occ::Coedge cylinder = occ::findSeams(shape).seams.at(0).sides[1];
   TopoDS_Edge edge = TopoDS::Edge(cylinder.edge.Oriented(TopAbs_FORWARD));
 
   Path path() const {

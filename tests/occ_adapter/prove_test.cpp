@@ -277,13 +277,13 @@ TEST(Prove, ChecksThatPassedPassStill) {
         handle<Geom_Curve>::DownCast(BRep_Tool::Curve(spoilt, first, last)->Translated(gp_Vec(0, 0, 0.3)));
     BRep_Builder().UpdateEdge(spoilt, curve, 1e-7);
   };
-  EXPECT_TRUE(occ::soundnessOf(strips.shape(), 1).whole);
+  EXPECT_TRUE(occ::validityOf(strips.shape(), 1).whole);
   spoil(changed);
   const Proof proof = strips.proofOf(strips.task(), changes, changed);
   ASSERT_EQ(proof.faces.size(), 1) << textOf(proof);
   EXPECT_EQ(proof.faces.at(3), "OpenCASCADE's checks do not pass");
   spoil(strips.shape());
-  EXPECT_FALSE(occ::soundnessOf(strips.shape(), 1).whole);
+  EXPECT_FALSE(occ::validityOf(strips.shape(), 1).whole);
   EXPECT_TRUE(strips.proofOf(strips.task(), changes, changed).holds());
 }
 
@@ -332,10 +332,10 @@ TopoDS_Shape fan(int faces) {
 TEST(Prove, ChecksOfFacesThatShareAnEdgeAreTheSameOnTwoThreads) {
   const TopoDS_Shape shape = fan(24);
   ASSERT_EQ(partsOf(shape, TopAbs_EDGE).Extent(), 1 + 3 * 24);
-  ASSERT_TRUE(occ::soundnessOf(shape, 1).whole);
-  int unsound = 0;
-  for (int k = 0; k < 150; ++k) unsound += occ::soundnessOf(shape, 2).whole ? 0 : 1;
-  EXPECT_EQ(unsound, 0);
+  ASSERT_TRUE(occ::validityOf(shape, 1).whole);
+  int invalid = 0;
+  for (int k = 0; k < 150; ++k) invalid += occ::validityOf(shape, 2).whole ? 0 : 1;
+  EXPECT_EQ(invalid, 0);
 }
 
 TEST(Prove, ChecksLeaveNoThreadBehind) {
@@ -345,7 +345,7 @@ TEST(Prove, ChecksLeaveNoThreadBehind) {
   if (!std::filesystem::exists("/proc/self/task")) GTEST_SKIP();
   const TopoDS_Shape shape = fan(24);
   const auto before = threads();
-  EXPECT_TRUE(occ::soundnessOf(shape, 2).whole);
+  EXPECT_TRUE(occ::validityOf(shape, 2).whole);
   EXPECT_EQ(threads(), before);
 }
 

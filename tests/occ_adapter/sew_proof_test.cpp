@@ -65,7 +65,7 @@ class LoosePair {
   }
 
   occ::SeamResult& before() { return before_.at(0); }
-  SewSolution sewn() const { return occ::sewLoose({shape_, seams_, before_, options_}, {}); }
+  SewSolution sewn() const { return occ::sewFreeEdges({shape_, seams_, before_, options_}, {}); }
 
  private:
   static TopoDS_Shape pairOf(double step_mm, double turn_rad) {

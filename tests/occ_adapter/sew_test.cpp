@@ -283,7 +283,7 @@ TEST(Sew, ALongEdgeIsCut) {
     const TopTools_IndexedMapOfShape edges = partsOf(shape, TopAbs_EDGE);
     int cut = 0;
     for (int e = 1; e <= edges.Extent(); ++e) cut += report.edges_now[e].size() == 4;
-    EXPECT_EQ(cut, 1);  // three stretches and the rest
+    EXPECT_EQ(cut, 1);  // three intervals and the rest
     EXPECT_EQ(count(report.model.shape, TopAbs_SHELL), 1);
   }
 }

@@ -135,18 +135,18 @@ TEST(LeftOut, IsInJsonAndNote) {
                                                               {"curvature_rel", Json::array()}}));
   seam.figures.angle_left_out = {{{0.9995, 1}}, std::nullopt};
   seam.figures.curvature_left_out = {{{0, 1e-6}, {0.25, 0.250001}, {0.9995, 1}}, std::nullopt};
-  const Json stretches = Json::parse("[[0.0, 1e-6], [0.25, 0.250001], [0.9995, 1.0]]");
+  const Json intervals = Json::parse("[[0.0, 1e-6], [0.25, 0.250001], [0.9995, 1.0]]");
   EXPECT_EQ(toJson(seam, report.tolerance)["left_out"], (Json{{"angle_deg", Json::parse("[[0.9995, 1.0]]")},
-                                                              {"curvature_per_mm", stretches},
-                                                              {"curvature_rel", stretches}}));
-  const std::string stretches_text =
+                                                              {"curvature_per_mm", intervals},
+                                                              {"curvature_rel", intervals}}));
+  const std::string intervals_text =
       "the angle leaves out the last 0.0005; "
       "the curvature leaves out the first 1e-06, 0.25 to 0.250001, the last 0.0005";
-  EXPECT_EQ(noteOf(seam, report.tolerance), stretches_text);
+  EXPECT_EQ(noteOf(seam, report.tolerance), intervals_text);
   seam.verdict.certain = false;
   EXPECT_EQ(
       noteOf(seam, report.tolerance),
-      stretches_text + "; not certified: angle is not known where it is left out, with 0.1 deg as its limit");
+      intervals_text + "; not certified: angle is not known where it is left out, with 0.1 deg as its limit");
   seam.figures.angle_left_out.upper = 0.2 * degree;
   EXPECT_THAT(noteOf(seam, report.tolerance),
               EndsWith("angle is up to 0.2 deg where it is left out, with 0.1 deg as its limit"));

@@ -10,8 +10,8 @@
 /// Where edges have to be cut so that parts of them can become one; not a public header.
 namespace seamwright::occ {
 
-/// The stretch of a matched seam as pieces of its two edges.
-struct SewnStretch {
+/// The interval of a matched seam as pieces of its two edges.
+struct SewnInterval {
   std::size_t seam = 0;
   std::array<int, 2> edges{};
   std::array<int, 2> pieces{};  ///< from 0, in the sense of each edge's curve
@@ -20,14 +20,14 @@ struct SewnStretch {
 };
 
 /// Edges cut into pieces, and the pieces that become one.
-struct SewnStretches {
-  std::vector<SewnStretch> stretches;
+struct SewnIntervals {
+  std::vector<SewnInterval> intervals;
   std::map<int, std::vector<double>> cuts;     ///< by edge: 0, places between, 1
   std::map<std::size_t, std::string> refused;  ///< seams, with the reason
 };
 
 /// Places nearer than \p gap_mm to one another, or to an end, are one.
-SewnStretches sewnStretches(const std::vector<Seam>& seams, const std::vector<std::size_t>& chosen,
+SewnIntervals sewnIntervals(const std::vector<Seam>& seams, const std::vector<std::size_t>& chosen,
                             double gap_mm);
 
 }  // namespace seamwright::occ

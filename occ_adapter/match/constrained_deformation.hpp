@@ -6,10 +6,10 @@
 
 #include <seamwright/occ_adapter/match/reference.hpp>
 
-/// A side of a spline surface that is made to follow another face; not a public header.
+/// The deformation of a spline surface whose side is constrained to meet another face; not a public header.
 namespace seamwright::occ {
 
-struct FollowOptions {
+struct DeformationOptions {
   int order = 1;
   bool hold_sides = false;
   ContinuityTolerance tolerance;
@@ -36,14 +36,14 @@ double largestMove_mm(const EdgeRows& before, const EdgeRows& after, int order);
 /// rows that meet them alike the one that moves least (Tikhonov, 1e-5 of a unit row). A column that is one point stays
 /// one. Weights stay.
 /// Source: docs/theory/surfaces.md S5.5.
-MovedSurface follow(const EdgeRows& rows, const Reference& reference, const FollowOptions& options);
+MovedSurface deformed(const EdgeRows& rows, const Reference& reference, const DeformationOptions& options);
 
 /// For each knot span along the side the largest figure over its tolerance, sampled; infinite where the faces fold.
 std::vector<double> sampledRatios(const EdgeRows& rows, const Reference& reference,
-                                  const FollowOptions& options);
+                                  const DeformationOptions& options);
 
 /// Why the side's first and last column can't stay, with numbers; empty if they can.
-std::string whySidesMove(const EdgeRows& rows, const Reference& reference, const FollowOptions& options);
+std::string whySidesMove(const EdgeRows& rows, const Reference& reference, const DeformationOptions& options);
 
 /// Whether a surface's normal turned by 90 degrees or more where rows 0..order were moved; sampled.
 bool isTurnedOver(const EdgeRows& before, const EdgeRows& after, int order);

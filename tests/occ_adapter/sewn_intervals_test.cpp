@@ -10,16 +10,16 @@
 #include <gp_Pln.hxx>
 #include <numeric>
 
-#include <seamwright/occ_adapter/repair/stretches.hpp>
+#include <seamwright/occ_adapter/repair/sewn_intervals.hpp>
 #include <seamwright/occ_adapter/seams/match.hpp>
 
 namespace seamwright::test {
 namespace {
 
 using occ::Seam;
-using occ::SewnStretch;
-using occ::SewnStretches;
-using occ::sewnStretches;
+using occ::SewnInterval;
+using occ::SewnIntervals;
+using occ::sewnIntervals;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
@@ -44,16 +44,16 @@ std::vector<Seam> seamsOf(const std::vector<Plate>& plates) {
   return seams;
 }
 
-SewnStretches cutUp(const std::vector<Seam>& seams, double gap = gap_mm) {
+SewnIntervals cutUp(const std::vector<Seam>& seams, double gap = gap_mm) {
   std::vector<std::size_t> all(seams.size());
   std::iota(all.begin(), all.end(), 0);
-  return sewnStretches(seams, all, gap);
+  return sewnIntervals(seams, all, gap);
 }
 
 /// The cuts of the longest list, from either end.
-std::vector<double> cutsOf(const SewnStretches& stretches) {
+std::vector<double> cutsOf(const SewnIntervals& intervals) {
   std::vector<double> cuts;
-  for (const auto& [edge, own] : stretches.cuts)
+  for (const auto& [edge, own] : intervals.cuts)
     if (own.size() > cuts.size()) cuts = own;
   if (cuts.size() > 2 && cuts[1] > 1 - cuts[cuts.size() - 2]) {
     std::ranges::reverse(cuts);
@@ -62,12 +62,12 @@ std::vector<double> cutsOf(const SewnStretches& stretches) {
   return cuts;
 }
 
-TEST(Stretches, ALongEdgeIsCutWhereItsNeighboursEnd) {
+TEST(Intervals, ALongEdgeIsCutWhereItsNeighboursEnd) {
   // From y = -10 to 30; the neighbours end at 5, 20 and 29.
-  const SewnStretches cut =
+  const SewnIntervals cut =
       cutUp(seamsOf({{0, 10, -10, 30}, {10, 20, -10, 5}, {10, 20, 5, 20}, {10, 20, 20, 29}}));
   EXPECT_THAT(cut.refused, IsEmpty());
-  ASSERT_EQ(cut.stretches.size(), 3);
+  ASSERT_EQ(cut.intervals.size(), 3);
   const std::vector<double> cuts = cutsOf(cut);
   ASSERT_EQ(cuts.size(), 5);
   const bool from_below = cuts[1] > 0.1;
@@ -76,11 +76,11 @@ TEST(Stretches, ALongEdgeIsCutWhereItsNeighboursEnd) {
     EXPECT_NEAR(cuts[k], from_below ? below[k] : 1 - below[4 - k], 1e-9) << k;
   // Each neighbour's edge is one piece, the long one's pieces are all different.
   std::vector<int> pieces;
-  for (const SewnStretch& stretch : cut.stretches)
+  for (const SewnInterval& interval : cut.intervals)
     for (const int side : {0, 1}) {
-      const std::size_t count = cut.cuts.at(stretch.edges[side]).size();
+      const std::size_t count = cut.cuts.at(interval.edges[side]).size();
       if (count == 5)
-        pieces.push_back(stretch.pieces[side]);
+        pieces.push_back(interval.pieces[side]);
       else
         EXPECT_EQ(count, 2);
     }
@@ -90,7 +90,7 @@ TEST(Stretches, ALongEdgeIsCutWhereItsNeighboursEnd) {
   EXPECT_EQ(pieces[2], pieces[1] + 1);
 }
 
-TEST(Stretches, EndsWithinTheGapAreOne) {
+TEST(Intervals, EndsWithinTheGapAreOne) {
   // One ends 0.008 mm before the next begins, and the last 0.008 mm before the edge does.
   const std::vector<Seam> seams = seamsOf({{0, 10, -10, 30}, {10, 20, -10, 4.992}, {10, 20, 5, 29.992}});
   EXPECT_EQ(cutsOf(cutUp(seams)).size(), 3);
@@ -98,16 +98,16 @@ TEST(Stretches, EndsWithinTheGapAreOne) {
   EXPECT_EQ(cutsOf(cutUp(seams, 0.005)).size(), 5);
 }
 
-TEST(Stretches, OneThatVanishesInTheGapIsRefused) {
+TEST(Intervals, OneThatVanishesInTheGapIsRefused) {
   const std::vector<Seam> seams = seamsOf({{0, 10, -10, 30}, {10, 20, -10, 5}, {10, 20, 5, 29}});
-  const SewnStretches cut = cutUp(seams, 18);
+  const SewnIntervals cut = cutUp(seams, 18);
   ASSERT_EQ(cut.refused.size(), 1);
   EXPECT_THAT(cut.refused.begin()->second, HasSubstr("is no longer than the gap tolerance"));
   // It is in the way of no other.
-  EXPECT_EQ(cut.stretches.size(), 2);
+  EXPECT_EQ(cut.intervals.size(), 2);
 }
 
-TEST(Stretches, WhatOverlapsIsRefused) {
+TEST(Intervals, WhatOverlapsIsRefused) {
   std::vector<Seam> seams = seamsOf({{0, 10, -10, 30}, {10, 20, -10, 30}});
   ASSERT_EQ(seams.size(), 1);
   const int edge = seams[0].edges[0];
@@ -115,14 +115,14 @@ TEST(Stretches, WhatOverlapsIsRefused) {
   Seam middle = seams[0];
   middle.edges[1] = 99;
   for (double& place : middle.correspondence.a) place = 0.3 + 0.3 * place;
-  const SewnStretches crossing = cutUp({seams[0], middle});
+  const SewnIntervals crossing = cutUp({seams[0], middle});
   EXPECT_EQ(crossing.refused.at(0),
-            "along it another stretch of edge " + std::to_string(edge) + " begins or ends");
+            "along it another interval of edge " + std::to_string(edge) + " begins or ends");
   EXPECT_EQ(crossing.refused.count(1), 0);
   // And over all of it.
   Seam twice = seams[0];
   twice.edges[1] = 99;
-  const SewnStretches same = cutUp({seams[0], twice});
+  const SewnIntervals same = cutUp({seams[0], twice});
   EXPECT_EQ(same.refused.count(0), 0);
   EXPECT_EQ(same.refused.at(1), "edge " + std::to_string(edge) + " lies along another edge there too");
 }

@@ -19,7 +19,7 @@ struct Foot {
 };
 
 /// Two paths that run side by side: a increases and b increases or decreases from foot to foot.
-struct Stretch {
+struct EdgeInterval {
   std::size_t path_a = 0;
   std::size_t path_b = 0;
   std::vector<Foot> feet;  ///< at least two
@@ -41,9 +41,9 @@ class PairWalk {
  public:
   PairWalk(const EdgePath& a, const EdgePath& b, const ClosePieces& close, double match_mm);
 
-  /// Stretches by increasing a, however short. Their ends are where the distance or the angle is
+  /// Intervals by increasing a, however short. Their ends are where the distance or the angle is
   /// exceeded, or where either path ends; closed paths end at their start.
-  std::vector<std::vector<Foot>> stretches() const;
+  std::vector<std::vector<Foot>> intervals() const;
 
  private:
   std::vector<double> events() const;

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <sstream>
 
-#include <seamwright/occ_adapter/match/follow.hpp>
+#include <seamwright/occ_adapter/match/constrained_deformation.hpp>
 #include <seamwright/occ_adapter/match/least_moves.hpp>
 #include <seamwright/occ_adapter/match/side_basis.hpp>
 
@@ -44,7 +44,7 @@ std::vector<int> columnsOf(const Target& target) {
 /// Moves the rows one after the other.
 class Follower {
  public:
-  Follower(EdgeRows& rows, const Reference& reference, const FollowOptions& options)
+  Follower(EdgeRows& rows, const Reference& reference, const DeformationOptions& options)
       : rows_(rows), options_(options), basis_(rows), targets_(targetsOf(rows, basis_, reference)) {
     for (const int column : {0, rows.columns() - 1}) collapsed_.push_back(isCollapsed(rows, column));
   }
@@ -105,7 +105,7 @@ class Follower {
   }
 
   EdgeRows& rows_;
-  const FollowOptions& options_;
+  const DeformationOptions& options_;
   SideBasis basis_;
   std::vector<Target> targets_;
   std::vector<bool> collapsed_;
@@ -167,7 +167,7 @@ double largestMove_mm(const EdgeRows& before, const EdgeRows& after, int order) 
   return largest;
 }
 
-MovedSurface follow(const EdgeRows& rows, const Reference& reference, const FollowOptions& options) {
+MovedSurface deformed(const EdgeRows& rows, const Reference& reference, const DeformationOptions& options) {
   MovedSurface moved{rows.surface(), copyOf(*rows.surface()), 0};
   EdgeRows changed(moved.after, rows.edge(), rows.reversed());
   Follower(changed, reference, options).run();
@@ -176,7 +176,7 @@ MovedSurface follow(const EdgeRows& rows, const Reference& reference, const Foll
 }
 
 std::vector<double> sampledRatios(const EdgeRows& rows, const Reference& reference,
-                                  const FollowOptions& options) {
+                                  const DeformationOptions& options) {
   constexpr int per_span = 9;
   const std::vector<double> t = placesInSpans(rows.knotsAlong(), per_span);
   std::vector<double> ratios;
@@ -190,7 +190,8 @@ std::vector<double> sampledRatios(const EdgeRows& rows, const Reference& referen
   return ratios;
 }
 
-std::string whySidesMove(const EdgeRows& rows, const Reference& reference, const FollowOptions& options) {
+std::string whySidesMove(const EdgeRows& rows, const Reference& reference,
+                         const DeformationOptions& options) {
   const SideBasis basis(rows);
   std::ostringstream text;
   for (const double t : {0.0, 1.0}) {

@@ -4,7 +4,7 @@
 #include <map>
 #include <numbers>
 
-#include <seamwright/occ_adapter/seams/stretch.hpp>
+#include <seamwright/occ_adapter/seams/edge_interval.hpp>
 
 namespace seamwright::occ {
 
@@ -31,17 +31,17 @@ double interpolate(const std::vector<Foot>& feet, const Key& key, const Value& v
 
 }  // namespace
 
-double Stretch::bOf(double a) const {
+double EdgeInterval::bOf(double a) const {
   return interpolate(
       feet, [](const Foot& f) { return f.a; }, [](const Foot& f) { return f.b; }, a);
 }
 
-double Stretch::aOf(double b) const {
+double EdgeInterval::aOf(double b) const {
   return interpolate(
       feet, [](const Foot& f) { return f.b; }, [](const Foot& f) { return f.a; }, b);
 }
 
-double Stretch::distanceAt_mm(double a) const {
+double EdgeInterval::distanceAt_mm(double a) const {
   return interpolate(
       feet, [](const Foot& f) { return f.a; }, [](const Foot& f) { return f.distance_mm; }, a);
 }
@@ -129,7 +129,7 @@ bool PairWalk::join(std::vector<Foot>& feet, const Foot& next) const {
   return true;
 }
 
-std::vector<std::vector<Foot>> PairWalk::stretches() const {
+std::vector<std::vector<Foot>> PairWalk::intervals() const {
   std::vector<std::vector<Foot>> found;
   std::vector<Foot> feet;
   const auto finish = [&](double bad) {

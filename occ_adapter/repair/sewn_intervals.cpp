@@ -3,7 +3,7 @@
 #include <cmath>
 #include <set>
 
-#include <seamwright/occ_adapter/repair/stretches.hpp>
+#include <seamwright/occ_adapter/repair/sewn_intervals.hpp>
 
 namespace seamwright::occ {
 
@@ -16,29 +16,29 @@ class Cutter {
     for (const std::size_t seam : chosen) add(seam);
   }
 
-  SewnStretches run() {
+  SewnIntervals run() {
     for (auto& [edge, cuts] : result_.cuts) cuts = merged(edge, cuts);
-    for (SewnStretch& stretch : result_.stretches) settle(stretch);
+    for (SewnInterval& interval : result_.intervals) settle(interval);
     return std::move(result_);
   }
 
  private:
   void add(std::size_t number) {
     const Seam& seam = seams_[number];
-    SewnStretch stretch;
-    stretch.seam = number;
-    stretch.places = {Places{seam.correspondence.a.front(), seam.correspondence.a.back()},
-                      Places{seam.correspondence.b.front(), seam.correspondence.b.back()}};
+    SewnInterval interval;
+    interval.seam = number;
+    interval.places = {Places{seam.correspondence.a.front(), seam.correspondence.a.back()},
+                       Places{seam.correspondence.b.front(), seam.correspondence.b.back()}};
     for (const int side : {0, 1}) {
       const int edge = seam.edges[side];
-      stretch.edges[side] = edge;
+      interval.edges[side] = edge;
       if (paths_.count(edge) == 0) {
-        const FaceUse& use = seam.sides[side];
+        const Coedge& use = seam.sides[side];
         paths_[edge] = {surfaceOf(use.shape), pathOrBuilt(use.edge, use.shape, gap_mm_)};
       }
-      for (const double place : stretch.places[side]) result_.cuts[edge].push_back(place);
+      for (const double place : interval.places[side]) result_.cuts[edge].push_back(place);
     }
-    result_.stretches.push_back(stretch);
+    result_.intervals.push_back(interval);
   }
 
   gp_Pnt point(int edge, double place) const {
@@ -67,39 +67,39 @@ class Cutter {
     return static_cast<int>(found - cuts.begin());
   }
 
-  void settle(SewnStretch& stretch) {
+  void settle(SewnInterval& interval) {
     std::string why;
     for (const int side : {0, 1}) {
-      const std::vector<double>& cuts = result_.cuts.at(stretch.edges[side]);
-      Places& places = stretch.places[side];
+      const std::vector<double>& cuts = result_.cuts.at(interval.edges[side]);
+      Places& places = interval.places[side];
       const int from = nearest(cuts, places[0]), to = nearest(cuts, places[1]);
       if (std::abs(to - from) > 1)
-        why = "along it another stretch of " + edgeOf(stretch, side) + " begins or ends";
+        why = "along it another interval of " + edgeOf(interval, side) + " begins or ends";
       else if (to == from)
-        why = "its stretch of " + edgeOf(stretch, side) + " is no longer than the gap tolerance";
-      stretch.pieces[side] = std::min(from, to);
+        why = "its interval of " + edgeOf(interval, side) + " is no longer than the gap tolerance";
+      interval.pieces[side] = std::min(from, to);
       places = {cuts[from], cuts[to]};
     }
     for (const int side : {0, 1})
-      if (why.empty() && !taken_.insert({stretch.edges[side], stretch.pieces[side]}).second)
-        why = edgeOf(stretch, side) + " lies along another edge there too";
-    if (!why.empty()) result_.refused[stretch.seam] = why;
+      if (why.empty() && !taken_.insert({interval.edges[side], interval.pieces[side]}).second)
+        why = edgeOf(interval, side) + " lies along another edge there too";
+    if (!why.empty()) result_.refused[interval.seam] = why;
   }
 
-  static std::string edgeOf(const SewnStretch& stretch, int side) {
-    return "edge " + std::to_string(stretch.edges[side]);
+  static std::string edgeOf(const SewnInterval& interval, int side) {
+    return "edge " + std::to_string(interval.edges[side]);
   }
 
   const std::vector<Seam>& seams_;
   double gap_mm_;
   std::map<int, EdgeSide> paths_;
   std::set<std::pair<int, int>> taken_;
-  SewnStretches result_;
+  SewnIntervals result_;
 };
 
 }  // namespace
 
-SewnStretches sewnStretches(const std::vector<Seam>& seams, const std::vector<std::size_t>& chosen,
+SewnIntervals sewnIntervals(const std::vector<Seam>& seams, const std::vector<std::size_t>& chosen,
                             double gap_mm) {
   return Cutter(seams, chosen, gap_mm).run();
 }
