@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Holes filled by fillHole() and by what OpenCASCADE has for it: BRepOffsetAPI_MakeFilling, asked for G1 and for G2, and
-// GeomFill_ConstrainedFilling. A face is taken out of a model; each fills what it leaves. Angles and gaps are upper ends of the enclosures
-// along all new seams, the outer ones and, where a fill has several faces, the inner ones; times are of building alone, the least of some.
-// What the neighbours of a hole ask of every fill is told by OpenCASCADE's evaluation at its corners alone.
+// Holes filled by fillHole() and by what OpenCASCADE has for it: BRepOffsetAPI_MakeFilling, asked
+// for G1 and for G2, and GeomFill_ConstrainedFilling. A face is taken out of a model; each fills
+// what it leaves. Angles and gaps are upper ends of the enclosures along all new seams, the outer
+// ones and, where a fill has several faces, the inner ones; times are of building alone, the least
+// of some. What the neighbours of a hole ask of every fill is told by OpenCASCADE's evaluation at
+// its corners alone.
 #include <Adaptor3d_CurveOnSurface.hxx>
 #include <BRepAdaptor_Curve2d.hxx>
 #include <BRepAdaptor_Surface.hxx>
@@ -50,7 +52,8 @@ double secondsOf(const std::function<void()>& work, int times) {
   for (int i = 0; i < times && (i == 0 || least < slow_s); ++i) {
     const auto start = std::chrono::steady_clock::now();
     work();
-    least = std::min(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    least = std::min(
+        least, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
   return least;
 }
@@ -67,7 +70,8 @@ double upperOf(const std::optional<Figure>& figure) {
 }
 
 void add(const SeamResult& seam, Outcome& outcome) {
-  outcome.angle_deg = std::max(outcome.angle_deg, upperOf(seam.figures.angle_rad) * 180 / std::numbers::pi);
+  outcome.angle_deg =
+      std::max(outcome.angle_deg, upperOf(seam.figures.angle_rad) * 180 / std::numbers::pi);
   outcome.gap_mm = std::max(outcome.gap_mm, upperOf(seam.figures.gap_mm));
   outcome.curvature_rel = std::max(outcome.curvature_rel, upperOf(seam.figures.curvature_rel));
 }
@@ -111,8 +115,8 @@ Outcome measured(const TopoDS_Shape& rest, const TopoDS_Face& fill, double lengt
     covered_mm += result.length_mm;
   }
   if (covered_mm < 0.95 * length_mm)
-    outcome.note =
-        "only " + std::to_string(static_cast<int>(100 * covered_mm / length_mm)) + " % of the hole met";
+    outcome.note = "only " + std::to_string(static_cast<int>(100 * covered_mm / length_mm)) +
+                   " % of the hole met";
   return outcome;
 }
 
@@ -136,7 +140,8 @@ std::optional<Opened> opened(const HoleCase& of) {
   TopExp::MapShapes(rest, TopAbs_EDGE, edges);
   for (const Hole& hole : occ::findHoles(rest).holes)
     for (TopExp_Explorer edge(faces(of.face), TopAbs_EDGE); edge.More(); edge.Next())
-      if (edges.FindIndex(edge.Current()) == hole.sides.front().edges.front().edge) return Opened{rest, hole};
+      if (edges.FindIndex(edge.Current()) == hole.sides.front().edges.front().edge)
+        return Opened{rest, hole};
   return std::nullopt;
 }
 
@@ -148,7 +153,8 @@ Outcome makeFilling(const Opened& of, GeomAbs_Shape order, int times) {
         try {
           BRepOffsetAPI_MakeFilling fill;
           for (const occ::HoleSide& side : of.hole.sides)
-            for (const occ::HoleEdge& edge : side.edges) fill.Add(edge.use.edge, edge.use.shape, order);
+            for (const occ::HoleEdge& edge : side.edges)
+              fill.Add(edge.use.edge, edge.use.shape, order);
           fill.Build();
           if (fill.IsDone()) face = TopoDS::Face(fill.Shape());
         } catch (const Standard_Failure& error) {
@@ -178,8 +184,10 @@ Outcome constrainedFilling(const Opened& of, int times) {
             const occ::Coedge& use = side.edges.front().use;
             const opencascade::handle<BRepAdaptor_Curve2d> path =
                 new BRepAdaptor_Curve2d(use.edge, use.shape);
-            const opencascade::handle<BRepAdaptor_Surface> surface = new BRepAdaptor_Surface(use.shape);
-            sides.push_back(new GeomFill_BoundWithSurf(Adaptor3d_CurveOnSurface(path, surface), 1e-4, 1e-4));
+            const opencascade::handle<BRepAdaptor_Surface> surface =
+                new BRepAdaptor_Surface(use.shape);
+            sides.push_back(
+                new GeomFill_BoundWithSurf(Adaptor3d_CurveOnSurface(path, surface), 1e-4, 1e-4));
           }
           GeomFill_ConstrainedFilling fill(11, 30);
           if (n == 3)
@@ -217,7 +225,8 @@ bool isSmooth(const TopoDS_Shape& shape, int face) {
   bool is_smooth = true;
   for (const occ::Seam& seam : occ::findSeams(shape).seams)
     if (seam.sides[0].face == face || seam.sides[1].face == face)
-      is_smooth = is_smooth && upperOf(occ::measureSeam(seam, {}).figures.angle_rad) < std::numbers::pi / 180;
+      is_smooth = is_smooth &&
+                  upperOf(occ::measureSeam(seam, {}).figures.angle_rad) < std::numbers::pi / 180;
   return is_smooth;
 }
 
@@ -232,15 +241,16 @@ bool isClosed(const TopoDS_Shape& face, const Hole& hole) {
 }
 
 /// Every face that leaves a hole of that many sides with smooth surroundings.
-void addFaces(const std::string& name, const TopoDS_Shape& shape, std::size_t least, std::size_t most,
-              std::vector<HoleCase>& cases) {
+void addFaces(const std::string& name, const TopoDS_Shape& shape, std::size_t least,
+              std::size_t most, std::vector<HoleCase>& cases) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
   for (int face = 1; face <= faces.Extent(); ++face) {
     const HoleCase one{name + " " + std::to_string(face), shape, face};
     const std::optional<Opened> open = opened(one);
     if (open && isClosed(faces(face), open->hole) && open->hole.has_corners &&
-        open->hole.sides.size() >= least && open->hole.sides.size() <= most && isSmooth(shape, face))
+        open->hole.sides.size() >= least && open->hole.sides.size() <= most &&
+        isSmooth(shape, face))
       cases.push_back(one);
   }
 }
@@ -264,7 +274,8 @@ void print(const Outcome& outcome) {
 }
 
 void print(const std::string& name, std::size_t sides, const Compared& compared) {
-  std::printf("%-26s %zu  %9.2g", name.c_str(), sides, compared.bounds.angle_rad * 180 / std::numbers::pi);
+  std::printf("%-26s %zu  %9.2g", name.c_str(), sides,
+              compared.bounds.angle_rad * 180 / std::numbers::pi);
   print(compared.ours);
   print(compared.curved);
   for (const Outcome& other : compared.others) print(other);
@@ -292,12 +303,14 @@ void printRatios(const char* name, std::size_t other, const std::vector<Compared
     no_slower += times.back() <= 1 ? 1 : 0;
   }
   std::printf(
-      "%-18s %zu holes: angle ratio median %.3g, at most a tenth on %d; time ratio median %.3g, no slower on "
+      "%-18s %zu holes: angle ratio median %.3g, at most a tenth on %d; time ratio median %.3g, no "
+      "slower on "
       "%d\n",
       name, angles.size(), median(angles), least_a_tenth, median(times), no_slower);
 }
 
-/// How the jumps of curvature compare where both have one; what differs by less than a hundredth, as where a neighbour is flat, is equal.
+/// How the jumps of curvature compare where both have one; what differs by less than a hundredth,
+/// as where a neighbour is flat, is equal.
 void printCurvature(const char* name, std::size_t other, const std::vector<Compared>& all) {
   constexpr double equal = 1.01;
   for (const auto ours : {&Compared::ours, &Compared::curved}) {
@@ -311,9 +324,11 @@ void printCurvature(const char* name, std::size_t other, const std::vector<Compa
       asked += mine <= equal * std::max(peer, one.bounds.curvature_rel) ? 1 : 0;
     }
     std::printf(
-        "%-18s %zu holes: curvature ratio of %s median %.3g, no larger on %d, or than corners ask for on "
+        "%-18s %zu holes: curvature ratio of %s median %.3g, no larger on %d, or than corners ask "
+        "for on "
         "%d\n",
-        name, ratios.size(), ours == &Compared::ours ? "G1" : "G2", median(ratios), no_larger, asked);
+        name, ratios.size(), ours == &Compared::ours ? "G1" : "G2", median(ratios), no_larger,
+        asked);
   }
 }
 
@@ -322,10 +337,15 @@ void printReached(const std::vector<Compared>& all) {
   constexpr double wanted_deg = 0.01;
   const auto count = [&all](const auto& holds) { return std::ranges::count_if(all, holds); };
   std::printf(
-      "fillHole: %td of %zu holes within %g degrees, %td kept; on %td their neighbours let no fill be\n",
-      count([&](const Compared& one) { return one.ours.angle_deg >= 0 && one.ours.angle_deg <= wanted_deg; }),
+      "fillHole: %td of %zu holes within %g degrees, %td kept; on %td their neighbours let no fill "
+      "be\n",
+      count([&](const Compared& one) {
+        return one.ours.angle_deg >= 0 && one.ours.angle_deg <= wanted_deg;
+      }),
       all.size(), wanted_deg, count([](const Compared& one) { return one.ours.reached; }),
-      count([&](const Compared& one) { return one.bounds.angle_rad > wanted_deg * std::numbers::pi / 180; }));
+      count([&](const Compared& one) {
+        return one.bounds.angle_rad > wanted_deg * std::numbers::pi / 180;
+      }));
 }
 
 int run(int times, const std::vector<std::string>& models) {
@@ -336,9 +356,11 @@ int run(int times, const std::vector<std::string>& models) {
     if (const TopoDS_Shape shape = read(path); !shape.IsNull())
       addFaces(path.substr(path.rfind('/') + 1) + " face", shape, 3, 6, cases);
   std::printf(
-      "angles in degrees, times in ms, and curvature that corners ask for, of fillHole G2 and MakeFilling "
+      "angles in degrees, times in ms, and curvature that corners ask for, of fillHole G2 and "
+      "MakeFilling "
       "G1\n"
-      "%-29s neighbours   fillHole G1        fillHole G2        MakeFilling G1     MakeFilling G2     "
+      "%-29s neighbours   fillHole G1        fillHole G2        MakeFilling G1     MakeFilling G2  "
+      "   "
       "ConstrainedFilling   curvature\n%-29s contradict\n",
       "", "");
   std::vector<Compared> all;

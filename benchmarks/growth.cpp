@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// How time and memory of an analysis grow with the model: a sheet with a pattern of rounded pockets, 1,251 to
-// 20,001 faces.
+// How time and memory of an analysis grow with the model: a sheet with a pattern of rounded
+// pockets, 1,251 to 20,001 faces.
 //   bench_growth [POCKETS] [--benchmark_...]
-// Memory that one analysis gave back is not counted again in the next, so each size wants a process of its
-// own: that is what POCKETS is for and what benchmarks/compare does.
+// Memory that one analysis gave back is not counted again in the next, so each size wants a process
+// of its own: that is what POCKETS is for and what benchmarks/compare does.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -20,7 +20,8 @@ namespace {
 using namespace seamwright;
 
 void analyzeSheet(benchmark::State& state, bool certify) {
-  const occ::Model model = occ::modelFromShape(bench::makePocketedSheet(static_cast<int>(state.range(0))));
+  const occ::Model model =
+      occ::modelFromShape(bench::makePocketedSheet(static_cast<int>(state.range(0))));
   occ::AnalyzeOptions options;
   options.certify = certify;
   options.jobs = 1;
@@ -50,8 +51,8 @@ int main(int argc, char** argv) {
   return seamwright::bench::guarded([&] {
     benchmark::Initialize(&argc, argv);
     for (const bool certify : {true, false}) {
-      benchmark::internal::Benchmark* entry =
-          benchmark::RegisterBenchmark(certify ? "sheet/certified" : "sheet/sampled", analyzeSheet, certify);
+      benchmark::internal::Benchmark* entry = benchmark::RegisterBenchmark(
+          certify ? "sheet/certified" : "sheet/sampled", analyzeSheet, certify);
       entry->MeasureProcessCPUTime()->UseRealTime()->Unit(benchmark::kMillisecond);
       if (argc > 1)
         entry->Arg(std::stoi(argv[1]));

@@ -23,8 +23,8 @@ Vector3d vector(const gp_Vec& v) {
 
 /// A neighbour at one end of its edge.
 struct End {
-  Vector3d along;             ///< the edge in the sense of the hole
-  Vector3d up;                ///< unit, the hole is to the left of the edge; zero where there is no normal
+  Vector3d along;  ///< the edge in the sense of the hole
+  Vector3d up;     ///< unit, the hole is to the left of the edge; zero where there is no normal
   Vector3d u, v, uu, uv, vv;  ///< partial derivatives of the face
   bool has_form = false;      ///< u and v span the tangent plane
 
@@ -32,7 +32,8 @@ struct End {
   double form(const Vector3d& a, const Vector3d& b) const {
     Eigen::Matrix<double, 3, 2> plane;
     plane << u, v;
-    const Vector2d s = plane.colPivHouseholderQr().solve(a), t = plane.colPivHouseholderQr().solve(b);
+    const Vector2d s = plane.colPivHouseholderQr().solve(a),
+                   t = plane.colPivHouseholderQr().solve(b);
     return up.dot(s(0) * t(0) * uu + (s(0) * t(1) + s(1) * t(0)) * uv + s(1) * t(1) * vv);
   }
 };
@@ -81,13 +82,15 @@ double norm(const Matrix2d& form) {
       .maxCoeff();
 }
 
-/// By how much the curvature of what is tangent to both differs from theirs, relative to the larger.
+/// By how much the curvature of what is tangent to both differs from theirs, relative to the
+/// larger.
 std::optional<double> curvatureAsked(const End& in, const End& out) {
   constexpr double least_sine = 0.05, flat_per_mm = 1e-6;
   const Vector3d up = (in.up + out.up).normalized();
   const Vector3d x = (in.along - in.along.dot(up) * up).normalized(), y = up.cross(x);
   const Vector3d a = x, b = (out.along - out.along.dot(up) * up).normalized();
-  if (!in.has_form || !out.has_form || std::abs(a.cross(b).dot(up)) < least_sine) return std::nullopt;
+  if (!in.has_form || !out.has_form || std::abs(a.cross(b).dot(up)) < least_sine)
+    return std::nullopt;
   const auto formOf = [&](const End& end) {
     Matrix2d form;
     form << end.form(x, x), end.form(x, y), end.form(x, y), end.form(y, y);
@@ -114,7 +117,8 @@ CornerBounds cornerBounds(const occ::Hole& hole) {
     edges.insert(edges.end(), side.edges.begin(), side.edges.end());
   CornerBounds bounds;
   for (std::size_t k = 0; k < edges.size(); ++k) {
-    const End in = endOf(edges[(k + edges.size() - 1) % edges.size()], true), out = endOf(edges[k], false);
+    const End in = endOf(edges[(k + edges.size() - 1) % edges.size()], true),
+              out = endOf(edges[k], false);
     bounds.angle_rad = std::max(bounds.angle_rad, angleBetween(in.up, out.up) / 2);
     const std::optional<double> asked = curvatureAsked(in, out);
     if (asked) bounds.curvature_rel = std::max(bounds.curvature_rel, *asked);

@@ -11,7 +11,8 @@ namespace seamwright::bench {
 Memory memoryNow() {
   Memory memory;
   std::ifstream status("/proc/self/status");
-  for (std::string key; status >> key; status.ignore(std::numeric_limits<std::streamsize>::max(), '\n')) {
+  for (std::string key; status >> key;
+       status.ignore(std::numeric_limits<std::streamsize>::max(), '\n')) {
     if (key == "VmRSS:") status >> memory.resident_kB;
     if (key == "VmHWM:") status >> memory.peak_kB;
   }

@@ -10,8 +10,8 @@
 /// What a user of OpenCASCADE would call in Seamwright's place, as fast as its interface allows.
 namespace seamwright::bench {
 
-/// The model as OpenCASCADE's own reader gives it, in this process: STEPControl_Reader, IGESControl_Reader
-/// or BRepTools, by the ending of the file's name.
+/// The model as OpenCASCADE's own reader gives it, in this process: STEPControl_Reader,
+/// IGESControl_Reader or BRepTools, by the ending of the file's name.
 /// \throws std::runtime_error if the file can't be read.
 TopoDS_Shape readWithOpenCascade(const std::filesystem::path& path);
 
@@ -22,8 +22,9 @@ struct LocalAnalysisSummary {
   int points = 0;        ///< points that it could judge
 };
 
-/// LocalAnalysis_SurfaceContinuity to order G2 at \p points places spread evenly over each seam, not at its ends.
-/// Surfaces and pcurves are taken out of the shape and GeomLProp_SLProps is made once for each side of a seam.
+/// LocalAnalysis_SurfaceContinuity to order G2 at \p points places spread evenly over each seam,
+/// not at its ends. Surfaces and pcurves are taken out of the shape and GeomLProp_SLProps is made
+/// once for each side of a seam.
 LocalAnalysisSummary localAnalysis(const std::vector<occ::Seam>& seams, int points);
 
 /// A copy of a shape whose edges BRepLib::EncodeRegularity can judge again and again.

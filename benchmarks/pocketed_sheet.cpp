@@ -61,10 +61,10 @@ bool isBelow(const Bnd_Box& box, double z_mm) {
 TopoDS_Shape makePocket() {
   const double far_mm = cell_mm - margin_mm;
   const TopoDS_Shape block = BRepPrimAPI_MakeBox(cell_mm, cell_mm, cell_mm).Shape();
-  const TopoDS_Shape tool = rounded(
-      BRepPrimAPI_MakeBox(gp_Pnt(margin_mm, margin_mm, cell_mm / 2), gp_Pnt(far_mm, far_mm, 2 * cell_mm))
-          .Shape(),
-      [](const Bnd_Box& box) { return isBelow(box, cell_mm); });
+  const TopoDS_Shape tool = rounded(BRepPrimAPI_MakeBox(gp_Pnt(margin_mm, margin_mm, cell_mm / 2),
+                                                        gp_Pnt(far_mm, far_mm, 2 * cell_mm))
+                                        .Shape(),
+                                    [](const Bnd_Box& box) { return isBelow(box, cell_mm); });
   const TopoDS_Shape solid = rounded(BRepAlgoAPI_Cut(block, tool).Shape(), [](const Bnd_Box& box) {
     return isInside(box) && !isBelow(box, cell_mm - radius_mm / 2);
   });
@@ -102,13 +102,15 @@ TopoDS_Shape makePocketedSheet(int pockets) {
   const TopoDS_Shape pocket = makePocket();
 
   BRepBuilderAPI_MakePolygon outline(gp_Pnt(0, 0, cell_mm), gp_Pnt(size_mm, 0, cell_mm),
-                                     gp_Pnt(size_mm, size_mm, cell_mm), gp_Pnt(0, size_mm, cell_mm), true);
+                                     gp_Pnt(size_mm, size_mm, cell_mm), gp_Pnt(0, size_mm, cell_mm),
+                                     true);
   BRepBuilderAPI_MakeFace sheet(gp_Pln(gp_Pnt(0, 0, cell_mm), gp::DZ()), outline);
   TopoDS_Shell shell;
   const BRep_Builder builder;
   builder.MakeShell(shell);
   for (int i = 0; i < pockets; ++i) {
-    const TopoDS_Shape copy = BRepBuilderAPI_Transform(pocket, moved(i % columns, i / columns), true).Shape();
+    const TopoDS_Shape copy =
+        BRepBuilderAPI_Transform(pocket, moved(i % columns, i / columns), true).Shape();
     for (TopExp_Explorer faces(copy, TopAbs_FACE); faces.More(); faces.Next())
       builder.Add(shell, faces.Current());
     sheet.Add(rimOf(copy));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Repairs of more and more seams beside the analysis of the same models: grids of natural and of trimmed faces, and
-// chains of trimmed ones, all broken by noise of 0.01 mm.
-// One process, one thread, medians of processor time of three turns, what is slow once; a table on standard output.
+// Repairs of more and more seams beside the analysis of the same models: grids of natural and of
+// trimmed faces, and chains of trimmed ones, all broken by noise of 0.01 mm. One process, one
+// thread, medians of processor time of three turns, what is slow once; a table on standard output.
 // Or files, with all defaults on two threads: the least wall time and processor time of the turns.
 //   bench_repair [--smoke | MODEL...]
 #include <algorithm>
@@ -92,8 +92,10 @@ Times timesOf(const test::NetShape& shape) {
     const occ::RepairReport report = occ::repair(model, options);
     analyses.push_back(between - start);
     repairs.push_back(processorSeconds() - between);
-    times.treated = static_cast<int>(std::ranges::count(report.seams, true, &occ::SeamRepair::treated));
-    times.repaired = static_cast<int>(std::ranges::count(report.seams, true, &occ::SeamRepair::repaired));
+    times.treated =
+        static_cast<int>(std::ranges::count(report.seams, true, &occ::SeamRepair::treated));
+    times.repaired =
+        static_cast<int>(std::ranges::count(report.seams, true, &occ::SeamRepair::repaired));
   }
   times.analyze_s = median(analyses);
   times.repair_s = median(repairs);
@@ -107,16 +109,17 @@ double exponent(const Times& less, const Times& more, double Times::*time) {
 
 void run(const Subject& subject) {
   std::printf(
-      "\n%s:\n\n| n | seams | to repair | repaired | analysis, ms | repair, ms | ratio | repair, ms a seam "
+      "\n%s:\n\n| n | seams | to repair | repaired | analysis, ms | repair, ms | ratio | repair, "
+      "ms a seam "
       "|\n"
       "|--:|--:|--:|--:|--:|--:|--:|--:|\n",
       subject.name.c_str());
   std::vector<Times> all;
   for (const int size : subject.sizes) {
     const Times times = timesOf(subject.shape(size));
-    std::printf("| %d | %d | %d | %d | %.1f | %.1f | %.1f | %.2f |\n", size, times.seams, times.treated,
-                times.repaired, 1e3 * times.analyze_s, 1e3 * times.repair_s, times.repair_s / times.analyze_s,
-                1e3 * times.repair_s / times.seams);
+    std::printf("| %d | %d | %d | %d | %.1f | %.1f | %.1f | %.2f |\n", size, times.seams,
+                times.treated, times.repaired, 1e3 * times.analyze_s, 1e3 * times.repair_s,
+                times.repair_s / times.analyze_s, 1e3 * times.repair_s / times.seams);
     std::fflush(stdout);
     all.push_back(times);
   }
@@ -135,8 +138,8 @@ struct Least {
     const double before_s = processorSeconds();
     work();
     processor_s = std::min(processor_s, processorSeconds() - before_s);
-    wall_s =
-        std::min(wall_s, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    wall_s = std::min(
+        wall_s, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
 };
 
@@ -159,17 +162,19 @@ void runFile(const std::filesystem::path& path) {
     repair.take([&] { report = occ::repair(model, options); });
   }
   double largest_mm = 0;
-  for (const occ::FaceMove& move : report.moves) largest_mm = std::max(largest_mm, move.largest_move_mm);
-  std::printf("| %s | %zu | %d | %d | %.3f | %.1f | %.1f | %.1f | %.1f |\n", path.filename().c_str(),
-              report.seams.size(), defects(report.before), defects(report.after), largest_mm,
-              1e3 * analysis.wall_s, 1e3 * repair.wall_s, repair.wall_s / analysis.wall_s,
-              repair.processor_s / analysis.processor_s);
+  for (const occ::FaceMove& move : report.moves)
+    largest_mm = std::max(largest_mm, move.largest_move_mm);
+  std::printf("| %s | %zu | %d | %d | %.3f | %.1f | %.1f | %.1f | %.1f |\n",
+              path.filename().c_str(), report.seams.size(), defects(report.before),
+              defects(report.after), largest_mm, 1e3 * analysis.wall_s, 1e3 * repair.wall_s,
+              repair.wall_s / analysis.wall_s, repair.processor_s / analysis.processor_s);
   std::fflush(stdout);
 }
 
 void runFiles(int count, char** paths) {
   std::printf(
-      "| model | seams | defects before | after | largest move, mm | analysis, ms | repair, ms | ratio | of "
+      "| model | seams | defects before | after | largest move, mm | analysis, ms | repair, ms | "
+      "ratio | of "
       "processor time |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|\n");
   for (int i = 0; i < count; ++i) runFile(paths[i]);
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What Seamwright takes for the seams of a model, beside what its user would call instead.
 //   bench_seams MODEL... [--benchmark_...]
-// For each model: reading it, finding its seams, analysing them (certified and sampled; one thread, two), and
-// OpenCASCADE's own two answers. Times are of the whole model; the counter "seams" divides them. Processor
-// time is that of all threads of this process; the reading program that readModel() starts is not in it.
+// For each model: reading it, finding its seams, analysing them (certified and sampled; one thread,
+// two), and OpenCASCADE's own two answers. Times are of the whole model; the counter "seams"
+// divides them. Processor time is that of all threads of this process; the reading program that
+// readModel() starts is not in it.
 #include <benchmark/benchmark.h>
 
 #include <Message.hxx>

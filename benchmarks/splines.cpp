@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// nu-splines of up to a million points beside OpenCASCADE's interpolation and a plain tridiagonal solution.
+// nu-splines of up to a million points beside OpenCASCADE's interpolation and a plain tridiagonal
+// solution.
 //   bench_splines [--smoke]
 // One process, repetitions of all in turn, medians of processor time; a table on standard output.
 #include <Eigen/Core>
@@ -42,19 +43,21 @@ NuSplineData dataOf(int points, SplineEnds ends) {
   data.points.resize(points, 3);
   for (int i = 0; i < points; ++i) {
     const double t = 8 * std::acos(-1.0) * i / (points - 1);
-    data.points.row(i) << (100 + t) * std::cos(t), (100 + t) * std::sin(t), 5 * t + noise(random) / points;
+    data.points.row(i) << (100 + t) * std::cos(t), (100 + t) * std::sin(t),
+        5 * t + noise(random) / points;
   }
   if (ends == SplineEnds::Periodic) data.points.row(points - 1) = data.points.row(0);
   data.knots = knotsOf(data.points);
   data.nu.assign(points, 0.0);
-  data.start_derivative = (data.points.row(1) - data.points.row(0)) / (data.knots[1] - data.knots[0]);
+  data.start_derivative =
+      (data.points.row(1) - data.points.row(0)) / (data.knots[1] - data.knots[0]);
   data.end_derivative = (data.points.row(points - 1) - data.points.row(points - 2)) /
                         (data.knots[points - 1] - data.knots[points - 2]);
   return data;
 }
 
-/// The derivatives of the natural nu-spline by Thomas's algorithm as a textbook has it: nothing checked, no
-/// poles made.
+/// The derivatives of the natural nu-spline by Thomas's algorithm as a textbook has it: nothing
+/// checked, no poles made.
 Poles thomas(const NuSplineData& data) {
   const Eigen::Index count = data.points.rows();
   const auto h = [&](Eigen::Index i) { return data.knots[i + 1] - data.knots[i]; };
@@ -164,7 +167,8 @@ int main(int argc, char** argv) {
     for (const auto& [k, values] : times) seconds[{k, size}] = median(values);
   }
   std::printf(
-      "Nanoseconds of processor time a point, and beside nu-spline, natural, of the same points:\n\n| |");
+      "Nanoseconds of processor time a point, and beside nu-spline, natural, of the same "
+      "points:\n\n| |");
   for (const int size : sizes) std::printf(" %d points |", size);
   std::printf("\n|---|");
   for (std::size_t i = 0; i < sizes.size(); ++i) std::printf("--:|");
@@ -175,7 +179,8 @@ int main(int argc, char** argv) {
       if (found == seconds.end())
         std::printf(" - |");
       else
-        std::printf(" %.0f (%.3g) |", 1e9 * found->second / size, found->second / seconds[{1, size}]);
+        std::printf(" %.0f (%.3g) |", 1e9 * found->second / size,
+                    found->second / seconds[{1, size}]);
     }
   }
   const double growth = std::log(seconds[{1, sizes.back()}] / seconds[{1, sizes.front()}]) /

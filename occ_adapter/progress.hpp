@@ -6,8 +6,8 @@
 
 namespace seamwright::occ {
 
-/// Called now and then during long work with the share that is done, 0..1, always from the caller's thread.
-/// Returning false asks the work to stop, which then throws Cancelled.
+/// Called now and then during long work with the share that is done, 0..1, always from the caller's
+/// thread. Returning false asks the work to stop, which then throws Cancelled.
 using Progress = std::function<bool(double share)>;
 
 /// Progress of a part of longer work, which goes from one share of it to another.

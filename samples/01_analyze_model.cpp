@@ -13,10 +13,10 @@ int main(int argc, char** argv) try {
   for (const auto& seam : report.seams)
     if (seam.verdict.seam_class == seamwright::SeamClass::Defect && seam.figures.angle_rad)
       std::cout << "Edge" << seam.edges[0] << ", between Face" << seam.faces[0] << " and Face"
-                << seam.faces[1] << ": angle " << seam.figures.angle_rad->lower * 180 / std::numbers::pi
-                << " deg\n";
-  std::cout << report.seams.size() << " seams, " << (report.passed() ? "all fine" : "some fall short")
-            << "\n";
+                << seam.faces[1] << ": angle "
+                << seam.figures.angle_rad->lower * 180 / std::numbers::pi << " deg\n";
+  std::cout << report.seams.size() << " seams, "
+            << (report.passed() ? "all fine" : "some fall short") << "\n";
 } catch (const std::exception& error) {
   std::cerr << error.what() << "\n";
   return EXIT_FAILURE;

@@ -9,9 +9,9 @@
 
 namespace seamwright {
 
-/// A computed number and how far the true one may be from it, infinitely far where nothing is known; not a
-/// public header. Holds under the conditions of rounding.hpp. Sums with 0, differences of equal numbers and
-/// products with 0 or 1 are exact.
+/// A computed number and how far the true one may be from it, infinitely far where nothing is
+/// known; not a public header. Holds under the conditions of rounding.hpp. Sums with 0, differences
+/// of equal numbers and products with 0 or 1 are exact.
 struct Bounded {
   double value = 0;
   double error = 0;
@@ -55,8 +55,9 @@ struct Bounded {
     const bool exact = a.value == 0 || b.value == 1;
     const double larger = exact ? std::abs(quotient) : rounding::up(std::abs(quotient));
     const double inherited = rounding::sumUp(a.error, rounding::productUp(larger, b.error));
-    return {quotient, rounding::sumUp(inherited == 0 ? 0 : rounding::up(inherited / least),
-                                      exact ? 0 : ofResult(quotient), exact ? 0 : rounding::kUnderflow)};
+    return {quotient,
+            rounding::sumUp(inherited == 0 ? 0 : rounding::up(inherited / least),
+                            exact ? 0 : ofResult(quotient), exact ? 0 : rounding::kUnderflow)};
   }
   /// |sqrt(x) - sqrt(a)| is at most |x - a| / sqrt(a), and at most sqrt(|x - a|).
   /// \pre the true number is not negative.
@@ -76,7 +77,9 @@ struct Bounded {
 
  private:
   static Bounded unknown() { return {0, std::numeric_limits<double>::infinity()}; }
-  static double ofResult(double result) { return rounding::productUp(rounding::kUnit, std::abs(result)); }
+  static double ofResult(double result) {
+    return rounding::productUp(rounding::kUnit, std::abs(result));
+  }
 };
 
 }  // namespace seamwright

@@ -14,13 +14,13 @@
 
 /// What Bernstein forms in one and in two variables share; not a public header.
 ///
-/// Values is Eigen::VectorXd or Eigen::MatrixXd. Algorithms in one variable run down the rows, each column on
-/// its own. Form is BernsteinPolynomial or BernsteinTensor: coefficients() and padding(), and made of the
-/// two.
+/// Values is Eigen::VectorXd or Eigen::MatrixXd. Algorithms in one variable run down the rows, each
+/// column on its own. Form is BernsteinPolynomial or BernsteinTensor: coefficients() and padding(),
+/// and made of the two.
 namespace seamwright::bernstein {
 
-/// Sum of the degrees (in all variables) up to which products are formed: with coefficients scaled to below
-/// 2^100 their terms, weighted by binomials, stay below 2^1000.
+/// Sum of the degrees (in all variables) up to which products are formed: with coefficients scaled
+/// to below 2^100 their terms, weighted by binomials, stay below 2^1000.
 inline constexpr int kMaxDegree = 800;
 
 inline std::string text(double value) {
@@ -35,7 +35,8 @@ double largest(const Values& values) {
   return values.cwiseAbs().maxCoeff();
 }
 
-/// "coefficient 3 is nan" for the first one that is not below kLimit in size; empty if there is none.
+/// "coefficient 3 is nan" for the first one that is not below kLimit in size; empty if there is
+/// none.
 template <class Values>
 std::string offender(const Values& values) {
   for (Eigen::Index j = 0; j < values.cols(); ++j)
@@ -64,7 +65,8 @@ void refuseOverflow(const Values& values, double padding, const char* operation)
   if (const std::string fault = offender(values); !fault.empty())
     throw std::overflow_error(std::string(operation) + ": " + fault + ", beyond 2^1023");
   if (!(padding < rounding::kLimit))
-    throw std::overflow_error(std::string(operation) + ": padding is " + text(padding) + ", beyond 2^1023");
+    throw std::overflow_error(std::string(operation) + ": padding is " + text(padding) +
+                              ", beyond 2^1023");
 }
 
 template <class Form, class Values>
@@ -106,13 +108,13 @@ struct Step {
   double take;    ///< t
   int roundings;  ///< how many factors 1 + d each term takes, those of the weights included
 
-  /// The step of a given double: 1 - t, product and sum are rounded; at 1/2 only the sum is, at the ends
-  /// nothing.
+  /// The step of a given double: 1 - t, product and sum are rounded; at 1/2 only the sum is, at the
+  /// ends nothing.
   static Step at(double t) { return {1 - t, t, t == 0 || t == 1 ? 0 : t == 0.5 ? 1 : 3}; }
 
-  /// The step that takes [a, 1] to [a, b]: t = (b - a) / (1 - a), 1 - t = (1 - b) / (1 - a). Each weight has
-  /// 3 roundings; a quotient that underflows has an absolute error eta <= u instead, which the sixth stands
-  /// for.
+  /// The step that takes [a, 1] to [a, b]: t = (b - a) / (1 - a), 1 - t = (1 - b) / (1 - a). Each
+  /// weight has 3 roundings; a quotient that underflows has an absolute error eta <= u instead,
+  /// which the sixth stands for.
   static Step within(double a, double b) {
     if (a == b) return at(0);
     if (b == 1) return at(1);
@@ -121,8 +123,9 @@ struct Step {
 
   double operator()(double a, double b) const { return keep * a + take * b; }
 
-  /// Rounding of de Casteljau's triangle. Each result is a sum of coefficients times weights that add up to
-  /// 1, each term with at most degree x roundings factors 1 + d; besides, each step may underflow twice.
+  /// Rounding of de Casteljau's triangle. Each result is a sum of coefficients times weights that
+  /// add up to 1, each term with at most degree x roundings factors 1 + d; besides, each step may
+  /// underflow twice.
   double error(Eigen::Index degree, double magnitude) const {
     if (roundings == 0) return 0;
     const int n = static_cast<int>(degree);
@@ -159,9 +162,10 @@ std::pair<Form, Form> split(const Form& p, double t) {
   requireUnit(t);
   const Step step = Step::at(t);
   auto [left, right] = casteljau(p.coefficients(), step);
-  const double padding =
-      rounding::sumUp(p.padding(), step.error(p.coefficients().rows() - 1, largest(p.coefficients())));
-  return {result<Form>(std::move(left), padding, "split"), result<Form>(std::move(right), padding, "split")};
+  const double padding = rounding::sumUp(
+      p.padding(), step.error(p.coefficients().rows() - 1, largest(p.coefficients())));
+  return {result<Form>(std::move(left), padding, "split"),
+          result<Form>(std::move(right), padding, "split")};
 }
 
 /// First [a, 1], then [a, b] in it.
@@ -171,8 +175,8 @@ Form restricted(const Form& p, const Interval& domain) {
   const Form upper = domain.lower == 0 ? p : split(p, domain.lower).second;
   const Step step = Step::within(domain.lower, domain.upper);
   const double error = step.error(p.coefficients().rows() - 1, largest(upper.coefficients()));
-  return result<Form>(casteljau(upper.coefficients(), step).first, rounding::sumUp(upper.padding(), error),
-                      "restriction");
+  return result<Form>(casteljau(upper.coefficients(), step).first,
+                      rounding::sumUp(upper.padding(), error), "restriction");
 }
 
 /// n (c_(i+1) - c_i): two roundings; a multiple of a denormal is exact.
@@ -193,8 +197,8 @@ Form derivative(const Form& p) {
 template <class Form>
 Form sum(const Form& p, const Form& q) {
   std::decay_t<decltype(p.coefficients())> values = p.coefficients() + q.coefficients();
-  const double padding =
-      rounding::sumUp(p.padding(), q.padding(), rounding::productUp(rounding::kUnit, largest(values)));
+  const double padding = rounding::sumUp(p.padding(), q.padding(),
+                                         rounding::productUp(rounding::kUnit, largest(values)));
   return result<Form>(std::move(values), padding, "sum");
 }
 
@@ -216,7 +220,8 @@ struct Rounded {
   double error;
 };
 
-/// The power of two that coefficients are divided by before they meet binomials; 0 while they are moderate.
+/// The power of two that coefficients are divided by before they meet binomials; 0 while they are
+/// moderate.
 inline int scaleExponent(double magnitude) {
   int exponent = 0;
   std::frexp(magnitude, &exponent);
@@ -237,7 +242,8 @@ inline double scaledUp(double value, int exponent) {
 /// c_ij C(m, i) C(n, j), m by n the degrees.
 template <class Values>
 Values weighted(const Values& values) {
-  return binomials(values.rows() - 1).asDiagonal() * values * binomials(values.cols() - 1).asDiagonal();
+  return binomials(values.rows() - 1).asDiagonal() * values *
+         binomials(values.cols() - 1).asDiagonal();
 }
 
 /// Coefficients of the product of two polynomials given by their weighted coefficients.
@@ -247,15 +253,16 @@ Values combined(const Values& a, const Values& b) {
   Values values = Values::Zero(a.rows() + b.rows() - 1, a.cols() + b.cols() - 1);
   for (Index l = 0; l < a.cols(); ++l)
     for (Index j = 0; j < b.cols(); ++j)
-      for (Index i = 0; i < a.rows(); ++i) values.col(l + j).segment(i, b.rows()) += a(i, l) * b.col(j);
+      for (Index i = 0; i < a.rows(); ++i)
+        values.col(l + j).segment(i, b.rows()) += a(i, l) * b.col(j);
   values.array().colwise() /= binomials(values.rows() - 1).array();
   if constexpr (Values::ColsAtCompileTime != 1)
     values.array().rowwise() /= binomials(values.cols() - 1).transpose().array();
   return values;
 }
 
-/// How many factors 1 + d a term of combined(weighted(a), weighted(b)) takes: the binomials, weighting of
-/// both factors and division in each variable, product and sum.
+/// How many factors 1 + d a term of combined(weighted(a), weighted(b)) takes: the binomials,
+/// weighting of both factors and division in each variable, product and sum.
 template <class Values>
 int productRoundings(const Values& a, const Values& b) {
   const Eigen::Index terms = std::min(a.rows(), b.rows()) * std::min(a.cols(), b.cols());
@@ -269,13 +276,14 @@ int productRoundings(const Values& a, const Values& b) {
 
 /// The product of a, known within padding_a, and b, known within padding_b.
 ///
-/// With |a| the polynomial of the absolute coefficients and 1 that of coefficients 1, the error is at most
-/// gamma_k max(|a| |b|) + padding_a max(1 |b|) + padding_b max(|a| 1) + padding_a padding_b and what
-/// underflows. The maxima are computed with as many roundings as the product, hence gamma_(k+1)
-/// (rounding::gamma). In units of 2^(exponents) the larger of magnitude and padding of a factor is at least
-/// 2^-101, or 0, and no weight of a term in a coefficient is below 2^-800. So the largest of the four terms,
-/// gamma_k apart, is at least 2^-1002, and the few eta that scaling, products, quotients and maxima may lose
-/// are less than u times it, hence gamma_(k+2). Only scaling back adds an eta.
+/// With |a| the polynomial of the absolute coefficients and 1 that of coefficients 1, the error is
+/// at most gamma_k max(|a| |b|) + padding_a max(1 |b|) + padding_b max(|a| 1) + padding_a padding_b
+/// and what underflows. The maxima are computed with as many roundings as the product, hence
+/// gamma_(k+1) (rounding::gamma). In units of 2^(exponents) the larger of magnitude and padding of
+/// a factor is at least 2^-101, or 0, and no weight of a term in a coefficient is below 2^-800. So
+/// the largest of the four terms, gamma_k apart, is at least 2^-1002, and the few eta that scaling,
+/// products, quotients and maxima may lose are less than u times it, hence gamma_(k+2). Only
+/// scaling back adds an eta.
 template <class Values>
 Rounded<Values> product(const Values& a, double padding_a, const Values& b, double padding_b) {
   using rounding::gamma, rounding::productUp, rounding::sumUp;
@@ -298,7 +306,8 @@ Rounded<Values> product(const Values& a, double padding_a, const Values& b, doub
     const Values ones = weighted<Values>(Values::Ones(others.rows(), others.cols()));
     return productUp(productUp(padding, slack), largest(combined(ones, size)));
   };
-  error = sumUp(error, inherited(e, a, size_b), inherited(f, b, size_a), productUp(productUp(e, f), slack));
+  error = sumUp(error, inherited(e, a, size_b), inherited(f, b, size_a),
+                productUp(productUp(e, f), slack));
 
   Values values = scaledBy(combined(weighted_a, weighted_b), exponent);
   if (exponent != 0 && error != 0) error = sumUp(scaledUp(error, exponent), rounding::kUnderflow);
@@ -317,12 +326,14 @@ Interval range(const Form& p) {
   return rounding::widened({p.coefficients().minCoeff(), p.coefficients().maxCoeff()}, p.padding());
 }
 
-/// Padding and rounding about a value; companion is the value that the absolute coefficients have. \pre the
-/// steps took this many roundings in all, and might underflow.
-inline Interval enclosure(double value, double companion, double padding, int roundings, int steps) {
+/// Padding and rounding about a value; companion is the value that the absolute coefficients have.
+/// \pre the steps took this many roundings in all, and might underflow.
+inline Interval enclosure(double value, double companion, double padding, int roundings,
+                          int steps) {
   if (roundings == 0) return rounding::widened({value, value}, padding);
-  const double error = rounding::sumUp(rounding::productUp(rounding::gamma(roundings + 1), companion),
-                                       4 * steps * rounding::kUnderflow);
+  const double error =
+      rounding::sumUp(rounding::productUp(rounding::gamma(roundings + 1), companion),
+                      4 * steps * rounding::kUnderflow);
   return rounding::widened({value, value}, rounding::sumUp(padding, error));
 }
 

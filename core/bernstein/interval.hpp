@@ -11,7 +11,9 @@ struct Interval {
   double upper = 0;
 
   bool contains(double value) const { return lower <= value && value <= upper; }
-  bool contains(const Interval& other) const { return lower <= other.lower && other.upper <= upper; }
+  bool contains(const Interval& other) const {
+    return lower <= other.lower && other.upper <= upper;
+  }
   double width() const { return upper - lower; }
   double middle() const { return 0.5 * (lower + upper); }
   /// Largest absolute value.

@@ -12,7 +12,8 @@ struct Piece {
   BernsteinPolynomial p;
   double lower;  ///< of its range
 
-  explicit Piece(BernsteinPolynomial polynomial) : p(std::move(polynomial)), lower(p.range().lower) {}
+  explicit Piece(BernsteinPolynomial polynomial)
+      : p(std::move(polynomial)), lower(p.range().lower) {}
   bool operator<(const Piece& other) const {
     return lower > other.lower;
   }  // the lowest is on top of the queue
@@ -58,7 +59,8 @@ BernsteinPolynomial BernsteinPolynomial::derivative() const {
 }
 
 BernsteinPolynomial BernsteinPolynomial::elevated(int by) const {
-  if (by < 0) throw std::invalid_argument("elevation by " + std::to_string(by) + ": it must not be negative");
+  if (by < 0)
+    throw std::invalid_argument("elevation by " + std::to_string(by) + ": it must not be negative");
   return by == 0 ? *this : *this * BernsteinPolynomial(Eigen::VectorXd::Ones(by + 1));
 }
 
@@ -76,7 +78,8 @@ Interval BernsteinPolynomial::range() const {
 
 Interval BernsteinPolynomial::range(double tolerance) const {
   if (!(tolerance >= 0))
-    throw std::invalid_argument("tolerance is " + bernstein::text(tolerance) + ": it must be 0 or positive");
+    throw std::invalid_argument("tolerance is " + bernstein::text(tolerance) +
+                                ": it must be 0 or positive");
   return {lowerBound(*this, tolerance / 2), -lowerBound(-*this, tolerance / 2)};
 }
 
@@ -85,7 +88,8 @@ BernsteinPolynomial BernsteinPolynomial::operator-() const {
 }
 
 bool BernsteinPolynomial::operator==(const BernsteinPolynomial& other) const {
-  return degree() == other.degree() && coefficients_ == other.coefficients_ && padding_ == other.padding_;
+  return degree() == other.degree() && coefficients_ == other.coefficients_ &&
+         padding_ == other.padding_;
 }
 
 BernsteinPolynomial operator+(const BernsteinPolynomial& p, const BernsteinPolynomial& q) {

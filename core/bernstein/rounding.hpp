@@ -8,14 +8,16 @@
 
 /// Upper bounds of rounding errors; shared by the Bernstein forms, not a public header.
 ///
-/// All of it holds in every IEEE rounding mode, with or without fused products, but neither with -ffast-math
-/// nor with denormals flushed to zero. Bounds are computed in double and rounded upwards by std::nextafter,
-/// which no rounding mode alters.
+/// All of it holds in every IEEE rounding mode, with or without fused products, but neither with
+/// -ffast-math nor with denormals flushed to zero. Bounds are computed in double and rounded
+/// upwards by std::nextafter, which no rounding mode alters.
 namespace seamwright::rounding {
 
-/// Largest relative error of one operation in any rounding mode (half of it would do for round-to-nearest).
+/// Largest relative error of one operation in any rounding mode (half of it would do for
+/// round-to-nearest).
 inline constexpr double kUnit = std::numeric_limits<double>::epsilon();
-/// Largest absolute error of a product or a quotient that underflows. Sums and differences are exact there.
+/// Largest absolute error of a product or a quotient that underflows. Sums and differences are
+/// exact there.
 inline constexpr double kUnderflow = std::numeric_limits<double>::denorm_min();
 /// Coefficients and paddings stay below this, so that no convex combination of them overflows.
 inline constexpr double kLimit = 0x1p1023;
@@ -39,9 +41,10 @@ inline double productUp(double a, double b) {
   return a == 0 || b == 0 ? 0 : up(a * b);
 }
 
-/// Upper bound of gamma_k = k u / (1 - k u), which bounds |theta| in 1 + theta = product of k factors (1 +
-/// d)^(+-1), |d| <= u (Higham, Accuracy and Stability of Numerical Algorithms, lemma 3.1). \pre 0 <= k <
-/// 2^26, where gamma_k <= gamma_(k+1) (1 - gamma_k) also lets a computed value stand for an exact one.
+/// Upper bound of gamma_k = k u / (1 - k u), which bounds |theta| in 1 + theta = product of k
+/// factors (1 + d)^(+-1), |d| <= u (Higham, Accuracy and Stability of Numerical Algorithms, lemma
+/// 3.1). \pre 0 <= k < 2^26, where gamma_k <= gamma_(k+1) (1 - gamma_k) also lets a computed value
+/// stand for an exact one.
 inline double gamma(int k) {
   const double relative = k * kUnit;
   return k == 0 ? 0 : up(relative / (1 - relative));

@@ -13,9 +13,11 @@ std::pair<BernsteinTensor, BernsteinTensor> transposed(
   return {pieces.first.transposed(), pieces.second.transposed()};
 }
 
-/// One step of de Casteljau with a polynomial for parameter: (1 - w) a + w b, for a and b of one degree.
+/// One step of de Casteljau with a polynomial for parameter: (1 - w) a + w b, for a and b of one
+/// degree.
 ///
-/// What the paddings of a and b do to a coefficient is a convex combination of |1 - w_i| e_a + |w_i| e_b, and
+/// What the paddings of a and b do to a coefficient is a convex combination of |1 - w_i| e_a +
+/// |w_i| e_b, and
 /// |1 - w_i| + |w_i| = 1 + 2 (distance of w_i from [0, 1]); the padding of w enters times b - a.
 BernsteinPolynomial blend(const BernsteinPolynomial& w, const BernsteinPolynomial& a,
                           const BernsteinPolynomial& b) {
@@ -25,13 +27,15 @@ BernsteinPolynomial blend(const BernsteinPolynomial& w, const BernsteinPolynomia
   const auto taken = bernstein::product(w.coefficients(), 0, b.coefficients(), 0);
   Eigen::VectorXd values = kept.values + taken.values;
 
-  const double outside = std::max({0.0, -w.coefficients().minCoeff(), up(w.coefficients().maxCoeff() - 1)});
+  const double outside =
+      std::max({0.0, -w.coefficients().minCoeff(), up(w.coefficients().maxCoeff() - 1)});
   const double spread = sumUp(1, 2 * outside, 2 * w.padding());
-  const double difference = up(bernstein::largest(Eigen::VectorXd(b.coefficients() - a.coefficients())));
-  const double inherited =
-      sumUp(productUp(std::max(a.padding(), b.padding()), spread), productUp(w.padding(), difference));
-  const double complement_error =
-      productUp(kUnit, productUp(bernstein::largest(complement), bernstein::largest(a.coefficients())));
+  const double difference =
+      up(bernstein::largest(Eigen::VectorXd(b.coefficients() - a.coefficients())));
+  const double inherited = sumUp(productUp(std::max(a.padding(), b.padding()), spread),
+                                 productUp(w.padding(), difference));
+  const double complement_error = productUp(
+      kUnit, productUp(bernstein::largest(complement), bernstein::largest(a.coefficients())));
   const double sum_error = productUp(kUnit, bernstein::largest(values));
   return bernstein::result<BernsteinPolynomial>(
       std::move(values), sumUp(inherited, kept.error, taken.error, complement_error, sum_error),
@@ -39,7 +43,8 @@ BernsteinPolynomial blend(const BernsteinPolynomial& w, const BernsteinPolynomia
 }
 
 /// The value at w of the Bernstein form whose coefficients are polynomials of one degree.
-BernsteinPolynomial collapsed(std::vector<BernsteinPolynomial> coefficients, const BernsteinPolynomial& w) {
+BernsteinPolynomial collapsed(std::vector<BernsteinPolynomial> coefficients,
+                              const BernsteinPolynomial& w) {
   while (coefficients.size() > 1) {
     for (std::size_t i = 0; i + 1 < coefficients.size(); ++i)
       coefficients[i] = blend(w, coefficients[i], coefficients[i + 1]);
@@ -77,9 +82,11 @@ BernsteinTensor BernsteinTensor::partialV() const {
 
 BernsteinTensor BernsteinTensor::elevated(int by_u, int by_v) const {
   if (by_u < 0 || by_v < 0)
-    throw std::invalid_argument("elevation by " + std::to_string(by_u) + ", " + std::to_string(by_v) +
-                                ": it must not be negative");
-  return by_u == 0 && by_v == 0 ? *this : *this * BernsteinTensor(Eigen::MatrixXd::Ones(by_u + 1, by_v + 1));
+    throw std::invalid_argument("elevation by " + std::to_string(by_u) + ", " +
+                                std::to_string(by_v) + ": it must not be negative");
+  return by_u == 0 && by_v == 0
+             ? *this
+             : *this * BernsteinTensor(Eigen::MatrixXd::Ones(by_u + 1, by_v + 1));
 }
 
 std::pair<BernsteinTensor, BernsteinTensor> BernsteinTensor::splitU(double t) const {

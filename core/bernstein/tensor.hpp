@@ -11,17 +11,18 @@ namespace seamwright {
 
 /// A real polynomial f(u, v) = sum_ij c_ij B_i^m(u) B_j^n(v) on [0, 1]^2, known up to rounding.
 ///
-/// Padding means what it means for BernsteinPolynomial: each true coefficient lies within it of the stored
-/// one, and each operation adds what it rounds. The bounds are those given there, in the direction of the
-/// operation (degree m in u, n in v), except:
+/// Padding means what it means for BernsteinPolynomial: each true coefficient lies within it of the
+/// stored one, and each operation adds what it rounds. The bounds are those given there, in the
+/// direction of the operation (degree m in u, n in v), except:
 ///
-///   f g            k = (min(m_f, m_g) + 1) (min(n_f, n_g) + 1) + 6 + the r of all six binomials
-///   restriction    that of u, then that of v
-///   evaluate       radius e + gamma_(3m+3n+1) sum_ij |c_ij| B_i^m(u) B_j^n(v) + 4 (m + n) eta
-///   composition    each of the m + n steps (1 - w) a + w b, w = u(t) or v(t), takes the padding e of its
-///                  operands to e (1 + 2 x + 2 e_w) + e_w max|b - a| + gamma_(k+4) (M_(1-w) M_a + M_w M_b)
-///                  + 2 eta, k as in a product, x how far the coefficients of w leave [0, 1]. As long as they
-///                  stay inside and are exact, paddings add up and do not multiply.
+///   f g k = (min(m_f, m_g) + 1) (min(n_f, n_g) + 1) + 6 + the r of all six binomials restriction
+///   that of u, then that of v evaluate radius e + gamma_(3m+3n+1) sum_ij |c_ij| B_i^m(u) B_j^n(v)
+///   + 4 (m + n) eta composition each of the m + n steps (1 - w) a + w b, w = u(t) or v(t), takes
+///   the padding e of its
+///                  operands to e (1 + 2 x + 2 e_w) + e_w max|b - a| + gamma_(k+4) (M_(1-w) M_a +
+///                  M_w M_b) + 2 eta, k as in a product, x how far the coefficients of w leave [0,
+///                  1]. As long as they stay inside and are exact, paddings add up and do not
+///                  multiply.
 ///
 /// Identities, true within the padding (each has a test of its number):
 ///   (1) All coefficients 1: f(u, v) = 1.
@@ -29,8 +30,8 @@ namespace seamwright {
 ///   (3) (f g)_u = f_u g + f g_u, the same in v; f_uv = f_vu.
 ///   (4) Elevation changes no value.
 ///   (5) The pieces of a split and the restriction to a box take the values of f.
-///   (6) range() contains all values; what it is too wide by shrinks by 4 when both sides of the square are
-///       halved.
+///   (6) range() contains all values; what it is too wide by shrinks by 4 when both sides of the
+///       square are halved.
 ///   (7) The curve at an edge takes the values of f there.
 ///   (8) f.composed(u, v)(t) = f(u(t), v(t)).
 ///
@@ -42,7 +43,8 @@ class BernsteinTensor {
   enum class Edge { U0, U1, V0, V1 };
 
   /// \param coefficients (m+1) by (n+1), rows in u. \param padding not negative.
-  /// \throws std::invalid_argument as BernsteinPolynomial, with row and column of the offending coefficient.
+  /// \throws std::invalid_argument as BernsteinPolynomial, with row and column of the offending
+  /// coefficient.
   explicit BernsteinTensor(Eigen::MatrixXd coefficients, double padding = 0);
 
   int degreeU() const { return static_cast<int>(coefficients_.rows()) - 1; }
@@ -56,7 +58,8 @@ class BernsteinTensor {
   BernsteinTensor partialU() const;
   BernsteinTensor partialV() const;
   /// The same polynomial written in degrees m + by_u, n + by_v.
-  /// \throws std::invalid_argument if one of them is negative or the new degrees add up to more than 800.
+  /// \throws std::invalid_argument if one of them is negative or the new degrees add up to more
+  /// than 800.
   BernsteinTensor elevated(int by_u, int by_v) const;
   /// The pieces over u in [0, t] and [t, 1], each reparametrised to [0, 1]^2.
   /// \throws std::invalid_argument if t is not in [0, 1].
@@ -70,11 +73,13 @@ class BernsteinTensor {
   /// f(v, u).
   BernsteinTensor transposed() const;
 
-  /// Contains f(u, v) for all (u, v) in [0, 1]^2: the hull of the coefficients, widened by the padding.
+  /// Contains f(u, v) for all (u, v) in [0, 1]^2: the hull of the coefficients, widened by the
+  /// padding.
   Interval range() const;
-  /// f along the parameter curve (u(t), v(t)), by de Casteljau with polynomials for parameters: degree k m +
-  /// l n for u of degree k, v of degree l. True for any u and v; for the padding to stay small their
-  /// coefficients should lie in [0, 1] (a split of the curve brings them there if its values do).
+  /// f along the parameter curve (u(t), v(t)), by de Casteljau with polynomials for parameters:
+  /// degree k m + l n for u of degree k, v of degree l. True for any u and v; for the padding to
+  /// stay small their coefficients should lie in [0, 1] (a split of the curve brings them there if
+  /// its values do).
   BernsteinPolynomial composed(const BernsteinPolynomial& u, const BernsteinPolynomial& v) const;
 
   BernsteinTensor operator-() const;

@@ -4,7 +4,8 @@
 #include <Eigen/Core>
 #include <utility>
 
-/// De Casteljau's algorithm on rows of coefficients; shared by curves and patches, not a public header.
+/// De Casteljau's algorithm on rows of coefficients; shared by curves and patches, not a public
+/// header.
 namespace seamwright::casteljau {
 
 /// Coefficients in Bernstein form, one a row: (degree + 1) by any number of columns.
@@ -23,7 +24,8 @@ Eigen::Matrix<double, 1, Columns> collapse(Coefficients<Columns>& c, double t) {
   return c.row(0);
 }
 
-/// Orders 0..count - 1. The k-th derivative is n!/(n-k)! times the Bernstein form of the k-th differences.
+/// Orders 0..count - 1. The k-th derivative is n!/(n-k)! times the Bernstein form of the k-th
+/// differences.
 template <int Columns, int Count>
 Derivatives<Columns, Count> derivatives(const Coefficients<Columns>& coefficients, double t,
                                         Eigen::Index count = Count) {
@@ -43,8 +45,8 @@ Derivatives<Columns, Count> derivatives(const Coefficients<Columns>& coefficient
 
 /// The two halves of de Casteljau's triangle: coefficients over [0, t] and [t, 1].
 template <int Columns>
-std::pair<Coefficients<Columns>, Coefficients<Columns>> split(const Coefficients<Columns>& coefficients,
-                                                              double t) {
+std::pair<Coefficients<Columns>, Coefficients<Columns>> split(
+    const Coefficients<Columns>& coefficients, double t) {
   Coefficients<Columns> left(coefficients.rows(), coefficients.cols());
   Coefficients<Columns> right = coefficients;
   for (Eigen::Index k = 0; k < coefficients.rows(); ++k) {

@@ -11,7 +11,8 @@
 
 namespace seamwright {
 
-HomogeneousPoles homogeneousPoles(const Eigen::Ref<const Poles>& poles, const Eigen::VectorXd& weights) {
+HomogeneousPoles homogeneousPoles(const Eigen::Ref<const Poles>& poles,
+                                  const Eigen::VectorXd& weights) {
   if (poles.rows() == 0) throw std::invalid_argument("no poles: at least one is needed");
   if (weights.size() != poles.rows())
     throw std::invalid_argument("poles " + std::to_string(poles.rows()) + ", weights " +
@@ -20,7 +21,8 @@ HomogeneousPoles homogeneousPoles(const Eigen::Ref<const Poles>& poles, const Ei
     if (!poles.row(i).allFinite())
       throw std::invalid_argument("pole " + std::to_string(i) + " is not finite");
     if (!(weights(i) > 0) || !std::isfinite(weights(i)))
-      throw std::invalid_argument("weight " + std::to_string(i) + " is " + bernstein::text(weights(i)) +
+      throw std::invalid_argument("weight " + std::to_string(i) + " is " +
+                                  bernstein::text(weights(i)) +
                                   ": weights must be positive and finite");
   }
   HomogeneousPoles result(poles.rows(), 4);
@@ -72,9 +74,11 @@ CurveJet BezierCurve::jet(double t) const {
 }
 
 CurveDerivatives BezierCurve::derivatives(double t, int order) const {
-  if (order < 0) throw std::invalid_argument("order " + std::to_string(order) + ": it must not be negative");
+  if (order < 0)
+    throw std::invalid_argument("order " + std::to_string(order) + ": it must not be negative");
   const auto of = [&](const HomogeneousPoles& poles) -> CurveDerivatives {
-    return affineDerivatives<Eigen::Dynamic>(casteljau::derivatives<4, Eigen::Dynamic>(poles, t, order + 1));
+    return affineDerivatives<Eigen::Dynamic>(
+        casteljau::derivatives<4, Eigen::Dynamic>(poles, t, order + 1));
   };
   if (!isRational()) return of(homogeneous_);
   const Eigen::Vector3d here = point(t);
@@ -86,7 +90,8 @@ CurveDerivatives BezierCurve::derivatives(double t, int order) const {
 double BezierCurve::noise() const {
   const double size = poles().cwiseAbs().maxCoeff();
   const double weight_ratio = homogeneous_.col(3).maxCoeff() / homogeneous_.col(3).minCoeff();
-  return 8 * (degree() + 4) * std::numeric_limits<double>::epsilon() * degree() * size * weight_ratio;
+  return 8 * (degree() + 4) * std::numeric_limits<double>::epsilon() * degree() * size *
+         weight_ratio;
 }
 
 BezierCurve BezierCurve::reversed() const {
@@ -107,7 +112,8 @@ BezierCurve BezierCurve::elevated() const {
 
 std::pair<BezierCurve, BezierCurve> BezierCurve::split(double t) const {
   auto [left, right] = casteljau::split<4>(homogeneous_, t);
-  return {BezierCurve(Homogeneous{}, std::move(left)), BezierCurve(Homogeneous{}, std::move(right))};
+  return {BezierCurve(Homogeneous{}, std::move(left)),
+          BezierCurve(Homogeneous{}, std::move(right))};
 }
 
 }  // namespace seamwright

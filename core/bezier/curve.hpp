@@ -23,7 +23,8 @@ class BezierCurve {
   explicit BezierCurve(const Eigen::Ref<const Poles>& poles);
   /// Rational curve. \param weights n+1 positive finite numbers.
   /// \throws std::invalid_argument naming the offending index and value.
-  BezierCurve(const Eigen::Ref<const Poles>& poles, const Eigen::Ref<const Eigen::VectorXd>& weights);
+  BezierCurve(const Eigen::Ref<const Poles>& poles,
+              const Eigen::Ref<const Eigen::VectorXd>& weights);
   /// The curve with these homogeneous poles, taken over bit by bit. \throws as the constructors.
   static BezierCurve fromHomogeneous(HomogeneousPoles poles);
 
@@ -35,14 +36,14 @@ class BezierCurve {
   const HomogeneousPoles& homogeneousPoles() const { return homogeneous_; }
 
   Eigen::Vector3d point(double t) const;
-  /// Point and derivatives to third order at t. Outside [0, 1] the polynomial continues; accuracy falls
-  /// there.
+  /// Point and derivatives to third order at t. Outside [0, 1] the polynomial continues; accuracy
+  /// falls there.
   CurveJet jet(double t) const;
   /// Point and derivatives to that order at t, (order + 1) by 3.
   /// \throws std::invalid_argument if the order is negative.
   CurveDerivatives derivatives(double t, int order) const;
-  /// Bound of the rounding in the first derivative on [0, 1]: 8 (n + 4) eps n |P|_max w_max / w_min. A bound
-  /// of the evaluation, not of the poles, which count as exact.
+  /// Bound of the rounding in the first derivative on [0, 1]: 8 (n + 4) eps n |P|_max w_max /
+  /// w_min. A bound of the evaluation, not of the poles, which count as exact.
   double noise() const;
 
   /// The same curve run backwards: X(1 - t).

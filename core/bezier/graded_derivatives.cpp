@@ -19,11 +19,12 @@ LocalPoles localPoles(const HomogeneousPoles& poles, Eigen::Index pivot) {
   for (Eigen::Index i = 0; i < poles.rows(); ++i)
     for (int k = 0; k < 3; ++k)
       if (!std::isfinite(local.poles(i, k)))
-        throw std::invalid_argument("pole " + std::to_string(i) + " is " +
-                                    bernstein::text(local.poles(i, k)) + " from another in coordinate " +
-                                    std::to_string(k) + ": distances must be finite");
+        throw std::invalid_argument(
+            "pole " + std::to_string(i) + " is " + bernstein::text(local.poles(i, k)) +
+            " from another in coordinate " + std::to_string(k) + ": distances must be finite");
   std::frexp(local.poles.cwiseAbs().maxCoeff(), &local.exponent);
-  for (double& coordinate : local.poles.reshaped()) coordinate = std::ldexp(coordinate, -local.exponent);
+  for (double& coordinate : local.poles.reshaped())
+    coordinate = std::ldexp(coordinate, -local.exponent);
   return local;
 }
 
@@ -80,7 +81,8 @@ void GradedSums::choosePivot() {
 }
 
 GradedSums::GradedSums(const HomogeneousPoles& poles, double t)
-    : rounding_(3 * (static_cast<double>(poles.rows()) + 1) * std::numeric_limits<double>::epsilon()),
+    : rounding_(3 * (static_cast<double>(poles.rows()) + 1) *
+                std::numeric_limits<double>::epsilon()),
       shares_(poles.rows()) {
   const auto degree = static_cast<double>(poles.rows() - 1);
   const GradedTerm z = logParameter(t).z;
@@ -120,8 +122,8 @@ GradedVector GradedSums::derivative() const {
   std::frexp(result.value.cwiseAbs().maxCoeff(), &normalised);
   for (double& coordinate : result.value) coordinate = std::ldexp(coordinate, -normalised);
   result.error = std::ldexp(result.error, -normalised);
-  result.exponent =
-      terms_[static_cast<std::size_t>(pivot_)].exponent - first_exponent_ + local_.exponent + normalised;
+  result.exponent = terms_[static_cast<std::size_t>(pivot_)].exponent - first_exponent_ +
+                    local_.exponent + normalised;
   return result;
 }
 
@@ -132,8 +134,9 @@ GradedNumber GradedSums::weight() const {
           terms_[static_cast<std::size_t>(pivot_)].exponent - first_exponent_};
 }
 
-/// By the parameter whose derivative of order 2 is that with the pivots p_0 and p_1 the third one has p_2 replaced
-/// by 2 p_1 - p_0; three times the first derivative of the weight comes from the quotient.
+/// By the parameter whose derivative of order 2 is that with the pivots p_0 and p_1 the third one
+/// has p_2 replaced by 2 p_1 - p_0; three times the first derivative of the weight comes from the
+/// quotient.
 GradedNumber shiftOf(double pivot_shift, const GradedNumber& weight) {
   if (pivot_shift == 0) return {3 * weight.value, 3 * weight.error, weight.exponent};
   return {pivot_shift + std::ldexp(3 * weight.value, weight.exponent),
@@ -145,7 +148,8 @@ GradedNumber shiftOf(double pivot_shift, const GradedNumber& weight) {
 GradedDerivatives gradedDerivatives(const HomogeneousPoles& poles, double t, int order) {
   GradedDerivatives result;
   const GradedTerm rate = logParameter(t).rate;
-  result.rate = {rate.mantissa, 4 * std::numeric_limits<double>::epsilon() * std::abs(rate.mantissa),
+  result.rate = {rate.mantissa,
+                 4 * std::numeric_limits<double>::epsilon() * std::abs(rate.mantissa),
                  rate.exponent};
   GradedSums sums(poles, t);
   std::vector<double> pivots = {sums.pivot()};
@@ -162,8 +166,9 @@ GradedDerivatives gradedDerivatives(const HomogeneousPoles& poles, double t, int
 
 namespace {
 
-/// Coefficients of a function of a by the powers of b, with a = b / (1 - turn b), over 1 / (1 - turn b):
-/// sum_k c_k b^k (1 - turn b)^(1 - k). \pre where it has one, the coefficient c_1 takes up that of c_0.
+/// Coefficients of a function of a by the powers of b, with a = b / (1 - turn b), over 1 / (1 -
+/// turn b): sum_k c_k b^k (1 - turn b)^(1 - k). \pre where it has one, the coefficient c_1 takes up
+/// that of c_0.
 template <class Rows>
 Rows projectedSeries(const Rows& c, double turn) {
   Rows result = c;
@@ -177,8 +182,8 @@ Rows projectedSeries(const Rows& c, double turn) {
   return result;
 }
 
-/// Coefficients by a of sum_i share_i (1 + a)^x_i (P_i - X), x_i = (i - p_0) / (p_1 - p_0), and of the weight, with a in
-/// units of 2^unit.
+/// Coefficients by a of sum_i share_i (1 + a)^x_i (P_i - X), x_i = (i - p_0) / (p_1 - p_0), and of
+/// the weight, with a in units of 2^unit.
 struct OwnSeries {
   CurveDerivatives points;
   Eigen::VectorXd weights;
@@ -216,7 +221,8 @@ OwnDerivatives ownDerivatives(const HomogeneousPoles& poles, double t, int order
   const Eigen::VectorXd weights = projectedSeries(series.weights, series.weights(1));
   for (int k = 1; k <= order; ++k) {
     result.derivatives.row(k) = points.row(k);
-    for (int j = 2; j < k; ++j) result.derivatives.row(k) -= weights(j) * result.derivatives.row(k - j);
+    for (int j = 2; j < k; ++j)
+      result.derivatives.row(k) -= weights(j) * result.derivatives.row(k - j);
   }
   const bool backwards = (step < 0) != (logParameter(t).rate.mantissa < 0);
   double factor = std::ldexp(1, start.size());

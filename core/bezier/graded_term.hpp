@@ -7,8 +7,8 @@
 
 #include <seamwright/core/bezier/curve.hpp>
 
-/// Numbers with an exponent of their own: powers of a high degree, and parameters at an end, leave the range of a
-/// double. Not a public header.
+/// Numbers with an exponent of their own: powers of a high degree, and parameters at an end, leave
+/// the range of a double. Not a public header.
 namespace seamwright {
 
 /// mantissa 2^exponent
@@ -36,7 +36,8 @@ struct GradedTerm {
   double overPowerOf2(int unit) const { return std::ldexp(mantissa, exponent - unit); }
 };
 
-/// Stands for a parameter of 0: so small that of each order all but the first terms vanish beside any weights.
+/// Stands for a parameter of 0: so small that of each order all but the first terms vanish beside
+/// any weights.
 constexpr int graded_end_exponent = -(1 << 14);
 
 inline GradedTerm gradedParameter(double t) {
@@ -57,7 +58,8 @@ struct LocalPoles {
   int exponent = 0;
 };
 
-/// The affine poles about the one with that index. \throws std::invalid_argument where a distance is not finite.
+/// The affine poles about the one with that index. \throws std::invalid_argument where a distance
+/// is not finite.
 LocalPoles localPoles(const HomogeneousPoles& poles, Eigen::Index pivot);
 
 }  // namespace seamwright

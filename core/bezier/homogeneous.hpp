@@ -9,19 +9,22 @@
 /// Homogeneous poles, shared by curves, patches and triangles; not a public header.
 namespace seamwright {
 
-/// (w x, w y, w z, w) of each pole. \throws std::invalid_argument naming the index and value that cannot be.
-HomogeneousPoles homogeneousPoles(const Eigen::Ref<const Poles>& poles, const Eigen::VectorXd& weights);
+/// (w x, w y, w z, w) of each pole. \throws std::invalid_argument naming the index and value that
+/// cannot be.
+HomogeneousPoles homogeneousPoles(const Eigen::Ref<const Poles>& poles,
+                                  const Eigen::VectorXd& weights);
 
-/// \throws std::invalid_argument for no poles, a number that is not finite or a weight that is not positive; with
-/// index and value.
+/// \throws std::invalid_argument for no poles, a number that is not finite or a weight that is not
+/// positive; with index and value.
 void requireValid(const HomogeneousPoles& poles);
 
 Poles affinePoles(const HomogeneousPoles& poles);
 
 bool isRational(const HomogeneousPoles& poles);
 
-/// The poles P_i - \p origin with their weights. About the point evaluated there is nothing to cancel in Leibniz' rule,
-/// where w^(i) X would be of the size of A^(i): a heavy pole is near that point.
+/// The poles P_i - \p origin with their weights. About the point evaluated there is nothing to
+/// cancel in Leibniz' rule, where w^(i) X would be of the size of A^(i): a heavy pole is near that
+/// point.
 HomogeneousPoles about(const HomogeneousPoles& poles, const Eigen::Vector3d& origin);
 
 /// Point and derivatives of the curve from those of its homogeneous form A = w X, by Leibniz' rule:

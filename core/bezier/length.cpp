@@ -55,8 +55,8 @@ struct Estimate {
   double rounding = 0;  ///< what of the bracket's width is due to it
 };
 
-/// |integral of the velocity| <= length <= integral of its control polygon's norm, both over the divisor: of a
-/// polynomial curve chord and polygon. The value is Gravesen's.
+/// |integral of the velocity| <= length <= integral of its control polygon's norm, both over the
+/// divisor: of a polynomial curve chord and polygon. The value is Gravesen's.
 Estimate chordAndPolygon(const VelocityForm& form) {
   const int m = form.velocity[0].degree();
   Eigen::Matrix3Xd c(3, m + 1);
@@ -69,8 +69,8 @@ Estimate chordAndPolygon(const VelocityForm& form) {
   result.bracket = {down(down(std::max(0.0, chord - off)) / divisor.upper),
                     quotientUp(rounding::sumUp(polygon, off), divisor.lower)};
   result.rounding = 2 * off / divisor.lower;
-  result.value = std::clamp((2 * chord + m * polygon) / (m + 2) / divisor.middle(), result.bracket.lower,
-                            result.bracket.upper);
+  result.value = std::clamp((2 * chord + m * polygon) / (m + 2) / divisor.middle(),
+                            result.bracket.lower, result.bracket.upper);
   return result;
 }
 
@@ -80,14 +80,15 @@ Eigen::Matrix<double, nodes, 1> speeds(const VelocityForm& form) {
   for (int i = 0; i < nodes; ++i) {
     const bernstein::Step step = bernstein::Step::at(node(i));
     Eigen::Vector3d velocity;
-    for (int k = 0; k < 3; ++k) velocity(k) = bernstein::collapsed(form.velocity[k].coefficients(), step)(0);
+    for (int k = 0; k < 3; ++k)
+      velocity(k) = bernstein::collapsed(form.velocity[k].coefficients(), step)(0);
     values(i) = velocity.norm() / bernstein::collapsed(form.divisor.coefficients(), step)(0);
   }
   return values;
 }
 
-/// Gauss' quadrature with its remainder: the polynomial g through the speeds at the nodes has their quadrature
-/// for integral. With v the velocity, d the divisor,
+/// Gauss' quadrature with its remainder: the polynomial g through the speeds at the nodes has their
+/// quadrature for integral. With v the velocity, d the divisor,
 ///
 ///   |v| / d - g = (v.v - (g d)^2) / ((|v| + g d) d),
 ///
@@ -105,7 +106,8 @@ std::optional<Estimate> quadrature(const VelocityForm& form) {
   const BernsteinPolynomial residual = squaredNorm(form.velocity) - guess * guess;
   Estimate result;
   result.value = g.coefficients().mean();
-  const double rounding = rounding::productUp(rounding::gamma(nodes + 2), g.coefficients().cwiseAbs().mean());
+  const double rounding =
+      rounding::productUp(rounding::gamma(nodes + 2), g.coefficients().cwiseAbs().mean());
   const auto off = [&](double excess) {
     return rounding::sumUp(rounding, quotientUp(std::max(0.0, excess), denominator));
   };
@@ -151,7 +153,8 @@ class LengthSum {
 
   void take(const Estimate& estimate, double share) {
     bracket_.lower = down(bracket_.lower + down(share * estimate.bracket.lower));
-    bracket_.upper = rounding::sumUp(bracket_.upper, rounding::productUp(share, estimate.bracket.upper));
+    bracket_.upper =
+        rounding::sumUp(bracket_.upper, rounding::productUp(share, estimate.bracket.upper));
     value_ += share * estimate.value;
   }
 
@@ -169,9 +172,11 @@ void requirePositive(double tolerance_mm) {
 
 /// (g d)^2 of quadrature() has degree 4 n + 12, v.v of a polynomial curve 2 n - 2.
 void requireDegree(const BezierCurve& curve) {
-  const int most = curve.isRational() ? (bernstein::kMaxDegree - 12) / 4 : (bernstein::kMaxDegree + 2) / 2;
+  const int most =
+      curve.isRational() ? (bernstein::kMaxDegree - 12) / 4 : (bernstein::kMaxDegree + 2) / 2;
   if (curve.degree() > most)
-    throw std::invalid_argument("degree is " + std::to_string(curve.degree()) + ": the length of a " +
+    throw std::invalid_argument("degree is " + std::to_string(curve.degree()) +
+                                ": the length of a " +
                                 (curve.isRational() ? "rational" : "polynomial") +
                                 " curve is known up to degree " + std::to_string(most));
 }
@@ -181,8 +186,8 @@ void requireDegree(const BezierCurve& curve) {
 ArcLength arcLength(const BezierCurve& curve, double tolerance_mm, double first, double last) {
   requirePositive(tolerance_mm);
   if (!(0 <= first && first <= last && last <= 1))
-    throw std::invalid_argument("range is " + bernstein::text(first) + " .. " + bernstein::text(last) +
-                                ": 0 <= first <= last <= 1 is needed");
+    throw std::invalid_argument("range is " + bernstein::text(first) + " .. " +
+                                bernstein::text(last) + ": 0 <= first <= last <= 1 is needed");
   requireDegree(curve);
   if (first == last) return {};
   VelocityForm form = velocityForm(curve);
@@ -193,8 +198,8 @@ ArcLength arcLength(const BezierCurve& curve, double tolerance_mm, double first,
   const Interval bracket = sum.bracket();
   ArcLength length;
   length.lower_mm = down(down(down(last - first) * bracket.lower) * form.unit_mm);
-  length.upper_mm =
-      rounding::productUp(rounding::productUp(rounding::up(last - first), bracket.upper), form.unit_mm);
+  length.upper_mm = rounding::productUp(
+      rounding::productUp(rounding::up(last - first), bracket.upper), form.unit_mm);
   length.value_mm = std::clamp(scale * sum.value(), length.lower_mm, length.upper_mm);
   length.reached = length.upper_mm - length.lower_mm <= tolerance_mm;
   return length;
@@ -205,8 +210,8 @@ double parameterAtLength(const BezierCurve& curve, double length_mm, double tole
   const double accuracy = 0.25 * tolerance_mm;
   const ArcLength whole = arcLength(curve, accuracy);
   if (!(length_mm >= 0 && length_mm <= whole.upper_mm))
-    throw std::invalid_argument("length is " + bernstein::text(length_mm) + ": the curve has 0 .. " +
-                                bernstein::text(whole.value_mm) + " mm");
+    throw std::invalid_argument("length is " + bernstein::text(length_mm) +
+                                ": the curve has 0 .. " + bernstein::text(whole.value_mm) + " mm");
   Interval range{0, 1};  // what is asked is in here
   double t = whole.value_mm > 0 ? std::min(1.0, length_mm / whole.value_mm) : 0;
   double nearest = t, least = std::numeric_limits<double>::infinity();
@@ -220,8 +225,8 @@ double parameterAtLength(const BezierCurve& curve, double length_mm, double tole
     if (least <= std::max(2 * accuracy, rounding * length)) return nearest;
     (missing > 0 ? range.lower : range.upper) = t;
     if (range.middle() <= range.lower || range.middle() >= range.upper) return nearest;
-    // Every second step of three goes twice as far, so that the range closes from both sides; every third
-    // halves it, since Newton's may creep where the speed is about zero.
+    // Every second step of three goes twice as far, so that the range closes from both sides; every
+    // third halves it, since Newton's may creep where the speed is about zero.
     const double speed = curve.derivatives(t, 1).row(1).stableNorm();
     const double newton = t + (step % 3 == 2 ? 2 : 1) * missing / speed;
     const bool usable = newton > range.lower && newton < range.upper && step % 3 != 0;

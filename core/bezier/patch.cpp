@@ -14,12 +14,13 @@ namespace {
 
 void requireNetSize(int degree_u, int degree_v, Eigen::Index rows) {
   if (degree_u < 0 || degree_v < 0 || (degree_u + 1) * (degree_v + 1) != rows)
-    throw std::invalid_argument("degrees " + std::to_string(degree_u) + " by " + std::to_string(degree_v) +
-                                ", poles " + std::to_string(rows) + ": (m+1)(n+1) poles are needed");
+    throw std::invalid_argument("degrees " + std::to_string(degree_u) + " by " +
+                                std::to_string(degree_v) + ", poles " + std::to_string(rows) +
+                                ": (m+1)(n+1) poles are needed");
 }
 
-HomogeneousPartials patchPartials(const HomogeneousPoles& poles, int degree_u, int degree_v, double u,
-                                  double v) {
+HomogeneousPartials patchPartials(const HomogeneousPoles& poles, int degree_u, int degree_v,
+                                  double u, double v) {
   // Along v first: row i of along_v[l] is the l-th v-derivative of the i-th row of the net.
   std::array<HomogeneousPoles, 4> along_v;
   along_v.fill(HomogeneousPoles(degree_u + 1, 4));
@@ -80,8 +81,8 @@ SurfaceJet BezierPatch::jet(double u, double v) const {
 JetNoise BezierPatch::noise() const {
   const double size = poles().cwiseAbs().maxCoeff();
   const double weight_ratio = homogeneous_.col(3).maxCoeff() / homogeneous_.col(3).minCoeff();
-  const double unit =
-      8 * (degree_u_ + degree_v_ + 4) * std::numeric_limits<double>::epsilon() * size * weight_ratio;
+  const double unit = 8 * (degree_u_ + degree_v_ + 4) * std::numeric_limits<double>::epsilon() *
+                      size * weight_ratio;
   return {unit * degree_u_, unit * degree_v_};
 }
 
@@ -97,7 +98,8 @@ BezierPatch BezierPatch::reversedU() const {
   HomogeneousPoles result(homogeneous_.rows(), 4);
   const int columns = degree_v_ + 1;
   for (int i = 0; i <= degree_u_; ++i)
-    result.middleRows(i * columns, columns) = homogeneous_.middleRows((degree_u_ - i) * columns, columns);
+    result.middleRows(i * columns, columns) =
+        homogeneous_.middleRows((degree_u_ - i) * columns, columns);
   return {Homogeneous{}, degree_u_, degree_v_, std::move(result)};
 }
 

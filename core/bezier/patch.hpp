@@ -7,14 +7,16 @@
 
 namespace seamwright {
 
-/// A (rational) tensor-product Bézier patch of degrees m, n on [0, 1]^2, stored by its homogeneous poles.
+/// A (rational) tensor-product Bézier patch of degrees m, n on [0, 1]^2, stored by its homogeneous
+/// poles.
 ///
-/// Row i (n+1) + j of the pole matrix is the pole P[i][j]; i belongs to u (degree m), j to v (degree n).
+/// Row i (n+1) + j of the pole matrix is the pole P[i][j]; i belongs to u (degree m), j to v
+/// (degree n).
 class BezierPatch {
  public:
   /// Polynomial patch. \param poles (m+1)(n+1) by 3.
-  /// \throws std::invalid_argument if the number of rows is not (m+1)(n+1), or a pole is not finite (its row
-  /// is named).
+  /// \throws std::invalid_argument if the number of rows is not (m+1)(n+1), or a pole is not finite
+  /// (its row is named).
   BezierPatch(int degree_u, int degree_v, const Eigen::Ref<const Poles>& poles);
   /// Rational patch. \param weights (m+1)(n+1) positive finite numbers in the order of the poles.
   BezierPatch(int degree_u, int degree_v, const Eigen::Ref<const Poles>& poles,
@@ -31,9 +33,9 @@ class BezierPatch {
   Eigen::Vector3d point(double u, double v) const;
   /// Point and partials to third order at (u, v).
   SurfaceJet jet(double u, double v) const;
-  /// Bound of the rounding in the first partials of jet() on [0, 1]^2: 8 (m + n + 4) eps d |P|_max w_max /
-  /// w_min with d the degree in that direction. A bound of the evaluation, not of the poles, which count as
-  /// exact.
+  /// Bound of the rounding in the first partials of jet() on [0, 1]^2: 8 (m + n + 4) eps d |P|_max
+  /// w_max / w_min with d the degree in that direction. A bound of the evaluation, not of the
+  /// poles, which count as exact.
   JetNoise noise() const;
 
   /// The same patch with u and v exchanged; its natural normal changes sign.
@@ -46,7 +48,8 @@ class BezierPatch {
   BezierCurve isoCurveU(double u) const;
 
   bool operator==(const BezierPatch& other) const {
-    return degree_u_ == other.degree_u_ && degree_v_ == other.degree_v_ && homogeneous_ == other.homogeneous_;
+    return degree_u_ == other.degree_u_ && degree_v_ == other.degree_v_ &&
+           homogeneous_ == other.homogeneous_;
   }
 
  private:

@@ -34,8 +34,8 @@ int area(const Index2& a, const Index2& b) {
 struct GradedNet {
   std::vector<GradedTerm> terms;  ///< g_q, one for each pole
   std::vector<Index2> indices;    ///< q
-  GradedTerm jacobian{1};         ///< of the logarithms of the two quotients of parameters, by u and v
-  double rounding = 0;            ///< relative, of a term and of sums of terms
+  GradedTerm jacobian{1};  ///< of the logarithms of the two quotients of parameters, by u and v
+  double rounding = 0;     ///< relative, of a term and of sums of terms
 };
 
 /// Powers 0..degree of a term, with binomial coefficients.
@@ -60,13 +60,15 @@ GradedNet netOf(const BezierPatch& patch, double u, double v) {
     }
   net.jacobian = GradedTerm(1).over(a.times(a1).times(b.times(b1)));
   net.rounding =
-      (3 * (patch.degreeU() + patch.degreeV() + 3) + static_cast<double>(net.terms.size())) * shape_epsilon;
+      (3 * (patch.degreeU() + patch.degreeV() + 3) + static_cast<double>(net.terms.size())) *
+      shape_epsilon;
   return net;
 }
 
 GradedNet netOf(const BezierTriangle& triangle, double l0, double l1) {
   const int n = triangle.degree();
-  const GradedTerm a = gradedParameter(l0), b = gradedParameter(l1), c = gradedParameter(1 - l0 - l1);
+  const GradedTerm a = gradedParameter(l0), b = gradedParameter(l1),
+                   c = gradedParameter(1 - l0 - l1);
   const auto in_a = binomialPowers(a.over(c), n);
   GradedNet net;
   for (int i = 0; i <= n; ++i) {
@@ -128,8 +130,10 @@ OwnJet::OwnJet(const GradedNet& net, const HomogeneousPoles& poles) : net_(net) 
   weight_error_ = net.rounding * total / std::abs(sum);
   poles_ = local_.poles.rowwise() - point / sum;
   for (std::size_t q = 0; q < net.terms.size(); ++q) {
-    shares_.emplace_back(net.terms[q].mantissa / sum, net.terms[q].exponent - net.terms[pivots_[0]].exponent);
-    sizes_.push_back(local_.poles.row(static_cast<Eigen::Index>(q)).norm() + 3 * point_size / std::abs(sum));
+    shares_.emplace_back(net.terms[q].mantissa / sum,
+                         net.terms[q].exponent - net.terms[pivots_[0]].exponent);
+    sizes_.push_back(local_.poles.row(static_cast<Eigen::Index>(q)).norm() +
+                     3 * point_size / std::abs(sum));
   }
 }
 
@@ -154,17 +158,21 @@ bool OwnJet::choosePivots() {
   return span_ != 0;
 }
 
-/// sum_q g_q x (x - 1) ... y (y - 1) ... (P_q - X) / sum_q g_q with k and l factors, q - q_0 = x (q_1 - q_0) + y (q_2 - q_0).
+/// sum_q g_q x (x - 1) ... y (y - 1) ... (P_q - X) / sum_q g_q with k and l factors, q - q_0 = x
+/// (q_1 - q_0) + y (q_2 - q_0).
 ShapeSum OwnJet::partial(int k, int l) const {
   const Index2& first = net_.indices[pivots_[0]];
-  const Index2 a = between(first, net_.indices[pivots_[1]]), b = between(first, net_.indices[pivots_[2]]);
+  const Index2 a = between(first, net_.indices[pivots_[1]]),
+               b = between(first, net_.indices[pivots_[2]]);
   ShapeSum sum;
   double weights = 0;
   for (std::size_t q = 0; q < shares_.size(); ++q) {
     const Index2 step = between(first, net_.indices[q]);
     GradedTerm term = shares_[q];
-    for (int i = 0; i < k; ++i) term = term.times(static_cast<double>(area(step, b) - i * span_) / span_);
-    for (int i = 0; i < l; ++i) term = term.times(static_cast<double>(area(a, step) - i * span_) / span_);
+    for (int i = 0; i < k; ++i)
+      term = term.times(static_cast<double>(area(step, b) - i * span_) / span_);
+    for (int i = 0; i < l; ++i)
+      term = term.times(static_cast<double>(area(a, step) - i * span_) / span_);
     const double coefficient = term.overPowerOf2(-k * units_[0] - l * units_[1]);
     sum.value += coefficient * poles_.row(static_cast<Eigen::Index>(q)).transpose();
     sum.error += std::abs(coefficient) * sizes_[q];
@@ -177,8 +185,8 @@ ShapeSum OwnJet::partial(int k, int l) const {
   return sum;
 }
 
-/// Whether X_u x X_v is within rounding of zero. At the end of a parameter it is of the size that terms of
-/// a higher order there have if it is zero but for them.
+/// Whether X_u x X_v is within rounding of zero. At the end of a parameter it is of the size that
+/// terms of a higher order there have if it is zero but for them.
 bool OwnJet::isFlat(const ShapeSum& a, const ShapeSum& b) const {
   const double size = a.value.cross(b.value).norm();
   const double noise = a.error * b.value.norm() + b.error * a.value.norm() + a.error * b.error +
@@ -193,7 +201,8 @@ void OwnJet::setJet(const ShapeSum& a, const ShapeSum& b, SurfaceShape& shape) c
   const std::array<const ShapeSum*, 3> second = {&aa, &ab, &bb};
   std::array<Vector3d, 4> third;
   for (int l = 0; l < 4; ++l) {
-    // The weight has no first derivative by a / (1 + w_a a + w_b b), b / (...): third derivatives gain w_i X_jk + ...
+    // The weight has no first derivative by a / (1 + w_a a + w_b b), b / (...): third derivatives
+    // gain w_i X_jk + ...
     const ShapeSum sum = partial(3 - l, l);
     third[l] = sum.value;
     shape.third_errors[l] = sum.error;
@@ -208,8 +217,9 @@ void OwnJet::setJet(const ShapeSum& a, const ShapeSum& b, SurfaceShape& shape) c
     if (l > 0) add(1, l - 1, l);
   }
   const double unit = std::ldexp(1, local_.exponent);
-  shape.jet = {Vector3d::Zero(), unit * a.value,  unit * b.value,  unit * aa.value, unit * ab.value,
-               unit * bb.value,  unit * third[0], unit * third[1], unit * third[2], unit * third[3]};
+  shape.jet = {Vector3d::Zero(), unit * a.value,  unit * b.value,  unit * aa.value,
+               unit * ab.value,  unit * bb.value, unit * third[0], unit * third[1],
+               unit * third[2],  unit * third[3]};
   shape.first_errors = {unit * a.error, unit * b.error};
   shape.second_errors = {unit * aa.error, unit * ab.error, unit * bb.error};
   for (double& error : shape.third_errors) error *= unit;
@@ -224,16 +234,18 @@ struct DualBasis {
 
 DualBasis dualBasisOf(const SurfaceShape& shape) {
   const Vector3d cross = shape.jet.u.cross(shape.jet.v);
-  DualBasis dual{
-      {shape.jet.v.cross(cross) / cross.squaredNorm(), cross.cross(shape.jet.u) / cross.squaredNorm()},
-      {},
-      0};
-  const double spread = dual.d[0].norm() * shape.jet.u.norm() + dual.d[1].norm() * shape.jet.v.norm();
-  const double turn = dual.d[0].norm() * shape.first_errors[0] + dual.d[1].norm() * shape.first_errors[1] +
-                      8 * shape_epsilon * spread;
+  DualBasis dual{{shape.jet.v.cross(cross) / cross.squaredNorm(),
+                  cross.cross(shape.jet.u) / cross.squaredNorm()},
+                 {},
+                 0};
+  const double spread =
+      dual.d[0].norm() * shape.jet.u.norm() + dual.d[1].norm() * shape.jet.v.norm();
+  const double turn = dual.d[0].norm() * shape.first_errors[0] +
+                      dual.d[1].norm() * shape.first_errors[1] + 8 * shape_epsilon * spread;
   dual.turn = turn < 1 ? turn / (1 - turn) : std::numeric_limits<double>::infinity();
   // J+ changes by -J+ dJ J+ in the plane, and turns with it.
-  for (int i = 0; i < 2; ++i) dual.error[i] = dual.d[i].norm() * (dual.turn + shape.normal_error_rad);
+  for (int i = 0; i < 2; ++i)
+    dual.error[i] = dual.d[i].norm() * (dual.turn + shape.normal_error_rad);
   return dual;
 }
 
@@ -248,9 +260,10 @@ void setTensor(SurfaceShape& shape) {
       const double form_error =
           shape.second_errors[i + j] + (shape.normal_error_rad + 4 * shape_epsilon) * size;
       const double di = dual.d[i].norm(), dj = dual.d[j].norm();
-      shape.tensor_error_per_mm += form_error * (di + dual.error[i]) * (dj + dual.error[j]) +
-                                   form * (dual.error[i] * dj + di * dual.error[j] +
-                                           dual.error[i] * dual.error[j] + 12 * shape_epsilon * di * dj);
+      shape.tensor_error_per_mm +=
+          form_error * (di + dual.error[i]) * (dj + dual.error[j]) +
+          form * (dual.error[i] * dj + di * dual.error[j] + dual.error[i] * dual.error[j] +
+                  12 * shape_epsilon * di * dj);
     }
 }
 
@@ -334,7 +347,8 @@ BoundedChange curvatureChange(const SurfaceShape& shape, const Eigen::Vector3d& 
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j) {
       const Vector3d& x = *second[i + j];
-      const double form = std::abs(shape.normal.dot(x)), error = shape.second_errors[i + j] + tilt * x.norm();
+      const double form = std::abs(shape.normal.dot(x)),
+                   error = shape.second_errors[i + j] + tilt * x.norm();
       const double a = std::abs(v1[i]), b = std::abs(v2[j]);
       change.error_per_mm2 +=
           3 * (error * (a + e1[i]) * (b + e2[j]) + form * (a * e2[j] + e1[i] * b + e1[i] * e2[j]));
@@ -343,7 +357,8 @@ BoundedChange curvatureChange(const SurfaceShape& shape, const Eigen::Vector3d& 
         const double height = std::abs(shape.normal.dot(y)),
                      off = shape.third_errors[i + j + k] + tilt * y.norm();
         const double full = (a + e1[i]) * (std::abs(v1[j]) + e1[j]) * (std::abs(v1[k]) + e1[k]);
-        change.error_per_mm2 += off * full + height * (full - a * std::abs(v1[j]) * std::abs(v1[k]));
+        change.error_per_mm2 +=
+            off * full + height * (full - a * std::abs(v1[j]) * std::abs(v1[k]));
       }
     }
   return change;

@@ -23,7 +23,8 @@ int degreeOf(Eigen::Index poles) {
   return degree;
 }
 
-/// One step of de Casteljau's algorithm, from that degree to the next lower one: rows move to the front.
+/// One step of de Casteljau's algorithm, from that degree to the next lower one: rows move to the
+/// front.
 void step(HomogeneousPoles& net, int degree, const Barycentric& l) {
   Eigen::Index to = 0;
   for (int i = 0; i < degree; ++i)
@@ -38,7 +39,8 @@ Eigen::Vector4d collapse(HomogeneousPoles net, int degree, const Barycentric& l)
   return net.row(0).transpose();
 }
 
-/// The net, of one degree less, of the derivative by l0 (di = 1, dj = 0) or l1 (0, 1) at constant other one.
+/// The net, of one degree less, of the derivative by l0 (di = 1, dj = 0) or l1 (0, 1) at constant
+/// other one.
 HomogeneousPoles derivativeNet(const HomogeneousPoles& net, int degree, int di, int dj) {
   if (degree == 0) return HomogeneousPoles::Zero(1, 4);
   HomogeneousPoles result(net.rows() - degree - 1, 4);
@@ -116,7 +118,8 @@ Eigen::Vector4d BezierTriangle::blossom(std::span<const Barycentric> arguments) 
   for (std::size_t i = 0; i < arguments.size(); ++i)
     if (!arguments[i].allFinite())
       throw std::invalid_argument("argument " + std::to_string(i) + " is not finite");
-  // In an order of their own, so that rounding is symmetric too; corners first, which only choose poles.
+  // In an order of their own, so that rounding is symmetric too; corners first, which only choose
+  // poles.
   std::vector<Barycentric> sorted(arguments.begin(), arguments.end());
   std::ranges::sort(sorted, [](const Barycentric& a, const Barycentric& b) {
     const double top_a = a.maxCoeff(), top_b = b.maxCoeff();
@@ -156,8 +159,9 @@ BezierTriangle BezierTriangle::permuted(const std::array<int, 3>& corners) const
   std::array<int, 3> sorted = corners;
   std::ranges::sort(sorted);
   if (sorted != std::array{0, 1, 2})
-    throw std::invalid_argument("corners " + std::to_string(corners[0]) + ", " + std::to_string(corners[1]) +
-                                ", " + std::to_string(corners[2]) + ": 0, 1 and 2 are needed");
+    throw std::invalid_argument("corners " + std::to_string(corners[0]) + ", " +
+                                std::to_string(corners[1]) + ", " + std::to_string(corners[2]) +
+                                ": 0, 1 and 2 are needed");
   HomogeneousPoles result(homogeneous_.rows(), 4);
   for (int i = 0; i <= degree_; ++i)
     for (int j = 0; i + j <= degree_; ++j) {

@@ -25,7 +25,8 @@ Coefficients elevated(Coefficients c, int degree) {
     higher.row(count) = c.row(count - 1);
     for (Eigen::Index i = 1; i < count; ++i) {
       const double share = static_cast<double>(i) / static_cast<double>(count);
-      higher.row(i) = c.row(i) + share * (c.row(i - 1) - c.row(i));  // so constants stay, bit by bit
+      higher.row(i) =
+          c.row(i) + share * (c.row(i - 1) - c.row(i));  // so constants stay, bit by bit
     }
     c = std::move(higher);
   }
@@ -44,17 +45,20 @@ Coefficients lowered(const Coefficients& c, int degree) {
   const int inner = degree - 1;
   if (inner == 0) return result;
   const Coefficients matrix = elevated(Coefficients::Identity(degree + 1, degree + 1), given);
-  const Coefficients rest = c - matrix.col(0) * result.row(0) - matrix.col(degree) * result.row(degree);
+  const Coefficients rest =
+      c - matrix.col(0) * result.row(0) - matrix.col(degree) * result.row(degree);
   result.middleRows(1, inner) = linear::PivotedQr(matrix.middleCols(1, inner)).solve(rest);
   return result;
 }
 
 /// One row of the net is one coefficient of a polynomial in u.
 Coefficients rowsOf(const BezierPatch& patch) {
-  return patch.homogeneousPoles().reshaped<Eigen::RowMajor>(patch.degreeU() + 1, 4 * (patch.degreeV() + 1));
+  return patch.homogeneousPoles().reshaped<Eigen::RowMajor>(patch.degreeU() + 1,
+                                                            4 * (patch.degreeV() + 1));
 }
 
-/// The net of T(1-u, u(1-v), uv), raised to degree_v where that is higher than the triangle's degree.
+/// The net of T(1-u, u(1-v), uv), raised to degree_v where that is higher than the triangle's
+/// degree.
 Coefficients degenerateNet(const HomogeneousPoles& triangle, int degree, int degree_v) {
   const int columns = std::max(degree, degree_v) + 1;
   Coefficients net(degree + 1, 4 * columns);
@@ -86,7 +90,8 @@ double distanceBound(const HomogeneousPoles& a, const HomogeneousPoles& b) {
   const double radius = (poles.rowwise() - centre).rowwise().norm().maxCoeff();
   const HomogeneousPoles difference = a - b;
   const Poles numerator = difference.leftCols<3>() - difference.col(3) * centre;
-  return ((numerator.rowwise().norm() + radius * difference.col(3).cwiseAbs()).array() / a.col(3).array())
+  return ((numerator.rowwise().norm() + radius * difference.col(3).cwiseAbs()).array() /
+          a.col(3).array())
       .maxCoeff();
 }
 
@@ -106,10 +111,10 @@ std::optional<Candidate> candidate(const BezierPatch& patch, int degree) {
   const Coefficients ours = elevated(degenerateNet(h, degree, degree_v), patch.degreeU());
   Coefficients given(patch.degreeU() + 1, 4 * (degree_v + 1));
   for (int r = 0; r <= patch.degreeU(); ++r)
-    given.row(r) =
-        elevated(patch.homogeneousPoles().middleRows(r * (patch.degreeV() + 1), patch.degreeV() + 1),
-                 degree_v)
-            .reshaped<Eigen::RowMajor>(1, 4 * (degree_v + 1));
+    given.row(r) = elevated(patch.homogeneousPoles().middleRows(r * (patch.degreeV() + 1),
+                                                                patch.degreeV() + 1),
+                            degree_v)
+                       .reshaped<Eigen::RowMajor>(1, 4 * (degree_v + 1));
   const Eigen::Index count = ours.size() / 4;
   return Candidate{triangle, distanceBound(given.reshaped<Eigen::RowMajor>(count, 4),
                                            ours.reshaped<Eigen::RowMajor>(count, 4))};
@@ -135,7 +140,8 @@ double poleSize(const Poles& poles, const Eigen::VectorXd& weights) {
 
 TriangleRecognition recogniseAt(const BezierPatch& patch, PatchEdge edge, double tolerance) {
   const BezierPatch turned = turnedToU0(patch, edge);
-  TriangleRecognition result{std::nullopt, edge, std::numeric_limits<double>::infinity(), tolerance};
+  TriangleRecognition result{std::nullopt, edge, std::numeric_limits<double>::infinity(),
+                             tolerance};
   const auto take = [&](int degree) {
     const std::optional<Candidate> found = candidate(turned, degree);
     if (!found) return;
@@ -184,8 +190,8 @@ BezierPatch degeneratePatch(const BezierTriangle& triangle, int apex) {
     throw std::invalid_argument("apex " + std::to_string(apex) + ": known are 0, 1 and 2");
   const int n = triangle.degree();
   const BezierTriangle turned = triangle.permuted({apex, (apex + 1) % 3, (apex + 2) % 3});
-  const HomogeneousPoles h =
-      degenerateNet(turned.homogeneousPoles(), n, n).reshaped<Eigen::RowMajor>((n + 1) * (n + 1), 4);
+  const HomogeneousPoles h = degenerateNet(turned.homogeneousPoles(), n, n)
+                                 .reshaped<Eigen::RowMajor>((n + 1) * (n + 1), 4);
   return {n, n, affinePoles(h), h.col(3)};
 }
 
@@ -205,11 +211,13 @@ std::array<BezierPatch, 3> regularPatches(const BezierTriangle& triangle) {
   return {patch(0), patch(1), patch(2)};
 }
 
-TriangleRecognition recogniseTriangle(const BezierPatch& patch, std::optional<double> tolerance_mm) {
+TriangleRecognition recogniseTriangle(const BezierPatch& patch,
+                                      std::optional<double> tolerance_mm) {
   if (tolerance_mm && !(*tolerance_mm >= 0))
     throw std::invalid_argument("tolerance_mm is " + std::to_string(*tolerance_mm) +
                                 ": it must not be negative");
-  const double noise = 8 * (patch.degreeU() + patch.degreeV() + 4) * std::numeric_limits<double>::epsilon() *
+  const double noise = 8 * (patch.degreeU() + patch.degreeV() + 4) *
+                       std::numeric_limits<double>::epsilon() *
                        poleSize(patch.poles(), patch.weights());
   const auto better = [](const TriangleRecognition& a, const TriangleRecognition& b) {
     if (a.triangle && b.triangle && a.triangle->degree() != b.triangle->degree())

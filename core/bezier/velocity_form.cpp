@@ -39,7 +39,8 @@ HomogeneousForm homogeneousForm(const BezierCurve& curve) {
 
 /// Relative to the first pole, which keeps products small.
 HomogeneousForm aboutFirstPole(HomogeneousForm form) {
-  for (BernsteinPolynomial& a : form.a) a = a - (a.coefficients()(0) / form.w.coefficients()(0)) * form.w;
+  for (BernsteinPolynomial& a : form.a)
+    a = a - (a.coefficients()(0) / form.w.coefficients()(0)) * form.w;
   return form;
 }
 
@@ -80,10 +81,14 @@ VelocityForm velocityForm(const BezierCurve& curve) {
   const double least_weight = h.w.coefficients().minCoeff();
   if (n == 0) return {zeroForm(), weight, least_weight, h.unit_mm};
   if (!curve.isRational())
-    return {{h.a[0].derivative(), h.a[1].derivative(), h.a[2].derivative()}, weight, least_weight, h.unit_mm};
+    return {{h.a[0].derivative(), h.a[1].derivative(), h.a[2].derivative()},
+            weight,
+            least_weight,
+            h.unit_mm};
   const HomogeneousForm g = aboutFirstPole(h);
   const auto component = [&](const BernsteinPolynomial& a) {
-    return static_cast<double>(n) * (part(a, 1, 1) * part(g.w, 0, 1) - part(a, 0, 1) * part(g.w, 1, 1));
+    return static_cast<double>(n) *
+           (part(a, 1, 1) * part(g.w, 0, 1) - part(a, 0, 1) * part(g.w, 1, 1));
   };
   return {{component(g.a[0]), component(g.a[1]), component(g.a[2])},
           g.w * g.w,
@@ -100,7 +105,8 @@ VectorForm curvatureForm(const BezierCurve& curve) {
   }
   const HomogeneousForm h = aboutFirstPole(homogeneousForm(curve));
   const VectorForm a0 = part(h.a, 0, 2), a1 = part(h.a, 1, 2), a2 = part(h.a, 2, 2);
-  return part(h.w, 0, 2) * cross(a1, a2) + part(h.w, 1, 2) * cross(a2, a0) + part(h.w, 2, 2) * cross(a0, a1);
+  return part(h.w, 0, 2) * cross(a1, a2) + part(h.w, 1, 2) * cross(a2, a0) +
+         part(h.w, 2, 2) * cross(a0, a1);
 }
 
 std::pair<VectorForm, VectorForm> halves(const VectorForm& form) {
@@ -111,7 +117,8 @@ std::pair<VectorForm, VectorForm> halves(const VectorForm& form) {
 std::pair<VelocityForm, VelocityForm> VelocityForm::halves() const {
   const auto [left, right] = seamwright::halves(velocity);
   const auto [left_divisor, right_divisor] = divisor.split(0.5);
-  return {{left, left_divisor, least_divisor, unit_mm}, {right, right_divisor, least_divisor, unit_mm}};
+  return {{left, left_divisor, least_divisor, unit_mm},
+          {right, right_divisor, least_divisor, unit_mm}};
 }
 
 Interval VelocityForm::divisorRange() const {
@@ -120,7 +127,8 @@ Interval VelocityForm::divisorRange() const {
 }
 
 VelocityForm VelocityForm::restricted(const Interval& domain) const {
-  return {{velocity[0].restricted(domain), velocity[1].restricted(domain), velocity[2].restricted(domain)},
+  return {{velocity[0].restricted(domain), velocity[1].restricted(domain),
+           velocity[2].restricted(domain)},
           divisor.restricted(domain),
           least_divisor,
           unit_mm};

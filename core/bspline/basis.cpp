@@ -29,7 +29,8 @@ Eigen::RowVectorXd basisValues(int degree, const std::vector<double>& knots, int
   return values;
 }
 
-/// A functional of the coefficients of a derivative, of degree p - 1, as one of the coefficients of the spline of degree p.
+/// A functional of the coefficients of a derivative, of degree p - 1, as one of the coefficients of
+/// the spline of degree p.
 Eigen::RowVectorXd onSpline(const Eigen::RowVectorXd& functional, const std::vector<double>& knots,
                             int span) {
   const int p = static_cast<int>(functional.size());
@@ -47,19 +48,19 @@ Eigen::RowVectorXd onSpline(const Eigen::RowVectorXd& functional, const std::vec
 void requireDegree(int degree, const std::string& suffix) {
   constexpr int max_degree = SplineEvaluator::max_degree;
   if (degree < 1 || degree > max_degree)
-    refuse("degree" + suffix + " is " + std::to_string(degree) + ": 1 to " + std::to_string(max_degree) +
-           " is needed");
+    refuse("degree" + suffix + " is " + std::to_string(degree) + ": 1 to " +
+           std::to_string(max_degree) + " is needed");
 }
 
 void requireKnots(int degree, const std::vector<double>& knots, const std::string& suffix) {
   requireDegree(degree, suffix);
   const int count = static_cast<int>(knots.size()) - degree - 1;
   if (count < degree + 1)
-    refuse("knots" + suffix + " are " + std::to_string(knots.size()) + ": degree " + std::to_string(degree) +
-           " needs at least " + std::to_string(2 * degree + 2));
+    refuse("knots" + suffix + " are " + std::to_string(knots.size()) + ": degree " +
+           std::to_string(degree) + " needs at least " + std::to_string(2 * degree + 2));
   const auto refuseKnot = [&](std::size_t i, const std::string& needed) {
-    refuse("knot " + std::to_string(i) + " of knots" + suffix + " is " + bernstein::text(knots[i]) + ": " +
-           needed);
+    refuse("knot " + std::to_string(i) + " of knots" + suffix + " is " + bernstein::text(knots[i]) +
+           ": " + needed);
   };
   for (std::size_t i = 0; i < knots.size(); ++i) {
     if (!std::isfinite(knots[i])) refuseKnot(i, "knots must be finite");
@@ -69,7 +70,8 @@ void requireKnots(int degree, const std::vector<double>& knots, const std::strin
     refuseKnot(knots.size() - 1, "the range of the knots must not overflow, nor underflow");
   for (int i = 1; i <= degree; ++i) {
     if (knots[i] != knots[0]) refuseKnot(i, "the first degree + 1 knots must be equal");
-    if (knots[count + i] != knots[count]) refuseKnot(count + i, "the last degree + 1 knots must be equal");
+    if (knots[count + i] != knots[count])
+      refuseKnot(count + i, "the last degree + 1 knots must be equal");
   }
   for (int i = 1; i < count; ++i)
     if (knots[i + degree] == knots[i])

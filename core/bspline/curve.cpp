@@ -31,9 +31,11 @@ CurveDerivatives derivatives(const BSplineCurve& curve, double t, int order) {
   requireValid(curve);
   if (!std::isfinite(t))
     throw std::invalid_argument("parameter t is " + bernstein::text(t) + ": it must be finite");
-  if (order < 0) throw std::invalid_argument("order " + std::to_string(order) + ": it must not be negative");
+  if (order < 0)
+    throw std::invalid_argument("order " + std::to_string(order) + ": it must not be negative");
   const int span = bspline::spanOf(curve.degree, curve.knots, t);
-  const Eigen::MatrixXd basis = bspline::basisDerivatives(curve.degree, curve.knots, span, t, order);
+  const Eigen::MatrixXd basis =
+      bspline::basisDerivatives(curve.degree, curve.knots, span, t, order);
   const HomogeneousPoles poles = curve.poles.middleRows(span - curve.degree, curve.degree + 1);
   if (!isRational(curve.poles)) return (basis * poles).leftCols<3>() / curve.poles(0, 3);
   const Eigen::RowVector4d h = basis.row(0) * poles;

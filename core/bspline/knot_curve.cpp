@@ -31,13 +31,14 @@ void requireMultiplicities(const KnotCurve& curve) {
              std::to_string(most) + " is needed");
   }
   if (curve.periodic && times.front() != times.back())
-    refuse("multiplicities of the first and the last knot are " + std::to_string(times.front()) + " and " +
-           std::to_string(times.back()) + ": of a periodic curve they must be equal");
+    refuse("multiplicities of the first and the last knot are " + std::to_string(times.front()) +
+           " and " + std::to_string(times.back()) + ": of a periodic curve they must be equal");
   const int poles = std::accumulate(times.begin() + (curve.periodic ? 1 : 0), times.end(), 0) -
                     (curve.periodic ? 0 : curve.degree + 1);
   if (poles < (curve.periodic ? 1 : curve.degree + 1) || curve.poles.rows() != poles)
     refuse("poles " + std::to_string(curve.poles.rows()) + ", knots of degree " +
-           std::to_string(curve.degree) + " for " + std::to_string(poles) + ": the numbers must be equal");
+           std::to_string(curve.degree) + " for " + std::to_string(poles) +
+           ": the numbers must be equal");
 }
 
 void requireNumbers(const KnotCurve& curve) {
@@ -47,7 +48,8 @@ void requireNumbers(const KnotCurve& curve) {
            std::to_string(curve.multiplicities.size()) + ": as many, and at least 2, are needed");
   for (std::size_t i = 0; i < curve.knots.size(); ++i) {
     if (!std::isfinite(curve.knots[i]))
-      refuse("knot " + std::to_string(i) + " is " + text(curve.knots[i]) + ": knots must be finite");
+      refuse("knot " + std::to_string(i) + " is " + text(curve.knots[i]) +
+             ": knots must be finite");
     if (i > 0 && !(curve.knots[i] > curve.knots[i - 1]))
       refuse("knot " + std::to_string(i) + " is " + text(curve.knots[i]) + " after " +
              text(curve.knots[i - 1]) + ": knots must increase");
@@ -65,7 +67,8 @@ BSplineCurve flat(const KnotCurve& curve) {
   return result;
 }
 
-/// The turns of a periodic curve around [first, last], and before and after them as many as hold degree + 1 knots.
+/// The turns of a periodic curve around [first, last], and before and after them as many as hold
+/// degree + 1 knots.
 BSplineCurve unwound(const KnotCurve& curve, double first, double last) {
   const double start = curve.knots.front(), end = curve.knots.back(), period = end - start;
   std::vector<double> turn;
@@ -78,7 +81,8 @@ BSplineCurve unwound(const KnotCurve& curve, double first, double last) {
   for (Index k = from; k < to; ++k) {
     const auto turns = static_cast<double>(k);
     for (const double knot : turn)
-      result.knots.push_back(k < 0 && knot == end ? start + (turns + 1) * period : knot + turns * period);
+      result.knots.push_back(k < 0 && knot == end ? start + (turns + 1) * period
+                                                  : knot + turns * period);
   }
   result.poles.resize(result.count(), 4);
   for (Index i = 0; i < result.poles.rows(); ++i)
@@ -130,11 +134,14 @@ std::pair<double, double> rangeOf(const KnotCurve& curve) {
 BSplineCurve clampedCurve(const KnotCurve& curve, double first, double last) {
   const std::pair<double, double> range = rangeOf(curve);
   if (!(range.first < range.second))
-    refuse("the range is " + text(range.first) + " to " + text(range.second) + ": it must not be empty");
+    refuse("the range is " + text(range.first) + " to " + text(range.second) +
+           ": it must not be empty");
   if (!(first < last) || !std::isfinite(last - first))
-    refuse("first is " + text(first) + ", last " + text(last) + ": first must be below last, both finite");
+    refuse("first is " + text(first) + ", last " + text(last) +
+           ": first must be below last, both finite");
   const double period = range.second - range.first;
-  if (curve.periodic && !(last - first <= 2 * period && std::abs(first - range.first) <= kMostTurns * period))
+  if (curve.periodic &&
+      !(last - first <= 2 * period && std::abs(first - range.first) <= kMostTurns * period))
     refuse("first is " + text(first) + ", last " + text(last) + ": at most two periods, each " +
            text(period) + ", within 2^40 of them from its beginning");
   BSplineCurve result = curve.periodic ? unwound(curve, first, last) : flat(curve);

@@ -26,8 +26,8 @@ Net netAlong(const BSplineSurface& surface, SurfaceDirection direction) {
 }
 
 /// The surface with another net, knots and degree in one direction.
-BSplineSurface replaced(const BSplineSurface& surface, SurfaceDirection direction, const Net& net, int degree,
-                        std::vector<double> knots) {
+BSplineSurface replaced(const BSplineSurface& surface, SurfaceDirection direction, const Net& net,
+                        int degree, std::vector<double> knots) {
   BSplineSurface result = surface;
   const Eigen::Index across = net.cols() / 4, count = net.rows();
   if (direction == SurfaceDirection::U) {
@@ -58,7 +58,8 @@ bool hasInnerKnots(const Direction& d) {
   return d.knots.size() > 2 * static_cast<std::size_t>(d.degree + 1);
 }
 
-/// \param in_u, in_v derivatives of the basis functions of the span, one order a row; \p poles those of the span.
+/// \param in_u, in_v derivatives of the basis functions of the span, one order a row; \p poles
+/// those of the span.
 HomogeneousPartials splinePartials(const HomogeneousPoles& poles, const Eigen::MatrixXd& in_u,
                                    const Eigen::MatrixXd& in_v) {
   HomogeneousPartials h;
@@ -119,8 +120,9 @@ SurfaceJet jet(const BSplineSurface& surface, double u, double v) {
   const Eigen::MatrixXd in_v = basisDerivatives(surface.degree_v, surface.knots_v, span_v, v, 3);
   HomogeneousPoles local((surface.degree_u + 1) * (surface.degree_v + 1), 4);
   for (int i = 0; i <= surface.degree_u; ++i) {
-    const Eigen::Index first = static_cast<Eigen::Index>(span_u - surface.degree_u + i) * surface.countV() +
-                               span_v - surface.degree_v;
+    const Eigen::Index first =
+        static_cast<Eigen::Index>(span_u - surface.degree_u + i) * surface.countV() + span_v -
+        surface.degree_v;
     local.middleRows(i * in_v.cols(), in_v.cols()) = surface.poles.middleRows(first, in_v.cols());
   }
   if (!isRational(surface.poles)) return affineJet(splinePartials(local, in_u, in_v));
@@ -138,8 +140,8 @@ BSplineSurface withKnot(const BSplineSurface& surface, SurfaceDirection directio
     refuse("knot " + std::to_string(knot) + ": it must lie strictly between " +
            std::to_string(knots.front()) + " and " + std::to_string(knots.back()));
   if (std::ranges::count(knots, knot) >= degree)
-    refuse("knot " + std::to_string(knot) + " is repeated as often as the degree, " + std::to_string(degree) +
-           ", already");
+    refuse("knot " + std::to_string(knot) + " is repeated as often as the degree, " +
+           std::to_string(degree) + ", already");
   const int span = bspline::spanOf(degree, knots, knot);
   const Net net = netAlong(surface, direction);
   Net finer(net.rows() + 1, net.cols());
@@ -158,7 +160,8 @@ BSplineSurface withKnot(const BSplineSurface& surface, SurfaceDirection directio
   return replaced(surface, direction, finer, degree, std::move(more));
 }
 
-BSplineSurface withRaisedKnots(const BSplineSurface& surface, SurfaceDirection direction, int times) {
+BSplineSurface withRaisedKnots(const BSplineSurface& surface, SurfaceDirection direction,
+                               int times) {
   requireValid(surface);
   if (times < 0) refuse("times is " + std::to_string(times) + ": it must not be negative");
   const auto [degree, knots] = directionOf(surface, direction);
@@ -204,15 +207,16 @@ SeamSide seamSide(const BSplineSurface& surface, PatchEdge edge, bool reversed) 
   std::vector<double> weights;
   if (isRational(surface.poles))
     for (Eigen::Index i = 0; i < affine.rows(); ++i) weights.push_back(surface.poles(i, 3));
-  const auto spline = std::make_shared<SplineEvaluator>(SplineDirection{surface.degree_u, surface.knots_u},
-                                                        SplineDirection{surface.degree_v, surface.knots_v},
-                                                        std::move(poles), std::move(weights));
+  const auto spline = std::make_shared<SplineEvaluator>(
+      SplineDirection{surface.degree_u, surface.knots_u},
+      SplineDirection{surface.degree_v, surface.knots_v}, std::move(poles), std::move(weights));
   const bool at_end = edge == PatchEdge::U1 || edge == PatchEdge::V1;
   const bool along_v = along(edge) == SurfaceDirection::V;
   const std::vector<double>& run = along_v ? surface.knots_v : surface.knots_u;
   const std::vector<double>& fixed = along_v ? surface.knots_u : surface.knots_v;
   const double place = at_end ? fixed.back() : fixed.front();
-  const Eigen::Vector3d origin = along_v ? Eigen::Vector3d(place, 0, 0) : Eigen::Vector3d(0, place, 0);
+  const Eigen::Vector3d origin =
+      along_v ? Eigen::Vector3d(place, 0, 0) : Eigen::Vector3d(0, place, 0);
   const Eigen::Vector3d sense = along_v ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitX();
   SeamSide side{LineEvaluator{origin, sense}, splineEvaluator(spline)};
   side.t = {run.front(), run.back()};

@@ -22,7 +22,8 @@ CurveDerivatives unitVelocity(const CurveDerivatives& derivatives, double speed)
   return velocity;
 }
 
-/// Taylor coefficients of (X'.X')^(-1/2). For p = q^a: k q_0 p_k = sum_{i=1..k} (i (a + 1) - k) q_i p_{k-i}.
+/// Taylor coefficients of (X'.X')^(-1/2). For p = q^a: k q_0 p_k = sum_{i=1..k} (i (a + 1) - k) q_i
+/// p_{k-i}.
 Eigen::VectorXd inverseSpeed(const CurveDerivatives& velocity) {
   const Eigen::Index count = velocity.rows();
   Eigen::VectorXd square = Eigen::VectorXd::Zero(count);
@@ -57,7 +58,8 @@ CurveDerivatives differentiated(const CurveDerivatives& series) {
 
 std::optional<CurveDerivatives> arcLengthDerivatives(const CurveDerivatives& derivatives,
                                                      double speed_noise) {
-  if (derivatives.rows() == 0) throw std::invalid_argument("no derivatives: at least the point is needed");
+  if (derivatives.rows() == 0)
+    throw std::invalid_argument("no derivatives: at least the point is needed");
   if (!derivatives.allFinite()) return std::nullopt;
   CurveDerivatives result = derivatives;
   if (derivatives.rows() == 1) return result;

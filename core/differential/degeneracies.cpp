@@ -59,7 +59,8 @@ class SpeedBound {
  private:
   void search(const VelocityForm& form, double width) {
     attained_ = std::min({attained_, endSpeed(form, 0), endSpeed(form, form.velocity[0].degree())});
-    const double bound = lowerNorm(form.velocity) / form.divisor.range().upper * (1 - 4 * rounding::kUnit);
+    const double bound =
+        lowerNorm(form.velocity) / form.divisor.range().upper * (1 - 4 * rounding::kUnit);
     if (bound >= 0.5 * attained_ || width <= resolution_) {
       bound_ = std::min(bound_, bound);
       return;
@@ -86,8 +87,9 @@ struct Line {
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< zero if all poles are one point
 };
 
-/// Of poles up to r from the origin, each off by 2 roundings of r / 2^53, an offset is off by 6; so is the direction
-/// times any offset, and the product of both, up to 2 r in size, by 5 more of these: 22 in all.
+/// Of poles up to r from the origin, each off by 2 roundings of r / 2^53, an offset is off by 6; so
+/// is the direction times any offset, and the product of both, up to 2 r in size, by 5 more of
+/// these: 22 in all.
 Line lineOf(const BezierCurve& curve) {
   const Poles poles = curve.poles();
   const double rounding = 11 * machine_epsilon * poles.rowwise().stableNorm().maxCoeff();
@@ -125,7 +127,8 @@ std::vector<CurveDegeneracies::Place> placesOf(const std::vector<Interval>& with
                                                const std::vector<Interval>& cusps) {
   std::vector<Interval> all = without_curvature;
   all.insert(all.end(), cusps.begin(), cusps.end());
-  std::sort(all.begin(), all.end(), [](const Interval& a, const Interval& b) { return a.lower < b.lower; });
+  std::sort(all.begin(), all.end(),
+            [](const Interval& a, const Interval& b) { return a.lower < b.lower; });
   std::vector<CurveDegeneracies::Place> places;
   for (const Interval& piece : all) {
     if (!places.empty() && piece.lower <= places.back().last)
@@ -143,7 +146,8 @@ std::vector<CurveDegeneracies::Place> placesOf(const std::vector<Interval>& with
 
 CurveDegeneracies findDegeneracies(const BezierCurve& curve, double resolution) {
   if (!(resolution >= 1e-12 && resolution <= 1))
-    throw std::invalid_argument("resolution is " + bernstein::text(resolution) + ": 1e-12..1 is needed");
+    throw std::invalid_argument("resolution is " + bernstein::text(resolution) +
+                                ": 1e-12..1 is needed");
   const Line line = lineOf(curve);
   CurveDegeneracies result;
   result.straight = line.exists;

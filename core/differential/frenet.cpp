@@ -19,7 +19,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-void requireUsable(const CurveDerivatives& derivatives, double speed_noise, double acceleration_noise) {
+void requireUsable(const CurveDerivatives& derivatives, double speed_noise,
+                   double acceleration_noise) {
   if (derivatives.rows() < 2)
     throw std::invalid_argument("derivatives have " + std::to_string(derivatives.rows()) +
                                 " rows: at least point and first derivative are needed");
@@ -27,8 +28,8 @@ void requireUsable(const CurveDerivatives& derivatives, double speed_noise, doub
     for (int i = 0; i < 3; ++i)
       if (!std::isfinite(derivatives(k, i)))
         throw std::invalid_argument("coordinate " + std::to_string(i) + " of derivative " +
-                                    std::to_string(k) + " is " + bernstein::text(derivatives(k, i)) +
-                                    ": it must be finite");
+                                    std::to_string(k) + " is " +
+                                    bernstein::text(derivatives(k, i)) + ": it must be finite");
   for (const double noise : {speed_noise, acceleration_noise})
     if (!(noise >= 0) || !std::isfinite(noise))
       throw std::invalid_argument("noise is " + bernstein::text(noise) +
@@ -48,7 +49,8 @@ bool isKnown(const GradedVector& vector) {
   return vector.value.norm() > vector.error;
 }
 
-/// At a cusp: X(t + h) - X(t) begins with the first derivative that is not zero. \param sense -1: s decreases with t.
+/// At a cusp: X(t + h) - X(t) begins with the first derivative that is not zero. \param sense -1: s
+/// decreases with t.
 void setLeavingTangent(const GradedDerivatives& derivatives, double sense, FrenetFrame& frame) {
   frame.kind = CurvePoint::Point;
   double side = sense;
@@ -77,28 +79,32 @@ Uncertain quotient(const Uncertain& x, const Uncertain& y, int n) {
 }
 
 Uncertain product(const Uncertain& x, const Uncertain& y) {
-  return {x.value * y.value, std::abs(x.value) * y.error + std::abs(y.value) * x.error + x.error * y.error +
-                                 machine_epsilon * std::abs(x.value * y.value)};
+  return {x.value * y.value, std::abs(x.value) * y.error + std::abs(y.value) * x.error +
+                                 x.error * y.error + machine_epsilon * std::abs(x.value * y.value)};
 }
 
 Uncertain dot(const GradedVector& x, const GradedVector& y) {
   const double a = x.value.norm(), b = y.value.norm();
-  return {x.value.dot(y.value), x.error * b + y.error * a + x.error * y.error + 4 * machine_epsilon * a * b};
+  return {x.value.dot(y.value),
+          x.error * b + y.error * a + x.error * y.error + 4 * machine_epsilon * a * b};
 }
 
 GradedVector cross(const GradedVector& x, const GradedVector& y) {
   const double a = x.value.norm(), b = y.value.norm();
-  return {x.value.cross(y.value), x.error * b + y.error * a + x.error * y.error + 4 * machine_epsilon * a * b,
+  return {x.value.cross(y.value),
+          x.error * b + y.error * a + x.error * y.error + 4 * machine_epsilon * a * b,
           x.exponent + y.exponent};
 }
 
-/// An error of one factor counts with the area of the other two, which is less than with their lengths.
+/// An error of one factor counts with the area of the other two, which is less than with their
+/// lengths.
 Uncertain determinant(const GradedVector& x, const GradedVector& y, const GradedVector& z) {
   const double a = x.value.norm(), b = y.value.norm(), c = z.value.norm();
-  const double first = x.error * y.value.cross(z.value).norm() + y.error * x.value.cross(z.value).norm() +
+  const double first = x.error * y.value.cross(z.value).norm() +
+                       y.error * x.value.cross(z.value).norm() +
                        z.error * x.value.cross(y.value).norm();
-  const double higher =
-      x.error * y.error * c + x.error * z.error * b + y.error * z.error * a + x.error * y.error * z.error;
+  const double higher = x.error * y.error * c + x.error * z.error * b + y.error * z.error * a +
+                        x.error * y.error * z.error;
   return {x.value.cross(y.value).dot(z.value), first + higher + 12 * machine_epsilon * a * b * c};
 }
 
@@ -121,26 +127,29 @@ int commonExponent(std::span<const Scaled> terms) {
   std::optional<int> common;
   for (const Scaled& term : terms)
     if (const double size = std::max(std::abs(term.value.value), term.value.error); size > 0)
-      common = std::max(common.value_or(std::numeric_limits<int>::min()), term.exponent + std::ilogb(size));
+      common = std::max(common.value_or(std::numeric_limits<int>::min()),
+                        term.exponent + std::ilogb(size));
   return common.value_or(0);
 }
 
-/// The rate by which curvature changes, over kappa / |d|: c.(d x d'') / |c|^2 - 3 d.d' / |d|^2 + shift
+/// The rate by which curvature changes, over kappa / |d|: c.(d x d'') / |c|^2 - 3 d.d' / |d|^2 +
+/// shift
 Scaled relativeChange(const GradedDerivatives& derivatives, const GradedVector& c) {
   const GradedVector &d = derivatives.by_order[0], &d2 = derivatives.by_order[1],
                      &d3 = derivatives.by_order[2];
   const Uncertain length{d.value.norm(), d.error}, area{c.value.norm(), c.error};
-  const Scaled terms[] = {{quotient(dot(c, cross(d, d3)), area, 2), d3.exponent - d2.exponent},
-                          {quotient(dot(d, d2), length, 2), d2.exponent - d.exponent},
-                          {{derivatives.shift.value, derivatives.shift.error}, derivatives.shift.exponent}};
+  const Scaled terms[] = {
+      {quotient(dot(c, cross(d, d3)), area, 2), d3.exponent - d2.exponent},
+      {quotient(dot(d, d2), length, 2), d2.exponent - d.exponent},
+      {{derivatives.shift.value, derivatives.shift.error}, derivatives.shift.exponent}};
   const double factors[] = {1, -3, 1};
   Scaled sum{{0, 0}, commonExponent(terms)};
   for (int i = 0; i < 3; ++i) {
     const int by = terms[i].exponent - sum.exponent;
     const double value = std::ldexp(factors[i] * terms[i].value.value, by);
     sum.value.value += value;
-    sum.value.error +=
-        std::ldexp(std::abs(factors[i]) * terms[i].value.error, by) + 4 * machine_epsilon * std::abs(value);
+    sum.value.error += std::ldexp(std::abs(factors[i]) * terms[i].value.error, by) +
+                       4 * machine_epsilon * std::abs(value);
   }
   return sum;
 }
@@ -202,7 +211,8 @@ GradedVector graded(const Vector3d& vector, double error) {
 
 }  // namespace
 
-FrenetFrame frenetFrame(const CurveDerivatives& derivatives, double speed_noise, double acceleration_noise) {
+FrenetFrame frenetFrame(const CurveDerivatives& derivatives, double speed_noise,
+                        double acceleration_noise) {
   requireUsable(derivatives, speed_noise, acceleration_noise);
   GradedDerivatives local;
   local.rate = {1, 0, 0};

@@ -15,9 +15,10 @@ bool isFinite(const SurfaceJet& jet) {
          jet.uv.allFinite() && jet.vv.allFinite();
 }
 
-/// The dual basis of two vectors in their plane. From cross products it keeps its accuracy where they are
-/// nearly parallel and E G - F^2 would cancel.
-std::pair<Eigen::Vector3d, Eigen::Vector3d> dualBasis(const Eigen::Vector3d& u, const Eigen::Vector3d& v) {
+/// The dual basis of two vectors in their plane. From cross products it keeps its accuracy where
+/// they are nearly parallel and E G - F^2 would cancel.
+std::pair<Eigen::Vector3d, Eigen::Vector3d> dualBasis(const Eigen::Vector3d& u,
+                                                      const Eigen::Vector3d& v) {
   const Eigen::Vector3d cross = u.cross(v);
   return {v.cross(cross) / cross.squaredNorm(), cross.cross(u) / cross.squaredNorm()};
 }
@@ -39,12 +40,14 @@ std::string_view name(Degeneracy degeneracy) {
 Degeneracy degeneracy(const SurfaceJet& jet, const JetNoise& noise) {
   if (!isFinite(jet)) return Degeneracy::NotFinite;
   const double possible_error = noise.u * jet.v.norm() + noise.v * jet.u.norm() + noise.u * noise.v;
-  return jet.u.cross(jet.v).norm() <= possible_error ? Degeneracy::VanishingNormal : Degeneracy::None;
+  return jet.u.cross(jet.v).norm() <= possible_error ? Degeneracy::VanishingNormal
+                                                     : Degeneracy::None;
 }
 
 std::optional<Eigen::Vector3d> unitNormal(const SurfaceJet& jet, const JetNoise& noise) {
   if (degeneracy(jet, noise) != Degeneracy::None) return std::nullopt;
-  // Directions first: the product of two long or two short partials may leave the range of a double.
+  // Directions first: the product of two long or two short partials may leave the range of a
+  // double.
   return jet.u.stableNormalized().cross(jet.v.stableNormalized()).stableNormalized();
 }
 
@@ -64,7 +67,8 @@ Eigen::Matrix3d curvatureTensor(const SurfaceJet& jet, const Eigen::Vector3d& no
   const double M = normal.dot(jet.uv) / length_u / length_v;
   const double N = normal.dot(jet.vv) / length_v / length_v;
   const auto [dual_u, dual_v] = dualBasis(jet.u / length_u, jet.v / length_v);
-  return L * dual_u * dual_u.transpose() + M * (dual_u * dual_v.transpose() + dual_v * dual_u.transpose()) +
+  return L * dual_u * dual_u.transpose() +
+         M * (dual_u * dual_v.transpose() + dual_v * dual_u.transpose()) +
          N * dual_v * dual_v.transpose();
 }
 
@@ -84,9 +88,10 @@ double curvatureChange(const SurfaceJet& jet, const Eigen::Vector3d& normal,
   const Eigen::Vector2d v1 = parameters(direction);
   const Eigen::Vector2d v2 = -parameters(second(v1, v1));
   const double a = v1(0), b = v1(1);
-  const double third =
-      a * a * a * (normal.dot(jet.uuu) / U / U / U) + 3 * a * a * b * (normal.dot(jet.uuv) / U / U / V) +
-      3 * a * b * b * (normal.dot(jet.uvv) / U / V / V) + b * b * b * (normal.dot(jet.vvv) / V / V / V);
+  const double third = a * a * a * (normal.dot(jet.uuu) / U / U / U) +
+                       3 * a * a * b * (normal.dot(jet.uuv) / U / U / V) +
+                       3 * a * b * b * (normal.dot(jet.uvv) / U / V / V) +
+                       b * b * b * (normal.dot(jet.vvv) / V / V / V);
   return third + 3 * normal.dot(second(v1, v2));
 }
 

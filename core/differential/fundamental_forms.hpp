@@ -35,8 +35,8 @@ std::string_view name(Degeneracy degeneracy);
 
 /// Decides whether X_u x X_v tells a direction.
 ///
-/// VanishingNormal iff |X_u x X_v| <= noise.u |X_v| + noise.v |X_u| + noise.u noise.v: the cross product
-/// could be rounding alone. With zero noise only an exactly vanishing normal counts.
+/// VanishingNormal iff |X_u x X_v| <= noise.u |X_v| + noise.v |X_u| + noise.u noise.v: the cross
+/// product could be rounding alone. With zero noise only an exactly vanishing normal counts.
 Degeneracy degeneracy(const SurfaceJet& jet, const JetNoise& noise = {});
 
 /// Unit normal X_u x X_v / |X_u x X_v|; nothing where degeneracy() is not None.
@@ -49,9 +49,9 @@ SecondForm secondForm(const SurfaceJet& jet, const Eigen::Vector3d& normal);
 
 /// The curvature tensor of a surface at a point as a symmetric 3 by 3 matrix W in space, in 1/mm.
 ///
-/// For a unit tangent vector d the normal curvature is d.W d; its eigenvectors are the principal directions
-/// and the normal, with eigenvalues k1, k2 and 0. It does not depend on the parametrisation: W = J I^-1 II
-/// I^-1 J^T with J = [X_u X_v].
+/// For a unit tangent vector d the normal curvature is d.W d; its eigenvectors are the principal
+/// directions and the normal, with eigenvalues k1, k2 and 0. It does not depend on the
+/// parametrisation: W = J I^-1 II I^-1 J^T with J = [X_u X_v].
 ///
 /// Identities (each has a test of its number):
 ///   (1) W n = 0 and W = W^T.
@@ -65,32 +65,33 @@ SecondForm secondForm(const SurfaceJet& jet, const Eigen::Vector3d& normal);
 /// Source: docs/theory/surfaces.md S1.4; [doCarmo1976].
 Eigen::Matrix3d curvatureTensor(const SurfaceJet& jet, const Eigen::Vector3d& normal);
 
-/// The change of curvature in a tangent direction d: the derivative by arc length of the curvature of the
-/// normal section along d, in 1/mm^2.
+/// The change of curvature in a tangent direction d: the derivative by arc length of the curvature
+/// of the normal section along d, in 1/mm^2.
 ///
-/// It is f_ddd, the third derivative along d of the height f of the surface over its tangent plane, and the
-/// covariant derivative of the second fundamental form, (D II)(d, d, d). With v1 the parameter vector of d
-/// and v2 that of minus the tangential part of D2X[v1, v1]: n.(D3X[v1, v1, v1] + 3 D2X[v1, v2]).
+/// It is f_ddd, the third derivative along d of the height f of the surface over its tangent plane,
+/// and the covariant derivative of the second fundamental form, (D II)(d, d, d). With v1 the
+/// parameter vector of d and v2 that of minus the tangential part of D2X[v1, v1]: n.(D3X[v1, v1,
+/// v1] + 3 D2X[v1, v2]).
 ///
 /// Identities (each has a test of its number):
 ///   (1) It changes sign with the normal and with the direction.
 ///   (2) It does not depend on the parametrisation.
 ///   (3) A rigid motion of all three arguments changes nothing; a scale s divides it by s^2.
 ///   (4) Spheres, cylinders and planes: 0 in all directions.
-///   (5) Surfaces of revolution with straight or circular meridian (cone, torus): 3 cos^2(a) sin(a) dk/ds at
-///       the angle a from the parallel, k the normal curvature along the parallel and s the arc length of the
-///       meridian.
+///   (5) Surfaces of revolution with straight or circular meridian (cone, torus): 3 cos^2(a) sin(a)
+///       dk/ds at the angle a from the parallel, k the normal curvature along the parallel and s
+///       the arc length of the meridian.
 ///   (6) The graph z = (quadratic form) + (cubic form c) + ... over its tangent plane: 6 c(d).
 ///
-/// \param jet to third order. \pre degeneracy(jet) is None; \p normal is the unit normal or its negative; \p
-/// direction is a unit vector of the tangent plane. Not finite where third partials are not, or leave the
-/// range of a double.
+/// \param jet to third order. \pre degeneracy(jet) is None; \p normal is the unit normal or its
+/// negative; \p direction is a unit vector of the tangent plane. Not finite where third partials
+/// are not, or leave the range of a double.
 /// Source: docs/theory/surfaces.md S1.6.
 double curvatureChange(const SurfaceJet& jet, const Eigen::Vector3d& normal,
                        const Eigen::Vector3d& direction);
 
-/// Principal curvatures, k1 >= k2, with unit directions. At an umbilic (k1 = k2) the directions are any
-/// orthonormal pair.
+/// Principal curvatures, k1 >= k2, with unit directions. At an umbilic (k1 = k2) the directions are
+/// any orthonormal pair.
 struct PrincipalCurvatures {
   double k1 = 0;
   double k2 = 0;
@@ -101,7 +102,8 @@ struct PrincipalCurvatures {
 /// \pre as curvatureTensor().
 PrincipalCurvatures principalCurvatures(const SurfaceJet& jet, const Eigen::Vector3d& normal);
 
-/// A symmetric bilinear form on a tangent plane, in an orthonormal basis of it: [[xx, xy], [xy, yy]].
+/// A symmetric bilinear form on a tangent plane, in an orthonormal basis of it: [[xx, xy], [xy,
+/// yy]].
 struct PlaneTensor {
   double xx = 0;
   double xy = 0;

@@ -5,7 +5,8 @@
 
 namespace seamwright {
 
-/// Point and derivatives of a curve at one parameter value. Lengths in mm, the parameter has no unit.
+/// Point and derivatives of a curve at one parameter value. Lengths in mm, the parameter has no
+/// unit.
 struct CurveJet {
   Eigen::Vector3d p = Eigen::Vector3d::Zero();
   Eigen::Vector3d d1 = Eigen::Vector3d::Zero();
@@ -16,8 +17,8 @@ struct CurveJet {
 /// Point and derivatives of a curve to any order, one a row: row k is the k-th derivative.
 using CurveDerivatives = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-/// Point and partial derivatives of a surface at one parameter pair (u, v). Lengths in mm, parameters have no
-/// unit.
+/// Point and partial derivatives of a surface at one parameter pair (u, v). Lengths in mm,
+/// parameters have no unit.
 struct SurfaceJet {
   Eigen::Vector3d p = Eigen::Vector3d::Zero();
   Eigen::Vector3d u = Eigen::Vector3d::Zero();
@@ -31,9 +32,9 @@ struct SurfaceJet {
   Eigen::Vector3d vvv = Eigen::Vector3d::Zero();
 };
 
-/// What rounding may have added to the first partials of a jet: |error of jet.u| <= u, |error of jet.v| <= v.
-/// Whoever evaluates a surface knows its size and its parameter range, so noise is computed there and not
-/// guessed here.
+/// What rounding may have added to the first partials of a jet: |error of jet.u| <= u, |error of
+/// jet.v| <= v. Whoever evaluates a surface knows its size and its parameter range, so noise is
+/// computed there and not guessed here.
 struct JetNoise {
   double u = 0;
   double v = 0;

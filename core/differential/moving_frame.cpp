@@ -33,12 +33,13 @@ Vector3d reflected(const Vector3d& vector, const Vector3d& across) {
   return vector - (2 * across.dot(vector) / across.squaredNorm()) * across;
 }
 
-/// The normal at \p a carried to \p b: reflected in the plane that swaps the points, then in the one that
-/// takes the tangent to that of \p b. Where a step turns too far for that it is halved.
+/// The normal at \p a carried to \p b: reflected in the plane that swaps the points, then in the
+/// one that takes the tangent to that of \p b. Where a step turns too far for that it is halved.
 Vector3d carried(const BezierCurve& curve, const Place& a, const Place& b, const Vector3d& normal,
                  int depth) {
   const Vector3d chord = b.point - a.point;
-  // Points that coincide (a closed curve, a tiny step) leave the reflection that turns the tangent back.
+  // Points that coincide (a closed curve, a tiny step) leave the reflection that turns the tangent
+  // back.
   const Vector3d across = chord.isZero(0) ? a.tangent : chord.stableNormalized();
   const Vector3d tangent = reflected(a.tangent, across);
   if (tangent.dot(b.tangent) <= 0 && a.tangent.dot(b.tangent) >= 0)
@@ -72,7 +73,8 @@ void requireIncreasing(const std::vector<double>& parameters) {
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const bool increases = i == 0 || parameters[i] > parameters[i - 1];
     if (!std::isfinite(parameters[i]) || !increases)
-      throw std::invalid_argument("parameter " + std::to_string(i) + " is " + bernstein::text(parameters[i]) +
+      throw std::invalid_argument("parameter " + std::to_string(i) + " is " +
+                                  bernstein::text(parameters[i]) +
                                   ": finite numbers that increase are needed");
   }
 }

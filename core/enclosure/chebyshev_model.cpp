@@ -13,7 +13,8 @@ namespace {
 
 constexpr int model_size = ChebyshevModel::size;
 
-/// A bound computed from non-negative numbers by a few dozen operations, made safe against their rounding.
+/// A bound computed from non-negative numbers by a few dozen operations, made safe against their
+/// rounding.
 double up(double bound) {
   return bound * (1 + 16 * machine_epsilon) + std::numeric_limits<double>::min();
 }
@@ -26,8 +27,8 @@ double binomial(int n, int k) {
   return value;
 }
 
-/// Column k: the Bernstein coefficients of T_k, elevated to the degree. The coefficients of T_k of degree k
-/// are (-1)^(k - j) C(2 k, 2 j) / C(k, j).
+/// Column k: the Bernstein coefficients of T_k, elevated to the degree. The coefficients of T_k of
+/// degree k are (-1)^(k - j) C(2 k, 2 j) / C(k, j).
 Matrix chebyshevToBernstein(int degree) {
   Matrix matrix{};
   for (int k = 0; k <= degree; ++k)
@@ -57,8 +58,8 @@ Matrix chebyshevAtPoints() {
 const std::array<Matrix, model_size> to_bernstein = bernsteinTables();
 const Matrix at_points = chebyshevAtPoints();
 
-/// The series that takes the values function(f) at the Chebyshev points: close to function(f), no more is
-/// claimed.
+/// The series that takes the values function(f) at the Chebyshev points: close to function(f), no
+/// more is claimed.
 template <class Function>
 ChebyshevModel interpolate(const ChebyshevModel& f, const Function& function) {
   if (f.degree() == 0) return ChebyshevModel(function(f.coefficient(0)));
@@ -141,8 +142,8 @@ Interval ChebyshevModel::range() const {
             coefficients_[0] + up(radius_ + machine_epsilon * std::abs(coefficients_[0]))};
   const Coefficients control = bernstein(degree_);
   const auto [low, high] = std::minmax_element(control.begin(), control.begin() + degree_ + 1);
-  const double margin =
-      up(radius_ + bernsteinRounding() + machine_epsilon * std::max(std::abs(*low), std::abs(*high)));
+  const double margin = up(radius_ + bernsteinRounding() +
+                           machine_epsilon * std::max(std::abs(*low), std::abs(*high)));
   return {*low - margin, *high + margin};
 }
 
@@ -157,8 +158,8 @@ ChebyshevModel::Coefficients ChebyshevModel::bernstein(int degree) const {
 }
 
 double ChebyshevModel::bernsteinRounding() const {
-  // The Bernstein coefficients of T_k are at most C(2 k, k') / C(k, k') < 2^k in absolute value; each is
-  // rounded a few times.
+  // The Bernstein coefficients of T_k are at most C(2 k, k') / C(k, k') < 2^k in absolute value;
+  // each is rounded a few times.
   double sum = 0;
   double bound = 1;
   for (int k = 0; k <= degree_; ++k, bound *= 2) sum += bound * std::abs(coefficients_[k]);
@@ -263,7 +264,8 @@ ChebyshevModel inverse(const ChebyshevModel& f) {
   const double smallest = std::max(range.lower, -range.upper);
   if (!(smallest > 0) || !std::isfinite(range.width())) return ChebyshevModel::unknown();
   ChebyshevModel guess = interpolate(f, [](double value) { return 1 / value; });
-  const ChebyshevModel residual = ChebyshevModel(1) - f * guess;  // |1/f - guess| = |residual| / |f|
+  const ChebyshevModel residual =
+      ChebyshevModel(1) - f * guess;  // |1/f - guess| = |residual| / |f|
   guess.widen(up(residual.magnitude() / smallest));
   return guess;
 }
@@ -272,7 +274,8 @@ ChebyshevModel inverseSqrt(const ChebyshevModel& f) {
   const Interval range = f.range();
   if (!(range.lower > 0) || !std::isfinite(range.width())) return ChebyshevModel::unknown();
   ChebyshevModel guess = interpolate(f, [](double value) { return 1 / std::sqrt(value); });
-  // With e = f guess^2 - 1, |guess - f^(-1/2)| = f^(-1/2) |sqrt(1 + e) - 1| <= f^(-1/2) |e| for |e| <= 1.
+  // With e = f guess^2 - 1, |guess - f^(-1/2)| = f^(-1/2) |sqrt(1 + e) - 1| <= f^(-1/2) |e| for |e|
+  // <= 1.
   const double e = (f * guess * guess - ChebyshevModel(1)).magnitude();
   if (!(e <= 1)) return ChebyshevModel::unknown();
   guess.widen(up(e / std::sqrt(range.lower)));
@@ -281,8 +284,8 @@ ChebyshevModel inverseSqrt(const ChebyshevModel& f) {
 
 namespace {
 
-/// Cosine and sine of f (sign -1), or the hyperbolic ones (sign 1), given both at the middle of f. The
-/// addition theorems are those of cos and sin up to the sign.
+/// Cosine and sine of f (sign -1), or the hyperbolic ones (sign 1), given both at the middle of f.
+/// The addition theorems are those of cos and sin up to the sign.
 std::pair<ChebyshevModel, ChebyshevModel> aroundMiddle(const ChebyshevModel& f, double sign,
                                                        double cosine_there, double sine_there) {
   const ChebyshevModel offset = f - ChebyshevModel(f.coefficient(0));
@@ -298,8 +301,8 @@ std::pair<ChebyshevModel, ChebyshevModel> aroundMiddle(const ChebyshevModel& f, 
     sin_middle.widen(change);
     return {cos_middle, sin_middle};
   }
-  // Taylor series in offset, until the next term is below rounding; Lagrange's remainder has that term times
-  // at most cosh(2) < 4.
+  // Taylor series in offset, until the next term is below rounding; Lagrange's remainder has that
+  // term times at most cosh(2) < 4.
   int terms = 1;
   double next = reach * reach / 2;
   while (next > 0x1p-44 && terms < 16) {

@@ -9,22 +9,25 @@
 
 namespace seamwright {
 
-/// A function on [-1, 1] that is known up to a radius: a Chebyshev series of degree at most 7, from which the
-/// function is nowhere further than radius().
+/// A function on [-1, 1] that is known up to a radius: a Chebyshev series of degree at most 7, from
+/// which the function is nowhere further than radius().
 ///
-/// Sums and products of models, and the functions below, give models of the sum, the product and the
-/// function: what a series of that degree cannot hold and what rounding may have changed is added to the
-/// radius, so the function never leaves its model. On a shorter piece of a curve the same computation gives a
-/// smaller radius: the part of a smooth function that is left over falls with the eighth power of the length.
-/// An infinite radius says that nothing is known, for instance after division by a function that may vanish.
+/// Sums and products of models, and the functions below, give models of the sum, the product and
+/// the function: what a series of that degree cannot hold and what rounding may have changed is
+/// added to the radius, so the function never leaves its model. On a shorter piece of a curve the
+/// same computation gives a smaller radius: the part of a smooth function that is left over falls
+/// with the eighth power of the length. An infinite radius says that nothing is known, for instance
+/// after division by a function that may vanish.
 ///
-/// Rounding: with u = 2^-53, a coefficient of a sum is off by u of its value. A coefficient of a sum of
-/// products of models is a sum of at most 2 min(m, n) + 3 products of coefficients for each product of models
-/// of degrees m and n, off by as many u times the sum of their absolute values. As |T_k| <= 1, the radius grows by no more than these errors summed up. Radii are
-/// computed with a relative surplus of 2^-48 in place of directed rounding.
+/// Rounding: with u = 2^-53, a coefficient of a sum is off by u of its value. A coefficient of a
+/// sum of products of models is a sum of at most 2 min(m, n) + 3 products of coefficients for each
+/// product of models of degrees m and n, off by as many u times the sum of their absolute values.
+/// As |T_k| <= 1, the radius grows by no more than these errors summed up. Radii are computed with
+/// a relative surplus of 2^-48 in place of directed rounding.
 ///
 /// Identities (each has a test of its number):
-///   (1) The function of a sum, product, inverse, inverse square root, sine, cosine lies in the model of it.
+///   (1) The function of a sum, product, inverse, inverse square root, sine, cosine lies in the
+///       model of it.
 ///   (2) range() contains every value; its excess falls with the square of the length of the piece.
 ///   (3) Halving the interval divides the radius of an analytic function by about 2^8.
 ///
@@ -33,8 +36,8 @@ class ChebyshevModel {
  public:
   static constexpr int max_degree = 7;
   static constexpr int size = max_degree + 1;
-  /// Leading terms that sum up to less than this part of all terms but the constant go into the radius: short
-  /// pieces need few.
+  /// Leading terms that sum up to less than this part of all terms but the constant go into the
+  /// radius: short pieces need few.
   static constexpr double negligible = 0x1p-34;
   using Coefficients = std::array<double, size>;
 
@@ -57,8 +60,8 @@ class ChebyshevModel {
   double magnitude() const;
   /// Contains all values on [-1, 1].
   Interval range() const;
-  /// Coefficients of the series in Bernstein form of a degree that is not below its own; off by at most
-  /// bernsteinRounding().
+  /// Coefficients of the series in Bernstein form of a degree that is not below its own; off by at
+  /// most bernsteinRounding().
   Coefficients bernstein(int degree) const;
   double bernsteinRounding() const;
 

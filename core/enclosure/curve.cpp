@@ -17,7 +17,8 @@ VectorModel combined(const std::array<Eigen::Vector3d, 3>& vectors, const Chebys
 const Eigen::Vector3d nothing = Eigen::Vector3d::Zero();
 
 CurveJetModel jetOf(const LineEvaluator& line, const ChebyshevModel& t, int /*order*/) {
-  return {combined({line.origin, line.direction, nothing}, t, t), constantModel(line.direction), {}};
+  return {
+      combined({line.origin, line.direction, nothing}, t, t), constantModel(line.direction), {}};
 }
 
 CurveJetModel jetOf(const EllipseEvaluator& ellipse, const ChebyshevModel& t, int order) {
@@ -65,7 +66,8 @@ CurveJetModel CurveEvaluator::jet(const ChebyshevModel& t, double hint, int orde
   }
   if (const auto* line = std::get_if<LineEvaluator>(&form_)) return jetOf(*line, t, order);
   if (const auto* ellipse = std::get_if<EllipseEvaluator>(&form_)) return jetOf(*ellipse, t, order);
-  if (const auto* hyperbola = std::get_if<HyperbolaEvaluator>(&form_)) return jetOf(*hyperbola, t, order);
+  if (const auto* hyperbola = std::get_if<HyperbolaEvaluator>(&form_))
+    return jetOf(*hyperbola, t, order);
   return jetOf(std::get<ParabolaEvaluator>(form_), t, order);
 }
 

@@ -17,9 +17,9 @@ constexpr int max_size = SplineEvaluator::max_degree + 1;
 using SmallMatrix =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_size, max_size>;
 
-/// Column j: Chebyshev coefficients on [-1, 1] of the Bernstein polynomial
-/// B_j = C(n, j) (1 + x)^j (1 - x)^(n - j) / 2^n of the degree n, each rounded once: without C(n, j) they are
-/// multiples of 4^-n that are at most 1, which doubles hold.
+/// Column j: Chebyshev coefficients on [-1, 1] of the Bernstein polynomial B_j = C(n, j) (1 + x)^j
+/// (1 - x)^(n - j) / 2^n of the degree n, each rounded once: without C(n, j) they are multiples of
+/// 4^-n that are at most 1, which doubles hold.
 SmallMatrix bezierToChebyshev(int degree) {
   SmallMatrix matrix(degree + 1, degree + 1);
   double binomial = 1;
@@ -33,7 +33,8 @@ SmallMatrix bezierToChebyshev(int degree) {
         by_x[k + 1] += 0.5 * product[k];
         by_x[k - 1] += 0.5 * product[k];
       }
-      product = 0.5 * (factor < j ? Eigen::VectorXd(product + by_x) : Eigen::VectorXd(product - by_x));
+      product =
+          0.5 * (factor < j ? Eigen::VectorXd(product + by_x) : Eigen::VectorXd(product - by_x));
     }
     matrix.col(j) = binomial * product;
     binomial = binomial * (degree - j) / (j + 1);
@@ -41,8 +42,8 @@ SmallMatrix bezierToChebyshev(int degree) {
   return matrix;
 }
 
-/// Row j: the Bezier point j of the span [knots[s], knots[s + 1]] as a combination of its degree + 1 poles,
-/// by blossoming.
+/// Row j: the Bezier point j of the span [knots[s], knots[s + 1]] as a combination of its degree +
+/// 1 poles, by blossoming.
 SmallMatrix splineToBezier(const std::vector<double>& knots, int degree, int s) {
   const int n = degree + 1;
   SmallMatrix matrix(n, n);
@@ -62,16 +63,18 @@ SmallMatrix splineToBezier(const std::vector<double>& knots, int degree, int s) 
   return matrix;
 }
 
-/// What the differences of neighbouring poles are multiplied by to give the poles of the derivative on the span
+/// What the differences of neighbouring poles are multiplied by to give the poles of the derivative
+/// on the span
 /// [knots[s], knots[s + 1]]; none for degree 0.
 Eigen::VectorXd derivativeFactors(const std::vector<double>& knots, int degree, int s) {
   Eigen::VectorXd factors(degree);
-  for (int i = 0; i < degree; ++i) factors[i] = degree / (knots[s + 1 + i] - knots[s - degree + 1 + i]);
+  for (int i = 0; i < degree; ++i)
+    factors[i] = degree / (knots[s + 1 + i] - knots[s - degree + 1 + i]);
   return factors;
 }
 
-/// T_0(x), ..., T_degree(x), by T_(i + j) = 2 T_i T_j - T_(j - i): halving the index, radii grow like its
-/// square, by steps of one they would grow like 2.4^k.
+/// T_0(x), ..., T_degree(x), by T_(i + j) = 2 T_i T_j - T_(j - i): halving the index, radii grow
+/// like its square, by steps of one they would grow like 2.4^k.
 std::vector<ChebyshevModel> chebyshevPolynomials(const ChebyshevModel& x, int degree) {
   std::vector<ChebyshevModel> t = {ChebyshevModel(1), x};
   for (int k = 2; k <= degree; ++k) t.push_back(2 * (t[k / 2] * t[k - k / 2]) - t[k % 2]);
@@ -113,21 +116,25 @@ void requireFit(const SplineDirection& direction, std::size_t poles, const char*
                                 " poles of degree " + std::to_string(direction.degree) + " with " +
                                 std::to_string(direction.knots.size()) + " knots");
   for (std::size_t i = 0; i < direction.knots.size(); ++i)
-    if (!std::isfinite(direction.knots[i]) || (i > 0 && direction.knots[i] < direction.knots[i - 1]))
-      throw std::invalid_argument(std::string("knot ") + std::to_string(i) + " in " + name + " is " +
-                                  std::to_string(direction.knots[i]));
+    if (!std::isfinite(direction.knots[i]) ||
+        (i > 0 && direction.knots[i] < direction.knots[i - 1]))
+      throw std::invalid_argument(std::string("knot ") + std::to_string(i) + " in " + name +
+                                  " is " + std::to_string(direction.knots[i]));
 }
 
 }  // namespace
 
-SplineEvaluator::SplineEvaluator(SplineDirection u, SplineDirection v, std::vector<Eigen::Vector3d> poles,
-                                 std::vector<double> weights)
-    : directions_{std::move(u), std::move(v)}, poles_(std::move(poles)), weights_(std::move(weights)) {
+SplineEvaluator::SplineEvaluator(SplineDirection u, SplineDirection v,
+                                 std::vector<Eigen::Vector3d> poles, std::vector<double> weights)
+    : directions_{std::move(u), std::move(v)},
+      poles_(std::move(poles)),
+      weights_(std::move(weights)) {
   const auto count_u = static_cast<int>(directions_[0].knots.size()) - directions_[0].degree - 1;
-  if (count_u < 1 || poles_.size() % count_u != 0 || (!weights_.empty() && weights_.size() != poles_.size()))
+  if (count_u < 1 || poles_.size() % count_u != 0 ||
+      (!weights_.empty() && weights_.size() != poles_.size()))
     throw std::invalid_argument("spline of " + std::to_string(poles_.size()) + " poles and " +
-                                std::to_string(weights_.size()) + " weights in " + std::to_string(count_u) +
-                                " rows");
+                                std::to_string(weights_.size()) + " weights in " +
+                                std::to_string(count_u) + " rows");
   count_v_ = static_cast<int>(poles_.size()) / count_u;
   requireFit(directions_[0], count_u, "u");
   requireFit(directions_[1], count_v_, "v");
@@ -154,7 +161,8 @@ SplineEvaluator::SpanMatrices SplineEvaluator::makeMatrices(int direction, int s
     const int lower = std::max(degree - order, 0);
     const SmallMatrix to_bezier = splineToBezier(knots, lower, s);
     matrices.to_chebyshev[order] = bezier_to_chebyshev_[direction][order] * to_bezier;
-    matrices.to_chebyshev_terms[order] = bezier_to_chebyshev_[direction][order].cwiseAbs() * to_bezier;
+    matrices.to_chebyshev_terms[order] =
+        bezier_to_chebyshev_[direction][order].cwiseAbs() * to_bezier;
     matrices.roundings[order] = to_bezier.isIdentity(0) ? lower + 3 : 8 * lower + 3;
     if (order < 2) matrices.factors[order] = derivativeFactors(knots, lower, s);
   }
@@ -189,21 +197,24 @@ std::vector<double> SplineEvaluator::knotsInside(int direction, const Interval& 
 }
 
 double SplineEvaluator::parameterSize(int direction) const {
-  return std::max(std::abs(spans_[direction].front().lower), std::abs(spans_[direction].back().upper));
+  return std::max(std::abs(spans_[direction].front().lower),
+                  std::abs(spans_[direction].back().upper));
 }
 
 SplineEvaluator::Local SplineEvaluator::localize(int direction, const ChebyshevModel& parameter,
                                                  double hint) const {
   const std::vector<Span>& spans = spans_[direction];
   const double period = directions_[direction].period;
-  // The same numbers as in knotsInside(), so that a hint next to a knot is on the side of it that is meant.
+  // The same numbers as in knotsInside(), so that a hint next to a knot is on the side of it that
+  // is meant.
   const double base = spans.front().lower;
   double k = period == 0 ? 0 : std::floor((hint - base) / period);
   if (period != 0 && hint < base + k * period) --k;
   if (period != 0 && hint >= base + (k + 1) * period) ++k;
   const double shift = k * period;
   Local local;
-  while (local.span + 1 < static_cast<int>(spans.size()) && spans[local.span + 1].lower + shift <= hint)
+  while (local.span + 1 < static_cast<int>(spans.size()) &&
+         spans[local.span + 1].lower + shift <= hint)
     ++local.span;
   const Span& span = spans[local.span];
   const double middle = span.lower + 0.5 * (span.upper - span.lower);
@@ -227,7 +238,8 @@ struct SplineEvaluator::RoundedNet {
 
   RoundedNet transposed() const { return {value.transpose(), error.transpose()}; }
 
-  /// The net of the derivative down the rows. Difference, factor and product are rounded in 5 steps.
+  /// The net of the derivative down the rows. Difference, factor and product are rounded in 5
+  /// steps.
   RoundedNet derivative(const Eigen::VectorXd& factors) const {
     const Eigen::Index rows = factors.size(), columns = value.cols();
     if (rows == 0) return {SmallMatrix::Zero(1, columns), SmallMatrix::Zero(1, columns)};
@@ -238,38 +250,42 @@ struct SplineEvaluator::RoundedNet {
     return result;
   }
 
-  /// The Bezier points of h / tau, down the rows, of a polynomial h that vanishes where tau does. With
-  /// x = tau / width, B_j(x) of degree n is x n / j times B_(j - 1)(x) of degree n - 1; at the end of the range
-  /// tau and the order of the points are reversed.
+  /// The Bezier points of h / tau, down the rows, of a polynomial h that vanishes where tau does.
+  /// With x = tau / width, B_j(x) of degree n is x n / j times B_(j - 1)(x) of degree n - 1; at the
+  /// end of the range tau and the order of the points are reversed.
   RoundedNet quotient(const SmallMatrix& to_bezier, double width, bool at_end) const {
     const Eigen::Index degree = value.rows() - 1;
     const SmallMatrix bezier = to_bezier * value;
     // A convex combination, of as many roundings as in makeMatrices().
     SmallMatrix bezier_error = to_bezier * error;
     if (!to_bezier.isIdentity(0))
-      bezier_error +=
-          0.5 * machine_epsilon * static_cast<double>(8 * degree + 3) * (to_bezier * value.cwiseAbs());
+      bezier_error += 0.5 * machine_epsilon * static_cast<double>(8 * degree + 3) *
+                      (to_bezier * value.cwiseAbs());
     RoundedNet result{SmallMatrix(degree, value.cols()), SmallMatrix(degree, value.cols())};
     for (Eigen::Index j = 0; j < degree; ++j) {
       const Eigen::Index row = at_end ? j : j + 1;
       const double factor =
           static_cast<double>(degree) / (width * static_cast<double>(at_end ? j - degree : row));
       result.value.row(j) = factor * bezier.row(row);
-      result.error.row(j) =
-          std::abs(factor) * bezier_error.row(row) + 2 * machine_epsilon * result.value.row(j).cwiseAbs();
+      result.error.row(j) = std::abs(factor) * bezier_error.row(row) +
+                            2 * machine_epsilon * result.value.row(j).cwiseAbs();
     }
     return result;
   }
 };
 
 /// The nets of one coordinate in Chebyshev form: derivatives of \p poles, positions of \p local.
-void SplineEvaluator::addNets(const RoundedNet& poles, const RoundedNet& local, const SpanMatrices& mu,
-                              const SpanMatrices& mv, int coordinate, Cell& cell) const {
-  const auto along_u = [&](const RoundedNet& net, int order) { return net.derivative(mu.factors[order]); };
+void SplineEvaluator::addNets(const RoundedNet& poles, const RoundedNet& local,
+                              const SpanMatrices& mu, const SpanMatrices& mv, int coordinate,
+                              Cell& cell) const {
+  const auto along_u = [&](const RoundedNet& net, int order) {
+    return net.derivative(mu.factors[order]);
+  };
   const auto along_v = [&](const RoundedNet& net, int order) {
     return net.transposed().derivative(mv.factors[order]).transposed();
   };
-  constexpr std::array<std::array<int, 2>, 6> orders = {{{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}};
+  constexpr std::array<std::array<int, 2>, 6> orders = {
+      {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}};
   std::array<RoundedNet, 6> nets = {local};
   if (cell.count > 1) nets[1] = along_u(poles, 0), nets[2] = along_v(poles, 0);
   if (cell.count > 3)
@@ -280,7 +296,8 @@ void SplineEvaluator::addNets(const RoundedNet& poles, const RoundedNet& local, 
     SmallMatrix series = SmallMatrix::Zero(directions_[0].degree + 1, directions_[1].degree + 1);
     series.topLeftCorner(net.rows(), net.cols()) =
         mu.to_chebyshev[du] * net * mv.to_chebyshev[dv].transpose();
-    cell.nets[k].coefficients[coordinate] = Eigen::Map<Eigen::VectorXd>(series.data(), series.size());
+    cell.nets[k].coefficients[coordinate] =
+        Eigen::Map<Eigen::VectorXd>(series.data(), series.size());
     // What errors of poles add to a polynomial is nowhere larger than in the poles.
     const double of_terms =
         (mu.to_chebyshev_terms[du] * net.cwiseAbs() * mv.to_chebyshev_terms[dv].transpose()).sum();
@@ -302,7 +319,8 @@ SplineEvaluator::RoundedNet SplineEvaluator::localNet(int span_u, int span_v, in
     for (int j = 0; j <= q; ++j) {
       const int index = (first_u + i) * count_v_ + first_v + j;
       const double weight = weights_.empty() ? 1 : weights_[index];
-      net.value(i, j) = coordinate == 3 ? weight : weight * (poles_[index][coordinate] - origin[coordinate]);
+      net.value(i, j) =
+          coordinate == 3 ? weight : weight * (poles_[index][coordinate] - origin[coordinate]);
     }
   if (coordinate != 3) net.error = machine_epsilon * net.value.cwiseAbs();
   return net;
@@ -331,8 +349,8 @@ SplineEvaluator::Cell SplineEvaluator::makeCell(int span_u, int span_v, int nets
   return cell;
 }
 
-JetModel SplineEvaluator::jet(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u, double hint_v,
-                              int order) const {
+JetModel SplineEvaluator::jet(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u,
+                              double hint_v, int order) const {
   const Local x = localize(0, u, hint_u);
   const Local y = localize(1, v, hint_v);
   const Cell& c = cell(x.span, y.span, netCount(order));
@@ -348,7 +366,8 @@ JetModel SplineEvaluator::evaluated(const Cell& c, const ChebyshevModel& x, cons
   const std::vector<ChebyshevModel> tx = chebyshevPolynomials(x, directions_[0].degree);
   const std::vector<ChebyshevModel> ty = chebyshevPolynomials(y, directions_[1].degree);
   const int dimension = weights_.empty() ? 3 : 4;
-  // Products of Chebyshev polynomials along the path, one a column, and what they may be off and amount to.
+  // Products of Chebyshev polynomials along the path, one a column, and what they may be off and
+  // amount to.
   const Eigen::Index terms = static_cast<Eigen::Index>(tx.size() * ty.size());
   Eigen::Matrix<double, ChebyshevModel::size, Eigen::Dynamic> series(ChebyshevModel::size, terms);
   Eigen::Matrix<double, Eigen::Dynamic, 2> off(terms, 2);
@@ -356,7 +375,8 @@ JetModel SplineEvaluator::evaluated(const Cell& c, const ChebyshevModel& x, cons
   Eigen::Index column = 0;
   for (const ChebyshevModel& t : ty)
     for (const ChebyshevModel& s : tx) {
-      const ChebyshevModel product = t.degree() == 0 && t.coefficient(0) == 1 && t.radius() == 0 ? s : s * t;
+      const ChebyshevModel product =
+          t.degree() == 0 && t.coefficient(0) == 1 && t.radius() == 0 ? s : s * t;
       for (int k = 0; k < ChebyshevModel::size; ++k) series(k, column) = product.coefficient(k);
       off.row(column++) << product.radius(), product.magnitude();
       degree = std::max(degree, product.degree());
@@ -367,7 +387,8 @@ JetModel SplineEvaluator::evaluated(const Cell& c, const ChebyshevModel& x, cons
     for (int d = 0; d < dimension; ++d) {
       const Eigen::VectorXd& net = c.nets[k].coefficients[d];
       ChebyshevModel::Coefficients sum{};
-      Eigen::Map<Eigen::VectorXd>(sum.data(), degree + 1).noalias() = series.topRows(degree + 1) * net;
+      Eigen::Map<Eigen::VectorXd>(sum.data(), degree + 1).noalias() =
+          series.topRows(degree + 1) * net;
       const Eigen::RowVector2d error = net.cwiseAbs().transpose() * off;
       const double rounding = static_cast<double>(terms + 4) * machine_epsilon * error[1];
       h[k][d] = ChebyshevModel::series(
@@ -416,7 +437,8 @@ SplineEvaluator::SpanMatrices SplineEvaluator::quotientMatrices(int direction, i
 SplineEvaluator::RoundedNet SplineEvaluator::quotientNet(const RoundedNet& net, int span,
                                                          const Boundary& boundary) const {
   const auto& [degree, knots, period] = directions_[boundary.direction];
-  const SmallMatrix to_bezier = splineToBezier(knots, degree, spans_[boundary.direction][span].knot);
+  const SmallMatrix to_bezier =
+      splineToBezier(knots, degree, spans_[boundary.direction][span].knot);
   const Span& s = spans_[boundary.direction][span];
   const RoundedNet rows = boundary.direction == 0 ? net : net.transposed();
   const RoundedNet quotient = rows.quotient(to_bezier, s.upper - s.lower, boundary.at_end);
@@ -424,7 +446,8 @@ SplineEvaluator::RoundedNet SplineEvaluator::quotientNet(const RoundedNet& net, 
 }
 
 SplineEvaluator::Cell SplineEvaluator::makeCollapsedCell(const CollapsedKey& key,
-                                                         const Eigen::Vector3d& point, int nets) const {
+                                                         const Eigen::Vector3d& point,
+                                                         int nets) const {
   const int d = key.boundary.direction;
   const int span = d == 0 ? key.span_u : key.span_v;
   const SpanMatrices& mu = matrices(0, key.span_u);
@@ -434,7 +457,8 @@ SplineEvaluator::Cell SplineEvaluator::makeCollapsedCell(const CollapsedKey& key
   cell.count = nets;
   cell.origin = point;
   for (const int c : {0, 1, 2}) {
-    const RoundedNet net = quotientNet(localNet(key.span_u, key.span_v, c, point), span, key.boundary);
+    const RoundedNet net =
+        quotientNet(localNet(key.span_u, key.span_v, c, point), span, key.boundary);
     addNets(net, net, d == 0 ? divided : mu, d == 1 ? divided : mv, c, cell);
   }
   if (!weights_.empty()) {
@@ -445,8 +469,9 @@ SplineEvaluator::Cell SplineEvaluator::makeCollapsedCell(const CollapsedKey& key
 }
 
 std::optional<CollapsedJetModel> SplineEvaluator::collapsedJet(const ChebyshevModel& u,
-                                                               const ChebyshevModel& v, double hint_u,
-                                                               double hint_v, int order) const {
+                                                               const ChebyshevModel& v,
+                                                               double hint_u, double hint_v,
+                                                               int order) const {
   constexpr double near = 0x1p-4;  // of the span; further away the jet itself is as good
   constexpr double rounding =
       0x1p-36;  // of the span, or of the parameter if that is all that the path is known to
@@ -465,13 +490,14 @@ std::optional<CollapsedJetModel> SplineEvaluator::collapsedJet(const ChebyshevMo
           unknown * half <= rounding * parameterSize(d) ? std::max(rounding, unknown) : rounding;
       if (!(nearest >= -beyond && nearest < near)) continue;
       const CollapsedKey key{local[0].span, local[1].span, {d, at_end}};
-      const std::optional<Eigen::Vector3d> point = collapsedPoint(key.span_u, key.span_v, key.boundary);
+      const std::optional<Eigen::Vector3d> point =
+          collapsedPoint(key.span_u, key.span_v, key.boundary);
       if (!point) continue;
       if (collapsed_cells_.size() >= most_kept) collapsed_cells_.clear();
       Cell& cell = collapsed_cells_[key];
       if (cell.count < netCount(order)) cell = makeCollapsedCell(key, *point, netCount(order));
-      return CollapsedJetModel{*point, evaluated(cell, local[0].x, local[1].x, order), half * from_end, d,
-                               at_end ? -1.0 : 1.0};
+      return CollapsedJetModel{*point, evaluated(cell, local[0].x, local[1].x, order),
+                               half * from_end, d, at_end ? -1.0 : 1.0};
     }
   return std::nullopt;
 }

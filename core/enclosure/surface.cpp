@@ -14,10 +14,12 @@ VectorModel vectorModel(const ChebyshevModel& x, const ChebyshevModel& y, const 
 
 /// Matrix K to M K M^T.
 SymmetricModel turned(const Eigen::Matrix3d& m, const SymmetricModel& k) {
-  const VectorModel columns[] = {m * VectorModel{k[0], k[3], k[5]}, m * VectorModel{k[3], k[1], k[4]},
+  const VectorModel columns[] = {m * VectorModel{k[0], k[3], k[5]},
+                                 m * VectorModel{k[3], k[1], k[4]},
                                  m * VectorModel{k[5], k[4], k[2]}};
   const auto entry = [&](int i, int j) {
-    return combination({m(j, 0), m(j, 1), m(j, 2)}, {&columns[0][i], &columns[1][i], &columns[2][i]});
+    return combination({m(j, 0), m(j, 1), m(j, 2)},
+                       {&columns[0][i], &columns[1][i], &columns[2][i]});
   };
   return {entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(1, 2), entry(2, 0)};
 }
@@ -46,8 +48,8 @@ int signOf(const ChebyshevModel& model) {
   return range.upper < 0 ? -1 : 0;
 }
 
-/// The sign of the distance from the axis, of a surface of this size. At an apex, which a path meets but for
-/// rounding, it is that of the surface beside it.
+/// The sign of the distance from the axis, of a surface of this size. At an apex, which a path
+/// meets but for rounding, it is that of the surface beside it.
 int sideOfAxis(const ChebyshevModel& rho, double size) {
   const double rounding = 0x1p-36 * std::abs(size);
   const Interval range = rho.range();
@@ -66,8 +68,8 @@ class Plane : public SurfaceEvaluator {
   }
 };
 
-/// A curve (rho(v), height(v)) turned about the z axis, with normal (outward(v), axial(v)) and principal
-/// curvatures along the circle and along the curve.
+/// A curve (rho(v), height(v)) turned about the z axis, with normal (outward(v), axial(v)) and
+/// principal curvatures along the circle and along the curve.
 struct Profile {
   ChebyshevModel rho, height;
   ChebyshevModel outward, axial;
@@ -140,8 +142,8 @@ class Torus : public SurfaceEvaluator {
     const double side = sideOfAxis(rho, minor_);
     const SurfaceFields fields =
         turnedFields(u,
-                     {rho, minor_ * sine, side * cosine, side * sine, -side * (cosine * inverse(rho)),
-                      -side * inverse(ChebyshevModel(minor_))},
+                     {rho, minor_ * sine, side * cosine, side * sine,
+                      -side * (cosine * inverse(rho)), -side * inverse(ChebyshevModel(minor_))},
                      detail);
     return side == 0 ? unknownPlane(fields) : fields;
   }
@@ -157,13 +159,15 @@ class Sphere : public SurfaceEvaluator {
   SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double, double,
                        Detail detail) const override {
     const auto [cosine, sine] = cosSin(v);
-    // Beyond a pole X_u x X_v points inward; at the pole itself the sphere has its plane all the same.
+    // Beyond a pole X_u x X_v points inward; at the pole itself the sphere has its plane all the
+    // same.
     constexpr double rounding = 0x1p-36;
     const Interval height = cosine.range();
     const double side = height.lower >= -rounding ? 1 : height.upper <= rounding ? -1 : 0;
     const ChebyshevModel curvature = -side * inverse(ChebyshevModel(radius_));
     const SurfaceFields fields = turnedFields(
-        u, {radius_ * cosine, radius_ * sine, side * cosine, side * sine, curvature, curvature}, detail);
+        u, {radius_ * cosine, radius_ * sine, side * cosine, side * sine, curvature, curvature},
+        detail);
     return side == 0 ? unknownPlane(fields) : fields;
   }
 
@@ -178,8 +182,8 @@ class Spline : public SurfaceEvaluator {
     return spline_->knotsInside(direction, range);
   }
   double parameterSize(int direction) const override { return spline_->parameterSize(direction); }
-  SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u, double hint_v,
-                       Detail detail) const override {
+  SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u,
+                       double hint_v, Detail detail) const override {
     const int order = static_cast<int>(detail);
     if (detail != Detail::Position)
       if (const auto collapsed = spline_->collapsedJet(u, v, hint_u, hint_v, order))
@@ -198,7 +202,9 @@ class Extrusion : public SurfaceEvaluator {
   std::vector<double> knotsInside(int direction, const Interval& range) const override {
     return direction == 0 ? curve_.knotsInside(range) : std::vector<double>();
   }
-  double parameterSize(int direction) const override { return direction == 0 ? curve_.parameterSize() : 0; }
+  double parameterSize(int direction) const override {
+    return direction == 0 ? curve_.parameterSize() : 0;
+  }
   SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u, double,
                        Detail detail) const override {
     const CurveJetModel curve = curve_.jet(u, hint_u, static_cast<int>(detail));
@@ -216,7 +222,9 @@ class Revolution : public SurfaceEvaluator {
   std::vector<double> knotsInside(int direction, const Interval& range) const override {
     return direction == 1 ? curve_.knotsInside(range) : std::vector<double>();
   }
-  double parameterSize(int direction) const override { return direction == 1 ? curve_.parameterSize() : 0; }
+  double parameterSize(int direction) const override {
+    return direction == 1 ? curve_.parameterSize() : 0;
+  }
   SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double, double hint_v,
                        Detail detail) const override {
     const CurveJetModel curve = curve_.jet(v, hint_v, static_cast<int>(detail));
@@ -245,7 +253,8 @@ class Revolution : public SurfaceEvaluator {
     if (detail >= Detail::TangentPlane) fields.normal = turn(start.normal);
     if (detail >= Detail::Curvature) {
       const SymmetricModel& k = start.tensor;
-      const VectorModel x = turn({k[0], k[3], k[5]});  // rows of the matrix with their columns turned
+      const VectorModel x =
+          turn({k[0], k[3], k[5]});  // rows of the matrix with their columns turned
       const VectorModel y = turn({k[3], k[1], k[4]});
       const VectorModel z = turn({k[5], k[4], k[2]});
       const VectorModel first = turn({x[0], y[0], z[0]});
@@ -267,18 +276,19 @@ class Offset : public SurfaceEvaluator {
     return basis_->knotsInside(direction, range);
   }
   double parameterSize(int direction) const override { return basis_->parameterSize(direction); }
-  SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u, double hint_v,
-                       Detail detail) const override {
+  SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u,
+                       double hint_v, Detail detail) const override {
     const SurfaceFields basis = basis_->fields(u, v, hint_u, hint_v, Detail::Curvature);
     SurfaceFields fields;
     fields.point = basis.point + distance_ * basis.normal;
     if (detail == Detail::Position) return fields;
-    // With the Weingarten map S of the basis, X_u moves to (I - d S) X_u and the map becomes S (I - d S)^-1;
-    // as S is of rank 2, that is (S - d K P) / (1 - d tr S + d^2 K), K the Gauss curvature and P the
-    // projection onto the tangent plane.
+    // With the Weingarten map S of the basis, X_u moves to (I - d S) X_u and the map becomes S (I -
+    // d S)^-1; as S is of rank 2, that is (S - d K P) / (1 - d tr S + d^2 K), K the Gauss curvature
+    // and P the projection onto the tangent plane.
     const ChebyshevModel mean = trace(basis.tensor);
     const ChebyshevModel gauss = 0.5 * (mean * mean - contraction(basis.tensor, basis.tensor));
-    const ChebyshevModel stretch = ChebyshevModel(1) - distance_ * mean + (distance_ * distance_) * gauss;
+    const ChebyshevModel stretch =
+        ChebyshevModel(1) - distance_ * mean + (distance_ * distance_) * gauss;
     const double side = signOf(stretch);
     if (side == 0) return unknownPlane(fields);
     fields.normal = side * basis.normal;
@@ -303,8 +313,8 @@ class Placed : public SurfaceEvaluator {
     return basis_->knotsInside(direction, range);
   }
   double parameterSize(int direction) const override { return basis_->parameterSize(direction); }
-  SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u, double hint_v,
-                       Detail detail) const override {
+  SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u,
+                       double hint_v, Detail detail) const override {
     return placed(basis_->fields(u, v, hint_u, hint_v, detail), placement_, detail);
   }
 
@@ -331,8 +341,10 @@ struct TangentBasis {
     normal = inverse_length * product;
   }
 
-  /// The tensor of the second form with the coefficients l, m, k in this basis, by way of the dual basis.
-  SymmetricModel tensor(const ChebyshevModel& l, const ChebyshevModel& m, const ChebyshevModel& k) const {
+  /// The tensor of the second form with the coefficients l, m, k in this basis, by way of the dual
+  /// basis.
+  SymmetricModel tensor(const ChebyshevModel& l, const ChebyshevModel& m,
+                        const ChebyshevModel& k) const {
     const VectorModel dual_a = inverse_length * cross(b, normal);
     const VectorModel dual_b = inverse_length * cross(normal, a);
     return symmetricProduct(l * dual_a + m * dual_b, dual_a) +
@@ -386,7 +398,8 @@ std::unique_ptr<SurfaceEvaluator> cylinderEvaluator(const Frame& frame, double r
   return inFrame<Cylinder>(frame, radius);
 }
 
-std::unique_ptr<SurfaceEvaluator> coneEvaluator(const Frame& frame, double radius, double half_angle_rad) {
+std::unique_ptr<SurfaceEvaluator> coneEvaluator(const Frame& frame, double radius,
+                                                double half_angle_rad) {
   return inFrame<Cone>(frame, radius, half_angle_rad);
 }
 
@@ -406,11 +419,13 @@ std::unique_ptr<SurfaceEvaluator> revolutionEvaluator(const Frame& frame, CurveE
   return inFrame<Revolution>(frame, frame, std::move(curve));
 }
 
-std::unique_ptr<SurfaceEvaluator> extrusionEvaluator(CurveEvaluator curve, const Eigen::Vector3d& direction) {
+std::unique_ptr<SurfaceEvaluator> extrusionEvaluator(CurveEvaluator curve,
+                                                     const Eigen::Vector3d& direction) {
   return std::make_unique<Extrusion>(std::move(curve), direction);
 }
 
-std::unique_ptr<SurfaceEvaluator> offsetEvaluator(std::unique_ptr<SurfaceEvaluator> basis, double distance) {
+std::unique_ptr<SurfaceEvaluator> offsetEvaluator(std::unique_ptr<SurfaceEvaluator> basis,
+                                                  double distance) {
   return std::make_unique<Offset>(std::move(basis), distance);
 }
 

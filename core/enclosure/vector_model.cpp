@@ -6,7 +6,8 @@ namespace seamwright {
 namespace {
 
 /// Row and column of the entries stored.
-constexpr std::array<std::array<int, 2>, 6> places = {{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {2, 0}}};
+constexpr std::array<std::array<int, 2>, 6> places = {
+    {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {2, 0}}};
 /// Entry that stores row i, column j.
 constexpr std::array<std::array<int, 3>, 3> entry = {{{0, 3, 5}, {3, 1, 4}, {5, 4, 2}}};
 

@@ -47,8 +47,8 @@ struct ControlPolygon {
   double radius = 0;
 };
 
-/// \tparam Dimension 3 for a VectorModel, 6 for a SymmetricModel. The radius is Euclidean over the entries
-/// stored.
+/// \tparam Dimension 3 for a VectorModel, 6 for a SymmetricModel. The radius is Euclidean over the
+/// entries stored.
 template <std::size_t Dimension>
 ControlPolygon<static_cast<int>(Dimension)> controlPolygon(
     const std::array<ChebyshevModel, Dimension>& model) {

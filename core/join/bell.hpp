@@ -8,8 +8,9 @@
 /// The chain rule for derivatives of all orders; not a public header.
 namespace seamwright {
 
-/// Partial Bell polynomials B_kj(beta), k, j = 0..n: B_kj = sum_i C(k-1, i-1) beta_i B_{k-i, j-1}, B_00 = 1.
-/// The derivatives of a(t(u)) by u are B times those of a by t, beta_k being those of t. \pre n <= 56.
+/// Partial Bell polynomials B_kj(beta), k, j = 0..n: B_kj = sum_i C(k-1, i-1) beta_i B_{k-i, j-1},
+/// B_00 = 1. The derivatives of a(t(u)) by u are B times those of a by t, beta_k being those of t.
+/// \pre n <= 56.
 /// Source: docs/theory/curves.md C2.1, C2.2.
 template <class Scalar>
 Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> bellMatrix(

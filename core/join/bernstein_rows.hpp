@@ -10,15 +10,17 @@
 #include <seamwright/core/bernstein/coefficients.hpp>
 #include <seamwright/core/bernstein/polynomial.hpp>
 
-/// Vector-valued polynomials in Bernstein form on [0, 1], one coefficient a row; not a public header.
+/// Vector-valued polynomials in Bernstein form on [0, 1], one coefficient a row; not a public
+/// header.
 ///
-/// Plain doubles, without padding: what is built here is rounded, what is judged is judged against noise.
+/// Plain doubles, without padding: what is built here is rounded, what is judged is judged against
+/// noise.
 namespace seamwright::rows {
 
 /// Degree + 1 coefficients of Size numbers each.
 template <int Size>
-using Field =
-    Eigen::Matrix<double, Eigen::Dynamic, Size, Size == 1 ? int{Eigen::ColMajor} : int{Eigen::RowMajor}>;
+using Field = Eigen::Matrix<double, Eigen::Dynamic, Size,
+                            Size == 1 ? int{Eigen::ColMajor} : int{Eigen::RowMajor}>;
 
 template <class Rows>
 int degree(const Rows& rows) {
@@ -31,8 +33,8 @@ double size(const Rows& rows) {
   return rows.rowwise().norm().maxCoeff();
 }
 
-/// Any bilinear operation on two polynomials: coefficient k is the mean of op(a_i, b_j), i + j = k, with the
-/// weights C(m,i) C(n,j) / C(m+n,k).
+/// Any bilinear operation on two polynomials: coefficient k is the mean of op(a_i, b_j), i + j = k,
+/// with the weights C(m,i) C(n,j) / C(m+n,k).
 template <int Size, class A, class B, class Operation>
 Field<Size> combined(const A& a, const B& b, const Operation& op) {
   const Eigen::Index m = a.rows() - 1, n = b.rows() - 1;
@@ -49,13 +51,14 @@ Field<Size> combined(const A& a, const B& b, const Operation& op) {
 template <int Size>
 Field<Size> product(const Eigen::VectorXd& factor, const Field<Size>& field) {
   if (factor.size() == 1) return factor(0) * field;
-  return combined<Size>(factor, field, [](const auto& f, const auto& x) { return (f(0) * x).eval(); });
+  return combined<Size>(factor, field,
+                        [](const auto& f, const auto& x) { return (f(0) * x).eval(); });
 }
 
 template <int Size>
 Eigen::VectorXd dot(const Field<Size>& a, const Field<Size>& b) {
-  return combined<1>(a, b,
-                     [](const auto& x, const auto& y) { return Eigen::Matrix<double, 1, 1>(x.dot(y)); });
+  return combined<1>(
+      a, b, [](const auto& x, const auto& y) { return Eigen::Matrix<double, 1, 1>(x.dot(y)); });
 }
 
 inline Field<3> cross(const Field<3>& a, const Field<3>& b) {
@@ -100,8 +103,8 @@ Field<Size> elevated(Field<Size> field, int to) {
     next.row(0) = field.row(0);
     next.row(n) = field.row(n - 1);
     for (Eigen::Index k = 1; k < n; ++k)
-      next.row(k) = field.row(k) +
-                    (static_cast<double>(k) / static_cast<double>(n)) * (field.row(k - 1) - field.row(k));
+      next.row(k) = field.row(k) + (static_cast<double>(k) / static_cast<double>(n)) *
+                                       (field.row(k - 1) - field.row(k));
     field = std::move(next);
   }
   return field;
@@ -116,19 +119,21 @@ Field<Size> sum(const Field<Size>& a, const Field<Size>& b) {
 /// Elevation from one degree to another as a matrix.
 inline Eigen::MatrixXd elevation(int from, int to) {
   Eigen::MatrixXd matrix(to + 1, from + 1);
-  for (int j = 0; j <= from; ++j) matrix.col(j) = elevated<1>(Eigen::VectorXd::Unit(from + 1, j), to);
+  for (int j = 0; j <= from; ++j)
+    matrix.col(j) = elevated<1>(Eigen::VectorXd::Unit(from + 1, j), to);
   return matrix;
 }
 
-/// A polynomial in a lower degree, and by how much its coefficients in the old degree miss the given ones.
+/// A polynomial in a lower degree, and by how much its coefficients in the old degree miss the
+/// given ones.
 template <int Size>
 struct Lowered {
   Field<Size> field;
   double defect = 0;
 };
 
-/// The nearest polynomial of that degree, by least squares of the coefficients; exact where there is one, and
-/// to the bit in columns that are constant.
+/// The nearest polynomial of that degree, by least squares of the coefficients; exact where there
+/// is one, and to the bit in columns that are constant.
 template <int Size>
 Lowered<Size> lowered(const Field<Size>& field, int to) {
   if (degree(field) <= to) return {elevated<Size>(field, to), 0};
@@ -150,9 +155,10 @@ inline bool isZero(const Eigen::VectorXd& function) {
   return (function.array() == 0).all();
 }
 
-/// A place where the polynomial is not positive, or too near to zero to tell; nothing where it is positive on
-/// all of [0, 1].
-inline std::optional<double> notPositiveAt(const BernsteinPolynomial& p, double begin = 0, double end = 1) {
+/// A place where the polynomial is not positive, or too near to zero to tell; nothing where it is
+/// positive on all of [0, 1].
+inline std::optional<double> notPositiveAt(const BernsteinPolynomial& p, double begin = 0,
+                                           double end = 1) {
   const double at_begin = p.coefficients()(0), at_end = p.coefficients()(p.degree());
   if (at_begin <= p.padding()) return begin;
   if (at_end <= p.padding()) return end;

@@ -27,12 +27,13 @@ Bounded binomial(Index n, Index k) {
   return Bounded(bernstein::binomials(n)(k));
 }
 
-/// Derivatives of the homogeneous curve at t = 0: n!/(n-k)! times the differences of the poles; lengths are
-/// divided by 2^exponent.
+/// Derivatives of the homogeneous curve at t = 0: n!/(n-k)! times the differences of the poles;
+/// lengths are divided by 2^exponent.
 BoundedRows<4> homogeneousDerivatives(const HomogeneousPoles& poles, int order, int exponent) {
   BoundedRows<4> differences(poles.rows(), 4);
   for (Index i = 0; i < poles.rows(); ++i)
-    for (Index c = 0; c < 4; ++c) differences(i, c) = ldexp(Bounded(poles(i, c)), c < 3 ? -exponent : 0);
+    for (Index c = 0; c < 4; ++c)
+      differences(i, c) = ldexp(Bounded(poles(i, c)), c < 3 ? -exponent : 0);
   BoundedRows<4> result(order + 1, 4);
   Bounded factor(1);
   for (Index k = 0; k <= std::min<Index>(order, poles.rows() - 1); ++k) {
@@ -66,7 +67,8 @@ void normalise(BoundedRows<3>& x) {
     for (Index c = 0; c < 3; ++c) x(k, c) = ldexp(x(k, c), -static_cast<int>(k) * exponent);
 }
 
-/// Derivatives of the arc length: the speed v from (v^2)^(m) = sum_i C(m, i) v^(i) v^(m-i) = (X' . X')^(m).
+/// Derivatives of the arc length: the speed v from (v^2)^(m) = sum_i C(m, i) v^(i) v^(m-i) = (X' .
+/// X')^(m).
 BoundedSeries lengthDerivatives(const BoundedRows<3>& x) {
   const Index count = x.rows() - 1;
   BoundedSeries speed(count);
@@ -110,7 +112,8 @@ Bounded norm(double x, double y, double z) {
   return sqrt(a * a + b * b + c * c);
 }
 
-/// |c_k of b - c_k of a| L^(k-1), k up to \p order, lengths divided by the power of two nearest to L.
+/// |c_k of b - c_k of a| L^(k-1), k up to \p order, lengths divided by the power of two nearest to
+/// L.
 void boundDefects(const BezierCurve& a, const BezierCurve& b, int order, BetaFit& fit) {
   int exponent = 0;
   const Bounded length(std::frexp(fit.length_mm, &exponent));
@@ -142,7 +145,8 @@ Eigen::VectorXd projectedBeta(const CurveDerivatives& a, const CurveDerivatives&
 
 }  // namespace
 
-BetaFit fitBeta(const BezierCurve& a, const BezierCurve& b, int order, std::optional<double> length_mm) {
+BetaFit fitBeta(const BezierCurve& a, const BezierCurve& b, int order,
+                std::optional<double> length_mm) {
   if (order < 0 || order > most_orders)
     throw std::invalid_argument("order " + std::to_string(order) + ": it must be within 0 to " +
                                 std::to_string(most_orders));
@@ -150,10 +154,12 @@ BetaFit fitBeta(const BezierCurve& a, const BezierCurve& b, int order, std::opti
   fit.length_mm = length_mm.value_or(0);
   if (!length_mm) fit.length_mm = jointLength(extentOf(a.poles()), extentOf(b.poles()));
   if (!(fit.length_mm > 0 && std::isfinite(fit.length_mm)))
-    throw std::invalid_argument("length_mm is " + bernstein::text(fit.length_mm) + ": it must be positive");
+    throw std::invalid_argument("length_mm is " + bernstein::text(fit.length_mm) +
+                                ": it must be positive");
   int exponent = 0;
   const double length = std::frexp(fit.length_mm, &exponent);
-  // In units of the power of two nearest to L, so that powers of lengths stay within the range of a double.
+  // In units of the power of two nearest to L, so that powers of lengths stay within the range of a
+  // double.
   const auto scaled = [&](const CurveDerivatives& derivatives, double noise) {
     return CurveEnd{derivatives.unaryExpr([&](double x) { return std::ldexp(x, -exponent); }),
                     std::ldexp(noise, -exponent)};
@@ -161,7 +167,8 @@ BetaFit fitBeta(const BezierCurve& a, const BezierCurve& b, int order, std::opti
   const CurveEnd end = scaled(a.derivatives(1, order), a.noise());
   const CurveEnd beginning = scaled(b.derivatives(0, order), b.noise());
   const CurveJoint joint = measureJoint(end, beginning);
-  if (!joint.gap_mm) throw std::invalid_argument("the curves' ends are beyond the range of a double");
+  if (!joint.gap_mm)
+    throw std::invalid_argument("the curves' ends are beyond the range of a double");
   const bool tangents = !joint.differences.empty();
   boundDefects(a, b, tangents ? order : 0, fit);
   for (std::size_t k = 0; k < fit.upper.size(); ++k) {

@@ -16,12 +16,13 @@ void requireFunction(const char* name, const Eigen::VectorXd& function) {
     throw std::invalid_argument(std::string(name) + " has no coefficient: at least one is needed");
   constexpr Eigen::Index most = 100;
   if (function.size() > most + 1)
-    throw std::invalid_argument(std::string(name) + " has degree " + std::to_string(function.size() - 1) +
-                                ": it must be within " + std::to_string(most));
+    throw std::invalid_argument(std::string(name) + " has degree " +
+                                std::to_string(function.size() - 1) + ": it must be within " +
+                                std::to_string(most));
   for (Eigen::Index i = 0; i < function.size(); ++i)
     if (!std::isfinite(function(i)))
-      throw std::invalid_argument(std::string(name) + " has coefficient " + std::to_string(i) + " = " +
-                                  text(function(i)) + ": it must be finite");
+      throw std::invalid_argument(std::string(name) + " has coefficient " + std::to_string(i) +
+                                  " = " + text(function(i)) + ": it must be finite");
 }
 
 void requirePositive(const char* name, const Eigen::VectorXd& function) {

@@ -7,8 +7,9 @@
 namespace seamwright {
 
 /// The same functions, those whose coefficients are all the same as constants.
-/// \throws std::invalid_argument, with name, index and value, for a function without coefficients, above degree 100, or with one that is
-/// not finite; for alpha or e0 that is not positive everywhere on [0, 1].
+/// \throws std::invalid_argument, with name, index and value, for a function without coefficients,
+/// above degree 100, or with one that is not finite; for alpha or e0 that is not positive
+/// everywhere on [0, 1].
 Connection checked(const Connection& connection);
 
 }  // namespace seamwright

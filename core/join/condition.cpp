@@ -34,7 +34,8 @@ Eigen::VectorXd weight(const HomogeneousPoles& part) {
   return rows::trimmed(part.col(3));
 }
 
-/// The derivatives of the points of a side, each times a power of the weight that makes a polynomial of it.
+/// The derivatives of the points of a side, each times a power of the weight that makes a
+/// polynomial of it.
 struct Derivatives {
   Eigen::VectorXd w;
   Rounded<3> p;           ///< times w
@@ -48,8 +49,8 @@ Field<3> firstOf(const HomogeneousPoles& h, const HomogeneousPoles& h_i) {
 }
 
 /// w^2 A_ij - w_i (w^2 X_j) - w_j (w^2 X_i) - w w_ij A, which is w^3 X_ij.
-Field<3> secondOf(const HomogeneousPoles& h, const HomogeneousPoles& h_i, const HomogeneousPoles& h_j,
-                  const HomogeneousPoles& h_ij) {
+Field<3> secondOf(const HomogeneousPoles& h, const HomogeneousPoles& h_i,
+                  const HomogeneousPoles& h_j, const HomogeneousPoles& h_ij) {
   const Eigen::VectorXd w = weight(h);
   return Sum<3>()
       .add(times(w, w), space(h_ij))
@@ -86,9 +87,10 @@ double relativeNoise(const Rounded<Size>& x) {
 /// A condition in the units of NormalizedPair.
 struct Polynomials {
   Eigen::VectorXd coefficients;
-  double scale = 0;     ///< the product of the sizes of the fields
-  double noise = 0;     ///< of a coefficient
-  double ordinary = 0;  ///< what the scale is where the fields are no smaller than usual; 0: they never are
+  double scale = 0;  ///< the product of the sizes of the fields
+  double noise = 0;  ///< of a coefficient
+  double ordinary =
+      0;  ///< what the scale is where the fields are no smaller than usual; 0: they never are
 };
 
 bool canBeTold(const Polynomials& condition) {
@@ -105,8 +107,8 @@ JoinResidual residual(const Polynomials& condition, double unit, std::optional<d
   result.at = degree > 0 ? static_cast<double>(largest) / static_cast<double>(degree) : 0;
   result.relative = condition.scale > 0 ? size / condition.scale : 0;
   result.noise = condition.scale > 0 ? condition.noise / condition.scale : 0;
-  result.holds =
-      tolerance ? result.relative <= *tolerance : result.relative <= result.noise && canBeTold(condition);
+  result.holds = tolerance ? result.relative <= *tolerance
+                           : result.relative <= result.noise && canBeTold(condition);
   result.coefficients = unit * condition.coefficients;
   return result;
 }
@@ -114,13 +116,15 @@ JoinResidual residual(const Polynomials& condition, double unit, std::optional<d
 /// f A - g B = 0 of vector-valued polynomials A, B, relative to the size of its larger term.
 /// \param ordinary a usual size of A and B.
 JoinResidual agreement(const Eigen::VectorXd& f, const Rounded<3>& a, const Eigen::VectorXd& g,
-                       const Rounded<3>& b, double ordinary, double length, std::optional<double> tolerance) {
+                       const Rounded<3>& b, double ordinary, double length,
+                       std::optional<double> tolerance) {
   const Field<3> difference = Sum<3>().add(f, b.field).add(-g, a.field).total();
   const double size_f = f.cwiseAbs().maxCoeff(), size_g = g.cwiseAbs().maxCoeff();
   const double scale = std::max(size_f * b.size(), size_g * a.size());
-  const double noise = size_f * b.noise + size_g * a.noise + factor_roundings * machine_epsilon * scale;
-  return residual({difference.rowwise().norm(), scale, noise, ordinary * std::max(size_f, size_g)}, length,
-                  tolerance);
+  const double noise =
+      size_f * b.noise + size_g * a.noise + factor_roundings * machine_epsilon * scale;
+  return residual({difference.rowwise().norm(), scale, noise, ordinary * std::max(size_f, size_g)},
+                  length, tolerance);
 }
 
 /// A lower bound of a polynomial on [0, 1], within a thousandth of its largest coefficient.
@@ -128,14 +132,16 @@ double lowest(const Eigen::VectorXd& p) {
   return BernsteinPolynomial(p).range(1e-3 * p.cwiseAbs().maxCoeff()).lower;
 }
 
-/// An upper bound of (|field| + noise) / divisor on [0, 1], within a tenth; infinite where the divisor is not certain to be positive.
-double largestQuotient(const Field<3>& field, double noise, const Eigen::VectorXd& divisor, int halvings) {
+/// An upper bound of (|field| + noise) / divisor on [0, 1], within a tenth; infinite where the
+/// divisor is not certain to be positive.
+double largestQuotient(const Field<3>& field, double noise, const Eigen::VectorXd& divisor,
+                       int halvings) {
   const double least = divisor.minCoeff(), first = divisor(0), last = divisor(divisor.size() - 1);
   if (!(first > 0 && last > 0)) return std::numeric_limits<double>::infinity();
   const double bound =
       least > 0 ? (rows::size(field) + noise) / least : std::numeric_limits<double>::infinity();
-  const double reached =
-      std::max((field.row(0).norm() + noise) / first, (field.bottomRows<1>().norm() + noise) / last);
+  const double reached = std::max((field.row(0).norm() + noise) / first,
+                                  (field.bottomRows<1>().norm() + noise) / last);
   if (halvings == 0 || bound <= 1.1 * reached) return bound;
   const bernstein::Step half = bernstein::Step::at(0.5);
   const auto [left, right] = bernstein::casteljau(field, half);
@@ -144,9 +150,10 @@ double largestQuotient(const Field<3>& field, double noise, const Eigen::VectorX
                   largestQuotient(right, noise, above, halvings - 1));
 }
 
-std::optional<double> notPositive(const Eigen::VectorXd& polynomial, double size, double noise = 0) {
-  return rows::notPositiveAt(
-      BernsteinPolynomial(polynomial / size, std::clamp(noise, factor_roundings * machine_epsilon, 2.0)));
+std::optional<double> notPositive(const Eigen::VectorXd& polynomial, double size,
+                                  double noise = 0) {
+  return rows::notPositiveAt(BernsteinPolynomial(
+      polynomial / size, std::clamp(noise, factor_roundings * machine_epsilon, 2.0)));
 }
 
 /// What a join of tangent planes is judged by.
@@ -166,7 +173,8 @@ class TangentPlanes {
     const double size_a = a_.s.size() * a_.t.size(), size_b = b_.s.size() * b_.t.size();
     if (!(size_a > 0 && size_b > 0)) return 0.0;
     const double least = std::pow(noise() / kLargestNoise, 2);
-    if (const auto at = notPositive(rows::dot<3>(normal_a_, normal_a_), size_a * size_a, least)) return at;
+    if (const auto at = notPositive(rows::dot<3>(normal_a_, normal_a_), size_a * size_a, least))
+      return at;
     return notPositive(rows::dot<3>(normal_b_, normal_b_), size_b * size_b, least);
   }
 
@@ -206,14 +214,16 @@ class TangentPlanes {
   JoinResidual rationalCondition(std::optional<double> tolerance) const {
     const Eigen::Index n = pair_.a.position.rows() - 1;
     const Rounded<4> first{pair_.a.position.topRows(n), 16 * pair_.rounding};
-    const Rounded<4> along{pair_.a.position.bottomRows(n) - pair_.a.position.topRows(n), 16 * pair_.rounding};
+    const Rounded<4> along{pair_.a.position.bottomRows(n) - pair_.a.position.topRows(n),
+                           16 * pair_.rounding};
     const Rounded<4> out{pair_.a.first, 16 * pair_.rounding * pair_.a.degree_across};
     const Rounded<4> into{pair_.b.first, 16 * pair_.rounding * pair_.b.degree_across};
     const double scale = first.size() * along.size() * out.size() * into.size();
-    const double noise =
-        scale * (relativeNoise(first) + relativeNoise(along) + relativeNoise(out) + relativeNoise(into));
-    return residual({rows::determinant(first.field, along.field, out.field, into.field), scale, noise},
-                    std::pow(pair_.length, 3), tolerance);
+    const double noise = scale * (relativeNoise(first) + relativeNoise(along) + relativeNoise(out) +
+                                  relativeNoise(into));
+    return residual(
+        {rows::determinant(first.field, along.field, out.field, into.field), scale, noise},
+        std::pow(pair_.length, 3), tolerance);
   }
 
   const NormalizedPair& pair_;
@@ -236,7 +246,8 @@ class NormalSum {
     scale_ += weight * x.size();
     ordinary_ += weight * first.size();
     noise_ +=
-        weight * (x.noise + x.size() * (factor_noise + normal_noise_ + factor_roundings * machine_epsilon));
+        weight *
+        (x.noise + x.size() * (factor_noise + normal_noise_ + factor_roundings * machine_epsilon));
     sum_.add(factor, rows::dot<3>(normal_, x.field));
     return *this;
   }
@@ -263,7 +274,8 @@ JoinResidual curvatureCondition(const Derivatives& a, const Derivatives& b, cons
   const double of_normal = relativeNoise(a.s) + relativeNoise(a.t);
   const double of_all = of_normal + relativeNoise(b.s);
   // B may be small beside the fields it is made of, and so less well known.
-  const double size_B = a.s.size() * b.s.size() * rows::size(normal), largest_B = B.cwiseAbs().maxCoeff();
+  const double size_B = a.s.size() * b.s.size() * rows::size(normal),
+               largest_B = B.cwiseAbs().maxCoeff();
   const double of_B = largest_B > 0 ? of_all * size_B / largest_B : 0;
   NormalSum sum(normal, of_normal);
   sum.add(times(times(mu, mu), b.w), 4 * of_normal, b.ss, b.s)
@@ -278,7 +290,8 @@ Eigen::VectorXd cube(const Eigen::VectorXd& w) {
 }
 
 JoinResidual curvatureCondition(const Derivatives& a, const Derivatives& b, const Field<3>& normal,
-                                double length, const Connection& c, std::optional<double> tolerance) {
+                                double length, const Connection& c,
+                                std::optional<double> tolerance) {
   const Eigen::VectorXd w = cube(b.w), &alpha = c.alpha, &beta = c.beta;
   const double of_normal = relativeNoise(a.s) + relativeNoise(a.t);
   NormalSum sum(normal, of_normal);
@@ -296,8 +309,8 @@ void judgeParametric(const Derivatives& a, const Derivatives& b, double length,
   const double least = lowest(a.w) * lowest(b.w);
   result.gap_bound_mm = result.position.coefficients.maxCoeff() / least;
   result.first = agreement(square_a, a.s, square_b, b.s, 0, length, tolerance);
-  result.second =
-      agreement(cube(a.w), a.ss, cube(b.w), b.ss, std::max(a.s.size(), b.s.size()), length, tolerance);
+  result.second = agreement(cube(a.w), a.ss, cube(b.w), b.ss, std::max(a.s.size(), b.s.size()),
+                            length, tolerance);
   result.parametric_order = -1;
   for (const JoinResidual* order : {&result.position, &result.first, &result.second}) {
     if (!order->holds) break;
@@ -326,7 +339,8 @@ JoinCondition joinCondition(const Ribbon& a, const Ribbon& b, const JoinConditio
   std::optional<Connection> connection = options.connection;
   if (connection) connection = checked(*connection);
   const NormalizedPair pair(a, b);
-  const Derivatives of_a = derivativesOf(pair.a, pair.rounding), of_b = derivativesOf(pair.b, pair.rounding);
+  const Derivatives of_a = derivativesOf(pair.a, pair.rounding),
+                    of_b = derivativesOf(pair.b, pair.rounding);
   JoinCondition result;
   judgeParametric(of_a, of_b, pair.length, options.tolerance, result);
   const TangentPlanes planes(pair, of_a, of_b);
@@ -343,9 +357,9 @@ JoinCondition joinCondition(const Ribbon& a, const Ribbon& b, const JoinConditio
   result.verdict = sense > 0 ? JoinVerdict::G1 : JoinVerdict::Fold;
   if (result.verdict != JoinVerdict::G1) return result;
   result.curvature =
-      connection
-          ? curvatureCondition(of_a, of_b, planes.normal(), pair.length, *connection, options.tolerance)
-          : curvatureCondition(of_a, of_b, planes.normal(), pair.length, options.tolerance);
+      connection ? curvatureCondition(of_a, of_b, planes.normal(), pair.length, *connection,
+                                      options.tolerance)
+                 : curvatureCondition(of_a, of_b, planes.normal(), pair.length, options.tolerance);
   return result;
 }
 

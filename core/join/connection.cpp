@@ -26,8 +26,8 @@ struct Unknown {
 
 struct FieldFit {
   std::vector<Eigen::VectorXd> factors;
-  double residual =
-      0;  ///< largest coefficient that remains, relative to the right side, the terms and the size given
+  double residual = 0;  ///< largest coefficient that remains, relative to the right side, the terms
+                        ///< and the size given
   double condition = 0;
 };
 
@@ -37,7 +37,8 @@ Eigen::VectorXd column(const Field<4>& field, int degree) {
 }
 
 /// Columns scaled to length 1, so that neither units nor speeds count for the condition.
-/// \param size what residuals are relative to at least: a right side of rounding alone must not count as one of its own size.
+/// \param size what residuals are relative to at least: a right side of rounding alone must not
+/// count as one of its own size.
 FieldFit solve(const std::vector<Unknown>& unknowns, const Field<4>& right, double size) {
   int degree = rows::degree(right);
   Eigen::Index count = 0;
@@ -76,8 +77,8 @@ FieldFit solve(const std::vector<Unknown>& unknowns, const Field<4>& right, doub
 
 void requireConnectionDegree(const char* name, const std::optional<int>& degree) {
   if (degree && (*degree < 0 || *degree > 30))
-    throw std::invalid_argument(std::string("degree of ") + name + " is " + std::to_string(*degree) +
-                                ": it must be within 0 to 30");
+    throw std::invalid_argument(std::string("degree of ") + name + " is " +
+                                std::to_string(*degree) + ": it must be within 0 to 30");
 }
 
 bool isPolynomial(const Ribbon& ribbon) {
@@ -93,9 +94,11 @@ class Recognition {
         polynomial_(isPolynomial(a) && isPolynomial(b)),
         P_t_(rows::derivative<4>(pair_.a.position)) {
     const double m = std::max(pair_.a.degree_across, pair_.b.degree_across);
-    const double sizes = std::min({rows::size(pair_.a.first), rows::size(pair_.b.first), rows::size(P_t_)});
-    noise_first_ = fit_roundings * machine_epsilon +
-                   (sizes > 0 ? 64 * pair_.rounding * std::max<double>(m, pair_.a.degree()) / sizes : 0);
+    const double sizes =
+        std::min({rows::size(pair_.a.first), rows::size(pair_.b.first), rows::size(P_t_)});
+    noise_first_ =
+        fit_roundings * machine_epsilon +
+        (sizes > 0 ? 64 * pair_.rounding * std::max<double>(m, pair_.a.degree()) / sizes : 0);
   }
 
   ConnectionFit run() {
@@ -110,13 +113,14 @@ class Recognition {
     return options_.tolerance.value_or(noise);
   }
 
-  /// Tries (first, second) degrees, given or ascending, and keeps the first that is within the tolerance, or the best.
+  /// Tries (first, second) degrees, given or ascending, and keeps the first that is within the
+  /// tolerance, or the best.
   template <class Try>
-  bool ascend(const std::optional<int>& first, const std::optional<int>& second, int last, double allowed,
-              const char* names, const Try& attempt) {
+  bool ascend(const std::optional<int>& first, const std::optional<int>& second, int last,
+              double allowed, const char* names, const Try& attempt) {
     if (!options_.tolerance && fit_.noise > kLargestNoise) {
-      fit_.note = "rounding of the poles makes up to " + text(fit_.noise) + " of a residual of 0: " + names +
-                  " cannot be told";
+      fit_.note = "rounding of the poles makes up to " + text(fit_.noise) +
+                  " of a residual of 0: " + names + " cannot be told";
       return false;
     }
     double best = std::numeric_limits<double>::infinity();
@@ -149,28 +153,31 @@ class Recognition {
           return solution;
         });
     if (!found && fit_.note.empty())
-      fit_.note = "the seams are not the same, or their weights differ by no polynomial of degree up to " +
-                  std::to_string(last);
+      fit_.note =
+          "the seams are not the same, or their weights differ by no polynomial of degree up to " +
+          std::to_string(last);
     return found;
   }
 
   bool tangents() {
     Connection& c = fit_.connection;
-    const Field<4> out = rows::product<4>(c.e0, pair_.a.first), along = rows::product<4>(c.e0, P_t_);
+    const Field<4> out = rows::product<4>(c.e0, pair_.a.first),
+                   along = rows::product<4>(c.e0, P_t_);
     const int last = std::max(rows::degree(pair_.b.first) - rows::degree(out), 0) + 2;
-    const bool found = ascend(options_.alpha_degree, options_.beta_degree, last, tolerance(noise_first_),
-                              "alpha and beta", [&](int degree, int other, double best) {
-                                std::vector<Unknown> unknowns = {{out, degree}, {along, other}};
-                                if (!polynomial_)
-                                  unknowns.push_back({pair_.a.position, degree + rows::degree(c.e0)});
-                                FieldFit solution = solve(unknowns, pair_.b.first, 0);
-                                if (solution.residual < best) {
-                                  c.alpha = solution.factors[0];
-                                  c.beta = solution.factors[1];
-                                  if (!polynomial_) c.e1 = solution.factors[2];
-                                }
-                                return solution;
-                              });
+    const bool found =
+        ascend(options_.alpha_degree, options_.beta_degree, last, tolerance(noise_first_),
+               "alpha and beta", [&](int degree, int other, double best) {
+                 std::vector<Unknown> unknowns = {{out, degree}, {along, other}};
+                 if (!polynomial_)
+                   unknowns.push_back({pair_.a.position, degree + rows::degree(c.e0)});
+                 FieldFit solution = solve(unknowns, pair_.b.first, 0);
+                 if (solution.residual < best) {
+                   c.alpha = solution.factors[0];
+                   c.beta = solution.factors[1];
+                   if (!polynomial_) c.e1 = solution.factors[2];
+                 }
+                 return solution;
+               });
     if (!found && fit_.note.empty()) fit_.note = whyNoTangents(last);
     if (!found || !rows::notPositiveAt(BernsteinPolynomial(c.alpha))) return found;
     fit_.note = "alpha is not positive everywhere: the join is " + std::string(name(verdict()));
@@ -185,8 +192,8 @@ class Recognition {
     if (verdict() != JoinVerdict::G1) return "the join is " + std::string(name(verdict()));
     if (options_.alpha_degree || options_.beta_degree)
       return "the join is G1, but alpha and beta are no polynomials of these degrees";
-    return "the join is G1, but alpha and beta are no polynomials of degrees up to " + std::to_string(last) +
-           " and " + std::to_string(last + 1);
+    return "the join is G1, but alpha and beta are no polynomials of degrees up to " +
+           std::to_string(last) + " and " + std::to_string(last + 1);
   }
 
   bool curvatures() {
@@ -206,27 +213,31 @@ class Recognition {
     const Field<4> out = rows::product<4>(c.e0, P_s), along = rows::product<4>(c.e0, P_t_);
     const int last = std::max(rows::degree(rest) - rows::degree(out), 0) + 2;
     const double m = std::max({pair_.a.degree_across, pair_.b.degree_across, pair_.a.degree()});
-    const double terms = rows::size(pair_.b.second) + rows::size(second) + rows::size(P_s) + rows::size(P_t_);
+    const double terms =
+        rows::size(pair_.b.second) + rows::size(second) + rows::size(P_s) + rows::size(P_t_);
     const double size = std::max(rows::size(rest), std::min(rows::size(P_s), rows::size(P_t_)));
-    const double allowed = tolerance(
-        noise_first_ +
-        (64 * m * m * pair_.rounding + (fit_roundings * machine_epsilon + noise_first_) * terms) / size);
-    const bool found = ascend(options_.p_degree, options_.q_degree, last, allowed, "p and q",
-                              [&](int degree, int other, double best) {
-                                std::vector<Unknown> unknowns = {{out, degree}, {along, other}};
-                                if (!polynomial_)
-                                  unknowns.push_back({pair_.a.position, degree + rows::degree(c.e0)});
-                                FieldFit solution = solve(unknowns, rest, size);
-                                if (solution.residual < best) {
-                                  c.p = solution.factors[0];
-                                  c.q = solution.factors[1];
-                                  if (!polynomial_) c.e2 = solution.factors[2];
-                                }
-                                return solution;
-                              });
+    const double allowed =
+        tolerance(noise_first_ + (64 * m * m * pair_.rounding +
+                                  (fit_roundings * machine_epsilon + noise_first_) * terms) /
+                                     size);
+    const bool found =
+        ascend(options_.p_degree, options_.q_degree, last, allowed, "p and q",
+               [&](int degree, int other, double best) {
+                 std::vector<Unknown> unknowns = {{out, degree}, {along, other}};
+                 if (!polynomial_)
+                   unknowns.push_back({pair_.a.position, degree + rows::degree(c.e0)});
+                 FieldFit solution = solve(unknowns, rest, size);
+                 if (solution.residual < best) {
+                   c.p = solution.factors[0];
+                   c.q = solution.factors[1];
+                   if (!polynomial_) c.e2 = solution.factors[2];
+                 }
+                 return solution;
+               });
     if (!found && fit_.note.empty())
-      fit_.note = "the join is G1 with these alpha and beta, but not G2 with p and q of degrees up to " +
-                  std::to_string(last) + " and " + std::to_string(last + 1);
+      fit_.note =
+          "the join is G1 with these alpha and beta, but not G2 with p and q of degrees up to " +
+          std::to_string(last) + " and " + std::to_string(last + 1);
     return found;
   }
 

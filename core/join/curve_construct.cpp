@@ -37,8 +37,8 @@ void requireScale(const Eigen::VectorXd& scale, Index order) {
 void requireTangent(const BezierCurve& a) {
   const double speed = a.derivatives(1, 1).row(1).stableNorm(), noise = a.noise();
   if (speed <= noise)
-    throw std::invalid_argument("the curve has no tangent at its end: speed " + text(speed) + ", rounding " +
-                                text(noise));
+    throw std::invalid_argument("the curve has no tangent at its end: speed " + text(speed) +
+                                ", rounding " + text(noise));
 }
 
 void requireRule(const BezierCurve& a, int degree, const CurveJoinRule& rule) {
@@ -85,7 +85,8 @@ double falling(Index n, Index k) {
 /// Of the homogeneous curve at t = 1.
 HomogeneousPoles derivativesAtEnd(const BezierCurve& a, Index order) {
   HomogeneousPoles result = differences(a.reversed().homogeneousPoles(), order);
-  for (Index k = 0; k <= order; ++k) result.row(k) *= (k % 2 == 0 ? 1 : -1) * falling(a.degree(), k);
+  for (Index k = 0; k <= order; ++k)
+    result.row(k) *= (k % 2 == 0 ? 1 : -1) * falling(a.degree(), k);
   return result;
 }
 
@@ -93,7 +94,8 @@ HomogeneousPoles derivativesAtEnd(const BezierCurve& a, Index order) {
 HomogeneousPoles scaled(const HomogeneousPoles& derivatives, const Eigen::VectorXd& scale) {
   HomogeneousPoles result = HomogeneousPoles::Zero(derivatives.rows(), 4);
   for (Index k = 0; k < derivatives.rows(); ++k)
-    for (Index j = 0; j <= k; ++j) result.row(k) += binomials(k)(j) * scale(k - j) * derivatives.row(j);
+    for (Index j = 0; j <= k; ++j)
+      result.row(k) += binomials(k)(j) * scale(k - j) * derivatives.row(j);
   return result;
 }
 
@@ -101,7 +103,8 @@ HomogeneousPoles scaled(const HomogeneousPoles& derivatives, const Eigen::Vector
 HomogeneousPoles polesFrom(const HomogeneousPoles& derivatives, int degree) {
   HomogeneousPoles result = HomogeneousPoles::Zero(derivatives.rows(), 4);
   for (Index k = 0; k < derivatives.rows(); ++k)
-    for (Index j = 0; j <= k; ++j) result.row(k) += binomials(k)(j) / falling(degree, j) * derivatives.row(j);
+    for (Index j = 0; j <= k; ++j)
+      result.row(k) += binomials(k)(j) / falling(degree, j) * derivatives.row(j);
   return result;
 }
 
@@ -133,7 +136,8 @@ HomogeneousPoles nextPoles(const BezierCurve& a, int degree, const CurveJoinRule
     beta.tail(order - k + 1) *= rule.next_length;
     scale.tail(order - k + 1) *= rule.next_length;
   }
-  const HomogeneousPoles derivatives = scaled(bellMatrix<double>(beta) * derivativesAtEnd(a, order), scale);
+  const HomogeneousPoles derivatives =
+      scaled(bellMatrix<double>(beta) * derivativesAtEnd(a, order), scale);
   HomogeneousPoles poles = polesFrom(derivatives, degree);
   requireResult(poles);
   return poles;

@@ -18,7 +18,8 @@ using namespace nearest;
 constexpr double max_entries = 1.5e6;
 /// Share of the derivatives above which rounding hides whether a join holds.
 constexpr double largest_rounding = 1e-6;
-/// Share of the ratio of the sides' cross derivatives below which alpha of a join that holds is no more than rounding.
+/// Share of the ratio of the sides' cross derivatives below which alpha of a join that holds is no
+/// more than rounding.
 constexpr double least_alpha = 1e-9;
 
 void requireOptions(const NearestOptions& options) {
@@ -33,7 +34,8 @@ void requireOptions(const NearestOptions& options) {
   if (!(options.smallest_alpha > 0 && options.smallest_alpha <= 1))
     refuse("smallest_alpha is " + std::to_string(options.smallest_alpha) + ": 0 to 1 is needed");
   if (options.max_iterations < 0)
-    refuse("max_iterations is " + std::to_string(options.max_iterations) + ": it must not be negative");
+    refuse("max_iterations is " + std::to_string(options.max_iterations) +
+           ": it must not be negative");
 }
 
 void requireSize(const Unknowns& u, int order) {
@@ -42,12 +44,14 @@ void requireSize(const Unknowns& u, int order) {
   const double entries =
       poles * order * (u.count() + static_cast<double>(order * std::ssize(innerKnots(u.a))));
   if (entries > max_entries)
-    refuse("the seam has " + std::to_string(u.count()) + " poles: the matrix of the join would have " +
+    refuse("the seam has " + std::to_string(u.count()) +
+           " poles: the matrix of the join would have " +
            std::to_string(static_cast<long>(entries)) + " entries, more than " +
            std::to_string(static_cast<long>(max_entries)));
 }
 
-double relativeResidual(const Condition& condition, const Eigen::VectorXd& c, const Eigen::MatrixXd& x) {
+double relativeResidual(const Condition& condition, const Eigen::VectorXd& c,
+                        const Eigen::MatrixXd& x) {
   return (condition.matrix(c) * x).rowwise().norm().maxCoeff() / condition.largestDerivative(x);
 }
 
@@ -56,12 +60,13 @@ bool alreadyJoined(const Unknowns& u, const NearestOptions& options, const Famil
                    NearestJoin& result) {
   const Condition condition(u, options.order, family.degrees, {});
   const double rounding = 32 * std::numeric_limits<double>::epsilon() * u.largest;
-  const Eigen::VectorXd c =
-      family.basis.cols() > 0 ? condition.fitted(u.target, family.basis, family.held, 0) : family.held;
+  const Eigen::VectorXd c = family.basis.cols() > 0
+                                ? condition.fitted(u.target, family.basis, family.held, 0)
+                                : family.held;
   const Eigen::VectorXd alpha = c.head(family.degrees[Alpha] + 1);
   const std::array<double, 2> speeds = condition.crossSpeeds(u.target);
-  const bool joined = alpha.minCoeff() > least_alpha * speeds[1] / speeds[0] && u.seam_gap <= rounding &&
-                      holds(condition.matrix(c), u.target, u.largest);
+  const bool joined = alpha.minCoeff() > least_alpha * speeds[1] / speeds[0] &&
+                      u.seam_gap <= rounding && holds(condition.matrix(c), u.target, u.largest);
   const double residual = relativeResidual(condition, c, u.target);
   if (!joined || !(residual <= largest_rounding)) return false;
   result.status = NearestStatus::Unchanged;
@@ -86,17 +91,20 @@ Candidate candidate(const Unknowns& u, const NearestOptions& options, const Fami
   return {family, std::move(solution), residual};
 }
 
-/// An alpha that is all but constant can be a way to the join of a constant alpha that never arrives: what did not converge has to be nearer
-/// by more than rounding explains.
+/// An alpha that is all but constant can be a way to the join of a constant alpha that never
+/// arrives: what did not converge has to be nearer by more than rounding explains.
 bool better(const Candidate& one, const Candidate& other) {
   constexpr double clearly = 1e-3;
   if (one.solution.exact != other.solution.exact) return one.solution.exact;
   if (!one.solution.exact) return one.residual < other.residual;
-  const auto effective = [&](const Solution& s) { return s.cost * (s.stationary ? 1 : 1 + clearly); };
+  const auto effective = [&](const Solution& s) {
+    return s.cost * (s.stationary ? 1 : 1 + clearly);
+  };
   return effective(one.solution) < effective(other.solution);
 }
 
-Candidate nearestOf(const Unknowns& u, const NearestOptions& options, const std::vector<Family>& families) {
+Candidate nearestOf(const Unknowns& u, const NearestOptions& options,
+                    const std::vector<Family>& families) {
   std::optional<Candidate> best;
   const auto consider = [&](const Family& family) {
     Candidate next = candidate(u, options, family);
@@ -108,7 +116,8 @@ Candidate nearestOf(const Unknowns& u, const NearestOptions& options, const std:
 }
 
 /// The residual of the poles as they are stored.
-double storedResidual(JoinSide a, JoinSide b, const NearestJoin& join, const Candidate& found, int order) {
+double storedResidual(JoinSide a, JoinSide b, const NearestJoin& join, const Candidate& found,
+                      int order) {
   a.surface = join.a;
   b.surface = join.b;
   const Unknowns u = unknowns(a, b, order);

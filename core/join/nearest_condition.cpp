@@ -21,15 +21,17 @@ int conditionDegree(int order, int n, const Degrees& d) {
     }
     return degree;
   };
-  if (order == 1) return std::max({n, term(n, {d[E1]}), term(n, {d[Alpha]}), term(n - 1, {d[Beta]})});
+  if (order == 1)
+    return std::max({n, term(n, {d[E1]}), term(n, {d[Alpha]}), term(n - 1, {d[Beta]})});
   return std::max({n, term(n, {d[E2]}), term(n, {d[E1], d[Alpha]}), term(n - 1, {d[E1], d[Beta]}),
                    term(n, {d[Alpha], d[Alpha]}), term(n - 1, {d[Alpha], d[Beta]}),
                    term(n - 2, {d[Beta], d[Beta]}), term(n, {d[P]}), term(n - 1, {d[Q]})});
 }
 
-/// Points that determine a spline of that degree on a part of the seam inside which it is continuous; knots are flat and clamped.
-void addPlaces(int degree, const std::vector<double>& knots, const std::vector<double>& own, int own_degree,
-               std::vector<Place>& places) {
+/// Points that determine a spline of that degree on a part of the seam inside which it is
+/// continuous; knots are flat and clamped.
+void addPlaces(int degree, const std::vector<double>& knots, const std::vector<double>& own,
+               int own_degree, std::vector<Place>& places) {
   const int count = static_cast<int>(knots.size()) - degree - 1;
   const double begin = knots.front(), end = knots.back();
   for (int i = 0; i < count; ++i) {
@@ -208,7 +210,8 @@ Eigen::MatrixXd Condition::matrix(const Eigen::VectorXd& c) const {
     const Eigen::RowVectorXd row =
         point.scale * combination(point.order, values(point, c)).transpose() * point.fields;
     for (int block = 0; block < unknowns_.blocks(); ++block)
-      result.row(i).segment(static_cast<Eigen::Index>(block) * unknowns_.count() + point.first, width_) =
+      result.row(i).segment(static_cast<Eigen::Index>(block) * unknowns_.count() + point.first,
+                            width_) =
           row.segment(static_cast<Eigen::Index>(block) * width_, width_);
   }
   return result;
@@ -239,8 +242,9 @@ std::vector<Eigen::MatrixXd> Condition::transposed(const Eigen::VectorXd& c,
     const Values f = values(point, c);
     for (int function = 0; function < function_count; ++function) {
       if (degrees_[function] < 0) continue;
-      const Eigen::MatrixXd by_value =
-          point.fields.transpose() * (point.scale * derivative(point.order, f, function)) * nu.row(i);
+      const Eigen::MatrixXd by_value = point.fields.transpose() *
+                                       (point.scale * derivative(point.order, f, function)) *
+                                       nu.row(i);
       for (int k = 0; k <= degrees_[function]; ++k)
         for (int block = 0; block < unknowns_.blocks(); ++block)
           result[offset_[function] + k].middleRows(
@@ -257,7 +261,8 @@ Eigen::MatrixXd Condition::curvature(const Eigen::MatrixXd& nu, const Eigen::Mat
   for (Eigen::Index i = 0; i < rows(); ++i) {
     const Point& point = points_[i];
     if (point.order == 1) continue;
-    const Combination weighted = point.scale * (point.fields * (local(point, x) * nu.row(i).transpose()));
+    const Combination weighted =
+        point.scale * (point.fields * (local(point, x) * nu.row(i).transpose()));
     for (int f = Alpha; f <= E1; ++f)
       for (int g = Alpha; g <= E1; ++g)
         result.block(offset_[f], offset_[g], degrees_[f] + 1, degrees_[g] + 1) +=
@@ -267,10 +272,12 @@ Eigen::MatrixXd Condition::curvature(const Eigen::MatrixXd& nu, const Eigen::Mat
   return result;
 }
 
-Eigen::VectorXd Condition::fittedPart(const Eigen::MatrixXd& x, const Eigen::MatrixXd& basis, int order,
-                                      const Eigen::VectorXd& c) const {
-  // With the other coefficients as they are, the condition of that order is linear in those of its own.
-  const int first = order == 1 ? offset_[Alpha] : offset_[P], last = order == 1 ? offset_[P] : offset_.back();
+Eigen::VectorXd Condition::fittedPart(const Eigen::MatrixXd& x, const Eigen::MatrixXd& basis,
+                                      int order, const Eigen::VectorXd& c) const {
+  // With the other coefficients as they are, the condition of that order is linear in those of its
+  // own.
+  const int first = order == 1 ? offset_[Alpha] : offset_[P],
+            last = order == 1 ? offset_[P] : offset_.back();
   const std::vector<Eigen::MatrixXd> by = derivatives(c, x);
   const Eigen::MatrixXd residual = matrix(c) * x;
   const Eigen::Index entries = residual.size();
@@ -320,7 +327,8 @@ Eigen::MatrixXd Condition::normals(const Eigen::MatrixXd& x, bool of_b) const {
   for (int span = n; span < unknowns_.count(); ++span) {
     if (knots[span] == knots[span + 1]) continue;
     for (int k = 0; k <= steps; ++k) {
-      const Point point = pointAt(1, std::lerp(knots[span], knots[span + 1], k / (1.0 * steps)), span);
+      const Point point =
+          pointAt(1, std::lerp(knots[span], knots[span + 1], k / (1.0 * steps)), span);
       const Eigen::MatrixXd fields = point.fields * local(point, x);
       // Of homogeneous coordinates w^2 times the derivative of the point.
       const auto affine = [&](Field field) -> Eigen::Vector3d {
@@ -338,7 +346,8 @@ double Condition::largestDerivative(const Eigen::MatrixXd& x) const {
   double largest = 0;
   for (const Point& point : points_) {
     const Eigen::MatrixXd fields = point.fields * local(point, x);
-    largest = std::max(largest, point.scale * fields.row(point.order == 1 ? FieldQs : FieldQss).norm());
+    largest =
+        std::max(largest, point.scale * fields.row(point.order == 1 ? FieldQs : FieldQss).norm());
   }
   return largest;
 }

@@ -28,19 +28,22 @@ struct Place {
   int span;
 };
 
-/// Places that determine the left side of the condition of that order as a spline of that degree; the rows have degree \p n and flat knots,
-/// and at the inner knots of \p vanishing the condition is as smooth as they are.
+/// Places that determine the left side of the condition of that order as a spline of that degree;
+/// the rows have degree \p n and flat knots, and at the inner knots of \p vanishing the condition
+/// is as smooth as they are.
 std::vector<Place> places(int n, const std::vector<double>& knots, int order, int degree,
                           const std::vector<double>& vanishing);
 
-/// The condition of order 1, and of order 2 below it, at as many points of the seam as determine the spline that its left side is:
-///   Q_s - e1 P - alpha P_s - beta P_t                                                                      = 0
-///   Q_ss - e2 P - (2 e1 alpha + p) P_s - (2 e1 beta + q) P_t - alpha^2 P_ss - 2 alpha beta P_st - beta^2 P_tt = 0
-/// P_s points out of a, Q_s into b. Each row is divided by the coefficient of the pole of b behind the seam, so that a residual is a length
-/// comparable to a move of that pole.
+/// The condition of order 1, and of order 2 below it, at as many points of the seam as determine
+/// the spline that its left side is:
+///   Q_s - e1 P - alpha P_s - beta P_t = 0 Q_ss - e2 P - (2 e1 alpha + p) P_s - (2 e1 beta + q) P_t
+///   - alpha^2 P_ss - 2 alpha beta P_st - beta^2 P_tt = 0
+/// P_s points out of a, Q_s into b. Each row is divided by the coefficient of the pole of b behind
+/// the seam, so that a residual is a length comparable to a move of that pole.
 ///
-/// At a knot where the rows are of class C^r the condition of order k is of class C^(r-k), or C^r if beta and q vanish there. A spline of
-/// degree d and that class is zero iff it is at its Greville points (Schoenberg and Whitney), a polynomial iff it is at d + 1 points.
+/// At a knot where the rows are of class C^r the condition of order k is of class C^(r-k), or C^r
+/// if beta and q vanish there. A spline of degree d and that class is zero iff it is at its
+/// Greville points (Schoenberg and Whitney), a polynomial iff it is at d + 1 points.
 class Condition {
  public:
   /// \param vanishing the inner knots where beta and q are zero.
@@ -55,25 +58,38 @@ class Condition {
   /// A(c).
   Eigen::MatrixXd matrix(const Eigen::VectorXd& c) const;
   /// dA/dc_i x for each coefficient.
-  std::vector<Eigen::MatrixXd> derivatives(const Eigen::VectorXd& c, const Eigen::MatrixXd& x) const;
+  std::vector<Eigen::MatrixXd> derivatives(const Eigen::VectorXd& c,
+                                           const Eigen::MatrixXd& x) const;
   /// (dA/dc_i)' nu for each coefficient.
-  std::vector<Eigen::MatrixXd> transposed(const Eigen::VectorXd& c, const Eigen::MatrixXd& nu) const;
+  std::vector<Eigen::MatrixXd> transposed(const Eigen::VectorXd& c,
+                                          const Eigen::MatrixXd& nu) const;
   /// <nu, d2A/dc_i dc_j x>.
   Eigen::MatrixXd curvature(const Eigen::MatrixXd& nu, const Eigen::MatrixXd& x) const;
   /// The coefficients held + basis y that fit these poles best, condition by condition, those of
   /// alpha not below a bound.
   /// Source: docs/theory/surfaces.md S2.5.
-  Eigen::VectorXd fitted(const Eigen::MatrixXd& x, const Eigen::MatrixXd& basis, const Eigen::VectorXd& held,
-                         double smallest_alpha) const;
+  Eigen::VectorXd fitted(const Eigen::MatrixXd& x, const Eigen::MatrixXd& basis,
+                         const Eigen::VectorXd& held, double smallest_alpha) const;
   /// Root mean squares of |P_s| and |Q_s| along the seam.
   std::array<double, 2> crossSpeeds(const Eigen::MatrixXd& x) const;
-  /// Along P_s x P_t (for b: Q_s x P_t) at evenly spaced places of each span, its ends among them, one a row.
+  /// Along P_s x P_t (for b: Q_s x P_t) at evenly spaced places of each span, its ends among them,
+  /// one a row.
   Eigen::MatrixXd normals(const Eigen::MatrixXd& x, bool of_b) const;
   /// Largest |Q_s|, and |Q_ss| if of order 2, over the factors of their rows.
   double largestDerivative(const Eigen::MatrixXd& x) const;
 
  private:
-  enum Field { FieldP, FieldPt, FieldPtt, FieldPs, FieldPst, FieldPss, FieldQs, FieldQss, field_count };
+  enum Field {
+    FieldP,
+    FieldPt,
+    FieldPtt,
+    FieldPs,
+    FieldPst,
+    FieldPss,
+    FieldQs,
+    FieldQss,
+    field_count
+  };
   using Combination = Eigen::Matrix<double, field_count, 1>;
   using Values = Eigen::Matrix<double, function_count, 1>;
   struct Point {

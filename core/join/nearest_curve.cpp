@@ -43,13 +43,14 @@ void requireValid(const Eigen::VectorXd& costs, const End& end, const std::strin
 
 void requireValid(const End& end, const std::string& name, int order) {
   if (end.degree < order)
-    throw std::invalid_argument("degree of " + name + " is " + std::to_string(end.degree) + ", the order " +
-                                std::to_string(order) + ": elevate it first");
+    throw std::invalid_argument("degree of " + name + " is " + std::to_string(end.degree) +
+                                ", the order " + std::to_string(order) + ": elevate it first");
 }
 
 void requireValid(const NearestCurveJoinOptions& options) {
   if (options.order < 1 || options.order > 10)
-    throw std::invalid_argument("order is " + std::to_string(options.order) + ": 1 to 10 is needed");
+    throw std::invalid_argument("order is " + std::to_string(options.order) +
+                                ": 1 to 10 is needed");
   if (!(options.least_beta1 > 0 && options.least_beta1 <= 1))
     throw std::invalid_argument("least_beta1 is " + text(options.least_beta1) +
                                 ": a number above 0, up to 1, is needed");
@@ -66,8 +67,9 @@ void requireValid(const NearestCurveJoinOptions& options) {
                                 std::to_string(options.order) + ": the numbers must be equal");
   for (Eigen::Index i = 0; i < beta.size(); ++i)
     if (!std::isfinite(beta(i)) || (i == 0 && !(beta(i) > 0)))
-      throw std::invalid_argument("beta_" + std::to_string(i + 1) + " is " + text(beta(i)) +
-                                  (i == 0 ? ": it must be positive and finite" : ": it must be finite"));
+      throw std::invalid_argument(
+          "beta_" + std::to_string(i + 1) + " is " + text(beta(i)) +
+          (i == 0 ? ": it must be positive and finite" : ": it must be finite"));
 }
 
 /// The derivatives of the arc length by the curve's parameter, first to last order.
@@ -78,7 +80,8 @@ Eigen::VectorXd speeds(const CurveDerivatives& jet) {
   for (Eigen::Index k = 2; k < jet.rows(); ++k) {
     result(k - 1) = 0;
     const Eigen::MatrixXd B = betaMatrix(result.head(k));
-    const Eigen::RowVector3d rest = jet.row(k) - B.row(k).segment(2, k - 1) * arc.middleRows(2, k - 1);
+    const Eigen::RowVector3d rest =
+        jet.row(k) - B.row(k).segment(2, k - 1) * arc.middleRows(2, k - 1);
     result(k - 1) = arc.row(1).dot(rest);
   }
   return result;
@@ -97,8 +100,8 @@ CurveExtent extentOfEnd(const End& end) {
 
 struct Defect {
   double largest = std::numeric_limits<double>::infinity();  ///< of BetaFit::defects
-  double relative =
-      largest;  ///< the same in units of the curves' own derivatives by arc length, where they are large
+  double relative = largest;  ///< the same in units of the curves' own derivatives by arc length,
+                              ///< where they are large
 };
 
 /// Infinite where a tangent is lost.
@@ -122,7 +125,8 @@ Defect defectOf(const End& a, const End& b, int order, double length) {
 }
 
 /// The problem without units; \p length is set to the unit of length.
-Problem problemOf(const End& a, const End& b, const NearestCurveJoinOptions& options, double& length) {
+Problem problemOf(const End& a, const End& b, const NearestCurveJoinOptions& options,
+                  double& length) {
   const int n = options.order;
   const Eigen::Vector3d origin = a.point() + (b.point() - a.point()) / 2;
   Problem problem{nearest_curve::sideOf(a, n, origin, options.costs_a, options.moves != Moves::B),
@@ -151,9 +155,11 @@ Problem problemOf(const End& a, const End& b, const NearestCurveJoinOptions& opt
   problem.rounding = machine_epsilon * largest / length;
   if (options.beta) {
     problem.beta = *options.beta;
-    for (int k = 1; k <= n; ++k) problem.beta(k - 1) *= problem.a.unit / std::pow(problem.b.unit, k);
+    for (int k = 1; k <= n; ++k)
+      problem.beta(k - 1) *= problem.a.unit / std::pow(problem.b.unit, k);
   } else {
-    // Both arc lengths at one pace: the betas of a joint that is exact, and for others the same from either side.
+    // Both arc lengths at one pace: the betas of a joint that is exact, and for others the same
+    // from either side.
     problem.beta = composedBeta(speeds(problem.b.jet * problem.b.points),
                                 inverseBeta(speeds(problem.a.jet * problem.a.points)));
     problem.beta(0) = std::clamp(problem.beta(0), options.least_beta1, options.most_beta1);
@@ -182,7 +188,8 @@ void place(const End& end, const Side& side, const Eigen::MatrixXd& moves, Homog
 }
 
 /// Ends that are one point but for rounding become it bit by bit, where weights are equal.
-void meet(bool a_moves, Eigen::Ref<Eigen::RowVector4d> a, bool b_moves, Eigen::Ref<Eigen::RowVector4d> b) {
+void meet(bool a_moves, Eigen::Ref<Eigen::RowVector4d> a, bool b_moves,
+          Eigen::Ref<Eigen::RowVector4d> b) {
   if (a(3) != b(3)) return;
   if (b_moves)
     b = a;
@@ -226,7 +233,8 @@ NearestPoles nearestPoles(const End& a, const End& b, const NearestCurveJoinOpti
   };
   if (!found.exact) return refuse("the poles that may move cannot make the join");
   const Eigen::Index count = options.order + 1;
-  const Eigen::MatrixXd moves_a = found.moves.topRows(count), moves_b = found.moves.bottomRows(count);
+  const Eigen::MatrixXd moves_a = found.moves.topRows(count),
+                        moves_b = found.moves.bottomRows(count);
   for (const auto& [side, moves, name] :
        {std::tuple<const Side&, const Eigen::MatrixXd&, const char*>(problem.a, moves_a, "a"),
         {problem.b, moves_b, "b"}})
@@ -234,10 +242,10 @@ NearestPoles nearestPoles(const End& a, const End& b, const NearestCurveJoinOpti
       return refuse(std::string("curve ") + name + " would lose its tangent");
   place(a, problem.a, moves_a * unit, result.a, result);
   place(b, problem.b, moves_b * unit, result.b, result);
-  meet(problem.a.reach(options.order) > 0, result.a.row(result.a.rows() - 1), problem.b.reach(0) > 0,
-       result.b.row(0));
-  const Defect defect = defectOf({a.degree, a.knots, result.a, true}, {b.degree, b.knots, result.b, false},
-                                 options.order, length);
+  meet(problem.a.reach(options.order) > 0, result.a.row(result.a.rows() - 1),
+       problem.b.reach(0) > 0, result.b.row(0));
+  const Defect defect = defectOf({a.degree, a.knots, result.a, true},
+                                 {b.degree, b.knots, result.b, false}, options.order, length);
   if (!(defect.relative <= largest_curve_rounding))
     return refuse(std::string(found.bounded ? "beta_1 is at its bound, and " : "") +
                   "rounding leaves a defect of " + text(defect.largest));
@@ -270,8 +278,8 @@ NearestCurveJoin<BSplineCurve> nearestJoin(const BSplineCurve& a, const BSplineC
                                            const NearestCurveJoinOptions& options) {
   requireValid(a);
   requireValid(b);
-  NearestPoles solution =
-      nearestPoles({a.degree, a.knots, a.poles, true}, {b.degree, b.knots, b.poles, false}, options);
+  NearestPoles solution = nearestPoles({a.degree, a.knots, a.poles, true},
+                                       {b.degree, b.knots, b.poles, false}, options);
   BSplineCurve moved_a{a.degree, a.knots, std::move(solution.a)},
       moved_b{b.degree, b.knots, std::move(solution.b)};
   return withCurves(std::move(moved_a), std::move(moved_b), std::move(solution));

@@ -38,8 +38,9 @@ MatrixXd betaDerivative(const MatrixXd& B, Index q) {
   return result;
 }
 
-/// The equations C(beta) x = 0 of the join and the nearest x that solves them. Rows of C are scaled to length 1. An
-/// orthogonal combination of them, upper, reaches the poles that move; the others, lower, are conditions on beta.
+/// The equations C(beta) x = 0 of the join and the nearest x that solves them. Rows of C are scaled
+/// to length 1. An orthogonal combination of them, upper, reaches the poles that move; the others,
+/// lower, are conditions on beta.
 struct Iterate {
   VectorXd log_beta;  ///< log beta_1, beta_2, .., beta_n
   MatrixXd B, C;
@@ -51,11 +52,14 @@ struct Iterate {
   double noise = 0;       ///< of y
 
   MatrixXd Q(const MatrixXd& rows) const { return qr.timesQ(padded(rows, qr.rows())); }
-  MatrixXd transposedQ(const MatrixXd& rows) const { return qr.timesTransposedQ(rows).topRows(qr.cols()); }
+  MatrixXd transposedQ(const MatrixXd& rows) const {
+    return qr.timesTransposedQ(rows).topRows(qr.cols());
+  }
   /// The y of the smallest z with upper' C G z = rhs.
   MatrixXd least(const MatrixXd& rhs) const {
     if (rhs.rows() == 0) return rhs;
-    return triangle().transpose().triangularView<Eigen::Lower>().solve(qr.permutation().transpose() * rhs);
+    return triangle().transpose().triangularView<Eigen::Lower>().solve(
+        qr.permutation().transpose() * rhs);
   }
   /// The m with G' C' upper m = z, where z has these y.
   MatrixXd multipliers(const MatrixXd& y_of_z) const {
@@ -80,7 +84,8 @@ struct Linear {
   std::vector<MatrixXd> tangent;  ///< y
   MatrixXd along, conditions;     ///< y and the open equations, a column each
   VectorXd gradient;              ///< of the cost
-  VectorXd unit;  ///< in units of what they do to the poles or, where they do nothing, to the equations
+  VectorXd
+      unit;  ///< in units of what they do to the poles or, where they do nothing, to the equations
   bool bounded = false;  ///< beta_1 stays at a bound, its unit is 0
 };
 
@@ -192,7 +197,8 @@ Iterate Search::at(const VectorXd& log_beta) const {
 /// Of B by log_beta, its rows scaled.
 std::vector<MatrixXd> Search::matrixDerivatives(const Iterate& at) const {
   std::vector<MatrixXd> result;
-  for (Index q = 1; q < count_; ++q) result.push_back(at.row_scale.asDiagonal() * betaDerivative(at.B, q));
+  for (Index q = 1; q < count_; ++q)
+    result.push_back(at.row_scale.asDiagonal() * betaDerivative(at.B, q));
   result[0] *= std::exp(at.log_beta(0));
   return result;
 }
@@ -234,14 +240,16 @@ Linear Search::linearized(const Iterate& at) const {
     result.unit(q) = size > 0 ? 1 / size : 0;
   }
   const double u = at.log_beta(0);
-  if ((u <= p_.least_log && result.gradient(0) > 0) || (u >= p_.most_log && result.gradient(0) < 0)) {
+  if ((u <= p_.least_log && result.gradient(0) > 0) ||
+      (u >= p_.most_log && result.gradient(0) < 0)) {
     result.bounded = result.unit(0) > 0;
     result.unit(0) = 0;
   }
   return result;
 }
 
-/// The smallest step that leaves no equation open to first order, and the directions that open none.
+/// The smallest step that leaves no equation open to first order, and the directions that open
+/// none.
 Restoration Search::restoration(const Iterate& at, const Linear& model) const {
   const Index n = count_ - 1;
   const VectorXd& unit = model.unit;
@@ -252,15 +260,16 @@ Restoration Search::restoration(const Iterate& at, const Linear& model) const {
   result.open = unit.asDiagonal() * MatrixXd::Identity(n, n);
   if (model.conditions.rows() == 0) return result;
 
-  const linear::SingularValues svd =
-      linear::singularValues(model.conditions * unit.asDiagonal(), Eigen::ComputeThinU | Eigen::ComputeFullV);
+  const linear::SingularValues svd = linear::singularValues(
+      model.conditions * unit.asDiagonal(), Eigen::ComputeThinU | Eigen::ComputeFullV);
   const VectorXd& singular = svd.values;
   Index held = 0;
   while (held < singular.size() && singular(held) > 1e-9) ++held;
   const VectorXd inverse = singular.head(held).cwiseInverse();
   const MatrixXd range = svd.u.leftCols(held), fixed = svd.v.leftCols(held);
   result.direction.array() =
-      -unit.array() * (fixed * inverse.asDiagonal() * (range.transpose() * at.open.reshaped())).array();
+      -unit.array() *
+      (fixed * inverse.asDiagonal() * (range.transpose() * at.open.reshaped())).array();
   const VectorXd mu =
       -range * inverse.asDiagonal() * (fixed.transpose() * unit.asDiagonal() * model.gradient);
   result.multipliers += at.lower * mu.reshaped(at.lower.cols(), 3);
@@ -270,7 +279,8 @@ Restoration Search::restoration(const Iterate& at, const Linear& model) const {
 }
 
 /// Of the cost, by the betas.
-MatrixXd Search::hessian(const Iterate& at, const Linear& model, const MatrixXd& multipliers) const {
+MatrixXd Search::hessian(const Iterate& at, const Linear& model,
+                         const MatrixXd& multipliers) const {
   MatrixXd result = curvature(at, multipliers);
   if (at.y.rows() == 0) return result;
   const Index n = count_ - 1;
@@ -295,13 +305,15 @@ Step Search::step(const Iterate& at) const {
   const Linear model = linearized(at);
   const Restoration restored = restoration(at, model);
   const MatrixXd hessian = this->hessian(at, model, restored.multipliers);
-  Step result{.direction = restored.direction, .penalty = restored.penalty, .bounded = model.bounded};
+  Step result{
+      .direction = restored.direction, .penalty = restored.penalty, .bounded = model.bounded};
 
   const MatrixXd& open = restored.open;
   const MatrixXd reach = model.along * open;
   const double move = at.y.norm();
   if (open.cols() > 0 && at.y.rows() > 0) {
-    const linear::Eigenvalues eigen = linear::symmetricEigenvalues(open.transpose() * hessian * open);
+    const linear::Eigenvalues eigen =
+        linear::symmetricEigenvalues(open.transpose() * hessian * open);
     const VectorXd& values = eigen.values;
     const double least = 1e-12 * values.cwiseAbs().maxCoeff();
     result.convex = values(0) >= -1e-9 * std::max(1.0, values.cwiseAbs().maxCoeff());
@@ -311,11 +323,12 @@ Step Search::step(const Iterate& at) const {
     result.stationarity = move > 0 ? (reach * share).norm() / move : 0;
     VectorXd newton = -(eigen.vectors.transpose() * slope).cwiseQuotient(size);
     // A saddle: downwards on either side.
-    if (!result.convex && result.stationarity < 1e-6) newton(0) = newton(0) < 0 ? -0.1 * move : 0.1 * move;
+    if (!result.convex && result.stationarity < 1e-6)
+      newton(0) = newton(0) < 0 ? -0.1 * move : 0.1 * move;
     result.direction += open * (eigen.vectors * newton);
   }
-  // The nearest join of all is no farther from the given poles than this one: no step needs to change the move by more
-  // than twice its size; and beta_1 not by more than a factor of ten.
+  // The nearest join of all is no farther from the given poles than this one: no step needs to
+  // change the move by more than twice its size; and beta_1 not by more than a factor of ten.
   const double change = (model.along * result.direction).norm();
   double share = std::min(1.0, 2.3 / std::max(std::abs(result.direction(0)), 1e-300));
   if (at.lower.cols() == 0 && change > 2 * move) share = std::min(share, 2 * move / change);
@@ -326,7 +339,8 @@ Step Search::step(const Iterate& at) const {
   return result;
 }
 
-/// A step that lowers cost plus penalty times infeasibility; halved until it does. False if none does.
+/// A step that lowers cost plus penalty times infeasibility; halved until it does. False if none
+/// does.
 bool Search::advance(Iterate& from, const Step& step) const {
   const double before = from.cost() + step.penalty * from.infeasibility();
   const double rounding = from.noise * (from.noise + from.y.norm() + step.penalty);
@@ -354,7 +368,8 @@ Found Search::run(double most_log) const {
     };
     int stalls = 0;
     while (result.iterations < p_.max_iterations && stalls < 3 && now.log_beta(0) <= most_log) {
-      // On below rounding as long as that helps: Newton's last step is the one that gives beta its last digits.
+      // On below rounding as long as that helps: Newton's last step is the one that gives beta its
+      // last digits.
       if (next.convex && stalls > 0 && resolved(now, next.stationarity) && holds(now, now.x)) break;
       ++result.iterations;
       if (!advance(now, next)) break;
@@ -408,9 +423,10 @@ bool holds(const Problem& problem) {
 
 namespace {
 
-/// From one side. Derivatives of b are polynomials in beta, those of a have beta_1 in the denominator: a is the curve
-/// that stays or, where both move, the one whose first derivative does not become much shorter than that of the other. Then beta is small
-/// and the valleys of the cost are straight.
+/// From one side. Derivatives of b are polynomials in beta, those of a have beta_1 in the
+/// denominator: a is the curve that stays or, where both move, the one whose first derivative does
+/// not become much shorter than that of the other. Then beta is small and the valleys of the cost
+/// are straight.
 Found searchFrom(const Problem& problem, bool is_mirrored) {
   constexpr double turning_log = 0.7;
   const bool both = moves(problem.a) && moves(problem.b);
@@ -442,10 +458,12 @@ Found search(const Problem& problem) {
   if (!moves(problem.b)) return searchFrom(problem, true);
   Found found = searchFrom(problem, false);
   if (!moves(problem.a)) return found;
-  // From both sides, so that their roles are alike; where they lead to different joins, to the nearer one.
+  // From both sides, so that their roles are alike; where they lead to different joins, to the
+  // nearer one.
   Found other = searchFrom(problem, true);
   const auto rank = [](const Found& f) { return 2 * f.exact + f.stationary; };
-  const bool better = rank(other) != rank(found) ? rank(other) > rank(found) : other.cost < found.cost;
+  const bool better =
+      rank(other) != rank(found) ? rank(other) > rank(found) : other.cost < found.cost;
   return better ? other : found;
 }
 

@@ -7,7 +7,8 @@
 /// Source: docs/theory/curves.md C4.2 to C4.4.
 namespace seamwright::nearest_curve {
 
-/// Everything is without unit: lengths by one of the joint, derivatives by parameters that pass at one speed.
+/// Everything is without unit: lengths by one of the joint, derivatives by parameters that pass at
+/// one speed.
 struct Problem {
   Side a, b;
   Eigen::VectorXd beta;  ///< to begin with, or for good if it is held

@@ -48,21 +48,23 @@ Side sideOf(const End& end, int order, const Eigen::Vector3d& origin, const Eige
             bool moves) {
   const auto& knots = end.knots;
   const int span = bspline::spanOf(end.degree, knots, end.last ? knots.back() : knots.front());
-  const Eigen::MatrixXd basis = bspline::basisDerivatives(end.degree, endKnots(end, span), span, 0, order);
+  const Eigen::MatrixXd basis =
+      bspline::basisDerivatives(end.degree, endKnots(end, span), span, 0, order);
   const Eigen::Index first = end.firstPole(order), count = order + 1;
   const auto poles = end.poles.middleRows(first, count);
 
   Side side;
   side.jet = end.last ? basis.rightCols(count) : basis.leftCols(count);
-  // Beyond the k-th pole from the end the k-th derivative does not depend on poles; there is rounding at most.
+  // Beyond the k-th pole from the end the k-th derivative does not depend on poles; there is
+  // rounding at most.
   for (Eigen::Index k = 0; k < order; ++k)
     (end.last ? side.jet.row(k).head(order - k) : side.jet.row(k).tail(order - k)).setZero();
   side.unit = 1 / (knots[span + 1] - knots[span]);
   side.rescale(end.degree);
   const Eigen::VectorXd weights = poles.col(3) / poles(end.last ? order : 0, 3);
   if ((weights.array() != 1).any()) divideByWeight(side.jet, weights);
-  side.points =
-      (poles.leftCols<3>().array().colwise() / poles.col(3).array()).rowwise() - origin.transpose().array();
+  side.points = (poles.leftCols<3>().array().colwise() / poles.col(3).array()).rowwise() -
+                origin.transpose().array();
   side.reach = Eigen::VectorXd::Constant(count, moves ? 1 : 0);
   if (moves && costs.size() != 0) side.reach = costs.segment(first, count).array().sqrt().inverse();
   return side;

@@ -36,8 +36,9 @@ Eigen::MatrixXd vanishingAt(const std::vector<double>& places, int degree) {
   return linear::kernel(values);
 }
 
-/// An end of the seam at which the poles of all rows stay and the cross derivatives of both sides are parallel, while the seam's tangent may
-/// turn: there beta is 0. A beta that is not would have to turn the tangent into the cross derivatives.
+/// An end of the seam at which the poles of all rows stay and the cross derivatives of both sides
+/// are parallel, while the seam's tangent may turn: there beta is 0. A beta that is not would have
+/// to turn the tangent into the cross derivatives.
 struct HeldEnd {
   double t = 0;
   bool second = false;  ///< likewise for the condition of order 2
@@ -47,7 +48,9 @@ struct HeldEnd {
 std::optional<HeldEnd> heldEnd(const Unknowns& u, int order, double t) {
   constexpr double parallel = 1e-10;
   const int j = t == 0 ? 0 : u.count() - 1, neighbour = t == 0 ? 1 : u.count() - 2;
-  const auto index = [&](int block, int pole) { return static_cast<Eigen::Index>(block) * u.count() + pole; };
+  const auto index = [&](int block, int pole) {
+    return static_cast<Eigen::Index>(block) * u.count() + pole;
+  };
   const auto stays = [&](int row) {
     return (row > u.a.depth || u.pull(index(row, j)) == 0) &&
            (row > u.b.depth || u.pull(index(u.a.depth + row, j)) == 0);
@@ -74,7 +77,8 @@ std::optional<HeldEnd> heldEnd(const Unknowns& u, int order, double t) {
   if (u.rational) end.value[E1] = first(1);
   if (order == 1 || !stays(2)) return end;
   const Eigen::VectorXd p_ss = derivative(u.a, 0, 2), q_ss = derivative(u.b, u.a.depth, 2);
-  const Eigen::VectorXd rest = q_ss - first(0) * first(0) * p_ss - 2 * end.value[E1] * first(0) * p_s;
+  const Eigen::VectorXd rest =
+      q_ss - first(0) * first(0) * p_ss - 2 * end.value[E1] * first(0) * p_s;
   const Eigen::VectorXd second = solver.solve(rest);
   end.second = (span * second - rest).norm() <= parallel * (q_ss.norm() + p_ss.norm());
   end.value[P] = second(0);
@@ -91,7 +95,8 @@ std::vector<HeldEnd> heldEnds(const Unknowns& u, const Degrees& degrees, int ord
   for (const Function f : {Alpha, E1, P, E2}) {
     const double difference = std::abs(ends[0].value[f] - ends[1].value[f]);
     const bool counts = f <= E1 || (ends[0].second && ends[1].second);
-    if (counts && degrees[f] == 0 && difference > 1e-10 * (1 + std::abs(ends[0].value[f]))) return {};
+    if (counts && degrees[f] == 0 && difference > 1e-10 * (1 + std::abs(ends[0].value[f])))
+      return {};
   }
   return ends;
 }
@@ -104,7 +109,8 @@ Family familyOf(const Degrees& degrees, std::vector<double> vanishing,
   family.basis.resize(offset.back(), 0);
   const auto append = [&](int f, const Eigen::MatrixXd& part) {
     const Eigen::Index columns = family.basis.cols();
-    family.basis.conservativeResizeLike(Eigen::MatrixXd::Zero(offset.back(), columns + part.cols()));
+    family.basis.conservativeResizeLike(
+        Eigen::MatrixXd::Zero(offset.back(), columns + part.cols()));
     family.basis.block(offset[f], columns, part.rows(), part.cols()) = part;
   };
   for (int f = 0; f < function_count; ++f) {
@@ -124,7 +130,8 @@ Family familyOf(const Degrees& degrees, std::vector<double> vanishing,
       std::erase(open, k);
     }
     const Eigen::MatrixXd all = Eigen::MatrixXd::Identity(degrees[f] + 1, degrees[f] + 1);
-    append(f, vanishes ? vanishingAt(zeros, degrees[f]) : Eigen::MatrixXd(all(Eigen::indexing::all, open)));
+    append(f, vanishes ? vanishingAt(zeros, degrees[f])
+                       : Eigen::MatrixXd(all(Eigen::indexing::all, open)));
   }
   return family;
 }
@@ -143,7 +150,8 @@ Eigen::RowVectorXd jumpAt(const SeamRows& rows, double knot, int k) {
   return jump;
 }
 
-/// The inner knots at which the seam (for order 2 also the row behind it) is no smoother than its knots make it, so that beta is not free.
+/// The inner knots at which the seam (for order 2 also the row behind it) is no smoother than its
+/// knots make it, so that beta is not free.
 std::vector<double> roughKnots(const Unknowns& u, int order) {
   constexpr double smooth = 1e-11;
   std::vector<double> rough;
@@ -152,7 +160,8 @@ std::vector<double> roughKnots(const Unknowns& u, int order) {
     bool is_smooth = true;
     for (int block = 0; block < (order == 2 ? 2 : 1); ++block)
       for (int k = r + 1; k <= r + order - block; ++k) {
-        const auto row = u.target.middleRows(static_cast<Eigen::Index>(block) * u.count(), u.count());
+        const auto row =
+            u.target.middleRows(static_cast<Eigen::Index>(block) * u.count(), u.count());
         const Eigen::RowVectorXd jump = jumpAt(u.a, knot, k);
         const double size = jump.cwiseAbs() * row.rowwise().norm();
         is_smooth = is_smooth && (jump * row).norm() <= smooth * size;
@@ -162,7 +171,8 @@ std::vector<double> roughKnots(const Unknowns& u, int order) {
   return rough;
 }
 
-/// What it costs at least to make the seam smooth at these knots; nothing if fixed poles do not allow it.
+/// What it costs at least to make the seam smooth at these knots; nothing if fixed poles do not
+/// allow it.
 std::optional<double> costOfSmoothing(const Unknowns& u, const std::vector<double>& knots) {
   Eigen::MatrixXd jumps(std::ssize(knots), u.count());
   for (Eigen::Index i = 0; i < jumps.rows(); ++i) {
@@ -172,9 +182,11 @@ std::optional<double> costOfSmoothing(const Unknowns& u, const std::vector<doubl
   }
   const Eigen::ArrayXd pull = u.pull.head(u.count()).array();
   const Eigen::VectorXd reach = (pull > 0).select(pull.rsqrt(), 0.0);
-  const Eigen::MatrixXd seam = u.target.topRows(u.count()), jumps_of_moves = jumps * reach.asDiagonal();
+  const Eigen::MatrixXd seam = u.target.topRows(u.count()),
+                        jumps_of_moves = jumps * reach.asDiagonal();
   const Eigen::MatrixXd move = linear::LeastSquares(jumps_of_moves).solve(jumps * seam);
-  if ((jumps_of_moves * move - jumps * seam).norm() > 1e-9 * (jumps * seam).norm()) return std::nullopt;
+  if ((jumps_of_moves * move - jumps * seam).norm() > 1e-9 * (jumps * seam).norm())
+    return std::nullopt;
   return move.squaredNorm();
 }
 
@@ -187,7 +199,8 @@ void requireDegree(int degree, const char* name) {
 }
 
 std::vector<double> innerKnots(const SeamRows& rows) {
-  std::vector<double> knots(rows.knots.begin() + rows.degree + 1, rows.knots.end() - rows.degree - 1);
+  std::vector<double> knots(rows.knots.begin() + rows.degree + 1,
+                            rows.knots.end() - rows.degree - 1);
   knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
   return knots;
 }
@@ -196,7 +209,8 @@ std::vector<Family> familiesOf(const Unknowns& u, const NearestOptions& options)
   const Degrees asked = degreesOf(options, u.rational);
   Degrees constant = asked, natural = asked;
   constant[Alpha] = 0;
-  for (int f = 0; f < function_count; ++f) natural[f] = std::min(asked[f], f == Beta || f == Q ? 1 : 0);
+  for (int f = 0; f < function_count; ++f)
+    natural[f] = std::min(asked[f], f == Beta || f == Q ? 1 : 0);
   const std::vector<double> rough = roughKnots(u, options.order);
   std::vector<Family> families;
   const auto add = [&](const Degrees& degrees) {
@@ -208,7 +222,8 @@ std::vector<Family> familiesOf(const Unknowns& u, const NearestOptions& options)
   return families;
 }
 
-std::optional<Family> smoothFamily(const Unknowns& u, const Family& rough, const Solution& solution) {
+std::optional<Family> smoothFamily(const Unknowns& u, const Family& rough,
+                                   const Solution& solution) {
   if (rough.vanishing.empty()) return std::nullopt;
   const std::optional<double> least = costOfSmoothing(u, rough.vanishing);
   if (!least || (solution.exact && *least >= solution.cost)) return std::nullopt;
@@ -235,8 +250,8 @@ Family heldFamily(const Connection& held, const NearestOptions& options, bool ra
   if (!isConstant(held.e0, 1)) refuse("e0 of a held connection must be 1");
   if (!rational && (!isConstant(held.e1, 0) || !isConstant(held.e2, 0)))
     refuse("e1 and e2 of a held connection must be 0 unless a surface is rational");
-  const std::array<const Eigen::VectorXd*, function_count> functions = {&held.alpha, &held.beta, &held.e1,
-                                                                        &held.p,     &held.q,    &held.e2};
+  const std::array<const Eigen::VectorXd*, function_count> functions = {
+      &held.alpha, &held.beta, &held.e1, &held.p, &held.q, &held.e2};
   static constexpr std::array names = {"alpha", "beta", "e1", "p", "q", "e2"};
   NearestOptions of_held = options;
   const std::array<int*, function_count> degrees = {&of_held.degree_alpha, &of_held.degree_beta,
@@ -245,7 +260,8 @@ Family heldFamily(const Connection& held, const NearestOptions& options, bool ra
   for (int f = 0; f < function_count; ++f) {
     *degrees[f] = static_cast<int>(functions[f]->size()) - 1;
     requireDegree(*degrees[f], names[f]);
-    if (!functions[f]->allFinite()) refuse(std::string(names[f]) + " of the held connection is not finite");
+    if (!functions[f]->allFinite())
+      refuse(std::string(names[f]) + " of the held connection is not finite");
   }
   for (Eigen::Index i = 0; i < held.alpha.size(); ++i)
     if (!(held.alpha(i) > 0))
@@ -256,7 +272,8 @@ Family heldFamily(const Connection& held, const NearestOptions& options, bool ra
   family.held.resize(offset.back());
   family.basis.resize(offset.back(), 0);
   for (int f = 0; f < function_count; ++f)
-    if (family.degrees[f] >= 0) family.held.segment(offset[f], family.degrees[f] + 1) = *functions[f];
+    if (family.degrees[f] >= 0)
+      family.held.segment(offset[f], family.degrees[f] + 1) = *functions[f];
   return family;
 }
 

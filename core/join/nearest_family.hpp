@@ -14,12 +14,14 @@ void requireDegree(int degree, const char* name);
 /// Distinct, increasing.
 std::vector<double> innerKnots(const SeamRows& rows);
 
-/// Those of the degrees asked for, of these but for a constant alpha, and of the natural degrees at most; with beta and q zero where the rows
-/// are not smooth enough for others.
+/// Those of the degrees asked for, of these but for a constant alpha, and of the natural degrees at
+/// most; with beta and q zero where the rows are not smooth enough for others.
 std::vector<Family> familiesOf(const Unknowns& unknowns, const NearestOptions& options);
 
-/// The joins whose seam becomes smoother than its knots, so that beta is free, unless they cost more than the solution found.
-std::optional<Family> smoothFamily(const Unknowns& unknowns, const Family& rough, const Solution& solution);
+/// The joins whose seam becomes smoother than its knots, so that beta is free, unless they cost
+/// more than the solution found.
+std::optional<Family> smoothFamily(const Unknowns& unknowns, const Family& rough,
+                                   const Solution& solution);
 
 /// The degrees with which the join may hold already.
 std::vector<Family> familiesThatMayHold(const NearestOptions& options, bool rational);

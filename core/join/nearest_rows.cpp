@@ -27,16 +27,18 @@ void requireSide(const JoinSide& side, const std::string& name) {
   requireValid(side.surface);
   const Eigen::Index count = side.surface.poles.rows();
   if (side.weights.size() != 0 && side.weights.size() != count)
-    throw std::invalid_argument("weights of surface " + name + " are " + std::to_string(side.weights.size()) +
-                                ": none, or one for each of " + std::to_string(count) + " poles is needed");
+    throw std::invalid_argument(
+        "weights of surface " + name + " are " + std::to_string(side.weights.size()) +
+        ": none, or one for each of " + std::to_string(count) + " poles is needed");
   if (!side.fixed.empty() && static_cast<Eigen::Index>(side.fixed.size()) != count)
     throw std::invalid_argument("fixed poles of surface " + name + " are " +
                                 std::to_string(side.fixed.size()) + ": none, or one for each of " +
                                 std::to_string(count) + " poles is needed");
   for (Eigen::Index i = 0; i < side.weights.size(); ++i)
     if (!(side.weights(i) > 0) || !std::isfinite(side.weights(i)))
-      throw std::invalid_argument("weight " + std::to_string(i) + " of a move of surface " + name + " is " +
-                                  std::to_string(side.weights(i)) + ": weights must be positive and finite");
+      throw std::invalid_argument("weight " + std::to_string(i) + " of a move of surface " + name +
+                                  " is " + std::to_string(side.weights(i)) +
+                                  ": weights must be positive and finite");
 }
 
 void requireSameSeam(const SeamRows& a, const SeamRows& b) {
@@ -44,14 +46,15 @@ void requireSameSeam(const SeamRows& a, const SeamRows& b) {
     throw std::invalid_argument("degrees along the seam are " + std::to_string(a.degree) + " and " +
                                 std::to_string(b.degree) + ": they must be equal");
   if (a.knots.size() != b.knots.size())
-    throw std::invalid_argument("knots along the seam are " + std::to_string(a.knots.size()) + " and " +
-                                std::to_string(b.knots.size()) + ": they must be equal");
+    throw std::invalid_argument("knots along the seam are " + std::to_string(a.knots.size()) +
+                                " and " + std::to_string(b.knots.size()) + ": they must be equal");
   constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
   for (std::size_t i = 0; i < a.knots.size(); ++i)
     if (std::abs(a.knots[i] - b.knots[i]) > rounding)
-      throw std::invalid_argument("knot " + std::to_string(i) + " along the seam, scaled to 0..1, is " +
-                                  std::to_string(a.knots[i]) + " and " + std::to_string(b.knots[i]) +
-                                  ": they must be equal");
+      throw std::invalid_argument("knot " + std::to_string(i) +
+                                  " along the seam, scaled to 0..1, is " +
+                                  std::to_string(a.knots[i]) + " and " +
+                                  std::to_string(b.knots[i]) + ": they must be equal");
 }
 
 bool isFree(const JoinSide& side, int pole) {
@@ -95,7 +98,8 @@ void measureRows(Unknowns& u, const JoinSide& a, const JoinSide& b) {
   requireExtent(in_a, u.a, "a");
   requireExtent(in_b, u.b, "b");
   for (int j = 0; j < u.count(); ++j)
-    u.centre += (in_a.row(u.a.pole(0, j)) + in_b.row(u.b.pole(0, j))).transpose() / (2.0 * u.count());
+    u.centre +=
+        (in_a.row(u.a.pole(0, j)) + in_b.row(u.b.pole(0, j))).transpose() / (2.0 * u.count());
   double sum = 0;
   int number = 0;
   const auto add = [&](const Poles& poles, const SeamRows& rows) {
@@ -116,7 +120,8 @@ void measureRows(Unknowns& u, const JoinSide& a, const JoinSide& b) {
 double weightRatio(const Unknowns& u, const JoinSide& a, const JoinSide& b) {
   double in_a = 0, in_b = 0;
   for (int j = 0; j < u.count(); ++j) {
-    const double weight_a = a.surface.poles(u.a.pole(0, j), 3), weight_b = b.surface.poles(u.b.pole(0, j), 3);
+    const double weight_a = a.surface.poles(u.a.pole(0, j), 3),
+                 weight_b = b.surface.poles(u.b.pole(0, j), 3);
     in_a += weight_a * weight_a;
     in_b += weight_b * weight_b;
   }
@@ -172,11 +177,13 @@ struct Placing {
   }
 };
 
-void placeRows(const Placing& from, const SeamRows& rows, int first_block, double scale, BSplineSurface& to) {
+void placeRows(const Placing& from, const SeamRows& rows, int first_block, double scale,
+               BSplineSurface& to) {
   for (int row = 1; row <= rows.depth; ++row)
     for (int j = 0; j < rows.count; ++j) {
       const int index = (first_block + row - 1) * rows.count + j, pole = rows.pole(row, j);
-      if (from.unknowns.pull(index) > 0) to.poles.row(pole) = from.pole(index, to.poles(pole, 3), scale);
+      if (from.unknowns.pull(index) > 0)
+        to.poles.row(pole) = from.pole(index, to.poles(pole, 3), scale);
     }
 }
 
@@ -204,8 +211,8 @@ SeamRows seamRows(const JoinSide& side, int order) {
   const int row_stride = along_v ? nv : 1, stride = along_v ? 1 : nv;
   rows.row_step = at_end ? -row_stride : row_stride;
   rows.step = side.reversed ? -stride : stride;
-  rows.origin =
-      (at_end ? (rows_count - 1) * row_stride : 0) + (side.reversed ? (rows.count - 1) * stride : 0);
+  rows.origin = (at_end ? (rows_count - 1) * row_stride : 0) +
+                (side.reversed ? (rows.count - 1) * stride : 0);
   return rows;
 }
 
@@ -249,7 +256,8 @@ void place(const Unknowns& u, const Eigen::MatrixXd& poles, const JoinSide& a, c
   }
   placeRows(from, u.a, 1, 1, result.a);
   placeRows(from, u.b, 1 + u.a.depth, u.scale_b, result.b);
-  result.largest_move_mm = std::max(largestMove(a.surface, result.a), largestMove(b.surface, result.b));
+  result.largest_move_mm =
+      std::max(largestMove(a.surface, result.a), largestMove(b.surface, result.b));
 }
 
 }  // namespace seamwright::nearest

@@ -35,8 +35,12 @@ struct Iterate {
 
 class Search {
  public:
-  Search(const Unknowns& unknowns, const Condition& condition, const Family& family, double smallest_alpha)
-      : unknowns_(unknowns), condition_(condition), family_(family), smallest_alpha_(smallest_alpha) {
+  Search(const Unknowns& unknowns, const Condition& condition, const Family& family,
+         double smallest_alpha)
+      : unknowns_(unknowns),
+        condition_(condition),
+        family_(family),
+        smallest_alpha_(smallest_alpha) {
     reach_ = (unknowns.pull.array() > 0).select(unknowns.pull.array().rsqrt(), 0.0);
     for (Eigen::Index i = 0; i < reach_.size(); ++i)
       if (reach_(i) > 0) movable_.push_back(i);
@@ -64,7 +68,7 @@ class Search {
   struct Split {
     Eigen::MatrixXd basis;  ///< directions of the coefficients, in units that are alike
     Eigen::MatrixXd range,
-        inverse;           ///< of the conditions on that basis: inverse * range' is their pseudo-inverse
+        inverse;  ///< of the conditions on that basis: inverse * range' is their pseudo-inverse
     Eigen::MatrixXd open;  ///< directions that change no condition
   };
 
@@ -73,7 +77,8 @@ class Search {
     return at.matrix * at.inverse.solve(rows);
   }
   Eigen::MatrixXd freeBasis(const Iterate& at, const Eigen::VectorXd& gradient) const;
-  Eigen::MatrixXd hessian(const Iterate& at, const Matrices& tangent, const Eigen::MatrixXd& nu) const;
+  Eigen::MatrixXd hessian(const Iterate& at, const Matrices& tangent,
+                          const Eigen::MatrixXd& nu) const;
   Linear linearized(const Iterate& at) const;
   Split split(const Linear& model, const Eigen::MatrixXd& basis) const;
   void descend(const Iterate& at, const Linear& model, const Eigen::MatrixXd& open,
@@ -92,8 +97,9 @@ class Search {
   double smallest_alpha_;
   Eigen::VectorXd reach_;  ///< D
   std::vector<Eigen::Index> movable_;
-  double noise_ = 0;           ///< of z
-  Eigen::VectorXd row_scale_;  ///< of the condition, so that rows are comparable; that of the first iterate
+  double noise_ = 0;  ///< of z
+  Eigen::VectorXd
+      row_scale_;  ///< of the condition, so that rows are comparable; that of the first iterate
 };
 
 Iterate Search::project(const Eigen::VectorXd& c) {
@@ -118,8 +124,8 @@ Iterate Search::project(const Eigen::VectorXd& c) {
     const Eigen::MatrixXd residual = row_scale_.asDiagonal() * (a * at.x);
     at.z -= at.inverse.solve(residual);
     for (std::size_t k = 0; k < movable_.size(); ++k)
-      at.x.row(movable_[k]) =
-          unknowns_.target.row(movable_[k]) + reach_(movable_[k]) * at.z.row(static_cast<Eigen::Index>(k));
+      at.x.row(movable_[k]) = unknowns_.target.row(movable_[k]) +
+                              reach_(movable_[k]) * at.z.row(static_cast<Eigen::Index>(k));
   }
   at.unreachable = row_scale_.asDiagonal() * (a * at.x);
   at.cost = at.z.squaredNorm();
@@ -135,7 +141,8 @@ Eigen::MatrixXd Search::freeBasis(const Iterate& at, const Eigen::VectorXd& grad
   return basis;
 }
 
-Eigen::MatrixXd Search::hessian(const Iterate& at, const Matrices& tangent, const Eigen::MatrixXd& nu) const {
+Eigen::MatrixXd Search::hessian(const Iterate& at, const Matrices& tangent,
+                                const Eigen::MatrixXd& nu) const {
   const Eigen::MatrixXd scaled = row_scale_.asDiagonal() * nu;
   const Matrices by_multiplier = condition_.transposed(at.c, scaled);
   Matrices h, crosswise;
@@ -176,13 +183,15 @@ Search::Linear Search::linearized(const Iterate& at) const {
 
 /// What the conditions fix of the coefficients in these directions, and what they leave open.
 Search::Split Search::split(const Linear& model, const Eigen::MatrixXd& basis) const {
-  // Coefficients in units of what they do to the condition; what they do to unreachable rows tells conditions from free directions.
-  Eigen::VectorXd unit = (model.length.cwiseAbs2().transpose() * basis.cwiseAbs2()).transpose().cwiseSqrt();
+  // Coefficients in units of what they do to the condition; what they do to unreachable rows tells
+  // conditions from free directions.
+  Eigen::VectorXd unit =
+      (model.length.cwiseAbs2().transpose() * basis.cwiseAbs2()).transpose().cwiseSqrt();
   unit = (unit.array() > 0).select(unit.array().inverse(), 0.0);
   Split result;
   result.basis = basis * unit.asDiagonal();
-  const linear::SingularValues svd =
-      linear::singularValues(model.conditions * result.basis, Eigen::ComputeThinU | Eigen::ComputeFullV);
+  const linear::SingularValues svd = linear::singularValues(
+      model.conditions * result.basis, Eigen::ComputeThinU | Eigen::ComputeFullV);
   const Eigen::VectorXd& singular = svd.values;
   Eigen::Index rank = 0;
   while (rank < singular.size() && singular(rank) > 1e-9) ++rank;
@@ -199,7 +208,8 @@ void Search::descend(const Iterate& at, const Linear& model, const Eigen::Matrix
   const Eigen::MatrixXd reach = model.along * open;
   const Eigen::MatrixXd first_order = reach.transpose() * reach;
   const double least = 1e-10 * first_order.diagonal().maxCoeff();
-  const linear::Eigenvalues eigen = linear::symmetricEigenvalues(open.transpose() * curvature * open);
+  const linear::Eigenvalues eigen =
+      linear::symmetricEigenvalues(open.transpose() * curvature * open);
   const Eigen::VectorXd& values = eigen.values;
   result.convex = values.minCoeff() >= -least;
   const Eigen::VectorXd in_eigen = eigen.vectors.transpose() * slope;
@@ -219,15 +229,18 @@ Search::Step Search::step(const Iterate& at, const Eigen::MatrixXd& multiplier) 
   if (basis.cols() == 0) return result;
 
   const Split parts = split(model, basis);
-  const Eigen::MatrixXd own =
-      multiplier.size() == 0 ? result.multiplier : Eigen::MatrixXd(multiplier - reached(at, multiplier));
+  const Eigen::MatrixXd own = multiplier.size() == 0
+                                  ? result.multiplier
+                                  : Eigen::MatrixXd(multiplier - reached(at, multiplier));
   Eigen::MatrixXd nu = at.inverse.solveTransposed(at.z);
   nu = own - nu;
   const Eigen::MatrixXd curvature = hessian(at, model.tangent, nu);
-  result.direction = -parts.basis * (parts.inverse * (parts.range.transpose() * at.unreachable.reshaped()));
+  result.direction =
+      -parts.basis * (parts.inverse * (parts.range.transpose() * at.unreachable.reshaped()));
   if (parts.open.cols() > 0) descend(at, model, parts.open, curvature, result);
 
-  const Eigen::VectorXd forces = -parts.basis.transpose() * (model.gradient + curvature * result.direction);
+  const Eigen::VectorXd forces =
+      -parts.basis.transpose() * (model.gradient + curvature * result.direction);
   const Eigen::VectorXd mu = parts.range * (parts.inverse.transpose() * forces);
   // No step changes the condition by far more than its terms in alpha amount to.
   const int alphas = condition_.degrees()[Alpha] + 1;
@@ -238,11 +251,13 @@ Search::Step Search::step(const Iterate& at, const Eigen::MatrixXd& multiplier) 
   // So much that the step, which removes the infeasibility to first order, counts as one downwards.
   const double increase = result.direction.dot(model.gradient + curvature * result.direction / 2);
   result.penalty = 2 * mu.norm();
-  if (!at.exact && increase > 0) result.penalty = std::max(result.penalty, 2 * increase / at.infeasibility());
+  if (!at.exact && increase > 0)
+    result.penalty = std::max(result.penalty, 2 * increase / at.infeasibility());
   return result;
 }
 
-/// A step that lowers cost plus penalty times infeasibility; halved until it does. False if none does.
+/// A step that lowers cost plus penalty times infeasibility; halved until it does. False if none
+/// does.
 bool Search::advance(Iterate& at, const Step& step) {
   const int alphas = condition_.degrees()[Alpha] + 1;
   const double before = at.cost / 2 + step.penalty * at.infeasibility();
@@ -260,8 +275,9 @@ bool Search::advance(Iterate& at, const Step& step) {
   return false;
 }
 
-/// Where a side as given has a normal it has not lost all of its length; where a has one, it has not turned by a right angle, or lost nearly
-/// all of its length, from that of a with its seam at the target.
+/// Where a side as given has a normal it has not lost all of its length; where a has one, it has
+/// not turned by a right angle, or lost nearly all of its length, from that of a with its seam at
+/// the target.
 bool Search::isRegular(const Eigen::MatrixXd& x) const {
   constexpr double collapsed = 1e-3, lost = 1e-6, none = 1e-6;
   const Eigen::MatrixXd target = condition_.normals(unknowns_.target, false);
@@ -285,9 +301,9 @@ bool Search::isRegular(const Eigen::MatrixXd& x) const {
 Solution Search::run(int max_iterations) {
   Solution result;
   const bool free = family_.basis.cols() > 0;
-  Iterate at =
-      project(free ? condition_.fitted(unknowns_.target, family_.basis, family_.held, smallest_alpha_)
-                   : family_.held);
+  Iterate at = project(
+      free ? condition_.fitted(unknowns_.target, family_.basis, family_.held, smallest_alpha_)
+           : family_.held);
   Iterate best = at;
   Step now = step(at, {});
   double best_stationarity = now.stationarity;
@@ -322,7 +338,8 @@ Solution Search::run(int max_iterations) {
 }  // namespace
 
 bool holds(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& x, double rounding) {
-  const Eigen::VectorXd allowed = 32 * machine_epsilon * rounding * matrix.cwiseAbs().rowwise().sum();
+  const Eigen::VectorXd allowed =
+      32 * machine_epsilon * rounding * matrix.cwiseAbs().rowwise().sum();
   return ((matrix * x).rowwise().norm().array() <= allowed.array()).all();
 }
 

@@ -35,7 +35,8 @@ struct Member {
   Eigen::Index first_row = 0;
 };
 
-/// The laws of that degree, of which e may have one more and p, q twice as many: those that a seam is looked for to obey as it is.
+/// The laws of that degree, of which e may have one more and p, q twice as many: those that a seam
+/// is looked for to obey as it is.
 SeamLaw generalLaw(int degree) {
   SeamLaw law;
   law.c = law.d = Eigen::VectorXd::Ones(degree + 1);
@@ -55,7 +56,8 @@ std::optional<SeamJoin> joinedAlready(const Network& network, const Unknowns& u,
     const SeamLaw law = seam.held ? *seam.held : condition.closest(degree, x);
     if (!(law.c.minCoeff() > 0 && law.d.minCoeff() > 0)) return std::nullopt;
     const double residual = condition.residual(law, x);
-    if (!(residual <= largest_network_rounding) || !nearest::holds(condition.matrix(law), x, u.largest))
+    if (!(residual <= largest_network_rounding) ||
+        !nearest::holds(condition.matrix(law), x, u.largest))
       return std::nullopt;
     return SeamJoin{SeamStatus::Unchanged, seam.order, residual, law, {}};
   };
@@ -79,7 +81,8 @@ bool hasFixed(const NetworkSurface& surface) {
   return !surface.moves || std::ranges::count(surface.fixed, true) > 0;
 }
 
-/// Degree 4 and knots of that multiplicity in a direction, where it has less; weights go with the poles.
+/// Degree 4 and knots of that multiplicity in a direction, where it has less; weights go with the
+/// poles.
 struct Raise {
   int degree = 0, multiplicity = 0;
 };
@@ -94,7 +97,9 @@ int leastMultiplicity(const std::vector<double>& knots, int degree) {
 void raise(BSplineSurface& surface, SurfaceDirection direction, const Raise& to) {
   const bool in_u = direction == SurfaceDirection::U;
   const auto degree = [&] { return in_u ? surface.degree_u : surface.degree_v; };
-  const auto knots = [&]() -> const std::vector<double>& { return in_u ? surface.knots_u : surface.knots_v; };
+  const auto knots = [&]() -> const std::vector<double>& {
+    return in_u ? surface.knots_u : surface.knots_v;
+  };
   const bool has_inner = std::ssize(knots()) > 2 * (degree() + 1);
   while (!has_inner && degree() < to.degree) surface = elevated(surface, direction);
   const int times = to.multiplicity - leastMultiplicity(knots(), degree());
@@ -160,7 +165,9 @@ class Attempt {
   void check(const Laws& laws);
   bool keepsNormals(const Member& member) const;
   void place();
-  bool isExact(const Projection& at) const { return at.rounding <= 16 * machine_epsilon * unknowns_.largest; }
+  bool isExact(const Projection& at) const {
+    return at.rounding <= 16 * machine_epsilon * unknowns_.largest;
+  }
 
   std::vector<NetworkSurface> surfaces_;
   const std::vector<NetworkSeam>& seams_;
@@ -209,8 +216,8 @@ void Attempt::addMembers(const Laws& laws) {
   for (int i = 0; i < std::ssize(seams_); ++i) {
     if (!takes_part_[i]) continue;
     const int order = plan_.seams[i].order;
-    Condition condition(rowsOf(surfaces_, seams_[i], 0, order), rowsOf(surfaces_, seams_[i], 1, order), order,
-                        laws.shape(i));
+    Condition condition(rowsOf(surfaces_, seams_[i], 0, order),
+                        rowsOf(surfaces_, seams_[i], 1, order), order, laws.shape(i));
     std::vector<int> columns = columnsOf(unknowns_, seams_[i], condition);
     const Eigen::Index rows = condition.rows();
     members_.push_back({i, std::move(condition), std::move(columns), rows_});
@@ -238,7 +245,8 @@ Eigen::SparseMatrix<double> Attempt::derivative(const Laws& laws, const Eigen::V
     const Eigen::MatrixXd poles = polesOf(x, member.columns);
     const SeamLaw law = laws.law(member.seam, y);
     for (const int k : laws.parametersOf(member.seam)) {
-      const Eigen::MatrixXd by = member.condition.change(law, laws.derivative(member.seam, y, k), poles);
+      const Eigen::MatrixXd by =
+          member.condition.change(law, laws.derivative(member.seam, y, k), poles);
       for (Eigen::Index i = 0; i < by.rows(); ++i)
         for (Eigen::Index d = 0; d < by.cols(); ++d)
           if (by(i, d) != 0) entries.emplace_back(d * rows_ + member.first_row + i, k, by(i, d));
@@ -262,7 +270,8 @@ void Attempt::search(const Laws& laws, const NetworkOptions& options) {
   }
 }
 
-/// False if no step makes the cost less, or what cannot be reached; then the search has converged if the promise was small.
+/// False if no step makes the cost less, or what cannot be reached; then the search has converged
+/// if the promise was small.
 bool Attempt::improve(const Laws& laws) {
   constexpr double resolved = 1e-10, small = 1e-6;
   constexpr double least_damping = 1e-10, most_damping = 1e4;
@@ -276,8 +285,8 @@ bool Attempt::improve(const Laws& laws) {
     const Eigen::VectorXd y = laws.moved(y_, next.change);
     if (y.allFinite()) {
       Projection trial = project(matrix(laws, y), unknowns_.pull, unknowns_.target, of_projection_);
-      const bool nearer =
-          isExact(at_) ? isExact(trial) && trial.cost < at_.cost : trial.unreachable < 0.75 * at_.unreachable;
+      const bool nearer = isExact(at_) ? isExact(trial) && trial.cost < at_.cost
+                                       : trial.unreachable < 0.75 * at_.unreachable;
       if (nearer) {
         y_ = y;
         at_ = std::move(trial);
@@ -301,7 +310,8 @@ bool Attempt::keepsNormals(const Member& member) const {
                           now = member.condition.normals(side, after);
     const double least = none * given.rowwise().norm().maxCoeff();
     for (Eigen::Index i = 0; i < given.rows(); ++i)
-      if (given.row(i).norm() > least && !(given.row(i).dot(now.row(i)) > lost * given.row(i).squaredNorm()))
+      if (given.row(i).norm() > least &&
+          !(given.row(i).dot(now.row(i)) > lost * given.row(i).squaredNorm()))
         return false;
   }
   return true;
@@ -320,12 +330,13 @@ void Attempt::check(const Laws& laws) {
     join.status = SeamStatus::Joined;
     if (!nearest::holds(member.condition.matrix(law), x, unknowns_.largest) ||
         !(join.residual <= largest_network_rounding))
-      obstacles_.push_back({member.seam, join.residual,
-                            "what stays, and the laws of the seams around it, leave a residual of " +
-                                text(join.residual) + " of the derivatives"});
-    else if (!keepsNormals(member))
       obstacles_.push_back(
-          {member.seam, join.residual, "joined, the surfaces would fold or lose their tangent plane"});
+          {member.seam, join.residual,
+           "what stays, and the laws of the seams around it, leave a residual of " +
+               text(join.residual) + " of the derivatives"});
+    else if (!keepsNormals(member))
+      obstacles_.push_back({member.seam, join.residual,
+                            "joined, the surfaces would fold or lose their tangent plane"});
   }
 }
 
@@ -336,7 +347,8 @@ void Attempt::place() {
     double move = 0;
     for (Eigen::Index k = 0; k < surface.poles.rows(); ++k) {
       const int i = unknowns_.of_pole[s][k];
-      const bool fixed = !surfaces_[s].moves || (!surfaces_[s].fixed.empty() && surfaces_[s].fixed[k]);
+      const bool fixed =
+          !surfaces_[s].moves || (!surfaces_[s].fixed.empty() && surfaces_[s].fixed[k]);
       if (fixed || (unknowns_.shared[i] == 1 && at_.x.row(i) == unknowns_.target.row(i))) continue;
       const Eigen::RowVector3d x = at_.x.row(i) + unknowns_.centre;
       surface.poles.row(k).head<3>() = surface.poles(k, 3) * x;
@@ -384,7 +396,8 @@ std::optional<NetworkResult> joinedAlready(const Network& network, const Unknown
   return unchanged(network.surfaces, std::move(joins));
 }
 
-/// Of obstacles that hang together by their surfaces the one of the largest residual: others may be there for it alone.
+/// Of obstacles that hang together by their surfaces the one of the largest residual: others may be
+/// there for it alone.
 std::vector<Obstacle> worstOfEachGroup(std::vector<Obstacle> obstacles,
                                        const std::vector<NetworkSeam>& seams) {
   std::ranges::stable_sort(obstacles, std::greater{}, &Obstacle::residual);
@@ -424,7 +437,8 @@ NetworkResult nearestNetwork(const std::vector<NetworkSurface>& surfaces,
     std::optional<Attempt> linear;
     if (natural.hasExtraordinaryVertices() && options.raise) {
       linear.emplace(surfaces, seams, takes_part, options, true);
-      if (linear->joins() && (!natural.joins() || linear->largestMove() < much * natural.largestMove()))
+      if (linear->joins() &&
+          (!natural.joins() || linear->largestMove() < much * natural.largestMove()))
         best = &*linear;
     }
     if (best->joins()) {

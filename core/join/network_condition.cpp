@@ -23,8 +23,8 @@ int conditionDegree(int order, int n, const SeamLaw& law) {
   for (int f = 0; f < law_functions; ++f)
     degree[f] = isZero(*all[f]) ? -n : static_cast<int>(all[f]->size()) - 1;
   if (order == 1) return std::max({n + degree[C], n + degree[D], n - 1 + degree[E]});
-  return std::max({n + 2 * degree[C], n + 2 * degree[D], n - 1 + degree[D] + degree[E], n - 2 + 2 * degree[E],
-                   n + degree[P], n - 1 + degree[Q]});
+  return std::max({n + 2 * degree[C], n + 2 * degree[D], n - 1 + degree[D] + degree[E],
+                   n - 2 + 2 * degree[E], n + degree[P], n - 1 + degree[Q]});
 }
 
 }  // namespace
@@ -211,7 +211,8 @@ SeamLaw Condition::closest(int degree, const Eigen::MatrixXd& x) const {
   zero.e = Eigen::VectorXd::Zero(degree + 2);
   zero.p = Eigen::VectorXd::Zero(2 * degree + 1);
   zero.q = Eigen::VectorXd::Zero(2 * degree + 2);
-  // Of order 1 the law is linear and homogeneous: the singular vector of the least singular value, in comparable units.
+  // Of order 1 the law is linear and homogeneous: the singular vector of the least singular value,
+  // in comparable units.
   std::vector<Eigen::VectorXd> columns;
   for (const Function f : {C, D, E})
     for (Eigen::Index k = 0; k < functions(zero)[f]->size(); ++k) {
@@ -240,7 +241,8 @@ Eigen::MatrixXd Condition::normals(int side, const Eigen::MatrixXd& x) const {
   Eigen::MatrixXd result(rows(), 3);
   for (Eigen::Index i = 0; i < rows(); ++i) {
     const Eigen::MatrixXd fields = fieldsAt(points_[i], x);
-    const Eigen::Vector3d across = fields.row(side == 0 ? FieldPs : FieldQs), along = fields.row(FieldPt);
+    const Eigen::Vector3d across = fields.row(side == 0 ? FieldPs : FieldQs),
+                          along = fields.row(FieldPt);
     result.row(i) = across.cross(along).transpose();
   }
   return result;

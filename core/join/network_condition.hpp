@@ -19,9 +19,10 @@ std::array<const Eigen::VectorXd*, law_functions> functions(const SeamLaw& law);
 
 bool isZero(const Eigen::VectorXd& function);
 
-/// SeamLaw's equations at as many points of the seam as determine the splines that their left sides are. Unknowns are in blocks of as many poles
-/// as a row has: the seam, the rows of side 0 behind it, those of side 1. Each row is divided by the larger coefficient of the two poles
-/// behind the seam, so that a residual is a length comparable to a move of one.
+/// SeamLaw's equations at as many points of the seam as determine the splines that their left sides
+/// are. Unknowns are in blocks of as many poles as a row has: the seam, the rows of side 0 behind
+/// it, those of side 1. Each row is divided by the larger coefficient of the two poles behind the
+/// seam, so that a residual is a length comparable to a move of one.
 class Condition {
  public:
   /// \param law of the degrees that all laws will have; where e and q are zero they stay so.
@@ -34,15 +35,20 @@ class Condition {
   /// A(law).
   Eigen::MatrixXd matrix(const SeamLaw& law) const;
   /// The derivative of A(law) x by the law, in that direction.
-  Eigen::MatrixXd change(const SeamLaw& law, const SeamLaw& direction, const Eigen::MatrixXd& x) const;
+  Eigen::MatrixXd change(const SeamLaw& law, const SeamLaw& direction,
+                         const Eigen::MatrixXd& x) const;
   /// Largest length of A x, relative to the largest derivative in it.
   double residual(const SeamLaw& law, const Eigen::MatrixXd& x) const;
 
-  /// Square root of the ratio of the two sides' squared normals: d / c where the sides join with a constant one.
+  /// Square root of the ratio of the two sides' squared normals: d / c where the sides join with a
+  /// constant one.
   double ratio(const Eigen::MatrixXd& x) const;
-  /// The law with these functions replaced by those that fit the condition of that order best, the others as they are.
-  SeamLaw fitted(SeamLaw law, int order, const std::vector<Function>& sought, const Eigen::MatrixXd& x) const;
-  /// The law with c and d of that degree, e of one more, and p, q of twice these degrees, that fits best; c + d has the mean 2.
+  /// The law with these functions replaced by those that fit the condition of that order best, the
+  /// others as they are.
+  SeamLaw fitted(SeamLaw law, int order, const std::vector<Function>& sought,
+                 const Eigen::MatrixXd& x) const;
+  /// The law with c and d of that degree, e of one more, and p, q of twice these degrees, that fits
+  /// best; c + d has the mean 2.
   SeamLaw closest(int degree, const Eigen::MatrixXd& x) const;
   /// Along the normals of a side at the points, one a row; both sides' alike if there is no fold.
   Eigen::MatrixXd normals(int side, const Eigen::MatrixXd& x) const;

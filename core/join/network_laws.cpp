@@ -29,7 +29,8 @@ Eigen::MatrixXd polesOf(const Unknowns& u, const std::vector<int>& columns) {
 }
 
 /// The tangent of a seam at its end at a vertex, away from there, by its parameter.
-Eigen::Vector3d tangent(const Network& network, const Unknowns& u, const Spoke& spoke, bool& stays) {
+Eigen::Vector3d tangent(const Network& network, const Unknowns& u, const Spoke& spoke,
+                        bool& stays) {
   const NetworkSeam& seam = network.seams[spoke.seam];
   const nearest::SeamRows rows = rowsOf(network.surfaces, seam, 0, 1);
   const bool ends = spoke.end == 1;
@@ -98,7 +99,8 @@ VertexPlan vertexPlan(const Network& network, const Unknowns& u, const Vertex& v
     const std::size_t spoke = std::min<std::size_t>(std::max(flat, 0), vertex.spokes.size() - 1);
     plan.obstacles.push_back({vertex.spokes[spoke].seam, 0,
                               "where " + std::to_string(vertex.corners.size()) +
-                                  " surfaces meet, the corner of surface " + std::to_string(corner.surface) +
+                                  " surfaces meet, the corner of surface " +
+                                  std::to_string(corner.surface) +
                                   " has an angle that is not between 0 and 180 degrees"});
     return result;
   }
@@ -108,13 +110,15 @@ VertexPlan vertexPlan(const Network& network, const Unknowns& u, const Vertex& v
   return result;
 }
 
-/// The condition with the laws of the natural degrees, all of whose coefficients may be other than zero.
+/// The condition with the laws of the natural degrees, all of whose coefficients may be other than
+/// zero.
 Condition naturalCondition(const Network& network, int seam, int order) {
   SeamLaw law;
   law.e = law.q = Eigen::VectorXd::Ones(2);
   law.p = Eigen::VectorXd::Ones(1);
   const NetworkSeam& of = network.seams[seam];
-  return {rowsOf(network.surfaces, of, 0, order), rowsOf(network.surfaces, of, 1, order), order, law};
+  return {rowsOf(network.surfaces, of, 0, order), rowsOf(network.surfaces, of, 1, order), order,
+          law};
 }
 
 bool hasThree(SeamPlan::E e) {
@@ -128,7 +132,8 @@ SeamLaw withRatio(double ratio) {
   return law;
 }
 
-/// Whether e, being zero at inner knots that are not smooth enough for another, leaves much more than it has to.
+/// Whether e, being zero at inner knots that are not smooth enough for another, leaves much more
+/// than it has to.
 bool needsE(const Condition& condition, const Eigen::MatrixXd& x) {
   constexpr double much = 4;
   SeamLaw law = withRatio(condition.ratio(x));
@@ -152,27 +157,36 @@ void placeEnds(Plan& plan) {
 }
 
 void setForm(const Network& network, const Unknowns& u, int seam, bool linear, SeamPlan& plan) {
-  const auto any = [&](VertexSort sort) { return plan.ends[0].sort == sort || plan.ends[1].sort == sort; };
+  const auto any = [&](VertexSort sort) {
+    return plan.ends[0].sort == sort || plan.ends[1].sort == sort;
+  };
   const bool extraordinary = any(VertexSort::Extraordinary), regular = any(VertexSort::Regular);
   plan.order = network.seams[seam].order;
   if (extraordinary && plan.order == 2) {
     plan.order = 1;
-    plan.why = "G1 instead of G2: it ends at a vertex of surfaces whose seams do not cross in lines";
+    plan.why =
+        "G1 instead of G2: it ends at a vertex of surfaces whose seams do not cross in lines";
   }
   plan.linear = linear && extraordinary && !regular;
   if (extraordinary)
-    plan.e = regular ? SeamPlan::E::Double : plan.linear ? SeamPlan::E::Quadratic : SeamPlan::E::Linear;
+    plan.e = regular       ? SeamPlan::E::Double
+             : plan.linear ? SeamPlan::E::Quadratic
+                           : SeamPlan::E::Linear;
   else if (!regular) {
     const Condition condition = naturalCondition(network, seam, plan.order);
     const bool knots = !innerKnots(condition.side(0)).empty();
-    const bool free = !knots || needsE(condition, polesOf(u, columnsOf(u, network.seams[seam], condition)));
+    const bool free =
+        !knots || needsE(condition, polesOf(u, columnsOf(u, network.seams[seam], condition)));
     plan.e = free ? SeamPlan::E::Linear : SeamPlan::E::Zero;
   }
 }
 
-/// Lines: seams of constant ratio that are opposite at a regular vertex have the same, from left to right of the line.
+/// Lines: seams of constant ratio that are opposite at a regular vertex have the same, from left to
+/// right of the line.
 void setLines(const Network& network, Plan& plan) {
-  const auto constant = [&](int seam) { return !plan.seams[seam].linear && !network.seams[seam].held; };
+  const auto constant = [&](int seam) {
+    return !plan.seams[seam].linear && !network.seams[seam].held;
+  };
   std::vector<std::vector<std::pair<int, int>>> next(plan.seams.size());
   for (std::size_t v = 0; v < plan.vertices.size(); ++v) {
     if (plan.sorts[v].sort != VertexSort::Regular) continue;
@@ -209,9 +223,11 @@ void findObstacles(const Network& network, const Unknowns& u, int seam, Plan& pl
   const Condition condition = naturalCondition(network, seam, 1);
   const std::vector<int> columns = columnsOf(u, network.seams[seam], condition);
   double gap = 0;
-  for (int j = 0; j < condition.side(0).count; ++j) gap = std::max(gap, u.contradiction(columns[j]));
+  for (int j = 0; j < condition.side(0).count; ++j)
+    gap = std::max(gap, u.contradiction(columns[j]));
   if (gap > rounding) {
-    plan.obstacles.push_back({seam, gap, "poles that stay are " + text(gap) + " mm apart along it"});
+    plan.obstacles.push_back(
+        {seam, gap, "poles that stay are " + text(gap) + " mm apart along it"});
     return;
   }
   const Eigen::MatrixXd x = polesOf(u, columns);
@@ -219,9 +235,12 @@ void findObstacles(const Network& network, const Unknowns& u, int seam, Plan& pl
   if (!(together > 0)) plan.obstacles.push_back({seam, 0, "the surfaces fold back along it"});
 }
 
-/// e need not be zero on a line of two seams, from the boundary to the boundary, if it comes from the regular vertex with the same slope in both.
+/// e need not be zero on a line of two seams, from the boundary to the boundary, if it comes from
+/// the regular vertex with the same slope in both.
 void tieSlopes(const Network& network, const Unknowns& u, Plan& plan) {
-  const auto otherEnd = [&](const Spoke& spoke) { return plan.seams[spoke.seam].ends[1 - spoke.end].sort; };
+  const auto otherEnd = [&](const Spoke& spoke) {
+    return plan.seams[spoke.seam].ends[1 - spoke.end].sort;
+  };
   for (std::size_t v = 0; v < plan.vertices.size(); ++v) {
     if (plan.sorts[v].sort != VertexSort::Regular) continue;
     const std::vector<Spoke>& spokes = plan.vertices[v].spokes;
@@ -237,8 +256,8 @@ void tieSlopes(const Network& network, const Unknowns& u, Plan& plan) {
       };
       const Spoke& one = spokes[i];
       const Spoke& other = spokes[i + 2];
-      if (otherEnd(one) != VertexSort::Boundary || otherEnd(other) != VertexSort::Boundary || rough(one) ||
-          rough(other))
+      if (otherEnd(one) != VertexSort::Boundary || otherEnd(other) != VertexSort::Boundary ||
+          rough(one) || rough(other))
         continue;
       plan.seams[one.seam].e = plan.seams[other.seam].e = SeamPlan::E::Tied;
     }
@@ -265,7 +284,8 @@ Plan planOf(const Network& network, const Unknowns& u, const NetworkOptions& opt
   plan.vertices = vertices(network.surfaces.size(), network.seams, network.takes_part);
   for (const Vertex& vertex : plan.vertices) {
     plan.sorts.push_back(vertexPlan(network, u, vertex, options, plan));
-    plan.has_extraordinary = plan.has_extraordinary || plan.sorts.back().sort == VertexSort::Extraordinary;
+    plan.has_extraordinary =
+        plan.has_extraordinary || plan.sorts.back().sort == VertexSort::Extraordinary;
   }
   if (!plan.obstacles.empty()) return plan;
   placeEnds(plan);
@@ -339,9 +359,11 @@ void Laws::addParameters() {
 void Laws::setStart(const Network& network, const Unknowns& u) {
   for (std::size_t v = 0; v < plan_.vertices.size(); ++v)
     if (extraordinary_slot_[v] >= 0)
-      start_.segment(extraordinary_slot_[v], plan_.sorts[v].rays.size()) = plan_.sorts[v].rays.reshaped();
+      start_.segment(extraordinary_slot_[v], plan_.sorts[v].rays.size()) =
+          plan_.sorts[v].rays.reshaped();
 
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(plan_.lines), weight = sum, stiff_sum = sum, stiff_weight = sum;
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(plan_.lines), weight = sum, stiff_sum = sum,
+                  stiff_weight = sum;
   const auto eachSeam = [&](const auto& visit) {
     for (int i = 0; i < std::ssize(plan_.seams); ++i) {
       if (!plan_.seams[i].takes_part || network.seams[i].held) continue;
@@ -350,8 +372,8 @@ void Laws::setStart(const Network& network, const Unknowns& u) {
       visit(i, plan_.seams[i], condition, columns, polesOf(u, columns));
     }
   };
-  eachSeam([&](int i, const SeamPlan& seam, const Condition& condition, const std::vector<int>& columns,
-               const Eigen::MatrixXd& x) {
+  eachSeam([&](int i, const SeamPlan& seam, const Condition& condition,
+               const std::vector<int>& columns, const Eigen::MatrixXd& x) {
     const double ratio = std::log(condition.ratio(x));
     for (const int slot : slots_[i].end_ratio)
       if (slot >= 0) start_(slot) = ratio;
@@ -374,11 +396,12 @@ void Laws::setStart(const Network& network, const Unknowns& u) {
     if (extraordinary_slot_[v] >= 0) restore(static_cast<int>(v), start_);
 
   Eigen::VectorXd share_sum = Eigen::VectorXd::Zero(plan_.lines), share_weight = share_sum;
-  eachSeam([&](int i, const SeamPlan& seam, const Condition& condition, const std::vector<int>& columns,
-               const Eigen::MatrixXd& x) {
+  eachSeam([&](int i, const SeamPlan& seam, const Condition& condition,
+               const std::vector<int>& columns, const Eigen::MatrixXd& x) {
     SeamLaw law = this->law(i, start_);
     const Slots& slots = slots_[i];
-    // At an end that is an extraordinary vertex e is given; the other end's value fits best with it.
+    // At an end that is an extraordinary vertex e is given; the other end's value fits best with
+    // it.
     if (slots.tied >= 0) {
       law = condition.fitted(law, 1, {E}, x);
       start_(slots.tied) += (seam.ends[0].sort == VertexSort::Regular ? law.e(1) : -law.e(0)) / 2;
@@ -403,16 +426,18 @@ void Laws::setStart(const Network& network, const Unknowns& u) {
   setBasis();
 }
 
-/// The mean logarithms, changed as little as possible so that around stars of constant ratios their sum is zero.
+/// The mean logarithms, changed as little as possible so that around stars of constant ratios their
+/// sum is zero.
 void Laws::setLines(const Eigen::VectorXd& sum, const Eigen::VectorXd& weight,
                     const std::vector<bool>& stiff) {
   std::vector<Eigen::Triplet<double>> entries;
   int rows = 0;
   for (std::size_t v = 0; v < plan_.vertices.size(); ++v) {
     const Vertex& vertex = plan_.vertices[v];
-    const bool all = extraordinary_slot_[v] >= 0 && std::ranges::all_of(vertex.spokes, [&](const Spoke& s) {
-                       return plan_.seams[s.seam].line >= 0;
-                     });
+    const bool all =
+        extraordinary_slot_[v] >= 0 && std::ranges::all_of(vertex.spokes, [&](const Spoke& s) {
+          return plan_.seams[s.seam].line >= 0;
+        });
     if (!all) continue;
     for (const Spoke& spoke : vertex.spokes)
       entries.emplace_back(rows, plan_.seams[spoke.seam].line,
@@ -429,13 +454,16 @@ void Laws::setLines(const Eigen::VectorXd& sum, const Eigen::VectorXd& weight,
   for (int line = 0; line < plan_.lines; ++line) start_(line_slot_[line]) = found.x(line, 0);
 }
 
-/// c, d, e of an extraordinary vertex at the end of a seam whose side 0 is the corner before its spoke; they change places where it is the corner after it.
-Eigen::Vector3d Laws::extraordinaryValues(const SeamPlan::End& end, const Eigen::VectorXd& y) const {
+/// c, d, e of an extraordinary vertex at the end of a seam whose side 0 is the corner before its
+/// spoke; they change places where it is the corner after it.
+Eigen::Vector3d Laws::extraordinaryValues(const SeamPlan::End& end,
+                                          const Eigen::VectorXd& y) const {
   const auto count = static_cast<int>(plan_.vertices[end.vertex].spokes.size());
   const auto ray = [&](int k) -> Eigen::Vector2d {
     return y.segment<2>(extraordinary_slot_[end.vertex] + 2L * (k % count));
   };
-  const Eigen::Vector2d before = ray(end.spoke + count - 1), own = ray(end.spoke), after = ray(end.spoke + 1);
+  const Eigen::Vector2d before = ray(end.spoke + count - 1), own = ray(end.spoke),
+                        after = ray(end.spoke + 1);
   const double c = cross(before, own), d = cross(own, after), e = cross(before, after);
   return 2 * Eigen::Vector3d(c, d, e) / (c + d);
 }
@@ -501,7 +529,8 @@ SeamLaw Laws::derivative(int seam, const Eigen::VectorXd& y, int k) const {
   return result;
 }
 
-/// By how much the logarithm of an extraordinary vertex's d / c is more than that of the line, for each spoke of a line.
+/// By how much the logarithm of an extraordinary vertex's d / c is more than that of the line, for
+/// each spoke of a line.
 Eigen::VectorXd Laws::excess(int vertex, const Eigen::VectorXd& y) const {
   const Vertex& of = plan_.vertices[vertex];
   std::vector<double> result;
@@ -559,7 +588,8 @@ void Laws::setBasis() {
       if (plan_.seams[spoke.seam].line >= 0) held[line_slot_[plan_.seams[spoke.seam].line]] = true;
     const auto& stays = plan_.sorts[v].stays;
     const auto coordinates = static_cast<Eigen::Index>(2 * stays.size());
-    // An extraordinary vertex may turn and stretch as a whole without any change of the laws: those directions are left out as well.
+    // An extraordinary vertex may turn and stretch as a whole without any change of the laws: those
+    // directions are left out as well.
     Eigen::MatrixXd conditions = excessDerivative(static_cast<int>(v), start_);
     const Eigen::Index ratios = conditions.rows();
     conditions.conservativeResizeLike(Eigen::MatrixXd::Zero(ratios + 4 + coordinates, coordinates));

@@ -39,7 +39,8 @@ struct SeamPlan {
   bool linear = false;  ///< c and d are; else d / c is a constant
   int line = -1;        ///< whose constant it is; none if linear or held
   int sense = 1;        ///< -1: c / d is
-  /// Double: two zeros at the end that is not extraordinary. Tied: linear from a regular vertex to the boundary, and the same on the other half of the line.
+  /// Double: two zeros at the end that is not extraordinary. Tied: linear from a regular vertex to
+  /// the boundary, and the same on the other half of the line.
   enum class E { Zero, Linear, Quadratic, Double, Tied } e = E::Zero;
   struct End {
     int vertex = -1;
@@ -65,9 +66,11 @@ struct Network {
   const std::vector<bool>& takes_part;
 };
 
-Plan planOf(const Network& network, const Unknowns& unknowns, const NetworkOptions& options, bool linear);
+Plan planOf(const Network& network, const Unknowns& unknowns, const NetworkOptions& options,
+            bool linear);
 
-/// Laws as functions of parameters: logarithms of ratios, p / d, values of e and q at ends, tangents of stars.
+/// Laws as functions of parameters: logarithms of ratios, p / d, values of e and q at ends,
+/// tangents of stars.
 class Laws {
  public:
   /// \pre the plan has no obstacles.
@@ -76,7 +79,8 @@ class Laws {
   const Eigen::VectorXd& start() const { return start_; }
   Eigen::Index directions() const { return basis_.cols(); }
   SeamLaw law(int seam, const Eigen::VectorXd& y) const;
-  /// The change of parameters that a step in the free directions makes, with stars put back to the ratios that lines have.
+  /// The change of parameters that a step in the free directions makes, with stars put back to the
+  /// ratios that lines have.
   Eigen::VectorXd moved(const Eigen::VectorXd& y, const Eigen::VectorXd& step) const;
   /// d y / d step, at the start.
   const Eigen::SparseMatrix<double>& basis() const { return basis_; }
@@ -98,7 +102,8 @@ class Laws {
   Eigen::Vector3d extraordinaryValues(const SeamPlan::End& end, const Eigen::VectorXd& y) const;
   void addParameters();
   void setStart(const Network& network, const Unknowns& unknowns);
-  void setLines(const Eigen::VectorXd& sum, const Eigen::VectorXd& weight, const std::vector<bool>& stiff);
+  void setLines(const Eigen::VectorXd& sum, const Eigen::VectorXd& weight,
+                const std::vector<bool>& stiff);
   void setBasis();
   Eigen::VectorXd excess(int vertex, const Eigen::VectorXd& y) const;
   Eigen::MatrixXd excessDerivative(int vertex, const Eigen::VectorXd& y) const;

@@ -34,7 +34,8 @@ Sparse shifted(const Sparse& m) {
   return m + shift * unit;
 }
 
-/// Solves A A' nu = b by rows of A that are independent of each other, without the square of A's condition; b is of A's range.
+/// Solves A A' nu = b by rows of A that are independent of each other, without the square of A's
+/// condition; b is of A's range.
 class IndependentRows {
  public:
   explicit IndependentRows(const Sparse& a) : qr_(Sparse(a.transpose())) {
@@ -75,7 +76,8 @@ Projection refined(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::Ma
       (length.array() > 1e-9 * whole.array()).select(length, whole.cwiseMax(1e-300)).cwiseInverse();
   if (a.rows() == 0) return result;
   const Sparse scaled = result.row_scale.asDiagonal() * reached;
-  const OrderedFactors::Solver& solver = factors.factor(shifted(scaled * Sparse(scaled.transpose())));
+  const OrderedFactors::Solver& solver =
+      factors.factor(shifted(scaled * Sparse(scaled.transpose())));
   const auto rest = [&](const Eigen::MatrixXd& x) -> Eigen::MatrixXd {
     return result.row_scale.asDiagonal() * (a * x);
   };
@@ -114,8 +116,10 @@ Projection refined(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::Ma
 }  // namespace
 
 const OrderedFactors::Solver& OrderedFactors::factor(const Sparse& lower) {
-  const std::span<const int> begins(lower.outerIndexPtr(), static_cast<std::size_t>(lower.outerSize() + 1));
-  const std::span<const int> rows(lower.innerIndexPtr(), static_cast<std::size_t>(lower.nonZeros()));
+  const std::span<const int> begins(lower.outerIndexPtr(),
+                                    static_cast<std::size_t>(lower.outerSize() + 1));
+  const std::span<const int> rows(lower.innerIndexPtr(),
+                                  static_cast<std::size_t>(lower.nonZeros()));
   if (!std::ranges::equal(begins, begins_) || !std::ranges::equal(rows, rows_)) {
     begins_.assign(begins.begin(), begins.end());
     rows_.assign(rows.begin(), rows.end());
@@ -134,9 +138,10 @@ Projection project(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::Ma
   return result;
 }
 
-Step step(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::MatrixXd& target, const Projection& at,
-          const Sparse& g, double damping, OrderedFactors& factors) {
-  const Eigen::Index rows = a.rows(), parameters = g.cols(), all = target.cols() * rows + parameters;
+Step step(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::MatrixXd& target,
+          const Projection& at, const Sparse& g, double damping, OrderedFactors& factors) {
+  const Eigen::Index rows = a.rows(), parameters = g.cols(),
+                     all = target.cols() * rows + parameters;
   const Sparse scaled = at.row_scale.asDiagonal() * a * reachOf(pull).asDiagonal();
   const Sparse m = shifted(scaled * Sparse(scaled.transpose()));
   const Eigen::VectorXd scale_of_g = at.row_scale.replicate(target.cols(), 1);
@@ -152,7 +157,8 @@ Step step(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::MatrixXd& t
   for (Eigen::Index d = 0; d < target.cols(); ++d)
     for (int k = 0; k < m.outerSize(); ++k)
       for (Sparse::InnerIterator it(m, k); it; ++it)
-        if (it.row() >= it.col()) entries.emplace_back(d * rows + it.row(), d * rows + it.col(), it.value());
+        if (it.row() >= it.col())
+          entries.emplace_back(d * rows + it.row(), d * rows + it.col(), it.value());
   for (int k = 0; k < by.outerSize(); ++k)
     for (Sparse::InnerIterator it(by, k); it; ++it)
       entries.emplace_back(all - parameters + k, it.row(), -it.value());

@@ -17,7 +17,9 @@ namespace {
 /// Sets that are united; each is named by one of its members.
 class Sets {
  public:
-  explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+  explicit Sets(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
   int of(int i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
@@ -66,7 +68,9 @@ struct Walk {
   const std::vector<NetworkSeam>& seams;
   const std::vector<Use>& uses;
 
-  const Use& useOf(const Corner& corner, PatchEdge edge) const { return uses[indexOf(corner.surface, edge)]; }
+  const Use& useOf(const Corner& corner, PatchEdge edge) const {
+    return uses[indexOf(corner.surface, edge)];
+  }
 
   /// The spoke on that edge of the corner, and the corner beyond it, with the edge that leads on.
   Spoke cross(Corner& corner, PatchEdge& edge) const {
@@ -109,36 +113,41 @@ void requireLaw(const SeamLaw& law, const std::string& name) {
   const auto all = functions(law);
   for (int f = 0; f < law_functions; ++f) {
     if (all[f]->size() == 0 || all[f]->size() > 7)
-      refuse(std::string(names[f]) + " of the law of " + name + " has " + std::to_string(all[f]->size()) +
-             " coefficients: 1 to 7 are needed");
+      refuse(std::string(names[f]) + " of the law of " + name + " has " +
+             std::to_string(all[f]->size()) + " coefficients: 1 to 7 are needed");
     for (Eigen::Index k = 0; k < all[f]->size(); ++k) {
       const double value = (*all[f])(k);
       if (!std::isfinite(value) || (f <= D && !(value > 0)))
-        refuse("coefficient " + std::to_string(k) + " of " + names[f] + " of the law of " + name + " is " +
-               std::to_string(value) + (f <= D ? ": it must be positive" : ": it must be finite"));
+        refuse("coefficient " + std::to_string(k) + " of " + names[f] + " of the law of " + name +
+               " is " + std::to_string(value) +
+               (f <= D ? ": it must be positive" : ": it must be finite"));
     }
   }
 }
 
-void requireSameSeam(const nearest::SeamRows& a, const nearest::SeamRows& b, const std::string& name) {
+void requireSameSeam(const nearest::SeamRows& a, const nearest::SeamRows& b,
+                     const std::string& name) {
   if (a.degree != b.degree || a.knots.size() != b.knots.size())
-    refuse("degrees along " + name + " are " + std::to_string(a.degree) + " and " + std::to_string(b.degree) +
-           ", poles " + std::to_string(a.count) + " and " + std::to_string(b.count) + ": they must be equal");
+    refuse("degrees along " + name + " are " + std::to_string(a.degree) + " and " +
+           std::to_string(b.degree) + ", poles " + std::to_string(a.count) + " and " +
+           std::to_string(b.count) + ": they must be equal");
   constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
   for (std::size_t i = 0; i < a.knots.size(); ++i)
     if (!(std::abs(a.knots[i] - b.knots[i]) <= rounding))
       refuse("knot " + std::to_string(i) + " along " + name + ", scaled to 0..1, is " +
-             std::to_string(a.knots[i]) + " and " + std::to_string(b.knots[i]) + ": they must be equal");
+             std::to_string(a.knots[i]) + " and " + std::to_string(b.knots[i]) +
+             ": they must be equal");
 }
 
 }  // namespace
 
-void requireNetwork(const std::vector<NetworkSurface>& surfaces, const std::vector<NetworkSeam>& seams,
-                    const NetworkOptions& options) {
+void requireNetwork(const std::vector<NetworkSurface>& surfaces,
+                    const std::vector<NetworkSeam>& seams, const NetworkOptions& options) {
   if (!(options.regular_rad >= 0 && options.regular_rad <= 1))
     refuse("regular_rad is " + std::to_string(options.regular_rad) + ": 0 to 1 is needed");
   if (options.max_iterations < 0)
-    refuse("max_iterations is " + std::to_string(options.max_iterations) + ": it must not be negative");
+    refuse("max_iterations is " + std::to_string(options.max_iterations) +
+           ": it must not be negative");
   for (std::size_t i = 0; i < surfaces.size(); ++i) requireSurface(surfaces[i], i);
   std::vector<int> seam_of(4 * surfaces.size(), -1);
   for (std::size_t i = 0; i < seams.size(); ++i) {
@@ -149,20 +158,22 @@ void requireNetwork(const std::vector<NetworkSurface>& surfaces, const std::vect
     for (int side = 0; side < 2; ++side) {
       const int surface = seam.surfaces[side];
       if (surface < 0 || surface >= std::ssize(surfaces))
-        refuse(name + " names surface " + std::to_string(surface) + " of " + std::to_string(surfaces.size()));
+        refuse(name + " names surface " + std::to_string(surface) + " of " +
+               std::to_string(surfaces.size()));
       int& use = seam_of[indexOf(surface, seam.edges[side])];
       if (use >= 0)
-        refuse("an edge of surface " + std::to_string(surface) + " is in seam " + std::to_string(use) +
-               " and in " + name);
+        refuse("an edge of surface " + std::to_string(surface) + " is in seam " +
+               std::to_string(use) + " and in " + name);
       use = static_cast<int>(i);
     }
-    requireSameSeam(rowsOf(surfaces, seam, 0, seam.order), rowsOf(surfaces, seam, 1, seam.order), name);
+    requireSameSeam(rowsOf(surfaces, seam, 0, seam.order), rowsOf(surfaces, seam, 1, seam.order),
+                    name);
     if (seam.held) requireLaw(*seam.held, name);
   }
 }
 
-nearest::SeamRows rowsOf(const std::vector<NetworkSurface>& surfaces, const NetworkSeam& seam, int side,
-                         int order) {
+nearest::SeamRows rowsOf(const std::vector<NetworkSurface>& surfaces, const NetworkSeam& seam,
+                         int side, int order) {
   JoinSide of;
   of.surface = surfaces[seam.surfaces[side]].surface;
   of.edge = seam.edges[side];
@@ -177,7 +188,8 @@ int directionOf(int surface, PatchEdge edge) {
 std::vector<int> strips(std::size_t surfaces, const std::vector<NetworkSeam>& seams) {
   Sets sets(2 * surfaces);
   for (const NetworkSeam& seam : seams)
-    sets.unite(directionOf(seam.surfaces[0], seam.edges[0]), directionOf(seam.surfaces[1], seam.edges[1]));
+    sets.unite(directionOf(seam.surfaces[0], seam.edges[0]),
+               directionOf(seam.surfaces[1], seam.edges[1]));
   std::vector<int> result(2 * surfaces);
   for (std::size_t i = 0; i < result.size(); ++i) result[i] = sets.of(static_cast<int>(i));
   return result;
@@ -217,8 +229,8 @@ std::vector<Vertex> vertices(std::size_t surfaces, const std::vector<NetworkSeam
   return result;
 }
 
-Unknowns unknowns(const std::vector<NetworkSurface>& surfaces, const std::vector<NetworkSeam>& seams,
-                  const std::vector<bool>& takes_part) {
+Unknowns unknowns(const std::vector<NetworkSurface>& surfaces,
+                  const std::vector<NetworkSeam>& seams, const std::vector<bool>& takes_part) {
   std::vector<int> offset = {0};
   for (const NetworkSurface& surface : surfaces)
     offset.push_back(offset.back() + static_cast<int>(surface.surface.poles.rows()));
@@ -242,7 +254,8 @@ Unknowns unknowns(const std::vector<NetworkSurface>& surfaces, const std::vector
     }
 
   // The middle of the box, which does not depend on the order of surfaces.
-  Eigen::RowVector3d low = Eigen::RowVector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  Eigen::RowVector3d low = Eigen::RowVector3d::Constant(std::numeric_limits<double>::infinity()),
+                     high = -low;
   std::vector<Poles> poles;
   for (const NetworkSurface& surface : surfaces) {
     poles.push_back(affinePoles(surface.surface.poles));
@@ -285,7 +298,8 @@ Unknowns unknowns(const std::vector<NetworkSurface>& surfaces, const std::vector
   return u;
 }
 
-std::vector<int> columnsOf(const Unknowns& unknowns, const NetworkSeam& seam, const Condition& condition) {
+std::vector<int> columnsOf(const Unknowns& unknowns, const NetworkSeam& seam,
+                           const Condition& condition) {
   std::vector<int> result;
   const auto add = [&](int side, int row) {
     for (int j = 0; j < condition.side(side).count; ++j)

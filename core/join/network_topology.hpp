@@ -24,7 +24,8 @@ struct Spoke {
   bool first = false;  ///< side 0 of the seam is the corner before it
 };
 
-/// Corners in turn, and the spokes between them: spoke i follows corner i; as many as corners if the seams surround the vertex, else one less.
+/// Corners in turn, and the spokes between them: spoke i follows corner i; as many as corners if
+/// the seams surround the vertex, else one less.
 struct Vertex {
   std::vector<Corner> corners;
   std::vector<Spoke> spokes;
@@ -36,17 +37,18 @@ std::vector<Vertex> vertices(std::size_t surfaces, const std::vector<NetworkSeam
                              const std::vector<bool>& takes_part);
 
 /// \throws std::invalid_argument as nearestNetwork() does.
-void requireNetwork(const std::vector<NetworkSurface>& surfaces, const std::vector<NetworkSeam>& seams,
-                    const NetworkOptions& options);
+void requireNetwork(const std::vector<NetworkSurface>& surfaces,
+                    const std::vector<NetworkSeam>& seams, const NetworkOptions& options);
 
 /// The side of a seam for nearest::seamRows().
-nearest::SeamRows rowsOf(const std::vector<NetworkSurface>& surfaces, const NetworkSeam& seam, int side,
-                         int order);
+nearest::SeamRows rowsOf(const std::vector<NetworkSurface>& surfaces, const NetworkSeam& seam,
+                         int side, int order);
 
 /// The direction of a surface that runs along an edge, among all: 2 surface + 0 for u, 1 for v.
 int directionOf(int surface, PatchEdge edge);
 
-/// Which directions are tied to the same degree and knots by seams: a number for each, those tied together the same.
+/// Which directions are tied to the same degree and knots by seams: a number for each, those tied
+/// together the same.
 std::vector<int> strips(std::size_t surfaces, const std::vector<NetworkSeam>& seams);
 
 /// The poles as unknowns, each shared one once.
@@ -62,10 +64,11 @@ struct Unknowns {
   double joining = 0;  ///< cost of making shared poles one
 };
 
-Unknowns unknowns(const std::vector<NetworkSurface>& surfaces, const std::vector<NetworkSeam>& seams,
-                  const std::vector<bool>& takes_part);
+Unknowns unknowns(const std::vector<NetworkSurface>& surfaces,
+                  const std::vector<NetworkSeam>& seams, const std::vector<bool>& takes_part);
 
 /// Unknown of each column of a seam's condition.
-std::vector<int> columnsOf(const Unknowns& unknowns, const NetworkSeam& seam, const Condition& condition);
+std::vector<int> columnsOf(const Unknowns& unknowns, const NetworkSeam& seam,
+                           const Condition& condition);
 
 }  // namespace seamwright::network

@@ -25,7 +25,8 @@ inline void requireTolerance(const std::optional<double>& tolerance) {
 inline void requireUsable(const Ribbon& ribbon, const char* name) {
   for (const HomogeneousPoles* part : {&ribbon.position, &ribbon.first, &ribbon.second})
     if (part->rows() == 0 || !part->allFinite())
-      throw std::invalid_argument(std::string("ribbon ") + name + " has a part that is empty or not finite");
+      throw std::invalid_argument(std::string("ribbon ") + name +
+                                  " has a part that is empty or not finite");
   constexpr int most =
       30;  // the condition of curvature has up to 24 times the degree, and binomials end at 800
   for (const HomogeneousPoles* part : {&ribbon.position, &ribbon.first, &ribbon.second})
@@ -40,7 +41,8 @@ inline void requireUsable(const Ribbon& ribbon, const char* name) {
                                   ": it must be positive");
 }
 
-/// The joins of two ribbons do not depend on the place of the origin, the unit of length and that of weights.
+/// The joins of two ribbons do not depend on the place of the origin, the unit of length and that
+/// of weights.
 struct NormalizedPair {
   Ribbon a, b;
   double length = 1;    ///< mm, what is 1 in the ribbons
@@ -64,13 +66,16 @@ struct NormalizedPair {
   template <class Change>
   void forEachPart(const Change& change) {
     for (Ribbon* ribbon : {&a, &b})
-      for (HomogeneousPoles* part : {&ribbon->position, &ribbon->first, &ribbon->second}) change(*part);
+      for (HomogeneousPoles* part : {&ribbon->position, &ribbon->first, &ribbon->second})
+        change(*part);
   }
-  static double reach(const Ribbon& ribbon) { return ribbon.position.leftCols<3>().cwiseAbs().maxCoeff(); }
+  static double reach(const Ribbon& ribbon) {
+    return ribbon.position.leftCols<3>().cwiseAbs().maxCoeff();
+  }
   /// Of poles of the seam and of the row behind it.
   static double size(const Ribbon& ribbon) {
-    return std::max(reach(ribbon),
-                    ribbon.first.leftCols<3>().cwiseAbs().maxCoeff() / std::max(ribbon.degree_across, 1));
+    return std::max(reach(ribbon), ribbon.first.leftCols<3>().cwiseAbs().maxCoeff() /
+                                       std::max(ribbon.degree_across, 1));
   }
 };
 

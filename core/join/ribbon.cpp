@@ -48,9 +48,9 @@ Ribbon ribbon(const BezierPatch& patch, PatchEdge edge, bool reversed, Across ac
   result.first = result.second = HomogeneousPoles::Zero(result.position.rows(), 4);
   if (m >= 1) result.first = m * (row(turned_patch, 1) - row(turned_patch, 0));
   if (m >= 2)
-    result.second =
-        m * (m - 1) *
-        ((row(turned_patch, 2) - row(turned_patch, 1)) - (row(turned_patch, 1) - row(turned_patch, 0)));
+    result.second = m * (m - 1) *
+                    ((row(turned_patch, 2) - row(turned_patch, 1)) -
+                     (row(turned_patch, 1) - row(turned_patch, 0)));
   return turned(std::move(result), across);
 }
 
@@ -79,11 +79,13 @@ Ribbon ribbon(const BezierTriangle& triangle, TriangleEdge edge, bool reversed, 
   const HomogeneousPoles next = behind(1) - result.position.topRows(n);
   result.first = n * next;
   result.second = HomogeneousPoles::Zero(1, 4);
-  if (n >= 2) result.second = n * (n - 1) * ((behind(2) - behind(1).topRows(n - 1)) - next.topRows(n - 1));
+  if (n >= 2)
+    result.second = n * (n - 1) * ((behind(2) - behind(1).topRows(n - 1)) - next.topRows(n - 1));
   return turned(std::move(result), across);
 }
 
-CanonicalPair orient(const BezierPatch& a, PatchEdge edge_a, const BezierPatch& b, PatchEdge edge_b) {
+CanonicalPair orient(const BezierPatch& a, PatchEdge edge_a, const BezierPatch& b,
+                     PatchEdge edge_b) {
   const BezierPatch first = turnedToU0(a, edge_a, false);
   const BezierPatch second = turnedToU0(b, edge_b, false);
   const auto apart = [&](double t, double other) {

@@ -51,7 +51,8 @@ CurveJoint measureJoint(const CurveEnd& a, const CurveEnd& b) {
 }
 
 CurveJoint measureJoint(const BezierCurve& a, const BezierCurve& b, int order) {
-  if (order < 0) throw std::invalid_argument("order " + std::to_string(order) + ": it must not be negative");
+  if (order < 0)
+    throw std::invalid_argument("order " + std::to_string(order) + ": it must not be negative");
   return measureJoint(curveEnd(a, 1, order), curveEnd(b, 0, order));
 }
 

@@ -18,15 +18,16 @@ namespace {
 
 /// Of the seam's parameter: a shorter piece with bounds is not cut to make them narrower.
 constexpr double shortest_piece = 0x1p-24;
-/// Of the seam, in parameter and in length: a shorter piece without known tangent plane is left out.
+/// Of the seam, in parameter and in length: a shorter piece without known tangent plane is left
+/// out.
 constexpr double pole_piece = 0x1p-30;
 /// Of the seam's parameter: no piece is cut to less.
 constexpr double last_piece = 0x1p-50;
-/// Of the seam, in parameter and in length: so near a point without tangent plane, where curvature is as large as
-/// one likes, it is no part of the figures.
+/// Of the seam, in parameter and in length: so near a point without tangent plane, where curvature
+/// is as large as one likes, it is no part of the figures.
 constexpr double degenerate_reach = 0x1p-20;
-/// The same where no bound of the angle is known up to the point: its poles are scattered by rounding, which counts for
-/// curvature by the square of the distance.
+/// The same where no bound of the angle is known up to the point: its poles are scattered by
+/// rounding, which counts for curvature by the square of the distance.
 constexpr double scattered_reach = 0x1p-16;
 
 struct Piece {
@@ -42,8 +43,8 @@ struct Piece {
   double at(double x) const { return 0.5 * ((1 - x) * from + (1 + x) * to); }
 };
 
-/// Of a piece that lies across knot lines each combination of sides is possible: nothing is known to be
-/// reached.
+/// Of a piece that lies across knot lines each combination of sides is possible: nothing is known
+/// to be reached.
 void include(PieceFigures& sum, const PieceFigures& more) {
   const auto merge = [](PieceBound& bound, const PieceBound& other) {
     bound = {0, std::max(bound.upper, other.upper), 0};
@@ -81,7 +82,8 @@ class Enclosure {
     return lower_[Angle] > tolerance_.crease_rad ? Detail::TangentPlane : Detail::Curvature;
   }
   bool folds(const Piece& piece) const {
-    return piece.figures.sense != 0 && (a_.faceOnLeft() == b_.faceOnLeft()) == (piece.figures.sense > 0);
+    return piece.figures.sense != 0 &&
+           (a_.faceOnLeft() == b_.faceOnLeft()) == (piece.figures.sense > 0);
   }
   void look(double from, double to);
   void cut(const Piece& piece);
@@ -141,7 +143,8 @@ bool Enclosure::isEnough(Quantity quantity, double upper) const {
   if (quantity == RelativeCurvature) upper = std::min(upper, largest_relative_difference);
   if (upper <= lower_[quantity] + allowed(quantity)) return true;
   if (options_.figures) return false;
-  return quantity == Curvature || upper <= tolerated(quantity) || lower_[quantity] > tolerated(quantity);
+  return quantity == Curvature || upper <= tolerated(quantity) ||
+         lower_[quantity] > tolerated(quantity);
 }
 
 /// All that matters of a curvature that is left out.
@@ -156,7 +159,8 @@ bool Enclosure::isSettled(const Piece& piece) const {
   if (piece.left_out) return true;
   const double crease = tolerance_.crease_rad;
   const bool sharp = lower_[Angle] > crease;
-  // The share of the length below the crease angle is told to a hundredth; a fold counts however short.
+  // The share of the length below the crease angle is told to a hundredth; a fold counts however
+  // short.
   const bool across = f.smallest_angle_rad <= crease && f.angle_rad.upper > crease;
   if (across && (!sharp || folds(piece) || piece.width() > 0.01)) return false;
   if (!isEnough(Angle, f.angle_rad.upper)) return false;
@@ -168,11 +172,12 @@ bool Enclosure::isSettled(const Piece& piece) const {
 
 double Enclosure::excess(const PieceBound& bound, Quantity quantity) const {
   if (isEnough(quantity, bound.upper)) return 0;
-  return (bound.upper - bound.lower) / std::max(allowed(quantity), std::numeric_limits<double>::min());
+  return (bound.upper - bound.lower) /
+         std::max(allowed(quantity), std::numeric_limits<double>::min());
 }
 
-/// Largest width of a bound that is not enough, in units of what is allowed; infinite where no bound is
-/// known.
+/// Largest width of a bound that is not enough, in units of what is allowed; infinite where no
+/// bound is known.
 double Enclosure::excess(const Piece& piece) const {
   const PieceFigures& figures = piece.figures;
   const double largest = std::max(excess(figures.gap_mm, Gap), excess(figures.angle_rad, Angle));
@@ -182,7 +187,8 @@ double Enclosure::excess(const Piece& piece) const {
     if (isOnOneSide(*figures.curvature_rel)) return largest;
     return std::max(largest, excess(*figures.curvature_rel, RelativeCurvature));
   }
-  // A step from 0 to 1, where one side becomes flat, does not shrink with the piece: it has to be found.
+  // A step from 0 to 1, where one side becomes flat, does not shrink with the piece: it has to be
+  // found.
   if (figures.curvature_rel->upper == 1 && figures.curvature_rel->lower < 1) return infinite;
   return std::max({largest, excess(*figures.curvature_per_mm, Curvature),
                    excess(*figures.curvature_rel, RelativeCurvature)});
@@ -231,14 +237,16 @@ bool Enclosure::measure(Piece& piece, Detail detail, std::optional<double>& spli
   bool first = true;
   for (const SurfaceFields& fields_a : a.alternatives)
     for (const SurfaceFields& fields_b : b.alternatives) {
-      const PieceFigures figures = measurePiece(fields_a, fields_b, detail, tolerance_.flat_radius_mm, slack);
+      const PieceFigures figures =
+          measurePiece(fields_a, fields_b, detail, tolerance_.flat_radius_mm, slack);
       if (first)
         piece.figures = figures;
       else
         include(piece.figures, figures);
       first = false;
     }
-  const bool without_plane = detail != Detail::Position && !std::isfinite(piece.figures.angle_rad.upper);
+  const bool without_plane =
+      detail != Detail::Position && !std::isfinite(piece.figures.angle_rad.upper);
   // Of a short seam far from the origin the length of so short a piece is rounding.
   const double share = piece.width() < 2 * last_piece ? shortest_piece : pole_piece;
   if (without_plane && piece.width() > 0 && length_a_.isShort(piece.from, piece.to, share)) {
@@ -294,15 +302,15 @@ void Enclosure::lookAtGap(double from, double to) {
   pieces_.push_back(piece);
 }
 
-/// A cut of which no part is much better than the whole is stalled by rounding; beside a kink of a figure one
-/// part is.
+/// A cut of which no part is much better than the whole is stalled by rounding; beside a kink of a
+/// figure one part is.
 void Enclosure::cut(const Piece& piece) {
   const std::size_t first = pieces_.size();
   look(piece.from, piece.at(0));
   look(piece.at(0), piece.to);
   const auto parts = std::span(pieces_).subspan(first);
-  const bool better =
-      std::ranges::any_of(parts, [&](const Piece& part) { return part.excess <= 0.5 * piece.excess; });
+  const bool better = std::ranges::any_of(
+      parts, [&](const Piece& part) { return part.excess <= 0.5 * piece.excess; });
   for (Piece& part : parts) part.stalled = better ? 0 : piece.stalled + 1;
 }
 
@@ -313,10 +321,12 @@ void Enclosure::refine() {
     std::vector<Piece> open;
     const auto is_open = [&](const Piece& piece) {
       const double shortest = piece.curvature_left_out ? pole_piece : shortest_piece;
-      const bool is_long_enough = piece.width() >= (std::isfinite(piece.excess) ? shortest : last_piece);
+      const bool is_long_enough =
+          piece.width() >= (std::isfinite(piece.excess) ? shortest : last_piece);
       return is_long_enough && piece.stalled < 2 && !piece.left_out && !isSettled(piece);
     };
-    const auto first_open = std::stable_partition(pieces_.begin(), pieces_.end(), std::not_fn(is_open));
+    const auto first_open =
+        std::stable_partition(pieces_.begin(), pieces_.end(), std::not_fn(is_open));
     open.assign(first_open, pieces_.end());
     pieces_.erase(first_open, pieces_.end());
     for (const Piece& piece : open) {
@@ -333,7 +343,8 @@ void Enclosure::refine() {
   }
 }
 
-/// Up to where curvature is no part of the figures, if a side lacks it on a short piece at an end, which is named then.
+/// Up to where curvature is no part of the figures, if a side lacks it on a short piece at an end,
+/// which is named then.
 std::optional<double> Enclosure::poleReach(double end) {
   const double from = end == 0 ? 0 : 1 - pole_piece, to = end == 0 ? pole_piece : 1;
   bool has_plane = true;
@@ -353,15 +364,16 @@ void Enclosure::findPoles() {
   const auto [first, last] = options_.range;
   const auto reach = [&](int end, double share) {
     double length = share;
-    while (length > pole_piece &&
-           !(end == 0 ? length_a_.isShort(0, length, share) : length_a_.isShort(1 - length, 1, share)))
+    while (length > pole_piece && !(end == 0 ? length_a_.isShort(0, length, share)
+                                             : length_a_.isShort(1 - length, 1, share)))
       length *= 0.5;
     return length;
   };
   const auto poleShare = [&](int end, bool is_left_out) {
     return is_left_out ? std::optional(scattered_reach) : poleReach(end);
   };
-  if (const auto share = poleShare(0, first > 0)) curvature_range_.lower = std::max(first, reach(0, *share));
+  if (const auto share = poleShare(0, first > 0))
+    curvature_range_.lower = std::max(first, reach(0, *share));
   if (const auto share = poleShare(1, last < 1))
     curvature_range_.upper = std::min(last, 1 - reach(1, *share));
 }
@@ -388,7 +400,8 @@ bool Enclosure::isAtPole(const Piece& piece) {
   const auto is_near = [&](double pole) {
     return length_a_.isShort(std::min(piece.from, pole), std::max(piece.to, pole), pole_piece);
   };
-  return std::ranges::any_of(degenerate_, [&](const DegeneratePoint& point) { return is_near(point.at); });
+  return std::ranges::any_of(degenerate_,
+                             [&](const DegeneratePoint& point) { return is_near(point.at); });
 }
 
 void Enclosure::addLeftOut(SeamFigures& figures) {
@@ -428,7 +441,8 @@ SeamFigures Enclosure::run() {
   std::vector<double> breaks = {range.lower, range.upper, 1};
   a_.addBreaks(breaks);
   b_.addBreaks(breaks);
-  // The middle first: a seam that is a crease there has no curvature figures, which saves their work.
+  // The middle first: a seam that is a crease there has no curvature figures, which saves their
+  // work.
   Piece middle{range.middle(), range.middle(), {}};
   std::optional<double> split;
   if (measure(middle, Detail::TangentPlane, split)) see(middle);
@@ -471,7 +485,8 @@ double Enclosure::planeShare() {
 
 Interval Enclosure::belowCreaseShare() const {
   if (std::ranges::none_of(pieces_, [&](const Piece& piece) {
-        return !piece.left_out && (piece.figures.angle_rad.upper > tolerance_.crease_rad || folds(piece));
+        return !piece.left_out &&
+               (piece.figures.angle_rad.upper > tolerance_.crease_rad || folds(piece));
       }))
     return {1, 1};
   if (std::ranges::none_of(pieces_, [&](const Piece& piece) {
@@ -481,7 +496,8 @@ Interval Enclosure::belowCreaseShare() const {
   Interval below, other, either;
   for (const Piece& piece : pieces_) {
     const PieceFigures& f = piece.figures;
-    const bool is_above = piece.left_out || f.smallest_angle_rad > tolerance_.crease_rad || folds(piece);
+    const bool is_above =
+        piece.left_out || f.smallest_angle_rad > tolerance_.crease_rad || folds(piece);
     Interval& sum = is_above ? other : f.angle_rad.upper <= tolerance_.crease_rad ? below : either;
     const Interval length = length_a_.of(piece.from, piece.to);
     sum.lower += length.lower;
@@ -544,13 +560,15 @@ SeamFigures Enclosure::figures() {
     figures.uncertified = "the faces may fold back on one another";
   }
   if (exhausted_ && figures.uncertified.empty())
-    figures.uncertified = "the enclosures are still wide after " + std::to_string(looks_) + " pieces";
+    figures.uncertified =
+        "the enclosures are still wide after " + std::to_string(looks_) + " pieces";
   if (unknown_at)
     figures.uncertified = "no bound was found at " + placeText(*unknown_at) +
                           (exhausted_ ? " with " + std::to_string(looks_) + " pieces" : "");
   const auto known = [](const std::optional<Figure>& figure) { return !figure || figure->upper; };
-  figures.certified = known(figures.gap_mm) && known(figures.angle_rad) &&
-                      (figures.fold_at || (known(figures.curvature_per_mm) && known(figures.curvature_rel)));
+  figures.certified =
+      known(figures.gap_mm) && known(figures.angle_rad) &&
+      (figures.fold_at || (known(figures.curvature_per_mm) && known(figures.curvature_rel)));
   return figures;
 }
 

@@ -23,7 +23,8 @@ std::string number(double value) {
   return text.str();
 }
 
-[[noreturn]] void refuse(std::string_view field, double value, std::string_view unit, std::string_view why) {
+[[noreturn]] void refuse(std::string_view field, double value, std::string_view unit,
+                         std::string_view why) {
   std::ostringstream text;
   text << field << " is " << value << unit << ": " << why;
   throw std::invalid_argument(text.str());
@@ -38,7 +39,8 @@ void requireNotNegative(std::string_view field, double value, std::string_view u
 enum class End { Lower, Upper };
 
 double valueAt(const Figure& figure, End end) {
-  return end == End::Lower ? figure.lower : figure.upper.value_or(std::numeric_limits<double>::infinity());
+  return end == End::Lower ? figure.lower
+                           : figure.upper.value_or(std::numeric_limits<double>::infinity());
 }
 
 bool isWithin(const std::optional<Figure>& figure, double limit, End end) {
@@ -49,21 +51,24 @@ Level reachedLevel(const SeamFigures& figures, const ContinuityTolerance& tolera
   if (!isWithin(figures.gap_mm, tolerance.gap_mm, end)) return Level::None;
   if (!isWithin(figures.angle_rad, tolerance.angle_rad, end) || figures.fold_at) return Level::G0;
   const bool counts_left_out = end == End::Upper;  // its lower end is 0
-  if (counts_left_out && !figures.angle_left_out.isWithin(tolerance.angle_rad, tolerance)) return Level::G0;
+  if (counts_left_out && !figures.angle_left_out.isWithin(tolerance.angle_rad, tolerance))
+    return Level::G0;
   if (figures.plane_share < 0.95) return Level::G0;
   if (!isWithin(figures.curvature_rel, tolerance.curvature_rel, end)) return Level::G1;
   if (counts_left_out && !figures.curvature_left_out.isWithin(tolerance.curvature_rel, tolerance))
     return Level::G1;
-  return isWithin(figures.curvature_change_rel, tolerance.curvature_rel, end) ? Level::G3 : Level::G2;
+  return isWithin(figures.curvature_change_rel, tolerance.curvature_rel, end) ? Level::G3
+                                                                              : Level::G2;
 }
 
 bool isCrease(const SeamFigures& figures, const ContinuityTolerance& tolerance, End end) {
-  const bool sharp =
-      figures.fold_at || (figures.angle_rad && valueAt(*figures.angle_rad, end) > tolerance.crease_rad);
+  const bool sharp = figures.fold_at ||
+                     (figures.angle_rad && valueAt(*figures.angle_rad, end) > tolerance.crease_rad);
   return sharp && figures.below_crease_share <= 0.5;
 }
 
-Verdict verdictAt(const SeamFigures& figures, const ContinuityTolerance& tolerance, Level required, End end) {
+Verdict verdictAt(const SeamFigures& figures, const ContinuityTolerance& tolerance, Level required,
+                  End end) {
   Verdict verdict;
   verdict.level = reachedLevel(figures, tolerance, end);
   if (verdict.level >= Level::G0 && isCrease(figures, tolerance, end))
@@ -73,7 +78,8 @@ Verdict verdictAt(const SeamFigures& figures, const ContinuityTolerance& toleran
   return verdict;
 }
 
-/// The class does not show it: below the crease angle over more than half of the length a seam is no crease.
+/// The class does not show it: below the crease angle over more than half of the length a seam is
+/// no crease.
 std::string sharpSpotRemark(const SeamFigures& figures, const ContinuityTolerance& tolerance) {
   if (!figures.angle_rad || figures.angle_rad->lower <= tolerance.crease_rad ||
       figures.below_crease_share <= 0.5)
@@ -90,12 +96,14 @@ void ContinuityTolerance::validate() const {
   requireNotNegative("curvature tolerance", curvature_rel, "");
   requireNotNegative("flat radius", flat_radius_mm, " mm");
   requireNotNegative("crease angle", degrees(crease_rad), " deg");
-  if (flat_radius_mm == 0) refuse("flat radius", flat_radius_mm, " mm", "it must be larger than zero");
+  if (flat_radius_mm == 0)
+    refuse("flat radius", flat_radius_mm, " mm", "it must be larger than zero");
   if (crease_rad > std::numbers::pi / 2)
     refuse("crease angle", degrees(crease_rad), " deg", "tangent planes meet at 90 deg at most");
   if (crease_rad < angle_rad)
-    refuse("crease angle", degrees(crease_rad), " deg",
-           "it must not be smaller than the angle tolerance, " + number(degrees(angle_rad)) + " deg");
+    refuse(
+        "crease angle", degrees(crease_rad), " deg",
+        "it must not be smaller than the angle tolerance, " + number(degrees(angle_rad)) + " deg");
 }
 
 std::string_view name(Level level) {
@@ -128,9 +136,12 @@ bool surelyReaches(const SeamFigures& figures, const ContinuityTolerance& tolera
 
 std::string remarksOn(const SeamFigures& figures, const ContinuityTolerance& tolerance) {
   std::string remarks = sharpSpotRemark(figures, tolerance);
-  const auto add = [&](const std::string& remark) { remarks += (remarks.empty() ? "" : "; ") + remark; };
+  const auto add = [&](const std::string& remark) {
+    remarks += (remarks.empty() ? "" : "; ") + remark;
+  };
   if (figures.fold_at) add("the faces fold back on one another");
-  if (!figures.settled) add("figures still changed after " + std::to_string(figures.points) + " points");
+  if (!figures.settled)
+    add("figures still changed after " + std::to_string(figures.points) + " points");
   return remarks;
 }
 

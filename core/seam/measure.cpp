@@ -27,7 +27,8 @@ bool leaveToTheSameSide(const SidePoint& a, const Eigen::Vector3d& normal_a, con
 
 CurvatureDifference curvatureDifference(const SurfaceJet& a, const Eigen::Vector3d& normal_a,
                                         const SurfaceJet& b, const Eigen::Vector3d& normal_b) {
-  const Eigen::Matrix3d turn = Eigen::Quaterniond::FromTwoVectors(normal_b, normal_a).toRotationMatrix();
+  const Eigen::Matrix3d turn =
+      Eigen::Quaterniond::FromTwoVectors(normal_b, normal_a).toRotationMatrix();
   const Eigen::Matrix3d tensor_a = curvatureTensor(a, normal_a);
   const Eigen::Matrix3d tensor_b = turn * curvatureTensor(b, normal_b) * turn.transpose();
   const Eigen::Vector3d x = normal_a.unitOrthogonal();
@@ -37,9 +38,11 @@ CurvatureDifference curvatureDifference(const SurfaceJet& a, const Eigen::Vector
   return {norm(tensor_b - tensor_a), norm(tensor_a), norm(tensor_b)};
 }
 
-/// Odd in the normal N and in the direction N x T, a side's change is the same for both senses of its normal.
-CurvatureChange changeAcross(const SurfaceJet& a, const Eigen::Vector3d& normal_a, const SurfaceJet& b,
-                             const Eigen::Vector3d& normal_b, const Eigen::Vector3d& along) {
+/// Odd in the normal N and in the direction N x T, a side's change is the same for both senses of
+/// its normal.
+CurvatureChange changeAcross(const SurfaceJet& a, const Eigen::Vector3d& normal_a,
+                             const SurfaceJet& b, const Eigen::Vector3d& normal_b,
+                             const Eigen::Vector3d& along) {
   const double change_a = curvatureChange(a, normal_a, normal_a.cross(along).normalized());
   const double change_b = curvatureChange(b, normal_b, normal_b.cross(along).normalized());
   return {std::abs(change_b - change_a), std::abs(change_a), std::abs(change_b)};
@@ -57,14 +60,15 @@ PairMeasure measurePair(const SidePoint& a, const SidePoint& b) {
   const std::optional<Eigen::Vector3d> natural_b = unitNormal(b.jet, b.noise);
   if (!natural_a || !natural_b) return result;
 
-  result.angle_rad = std::atan2(natural_a->cross(*natural_b).norm(), std::abs(natural_a->dot(*natural_b)));
+  result.angle_rad =
+      std::atan2(natural_a->cross(*natural_b).norm(), std::abs(natural_a->dot(*natural_b)));
   const std::optional<Eigen::Vector3d> along = seamDirection(a, b);
   result.fold = along && leaveToTheSameSide(a, *natural_a, b, *natural_b, *along);
   const Eigen::Vector3d aligned_b =
       natural_a->dot(*natural_b) < 0 ? Eigen::Vector3d(-*natural_b) : *natural_b;
   const CurvatureDifference curvature = curvatureDifference(a.jet, *natural_a, b.jet, aligned_b);
-  const bool finite =
-      std::isfinite(curvature.difference_per_mm + curvature.norm_a_per_mm + curvature.norm_b_per_mm);
+  const bool finite = std::isfinite(curvature.difference_per_mm + curvature.norm_a_per_mm +
+                                    curvature.norm_b_per_mm);
   if (!finite) return result;  // partials of 1e-160 leave the range of a double
   result.curvature = curvature;
   if (!along || !a.third_order || !b.third_order) return result;

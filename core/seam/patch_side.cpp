@@ -22,8 +22,8 @@ std::shared_ptr<const SurfaceEvaluator> evaluatorOf(const BezierPatch& patch) {
   const Eigen::VectorXd w = patch.weights();
   std::vector<double> weights;
   if (patch.isRational()) weights.assign(w.begin(), w.end());
-  return splineEvaluator(std::make_shared<SplineEvaluator>(oneSpan(patch.degreeU()), oneSpan(patch.degreeV()),
-                                                           std::move(poles), std::move(weights)));
+  return splineEvaluator(std::make_shared<SplineEvaluator>(
+      oneSpan(patch.degreeU()), oneSpan(patch.degreeV()), std::move(poles), std::move(weights)));
 }
 
 LineEvaluator lineAlong(PatchEdge edge) {

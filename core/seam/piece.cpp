@@ -43,8 +43,8 @@ double spectralNorm(const Tensor& k) {
   const double smallest = mean + 2 * spread * std::cos(angle + 2 * std::numbers::pi / 3);
   const bool is_double = std::abs(cosine) > 1 - nearly_double && cosine * (largest + smallest) < 0;
   if (std::isfinite(cosine) && !is_double) return std::max(std::abs(largest), std::abs(smallest));
-  // Next to a double eigenvalue the angle is known to half the digits only; cubes may leave the range of a
-  // double.
+  // Next to a double eigenvalue the angle is known to half the digits only; cubes may leave the
+  // range of a double.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(matrixOf(k), Eigen::EigenvaluesOnly);
   return std::max(std::abs(eigen.eigenvalues()[0]), std::abs(eigen.eigenvalues()[2]));
 }
@@ -62,14 +62,15 @@ bool isKnown(const std::array<ChebyshevModel, Dimension>& model) {
   return std::ranges::all_of(model, [](const ChebyshevModel& m) { return m.isKnown(); });
 }
 
-/// Bounds the largest value over x in [-1, 1] of a convex function along a polygon's curve, but for the
-/// radius, by halving.
+/// Bounds the largest value over x in [-1, 1] of a convex function along a polygon's curve, but for
+/// the radius, by halving.
 template <int Dimension, class Function>
 class PolygonMaximum {
  public:
   using Points = std::array<Eigen::Matrix<double, Dimension, 1>, ChebyshevModel::size>;
 
-  PolygonMaximum(const Function& function, const Slack& slack) : function_(function), slack_(slack) {}
+  PolygonMaximum(const Function& function, const Slack& slack)
+      : function_(function), slack_(slack) {}
 
   PieceBound operator()(const ControlPolygon<Dimension>& polygon) {
     bound_ = {-1, 0, 0};
@@ -96,7 +97,8 @@ class PolygonMaximum {
     see(function_(points[last_]), to);
     double upper = 0;
     for (int i = 0; i <= last_; ++i) upper = std::max(upper, function_(points[i]));
-    const double enough = bound_.lower + std::max(slack_.relative * bound_.lower, slack_.absolute) / 4;
+    const double enough =
+        bound_.lower + std::max(slack_.relative * bound_.lower, slack_.absolute) / 4;
     if (upper <= enough || halvings == 0 || !std::isfinite(upper)) {
       bound_.upper = std::max(bound_.upper, upper);
       return;
@@ -149,7 +151,8 @@ PieceBound largestNorm(const std::array<ChebyshevModel, Dimension>& model, const
 struct TensorNorm {
   double at_least = 0;
   double at_most = 0;
-  ChebyshevModel below;  ///< a function that is nowhere above the norm, and touches it at the middle
+  ChebyshevModel
+      below;  ///< a function that is nowhere above the norm, and touches it at the middle
 };
 
 TensorNorm normOf(const SymmetricModel& tensor) {
@@ -167,10 +170,10 @@ TensorNorm normOf(const SymmetricModel& tensor) {
   return norm;
 }
 
-/// Bounds of |D| / |K| over the piece, where K keeps away from zero: the quotient of convex by positive
-/// linear along a polygon is at most the largest quotient of its control points.
-double largestQuotient(const SymmetricModel& difference, const ChebyshevModel& below, const Slack& slack,
-                       double& at) {
+/// Bounds of |D| / |K| over the piece, where K keeps away from zero: the quotient of convex by
+/// positive linear along a polygon is at most the largest quotient of its control points.
+double largestQuotient(const SymmetricModel& difference, const ChebyshevModel& below,
+                       const Slack& slack, double& at) {
   const ControlPolygon<6> polygon = controlPolygon(difference);
   ControlPolygon<7> joint;
   joint.degree = std::max(polygon.degree, below.degree());
@@ -191,9 +194,11 @@ double largestQuotient(const SymmetricModel& difference, const ChebyshevModel& b
 }
 
 /// The relative difference, at least, at a point of the piece.
-double relativeAt(const SymmetricModel& a, const SymmetricModel& b, const SymmetricModel& difference,
-                  double flat, double x) {
-  const auto radius = [](const SymmetricModel& model) { return 1.5 * controlPolygon(model).radius + 1e-300; };
+double relativeAt(const SymmetricModel& a, const SymmetricModel& b,
+                  const SymmetricModel& difference, double flat, double x) {
+  const auto radius = [](const SymmetricModel& model) {
+    return 1.5 * controlPolygon(model).radius + 1e-300;
+  };
   const double norm_a = spectralNorm(valueAt(a, x)), radius_a = radius(a) + norm_rounding * norm_a;
   const double norm_b = spectralNorm(valueAt(b, x)), radius_b = radius(b) + norm_rounding * norm_b;
   const bool curved_a = norm_a - radius_a >= flat, flat_a = norm_a + radius_a < flat;
@@ -224,7 +229,8 @@ PieceBound relativeBound(const SideTensor& a, const SideTensor& b, const Symmetr
   if (larger.at_least > 0) {
     bound.upper = largest_difference / larger.at_least;
     const double enough = std::max(slack.absolute, slack.relative * bound.upper) / 4;
-    if (bound.upper > enough) bound.upper = largestQuotient(difference, larger.below, slack, bound.at);
+    if (bound.upper > enough)
+      bound.upper = largestQuotient(difference, larger.below, slack, bound.at);
   } else {
     bound.upper = largest_relative_difference + std::max(norm_a.at_most, norm_b.at_most) / flat;
   }
@@ -235,15 +241,16 @@ PieceBound relativeBound(const SideTensor& a, const SideTensor& b, const Symmetr
   const double best = bound.at;
   bound.lower = -1;
   for (const double x : {best, -1.0, 0.0, 1.0})
-    if (const double value = relativeAt(tensor_a, tensor_b, difference, flat, x); value > bound.lower)
+    if (const double value = relativeAt(tensor_a, tensor_b, difference, flat, x);
+        value > bound.lower)
       bound.lower = value, bound.at = x;
   return bound;
 }
 
-/// The tensor of b turned by the smallest rotation that takes n_b to n_a. On the plane of n_b that rotation
-/// is I - s n_a^T / (1 + mu) with s = n_a + n_b and mu = n_a.n_b.
-SymmetricModel turned(const SymmetricModel& tensor, const VectorModel& normal_a, const VectorModel& normal_b,
-                      const ChebyshevModel& mu) {
+/// The tensor of b turned by the smallest rotation that takes n_b to n_a. On the plane of n_b that
+/// rotation is I - s n_a^T / (1 + mu) with s = n_a + n_b and mu = n_a.n_b.
+SymmetricModel turned(const SymmetricModel& tensor, const VectorModel& normal_a,
+                      const VectorModel& normal_b, const ChebyshevModel& mu) {
   const ChebyshevModel factor = inverse(ChebyshevModel(1) + mu);
   const VectorModel s = factor * (normal_a + normal_b);
   const VectorModel y = tensor * normal_a;
@@ -257,14 +264,15 @@ void measureCurvature(const SurfaceFields& a, const SurfaceFields& b, const Cheb
   figures.curvature_rel = unknown;
   if (figures.sense == 0) return;
   const double sense = figures.sense;
-  // Next to no angle: K_b is not turned. In the plane of a, K_b and R K_b R^T differ by less than
-  // 2 angle^2 |K_b|, so the norm of K_b - K_a is below that of the difference by no more; and above it by no more
-  // than |K_b - R K_b R^T| <= 2 angle |K_b|.
+  // Next to no angle: K_b is not turned. In the plane of a, K_b and R K_b R^T differ by less than 2
+  // angle^2 |K_b|, so the norm of K_b - K_a is below that of the difference by no more; and above
+  // it by no more than |K_b - R K_b R^T| <= 2 angle |K_b|.
   constexpr double negligible_rad = 1e-9;
   const bool as_it_is = figures.angle_rad.upper < negligible_rad;
   const double angle = as_it_is ? figures.angle_rad.upper : 0;
   const SymmetricModel tensor_b =
-      as_it_is ? sense * b.tensor : turned(sense * b.tensor, a.normal, sense * b.normal, sense * mu);
+      as_it_is ? sense * b.tensor
+               : turned(sense * b.tensor, a.normal, sense * b.normal, sense * mu);
   const TensorNorm norm_a = normOf(a.tensor);
   const TensorNorm norm_b = normOf(tensor_b);
   SymmetricModel difference = tensor_b - a.tensor;
@@ -273,9 +281,12 @@ void measureCurvature(const SurfaceFields& a, const SurfaceFields& b, const Cheb
   if (!isKnown(difference) || !isKnown(a.tensor)) return;
   figures.curvature_per_mm = largestNorm(difference, slack.curvature_per_mm);
   figures.curvature_norm_per_mm = std::max(norm_a.at_least, norm_b.at_least);
-  figures.curvature_rel = relativeBound({a.tensor, norm_a}, {tensor_b, norm_b}, difference,
-                                        figures.curvature_per_mm->upper, flat_radius_mm, slack.curvature_rel);
-  const auto lowered = [](PieceBound& bound, double by) { bound.lower = std::max(0.0, bound.lower - by); };
+  figures.curvature_rel =
+      relativeBound({a.tensor, norm_a}, {tensor_b, norm_b}, difference,
+                    figures.curvature_per_mm->upper, flat_radius_mm, slack.curvature_rel);
+  const auto lowered = [](PieceBound& bound, double by) {
+    bound.lower = std::max(0.0, bound.lower - by);
+  };
   lowered(*figures.curvature_per_mm, 2.1 * angle * norm_b.at_most);
   lowered(*figures.curvature_rel, 2.1 * angle);
 }
@@ -300,7 +311,8 @@ PieceFigures measurePiece(const SurfaceFields& a, const SurfaceFields& b, Detail
   figures.angle_rad.upper = infinite;
   if (std::isfinite(sine.upper)) {
     const double by_cosine = std::acos(std::min(1.0, cosine_least));
-    figures.angle_rad.upper = up * (sine.upper < 1 ? std::min(std::asin(sine.upper), by_cosine) : by_cosine);
+    figures.angle_rad.upper =
+        up * (sine.upper < 1 ? std::min(std::asin(sine.upper), by_cosine) : by_cosine);
   }
   figures.angle_rad.lower = down * std::asin(std::min(1.0, sine.lower));
   figures.angle_rad.at = sine.at;

@@ -23,14 +23,15 @@ struct PieceFigures {
   PieceBound gap_mm;
   PieceBound angle_rad;
   double smallest_angle_rad = 0;  ///< no angle on the piece is smaller
-  /// 1: the normals of both sides as parametrised agree in direction, -1: they are opposed; 0: both, or not
-  /// known.
+  /// 1: the normals of both sides as parametrised agree in direction, -1: they are opposed; 0:
+  /// both, or not known.
   int sense = 0;
   /// The larger of the curvature norms of the sides reaches this.
   double curvature_norm_per_mm = 0;
   /// Nothing: not asked for.
   std::optional<PieceBound> curvature_per_mm;
-  /// Its upper bound may exceed largest_relative_difference: it tells how far from known the figure is.
+  /// Its upper bound may exceed largest_relative_difference: it tells how far from known the figure
+  /// is.
   std::optional<PieceBound> curvature_rel;
 };
 
@@ -46,7 +47,8 @@ struct PieceSlack {
 
 /// Bounds gap, angle and curvature difference over a piece, from the fields of both sides there.
 ///
-/// \param detail Curvature: with the curvature figures; TangentPlane: without; Position: the gap only.
+/// \param detail Curvature: with the curvature figures; TangentPlane: without; Position: the gap
+/// only.
 /// Source: docs/theory/enclosures.md E3.2 to E3.4.
 PieceFigures measurePiece(const SurfaceFields& a, const SurfaceFields& b, Detail detail,
                           double flat_radius_mm, const PieceSlack& slack);

@@ -10,7 +10,8 @@ namespace seamwright {
 
 namespace {
 
-constexpr double shortest_crossing = 0x1p-30;  ///< of the seam: below it both sides of a knot line are taken
+constexpr double shortest_crossing =
+    0x1p-30;  ///< of the seam: below it both sides of a knot line are taken
 
 double mapped(const std::vector<double>& from, const std::vector<double>& to, double value) {
   const auto upper = std::upper_bound(from.begin() + 1, from.end() - 1, value);
@@ -18,8 +19,8 @@ double mapped(const std::vector<double>& from, const std::vector<double>& to, do
   return to[i - 1] + (value - from[i - 1]) * ((to[i] - to[i - 1]) / (from[i] - from[i - 1]));
 }
 
-/// Where on [-1, 1] a series takes a value between two points at which it is on either side of it; nothing if
-/// none of 8 steps shows a change of side.
+/// Where on [-1, 1] a series takes a value between two points at which it is on either side of it;
+/// nothing if none of 8 steps shows a change of side.
 std::optional<double> crossing(const ChebyshevModel& series, double value) {
   constexpr int steps = 8;
   double low = -1;
@@ -48,7 +49,8 @@ bool SideFields::hasPlane() const {
 
 bool SideFields::hasCurvature() const {
   return hasPlane() && std::ranges::all_of(alternatives, [](const SurfaceFields& fields) {
-           return std::ranges::all_of(fields.tensor, [](const ChebyshevModel& k) { return k.isKnown(); });
+           return std::ranges::all_of(fields.tensor,
+                                      [](const ChebyshevModel& k) { return k.isKnown(); });
          });
 }
 
@@ -68,7 +70,8 @@ void SideEvaluator::addBreaks(std::vector<double>& breaks) const {
     std::ranges::reverse(s);
     std::ranges::reverse(t);
   }
-  for (const double knot : side_.path.knotsInside({low, high})) breaks.push_back(mapped(t, s, knot));
+  for (const double knot : side_.path.knotsInside({low, high}))
+    breaks.push_back(mapped(t, s, knot));
 }
 
 SideFields SideEvaluator::fields(double from, double to, Detail detail) const {
@@ -94,7 +97,8 @@ SideFields SideEvaluator::fields(double from, double to, Detail detail) const {
 ChebyshevModel SideEvaluator::parameter(double from, double to) const {
   const double t0 = mapped(side_.s, side_.t, from);
   const double t1 = mapped(side_.s, side_.t, to);
-  const double rounding = 8 * machine_epsilon * (std::abs(side_.t.front()) + std::abs(side_.t.back()));
+  const double rounding =
+      8 * machine_epsilon * (std::abs(side_.t.front()) + std::abs(side_.t.back()));
   return ChebyshevModel::linear(0.5 * (t0 + t1), 0.5 * (t1 - t0), rounding);
 }
 
@@ -103,7 +107,8 @@ std::vector<double> SideEvaluator::hints(int d, const VectorModel& uv, double fr
                                          std::optional<double>& split) const {
   const Interval range = uv[d].range();
   const double touch = touchingDistance(d, uv[d]);
-  const std::vector<double> met = side_.surface->knotsInside(d, {range.lower - touch, range.upper + touch});
+  const std::vector<double> met =
+      side_.surface->knotsInside(d, {range.lower - touch, range.upper + touch});
   std::vector<double> knots;  // in the way, not only touched at an end
   for (const double knot : met)
     if (knot > range.lower + touch && knot < range.upper - touch) knots.push_back(knot);
@@ -115,7 +120,8 @@ std::vector<double> SideEvaluator::hints(int d, const VectorModel& uv, double fr
     const double knot = knots[knots.size() / 2];
     const double x = crossing(uv[d], knot).value_or(0);
     split = 0.5 * ((1 - x) * from + (1 + x) * to);
-    const double margin = 0x1p-10 * (to - from);  // a cut nearer to the end than this makes no progress
+    const double margin =
+        0x1p-10 * (to - from);  // a cut nearer to the end than this makes no progress
     split = std::clamp(*split, from + (x < -0.999 ? margin : 0), to - (x > 0.999 ? margin : 0));
     return {};
   }
@@ -126,8 +132,8 @@ std::vector<double> SideEvaluator::hints(int d, const VectorModel& uv, double fr
   return hints;
 }
 
-/// How near a knot line coordinate d of the path is on it: within 2^-46 of the parameter, or within what
-/// rounding leaves open of the path, which is the same for a piece as for the whole path.
+/// How near a knot line coordinate d of the path is on it: within 2^-46 of the parameter, or within
+/// what rounding leaves open of the path, which is the same for a piece as for the whole path.
 double SideEvaluator::touchingDistance(int d, const ChebyshevModel& coordinate) const {
   const Interval range = coordinate.range();
   const double of_parameter =
@@ -136,7 +142,8 @@ double SideEvaluator::touchingDistance(int d, const ChebyshevModel& coordinate) 
   return of_path <= 0x1p-36 * reach_[d] ? std::max(of_parameter, of_path) : of_parameter;
 }
 
-/// Off knot lines that but for rounding are one, to the side of the face; to both if the path has no direction.
+/// Off knot lines that but for rounding are one, to the side of the face; to both if the path has
+/// no direction.
 std::vector<double> SideEvaluator::besideKnots(const std::vector<double>& knots, int d,
                                                const VectorModel& uv) const {
   const double below = std::nextafter(knots.front(), -infinite);

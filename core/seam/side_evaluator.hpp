@@ -11,8 +11,9 @@ namespace seamwright {
 
 /// The fields of one side over a piece of the seam.
 struct SideFields {
-  std::vector<SurfaceFields> alternatives;  ///< more than one where the piece lies across a knot line
-  std::optional<double> split;              ///< no fields: the piece is to be cut here first
+  std::vector<SurfaceFields>
+      alternatives;             ///< more than one where the piece lies across a knot line
+  std::optional<double> split;  ///< no fields: the piece is to be cut here first
 
   /// Whether the side is known to have a tangent plane all over the piece.
   bool hasPlane() const;
@@ -20,7 +21,8 @@ struct SideFields {
   bool hasCurvature() const;
 };
 
-/// Evaluates a side over pieces [from, to] of the seam, s in 0..1, and says where pieces are to be cut.
+/// Evaluates a side over pieces [from, to] of the seam, s in 0..1, and says where pieces are to be
+/// cut.
 class SideEvaluator {
  public:
   explicit SideEvaluator(const SeamSide& side);
@@ -30,9 +32,9 @@ class SideEvaluator {
   /// Adds the places in (0, 1) where the path is not smooth.
   void addBreaks(std::vector<double>& breaks) const;
 
-  /// Where the path crosses knot lines of the surface inside the piece there are no fields but a place to
-  /// cut; of pieces shorter than 2^-30 of the seam there is one alternative for each side of the line. Along
-  /// a knot line the side of the face counts.
+  /// Where the path crosses knot lines of the surface inside the piece there are no fields but a
+  /// place to cut; of pieces shorter than 2^-30 of the seam there is one alternative for each side
+  /// of the line. Along a knot line the side of the face counts.
   SideFields fields(double from, double to, Detail detail) const;
 
  private:
@@ -40,7 +42,8 @@ class SideEvaluator {
   std::vector<double> hints(int d, const VectorModel& uv, double from, double to,
                             std::optional<double>& split) const;
   double touchingDistance(int d, const ChebyshevModel& coordinate) const;
-  std::vector<double> besideKnots(const std::vector<double>& knots, int d, const VectorModel& uv) const;
+  std::vector<double> besideKnots(const std::vector<double>& knots, int d,
+                                  const VectorModel& uv) const;
 
   const SeamSide& side_;
   std::array<double, 2> reach_{};  ///< typical size of the parameters along the path

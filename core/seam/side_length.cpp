@@ -40,7 +40,8 @@ Interval SideLength::of(double from, double to, int halvings) const {
   for (const SurfaceFields& fields : side.alternatives) {
     const ControlPolygon<3> polygon = controlPolygon(fields.point);
     double sum = 2 * polygon.radius;
-    for (int i = 1; i <= polygon.degree; ++i) sum += (polygon.points[i] - polygon.points[i - 1]).norm();
+    for (int i = 1; i <= polygon.degree; ++i)
+      sum += (polygon.points[i] - polygon.points[i - 1]).norm();
     length.upper = std::max(length.upper, sum);
     const double chord = (polygon.points[polygon.degree] - polygon.points[0]).norm();
     length.lower = std::max(0.0, chord - 2 * polygon.radius);

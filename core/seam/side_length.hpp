@@ -14,8 +14,9 @@ class SideLength {
   /// Refers to the evaluator.
   explicit SideLength(const SideEvaluator& side) : side_(side) {}
 
-  /// Bounds of the length over an interval of the seam's parameter: chords and control polygons. Across knot lines as if the side
-  /// went all the way along each; infinite above if there are too many of them.
+  /// Bounds of the length over an interval of the seam's parameter: chords and control polygons.
+  /// Across knot lines as if the side went all the way along each; infinite above if there are too
+  /// many of them.
   Interval of(double from, double to) const { return of(from, to, 6); }
 
   /// At least so long is the side: a polygon of those of its points that are known.

@@ -67,8 +67,10 @@ Sample Survey::sampleAt(double t) {
   sample.values[Angle] = pair.angle_rad;
   if (pair.curvature && *pair.angle_rad <= tolerance_.crease_rad && !pair.fold) {
     sample.values[Curvature] = pair.curvature->difference_per_mm;
-    sample.values[RelativeCurvature] = relativeDifference(*pair.curvature, tolerance_.flat_radius_mm);
-    largest_norm_ = std::max({largest_norm_, pair.curvature->norm_a_per_mm, pair.curvature->norm_b_per_mm});
+    sample.values[RelativeCurvature] =
+        relativeDifference(*pair.curvature, tolerance_.flat_radius_mm);
+    largest_norm_ =
+        std::max({largest_norm_, pair.curvature->norm_a_per_mm, pair.curvature->norm_b_per_mm});
     if (pair.curvature_change) {
       sample.values[Change] = pair.curvature_change->difference_per_mm2;
       sample.values[RelativeChange] =
@@ -85,7 +87,8 @@ void Survey::note(const Sample& sample) {
     if (const auto& value = sample.values[q]; value && (!maxima_[q] || *value > maxima_[q]->lower))
       maxima_[q] = Figure{*value, std::nullopt, at};
   const PairMeasure& pair = sample.pair;
-  if (pair.fold && pair.angle_rad && *pair.angle_rad <= tolerance_.crease_rad && !fold_at_) fold_at_ = at;
+  if (pair.fold && pair.angle_rad && *pair.angle_rad <= tolerance_.crease_rad && !fold_at_)
+    fold_at_ = at;
   if (pair.degenerate_a != Degeneracy::None || pair.degenerate_b != Degeneracy::None)
     degenerate_.push_back({at, pair.degenerate_a, pair.degenerate_b});
 }
@@ -121,9 +124,11 @@ bool Survey::mayHideMaximum(const Sample& before, const Sample& middle, const Sa
     const auto &f0 = before.values[q], &f1 = middle.values[q], &f2 = after.values[q];
     if (!f1 || (!f0 && !f2)) continue;
     // Next to a point without a value (a pole) the figure may go on growing as it grew.
-    const double deviation = f0 && f2 ? std::abs(*f1 - (*f0 + share * (*f2 - *f0))) : *f1 - *(f0 ? f0 : f2);
+    const double deviation =
+        f0 && f2 ? std::abs(*f1 - (*f0 + share * (*f2 - *f0))) : *f1 - *(f0 ? f0 : f2);
     const double reach = std::max({f0.value_or(*f1), *f1, f2.value_or(*f1)}) + deviation;
-    if (deviation > allowedError(static_cast<Quantity>(q)) && reach > maxima_[q]->lower) return true;
+    if (deviation > allowedError(static_cast<Quantity>(q)) && reach > maxima_[q]->lower)
+      return true;
   }
   return false;
 }
@@ -208,20 +213,24 @@ SeamFigures Survey::figures() const {
   }
   figures.fold_at = fold_at_;
   figures.below_crease_share = share([&](const Sample& sample) {
-    return sample.values[Angle] && *sample.values[Angle] <= tolerance_.crease_rad && !sample.pair.fold;
+    return sample.values[Angle] && *sample.values[Angle] <= tolerance_.crease_rad &&
+           !sample.pair.fold;
   });
-  figures.plane_share = share([](const Sample& sample) { return sample.values[Angle].has_value(); });
+  figures.plane_share =
+      share([](const Sample& sample) { return sample.values[Angle].has_value(); });
   figures.settled = settled_;
   return figures;
 }
 
 void validate(std::span<const double> breaks, const SurveyOptions& options) {
   if (breaks.size() < 2)
-    throw std::invalid_argument("breaks " + std::to_string(breaks.size()) + ": at least 2 are needed");
+    throw std::invalid_argument("breaks " + std::to_string(breaks.size()) +
+                                ": at least 2 are needed");
   for (std::size_t i = 1; i < breaks.size(); ++i)
     if (!(breaks[i] > breaks[i - 1]))
-      throw std::invalid_argument("break " + std::to_string(i) + " is " + std::to_string(breaks[i]) +
-                                  " after " + std::to_string(breaks[i - 1]) + ": breaks must increase");
+      throw std::invalid_argument("break " + std::to_string(i) + " is " +
+                                  std::to_string(breaks[i]) + " after " +
+                                  std::to_string(breaks[i - 1]) + ": breaks must increase");
   if (options.points_per_span < 3)
     throw std::invalid_argument("points per span " + std::to_string(options.points_per_span) +
                                 ": at least 3 are needed");

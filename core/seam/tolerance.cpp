@@ -11,7 +11,9 @@ constexpr double degree = 0.017453292519943295;
 
 const std::array<ToleranceProfile, 3>& toleranceProfiles() {
   static constexpr std::array<ToleranceProfile, 3> profiles = {
-      {{"default", "mechanical parts", {.gap_mm = 0.01, .angle_rad = 0.1 * degree, .curvature_rel = 0.02}},
+      {{"default",
+        "mechanical parts",
+        {.gap_mm = 0.01, .angle_rad = 0.1 * degree, .curvature_rel = 0.02}},
        {"class-a",
         "surfaces whose reflections are looked at",
         {.gap_mm = 0.001, .angle_rad = 0.01 * degree, .curvature_rel = 0.02}},

@@ -13,10 +13,11 @@ struct ContinuityTolerance {
   double angle_rad = 0.1 * 0.017453292519943295;  ///< G1: angle of the tangent planes <= angle_rad
   double curvature_rel = 0.02;  ///< G2: relativeDifference(), G3: relativeChange() <= curvature_rel
   double flat_radius_mm = 1e5;  ///< flat: largest absolute normal curvature < 1 / flat_radius_mm
-  double crease_rad = 5 * 0.017453292519943295;  ///< a design edge: angle of the tangent planes > crease_rad
+  double crease_rad =
+      5 * 0.017453292519943295;  ///< a design edge: angle of the tangent planes > crease_rad
 
-  /// \throws std::invalid_argument with name and value of the first field that is not finite, negative, or
-  /// (flat radius) zero, or if crease_rad < angle_rad or an angle is above 90 degrees.
+  /// \throws std::invalid_argument with name and value of the first field that is not finite,
+  /// negative, or (flat radius) zero, or if crease_rad < angle_rad or an angle is above 90 degrees.
   void validate() const;
 };
 

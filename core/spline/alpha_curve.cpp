@@ -10,9 +10,10 @@ namespace {
 void requirePoles(const AlphaCurve::Polygon& poles) {
   for (int i = 0; i < 4; ++i)
     if (!poles.row(i).allFinite())
-      throw std::invalid_argument("pole " + std::to_string(i) + " is (" + bernstein::text(poles(i, 0)) +
-                                  ", " + bernstein::text(poles(i, 1)) + ", " + bernstein::text(poles(i, 2)) +
-                                  "): it must be finite");
+      throw std::invalid_argument("pole " + std::to_string(i) + " is (" +
+                                  bernstein::text(poles(i, 0)) + ", " +
+                                  bernstein::text(poles(i, 1)) + ", " +
+                                  bernstein::text(poles(i, 2)) + "): it must be finite");
 }
 
 /// First differences of the quintic's poles: those for a = 0, and what each unit of a adds.
@@ -26,7 +27,8 @@ Differences differences(const AlphaCurve::Polygon& legs) {
   Differences result{Poles::Zero(5, 3), Poles::Zero(5, 3)};
   result.without.row(1) = legs.row(0) + half;
   result.without.row(3) = legs.row(2) + half;
-  result.by_shape << legs.row(0), -legs.row(0), Eigen::RowVector3d::Zero(), -legs.row(2), legs.row(2);
+  result.by_shape << legs.row(0), -legs.row(0), Eigen::RowVector3d::Zero(), -legs.row(2),
+      legs.row(2);
   return result;
 }
 
@@ -47,7 +49,8 @@ double product(const Poles& x, const Poles& y) {
   const Eigen::VectorXd &row = bernstein::binomials(n), &doubled = bernstein::binomials(2 * n);
   double sum = 0;
   for (Eigen::Index i = 0; i <= n; ++i)
-    for (Eigen::Index j = 0; j <= n; ++j) sum += row(i) * row(j) / doubled(i + j) * x.row(i).dot(y.row(j));
+    for (Eigen::Index j = 0; j <= n; ++j)
+      sum += row(i) * row(j) / doubled(i + j) * x.row(i).dot(y.row(j));
   return sum / static_cast<double>(2 * n + 1);
 }
 
@@ -87,7 +90,8 @@ Poles alphaJoinPoles(const AlphaCurve& given, const AlphaCurveJoin& join) {
   Poles next(join.order == 1 ? 2 : 3, 3);
   next.row(0) = end;
   next.row(1) = end + factors.first * along;
-  if (join.order > 1) next.row(2) = end + factors.second * along + factors.third * (given.poles.row(1) - end);
+  if (join.order > 1)
+    next.row(2) = end + factors.second * along + factors.third * (given.poles.row(1) - end);
   alpha::requireInRange(next);
   return next;
 }

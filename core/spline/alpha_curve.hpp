@@ -24,28 +24,31 @@ struct AlphaCurve {
 ///   (3) No plane meets the curve more often than the polygon (a in 0..1).
 Eigen::Vector4d alphaBasis(double a, double t);
 
-/// The same curve as a quintic Bézier curve: exact. Derivatives, splitting, conversion go through it.
+/// The same curve as a quintic Bézier curve: exact. Derivatives, splitting, conversion go through
+/// it.
 /// \throws std::invalid_argument for a pole that is not finite, or a shape outside 0..1.
 /// Source: docs/theory/curves.md C8.1, C8.2; [TuYanXu2022].
 BezierCurve alphaCurveBezier(const AlphaCurve& curve);
 
 /// How the next alpha-curve goes on at the end of a given one.
 struct AlphaCurveJoin {
-  int order = 1;                ///< 1, 2 or 3
-  double beta1 = 1, beta2 = 0;  ///< C^1, C^2: 1 and 0. With order 3 beta2 is not free and is not read
-  double length = 1;            ///< of the given curve in the common parameter
-  double next_length = 1;       ///< of the next one
+  int order = 1;  ///< 1, 2 or 3
+  double beta1 = 1,
+         beta2 = 0;        ///< C^1, C^2: 1 and 0. With order 3 beta2 is not free and is not read
+  double length = 1;       ///< of the given curve in the common parameter
+  double next_length = 1;  ///< of the next one
   double next_a = 1;
 };
 
 /// The poles Q_0, Q_1 and, with order 2 or 3, Q_2 of the next curve; the others are free.
 ///
 ///   (4) The joint is G^order with beta1, beta2 (with order 3 beta2, beta3 of C8.5).
-///   (5) A C2 join has continuous curvature and torsion (FC^3), since alpha-curves have no torsion at their
-///       ends, and is not G3 unless X'' is parallel to X'. A G2 join is G3 only for beta2 = -2 beta1 (beta1 /
-///       h + 1 / k).
-/// \throws std::invalid_argument for an order, length, beta1 or shape out of range (shapes of a join are 1e-6
-/// to 1), for given poles P_2 = P_3, and for poles that come out beyond the range of a double (index and value).
+///   (5) A C2 join has continuous curvature and torsion (FC^3), since alpha-curves have no torsion
+///       at their ends, and is not G3 unless X'' is parallel to X'. A G2 join is G3 only for beta2
+///       = -2 beta1 (beta1 / h + 1 / k).
+/// \throws std::invalid_argument for an order, length, beta1 or shape out of range (shapes of a
+/// join are 1e-6 to 1), for given poles P_2 = P_3, and for poles that come out beyond the range of
+/// a double (index and value).
 /// Source: docs/theory/curves.md C8.3 to C8.5; [TuYanXu2022].
 Poles alphaJoinPoles(const AlphaCurve& given, const AlphaCurveJoin& join);
 
@@ -60,10 +63,11 @@ struct AlphaOptimum {
 };
 
 /// The shape of least energy for four poles; exact, since the energy is a quadratic of a.
-///   (6) The derivative of the energy vanishes at free_a, and no shape within the bounds has less than a.
+///   (6) The derivative of the energy vanishes at free_a, and no shape within the bounds has less
+///       than a.
 /// \throws std::invalid_argument for poles not finite or bounds outside 0 <= a_min <= a_max <= 1.
 /// Source: docs/theory/curves.md C8.7 (the printed sign differs); [TuYanXu2022].
-AlphaOptimum energyOptimalAlpha(const AlphaCurve::Polygon& poles, AlphaEnergy energy, double a_min = 0.05,
-                                double a_max = 1);
+AlphaOptimum energyOptimalAlpha(const AlphaCurve::Polygon& poles, AlphaEnergy energy,
+                                double a_min = 0.05, double a_max = 1);
 
 }  // namespace seamwright

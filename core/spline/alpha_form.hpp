@@ -12,7 +12,8 @@
 /// What alpha-curves and alpha-surfaces share; not a public header.
 namespace seamwright::alpha {
 
-inline constexpr double kSmallestShape = 1e-6;  ///< of a join: below it the end derivatives are too small
+inline constexpr double kSmallestShape =
+    1e-6;  ///< of a join: below it the end derivatives are too small
 
 inline void requireWithin(const std::string& name, double value, double low, double high) {
   if (!(low <= value && value <= high))
@@ -79,7 +80,8 @@ inline Factors factors(const Side& given, const Side& next, double beta1, double
   const double ratio = next.length / given.length, pace = beta1 * ratio;
   const double first = pace * given.a / next.a, third = pace * pace;
   return {first,
-          first * (4 * next.a - 1) + beta2 * given.a * next.length * ratio / 2 + third * (4 * given.a - 1),
+          first * (4 * next.a - 1) + beta2 * given.a * next.length * ratio / 2 +
+              third * (4 * given.a - 1),
           third};
 }
 
@@ -87,10 +89,11 @@ inline Factors factors(const Side& given, const Side& next, double beta1, double
 inline void requireInRange(const Eigen::Ref<const Poles>& poles, Eigen::Index first = 0) {
   for (Eigen::Index i = 0; i < poles.rows(); ++i)
     if (!poles.row(i).allFinite())
-      throw std::invalid_argument("pole " + std::to_string(first + i) + " of the next one comes out as (" +
-                                  bernstein::text(poles(i, 0)) + ", " + bernstein::text(poles(i, 1)) + ", " +
-                                  bernstein::text(poles(i, 2)) +
-                                  "): beta1, beta2 or the lengths are too large or too small for it");
+      throw std::invalid_argument(
+          "pole " + std::to_string(first + i) + " of the next one comes out as (" +
+          bernstein::text(poles(i, 0)) + ", " + bernstein::text(poles(i, 1)) + ", " +
+          bernstein::text(poles(i, 2)) +
+          "): beta1, beta2 or the lengths are too large or too small for it");
 }
 
 /// What AlphaCurveJoin and AlphaJoin have in common.

@@ -56,13 +56,16 @@ Seam seamOf(const AlphaSurface& given) {
   const Eigen::Matrix<double, 6, 4> map = alpha::quintic(given.a_v);
   const Row last = rowOf(given, 3);
   const Quintic edge = map * last;
-  return {5 * given.a_u * map * (last - rowOf(given, 2)), 5 * (edge.bottomRows<5>() - edge.topRows<5>())};
+  return {5 * given.a_u * map * (last - rowOf(given, 2)),
+          5 * (edge.bottomRows<5>() - edge.topRows<5>())};
 }
 
 void requireRegular(const Seam& seam) {
   if (seam.across.isZero(0))
-    throw std::invalid_argument("rows 2 and 3 are the same: the surface has no derivative across its edge");
-  if (seam.along.isZero(0)) throw std::invalid_argument("row 3 is one point: the edge has no direction");
+    throw std::invalid_argument(
+        "rows 2 and 3 are the same: the surface has no derivative across its edge");
+  if (seam.along.isZero(0))
+    throw std::invalid_argument("row 3 is one point: the edge has no direction");
 }
 
 /// The product of a quartic with ((1 - t) beta0 + t beta1).
@@ -79,15 +82,16 @@ Quintic slid(const Quartic& along, double beta0, double beta1) {
 Eigen::Matrix<double, 6, 1> misfit(const Quintic& q, double shape) {
   Eigen::Matrix<double, 6, 1> result;
   result << (q.row(2) - q.row(3)).transpose(),
-      (q.row(1) + q.row(4) - (1 - shape) * (q.row(0) + q.row(5)) - shape * (q.row(2) + q.row(3))).transpose();
+      (q.row(1) + q.row(4) - (1 - shape) * (q.row(0) + q.row(5)) - shape * (q.row(2) + q.row(3)))
+          .transpose();
   return result;
 }
 
 /// The poles of an alpha-curve from its quintic.
 Row alphaRow(const Quintic& q, double shape) {
   Row row;
-  row << q.row(0), (q.row(1) - (1 - shape) * q.row(0)) / shape, (q.row(4) - (1 - shape) * q.row(5)) / shape,
-      q.row(5);
+  row << q.row(0), (q.row(1) - (1 - shape) * q.row(0)) / shape,
+      (q.row(4) - (1 - shape) * q.row(5)) / shape, q.row(5);
   return row;
 }
 
@@ -97,17 +101,20 @@ void findFamily(const AlphaSurface& given, double next_a_v, AlphaSeamCondition& 
   requireRegular(seam);
   const double across = largestEntry(seam.across), along = largestEntry(seam.along);
   Eigen::Matrix<double, 6, 3> equations;
-  equations << misfit(seam.across / across, next_a_v), misfit(slid(seam.along / along, 1, 0), next_a_v),
+  equations << misfit(seam.across / across, next_a_v),
+      misfit(slid(seam.along / along, 1, 0), next_a_v),
       misfit(slid(seam.along / along, 0, 1), next_a_v);
   if (condition.any_net) equations.col(0).setZero();
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(equations, Eigen::ComputeFullV);
   condition.singular = svd.singularValues();
-  condition.rank_noise = slack * largestEntry(given.poles) * std::max(5 * given.a_u / across, 5 / along);
+  condition.rank_noise =
+      slack * largestEntry(given.poles) * std::max(5 * given.a_u / across, 5 / along);
   const auto rank = (condition.singular.array() > condition.rank_noise).count();
   const Eigen::Vector3d sizes(1 / across, 1 / along, 1 / along);
   condition.first_rows = sizes.asDiagonal() * svd.matrixV().rightCols(3 - rank);
   const double goes_on = (svd.matrixV().rightCols(3 - rank).row(0)).norm();
-  condition.g1 = condition.order >= 0 && rank < 3 && goes_on > std::max(condition.rank_noise, slack);
+  condition.g1 =
+      condition.order >= 0 && rank < 3 && goes_on > std::max(condition.rank_noise, slack);
 }
 
 void requireOrder(int order) {
@@ -126,7 +133,8 @@ Derivatives derivativesAt(const AlphaSurface& surface, bool at_end) {
   const Eigen::Matrix<double, 6, 4> map = alpha::quintic(surface.a_v);
   const double sense = at_end ? -1 : 1, a = surface.a_u;
   const Row leg = row(1) - row(0);
-  return {map * row(0), map * (5 * a * sense * leg), map * (10 * ((1 - 4 * a) * leg + row(2) - row(0)))};
+  return {map * row(0), map * (5 * a * sense * leg),
+          map * (10 * ((1 - 4 * a) * leg + row(2) - row(0)))};
 }
 
 double relative(double residual, double size) {
@@ -137,8 +145,8 @@ double sumOfSquares(const AlphaSurface& x, const AlphaSurface& y) {
   return (x.poles - y.poles).squaredNorm();
 }
 
-/// The minimum over b > 0 of F with F(0) = 0, F' = c3 b^3 + c1 b + c0, c3 >= 0; nothing if F > 0 there. F' has one
-/// change from - to + at most. Newton's method from above, where it is convex.
+/// The minimum over b > 0 of F with F(0) = 0, F' = c3 b^3 + c1 b + c0, c3 >= 0; nothing if F > 0
+/// there. F' has one change from - to + at most. Newton's method from above, where it is convex.
 std::optional<double> positiveMinimum(double c3, double c1, double c0) {
   if (c0 >= 0 && c1 >= 0) return std::nullopt;
   double b = std::numeric_limits<double>::infinity();
@@ -182,8 +190,8 @@ Betas byCommonParameter(const Betas& own, double length, double next_length) {
   return {own.beta1 * (length / next_length), own.beta2 * (length / next_length) / next_length};
 }
 
-/// The cheapest betas by the surfaces' own u. across, before are P_3 - P_2 and P_1 - P_3 in the shape of the next
-/// surface. \pre poles of moderate size.
+/// The cheapest betas by the surfaces' own u. across, before are P_3 - P_2 and P_1 - P_3 in the
+/// shape of the next surface. \pre poles of moderate size.
 std::optional<Betas> cheapest(const AlphaSurface& given, const AlphaSurface& next, int order) {
   const auto shaped = [&](const Row& row) { return alpha::reshaped(row, given.a_v / next.a_v); };
   const Row end = shaped(rowOf(given, 3)), across = end - shaped(rowOf(given, 2)),
@@ -220,11 +228,13 @@ AlphaSeamCondition alphaSeamCondition(const AlphaSurface& given, double next_a_v
   condition.any_net = given.a_v == next_a_v;
   condition.noise_mm = slack * largestEntry(given.poles);
   for (int i = 0; i < 3; ++i)
-    condition.defects_mm[static_cast<std::size_t>(i)] = alpha::defect(rowOf(given, 3 - i)).stableNorm();
+    condition.defects_mm[static_cast<std::size_t>(i)] =
+        alpha::defect(rowOf(given, 3 - i)).stableNorm();
   const auto meets = [&](std::size_t i) {
     return condition.any_net || condition.defects_mm[i] <= condition.noise_mm;
   };
-  while (condition.order < 2 && meets(static_cast<std::size_t>(condition.order + 1))) ++condition.order;
+  while (condition.order < 2 && meets(static_cast<std::size_t>(condition.order + 1)))
+    ++condition.order;
   findFamily(given, next_a_v, condition);
   return condition;
 }
@@ -242,7 +252,8 @@ Poles alphaSlidingRows(const AlphaSurface& given, double next_a_u, double next_a
   const Quintic edge = alpha::quintic(given.a_v) * rowOf(given, 3),
                 first = alpha * seam.across + slid(seam.along, beta0, beta1);
   const double size = largestEntry(given.poles);
-  const double edge_miss = misfit(edge, next_a_v).stableNorm(), miss = misfit(first, next_a_v).stableNorm();
+  const double edge_miss = misfit(edge, next_a_v).stableNorm(),
+               miss = misfit(first, next_a_v).stableNorm();
   const double spread = alpha * given.a_u + std::abs(beta0) + std::abs(beta1);
   if (given.a_v != next_a_v && edge_miss > slack * size)
     throw std::invalid_argument(
@@ -250,8 +261,8 @@ Poles alphaSlidingRows(const AlphaSurface& given, double next_a_u, double next_a
         text(edge_miss) + " mm, rounding " + text(slack * size));
   if (miss > 10 * slack * size * spread)
     throw std::invalid_argument(
-        "alpha X_u + beta X_v is not the derivative of an alpha-surface: it misses that by " + text(miss) +
-        " mm, rounding " + text(10 * slack * size * spread));
+        "alpha X_u + beta X_v is not the derivative of an alpha-surface: it misses that by " +
+        text(miss) + " mm, rounding " + text(10 * slack * size * spread));
   const Row row = given.a_v == next_a_v ? rowOf(given, 3) : alphaRow(edge, next_a_v);
   Poles rows(8, 3);
   rows << row, row + alphaRow(first, next_a_v) / (5 * next_a_u);
@@ -270,7 +281,8 @@ AlphaSurface alphaBalanced(const AlphaSurface& given, int order) {
   return result;
 }
 
-AlphaSeamFit alphaSeamFit(const AlphaSurface& a, const AlphaSurface& b, double length, double next_length) {
+AlphaSeamFit alphaSeamFit(const AlphaSurface& a, const AlphaSurface& b, double length,
+                          double next_length) {
   requireUsable(a);
   requireUsable(b, "next_");
   alpha::requirePositive("length", length);
@@ -288,16 +300,18 @@ AlphaSeamFit alphaSeamFit(const AlphaSurface& a, const AlphaSurface& b, double l
   fit.beta1 = common.beta1;
   fit.beta2 = common.beta2;
   const double first = longest(y.first);
-  const double second =
-      std::max({longest(y.second), beta1 * beta1 * longest(x.second), std::abs(beta2) * longest(x.first)});
+  const double second = std::max(
+      {longest(y.second), beta1 * beta1 * longest(x.second), std::abs(beta2) * longest(x.first)});
   fit.first = relative(longest(y.first - beta1 * x.first), first);
   fit.second = relative(longest(bent - beta2 * x.first), second);
   // Shares of u in the common parameter, the faster one 1.
-  const double of_x = std::min(1.0, next_length / length), of_y = std::min(1.0, length / next_length);
-  fit.c_first =
-      relative(longest(of_y * y.first - of_x * x.first), std::max(of_y * first, of_x * longest(x.first)));
-  fit.c_second = relative(longest(of_y * of_y * y.second - of_x * of_x * x.second),
-                          std::max(of_y * of_y * longest(y.second), of_x * of_x * longest(x.second)));
+  const double of_x = std::min(1.0, next_length / length),
+               of_y = std::min(1.0, length / next_length);
+  fit.c_first = relative(longest(of_y * y.first - of_x * x.first),
+                         std::max(of_y * first, of_x * longest(x.first)));
+  fit.c_second =
+      relative(longest(of_y * of_y * y.second - of_x * of_x * x.second),
+               std::max(of_y * of_y * longest(y.second), of_x * of_x * longest(x.second)));
   const double size = std::max(largestEntry(from.poles), largestEntry(to.poles));
   const double speed = size * (a.a_u * std::abs(beta1) + b.a_u);
   const double bend = size * (beta1 * beta1 + 1 + std::abs(beta2) * a.a_u);
@@ -307,7 +321,9 @@ AlphaSeamFit alphaSeamFit(const AlphaSurface& a, const AlphaSurface& b, double l
                relative(slack * 40 * bend, second)};
   requireFit(fit);
   if (gap > slack * size) return fit;
-  fit.geometric_order = !(fit.beta1 > 0) || fit.first > fit.noise[1] ? 0 : fit.second > fit.noise[2] ? 1 : 2;
+  fit.geometric_order = !(fit.beta1 > 0) || fit.first > fit.noise[1] ? 0
+                        : fit.second > fit.noise[2]                  ? 1
+                                                                     : 2;
   fit.parametric_order = fit.c_first > fit.noise[1] ? 0 : fit.c_second > fit.noise[2] ? 1 : 2;
   return fit;
 }
@@ -335,8 +351,9 @@ std::optional<AlphaNearest> alphaNearestJoin(const AlphaSurface& given, const Al
       result.beta1 = common.beta1;
       result.beta2 = common.beta2;
     }
-    const Poles rows = alphaJoinRows(result.given, {options.order, result.beta1, result.beta2, options.length,
-                                                    options.next_length, next.a_u, next.a_v});
+    const Poles rows =
+        alphaJoinRows(result.given, {options.order, result.beta1, result.beta2, options.length,
+                                     options.next_length, next.a_u, next.a_v});
     result.next.poles.topRows(rows.rows()) = rows;
   }
   result.cost_given = sumOfSquares(result.given, given);

@@ -30,8 +30,9 @@ void requireShape(const Poles& polygon, const AlphaSplineShape& shape) {
     throw std::invalid_argument("order " + std::to_string(shape.order) + ": known are 1, 2 and 3");
   const std::size_t n = shape.a.size(), least = !shape.closed ? 1 : shape.order == 1 ? 2 : 3;
   if (n < least)
-    throw std::invalid_argument("a has " + std::to_string(n) + " numbers, one a segment: at least " +
-                                std::to_string(least) + " are needed");
+    throw std::invalid_argument("a has " + std::to_string(n) +
+                                " numbers, one a segment: at least " + std::to_string(least) +
+                                " are needed");
   const std::size_t joints = shape.closed ? n : n - 1;
   requireCount("lengths", shape.lengths.size(), n);
   requireCount("beta1", shape.beta1.size(), joints);
@@ -43,13 +44,17 @@ void requireShape(const Poles& polygon, const AlphaSplineShape& shape) {
                                 " poles: " + std::to_string(polygonSize(shape)) + " are needed");
   for (Eigen::Index i = 0; i < polygon.rows(); ++i)
     if (!polygon.row(i).allFinite())
-      throw std::invalid_argument("pole " + std::to_string(i) + " is (" + text(polygon(i, 0)) + ", " +
-                                  text(polygon(i, 1)) + ", " + text(polygon(i, 2)) + "): it must be finite");
-  for (std::size_t i = 0; i < n; ++i) alpha::requireWithin(at("a", i), shape.a[i], alpha::kSmallestShape, 1);
+      throw std::invalid_argument("pole " + std::to_string(i) + " is (" + text(polygon(i, 0)) +
+                                  ", " + text(polygon(i, 1)) + ", " + text(polygon(i, 2)) +
+                                  "): it must be finite");
+  for (std::size_t i = 0; i < n; ++i)
+    alpha::requireWithin(at("a", i), shape.a[i], alpha::kSmallestShape, 1);
   for (std::size_t i = 0; i < shape.lengths.size(); ++i)
     alpha::requirePositive(at("lengths", i), shape.lengths[i]);
-  for (std::size_t i = 0; i < shape.beta1.size(); ++i) alpha::requirePositive(at("beta1", i), shape.beta1[i]);
-  for (std::size_t i = 0; i < shape.beta2.size(); ++i) alpha::requireFinite(at("beta2", i), shape.beta2[i]);
+  for (std::size_t i = 0; i < shape.beta1.size(); ++i)
+    alpha::requirePositive(at("beta1", i), shape.beta1[i]);
+  for (std::size_t i = 0; i < shape.beta2.size(); ++i)
+    alpha::requireFinite(at("beta2", i), shape.beta2[i]);
 }
 
 double valueAt(const std::vector<double>& values, std::size_t i, double otherwise) {
@@ -58,13 +63,15 @@ double valueAt(const std::vector<double>& values, std::size_t i, double otherwis
 
 std::vector<Factors> jointFactors(const AlphaSplineShape& shape) {
   const std::size_t n = shape.a.size();
-  const auto side = [&](std::size_t i) { return alpha::Side{shape.a[i], valueAt(shape.lengths, i, 1)}; };
+  const auto side = [&](std::size_t i) {
+    return alpha::Side{shape.a[i], valueAt(shape.lengths, i, 1)};
+  };
   std::vector<Factors> joints;
   for (std::size_t j = 0; j < (shape.closed ? n : n - 1); ++j) {
     const alpha::Side given = side(j), next = side((j + 1) % n);
     const double beta1 = valueAt(shape.beta1, j, 1);
-    const double beta2 =
-        shape.order == 3 ? alpha::beta2OfG3(beta1, given.length, next.length) : valueAt(shape.beta2, j, 0);
+    const double beta2 = shape.order == 3 ? alpha::beta2OfG3(beta1, given.length, next.length)
+                                          : valueAt(shape.beta2, j, 0);
     const Factors& made = joints.emplace_back(alpha::factors(given, next, beta1, beta2));
     alpha::requireFinite("first of " + at("joint", j), made.first);
     if (shape.order == 1) continue;
@@ -82,15 +89,17 @@ struct Share {
 Share shareOf(const Factors& joint, std::size_t j) {
   const double excess = joint.second - joint.first - joint.third;
   if (!(excess > 0))
-    throw std::invalid_argument(
-        "joint " + std::to_string(j) + ": second - first - third is " + text(excess) +
-        ", it must be positive; larger shapes or beta2 make it so (with beta2 = 0 shapes above 1/2)");
+    throw std::invalid_argument("joint " + std::to_string(j) + ": second - first - third is " +
+                                text(excess) +
+                                ", it must be positive; larger shapes or beta2 make it so (with "
+                                "beta2 = 0 shapes above 1/2)");
   const double mu = (1 + joint.first) / excess;
   return {mu, joint.third * mu};
 }
 
 /// P_1 and P_2 of each segment, two rows each.
-Poles innerPoles(const Poles& polygon, const AlphaSplineShape& shape, const std::vector<Factors>& joints) {
+Poles innerPoles(const Poles& polygon, const AlphaSplineShape& shape,
+                 const std::vector<Factors>& joints) {
   const auto n = static_cast<Eigen::Index>(shape.a.size());
   const Eigen::Index begin = shape.closed ? 0 : 1;
   if (shape.order == 1) return polygon.middleRows(begin, 2 * n);
@@ -112,10 +121,12 @@ Poles innerPoles(const Poles& polygon, const AlphaSplineShape& shape, const std:
 }
 
 Eigen::RowVector3d jointPole(const Poles& inner, Eigen::Index j, double first) {
-  const Eigen::RowVector3d before = inner.row(2 * j + 1), after = inner.row((2 * j + 2) % inner.rows());
+  const Eigen::RowVector3d before = inner.row(2 * j + 1),
+                           after = inner.row((2 * j + 2) % inner.rows());
   if (before == after)
-    throw std::invalid_argument("joint " + std::to_string(j) +
-                                ": the poles before and after it are the same, so it has no tangent");
+    throw std::invalid_argument(
+        "joint " + std::to_string(j) +
+        ": the poles before and after it are the same, so it has no tangent");
   return (first * before + after) / (1 + first);
 }
 
@@ -126,7 +137,8 @@ std::vector<double> knotsOf(const AlphaSplineShape& shape) {
   return knots;
 }
 
-AlphaCurve linked(const AlphaCurve& before, const AlphaLink& link, double length, std::size_t index) {
+AlphaCurve linked(const AlphaCurve& before, const AlphaLink& link, double length,
+                  std::size_t index) {
   AlphaCurveJoin join = link.join;
   join.length = length;
   AlphaCurve next;
@@ -134,8 +146,8 @@ AlphaCurve linked(const AlphaCurve& before, const AlphaLink& link, double length
   try {
     const Poles made = alphaJoinPoles(before, join);
     if (made.rows() + link.free_poles.rows() != 4)
-      throw std::invalid_argument(std::to_string(link.free_poles.rows()) +
-                                  " free poles: " + std::to_string(4 - made.rows()) + " are needed");
+      throw std::invalid_argument(std::to_string(link.free_poles.rows()) + " free poles: " +
+                                  std::to_string(4 - made.rows()) + " are needed");
     next.poles << made, link.free_poles;
     alphaCurveBezier(next);  // refuses free poles that are not finite
   } catch (const std::invalid_argument& error) {
@@ -165,13 +177,15 @@ AlphaSpline alphaSpline(const Poles& polygon, const AlphaSplineShape& shape) {
   }
   for (std::size_t i = 0; i < shape.a.size(); ++i)
     if (!spline.segments[i].poles.allFinite())
-      throw std::invalid_argument("segment " + std::to_string(i) +
-                                  " has poles that are not finite: beta1, beta2 or the lengths are too large "
-                                  "or too small for it");
+      throw std::invalid_argument(
+          "segment " + std::to_string(i) +
+          " has poles that are not finite: beta1, beta2 or the lengths are too large "
+          "or too small for it");
   return spline;
 }
 
-AlphaSpline alphaChain(const AlphaCurve& first, double length, const std::vector<AlphaLink>& links) {
+AlphaSpline alphaChain(const AlphaCurve& first, double length,
+                       const std::vector<AlphaLink>& links) {
   alpha::requirePositive("length", length);
   alphaCurveBezier(first);  // refuses what is no curve
   AlphaSpline spline{{first}, {0, length}, false};

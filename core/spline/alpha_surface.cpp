@@ -29,7 +29,8 @@ void requireJoin(const AlphaSurface& given, const AlphaJoin& join) {
   requireWithin("next_a_u", join.next_a_u, alpha::kSmallestShape, 1);
   requireWithin("next_a_v", join.next_a_v, alpha::kSmallestShape, 1);
   if (given.poles.bottomRows<4>() == given.poles.middleRows<4>(8))
-    throw std::invalid_argument("rows 2 and 3 are the same: the surface has no derivative across its edge");
+    throw std::invalid_argument(
+        "rows 2 and 3 are the same: the surface has no derivative across its edge");
 }
 
 void requireBalanced(const Row& row, std::size_t index, double noise) {
@@ -61,8 +62,8 @@ Poles alphaJoinRows(const AlphaSurface& given, const AlphaJoin& join) {
   requireJoin(given, join);
   const double beta2 =
       join.order == 3 ? alpha::beta2OfG3(join.beta1, join.length, join.next_length) : join.beta2;
-  const auto [first, second, third] =
-      alpha::factors({given.a_u, join.length}, {join.next_a_u, join.next_length}, join.beta1, beta2);
+  const auto [first, second, third] = alpha::factors(
+      {given.a_u, join.length}, {join.next_a_u, join.next_length}, join.beta1, beta2);
   const Row last = given.poles.bottomRows<4>(), across = last - given.poles.middleRows<4>(8),
             before = given.poles.middleRows<4>(4) - last;
   std::vector<Row> rows = {last, last + first * across};
@@ -70,8 +71,8 @@ Poles alphaJoinRows(const AlphaSurface& given, const AlphaJoin& join) {
   if (join.next_a_v != given.a_v) {
     double size = given.poles.cwiseAbs().maxCoeff();
     for (const Row& row : rows) size = std::max(size, row.cwiseAbs().maxCoeff());
-    const double noise =
-        64 * std::numeric_limits<double>::epsilon() * size * (1 + std::abs(first) + std::abs(second));
+    const double noise = 64 * std::numeric_limits<double>::epsilon() * size *
+                         (1 + std::abs(first) + std::abs(second));
     for (std::size_t i = 0; i < rows.size(); ++i) {
       requireBalanced(rows[i], i, noise);
       rows[i] = alpha::reshaped(rows[i], given.a_v / join.next_a_v);

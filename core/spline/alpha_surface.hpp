@@ -6,7 +6,8 @@
 
 namespace seamwright {
 
-/// A tensor product of alpha-curves: X(u, v) = sum_ij P_ij b_i(u; a_u) b_j(v; a_v) on [0, 1]^2, with the basis
+/// A tensor product of alpha-curves: X(u, v) = sum_ij P_ij b_i(u; a_u) b_j(v; a_v) on [0, 1]^2,
+/// with the basis
 ///   b_0 = (1-t)^5 + 5 (1-a) (1-t)^4 t,      b_1 = 5 a (1-t)^4 t + 5 (1-t)^2 t^2,
 ///   b_2 = 5 (1-t)^2 t^2 + 5 a (1-t) t^4,    b_3 = 5 (1-a) (1-t) t^4 + t^5.
 struct AlphaSurface {
@@ -23,28 +24,33 @@ BezierPatch alphaSurfacePatch(const AlphaSurface& surface);
 
 /// How the next alpha-surface goes on at u = 1 of a given one.
 struct AlphaJoin {
-  int order = 1;                ///< 1, 2 or 3
-  double beta1 = 1, beta2 = 0;  ///< C^1, C^2: 1 and 0. With order 3 beta2 is not free and is not read
-  double length = 1;            ///< of the given surface's u in the common parameter
-  double next_length = 1;       ///< of the next one's
+  int order = 1;  ///< 1, 2 or 3
+  double beta1 = 1,
+         beta2 = 0;        ///< C^1, C^2: 1 and 0. With order 3 beta2 is not free and is not read
+  double length = 1;       ///< of the given surface's u in the common parameter
+  double next_length = 1;  ///< of the next one's
   double next_a_u = 1, next_a_v = 1;
 };
 
-/// The rows Q_0j, Q_1j and, with order 2 or 3, Q_2j of the next surface's net, four poles a row; further rows are free.
+/// The rows Q_0j, Q_1j and, with order 2 or 3, Q_2j of the next surface's net, four poles a row;
+/// further rows are free.
 ///
-/// With R the position and the lengths h, k of both surfaces, the derivatives by the common parameter are, at every v:
-///   order 1   R'(+) = beta1 R'(-)
-///   order 2   R''(+) = beta1^2 R''(-) + beta2 R'(-)
-///   order 3   moreover R'''(+) = beta1^3 R'''(-) + 3 beta1 beta2 R''(-) + beta3 R'(-), with beta2 = -2 beta1 (beta1 / h + 1 / k) and
+/// With R the position and the lengths h, k of both surfaces, the derivatives by the common
+/// parameter are, at every v:
+///   order 1 R'(+) = beta1 R'(-) order 2 R''(+) = beta1^2 R''(-) + beta2 R'(-) order 3 moreover
+///   R'''(+) = beta1^3 R'''(-) + 3 beta1 beta2 R''(-) + beta3 R'(-), with beta2 = -2 beta1 (beta1 /
+///   h + 1 / k) and
 ///             beta3 = 12 beta1^2 / h (beta1 / h + 1 / k), the only ones for which it can hold
-/// so the surfaces are C^n for beta1 = 1, beta2 = 0, and G^n for any beta1 > 0. For general nets no other G1 join of alpha-surfaces
-/// exists; on special boundaries there are more (alpha_join_condition.hpp), and tensorRows() builds those of the Bézier patches.
+/// so the surfaces are C^n for beta1 = 1, beta2 = 0, and G^n for any beta1 > 0. For general nets no
+/// other G1 join of alpha-surfaces exists; on special boundaries there are more
+/// (alpha_join_condition.hpp), and tensorRows() builds those of the Bézier patches.
 ///
-/// a_v may differ from next_a_v only if every row built has Q_i0 + Q_i3 = Q_i1 + Q_i2: then its curve is the same with the inner poles
-/// moved in the ratio a_v / next_a_v.
-/// \throws std::invalid_argument for an order, a length, beta1 or a shape out of range (shapes of a join are 1e-6 to 1); for a given
-/// surface whose two last rows are the same; for a_v other than next_a_v where a row does not allow it, with its defect in mm;
-/// and for poles that come out beyond the range of a double (index and value).
+/// a_v may differ from next_a_v only if every row built has Q_i0 + Q_i3 = Q_i1 + Q_i2: then its
+/// curve is the same with the inner poles moved in the ratio a_v / next_a_v.
+/// \throws std::invalid_argument for an order, a length, beta1 or a shape out of range (shapes of a
+/// join are 1e-6 to 1); for a given surface whose two last rows are the same; for a_v other than
+/// next_a_v where a row does not allow it, with its defect in mm; and for poles that come out
+/// beyond the range of a double (index and value).
 /// Source: docs/theory/curves.md C8.4, C8.5, C9.2 to C9.4.
 Poles alphaJoinRows(const AlphaSurface& given, const AlphaJoin& join);
 

@@ -25,7 +25,8 @@ Index placeInRing(Index i, Index count) {
 template <int Width, bool Pivoting>
 class BandFactor {
  public:
-  explicit BandFactor(const BandMatrix& matrix) : closed_(matrix.closed), count_(matrix.diagonal.size()) {
+  explicit BandFactor(const BandMatrix& matrix)
+      : closed_(matrix.closed), count_(matrix.diagonal.size()) {
     fill(matrix);
     eliminate();
   }
@@ -74,7 +75,8 @@ class BandFactor {
     return right;
   }
 
-  /// Hager's estimate of the inverse's maximum norm, from below; N. Higham, ACM TOMS 14 (1988), algorithm 4.1.
+  /// Hager's estimate of the inverse's maximum norm, from below; N. Higham, ACM TOMS 14 (1988),
+  /// algorithm 4.1.
   double inverseNorm() const {
     const double n = static_cast<double>(count_);
     Eigen::VectorXd x = padded(Eigen::VectorXd::Constant(count_, 1 / n));
@@ -83,7 +85,8 @@ class BandFactor {
       Eigen::VectorXd y = x;
       solveTransposed(y);
       norm = std::max(norm, y.template lpNorm<1>());
-      Eigen::VectorXd z = padded(y.head(count_).unaryExpr([](double v) { return v < 0 ? -1.0 : 1.0; }));
+      Eigen::VectorXd z =
+          padded(y.head(count_).unaryExpr([](double v) { return v < 0 ? -1.0 : 1.0; }));
       solve(z);
       Index largest = 0;
       if (z.cwiseAbs().maxCoeff(&largest) <= z.dot(x)) break;
@@ -161,7 +164,8 @@ double rowNorm(const BandMatrix& m) {
 
 /// What the inverse's maximum norm is at most; infinite unless every row is strictly dominant.
 double dominanceBound(const BandMatrix& m) {
-  const double margin = (m.diagonal.cwiseAbs() - m.lower.cwiseAbs() - m.upper.cwiseAbs()).minCoeff();
+  const double margin =
+      (m.diagonal.cwiseAbs() - m.lower.cwiseAbs() - m.upper.cwiseAbs()).minCoeff();
   return margin > 0 ? 1 / margin : std::numeric_limits<double>::infinity();
 }
 
@@ -187,7 +191,8 @@ BandSolution solvePivoted(const BandMatrix& given, Poles right) {
   if (!(condition >= kSmallestCondition))
     throw std::domain_error("the " + std::to_string(matrix.diagonal.size()) +
                             " equations are singular: pivot " + std::to_string(smallest) + " is " +
-                            bernstein::text(size) + ", reciprocal condition " + bernstein::text(condition));
+                            bernstein::text(size) + ", reciprocal condition " +
+                            bernstein::text(condition));
   right.array().colwise() *= given.scale.array();
   right = factor.solved(std::move(right));
   right.array().colwise() /= given.scale.array();

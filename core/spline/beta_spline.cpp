@@ -19,8 +19,8 @@ void requireValid(const BetaSplineData& data) {
   const std::size_t joints = data.bias.size() - (data.ends == SplineEnds::Periodic ? 0 : 1);
   for (std::size_t j = 1; j < joints; ++j)
     if (!(data.bias[j] > 0))
-      throw std::invalid_argument("bias " + std::to_string(j) + " is " + bernstein::text(data.bias[j]) +
-                                  ": it must be positive");
+      throw std::invalid_argument("bias " + std::to_string(j) + " is " +
+                                  bernstein::text(data.bias[j]) + ": it must be positive");
   for (const double nu : {data.start_nu, data.end_nu})
     if (!std::isfinite(nu))
       throw std::invalid_argument("an end's nu is " + bernstein::text(nu) + ": it must be finite");
@@ -47,13 +47,15 @@ std::vector<double> knotsOf(const BetaSplineData& data) {
   return knots;
 }
 
-/// The unknowns are m_j / units(j). With units_j = units_(j-1) / bias_j the equations are those of a nu-spline;
-/// round a ring a common factor at each step brings them back to the first, biases of one value to 1 throughout.
+/// The unknowns are m_j / units(j). With units_j = units_(j-1) / bias_j the equations are those of
+/// a nu-spline; round a ring a common factor at each step brings them back to the first, biases of
+/// one value to 1 throughout.
 Eigen::VectorXd unitsOf(const BetaSplineData& data) {
   const Index n = data.points.rows() - 1;
   const bool closed = data.ends == SplineEnds::Periodic;
   double turn = 0;
-  for (Index j = 1; closed && j <= n; ++j) turn += std::log(biasAt(data, j)) / static_cast<double>(n);
+  for (Index j = 1; closed && j <= n; ++j)
+    turn += std::log(biasAt(data, j)) / static_cast<double>(n);
   const double step = std::exp(turn);
   Eigen::VectorXd units = Eigen::VectorXd::Ones(closed ? n : n + 1);
   for (Index j = 1; j < units.size(); ++j) units(j) = units(j - 1) * (step / biasAt(data, j));
@@ -71,7 +73,8 @@ SlopeEquations equationsOf(const BetaSplineData& data) {
     const double b = biasAt(data, j), tension = data.tension[j > 0 ? j : n];
     const double first = 1 / (b * (1 + b)) / units(j), second = b / (1 + b) / units(j);
     equations.set(j, first * units(before), -tension / (2 * b) / (1 + b),
-                  second * biasAt(data, after) * units(after), first * edge(before), second * edge(j));
+                  second * biasAt(data, after) * units(after), first * edge(before),
+                  second * edge(j));
   }
   if (data.ends == SplineEnds::Natural) {
     const Eigen::RowVector3d none = Eigen::RowVector3d::Zero();

@@ -20,13 +20,15 @@ namespace {
 using bernstein::text;
 
 void requireCounts(const BezierSpline& spline) {
-  if (spline.degree < 1) refuse("degree is " + std::to_string(spline.degree) + ": at least 1 is needed");
+  if (spline.degree < 1)
+    refuse("degree is " + std::to_string(spline.degree) + ": at least 1 is needed");
   if (spline.knots.size() < 2)
     refuse("knots are " + std::to_string(spline.knots.size()) + ": at least 2 are needed");
   if (const Eigen::Index count = static_cast<Eigen::Index>(spline.segments()) * spline.degree + 1;
       spline.poles.rows() != count)
-    refuse("poles " + std::to_string(spline.poles.rows()) + ": " + std::to_string(spline.segments()) +
-           " segments of degree " + std::to_string(spline.degree) + " have " + std::to_string(count));
+    refuse("poles " + std::to_string(spline.poles.rows()) + ": " +
+           std::to_string(spline.segments()) + " segments of degree " +
+           std::to_string(spline.degree) + " have " + std::to_string(count));
 }
 
 void requireKnots(const std::vector<double>& knots) {
@@ -68,25 +70,29 @@ void requireGap(const Eigen::RowVector4d& end, const Eigen::RowVector4d& start, 
                 double gap_mm) {
   const double gap = (end.head<3>() / end(3) - start.head<3>() / start(3)).stableNorm();
   if (!(gap <= gap_mm))
-    refuse("joint " + std::to_string(joint) + ": the ends are " + text(gap) + " mm apart, allowed " +
-           text(gap_mm));
+    refuse("joint " + std::to_string(joint) + ": the ends are " + text(gap) +
+           " mm apart, allowed " + text(gap_mm));
 }
 
-/// By how much the homogeneous derivatives of order 0.. jump at inner knot i, and what rounding of the poles makes
-/// of it: each row (jump, bound).
+/// By how much the homogeneous derivatives of order 0.. jump at inner knot i, and what rounding of
+/// the poles makes of it: each row (jump, bound).
 Eigen::MatrixX2d jumps(const BezierSpline& spline, int i, int order) {
   const int n = spline.degree;
   const int last = i > 0 ? i - 1 : spline.segments() - 1;
   const HomogeneousPoles before = polesOf(spline, last), after = polesOf(spline, i);
   const auto arriving = casteljau::derivatives<4, Eigen::Dynamic>(before, 1, order + 1);
   const auto leaving = casteljau::derivatives<4, Eigen::Dynamic>(after, 0, order + 1);
-  const double h = spline.knots[last + 1] - spline.knots[last], k = spline.knots[i + 1] - spline.knots[i];
-  double noise_h = 8 * (n + 4) * std::numeric_limits<double>::epsilon() * before.cwiseAbs().maxCoeff();
-  double noise_k = 8 * (n + 4) * std::numeric_limits<double>::epsilon() * after.cwiseAbs().maxCoeff();
+  const double h = spline.knots[last + 1] - spline.knots[last],
+               k = spline.knots[i + 1] - spline.knots[i];
+  double noise_h =
+      8 * (n + 4) * std::numeric_limits<double>::epsilon() * before.cwiseAbs().maxCoeff();
+  double noise_k =
+      8 * (n + 4) * std::numeric_limits<double>::epsilon() * after.cwiseAbs().maxCoeff();
   double power_h = 1, power_k = 1;
   Eigen::MatrixX2d result(order + 1, 2);
   for (int r = 0; r <= order; ++r) {
-    result.row(r) << (leaving.row(r) / power_k - arriving.row(r) / power_h).stableNorm(), noise_h + noise_k;
+    result.row(r) << (leaving.row(r) / power_k - arriving.row(r) / power_h).stableNorm(),
+        noise_h + noise_k;
     power_h *= h;
     power_k *= k;
     noise_h *= 2 * (n - r) / h;
@@ -100,16 +106,19 @@ void requireContinuity(const BezierSpline& spline, int order) {
     const Eigen::MatrixX2d rows = jumps(spline, i, order);
     for (int r = 1; r <= order; ++r)
       if (!(rows(r, 0) <= rows(r, 1)))
-        refuse("knot " + std::to_string(i) + ": the derivative of order " + std::to_string(r) + " jumps by " +
-               text(rows(r, 0)) + ", rounding " + text(rows(r, 1)));
+        refuse("knot " + std::to_string(i) + ": the derivative of order " + std::to_string(r) +
+               " jumps by " + text(rows(r, 0)) + ", rounding " + text(rows(r, 1)));
   }
 }
 
-/// The segment to take a blossom at increasing arguments from: the longest between them, which extrapolates least;
-/// where they are all one knot, the one that begins there (the last one ends there).
+/// The segment to take a blossom at increasing arguments from: the longest between them, which
+/// extrapolates least; where they are all one knot, the one that begins there (the last one ends
+/// there).
 int segmentFor(const std::vector<double>& knots, const double* first, const double* last) {
-  const auto from = static_cast<int>(std::lower_bound(knots.begin(), knots.end(), *first) - knots.begin());
-  const auto to = static_cast<int>(std::lower_bound(knots.begin(), knots.end(), *last) - knots.begin());
+  const auto from =
+      static_cast<int>(std::lower_bound(knots.begin(), knots.end(), *first) - knots.begin());
+  const auto to =
+      static_cast<int>(std::lower_bound(knots.begin(), knots.end(), *last) - knots.begin());
   int best = std::min(from, static_cast<int>(knots.size()) - 2);
   for (int i = from; i < to; ++i)
     if (knots[i + 1] - knots[i] > knots[best + 1] - knots[best]) best = i;
@@ -119,7 +128,8 @@ int segmentFor(const std::vector<double>& knots, const double* first, const doub
 /// The curve of that order whose poles are blossoms of the segments.
 BSplineCurve merged(const BezierSpline& spline, int order) {
   const int n = spline.degree;
-  BSplineCurve result{n, std::vector<double>(static_cast<std::size_t>(n) + 1, spline.knots.front()), {}};
+  BSplineCurve result{
+      n, std::vector<double>(static_cast<std::size_t>(n) + 1, spline.knots.front()), {}};
   for (int i = 1; i < spline.segments(); ++i)
     result.knots.insert(result.knots.end(), static_cast<std::size_t>(n - order), spline.knots[i]);
   result.knots.insert(result.knots.end(), static_cast<std::size_t>(n) + 1, spline.knots.back());
@@ -135,8 +145,9 @@ BSplineCurve merged(const BezierSpline& spline, int order) {
   return result;
 }
 
-/// The first segment whose poles the curve gives back with more than rounding, or -1. Beside a short segment the
-/// jumps alone would not tell: what rounding makes of its derivatives hides those of its neighbours.
+/// The first segment whose poles the curve gives back with more than rounding, or -1. Beside a
+/// short segment the jumps alone would not tell: what rounding makes of its derivatives hides those
+/// of its neighbours.
 int strayed(const BezierSpline& spline, const BSplineCurve& curve, int order) {
   const int n = spline.degree;
   const HomogeneousPoles back = bezierSpline(curve).poles;
@@ -144,15 +155,16 @@ int strayed(const BezierSpline& spline, const BSplineCurve& curve, int order) {
   for (int i = 0; i < spline.segments(); ++i) {
     const auto own = spline.poles.middleRows(static_cast<Eigen::Index>(i) * n, n + 1);
     const auto given = back.middleRows(static_cast<Eigen::Index>(i) * n, n + 1);
-    const double size =
-        curve.poles.middleRows(static_cast<Eigen::Index>(i) * (n - order), n + 1).cwiseAbs().maxCoeff();
+    const double size = curve.poles.middleRows(static_cast<Eigen::Index>(i) * (n - order), n + 1)
+                            .cwiseAbs()
+                            .maxCoeff();
     if (!((given - own).cwiseAbs().maxCoeff() <= share * size)) return i;
   }
   return -1;
 }
 
-/// Up to \p degree segments before and after the seam of a closed spline, which is the knot 0: so lengths beside it
-/// keep their digits. Knots that are one but for them end it.
+/// Up to \p degree segments before and after the seam of a closed spline, which is the knot 0: so
+/// lengths beside it keep their digits. Knots that are one but for them end it.
 BezierSpline aroundSeam(const BezierSpline& spline) {
   const std::vector<double>& knots = spline.knots;
   const int segments = spline.segments(), most = std::min(segments, spline.degree);
@@ -163,8 +175,10 @@ BezierSpline aroundSeam(const BezierSpline& spline) {
   while (before < most && knots[segments - before - 1] - knots.back() < result.knots.front())
     result.knots.insert(result.knots.begin(), knots[segments - ++before] - knots.back());
   result.poles.resize((before + after) * spline.degree + 1, 4);
-  result.poles.topRows(before * spline.degree + 1) = spline.poles.bottomRows(before * spline.degree + 1);
-  result.poles.bottomRows(after * spline.degree + 1) = spline.poles.topRows(after * spline.degree + 1);
+  result.poles.topRows(before * spline.degree + 1) =
+      spline.poles.bottomRows(before * spline.degree + 1);
+  result.poles.bottomRows(after * spline.degree + 1) =
+      spline.poles.topRows(after * spline.degree + 1);
   return result;
 }
 
@@ -179,7 +193,8 @@ void requireValid(const BezierSpline& spline) {
   requireCounts(spline);
   requireKnots(spline.knots);
   requireValid(spline.poles);
-  const Eigen::RowVector4d first = spline.poles.row(0), last = spline.poles.row(spline.poles.rows() - 1);
+  const Eigen::RowVector4d first = spline.poles.row(0),
+                           last = spline.poles.row(spline.poles.rows() - 1);
   if (spline.closed && last != reweighted(first, last(3)))
     refuse("the last pole, " + std::to_string(spline.poles.rows() - 1) + ", is " +
            text((last.head<3>() / last(3) - first.head<3>() / first(3)).stableNorm()) +
@@ -193,12 +208,12 @@ BezierCurve segment(const BezierSpline& spline, int i) {
   return BezierCurve::fromHomogeneous(polesOf(spline, i));
 }
 
-BezierSpline bezierSpline(const std::vector<BezierCurve>& segments, const std::vector<double>& knots,
-                          bool closed, double gap_mm) {
+BezierSpline bezierSpline(const std::vector<BezierCurve>& segments,
+                          const std::vector<double>& knots, bool closed, double gap_mm) {
   if (segments.empty()) refuse("no segments: at least one is needed");
   if (knots.size() != segments.size() + 1)
-    refuse("segments " + std::to_string(segments.size()) + ", knots " + std::to_string(knots.size()) +
-           ": one more is needed");
+    refuse("segments " + std::to_string(segments.size()) + ", knots " +
+           std::to_string(knots.size()) + ": one more is needed");
   if (!(gap_mm >= 0)) refuse("gap_mm is " + text(gap_mm) + ": it must not be negative");
   std::vector<HomogeneousPoles> rows = ofOneDegree(segments);
   const Eigen::Index n = rows.front().rows() - 1;
@@ -207,7 +222,8 @@ BezierSpline bezierSpline(const std::vector<BezierCurve>& segments, const std::v
   for (std::size_t i = 1; i < rows.size(); ++i) {
     auto end = result.poles.row(static_cast<Eigen::Index>(i) * n);
     requireGap(end, rows[i].row(0), i, gap_mm);
-    result.poles.middleRows(static_cast<Eigen::Index>(i) * n, n + 1) = rows[i] * (end(3) / rows[i](0, 3));
+    result.poles.middleRows(static_cast<Eigen::Index>(i) * n, n + 1) =
+        rows[i] * (end(3) / rows[i](0, 3));
   }
   if (closed) {
     auto end = result.poles.row(result.poles.rows() - 1);
@@ -249,8 +265,9 @@ int continuity(const BezierSpline& spline, bool around) {
   int order = spline.degree - 1;
   for (int i = around ? 0 : 1; i < spline.segments(); ++i) {
     const Eigen::MatrixX2d rows = jumps(spline, i, order);
-    while (order >= 0 &&
-           !(rows.topRows(order + 1).col(0).array() <= rows.topRows(order + 1).col(1).array()).all())
+    while (
+        order >= 0 &&
+        !(rows.topRows(order + 1).col(0).array() <= rows.topRows(order + 1).col(1).array()).all())
       --order;
   }
   while (order > 0 && !isMerged(spline, order)) --order;
@@ -267,7 +284,8 @@ BSplineCurve bsplineCurve(const BezierSpline& spline, int order) {
   requireContinuity(spline, order);
   BSplineCurve result = merged(spline, order);
   if (const int i = strayed(spline, result, order); i >= 0)
-    refuse("segment " + std::to_string(i) + " does not go into a curve of order " + std::to_string(order) +
+    refuse("segment " + std::to_string(i) + " does not go into a curve of order " +
+           std::to_string(order) +
            ": beside a short segment derivatives jump by more than their rounding shows");
   return result;
 }

@@ -20,7 +20,8 @@ using bernstein::text;
 class Layout {
  public:
   /// \throws std::invalid_argument for too few vertices.
-  Layout(const Poles& vertices, bool closed) : vertices_(static_cast<int>(vertices.rows())), closed_(closed) {
+  Layout(const Poles& vertices, bool closed)
+      : vertices_(static_cast<int>(vertices.rows())), closed_(closed) {
     if (vertices_ < (closed ? 3 : 4))
       refuse("vertices are " + std::to_string(vertices_) + ": " +
              (closed ? "a closed polygon needs 3" : "an open polygon needs 4"));
@@ -56,8 +57,8 @@ void requireVertices(const Poles& vertices, const Layout& layout) {
     if (!vertices.row(i).allFinite()) refuse("vertex " + std::to_string(i) + " is not finite");
   for (int e = 0; e < layout.edges(); ++e)
     if (vertices.row(e) == vertices.row(layout.endOf(e)))
-      refuse("edge " + std::to_string(e) + " has no length: vertices " + std::to_string(e) + " and " +
-             std::to_string(layout.endOf(e)) + " are one point");
+      refuse("edge " + std::to_string(e) + " has no length: vertices " + std::to_string(e) +
+             " and " + std::to_string(layout.endOf(e)) + " are one point");
 }
 
 /// The shares of the edges that carry segments, those set at open ends included.
@@ -87,7 +88,8 @@ Eigen::RowVector4d vertex(const Poles& vertices, int i) {
   return {vertices(i, 0), vertices(i, 1), vertices(i, 2), 1};
 }
 
-/// The poles of the spline. \param ratios of the length of the segment before joint s to that of segment s.
+/// The poles of the spline. \param ratios of the length of the segment before joint s to that of
+/// segment s.
 /// \pre completed(), requireVertices().
 HomogeneousPoles splinePoles(const G2Polygon& polygon, const Layout& layout,
                              const std::vector<double>& ratios) {
@@ -103,7 +105,8 @@ HomogeneousPoles splinePoles(const G2Polygon& polygon, const Layout& layout,
   for (int s = 0; s < segments; ++s) {
     if (!layout.isJoint(s)) continue;
     const Eigen::RowVector4d y = poles.row(3 * layout.before(s) + 2), x = poles.row(3 * s + 1);
-    const double size = std::max(x.cwiseAbs().maxCoeff(), y.cwiseAbs().maxCoeff()), leg = (x - y).norm();
+    const double size = std::max(x.cwiseAbs().maxCoeff(), y.cwiseAbs().maxCoeff()),
+                 leg = (x - y).norm();
     if (!(leg > 8 * std::numeric_limits<double>::epsilon() * size))
       refuse("vertex " + std::to_string(layout.edgeOf(s)) +
              ": the polygon folds back, the inner poles beside it are " + text(leg) +
@@ -114,13 +117,14 @@ HomogeneousPoles splinePoles(const G2Polygon& polygon, const Layout& layout,
     poles.row(3 * segments) = poles.row(0);
   } else {
     poles.row(0) = vertex(polygon.vertices, 0);
-    poles.row(3 * segments) = vertex(polygon.vertices, static_cast<int>(polygon.vertices.rows()) - 1);
+    poles.row(3 * segments) =
+        vertex(polygon.vertices, static_cast<int>(polygon.vertices.rows()) - 1);
   }
   return poles;
 }
 
-BezierSpline spline(const G2Polygon& polygon, const Layout& layout, const std::vector<double>& ratios,
-                    const std::vector<double>& lengths) {
+BezierSpline spline(const G2Polygon& polygon, const Layout& layout,
+                    const std::vector<double>& ratios, const std::vector<double>& lengths) {
   BezierSpline result{3, {0.0}, splinePoles(polygon, layout, ratios), polygon.closed};
   for (const double length : lengths) result.knots.push_back(result.knots.back() + length);
   requireValid(result);
@@ -163,7 +167,8 @@ G2Polygon g2Polygon(const GammaPolygon& polygon) {
                    std::vector<double>(layout.edges(), 0.0)};
   for (int s = 0; s < segments; ++s) {
     const int next = s + 1 < segments ? s + 1 : 0;
-    const double left = layout.isJoint(s) ? polygon.gamma[s] * polygon.lengths[layout.before(s)] : 0;
+    const double left =
+        layout.isJoint(s) ? polygon.gamma[s] * polygon.lengths[layout.before(s)] : 0;
     const double right = layout.isJoint(s + 1) ? polygon.gamma[next] * polygon.lengths[next] : 0;
     const double sum = left + polygon.lengths[s] + right;
     result.alpha[layout.edgeOf(s)] = left / sum;

@@ -40,7 +40,8 @@ class Edges {
 void setJoint(SlopeEquations& equations, Index i, const Edges& edges, Index a, Index b, double nu) {
   const double before = edges.length(a), after = edges.length(b);
   const double lower = 1 / (1 + before / after), upper = 1 / (1 + after / before);
-  equations.set(i, lower, nu * (before * lower / 2), upper, lower * edges.slope(a), upper * edges.slope(b));
+  equations.set(i, lower, nu * (before * lower / 2), upper, lower * edges.slope(a),
+                upper * edges.slope(b));
 }
 
 SlopeEquations equationsOf(const NuSplineData& data) {
@@ -73,8 +74,8 @@ NuSpline nuSpline(const NuSplineData& data) {
   result.derivatives.conservativeResize(n + 1, 3);
   if (data.ends == SplineEnds::Periodic) result.derivatives.row(n) = result.derivatives.row(0);
   const Edges edges(data);
-  result.curve = hermiteSpline(data.points, result.derivatives, data.knots, data.ends == SplineEnds::Periodic,
-                               [&](Index i) {
+  result.curve = hermiteSpline(data.points, result.derivatives, data.knots,
+                               data.ends == SplineEnds::Periodic, [&](Index i) {
                                  const double reach = edges.length(i) / 3;
                                  return Reach{reach, reach};
                                });
@@ -84,7 +85,8 @@ NuSpline nuSpline(const NuSplineData& data) {
 
 std::vector<double> knotsOf(const Poles& points, double exponent) {
   if (!(exponent >= 0 && exponent <= 1))
-    throw std::invalid_argument("exponent is " + bernstein::text(exponent) + ": it must be within 0 to 1");
+    throw std::invalid_argument("exponent is " + bernstein::text(exponent) +
+                                ": it must be within 0 to 1");
   requireFiniteRows("point", points);
   std::vector<double> knots(static_cast<std::size_t>(points.rows()), 0.0);
   for (std::size_t i = 1; i < knots.size(); ++i) {
@@ -92,7 +94,8 @@ std::vector<double> knotsOf(const Poles& points, double exponent) {
     const double chord = (points.row(row) - points.row(row - 1)).stableNorm();
     if (chord == 0 && exponent > 0)
       throw std::invalid_argument("points " + std::to_string(i - 1) + " and " + std::to_string(i) +
-                                  " are the same: exponent is " + bernstein::text(exponent) + ", not 0");
+                                  " are the same: exponent is " + bernstein::text(exponent) +
+                                  ", not 0");
     knots[i] = knots[i - 1] + std::pow(chord, exponent);
   }
   requireIncreasing(knots, "the points' distances are too different, or too large");

@@ -33,8 +33,8 @@ bool isLost(const Eigen::RowVector3d& point, const Eigen::RowVector3d& pole) {
 }  // namespace
 
 SlopeEquations::SlopeEquations(Index count, bool closed)
-    : matrix_{Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count),
-              Eigen::VectorXd::Ones(count), closed},
+    : matrix_{Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count),
+              Eigen::VectorXd::Zero(count), Eigen::VectorXd::Ones(count), closed},
       right_(Poles::Zero(count, 3)),
       right_size_(Eigen::VectorXd::Zero(count)) {}
 
@@ -60,9 +60,10 @@ SlopeEquations::Solution SlopeEquations::solve() && {
   BandSolution solution = solveBand(matrix_, std::move(right_));
   Eigen::VectorXd noise(count);
   for (Index i = 0; i < count; ++i) {
-    const double terms = std::abs(matrix_.lower(i)) * largest(solution.x.row((i + count - 1) % count)) +
-                         std::abs(matrix_.diagonal(i)) * largest(solution.x.row(i)) +
-                         std::abs(matrix_.upper(i)) * largest(solution.x.row((i + 1) % count));
+    const double terms =
+        std::abs(matrix_.lower(i)) * largest(solution.x.row((i + count - 1) % count)) +
+        std::abs(matrix_.diagonal(i)) * largest(solution.x.row(i)) +
+        std::abs(matrix_.upper(i)) * largest(solution.x.row((i + 1) % count));
     noise(i) = 8 * kEpsilon * std::max(1.0, solution.inverse_norm) * (terms + right_size_(i));
   }
   return {std::move(solution.x), std::move(noise)};
@@ -70,32 +71,36 @@ SlopeEquations::Solution SlopeEquations::solve() && {
 
 void requireFinite(const std::string& name, const Eigen::Vector3d& vector) {
   if (!vector.allFinite())
-    throw std::invalid_argument(name + " is " + text(Eigen::RowVector3d(vector)) + ": it must be finite");
+    throw std::invalid_argument(name + " is " + text(Eigen::RowVector3d(vector)) +
+                                ": it must be finite");
 }
 
-void requireFiniteRows(const char* name, const Eigen::Ref<const Poles, 0, Eigen::OuterStride<>>& rows) {
+void requireFiniteRows(const char* name,
+                       const Eigen::Ref<const Poles, 0, Eigen::OuterStride<>>& rows) {
   for (Index i = 0; i < rows.rows(); ++i)
-    if (!rows.row(i).allFinite()) requireFinite(std::string(name) + " " + std::to_string(i), rows.row(i));
+    if (!rows.row(i).allFinite())
+      requireFinite(std::string(name) + " " + std::to_string(i), rows.row(i));
 }
 
 void requirePoints(const Poles& points, bool periodic) {
   const Index least = periodic ? 3 : 2, count = points.rows();
   if (count < least)
-    throw std::invalid_argument("points " + std::to_string(count) + ": at least " + std::to_string(least) +
-                                " are needed");
+    throw std::invalid_argument("points " + std::to_string(count) + ": at least " +
+                                std::to_string(least) + " are needed");
   requireFiniteRows("point", points);
   for (Index i = 1; i < count; ++i) {
     const Eigen::RowVector3d step = points.row(i) - points.row(i - 1);
     if (step.allFinite() && !step.isZero(0)) continue;
-    throw std::invalid_argument("points " + std::to_string(i - 1) + " and " + std::to_string(i) + ", " +
-                                text(Eigen::RowVector3d(points.row(i - 1))) + " and " +
+    throw std::invalid_argument("points " + std::to_string(i - 1) + " and " + std::to_string(i) +
+                                ", " + text(Eigen::RowVector3d(points.row(i - 1))) + " and " +
                                 text(Eigen::RowVector3d(points.row(i))) +
                                 (step.allFinite() ? ", are the same" : ", are too far apart"));
   }
   if (periodic && points.row(count - 1) != points.row(0))
-    throw std::invalid_argument(
-        "point " + std::to_string(count - 1) + " is " + text(Eigen::RowVector3d(points.row(count - 1))) +
-        ": of a periodic spline it must be point 0, " + text(Eigen::RowVector3d(points.row(0))));
+    throw std::invalid_argument("point " + std::to_string(count - 1) + " is " +
+                                text(Eigen::RowVector3d(points.row(count - 1))) +
+                                ": of a periodic spline it must be point 0, " +
+                                text(Eigen::RowVector3d(points.row(0))));
 }
 
 void requireNumbers(const char* name, const std::vector<double>& values, Index count) {
@@ -104,15 +109,15 @@ void requireNumbers(const char* name, const std::vector<double>& values, Index c
                                 " numbers for " + std::to_string(count) + " points");
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!std::isfinite(values[i]))
-      throw std::invalid_argument(std::string(name) + " " + std::to_string(i) + " is " + text(values[i]) +
-                                  ": it must be finite");
+      throw std::invalid_argument(std::string(name) + " " + std::to_string(i) + " is " +
+                                  text(values[i]) + ": it must be finite");
 }
 
 void requireIncreasing(const std::vector<double>& knots, const char* reason) {
   for (std::size_t i = 1; i < knots.size(); ++i)
     if (!(knots[i - 1] < knots[i] && std::isfinite(knots[i])))
-      throw std::invalid_argument("knot " + std::to_string(i) + " is " + text(knots[i]) + " after " +
-                                  text(knots[i - 1]) + ": " + reason);
+      throw std::invalid_argument("knot " + std::to_string(i) + " is " + text(knots[i]) +
+                                  " after " + text(knots[i - 1]) + ": " + reason);
   if (const double range = knots.back() - knots.front(); knots.size() > 1 && !std::isnormal(range))
     throw std::invalid_argument("the knots range over " + text(range) +
                                 ": that must not overflow, nor underflow");

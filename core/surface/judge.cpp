@@ -12,7 +12,8 @@ void SurfaceTolerance::validate() const {
   if (!(fairness >= 1) || !std::isfinite(fairness))
     text << "fairness is " << fairness << ": it must be a finite number, 1 or larger";
   else if (!(visible_per_mm >= 0) || !std::isfinite(visible_per_mm))
-    text << "visible variation is " << visible_per_mm << " per mm: it must be finite and not negative";
+    text << "visible variation is " << visible_per_mm
+         << " per mm: it must be finite and not negative";
   else
     return;
   throw std::invalid_argument(text.str());
@@ -23,7 +24,8 @@ double visibleVariation(double angle_rad, double size_mm) {
 }
 
 SurfaceVerdict judgeSurface(const SurfaceChange& change, const SurfaceTolerance& tolerance) {
-  const double allowed = tolerance.fairness * change.before.variation_per_mm + tolerance.visible_per_mm;
+  const double allowed =
+      tolerance.fairness * change.before.variation_per_mm + tolerance.visible_per_mm;
   std::ostringstream text;
   if (!(change.after.variation_per_mm <= allowed)) {
     text << "its mean curvature varies by " << change.after.variation_per_mm

@@ -22,7 +22,9 @@ LineVariation variationOf(std::span<const double> values, double noise) {
     }
     low = std::min(low, value);
     high = std::max(high, value);
-    const int turned = way >= 0 && value < high - noise ? -1 : way <= 0 && value > low + noise ? 1 : 0;
+    const int turned = way >= 0 && value < high - noise  ? -1
+                       : way <= 0 && value > low + noise ? 1
+                                                         : 0;
     if (turned == 0) continue;
     if (way != 0) ++line.extrema;
     way = turned;
@@ -34,7 +36,8 @@ LineVariation variationOf(std::span<const double> values, double noise) {
 SurfaceMeasure measureSurface(std::span<const CurvatureLine> lines, double noise_per_mm) {
   const auto finite = [](const std::vector<double>& values) {
     std::vector<double> kept;
-    std::ranges::copy_if(values, std::back_inserter(kept), [](double value) { return std::isfinite(value); });
+    std::ranges::copy_if(values, std::back_inserter(kept),
+                         [](double value) { return std::isfinite(value); });
     return kept;
   };
   SurfaceMeasure measure;
@@ -76,7 +79,8 @@ void include(SurfaceChange& change, const CurvedPoint& before, const CurvedPoint
   if (!difference.allFinite()) return;
   const Eigen::Vector3d u = was->unitOrthogonal(), v = was->cross(u);
   const double half_sum = (u.dot(difference * u) + v.dot(difference * v)) / 2;
-  const double half = (u.dot(difference * u) - v.dot(difference * v)) / 2, mixed = u.dot(difference * v);
+  const double half = (u.dot(difference * u) - v.dot(difference * v)) / 2,
+               mixed = u.dot(difference * v);
   change.curvature_change_per_mm =
       std::max(change.curvature_change_per_mm, std::abs(half_sum) + std::hypot(half, mixed));
 }

@@ -18,8 +18,9 @@ struct LineVariation {
   int inflections = 0;  ///< changes of sign between values beyond the noise
 };
 
-/// Total variation, extrema and changes of sign of a sequence of values. A turn counts once the values have come back by more than \p noise from
-/// the extremum; a change of sign counts between a value above \p noise and one below minus it. The total does not leave out noise.
+/// Total variation, extrema and changes of sign of a sequence of values. A turn counts once the
+/// values have come back by more than \p noise from the extremum; a change of sign counts between a
+/// value above \p noise and one below minus it. The total does not leave out noise.
 ///
 /// Identities (each has a test of its number):
 ///   (1) A monotone sequence has total |last - first| and no extremum.
@@ -30,7 +31,8 @@ struct LineVariation {
 /// \param noise not negative. An empty sequence has none of all.
 LineVariation variationOf(std::span<const double> values, double noise);
 
-/// Curvature at places along an iso-line of a surface, where it is inside the face, in the sense of the line.
+/// Curvature at places along an iso-line of a surface, where it is inside the face, in the sense of
+/// the line.
 struct CurvatureLine {
   std::vector<double> mean_per_mm;    ///< mean curvature (k1 + k2) / 2 to the normal X_u x X_v
   std::vector<double> normal_per_mm;  ///< normal curvature in the direction of the line
@@ -42,8 +44,9 @@ struct SurfaceMeasure {
   double variation_per_mm = 0;
   double largest_variation_per_mm = 0;  ///< of a line
   int extrema = 0;                      ///< of the mean curvature along all lines
-  int inflections = 0;  ///< along all lines: changes of sign of the normal curvature in their directions
-  int lines = 0;        ///< with two places at least
+  int inflections =
+      0;          ///< along all lines: changes of sign of the normal curvature in their directions
+  int lines = 0;  ///< with two places at least
 };
 
 /// \param noise_per_mm of curvature, see variationOf(). Values that are not finite are left out.
@@ -55,8 +58,8 @@ struct SurfaceChange {
   double normal_move_mm = 0;      ///< the largest part of a move along the normal before
   double tangential_move_mm = 0;  ///< and across it
   double turn_rad = 0;            ///< the largest turn of a normal, 0..pi
-  /// The largest change of a normal curvature: the spectral norm of the difference of the curvature tensors, the normal after turned back to the
-  /// one before by the smallest rotation.
+  /// The largest change of a normal curvature: the spectral norm of the difference of the curvature
+  /// tensors, the normal after turned back to the one before by the smallest rotation.
   double curvature_change_per_mm = 0;
   /// The largest move of a point of the face: seen, and not exceeded.
   Interval move_mm = {0, 0};
@@ -71,8 +74,8 @@ struct CurvedPoint {
 };
 CurvedPoint curvedPoint(const SurfaceJet& jet, const JetNoise& noise = {});
 
-/// Takes one place into the change: moves, turn and change of curvature, as far as both have a normal. \p move_mm grows at its lower
-/// end. Nothing where a place is not finite.
+/// Takes one place into the change: moves, turn and change of curvature, as far as both have a
+/// normal. \p move_mm grows at its lower end. Nothing where a place is not finite.
 void include(SurfaceChange& change, const CurvedPoint& before, const CurvedPoint& after);
 
 }  // namespace seamwright

@@ -25,7 +25,8 @@ int levelsFor(const FillCorner& corner, double angle_rad) {
 /// The coefficients of beta_k over these knots, as polar forms: sum_m x_m prod_(j != m) (1 - x_j).
 Eigen::VectorXd bump(const std::vector<double>& knots, int degree, int level) {
   const std::size_t n = static_cast<std::size_t>(degree);
-  Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(knots.size() - n - 1));
+  Eigen::VectorXd coefficients =
+      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(knots.size() - n - 1));
   for (std::size_t i = 0; i + n + 1 < knots.size(); ++i) {
     if (knots[i + n + 1] <= 1 - reach(level)) continue;
     double sum = 0;
@@ -50,7 +51,8 @@ BSplineSurface withKnots(const BezierPatch& patch, int levels) {
   BSplineSurface surface = splineSurface(patch);
   for (const SurfaceDirection direction : {SurfaceDirection::U, SurfaceDirection::V})
     for (int level = 1; level <= levels; ++level)
-      for (int times = 0; times < 2; ++times) surface = withKnot(surface, direction, 1 - reach(level));
+      for (int times = 0; times < 2; ++times)
+        surface = withKnot(surface, direction, 1 - reach(level));
   return surface;
 }
 
@@ -80,8 +82,8 @@ std::vector<BSplineSurface> withCornerKnots(const NSidedFill& fill, double angle
     throw std::invalid_argument("angle " + bernstein::text(angle_rad) + " rad is not positive");
   std::vector<BSplineSurface> surfaces;
   for (std::size_t k = 0; k < fill.patches.size(); ++k)
-    surfaces.push_back(
-        withLevels(fill.patches[k], fill.corners[k].twist_defect_mm, levelsFor(fill.corners[k], angle_rad)));
+    surfaces.push_back(withLevels(fill.patches[k], fill.corners[k].twist_defect_mm,
+                                  levelsFor(fill.corners[k], angle_rad)));
   return surfaces;
 }
 

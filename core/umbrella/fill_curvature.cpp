@@ -16,15 +16,19 @@ namespace seamwright::fill {
 namespace {
 
 using Eigen::Index, Eigen::Vector2d, Eigen::Vector3d;
-/// A point or vector as an affine function of the unknowns: their coefficients, then the constant's x, y, z.
+/// A point or vector as an affine function of the unknowns: their coefficients, then the constant's
+/// x, y, z.
 using Form = Eigen::RowVectorXd;
 
-constexpr int finer = 3;  ///< jumps are looked at in so many places for one where they are made small
+constexpr int finer =
+    3;  ///< jumps are looked at in so many places for one where they are made small
 constexpr Index last_place = 3 * 12;  ///< along each edge, besides its first end
-/// Of the mean squared third derivative, or what differences make of it, in turn: jumps come down in steps.
+/// Of the mean squared third derivative, or what differences make of it, in turn: jumps come down
+/// in steps.
 constexpr std::array<double, 5> fairness_weights = {100, 10, 1, 1e-1, 1e-2};
 
-/// Differences of poles become derivatives by this factor. Degrees 6 and higher are compared: their weights mean the same.
+/// Differences of poles become derivatives by this factor. Degrees 6 and higher are compared: their
+/// weights mean the same.
 double derivativeScale(int degree, int order) {
   double scale = 1;
   for (int k = 0; k < order; ++k) scale *= static_cast<double>(degree - k) / (6 - k);
@@ -62,7 +66,8 @@ Vector3d at(const Poles& vectors, Index place) {
   return vectors.row(place);
 }
 
-/// Patches along one of their edges, as far as curvature asks, at all places: x runs into the patch, s along the edge.
+/// Patches along one of their edges, as far as curvature asks, at all places: x runs into the
+/// patch, s along the edge.
 struct Strip {
   Poles x, s, xx, xs, ss;
 };
@@ -72,8 +77,9 @@ struct Beyond {
   Poles edge1, edge2, cross, cross1, bend;
 };
 
-/// Across an edge at a place, along the normal: xx of the patch, or of the one after, less alpha^2 xx + 2 alpha beta xs + beta^2 ss of
-/// the one before, less what is wanted; times the scale that makes it a normal curvature.
+/// Across an edge at a place, along the normal: xx of the patch, or of the one after, less alpha^2
+/// xx + 2 alpha beta xs + beta^2 ss of the one before, less what is wanted; times the scale that
+/// makes it a normal curvature.
 struct Jump {
   Index place = 0;
   Vector3d normal = Vector3d::Zero();
@@ -90,9 +96,9 @@ Jump outerJump(const Strip& strip, const Beyond& beyond, Index place) {
   const Vector3d x = at(strip.x, place), s = at(strip.s, place);
   Jump jump{place, x.cross(s).normalized()};
   const Vector2d c = combination(at(beyond.cross, place), at(beyond.edge1, place), x);
-  jump.wanted =
-      jump.normal.dot(c(0) * c(0) * at(beyond.bend, place) + 2 * c(0) * c(1) * at(beyond.cross1, place) +
-                      c(1) * c(1) * at(beyond.edge2, place));
+  jump.wanted = jump.normal.dot(c(0) * c(0) * at(beyond.bend, place) +
+                                2 * c(0) * c(1) * at(beyond.cross1, place) +
+                                c(1) * c(1) * at(beyond.edge2, place));
   jump.scale = curvatureScale(x, s);
   jump.value_per_mm = jump.scale * (jump.normal.dot(at(strip.xx, place)) - jump.wanted);
   return jump;
@@ -104,9 +110,10 @@ Jump innerJump(const Strip& before, const Strip& after, Index place) {
   const Vector2d c = combination(at(before.x, place), s, x);
   jump.alpha = c(0), jump.beta = c(1);
   jump.scale = curvatureScale(x, s);
-  jump.value_per_mm = jump.scale * jump.normal.dot(at(after.xx, place) - c(0) * c(0) * at(before.xx, place) -
-                                                   2 * c(0) * c(1) * at(before.xs, place) -
-                                                   c(1) * c(1) * at(before.ss, place));
+  jump.value_per_mm =
+      jump.scale *
+      jump.normal.dot(at(after.xx, place) - c(0) * c(0) * at(before.xx, place) -
+                      2 * c(0) * c(1) * at(before.xs, place) - c(1) * c(1) * at(before.ss, place));
   return jump;
 }
 
@@ -116,7 +123,8 @@ bool isKnown(const FillSide& side) {
 
 /// Along the edges of a fill.
 struct Jumps {
-  std::vector<std::vector<Jump>> outer, inner;  ///< of each edge; none where nothing is known beyond
+  std::vector<std::vector<Jump>> outer,
+      inner;  ///< of each edge; none where nothing is known beyond
   double largest_per_mm = 0;
   double squares = 0;  ///< their sum
 };
@@ -188,7 +196,8 @@ class Problem {
       : space_(space), places_(places), count_(space.coefficients.cols()) {
     forms_.resize(space.coefficients.rows(), count_ + 3);
     forms_ << space.coefficients, space.constants;
-    const Eigen::MatrixXd rows = derivativeScale(space.degree, order) * differencesOf(space, forms_, order);
+    const Eigen::MatrixXd rows =
+        derivativeScale(space.degree, order) * differencesOf(space, forms_, order);
     fair_ = rows.leftCols(count_).transpose() * rows;
   }
 
@@ -221,7 +230,8 @@ class Problem {
     right_ += rows.transpose() * Eigen::Map<const Eigen::VectorXd>(values_.data(), size);
     // Unknowns that move no pole, or that all fills leave free, stay near zero.
     matrix_.diagonal().array() += 1e-13 * matrix_.diagonal().maxCoeff();
-    const Eigen::VectorXd solution = matrix_.ldlt().solve(right_);  // of which the lower half counts
+    const Eigen::VectorXd solution =
+        matrix_.ldlt().solve(right_);  // of which the lower half counts
     Poles unknowns(count_, 3);
     for (int c = 0; c < 3; ++c) unknowns.col(c) = solution.segment(c * count_, count_);
     return unknowns;
@@ -232,7 +242,8 @@ class Problem {
   void add(const Form& form, const Jump& jump, double weight) {
     weight *= jump.scale;
     Form row(3 * count_);
-    for (int c = 0; c < 3; ++c) row.segment(c * count_, count_) = weight * jump.normal(c) * form.head(count_);
+    for (int c = 0; c < 3; ++c)
+      row.segment(c * count_, count_) = weight * jump.normal(c) * form.head(count_);
     rows_.push_back(std::move(row));
     values_.push_back(weight * (jump.wanted - form.tail<3>().dot(jump.normal)));
   }
@@ -254,7 +265,9 @@ class Problem {
   Form form(int patch, PatchEdge edge, bool reversed, Index place, int across, int along) const {
     const int n = space_.degree;
     const std::array<std::array<double, 3>, 3> stencils = {
-        {{1, 0, 0}, {-1.0 * n, 1.0 * n, 0}, {1.0 * n * (n - 1), -2.0 * n * (n - 1), 1.0 * n * (n - 1)}}};
+        {{1, 0, 0},
+         {-1.0 * n, 1.0 * n, 0},
+         {1.0 * n * (n - 1), -2.0 * n * (n - 1), 1.0 * n * (n - 1)}}};
     Form result = Form::Zero(forms_.cols());
     for (int k = 0; k <= n; ++k)
       for (int r = 0; r <= across; ++r)
@@ -313,7 +326,8 @@ FillEdges starEdges(int sides) {
 }
 
 FillEdges ringEdges() {
-  constexpr std::array<PatchEdge, 4> middle = {PatchEdge::V0, PatchEdge::U1, PatchEdge::V1, PatchEdge::U0};
+  constexpr std::array<PatchEdge, 4> middle = {PatchEdge::V0, PatchEdge::U1, PatchEdge::V1,
+                                               PatchEdge::U0};
   FillEdges edges;
   for (int k = 0; k < 4; ++k) {
     edges.outer.push_back({k, PatchEdge::U1, static_cast<std::size_t>(k), 0, 1});
@@ -344,7 +358,8 @@ CurvedPatches leastCurvatureJump(
   }
   std::ranges::sort(candidates, {}, &Candidate::squares);
   for (Candidate& candidate : candidates)
-    if (std::ranges::all_of(candidate.patches, [](const BezierPatch& patch) { return provedRegular(patch); }))
+    if (std::ranges::all_of(candidate.patches,
+                            [](const BezierPatch& patch) { return provedRegular(patch); }))
       return {std::move(candidate.patches), candidate.largest_per_mm};
   return {given, first.largest_per_mm};
 }

@@ -48,7 +48,8 @@ Substitution substitution(const FillSpace& space, std::optional<double> spoke_sc
   result.basis.bottomRightCorner(count - star - 2, count - star - 2).setIdentity();
   // The centre drops out of the star: the cosines, and the sines, add up to zero.
   for (int k = 0; k < space.patches; ++k) {
-    const double angle = 2 * std::numbers::pi * k / space.patches, weight = 2 * *spoke_scale / space.patches;
+    const double angle = 2 * std::numbers::pi * k / space.patches,
+                 weight = 2 * *spoke_scale / space.patches;
     result.offset.row(star) += weight * std::cos(angle) * space.middles.row(k);
     result.offset.row(star + 1) += weight * std::sin(angle) * space.middles.row(k);
   }
@@ -68,12 +69,14 @@ Fairest fairest(const FillSpace& space, int order, std::optional<double> spoke_s
   const Eigen::MatrixXd matrix = differences<Eigen::MatrixXd>(space, coefficients, order);
   const Poles fixed = differences<Poles>(space, offset, order);
   Poles solution = linear::LeastSquares(matrix).solve(-fixed);
-  const double rounding = 16 * std::numeric_limits<double>::epsilon() * static_cast<double>(matrix.rows());
+  const double rounding =
+      16 * std::numeric_limits<double>::epsilon() * static_cast<double>(matrix.rows());
   const Eigen::MatrixXd idle = linear::nullSpace(matrix, rounding);
   if (idle.cols() > 0) {
     const Poles poles = coefficients * solution + offset;
-    solution += idle * linear::LeastSquares(differences<Eigen::MatrixXd>(space, coefficients * idle, 2))
-                           .solve(-differences<Poles>(space, poles, 2));
+    solution +=
+        idle * linear::LeastSquares(differences<Eigen::MatrixXd>(space, coefficients * idle, 2))
+                   .solve(-differences<Poles>(space, poles, 2));
   }
   return {rest.basis * solution + rest.offset, (matrix * solution + fixed).squaredNorm()};
 }

@@ -19,7 +19,8 @@ struct Scalars {
   double q_slope_begin = 0, q_slope_end = 0;
 };
 
-/// Steps 1 and 2: G at the ends of a side is half the tangent of the sides next to it, p is linear on each half.
+/// Steps 1 and 2: G at the ends of a side is half the tangent of the sides next to it, p is linear
+/// on each half.
 Scalars scalarsOf(const HoleCorner& begin, const HoleCorner& end, SpokeLaw law, int n) {
   Scalars s;
   const Vector2d first = combination(begin.after()->cross, begin.after()->edge, begin.in() / 2);
@@ -31,8 +32,10 @@ Scalars scalarsOf(const HoleCorner& begin, const HoleCorner& end, SpokeLaw law, 
   return s;
 }
 
-/// Steps 3 and 6: slopes of q such that the mixed derivatives of the fill agree but for a normal part, which is the result.
-Vector3d meetTwists(const HoleCorner& corner, Scalars& before, Scalars& after, FillCorner& figures) {
+/// Steps 3 and 6: slopes of q such that the mixed derivatives of the fill agree but for a normal
+/// part, which is the result.
+Vector3d meetTwists(const HoleCorner& corner, Scalars& before, Scalars& after,
+                    FillCorner& figures) {
   const SideEnd &b = *corner.before(), &a = *corner.after();
   const double p1_before = 2 * (before.p_end - before.p_middle),
                p1_after = 2 * (after.p_middle - after.p_begin);
@@ -42,14 +45,15 @@ Vector3d meetTwists(const HoleCorner& corner, Scalars& before, Scalars& after, F
   after.q_slope_begin = slopes(0), before.q_slope_end = slopes(1);
   const Vector3d normal = corner.in().cross(corner.out()).normalized();
   figures.twist_defect_mm = normal.dot(known);
-  const double noise =
-      (after.p_begin + before.p_end + std::abs(p1_after) + std::abs(p1_before)) * (a.noise + b.noise) * 4 +
-      16 * (std::abs(after.q_begin) * a.noise + std::abs(before.q_end) * b.noise);
+  const double noise = (after.p_begin + before.p_end + std::abs(p1_after) + std::abs(p1_before)) *
+                           (a.noise + b.noise) * 4 +
+                       16 * (std::abs(after.q_begin) * a.noise + std::abs(before.q_end) * b.noise);
   figures.exact = figures.exact && std::abs(figures.twist_defect_mm) <= noise;
   return known + slopes(0) * a.edge + slopes(1) * b.edge;
 }
 
-/// Step 4: Bernstein coefficients of p and q on the halves; q is such that the slope of G jumps in the middle as the spoke asks for.
+/// Step 4: Bernstein coefficients of p and q on the halves; q is such that the slope of G jumps in
+/// the middle as the spoke asks for.
 struct HalfScalars {
   Eigen::VectorXd p, q;
 };
@@ -66,13 +70,14 @@ struct Half {
   Poles edge1, wanted, taken;
 };
 
-std::array<Half, 2> halvesOf(const FillSide& side, const std::array<HalfScalars, 2>& scalars, int degree) {
+std::array<Half, 2> halvesOf(const FillSide& side, const std::array<HalfScalars, 2>& scalars,
+                             int degree) {
   const std::array<Poles, 2> edge1 = halved(rows::derivative<3>(side.edge.poles())),
                              cross = halved(*side.cross);
   std::array<Half, 2> halves;
   for (std::size_t h = 0; h < 2; ++h) {
-    const Field<3> field =
-        rows::sum<3>(rows::product<3>(scalars[h].p, cross[h]), rows::product<3>(scalars[h].q, edge1[h]));
+    const Field<3> field = rows::sum<3>(rows::product<3>(scalars[h].p, cross[h]),
+                                        rows::product<3>(scalars[h].q, edge1[h]));
     const Poles raised = rows::elevated<3>(field, degree);
     halves[h] = {edge1[h], raised, raised};
   }
@@ -98,7 +103,8 @@ CrossBoundaryDerivatives crossBoundaryDerivatives(const std::vector<FillSide>& s
   }
   std::vector<Scalars> scalars(n);
   for (std::size_t k = 0; k < n; ++k)
-    if (sides[k].cross) scalars[k] = scalarsOf(corners[k], corners[next(k)], law, static_cast<int>(n));
+    if (sides[k].cross)
+      scalars[k] = scalarsOf(corners[k], corners[next(k)], law, static_cast<int>(n));
   std::vector<Vector3d> defects(n, Vector3d::Zero());
   for (std::size_t k = 0; k < n; ++k)
     if (corners[k].before() && corners[k].after())
@@ -113,17 +119,17 @@ CrossBoundaryDerivatives crossBoundaryDerivatives(const std::vector<FillSide>& s
     left.row(0) = corners[k].in() / 2;
     right.row(degree) = -corners[next(k)].out() / 2;
     left.row(1) += (left.row(0) - halves[0].wanted.row(0)) - defects[k].transpose() / (4 * degree);
-    right.row(degree - 1) +=
-        (right.row(degree) - halves[1].wanted.row(degree)) + defects[next(k)].transpose() / (4 * degree);
+    right.row(degree - 1) += (right.row(degree) - halves[1].wanted.row(degree)) +
+                             defects[next(k)].transpose() / (4 * degree);
     SideField field{{left, right}, {}};
     for (std::size_t h = 0; h < 2; ++h) {
       field.joins[h].alpha = functions[h].p;
       field.joins[h].beta = -2 * functions[h].q;
       FillCorner& corner = result.corners[h == 0 ? k : next(k)];
       if (!corner.exact)
-        corner.angle_bound_rad =
-            std::max(corner.angle_bound_rad,
-                     angleBound(halves[h].wanted, halves[h].taken - halves[h].wanted, halves[h].edge1));
+        corner.angle_bound_rad = std::max(
+            corner.angle_bound_rad,
+            angleBound(halves[h].wanted, halves[h].taken - halves[h].wanted, halves[h].edge1));
     }
     result.sides[k] = std::move(field);
   }

@@ -8,7 +8,8 @@
 /// The cross derivatives that a fill has along sides with tangent planes; not a public header.
 namespace seamwright::fill {
 
-/// 2 cos(2 pi / n), exactly 0 for n = 4: a regular star of n tangents r_k has r_(k+1) = c r_k - r_(k-1).
+/// 2 cos(2 pi / n), exactly 0 for n = 4: a regular star of n tangents r_k has r_(k+1) = c r_k -
+/// r_(k-1).
 inline double starFactor(int n) {
   return n == 4 ? 0 : 2 * std::cos(2 * std::numbers::pi / n);
 }
@@ -18,7 +19,8 @@ inline double slopeAtSide(SpokeLaw law, int n) {
   return law == SpokeLaw::Linear ? -starFactor(n) : 0;
 }
 
-/// The derivative of the fill out of the hole along the halves [0, 1/2] and [1/2, 1] of a side, each in the degree of the patches.
+/// The derivative of the fill out of the hole along the halves [0, 1/2] and [1/2, 1] of a side,
+/// each in the degree of the patches.
 struct SideField {
   std::array<Poles, 2> halves;
   FillSideJoin joins;

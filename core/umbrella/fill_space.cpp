@@ -9,15 +9,21 @@ namespace seamwright::fill {
 
 namespace {
 
-/// One point as an affine function of the unknowns: their coefficients, then the constant's x, y, z.
+/// One point as an affine function of the unknowns: their coefficients, then the constant's x, y,
+/// z.
 using Form = Eigen::RowVectorXd;
 class Builder {
  public:
   Builder(const std::vector<FillSide>& sides, const CrossBoundaryDerivatives& fields, SpokeLaw law,
           int degree)
-      : sides_(sides), given_(fields.sides), law_(law), n_(static_cast<int>(sides.size())), degree_(degree) {
+      : sides_(sides),
+        given_(fields.sides),
+        law_(law),
+        n_(static_cast<int>(sides.size())),
+        degree_(degree) {
     spoke_degree_ = law == SpokeLaw::Linear || n_ == 4 ? degree : degree - 1;
-    // Before forms are made their length must be known: centre, star, spokes, twist, cross fields, differences, interiors.
+    // Before forms are made their length must be known: centre, star, spokes, twist, cross fields,
+    // differences, interiors.
     const int inner = degree - 3;
     unknowns_ = 3 + n_ * (spoke_degree_ - 3) - (isConstrained() ? 1 : 0) + (n_ % 2 == 0 ? 1 : 0) +
                 n_ * inner + n_ * inner * inner;
@@ -32,7 +38,8 @@ class Builder {
     makeTwists();
     space_.patches = n_;
     space_.degree = degree_;
-    nets_ = Forms::Zero(static_cast<Eigen::Index>(n_) * (degree_ + 1) * (degree_ + 1), unknowns_ + 3);
+    nets_ =
+        Forms::Zero(static_cast<Eigen::Index>(n_) * (degree_ + 1) * (degree_ + 1), unknowns_ + 3);
     for (int k = 0; k < n_; ++k) setBoundary(k);
     for (int k = 0; k < n_; ++k) setBesideSpoke(k);
     for (int k = 0; k < n_; ++k) setInterior(k);
@@ -70,13 +77,14 @@ class Builder {
     }
   }
 
-  /// Cross derivatives out of the hole. Those of a side of position alone are free but for values and mixed derivatives at the corners, and
-  /// the jump of their slope in the middle.
+  /// Cross derivatives out of the hole. Those of a side of position alone are free but for values
+  /// and mixed derivatives at the corners, and the jump of their slope in the middle.
   void makeFields() {
     fields_.resize(n_);
     for (int k = 0; k < n_; ++k)
       for (std::size_t h = 0; h < 2; ++h)
-        fields_[k][h] = isFree(k) ? Forms::Zero(degree_ + 1, unknowns_ + 3) : constants(given_[k]->halves[h]);
+        fields_[k][h] =
+            isFree(k) ? Forms::Zero(degree_ + 1, unknowns_ + 3) : constants(given_[k]->halves[h]);
     for (int k = 0; k < n_; ++k)
       if (isFree(k)) beginField(k);
     for (int k = 0; k < n_; ++k)
@@ -98,7 +106,8 @@ class Builder {
     const Forms &left = fields_[k][0], &first = fields_[after(k)][0];
     Forms& right = fields_[k][1];
     right.row(0) = left.row(degree_);
-    right.row(1) = (2 + slopeAtSide(law_, n_) / degree_) * left.row(degree_) - left.row(degree_ - 1);
+    right.row(1) =
+        (2 + slopeAtSide(law_, n_) / degree_) * left.row(degree_) - left.row(degree_ - 1);
     for (int i = 2; i <= degree_ - 2; ++i) right.row(i) = unknown();
     right.row(degree_) = constants(-tangentAtBegin(sides_[after(k)]).transpose() / 2);
     right.row(degree_ - 1) = right.row(degree_) + first.row(1) - first.row(0);
@@ -143,7 +152,8 @@ class Builder {
   void setBoundary(int k) {
     const Forms &right = edges_[before(k)][1], &left = edges_[k][0];
     const Forms &across_right = fields_[before(k)][1], &across_left = fields_[k][0];
-    const Forms bottom = elevated(spokes_[before(k)], degree_), beside = elevated(spokes_[k], degree_);
+    const Forms bottom = elevated(spokes_[before(k)], degree_),
+                beside = elevated(spokes_[k], degree_);
     for (int s = 0; s <= degree_; ++s) {
       pole(k, s, 0) = bottom.row(s);
       pole(k, 0, s) = beside.row(s);
@@ -156,14 +166,16 @@ class Builder {
       pole(k, s, degree_ - 1) = left.row(degree_ - s) - across_left.row(degree_ - s) / degree_;
       pole(k, degree_ - 1, s) = right.row(s) - across_right.row(s) / degree_;
     }
-    pole(k, 1, 1) = twists_[k] / (degree_ * degree_) + pole(k, 1, 0) + pole(k, 0, 1) - pole(k, 0, 0);
+    pole(k, 1, 1) =
+        twists_[k] / (degree_ * degree_) + pole(k, 1, 0) + pole(k, 0, 1) - pole(k, 0, 0);
   }
 
   /// V + U = a S' across spoke k, in the poles that do not belong to the centre or to the side.
   void setBesideSpoke(int k) {
     const double c = starFactor(n_);
-    const Eigen::VectorXd law = law_ == SpokeLaw::Linear ? Eigen::VectorXd(Eigen::Vector2d(c, 0))
-                                                         : Eigen::VectorXd(Eigen::Vector3d(c, 0, 0));
+    const Eigen::VectorXd law = law_ == SpokeLaw::Linear
+                                    ? Eigen::VectorXd(Eigen::Vector2d(c, 0))
+                                    : Eigen::VectorXd(Eigen::Vector3d(c, 0, 0));
     const Forms spoke = elevated(spokes_[k], degree_);
     Forms mean = spoke;
     if (c != 0) mean += elevated(product(law, derivative(spokes_[k])), degree_) / (2.0 * degree_);
@@ -192,8 +204,8 @@ class Builder {
 
 }  // namespace
 
-FillSpace fillSpace(const std::vector<FillSide>& sides, const CrossBoundaryDerivatives& fields, SpokeLaw law,
-                    int degree) {
+FillSpace fillSpace(const std::vector<FillSide>& sides, const CrossBoundaryDerivatives& fields,
+                    SpokeLaw law, int degree) {
   return Builder(sides, fields, law, degree).build();
 }
 

@@ -12,7 +12,8 @@ namespace {
 /// Multiplication of a polynomial of that degree by a factor, as a matrix.
 Eigen::MatrixXd multiplication(const Eigen::VectorXd& factor, int degree) {
   Eigen::MatrixXd matrix(degree + factor.size(), degree + 1);
-  for (int j = 0; j <= degree; ++j) matrix.col(j) = rows::times(factor, Eigen::VectorXd::Unit(degree + 1, j));
+  for (int j = 0; j <= degree; ++j)
+    matrix.col(j) = rows::times(factor, Eigen::VectorXd::Unit(degree + 1, j));
   return matrix;
 }
 
@@ -79,7 +80,9 @@ class Frame {
     const int member = in_.vertex.memberBefore(spoke);
     return {in_.nets[member], Edge::U0, member, in_.vertex.before(spoke)};
   }
-  Side after(int spoke) const { return {in_.nets[spoke], Edge::V0, spoke, in_.vertex.after(spoke)}; }
+  Side after(int spoke) const {
+    return {in_.nets[spoke], Edge::V0, spoke, in_.vertex.after(spoke)};
+  }
 
   Eigen::RowVectorXd tangent(int spoke) const { return derivative(in_.spokes[spoke]).row(0); }
 
@@ -102,7 +105,8 @@ class Frame {
     for (int i = 0; i < in_.vertex.spokes(); ++i) {
       if (!in_.vertex.isInner(i)) continue;
       const Forms first = derivative(in_.spokes[i]);
-      sums.row(i) = in_.laws[i].a(0) * derivative(first).row(0) + slope(in_.laws[i].a) * first.row(0) +
+      sums.row(i) = in_.laws[i].a(0) * derivative(first).row(0) +
+                    slope(in_.laws[i].a) * first.row(0) +
                     slope(in_.laws[i].b) * tangent(in_.vertex.before(i));
     }
     twists_ = solution.of_sums * sums;
@@ -116,7 +120,8 @@ class Frame {
     }
   }
 
-  /// The derivative across a spoke into a member, in that degree: two coefficients follow from O, others are given or free.
+  /// The derivative across a spoke into a member, in that degree: two coefficients follow from O,
+  /// others are given or free.
   Forms freeField(const Side& side, int degree) {
     Forms field(degree + 1, free_.columns());
     field.row(0) = tangent(side.other_spoke);
@@ -141,19 +146,22 @@ class Frame {
     }
   }
 
-  /// V = a C' + b U: V follows from U, but if the member behind V alone is a triangle, whose field has the lower degree.
+  /// V = a C' + b U: V follows from U, but if the member behind V alone is a triangle, whose field
+  /// has the lower degree.
   void placeFields(int spoke) {
     const Side u = before(spoke), v = after(spoke);
     const SpokeFunctions& law = in_.laws[spoke];
     const Forms along = times(law.a, derivative(in_.spokes[spoke]));
     const bool from_v = v.net.isTriangle() && !u.net.isTriangle();
     const Side &master = from_v ? v : u, &follower = from_v ? u : v;
-    const int degree = master.net.crossDegree() - (law.b.size() > 1 && !master.net.isTriangle() ? 1 : 0);
+    const int degree =
+        master.net.crossDegree() - (law.b.size() > 1 && !master.net.isTriangle() ? 1 : 0);
     const Forms field = freeField(master, degree);
     const Forms scaled = from_v ? field : times(law.b, field);
     const int common = std::max(rows::degree(scaled), rows::degree(along));
-    const Forms there = from_v ? Forms((elevated(scaled, common) - elevated(along, common)) / law.b(0))
-                               : Forms(elevated(scaled, common) + elevated(along, common));
+    const Forms there = from_v
+                            ? Forms((elevated(scaled, common) - elevated(along, common)) / law.b(0))
+                            : Forms(elevated(scaled, common) + elevated(along, common));
     placeRow(master, field);
     placeRow(follower, there);
   }

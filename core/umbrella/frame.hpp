@@ -10,11 +10,13 @@
 
 /// The poles of all umbrellas with the same laws across their spokes; not a public header.
 ///
-/// With the laws fixed, G1 is linear in the poles, and the three coordinates do not mix. So every pole is a fixed combination of a few free
-/// vectors and a constant one, and any choice of the free vectors makes exact joins.
+/// With the laws fixed, G1 is linear in the poles, and the three coordinates do not mix. So every
+/// pole is a fixed combination of a few free vectors and a constant one, and any choice of the free
+/// vectors makes exact joins.
 namespace seamwright::umbrella {
 
-/// Vectors as combinations: one a row, first the coefficients of the free vectors, then the constant vector.
+/// Vectors as combinations: one a row, first the coefficients of the free vectors, then the
+/// constant vector.
 using Forms = Eigen::MatrixXd;
 
 /// Where free vectors come from. At most so many are handed out.
@@ -38,7 +40,9 @@ struct Net {
   Eigen::Index first = 0;
 
   bool isTriangle() const { return kind == MemberKind::Triangle; }
-  int last(int r) const { return isTriangle() ? degree - r : degree; }  ///< of the poles (r, 0), (r, 1), ...
+  int last(int r) const {
+    return isTriangle() ? degree - r : degree;
+  }  ///< of the poles (r, 0), (r, 1), ...
   Eigen::Index size() const {
     return isTriangle() ? (degree + 1) * (degree + 2) / 2 : (degree + 1) * (degree + 1);
   }
@@ -74,7 +78,8 @@ struct FrameInput {
 /// Source: docs/theory/fills.md F1.7, F1.8.
 Forms framed(const FrameInput& input, FreeVectors& free);
 
-/// Sum of squares of what the rows times the poles are is the energy: second derivatives by u, by v and, twice, mixed, as differences of poles.
+/// Sum of squares of what the rows times the poles are is the energy: second derivatives by u, by v
+/// and, twice, mixed, as differences of poles.
 Eigen::MatrixXd energyRows(const std::vector<Net>& nets);
 
 /// The part of the forms that belongs to the free vectors, and the constant part.

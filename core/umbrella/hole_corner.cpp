@@ -27,23 +27,26 @@ std::string sideName(std::size_t k) {
 
 void requireDegree(int degree, int lowest, const std::string& what) {
   if (degree < lowest || degree > max_side_degree)
-    throw std::invalid_argument(what + " has degree " + std::to_string(degree) + ": it must be within " +
-                                std::to_string(lowest) + " to " + std::to_string(max_side_degree));
+    throw std::invalid_argument(what + " has degree " + std::to_string(degree) +
+                                ": it must be within " + std::to_string(lowest) + " to " +
+                                std::to_string(max_side_degree));
 }
 
-void requireField(const std::optional<Poles>& field, const std::string& side, const std::string& name) {
+void requireField(const std::optional<Poles>& field, const std::string& side,
+                  const std::string& name) {
   if (!field) return;
   requireDegree(static_cast<int>(field->rows()) - 1, 0, side + ": the " + name);
   for (Eigen::Index i = 0; i < field->rows(); ++i)
     for (int c = 0; c < 3; ++c)
       if (!std::isfinite((*field)(i, c)))
-        throw std::invalid_argument(side + ": coefficient " + std::to_string(i) + " of the " + name + " is " +
-                                    text((*field)(i, c)));
+        throw std::invalid_argument(side + ": coefficient " + std::to_string(i) + " of the " +
+                                    name + " is " + text((*field)(i, c)));
 }
 
 void requireSide(const FillSide& side, std::size_t k) {
   if (side.edge.isRational())
-    throw std::invalid_argument(sideName(k) + ": the edge is rational, fills are built from polynomials");
+    throw std::invalid_argument(sideName(k) +
+                                ": the edge is rational, fills are built from polynomials");
   requireDegree(side.edge.degree(), 1, sideName(k) + ": the edge");
   requireField(side.cross, sideName(k), "cross field");
   requireField(side.bend, sideName(k), "second derivative");
@@ -88,7 +91,8 @@ double least(const Eigen::VectorXd& polynomial) {
 }
 
 double greatest(const Eigen::VectorXd& polynomial) {
-  return std::max(0.0, BernsteinPolynomial(polynomial).range(1e-3 * polynomial.cwiseAbs().maxCoeff()).upper);
+  return std::max(
+      0.0, BernsteinPolynomial(polynomial).range(1e-3 * polynomial.cwiseAbs().maxCoeff()).upper);
 }
 
 }  // namespace
@@ -126,7 +130,8 @@ void requireTolerance(double corner_tolerance_rad) {
 
 void requireCurvature(const std::optional<int>& degrees) {
   if (degrees && (*degrees < 0 || *degrees > 6))
-    throw std::invalid_argument("curvature degrees " + std::to_string(*degrees) + ": known are 0 to 6");
+    throw std::invalid_argument("curvature degrees " + std::to_string(*degrees) +
+                                ": known are 0 to 6");
 }
 
 Vector3d tangentAtBegin(const FillSide& side) {
@@ -144,7 +149,9 @@ Eigen::Vector2d combination(const Vector3d& first, const Vector3d& second, const
 }
 
 HoleCorner::HoleCorner(const std::vector<FillSide>& sides, std::size_t k)
-    : k_(k), in_(tangentAtEnd(sides[(k + sides.size() - 1) % sides.size()])), out_(tangentAtBegin(sides[k])) {
+    : k_(k),
+      in_(tangentAtEnd(sides[(k + sides.size() - 1) % sides.size()])),
+      out_(tangentAtBegin(sides[k])) {
   const FillSide& before = sides[(k + sides.size() - 1) % sides.size()];
   const double size = extent(sides);
   if (before.cross) before_ = endOfSide(before, true, size);
@@ -175,7 +182,8 @@ FillCorner HoleCorner::convexFigures(double tolerance_rad) const {
   const double beyond = corner.angle_rad - std::numbers::pi;
   if (std::abs(beyond) <= noise_rad_) refuse("180 degrees: merge the two sides");
   if (beyond > 0) refuse(degreesText(corner.angle_rad) + ", above 180 degrees: split the hole");
-  if (corner.angle_rad <= noise_rad_) refuse(degreesText(corner.angle_rad) + ", it must be positive");
+  if (corner.angle_rad <= noise_rad_)
+    refuse(degreesText(corner.angle_rad) + ", it must be positive");
   return corner;
 }
 
@@ -185,8 +193,8 @@ double HoleCorner::planeNoise(const SideEnd& end, std::size_t side) const {
   if (!(area > noise))
     throw std::invalid_argument(
         sideName(side) + ": at " + cornerName(k_) +
-        " the cross field is parallel to the edge or one of them vanishes, |E' x T| is " + text(area) +
-        ", rounding " + text(noise));
+        " the cross field is parallel to the edge or one of them vanishes, |E' x T| is " +
+        text(area) + ", rounding " + text(noise));
   return noise / area;
 }
 
@@ -206,14 +214,16 @@ double HoleCorner::planeAngle() const {
 
 double HoleCorner::interiorAngle() const {
   const Vector3d across = in_.cross(out_);
-  const double sine = before_ || after_ ? std::copysign(across.norm(), across.dot(up())) : across.norm();
+  const double sine =
+      before_ || after_ ? std::copysign(across.norm(), across.dot(up())) : across.norm();
   const double angle = std::atan2(sine, -in_.dot(out_));
   return angle < 0 ? angle + 2 * std::numbers::pi : angle;
 }
 
 double angleBound(const Poles& field, const Poles& change, const Poles& edge1) {
   const Field<3> across = rows::cross(field, edge1);
-  const double part = std::sqrt(least(rows::dot<3>(across, across)) / greatest(rows::dot<3>(edge1, edge1)));
+  const double part =
+      std::sqrt(least(rows::dot<3>(across, across)) / greatest(rows::dot<3>(edge1, edge1)));
   const double moved = std::sqrt(greatest(rows::dot<3>(change, change)));
   return part > moved ? std::asin(moved / part) : std::numbers::pi / 2;
 }

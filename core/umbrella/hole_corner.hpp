@@ -12,8 +12,9 @@ namespace seamwright::fill {
 /// "12.5 degrees", to six digits.
 std::string degreesText(double angle_rad);
 
-/// \throws std::invalid_argument as nSidedFill() for sides alone: rational, degrees, not finite, not closed, without a tangent; and for a
-/// tolerance outside [0, 0.1] and an order other than 2 and 3.
+/// \throws std::invalid_argument as nSidedFill() for sides alone: rational, degrees, not finite,
+/// not closed, without a tangent; and for a tolerance outside [0, 0.1] and an order other than 2
+/// and 3.
 void requireSides(const std::vector<FillSide>& sides);
 void requireFairness(int order);
 void requireTolerance(double corner_tolerance_rad);
@@ -41,13 +42,16 @@ class HoleCorner {
   /// \throws std::invalid_argument for a cross field parallel to the edge.
   HoleCorner(const std::vector<FillSide>& sides, std::size_t k);
 
-  /// Angles. \throws std::invalid_argument for planes that differ by more than the tolerance and rounding.
+  /// Angles. \throws std::invalid_argument for planes that differ by more than the tolerance and
+  /// rounding.
   FillCorner figures(double tolerance_rad) const;
-  /// The same. \throws std::invalid_argument too for angles of the hole of 0, and of 180 degrees or more.
+  /// The same. \throws std::invalid_argument too for angles of the hole of 0, and of 180 degrees or
+  /// more.
   FillCorner convexFigures(double tolerance_rad) const;
   /// What rounding makes of the angles.
   double noise_rad() const { return noise_rad_; }
-  /// Up where a viewer sees the hole to the left of its sides; zero where no side has a tangent plane.
+  /// Up where a viewer sees the hole to the left of its sides; zero where no side has a tangent
+  /// plane.
   Eigen::Vector3d up() const;
 
   const Eigen::Vector3d& in() const { return in_; }
@@ -66,7 +70,8 @@ class HoleCorner {
   double noise_rad_ = 0;
 };
 
-/// Bound of the angle between span(E', G) and span(E', G + change), Bernstein coefficients on one interval.
+/// Bound of the angle between span(E', G) and span(E', G + change), Bernstein coefficients on one
+/// interval.
 /// Source: docs/theory/fills.md F3.1.
 double angleBound(const Poles& field, const Poles& change, const Poles& edge1);
 

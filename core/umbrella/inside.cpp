@@ -31,10 +31,11 @@ void requireSides(const std::vector<BezierCurve>& sides, double gap_mm) {
     if (sides[i].degree() < 1) refuse(side + "has degree 0: it is a point");
     const Poles poles = sides[i].poles(), next = sides[(i + 1) % n].poles();
     const double gap = (poles.bottomRows<1>() - next.row(0)).norm();
-    const double rounding = 16 * std::numeric_limits<double>::epsilon() * poles.cwiseAbs().maxCoeff();
+    const double rounding =
+        16 * std::numeric_limits<double>::epsilon() * poles.cwiseAbs().maxCoeff();
     if (gap > gap_mm + rounding)
-      refuse(side + "ends " + text(gap) + " mm from the beginning of side " + std::to_string((i + 1) % n) +
-             ": at most " + text(gap_mm) + " is allowed");
+      refuse(side + "ends " + text(gap) + " mm from the beginning of side " +
+             std::to_string((i + 1) % n) + ": at most " + text(gap_mm) + " is allowed");
   }
 }
 
@@ -47,12 +48,13 @@ std::vector<Halves> halvesOf(const std::vector<BezierCurve>& sides, int degree) 
   std::vector<Halves> result;
   for (const BezierCurve& side : sides) {
     const auto [first, second] = side.split(0.5);
-    result.push_back(
-        {rows::elevated<3>(first.reversed().poles(), degree), rows::elevated<3>(second.poles(), degree)});
+    result.push_back({rows::elevated<3>(first.reversed().poles(), degree),
+                      rows::elevated<3>(second.poles(), degree)});
   }
   for (std::size_t i = 0; i < result.size(); ++i) {
     Halves& next = result[(i + 1) % result.size()];
-    const Eigen::RowVector3d corner = (result[i].to_end.bottomRows<1>() + next.to_begin.bottomRows<1>()) / 2;
+    const Eigen::RowVector3d corner =
+        (result[i].to_end.bottomRows<1>() + next.to_begin.bottomRows<1>()) / 2;
     result[i].to_end.bottomRows<1>() = next.to_begin.bottomRows<1>() = corner;
   }
   return result;
@@ -83,10 +85,10 @@ Eigen::Matrix3Xd regularTangents(int n) {
   return tangents;
 }
 
-/// Spokes from a free O, with tangents that are an affine image of the regular ones, to the middles of the sides. An even fan closes if the
-/// alternating sum of the third poles is zero.
-std::vector<Forms> freeSpokes(const UmbrellaVertex& vertex, const std::vector<Halves>& sides, int degree,
-                              FreeVectors& free) {
+/// Spokes from a free O, with tangents that are an affine image of the regular ones, to the middles
+/// of the sides. An even fan closes if the alternating sum of the third poles is zero.
+std::vector<Forms> freeSpokes(const UmbrellaVertex& vertex, const std::vector<Halves>& sides,
+                              int degree, FreeVectors& free) {
   const Eigen::RowVectorXd origin = free.next(), x = free.next(), y = free.next();
   const int n = vertex.spokes();
   Eigen::RowVectorXd alternating = Eigen::RowVectorXd::Zero(free.columns());
@@ -108,7 +110,8 @@ std::vector<Forms> freeSpokes(const UmbrellaVertex& vertex, const std::vector<Ha
 
 }  // namespace
 
-Umbrella umbrellaInside(const std::vector<BezierCurve>& sides, const UmbrellaInsideOptions& options) {
+Umbrella umbrellaInside(const std::vector<BezierCurve>& sides,
+                        const UmbrellaInsideOptions& options) {
   requireSides(sides, options.gap_mm);
   if (options.spoke_degree < 3)
     refuse("spoke_degree is " + std::to_string(options.spoke_degree) + ": 3 or more is needed");
@@ -123,11 +126,13 @@ Umbrella umbrellaInside(const std::vector<BezierCurve>& sides, const UmbrellaIns
   const UmbrellaVertex regular = umbrellaVertex(regularTangents(n), true);
   const std::vector<SpokeFunctions> laws =
       umbrella::lawsOf(regular, defaultSeconds(regular, Eigen::Matrix3Xd::Zero(3, n)));
-  const std::vector<Net> nets = umbrella::netsOf(std::vector<MemberKind>(n, MemberKind::Tensor), degree);
+  const std::vector<Net> nets =
+      umbrella::netsOf(std::vector<MemberKind>(n, MemberKind::Tensor), degree);
   const std::vector<Halves> halves = halvesOf(sides, degree);
   FreeVectors free(umbrella::polesOf(nets));
   const std::vector<Forms> spokes = freeSpokes(regular, halves, options.spoke_degree, free);
-  const Forms forms = umbrella::framed({regular, laws, nets, spokes, outerPoles(nets, halves)}, free);
+  const Forms forms =
+      umbrella::framed({regular, laws, nets, spokes, outerPoles(nets, halves)}, free);
 
   const Eigen::MatrixXd energy = umbrella::energyRows(nets);
   const Eigen::MatrixXd least = linear::LeastSquares(energy * umbrella::linearPart(forms, free))

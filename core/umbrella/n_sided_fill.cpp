@@ -46,7 +46,8 @@ void chooseFairest(NSidedFill& result, const fill::FillSpace& space, int order) 
     tried.patches = fill::patchesOf(space, best.unknowns);
     tried.fairness_mm2 = best.fairness_mm2;
     tried.spoke_scale = scale;
-    tried.regular = std::ranges::all_of(tried.patches, [](const BezierPatch& p) { return provedRegular(p); });
+    tried.regular =
+        std::ranges::all_of(tried.patches, [](const BezierPatch& p) { return provedRegular(p); });
     return tried;
   };
   const NSidedFill first = attempt(order, std::nullopt);

@@ -47,10 +47,13 @@ struct Piece {
 };
 
 std::array<Piece, 2> halves(const Piece& piece) {
-  const auto cut = [&](const BernsteinTensor& f) { return piece.cutU() ? f.splitU(0.5) : f.splitV(0.5); };
+  const auto cut = [&](const BernsteinTensor& f) {
+    return piece.cutU() ? f.splitU(0.5) : f.splitV(0.5);
+  };
   const auto both = [&](const Coordinates& f) {
     const auto x = cut(f[0]), y = cut(f[1]), z = cut(f[2]);
-    return std::array{Coordinates{x.first, y.first, z.first}, Coordinates{x.second, y.second, z.second}};
+    return std::array{Coordinates{x.first, y.first, z.first},
+                      Coordinates{x.second, y.second, z.second}};
   };
   const auto by_u = both(piece.x_u), by_v = both(piece.x_v);
   return {Piece{by_u[0], by_v[0], piece.cuts + 1}, Piece{by_u[1], by_v[1], piece.cuts + 1}};
@@ -83,8 +86,9 @@ bool provedRegular(const BezierPatch& patch, int max_pieces) {
 }
 
 bool provedRegular(const BezierTriangle& triangle, int max_pieces) {
-  return std::ranges::all_of(regularPatches(triangle),
-                             [&](const BezierPatch& part) { return provedRegular(part, max_pieces); });
+  return std::ranges::all_of(regularPatches(triangle), [&](const BezierPatch& part) {
+    return provedRegular(part, max_pieces);
+  });
 }
 
 }  // namespace seamwright

@@ -19,7 +19,8 @@ using Eigen::Vector2d, Eigen::Vector3d;
 /// Corners that turn by less are neither smooth nor do they tell where their spoke goes.
 constexpr double least_turn_rad = 0.01;
 
-/// A ring of which spokes are two thirds as long as the way to the centre has a middle patch with tangents as long as they.
+/// A ring of which spokes are two thirds as long as the way to the centre has a middle patch with
+/// tangents as long as they.
 constexpr double spoke_share = 2.0 / 3;
 
 FillCorner figuresOf(const HoleCorner& corner, std::size_t k, double tolerance_rad) {
@@ -31,8 +32,8 @@ FillCorner figuresOf(const HoleCorner& corner, std::size_t k, double tolerance_r
   const double turn = std::abs(figures.angle_rad - std::numbers::pi);
   if (std::numbers::pi - turn <= corner.noise_rad()) refuse("it must be between 0 and 360 degrees");
   if (turn > corner.noise_rad() && turn < least_turn_rad)
-    refuse("it must be 180 degrees, to " + degreesText(corner.noise_rad()) + ", or differ from that by " +
-           degreesText(least_turn_rad));
+    refuse("it must be 180 degrees, to " + degreesText(corner.noise_rad()) +
+           ", or differ from that by " + degreesText(least_turn_rad));
   return figures;
 }
 
@@ -40,7 +41,8 @@ SpokeEnd spokeEnd(const HoleCorner& corner, const FillCorner& figures, double le
   const Vector3d &in = corner.in(), &out = corner.out();
   const double speed = std::sqrt(in.norm() * out.norm());
   const double turn = figures.angle_rad - std::numbers::pi;
-  SpokeEnd end{std::nullopt, speed / out.norm(), speed / in.norm(), 0, std::abs(turn) <= corner.noise_rad()};
+  SpokeEnd end{std::nullopt, speed / out.norm(), speed / in.norm(), 0,
+               std::abs(turn) <= corner.noise_rad()};
   const Vector3d bend = end.c * out - end.d * in;
   if (!end.smooth) end.e = std::copysign(bend.norm() / length_mm, turn);
   if (corner.before() || corner.after()) {
@@ -61,8 +63,8 @@ Eigen::VectorXd cubic(const RingScalars& s, int function) {
                          s.end(function) - s.slope_end(function) / 3, s.end(function));
 }
 
-/// The least change of slopes of p and q with which c V + d U = e S' holds to first order in the corner, S'' = 0. What it leaves is along the
-/// normal.
+/// The least change of slopes of p and q with which c V + d U = e S' holds to first order in the
+/// corner, S'' = 0. What it leaves is along the normal.
 Vector3d meetSlopes(const HoleCorner& corner, const SpokeEnd& spoke, RingScalars& before,
                     RingScalars& after) {
   const SideEnd &b = *corner.before(), &a = *corner.after();
@@ -70,19 +72,22 @@ Vector3d meetSlopes(const HoleCorner& corner, const SpokeEnd& spoke, RingScalars
     return Vector3d(change(0) * end.cross + value(0) * end.cross1 + change(1) * end.edge +
                     value(1) * end.edge2);
   };
-  const Vector3d wanted =
-      (spoke.e + 1) * *spoke.derivative - (spoke.c - 1) * corner.out() + (spoke.d - 1) * corner.in();
+  const Vector3d wanted = (spoke.e + 1) * *spoke.derivative - (spoke.c - 1) * corner.out() +
+                          (spoke.d - 1) * corner.in();
   const Vector3d missed = wanted - spoke.c * slope(a, after.begin, after.slope_begin) +
                           spoke.d * slope(b, before.end, before.slope_end);
-  // In the tangent plane, where any two of the directions decide: in space rounding would make a third dimension of them.
+  // In the tangent plane, where any two of the directions decide: in space rounding would make a
+  // third dimension of them.
   const Vector3d up = corner.up().normalized(), along = corner.out().normalized();
   Eigen::Matrix<double, 2, 3> plane;
   plane << along.transpose(), up.cross(along).transpose();
   Eigen::Matrix<double, 3, 4> directions;
   directions << spoke.c * a.cross, spoke.c * a.edge, -spoke.d * b.cross, -spoke.d * b.edge;
   const Eigen::RowVector4d lengths = directions.colwise().norm();
-  const Eigen::Matrix<double, 2, 4> unit = plane * (directions.array().rowwise() / lengths.array()).matrix();
-  const Eigen::Vector4d least = unit.transpose() * (unit * unit.transpose()).ldlt().solve(plane * missed);
+  const Eigen::Matrix<double, 2, 4> unit =
+      plane * (directions.array().rowwise() / lengths.array()).matrix();
+  const Eigen::Vector4d least =
+      unit.transpose() * (unit * unit.transpose()).ldlt().solve(plane * missed);
   const Eigen::Vector4d change = least.array() / lengths.transpose().array();
   after.slope_begin += change.head<2>();
   before.slope_end += change.tail<2>();
@@ -100,7 +105,8 @@ RingFields ringFields(const std::vector<FillSide>& sides, double spoke_scale, do
   for (const FillSide& side : sides)
     centre += (side.edge.point(0) + side.edge.point(0.5)) / (2.0 * static_cast<double>(n));
   double mean_mm = 0;
-  for (const FillSide& side : sides) mean_mm += (side.edge.point(0) - centre).norm() / static_cast<double>(n);
+  for (const FillSide& side : sides)
+    mean_mm += (side.edge.point(0) - centre).norm() / static_cast<double>(n);
   RingFields result;
   std::vector<HoleCorner> corners;
   for (std::size_t k = 0; k < n; ++k) {
@@ -131,9 +137,9 @@ RingFields ringFields(const std::vector<FillSide>& sides, double spoke_scale, do
   for (std::size_t k = 0; k < n; ++k) {
     result.degree = std::max(result.degree, sides[k].edge.degree());
     if (!sides[k].cross) continue;
-    wanted[k] =
-        rows::sum<3>(rows::product<3>(cubic(scalars[k], 0), rows::Field<3>(*sides[k].cross)),
-                     rows::product<3>(cubic(scalars[k], 1), rows::derivative<3>(sides[k].edge.poles())));
+    wanted[k] = rows::sum<3>(
+        rows::product<3>(cubic(scalars[k], 0), rows::Field<3>(*sides[k].cross)),
+        rows::product<3>(cubic(scalars[k], 1), rows::derivative<3>(sides[k].edge.poles())));
     result.degree = std::max(result.degree, rows::degree(wanted[k]));
   }
   result.degree += more_degrees;

@@ -13,7 +13,8 @@ namespace seamwright {
 
 namespace {
 
-RingFill attempt(const std::vector<FillSide>& sides, const RingFillOptions& options, double spoke_scale) {
+RingFill attempt(const std::vector<FillSide>& sides, const RingFillOptions& options,
+                 double spoke_scale) {
   fill::RingSpace ring = fill::ringSpace(sides, spoke_scale, options.corner_tolerance_rad,
                                          options.curvature_degrees.value_or(0));
   const fill::Fairest best = fill::fairest(ring.space, options.fairness_order, std::nullopt);
@@ -21,7 +22,8 @@ RingFill attempt(const std::vector<FillSide>& sides, const RingFillOptions& opti
   result.patches = fill::ringPatches(ring.space, best.unknowns);
   result.corners = std::move(ring.corners);
   result.fairness_mm2 = best.fairness_mm2;
-  result.regular = std::ranges::all_of(result.patches, [](const BezierPatch& p) { return provedRegular(p); });
+  result.regular =
+      std::ranges::all_of(result.patches, [](const BezierPatch& p) { return provedRegular(p); });
   result.spoke_scale = spoke_scale;
   if (options.curvature_degrees) {
     fill::CurvedPatches curved = fill::leastCurvatureJump(

@@ -54,7 +54,8 @@ class Equations {
     return forms;
   }
 
-  /// The spoke to corner k (0), the row beside it in the patch after it (1), in the patch before it (-1).
+  /// The spoke to corner k (0), the row beside it in the patch after it (1), in the patch before it
+  /// (-1).
   Forms spokeRow(int k, int beside) const {
     std::vector<Index> poles;
     for (int s = 0; s <= n_; ++s)
@@ -108,9 +109,9 @@ class Equations {
 void Equations::solve(FillSpace& space) const {
   std::vector<Index> bound, loose;  // poles of the equations, and others
   for (Index pole = 0; pole < laws_.cols(); ++pole) {
-    const bool is_shared =
-        sharedRow(space, static_cast<int>(pole) / ((n_ + 1) * (n_ + 1)),
-                  static_cast<int>(pole) / (n_ + 1) % (n_ + 1), static_cast<int>(pole) % (n_ + 1)) != pole;
+    const bool is_shared = sharedRow(space, static_cast<int>(pole) / ((n_ + 1) * (n_ + 1)),
+                                     static_cast<int>(pole) / (n_ + 1) % (n_ + 1),
+                                     static_cast<int>(pole) % (n_ + 1)) != pole;
     if (is_shared || known_[pole]) continue;
     (laws_.col(pole).isZero(0) ? loose : bound).push_back(pole);
   }
@@ -121,14 +122,15 @@ void Equations::solve(FillSpace& space) const {
   const Poles particular = least.solve(right);
   const double missed = (matrix * particular - right).cwiseAbs().maxCoeff();
   if (missed > 1e-9 * (rows::size(points_) + rows::size(particular)))
-    throw std::runtime_error("the equations of the joins contradict each other by " + shortText(missed) +
-                             " mm: no ring of five patches is found");
+    throw std::runtime_error("the equations of the joins contradict each other by " +
+                             shortText(missed) + " mm: no ring of five patches is found");
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(matrix.transpose());
   qr.setThreshold(rank_threshold);
   const Eigen::MatrixXd all = qr.householderQ();
   const Eigen::MatrixXd idle = all.rightCols(matrix.cols() - qr.rank());
 
-  space.coefficients = Eigen::MatrixXd::Zero(laws_.cols(), idle.cols() + static_cast<Index>(loose.size()));
+  space.coefficients =
+      Eigen::MatrixXd::Zero(laws_.cols(), idle.cols() + static_cast<Index>(loose.size()));
   space.constants = points_;
   space.coefficients(bound, Eigen::seqN(0, idle.cols())) = idle;
   space.constants(bound, Eigen::indexing::all) = particular;
@@ -173,7 +175,8 @@ std::vector<BezierPatch> ringPatches(const FillSpace& space, const Poles& unknow
   for (int patch = 0; patch < space.patches; ++patch) {
     Poles net((n + 1) * (n + 1), 3);
     for (int i = 0; i <= n; ++i)
-      for (int j = 0; j <= n; ++j) net.row(i * (n + 1) + j) = own.row(sharedRow(space, patch, i, j));
+      for (int j = 0; j <= n; ++j)
+        net.row(i * (n + 1) + j) = own.row(sharedRow(space, patch, i, j));
     patches.emplace_back(n, n, std::move(net));
   }
   return patches;

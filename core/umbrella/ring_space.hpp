@@ -15,7 +15,8 @@ struct RingSpace {
   std::vector<FillCorner> corners;
 };
 
-/// \throws as ringFill() for what concerns corners; std::runtime_error if the joins contradict each other.
+/// \throws as ringFill() for what concerns corners; std::runtime_error if the joins contradict each
+/// other.
 RingSpace ringSpace(const std::vector<FillSide>& sides, double spoke_scale, double tolerance_rad,
                     int more_degrees);
 

@@ -24,13 +24,15 @@ std::vector<BezierCurve> fromOnePoint(const std::vector<BezierCurve>& curves, do
   double size = 0;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const std::string spoke = "spoke " + std::to_string(i) + " ";
-    if (curves[i].isRational()) refuse(spoke + "is rational: only polynomial ones are built around");
+    if (curves[i].isRational())
+      refuse(spoke + "is rational: only polynomial ones are built around");
     if (curves[i].degree() < 1) refuse(spoke + "has degree 0: it is a point");
     degree = std::max(degree, curves[i].degree());
     from_first += curves[i].poles().row(0) - curves[0].poles().row(0);
     size = std::max(size, curves[i].poles().cwiseAbs().maxCoeff());
   }
-  const Eigen::RowVector3d start = curves[0].poles().row(0) + from_first / static_cast<double>(curves.size());
+  const Eigen::RowVector3d start =
+      curves[0].poles().row(0) + from_first / static_cast<double>(curves.size());
   const double allowed = gap_mm + 16 * std::numeric_limits<double>::epsilon() * size;
   std::vector<BezierCurve> result;
   double largest = 0;
@@ -90,7 +92,8 @@ std::vector<BezierCurve> withSeconds(const std::vector<BezierCurve>& spokes,
   const Eigen::Matrix3Xd changes = seconds - secondsOf(spokes);
   const int degree = spokes.front().degree(), n = std::max(3, degree);
   double size = 0;
-  for (const BezierCurve& spoke : spokes) size = std::max(size, spoke.poles().cwiseAbs().maxCoeff());
+  for (const BezierCurve& spoke : spokes)
+    size = std::max(size, spoke.poles().cwiseAbs().maxCoeff());
   const double noise = 64 * std::numeric_limits<double>::epsilon() * degree * degree * size;
   if (changes.cwiseAbs().maxCoeff() <= noise) return spokes;
   std::vector<BezierCurve> result;

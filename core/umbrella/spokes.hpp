@@ -10,18 +10,22 @@
 namespace seamwright::umbrella {
 
 /// The curves in one degree, begun in the mean of their starts.
-/// \throws std::invalid_argument for rational curves, curves of degree 0, and starts further than that, and rounding, from their mean.
+/// \throws std::invalid_argument for rational curves, curves of degree 0, and starts further than
+/// that, and rounding, from their mean.
 std::vector<BezierCurve> fromOnePoint(const std::vector<BezierCurve>& curves, double gap_mm);
 
 /// First and second derivatives at 0; 3 by #spokes.
 Eigen::Matrix3Xd tangentsOf(const std::vector<BezierCurve>& spokes);
 Eigen::Matrix3Xd secondsOf(const std::vector<BezierCurve>& spokes);
 
-/// The spokes with these tangents, and with the second derivatives that they had if their degree is 3 or more.
+/// The spokes with these tangents, and with the second derivatives that they had if their degree is
+/// 3 or more.
 std::vector<BezierCurve> withTangents(const std::vector<BezierCurve>& spokes,
                                       const Eigen::Matrix3Xd& tangents);
-/// The spokes with these second derivatives, raised to degree 3 first. What differs by rounding stays.
-std::vector<BezierCurve> withSeconds(const std::vector<BezierCurve>& spokes, const Eigen::Matrix3Xd& seconds);
+/// The spokes with these second derivatives, raised to degree 3 first. What differs by rounding
+/// stays.
+std::vector<BezierCurve> withSeconds(const std::vector<BezierCurve>& spokes,
+                                     const Eigen::Matrix3Xd& seconds);
 
 /// shapedBy() with a form that is checked.
 Eigen::Matrix3Xd shaped(const UmbrellaVertex& vertex, const Eigen::Matrix3d& form,

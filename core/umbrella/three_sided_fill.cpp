@@ -24,16 +24,18 @@ int degreeOf(const std::vector<FillSide>& sides) {
 void fillFairest(ThreeSidedFill& result, const fill::TriangleSpace& space, int order) {
   const Eigen::MatrixXd matrix = fill::tensorsOf(space, space.coefficients, order);
   const Poles fixed = fill::tensorsOf(space, space.constants, order);
-  const Poles unknowns = matrix.cols() == 0 ? Poles(0, 3) : Poles(linear::LeastSquares(matrix).solve(-fixed));
+  const Poles unknowns =
+      matrix.cols() == 0 ? Poles(0, 3) : Poles(linear::LeastSquares(matrix).solve(-fixed));
   result.triangles = fill::trianglesOf(space, unknowns);
   result.fairness_mm2 = (matrix * unknowns + fixed).squaredNorm();
-  result.regular =
-      std::ranges::all_of(result.triangles, [](const BezierTriangle& t) { return provedRegular(t); });
+  result.regular = std::ranges::all_of(result.triangles,
+                                       [](const BezierTriangle& t) { return provedRegular(t); });
 }
 
 }  // namespace
 
-ThreeSidedFill threeSidedFill(const std::vector<FillSide>& sides, const ThreeSidedFillOptions& options) {
+ThreeSidedFill threeSidedFill(const std::vector<FillSide>& sides,
+                              const ThreeSidedFillOptions& options) {
   if (sides.size() != 3)
     throw std::invalid_argument(std::to_string(sides.size()) + " sides: a fill by triangles has 3");
   fill::requireSides(sides);

@@ -54,9 +54,9 @@ CentreFields centreFields(const std::vector<FillSide>& sides, int degree, double
     result.joins[k] = Connection{.alpha = across.p, .beta = -across.q};
     for (FillCorner* corner : {&result.corners[k], &result.corners[next]})
       if (!corner->exact)
-        corner->angle_bound_rad =
-            std::max(corner->angle_bound_rad, angleBound(across.wanted, across.taken - across.wanted,
-                                                         rows::derivative<3>(sides[k].edge.poles())));
+        corner->angle_bound_rad = std::max(corner->angle_bound_rad,
+                                           angleBound(across.wanted, across.taken - across.wanted,
+                                                      rows::derivative<3>(sides[k].edge.poles())));
   }
   return result;
 }

@@ -8,7 +8,8 @@ namespace seamwright::fill {
 
 namespace {
 
-/// One point as an affine function of the unknowns: their coefficients, then the constant's x, y, z.
+/// One point as an affine function of the unknowns: their coefficients, then the constant's x, y,
+/// z.
 using Form = Eigen::RowVectorXd;
 
 class TriangleBuilder {
@@ -69,7 +70,8 @@ class TriangleBuilder {
     const int n = space_.degree;
     for (int s = 1; s < n; ++s)
       for (int k = 0; k < 3; ++k) {
-        const Form mean = (pole(k, n - s, 0) + pole(k, n - 1 - s, 1) + pole((k + 2) % 3, 1, n - 1 - s)) / 3;
+        const Form mean =
+            (pole(k, n - s, 0) + pole(k, n - 1 - s, 1) + pole((k + 2) % 3, 1, n - 1 - s)) / 3;
         setSpoke(k, s + 1, mean);
       }
   }
@@ -81,7 +83,8 @@ class TriangleBuilder {
 };
 
 /// Poles of the derivative in a direction of barycentric coordinates, without the degree as factor.
-Eigen::MatrixXd derivative(const Eigen::MatrixXd& net, int degree, const Eigen::Vector3d& direction) {
+Eigen::MatrixXd derivative(const Eigen::MatrixXd& net, int degree,
+                           const Eigen::Vector3d& direction) {
   Eigen::MatrixXd result(BezierTriangle::row(degree - 1, degree - 1, 0) + 1, net.cols());
   for (int i = 0; i < degree; ++i)
     for (int j = 0; i + j < degree; ++j)
@@ -94,12 +97,14 @@ Eigen::MatrixXd derivative(const Eigen::MatrixXd& net, int degree, const Eigen::
 
 }  // namespace
 
-TriangleSpace triangleSpace(const std::vector<FillSide>& sides, const CentreFields& fields, int degree) {
+TriangleSpace triangleSpace(const std::vector<FillSide>& sides, const CentreFields& fields,
+                            int degree) {
   return TriangleBuilder(fields, degree).build(sides);
 }
 
 Eigen::MatrixXd tensorsOf(const TriangleSpace& space, const Eigen::MatrixXd& poles, int order) {
-  // An orthonormal frame of the equilateral triangle: along the side, and from its middle to the third corner.
+  // An orthonormal frame of the equilateral triangle: along the side, and from its middle to the
+  // third corner.
   const Eigen::Vector3d along(-1, 1, 0), across = std::sqrt(3.0) * Eigen::Vector3d(-1, -1, 2);
   const Eigen::VectorXd often = bernstein::binomials(order);
   const Eigen::Index lowest = space.degree - order, height = (lowest + 1) * (lowest + 2) / 2;
@@ -108,7 +113,8 @@ Eigen::MatrixXd tensorsOf(const TriangleSpace& space, const Eigen::MatrixXd& pol
   for (int k = 0; k < 3; ++k)
     for (int entry = 0; entry <= order; ++entry, row += height) {
       Eigen::MatrixXd net = poles.middleRows(k * space.count(), space.count());
-      for (int d = 0; d < order; ++d) net = derivative(net, space.degree - d, d < entry ? along : across);
+      for (int d = 0; d < order; ++d)
+        net = derivative(net, space.degree - d, d < entry ? along : across);
       result.middleRows(row, height) = std::sqrt(often(entry)) * net;
     }
   return result;
@@ -118,10 +124,12 @@ std::vector<BezierTriangle> trianglesOf(const TriangleSpace& space, const Poles&
   Poles all = space.coefficients * unknowns + space.constants;
   for (int k = 0; k < 3; ++k)
     for (int s = 0; s <= space.degree; ++s)
-      all.row(space.row((k + 2) % 3, 0, space.degree - s)) = all.row(space.row(k, space.degree - s, 0));
+      all.row(space.row((k + 2) % 3, 0, space.degree - s)) =
+          all.row(space.row(k, space.degree - s, 0));
   for (int k = 0; k < 3; ++k) all.row(space.row(k, 0, 0)) = all.row(space.row(0, 0, 0));
   std::vector<BezierTriangle> triangles;
-  for (int k = 0; k < 3; ++k) triangles.emplace_back(all.middleRows(k * space.count(), space.count()));
+  for (int k = 0; k < 3; ++k)
+    triangles.emplace_back(all.middleRows(k * space.count(), space.count()));
   return triangles;
 }
 

@@ -7,7 +7,8 @@
 /// All fills of a hole of three sides by triangles; not a public header.
 namespace seamwright::fill {
 
-/// Derivatives of the fill from each side to the centre, in one degree less than that of the triangles.
+/// Derivatives of the fill from each side to the centre, in one degree less than that of the
+/// triangles.
 struct CentreFields {
   std::vector<std::optional<Poles>> sides;  ///< nothing: position alone
   std::vector<std::optional<Connection>> joins;
@@ -19,7 +20,8 @@ struct CentreFields {
 /// Source: docs/theory/fills.md F4.1.
 CentreFields centreFields(const std::vector<FillSide>& sides, int degree, double tolerance_rad);
 
-/// The poles of the three triangles as affine functions of unknown points: coefficients * unknowns + constants.
+/// The poles of the three triangles as affine functions of unknown points: coefficients * unknowns
+/// + constants.
 struct TriangleSpace {
   int degree = 0;
   Eigen::MatrixXd coefficients;  ///< #P by #U
@@ -31,9 +33,11 @@ struct TriangleSpace {
   }
 };
 
-TriangleSpace triangleSpace(const std::vector<FillSide>& sides, const CentreFields& fields, int degree);
+TriangleSpace triangleSpace(const std::vector<FillSide>& sides, const CentreFields& fields,
+                            int degree);
 
-/// One row for each entry of the tensors of derivatives of that order, of poles or of what stands for them: the sum of squares is fairness.
+/// One row for each entry of the tensors of derivatives of that order, of poles or of what stands
+/// for them: the sum of squares is fairness.
 Eigen::MatrixXd tensorsOf(const TriangleSpace& space, const Eigen::MatrixXd& poles, int order);
 
 /// Poles of neighbours along a spoke are the same to the bit.

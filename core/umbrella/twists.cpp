@@ -65,10 +65,12 @@ SpokeSeconds closed(const UmbrellaVertex& vertex, const SpokeSeconds& seconds,
   SpokeSeconds result = seconds;
   if (!mayFailToClose(vertex)) return result;
   const int spokes = vertex.spokes();
-  const Eigen::VectorXd weight = weights.value_or(Eigen::VectorXd(vertex.beta.cwiseAbs().cwiseInverse()));
+  const Eigen::VectorXd weight =
+      weights.value_or(Eigen::VectorXd(vertex.beta.cwiseAbs().cwiseInverse()));
   if (weight.size() != spokes || !(weight.array() > 0).all() || !weight.allFinite())
     throw std::invalid_argument(std::to_string(weight.size()) + " weights of lambda for " +
-                                std::to_string(spokes) + " spokes: as many positive numbers are needed");
+                                std::to_string(spokes) +
+                                " spokes: as many positive numbers are needed");
 
   const Eigen::VectorXd share = vertex.alpha.cwiseQuotient(vertex.sectors);
   const Eigen::Vector3d defect = closingDefect(vertex, seconds);
@@ -80,18 +82,20 @@ SpokeSeconds closed(const UmbrellaVertex& vertex, const SpokeSeconds& seconds,
   Eigen::Matrix2Xd pull(2, spokes);
   const Eigen::Matrix<double, 2, 3> plane = planeOf(vertex);
   for (int i = 0; i < spokes; ++i)
-    pull.col(i) = sign(i) / (vertex.sectors(i) * std::sqrt(weight(i))) * plane * vertex.tangents.col(i);
-  const Eigen::VectorXd change =
-      pull.transpose() * (pull * pull.transpose()).inverse() * -(plane * closingDefect(vertex, result));
+    pull.col(i) =
+        sign(i) / (vertex.sectors(i) * std::sqrt(weight(i))) * plane * vertex.tangents.col(i);
+  const Eigen::VectorXd change = pull.transpose() * (pull * pull.transpose()).inverse() *
+                                 -(plane * closingDefect(vertex, result));
   result.lambda += change.cwiseQuotient(weight.cwiseSqrt());
   return result;
 }
 
-/// With y_i = X_i / S_i and d_i = e_i / S_i: y_i = (-1)^i (y_0 + sum_(0 < j <= i) (-1)^j d_j); around an odd fan y_0 is half the
-/// alternating sum of all d_i.
+/// With y_i = X_i / S_i and d_i = e_i / S_i: y_i = (-1)^i (y_0 + sum_(0 < j <= i) (-1)^j d_j);
+/// around an odd fan y_0 is half the alternating sum of all d_i.
 TwistSolution solveTwists(const UmbrellaVertex& vertex) {
   const int m = vertex.members();
-  Eigen::MatrixXd alternating = Eigen::MatrixXd::Zero(m, vertex.spokes());  // (-1)^i (y_i - y_0) of e
+  Eigen::MatrixXd alternating =
+      Eigen::MatrixXd::Zero(m, vertex.spokes());  // (-1)^i (y_i - y_0) of e
   for (int i = 1; i < m; ++i) {
     alternating.row(i) = alternating.row(i - 1);
     alternating(i, i) += sign(i) / vertex.sectors(i);
@@ -125,7 +129,8 @@ Eigen::Matrix3d secondForm(const UmbrellaVertex& vertex, const Eigen::Matrix3Xd&
   for (int i = 0; i < vertex.spokes(); ++i) {
     const Eigen::Vector2d direction = plane * vertex.tangents.col(i).normalized();
     const double x = direction.x(), y = direction.y();
-    rows.row(i) << x * x, std::sqrt(2.0) * x * y, y * y;  // so that the smallest solution is the smallest M
+    rows.row(i) << x * x, std::sqrt(2.0) * x * y,
+        y * y;  // so that the smallest solution is the smallest M
     curvatures(i) = vertex.normal.dot(second.col(i)) / vertex.tangents.col(i).squaredNorm();
   }
   const Eigen::Vector3d form = linear::LeastSquares(rows).solve(curvatures);

@@ -8,9 +8,11 @@
 
 namespace seamwright {
 
-/// The second order of the spokes and of their connections at O, one entry for each spoke; those of rims count for nothing.
+/// The second order of the spokes and of their connections at O, one entry for each spoke; those of
+/// rims count for nothing.
 ///
-/// Across spoke i, with V the cross derivative of member i and U that of member i - 1, both into the member:
+/// Across spoke i, with V the cross derivative of member i and U that of member i - 1, both into
+/// the member:
 ///   V = a C' + b U,   a(0) = alpha_i, a'(0) = lambda_i, b(0) = beta_i, b'(0) = mu_i.
 struct SpokeSeconds {
   Eigen::Matrix3Xd second;  ///< q_i = C_i''(0)
@@ -26,12 +28,16 @@ SpokeSeconds defaultSeconds(const UmbrellaVertex& vertex, const Eigen::Matrix3Xd
 /// Twists exist iff it is zero. Zero for open and odd fans, which always close.
 Eigen::Vector3d closingDefect(const UmbrellaVertex& vertex, const SpokeSeconds& seconds);
 
-/// The least change that lets a closed fan of an even number of members close; no change for the others.
+/// The least change that lets a closed fan of an even number of members close; no change for the
+/// others.
 ///
-/// The normal part of the defect goes into the q_i along N: the least sum of |dq_i|^2, an orthogonal projection. In a crossing the q_i have no
-/// part in it, and stay. The tangential part goes into lambda: the least sum of weight_i dlambda_i^2.
-/// \param weights of lambda, > 0, one for each spoke; none: 1 / |beta_i|, with which the sense of the order does not matter.
-/// \throws std::invalid_argument for other numbers of columns and entries than spokes, and values that are not finite.
+/// The normal part of the defect goes into the q_i along N: the least sum of |dq_i|^2, an
+/// orthogonal projection. In a crossing the q_i have no part in it, and stay. The tangential part
+/// goes into lambda: the least sum of weight_i dlambda_i^2.
+/// \param weights of lambda, > 0, one for each spoke; none: 1 / |beta_i|, with which the sense of
+/// the order does not matter.
+/// \throws std::invalid_argument for other numbers of columns and entries than spokes, and values
+/// that are not finite.
 /// Source: docs/theory/fills.md F1.5.
 SpokeSeconds closed(const UmbrellaVertex& vertex, const SpokeSeconds& seconds,
                     const std::optional<Eigen::VectorXd>& weights = std::nullopt);
@@ -39,9 +45,10 @@ SpokeSeconds closed(const UmbrellaVertex& vertex, const SpokeSeconds& seconds,
 /// How the twists X_i, mixed second derivatives of the members at O, follow from the spokes:
 /// X_i - beta_i X_(i-1) = e_i := alpha_i q_i + lambda_i r_i + mu_i r_(i-1).
 struct TwistSolution {
-  Eigen::MatrixXd of_sums;  ///< X = e of_sums^T has the least sum of |X_i|^2 / S_i^2; #members by #spokes
-  Eigen::VectorXd
-      direction;  ///< all X are these + x direction^T with any vector x; empty where they are unique
+  Eigen::MatrixXd
+      of_sums;  ///< X = e of_sums^T has the least sum of |X_i|^2 / S_i^2; #members by #spokes
+  Eigen::VectorXd direction;  ///< all X are these + x direction^T with any vector x; empty where
+                              ///< they are unique
 };
 
 /// A closed fan of an odd number of members has unique twists, others have one free vector.
@@ -51,11 +58,14 @@ TwistSolution solveTwists(const UmbrellaVertex& vertex);
 /// The twists of that solution, 3 by #members. \pre closingDefect() is zero.
 Eigen::Matrix3Xd leastTwists(const UmbrellaVertex& vertex, const SpokeSeconds& seconds);
 
-/// The second fundamental form nearest to the normal curvatures of the spokes: the symmetric matrix M, in 1/mm, of M N = 0, with the least
-/// sum of squares of (r_i^T M r_i - N.q_i) / |r_i|^2; of those the smallest M, where the spokes run along fewer than 3 lines.
+/// The second fundamental form nearest to the normal curvatures of the spokes: the symmetric matrix
+/// M, in 1/mm, of M N = 0, with the least sum of squares of (r_i^T M r_i - N.q_i) / |r_i|^2; of
+/// those the smallest M, where the spokes run along fewer than 3 lines.
 Eigen::Matrix3d secondForm(const UmbrellaVertex& vertex, const Eigen::Matrix3Xd& second);
 
-/// The second derivatives with the normal parts that the form asks for, N.q_i = r_i^T M r_i. Then no fan fails to close along N.
-Eigen::Matrix3Xd shapedBy(const UmbrellaVertex& vertex, const Eigen::Matrix3d& form, Eigen::Matrix3Xd second);
+/// The second derivatives with the normal parts that the form asks for, N.q_i = r_i^T M r_i. Then
+/// no fan fails to close along N.
+Eigen::Matrix3Xd shapedBy(const UmbrellaVertex& vertex, const Eigen::Matrix3d& form,
+                          Eigen::Matrix3Xd second);
 
 }  // namespace seamwright

@@ -67,9 +67,9 @@ Poles raised(const UmbrellaMember& member, int degree) {
   for (int c = 0; c < 3; ++c) {
     using Grid = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     const Eigen::VectorXd coordinate = poles.col(c);
-    const Grid grid = u *
-                      Eigen::Map<const Grid>(coordinate.data(), patch.degreeU() + 1, patch.degreeV() + 1) *
-                      v.transpose();
+    const Grid grid =
+        u * Eigen::Map<const Grid>(coordinate.data(), patch.degreeU() + 1, patch.degreeV() + 1) *
+        v.transpose();
     result.col(c) = grid.reshaped<Eigen::RowMajor>();
   }
   return result;
@@ -115,16 +115,18 @@ LambdaFamily lambdaFamily(const UmbrellaVertex& vertex, const Eigen::VectorXd& s
   Eigen::MatrixXd defects(3, inner.cols());
   const Eigen::Matrix3Xd none = Eigen::Matrix3Xd::Zero(3, vertex.spokes());
   for (Eigen::Index i = 0; i < inner.cols(); ++i)
-    defects.col(i) = closingDefect(vertex, {none, inner.col(i), Eigen::VectorXd::Zero(vertex.spokes())});
+    defects.col(i) =
+        closingDefect(vertex, {none, inner.col(i), Eigen::VectorXd::Zero(vertex.spokes())});
   if (defects.isZero(0)) return {start, inner};
-  return {start, linear::singularValues(defects, Eigen::ComputeFullV).v.rightCols(defects.cols() - 2)};
+  return {start,
+          linear::singularValues(defects, Eigen::ComputeFullV).v.rightCols(defects.cols() - 2)};
 }
 
 /// All poles that the vertex, the spokes and the second order leave open, chosen by the aim.
 class Choice {
  public:
-  Choice(const UmbrellaVertex& vertex, const std::vector<BezierCurve>& spokes, const std::vector<Net>& nets,
-         const Aim& aim, const SpokeSeconds& seconds)
+  Choice(const UmbrellaVertex& vertex, const std::vector<BezierCurve>& spokes,
+         const std::vector<Net>& nets, const Aim& aim, const SpokeSeconds& seconds)
       : vertex_(vertex), nets_(nets), aim_(aim) {
     const FreeVectors none = freeVectors();
     for (const BezierCurve& spoke : spokes) spokes_.push_back(none.constants(spoke.poles()));
@@ -182,8 +184,10 @@ class Choice {
   linear::LeastSquares solver_;
 };
 
-bool betweenTriangles(const std::vector<MemberKind>& kinds, const UmbrellaVertex& vertex, int spoke) {
-  return kinds[vertex.memberBefore(spoke)] == MemberKind::Triangle && kinds[spoke] == MemberKind::Triangle;
+bool betweenTriangles(const std::vector<MemberKind>& kinds, const UmbrellaVertex& vertex,
+                      int spoke) {
+  return kinds[vertex.memberBefore(spoke)] == MemberKind::Triangle &&
+         kinds[spoke] == MemberKind::Triangle;
 }
 
 void requireLaws(const UmbrellaVertex& vertex, const SpokeSeconds& seconds,
@@ -195,14 +199,17 @@ void requireLaws(const UmbrellaVertex& vertex, const SpokeSeconds& seconds,
       refuse(spoke + "has mu " + text(seconds.mu(i)) +
              " before a triangle, which cannot follow: it must be 0");
     if (betweenTriangles(kinds, vertex, i) && seconds.lambda(i) != 0 && degree <= spoke_degree)
-      refuse(spoke + "of degree " + std::to_string(spoke_degree) + " has lambda " + text(seconds.lambda(i)) +
-             " between triangles: they need degree " + std::to_string(spoke_degree + 1));
+      refuse(spoke + "of degree " + std::to_string(spoke_degree) + " has lambda " +
+             text(seconds.lambda(i)) + " between triangles: they need degree " +
+             std::to_string(spoke_degree + 1));
   }
 }
 
-int chosenDegree(const UmbrellaOptions& options, const std::vector<MemberKind>& kinds, int spoke_degree) {
+int chosenDegree(const UmbrellaOptions& options, const std::vector<MemberKind>& kinds,
+                 int spoke_degree) {
   int lowest = spoke_degree;
-  if (std::count(kinds.begin(), kinds.end(), MemberKind::Triangle) > 0) lowest = std::max(lowest, 2);
+  if (std::count(kinds.begin(), kinds.end(), MemberKind::Triangle) > 0)
+    lowest = std::max(lowest, 2);
   int degree = options.lambda ? lowest : lowestUmbrellaDegree(kinds, options.closed, spoke_degree);
   for (const UmbrellaMember& member : options.members) degree = std::max(degree, degreeOf(member));
   if (options.mu && !options.mu->isZero(0)) degree = std::max(degree, 2);
@@ -217,8 +224,8 @@ Eigen::VectorXd valuesOr(const std::optional<Eigen::VectorXd>& given, const Eige
                          const char* name) {
   if (!given) return other;
   if (given->size() != other.size())
-    refuse(std::to_string(given->size()) + " values of " + name + " for " + std::to_string(other.size()) +
-           " spokes");
+    refuse(std::to_string(given->size()) + " values of " + name + " for " +
+           std::to_string(other.size()) + " spokes");
   for (Eigen::Index i = 0; i < given->size(); ++i)
     if (!std::isfinite((*given)(i)))
       refuse(std::string(name) + " of spoke " + std::to_string(i) + " is " + text((*given)(i)));
@@ -258,7 +265,8 @@ Umbrella umbrellaAround(const std::vector<BezierCurve>& given, const UmbrellaOpt
   seconds.second = umbrella::secondsOf(spokes);
   result.largest_second_change = (seconds.second - second).colwise().norm().maxCoeff();
 
-  const int spoke_degree = spokes.front().degree(), degree = chosenDegree(options, kinds, spoke_degree);
+  const int spoke_degree = spokes.front().degree(),
+            degree = chosenDegree(options, kinds, spoke_degree);
   requireLaws(vertex, seconds, kinds, spoke_degree, degree);
   const std::vector<Net> nets = umbrella::netsOf(kinds, degree);
   const Aim aim = options.members.empty()

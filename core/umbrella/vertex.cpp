@@ -21,9 +21,11 @@ using std::numbers::pi;
 constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
 
 void requireTangents(const Eigen::Matrix3Xd& tangents) {
-  if (tangents.cols() < 3) refuse(std::to_string(tangents.cols()) + " spokes: an umbrella has at least 3");
+  if (tangents.cols() < 3)
+    refuse(std::to_string(tangents.cols()) + " spokes: an umbrella has at least 3");
   for (Eigen::Index i = 0; i < tangents.cols(); ++i) {
-    if (!tangents.col(i).allFinite()) refuse("the tangent of spoke " + std::to_string(i) + " is not finite");
+    if (!tangents.col(i).allFinite())
+      refuse("the tangent of spoke " + std::to_string(i) + " is not finite");
     if (const double length = tangents.col(i).stableNorm(); !(length > 0) || !std::isfinite(length))
       refuse("the tangent of spoke " + std::to_string(i) + " has length " + text(length) +
              ": it must have a direction");
@@ -36,7 +38,8 @@ Eigen::Matrix3Xd unit(const Eigen::Matrix3Xd& tangents) {
   return result;
 }
 
-/// Across the plane nearest to all directions, on the side from which most sectors turn counter-clockwise.
+/// Across the plane nearest to all directions, on the side from which most sectors turn
+/// counter-clockwise.
 Eigen::Vector3d normalOf(const Eigen::Matrix3Xd& directions, bool closed) {
   const linear::SingularValues svd = linear::singularValues(directions, Eigen::ComputeFullU);
   if (!(svd.values(1) > kRounding * svd.values(0)))
@@ -66,8 +69,8 @@ double flatten(Eigen::Matrix3Xd& tangents, const Eigen::Vector3d& normal, double
 
 void requireSector(int member, int end, double sine, double angle_rad) {
   if (sine > kRounding) return;
-  const std::string sector = "sector " + std::to_string(member) + ", from spoke " + std::to_string(member) +
-                             " to " + std::to_string(end) + ", ";
+  const std::string sector = "sector " + std::to_string(member) + ", from spoke " +
+                             std::to_string(member) + " to " + std::to_string(end) + ", ";
   if (sine < -kRounding)
     refuse(sector + "has the angle " + text(2 * pi + angle_rad) +
            " rad: it must be below pi, put a spoke into it");
@@ -76,7 +79,8 @@ void requireSector(int member, int end, double sine, double angle_rad) {
   refuse(sector + "has no angle: the spokes have the same tangent");
 }
 
-/// The equations y_(i-1) / s_(i-1) + y_i / s_i = d_i of unit tangents, as equations of the twists y_i.
+/// The equations y_(i-1) / s_(i-1) + y_i / s_i = d_i of unit tangents, as equations of the twists
+/// y_i.
 double conditionOf(const UmbrellaVertex& vertex) {
   const int m = vertex.members(), equations = vertex.closed ? m : m - 1;
   const Eigen::VectorXd sines = vertex.angles_rad.array().sin();
@@ -98,7 +102,8 @@ bool UmbrellaVertex::isRegular() const {
   return closed && members() == 4 && alpha.isZero(0);
 }
 
-UmbrellaVertex umbrellaVertex(const Eigen::Matrix3Xd& tangents, bool closed, const VertexOptions& options) {
+UmbrellaVertex umbrellaVertex(const Eigen::Matrix3Xd& tangents, bool closed,
+                              const VertexOptions& options) {
   if (!(options.flat_rad >= 0 && options.flat_rad < pi / 2))
     refuse("flat_rad is " + text(options.flat_rad) + ": 0 to pi / 2 is needed");
   requireTangents(tangents);
@@ -124,14 +129,16 @@ UmbrellaVertex umbrellaVertex(const Eigen::Matrix3Xd& tangents, bool closed, con
   }
   const double around = vertex.angles_rad.sum();
   if (closed ? std::abs(around - 2 * pi) > 1 : !(around < 2 * pi))
-    refuse("the sectors sum up to " + text(around) + " rad: a closed fan goes around once, an open one less");
+    refuse("the sectors sum up to " + text(around) +
+           " rad: a closed fan goes around once, an open one less");
 
   vertex.alpha = vertex.beta = Eigen::VectorXd::Zero(spokes);
   for (int i = 0; i < spokes; ++i) {
     if (!vertex.isInner(i)) continue;
     const int before = vertex.before(i), after = vertex.after(i);
     const double area = vertex.sectors(vertex.memberBefore(i));
-    if (std::abs(det(directions, before, after)) > kRounding) vertex.alpha(i) = det(r, before, after) / area;
+    if (std::abs(det(directions, before, after)) > kRounding)
+      vertex.alpha(i) = det(r, before, after) / area;
     vertex.beta(i) = -vertex.sectors(i) / area;
   }
   vertex.condition = conditionOf(vertex);

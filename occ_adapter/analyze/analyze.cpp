@@ -20,8 +20,9 @@ namespace seamwright::occ {
 
 namespace {
 
-/// Largest rounding of a coordinate of the model, told by its vertices; between them faces reach a few times
-/// further at most. Vertices that can't be computed with are left out, as are their seams (UnusableParts).
+/// Largest rounding of a coordinate of the model, told by its vertices; between them faces reach a
+/// few times further at most. Vertices that can't be computed with are left out, as are their seams
+/// (UnusableParts).
 double coordinateNoise(const TopoDS_Shape& shape) {
   double size = 0;
   for (TopExp_Explorer it(shape, TopAbs_VERTEX); it.More(); it.Next()) {
@@ -51,25 +52,29 @@ void requireFaces(const Model& model, const std::vector<int>& faces) {
 /// Leaves seams of these faces.
 void keepSeamsOf(const std::vector<int>& faces, std::vector<Seam>& seams) {
   std::erase_if(seams, [&faces](const Seam& seam) {
-    return std::ranges::none_of(
-        seam.sides, [&faces](const Coedge& side) { return std::ranges::count(faces, side.face) > 0; });
+    return std::ranges::none_of(seam.sides, [&faces](const Coedge& side) {
+      return std::ranges::count(faces, side.face) > 0;
+    });
   });
 }
 
 }  // namespace
 
 ModelFacts factsOf(const Model& model) {
-  return {model.path, model.format, model.length_unit, model.faceCount(), model.edgeCount(), model.notes};
+  return {model.path,        model.format,      model.length_unit,
+          model.faceCount(), model.edgeCount(), model.notes};
 }
 
 void AnalyzeOptions::validate() const {
   tolerance.validate();
   if (level == Level::None)
-    throw std::invalid_argument("level " + std::string(name(level)) + ": it must be G0, G1, G2 or G3");
+    throw std::invalid_argument("level " + std::string(name(level)) +
+                                ": it must be G0, G1, G2 or G3");
   if (!std::isfinite(match_mm) || match_mm < 0)
     throw std::invalid_argument("distance to match is " + std::to_string(match_mm) +
                                 " mm: it must be finite and not negative");
-  if (jobs < 0) throw std::invalid_argument("jobs is " + std::to_string(jobs) + ": it must not be negative");
+  if (jobs < 0)
+    throw std::invalid_argument("jobs is " + std::to_string(jobs) + ": it must not be negative");
 }
 
 bool Report::passed() const {
@@ -97,13 +102,15 @@ Report analyze(const Model& model, const AnalyzeOptions& options, const Progress
   report.model.notes.insert(report.model.notes.end(), graph.notes.begin(), graph.notes.end());
   report.seams.resize(graph.seams.size());
   if (report.seams.empty())
-    report.model.notes.push_back("no face shares an edge with another, so there is nothing to judge; " +
-                                 std::to_string(report.open.size()) + " edges bound one face");
+    report.model.notes.push_back(
+        "no face shares an edge with another, so there is nothing to judge; " +
+        std::to_string(report.open.size()) + " edges bound one face");
   runParallel(
       graph.seams.size(), options.jobs,
       [&](std::size_t i) { report.seams[i] = measureSeam(graph.seams[i], options); },
       match ? partOf(progress, share_of_matching, 1) : progress);
-  report.analyze_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  report.analyze_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }
 

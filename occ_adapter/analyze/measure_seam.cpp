@@ -35,7 +35,8 @@ double lengthOf(const Seam& seam) {
   const std::vector<double>& places = seam.correspondence.a;
   if (places.empty()) return GCPnts_AbscissaPoint::Length(curve);
   const double first = curve.FirstParameter(), range = curve.LastParameter() - first;
-  return GCPnts_AbscissaPoint::Length(curve, first + places.front() * range, first + places.back() * range);
+  return GCPnts_AbscissaPoint::Length(curve, first + places.front() * range,
+                                      first + places.back() * range);
 }
 
 std::string placeText(double place) {
@@ -51,7 +52,9 @@ std::string intervals(std::vector<double> places) {
   std::ranges::sort(places);
   std::string text;
   for (std::size_t first = 0, last = 0; first < places.size(); first = last + 1) {
-    for (last = first; last + 1 < places.size() && places[last + 1] - places[last] < close_together;) ++last;
+    for (last = first;
+         last + 1 < places.size() && places[last + 1] - places[last] < close_together;)
+      ++last;
     const std::string from = placeText(places[first]), to = placeText(places[last]);
     const bool is_point = from == to || places[last] - places[first] <= shortest_told;
     text += (first == 0 ? "" : ", ") + (is_point ? "at " + from : "from " + from + " to " + to);
@@ -80,7 +83,8 @@ std::string matchNote(const SeamResult& result, const AnalyzeOptions& options) {
   if (gap->lower > 1.001 * options.match_mm)
     return "in places the edges are further apart than the distance to match";
   if (gap->lower > 0.99 * options.match_mm)
-    return "it ends where the edges are further apart than the distance to match, and the gap may go on "
+    return "it ends where the edges are further apart than the distance to match, and the gap may "
+           "go on "
            "growing";
   return {};
 }
@@ -105,8 +109,8 @@ bool isSphere(const TopoDS_Face& face) {
   return BRepAdaptor_Surface(face, false).GetType() == GeomAbs_Sphere;
 }
 
-/// Intervals at the ends where a boundary of a surface collapses, so that its normal is rounding. Of a sphere
-/// the normal is known at the poles too.
+/// Intervals at the ends where a boundary of a surface collapses, so that its normal is rounding.
+/// Of a sphere the normal is known at the poles too.
 struct PoleIntervals {
   Interval between = {0, 1};
   std::vector<DegeneratePoint> points;
@@ -117,7 +121,8 @@ PoleIntervals poleIntervals(const Seam& seam, const std::array<Pcurve, 2>& pcurv
   if (!seam.correspondence.s.empty()) return poles;
   for (const int side : {0, 1})
     for (const int end : {0, 1}) {
-      if (seam.sides[side].pole_tolerance_mm[end] == 0 || isSphere(seam.sides[side].shape)) continue;
+      if (seam.sides[side].pole_tolerance_mm[end] == 0 || isSphere(seam.sides[side].shape))
+        continue;
       const FaceStrip strip(seam.sides[side], pcurves[side]);
       const double reach = strip.poleReach(end);
       if (reach == 0) continue;
@@ -136,7 +141,8 @@ PoleIntervals poleIntervals(const Seam& seam, const std::array<Pcurve, 2>& pcurv
   return poles;
 }
 
-SeamFigures enclosed(const Seam& seam, const std::array<Pcurve, 2>& pcurves, const AnalyzeOptions& options) {
+SeamFigures enclosed(const Seam& seam, const std::array<Pcurve, 2>& pcurves,
+                     const AnalyzeOptions& options) {
   SeamSide a = seamSide(seam.sides[0], pcurves[0]);
   SeamSide b = seamSide(seam.sides[1], pcurves[1]);
   runAlong(seam.correspondence.s, seam.correspondence.a, a);
@@ -149,9 +155,12 @@ SeamFigures enclosed(const Seam& seam, const std::array<Pcurve, 2>& pcurves, con
   return figures;
 }
 
-SeamFigures sampled(const Seam& seam, const std::array<Pcurve, 2>& pcurves, const AnalyzeOptions& options) {
-  const SeamStrips strips(seam, pcurves, options.level == Level::G3 ? JetOrder::Third : JetOrder::Second);
-  return surveySeam([&](double s) { return strips.measureAt(s); }, strips.breaks(), options.tolerance);
+SeamFigures sampled(const Seam& seam, const std::array<Pcurve, 2>& pcurves,
+                    const AnalyzeOptions& options) {
+  const SeamStrips strips(seam, pcurves,
+                          options.level == Level::G3 ? JetOrder::Third : JetOrder::Second);
+  return surveySeam([&](double s) { return strips.measureAt(s); }, strips.breaks(),
+                    options.tolerance);
 }
 
 bool isEnclosed(const std::optional<Figure>& figure) {
@@ -165,17 +174,20 @@ void raise(const std::optional<Figure>& seen, std::optional<Figure>& figure) {
   figure->at = seen->at;
 }
 
-/// Enclosed if that is wanted and possible; what has no bound then is sampled. A face that meets itself along
-/// an edge needs a path for each side; with one path for both, a side would be compared with itself.
+/// Enclosed if that is wanted and possible; what has no bound then is sampled. A face that meets
+/// itself along an edge needs a path for each side; with one path for both, a side would be
+/// compared with itself.
 bool hasOnePathForBothSides(const Seam& seam, const std::array<Pcurve, 2>& pcurves) {
   return seam.kind == SeamKind::Closed && pcurves[0].curve == pcurves[1].curve;
 }
 
-SeamFigures figuresOf(const Seam& seam, const std::array<Pcurve, 2>& pcurves, const AnalyzeOptions& options) {
+SeamFigures figuresOf(const Seam& seam, const std::array<Pcurve, 2>& pcurves,
+                      const AnalyzeOptions& options) {
   SeamFigures figures;
   const bool is_one_path = hasOnePathForBothSides(seam, pcurves);
   if (is_one_path)
-    figures.uncertified = "both sides of the edge have one pcurve, so a side is compared with itself";
+    figures.uncertified =
+        "both sides of the edge have one pcurve, so a side is compared with itself";
   if (options.certify && !is_one_path) {
     try {
       figures = enclosed(seam, pcurves, options);
@@ -203,7 +215,8 @@ Eigen::Vector3d pointOnFirstSide(const Seam& seam, const Pcurve& pcurve, double 
   const double place = placeOnFirst(seam.correspondence, s);
   const gp_Pnt2d uv = pcurve.curve->Value(pcurve.first + place * (pcurve.last - pcurve.first));
   TopLoc_Location location;
-  const opencascade::handle<Geom_Surface> surface = BRep_Tool::Surface(seam.sides[0].shape, location);
+  const opencascade::handle<Geom_Surface> surface =
+      BRep_Tool::Surface(seam.sides[0].shape, location);
   const gp_Pnt point = surface->Value(uv.X(), uv.Y()).Transformed(location.Transformation());
   return {point.X(), point.Y(), point.Z()};
 }

@@ -28,7 +28,8 @@ std::optional<WorstPoint> worstPoint(const SeamFigures& figures, Level level,
        {"curvature_change", placeOf(figures.curvature_change_rel)}}};
   const std::size_t deciding = std::min(static_cast<std::size_t>(level), candidates.size() - 1);
   for (std::size_t i = deciding + 1; i-- > 0;)
-    if (const auto [quantity, at] = candidates[i]; at) return WorstPoint{quantity, *at, point_at(*at)};
+    if (const auto [quantity, at] = candidates[i]; at)
+      return WorstPoint{quantity, *at, point_at(*at)};
   return std::nullopt;
 }
 
@@ -36,7 +37,8 @@ std::string figuresText(const SeamResult& seam) {
   std::ostringstream text;
   const auto add = [&](const char* name, const std::optional<Figure>& figure, double factor,
                        const char* unit) {
-    if (figure) text << ", " << name << ' ' << factor * figure->upper.value_or(figure->lower) << unit;
+    if (figure)
+      text << ", " << name << ' ' << factor * figure->upper.value_or(figure->lower) << unit;
   };
   text << "level " << name(seam.verdict.level);
   add("gap", seam.figures.gap_mm, 1, " mm");

@@ -14,8 +14,8 @@ namespace seamwright::occ {
 
 /// Where a seam is worst: the largest value of the figure that keeps it from the next level.
 struct WorstPoint {
-  std::string quantity;                             ///< "gap", "angle", "curvature" or "curvature_change"
-  double at = 0;                                    ///< 0..1 along the seam
+  std::string quantity;  ///< "gap", "angle", "curvature" or "curvature_change"
+  double at = 0;         ///< 0..1 along the seam
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< mm, on side a
 };
 
@@ -58,9 +58,10 @@ struct Report {
 /// The level of a seam and its figures, largest values that are known, in one line.
 std::string figuresText(const SeamResult& seam);
 
-/// The worst point of a seam that reaches \p level: where the figure that decides the next level is largest.
-/// That is the gap below G0, the angle at G0 (or the fold), the curvature at G1, its change above. Where that
-/// figure has no value, the last one before it that has; nothing if none has.
+/// The worst point of a seam that reaches \p level: where the figure that decides the next level is
+/// largest. That is the gap below G0, the angle at G0 (or the fold), the curvature at G1, its
+/// change above. Where that figure has no value, the last one before it that has; nothing if none
+/// has.
 /// \param point_at the point of the seam at 0..1, on side a.
 std::optional<WorstPoint> worstPoint(const SeamFigures& figures, Level level,
                                      const std::function<Eigen::Vector3d(double at)>& point_at);

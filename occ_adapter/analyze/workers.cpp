@@ -45,7 +45,8 @@ void runParallel(std::size_t count, int jobs, const std::function<void(std::size
   bool cancelled = false;
   {
     std::vector<std::jthread> pool;
-    // An exception from progress must not leave threads behind that run on: they are told to stop and joined.
+    // An exception from progress must not leave threads behind that run on: they are told to stop
+    // and joined.
     struct StopAtExit {
       std::atomic<bool>& stop;
       ~StopAtExit() { stop = true; }

@@ -33,7 +33,8 @@ Eigen::RowVector3d row(const gp_Pnt& p) {
 
 void requireDegree(int degree) {
   if (degree < 1 || degree > Geom_BezierCurve::MaxDegree())
-    throw std::invalid_argument("degree " + std::to_string(degree) + ": OpenCASCADE holds degrees 1 to " +
+    throw std::invalid_argument("degree " + std::to_string(degree) +
+                                ": OpenCASCADE holds degrees 1 to " +
                                 std::to_string(Geom_BezierCurve::MaxDegree()));
 }
 
@@ -42,12 +43,14 @@ void requireDegree(int degree) {
 }
 
 /// \param count of the knots of a B-spline; \param first, last their multiplicities at the ends.
-void requireOneSpan(const Standard_Transient& object, const char* in, int degree, int count, int first,
-                    int last) {
-  if (count != 2) refuse(object, "has " + std::to_string(count - 1) + " spans" + in + ": one is needed");
+void requireOneSpan(const Standard_Transient& object, const char* in, int degree, int count,
+                    int first, int last) {
+  if (count != 2)
+    refuse(object, "has " + std::to_string(count - 1) + " spans" + in + ": one is needed");
   if (first != degree + 1 || last != degree + 1)
-    refuse(object, std::string("has end knots") + in + " of multiplicities " + std::to_string(first) +
-                       " and " + std::to_string(last) + ": degree + 1 is needed");
+    refuse(object, std::string("has end knots") + in + " of multiplicities " +
+                       std::to_string(first) + " and " + std::to_string(last) +
+                       ": degree + 1 is needed");
 }
 
 template <class Curve>
@@ -74,8 +77,8 @@ BezierPatch patchOf(const Surface& surface) {
   return {surface.UDegree(), surface.VDegree(), poles, weights};
 }
 
-/// Makes the three faces over the patches of a triangle. Face k belongs to corner k; M_k is the middle of the
-/// edge from corner k to k + 1.
+/// Makes the three faces over the patches of a triangle. Face k belongs to corner k; M_k is the
+/// middle of the edge from corner k to k + 1.
 class ShellOfThree {
  public:
   explicit ShellOfThree(const BezierTriangle& triangle) : patches_(regularPatches(triangle)) {
@@ -120,16 +123,18 @@ class ShellOfThree {
   }
 
   /// The edge along that boundary of face k.
-  TopoDS_Edge edge(int k, PatchEdge boundary, const TopoDS_Vertex& from, const TopoDS_Vertex& to) const {
+  TopoDS_Edge edge(int k, PatchEdge boundary, const TopoDS_Vertex& from,
+                   const TopoDS_Vertex& to) const {
     const BezierPatch& patch = patches_[k];
     const BezierCurve curve = boundary == PatchEdge::U0   ? patch.isoCurveU(0)
                               : boundary == PatchEdge::U1 ? patch.isoCurveU(1)
                                                           : patch.transposed().isoCurveU(0);
     const Poles poles = curve.poles();
     if ((poles.rowwise() - poles.row(0)).rowwise().norm().maxCoeff() <= tolerance_)
-      throw std::invalid_argument("a boundary of the face at corner " + std::to_string(k) + " is a point, (" +
-                                  std::to_string(poles(0, 0)) + ", " + std::to_string(poles(0, 1)) + ", " +
-                                  std::to_string(poles(0, 2)) + "): a face needs four edges");
+      throw std::invalid_argument("a boundary of the face at corner " + std::to_string(k) +
+                                  " is a point, (" + std::to_string(poles(0, 0)) + ", " +
+                                  std::to_string(poles(0, 1)) + ", " + std::to_string(poles(0, 2)) +
+                                  "): a face needs four edges");
     TopoDS_Edge result;
     builder_.MakeEdge(result, toBezierCurve(curve), tolerance_);
     builder_.Add(result, from.Oriented(TopAbs_FORWARD));
@@ -183,7 +188,8 @@ handle<Geom_BezierSurface> toBezierSurface(const BezierPatch& patch) {
       poles(i + 1, j + 1) = point(rows.row(i * (n + 1) + j));
       weights(i + 1, j + 1) = w(i * (n + 1) + j);
     }
-  return patch.isRational() ? new Geom_BezierSurface(poles, weights) : new Geom_BezierSurface(poles);
+  return patch.isRational() ? new Geom_BezierSurface(poles, weights)
+                            : new Geom_BezierSurface(poles);
 }
 
 BezierCurve bezierCurve(const Geom_Curve& curve) {
@@ -196,7 +202,8 @@ BezierCurve bezierCurve(const Geom_Curve& curve) {
 }
 
 BezierPatch bezierPatch(const Geom_Surface& surface) {
-  if (const auto* bezier = dynamic_cast<const Geom_BezierSurface*>(&surface)) return patchOf(*bezier);
+  if (const auto* bezier = dynamic_cast<const Geom_BezierSurface*>(&surface))
+    return patchOf(*bezier);
   const auto* spline = dynamic_cast<const Geom_BSplineSurface*>(&surface);
   if (!spline) refuse(surface, "is no Bezier surface");
   requireOneSpan(surface, " in u", spline->UDegree(), spline->NbUKnots(), spline->UMultiplicity(1),
@@ -217,7 +224,8 @@ TopoDS_Shell toShell(const BezierTriangle& triangle) {
   return ShellOfThree(triangle).shell();
 }
 
-TriangleRecognition recogniseTriangle(const Geom_Surface& surface, std::optional<double> tolerance_mm) {
+TriangleRecognition recogniseTriangle(const Geom_Surface& surface,
+                                      std::optional<double> tolerance_mm) {
   return seamwright::recogniseTriangle(bezierPatch(surface), tolerance_mm);
 }
 

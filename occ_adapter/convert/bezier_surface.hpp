@@ -13,30 +13,32 @@
 
 /// Bézier curves, patches and triangles of core as OpenCASCADE's, and back.
 ///
-/// Poles and weights are taken over as poles() and weights() give them: there and back a polynomial is the
-/// same bit by bit, a rational one to the rounding of its homogeneous poles. OpenCASCADE takes weights that
-/// agree to the last place for a polynomial and forgets them.
+/// Poles and weights are taken over as poles() and weights() give them: there and back a polynomial
+/// is the same bit by bit, a rational one to the rounding of its homogeneous poles. OpenCASCADE
+/// takes weights that agree to the last place for a polynomial and forgets them.
 ///
-/// OpenCASCADE holds degrees 1 to 25. All functions to it throw std::invalid_argument for others, with the
-/// degree.
+/// OpenCASCADE holds degrees 1 to 25. All functions to it throw std::invalid_argument for others,
+/// with the degree.
 namespace seamwright::occ {
 
 opencascade::handle<Geom_BezierCurve> toBezierCurve(const BezierCurve& curve);
 opencascade::handle<Geom_BezierSurface> toBezierSurface(const BezierPatch& patch);
 
-/// The Bézier curve that a Geom_BezierCurve is, or a Geom_BSplineCurve of one span, whose range becomes
-/// [0, 1].
+/// The Bézier curve that a Geom_BezierCurve is, or a Geom_BSplineCurve of one span, whose range
+/// becomes [0, 1].
 /// \throws std::domain_error for other kinds, with the name, and for more spans, with their number.
 BezierCurve bezierCurve(const Geom_Curve& curve);
 /// The same of a Geom_BezierSurface or a Geom_BSplineSurface of one span in both parameters.
 BezierPatch bezierPatch(const Geom_Surface& surface);
 
 /// The three patches of regularPatches(). OpenCASCADE has no triangles.
-std::array<opencascade::handle<Geom_BezierSurface>, 3> toBezierSurfaces(const BezierTriangle& triangle);
+std::array<opencascade::handle<Geom_BezierSurface>, 3> toBezierSurfaces(
+    const BezierTriangle& triangle);
 
-/// A shell of three faces on toBezierSurfaces(), oriented by the triangle's natural normal; they share the
-/// three edges that meet at the centroid. The outer edges are cut in the middle. Tolerances are OpenCASCADE's
-/// Precision::Confusion(), 1e-7; the curves lie on the surfaces to rounding.
+/// A shell of three faces on toBezierSurfaces(), oriented by the triangle's natural normal; they
+/// share the three edges that meet at the centroid. The outer edges are cut in the middle.
+/// Tolerances are OpenCASCADE's Precision::Confusion(), 1e-7; the curves lie on the surfaces to
+/// rounding.
 /// \throws std::invalid_argument if a boundary of a face is a point to that tolerance.
 TopoDS_Shell toShell(const BezierTriangle& triangle);
 

@@ -31,8 +31,8 @@ void makePeriodic(Geom_BSplineSurface& surface, Direction direction, double near
     surface.SetVPeriodic();
   const auto isRepeatedLess = [&] {
     const int times = in_u ? surface.UMultiplicity(1) : surface.VMultiplicity(1);
-    return times > 1 &&
-           (in_u ? surface.RemoveUKnot(1, times - 1, near_mm) : surface.RemoveVKnot(1, times - 1, near_mm));
+    return times > 1 && (in_u ? surface.RemoveUKnot(1, times - 1, near_mm)
+                              : surface.RemoveVKnot(1, times - 1, near_mm));
   };
   while (isRepeatedLess()) {
   }

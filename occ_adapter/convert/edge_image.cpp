@@ -27,7 +27,8 @@ namespace {
 
 using opencascade::handle;
 
-/// The image of a path that runs along a whole parameter line at constant speed; null if it does not.
+/// The image of a path that runs along a whole parameter line at constant speed; null if it does
+/// not.
 handle<Geom_BSplineCurve> parameterLine(const EdgeSide& side, double first, double last) {
   const auto spline = handle<Geom_BSplineSurface>::DownCast(side.placed.surface);
   if (spline.IsNull() || !(first < last)) return {};
@@ -46,8 +47,8 @@ handle<Geom_BSplineCurve> parameterLine(const EdgeSide& side, double first, doub
         std::abs(at.Y() - from.Y() - share * (to.Y() - from.Y())) > near_v)
       return {};
   }
-  const auto iso =
-      handle<Geom_BSplineCurve>::DownCast(along_v ? spline->UIso(from.X()) : spline->VIso(from.Y()));
+  const auto iso = handle<Geom_BSplineCurve>::DownCast(along_v ? spline->UIso(from.X())
+                                                               : spline->VIso(from.Y()));
   double low = along_v ? from.Y() : from.X(), high = along_v ? to.Y() : to.X();
   const bool reversed = low > high;
   if (reversed) std::swap(low, high);
@@ -63,7 +64,8 @@ handle<Geom_BSplineCurve> parameterLine(const EdgeSide& side, double first, doub
   return iso;
 }
 
-/// \returns null where there is no such curve: rational ones, and knots that can't be brought together.
+/// \returns null where there is no such curve: rational ones, and knots that can't be brought
+/// together.
 handle<Geom_BSplineCurve> mean(const std::vector<handle<Geom_BSplineCurve>>& lines) {
   if (lines.size() == 1) return lines.front();
   int degree = 0;
@@ -92,12 +94,13 @@ handle<Geom_BSplineCurve> mean(const std::vector<handle<Geom_BSplineCurve>>& lin
 /// The mean of curves on surfaces with its derivatives, for OpenCASCADE's approximation.
 class MeanOfImages : public AdvApprox_EvaluatorFunction {
  public:
-  MeanOfImages(const std::vector<EdgeSide>& sides, double first, double last) : first_(first), last_(last) {
+  MeanOfImages(const std::vector<EdgeSide>& sides, double first, double last)
+      : first_(first), last_(last) {
     for (const EdgeSide& side : sides) {
       const auto placed = handle<Geom_Surface>::DownCast(
           side.placed.surface->Transformed(side.placed.location.Transformation()));
-      images_.emplace_back(handle<Adaptor2d_Curve2d>(
-                               new Geom2dAdaptor_Curve(side.path.curve, side.path.first, side.path.last)),
+      images_.emplace_back(handle<Adaptor2d_Curve2d>(new Geom2dAdaptor_Curve(
+                               side.path.curve, side.path.first, side.path.last)),
                            handle<Adaptor3d_Surface>(new GeomAdaptor_Surface(placed)));
     }
   }
@@ -120,8 +123,8 @@ class MeanOfImages : public AdvApprox_EvaluatorFunction {
     return distinct;
   }
 
-  void Evaluate(int* /*dimension*/, double /*range*/[2], double* parameter, int* order, double* result,
-                int* error) override {
+  void Evaluate(int* /*dimension*/, double /*range*/[2], double* parameter, int* order,
+                double* result, int* error) override {
     gp_XYZ sum;
     for (const Adaptor3d_CurveOnSurface& image : images_) {
       const double at = image.FirstParameter() + (*parameter - first_) * speed(image);
@@ -152,10 +155,12 @@ handle<Geom_Curve> approximated(const std::vector<EdgeSide>& sides, double first
   const handle<TColStd_HArray1OfReal> none, near = new TColStd_HArray1OfReal(1, 1, near_mm);
   AdvApprox_ApproxAFunction fit(0, 0, 1, none, none, near, first, last, GeomAbs_C1, highest_degree,
                                 most_segments, image, cuts);
-  if (!fit.HasResult()) throw std::runtime_error("no curve in space can be built for a trimmed edge");
+  if (!fit.HasResult())
+    throw std::runtime_error("no curve in space can be built for a trimmed edge");
   TColgp_Array1OfPnt poles(1, fit.NbPoles());
   fit.Poles(1, poles);
-  return new Geom_BSplineCurve(poles, fit.Knots()->Array1(), fit.Multiplicities()->Array1(), fit.Degree());
+  return new Geom_BSplineCurve(poles, fit.Knots()->Array1(), fit.Multiplicities()->Array1(),
+                               fit.Degree());
 }
 
 }  // namespace
@@ -186,7 +191,9 @@ class PointsOf {
  public:
   explicit PointsOf(const PlacedSurface& placed)
       : surface_(placed.surface), location_(placed.location.Transformation()) {}
-  gp_Pnt at(const gp_Pnt2d& uv) const { return surface_.Value(uv.X(), uv.Y()).Transformed(location_); }
+  gp_Pnt at(const gp_Pnt2d& uv) const {
+    return surface_.Value(uv.X(), uv.Y()).Transformed(location_);
+  }
 
  private:
   GeomAdaptor_Surface surface_;
@@ -216,13 +223,15 @@ double largestDistance_mm(const std::vector<EdgeSide>& sides, const Geom_Curve& 
   return largest;
 }
 
-handle<Geom_Curve> meanImage(const std::vector<EdgeSide>& sides, double first, double last, double near_mm) {
+handle<Geom_Curve> meanImage(const std::vector<EdgeSide>& sides, double first, double last,
+                             double near_mm) {
   std::vector<handle<Geom_BSplineCurve>> lines;
   for (const EdgeSide& side : sides) lines.push_back(parameterLine(side, first, last));
-  const bool all_lines =
-      std::ranges::none_of(lines, [](const handle<Geom_BSplineCurve>& line) { return line.IsNull(); });
+  const bool all_lines = std::ranges::none_of(
+      lines, [](const handle<Geom_BSplineCurve>& line) { return line.IsNull(); });
   if (all_lines)
-    if (const handle<Geom_BSplineCurve> line = mean(lines); !line.IsNull()) return handle<Geom_Curve>(line);
+    if (const handle<Geom_BSplineCurve> line = mean(lines); !line.IsNull())
+      return handle<Geom_Curve>(line);
   return approximated(sides, first, last, near_mm);
 }
 
@@ -230,7 +239,8 @@ double distanceFromImage_mm(const TopoDS_Edge& edge, const TopoDS_Face& face, do
   double first = 0, last = 0;
   const handle<Geom_Curve> curve = BRep_Tool::Curve(edge, first, last);
   if (curve.IsNull()) return 0;
-  return largestDistance_mm({{surfaceOf(face), pathOrBuilt(edge, face, gap_mm)}}, *curve, first, last);
+  return largestDistance_mm({{surfaceOf(face), pathOrBuilt(edge, face, gap_mm)}}, *curve, first,
+                            last);
 }
 
 }  // namespace seamwright::occ

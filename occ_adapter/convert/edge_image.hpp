@@ -31,7 +31,9 @@ struct PlacedSurface {
 struct PlanarPath {
   opencascade::handle<Geom2d_Curve> curve;
   double first = 0, last = 0;
-  gp_Pnt2d at(int k) const { return curve->Value(first + (last - first) * k / (points_of_an_edge - 1)); }
+  gp_Pnt2d at(int k) const {
+    return curve->Value(first + (last - first) * k / (points_of_an_edge - 1));
+  }
 };
 
 struct EdgeSide {
@@ -52,14 +54,16 @@ double largestDistance_mm(const PlacedSurface& a, const PlacedSurface& b, const 
 /// Of the images of paths from a curve over [first, last], at points_of_an_edge points.
 double largestDistance_mm(const std::vector<EdgeSide>& sides, const Geom_Curve& curve, double first,
                           double last);
-/// Of an edge's curve from its image on the face, at equal parameters, whatever its tolerance says; 0 without a curve.
+/// Of an edge's curve from its image on the face, at equal parameters, whatever its tolerance says;
+/// 0 without a curve.
 /// \throws std::runtime_error as pcurveOf().
 double distanceFromImage_mm(const TopoDS_Edge& edge, const TopoDS_Face& face, double gap_mm);
 
-/// The mean of the images of the paths as a curve over [first, last]: exact where the paths are parameter lines of polynomial splines, or one
-/// of a rational one, run along at constant speed; else approximated.
+/// The mean of the images of the paths as a curve over [first, last]: exact where the paths are
+/// parameter lines of polynomial splines, or one of a rational one, run along at constant speed;
+/// else approximated.
 /// \param near_mm how near an approximation keeps. \throws std::runtime_error where there is none.
-opencascade::handle<Geom_Curve> meanImage(const std::vector<EdgeSide>& sides, double first, double last,
-                                          double near_mm);
+opencascade::handle<Geom_Curve> meanImage(const std::vector<EdgeSide>& sides, double first,
+                                          double last, double near_mm);
 
 }  // namespace seamwright::occ

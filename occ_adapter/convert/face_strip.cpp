@@ -19,15 +19,17 @@ std::vector<double> values(const TColStd_Array1OfReal& array) {
   return {array.begin(), array.end()};
 }
 
-/// Ends and inner limits of the pieces on which the surface has the continuity; by default those on which it
-/// is analytic.
-std::vector<double> knotsU(const BRepAdaptor_Surface& surface, GeomAbs_Shape continuity = GeomAbs_CN) {
+/// Ends and inner limits of the pieces on which the surface has the continuity; by default those on
+/// which it is analytic.
+std::vector<double> knotsU(const BRepAdaptor_Surface& surface,
+                           GeomAbs_Shape continuity = GeomAbs_CN) {
   TColStd_Array1OfReal array(1, surface.NbUIntervals(continuity) + 1);
   surface.UIntervals(array, continuity);
   return values(array);
 }
 
-std::vector<double> knotsV(const BRepAdaptor_Surface& surface, GeomAbs_Shape continuity = GeomAbs_CN) {
+std::vector<double> knotsV(const BRepAdaptor_Surface& surface,
+                           GeomAbs_Shape continuity = GeomAbs_CN) {
   TColStd_Array1OfReal array(1, surface.NbVIntervals(continuity) + 1);
   surface.VIntervals(array, continuity);
   return values(array);
@@ -58,8 +60,8 @@ std::vector<double> inner(const std::vector<double>& knots) {
   return {knots.begin() + 1, knots.end() - 1};
 }
 
-/// Mean length of the pieces, at most 1: analytic surfaces turn once in a few units of their parameters. The
-/// mean, because files hold knots that only rounding tells apart.
+/// Mean length of the pieces, at most 1: analytic surfaces turn once in a few units of their
+/// parameters. The mean, because files hold knots that only rounding tells apart.
 double typicalStep(const std::vector<double>& knots) {
   return std::min(1.0, (knots.back() - knots.front()) / static_cast<double>(knots.size() - 1));
 }
@@ -78,8 +80,8 @@ double finiteRange(const std::vector<double>& knots) {
   return Precision::IsInfinite(range) ? 1 : range;
 }
 
-/// Where a coordinate of a path passes inner knots between the parameters t0 and t1, at which it is \p from
-/// and \p to.
+/// Where a coordinate of a path passes inner knots between the parameters t0 and t1, at which it is
+/// \p from and \p to.
 template <class Coordinate>
 void addCrossings(const Coordinate& coordinate, double t0, double t1, double from, double to,
                   const std::vector<double>& knots, std::vector<double>& crossings) {
@@ -106,20 +108,28 @@ bool areOnePoint(int count, const std::function<gp_Pnt(int i)>& pole) {
   return true;
 }
 
-/// Whether a place of the parameter plane is on a boundary of a spline all of whose poles coincide exactly.
+/// Whether a place of the parameter plane is on a boundary of a spline all of whose poles coincide
+/// exactly.
 bool endsAtOnePoint(const BRepAdaptor_Surface& surface, const gp_Pnt2d& uv) {
   constexpr double rounding = 1e-9;  // of the range, of paths
   const auto look = [&](const auto& spline) {
     double u1 = 0, u2 = 0, v1 = 0, v2 = 0;
     spline->Bounds(u1, u2, v1, v2);
     const int nu = spline->NbUPoles(), nv = spline->NbVPoles();
-    const auto row = [&](int i) { return areOnePoint(nv, [&](int j) { return spline->Pole(i, j); }); };
-    const auto column = [&](int j) { return areOnePoint(nu, [&](int i) { return spline->Pole(i, j); }); };
+    const auto row = [&](int i) {
+      return areOnePoint(nv, [&](int j) { return spline->Pole(i, j); });
+    };
+    const auto column = [&](int j) {
+      return areOnePoint(nu, [&](int i) { return spline->Pole(i, j); });
+    };
     const double near_u = rounding * (u2 - u1), near_v = rounding * (v2 - v1);
-    return (std::abs(uv.X() - u1) <= near_u && row(1)) || (std::abs(uv.X() - u2) <= near_u && row(nu)) ||
-           (std::abs(uv.Y() - v1) <= near_v && column(1)) || (std::abs(uv.Y() - v2) <= near_v && column(nv));
+    return (std::abs(uv.X() - u1) <= near_u && row(1)) ||
+           (std::abs(uv.X() - u2) <= near_u && row(nu)) ||
+           (std::abs(uv.Y() - v1) <= near_v && column(1)) ||
+           (std::abs(uv.Y() - v2) <= near_v && column(nv));
   };
-  return surface.GetType() == GeomAbs_BezierSurface ? look(surface.Bezier()) : look(surface.BSpline());
+  return surface.GetType() == GeomAbs_BezierSurface ? look(surface.Bezier())
+                                                    : look(surface.BSpline());
 }
 
 }  // namespace
@@ -140,7 +150,8 @@ FaceStrip::FaceStrip(const Coedge& use, const Pcurve& pcurve, JetOrder order)
       range_v_(finiteRange(knots_v_)) {
   if (surface_.IsUPeriodic()) repeatByPeriod(knots_u_, joints_u_, surface_.UPeriod());
   if (surface_.IsVPeriodic()) repeatByPeriod(knots_v_, joints_v_, surface_.VPeriod());
-  for (const int end : {0, 1}) collapsed_mm_[end] = collapsedLength(end, use.pole_tolerance_mm[end]);
+  for (const int end : {0, 1})
+    collapsed_mm_[end] = collapsedLength(end, use.pole_tolerance_mm[end]);
 }
 
 SidePoint FaceStrip::at(double s) const {
@@ -158,8 +169,8 @@ SidePoint FaceStrip::at(double s, Derivatives derivatives) const {
   gp_Vec2d direction;
   path_.D1(parameter(s), uv, direction);
   SidePoint side;
-  // Along a knot line derivatives may jump: those of the face's own side count. The point itself is kept to
-  // first order.
+  // Along a knot line derivatives may jump: those of the face's own side count. The point itself is
+  // kept to first order.
   const double into = forward_ ? 1 : -1;
   const double du = nudge(joints_u_, uv.X(), step_u_, -into * direction.Y());
   const double dv = nudge(joints_v_, uv.Y(), step_v_, into * direction.X());
@@ -243,24 +254,27 @@ double FaceStrip::poleReach(int end) const {
 
 /// A partial is a difference of coordinates over a step, and each coordinate is rounded.
 double FaceStrip::roundingOf(const SurfaceJet& jet) const {
-  const double size = jet.p.lpNorm<Eigen::Infinity>() + step_u_ * jet.u.norm() + step_v_ * jet.v.norm();
+  const double size =
+      jet.p.lpNorm<Eigen::Infinity>() + step_u_ * jet.u.norm() + step_v_ * jet.v.norm();
   return 64 * std::numeric_limits<double>::epsilon() * size;
 }
 
 JetNoise FaceStrip::noise(const SurfaceJet& jet, double s) const {
   const double rounding = roundingOf(jet);
-  // At a pole the points of a parameter line should coincide and are scattered over its length l. Where the
-  // line has grown to L, its direction is uncertain by l / L rad; up to a five-hundredth, 0.1 degrees, it is
-  // taken.
+  // At a pole the points of a parameter line should coincide and are scattered over its length l.
+  // Where the line has grown to L, its direction is uncertain by l / L rad; up to a five-hundredth,
+  // 0.1 degrees, it is taken.
   const double scatter = std::max(Precision::Confusion(), 500 * collapsed_mm_[s < 0.5 ? 0 : 1]);
-  return {std::max(rounding / step_u_, scatter / range_u_), std::max(rounding / step_v_, scatter / range_v_)};
+  return {std::max(rounding / step_u_, scatter / range_u_),
+          std::max(rounding / step_v_, scatter / range_v_)};
 }
 
 std::vector<double> FaceStrip::breaks() const {
   const std::vector<double> path_knots = knots(path_);
   std::vector<double> at(path_knots.begin() + 1, path_knots.end() - 1);
   if (knots_u_.size() > 2 || knots_v_.size() > 2) {
-    // Eight steps a piece find the crossings of a path that turns at most a few times between its own knots.
+    // Eight steps a piece find the crossings of a path that turns at most a few times between its
+    // own knots.
     const int steps = path_.GetType() == GeomAbs_Line ? 1 : 8;
     for (std::size_t i = 1; i < path_knots.size(); ++i)
       addKnotCrossings(path_knots[i - 1], path_knots[i], steps, at);
@@ -270,15 +284,18 @@ std::vector<double> FaceStrip::breaks() const {
   return at;
 }
 
-void FaceStrip::addKnotCrossings(double first, double last, int steps, std::vector<double>& at) const {
+void FaceStrip::addKnotCrossings(double first, double last, int steps,
+                                 std::vector<double>& at) const {
   const double width = (last - first) / steps;
   gp_Pnt2d from = path_.Value(first);
   for (int k = 0; k < steps; ++k) {
     const double t0 = first + k * width;
     const double t1 = k + 1 < steps ? t0 + width : last;
     const gp_Pnt2d to = path_.Value(t1);
-    addCrossings([&](double t) { return path_.Value(t).X(); }, t0, t1, from.X(), to.X(), knots_u_, at);
-    addCrossings([&](double t) { return path_.Value(t).Y(); }, t0, t1, from.Y(), to.Y(), knots_v_, at);
+    addCrossings([&](double t) { return path_.Value(t).X(); }, t0, t1, from.X(), to.X(), knots_u_,
+                 at);
+    addCrossings([&](double t) { return path_.Value(t).Y(); }, t0, t1, from.Y(), to.Y(), knots_v_,
+                 at);
     from = to;
   }
 }

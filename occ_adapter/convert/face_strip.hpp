@@ -12,7 +12,8 @@
 
 namespace seamwright::occ {
 
-/// To which order a strip is evaluated. Third costs a little more and can fail where second does not.
+/// To which order a strip is evaluated. Third costs a little more and can fail where second does
+/// not.
 enum class JetOrder { Second = 2, Third = 3 };
 /// Where a path is in space and how it goes on.
 struct PathPoint {
@@ -20,10 +21,11 @@ struct PathPoint {
   Eigen::Vector3d d;  ///< derivative of p by s
 };
 
-/// One side of a seam as core sees it: a surface along a path, s in [0, 1] running with the edge's curve.
+/// One side of a seam as core sees it: a surface along a path, s in [0, 1] running with the edge's
+/// curve.
 ///
-/// Locations (also mirrored ones) are applied. Not to be shared between threads: OpenCASCADE's adaptors
-/// cache.
+/// Locations (also mirrored ones) are applied. Not to be shared between threads: OpenCASCADE's
+/// adaptors cache.
 class FaceStrip {
  public:
   /// \param pcurve the path of the edge on the face, see pcurveOf().
@@ -42,16 +44,17 @@ class FaceStrip {
 
   gp_Pnt2d parametersAt(double s) const { return path_.Value(parameter(s)); }
 
-  /// Values of s in (0, 1) where the jet may not be smooth: knots of the pcurve and crossings of the
-  /// surface's knot lines.
+  /// Values of s in (0, 1) where the jet may not be smooth: knots of the pcurve and crossings of
+  /// the surface's knot lines.
   std::vector<double> breaks() const;
 
-  /// From end 0 or 1 of the path, the share of it over which the surface has no tangent plane because a
-  /// boundary of it collapses there.
+  /// From end 0 or 1 of the path, the share of it over which the surface has no tangent plane
+  /// because a boundary of it collapses there.
   double poleReach(int end) const;
 
-  /// Whether the parameter line that collapses at end 0 or 1 of the path is not quite one point: poles of a
-  /// spline that differ at all, points of another surface that differ by more than rounding.
+  /// Whether the parameter line that collapses at end 0 or 1 of the path is not quite one point:
+  /// poles of a spline that differ at all, points of another surface that differ by more than
+  /// rounding.
   bool isScatteredAt(int end) const;
 
  private:
@@ -73,9 +76,9 @@ class FaceStrip {
   std::vector<double> knots_v_;
   std::vector<double> joints_u_;  ///< inner knots where the surface is less smooth than the order
   std::vector<double> joints_v_;
-  std::array<double, 2>
-      collapsed_mm_{};  ///< by end: length of the parameter line that collapses there, 0 if none does
-  double step_u_;       ///< typical distance of knots, at most 1
+  std::array<double, 2> collapsed_mm_{};  ///< by end: length of the parameter line that collapses
+                                          ///< there, 0 if none does
+  double step_u_;                         ///< typical distance of knots, at most 1
   double step_v_;
   double range_u_;  ///< whole parameter range; 1 if infinite
   double range_v_;

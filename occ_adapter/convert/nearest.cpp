@@ -12,7 +12,12 @@ namespace {
 class Descent {
  public:
   Descent(const FaceStrip& path, const Eigen::Vector3d& p, double start, double low, double high)
-      : path_(path), p_(p), low_(low), high_(high), s_(std::clamp(start, low, high)), at_(path.trace(s_)) {}
+      : path_(path),
+        p_(p),
+        low_(low),
+        high_(high),
+        s_(std::clamp(start, low, high)),
+        at_(path.trace(s_)) {}
 
   double place() const { return s_; }
 
@@ -20,7 +25,8 @@ class Descent {
   bool step() {
     const double full = (p_ - at_.p).dot(at_.d) / at_.d.squaredNorm();
     if (!std::isfinite(full)) return leaveStationary();
-    for (double step = std::clamp(full, low_ - s_, high_ - s_); std::abs(step) >= least_step; step /= 2)
+    for (double step = std::clamp(full, low_ - s_, high_ - s_); std::abs(step) >= least_step;
+         step /= 2)
       if (moveTo(s_ + step)) return true;
     return false;
   }
@@ -53,7 +59,8 @@ class Descent {
 
 }  // namespace
 
-double nearestPlace(const FaceStrip& path, const Eigen::Vector3d& p, double start, double low, double high) {
+double nearestPlace(const FaceStrip& path, const Eigen::Vector3d& p, double start, double low,
+                    double high) {
   Descent descent(path, p, start, low, high);
   constexpr int most_steps = 60;
   for (int i = 0; i < most_steps && descent.step(); ++i) continue;

@@ -35,7 +35,8 @@ struct Stray {
 };
 
 /// Of 9 points the one where the image of the pcurve is furthest from the edge's curve.
-Stray worstStray(const Pcurve& pcurve, const SpaceCurve& space, const BRepAdaptor_Surface& surface) {
+Stray worstStray(const Pcurve& pcurve, const SpaceCurve& space,
+                 const BRepAdaptor_Surface& surface) {
   Stray worst;
   for (int i = 0; i <= 8; ++i) {
     const double share = i / 8.0;
@@ -48,8 +49,8 @@ Stray worstStray(const Pcurve& pcurve, const SpaceCurve& space, const BRepAdapto
   return worst;
 }
 
-/// Whether the surface near the point of the pcurve comes closer to the edge than half the distance. True
-/// also where no nearest point is found.
+/// Whether the surface near the point of the pcurve comes closer to the edge than half the
+/// distance. True also where no nearest point is found.
 bool surfaceComesCloser(const Stray& stray, const BRepAdaptor_Surface& surface) {
   Extrema_GenLocateExtPS nearest(surface, Precision::PConfusion(), Precision::PConfusion());
   nearest.Perform(stray.on_edge, stray.uv.X(), stray.uv.Y(), false);
@@ -67,11 +68,14 @@ bool hasFinitePoles(const Spline& spline) {
   return true;
 }
 
-/// False for a surface on which a search for the nearest point may run for minutes and find nothing.
+/// False for a surface on which a search for the nearest point may run for minutes and find
+/// nothing.
 bool canBeSearched(const opencascade::handle<Geom_Surface>& surface) {
-  if (const auto spline = opencascade::handle<Geom_BSplineSurface>::DownCast(surface); !spline.IsNull())
+  if (const auto spline = opencascade::handle<Geom_BSplineSurface>::DownCast(surface);
+      !spline.IsNull())
     return hasFinitePoles(spline);
-  if (const auto bezier = opencascade::handle<Geom_BezierSurface>::DownCast(surface); !bezier.IsNull())
+  if (const auto bezier = opencascade::handle<Geom_BezierSurface>::DownCast(surface);
+      !bezier.IsNull())
     return hasFinitePoles(bezier);
   return true;
 }
@@ -105,21 +109,22 @@ Pcurve keptOrRebuilt(const Pcurve& stored, const SpaceCurve& space, const TopoDS
   if (stray.distance <= allowed) return stored;
   // Which of the two pcurves of a closed face a projection would give is not known.
   if (BRep_Tool::IsClosed(edge, face)) return stored;
-  // A little off is mostly a surface that lies a little off: one point tells that cheaper than a projected
-  // curve.
+  // A little off is mostly a surface that lies a little off: one point tells that cheaper than a
+  // projected curve.
   if (stray.distance <= 10 * allowed && !surfaceComesCloser(stray, surface)) return stored;
   Pcurve rebuilt = projected(space, face);
   if (rebuilt.curve.IsNull()) return stored;
   const double after = worstStray(rebuilt, space, surface).distance;
   if (!std::isfinite(after) || after > stray.distance / 2) return stored;
-  rebuilt.note =
-      "its pcurve was " + text(stray.distance) + " mm off the edge and was rebuilt (" + text(after) + " mm)";
+  rebuilt.note = "its pcurve was " + text(stray.distance) + " mm off the edge and was rebuilt (" +
+                 text(after) + " mm)";
   return rebuilt;
 }
 
 Pcurve built(const SpaceCurve& space, const TopoDS_Face& face) {
   Pcurve pcurve = projected(space, face);
-  if (pcurve.curve.IsNull()) throw std::runtime_error("the edge has no pcurve and none could be built");
+  if (pcurve.curve.IsNull())
+    throw std::runtime_error("the edge has no pcurve and none could be built");
   const double stray = worstStray(pcurve, space, BRepAdaptor_Surface(face, false)).distance;
   pcurve.note = "its pcurve was missing and was built (" + text(stray) + " mm)";
   return pcurve;
@@ -138,7 +143,8 @@ Pcurve pcurveOf(const TopoDS_Edge& edge, const TopoDS_Face& face, double gap_mm)
   if (stored.curve.IsNull() && space.curve.IsNull())
     throw std::runtime_error("the edge has neither a curve in space nor a pcurve");
   if (space.curve.IsNull()) return stored;
-  return stored.curve.IsNull() ? built(space, face) : keptOrRebuilt(stored, space, edge, face, gap_mm);
+  return stored.curve.IsNull() ? built(space, face)
+                               : keptOrRebuilt(stored, space, edge, face, gap_mm);
 }
 
 }  // namespace seamwright::occ

@@ -18,15 +18,17 @@ struct Pcurve {
 
 /// The pcurve of an edge on a face, rebuilt if need be.
 ///
-/// Stored pcurves are taken as they are if, at 9 points, they keep within one and a half times the tolerance of
-/// the edge from its curve in space (within the tolerance is OpenCASCADE's own condition for a valid edge, but it
-/// measures tolerances that a file does not hold at some points only), or within a hundredth of \p gap_mm, which
-/// no verdict notices. Where one is missing or strays further, the curve in space is projected onto the
-/// surface; the projection replaces the stored pcurve only if it at least halves the distance, because
-/// otherwise the surface itself is away from the edge, which is a gap of the model and not a fault of the
-/// pcurve. The edge and the face are never changed.
+/// Stored pcurves are taken as they are if, at 9 points, they keep within one and a half times the
+/// tolerance of the edge from its curve in space (within the tolerance is OpenCASCADE's own
+/// condition for a valid edge, but it measures tolerances that a file does not hold at some points
+/// only), or within a hundredth of \p gap_mm, which no verdict notices. Where one is missing or
+/// strays further, the curve in space is projected onto the surface; the projection replaces the
+/// stored pcurve only if it at least halves the distance, because otherwise the surface itself is
+/// away from the edge, which is a gap of the model and not a fault of the pcurve. The edge and the
+/// face are never changed.
 ///
-/// \throws std::runtime_error if the face has no surface, or if there is no pcurve and none can be built.
+/// \throws std::runtime_error if the face has no surface, or if there is no pcurve and none can be
+/// built.
 Pcurve pcurveOf(const TopoDS_Edge& edge, const TopoDS_Face& face, double gap_mm);
 
 }  // namespace seamwright::occ

@@ -92,12 +92,15 @@ void moveKnots(Geom_BSplineSurface& spline, Direction direction, double by) {
   direction == Direction::U ? spline.SetUKnots(knots) : spline.SetVKnots(knots);
 }
 
-/// In the parameters of the range: OpenCASCADE counts those of a trimmed periodic surface from its first period on.
-PolynomialSurface approximated(const handle<Geom_Surface>& trimmed, const Range& range, double near_mm) {
+/// In the parameters of the range: OpenCASCADE counts those of a trimmed periodic surface from its
+/// first period on.
+PolynomialSurface approximated(const handle<Geom_Surface>& trimmed, const Range& range,
+                               double near_mm) {
   constexpr int largest_degree = 8, most_spans = 200;
-  const GeomConvert_ApproxSurface approximation(trimmed, near_mm, GeomAbs_C2, GeomAbs_C2, largest_degree,
-                                                largest_degree, most_spans, 0);
-  if (!approximation.HasResult()) throw std::runtime_error("it can't be approximated by a polynomial spline");
+  const GeomConvert_ApproxSurface approximation(trimmed, near_mm, GeomAbs_C2, GeomAbs_C2,
+                                                largest_degree, largest_degree, most_spans, 0);
+  if (!approximation.HasResult())
+    throw std::runtime_error("it can't be approximated by a polynomial spline");
   const Spline spline = approximation.Surface();
   Range of_spline{};
   spline->Bounds(of_spline[0], of_spline[1], of_spline[2], of_spline[3]);
@@ -109,16 +112,19 @@ PolynomialSurface approximated(const handle<Geom_Surface>& trimmed, const Range&
 double largestDifference_mm(const Geom_BSplineSurface& a, const Geom_BSplineSurface& b) {
   double largest = 0;
   for (int i = 1; i <= a.NbUPoles(); ++i)
-    for (int j = 1; j <= a.NbVPoles(); ++j) largest = std::max(largest, a.Pole(i, j).Distance(b.Pole(i, j)));
+    for (int j = 1; j <= a.NbVPoles(); ++j)
+      largest = std::max(largest, a.Pole(i, j).Distance(b.Pole(i, j)));
   return largest;
 }
 
 /// Where the surface goes round the spline ends at itself as smoothly as can be.
 /// \returns by how much poles moved.
-double close(const Geom_Surface& surface, const Range& range, double near_mm, Geom_BSplineSurface& spline) {
+double close(const Geom_Surface& surface, const Range& range, double near_mm,
+             Geom_BSplineSurface& spline) {
   const Spline given = Spline::DownCast(spline.Copy());
   const auto closeIn = [&](Direction direction, double length, double period) {
-    if (std::abs(length - period) <= Precision::PConfusion() && endsAtItself(spline, direction, near_mm))
+    if (std::abs(length - period) <= Precision::PConfusion() &&
+        endsAtItself(spline, direction, near_mm))
       makePeriodic(spline, direction, near_mm);
   };
   if (surface.IsUPeriodic()) closeIn(Direction::U, range[1] - range[0], surface.UPeriod());
@@ -140,7 +146,8 @@ void collapse(const Geom_Surface& surface, const Range& range, Geom_BSplineSurfa
       }
       const double rounding =
           1024 * std::numeric_limits<double>::epsilon() * (1 + side.front().XYZ().Modulus());
-      if (std::ranges::any_of(side, [&](const gp_Pnt& p) { return p.Distance(side.front()) > rounding; }))
+      if (std::ranges::any_of(side,
+                              [&](const gp_Pnt& p) { return p.Distance(side.front()) > rounding; }))
         continue;
       const int count = along_u ? spline.NbUPoles() : spline.NbVPoles();
       for (int k = 1; k <= count; ++k)
@@ -170,8 +177,8 @@ PolynomialSurface polynomialSurface(const TopoDS_Face& face, double near_mm) {
   polynomial.error_mm *= std::abs(location.Transformation().ScaleFactor());
   if (polynomial.error_mm <= near_mm) return polynomial;
   std::ostringstream text;
-  text << "a polynomial spline keeps only as near as " << polynomial.error_mm << " mm, not " << near_mm
-       << " mm";
+  text << "a polynomial spline keeps only as near as " << polynomial.error_mm << " mm, not "
+       << near_mm << " mm";
   throw std::runtime_error(text.str());
 }
 

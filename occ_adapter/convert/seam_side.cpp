@@ -164,8 +164,10 @@ CurveEvaluator curveEvaluator(const handle<typename Where::Curve>& curve) {
     return withRadii<EllipseEvaluator>(*circle, circle->Radius(), circle->Radius());
   if (const auto ellipse = handle<typename Where::Ellipse>::DownCast(curve); !ellipse.IsNull())
     return withRadii<EllipseEvaluator>(*ellipse, ellipse->MajorRadius(), ellipse->MinorRadius());
-  if (const auto hyperbola = handle<typename Where::Hyperbola>::DownCast(curve); !hyperbola.IsNull())
-    return withRadii<HyperbolaEvaluator>(*hyperbola, hyperbola->MajorRadius(), hyperbola->MinorRadius());
+  if (const auto hyperbola = handle<typename Where::Hyperbola>::DownCast(curve);
+      !hyperbola.IsNull())
+    return withRadii<HyperbolaEvaluator>(*hyperbola, hyperbola->MajorRadius(),
+                                         hyperbola->MinorRadius());
   if (const auto parabola = handle<typename Where::Parabola>::DownCast(curve); !parabola.IsNull())
     return ParabolaEvaluator{vector(parabola->Location()),
                              vector(parabola->Position().XDirection()) / (4 * parabola->Focal()),
@@ -185,8 +187,8 @@ std::unique_ptr<SurfaceEvaluator> splineSurface(const Surface& surface, SplineDi
       poles.push_back(vector(surface.Pole(i, j).XYZ()));
       if (rational) weights.push_back(surface.Weight(i, j));
     }
-  return splineEvaluator(
-      std::make_shared<SplineEvaluator>(std::move(u), std::move(v), std::move(poles), std::move(weights)));
+  return splineEvaluator(std::make_shared<SplineEvaluator>(std::move(u), std::move(v),
+                                                           std::move(poles), std::move(weights)));
 }
 
 std::unique_ptr<SurfaceEvaluator> bsplineSurface(handle<Geom_BSplineSurface> surface) {
@@ -207,7 +209,8 @@ std::unique_ptr<SurfaceEvaluator> revolution(const Geom_SurfaceOfRevolution& sur
 }
 
 std::unique_ptr<SurfaceEvaluator> surfaceEvaluator(const handle<Geom_Surface>& surface) {
-  if (const auto trimmed = handle<Geom_RectangularTrimmedSurface>::DownCast(surface); !trimmed.IsNull())
+  if (const auto trimmed = handle<Geom_RectangularTrimmedSurface>::DownCast(surface);
+      !trimmed.IsNull())
     return surfaceEvaluator(trimmed->BasisSurface());
   if (const auto plane = handle<Geom_Plane>::DownCast(surface); !plane.IsNull())
     return planeEvaluator(frameOf(plane->Position()));
@@ -224,7 +227,8 @@ std::unique_ptr<SurfaceEvaluator> surfaceEvaluator(const handle<Geom_Surface>& s
   if (const auto bezier = handle<Geom_BezierSurface>::DownCast(surface); !bezier.IsNull())
     return splineSurface(*bezier, {bezier->UDegree(), bezierKnots(bezier->UDegree()), 0},
                          {bezier->VDegree(), bezierKnots(bezier->VDegree()), 0});
-  if (const auto extrusion = handle<Geom_SurfaceOfLinearExtrusion>::DownCast(surface); !extrusion.IsNull())
+  if (const auto extrusion = handle<Geom_SurfaceOfLinearExtrusion>::DownCast(surface);
+      !extrusion.IsNull())
     return extrusionEvaluator(curveEvaluator<InSpace>(extrusion->BasisCurve()),
                               vector(extrusion->Direction().XYZ()));
   if (const auto turned = handle<Geom_SurfaceOfRevolution>::DownCast(surface); !turned.IsNull())

@@ -7,13 +7,13 @@
 
 namespace seamwright::occ {
 
-/// The side of a seam for enclosures: what OpenCASCADE holds, as numbers of core, exact but for the rounding
-/// of placements.
+/// The side of a seam for enclosures: what OpenCASCADE holds, as numbers of core, exact but for the
+/// rounding of placements.
 ///
-/// Surfaces: planes, cylinders, cones, spheres, tori, Bezier and B-spline surfaces (rational, periodic),
-/// surfaces of revolution and of extrusion, offsets of all these, trimmed or not. Curves (pcurves, and the
-/// curves of revolution and extrusion): lines, circles, ellipses, hyperbolas, parabolas, Bezier and B-spline
-/// curves, trimmed or not.
+/// Surfaces: planes, cylinders, cones, spheres, tori, Bezier and B-spline surfaces (rational,
+/// periodic), surfaces of revolution and of extrusion, offsets of all these, trimmed or not. Curves
+/// (pcurves, and the curves of revolution and extrusion): lines, circles, ellipses, hyperbolas,
+/// parabolas, Bezier and B-spline curves, trimmed or not.
 ///
 /// s runs with the pcurve over its whole range. Not to be shared between threads.
 /// \throws std::domain_error if the surface or a curve is of another kind, with its name;

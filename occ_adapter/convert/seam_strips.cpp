@@ -11,8 +11,9 @@ namespace {
 /// y at x, linear between the points; x increases or decreases.
 double interpolate(const std::vector<double>& xs, const std::vector<double>& ys, double x) {
   const bool rises = xs.back() >= xs.front();
-  const auto right = std::lower_bound(xs.begin() + 1, xs.end() - 1, x,
-                                      [&](double knot, double at) { return rises ? knot < at : knot > at; });
+  const auto right = std::lower_bound(xs.begin() + 1, xs.end() - 1, x, [&](double knot, double at) {
+    return rises ? knot < at : knot > at;
+  });
   const std::ptrdiff_t i = right - xs.begin();
   const double width = xs[i] - xs[i - 1];
   const double share = width == 0 ? 0 : (x - xs[i - 1]) / width;
@@ -20,7 +21,8 @@ double interpolate(const std::vector<double>& xs, const std::vector<double>& ys,
 }
 
 bool isWithin(const std::vector<double>& places, double place) {
-  return place > std::min(places.front(), places.back()) && place < std::max(places.front(), places.back());
+  return place > std::min(places.front(), places.back()) &&
+         place < std::max(places.front(), places.back());
 }
 
 /// The places of an edge as values of s, as far as they are on the seam.
@@ -40,7 +42,9 @@ double placeOnFirst(const Correspondence& correspondence, double s) {
 }
 
 SeamStrips::SeamStrips(const Seam& seam, const std::array<Pcurve, 2>& pcurves, JetOrder order)
-    : map_(seam.correspondence), a_(seam.sides[0], pcurves[0], order), b_(seam.sides[1], pcurves[1], order) {}
+    : map_(seam.correspondence),
+      a_(seam.sides[0], pcurves[0], order),
+      b_(seam.sides[1], pcurves[1], order) {}
 
 double SeamStrips::placeOnB(double s, const Eigen::Vector3d& on_a) const {
   const auto [low, high] = std::minmax(map_.b.front(), map_.b.back());

@@ -31,20 +31,22 @@ struct Numbers {
 void requireApart(const std::vector<double>& knots) {
   for (std::size_t i = 1; i < knots.size(); ++i)
     if (knots[i] - knots[i - 1] <= Epsilon(std::abs(knots[i - 1])))
-      throw std::invalid_argument("distinct knots " + std::to_string(i - 1) + " and " + std::to_string(i) +
-                                  " are both " + std::to_string(knots[i]) +
+      throw std::invalid_argument("distinct knots " + std::to_string(i - 1) + " and " +
+                                  std::to_string(i) + " are both " + std::to_string(knots[i]) +
                                   " to OpenCASCADE, which tells knots apart by one part in 10^16");
 }
 
 handle<Geom_BSplineCurve> geomCurve(const Numbers& numbers, bool periodic) {
   requireApart(numbers.knots);
-  const auto count = static_cast<int>(numbers.poles.rows()), breaks = static_cast<int>(numbers.knots.size());
+  const auto count = static_cast<int>(numbers.poles.rows()),
+             breaks = static_cast<int>(numbers.knots.size());
   TColgp_Array1OfPnt poles(1, count);
   TColStd_Array1OfReal weights(1, count), knots(1, breaks);
   TColStd_Array1OfInteger multiplicities(1, breaks);
   for (int i = 0; i < count; ++i) {
     const double w = numbers.poles(i, 3);
-    poles(i + 1) = gp_Pnt(numbers.poles(i, 0) / w, numbers.poles(i, 1) / w, numbers.poles(i, 2) / w);
+    poles(i + 1) =
+        gp_Pnt(numbers.poles(i, 0) / w, numbers.poles(i, 1) / w, numbers.poles(i, 2) / w);
     weights(i + 1) = w;
   }
   std::ranges::copy(numbers.knots, knots.begin());
@@ -57,7 +59,8 @@ handle<Geom_BSplineCurve> geomCurve(const Numbers& numbers, bool periodic) {
   }
 }
 
-/// A closed spline with segments from its end put before its beginning, until they carry as many knots as the degree.
+/// A closed spline with segments from its end put before its beginning, until they carry as many
+/// knots as the degree.
 BezierSpline unrolled(const BezierSpline& spline, int before) {
   BezierSpline result = spline;
   result.closed = false;
@@ -77,17 +80,19 @@ BezierSpline unrolled(const BezierSpline& spline, int before) {
 /// Pole 1 of a periodic curve belongs to the knots that end with the last copy of the first one.
 handle<Geom_BSplineCurve> periodicCurve(const BezierSpline& spline, int order) {
   if (const int around = continuity(spline, true); around < order)
-    throw std::invalid_argument(
-        "the spline is C" + std::to_string(order) + " at its knots and " +
-        (spline.closed ? around < 0 ? std::string("has other weights") : "C" + std::to_string(around)
-                       : std::string("not closed")) +
-        " at its seam: a periodic curve is as smooth at its seam");
-  const int multiplicity = spline.degree - order, before = (spline.degree + multiplicity - 1) / multiplicity;
+    throw std::invalid_argument("the spline is C" + std::to_string(order) + " at its knots and " +
+                                (spline.closed ? around < 0 ? std::string("has other weights")
+                                                            : "C" + std::to_string(around)
+                                               : std::string("not closed")) +
+                                " at its seam: a periodic curve is as smooth at its seam");
+  const int multiplicity = spline.degree - order,
+            before = (spline.degree + multiplicity - 1) / multiplicity;
   const BSplineCurve whole = bsplineCurve(unrolled(spline, before), order);
   const Eigen::Index count = static_cast<Eigen::Index>(spline.segments()) * multiplicity;
-  return geomCurve({spline.degree, spline.knots, std::vector<int>(spline.knots.size(), multiplicity),
-                    whole.poles.middleRows(static_cast<Eigen::Index>(before) * multiplicity, count)},
-                   true);
+  return geomCurve(
+      {spline.degree, spline.knots, std::vector<int>(spline.knots.size(), multiplicity),
+       whole.poles.middleRows(static_cast<Eigen::Index>(before) * multiplicity, count)},
+      true);
 }
 
 KnotCurve numbersOf(const Geom_BSplineCurve& curve) {
@@ -113,7 +118,8 @@ BSplineCurve coreCurve(const Geom_Curve& curve, double first, double last) {
     return clampedCurve(numbersOf(*spline), first, last);
   const auto* bezier = dynamic_cast<const Geom_BezierCurve*>(&curve);
   if (!bezier)
-    throw std::domain_error(std::string(curve.DynamicType()->Name()) + " is no Bezier or B-spline curve");
+    throw std::domain_error(std::string(curve.DynamicType()->Name()) +
+                            " is no Bezier or B-spline curve");
   const BSplineCurve whole = splineCurve(bezierCurve(curve));
   const int ends = whole.degree + 1;
   return clampedCurve({whole.degree, {0, 1}, {ends, ends}, whole.poles}, first, last);

@@ -89,7 +89,8 @@ std::vector<double> scaled(const TColStd_Array1OfReal& knots, bool reversed) {
 handle<Geom_BSplineSurface> clampedSpline(const handle<Geom_Surface>& surface,
                                           const TopLoc_Location& location) {
   const auto trimmed = handle<Geom_RectangularTrimmedSurface>::DownCast(surface);
-  const handle<Geom_BSplineSurface> spline = splineCopy(trimmed.IsNull() ? surface : trimmed->BasisSurface());
+  const handle<Geom_BSplineSurface> spline =
+      splineCopy(trimmed.IsNull() ? surface : trimmed->BasisSurface());
   if (spline.IsNull()) return spline;
   if (!location.IsIdentity()) spline->Transform(location.Transformation());
   if (!trimmed.IsNull()) {
@@ -140,8 +141,8 @@ handle<Geom_BSplineSurface> geomSurface(const BSplineSurface& surface) {
   const Knots u = distinct(surface.knots_u), v = distinct(surface.knots_v);
   try {
     return new Geom_BSplineSurface(poles, weights, reals(u.values), reals(v.values),
-                                   integers(u.multiplicities), integers(v.multiplicities), surface.degree_u,
-                                   surface.degree_v);
+                                   integers(u.multiplicities), integers(v.multiplicities),
+                                   surface.degree_u, surface.degree_v);
   } catch (const Standard_Failure& failure) {
     throw std::invalid_argument(std::string("OpenCASCADE takes no such spline surface: ") +
                                 failure.GetMessageString());
@@ -191,7 +192,8 @@ std::vector<double> EdgeRows::knotsAlong() const {
 }
 
 std::vector<double> EdgeRows::knotsAcross() const {
-  const TColStd_Array1OfReal& knots = alongV() ? surface_->UKnotSequence() : surface_->VKnotSequence();
+  const TColStd_Array1OfReal& knots =
+      alongV() ? surface_->UKnotSequence() : surface_->VKnotSequence();
   return {knots.begin(), knots.end()};
 }
 
@@ -260,8 +262,9 @@ Eigen::Vector2d EdgeRows::parameters(double t, double across) const {
     return share == 1 ? to : from + share * (to - from);
   };
   const double along = reversed_ ? 1 - t : t, over = atEnd() ? 1 - across : across;
-  return alongV() ? Eigen::Vector2d(at(over, bounds.u0, bounds.u1), at(along, bounds.v0, bounds.v1))
-                  : Eigen::Vector2d(at(along, bounds.u0, bounds.u1), at(over, bounds.v0, bounds.v1));
+  return alongV()
+             ? Eigen::Vector2d(at(over, bounds.u0, bounds.u1), at(along, bounds.v0, bounds.v1))
+             : Eigen::Vector2d(at(along, bounds.u0, bounds.u1), at(over, bounds.v0, bounds.v1));
 }
 
 handle<Geom_Curve> EdgeRows::boundary(double first, double last) const {

@@ -10,22 +10,25 @@
 
 namespace seamwright::occ {
 
-/// A copy of a B-spline or Bezier surface, or of a trimmed one of these over its trimmed range, placed in space: clamped and not
-/// periodic, with the same parameters. The points are the same but for the rounding of the placement and of inserted knots.
+/// A copy of a B-spline or Bezier surface, or of a trimmed one of these over its trimmed range,
+/// placed in space: clamped and not periodic, with the same parameters. The points are the same but
+/// for the rounding of the placement and of inserted knots.
 /// \returns null for a surface of another kind. \throws Standard_Failure.
-opencascade::handle<Geom_BSplineSurface> clampedSpline(const opencascade::handle<Geom_Surface>& surface,
-                                                       const TopLoc_Location& location = {});
+opencascade::handle<Geom_BSplineSurface> clampedSpline(
+    const opencascade::handle<Geom_Surface>& surface, const TopLoc_Location& location = {});
 
 /// The numbers of a surface as clampedSpline() makes them.
-/// \throws std::invalid_argument for a surface that is periodic or not clamped, or has a number that is not finite.
+/// \throws std::invalid_argument for a surface that is periodic or not clamped, or has a number
+/// that is not finite.
 BSplineSurface coreSurface(const Geom_BSplineSurface& surface);
 
-/// \throws std::invalid_argument as requireValid(); for a knot in the interior that is repeated more often than the degree, or nearer to
-/// the next one than OpenCASCADE tells knots apart.
+/// \throws std::invalid_argument as requireValid(); for a knot in the interior that is repeated
+/// more often than the degree, or nearer to the next one than OpenCASCADE tells knots apart.
 opencascade::handle<Geom_BSplineSurface> geomSurface(const BSplineSurface& surface);
 
-/// The poles of a clamped spline surface as rows that run along one of its edges, counted from the edge, and columns that run across
-/// it; columns and the parameter t in [0, 1] in the edge's own sense (or against it, if reversed).
+/// The poles of a clamped spline surface as rows that run along one of its edges, counted from the
+/// edge, and columns that run across it; columns and the parameter t in [0, 1] in the edge's own
+/// sense (or against it, if reversed).
 ///
 /// Changes the surface it is made of, whose shape only setPole() changes.
 class EdgeRows {
@@ -53,9 +56,11 @@ class EdgeRows {
 
   void raiseDegreeAlong(int degree);
   void raiseDegreeAcross(int degree);
-  /// Knots are inserted until each t in ]0, 1[ has that multiplicity, at most the degree; nothing is removed.
+  /// Knots are inserted until each t in ]0, 1[ has that multiplicity, at most the degree; nothing
+  /// is removed.
   void insertAlong(double t, int multiplicity);
-  /// Moves the knots to these places, as many as there are; a change of the parameter that changes the shape by as much.
+  /// Moves the knots to these places, as many as there are; a change of the parameter that changes
+  /// the shape by as much.
   void setKnotsAlong(const std::vector<double>& t);
   /// Knots half-way across until there are as many rows.
   void refineAcross(int rows);
@@ -76,8 +81,9 @@ class EdgeRows {
   bool reversed_;
 };
 
-/// Gives both edges the same degree and knots along t, by raising degrees and inserting knots; shapes stay. Knots of the second
-/// that are within 1e-9 of the range from one of the first become that one, which changes the second's shape by as much.
+/// Gives both edges the same degree and knots along t, by raising degrees and inserting knots;
+/// shapes stay. Knots of the second that are within 1e-9 of the range from one of the first become
+/// that one, which changes the second's shape by as much.
 /// \param extra_multiplicity added to that of the inner knots.
 void alignAlong(EdgeRows& first, EdgeRows& second, int extra_multiplicity = 0);
 

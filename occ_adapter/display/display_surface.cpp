@@ -13,11 +13,11 @@ namespace seamwright::occ {
 
 namespace {
 
-/// The steps away from a pole, as a share of the parameter range. The normal loses 1e-16 / 1e-5 by rounding
-/// there, the curvature 1e-16 / 1e-10.
+/// The steps away from a pole, as a share of the parameter range. The normal loses 1e-16 / 1e-5 by
+/// rounding there, the curvature 1e-16 / 1e-10.
 constexpr double pole_step = 1e-5;
-/// A step across the whole range shorter than this share of the other one, or so nearly along it, tells no
-/// direction.
+/// A step across the whole range shorter than this share of the other one, or so nearly along it,
+/// tells no direction.
 constexpr double collapsed_share = 1e-10;
 /// Curvatures that grow so much within one step towards a pole have no limit there.
 constexpr double bounded_growth = 1e-2;
@@ -47,7 +47,8 @@ DisplaySurface::Place DisplaySurface::at(const Eigen::Vector2d& uv) const {
   std::optional<Eigen::Vector3d> normal = normalOf(vector(du.XYZ()), vector(dv.XYZ()));
   if (!normal) {
     if (const std::optional<Eigen::Vector2d> step = stepOffPole(uv)) {
-      const std::optional<Eigen::Vector3d> near = normalAt(uv + *step), far = normalAt(uv + 2 * *step);
+      const std::optional<Eigen::Vector3d> near = normalAt(uv + *step),
+                                           far = normalAt(uv + 2 * *step);
       if (near && far) normal = (2 * *near - *far).normalized();
     }
   }
@@ -79,7 +80,8 @@ std::optional<Eigen::Vector3d> DisplaySurface::normalOf(const Eigen::Vector3d& d
   const Eigen::Vector3d across = du.cross(dv);
   const double longest = std::max(range_.x() * du.norm(), range_.y() * dv.norm());
   const double length = across.norm();
-  if (!(range_.x() * range_.y() * length > collapsed_share * longest * longest)) return std::nullopt;
+  if (!(range_.x() * range_.y() * length > collapsed_share * longest * longest))
+    return std::nullopt;
   return across / length;
 }
 
@@ -103,19 +105,21 @@ std::optional<NodeCurvature> DisplaySurface::regularCurvature(const Eigen::Vecto
   return NodeCurvature{found.k1 / scale_, found.k2 / scale_};
 }
 
-/// A step towards the inside of the face to where the surface has a normal: across the boundary that
-/// collapses, so that the normals around the tip of a cone stay apart.
+/// A step towards the inside of the face to where the surface has a normal: across the boundary
+/// that collapses, so that the normals around the tip of a cone stay apart.
 std::optional<Eigen::Vector2d> DisplaySurface::stepOffPole(const Eigen::Vector2d& uv) const {
   const Eigen::Vector2d inward =
-      pole_step *
-      range_.cwiseProduct(Eigen::Vector2d(uv.x() > middle_.x() ? -1 : 1, uv.y() > middle_.y() ? -1 : 1));
-  for (const Eigen::Vector2d& step : {Eigen::Vector2d(0, inward.y()), Eigen::Vector2d(inward.x(), 0), inward})
+      pole_step * range_.cwiseProduct(Eigen::Vector2d(uv.x() > middle_.x() ? -1 : 1,
+                                                      uv.y() > middle_.y() ? -1 : 1));
+  for (const Eigen::Vector2d& step :
+       {Eigen::Vector2d(0, inward.y()), Eigen::Vector2d(inward.x(), 0), inward})
     if (normalAt(uv + step)) return step;
   return std::nullopt;
 }
 
 Eigen::Vector3d DisplaySurface::inSpace(const Eigen::Vector3d& local_normal) const {
-  const gp_Vec turned = gp_Vec(local_normal.x(), local_normal.y(), local_normal.z()).Transformed(location_);
+  const gp_Vec turned =
+      gp_Vec(local_normal.x(), local_normal.y(), local_normal.z()).Transformed(location_);
   return sign_ * vector(turned.XYZ()).normalized();
 }
 

@@ -20,7 +20,8 @@ class DisplaySurface {
   /// \throws Standard_Failure where the face has no surface.
   explicit DisplaySurface(const TopoDS_Face& face);
 
-  /// The range of parameters in use: it tells where the inside lies from a pole, and what a small step is.
+  /// The range of parameters in use: it tells where the inside lies from a pole, and what a small
+  /// step is.
   void setRange(const Eigen::Vector2d& low, const Eigen::Vector2d& high);
 
   struct Place {
@@ -34,7 +35,8 @@ class DisplaySurface {
   NodeCurvature curvatureAt(const Eigen::Vector2d& uv) const;
 
  private:
-  std::optional<Eigen::Vector3d> normalOf(const Eigen::Vector3d& du, const Eigen::Vector3d& dv) const;
+  std::optional<Eigen::Vector3d> normalOf(const Eigen::Vector3d& du,
+                                          const Eigen::Vector3d& dv) const;
   std::optional<Eigen::Vector3d> normalAt(const Eigen::Vector2d& uv) const;
   std::optional<NodeCurvature> regularCurvature(const Eigen::Vector2d& uv) const;
   std::optional<Eigen::Vector2d> stepOffPole(const Eigen::Vector2d& uv) const;

@@ -15,9 +15,9 @@ namespace seamwright::occ {
 
 namespace {
 
-/// Largest height of the face over an edge as a share of its width, which is its area by its size. A boundary
-/// of three times the size then loses or adds less than 0.4 % of the area, and triangles across a narrow bent
-/// strip do not fold.
+/// Largest height of the face over an edge as a share of its width, which is its area by its size.
+/// A boundary of three times the size then loses or adds less than 0.4 % of the area, and triangles
+/// across a narrow bent strip do not fold.
 constexpr double sag_by_width = 2e-3;
 /// Each pass halves what is too coarse.
 constexpr int inner_passes = 8;
@@ -91,7 +91,8 @@ void FaceMesh::addTriangles(const Poly_Triangulation& triangulation) {
   }
 }
 
-void FaceMesh::addSides(const TopoDS_Face& face, const opencascade::handle<Poly_Triangulation>& triangulation,
+void FaceMesh::addSides(const TopoDS_Face& face,
+                        const opencascade::handle<Poly_Triangulation>& triangulation,
                         const TopLoc_Location& location, const TopTools_IndexedMapOfShape& edges) {
   for (TopExp_Explorer each(face.Oriented(TopAbs_FORWARD), TopAbs_EDGE); each.More(); each.Next()) {
     const TopoDS_Edge edge = TopoDS::Edge(each.Current());
@@ -233,11 +234,12 @@ void FaceMesh::split(const Middles& middles) {
   }
 }
 
-/// A node on an edge may lie beyond the triangle there, which then turns the other way. Such triangles
-/// exchange the diagonal with a neighbour where both turn the right way after it.
+/// A node on an edge may lie beyond the triangle there, which then turns the other way. Such
+/// triangles exchange the diagonal with a neighbour where both turn the right way after it.
 void FaceMesh::turnBack() {
   for (int pass = 0; pass < inner_passes; ++pass) {
-    std::unordered_map<std::uint64_t, int> owner;  // triangle on the left of an edge with a direction
+    std::unordered_map<std::uint64_t, int>
+        owner;  // triangle on the left of an edge with a direction
     bool any = false;
     for (int i = 0; i < static_cast<int>(triangles_.size()); ++i) {
       const std::array<int, 3>& t = triangles_[i];

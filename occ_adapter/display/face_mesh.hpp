@@ -17,8 +17,8 @@
 
 namespace seamwright::occ {
 
-/// A piece of an edge between two nodes, counted along the edge: the same one on both faces of the edge. Not
-/// a public header.
+/// A piece of an edge between two nodes, counted along the edge: the same one on both faces of the
+/// edge. Not a public header.
 struct EdgePiece {
   int edge = 0;   ///< from 1; 0: of no edge
   int nodes = 0;  ///< of the edge as first triangulated
@@ -35,14 +35,18 @@ class FaceMesh {
   FaceMesh(const TopoDS_Face& face, const TopTools_IndexedMapOfShape& edges,
            const DisplayMeshOptions& options);
 
-  /// The face before it moved: triangles are split until they tell the move. \throws Standard_Failure where it has no surface.
+  /// The face before it moved: triangles are split until they tell the move. \throws
+  /// Standard_Failure where it has no surface.
   void setMoves(const TopoDS_Face& before, double rough_mm, double longest_rel);
 
-  /// The pieces of edges that are too coarse for this face. \throws Standard_Failure as DisplaySurface.
+  /// The pieces of edges that are too coarse for this face. \throws Standard_Failure as
+  /// DisplaySurface.
   std::vector<EdgePiece> coarsePieces();
-  /// Halves the pieces of edges that are among the sorted \p pieces. \throws Standard_Failure as DisplaySurface.
+  /// Halves the pieces of edges that are among the sorted \p pieces. \throws Standard_Failure as
+  /// DisplaySurface.
   void splitPieces(const std::vector<EdgePiece>& pieces);
-  /// Splits triangles inside the face until they are fine enough; those on its edges are left as they are.
+  /// Splits triangles inside the face until they are fine enough; those on its edges are left as
+  /// they are.
   /// \throws Standard_Failure as DisplaySurface.
   void refineInside();
   /// Gives nodes where the surface has no normal that of the triangles around them.
@@ -71,7 +75,8 @@ class FaceMesh {
 
   int addNode(const Eigen::Vector2d& uv);
   void addTriangles(const Poly_Triangulation& triangulation);
-  void addSides(const TopoDS_Face& face, const opencascade::handle<Poly_Triangulation>& triangulation,
+  void addSides(const TopoDS_Face& face,
+                const opencascade::handle<Poly_Triangulation>& triangulation,
                 const TopLoc_Location& location, const TopTools_IndexedMapOfShape& edges);
   Eigen::Vector2d middleOf(const Side& side) const;
   bool isCoarse(int a, int b, const Eigen::Vector2d& middle) const;
@@ -81,12 +86,14 @@ class FaceMesh {
                        std::unordered_set<std::uint64_t>& fine);
   void split(const Middles& middles);
   void turnBack();
-  bool turnBack(int place, const std::unordered_map<std::uint64_t, int>& owner, std::vector<bool>& touched);
+  bool turnBack(int place, const std::unordered_map<std::uint64_t, int>& owner,
+                std::vector<bool>& touched);
   double signedArea(int a, int b, int c) const;
 
   DisplaySurface surface_;
   DisplayMeshOptions options_;
-  bool flipped_;  ///< triangles that turn left in the parameters turn right seen from where the normals point
+  bool flipped_;  ///< triangles that turn left in the parameters turn right seen from where the
+                  ///< normals point
   std::optional<DisplaySurface> before_;
   double rough_mm_ = 0;
   double longest_mm_ = 0;

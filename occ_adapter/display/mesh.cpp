@@ -30,8 +30,8 @@ namespace seamwright::occ {
 
 namespace {
 
-/// How far OpenCASCADE's triangles may be from the shape: its edges, and the inside of faces, which is
-/// refined here in much less time.
+/// How far OpenCASCADE's triangles may be from the shape: its edges, and the inside of faces, which
+/// is refined here in much less time.
 struct Fineness {
   double edge_rel;    ///< of the diagonal of the box around the shape
   double inside_rel;  ///< the same
@@ -104,9 +104,10 @@ std::optional<double> adaptiveAreaMm2(const TopoDS_Face& face) {
   }
 }
 
-/// What is wrong with the numbers of each face or its edges; empty where nothing is. OpenCASCADE's triangulation of
-/// faces with such numbers takes minutes or does not end.
-std::vector<std::string> unusableNumbers(const TopoDS_Shape& shape, const TopTools_IndexedMapOfShape& faces) {
+/// What is wrong with the numbers of each face or its edges; empty where nothing is. OpenCASCADE's
+/// triangulation of faces with such numbers takes minutes or does not end.
+std::vector<std::string> unusableNumbers(const TopoDS_Shape& shape,
+                                         const TopTools_IndexedMapOfShape& faces) {
   std::vector<std::string> found(faces.Extent());
   const UnusableParts unusable(shape);
   if (unusable.empty()) return found;
@@ -145,7 +146,10 @@ void attemptFace(FaceWork& face, const Step& step) {
 class DisplayMeshBuilder {
  public:
   DisplayMeshBuilder(const Model& model, const DisplayMeshOptions& options, const MovedFaces& moved)
-      : faces_(partsOf(model.shape, TopAbs_FACE)), options_(options), moved_(moved), work_(faces_.Extent()) {
+      : faces_(partsOf(model.shape, TopAbs_FACE)),
+        options_(options),
+        moved_(moved),
+        work_(faces_.Extent()) {
     if (moved.before.IsNull()) return;
     before_ = partsOf(moved.before, TopAbs_FACE);
     if (before_.Extent() != faces_.Extent())
@@ -172,7 +176,8 @@ class DisplayMeshBuilder {
         work_.size(), options_.jobs, [&](std::size_t i) { step(static_cast<int>(i)); }, progress);
   }
 
-  /// Sets aside the faces that can't be triangulated, and returns the others; their places go to usable_.
+  /// Sets aside the faces that can't be triangulated, and returns the others; their places go to
+  /// usable_.
   TopoDS_Shape usableFaces(const TopoDS_Shape& shape) {
     const std::vector<std::string> wrong = unusableNumbers(shape, faces_);
     TopoDS_Compound all;
@@ -207,7 +212,8 @@ class DisplayMeshBuilder {
       }
     };
     runParallel(1, 1, mesh, watched);
-    const TopTools_IndexedMapOfShape copies = partsOf(copy, TopAbs_FACE), edges = partsOf(copy, TopAbs_EDGE);
+    const TopTools_IndexedMapOfShape copies = partsOf(copy, TopAbs_FACE),
+                                     edges = partsOf(copy, TopAbs_EDGE);
     for (int i = 0; i < static_cast<int>(usable_.size()); ++i)
       attemptFace(work_[usable_[i]], [&] {
         if (i >= copies.Extent()) throw Standard_Failure(failure.c_str());
@@ -218,16 +224,19 @@ class DisplayMeshBuilder {
   void start(int place, const TopoDS_Face& face, const TopTools_IndexedMapOfShape& edges) {
     work_[place].mesh = std::make_unique<FaceMesh>(face, edges, options_);
     if (std::ranges::find(moved_.faces, place + 1) != moved_.faces.end() && !before_.IsEmpty())
-      work_[place].mesh->setMoves(TopoDS::Face(before_(place + 1)), moved_.rough_mm, moved_.longest_rel);
+      work_[place].mesh->setMoves(TopoDS::Face(before_(place + 1)), moved_.rough_mm,
+                                  moved_.longest_rel);
   }
 
   /// Halves pieces of edges on both of their faces until none of them wants more.
   void refineEdges(const Progress& progress) {
     for (int pass = 0; pass < edge_passes; ++pass) {
-      const Progress part = partOf(progress, double(pass) / edge_passes, double(pass + 1) / edge_passes);
+      const Progress part =
+          partOf(progress, double(pass) / edge_passes, double(pass + 1) / edge_passes);
       each(partOf(part, 0, 0.5), [this](int face) { findCoarse(face); });
       std::vector<EdgePiece> pieces;
-      for (const FaceWork& face : work_) pieces.insert(pieces.end(), face.coarse.begin(), face.coarse.end());
+      for (const FaceWork& face : work_)
+        pieces.insert(pieces.end(), face.coarse.begin(), face.coarse.end());
       if (pieces.empty()) return;
       std::ranges::sort(pieces);
       each(partOf(part, 0.5, 1), [&](int face) { splitPieces(face, pieces); });
@@ -300,7 +309,9 @@ class DisplayMeshBuilder {
 
   DisplayMesh collected() {
     DisplayMesh all;
-    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    const auto append = [](auto& to, const auto& from) {
+      to.insert(to.end(), from.begin(), from.end());
+    };
     for (std::size_t i = 0; i < work_.size(); ++i) {
       FaceWork& face = work_[i];
       const std::size_t first = all.points.size();
@@ -348,11 +359,12 @@ void DisplayMeshOptions::validate() const {
   positive("sag_rel", sag_rel);
   positive("shortest_rel", shortest_rel);
   if (jobs < 0)
-    throw std::invalid_argument("jobs is " + std::to_string(jobs) + ": 0 or a positive number is needed");
+    throw std::invalid_argument("jobs is " + std::to_string(jobs) +
+                                ": 0 or a positive number is needed");
 }
 
-DisplayMesh displayMesh(const Model& model, const DisplayMeshOptions& options, const MovedFaces& moved,
-                        const Progress& progress) {
+DisplayMesh displayMesh(const Model& model, const DisplayMeshOptions& options,
+                        const MovedFaces& moved, const Progress& progress) {
   options.validate();
   return DisplayMeshBuilder(model, options, moved).run(model.shape, progress);
 }

@@ -53,11 +53,15 @@ Bnd_Box tightBox(const TopoDS_Shape& face) {
   return box;
 }
 
-/// Places on edges that are on a face, and not near what it shares with the face that the edges are of.
+/// Places on edges that are on a face, and not near what it shares with the face that the edges are
+/// of.
 class Clearance {
  public:
   Clearance(const TopoDS_Shape& face, const TopoDS_Shape& common)
-      : face_(face), common_(common), box_(tightBox(face)), near_mm_(std::sqrt(box_.SquareExtent()) / 100) {}
+      : face_(face),
+        common_(common),
+        box_(tightBox(face)),
+        near_mm_(std::sqrt(box_.SquareExtent()) / 100) {}
 
   bool isOn(const TopoDS_Shape& edges) const {
     constexpr int places = 8;
@@ -76,7 +80,8 @@ class Clearance {
   bool isAt(const gp_Pnt& point) const {
     if (box_.IsOut(point)) return false;
     const TopoDS_Vertex vertex = BRepBuilderAPI_MakeVertex(point);
-    return distance(vertex, common_) > near_mm_ && distance(vertex, face_) <= Precision::Confusion();
+    return distance(vertex, common_) > near_mm_ &&
+           distance(vertex, face_) <= Precision::Confusion();
   }
 
   const TopoDS_Shape& face_;
@@ -108,7 +113,8 @@ bool meetElsewhere(const TopoDS_Shape& one, const TopoDS_Shape& other, const Top
 
 }  // namespace
 
-std::optional<std::pair<int, int>> touchingFaces(const TopoDS_Shape& shape, const std::set<int>& fresh) {
+std::optional<std::pair<int, int>> touchingFaces(const TopoDS_Shape& shape,
+                                                 const std::set<int>& fresh) {
   const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE);
   std::vector<Bnd_Box> boxes(static_cast<std::size_t>(faces.Extent()) + 1);
   const UnusableParts unusable(shape);

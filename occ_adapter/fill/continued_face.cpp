@@ -78,18 +78,22 @@ struct Range {
 };
 
 bool isRegular(const handle<Geom_Surface>& surface, const Range& at) {
-  if (surface->IsKind(STANDARD_TYPE(Geom_Plane)) || surface->IsKind(STANDARD_TYPE(Geom_CylindricalSurface)))
+  if (surface->IsKind(STANDARD_TYPE(Geom_Plane)) ||
+      surface->IsKind(STANDARD_TYPE(Geom_CylindricalSurface)))
     return true;
   if (surface->IsKind(STANDARD_TYPE(Geom_SphericalSurface)))
     return std::max(-at.low.y(), at.high.y()) < std::numbers::pi / 2 - Precision::Angular();
   if (const auto cone = handle<Geom_ConicalSurface>::DownCast(surface); !cone.IsNull()) {
-    const auto radiusAt = [&cone](double v) { return cone->RefRadius() + v * std::sin(cone->SemiAngle()); };
+    const auto radiusAt = [&cone](double v) {
+      return cone->RefRadius() + v * std::sin(cone->SemiAngle());
+    };
     return radiusAt(at.low.y()) * radiusAt(at.high.y()) > 0;
   }
   if (const auto torus = handle<Geom_ToroidalSurface>::DownCast(surface); !torus.IsNull())
     return torus->MajorRadius() > torus->MinorRadius();
-  const handle<Geom_BSplineSurface> spline = GeomConvert::SurfaceToBSplineSurface(
-      new Geom_RectangularTrimmedSurface(surface, at.low.x(), at.high.x(), at.low.y(), at.high.y()));
+  const handle<Geom_BSplineSurface> spline =
+      GeomConvert::SurfaceToBSplineSurface(new Geom_RectangularTrimmedSurface(
+          surface, at.low.x(), at.high.x(), at.low.y(), at.high.y()));
   if (spline->Continuity() < GeomAbs_C1) return false;
   GeomConvert_BSplineSurfaceToBezierSurface pieces(spline);
   for (int i = 1; i <= pieces.NbUPatches(); ++i)
@@ -111,7 +115,8 @@ handle<Geom_Surface> planeOf(const std::vector<EdgeInterval>& intervals, const V
 
 /// A copy in place; a sphere is turned so that the hole is far from its poles.
 handle<Geom_Surface> copyOf(const TopoDS_Face& face, const Vector3d& centre) {
-  const handle<Geom_Surface> surface = handle<Geom_Surface>::DownCast(BRep_Tool::Surface(face)->Copy());
+  const handle<Geom_Surface> surface =
+      handle<Geom_Surface>::DownCast(BRep_Tool::Surface(face)->Copy());
   if (const auto sphere = handle<Geom_SphericalSurface>::DownCast(surface); !sphere.IsNull()) {
     const Vector3d towards = centre - vector(sphere->Location().XYZ());
     if (towards.norm() > Precision::Confusion())
@@ -125,7 +130,8 @@ handle<Geom_Surface> copyOf(const TopoDS_Face& face, const Vector3d& centre) {
 /// One face made on one surface.
 class FaceMaker {
  public:
-  FaceMaker(const std::vector<EdgeInterval>& intervals, handle<Geom_Surface> surface, bool own_paths)
+  FaceMaker(const std::vector<EdgeInterval>& intervals, handle<Geom_Surface> surface,
+            bool own_paths)
       : intervals_(intervals), surface_(std::move(surface)), own_paths_(own_paths) {}
 
   bool isNear(double gap_mm, const std::optional<double>& angle_rad) const {
@@ -135,7 +141,8 @@ class FaceMaker {
         const gp_Pnt point = pointOf(sample.point);
         const gp_Pnt2d at = nearest.ValueOfUV(point, Precision::Confusion());
         if (nearest.Value(at).Distance(point) > gap_mm) return false;
-        if (angle_rad && normalAt(at).cross(sample.normal).norm() > std::sin(*angle_rad)) return false;
+        if (angle_rad && normalAt(at).cross(sample.normal).norm() > std::sin(*angle_rad))
+          return false;
       }
     return true;
   }
@@ -164,15 +171,15 @@ class FaceMaker {
       path.curve = BRep_Tool::Curve(interval.edge.use.edge, path.location, path.first, path.last);
       if (path.curve.IsNull()) return false;
       if (own_paths_) {
-        path.on_surface =
-            BRep_Tool::CurveOnSurface(interval.edge.use.edge, interval.edge.use.shape, path.first, path.last);
+        path.on_surface = BRep_Tool::CurveOnSurface(interval.edge.use.edge, interval.edge.use.shape,
+                                                    path.first, path.last);
         if (!path.on_surface.IsNull())
           path.on_surface = handle<Geom2d_Curve>::DownCast(path.on_surface->Copy());
       } else {
         double tolerance = Precision::Confusion();
         path.on_surface =
-            GeomProjLib::Curve2d(BRep_Tool::Curve(interval.edge.use.edge, path.first, path.last), path.first,
-                                 path.last, surface_, tolerance);
+            GeomProjLib::Curve2d(BRep_Tool::Curve(interval.edge.use.edge, path.first, path.last),
+                                 path.first, path.last, surface_, tolerance);
       }
       if (path.on_surface.IsNull()) return false;
     }
@@ -186,7 +193,8 @@ class FaceMaker {
     return path.on_surface->Value(path.first + place * (path.last - path.first));
   }
 
-  /// Moves paths by whole periods until each begins where the one before it ends; false where one does not.
+  /// Moves paths by whole periods until each begins where the one before it ends; false where one
+  /// does not.
   bool closePaths(double gap_mm) {
     const GeomAdaptor_Surface adaptor(surface_);
     const Vector2d period(adaptor.IsUPeriodic() ? adaptor.UPeriod() : 0,
@@ -231,7 +239,8 @@ class FaceMaker {
     for (std::size_t k = 0; k < paths_.size(); ++k)
       for (std::size_t i = 1; i + 1 < intervals_[k].samples.size(); ++i) {
         const SideSample& sample = intervals_[k].samples[i];
-        const double share = static_cast<double>(i) / static_cast<double>(intervals_[k].samples.size() - 1);
+        const double share =
+            static_cast<double>(i) / static_cast<double>(intervals_[k].samples.size() - 1);
         const Vector3d into =
             (is_left_ ? 1 : -1) * normalAt(at(k, share)).cross(sample.derivative.normalized());
         if (into.dot(sample.beyond) > 1 - least_slope) return false;
@@ -271,8 +280,9 @@ class FaceMaker {
     builder.MakeWire(wire);
     for (std::size_t k = 0; k < edges_.size(); ++k) {
       const std::size_t i = is_left_ ? k : edges_.size() - 1 - k;
-      builder.Add(wire, edges_[i].Oriented(intervals_[i].edge.reversed == is_left_ ? TopAbs_REVERSED
-                                                                                   : TopAbs_FORWARD));
+      builder.Add(wire,
+                  edges_[i].Oriented(intervals_[i].edge.reversed == is_left_ ? TopAbs_REVERSED
+                                                                             : TopAbs_FORWARD));
     }
     wire.Closed(true);
     builder.Add(face, wire);
@@ -308,22 +318,26 @@ bool haveOneSurface(const std::vector<EdgeInterval>& intervals) {
 
 }  // namespace
 
-std::optional<TopoDS_Face> continuedFace(const Hole& hole, double gap_mm, std::optional<double> angle_rad) {
+std::optional<TopoDS_Face> continuedFace(const Hole& hole, double gap_mm,
+                                         std::optional<double> angle_rad) {
   const std::vector<EdgeInterval> intervals = intervalsOf(hole, gap_mm);
-  const auto tried = [&](const handle<Geom_Surface>& surface, bool own_paths) -> std::optional<TopoDS_Face> {
+  const auto tried = [&](const handle<Geom_Surface>& surface,
+                         bool own_paths) -> std::optional<TopoDS_Face> {
     FaceMaker maker(intervals, surface, own_paths);
     return own_paths || maker.isNear(gap_mm, angle_rad) ? maker.run(gap_mm) : std::nullopt;
   };
   if (haveOneSurface(intervals)) {
     const TopoDS_Face& face = intervals.front().edge.use.shape;
-    const handle<Geom_Surface> own = handle<Geom_Surface>::DownCast(BRep_Tool::Surface(face)->Copy());
+    const handle<Geom_Surface> own =
+        handle<Geom_Surface>::DownCast(BRep_Tool::Surface(face)->Copy());
     if (const auto made = tried(own, true)) return made;
   }
   if (const auto made = tried(planeOf(intervals, hole.centre), false)) return made;
   int before = 0;
   for (const EdgeInterval& interval : intervals) {
     const Coedge& use = interval.edge.use;
-    if (use.face == before || !BRep_Tool::Surface(use.shape)->IsKind(STANDARD_TYPE(Geom_ElementarySurface)))
+    if (use.face == before ||
+        !BRep_Tool::Surface(use.shape)->IsKind(STANDARD_TYPE(Geom_ElementarySurface)))
       continue;
     before = use.face;
     if (const auto made = tried(copyOf(use.shape, hole.centre), false)) return made;

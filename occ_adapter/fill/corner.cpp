@@ -49,12 +49,15 @@ class Surroundings {
   }
 
   std::string name(const TopoDS_Edge& edge) const { return "edge " + std::to_string(number(edge)); }
-  std::string name(const TopoDS_Face& face) const { return "face " + std::to_string(faces_.FindIndex(face)); }
+  std::string name(const TopoDS_Face& face) const {
+    return "face " + std::to_string(faces_.FindIndex(face));
+  }
   int number(const TopoDS_Edge& edge) const { return edges_.FindIndex(edge); }
 
   std::vector<TopoDS_Edge> edgesAt(const TopoDS_Vertex& vertex) const {
     std::vector<TopoDS_Edge> edges;
-    for (const TopoDS_Shape& edge : edges_at_.FindFromKey(vertex)) edges.push_back(TopoDS::Edge(edge));
+    for (const TopoDS_Shape& edge : edges_at_.FindFromKey(vertex))
+      edges.push_back(TopoDS::Edge(edge));
     return edges;
   }
 
@@ -110,12 +113,13 @@ std::pair<TopoDS_Solid, TopoDS_Shell> homeOf(const TopoDS_Shape& shape, const To
       if (holds(shell.Current(), vertex))
         homes.emplace_back(TopoDS::Solid(solid.Current()), TopoDS::Shell(shell.Current()));
   if (homes.size() != 1)
-    throw std::domain_error("vertex " + std::to_string(number) + " is in " + std::to_string(homes.size()) +
-                            " shells of solids: one is needed");
+    throw std::domain_error("vertex " + std::to_string(number) + " is in " +
+                            std::to_string(homes.size()) + " shells of solids: one is needed");
   return homes.front();
 }
 
-/// The edges by which a face arrives at the vertex and leaves it, running with the face to the left, seen from outside.
+/// The edges by which a face arrives at the vertex and leaves it, running with the face to the
+/// left, seen from outside.
 struct Turn {
   TopoDS_Edge arriving, leaving;
 };
@@ -154,9 +158,9 @@ class CornerReader {
     walk();
     for (std::size_t i = 0; i < corner_.count(); ++i) measureEdge(i);
     for (std::size_t i = 0; i < corner_.count(); ++i) measureFace(i);
-    corner_.polyhedral = isOfPlanesAndLines() && std::ranges::all_of(corner_.edges, [this](CornerEdge& edge) {
-                           return readEnd(edge);
-                         });
+    corner_.polyhedral =
+        isOfPlanesAndLines() &&
+        std::ranges::all_of(corner_.edges, [this](CornerEdge& edge) { return readEnd(edge); });
   }
 
  private:
@@ -164,7 +168,8 @@ class CornerReader {
   void walk() {
     const std::size_t expected = around_.edgesAt(corner_.vertex).size();
     if (expected < least_edges || expected > most_edges)
-      throw std::domain_error(std::to_string(expected) + " edges meet at the vertex: 3 to 6 are needed");
+      throw std::domain_error(std::to_string(expected) +
+                              " edges meet at the vertex: 3 to 6 are needed");
     const TopoDS_Edge first = around_.edgesAt(corner_.vertex).front();
     TopoDS_Edge edge = first;
     do {
@@ -174,14 +179,16 @@ class CornerReader {
       edge = turnAt(around_, face, corner_.vertex).arriving;
     } while (!edge.IsSame(first) && corner_.count() <= expected);
     if (corner_.count() != expected)
-      throw std::domain_error("the faces at the vertex are " + std::to_string(corner_.count()) + " around " +
-                              std::to_string(expected) + " edges: one fan of faces is needed");
+      throw std::domain_error("the faces at the vertex are " + std::to_string(corner_.count()) +
+                              " around " + std::to_string(expected) +
+                              " edges: one fan of faces is needed");
   }
 
   TopoDS_Face faceLeaving(const TopoDS_Edge& edge) const {
     for (const TopoDS_Face& face : around_.facesAt(edge))
       if (turnAt(around_, face, corner_.vertex).leaving.IsSame(edge)) return face;
-    throw std::domain_error(around_.name(edge) + ": the faces beside it are turned against each other");
+    throw std::domain_error(around_.name(edge) +
+                            ": the faces beside it are turned against each other");
   }
 
   void addEdge(const TopoDS_Edge& edge) {
@@ -195,7 +202,8 @@ class CornerReader {
     gp_Pnt point;
     gp_Vec run;
     curve.D1(BRep_Tool::Parameter(corner_.vertex, edge), point, run);
-    if (!(run.Magnitude() > 0)) throw std::domain_error(around_.name(edge) + " has no tangent at the vertex");
+    if (!(run.Magnitude() > 0))
+      throw std::domain_error(around_.name(edge) + " has no tangent at the vertex");
     const bool leaves =
         TopExp::FirstVertex(TopoDS::Edge(edge.Oriented(TopAbs_FORWARD))).IsSame(corner_.vertex);
     added.axis = (leaves ? 1 : -1) * vector(run.XYZ()).normalized();
@@ -205,15 +213,18 @@ class CornerReader {
 
   void measureEdge(std::size_t i) {
     CornerEdge& edge = corner_.edges[i];
-    const Vector3d &before = corner_.faces[corner_.before(i)].normal, &after = corner_.faces[i].normal;
+    const Vector3d &before = corner_.faces[corner_.before(i)].normal,
+                   &after = corner_.faces[i].normal;
     if (before.cross(after).norm() < flat_sine)
-      throw std::domain_error(around_.name(edge.edge) +
-                              " is smooth: the faces beside it are in one plane at the vertex, and sharp "
-                              "edges alone are rounded");
+      throw std::domain_error(
+          around_.name(edge.edge) +
+          " is smooth: the faces beside it are in one plane at the vertex, and sharp "
+          "edges alone are rounded");
     edge.into = {Vector3d(edge.axis.cross(before).normalized()),
                  Vector3d(after.cross(edge.axis).normalized())};
     edge.convex = edge.into[1].dot(before) < 0;
-    edge.opening_rad = std::atan2(edge.into[0].cross(edge.into[1]).norm(), edge.into[0].dot(edge.into[1]));
+    edge.opening_rad =
+        std::atan2(edge.into[0].cross(edge.into[1]).norm(), edge.into[0].dot(edge.into[1]));
   }
 
   void measureFace(std::size_t i) {
@@ -228,18 +239,21 @@ class CornerReader {
   }
 
   bool isOfPlanesAndLines() const {
-    return std::ranges::all_of(corner_.faces, [](const CornerFace& face) { return isPlane(face.face); }) &&
+    return std::ranges::all_of(corner_.faces,
+                               [](const CornerFace& face) { return isPlane(face.face); }) &&
            std::ranges::all_of(corner_.edges, [](const CornerEdge& edge) {
              return BRepAdaptor_Curve(edge.edge).GetType() == GeomAbs_Line;
            });
   }
 
-  /// Whether the far vertex has one more face, a plane, which the two faces beside the edge meet in lines.
+  /// Whether the far vertex has one more face, a plane, which the two faces beside the edge meet in
+  /// lines.
   bool readEnd(CornerEdge& edge) {
     const std::vector<TopoDS_Edge> edges = around_.edgesAt(edge.far);
     if (edges.size() != 3) return false;
     const auto i = static_cast<std::size_t>(&edge - corner_.edges.data());
-    const std::array<TopoDS_Face, 2> beside = {corner_.faces[corner_.before(i)].face, corner_.faces[i].face};
+    const std::array<TopoDS_Face, 2> beside = {corner_.faces[corner_.before(i)].face,
+                                               corner_.faces[i].face};
     for (const TopoDS_Edge& other : edges) {
       if (other.IsSame(edge.edge)) continue;
       for (const TopoDS_Face& face : around_.facesAt(other))

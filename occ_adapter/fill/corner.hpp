@@ -22,15 +22,18 @@ struct CornerEdge {
   TopoDS_Edge edge;
   Eigen::Vector3d axis;  ///< unit, out of the corner; the tangent there
   double length_mm = 0;  ///< to the far vertex, straight
-  /// Unit, across the edge at the corner: into the face before it and into the face after it, seen from outside counter-clockwise.
+  /// Unit, across the edge at the corner: into the face before it and into the face after it, seen
+  /// from outside counter-clockwise.
   std::array<Eigen::Vector3d, 2> into;
   bool convex = true;
-  double opening_rad =
-      0;  ///< angle between the two faces, of the solid or, where it is concave, of the air; in (0, pi)
+  double opening_rad = 0;  ///< angle between the two faces, of the solid or, where it is concave,
+                           ///< of the air; in (0, pi)
   TopoDS_Vertex far;
-  TopoDS_Face end;  ///< the third face at the far vertex; this and what follows: of a polyhedral corner alone
-  Eigen::Vector3d end_normal;            ///< unit
-  std::array<TopoDS_Edge, 2> end_edges;  ///< of that face with the face before and with the face after
+  TopoDS_Face end;  ///< the third face at the far vertex; this and what follows: of a polyhedral
+                    ///< corner alone
+  Eigen::Vector3d end_normal;  ///< unit
+  std::array<TopoDS_Edge, 2>
+      end_edges;  ///< of that face with the face before and with the face after
 };
 
 /// The face between an edge and the next one.
@@ -48,8 +51,10 @@ struct Corner {
   TopoDS_Shell shell;
   std::vector<CornerEdge> edges;
   std::vector<CornerFace> faces;
-  TopTools_IndexedMapOfShape given_faces, given_edges;  ///< of the whole shape: what they are called
-  /// The faces are planes, the edges lines, and at the far end of each edge meet two more and one more plane, not through the corner.
+  TopTools_IndexedMapOfShape given_faces,
+      given_edges;  ///< of the whole shape: what they are called
+  /// The faces are planes, the edges lines, and at the far end of each edge meet two more and one
+  /// more plane, not through the corner.
   bool polyhedral = false;
 
   std::size_t count() const { return edges.size(); }
@@ -60,13 +65,14 @@ struct Corner {
 /// "2.5 mm".
 std::string lengthText(double length_mm);
 
-/// The corner in a solid of its own shell alone; where that is the wall of a void, in what fills the void, seen from its outside.
+/// The corner in a solid of its own shell alone; where that is the wall of a void, in what fills
+/// the void, seen from its outside.
 /// \returns the corner, and whether it is that of a void.
 std::pair<Corner, bool> ofShellAlone(const Corner& corner);
 
 /// \param vertex from 1, order of TopExp::MapShapes.
-/// \throws std::invalid_argument for a number that the shape does not have; std::domain_error, with numbers, for a corner that
-/// cornerFillet() does not support.
+/// \throws std::invalid_argument for a number that the shape does not have; std::domain_error, with
+/// numbers, for a corner that cornerFillet() does not support.
 Corner cornerOf(const TopoDS_Shape& shape, int vertex);
 
 }  // namespace seamwright::occ

@@ -34,8 +34,9 @@ std::vector<Vector3d> directionsInFaces(const Corner& corner) {
   std::vector<Vector3d> directions;
   for (std::size_t i = 0; i < corner.count(); ++i)
     for (int k = 0; k < 8; ++k)
-      directions.push_back(Eigen::AngleAxisd(corner.faces[i].angle_rad * k / 8, corner.faces[i].normal) *
-                           corner.edges[i].axis);
+      directions.push_back(
+          Eigen::AngleAxisd(corner.faces[i].angle_rad * k / 8, corner.faces[i].normal) *
+          corner.edges[i].axis);
   return directions;
 }
 
@@ -66,7 +67,8 @@ gp_Ax2 ballAxes(const Corner& corner) {
 
 class OutsideRounder {
  public:
-  /// \param direct the corner's solid, numbered alike, perhaps without faces on left-handed surfaces.
+  /// \param direct the corner's solid, numbered alike, perhaps without faces on left-handed
+  /// surfaces.
   OutsideRounder(const Corner& corner, const std::vector<CornerStrip>& strips, double ball_mm,
                  TopoDS_Shape direct)
       : corner_(corner),
@@ -107,10 +109,11 @@ class OutsideRounder {
         std::ranges::max_element(strips_, {}, &CornerStrip::contact_mm) - strips_.begin());
     const std::string edge = "edge " + std::to_string(corner_.edges[i].number);
     const bool own = strips_[cause].contact_mm <= (1 + 1e-9) * strips_[i].contact_mm;
-    throw std::domain_error((own ? edge + ", radius " + lengthText(strips_[i].radius_mm)
-                                 : "edge " + std::to_string(corner_.edges[cause].number) + ", radius " +
-                                       lengthText(strips_[cause].radius_mm) + ": " + edge) +
-                            ", outside a ball of " + lengthText(ball_mm_) + " about the vertex: " + why);
+    throw std::domain_error(
+        (own ? edge + ", radius " + lengthText(strips_[i].radius_mm)
+             : "edge " + std::to_string(corner_.edges[cause].number) + ", radius " +
+                   lengthText(strips_[cause].radius_mm) + ": " + edge) +
+        ", outside a ball of " + lengthText(ball_mm_) + " about the vertex: " + why);
   }
 
   TopoDS_Shape directEdge(const TopoDS_Edge& edge) const {
@@ -119,10 +122,13 @@ class OutsideRounder {
 
   void add(std::size_t i, BRepFilletAPI_MakeFillet& fillets) {
     const TopTools_ListOfShape& parts = cut_.Modified(directEdge(corner_.edges[i].edge));
-    if (parts.Extent() != 1) failAtEdge(i, std::to_string(parts.Extent()) + " parts of it are left, not one");
+    if (parts.Extent() != 1)
+      failAtEdge(i, std::to_string(parts.Extent()) + " parts of it are left, not one");
     const TopoDS_Edge edge = TopoDS::Edge(parts.First());
     if (fillets.Contour(edge) > 0)
-      failAtEdge(i, "it continues another edge of the corner smoothly, they can't have fillets of their own");
+      failAtEdge(
+          i,
+          "it continues another edge of the corner smoothly, they can't have fillets of their own");
     fillets.Add(strips_[i].radius_mm, edge);
     if (fillets.Contour(edge) == 0) failAtEdge(i, "OpenCASCADE has no fillet for it");
     edges_.push_back(edge);
@@ -156,7 +162,8 @@ class OutsideRounder {
         TopTools_ListOfShape now = fillets.Modified(part);
         if (now.IsEmpty()) now.Append(part);
         for (const TopoDS_Shape& cap : now)
-          if (faces_.Contains(cap)) result_.caps.push_back(TopoDS::Face(faces_(faces_.FindIndex(cap))));
+          if (faces_.Contains(cap))
+            result_.caps.push_back(TopoDS::Face(faces_(faces_.FindIndex(cap))));
       }
     }
     if (result_.caps.empty()) fail("nothing of it is left in the fillets of OpenCASCADE");
@@ -169,8 +176,10 @@ class OutsideRounder {
     for (const TopoDS_Face& cap : result_.caps)
       for (TopExp_Explorer edge(cap, TopAbs_EDGE); edge.More(); edge.Next())
         for (const TopoDS_Shape& face : around.FindFromKey(edge.Current()))
-          if (std::ranges::none_of(result_.caps, [&](const TopoDS_Face& own) { return own.IsSame(face); }))
-            rim.emplace_back(TopoDS::Edge(edge.Current().Oriented(TopAbs_FORWARD)), TopoDS::Face(face));
+          if (std::ranges::none_of(result_.caps,
+                                   [&](const TopoDS_Face& own) { return own.IsSame(face); }))
+            rim.emplace_back(TopoDS::Edge(edge.Current().Oriented(TopAbs_FORWARD)),
+                             TopoDS::Face(face));
     const auto edgesBeside = [&rim](const auto& belongs) {
       std::vector<TopoDS_Edge> edges;
       for (const auto& [edge, face] : rim)
@@ -185,8 +194,9 @@ class OutsideRounder {
                            [&face](const TopoDS_Shape& of) { return of.IsSame(face); });
       }));
       const auto now = result_.became.find(numberOf(corner_.faces[i].face));
-      result_.arcs.push_back(edgesBeside(
-          [&](const TopoDS_Face& face) { return now != result_.became.end() && face.IsSame(now->second); }));
+      result_.arcs.push_back(edgesBeside([&](const TopoDS_Face& face) {
+        return now != result_.became.end() && face.IsSame(now->second);
+      }));
       if (result_.band_ends[i].empty() || result_.arcs[i].empty())
         failAtEdge(i, "its fillet, or the face after it, does not come to the ball");
       told += result_.band_ends[i].size() + result_.arcs[i].size();
@@ -202,14 +212,17 @@ class OutsideRounder {
     TopoDS_Face found;
     for (const auto& [edge, face] : rim) {
       const TopoDS_Edge& here = edge;
-      if (std::ranges::none_of(edges, [&here](const TopoDS_Edge& own) { return own.IsSame(here); })) continue;
+      if (std::ranges::none_of(edges, [&here](const TopoDS_Edge& own) { return own.IsSame(here); }))
+        continue;
       if (!found.IsNull() && !found.IsSame(face)) fail("a fillet comes to it in several faces");
       found = face;
     }
     return found;
   }
 
-  int numberOf(const TopoDS_Face& face) const { return partsOf(corner_.solid, TopAbs_FACE).FindIndex(face); }
+  int numberOf(const TopoDS_Face& face) const {
+    return partsOf(corner_.solid, TopAbs_FACE).FindIndex(face);
+  }
 
   const Corner& corner_;
   const std::vector<CornerStrip>& strips_;
@@ -224,9 +237,11 @@ class OutsideRounder {
 
 }  // namespace
 
-RoundedOutside roundedOutside(const Corner& corner, const std::vector<CornerStrip>& strips, double ball_mm) {
+RoundedOutside roundedOutside(const Corner& corner, const std::vector<CornerStrip>& strips,
+                              double ball_mm) {
   try {
-    // OpenCASCADE's boolean operations get some faces on left-handed surfaces wrong, and some that were turned.
+    // OpenCASCADE's boolean operations get some faces on left-handed surfaces wrong, and some that
+    // were turned.
     try {
       return OutsideRounder(corner, strips, ball_mm, corner.solid).run();
     } catch (const std::domain_error&) {
@@ -235,7 +250,8 @@ RoundedOutside roundedOutside(const Corner& corner, const std::vector<CornerStri
       return OutsideRounder(corner, strips, ball_mm, turned).run();
     }
   } catch (const Standard_Failure& failure) {
-    throw std::domain_error("a ball of " + lengthText(ball_mm) + " about the vertex: OpenCASCADE stops at " +
+    throw std::domain_error("a ball of " + lengthText(ball_mm) +
+                            " about the vertex: OpenCASCADE stops at " +
                             failure.DynamicType()->Name() + " " + failure.GetMessageString());
   }
 }

@@ -18,12 +18,16 @@ struct RoundedOutside {
   std::vector<TopoDS_Face> caps;   ///< on the ball
   std::vector<TopoDS_Face> bands;  ///< of edge i: the part of its fillet that ends on the ball
   std::vector<std::vector<TopoDS_Edge>> band_ends;  ///< where it does, in any order
-  std::vector<std::vector<TopoDS_Edge>> arcs;  ///< where the ball cuts face i of the corner, in any order
-  std::map<int, TopoDS_Face> became;           ///< by number of a face in the given solid
+  std::vector<std::vector<TopoDS_Edge>>
+      arcs;                           ///< where the ball cuts face i of the corner, in any order
+  std::map<int, TopoDS_Face> became;  ///< by number of a face in the given solid
 };
 
-/// Takes the ball away and rounds the edges that are left of the corner's: there none is in the other's way.
-/// \throws std::domain_error where OpenCASCADE does not, or makes no band from face to face of each edge.
-RoundedOutside roundedOutside(const Corner& corner, const std::vector<CornerStrip>& strips, double ball_mm);
+/// Takes the ball away and rounds the edges that are left of the corner's: there none is in the
+/// other's way.
+/// \throws std::domain_error where OpenCASCADE does not, or makes no band from face to face of each
+/// edge.
+RoundedOutside roundedOutside(const Corner& corner, const std::vector<CornerStrip>& strips,
+                              double ball_mm);
 
 }  // namespace seamwright::occ

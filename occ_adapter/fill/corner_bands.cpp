@@ -69,7 +69,8 @@ struct EdgePlace {
 
 EdgePlace placeAt(const CornerEdge& edge, double setback_mm) {
   const BRepAdaptor_Curve curve(TopoDS::Edge(edge.edge.Oriented(TopAbs_FORWARD)));
-  const bool leaves = TopExp::LastVertex(TopoDS::Edge(edge.edge.Oriented(TopAbs_FORWARD))).IsSame(edge.far);
+  const bool leaves =
+      TopExp::LastVertex(TopoDS::Edge(edge.edge.Oriented(TopAbs_FORWARD))).IsSame(edge.far);
   const double sense = leaves ? 1 : -1;
   const double from = leaves ? curve.FirstParameter() : curve.LastParameter();
   const GCPnts_AbscissaPoint place(curve, sense * setback_mm, from);
@@ -96,7 +97,8 @@ struct Section {
 
 class BandTrimmer {
  public:
-  BandTrimmer(const Corner& corner, const std::vector<CornerStrip>& strips, const RoundedOutside& rounded)
+  BandTrimmer(const Corner& corner, const std::vector<CornerStrip>& strips,
+              const RoundedOutside& rounded)
       : corner_(corner), strips_(strips), rounded_(rounded), change_(new BRepTools_ReShape) {
     TopExp::MapShapesAndUniqueAncestors(rounded.solid, TopAbs_EDGE, TopAbs_FACE, around_);
     TopExp::MapShapesAndUniqueAncestors(rounded.solid, TopAbs_VERTEX, TopAbs_EDGE, edges_at_);
@@ -137,7 +139,9 @@ class BandTrimmer {
     return contacts_[2 * i + side].point(sections_[i].shares[side]);
   }
 
-  std::string name(std::size_t i) const { return "edge " + std::to_string(corner_.edges[i].number); }
+  std::string name(std::size_t i) const {
+    return "edge " + std::to_string(corner_.edges[i].number);
+  }
 
   /// The vertex on the ball that the band's end and the arc in the face before or after it share.
   TopoDS_Vertex nearVertex(std::size_t i, bool after) const {
@@ -186,9 +190,10 @@ class BandTrimmer {
       const double begin = coordinate(contact.onBand(0), runsInU(i)),
                    end = coordinate(contact.onBand(1), runsInU(i));
       const double sense = end > begin ? 1 : -1;
-      const std::optional<double> share =
-          crossingOf([&](double at) { return sense * (coordinate(contact.onBand(at), runsInU(i)) - along); });
-      if (!share) throw std::domain_error(name(i) + ": no section of its fillet runs from face to face");
+      const std::optional<double> share = crossingOf(
+          [&](double at) { return sense * (coordinate(contact.onBand(at), runsInU(i)) - along); });
+      if (!share)
+        throw std::domain_error(name(i) + ": no section of its fillet runs from face to face");
       section.shares[side] = *share;
       section.vertices[side] = vertexOn(contact, i, *share);
     }
@@ -204,7 +209,8 @@ class BandTrimmer {
     gp_Pnt point;
     gp_Vec u, v;
     BRepAdaptor_Surface(rounded_.bands[i], false).D1(begin.X(), begin.Y(), point, u, v);
-    return std::abs(end.X() - begin.X()) * u.Magnitude() > std::abs(end.Y() - begin.Y()) * v.Magnitude();
+    return std::abs(end.X() - begin.X()) * u.Magnitude() >
+           std::abs(end.Y() - begin.Y()) * v.Magnitude();
   }
 
   TopoDS_Vertex vertexOn(const Contact& contact, std::size_t i, double share) const {
@@ -214,8 +220,9 @@ class BandTrimmer {
     const Vector3d point = contact.point(share);
     const gp_Pnt p(point.x(), point.y(), point.z());
     TopoDS_Vertex vertex;
-    builder_.MakeVertex(vertex, p,
-                        std::max({Precision::Confusion(), 2 * p.Distance(on_band), 2 * p.Distance(on_face)}));
+    builder_.MakeVertex(
+        vertex, p,
+        std::max({Precision::Confusion(), 2 * p.Distance(on_band), 2 * p.Distance(on_face)}));
     return vertex;
   }
 
@@ -223,7 +230,8 @@ class BandTrimmer {
     const Contact& contact = contacts_[2 * i + side];
     const TopoDS_Edge& old = contact.edge();
     const TopoDS_Vertex& cut = sections_[i].vertices[side];
-    const TopoDS_Vertex far = contact.nearFirst() ? TopExp::LastVertex(old) : TopExp::FirstVertex(old);
+    const TopoDS_Vertex far =
+        contact.nearFirst() ? TopExp::LastVertex(old) : TopExp::FirstVertex(old);
     TopoDS_Edge made = TopoDS::Edge(old.EmptyCopied());
     builder_.Add(made, (contact.nearFirst() ? cut : far).Oriented(TopAbs_FORWARD));
     builder_.Add(made, (contact.nearFirst() ? far : cut).Oriented(TopAbs_REVERSED));
@@ -233,9 +241,10 @@ class BandTrimmer {
     change_->Replace(old, made);
   }
 
-  /// Puts an edge in the place of those on the ball that lead from a vertex to another. \param forward it begins in place of the first.
-  void replace(const std::vector<TopoDS_Edge>& old, const TopoDS_Vertex& begin, const TopoDS_Edge& made,
-               bool forward) {
+  /// Puts an edge in the place of those on the ball that lead from a vertex to another. \param
+  /// forward it begins in place of the first.
+  void replace(const std::vector<TopoDS_Edge>& old, const TopoDS_Vertex& begin,
+               const TopoDS_Edge& made, bool forward) {
     for (const TopoDS_Edge& edge : old) {
       const bool leaves = TopExp::FirstVertex(edge).IsSame(begin),
                  arrives = TopExp::LastVertex(edge).IsSame(begin);
@@ -257,11 +266,12 @@ class BandTrimmer {
     const std::size_t first = across[0] < across[1] ? 0 : 1;
     const handle<Geom_Surface> surface = BRep_Tool::Surface(band);
     TopoDS_Edge made;
-    builder_.MakeEdge(made, u ? surface->UIso(along) : surface->VIso(along), Precision::Confusion());
-    builder_.UpdateEdge(
-        made,
-        u ? new Geom2d_Line(gp_Pnt2d(along, 0), gp::DY2d()) : new Geom2d_Line(gp_Pnt2d(0, along), gp::DX2d()),
-        band, Precision::Confusion());
+    builder_.MakeEdge(made, u ? surface->UIso(along) : surface->VIso(along),
+                      Precision::Confusion());
+    builder_.UpdateEdge(made,
+                        u ? new Geom2d_Line(gp_Pnt2d(along, 0), gp::DY2d())
+                          : new Geom2d_Line(gp_Pnt2d(0, along), gp::DX2d()),
+                        band, Precision::Confusion());
     builder_.Add(made, sections_[i].vertices[first].Oriented(TopAbs_FORWARD));
     builder_.Add(made, sections_[i].vertices[1 - first].Oriented(TopAbs_REVERSED));
     builder_.Range(made, across[first], across[1 - first]);
@@ -276,14 +286,15 @@ class BandTrimmer {
     const Vector3d leaving = from.inward(leave), arriving = -to.inward(arrive);
     const std::array<double, 2> legs = legsOf(a, leaving, b, arriving);
     if (!(legs[0] > 0 && legs[1] > 0))
-      throw std::domain_error(
-          name(i) + " and " + name(next) + ": their fillets cross before their sections, set back by " +
-          lengthText(strips_[i].setback_mm) + " and " + lengthText(strips_[next].setback_mm));
+      throw std::domain_error(name(i) + " and " + name(next) +
+                              ": their fillets cross before their sections, set back by " +
+                              lengthText(strips_[i].setback_mm) + " and " +
+                              lengthText(strips_[next].setback_mm));
     const BezierCurve curve(springCurve(a, leaving, b, arriving, legs));
     TopoDS_Edge made;
     builder_.MakeEdge(made);
-    builder_.UpdateEdge(made, laidOn(from.face(), curve, from.onFace(leave), to.onFace(arrive)), from.face(),
-                        Precision::Confusion());
+    builder_.UpdateEdge(made, laidOn(from.face(), curve, from.onFace(leave), to.onFace(arrive)),
+                        from.face(), Precision::Confusion());
     builder_.Add(made, sections_[i].vertices[1].Oriented(TopAbs_FORWARD));
     builder_.Add(made, sections_[next].vertices[0].Oriented(TopAbs_REVERSED));
     builder_.Range(made, 0, 1);
@@ -293,8 +304,8 @@ class BandTrimmer {
   }
 
   /// The curve's points, dropped onto the face, as a path in its parameters.
-  static handle<Geom2d_Curve> laidOn(const TopoDS_Face& face, const BezierCurve& curve, const gp_Pnt2d& from,
-                                     const gp_Pnt2d& to) {
+  static handle<Geom2d_Curve> laidOn(const TopoDS_Face& face, const BezierCurve& curve,
+                                     const gp_Pnt2d& from, const gp_Pnt2d& to) {
     constexpr int count = 33;
     const BRepAdaptor_Surface surface(face, false);
     ShapeAnalysis_Surface nearest(BRep_Tool::Surface(face));
@@ -306,14 +317,17 @@ class BandTrimmer {
       const Vector3d p = curve.point(places->Value(k + 1));
       const gp_Pnt2d before = path->Value(k);
       const gp_Pnt2d at = nearest.NextValueOfUV(before, gp_Pnt(p.x(), p.y(), p.z()), 1e-9);
-      path->SetValue(k + 1, {beside(at.X(), before.X(), surface.IsUPeriodic() ? surface.UPeriod() : 0),
-                             beside(at.Y(), before.Y(), surface.IsVPeriodic() ? surface.VPeriod() : 0)});
+      path->SetValue(k + 1,
+                     {beside(at.X(), before.X(), surface.IsUPeriodic() ? surface.UPeriod() : 0),
+                      beside(at.Y(), before.Y(), surface.IsVPeriodic() ? surface.VPeriod() : 0)});
     }
     path->SetValue(count, to);
     Geom2dAPI_Interpolate fit(path, places, false, Precision::PConfusion());
-    fit.Load(tangentIn(surface, from, curve.jet(0).d1), tangentIn(surface, to, curve.jet(1).d1), false);
+    fit.Load(tangentIn(surface, from, curve.jet(0).d1), tangentIn(surface, to, curve.jet(1).d1),
+             false);
     fit.Perform();
-    if (!fit.IsDone()) throw std::domain_error("OpenCASCADE finds no path on a face between two fillets");
+    if (!fit.IsDone())
+      throw std::domain_error("OpenCASCADE finds no path on a face between two fillets");
     return handle<Geom2d_Curve>(fit.Curve());
   }
 
@@ -323,7 +337,8 @@ class BandTrimmer {
   }
 
   /// The direction of the parameters that leads there.
-  static gp_Vec2d tangentIn(const BRepAdaptor_Surface& surface, const gp_Pnt2d& at, const Vector3d& run) {
+  static gp_Vec2d tangentIn(const BRepAdaptor_Surface& surface, const gp_Pnt2d& at,
+                            const Vector3d& run) {
     gp_Pnt point;
     gp_Vec u, v;
     surface.D1(at.X(), at.Y(), point, u, v);
@@ -354,7 +369,8 @@ double leastBall_mm(const Corner& corner, const std::vector<CornerStrip>& strips
 constexpr const char* band_name = "band";
 
 /// The holed solid as a model; names of its faces are their numbers in the given solid.
-Model holedModel(const RoundedOutside& rounded, const BandTrimmer& trimmer, const TopoDS_Shape& holed) {
+Model holedModel(const RoundedOutside& rounded, const BandTrimmer& trimmer,
+                 const TopoDS_Shape& holed) {
   Model model = modelFromShape(holed);
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(holed, TopAbs_FACE, faces);
@@ -378,7 +394,8 @@ Hole holeBesideBands(const Model& holed, std::size_t edges, const TopoDS_Face& f
         hole.sides, [first](const HoleSide& side) { return side.edges.front().use.face == first; });
     if (begin == hole.sides.end()) continue;
     if (hole.sides.size() != 2 * edges)
-      throw std::domain_error("the hole between the fillets has " + std::to_string(hole.sides.size()) +
+      throw std::domain_error("the hole between the fillets has " +
+                              std::to_string(hole.sides.size()) +
                               " sides: " + std::to_string(2 * edges) + " are needed");
     std::rotate(hole.sides.begin(), begin, hole.sides.end());
     return hole;
@@ -419,7 +436,8 @@ CornerShell shellOf(const FillHoleReport& report, const Corner& corner) {
     }
     const TopoDS_Shape& old = given(std::stoi(face.name));
     shell.became.Bind(old, faces(face.index));
-    if (std::ranges::any_of(corner.faces, [&old](const CornerFace& of) { return of.face.IsSame(old); }))
+    if (std::ranges::any_of(corner.faces,
+                            [&old](const CornerFace& of) { return of.face.IsSame(old); }))
       beside.insert(face.index);
   }
   const std::set<int> patches(report.faces.begin(), report.faces.end());
@@ -431,7 +449,8 @@ CornerShell shellOf(const FillHoleReport& report, const Corner& corner) {
     if (count(patches) == 2)
       shell.seams.emplace_back(edge, CornerSeamKind::Spoke);
     else if (count(patches) == 1)
-      shell.seams.emplace_back(edge, count(bands) == 1 ? CornerSeamKind::Section : CornerSeamKind::Spring);
+      shell.seams.emplace_back(
+          edge, count(bands) == 1 ? CornerSeamKind::Section : CornerSeamKind::Spring);
     else if (count(bands) == 1 && count(beside) == 1)
       shell.seams.emplace_back(edge, CornerSeamKind::Contact);
   }
@@ -442,7 +461,8 @@ CornerShell shellOf(const FillHoleReport& report, const Corner& corner) {
 void requireRoom(const Corner& corner, const std::vector<CornerStrip>& strips,
                  const CornerFilletOptions& options) {
   for (std::size_t i = 0; i < corner.count(); ++i)
-    if (const double length_mm = GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(corner.edges[i].edge));
+    if (const double length_mm =
+            GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(corner.edges[i].edge));
         !(strips[i].setback_mm < length_mm))
       throw std::domain_error(setBackText(corner, strips, options, i, length_mm) +
                               " would begin beyond its end");
@@ -501,8 +521,8 @@ void setBackFromBall(const Corner& corner, const CornerFilletOptions& options, d
   }
 }
 
-Made tried(const Corner& corner, std::vector<CornerStrip> strips, const CornerFilletOptions& options,
-           const Attempt& attempt, const Progress& progress) {
+Made tried(const Corner& corner, std::vector<CornerStrip> strips,
+           const CornerFilletOptions& options, const Attempt& attempt, const Progress& progress) {
   const double ball_mm = attempt.margin * leastBall_mm(corner, strips);
   setBackFromBall(corner, options, attempt.margin * ball_mm, strips);
   requireRoom(corner, strips, options);
@@ -517,27 +537,30 @@ Made tried(const Corner& corner, std::vector<CornerStrip> strips, const CornerFi
   how.most_degree = attempt.most_degree;
   how.jobs = options.jobs;
   const TopoDS_Face first_band = TopoDS::Face(trimmer.imageOf(rounded.bands.front()));
-  const FillHoleReport report = fillHole(holed, holeBesideBands(holed, corner.count(), first_band, how), how,
-                                         namesOf(corner, rounded, trimmer, holed), progress);
+  const FillHoleReport report =
+      fillHole(holed, holeBesideBands(holed, corner.count(), first_band, how), how,
+               namesOf(corner, rounded, trimmer, holed), progress);
   if (!report.filled) throw std::domain_error("the corner between the fillets: " + report.reason);
 
   Made made{{shellOf(report, corner), {}, fillOf(report), 0}, report.reached};
   for (const FilledSide& side : report.sides)
     made.corner.section_error_mm = std::max(made.corner.section_error_mm, side.gap_mm);
   for (std::size_t i = 0; i < corner.count(); ++i)
-    made.corner.edges.push_back({corner.edges[i].number, corner.edges[i].convex, corner.edges[i].opening_rad,
-                                 strips[i].radius_mm, trimmer.contact_mm(i), strips[i].setback_mm});
+    made.corner.edges.push_back({corner.edges[i].number, corner.edges[i].convex,
+                                 corner.edges[i].opening_rad, strips[i].radius_mm,
+                                 trimmer.contact_mm(i), strips[i].setback_mm});
   return made;
 }
 
 }  // namespace
 
-BandedCorner bandedCorner(const Corner& given, const CornerFilletOptions& options, const Progress& progress) {
+BandedCorner bandedCorner(const Corner& given, const CornerFilletOptions& options,
+                          const Progress& progress) {
   const std::pair<Corner, bool> alone = ofShellAlone(given);
   const Corner& corner = alone.first;
   const std::vector<CornerStrip> strips = cornerStrips(corner, options);
-  // Lower degrees follow the sides less closely and make fairer patches; where faces bend, fillets may come clear of one another further
-  // out only.
+  // Lower degrees follow the sides less closely and make fairer patches; where faces bend, fillets
+  // may come clear of one another further out only.
   constexpr std::array<Attempt, 5> attempts = {{{1.1, 9}, {1.1, 5}, {1.3, 9}, {1.3, 5}, {1.6, 5}}};
   std::optional<Made> best;
   std::string reason;

@@ -14,9 +14,10 @@ struct BandedCorner {
   double section_error_mm = 0;
 };
 
-/// Rounds the edges outside a ball about the vertex (roundedOutside()), cuts the bands off in sections at their setbacks and the faces along
-/// spring curves, and fills the hole (fillHole()).
+/// Rounds the edges outside a ball about the vertex (roundedOutside()), cuts the bands off in
+/// sections at their setbacks and the faces along spring curves, and fills the hole (fillHole()).
 /// \throws as cornerFillet() for corners that it does not support.
-BandedCorner bandedCorner(const Corner& corner, const CornerFilletOptions& options, const Progress& progress);
+BandedCorner bandedCorner(const Corner& corner, const CornerFilletOptions& options,
+                          const Progress& progress);
 
 }  // namespace seamwright::occ

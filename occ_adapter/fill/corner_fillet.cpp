@@ -35,7 +35,8 @@ void requireNotNegative(const std::map<int, double>& lengths, const char* what) 
   for (const auto& [edge, length] : lengths)
     if (!(length >= 0) || !std::isfinite(length))
       throw std::invalid_argument(std::string(what) + " of edge " + std::to_string(edge) + " is " +
-                                  lengthText(length) + ": a finite one above 0 is needed, or 0: chosen");
+                                  lengthText(length) +
+                                  ": a finite one above 0 is needed, or 0: chosen");
 }
 
 /// The linear law is the fairer one where it needs no help to be regular.
@@ -96,8 +97,8 @@ std::vector<CornerFilletEdge> described(const Corner& corner, const CornerHole& 
   for (std::size_t i = 0; i < corner.count(); ++i) {
     const CornerEdge& edge = corner.edges[i];
     const CornerStrip& strip = hole.strips[i];
-    edges.push_back(
-        {edge.number, edge.convex, edge.opening_rad, strip.radius_mm, strip.contact_mm, strip.setback_mm});
+    edges.push_back({edge.number, edge.convex, edge.opening_rad, strip.radius_mm, strip.contact_mm,
+                     strip.setback_mm});
   }
   return edges;
 }
@@ -110,7 +111,8 @@ BandedCorner polyhedralCorner(const Corner& corner, const CornerFilletOptions& o
   return {std::move(shell), described(corner, hole), std::move(fill), hole.section_error_mm};
 }
 
-double largestUpper(const std::vector<CornerSeam>& seams, std::optional<Figure> SeamFigures::*figure) {
+double largestUpper(const std::vector<CornerSeam>& seams,
+                    std::optional<Figure> SeamFigures::*figure) {
   double largest = 0;
   for (const CornerSeam& seam : seams) {
     const std::optional<Figure>& found = seam.result.figures.*figure;
@@ -131,7 +133,8 @@ std::set<int> freshFaces(const TopoDS_Shape& shape, const Corner& corner, const 
 }
 
 /// The face of the new shape as the user knows it: "face 3" with the number in the given one.
-std::string nameOf(int face, const TopoDS_Shape& shape, const Corner& corner, const CornerShell& made) {
+std::string nameOf(int face, const TopoDS_Shape& shape, const Corner& corner,
+                   const CornerShell& made) {
   const TopoDS_Shape is = partsOf(shape, TopAbs_FACE)(face);
   for (int f = 1; f <= corner.given_faces.Extent(); ++f) {
     const TopoDS_Shape& was = corner.given_faces(f);
@@ -152,7 +155,8 @@ std::string betweenText(const CornerSeam& seam, const CornerFillet& result, cons
 
 /// What keeps the result from being a rounded corner.
 std::string shortfallOf(const CornerFillet& result, const Corner& corner, const CornerShell& made) {
-  if (!result.valid) return "the new shell fails OpenCASCADE's checks: the fillets may overlap something";
+  if (!result.valid)
+    return "the new shell fails OpenCASCADE's checks: the fillets may overlap something";
   if (!result.fill.regular) return "the patches are not proved regular: other setbacks may help";
   const std::set<int> fresh = freshFaces(result.model.shape, corner, made);
   if (const auto touching = touchingFaces(result.model.shape, fresh))
@@ -160,7 +164,8 @@ std::string shortfallOf(const CornerFillet& result, const Corner& corner, const 
            ": smaller radii may help";
   for (const CornerSeam& seam : result.seams)
     if (seam.result.verdict.level < Level::G1)
-      return "a seam between " + betweenText(seam, result, corner, made) + ": " + figuresText(seam.result);
+      return "a seam between " + betweenText(seam, result, corner, made) + ": " +
+             figuresText(seam.result);
   return {};
 }
 
@@ -168,16 +173,19 @@ std::string shortfallOf(const CornerFillet& result, const Corner& corner, const 
 
 std::optional<double> CornerFilletOptions::setback_mm(int edge) const {
   const auto given = setbacks_mm.find(edge);
-  return given == setbacks_mm.end() || given->second == 0 ? std::nullopt : std::optional(given->second);
+  return given == setbacks_mm.end() || given->second == 0 ? std::nullopt
+                                                          : std::optional(given->second);
 }
 
 void CornerFilletOptions::validate() const {
   requirePositive(radii_mm, "radius");
   requireNotNegative(setbacks_mm, "setback");
   if (!(section_mm >= least_section_mm && section_mm <= most_section_mm))
-    throw std::invalid_argument("section_mm is " + lengthText(section_mm) + ": 1e-9 to 0.1 is needed");
+    throw std::invalid_argument("section_mm is " + lengthText(section_mm) +
+                                ": 1e-9 to 0.1 is needed");
   tolerance.validate();
-  if (jobs < 0) throw std::invalid_argument("jobs is " + std::to_string(jobs) + ": 0 or more is needed");
+  if (jobs < 0)
+    throw std::invalid_argument("jobs is " + std::to_string(jobs) + ": 0 or more is needed");
 }
 
 double CornerFillet::largestGap_mm() const {
@@ -197,8 +205,8 @@ std::vector<int> cornerEdges(const Model& model, int vertex) {
 CornerFillet cornerFillet(const Model& model, int vertex, const CornerFilletOptions& options,
                           const Progress& progress) {
   options.validate();
-  // Which side of the shell is solid is asked of OpenCASCADE's classifier, which looks at all its faces and may crash on
-  // numbers that are not finite.
+  // Which side of the shell is solid is asked of OpenCASCADE's classifier, which looks at all its
+  // faces and may crash on numbers that are not finite.
   requireUsable(model.shape, model.path, "rounded");
   const Corner corner = cornerOf(model.shape, vertex);
   constexpr double built = 0.5;

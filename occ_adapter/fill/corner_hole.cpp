@@ -24,7 +24,8 @@ Eigen::RowVectorXd bernsteinRow(int n, double t) {
   Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(n + 1);
   row(0) = 1;
   for (int k = 1; k <= n; ++k)
-    for (int i = k; i >= 0; --i) row(i) = (1 - t) * (i < k ? row(i) : 0) + t * (i > 0 ? row(i - 1) : 0);
+    for (int i = k; i >= 0; --i)
+      row(i) = (1 - t) * (i < k ? row(i) : 0) + t * (i > 0 ? row(i - 1) : 0);
   return row;
 }
 
@@ -42,16 +43,20 @@ UnitArc sectionArc(const CornerEdge& edge, const CornerStrip& strip, double sect
   throw std::domain_error("edge " + std::to_string(edge.number) + ": a section of radius " +
                           lengthText(strip.radius_mm) + " over " +
                           std::to_string(strip.sweep_rad * 180 / pi) + " degrees is met to " +
-                          lengthText(arc.error * strip.radius_mm) + ", not to " + lengthText(section_mm));
+                          lengthText(arc.error * strip.radius_mm) + ", not to " +
+                          lengthText(section_mm));
 }
 
-/// Distances along two edges of a face, from the corner to the foot of the point where the contact lines cross.
+/// Distances along two edges of a face, from the corner to the foot of the point where the contact
+/// lines cross.
 std::array<double, 2> crossing(double angle_rad, double contact_mm, double next_contact_mm) {
   const double sine = std::sin(angle_rad), cosine = std::cos(angle_rad);
-  return {(next_contact_mm + contact_mm * cosine) / sine, (contact_mm + next_contact_mm * cosine) / sine};
+  return {(next_contact_mm + contact_mm * cosine) / sine,
+          (contact_mm + next_contact_mm * cosine) / sine};
 }
 
-/// Of an edge and those next to it the one whose contact lines are the farthest away; itself where none is farther.
+/// Of an edge and those next to it the one whose contact lines are the farthest away; itself where
+/// none is farther.
 std::size_t widest(const Corner& corner, const std::vector<CornerStrip>& strips, std::size_t i) {
   std::size_t found = i;
   for (const std::size_t k : {corner.before(i), corner.after(i)})
@@ -61,7 +66,8 @@ std::size_t widest(const Corner& corner, const std::vector<CornerStrip>& strips,
 
 class Roller {
  public:
-  Roller(const Corner& corner, const CornerFilletOptions& options) : corner_(corner), options_(options) {}
+  Roller(const Corner& corner, const CornerFilletOptions& options)
+      : corner_(corner), options_(options) {}
 
   std::vector<CornerStrip> run() {
     roll();
@@ -98,21 +104,23 @@ class Roller {
 
   /// The setback from which on both contact lines of an edge are clear of their neighbours.
   double leastSetback(std::size_t i) const {
-    return std::max(
-        {0.0, crossingIn(corner_, strips_, i)[0], crossingIn(corner_, strips_, corner_.before(i))[1]});
+    return std::max({0.0, crossingIn(corner_, strips_, i)[0],
+                     crossingIn(corner_, strips_, corner_.before(i))[1]});
   }
 
   void setBack() {
     double mean = 0;
-    for (const CornerStrip& strip : strips_) mean += strip.contact_mm / static_cast<double>(corner_.count());
+    for (const CornerStrip& strip : strips_)
+      mean += strip.contact_mm / static_cast<double>(corner_.count());
     for (std::size_t i = 0; i < corner_.count(); ++i) {
       const double least = leastSetback(i);
-      strips_[i].setback_mm = options_.setback_mm(corner_.edges[i].number).value_or(least + mean / 2);
+      strips_[i].setback_mm =
+          options_.setback_mm(corner_.edges[i].number).value_or(least + mean / 2);
       if (!(strips_[i].setback_mm > least * (1 + 1e-6)))
-        throw std::domain_error("edge " + std::to_string(corner_.edges[i].number) + ": a setback of " +
-                                lengthText(strips_[i].setback_mm) +
-                                " leaves no room for spring curves: more than " + lengthText(least) +
-                                " is needed");
+        throw std::domain_error("edge " + std::to_string(corner_.edges[i].number) +
+                                ": a setback of " + lengthText(strips_[i].setback_mm) +
+                                " leaves no room for spring curves: more than " +
+                                lengthText(least) + " is needed");
     }
   }
 
@@ -147,7 +155,8 @@ class HoleBuilder {
     const Vector3d far = corner_.point + edge.length_mm * edge.axis;
     for (std::size_t side = 0; side < 2; ++side) {
       strip.contacts[side] = foot + strip.contact_mm * edge.into[side];
-      const double length = edge.end_normal.dot(far - strip.contacts[side]) / edge.end_normal.dot(edge.axis);
+      const double length =
+          edge.end_normal.dot(far - strip.contacts[side]) / edge.end_normal.dot(edge.axis);
       if (!(length > 1e-3 * edge.length_mm))
         throw std::domain_error(setBackText(corner_, hole_.strips, options_, i, edge.length_mm) +
                                 " would be " + lengthText(length) + " long on one side");
@@ -160,8 +169,8 @@ class HoleBuilder {
     const UnitArc arc = sectionArc(corner_.edges[i], strip, options_.section_mm);
     hole_.section_error_mm = std::max(hole_.section_error_mm, arc.error * strip.radius_mm);
     const Vector3d across = (strip.contacts[1] - strip.contacts[0]).normalized();
-    Poles poles = strip.radius_mm *
-                  (arc.poles.col(0) * strip.to_edge.transpose() + arc.poles.col(1) * across.transpose());
+    Poles poles = strip.radius_mm * (arc.poles.col(0) * strip.to_edge.transpose() +
+                                     arc.poles.col(1) * across.transpose());
     poles.rowwise() += strip.centre.transpose();
     poles.row(0) = strip.contacts[0];
     poles.row(poles.rows() - 1) = strip.contacts[1];
@@ -195,9 +204,11 @@ UnitArc unitArc(double sweep_rad, int degree) {
   arc.poles.row(0) = onUnitArc(sweep_rad, 0);
   arc.poles.row(degree) = onUnitArc(sweep_rad, 1);
   const double step = sweep_rad / degree;
-  arc.poles.row(1) = arc.poles.row(0) + step * Eigen::RowVector2d(-arc.poles(0, 1), arc.poles(0, 0));
+  arc.poles.row(1) =
+      arc.poles.row(0) + step * Eigen::RowVector2d(-arc.poles(0, 1), arc.poles(0, 0));
   arc.poles.row(degree - 1) =
-      arc.poles.row(degree) - step * Eigen::RowVector2d(-arc.poles(degree, 1), arc.poles(degree, 0));
+      arc.poles.row(degree) -
+      step * Eigen::RowVector2d(-arc.poles(degree, 1), arc.poles(degree, 0));
 
   Eigen::MatrixXd rows(inner, degree + 1);
   Eigen::MatrixX2d values(inner, 2);
@@ -212,7 +223,8 @@ UnitArc unitArc(double sweep_rad, int degree) {
   constexpr int samples = 200;
   for (int k = 0; k <= samples; ++k) {
     const double t = static_cast<double>(k) / samples;
-    arc.error = std::max(arc.error, (bernsteinRow(degree, t) * arc.poles - onUnitArc(sweep_rad, t)).norm());
+    arc.error =
+        std::max(arc.error, (bernsteinRow(degree, t) * arc.poles - onUnitArc(sweep_rad, t)).norm());
   }
   return arc;
 }
@@ -223,11 +235,12 @@ std::vector<CornerStrip> cornerStrips(const Corner& corner, const CornerFilletOp
 
 std::array<double, 2> crossingIn(const Corner& corner, const std::vector<CornerStrip>& strips,
                                  std::size_t i) {
-  return crossing(corner.faces[i].angle_rad, strips[i].contact_mm, strips[corner.after(i)].contact_mm);
+  return crossing(corner.faces[i].angle_rad, strips[i].contact_mm,
+                  strips[corner.after(i)].contact_mm);
 }
 
-Poles springCurve(const Vector3d& from, const Vector3d& leaving, const Vector3d& to, const Vector3d& arriving,
-                  const std::array<double, 2>& legs) {
+Poles springCurve(const Vector3d& from, const Vector3d& leaving, const Vector3d& to,
+                  const Vector3d& arriving, const std::array<double, 2>& legs) {
   const double turn = std::atan2(leaving.cross(arriving).norm(), leaving.dot(arriving));
   const double cosine = std::cos(turn / 4);
   const double handle = (to - from).norm() / (3 * cosine * cosine);
@@ -244,9 +257,11 @@ std::string setBackText(const Corner& corner, const std::vector<CornerStrip>& st
                     size = ", " + lengthText(length_mm) + " long",
                     place = " set back by " + lengthText(strips[i].setback_mm);
   const std::size_t cause = options.setback_mm(edge.number) ? i : widest(corner, strips, i);
-  if (cause == i) return name + size + ": a fillet of radius " + lengthText(strips[i].radius_mm) + place;
+  if (cause == i)
+    return name + size + ": a fillet of radius " + lengthText(strips[i].radius_mm) + place;
   return "edge " + std::to_string(corner.edges[cause].number) + ": with a radius of " +
-         lengthText(strips[cause].radius_mm) + " there, the fillet of " + name + size + "," + place + ",";
+         lengthText(strips[cause].radius_mm) + " there, the fillet of " + name + size + "," +
+         place + ",";
 }
 
 CornerHole cornerHole(const Corner& corner, const CornerFilletOptions& options) {

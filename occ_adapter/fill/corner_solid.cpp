@@ -63,7 +63,8 @@ struct Tube {
   std::array<double, 2> u{};  ///< of the contact lines
 };
 
-/// Where the plane at the far end cuts a cylinder: a circle or an ellipse, whose parameter is u - highest_u.
+/// Where the plane at the far end cuts a cylinder: a circle or an ellipse, whose parameter is u -
+/// highest_u.
 struct FarCut {
   gp_Ax2 axes;
   bool upright = true;
@@ -73,8 +74,8 @@ struct FarCut {
   double highest_u = 0;  ///< in (-pi, pi]
 };
 
-/// Vertices and edges that are new at one edge of the corner. Contact lines run from the section, sections and far ends from the face
-/// before to the face after.
+/// Vertices and edges that are new at one edge of the corner. Contact lines run from the section,
+/// sections and far ends from the face before to the face after.
 struct TubeEdges {
   std::array<TopoDS_Vertex, 2> near, far;
   std::array<TopoDS_Edge, 2> contacts;
@@ -115,8 +116,8 @@ class ShellBuilder {
     return made;
   }
 
-  TopoDS_Edge edge(const handle<Geom_Curve>& curve, double first, double last, const TopoDS_Vertex& from,
-                   const TopoDS_Vertex& to) const {
+  TopoDS_Edge edge(const handle<Geom_Curve>& curve, double first, double last,
+                   const TopoDS_Vertex& from, const TopoDS_Vertex& to) const {
     TopoDS_Edge made;
     builder_.MakeEdge(made, curve, tolerance_);
     builder_.Add(made, from.Oriented(TopAbs_FORWARD));
@@ -130,7 +131,8 @@ class ShellBuilder {
     return edge(new Geom_Line(pointOf(placeOf(from)), directionOf(run)), 0, run.norm(), from, to);
   }
 
-  void lay(const TopoDS_Edge& edge, const handle<Geom2d_Curve>& path, const TopoDS_Face& face) const {
+  void lay(const TopoDS_Edge& edge, const handle<Geom2d_Curve>& path,
+           const TopoDS_Face& face) const {
     builder_.UpdateEdge(edge, path, face, tolerance_);
   }
 
@@ -138,9 +140,11 @@ class ShellBuilder {
     const CornerStrip& strip = hole_.strips[i];
     const CornerEdge& corner_edge = corner_.edges[i];
     Tube tube;
-    const gp_Ax3 axes(pointOf(strip.centre), directionOf(corner_edge.axis), directionOf(-strip.to_edge));
+    const gp_Ax3 axes(pointOf(strip.centre), directionOf(corner_edge.axis),
+                      directionOf(-strip.to_edge));
     tube.surface = new Geom_CylindricalSurface(axes, strip.radius_mm);
-    const bool rising = corner_edge.axis.cross(strip.to_edge).dot(strip.contacts[1] - strip.contacts[0]) > 0;
+    const bool rising =
+        corner_edge.axis.cross(strip.to_edge).dot(strip.contacts[1] - strip.contacts[0]) > 0;
     const double half = (rising ? 0.5 : -0.5) * strip.sweep_rad;
     tube.u = {pi - half, pi + half};
     builder_.MakeFace(tube.face, tube.surface, tolerance_);
@@ -174,7 +178,8 @@ class ShellBuilder {
     cut.swing = strip.radius_mm * lean.norm() / cut.cosine;
     const Vector3d across = std::cos(cut.highest_u) * x + std::sin(cut.highest_u) * y;
     const Vector3d major = across - normal.dot(across) / cut.cosine * axis;
-    cut.axes = gp_Ax2(pointOf(strip.centre + cut.height * axis), directionOf(normal), directionOf(major));
+    cut.axes =
+        gp_Ax2(pointOf(strip.centre + cut.height * axis), directionOf(normal), directionOf(major));
     return cut;
   }
 
@@ -185,12 +190,13 @@ class ShellBuilder {
     if (lowest_u > first && lowest_u < last && !(lowest > 0))
       throw std::domain_error("edge " + std::to_string(corner_.edges[i].number) +
                               ": the plane at its far end cuts the cylinder of radius " +
-                              lengthText(hole_.strips[i].radius_mm) + " from " + lengthText(lowest) +
-                              " beyond the section on: more than 0 is needed");
+                              lengthText(hole_.strips[i].radius_mm) + " from " +
+                              lengthText(lowest) + " beyond the section on: more than 0 is needed");
   }
 
   /// v = height + swing cos(t) over u = t + highest_u as a polynomial, to half the tolerance.
-  handle<Geom2d_Curve> waveOf(const FarCut& cut, double sweep_rad, double first, double last) const {
+  handle<Geom2d_Curve> waveOf(const FarCut& cut, double sweep_rad, double first,
+                              double last) const {
     int degree = 4;
     UnitArc arc = unitArc(sweep_rad, degree);
     while (arc.error * cut.swing > tolerance_ / 2 && degree < most_wave_degree)
@@ -251,17 +257,20 @@ class ShellBuilder {
     auto made = trimmed_.find(number);
     if (made == trimmed_.end()) {
       const TopoDS_Edge whole = TopoDS::Edge(old_(number));
-      const std::array<TopoDS_Vertex, 2> ends = {TopExp::FirstVertex(whole), TopExp::LastVertex(whole)};
+      const std::array<TopoDS_Vertex, 2> ends = {TopExp::FirstVertex(whole),
+                                                 TopExp::LastVertex(whole)};
       const auto& cut = trims_[number];
-      const TopoDS_Vertex from = cut[0].IsNull() ? ends[0] : cut[0], to = cut[1].IsNull() ? ends[1] : cut[1];
+      const TopoDS_Vertex from = cut[0].IsNull() ? ends[0] : cut[0],
+                          to = cut[1].IsNull() ? ends[1] : cut[1];
       const Vector3d run = placeOf(ends[1]) - placeOf(ends[0]);
       const double left = run.normalized().dot(placeOf(to) - placeOf(from));
       const double spare = run.normalized().dot(placeOf(from) - placeOf(ends[0]));
-      if (!(left > 1e-3 * run.norm()) || spare < -tolerance_ || spare + left > run.norm() + tolerance_)
-        throw std::domain_error("edge " + std::to_string(corner_.given_edges.FindIndex(old)) + ", " +
-                                lengthText(run.norm()) + " long, at a far end would be cut from " +
-                                lengthText(spare) + " to " + lengthText(spare + left) +
-                                " by the fillets: smaller radii may help");
+      if (!(left > 1e-3 * run.norm()) || spare < -tolerance_ ||
+          spare + left > run.norm() + tolerance_)
+        throw std::domain_error(
+            "edge " + std::to_string(corner_.given_edges.FindIndex(old)) + ", " +
+            lengthText(run.norm()) + " long, at a far end would be cut from " + lengthText(spare) +
+            " to " + lengthText(spare + left) + " by the fillets: smaller radii may help");
       made = trimmed_.emplace(number, line(from, to)).first;
     }
     return TopoDS::Edge(made->second.Oriented(old.Orientation()));
@@ -285,7 +294,8 @@ class ShellBuilder {
       lay(parts[0], straight({tube.u[0], 0}, {pi, 0}), tube.face);
       lay(parts[1], straight({pi, 0}, {tube.u[1], 0}), tube.face);
     }
-    const TopoDS_Edge spoke = edge(toBezierCurve(fill_.patches[side].isoCurveU(0)), 0, 1, centre_, middle);
+    const TopoDS_Edge spoke =
+        edge(toBezierCurve(fill_.patches[side].isoCurveU(0)), 0, 1, centre_, middle);
     lay(spoke, new Geom2d_Line(gp::Origin2d(), gp::DY2d()), patches_[side]);
     lay(spoke, new Geom2d_Line(gp::Origin2d(), gp::DX2d()), patches_[next]);
     for (const TopoDS_Edge& part : parts) {
@@ -359,7 +369,8 @@ class ShellBuilder {
     return wire;
   }
 
-  /// What stands in the place of an oriented edge of the face, with what follows where it ended at a vertex that is gone.
+  /// What stands in the place of an oriented edge of the face, with what follows where it ended at
+  /// a vertex that is gone.
   std::vector<TopoDS_Edge> replacements(const TopoDS_Edge& old, const TopoDS_Face& face) {
     const TopoDS_Vertex last = TopExp::LastVertex(old, true);
     for (std::size_t i = 0; i < count_; ++i) {
@@ -405,7 +416,8 @@ CornerShell cornerShell(const Corner& corner, const CornerHole& hole, const NSid
   return ShellBuilder(corner, hole, fill).build();
 }
 
-TopoDS_Shape withShell(const TopoDS_Shape& shape, const TopoDS_Shell& shell, const TopoDS_Shell& other) {
+TopoDS_Shape withShell(const TopoDS_Shape& shape, const TopoDS_Shell& shell,
+                       const TopoDS_Shell& other) {
   if (shape.IsSame(shell)) return other;
   if (shape.ShapeType() >= TopAbs_SHELL) return shape;
   const BRep_Builder builder;

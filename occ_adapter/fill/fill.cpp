@@ -21,8 +21,8 @@ std::optional<int> raiseFor(Level target) {
   return target == Level::G1 ? 1 : 2;
 }
 
-/// What may come out better: polynomials of lower degrees follow the sides less closely and make fairer faces; without regard to curvature
-/// its jumps may yet be smaller.
+/// What may come out better: polynomials of lower degrees follow the sides less closely and make
+/// fairer faces; without regard to curvature its jumps may yet be smaller.
 std::vector<FillAttempt> othersThan(const FillAttempt& first, const FillHoleReport& report) {
   constexpr int fairer_degree = 5;
   std::vector<FillAttempt> others;
@@ -38,7 +38,8 @@ bool isBetter(const FillHoleReport& one, const FillHoleReport& other, Level targ
   if (one.filled != other.filled) return one.filled;
   if (isSound(one) != isSound(other)) return isSound(one);
   if (target < Level::G2) return false;
-  return one.largestCurvature_rel().value_or(HUGE_VAL) < other.largestCurvature_rel().value_or(HUGE_VAL);
+  return one.largestCurvature_rel().value_or(HUGE_VAL) <
+         other.largestCurvature_rel().value_or(HUGE_VAL);
 }
 
 void requireEdges(const Model& model, const Hole& hole) {
@@ -46,8 +47,8 @@ void requireEdges(const Model& model, const Hole& hole) {
   for (const HoleSide& side : hole.sides)
     for (const HoleEdge& edge : side.edges)
       if (edges.FindIndex(edge.use.edge) != edge.edge)
-        throw std::invalid_argument("hole " + std::to_string(hole.id) + ": the model has no such edge " +
-                                    std::to_string(edge.edge));
+        throw std::invalid_argument("hole " + std::to_string(hole.id) +
+                                    ": the model has no such edge " + std::to_string(edge.edge));
 }
 
 /// Why the border of a hole can't be met; empty if it can.
@@ -59,7 +60,8 @@ std::string whyNotMet(const TopoDS_Shape& shape, const Hole& hole) {
   return {};
 }
 
-std::optional<double> largest(const FillHoleReport& report, std::optional<Figure> SeamFigures::*figure) {
+std::optional<double> largest(const FillHoleReport& report,
+                              std::optional<Figure> SeamFigures::*figure) {
   std::optional<double> most;
   for (const auto* seams : {&report.outer, &report.inner})
     for (const SeamResult& seam : *seams) {
@@ -75,9 +77,10 @@ std::optional<TopoDS_Face> faceThatGoesOn(const Hole& hole, const FillHoleOption
   constexpr double share = 20;  // of the tolerances, as of patches
   if (!options.continue_surface) return std::nullopt;
   try {
-    return continuedFace(
-        hole, options.tolerance.gap_mm / share,
-        options.target == Level::G0 ? std::nullopt : std::optional(options.tolerance.angle_rad / share));
+    return continuedFace(hole, options.tolerance.gap_mm / share,
+                         options.target == Level::G0
+                             ? std::nullopt
+                             : std::optional(options.tolerance.angle_rad / share));
   } catch (const Standard_Failure&) {
     return std::nullopt;
   } catch (const std::runtime_error&) {
@@ -91,7 +94,8 @@ FillHoleReport bestByPatches(const Model& model, const Hole& hole, const FillHol
   const FillAttempt first{options.most_degree, raiseFor(options.target)};
   FillHoleReport best =
       filledByPatches(model, hole, options, names, first, partOf(progress, 0, share_of_first));
-  const std::vector<FillAttempt> others = best.reached ? std::vector<FillAttempt>() : othersThan(first, best);
+  const std::vector<FillAttempt> others =
+      best.reached ? std::vector<FillAttempt>() : othersThan(first, best);
   double build_s = best.build_s, done = share_of_first;
   for (std::size_t k = 0; k < others.size(); ++k) {
     const double next = done + (1 - done) / static_cast<double>(others.size() - k);
@@ -118,11 +122,13 @@ void FillHoleOptions::validate() const {
   if (!(tolerance.angle_rad > 0))
     throw std::invalid_argument("angle tolerance is 0 deg: a fill needs more, 0.01 say");
   if (target != Level::G0 && target != Level::G1 && target != Level::G2)
-    throw std::invalid_argument("target " + std::string(name(target)) + ": it must be G0, G1 or G2");
+    throw std::invalid_argument("target " + std::string(name(target)) +
+                                ": it must be G0, G1 or G2");
   if (most_degree < 3 || most_degree > 11)
     throw std::invalid_argument("largest degree is " + std::to_string(most_degree) +
                                 ": it must be within 3 to 11");
-  if (jobs < 0) throw std::invalid_argument("jobs is " + std::to_string(jobs) + ": it must not be negative");
+  if (jobs < 0)
+    throw std::invalid_argument("jobs is " + std::to_string(jobs) + ": it must not be negative");
 }
 
 std::optional<double> FillHoleReport::largestGap_mm() const {
@@ -164,7 +170,8 @@ FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOpti
     if (progress && !progress(1)) throw Cancelled();
     return std::move(*by_face);
   }
-  FillHoleReport best = bestByPatches(model, hole, options, names, partOf(progress, share_of_face, 1));
+  FillHoleReport best =
+      bestByPatches(model, hole, options, names, partOf(progress, share_of_face, 1));
   if (by_face && !isBetter(best, *by_face, options.target)) best = std::move(*by_face);
   if (progress && !progress(1)) throw Cancelled();
   return best;

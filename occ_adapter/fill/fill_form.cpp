@@ -61,7 +61,8 @@ bool turnsBack(const std::vector<TopoDS_Face>& faces, const std::vector<FittedSi
     if (!side.side.cross) return false;
     const BezierCurve cross(*side.side.cross);
     for (int k = 0; k < side_places; ++k) {
-      const double t = static_cast<double>(k) / side_places, next = static_cast<double>(k + 1) / side_places;
+      const double t = static_cast<double>(k) / side_places,
+                   next = static_cast<double>(k + 1) / side_places;
       const Vector3d here = side.side.edge.point(t), there = side.side.edge.point(next);
       area += here.cross(there);
       around.push_back((there - here).cross(cross.point(t + 0.5 / side_places)));

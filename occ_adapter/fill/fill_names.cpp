@@ -29,7 +29,8 @@ std::string whyNotMet(const UnusableParts& unusable, int edge, int face) {
     fault = unusable.describeFace(face);
   else if (unusable.hasEdge(edge))
     fault = unusable.describeEdge(edge);
-  return fault.empty() ? fault : "the hole can't be met at edge " + std::to_string(edge) + ": " + fault;
+  return fault.empty() ? fault
+                       : "the hole can't be met at edge " + std::to_string(edge) + ": " + fault;
 }
 
 }  // namespace seamwright::occ

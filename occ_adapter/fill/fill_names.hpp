@@ -29,7 +29,8 @@ Model modelOfOwnParts(Model model);
 /// A hole of another model with the same numbers.
 Hole holeIn(const Model& model, Hole hole);
 
-/// Why a hole can't be met at an edge of its border, with a face beside it that stays; empty if it can.
+/// Why a hole can't be met at an edge of its border, with a face beside it that stays; empty if it
+/// can.
 std::string whyNotMet(const UnusableParts& unusable, int edge, int face);
 
 /// As fillHole(); \param names of the model's faces.

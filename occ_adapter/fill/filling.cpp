@@ -37,10 +37,12 @@ namespace seamwright::occ {
 
 namespace {
 
-/// Tangents that leave a side's tangent plane by more are no part of a smooth surface: the side gets position alone.
+/// Tangents that leave a side's tangent plane by more are no part of a smooth surface: the side
+/// gets position alone.
 constexpr double most_planar_rad = 0.1;
 
-/// What the sides and the corners may take of the tolerance each: the sum of all errors is to be well within it.
+/// What the sides and the corners may take of the tolerance each: the sum of all errors is to be
+/// well within it.
 constexpr double fit_share = 20;
 
 /// The planes of both sides of a corner are made to agree; what is left is rounding.
@@ -48,7 +50,8 @@ constexpr double plane_noise_rad = 1e-7;
 
 constexpr std::size_t ring_sides = 4;
 
-/// A fill with poles further out than this many times its sides is none: a hemisphere's stand out by less than 2.
+/// A fill with poles further out than this many times its sides is none: a hemisphere's stand out
+/// by less than 2.
 constexpr double most_reach = 3;
 
 /// Fills cost the sixth power of the degree, and several are tried for one that is not regular.
@@ -79,7 +82,8 @@ TopoDS_Compound withFaces(const TopoDS_Shape& shape, const std::vector<TopoDS_Fa
   return whole;
 }
 
-/// What stands in the compound of withFaces() where the shape stood, if that was no compound itself.
+/// What stands in the compound of withFaces() where the shape stood, if that was no compound
+/// itself.
 TopoDS_Shape unwrapped(const TopoDS_Shape& whole, const TopoDS_Shape& given) {
   if (given.ShapeType() == TopAbs_COMPOUND) return whole;
   TopoDS_Iterator part(whole);
@@ -90,8 +94,8 @@ TopoDS_Shape unwrapped(const TopoDS_Shape& whole, const TopoDS_Shape& given) {
 
 class Filling {
  public:
-  Filling(const Model& model, const Hole& hole, const FillHoleOptions& options, const FaceNames& names,
-          const Progress& progress)
+  Filling(const Model& model, const Hole& hole, const FillHoleOptions& options,
+          const FaceNames& names, const Progress& progress)
       : model_(model), hole_(hole), options_(options), names_(names), progress_(progress) {}
 
   FillHoleReport byPatches(const FillAttempt& attempt) {
@@ -138,7 +142,8 @@ class Filling {
   void fit() {
     const std::size_t corners = hole_.has_corners ? hole_.sides.size() : 0;
     if (corners > 12)
-      throw NotFilled("the hole has " + std::to_string(corners) + " corners: fills have 12 at most");
+      throw NotFilled("the hole has " + std::to_string(corners) +
+                      " corners: fills have 12 at most");
     const double gap_mm = options_.tolerance.gap_mm / fit_share;
     const std::vector<HoleAngle> angles = anglesOf(hole_, gap_mm);
     is_ring_ = corners < 3 || (corners <= ring_sides && std::ranges::any_of(angles, isReflex));
@@ -163,15 +168,16 @@ class Filling {
     const double angle_rad = corner.angle_rad, angle_deg = angle_rad * 180 / std::numbers::pi;
     const auto refuse = [&](const std::string& why) {
       throw NotFilled("corner " + std::to_string(k + 1) + " of the hole, between edges " +
-                      std::to_string(corner.edges[0]) + " and " + std::to_string(corner.edges[1]) + " at " +
-                      placeText(corner.point) + ": " + why);
+                      std::to_string(corner.edges[0]) + " and " + std::to_string(corner.edges[1]) +
+                      " at " + placeText(corner.point) + ": " + why);
     };
     if (std::min(angle_rad, 2 * std::numbers::pi - angle_rad) < least_corner_rad)
       refuse("it is a cusp, with an angle of " + text(angle_deg) +
              " degrees, which no regular face has: cut it off by another edge");
     if (is_ring_ && angle_rad > most_corner_rad)
       refuse("its angle is " + text(angle_deg) + " degrees, fills have " +
-             text(most_corner_rad * 180 / std::numbers::pi) + " at most: cut the hole in two there");
+             text(most_corner_rad * 180 / std::numbers::pi) +
+             " at most: cut the hole in two there");
     if (!is_ring_ && isReflex(corner))
       refuse("its angle is " + text(angle_deg) + " degrees, above 180: a hole of more than " +
              std::to_string(ring_sides) + " corners has to be cut in two there, by a face between");
@@ -219,7 +225,8 @@ class Filling {
       double begin_mm = 0;
       for (const HoleEdge& edge : of_hole.edges) {
         const double end_mm = begin_mm + edge.length_mm, round_mm = of_hole.length_mm;
-        const double first_mm = intervals_[k].begin * round_mm, last_mm = intervals_[k].end * round_mm;
+        const double first_mm = intervals_[k].begin * round_mm,
+                     last_mm = intervals_[k].end * round_mm;
         if ((end_mm > first_mm && begin_mm < last_mm) || begin_mm + round_mm < last_mm)
           told.edges.push_back(edge.edge);
         begin_mm = end_mm;
@@ -272,13 +279,15 @@ class Filling {
     return sides;
   }
 
-  /// By how much more than the degree that G1 asks for, at least \p more than that of the cross fields; time grows with its sixth power, so
-  /// that with the target G1 higher degrees are left alone.
+  /// By how much more than the degree that G1 asks for, at least \p more than that of the cross
+  /// fields; time grows with its sixth power, so that with the target G1 higher degrees are left
+  /// alone.
   std::optional<int> curvatureDegrees(const std::vector<FillSide>& sides, int more) const {
     if (!attempt_.curvature_raise) return std::nullopt;
     Eigen::Index degree = 0;
     for (const FillSide& side : sides)
-      degree = std::max({degree, Eigen::Index{side.edge.degree()}, side.cross ? side.cross->rows() - 1 : 0});
+      degree = std::max(
+          {degree, Eigen::Index{side.edge.degree()}, side.cross ? side.cross->rows() - 1 : 0});
     degree += more;
     if (options_.target == Level::G1 && degree >= costly_degree) return std::nullopt;
     const int most_degree = options_.target == Level::G1 ? costly_degree - 1 : 9;
@@ -286,8 +295,8 @@ class Filling {
   }
 
   std::vector<BSplineSurface> ringSurfaces(const std::vector<FillSide>& sides) {
-    const RingFill fill = ringFill(
-        sides, {.corner_tolerance_rad = plane_noise_rad, .curvature_degrees = curvatureDegrees(sides, 3)});
+    const RingFill fill = ringFill(sides, {.corner_tolerance_rad = plane_noise_rad,
+                                           .curvature_degrees = curvatureDegrees(sides, 3)});
     result_.curvature_jump_per_mm = fill.curvature_jump_per_mm;
     result_.corners = fill.corners;
     result_.regular = fill.regular;
@@ -328,10 +337,11 @@ class Filling {
     std::vector<std::size_t> chosen;
     for (std::size_t i = 0; i < graph.seams.size(); ++i)
       if (graph.seams[i].kind == SeamKind::Matched && isOfFill(graph.seams[i])) chosen.push_back(i);
-    sewn_ = sewnShape(whole_, graph.seams, chosen, reach_mm, [this](int face) { return nameOf(face); });
+    sewn_ =
+        sewnShape(whole_, graph.seams, chosen, reach_mm, [this](int face) { return nameOf(face); });
     if (!sewn_.refused.empty())
-      throw NotFilled("the fill can't be sewn " + placeOf(graph.seams[sewn_.refused.begin()->first]) +
-                      nearness());
+      throw NotFilled("the fill can't be sewn " +
+                      placeOf(graph.seams[sewn_.refused.begin()->first]) + nearness());
     for (std::size_t k = 0; k < new_faces_.size(); ++k)
       numbers_.insert(sewn_.faces[firstNewFace() + static_cast<int>(k)]);
     nameFaces();
@@ -342,7 +352,8 @@ class Filling {
   std::string placeOf(const Seam& seam) const {
     for (const Coedge& side : seam.sides)
       if (!isNew(side.face))
-        return "to edge " + std::to_string(partsOf(model_.shape, TopAbs_EDGE).FindIndex(side.edge)) + " of " +
+        return "to edge " +
+               std::to_string(partsOf(model_.shape, TopAbs_EDGE).FindIndex(side.edge)) + " of " +
                nameOf(side.face);
     return "to itself";
   }
@@ -373,7 +384,9 @@ class Filling {
     graph_ = findSeams(sewn_.shape);
     int open = 0;
     for (const NonSeamEdge& edge : graph_.open)
-      open += std::ranges::any_of(edge.faces, [this](int face) { return numbers_.count(face) > 0; }) ? 1 : 0;
+      open += std::ranges::any_of(edge.faces, [this](int face) { return numbers_.count(face) > 0; })
+                  ? 1
+                  : 0;
     if (open > 0)
       throw NotFilled(std::to_string(open) +
                       " edges of the fill lie along no edge of the hole within the gap of " +
@@ -388,13 +401,15 @@ class Filling {
     const HoleAngle turn = sharpestTurn(hole_, options_.tolerance.gap_mm / fit_share);
     if (turn.angle_rad > most_planar_rad)
       return "; edges " + std::to_string(turn.edges[0]) + " and " + std::to_string(turn.edges[1]) +
-             " are one side, but turn by " + text(turn.angle_rad * 180 / std::numbers::pi) + " degrees at " +
-             placeText(turn.point) + ": a corner angle below that makes a corner of it";
+             " are one side, but turn by " + text(turn.angle_rad * 180 / std::numbers::pi) +
+             " degrees at " + placeText(turn.point) +
+             ": a corner angle below that makes a corner of it";
     std::string edges;
     const FilledSide& side = result_.sides.at(static_cast<std::size_t>(worst - fitted_.begin()));
     for (const int edge : side.edges) edges += (edges.empty() ? " " : ", ") + std::to_string(edge);
-    return "; one polynomial meets the side about " + placeText(worst->side.edge.point(0.5)) + " (" +
-           (side.edges.size() == 1 ? "edge" : "edges") + edges + ") to " + text(worst->gap_mm) +
+    return "; one polynomial meets the side about " + placeText(worst->side.edge.point(0.5)) +
+           " (" + (side.edges.size() == 1 ? "edge" : "edges") + edges + ") to " +
+           text(worst->gap_mm) +
            " mm alone: a larger gap would help, or a face put across the hole there first";
   }
 
@@ -407,7 +422,8 @@ class Filling {
 
   static std::string placeText(const Eigen::Vector3d& point) {
     const auto rounded = [](double x) { return text(std::round(1e6 * x) / 1e6 + 0.0); };
-    return "(" + rounded(point.x()) + ", " + rounded(point.y()) + ", " + rounded(point.z()) + ") mm";
+    return "(" + rounded(point.x()) + ", " + rounded(point.y()) + ", " + rounded(point.z()) +
+           ") mm";
   }
 
   void measure() {
@@ -417,10 +433,12 @@ class Filling {
     options.jobs = options_.jobs;
     std::vector<const Seam*> seams;
     for (const Seam& seam : graph_.seams)
-      if (numbers_.count(seam.sides[0].face) + numbers_.count(seam.sides[1].face) > 0) seams.push_back(&seam);
+      if (numbers_.count(seam.sides[0].face) + numbers_.count(seam.sides[1].face) > 0)
+        seams.push_back(&seam);
     std::vector<SeamResult> results(seams.size());
     runParallel(
-        seams.size(), options.jobs, [&](std::size_t i) { results[i] = measureSeam(*seams[i], options); },
+        seams.size(), options.jobs,
+        [&](std::size_t i) { results[i] = measureSeam(*seams[i], options); },
         partOf(progress_, 0.3, 0.9));
     for (SeamResult& seam : results) {
       const bool inner = numbers_.count(seam.faces[0]) > 0 && numbers_.count(seam.faces[1]) > 0;
@@ -437,7 +455,8 @@ class Filling {
     const ContinuityTolerance& tolerance = options_.tolerance;
     return beyond(seam.figures.gap_mm, tolerance.gap_mm) ||
            (options_.target >= Level::G1 && beyond(seam.figures.angle_rad, tolerance.angle_rad)) ||
-           (options_.target >= Level::G2 && beyond(seam.figures.curvature_rel, tolerance.curvature_rel));
+           (options_.target >= Level::G2 &&
+            beyond(seam.figures.curvature_rel, tolerance.curvature_rel));
   }
 
   std::string missed() const {
@@ -452,7 +471,8 @@ class Filling {
             (worst == nullptr || angle(seam) > angle(*worst)))
           worst = &seam;
     if (worst == nullptr) return {};
-    const std::string &one = result_.faceName(worst->faces[0]), &other = result_.faceName(worst->faces[1]);
+    const std::string &one = result_.faceName(worst->faces[0]),
+                      &other = result_.faceName(worst->faces[1]);
     return (one == other ? "a seam inside " + one : "a seam between " + one + " and " + other) +
            (surelyMisses(*worst) ? " is not " : " does not surely reach ") +
            std::string(name(options_.target)) + ": " + figuresText(*worst) + positionAlone();
@@ -466,18 +486,22 @@ class Filling {
     for (const FilledSide& side : result_.sides) {
       if (!side.position_only) continue;
       turn_rad = std::max({turn_rad, side.corner_rad[0], side.corner_rad[1]});
-      for (const int edge : side.edges) edges += (edges.empty() ? " " : ", ") + std::to_string(edge);
+      for (const int edge : side.edges)
+        edges += (edges.empty() ? " " : ", ") + std::to_string(edge);
     }
     if (edges.empty()) return {};
     constexpr double degree = std::numbers::pi / 180;
-    return "; along" + (edges.find(',') == std::string::npos ? std::string(" edge") : std::string(" edges")) +
+    return "; along" +
+           (edges.find(',') == std::string::npos ? std::string(" edge") : std::string(" edges")) +
            edges +
-           " the faces are met in position alone: at a corner the plane of the next edges leaves theirs by " +
+           " the faces are met in position alone: at a corner the plane of the next edges leaves "
+           "theirs by " +
            text(turn_rad / degree) + " degrees; the target G0 closes the hole";
   }
 
   std::string invalid() const {
-    const Validity was = validityOf(model_.shape, options_.jobs), is = validityOf(sewn_.shape, options_.jobs);
+    const Validity was = validityOf(model_.shape, options_.jobs),
+                   is = validityOf(sewn_.shape, options_.jobs);
     for (int face = 1; face <= model_.faceCount() + static_cast<int>(new_faces_.size()); ++face)
       if ((isNew(face) || was.faces[face]) && !is.faces[sewn_.faces[face]])
         return "OpenCASCADE's checks would not pass for " + nameOf(face);
@@ -547,12 +571,14 @@ bool isSound(const FillHoleReport& report) {
 }
 
 FillHoleReport filledByPatches(const Model& model, const Hole& hole, const FillHoleOptions& options,
-                               const FaceNames& names, const FillAttempt& attempt, const Progress& progress) {
+                               const FaceNames& names, const FillAttempt& attempt,
+                               const Progress& progress) {
   return Filling(model, hole, options, names, progress).byPatches(attempt);
 }
 
 FillHoleReport filledByFace(const Model& model, const Hole& hole, const FillHoleOptions& options,
-                            const FaceNames& names, const TopoDS_Face& face, const Progress& progress) {
+                            const FaceNames& names, const TopoDS_Face& face,
+                            const Progress& progress) {
   return Filling(model, hole, options, names, progress).byFace(face);
 }
 

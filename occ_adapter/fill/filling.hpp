@@ -25,7 +25,8 @@ std::string failureText(const std::string& doing, const Standard_Failure& failur
 /// How a fill is tried.
 struct FillAttempt {
   int most_degree = 9;  ///< of the polynomials that stand for the sides
-  /// What G1 leaves free is spent on small jumps of curvature, in a degree higher by so much at most; nothing: on fairness.
+  /// What G1 leaves free is spent on small jumps of curvature, in a degree higher by so much at
+  /// most; nothing: on fairness.
   std::optional<int> curvature_raise = std::nullopt;
 };
 
@@ -34,10 +35,12 @@ bool isSound(const FillHoleReport& report);
 
 /// The hole with patches built for it.
 FillHoleReport filledByPatches(const Model& model, const Hole& hole, const FillHoleOptions& options,
-                               const FaceNames& names, const FillAttempt& attempt, const Progress& progress);
+                               const FaceNames& names, const FillAttempt& attempt,
+                               const Progress& progress);
 
 /// The hole with a face that is there already, regular, and bounded by copies of the hole's edges.
 FillHoleReport filledByFace(const Model& model, const Hole& hole, const FillHoleOptions& options,
-                            const FaceNames& names, const TopoDS_Face& face, const Progress& progress);
+                            const FaceNames& names, const TopoDS_Face& face,
+                            const Progress& progress);
 
 }  // namespace seamwright::occ

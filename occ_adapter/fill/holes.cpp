@@ -72,7 +72,8 @@ class Loops {
     return std::ranges::min(loop, {}, [](const Link& link) { return link.edge.edge; }).edge.edge;
   }
 
-  /// The face lies to the left of the edge as used, so the hole is to the right, unless the face is turned.
+  /// The face lies to the left of the edge as used, so the hole is to the right, unless the face is
+  /// turned.
   bool runsAgainst(const Coedge& use) const {
     const bool face_turned = faces_(use.face).Orientation() == TopAbs_REVERSED;
     return (use.edge.Orientation() == TopAbs_REVERSED) == face_turned;
@@ -93,16 +94,19 @@ class Loops {
       }
       links_.push_back(std::move(link));
     } catch (const Standard_Failure& failure) {
-      result_.notes.push_back("edge " + std::to_string(number) + " can't be evaluated: OpenCASCADE failed: " +
+      result_.notes.push_back("edge " + std::to_string(number) +
+                              " can't be evaluated: OpenCASCADE failed: " +
                               failure.DynamicType()->Name() + " " + failure.GetMessageString());
     } catch (const std::runtime_error& error) {
-      result_.notes.push_back("edge " + std::to_string(number) + " can't be evaluated: " + error.what());
+      result_.notes.push_back("edge " + std::to_string(number) +
+                              " can't be evaluated: " + error.what());
     }
   }
 
   int nodeOf(const TopoDS_Edge& edge, bool at_last) {
     const TopoDS_Edge forward = TopoDS::Edge(edge.Oriented(TopAbs_FORWARD));
-    const TopoDS_Vertex vertex = at_last ? TopExp::LastVertex(forward) : TopExp::FirstVertex(forward);
+    const TopoDS_Vertex vertex =
+        at_last ? TopExp::LastVertex(forward) : TopExp::FirstVertex(forward);
     if (vertex.IsNull()) throw std::runtime_error("it ends without a vertex");
     if (const int known = vertices_.FindIndex(vertex); known > 0) return known - 1;
     corners_.push_back({BRep_Tool::Pnt(vertex), BRep_Tool::Tolerance(vertex)});
@@ -136,7 +140,8 @@ class Loops {
     return link;
   }
 
-  /// Follows edges from node to node; what comes back to a node of the path is a loop and leaves it.
+  /// Follows edges from node to node; what comes back to a node of the path is a loop and leaves
+  /// it.
   void walk() {
     std::map<int, std::vector<std::size_t>> at_node;
     for (std::size_t k = 0; k < links_.size(); ++k)
@@ -182,7 +187,8 @@ class Loops {
 
   void cutLoop(std::vector<Link>& path) {
     const int node = path.back().nodes[1];
-    const auto first = std::ranges::find_if(path, [node](const Link& link) { return link.nodes[0] == node; });
+    const auto first =
+        std::ranges::find_if(path, [node](const Link& link) { return link.nodes[0] == node; });
     if (first == path.end()) return;
     loops_.emplace_back(first, path.end());
     path.erase(first, path.end());

@@ -42,7 +42,8 @@ Model without(const Model& model, const TopoDS_Shape& face) {
 void requireUsableBorder(const TopoDS_Shape& whole, int face) {
   const UnusableParts unusable(whole);
   if (unusable.empty()) return;
-  const TopTools_IndexedMapOfShape faces = partsOf(whole, TopAbs_FACE), edges = partsOf(whole, TopAbs_EDGE);
+  const TopTools_IndexedMapOfShape faces = partsOf(whole, TopAbs_FACE),
+                                   edges = partsOf(whole, TopAbs_EDGE);
   TopTools_IndexedDataMapOfShapeListOfShape faces_of_edge;
   TopExp::MapShapesAndUniqueAncestors(whole, TopAbs_EDGE, TopAbs_FACE, faces_of_edge);
   for (TopExp_Explorer edge(faces(face), TopAbs_EDGE); edge.More(); edge.Next())
@@ -81,15 +82,16 @@ FillHoleReport replaceFace(const Model& model, int face, const FillHoleOptions& 
                            const Progress& progress) {
   options.validate();
   if (face < 1 || face > model.faceCount())
-    throw std::invalid_argument("the model has no face " + std::to_string(face) + ": they count from 1 to " +
-                                std::to_string(model.faceCount()));
+    throw std::invalid_argument("the model has no face " + std::to_string(face) +
+                                ": they count from 1 to " + std::to_string(model.faceCount()));
   FillHoleReport report;
   try {
     const Model whole = modelOfOwnParts(model);
     requireUsableBorder(whole.shape, face);
     const TopoDS_Shape old = partsOf(whole.shape, TopAbs_FACE)(face);
     const Model rest = without(whole, old);
-    const Numbers faces(whole.shape, rest.shape, TopAbs_FACE), edges(whole.shape, rest.shape, TopAbs_EDGE);
+    const Numbers faces(whole.shape, rest.shape, TopAbs_FACE),
+        edges(whole.shape, rest.shape, TopAbs_EDGE);
     report = fillHole(
         rest, holeOf(rest, old, options), options,
         [&faces](int number) { return numberedFace(faces.given(number)); }, progress);

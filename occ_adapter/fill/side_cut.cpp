@@ -13,7 +13,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// How far a side has come at equal shares of its length: length plus turning, each over that of the hole.
+/// How far a side has come at equal shares of its length: length plus turning, each over that of
+/// the hole.
 class Progression {
  public:
   explicit Progression(const SidePath& path) : length_mm_(path.length_mm()) {
@@ -86,15 +87,16 @@ std::vector<int> partsOf(const std::vector<Progression>& progressions, std::size
   for (std::size_t k = progressions.size(); k < count; ++k) {
     std::size_t longest = 0;
     for (std::size_t i = 1; i < parts.size(); ++i)
-      if (progressions[i].total() / parts[i] > (1 + 1e-9) * progressions[longest].total() / parts[longest])
+      if (progressions[i].total() / parts[i] >
+          (1 + 1e-9) * progressions[longest].total() / parts[longest])
         longest = i;
     ++parts[longest];
   }
   return parts;
 }
 
-/// By how much the turning on short ways before and after a share of the length differs where that is a jump, else 0; at 0, from the end
-/// of the path to its beginning.
+/// By how much the turning on short ways before and after a share of the length differs where that
+/// is a jump, else 0; at 0, from the end of the path to its beginning.
 double bendAt(const SidePath& path, double at) {
   constexpr double most_step = 1.0 / 256, least_jump = 0.1;
   const double end = at > 0 ? at : 1, step = std::min({most_step, end, 1 - at});
@@ -107,7 +109,8 @@ double bendAt(const SidePath& path, double at) {
   return jump > least_jump * std::max(before, after) + 1e-9 ? jump : 0;
 }
 
-/// Joints at which the curvature of the path jumps, as between a line and an arc: no polynomial goes across them well.
+/// Joints at which the curvature of the path jumps, as between a line and an arc: no polynomial
+/// goes across them well.
 std::vector<double> bendJoints(const SidePath& path) {
   std::vector<double> joints = path.joints();
   std::erase_if(joints, [&](double at) { return bendAt(path, at) == 0; });
@@ -118,7 +121,8 @@ std::vector<double> bendJoints(const SidePath& path) {
 void moveToJoints(std::vector<double>& cuts, std::vector<double> joints, double reach) {
   for (double& cut : cuts) {
     if (joints.empty()) return;
-    const auto nearest = std::ranges::min_element(joints, {}, [&](double at) { return std::abs(at - cut); });
+    const auto nearest =
+        std::ranges::min_element(joints, {}, [&](double at) { return std::abs(at - cut); });
     if (std::abs(*nearest - cut) > reach) continue;
     cut = *nearest;
     joints.erase(nearest);
@@ -170,17 +174,18 @@ class LoopCutter {
     return come_.shareAround(come_.bent() + shift * come_.total() / static_cast<double>(count_));
   }
 
-  /// The first interval begins at a share, or at a joint so near that a sliver would be left; the others end at the joints given where these
-  /// are near, or at any to which a sliver would be left.
+  /// The first interval begins at a share, or at a joint so near that a sliver would be left; the
+  /// others end at the joints given where these are near, or at any to which a sliver would be
+  /// left.
   std::vector<SideInterval> cut(double begin, std::vector<double> joints) const {
     constexpr double near = 1 / 3.0, sliver = 1 / 20.0;
     begin = moved(begin, sliver);
     std::vector<double> cuts;
     const double first = come_.comeAt(begin);
     for (std::size_t k = 1; k < count_; ++k)
-      cuts.push_back(
-          come_.shareAround(first + come_.total() * static_cast<double>(k) / static_cast<double>(count_)) -
-          begin);
+      cuts.push_back(come_.shareAround(first + come_.total() * static_cast<double>(k) /
+                                                   static_cast<double>(count_)) -
+                     begin);
     moveToJoints(cuts, after(begin, std::move(joints)), near / static_cast<double>(count_));
     moveToJoints(cuts, after(begin, joints_), sliver / static_cast<double>(count_));
     cuts.push_back(1);
@@ -222,11 +227,13 @@ class LoopCutter {
 
 std::vector<SideInterval> wholeSides(const Hole& hole) {
   std::vector<SideInterval> intervals;
-  for (std::size_t k = 0; k < hole.sides.size(); ++k) intervals.push_back({k, 0, 1, !hole.has_corners});
+  for (std::size_t k = 0; k < hole.sides.size(); ++k)
+    intervals.push_back({k, 0, 1, !hole.has_corners});
   return intervals;
 }
 
-std::vector<SideInterval> cutSides(const Hole& hole, std::size_t count, double gap_mm, bool at_joints) {
+std::vector<SideInterval> cutSides(const Hole& hole, std::size_t count, double gap_mm,
+                                   bool at_joints) {
   const std::vector<SidePath> paths = pathsOf(hole, gap_mm);
   const std::vector<Progression> progressions = progressionsOf(paths);
   const std::vector<int> parts = partsOf(progressions, count);
@@ -246,7 +253,8 @@ std::vector<SideInterval> cutSides(const Hole& hole, std::size_t count, double g
   return intervals;
 }
 
-std::vector<std::vector<SideInterval>> loopCuts(const Hole& hole, std::size_t count, double gap_mm) {
+std::vector<std::vector<SideInterval>> loopCuts(const Hole& hole, std::size_t count,
+                                                double gap_mm) {
   const LoopCutter loop(hole, count, gap_mm);
   std::vector<std::vector<SideInterval>> cuts;
   for (const std::vector<double>& joints : {loop.bends(), loop.faceJoints()})

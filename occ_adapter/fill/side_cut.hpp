@@ -20,13 +20,17 @@ struct SideInterval {
 /// Every side whole.
 std::vector<SideInterval> wholeSides(const Hole& hole);
 
-/// So many intervals. The sides that are longest and turn most are cut, into parts of which the sum of length over the length of the hole and
-/// turning over that of the hole is the same. \param at_joints cuts are moved to the nearest joint of two edges of different curvature that is not too far away.
+/// So many intervals. The sides that are longest and turn most are cut, into parts of which the sum
+/// of length over the length of the hole and turning over that of the hole is the same. \param
+/// at_joints cuts are moved to the nearest joint of two edges of different curvature that is not
+/// too far away.
 /// \pre the hole has no more sides. \throws as SidePath.
-std::vector<SideInterval> cutSides(const Hole& hole, std::size_t count, double gap_mm, bool at_joints);
+std::vector<SideInterval> cutSides(const Hole& hole, std::size_t count, double gap_mm,
+                                   bool at_joints);
 
-/// Ways to cut a smooth loop into so many intervals of nearly the same sum of length and turning: at joints of lines and arcs; at joints of
-/// faces; from where it turns most; and from half an interval after that. No interval ends so near to a joint of edges that a sliver is left.
+/// Ways to cut a smooth loop into so many intervals of nearly the same sum of length and turning:
+/// at joints of lines and arcs; at joints of faces; from where it turns most; and from half an
+/// interval after that. No interval ends so near to a joint of edges that a sliver is left.
 /// \pre the hole has no corners. \throws as SidePath.
 std::vector<std::vector<SideInterval>> loopCuts(const Hole& hole, std::size_t count, double gap_mm);
 
@@ -40,7 +44,8 @@ struct HoleAngle {
 /// The corners of a hole in the order of its sides; empty where it is smooth. \throws as SidePath.
 std::vector<HoleAngle> anglesOf(const Hole& hole, double gap_mm);
 
-/// Where the tangent turns most between two edges of one side, with that angle in [0, pi]; 0 where no side has two. \throws as SidePath.
+/// Where the tangent turns most between two edges of one side, with that angle in [0, pi]; 0 where
+/// no side has two. \throws as SidePath.
 HoleAngle sharpestTurn(const Hole& hole, double gap_mm);
 
 }  // namespace seamwright::occ

@@ -18,23 +18,27 @@ namespace {
 
 using Eigen::Index, Eigen::Vector3d;
 
-/// The parameter along an interval: that of its edge, or arc length, or between arc length and one in which each edge has as much as the root
-/// of its length: then short edges have more of the freedom of a polynomial; or nearly affine arc length, in which ellipses and parabolas
-/// are passed as by their own parameters.
+/// The parameter along an interval: that of its edge, or arc length, or between arc length and one
+/// in which each edge has as much as the root of its length: then short edges have more of the
+/// freedom of a polynomial; or nearly affine arc length, in which ellipses and parabolas are passed
+/// as by their own parameters.
 enum class Parametrisation { Own, ArcLength, Centripetal, AffineArcLength };
 
-/// The share of an interval as a function of t with dt / ds as the cube root of the geodesic curvature, which is smooth where the path goes
-/// from one surface to another that is tangent to it. Straight parts get a little.
+/// The share of an interval as a function of t with dt / ds as the cube root of the geodesic
+/// curvature, which is smooth where the path goes from one surface to another that is tangent to
+/// it. Straight parts get a little.
 class AffineArcLengthShare {
  public:
-  /// \param at the path at shares of the interval. Its normals may turn over between edges, as faces do.
+  /// \param at the path at shares of the interval. Its normals may turn over between edges, as
+  /// faces do.
   explicit AffineArcLengthShare(const std::function<SideSample(double)>& at) {
     std::vector<SideSample> samples;
     for (int k = 0; k <= 2 * pieces; ++k) samples.push_back(at(k / (2.0 * pieces)));
     std::vector<double> bending(samples.size());  // per interval
     for (std::size_t k = 1; k + 1 < samples.size(); ++k)
-      bending[k] = pieces * (samples[k + 1].derivative.normalized() - samples[k - 1].derivative.normalized())
-                                .dot(samples[k].beyond);
+      bending[k] =
+          pieces * (samples[k + 1].derivative.normalized() - samples[k - 1].derivative.normalized())
+                       .dot(samples[k].beyond);
     bending.front() = 2 * bending[1] - bending[2];
     bending.back() = 2 * bending[2 * pieces - 1] - bending[2 * pieces - 2];
     double mean = 0;
@@ -43,7 +47,8 @@ class AffineArcLengthShare {
     const auto rate = [&](int k) { return std::cbrt(std::hypot(bending[k], least)); };
     for (int k = 0; k <= pieces; ++k) rate_[k] = rate(2 * k);
     for (int k = 0; k < pieces; ++k)
-      come_[k + 1] = come_[k] + (rate(2 * k) + 4 * rate(2 * k + 1) + rate(2 * k + 2)) / (6 * pieces);
+      come_[k + 1] =
+          come_[k] + (rate(2 * k) + 4 * rate(2 * k + 1) + rate(2 * k + 2)) / (6 * pieces);
   }
 
   /// The share at t and its derivative.
@@ -81,7 +86,8 @@ class IntervalPath {
 
   SideSample at(double t, Parametrisation parametrisation) const {
     if (parametrisation == Parametrisation::Own) {
-      const double first = path_->placeOf(interval_.begin), range = placeAround(interval_.end) - first;
+      const double first = path_->placeOf(interval_.begin),
+                   range = placeAround(interval_.end) - first;
       const double place = first + t * range;
       return placed(path_->atPlace(place > 1 ? place - 1 : place), t, range);
     }
@@ -109,7 +115,8 @@ class IntervalPath {
 
   const AffineArcLengthShare& affineShare() const {
     if (!affine_)
-      affine_ = std::make_shared<const AffineArcLengthShare>([this](double part) { return atShare(part); });
+      affine_ = std::make_shared<const AffineArcLengthShare>(
+          [this](double part) { return atShare(part); });
     return *affine_;
   }
 
@@ -119,7 +126,8 @@ class IntervalPath {
     return sample;
   }
 
-  /// The derivative at the beginning of the parabola from (0, 0) to (1, 1) that comes nearest to the joints of the edges.
+  /// The derivative at the beginning of the parabola from (0, 0) to (1, 1) that comes nearest to
+  /// the joints of the edges.
   double centripetalSlope() const {
     constexpr double least = 0.25;
     std::vector<double> ends;
@@ -131,7 +139,8 @@ class IntervalPath {
     std::ranges::sort(ends);
     std::vector<double> roots;
     for (std::size_t k = 0; k < ends.size(); ++k)
-      roots.push_back((k == 0 ? 0 : roots.back()) + std::sqrt(ends[k] - (k == 0 ? 0 : ends[k - 1])));
+      roots.push_back((k == 0 ? 0 : roots.back()) +
+                      std::sqrt(ends[k] - (k == 0 ? 0 : ends[k - 1])));
     double product = 0, square = 0;
     for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
       const double t = roots[k] / roots.back(), bulge = t - t * t;
@@ -147,7 +156,8 @@ class IntervalPath {
   mutable std::shared_ptr<const AffineArcLengthShare> affine_;  ///< once it is asked for
 };
 
-std::vector<SideSample> samplesOf(const IntervalPath& path, Parametrisation parametrisation, int count) {
+std::vector<SideSample> samplesOf(const IntervalPath& path, Parametrisation parametrisation,
+                                  int count) {
   std::vector<SideSample> samples;
   for (int i = 0; i <= count; ++i)
     samples.push_back(path.at((1 - std::cos(std::numbers::pi * i / count)) / 2, parametrisation));
@@ -178,12 +188,14 @@ struct SideFitEnd {
   double speed_mm = 0;                ///< of both sides, the mean; 0: the side's own
 };
 
-/// Speeds that are nearly the same are made the same: the equations of a ring are ill-conditioned where they are not quite equal.
+/// Speeds that are nearly the same are made the same: the equations of a ring are ill-conditioned
+/// where they are not quite equal.
 Vector3d derivativeAt(const SideFitEnd& end, const SideSample& sample) {
   constexpr double nearly = 1e-5;
   if (!end.direction) return sample.derivative;
   const double own_mm = sample.derivative.norm();
-  return (std::abs(own_mm - end.speed_mm) <= nearly * own_mm ? end.speed_mm : own_mm) * *end.direction;
+  return (std::abs(own_mm - end.speed_mm) <= nearly * own_mm ? end.speed_mm : own_mm) *
+         *end.direction;
 }
 
 /// Where one side ends and the next begins, in one tangent plane.
@@ -205,8 +217,8 @@ FitCorner smoothCorner(const SideSample& in, const SideSample& out) {
   return {end, end, (in.beyond + out.beyond).cross(along).normalized()};
 }
 
-/// The plane is halfway between those of both faces where both sides can be turned into it, by no more than \p most_turn_rad; else it is that
-/// of their own directions.
+/// The plane is halfway between those of both faces where both sides can be turned into it, by no
+/// more than \p most_turn_rad; else it is that of their own directions.
 FitCorner sharpCorner(const SideSample& in, const SideSample& out,
                       const std::array<double, 2>& most_turn_rad) {
   const SideFitEnd own{(in.point + out.point) / 2, std::nullopt, 0};
@@ -215,14 +227,15 @@ FitCorner sharpCorner(const SideSample& in, const SideSample& out,
       angleToPlane(out.derivative, mean) > most_turn_rad[1])
     return {own, own, in.derivative.cross(out.derivative).normalized()};
   const auto turned = [&](const SideSample& sample) {
-    return SideFitEnd{own.point, (sample.derivative - sample.derivative.dot(mean) * mean).normalized(), 0};
+    return SideFitEnd{own.point,
+                      (sample.derivative - sample.derivative.dot(mean) * mean).normalized(), 0};
   };
   return {turned(in), turned(out), mean};
 }
 
 /// Ends and end derivatives are kept.
-BezierCurve fittedEdge(const std::vector<SideSample>& samples, const std::array<SideFitEnd, 2>& ends,
-                       int degree) {
+BezierCurve fittedEdge(const std::vector<SideSample>& samples,
+                       const std::array<SideFitEnd, 2>& ends, int degree) {
   Poles poles(degree + 1, 3);
   poles.row(0) = ends[0].point;
   poles.row(1) = ends[0].point + derivativeAt(ends[0], samples.front()) / degree;
@@ -242,9 +255,11 @@ BezierCurve fittedEdge(const std::vector<SideSample>& samples, const std::array<
   return BezierCurve(poles);
 }
 
-/// T with the least sum of (T - L beyond)^2 and, by these weights, of its normal parts; at the ends these are zero.
-Poles fittedCross(const std::vector<SideSample>& samples, const std::array<Vector3d, 2>& corner_normals,
-                  double length_mm, int degree, const Eigen::VectorXd& weights) {
+/// T with the least sum of (T - L beyond)^2 and, by these weights, of its normal parts; at the ends
+/// these are zero.
+Poles fittedCross(const std::vector<SideSample>& samples,
+                  const std::array<Vector3d, 2>& corner_normals, double length_mm, int degree,
+                  const Eigen::VectorXd& weights) {
   constexpr double weight_at_ends = 1e6;
   const Index unknowns = 3 * (degree + 1), count = static_cast<Index>(samples.size());
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(4 * count, unknowns);
@@ -282,7 +297,8 @@ double bendAlong(const SideSample& sample, const Vector3d& direction) {
 }
 
 /// The polynomial nearest to II(T, T) N, which does not depend on how the face is turned.
-Poles fittedBend(const std::vector<SideSample>& samples, const Eigen::VectorXd& wanted, int degree) {
+Poles fittedBend(const std::vector<SideSample>& samples, const Eigen::VectorXd& wanted,
+                 int degree) {
   const Index count = static_cast<Index>(samples.size());
   Eigen::MatrixXd matrix(count, degree + 1), right(count, 3);
   for (Index i = 0; i < count; ++i) {
@@ -295,7 +311,8 @@ Poles fittedBend(const std::vector<SideSample>& samples, const Eigen::VectorXd& 
 /// One side while it is fitted.
 class SideFit {
  public:
-  SideFit(std::shared_ptr<const SidePath> path, const SideInterval& interval, const SideFitOptions& options)
+  SideFit(std::shared_ptr<const SidePath> path, const SideInterval& interval,
+          const SideFitOptions& options)
       : path_(std::move(path), interval), options_(options) {}
 
   SideSample end(bool last) const { return path_.at(last ? 1 : 0, parametrisations()[0]); }
@@ -377,9 +394,11 @@ class SideFit {
     return std::max(side.gap_mm / options_.gap_mm, side.angle_rad / enough_rad_);
   }
 
-  /// The lowest degree that is near enough, or that others come hardly nearer than. Ends may lie a little off the path, as neighbours do:
-  /// the higher the degree the shorter the way on which that is made good, and the more the edge tilts.
-  EdgeFit nearestEdge(Parametrisation parametrisation, const std::array<SideFitEnd, 2>& ends) const {
+  /// The lowest degree that is near enough, or that others come hardly nearer than. Ends may lie a
+  /// little off the path, as neighbours do: the higher the degree the shorter the way on which that
+  /// is made good, and the more the edge tilts.
+  EdgeFit nearestEdge(Parametrisation parametrisation,
+                      const std::array<SideFitEnd, 2>& ends) const {
     constexpr double nearer = 0.9;
     constexpr int patience = 2;  // symmetric paths gain by every other degree
     const std::shared_ptr<const Samples> samples = samplesAt(parametrisation);
@@ -406,13 +425,15 @@ class SideFit {
   }
 
   /// A field that is nearly zero somewhere, beside its largest, has the planes but makes folds.
-  void fitCross(const EdgeFit& edge, const std::array<Vector3d, 2>& corner_normals, FittedSide& side) const {
+  void fitCross(const EdgeFit& edge, const std::array<Vector3d, 2>& corner_normals,
+                FittedSide& side) const {
     constexpr std::array<double, 4> weights_of_normal_part = {1e6, 1e5, 1e4, 1e3};
     const double enough_rad = std::max(enough_rad_, rounding * edge.tilt_rad);
     const std::vector<SideSample>& samples = edge.samples->fitted;
     std::optional<CrossForm> best;
     const auto isEnough = [&](const Poles& cross, const CrossForm& form) {
-      if (best && (form.isEven() != best->isEven() ? best->isEven() : !(form.angle_rad < best->angle_rad)))
+      if (best &&
+          (form.isEven() != best->isEven() ? best->isEven() : !(form.angle_rad < best->angle_rad)))
         return false;
       best = form, side.side.cross = cross, side.angle_rad = form.angle_rad;
       return form.isEven() && form.angle_rad <= enough_rad;
@@ -422,7 +443,8 @@ class SideFit {
         return fittedCross(samples, corner_normals, path_.length_mm(), degree, weights);
       };
       for (const double weight : weights_of_normal_part) {
-        Eigen::VectorXd weights = Eigen::VectorXd::Constant(static_cast<Index>(samples.size()), weight);
+        Eigen::VectorXd weights =
+            Eigen::VectorXd::Constant(static_cast<Index>(samples.size()), weight);
         const Poles cross = crossBy(weights);
         const CrossForm form = formOf(edge, cross);
         if (isEnough(cross, form)) return;
@@ -434,7 +456,8 @@ class SideFit {
     }
   }
 
-  /// The root of the angle to the faces at each place over the mean of all: weights by which the largest comes down (Lawson's).
+  /// The root of the angle to the faces at each place over the mean of all: weights by which the
+  /// largest comes down (Lawson's).
   static Eigen::VectorXd unevenness(const std::vector<SideSample>& samples, const Poles& cross) {
     constexpr double least = 0.1;
     const BezierCurve field(cross);
@@ -459,7 +482,8 @@ class SideFit {
       const SideSample& check = edge.samples->checked[i];
       const Vector3d here = field.point(check.t), area = here.cross(edge.directions[i]);
       const double across = here.dot(check.beyond);
-      angle = std::max(angle, std::atan2(area.cross(check.normal).norm(), std::abs(area.dot(check.normal))));
+      angle = std::max(
+          angle, std::atan2(area.cross(check.normal).norm(), std::abs(area.dot(check.normal))));
       least = std::min(least, across);
       most = std::max(most, across);
     }
@@ -476,17 +500,18 @@ class SideFit {
     };
     const Eigen::VectorXd wanted = bends(samples.fitted), checked = bends(samples.checked);
     Eigen::VectorXd squares(checked.size());
-    for (Index i = 0; i < checked.size(); ++i) squares(i) = cross.point(samples.checked[i].t).squaredNorm();
+    for (Index i = 0; i < checked.size(); ++i)
+      squares(i) = cross.point(samples.checked[i].t).squaredNorm();
     const double largest_per_mm =
         std::max(1 / path_.length_mm(), checked.cwiseQuotient(squares).cwiseAbs().maxCoeff());
     for (int degree = 0; degree <= options_.most_degree; ++degree) {
       const BezierCurve bend(fittedBend(samples.fitted, wanted, degree));
       double missed_per_mm = 0;
       for (Index i = 0; i < checked.size(); ++i)
-        missed_per_mm =
-            std::max(missed_per_mm,
-                     std::abs(samples.checked[i].normal.dot(bend.point(samples.checked[i].t)) - checked(i)) /
-                         squares(i));
+        missed_per_mm = std::max(
+            missed_per_mm,
+            std::abs(samples.checked[i].normal.dot(bend.point(samples.checked[i].t)) - checked(i)) /
+                squares(i));
       if (fitted.side.bend && !(missed_per_mm < fitted.curvature_per_mm)) continue;
       fitted.side.bend = bend.poles();
       fitted.curvature_per_mm = missed_per_mm;
@@ -503,24 +528,28 @@ class SideFit {
 }  // namespace
 
 std::vector<FittedSide> fitSides(const std::vector<HoleSide>& sides,
-                                 const std::vector<SideInterval>& intervals, const SideFitOptions& options) {
+                                 const std::vector<SideInterval>& intervals,
+                                 const SideFitOptions& options) {
   const std::size_t n = intervals.size();
   const auto before = [n](std::size_t k) { return (k + n - 1) % n; };
   const auto next = [n](std::size_t k) { return (k + 1) % n; };
   std::vector<std::shared_ptr<const SidePath>> paths;
-  for (const HoleSide& side : sides) paths.push_back(std::make_shared<const SidePath>(side, options.gap_mm));
+  for (const HoleSide& side : sides)
+    paths.push_back(std::make_shared<const SidePath>(side, options.gap_mm));
   std::vector<SideFit> fits;
   for (const SideInterval& interval : intervals)
     fits.emplace_back(paths.at(interval.side), interval, options);
   std::vector<FitCorner> corners;  // where side k begins
   for (std::size_t k = 0; k < n; ++k) {
     const SideFit &in = fits[before(k)], &out = fits[k];
-    corners.push_back(intervals[k].begins_smoothly ? smoothCorner(in.end(true), out.end(false))
-                                                   : sharpCorner(in.end(true), out.end(false),
-                                                                 {in.mostTurn_rad(), out.mostTurn_rad()}));
+    corners.push_back(
+        intervals[k].begins_smoothly
+            ? smoothCorner(in.end(true), out.end(false))
+            : sharpCorner(in.end(true), out.end(false), {in.mostTurn_rad(), out.mostTurn_rad()}));
   }
   std::vector<FittedSide> fitted;
-  for (std::size_t k = 0; k < n; ++k) fitted.push_back(fits[k].fitted(corners[k], corners[next(k)]));
+  for (std::size_t k = 0; k < n; ++k)
+    fitted.push_back(fits[k].fitted(corners[k], corners[next(k)]));
   return fitted;
 }
 

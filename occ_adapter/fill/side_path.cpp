@@ -31,7 +31,8 @@ double ArcLength::placeAt(double length_mm) const {
 
 double ArcLength::between(double from, double to) const {
   constexpr std::array<double, 3> nodes = {0, 0.5384693101056831, 0.9061798459386640};
-  constexpr std::array<double, 3> weights = {0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
+  constexpr std::array<double, 3> weights = {0.5688888888888889, 0.4786286704993665,
+                                             0.2369268850561891};
   const double middle = (from + to) / 2, half = (to - from) / 2;
   double sum = 0;
   for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -43,8 +44,8 @@ double ArcLength::between(double from, double to) const {
 
 SidePath::SidePath(const HoleSide& side, double gap_mm) {
   for (const HoleEdge& edge : side.edges) {
-    strips_.push_back(
-        std::make_shared<const FaceStrip>(edge.use, pcurveOf(edge.use.edge, edge.use.shape, gap_mm)));
+    strips_.push_back(std::make_shared<const FaceStrip>(
+        edge.use, pcurveOf(edge.use.edge, edge.use.shape, gap_mm)));
     lengths_.emplace_back(strips_.back());
     reversed_.push_back(edge.reversed);
     numbers_.push_back(edge.edge);
@@ -64,14 +65,17 @@ std::vector<double> SidePath::joints() const {
 std::size_t SidePath::edgeIndex(double share, bool after) const {
   const double rounding_mm = 1e-12 * length_mm_, at_mm = share * length_mm_;
   std::size_t k = 0;
-  while (k + 1 < begins_mm_.size() && at_mm > begins_mm_[k + 1] + (after ? -rounding_mm : rounding_mm)) ++k;
+  while (k + 1 < begins_mm_.size() &&
+         at_mm > begins_mm_[k + 1] + (after ? -rounding_mm : rounding_mm))
+    ++k;
   return k;
 }
 
 SideSample SidePath::atShare(double share, bool after) const {
   const std::size_t k = edgeIndex(share, after);
   const double rest = std::clamp(share * length_mm_ - begins_mm_[k], 0.0, lengths_[k].length_mm());
-  SideSample result = sample(k, lengths_[k].placeAt(reversed_[k] ? lengths_[k].length_mm() - rest : rest));
+  SideSample result =
+      sample(k, lengths_[k].placeAt(reversed_[k] ? lengths_[k].length_mm() - rest : rest));
   result.derivative = length_mm_ * result.derivative.normalized();
   return result;
 }

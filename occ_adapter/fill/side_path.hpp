@@ -48,7 +48,8 @@ class SidePath {
   std::vector<double> joints() const;
   int edgeAt(double share) const { return numbers_[edgeIndex(share, true)]; }
 
-  /// At a share of the length in [0, 1], with the derivative by it. \param after at a joint, the edge that begins there.
+  /// At a share of the length in [0, 1], with the derivative by it. \param after at a joint, the
+  /// edge that begins there.
   SideSample atShare(double share, bool after) const;
   /// Of one edge: at a share of the edge's own parameter.
   SideSample atPlace(double place) const;

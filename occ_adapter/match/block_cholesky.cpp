@@ -29,7 +29,8 @@ std::vector<int> inverse(const std::vector<int>& order) {
 }
 
 /// By place: the places before it that stand in a block with it.
-std::vector<std::vector<int>> earlierNeighbours(const BlockPattern& pattern, const std::vector<int>& place) {
+std::vector<std::vector<int>> earlierNeighbours(const BlockPattern& pattern,
+                                                const std::vector<int>& place) {
   std::vector<std::vector<int>> earlier(place.size());
   for (int j = 0; j < pattern.size(); ++j)
     for (int k = pattern.begins[j]; k < pattern.begins[j + 1]; ++k) {
@@ -102,7 +103,8 @@ int BlockCholesky::Front::row(int point) const {
 BlockCholesky::BlockCholesky(const BlockPattern& pattern) {
   const std::vector<int> order = fillReducing(pattern);
   place_ = inverse(order);
-  const std::vector<int> later = inverse(postorder(eliminationTree(earlierNeighbours(pattern, place_))));
+  const std::vector<int> later =
+      inverse(postorder(eliminationTree(earlierNeighbours(pattern, place_))));
   for (int& place : place_) place = later[place];
   fronts_ = amalgamated(structures(earlierNeighbours(pattern, place_)));
   std::vector<int> front_of(place_.size());
@@ -134,11 +136,13 @@ std::vector<BlockCholesky::Front> BlockCholesky::amalgamated(
     while (!fronts.empty()) {
       const Front& child = fronts.back();
       if (child.below.empty() || child.below.front() >= front.last) break;
-      const double zeros = child.zeros + front.zeros +
-                           static_cast<double>(child.columns()) *
-                               static_cast<double>(front.rows() - static_cast<int>(child.below.size()));
+      const double zeros =
+          child.zeros + front.zeros +
+          static_cast<double>(child.columns()) *
+              static_cast<double>(front.rows() - static_cast<int>(child.below.size()));
       const int columns = child.columns() + front.columns();
-      const double blocks = columns * (static_cast<double>(front.below.size()) + 0.5 * (columns + 1));
+      const double blocks =
+          columns * (static_cast<double>(front.below.size()) + 0.5 * (columns + 1));
       if (zeros > (columns <= small ? few_in_small : few) * blocks) break;
       front.first = child.first;
       front.zeros = zeros;
@@ -175,7 +179,9 @@ bool BlockCholesky::factor(const std::vector<SymmetricBlock>& blocks, double dia
     if (factored.info() != Eigen::Success) return false;
     auto lower = matrix.bottomLeftCorner(all - own, own);
     corner.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(lower);
-    matrix.bottomRightCorner(all - own, all - own).selfadjointView<Eigen::Lower>().rankUpdate(lower, -1);
+    matrix.bottomRightCorner(all - own, all - own)
+        .selfadjointView<Eigen::Lower>()
+        .rankUpdate(lower, -1);
     front.panel = matrix.leftCols(own);
     rest[f] = matrix.bottomRightCorner(all - own, all - own);
   }
@@ -184,7 +190,8 @@ bool BlockCholesky::factor(const std::vector<SymmetricBlock>& blocks, double dia
 
 PointRows BlockCholesky::solve(const PointRows& right) const {
   Eigen::VectorXd x(3 * right.rows());
-  for (Eigen::Index k = 0; k < right.rows(); ++k) x.segment<3>(3 * place_[k]) = right.row(k).transpose();
+  for (Eigen::Index k = 0; k < right.rows(); ++k)
+    x.segment<3>(3 * place_[k]) = right.row(k).transpose();
   const auto gathered = [&x](const Front& front) {
     Eigen::VectorXd part(3 * static_cast<int>(front.below.size()));
     for (std::size_t k = 0; k < front.below.size(); ++k)
@@ -206,7 +213,8 @@ PointRows BlockCholesky::solve(const PointRows& right) const {
     front->panel.topRows(own).triangularView<Eigen::Lower>().transpose().solveInPlace(part);
   }
   PointRows solution(right.rows(), 3);
-  for (Eigen::Index k = 0; k < right.rows(); ++k) solution.row(k) = x.segment<3>(3 * place_[k]).transpose();
+  for (Eigen::Index k = 0; k < right.rows(); ++k)
+    solution.row(k) = x.segment<3>(3 * place_[k]).transpose();
   return solution;
 }
 

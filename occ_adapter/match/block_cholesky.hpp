@@ -10,8 +10,8 @@ namespace seamwright::occ {
 /// A point a row.
 using PointRows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-/// The blocks on and above the diagonal that may not be zero: of column j those in the rows rows[begins[j]] .. rows[begins[j + 1] - 1],
-/// which increase; the last is j itself.
+/// The blocks on and above the diagonal that may not be zero: of column j those in the rows
+/// rows[begins[j]] .. rows[begins[j + 1] - 1], which increase; the last is j itself.
 struct BlockPattern {
   std::vector<int> begins = {0}, rows;
 
@@ -21,9 +21,10 @@ struct BlockPattern {
 /// A symmetric block of 3 x 3: xx, yy, zz, xy, yz, zx.
 using SymmetricBlock = Eigen::Matrix<double, 6, 1>;
 
-/// The Cholesky factorisation of a positive definite matrix of symmetric blocks of 3 x 3. Columns with nearly one structure are
-/// factored together as a dense front, in an order that fills in little, which is found once for all matrices of a pattern.
-/// This is the multifrontal method with amalgamation of fronts.
+/// The Cholesky factorisation of a positive definite matrix of symmetric blocks of 3 x 3. Columns
+/// with nearly one structure are factored together as a dense front, in an order that fills in
+/// little, which is found once for all matrices of a pattern. This is the multifrontal method with
+/// amalgamation of fronts.
 /// Source: [DuffReid1983]; [AshcraftGrimes1989].
 class BlockCholesky {
  public:

@@ -41,7 +41,8 @@ std::string listOf(const std::vector<int>& numbers) {
 
 std::string apartText(const std::array<TopoDS_Face, 2>& faces, double match_mm) {
   std::ostringstream text;
-  text << "the faces have no common boundary: no edge is shared, and no open edges run side by side within "
+  text << "the faces have no common boundary: no edge is shared, and no open edges run side by "
+          "side within "
        << match_mm << " mm";
   if (!allEdgesHaveCurves(faces[0]) || !allEdgesHaveCurves(faces[1])) return text.str();
   const BRepExtrema_DistShapeShape distance(faces[0], faces[1]);
@@ -53,7 +54,8 @@ std::string apartText(const std::array<TopoDS_Face, 2>& faces, double match_mm) 
 std::vector<Seam> seamsBetween(const TopoDS_Shape& model, const TopoDS_Shape& pair,
                                const FaceMatchOptions& options, const Progress& progress) {
   SeamGraph graph = findSeams(pair);
-  matchFreeEdges({.match_mm = options.match_mm, .gap_mm = options.tolerance.gap_mm}, graph, progress);
+  matchFreeEdges({.match_mm = options.match_mm, .gap_mm = options.tolerance.gap_mm}, graph,
+                 progress);
   TopTools_IndexedMapOfShape edges, edges_of_model;
   TopExp::MapShapes(pair, TopAbs_EDGE, edges);
   TopExp::MapShapes(model, TopAbs_EDGE, edges_of_model);
@@ -118,7 +120,8 @@ Box boxOfPath(const std::vector<Eigen::Array2d>& points) {
 }
 
 /// Lengths of both partials of a surface, the largest at points.
-Eigen::Array2d speeds(const Geom_BSplineSurface& surface, const std::vector<Eigen::Array2d>& points) {
+Eigen::Array2d speeds(const Geom_BSplineSurface& surface,
+                      const std::vector<Eigen::Array2d>& points) {
   Eigen::Array2d longest = Eigen::Array2d::Zero();
   for (const Eigen::Array2d& at : points) {
     gp_Pnt point;
@@ -136,7 +139,8 @@ bool isMonotonous(const std::vector<Eigen::Array2d>& points, int parameter) {
   return true;
 }
 
-/// Finds whether the boundary is a whole side of a spline surface or can be made one by cutting it off.
+/// Finds whether the boundary is a whole side of a spline surface or can be made one by cutting it
+/// off.
 class NaturalSide {
  public:
   NaturalSide(MatchSide& side, double noise_mm)
@@ -171,8 +175,8 @@ class NaturalSide {
 
  private:
   void setEdge(int across, bool at_low) {
-    side_.edge =
-        across == 0 ? (at_low ? PatchEdge::U0 : PatchEdge::U1) : (at_low ? PatchEdge::V0 : PatchEdge::V1);
+    side_.edge = across == 0 ? (at_low ? PatchEdge::U0 : PatchEdge::U1)
+                             : (at_low ? PatchEdge::V0 : PatchEdge::V1);
     side_.with_edge = points_.front()[1 - across] < points_.back()[1 - across];
   }
 
@@ -182,7 +186,8 @@ class NaturalSide {
     const auto keep = [&](int parameter, double& bound, double value) {
       if (std::abs(value - bound) > noise_[parameter]) bound = value;
     };
-    keep(across, at_low ? kept.low[across] : kept.high[across], (at_low ? face.low : face.high)[across]);
+    keep(across, at_low ? kept.low[across] : kept.high[across],
+         (at_low ? face.low : face.high)[across]);
     keep(1 - across, kept.low[1 - across], face.low[1 - across]);
     keep(1 - across, kept.high[1 - across], face.high[1 - across]);
     if ((kept.low == range_.low).all() && (kept.high == range_.high).all()) return;
@@ -195,8 +200,9 @@ class NaturalSide {
   Box range_;
 };
 
-/// The pcurve that the edge has on the face, if it stays within the larger of that distance and the edge's tolerance from the curve in
-/// space; else null. A side of a surface is the boundary also where a gap parts it from the edge.
+/// The pcurve that the edge has on the face, if it stays within the larger of that distance and the
+/// edge's tolerance from the curve in space; else null. A side of a surface is the boundary also
+/// where a gap parts it from the edge.
 Pcurve storedPath(const Coedge& use, double match_mm) {
   Pcurve path;
   path.curve = BRep_Tool::CurveOnSurface(use.edge, use.shape, path.first, path.last);
@@ -262,8 +268,8 @@ CommonBoundary commonBoundary(const TopoDS_Shape& model, const std::array<TopoDS
     for (const Seam& each : seams)
       if (std::ranges::count(common, each.edges.front()) == 0) common.push_back(each.edges.front());
     boundary.note = "of the common edges " + listOf(common) + " number " +
-                    std::to_string(seam.edges.front()) + (options.edge == 0 ? ", the longest," : "") +
-                    " was taken";
+                    std::to_string(seam.edges.front()) +
+                    (options.edge == 0 ? ", the longest," : "") + " was taken";
   }
   boundary.seam = std::move(seam);
   return boundary;
@@ -282,8 +288,8 @@ std::string whyApart(const Seam& seam, const FaceMatchOptions& options) {
     };
     if (std::max(length_mm(0, low), length_mm(high, 1)) <= 4 * near_mm) continue;
     std::ostringstream text;
-    text << "the boundaries are within " << near_mm << " mm of one another over " << length_mm(low, high)
-         << " of " << length_mm(0, 1) << " mm only";
+    text << "the boundaries are within " << near_mm << " mm of one another over "
+         << length_mm(low, high) << " of " << length_mm(0, 1) << " mm only";
     return text.str();
   }
   return {};

@@ -27,8 +27,9 @@ TopoDS_Shape pairOf(const std::array<TopoDS_Face, 2>& faces);
 CommonBoundary commonBoundary(const TopoDS_Shape& model, const std::array<TopoDS_Face, 2>& faces,
                               const FaceMatchOptions& options, const Progress& progress);
 
-/// Why an edge of a matched seam is not near the other over its whole length, with numbers; empty if it is: what is left out at an end
-/// is no longer than four times the larger of the distance to match and the gap tolerance.
+/// Why an edge of a matched seam is not near the other over its whole length, with numbers; empty
+/// if it is: what is left out at an end is no longer than four times the larger of the distance to
+/// match and the gap tolerance.
 std::string whyApart(const Seam& seam, const FaceMatchOptions& options);
 
 /// A face beside the common boundary.
@@ -36,8 +37,8 @@ struct MatchSide {
   TopoDS_Face face;  ///< as in the model
   Coedge use;
   Pcurve pcurve;
-  /// A copy of the face's surface where it can move: placed, clamped, cut off at the boundary where it went on
-  /// beyond it, with the same parameters. Null where it cannot.
+  /// A copy of the face's surface where it can move: placed, clamped, cut off at the boundary where
+  /// it went on beyond it, with the same parameters. Null where it cannot.
   opencascade::handle<Geom_BSplineSurface> spline;
   PatchEdge edge = PatchEdge::U0;  ///< the boundary, of the spline
   bool with_edge = true;           ///< the pcurve runs in the edge's own sense

@@ -18,7 +18,8 @@ namespace {
 using opencascade::handle;
 
 /// The straight path from p to q over [first, last].
-handle<Geom2d_Curve> straight(const Eigen::Vector2d& p, const Eigen::Vector2d& q, double first, double last) {
+handle<Geom2d_Curve> straight(const Eigen::Vector2d& p, const Eigen::Vector2d& q, double first,
+                              double last) {
   TColgp_Array1OfPnt2d poles(1, 2);
   poles(1) = gp_Pnt2d(p.x(), p.y());
   poles(2) = gp_Pnt2d(q.x(), q.y());
@@ -35,9 +36,11 @@ handle<Geom_BSplineSurface> copyOf(const handle<Geom_BSplineSurface>& surface) {
 }
 
 /// Path and sense of a natural side whose rows run with the seam.
-FacePlan naturalPlan(const MatchSide& side, const EdgeRows& rows, double first, double last, bool against) {
+FacePlan naturalPlan(const MatchSide& side, const EdgeRows& rows, double first, double last,
+                     bool against) {
   FacePlan plan{side.face, side.use, {}, {}, true};
-  plan.path = straight(rows.parameters(against ? 1 : 0), rows.parameters(against ? 0 : 1), first, last);
+  plan.path =
+      straight(rows.parameters(against ? 1 : 0), rows.parameters(against ? 0 : 1), first, last);
   plan.with_old_edge = (side.with_edge != rows.reversed()) != against;
   return plan;
 }
@@ -68,8 +71,8 @@ std::array<EdgeRows, 2> rowsOf(const PairToMatch& pair, int extra_multiplicity) 
   const auto rows = [&](int which) {
     const MatchSide& side = pair.sides[which];
     const bool reversed = which != pair.driver && isOtherReversed(pair);
-    const EdgeRows own =
-        pair.moves[which] ? rowsToMove(side, pair.options.order) : EdgeRows(copyOf(side.spline), side.edge);
+    const EdgeRows own = pair.moves[which] ? rowsToMove(side, pair.options.order)
+                                           : EdgeRows(copyOf(side.spline), side.edge);
     return EdgeRows(own.surface(), side.edge, reversed);
   };
   std::array<EdgeRows, 2> both = {rows(0), rows(1)};
@@ -77,7 +80,8 @@ std::array<EdgeRows, 2> rowsOf(const PairToMatch& pair, int extra_multiplicity) 
   return both;
 }
 
-/// The time of a join grows with the third power of the poles that move; with so many a step takes some hundredths of a second.
+/// The time of a join grows with the third power of the poles that move; with so many a step takes
+/// some hundredths of a second.
 bool hasFewPoles(const PairToMatch& pair, const EdgeRows& rows) {
   constexpr int most_poles = 300;
   const int moved_rows = (pair.options.order + 1) * (pair.moves[0] && pair.moves[1] ? 2 : 1);
@@ -107,7 +111,8 @@ Candidate joinWithKnots(const PairToMatch& pair, int extra_multiplicity) {
   candidate.plan.gap_mm = pair.options.tolerance.gap_mm;
   const std::array<const BSplineSurface*, 2> joined = {&join.a, &join.b};
   for (const int which : {0, 1}) {
-    FacePlan& plan = candidate.plan.faces[which] = naturalPlan(pair.sides[which], rows[which], 0, 1, false);
+    FacePlan& plan = candidate.plan.faces[which] =
+        naturalPlan(pair.sides[which], rows[which], 0, 1, false);
     if (!pair.moves[which]) continue;
     MovedSurface& moved = candidate.moved[which];
     moved = {rows[which].surface(), geomSurface(*joined[which]), 0};
@@ -120,7 +125,8 @@ Candidate joinWithKnots(const PairToMatch& pair, int extra_multiplicity) {
   candidate.plan.curve = driver.boundary(0, 1);
   constexpr std::array repeated = {"", ", inner knots along the seam repeated once more",
                                    ", inner knots along the seam repeated twice more"};
-  candidate.how = std::string("joined in poles") + repeated.at(static_cast<std::size_t>(extra_multiplicity));
+  candidate.how =
+      std::string("joined in poles") + repeated.at(static_cast<std::size_t>(extra_multiplicity));
   return candidate;
 }
 
@@ -152,7 +158,8 @@ SeamPlan planAlongPath(const PairToMatch& pair, const EdgeRows& moved) {
   driver.surface = moved.surface();
   plan.faces[1 - pair.driver] = {
       pair.other().face, pair.other().use, {}, pair.path.pcurve.curve, pair.path.with_edge_curve};
-  plan.curve = EdgeRows(moved.surface(), moved.edge(), pair.path.against).boundary(plan.first, plan.last);
+  plan.curve =
+      EdgeRows(moved.surface(), moved.edge(), pair.path.against).boundary(plan.first, plan.last);
   return plan;
 }
 
@@ -173,7 +180,8 @@ Candidate joinInPoles(const PairToMatch& pair) {
   for (int extra = 1; extra <= pair.options.order; ++extra) {
     Candidate next = joinWithKnots(pair, extra);
     if (!next.failure.empty()) continue;
-    if (!best.failure.empty() || next.largest_move_mm < best.largest_move_mm) best = std::move(next);
+    if (!best.failure.empty() || next.largest_move_mm < best.largest_move_mm)
+      best = std::move(next);
   }
   return best;
 }
@@ -181,7 +189,8 @@ Candidate joinInPoles(const PairToMatch& pair) {
 Candidate joinToTolerance(const PairToMatch& pair, double limit) {
   constexpr int most_refinements = 6;
   constexpr int most_columns = 600;
-  const DeformationOptions options{pair.options.order, pair.options.hold_sides, pair.options.tolerance};
+  const DeformationOptions options{pair.options.order, pair.options.hold_sides,
+                                   pair.options.tolerance};
   const Reference reference(pair.other(), pair.path);
   EdgeRows rows = rowsToMove(pair.sides[pair.driver], options.order);
   Candidate candidate;
@@ -203,16 +212,16 @@ Candidate joinToTolerance(const PairToMatch& pair, double limit) {
     candidate.moved[pair.driver] = std::move(moved);
     candidate.how = "joined to the tolerance";
     if (refinements > 0)
-      candidate.how +=
-          ", knot spans halved " + std::to_string(refinements) + (refinements == 1 ? " time" : " times");
+      candidate.how += ", knot spans halved " + std::to_string(refinements) +
+                       (refinements == 1 ? " time" : " times");
     return candidate;
   }
   std::ostringstream text;
   if (std::isinf(worst))
     text << "the faces leave the boundary to the same side and would fold back on one another";
   else
-    text << "with knot spans halved up to " << most_refinements << " times the worst figure is " << worst
-         << " times its tolerance";
+    text << "with knot spans halved up to " << most_refinements << " times the worst figure is "
+         << worst << " times its tolerance";
   candidate.failure = text.str();
   return candidate;
 }

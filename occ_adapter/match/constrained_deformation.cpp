@@ -23,7 +23,8 @@ struct Target {
   Eigen::Matrix3d curvature = Eigen::Matrix3d::Zero();
 };
 
-std::vector<Target> targetsOf(const EdgeRows& rows, const SideBasis& basis, const Reference& reference) {
+std::vector<Target> targetsOf(const EdgeRows& rows, const SideBasis& basis,
+                              const Reference& reference) {
   std::vector<Target> targets;
   for (const double t : placesInSpans(rows.knotsAlong(), std::max(4, rows.degreeAlong() + 1))) {
     const SidePoint point = reference.at(t);
@@ -46,7 +47,8 @@ class Follower {
  public:
   Follower(EdgeRows& rows, const Reference& reference, const DeformationOptions& options)
       : rows_(rows), options_(options), basis_(rows), targets_(targetsOf(rows, basis_, reference)) {
-    for (const int column : {0, rows.columns() - 1}) collapsed_.push_back(isCollapsed(rows, column));
+    for (const int column : {0, rows.columns() - 1})
+      collapsed_.push_back(isCollapsed(rows, column));
   }
 
   void run() {
@@ -134,11 +136,12 @@ double ratioOf(const PairMeasure& pair, int order, const ContinuityTolerance& to
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const auto over = [](double value, double limit) { return value == 0 ? 0 : value / limit; };
   double ratio = pair.gap_mm ? over(*pair.gap_mm, tolerance.gap_mm) : infinite;
-  if (order > 0 && pair.angle_rad) ratio = std::max(ratio, over(*pair.angle_rad, tolerance.angle_rad));
+  if (order > 0 && pair.angle_rad)
+    ratio = std::max(ratio, over(*pair.angle_rad, tolerance.angle_rad));
   if (order > 0 && pair.fold) ratio = infinite;
   if (order > 1 && pair.curvature)
-    ratio = std::max(
-        ratio, over(relativeDifference(*pair.curvature, tolerance.flat_radius_mm), tolerance.curvature_rel));
+    ratio = std::max(ratio, over(relativeDifference(*pair.curvature, tolerance.flat_radius_mm),
+                                 tolerance.curvature_rel));
   return ratio;
 }
 
@@ -162,12 +165,14 @@ double largestMove_mm(const EdgeRows& before, const EdgeRows& after, int order) 
   if (same_weights) return largest;
   constexpr int across_points = 17;
   for (const Eigen::Vector2d& at : gridOverRows(before, order, across_points))
-    largest = std::max(largest,
-                       before.surface()->Value(at[0], at[1]).Distance(after.surface()->Value(at[0], at[1])));
+    largest = std::max(
+        largest,
+        before.surface()->Value(at[0], at[1]).Distance(after.surface()->Value(at[0], at[1])));
   return largest;
 }
 
-MovedSurface deformed(const EdgeRows& rows, const Reference& reference, const DeformationOptions& options) {
+MovedSurface deformed(const EdgeRows& rows, const Reference& reference,
+                      const DeformationOptions& options) {
   MovedSurface moved{rows.surface(), copyOf(*rows.surface()), 0};
   EdgeRows changed(moved.after, rows.edge(), rows.reversed());
   Follower(changed, reference, options).run();
@@ -183,8 +188,8 @@ std::vector<double> sampledRatios(const EdgeRows& rows, const Reference& referen
   for (std::size_t first = 0; first + 1 < t.size(); first += per_span) {
     double worst = 0;
     for (std::size_t k = first; k <= first + per_span; ++k)
-      worst = std::max(worst, ratioOf(measurePair(reference.at(t[k]), sidePoint(rows, t[k])), options.order,
-                                      options.tolerance));
+      worst = std::max(worst, ratioOf(measurePair(reference.at(t[k]), sidePoint(rows, t[k])),
+                                      options.order, options.tolerance));
     ratios.push_back(worst);
   }
   return ratios;
@@ -205,7 +210,8 @@ std::string whySidesMove(const EdgeRows& rows, const Reference& reference,
     const std::optional<Eigen::Vector3d> normal = unitNormal(there.jet, there.noise);
     const Eigen::Vector3d across = derivative(rows, blend, 1);
     if (!normal || across.norm() == 0) continue;
-    const double angle_rad = std::asin(std::min(1.0, std::abs(normal->dot(across)) / across.norm()));
+    const double angle_rad =
+        std::asin(std::min(1.0, std::abs(normal->dot(across)) / across.norm()));
     if (angle_rad > options.tolerance.angle_rad) {
       text << "a side ends at " << angle_rad * 180 / std::numbers::pi
            << " degrees to the tangent plane of the other face";
@@ -215,10 +221,11 @@ std::string whySidesMove(const EdgeRows& rows, const Reference& reference,
     const Eigen::Matrix3d tensor = curvatureTensor(there.jet, *normal);
     const double own = normal->dot(derivative(rows, blend, 2)) / across.squaredNorm();
     const double wanted = across.dot(tensor * across) / across.squaredNorm();
-    const double largest = std::max({tensor.norm(), std::abs(own), 1 / options.tolerance.flat_radius_mm});
+    const double largest =
+        std::max({tensor.norm(), std::abs(own), 1 / options.tolerance.flat_radius_mm});
     if (std::abs(own - wanted) > options.tolerance.curvature_rel * largest) {
-      text << "a side ends with a normal curvature of " << own << " per mm where the other face has "
-           << wanted;
+      text << "a side ends with a normal curvature of " << own
+           << " per mm where the other face has " << wanted;
       return text.str();
     }
   }

@@ -15,7 +15,8 @@ SymmetricBlock squareOf(const Eigen::Vector3d& v) {
   return square;
 }
 
-/// Gives the products of a column with each of the first \p columns. \tparam rows of the factors; 0: as many as there are
+/// Gives the products of a column with each of the first \p columns. \tparam rows of the factors;
+/// 0: as many as there are
 template <int rows, class Take>
 void takeProducts(const Eigen::MatrixXd& factors, int column, int columns, const Take& take) {
   const Eigen::Index count = rows > 0 ? rows : factors.rows();
@@ -98,7 +99,8 @@ LeastMoves::Normal LeastMoves::normalMatrix() const {
     see(j);
     for (const Use& use : uses[j]) {
       const Group& group = groups_[use.group];
-      const int columns = static_cast<int>(std::ranges::upper_bound(group.points, j) - group.points.begin());
+      const int columns =
+          static_cast<int>(std::ranges::upper_bound(group.points, j) - group.points.begin());
       for (int k = 0; k < columns; ++k) see(group.points[k]);
       const auto add = [&](const auto& take) {
         switch (group.factors.rows()) {
@@ -141,18 +143,22 @@ PointRows LeastMoves::pulled(const PointRows& moves, double softness) const {
     for (Eigen::Index row = 0; row < group.factors.rows(); ++row) {
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
       for (std::size_t k = 0; k < group.points.size(); ++k)
-        sum += group.factors(row, static_cast<Eigen::Index>(k)) * moves.row(group.points[k]).transpose();
+        sum += group.factors(row, static_cast<Eigen::Index>(k)) *
+               moves.row(group.points[k]).transpose();
       Eigen::Vector3d missing =
-          group.is_point ? Eigen::Vector3d(group.direction - sum)
-                         : Eigen::Vector3d((group.values[row] - group.direction.dot(sum)) * group.direction);
+          group.is_point
+              ? Eigen::Vector3d(group.direction - sum)
+              : Eigen::Vector3d((group.values[row] - group.direction.dot(sum)) * group.direction);
       if (group.is_soft) missing *= softness * softness;
       for (std::size_t k = 0; k < group.points.size(); ++k)
-        pull.row(group.points[k]) += group.factors(row, static_cast<Eigen::Index>(k)) * missing.transpose();
+        pull.row(group.points[k]) +=
+            group.factors(row, static_cast<Eigen::Index>(k)) * missing.transpose();
     }
   return pull;
 }
 
-/// Where rounding hides that the matrix is positive definite its diagonal is raised by as much; the second pass of solve() makes up for it.
+/// Where rounding hides that the matrix is positive definite its diagonal is raised by as much; the
+/// second pass of solve() makes up for it.
 void LeastMoves::factor(double damping, double softness) const {
   if (!prepared_) {
     Normal normal = normalMatrix();

@@ -18,10 +18,10 @@ class LeastMoves {
   /// That move is given; before the conditions that hold the point.
   void fix(int point, const Eigen::Vector3d& move);
 
-  /// For each row of factors: direction . (sum of factor times move) = value. A column of the factors is of the point of the same place in
-  /// the list.
-  void add(const std::vector<int>& points, const Eigen::MatrixXd& factors, const Eigen::Vector3d& direction,
-           const Eigen::VectorXd& values);
+  /// For each row of factors: direction . (sum of factor times move) = value. A column of the
+  /// factors is of the point of the same place in the list.
+  void add(const std::vector<int>& points, const Eigen::MatrixXd& factors,
+           const Eigen::Vector3d& direction, const Eigen::VectorXd& values);
   /// Sum of factor times move = value.
   void addPoint(const std::vector<int>& points, const Eigen::RowVectorXd& factors,
                 const Eigen::Vector3d& value);
@@ -30,12 +30,13 @@ class LeastMoves {
   void addSoft(const std::vector<int>& points, const Eigen::RowVectorXd& factors,
                const Eigen::Vector3d& value);
 
-  /// The least sum of the squares of the conditions' residuals and, \p damping times, of the moves. Solving again for the same conditions
-  /// costs less.
+  /// The least sum of the squares of the conditions' residuals and, \p damping times, of the moves.
+  /// Solving again for the same conditions costs less.
   PointRows solve(double damping, double softness = 1) const;
 
  private:
-  /// Conditions of some points: along one direction, a value each, or one condition in all three coordinates.
+  /// Conditions of some points: along one direction, a value each, or one condition in all three
+  /// coordinates.
   struct Group {
     std::vector<int> points;  ///< they do not decrease
     Eigen::MatrixXd factors;
@@ -64,7 +65,8 @@ class LeastMoves {
   int points_;
   std::unordered_map<int, Eigen::Vector3d> fixed_;
   std::vector<Group> groups_;
-  mutable std::optional<Prepared> prepared_;  ///< for the conditions as they are, once they were solved
+  mutable std::optional<Prepared>
+      prepared_;  ///< for the conditions as they are, once they were solved
 };
 
 }  // namespace seamwright::occ

@@ -32,7 +32,8 @@ std::array<TopoDS_Face, 2> facesOf(const TopoDS_Shape& model, int face_a, int fa
       throw std::invalid_argument("face " + std::to_string(face) + ": the model has faces 1 to " +
                                   std::to_string(faces.Extent()));
   if (face_a == face_b)
-    throw std::invalid_argument("face " + std::to_string(face_a) + " is given twice: two faces are needed");
+    throw std::invalid_argument("face " + std::to_string(face_a) +
+                                " is given twice: two faces are needed");
   return {TopoDS::Face(faces(face_a)), TopoDS::Face(faces(face_b))};
 }
 
@@ -61,7 +62,8 @@ TopoDS_Shell shellOf(const std::array<TopoDS_Face, 2>& faces) {
 }
 
 /// The seam of a shell of two faces along that edge.
-SeamResult measured(const TopoDS_Shell& shell, const TopoDS_Edge& edge, const FaceMatchOptions& options) {
+SeamResult measured(const TopoDS_Shell& shell, const TopoDS_Edge& edge,
+                    const FaceMatchOptions& options) {
   for (const Seam& seam : findSeams(shell).seams)
     if (seam.sides[0].edge.IsSame(edge)) return measureSeam(seam, analyzeOptions(options));
   SeamResult nothing;
@@ -72,7 +74,8 @@ SeamResult measured(const TopoDS_Shell& shell, const TopoDS_Edge& edge, const Fa
 /// Of edges and vertices.
 double largestTolerance_mm(const TopoDS_Shape& shape) {
   ShapeAnalysis_ShapeTolerance tolerance;
-  return std::max(tolerance.Tolerance(shape, 1, TopAbs_EDGE), tolerance.Tolerance(shape, 1, TopAbs_VERTEX));
+  return std::max(tolerance.Tolerance(shape, 1, TopAbs_EDGE),
+                  tolerance.Tolerance(shape, 1, TopAbs_VERTEX));
 }
 
 bool isClosedLoop(const MatchSide& side, double gap_mm) {
@@ -94,7 +97,8 @@ class Matching {
     } catch (const Cancelled&) {
       throw;
     } catch (const Standard_Failure& failure) {
-      addReason(result_.reason, std::string("OpenCASCADE failed: ") + failure.DynamicType()->Name() + " " +
+      addReason(result_.reason, std::string("OpenCASCADE failed: ") +
+                                    failure.DynamicType()->Name() + " " +
                                     failure.GetMessageString());
     } catch (const std::runtime_error& error) {
       addReason(result_.reason, error.what());
@@ -113,8 +117,10 @@ class Matching {
     for (const int which : {0, 1}) seam.sides[which].face = numbers_[which];
     result_.before = result_.after = measureSeam(seam, analyzeOptions(options_));
     report(progress_, 0.2);
-    if (seam.kind == SeamKind::Shared && reaches(result_.before.figures, options_)) return leave(seam);
-    for (const int which : {0, 1}) pair_.sides[which] = matchSide(faces_[which], seam.sides[which], options_);
+    if (seam.kind == SeamKind::Shared && reaches(result_.before.figures, options_))
+      return leave(seam);
+    for (const int which : {0, 1})
+      pair_.sides[which] = matchSide(faces_[which], seam.sides[which], options_);
     pair_.options = options_;
     if (const std::string why = chooseMoves(); !why.empty()) return why;
     return prepareAndJoin(seam);
@@ -136,11 +142,13 @@ class Matching {
   std::string chooseMoves() {
     for (const MatchSide& side : pair_.sides)
       if (isClosedLoop(side, options_.tolerance.gap_mm))
-        return "the common boundary is a closed loop, or no longer than the gap tolerance, which is not "
+        return "the common boundary is a closed loop, or no longer than the gap tolerance, which "
+               "is not "
                "handled";
     const std::array<bool, 2> wanted = {options_.moves != MatchMoves::Second,
                                         options_.moves != MatchMoves::First};
-    for (const int which : {0, 1}) pair_.moves[which] = wanted[which] && pair_.sides[which].isNatural();
+    for (const int which : {0, 1})
+      pair_.moves[which] = wanted[which] && pair_.sides[which].isNatural();
     if (pair_.moves[0] || pair_.moves[1]) {
       pair_.driver = pair_.moves[1] ? 1 : 0;
       for (const int which : {0, 1})
@@ -164,7 +172,8 @@ class Matching {
     if (pair_.path.ends_apart_mm > 2 * std::max(options_.match_mm, options_.tolerance.gap_mm)) {
       std::ostringstream text;
       text << "the ends of the boundaries are " << pair_.path.ends_apart_mm
-           << " mm apart: only boundaries that run side by side over their whole length can be joined";
+           << " mm apart: only boundaries that run side by side over their whole length can be "
+              "joined";
       return text.str();
     }
     if (const std::string why = whyApart(seam, options_); !why.empty()) return why;
@@ -182,8 +191,9 @@ class Matching {
     constexpr double first_limit = 0.8;
     if (can_follow) follower = joinToTolerance(pair_, first_limit);
     report(progress_, 0.7);
-    const bool exact_first = exact.failure.empty() && !(follower.failure.empty() &&
-                                                        2 * follower.largest_move_mm < exact.largest_move_mm);
+    const bool exact_first =
+        exact.failure.empty() &&
+        !(follower.failure.empty() && 2 * follower.largest_move_mm < exact.largest_move_mm);
     if (exact_first && prove(exact, why)) return {};
     if (can_follow && proveFollower(follower, first_limit, why)) return {};
     if (!exact_first && exact.failure.empty() && prove(exact, why)) return {};
@@ -211,7 +221,8 @@ class Matching {
   bool prove(const Candidate& candidate, std::string& why) {
     std::ostringstream text;
     if (candidate.largest_move_mm > options_.max_move_mm) {
-      text << needs_a_move << candidate.largest_move_mm << " mm, more than " << options_.max_move_mm << " mm";
+      text << needs_a_move << candidate.largest_move_mm << " mm, more than " << options_.max_move_mm
+           << " mm";
       addReason(why, text.str());
       return false;
     }
@@ -224,7 +235,8 @@ class Matching {
       const PatchEdge edge = pair_.sides[which].edge;
       if (!moved.after.IsNull() &&
           isTurnedOver(EdgeRows(moved.before, edge), EdgeRows(moved.after, edge), options_.order)) {
-        addReason(why, candidate.how + ": face " + std::to_string(numbers_[which]) + " would fold over");
+        addReason(why,
+                  candidate.how + ": face " + std::to_string(numbers_[which]) + " would fold over");
         return false;
       }
     }
@@ -236,8 +248,10 @@ class Matching {
       return false;
     }
     const double tolerance_mm = largestTolerance_mm(rebuilt.shell);
-    if (tolerance_mm > 2 * std::max(largestTolerance_mm(pairOf(faces_)), options_.tolerance.gap_mm)) {
-      text << candidate.how << ", but then edges are " << tolerance_mm << " mm away from their faces";
+    if (tolerance_mm >
+        2 * std::max(largestTolerance_mm(pairOf(faces_)), options_.tolerance.gap_mm)) {
+      text << candidate.how << ", but then edges are " << tolerance_mm
+           << " mm away from their faces";
       addReason(why, text.str());
       return false;
     }
@@ -249,15 +263,16 @@ class Matching {
     return true;
   }
 
-  /// Sides that should be held are held as lines of the surface; trimmed ones run through poles that move.
+  /// Sides that should be held are held as lines of the surface; trimmed ones run through poles
+  /// that move.
   std::string movedSides(const SeamPlan& plan) const {
     if (!options_.hold_sides) return {};
     for (const int which : {0, 1}) {
       const double move_mm = largestSideMove_mm(plan.faces[which], options_.tolerance.gap_mm);
       if (move_mm <= options_.tolerance.gap_mm / 100) continue;
       std::ostringstream text;
-      text << "a boundary of face " << numbers_[which] << " that ends at the seam would move by " << move_mm
-           << " mm: it is trimmed, and only whole sides of a surface can be held";
+      text << "a boundary of face " << numbers_[which] << " that ends at the seam would move by "
+           << move_mm << " mm: it is trimmed, and only whole sides of a surface can be held";
       return text.str();
     }
     return {};
@@ -270,7 +285,8 @@ class Matching {
     result_.after = after;
     result_.largest_move_mm = candidate.largest_move_mm;
     addReason(result_.reason, candidate.how);
-    for (const int which : {0, 1}) addReason(result_.reason, pointText(which, candidate.moved[which]));
+    for (const int which : {0, 1})
+      addReason(result_.reason, pointText(which, candidate.moved[which]));
     for (const Seam& seam : findSeams(shell).seams)
       if (seam.kind == SeamKind::Shared && seam.edges != after.edges)
         addReason(result_.reason, gapeText(seam));
@@ -289,7 +305,8 @@ class Matching {
     const SeamFigures figures = measureSeam(seam, analyzeOptions(options_)).figures;
     if (!figures.gap_mm || figures.gap_mm->lower <= options_.tolerance.gap_mm) return {};
     std::ostringstream text;
-    text << "at another edge that the faces share they are " << figures.gap_mm->lower << " mm apart now";
+    text << "at another edge that the faces share they are " << figures.gap_mm->lower
+         << " mm apart now";
     return text.str();
   }
 
@@ -318,11 +335,12 @@ void FaceMatchOptions::validate() const {
     throw std::invalid_argument("order is " + std::to_string(order) + ": it must be 1 or 2");
   requireNotNegative("largest move", max_move_mm, true);
   requireNotNegative("distance to match", match_mm, false);
-  if (edge < 0) throw std::invalid_argument("edge is " + std::to_string(edge) + ": edges count from 1");
+  if (edge < 0)
+    throw std::invalid_argument("edge is " + std::to_string(edge) + ": edges count from 1");
 }
 
-MatchReport matchFaces(const TopoDS_Shape& model, int face_a, int face_b, const FaceMatchOptions& options,
-                       const Progress& progress) {
+MatchReport matchFaces(const TopoDS_Shape& model, int face_a, int face_b,
+                       const FaceMatchOptions& options, const Progress& progress) {
   options.validate();
   const std::array<TopoDS_Face, 2> faces = facesOf(model, face_a, face_b);
   const UnusableParts unusable(model);

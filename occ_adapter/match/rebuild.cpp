@@ -77,7 +77,8 @@ class Rebuilder {
       if (edge.IsSame(plan.use.edge)) {
         builder_.UpdateEdge(seam_, plan.path, face, Precision::Confusion());
         builder_.Range(seam_, face, plan_.first, plan_.last);
-        builder_.Add(wire, seam_.Oriented(plan.with_old_edge ? orientation : TopAbs::Reverse(orientation)));
+        builder_.Add(
+            wire, seam_.Oriented(plan.with_old_edge ? orientation : TopAbs::Reverse(orientation)));
       } else {
         builder_.Add(wire, copy(edge, plan, old_face, face).Oriented(orientation));
       }
@@ -127,8 +128,8 @@ class Rebuilder {
     const double tolerance = BRep_Tool::Tolerance(old);
     const PlanarPath path = pathOrBuilt(old, old_face, plan_.gap_mm);
     if (BRep_Tool::IsClosed(old, old_face))
-      builder_.UpdateEdge(edge, path.curve, pathOf(TopoDS::Edge(old.Reversed()), old_face).curve, face,
-                          tolerance);
+      builder_.UpdateEdge(edge, path.curve, pathOf(TopoDS::Edge(old.Reversed()), old_face).curve,
+                          face, tolerance);
     else
       builder_.UpdateEdge(edge, path.curve, face, tolerance);
     builder_.Range(edge, face, path.first, path.last);
@@ -139,8 +140,8 @@ class Rebuilder {
                 const TopoDS_Face& face, TopoDS_Edge& edge) {
     const PlanarPath path = pathOf(edge, face);
     const double noise_mm = BRep_Tool::Tolerance(old) / 100;
-    const bool moved =
-        !plan.surface.IsNull() && largestDistance_mm(surfaceOf(old_face), surfaceOf(face), path) > noise_mm;
+    const bool moved = !plan.surface.IsNull() &&
+                       largestDistance_mm(surfaceOf(old_face), surfaceOf(face), path) > noise_mm;
     TopLoc_Location location;
     double first = 0, last = 0;
     const handle<Geom_Curve> as_was = BRep_Tool::Curve(old, location, first, last);
@@ -162,7 +163,8 @@ class Rebuilder {
     TopTools_IndexedMapOfShape edges;
     TopExp::MapShapes(shell, TopAbs_EDGE, edges);
     std::vector<TopoDS_Edge> all;
-    for (int e = 1; e <= edges.Extent(); ++e) all.push_back(TopoDS::Edge(edges(e).Oriented(TopAbs_FORWARD)));
+    for (int e = 1; e <= edges.Extent(); ++e)
+      all.push_back(TopoDS::Edge(edges(e).Oriented(TopAbs_FORWARD)));
     for (const TopoDS_Edge& edge : all) setTolerance(edge, shell);
     for (const TopoDS_Edge& edge : all) placeVertices(edge);
     for (const TopoDS_Edge& edge : all) fitVertices(edge, shell);
@@ -207,7 +209,8 @@ class Rebuilder {
     for (const int end : {0, 1}) {
       const TopoDS_Vertex vertex = endsOf(edge)[end];
       if (vertex.IsNull() || placed_.Contains(vertex) || isSeamEnd(vertex)) continue;
-      builder_.UpdateVertex(vertex, curve->Value(end == 0 ? first : last), BRep_Tool::Tolerance(edge));
+      builder_.UpdateVertex(vertex, curve->Value(end == 0 ? first : last),
+                            BRep_Tool::Tolerance(edge));
       placed_.Add(vertex);
     }
   }
@@ -256,10 +259,11 @@ double largestSideMove_mm(const FacePlan& plan, double gap_mm) {
   for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
     const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
     if (edge.IsSame(plan.use.edge)) continue;
-    const bool ends_at_seam =
-        seam_ends.Contains(TopExp::FirstVertex(edge)) || seam_ends.Contains(TopExp::LastVertex(edge));
+    const bool ends_at_seam = seam_ends.Contains(TopExp::FirstVertex(edge)) ||
+                              seam_ends.Contains(TopExp::LastVertex(edge));
     if (ends_at_seam)
-      largest = std::max(largest, largestDistance_mm(before, after, pathOrBuilt(edge, face, gap_mm)));
+      largest =
+          std::max(largest, largestDistance_mm(before, after, pathOrBuilt(edge, face, gap_mm)));
   }
   return largest;
 }

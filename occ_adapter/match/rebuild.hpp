@@ -35,15 +35,18 @@ struct RebuiltPair {
   TopoDS_Edge seam;
 };
 
-/// Both faces as a shell that shares the seam. Everything is new but the curves and surfaces that stay; the old shape is not touched.
+/// Both faces as a shell that shares the seam. Everything is new but the curves and surfaces that
+/// stay; the old shape is not touched.
 ///
-/// Edges keep their paths in the parameter plane. Where a surface moved below an edge, its curve in space is the image of the path:
-/// exact along a parameter line, else approximated. Tolerances of edges and vertices are what 257 points of each path show and a fifth more, and not
-/// below those they had where nothing moved.
+/// Edges keep their paths in the parameter plane. Where a surface moved below an edge, its curve in
+/// space is the image of the path: exact along a parameter line, else approximated. Tolerances of
+/// edges and vertices are what 257 points of each path show and a fifth more, and not below those
+/// they had where nothing moved.
 /// \throws std::runtime_error where a curve can't be built; Standard_Failure.
 RebuiltPair rebuild(const SeamPlan& plan);
 
-/// How far the new surface takes the edges of the face that end at the seam from where they were; of 257 points each.
+/// How far the new surface takes the edges of the face that end at the seam from where they were;
+/// of 257 points each.
 /// \throws std::runtime_error for an edge without a path on the face.
 double largestSideMove_mm(const FacePlan& plan, double gap_mm);
 

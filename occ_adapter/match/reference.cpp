@@ -18,7 +18,8 @@ namespace {
 
 using opencascade::handle;
 
-/// Nearest places on a path, 0..1, of points of a side at t = 0, h, ..., 1; the ends belong together.
+/// Nearest places on a path, 0..1, of points of a side at t = 0, h, ..., 1; the ends belong
+/// together.
 class Feet {
  public:
   Feet(const EdgeRows& rows, const FaceStrip& strip, bool against)
@@ -30,7 +31,8 @@ class Feet {
   std::vector<double> places(int count) const {
     std::vector<double> found = {linear(0)};
     for (int k = 1; k < count; ++k) {
-      const double t = static_cast<double>(k) / count, start = found.back() + linear(1.0 / count) - linear(0);
+      const double t = static_cast<double>(k) / count,
+                   start = found.back() + linear(1.0 / count) - linear(0);
       const double low = against_ ? 0 : found.back(), high = against_ ? found.back() : 1;
       found.push_back(nearestPlace(strip_, side(t), std::clamp(start, low, high), low, high));
     }
@@ -67,11 +69,13 @@ handle<Geom2d_Curve> through(const FaceStrip& strip, const std::vector<double>& 
 }
 
 /// Largest distance of the fitted path from the given one, halfway between its knots.
-double straying_mm(const FaceStrip& fitted, const FaceStrip& given, const std::vector<double>& places) {
+double straying_mm(const FaceStrip& fitted, const FaceStrip& given,
+                   const std::vector<double>& places) {
   double worst = 0;
   const std::size_t pieces = places.size() - 1;
   for (std::size_t k = 0; k < pieces; ++k) {
-    const Eigen::Vector3d p = fitted.trace((static_cast<double>(k) + 0.5) / static_cast<double>(pieces)).p;
+    const Eigen::Vector3d p =
+        fitted.trace((static_cast<double>(k) + 0.5) / static_cast<double>(pieces)).p;
     const double near = nearestPlace(given, p, (places[k] + places[k + 1]) / 2);
     worst = std::max(worst, (given.trace(near).p - p).norm());
   }
@@ -102,7 +106,8 @@ void fit(const FaceStrip& strip, const Feet& feet, const MatchSide& other, doubl
   std::ostringstream text;
   text << "the boundary's path on face " << other.use.face
        << " can't be brought to the parameter of the other"
-       << " face: " << most << " pieces keep within " << straying << " mm of it, not " << near_mm << " mm";
+       << " face: " << most << " pieces keep within " << straying << " mm of it, not " << near_mm
+       << " mm";
   path.failure = text.str();
 }
 
@@ -113,14 +118,16 @@ bool faceOnLeft(PatchEdge edge, bool reversed) {
 
 }  // namespace
 
-ReferencePath referencePath(const EdgeRows& moving, const MatchSide& other, const FaceMatchOptions& options) {
+ReferencePath referencePath(const EdgeRows& moving, const MatchSide& other,
+                            const FaceMatchOptions& options) {
   const FaceStrip strip(other.use, other.pcurve);
   ReferencePath path{other.pcurve, false, true, true, 0, 0, 0, {}};
   const Eigen::Vector3d start = sidePoint(moving, 0).jet.p, end = sidePoint(moving, 1).jet.p;
   const Eigen::Vector3d first = strip.trace(0).p, last = strip.trace(1).p;
-  path.against = (start - last).norm() + (end - first).norm() < (start - first).norm() + (end - last).norm();
-  path.ends_apart_mm =
-      std::max((start - (path.against ? last : first)).norm(), (end - (path.against ? first : last)).norm());
+  path.against =
+      (start - last).norm() + (end - first).norm() < (start - first).norm() + (end - last).norm();
+  path.ends_apart_mm = std::max((start - (path.against ? last : first)).norm(),
+                                (end - (path.against ? first : last)).norm());
   const Feet feet(moving, strip, path.against);
   constexpr int count = 64;
   const std::vector<double> places = feet.places(count);

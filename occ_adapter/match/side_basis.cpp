@@ -18,7 +18,8 @@ struct Basis {
   Eigen::MatrixXd values;
 };
 
-Basis basisAt(const std::vector<double>& flat_knots, int degree, double parameter, int derivatives) {
+Basis basisAt(const std::vector<double>& flat_knots, int degree, double parameter,
+              int derivatives) {
   TColStd_Array1OfReal knots(1, static_cast<int>(flat_knots.size()));
   std::ranges::copy(flat_knots, knots.begin());
   math_Matrix matrix(1, derivatives + 1, 1, degree + 1, 0.0);
@@ -35,7 +36,8 @@ Basis basisAt(const std::vector<double>& flat_knots, int degree, double paramete
 Eigen::MatrixXd acrossAtSide(const EdgeRows& rows) {
   const int degree = rows.degreeAcross(), known = std::min(degree, most_rows - 1);
   Eigen::MatrixXd across = Eigen::MatrixXd::Zero(most_rows, std::max(most_rows, degree + 1));
-  across.topLeftCorner(known + 1, degree + 1) = basisAt(knotsFromSide(rows), degree, 0, known).values;
+  across.topLeftCorner(known + 1, degree + 1) =
+      basisAt(knotsFromSide(rows), degree, 0, known).values;
   return across;
 }
 
@@ -86,8 +88,9 @@ std::vector<double> placesInSpans(const std::vector<double>& knots, int per_span
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
     if (knots[i + 1] <= knots[i]) continue;
     for (int k = 1; k <= per_span; ++k)
-      t.push_back(knots[i] + (knots[i + 1] - knots[i]) *
-                                 (k == per_span ? 1 : (1 - std::cos(std::numbers::pi * k / per_span)) / 2));
+      t.push_back(knots[i] +
+                  (knots[i + 1] - knots[i]) *
+                      (k == per_span ? 1 : (1 - std::cos(std::numbers::pi * k / per_span)) / 2));
   }
   return t;
 }

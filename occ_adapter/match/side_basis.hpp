@@ -11,8 +11,8 @@ namespace seamwright::occ {
 
 constexpr int most_rows = 3;
 
-/// X^(k) = sum over rows r <= k and columns of share[k](r, j - first) pole(r, j): the k-th derivative by the parameter across, which
-/// grows into the face.
+/// X^(k) = sum over rows r <= k and columns of share[k](r, j - first) pole(r, j): the k-th
+/// derivative by the parameter across, which grows into the face.
 struct Blend {
   int first = 0;
   std::array<Eigen::MatrixXd, most_rows> share;
@@ -38,7 +38,8 @@ Eigen::Vector3d derivative(const EdgeRows& rows, const Blend& blend, int order);
 /// Flat knots across that begin at the side with 0 and grow into the face.
 std::vector<double> knotsFromSide(const EdgeRows& rows);
 
-/// Ends and points of each span of flat knots from 0 to 1, Chebyshev-Lobatto; \p per_span + 1 in each, ends shared.
+/// Ends and points of each span of flat knots from 0 to 1, Chebyshev-Lobatto; \p per_span + 1 in
+/// each, ends shared.
 std::vector<double> placesInSpans(const std::vector<double>& knots, int per_span);
 
 }  // namespace seamwright::occ

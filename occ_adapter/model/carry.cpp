@@ -52,7 +52,8 @@ TopoDS_Shape throughBinary(const TopoDS_Shape& shape) {
 }
 
 bool sameExtents(const TopoDS_Shape& a, const TopoDS_Shape& b) {
-  for (const TopAbs_ShapeEnum kind : {TopAbs_SOLID, TopAbs_SHELL, TopAbs_FACE, TopAbs_EDGE, TopAbs_VERTEX}) {
+  for (const TopAbs_ShapeEnum kind :
+       {TopAbs_SOLID, TopAbs_SHELL, TopAbs_FACE, TopAbs_EDGE, TopAbs_VERTEX}) {
     TopTools_IndexedMapOfShape in_a, in_b;
     TopExp::MapShapes(a, kind, in_a);
     TopExp::MapShapes(b, kind, in_b);
@@ -74,15 +75,17 @@ std::string recordOf(const gp_Trsf& placement) {
   return bytes.str();
 }
 
-/// The placements of two sides told by the same steps: OpenCASCADE tells steps apart by identity, and a journey makes new ones. Steps with one
-/// transformation are one, also where a file has them twice.
+/// The placements of two sides told by the same steps: OpenCASCADE tells steps apart by identity,
+/// and a journey makes new ones. Steps with one transformation are one, also where a file has them
+/// twice.
 class Steps {
  public:
   /// Notes what the steps of the shape that is changed in place come back as.
   void note(TopLoc_Location into, TopLoc_Location unchanged) {
     for (; !into.IsIdentity() && !unchanged.IsIdentity();
          into = into.NextLocation(), unchanged = unchanged.NextLocation()) {
-      const auto step = steps_.emplace(recordOf(unchanged.FirstDatum()->Transformation()), into.FirstDatum());
+      const auto step =
+          steps_.emplace(recordOf(unchanged.FirstDatum()->Transformation()), into.FirstDatum());
       own_.emplace(into.FirstDatum().get(), step.first->second);
     }
   }
@@ -110,7 +113,8 @@ class Steps {
   static TopLoc_Location inSteps(TopLoc_Location location, const Chosen& chosen) {
     TopLoc_Location result;
     for (; !location.IsIdentity(); location = location.NextLocation())
-      result = result * TopLoc_Location(chosen(location.FirstDatum())).Powered(location.FirstPower());
+      result =
+          result * TopLoc_Location(chosen(location.FirstDatum())).Powered(location.FirstPower());
     return result;
   }
 
@@ -140,14 +144,16 @@ class SurfaceNumbers {
   void record(BinTools_OStream& out, const Surface& surface) const {
     const auto found = numbers_.find(surface.get());
     out << (found == numbers_.end() ? -1 : found->second);
-    if (found == numbers_.end() && !surface.IsNull()) BinTools_SurfaceSet::WriteSurface(surface, out);
+    if (found == numbers_.end() && !surface.IsNull())
+      BinTools_SurfaceSet::WriteSurface(surface, out);
   }
 
  private:
   std::map<const Geom_Surface*, int> numbers_;
 };
 
-/// Polygons belong to a picture of the shape, not to it; that two faces meet at least without a gap is said of any edge.
+/// Polygons belong to a picture of the shape, not to it; that two faces meet at least without a gap
+/// is said of any edge.
 bool isGeometry(const BRep_CurveRepresentation& representation) {
   return representation.IsCurve3D() || representation.IsCurveOnSurface() ||
          (representation.IsRegularity() && representation.Continuity() > GeomAbs_C0);
@@ -178,7 +184,8 @@ class Recorder {
   }
 
  private:
-  void place(BinTools_OStream& out, const TopLoc_Location& frame, const TopLoc_Location& location) const {
+  void place(BinTools_OStream& out, const TopLoc_Location& frame,
+             const TopLoc_Location& location) const {
     record(out, frame * steps_.translated(location));
   }
 
@@ -198,11 +205,13 @@ class Recorder {
       for (const char byte : one) out << static_cast<Standard_Byte>(byte);
   }
 
-  std::string recordOf(const BRep_CurveRepresentation& representation, const TopLoc_Location& frame) const {
+  std::string recordOf(const BRep_CurveRepresentation& representation,
+                       const TopLoc_Location& frame) const {
     std::ostringstream bytes;
     BinTools_OStream out(bytes);
     out << static_cast<int>(representation.IsCurve3D() + 2 * representation.IsCurveOnSurface() +
-                            4 * representation.IsCurveOnClosedSurface() + 8 * representation.IsRegularity());
+                            4 * representation.IsCurveOnClosedSurface() +
+                            8 * representation.IsRegularity());
     place(out, frame, representation.Location());
     if (const auto* curve = dynamic_cast<const BRep_GCurve*>(&representation))
       out << curve->First() << curve->Last();
@@ -232,27 +241,29 @@ gp_Pnt pointOf(const Placed& vertex) {
   return vertex.frame.IsIdentity() ? point : point.Transformed(vertex.frame.Transformation());
 }
 
-/// Whether the points are the same. Where one was placed by its coordinates instead of by a placement, as OpenCASCADE's
-/// modifications do, those were rounded on the way there and back.
+/// Whether the points are the same. Where one was placed by its coordinates instead of by a
+/// placement, as OpenCASCADE's modifications do, those were rounded on the way there and back.
 bool samePoint(const Placed& a, const Placed& b) {
   const gp_Pnt p = pointOf(a), q = pointOf(b);
   if (a.frame.IsIdentity() && b.frame.IsIdentity()) return p.Distance(q) == 0;
   double reach = p.XYZ().Modulus();
-  for (const Placed& vertex : {a, b}) reach += 2 * vertex.frame.Transformation().TranslationPart().Modulus();
+  for (const Placed& vertex : {a, b})
+    reach += 2 * vertex.frame.Transformation().TranslationPart().Modulus();
   return p.Distance(q) <= 16 * std::numeric_limits<double>::epsilon() * reach;
 }
 
 bool sameVertex(const Placed& a, const Placed& b) {
-  return samePoint(a, b) &&
-         contentOf<BRep_TVertex>(a.shape)->Tolerance() == contentOf<BRep_TVertex>(b.shape)->Tolerance();
+  return samePoint(a, b) && contentOf<BRep_TVertex>(a.shape)->Tolerance() ==
+                                contentOf<BRep_TVertex>(b.shape)->Tolerance();
 }
 
 /// One face, edge or vertex in its three states.
 struct Part {
-  TopoDS_Shape into;              ///< to be changed in place
-  Placed unchanged;               ///< what it would have come back as
-  Placed changed;                 ///< what it came back as
-  std::vector<Placed> elsewhere;  ///< what it came back as in further places, where those are not shared
+  TopoDS_Shape into;  ///< to be changed in place
+  Placed unchanged;   ///< what it would have come back as
+  Placed changed;     ///< what it came back as
+  std::vector<Placed>
+      elsewhere;  ///< what it came back as in further places, where those are not shared
 };
 
 class Carrier {
@@ -271,8 +282,8 @@ class Carrier {
     chooseSurfaces();
     Carried count;
     for (const Part& face : faces_) count.faces += carryFace(face);
-    count.largest_tolerance_mm =
-        std::max(largestNewTolerance<BRep_TEdge>(edges_), largestNewTolerance<BRep_TVertex>(vertices_));
+    count.largest_tolerance_mm = std::max(largestNewTolerance<BRep_TEdge>(edges_),
+                                          largestNewTolerance<BRep_TVertex>(vertices_));
     for (const Part& edge : edges_) count.edges += carryEdge(edge);
     for (const Part& vertex : vertices_) count.vertices += carryVertex(vertex);
     return count;
@@ -283,18 +294,21 @@ class Carrier {
     steps_.note(into.Location(), unchanged.Location());
     if (!noted_.insert(into.TShape().get()).second) return;
     if (into.ShapeType() == TopAbs_FACE)
-      steps_.note(contentOf<BRep_TFace>(into)->Location(), contentOf<BRep_TFace>(unchanged)->Location());
+      steps_.note(contentOf<BRep_TFace>(into)->Location(),
+                  contentOf<BRep_TFace>(unchanged)->Location());
     TopoDS_Iterator a(into, false, false), b(unchanged, false, false);
     for (; a.More() && b.More(); a.Next(), b.Next()) noteSteps(a.Value(), b.Value());
   }
 
   /// Walks the three graphs side by side, placements added up. \returns whether they are the same.
   bool pair(const TopoDS_Shape& into, const TopoDS_Shape& unchanged, const TopoDS_Shape& changed) {
-    if (into.ShapeType() != changed.ShapeType() || into.Orientation() != changed.Orientation()) return false;
-    const Placed placed{changed,
-                        steps_.own(into.Location()).Inverted() * steps_.translated(changed.Location())};
+    if (into.ShapeType() != changed.ShapeType() || into.Orientation() != changed.Orientation())
+      return false;
+    const Placed placed{
+        changed, steps_.own(into.Location()).Inverted() * steps_.translated(changed.Location())};
     // Two parts that became one are another graph: the shape was sewn.
-    const auto origin = origins_.emplace(changed.TShape().get(), Origin{into.TShape().get(), placed.frame});
+    const auto origin =
+        origins_.emplace(changed.TShape().get(), Origin{into.TShape().get(), placed.frame});
     if (origin.first->second.shape != into.TShape().get()) return false;
     if (!origin.second && origin.first->second.frame == placed.frame) return true;
     takeDown(into, unchanged, placed);
@@ -335,8 +349,8 @@ class Carrier {
     if (unlike.empty()) return;
     throw ModelError(
         ModelErrc::UnlikeInstances, {},
-        "has one part in several places, changed unlike in each, which its structure can't hold: " + unlike +
-            "; change all places alike or write it afresh");
+        "has one part in several places, changed unlike in each, which its structure can't hold: " +
+            unlike + "; change all places alike or write it afresh");
   }
 
   /// "3 and 9, 4 and 10": numbers of parts that were one and are unlike now.
@@ -354,8 +368,9 @@ class Carrier {
           TopExp::MapShapes(root_, kind, map);
           for (int i = 1; i <= map.Extent(); ++i) first.emplace(map(i).TShape().get(), i);
         }
-        text += (text.empty() ? "" : ", ") + std::to_string(first.at(part.changed.shape.TShape().get())) +
-                " and " + std::to_string(first.at(other.shape.TShape().get()));
+        text += (text.empty() ? "" : ", ") +
+                std::to_string(first.at(part.changed.shape.TShape().get())) + " and " +
+                std::to_string(first.at(other.shape.TShape().get()));
       }
     }
     return text;
@@ -446,13 +461,14 @@ class Carrier {
     if (old->IsCurve3D())
       curve = new BRep_Curve3D(old->Curve3D(), location);
     else if (old->IsCurveOnClosedSurface())
-      curve = new BRep_CurveOnClosedSurface(old->PCurve(), old->PCurve2(), chosen(old->Surface()), location,
-                                            old->Continuity());
+      curve = new BRep_CurveOnClosedSurface(old->PCurve(), old->PCurve2(), chosen(old->Surface()),
+                                            location, old->Continuity());
     else if (old->IsCurveOnSurface())
       curve = new BRep_CurveOnSurface(old->PCurve(), chosen(old->Surface()), location);
     else
       return new BRep_CurveOn2Surfaces(chosen(old->Surface()), chosen(old->Surface2()), location,
-                                       frame * steps_.translated(old->Location2()), old->Continuity());
+                                       frame * steps_.translated(old->Location2()),
+                                       old->Continuity());
     const auto range = opencascade::handle<BRep_GCurve>::DownCast(old);
     curve->SetRange(range->First(), range->Last());
     return curve;

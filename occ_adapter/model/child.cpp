@@ -31,7 +31,8 @@ struct FileActions {
   FileActions& operator=(const FileActions&) = delete;
 };
 
-/// Starts the child in a process group of its own: Ctrl-C at the terminal is for the parent, which then ends the child.
+/// Starts the child in a process group of its own: Ctrl-C at the terminal is for the parent, which
+/// then ends the child.
 struct OwnGroup {
   posix_spawnattr_t attributes{};
   OwnGroup() {
@@ -51,8 +52,8 @@ Child::Child(const std::string& program, const std::vector<std::string>& argumen
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail(errno, "pipe");
   answer_ = ends[0];
   FileActions files;
-  // The answer first: opening the null device may not land on the descriptor of the pipe before it is passed
-  // on.
+  // The answer first: opening the null device may not land on the descriptor of the pipe before it
+  // is passed on.
   posix_spawn_file_actions_adddup2(&files.actions, ends[1], answer_descriptor);
   if (input >= 0)
     posix_spawn_file_actions_adddup2(&files.actions, input, STDIN_FILENO);
@@ -64,8 +65,8 @@ Child::Child(const std::string& program, const std::vector<std::string>& argumen
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
   const OwnGroup group;
-  const int error =
-      ::posix_spawn(&pid_, program.c_str(), &files.actions, &group.attributes, argv.data(), environ);
+  const int error = ::posix_spawn(&pid_, program.c_str(), &files.actions, &group.attributes,
+                                  argv.data(), environ);
   ::close(ends[1]);
   if (error != 0) {
     ::close(answer_);

@@ -9,8 +9,9 @@
 /// Edges that have paths on their faces alone; not a public header.
 namespace seamwright::occ {
 
-/// Whether each edge that is not degenerated has a curve in space. OpenCASCADE reads an edge without one where the curve in a file is
-/// refused (knots that do not increase, say), and its distances of shapes crash on it.
+/// Whether each edge that is not degenerated has a curve in space. OpenCASCADE reads an edge
+/// without one where the curve in a file is refused (knots that do not increase, say), and its
+/// distances of shapes crash on it.
 inline bool allEdgesHaveCurves(const TopoDS_Shape& shape) {
   for (TopExp_Explorer it(shape, TopAbs_EDGE); it.More(); it.Next()) {
     const TopoDS_Edge& edge = TopoDS::Edge(it.Current());

@@ -7,7 +7,8 @@
 namespace seamwright::occ {
 
 std::string failureText(const Standard_Failure& failure) {
-  const std::string text = std::string(failure.DynamicType()->Name()) + " " + failure.GetMessageString();
+  const std::string text =
+      std::string(failure.DynamicType()->Name()) + " " + failure.GetMessageString();
   // OpenCASCADE puts an inner failure on a line of its own, with its address in memory.
   static const std::regex noise("0x[0-9a-f]+ : |\\s+");
   std::string line = std::regex_replace(text, noise, " ");

@@ -28,7 +28,8 @@ Ends readEnds(const std::filesystem::path& path) {
   if (!std::filesystem::is_regular_file(status))
     throw ModelError(ModelErrc::NotAFile, path, "is not a regular file");
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw ModelError(ModelErrc::NotReadable, path, "can't be opened: check its permissions");
+  if (!file)
+    throw ModelError(ModelErrc::NotReadable, path, "can't be opened: check its permissions");
   const std::uintmax_t size = std::filesystem::file_size(path);
   if (size == 0) throw ModelError(ModelErrc::Empty, path, "is empty (0 bytes)");
   Ends ends;
@@ -61,8 +62,9 @@ std::optional<std::string> foreignContent(std::string_view head) {
 bool isIges(std::string_view head) {
   const std::string_view line = head.substr(0, head.find_first_of("\r\n"));
   if (line.size() < 80 || (line[72] != 'S' && line[72] != 'C')) return false;
-  return std::ranges::all_of(line.substr(73, 7),
-                             [](char c) { return c == ' ' || std::isdigit(static_cast<unsigned char>(c)); });
+  return std::ranges::all_of(line.substr(73, 7), [](char c) {
+    return c == ' ' || std::isdigit(static_cast<unsigned char>(c));
+  });
 }
 
 bool hasIgesTerminateRecord(std::string_view tail) {

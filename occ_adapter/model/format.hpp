@@ -13,9 +13,9 @@ std::string_view name(Format format);
 
 /// Tells the format of a model file by its content; the name of the file plays no part.
 ///
-/// \throws ModelError if the file is missing, is a folder, can't be opened, is empty, is text of another kind
-/// (UTF-16, an archive and a Git LFS pointer are recognised and named), or is a STEP or IGES file without its
-/// closing record.
+/// \throws ModelError if the file is missing, is a folder, can't be opened, is empty, is text of
+/// another kind (UTF-16, an archive and a Git LFS pointer are recognised and named), or is a STEP
+/// or IGES file without its closing record.
 Format detectFormat(const std::filesystem::path& path);
 
 }  // namespace seamwright::occ

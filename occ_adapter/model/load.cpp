@@ -42,7 +42,8 @@ namespace {
 /// Collects names, colours and layers of a document for the parts of one shape.
 class AttributeCollector {
  public:
-  AttributeCollector(const TopoDS_Shape& shape, const opencascade::handle<TDocStd_Document>& document)
+  AttributeCollector(const TopoDS_Shape& shape,
+                     const opencascade::handle<TDocStd_Document>& document)
       : shapes_(XCAFDoc_DocumentTool::ShapeTool(document->Main())),
         colors_(XCAFDoc_DocumentTool::ColorTool(document->Main())),
         layers_(XCAFDoc_DocumentTool::LayerTool(document->Main())) {
@@ -134,7 +135,8 @@ void requireFaces(const TopoDS_Shape& shape, const std::filesystem::path& path) 
 bool isLengthUnit(const opencascade::handle<Interface_InterfaceModel>& entities, int i) {
   if (entities->IsErrorEntity(i)) return false;
   const opencascade::handle<Standard_Transient> entity = entities->Value(i);
-  if (const auto si = opencascade::handle<StepBasic_SiUnitAndLengthUnit>::DownCast(entity); !si.IsNull())
+  if (const auto si = opencascade::handle<StepBasic_SiUnitAndLengthUnit>::DownCast(entity);
+      !si.IsNull())
     return si->Name() == StepBasic_sunMetre;
   return entity->IsKind(STANDARD_TYPE(StepBasic_ConversionBasedUnitAndLengthUnit));
 }
@@ -175,7 +177,8 @@ LoadedDocument loadStep(const std::filesystem::path& path, const Message_Progres
   return loaded;
 }
 
-void requireIgesLengthUnit(const IGESData_GlobalSection& global, const std::filesystem::path& path) {
+void requireIgesLengthUnit(const IGESData_GlobalSection& global,
+                           const std::filesystem::path& path) {
   const int flag = global.UnitFlag();
   const opencascade::handle<TCollection_HAsciiString> unit = global.UnitName();
   const bool named = !unit.IsNull() && IGESData_BasicEditor::UnitNameFlag(unit->ToCString()) > 0;
@@ -208,8 +211,8 @@ LoadedDocument loadIges(const std::filesystem::path& path, const Message_Progres
   return loaded;
 }
 
-/// Beyond the end of a file OpenCASCADE goes on reading, with whatever is in memory and as often as a count says; so the
-/// stream throws where there is nothing to read.
+/// Beyond the end of a file OpenCASCADE goes on reading, with whatever is in memory and as often as
+/// a count says; so the stream throws where there is nothing to read.
 std::ifstream strictStream(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   file.exceptions(std::ios::failbit | std::ios::badbit);
@@ -260,7 +263,8 @@ LoadedDocument loadDocument(const std::filesystem::path& path, const std::string
   return loaded;
 }
 
-Model loadModel(const std::filesystem::path& path, const std::string& format, const Progress& progress) {
+Model loadModel(const std::filesystem::path& path, const std::string& format,
+                const Progress& progress) {
   Model model;
   if (format == "STEP" || format == "IGES") {
     model = loadDocument(path, format, progress).model;

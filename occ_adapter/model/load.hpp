@@ -17,7 +17,9 @@ namespace seamwright::occ {
 class Reporter : public Message_ProgressIndicator {
  public:
   explicit Reporter(const Progress& progress) : progress_(progress) {}
-  void Show(const Message_ProgressScope&, bool) override { stopped_ = stopped_ || !progress_(GetPosition()); }
+  void Show(const Message_ProgressScope&, bool) override {
+    stopped_ = stopped_ || !progress_(GetPosition());
+  }
   bool UserBreak() override { return stopped_; }
 
  private:
@@ -25,8 +27,8 @@ class Reporter : public Message_ProgressIndicator {
   bool stopped_ = false;
 };
 
-/// A STEP or IGES file in full: the model, the document with its labels, and the entities as the file has them. The parts
-/// of the model's shape are those of the document, not copies.
+/// A STEP or IGES file in full: the model, the document with its labels, and the entities as the
+/// file has them. The parts of the model's shape are those of the document, not copies.
 struct LoadedDocument {
   Model model;
   opencascade::handle<TDocStd_Document> document = new TDocStd_Document("BinXCAF");
@@ -43,6 +45,7 @@ LoadedDocument loadDocument(const std::filesystem::path& path, const std::string
 /// Reads a model file in this process; only the reading program calls it.
 /// \param format "STEP", "IGES", "BREP" or "binary BREP", as detectFormat() told.
 /// \throws ModelError, Standard_Failure
-Model loadModel(const std::filesystem::path& path, const std::string& format, const Progress& progress);
+Model loadModel(const std::filesystem::path& path, const std::string& format,
+                const Progress& progress);
 
 }  // namespace seamwright::occ

@@ -38,7 +38,8 @@ struct FaceCount {
   }
 };
 
-/// Tells which entities ended up as faces of the shape: some are made and then dropped with the shell they belong to.
+/// Tells which entities ended up as faces of the shape: some are made and then dropped with the
+/// shell they belong to.
 class MadeFaces {
  public:
   MadeFaces(const XSControl_Reader& reader, const TopoDS_Shape& shape)
@@ -76,10 +77,12 @@ FaceCount countStepFaces(const Interface_InterfaceModel& entities, const MadeFac
   return count;
 }
 
-/// Also one whose parameters OpenCASCADE did not understand: its type stands in the directory of the file.
+/// Also one whose parameters OpenCASCADE did not understand: its type stands in the directory of
+/// the file.
 bool isIgesFace(const FileEntity& entity) {
   if (entity->IsKind(STANDARD_TYPE(IGESGeom_TrimmedSurface)) ||
-      entity->IsKind(STANDARD_TYPE(IGESGeom_BoundedSurface)) || entity->IsKind(STANDARD_TYPE(IGESSolid_Face)))
+      entity->IsKind(STANDARD_TYPE(IGESGeom_BoundedSurface)) ||
+      entity->IsKind(STANDARD_TYPE(IGESSolid_Face)))
     return true;
   const auto undefined = opencascade::handle<IGESData_UndefinedEntity>::DownCast(entity);
   if (undefined.IsNull()) return false;
@@ -92,7 +95,8 @@ bool isIgesSurface(const FileEntity& entity) {
   return !iges.IsNull() && IGESToBRep::IsBasicSurface(iges);
 }
 
-/// A surface that the file shows untrimmed, or whose face is of a type that OpenCASCADE does not know.
+/// A surface that the file shows untrimmed, or whose face is of a type that OpenCASCADE does not
+/// know.
 bool isFaceByItself(const FileEntity& surface, const Interface_Graph& graph) {
   bool used_by_unknown = false, used_otherwise = false;
   Interface_EntityIterator users = graph.Sharings(surface);

@@ -44,8 +44,8 @@ Model modelFromShape(const TopoDS_Shape& shape) {
   return model;
 }
 
-// FreeCAD's binary format is a shape set followed by the index of the shape, the index of its location and
-// its orientation.
+// FreeCAD's binary format is a shape set followed by the index of the shape, the index of its
+// location and its orientation.
 void writeBinaryShape(const TopoDS_Shape& shape, std::ostream& stream) {
   BinTools_ShapeSet set;
   set.SetFormatNb(3);

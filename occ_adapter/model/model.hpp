@@ -36,7 +36,8 @@ enum class ModelErrc {
 class ModelError : public std::runtime_error {
  public:
   ModelError(ModelErrc code, const std::filesystem::path& path, const std::string& what)
-      : std::runtime_error(path.empty() ? "model " + what : path.string() + ": " + what), code_(code) {}
+      : std::runtime_error(path.empty() ? "model " + what : path.string() + ": " + what),
+        code_(code) {}
   ModelErrc code() const { return code_; }
 
  private:
@@ -46,8 +47,8 @@ class ModelError : public std::runtime_error {
 /// Name, colour and layers that the file gives to a part of the shape.
 struct ShapeAttribute {
   TopAbs_ShapeEnum kind = TopAbs_SHAPE;
-  int index = 0;                               ///< from 1, in the order of TopExp::MapShapes for that kind
-  std::string name;                            ///< UTF-8, may be empty
+  int index = 0;     ///< from 1, in the order of TopExp::MapShapes for that kind
+  std::string name;  ///< UTF-8, may be empty
   std::optional<std::array<double, 3>> color;  ///< red, green, blue; 0..1, linear
   std::vector<std::string> layers;             ///< UTF-8, sorted
 };
@@ -59,20 +60,22 @@ struct Model {
   std::string format;       ///< "STEP", "IGES", "BREP", "binary BREP", "memory"
   std::string length_unit;  ///< the file's own unit; "mm (assumed)" where the format has none
   std::vector<ShapeAttribute> attributes;
-  std::vector<std::string> notes;  ///< what a user should know: faces that did not come through, ...
+  std::vector<std::string>
+      notes;  ///< what a user should know: faces that did not come through, ...
   double read_s = 0;
 
   int faceCount() const;
   int edgeCount() const;
 };
 
-/// A model of a shape in memory. The shape is shared, not copied, and never changed. Faces and edges with numbers that are
-/// not finite, or 1e100 and more, are counted in its notes.
+/// A model of a shape in memory. The shape is shared, not copied, and never changed. Faces and
+/// edges with numbers that are not finite, or 1e100 and more, are counted in its notes.
 /// \throws ModelError if the shape is null, has no face, or has no face with finite numbers.
 Model modelFromShape(const TopoDS_Shape& shape);
 
-/// The shape in OpenCASCADE's binary format as FreeCAD writes it (Part.Shape.exportBinary). Poles, knots and points come
-/// through exactly; axes of analytic surfaces and locations are normalised again when read, which may move the last bit.
+/// The shape in OpenCASCADE's binary format as FreeCAD writes it (Part.Shape.exportBinary). Poles,
+/// knots and points come through exactly; axes of analytic surfaces and locations are normalised
+/// again when read, which may move the last bit.
 void writeBinaryShape(const TopoDS_Shape& shape, std::ostream& stream);
 /// Reads what writeBinaryShape() or FreeCAD wrote. A null shape if the stream holds none.
 TopoDS_Shape readBinaryShape(std::istream& stream);

@@ -20,7 +20,8 @@ Model readModel(const std::filesystem::path& path, const Progress& progress) {
                      "can't be read: the reading process answered with no shape");
   answer.model.shape = decodeShape(std::move(*answer.shape), path);
   answer.model.path = path.string();
-  answer.model.read_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  answer.model.read_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return std::move(answer.model);
 }
 

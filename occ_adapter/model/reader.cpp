@@ -27,7 +27,8 @@ namespace {
 std::filesystem::path ownFile() {
   std::error_code error;
   Dl_info info{};
-  const bool found = dladdr(reinterpret_cast<const void*>(&ownFile), &info) != 0 && info.dli_fname != nullptr;
+  const bool found =
+      dladdr(reinterpret_cast<const void*>(&ownFile), &info) != 0 && info.dli_fname != nullptr;
   // For a program dladdr repeats argv[0], which need not be a path; the kernel knows better.
   if (!found || std::string_view(info.dli_fname).find(".so") == std::string_view::npos)
     return std::filesystem::read_symlink("/proc/self/exe", error);
@@ -40,13 +41,15 @@ std::filesystem::path readerProgram(const Question& question) {
   const std::filesystem::path libexec = std::filesystem::path("libexec") / "seamwright";
   for (const std::filesystem::path& place :
        {folder, folder.parent_path() / "bin", folder.parent_path() / libexec,
-        folder.parent_path().parent_path() / libexec, std::filesystem::path(SEAMWRIGHT_LIBEXEC_DIR)}) {
+        folder.parent_path().parent_path() / libexec,
+        std::filesystem::path(SEAMWRIGHT_LIBEXEC_DIR)}) {
     const std::filesystem::path program = place / SEAMWRIGHT_READER;
     if (std::error_code error; std::filesystem::exists(program, error)) return program;
   }
   throw ModelError(ModelErrc::ReaderMissing, question.model,
-                   "can't be " + question.deed + ": the program " SEAMWRIGHT_READER " is not beside " +
-                       ownFile().string() + "; install Seamwright again or name it in SEAMWRIGHT_READER");
+                   "can't be " + question.deed +
+                       ": the program " SEAMWRIGHT_READER " is not beside " + ownFile().string() +
+                       "; install Seamwright again or name it in SEAMWRIGHT_READER");
 }
 
 /// The answer while it comes in.
@@ -58,7 +61,8 @@ struct Incoming {
   void take(wire::Kind kind, std::string payload) {
     switch (kind) {
       case wire::Kind::Progress:
-        if (payload.size() == sizeof progress) std::memcpy(&progress, payload.data(), payload.size());
+        if (payload.size() == sizeof progress)
+          std::memcpy(&progress, payload.data(), payload.size());
         break;
       case wire::Kind::Facts:
         wire::factsFromJson(payload, answer.model);
@@ -81,16 +85,18 @@ struct Incoming {
 
 ModelError notInTime(const Question& question, const ReaderBounds& bounds) {
   std::ostringstream text;
-  text << "can't be " << question.deed << ": OpenCASCADE did not come to an end with it in " << bounds.seconds
-       << " s; SEAMWRIGHT_READER_SECONDS allows more";
+  text << "can't be " << question.deed << ": OpenCASCADE did not come to an end with it in "
+       << bounds.seconds << " s; SEAMWRIGHT_READER_SECONDS allows more";
   return {ModelErrc::ReaderDied, question.model, text.str()};
 }
 
-/// Hands everything that the child says to \p take until it ends. Time counts only while the child is waited for:
+/// Hands everything that the child says to \p take until it ends. Time counts only while the child
+/// is waited for:
 /// \p progress may take its own.
 /// \returns the wait status
 int listenTo(Child& child, const Question& question, const ReaderBounds& bounds,
-             const std::function<void(std::string_view)>& take, const std::function<void()>& progress) {
+             const std::function<void(std::string_view)>& take,
+             const std::function<void()>& progress) {
   using Clock = std::chrono::steady_clock;
   Clock::duration waited{};
   for (bool open = true;;) {
@@ -100,7 +106,8 @@ int listenTo(Child& child, const Question& question, const ReaderBounds& bounds,
     else if (const std::optional<int> status = child.ended())
       return *status;
     waited += Clock::now() - start;
-    if (std::chrono::duration<double>(waited).count() > bounds.seconds) throw notInTime(question, bounds);
+    if (std::chrono::duration<double>(waited).count() > bounds.seconds)
+      throw notInTime(question, bounds);
     progress();
   }
 }
@@ -118,8 +125,9 @@ void requireSuccess(const Incoming& incoming, int status, const Question& questi
                      cant + "OpenCASCADE crashed on it (" + strsignal(WTERMSIG(status)) + ")");
   if (!incoming.answer.shape && !incoming.answer.file)
     throw ModelError(ModelErrc::ReaderDied, question.model,
-                     cant + "the reading process ended with status " + std::to_string(WEXITSTATUS(status)) +
-                         " and no " + (question.deed == "read" ? "shape" : "file"));
+                     cant + "the reading process ended with status " +
+                         std::to_string(WEXITSTATUS(status)) + " and no " +
+                         (question.deed == "read" ? "shape" : "file"));
 }
 
 }  // namespace
@@ -141,9 +149,9 @@ Answer askReader(const Question& question, const Progress& progress) {
     throw ModelError(ModelErrc::ReaderMissing, question.model,
                      "can't be " + question.deed + ": " + error.what());
   } catch (const nlohmann::json::exception& error) {
-    throw ModelError(
-        ModelErrc::ReaderDied, question.model,
-        "can't be " + question.deed + ": the reading process answered with no sense: " + error.what());
+    throw ModelError(ModelErrc::ReaderDied, question.model,
+                     "can't be " + question.deed +
+                         ": the reading process answered with no sense: " + error.what());
   }
   return std::move(incoming.answer);
 }

@@ -23,16 +23,16 @@ struct Answer {
 
 /// A question to the reading program, see reader_main.cpp.
 struct Question {
-  std::filesystem::path model;         ///< the file that errors speak of
-  std::uintmax_t bytes = 0;            ///< size of all files that the program is given
-  std::string deed;                    ///< what can't be done where the program fails: "read", "written"
+  std::filesystem::path model;  ///< the file that errors speak of
+  std::uintmax_t bytes = 0;     ///< size of all files that the program is given
+  std::string deed;             ///< what can't be done where the program fails: "read", "written"
   std::vector<std::string> arguments;  ///< of the program
   int input = -1;                      ///< descriptor of its standard input; -1: none
 };
 
 /// Runs the reading program until it ends.
-/// \throws ModelError where it says so, dies, answers with no sense or does not end in time (readerBounds);
-/// std::invalid_argument from readerBounds; Cancelled.
+/// \throws ModelError where it says so, dies, answers with no sense or does not end in time
+/// (readerBounds); std::invalid_argument from readerBounds; Cancelled.
 Answer askReader(const Question& question, const Progress& progress);
 
 /// The shape that the reading program sent. \throws ModelError, about the file \p path

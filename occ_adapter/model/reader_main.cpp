@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The reading program answers on file descriptor 3 (see wire.hpp). What a bad file does to OpenCASCADE it does here, and
-// not to the program that asked.
+// The reading program answers on file descriptor 3 (see wire.hpp). What a bad file does to
+// OpenCASCADE it does here, and not to the program that asked.
 //
-//   read FORMAT PATH            reads a model file: facts and shape
-//   write FORMAT HOW SHARE PATH writes the model whose facts and shape stand on standard input: a report and the bytes of
-//                               the file. HOW: "follow", where the model has one, the file PATH; or "afresh".
-//                               SHARE: of the accuracy that is stated
+//   read FORMAT PATH reads a model file: facts and shape write FORMAT HOW SHARE PATH writes the
+//   model whose facts and shape stand on standard input: a report and the bytes of
+//                               the file. HOW: "follow", where the model has one, the file PATH; or
+//                               "afresh". SHARE: of the accuracy that is stated
 #include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
@@ -41,11 +41,13 @@ constexpr int answer = Child::answer_descriptor;
 std::uintmax_t memory_bound = 0;
 std::string deed;  ///< "read" or "written"
 
-/// Ends this process with the thread that waits for its answer. A thread that asks does nothing else until it has the
-/// answer, so it does not end before unless its whole process does, or somebody ends the thread.
+/// Ends this process with the thread that waits for its answer. A thread that asks does nothing
+/// else until it has the answer, so it does not end before unless its whole process does, or
+/// somebody ends the thread.
 void endWithParent() {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  // Had the parent ended before, no signal would come; but then nobody holds the other end of the answer.
+  // Had the parent ended before, no signal would come; but then nobody holds the other end of the
+  // answer.
   pollfd listener{answer, 0, 0};
   if (::poll(&listener, 1, 0) > 0 && (listener.revents & POLLERR) != 0) _exit(1);
 }
@@ -61,7 +63,8 @@ std::uintmax_t memoryInUse() {
 
 void sendError(ModelErrc code, const std::string& text) {
   const nlohmann::json error = {{"code", code}, {"text", text}};
-  wire::send(answer, wire::Kind::Error, error.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  wire::send(answer, wire::Kind::Error,
+             error.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 void sendOutOfMemory() {
@@ -75,8 +78,8 @@ void sendOutOfMemory() {
   sendError(ModelErrc::ReaderDied, text.str());
 }
 
-/// Memory is bounded from here on. The parent bounds the time; it also is bounded here as processor time, as the parent
-/// may be stopped for a while.
+/// Memory is bounded from here on. The parent bounds the time; it also is bounded here as processor
+/// time, as the parent may be stopped for a while.
 void limitResources(std::uintmax_t bytes) {
   const ReaderBounds bounds = readerBounds(bytes);
   memory_bound = bounds.memory_bytes;
@@ -95,8 +98,8 @@ void limitResources(std::uintmax_t bytes) {
 
 void sendFailure(const Standard_Failure& failure, bool reads, const std::string& format) {
   sendError(reads ? ModelErrc::Malformed : ModelErrc::NotWritten,
-            (reads ? "is malformed " + format : std::string("can't be written")) + ": OpenCASCADE stops at " +
-                failureText(failure));
+            (reads ? "is malformed " + format : std::string("can't be written")) +
+                ": OpenCASCADE stops at " + failureText(failure));
 }
 
 /// Sends progress when a percent more is done.
@@ -105,7 +108,8 @@ class Announcer {
   bool operator()(double share) {
     if (share - last_ >= 0.01) {
       last_ = share;
-      wire::send(answer, wire::Kind::Progress, {reinterpret_cast<const char*>(&share), sizeof share});
+      wire::send(answer, wire::Kind::Progress,
+                 {reinterpret_cast<const char*>(&share), sizeof share});
     }
     return true;
   }
@@ -118,7 +122,8 @@ void readAndSend(const std::filesystem::path& path, const std::string& format) {
   limitResources(std::filesystem::file_size(path));
   const Model model = loadModel(path, format, Announcer());
   std::ostringstream shape;
-  shape.exceptions(std::ios::badbit);  // where memory ends the stream would end the shape without a word
+  shape.exceptions(
+      std::ios::badbit);  // where memory ends the stream would end the shape without a word
   BinTools::Write(model.shape, shape);
   wire::send(answer, wire::Kind::Facts, wire::factsToJson(model));
   wire::send(answer, wire::Kind::Shape, shape.view());
@@ -146,8 +151,8 @@ Model requestedModel(const std::string& path) {
 
 void writeAndSend(const std::string& format, const WriteOptions& options, const std::string& path) {
   const Model model = requestedModel(path);
-  const Stored stored =
-      storeModel(model, format == name(Format::Step) ? Format::Step : Format::Iges, options, Announcer());
+  const Stored stored = storeModel(
+      model, format == name(Format::Step) ? Format::Step : Format::Iges, options, Announcer());
   wire::send(answer, wire::Kind::Report, wire::reportToJson(stored.report));
   wire::send(answer, wire::Kind::File, stored.bytes);
 }
@@ -175,7 +180,8 @@ int main(int argc, char** argv) {
   const bool reads = arguments.size() == 3 && arguments[0] == "read";
   const bool writes = arguments.size() == 5 && arguments[0] == "write";
   if (!reads && !writes) {
-    std::fputs("This program reads model files for Seamwright and is not called by hand.\n", stderr);
+    std::fputs("This program reads model files for Seamwright and is not called by hand.\n",
+               stderr);
     return 2;
   }
   deed = reads ? "read" : "written";

@@ -75,7 +75,8 @@ constexpr std::array<LengthUnit, 10> length_units = {
      {"KM", 1e6, {"km", "kilometre", "kilometer", ""}},
      {"MI", 1609344, {"mi", "mile", "", ""}}}};
 
-/// What a file of a source says of itself beside its shapes. What it does not say is left to the defaults.
+/// What a file of a source says of itself beside its shapes. What it does not say is left to the
+/// defaults.
 struct Manner {
   std::string unit = "MM";
   std::string schema = "AP214IS";
@@ -93,7 +94,8 @@ void chooseUnit(Manner& manner, double mm) {
       return;
     }
   std::ostringstream note;
-  note << "the length unit of the source is " << mm << " mm, which OpenCASCADE can't write: written in mm";
+  note << "the length unit of the source is " << mm
+       << " mm, which OpenCASCADE can't write: written in mm";
   manner.notes.push_back(note.str());
 }
 
@@ -110,7 +112,8 @@ void chooseUnit(Manner& manner, const std::string& name) {
       manner.unit = unit.name;
       return;
     }
-  manner.notes.push_back("the length unit '" + name + "' is not one OpenCASCADE can write: written in mm");
+  manner.notes.push_back("the length unit '" + name +
+                         "' is not one OpenCASCADE can write: written in mm");
 }
 
 void chooseSchema(Manner& manner, const opencascade::handle<HeaderSection_FileSchema>& schema) {
@@ -121,8 +124,8 @@ void chooseSchema(Manner& manner, const opencascade::handle<HeaderSection_FileSc
   else if (name.starts_with("AP242"))
     manner.schema = "AP242DIS";
   else if (!name.starts_with("AUTOMOTIVE_DESIGN"))
-    manner.notes.push_back("OpenCASCADE can't write schema " + name.substr(0, name.find_first_of(" {")) +
-                           ": written as AP214");
+    manner.notes.push_back("OpenCASCADE can't write schema " +
+                           name.substr(0, name.find_first_of(" {")) + ": written as AP214");
 }
 
 struct Contexts {
@@ -157,7 +160,8 @@ Manner mannerOfStep(const opencascade::handle<StepData_StepModel>& model) {
     if (contexts.accuracy.IsNull() || factors.ComputeTolerance(contexts.accuracy) != 0) continue;
     if (factors.HasUncertainty()) accuracies.insert(factors.Uncertainty() * factors.LengthFactor());
   }
-  if (units.size() > 1) manner.notes.push_back("the source has several length units: written in the first");
+  if (units.size() > 1)
+    manner.notes.push_back("the source has several length units: written in the first");
   if (!accuracies.empty()) manner.accuracy_mm = *accuracies.begin();
   return manner;
 }
@@ -170,18 +174,21 @@ Manner mannerOfIges(const IGESData_IGESModel& model) {
   chooseUnit(manner, model.GlobalSection().UnitValue());
   manner.iges_solids = false;
   for (int i = 1; i <= model.NbEntities() && !manner.iges_solids; ++i)
-    manner.iges_solids = std::count(brep_types.begin(), brep_types.end(), model.Entity(i)->TypeNumber()) > 0;
+    manner.iges_solids =
+        std::count(brep_types.begin(), brep_types.end(), model.Entity(i)->TypeNumber()) > 0;
   return manner;
 }
 
 Manner mannerOf(const LoadedDocument& source) {
-  if (const auto step = opencascade::handle<StepData_StepModel>::DownCast(source.entities); !step.IsNull())
+  if (const auto step = opencascade::handle<StepData_StepModel>::DownCast(source.entities);
+      !step.IsNull())
     return mannerOfStep(step);
   return mannerOfIges(*opencascade::handle<IGESData_IGESModel>::DownCast(source.entities));
 }
 
-/// The same shape as files can hold it. A placed root would be written as an assembly of one, so its placement is handed
-/// down to its parts. Loose faces would be written each with edges of its own, so those that share edges get a shell.
+/// The same shape as files can hold it. A placed root would be written as an assembly of one, so
+/// its placement is handed down to its parts. Loose faces would be written each with edges of its
+/// own, so those that share edges get a shell.
 class Writable {
  public:
   explicit Writable(const TopoDS_Shape& shape) : shape_(withShells(withoutPlacement(shape))) {}
@@ -228,7 +235,8 @@ class Writable {
     return result.Oriented(shape.Orientation());
   }
 
-  /// For each part the first of those that it hangs together with, which is another one for faces only.
+  /// For each part the first of those that it hangs together with, which is another one for faces
+  /// only.
   static std::vector<std::size_t> groupsOf(const std::vector<TopoDS_Shape>& parts) {
     std::vector<std::size_t> group(parts.size());
     std::map<const void*, std::size_t> first;
@@ -236,7 +244,8 @@ class Writable {
       group[i] = i;
       if (parts[i].ShapeType() != TopAbs_FACE) continue;
       for (TopExp_Explorer edge(parts[i], TopAbs_EDGE); edge.More(); edge.Next()) {
-        const std::size_t other = group[first.emplace(edge.Current().TShape().get(), i).first->second];
+        const std::size_t other =
+            group[first.emplace(edge.Current().TShape().get(), i).first->second];
         const std::size_t low = std::min(group[i], other), high = std::max(group[i], other);
         std::replace(group.begin(), group.begin() + static_cast<std::ptrdiff_t>(i) + 1, high, low);
       }
@@ -244,8 +253,8 @@ class Writable {
     return group;
   }
 
-  static TopoDS_Shape joined(const std::vector<TopoDS_Shape>& parts, const std::vector<std::size_t>& groups,
-                             std::size_t group) {
+  static TopoDS_Shape joined(const std::vector<TopoDS_Shape>& parts,
+                             const std::vector<std::size_t>& groups, std::size_t group) {
     if (std::count(groups.begin(), groups.end(), group) == 1) return parts[group];
     TopoDS_Shell shell;
     BRep_Builder().MakeShell(shell);
@@ -314,7 +323,8 @@ class NewDocument {
   TopoDS_Shape partOf(const ShapeAttribute& attribute) {
     TopTools_IndexedMapOfShape& map = maps_[attribute.kind];
     if (map.IsEmpty()) TopExp::MapShapes(model_.shape, attribute.kind, map);
-    return attribute.index >= 1 && attribute.index <= map.Extent() ? map(attribute.index) : TopoDS_Shape();
+    return attribute.index >= 1 && attribute.index <= map.Extent() ? map(attribute.index)
+                                                                   : TopoDS_Shape();
   }
 
   void assign(const ShapeAttribute& attribute) {
@@ -355,8 +365,8 @@ class NewDocument {
                    std::string("can't be written as ") + format + ": OpenCASCADE fails");
 }
 
-/// Reals with all their digits. The writers keep them in 24 characters, which a sign and an exponent of three digits
-/// would overrun; those get a digit less.
+/// Reals with all their digits. The writers keep them in 24 characters, which a sign and an
+/// exponent of three digits would overrun; those get a digit less.
 void keepAllDigits(Interface_FloatWriter& writer) {
   writer.SetFormat("%.15E");
   writer.SetFormatForRange("%.16E", 1e-99, 1e99);
@@ -374,14 +384,15 @@ void keepHeader(const opencascade::handle<StepData_StepModel>& model, const Mann
   if (!manner.description.IsNull()) header.SetDescription(manner.description->Description());
 }
 
-std::string writeStep(const Document& document, const Manner& manner, const Message_ProgressRange& range) {
+std::string writeStep(const Document& document, const Manner& manner,
+                      const Message_ProgressRange& range) {
   STEPCAFControl_Controller::Init();
   Interface_Static::SetCVal("write.step.schema", manner.schema.c_str());
   Interface_Static::SetCVal("write.step.unit", manner.unit.c_str());
   Interface_Static::SetIVal("write.surfacecurve.mode", 1);
   Interface_Static::SetIVal("write.stepcaf.subshapes.name", 1);
-  // Where no accuracy is known, the largest tolerance of the shape: with their mean, which is OpenCASCADE's way, readers
-  // bend curves to vertices that are further off.
+  // Where no accuracy is known, the largest tolerance of the shape: with their mean, which is
+  // OpenCASCADE's way, readers bend curves to vertices that are further off.
   constexpr int largest = 1, given = 2;
   Interface_Static::SetIVal("write.precision.mode", manner.accuracy_mm ? given : largest);
   if (manner.accuracy_mm) Interface_Static::SetRVal("write.precision.val", *manner.accuracy_mm);
@@ -396,13 +407,15 @@ std::string writeStep(const Document& document, const Manner& manner, const Mess
   keepHeader(model, manner);
   StepData_StepWriter text(model);
   keepAllDigits(text.FloatWriter());
-  text.SendModel(opencascade::handle<StepData_Protocol>::DownCast(writer.ChangeWriter().WS()->Protocol()));
+  text.SendModel(
+      opencascade::handle<StepData_Protocol>::DownCast(writer.ChangeWriter().WS()->Protocol()));
   std::ostringstream bytes;
   if (!text.Print(bytes)) failToWrite("STEP");
   return withShortestReals(bytes.view());
 }
 
-std::string writeIges(const Document& document, const Manner& manner, const Message_ProgressRange& range) {
+std::string writeIges(const Document& document, const Manner& manner,
+                      const Message_ProgressRange& range) {
   IGESControl_Controller::Init();
   Interface_Static::SetCVal("write.iges.unit", manner.unit == "UIN" ? "MM" : manner.unit.c_str());
   Interface_Static::SetIVal("write.iges.brep.mode", manner.iges_solids ? 1 : 0);
@@ -439,7 +452,8 @@ struct Prepared {
 
 Prepared prepare(const Model& model, const WriteOptions& options, const Progress& progress) {
   Prepared prepared;
-  const bool has_structure = !model.path.empty() && (model.format == "STEP" || model.format == "IGES");
+  const bool has_structure =
+      !model.path.empty() && (model.format == "STEP" || model.format == "IGES");
   if (!has_structure || options.afresh) {
     chooseUnit(prepared.manner, model.length_unit);
     prepared.document = NewDocument(model).document();
@@ -453,33 +467,38 @@ Prepared prepare(const Model& model, const WriteOptions& options, const Progress
     prepared.report.changed_faces = carried->faces;
     prepared.report.changed_edges = carried->edges;
     prepared.report.changed_vertices = carried->vertices;
-    // Readers that find edges and vertices further apart than the stated accuracy make parameter curves of their own.
+    // Readers that find edges and vertices further apart than the stated accuracy make parameter
+    // curves of their own.
     if (carried->largest_tolerance_mm > prepared.manner.accuracy_mm.value_or(0))
       prepared.manner.accuracy_mm = carried->largest_tolerance_mm;
     if (prepared.manner.accuracy_mm) *prepared.manner.accuracy_mm *= options.share_of_accuracy;
     return prepared;
   }
-  // What the source states is about its shape, not this one: how accurate it is, and that no faces share edges.
+  // What the source states is about its shape, not this one: how accurate it is, and that no faces
+  // share edges.
   prepared.manner.accuracy_mm.reset();
   prepared.manner.iges_solids = true;
   prepared.document = NewDocument(model).document();
   if (const int instances = instancesOf(source.document); instances > 0)
     prepared.report.notes.push_back("faces, edges or vertices are others than in " + model.path +
-                                    ": written afresh, without its assembly of " + std::to_string(instances) +
+                                    ": written afresh, without its assembly of " +
+                                    std::to_string(instances) +
                                     (instances == 1 ? " instance" : " instances"));
   return prepared;
 }
 
 }  // namespace
 
-Stored storeModel(const Model& model, Format target, const WriteOptions& options, const Progress& progress) {
+Stored storeModel(const Model& model, Format target, const WriteOptions& options,
+                  const Progress& progress) {
   constexpr double read = 0.5;
   Prepared prepared = prepare(model, options, partOf(progress, 0, read));
   const Progress rest = partOf(progress, read, 1);
   const opencascade::handle<Reporter> reporter = new Reporter(rest);
   Stored stored;
-  stored.bytes = target == Format::Step ? writeStep(prepared.document, prepared.manner, reporter->Start())
-                                        : writeIges(prepared.document, prepared.manner, reporter->Start());
+  stored.bytes = target == Format::Step
+                     ? writeStep(prepared.document, prepared.manner, reporter->Start())
+                     : writeIges(prepared.document, prepared.manner, reporter->Start());
   stored.report = std::move(prepared.report);
   stored.report.format = target;
   stored.report.notes.insert(stored.report.notes.end(), prepared.manner.notes.begin(),

@@ -13,8 +13,11 @@ struct Stored {
   WriteReport report;
 };
 
-/// Writes a model as STEP or IGES in this process, see writeModel(); only the reading program calls it.
-/// \param options what concerns the content: afresh, share_of_accuracy. \throws ModelError, Standard_Failure
-Stored storeModel(const Model& model, Format target, const WriteOptions& options, const Progress& progress);
+/// Writes a model as STEP or IGES in this process, see writeModel(); only the reading program calls
+/// it.
+/// \param options what concerns the content: afresh, share_of_accuracy. \throws ModelError,
+/// Standard_Failure
+Stored storeModel(const Model& model, Format target, const WriteOptions& options,
+                  const Progress& progress);
 
 }  // namespace seamwright::occ

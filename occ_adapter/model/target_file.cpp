@@ -46,7 +46,8 @@ bool isBeside(const std::string& name, const std::string& stem) {
                      [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// Whoever writes a file beside a target holds its lock, which ends with the process however that ends.
+/// Whoever writes a file beside a target holds its lock, which ends with the process however that
+/// ends.
 bool locked(int file) {
   return ::flock(file, LOCK_EX | LOCK_NB) == 0;
 }
@@ -104,22 +105,25 @@ class Beside {
   }
 
  private:
-  /// \returns whether the file is there, and not taken for a stale one before it was locked. Some file systems have no locks: nothing is
-  /// swept there.
+  /// \returns whether the file is there, and not taken for a stale one before it was locked. Some
+  /// file systems have no locks: nothing is swept there.
   bool create() {
-    path_ = folderOf(target_) / (stemBeside(target_) + std::to_string(std::random_device()()) + ".part");
+    path_ = folderOf(target_) /
+            (stemBeside(target_) + std::to_string(std::random_device()()) + ".part");
     file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (file_ < 0 && errno == EEXIST) return false;
     if (file_ < 0) fail(target_, errno);
     struct stat now {};
-    if ((locked(file_) || errno != EWOULDBLOCK) && ::fstat(file_, &now) == 0 && now.st_nlink > 0) return true;
+    if ((locked(file_) || errno != EWOULDBLOCK) && ::fstat(file_, &now) == 0 && now.st_nlink > 0)
+      return true;
     ::close(file_);
     return false;
   }
 
   void rename(bool replace) {
     if (!replace) {
-      if (::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) == 0) return;
+      if (::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) == 0)
+        return;
       // Some file systems can't promise that; the target was missing a moment ago.
       if (errno != EINVAL && errno != ENOSYS) fail(target_, errno);
       if (fs::exists(target_)) fail(target_, EEXIST);
@@ -148,8 +152,9 @@ fs::path withoutLinks(const fs::path& target) {
   std::error_code error;
   fs::path real = target;
   // Where a link leads to nothing it is not followed by canonical names.
-  for (int k = 0;
-       k < most_links && !fs::exists(real, error) && fs::is_symlink(fs::symlink_status(real, error)); ++k) {
+  for (int k = 0; k < most_links && !fs::exists(real, error) &&
+                  fs::is_symlink(fs::symlink_status(real, error));
+       ++k) {
     const fs::path next = fs::read_symlink(real, error);
     if (error) return target;
     real = folderOf(real) / next;
@@ -163,7 +168,8 @@ void requireWritable(const fs::path& target, bool replace) {
   std::error_code error;
   const fs::file_status status = fs::status(real, error);
   if (fs::is_symlink(fs::symlink_status(real, error)))
-    throw ModelError(ModelErrc::NotWritable, target, "can't be written: it is a link that leads to itself");
+    throw ModelError(ModelErrc::NotWritable, target,
+                     "can't be written: it is a link that leads to itself");
   if (fs::is_directory(status))
     throw ModelError(ModelErrc::NotAFile, target, "is a folder, not a model file");
   if (fs::exists(status) && !fs::is_regular_file(status))

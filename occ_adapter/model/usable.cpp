@@ -85,7 +85,8 @@ class FaultFinder {
     }
     const std::string_view text = stream.view();
     constexpr std::string_view between = " \n";
-    for (std::size_t begin = 0, end = 0; (begin = text.find_first_not_of(between, end)) != text.npos;) {
+    for (std::size_t begin = 0, end = 0;
+         (begin = text.find_first_not_of(between, end)) != text.npos;) {
       end = std::min(text.find_first_of(between, begin), text.size());
       double number = 0;
       const auto [stop, error] = std::from_chars(text.data() + begin, text.data() + end, number);
@@ -111,7 +112,8 @@ class FaultFinder {
 
   std::string faultOf(const opencascade::handle<Geom_Surface>& surface) const {
     if (surface.IsNull()) return {};
-    if (const auto spline = opencascade::handle<Geom_BSplineSurface>::DownCast(surface); !spline.IsNull())
+    if (const auto spline = opencascade::handle<Geom_BSplineSurface>::DownCast(surface);
+        !spline.IsNull())
       return faultOf(*spline);
     return faultInText("a surface", [&surface](std::ostream& stream) {
       GeomTools_SurfaceSet::PrintSurface(surface, stream, true);
@@ -120,8 +122,9 @@ class FaultFinder {
 
   std::string faultOf(const opencascade::handle<Geom_Curve>& curve) const {
     if (curve.IsNull()) return {};
-    return faultInText(
-        "a curve", [&curve](std::ostream& stream) { GeomTools_CurveSet::PrintCurve(curve, stream, true); });
+    return faultInText("a curve", [&curve](std::ostream& stream) {
+      GeomTools_CurveSet::PrintCurve(curve, stream, true);
+    });
   }
 
   std::string faultOf(const opencascade::handle<Geom2d_Curve>& curve) const {
@@ -131,11 +134,13 @@ class FaultFinder {
     });
   }
 
-  /// Without a curve the range means nothing: at the pole of a sphere an edge has a path on the face alone.
+  /// Without a curve the range means nothing: at the pole of a sphere an edge has a path on the
+  /// face alone.
   template <class Curve>
   std::string faultOf(const BRep_GCurve& owner, const opencascade::handle<Curve>& curve) const {
-    return curve.IsNull() ? std::string()
-                          : firstFaultOf({faultOf("a range", {owner.First(), owner.Last()}), faultOf(curve)});
+    return curve.IsNull()
+               ? std::string()
+               : firstFaultOf({faultOf("a range", {owner.First(), owner.Last()}), faultOf(curve)});
   }
 
   std::string faultOf(const opencascade::handle<BRep_CurveRepresentation>& representation) const {
@@ -151,21 +156,23 @@ class FaultFinder {
   std::string faultOf(const TopoDS_Vertex& vertex) const {
     const auto body = opencascade::handle<BRep_TVertex>::DownCast(vertex.TShape());
     if (body.IsNull()) return {};
-    std::string fault = firstFaultOf({faultOf(vertex.Location()), faultOf("a vertex", body->Pnt().XYZ()),
-                                      faultOf("a tolerance of a vertex", {body->Tolerance()})});
-    for (BRep_ListIteratorOfListOfPointRepresentation it(body->Points()); fault.empty() && it.More();
-         it.Next())
-      fault = firstFaultOf(
-          {faultOf(it.Value()->Location()), faultOf("a place of a vertex", {it.Value()->Parameter()})});
+    std::string fault =
+        firstFaultOf({faultOf(vertex.Location()), faultOf("a vertex", body->Pnt().XYZ()),
+                      faultOf("a tolerance of a vertex", {body->Tolerance()})});
+    for (BRep_ListIteratorOfListOfPointRepresentation it(body->Points());
+         fault.empty() && it.More(); it.Next())
+      fault = firstFaultOf({faultOf(it.Value()->Location()),
+                            faultOf("a place of a vertex", {it.Value()->Parameter()})});
     return fault;
   }
 
   std::string faultOf(const TopoDS_Edge& edge) const {
     const auto body = opencascade::handle<BRep_TEdge>::DownCast(edge.TShape());
     if (body.IsNull()) return {};
-    std::string fault = firstFaultOf({faultOf(edge.Location()), faultOf("a tolerance", {body->Tolerance()})});
-    for (BRep_ListIteratorOfListOfCurveRepresentation it(body->Curves()); fault.empty() && it.More();
-         it.Next())
+    std::string fault =
+        firstFaultOf({faultOf(edge.Location()), faultOf("a tolerance", {body->Tolerance()})});
+    for (BRep_ListIteratorOfListOfCurveRepresentation it(body->Curves());
+         fault.empty() && it.More(); it.Next())
       fault = faultOf(it.Value());
     for (TopExp_Explorer it(edge, TopAbs_VERTEX); fault.empty() && it.More(); it.Next())
       fault = faultOf(TopoDS::Vertex(it.Current()));
@@ -175,12 +182,14 @@ class FaultFinder {
   std::string faultOf(const TopoDS_Face& face) const {
     TopLoc_Location location;
     const opencascade::handle<Geom_Surface> surface = BRep_Tool::Surface(face, location);
-    return firstFaultOf(
-        {faultOf(location), faultOf("a tolerance", {BRep_Tool::Tolerance(face)}), faultOf(surface)});
+    return firstFaultOf({faultOf(location), faultOf("a tolerance", {BRep_Tool::Tolerance(face)}),
+                         faultOf(surface)});
   }
 
  private:
-  bool isUsableNumber(double number) const { return std::isfinite(number) && std::abs(number) < too_large_; }
+  bool isUsableNumber(double number) const {
+    return std::isfinite(number) && std::abs(number) < too_large_;
+  }
 
   double too_large_;
 };
@@ -192,7 +201,8 @@ FaultFinder unusableNumbers() {
 
 template <class Part>
 std::map<int, std::string> faultsOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind,
-                                    const Part& (*cast)(const TopoDS_Shape&), const FaultFinder& search) {
+                                    const Part& (*cast)(const TopoDS_Shape&),
+                                    const FaultFinder& search) {
   TopTools_IndexedMapOfShape parts;
   TopExp::MapShapes(shape, kind, parts);
   std::map<int, std::string> faults;
@@ -225,7 +235,8 @@ UnusableParts::UnusableParts(const TopoDS_Shape& shape)
   TopExp::MapShapes(shape, TopAbs_EDGE, edges);
   for (int f = 1; f <= faces.Extent(); ++f)
     for (TopExp_Explorer it(faces(f), TopAbs_EDGE); it.More(); it.Next())
-      if (const int edge = edges.FindIndex(it.Current()); hasEdge(edge)) edge_of_face_.emplace(f, edge);
+      if (const int edge = edges.FindIndex(it.Current()); hasEdge(edge))
+        edge_of_face_.emplace(f, edge);
 }
 
 std::string UnusableParts::describeFace(int face) const {
@@ -249,7 +260,8 @@ std::string UnusableParts::note() const {
       faces_.empty() ? describeEdge(edges_.begin()->first) : describeFace(faces_.begin()->first);
   std::string counts;
   if (!faces_.empty()) counts = countedParts(faces_.size(), "face");
-  if (!edges_.empty()) counts += (counts.empty() ? "" : " and ") + countedParts(edges_.size(), "edge");
+  if (!edges_.empty())
+    counts += (counts.empty() ? "" : " and ") + countedParts(edges_.size(), "edge");
   const bool is_one = faces_.size() + edges_.size() == 1;
   return counts + (is_one ? " holds" : " hold") +
          " numbers that are not finite or too large (1e100 and more): " + first;
@@ -266,21 +278,26 @@ bool isUsable(const TopoDS_Edge& edge) {
 std::string whyNotFinite(const TopoDS_Shape& shape) {
   const FaultFinder search(std::numeric_limits<double>::infinity());
   const std::map<int, std::string> faces = faultsOf(shape, TopAbs_FACE, asFace, search);
-  if (!faces.empty()) return "face " + std::to_string(faces.begin()->first) + " has " + faces.begin()->second;
+  if (!faces.empty())
+    return "face " + std::to_string(faces.begin()->first) + " has " + faces.begin()->second;
   const std::map<int, std::string> edges = faultsOf(shape, TopAbs_EDGE, asEdge, search);
-  return edges.empty() ? std::string()
-                       : "edge " + std::to_string(edges.begin()->first) + " has " + edges.begin()->second;
+  return edges.empty()
+             ? std::string()
+             : "edge " + std::to_string(edges.begin()->first) + " has " + edges.begin()->second;
 }
 
 void noteUnusableParts(Model& model) {
   const UnusableParts unusable(model.shape);
   if (unusable.empty()) return;
   if (unusable.faceCount() == model.faceCount())
-    throw ModelError(ModelErrc::Malformed, model.path, "has no face with finite numbers: " + unusable.note());
-  model.notes.push_back(unusable.note() + "; they stay as they are, and their seams are not measured");
+    throw ModelError(ModelErrc::Malformed, model.path,
+                     "has no face with finite numbers: " + unusable.note());
+  model.notes.push_back(unusable.note() +
+                        "; they stay as they are, and their seams are not measured");
 }
 
-void requireUsable(const TopoDS_Shape& shape, const std::filesystem::path& path, const std::string& deed) {
+void requireUsable(const TopoDS_Shape& shape, const std::filesystem::path& path,
+                   const std::string& deed) {
   const UnusableParts unusable(shape);
   if (unusable.empty()) return;
   throw ModelError(ModelErrc::Malformed, path,

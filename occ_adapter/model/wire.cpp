@@ -52,7 +52,8 @@ void FrameParser::feed(std::string_view bytes) {
 std::string factsToJson(const Model& model) {
   nlohmann::json attributes = nlohmann::json::array();
   for (const ShapeAttribute& attribute : model.attributes) {
-    nlohmann::json entry = {{"kind", attribute.kind}, {"index", attribute.index}, {"name", attribute.name}};
+    nlohmann::json entry = {
+        {"kind", attribute.kind}, {"index", attribute.index}, {"name", attribute.name}};
     if (attribute.color) entry["color"] = *attribute.color;
     if (!attribute.layers.empty()) entry["layers"] = attribute.layers;
     attributes.push_back(std::move(entry));
@@ -70,9 +71,11 @@ void factsFromJson(const std::string& text, Model& model) {
   model.length_unit = facts.at("length_unit");
   model.notes = facts.at("notes");
   for (const nlohmann::json& entry : facts.at("attributes")) {
-    ShapeAttribute attribute{entry.at("kind"), entry.at("index"), entry.at("name"), std::nullopt, {}};
+    ShapeAttribute attribute{
+        entry.at("kind"), entry.at("index"), entry.at("name"), std::nullopt, {}};
     if (entry.contains("color")) attribute.color = entry.at("color").get<std::array<double, 3>>();
-    if (entry.contains("layers")) attribute.layers = entry.at("layers").get<std::vector<std::string>>();
+    if (entry.contains("layers"))
+      attribute.layers = entry.at("layers").get<std::vector<std::string>>();
     model.attributes.push_back(std::move(attribute));
   }
 }

@@ -8,8 +8,8 @@
 #include <seamwright/occ_adapter/model/model.hpp>
 #include <seamwright/occ_adapter/model/write.hpp>
 
-/// What the reading process says to the process that asked: a sequence of frames, each a kind, a length and a
-/// payload.
+/// What the reading process says to the process that asked: a sequence of frames, each a kind, a
+/// length and a payload.
 namespace seamwright::occ::wire {
 
 enum class Kind : char {

@@ -64,7 +64,8 @@ struct Written {
 /// Of the file that is followed; 0 for a model from memory and for a file that is gone.
 std::uintmax_t sizeOfSource(const Model& model) {
   std::error_code error;
-  const std::uintmax_t bytes = model.path.empty() ? 0 : std::filesystem::file_size(model.path, error);
+  const std::uintmax_t bytes =
+      model.path.empty() ? 0 : std::filesystem::file_size(model.path, error);
   return error ? 0 : bytes;
 }
 
@@ -97,7 +98,8 @@ Written writeBrep(const Model& model, Format format) {
   if (!model.attributes.empty())
     written.report.notes.push_back("BREP holds no names, colours and layers: those of " +
                                    std::to_string(model.attributes.size()) +
-                                   (model.attributes.size() == 1 ? " part" : " parts") + " are left out");
+                                   (model.attributes.size() == 1 ? " part" : " parts") +
+                                   " are left out");
   return written;
 }
 
@@ -110,8 +112,8 @@ std::optional<Written> copyOfSource(const Model& model, Format format) {
   return Written{std::move(bytes).str(), {.format = format, .followed_source = true, .notes = {}}};
 }
 
-/// OpenCASCADE would write NAN and INF: it does not come to an end with such a STEP file, and from IGES it reads other
-/// numbers without a word.
+/// OpenCASCADE would write NAN and INF: it does not come to an end with such a STEP file, and from
+/// IGES it reads other numbers without a word.
 void requireFinite(const Model& model, const std::filesystem::path& path, Format format) {
   if (const std::string why = whyNotFinite(model.shape); !why.empty())
     throw ModelError(ModelErrc::NotWritten, path,
@@ -165,8 +167,8 @@ void requireTarget(const std::filesystem::path& source, const std::filesystem::p
   requireWritable(target, mayReplace(source, target, options));
 }
 
-WriteReport writeModel(const Model& model, const std::filesystem::path& path, const WriteOptions& options,
-                       const Progress& progress) {
+WriteReport writeModel(const Model& model, const std::filesystem::path& path,
+                       const WriteOptions& options, const Progress& progress) {
   const Format format = targetFormat(path);
   if (model.shape.IsNull())
     throw ModelError(ModelErrc::NoShapes, path, "can't be written: the model has no shape");

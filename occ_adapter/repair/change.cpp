@@ -51,8 +51,9 @@ class Parts {
   void requireOnce(int number, const char* kind) const {
     const int instances = instances_.at(parts_(number).TShape().get());
     if (instances == 1) return;
-    throw std::invalid_argument(std::string(kind) + " " + std::to_string(number) + " stands in the shape " +
-                                std::to_string(instances) + " times: parts with several instances stay");
+    throw std::invalid_argument(std::string(kind) + " " + std::to_string(number) +
+                                " stands in the shape " + std::to_string(instances) +
+                                " times: parts with several instances stay");
   }
 
  private:
@@ -64,7 +65,8 @@ gp_Trsf outOf(const TopLoc_Location& location) {
   return location.Inverted().Transformation();
 }
 
-/// An edge beside a face that changes, with what it is after the change; all in the frame of the shape.
+/// An edge beside a face that changes, with what it is after the change; all in the frame of the
+/// shape.
 struct NewEdge {
   TopoDS_Edge bare;                       ///< a part of its own
   std::vector<EdgeSide> sides;            ///< after the change
@@ -109,8 +111,8 @@ class Changer {
  private:
   void add(const FaceChange& change) {
     if (change.face < 1 || change.face > faces_.count())
-      throw std::invalid_argument("face " + std::to_string(change.face) + ": the shape has faces 1 to " +
-                                  std::to_string(faces_.count()));
+      throw std::invalid_argument("face " + std::to_string(change.face) +
+                                  ": the shape has faces 1 to " + std::to_string(faces_.count()));
     if (change.surface.IsNull())
       throw std::invalid_argument("face " + std::to_string(change.face) + " is given no surface");
     if (!surfaces_.emplace(change.face, change.surface).second)
@@ -124,7 +126,9 @@ class Changer {
     for (int i = 1; i <= own.Extent(); ++i) numbers.insert(parts.number(own(i)));
   }
 
-  TopoDS_Face face(int number) const { return TopoDS::Face(faces_(number).Oriented(TopAbs_FORWARD)); }
+  TopoDS_Face face(int number) const {
+    return TopoDS::Face(faces_(number).Oriented(TopAbs_FORWARD));
+  }
   bool changes(int face) const { return surfaces_.count(face) > 0; }
 
   PlacedSurface surfaceAfter(int number) const {
@@ -152,7 +156,8 @@ class Changer {
   /// The path of an edge on a face; two where the face meets itself there.
   std::vector<PlanarPath> pathsOf(const TopoDS_Edge& edge, int number) const {
     std::vector<PlanarPath> paths = {pathOrBuilt(edge, face(number), gap_mm_)};
-    if (const auto changed = new_paths_.find({edges_.number(edge), number}); changed != new_paths_.end())
+    if (const auto changed = new_paths_.find({edges_.number(edge), number});
+        changed != new_paths_.end())
       paths.front().curve = changed->second;
     if (BRep_Tool::IsClosed(edge, face(number)))
       paths.push_back(pathOf(TopoDS::Edge(edge.Reversed()), face(number)));
@@ -162,11 +167,14 @@ class Changer {
   std::vector<EdgeSide> sidesAfter(const TopoDS_Edge& edge, const std::vector<int>& faces) const {
     std::vector<EdgeSide> sides;
     for (const int number : faces)
-      for (const PlanarPath& path : pathsOf(edge, number)) sides.push_back({surfaceAfter(number), path});
+      for (const PlanarPath& path : pathsOf(edge, number))
+        sides.push_back({surfaceAfter(number), path});
     return sides;
   }
 
-  TopoDS_Edge edge(int number) const { return TopoDS::Edge(edges_(number).Oriented(TopAbs_FORWARD)); }
+  TopoDS_Edge edge(int number) const {
+    return TopoDS::Edge(edges_(number).Oriented(TopAbs_FORWARD));
+  }
 
   void changeEdges(const std::set<int>& all) {
     const std::vector<int> numbers(all.begin(), all.end());
@@ -209,7 +217,8 @@ class Changer {
       if (hasNewPath(edge, number)) return true;
       if (changes(number))
         for (const PlanarPath& path : pathsOf(edge, number))
-          if (largestDistance_mm(surfaceOf(face(number)), surfaceAfter(number), path) > near_mm_) return true;
+          if (largestDistance_mm(surfaceOf(face(number)), surfaceAfter(number), path) > near_mm_)
+            return true;
     }
     return false;
   }
@@ -236,11 +245,13 @@ class Changer {
   bool hasStoredPath(const TopoDS_Edge& edge, int number) const {
     double first = 0, last = 0;
     bool is_stored = false;
-    const handle<Geom2d_Curve> path = BRep_Tool::CurveOnSurface(edge, face(number), first, last, &is_stored);
+    const handle<Geom2d_Curve> path =
+        BRep_Tool::CurveOnSurface(edge, face(number), first, last, &is_stored);
     return !path.IsNull() && is_stored;
   }
 
-  void setPath(const TopoDS_Edge& old, int number, const PlacedSurface& on, TopoDS_Edge& placed) const {
+  void setPath(const TopoDS_Edge& old, int number, const PlacedSurface& on,
+               TopoDS_Edge& placed) const {
     const std::vector<PlanarPath> paths = pathsOf(old, number);
     if (paths.size() == 2)
       builder_.UpdateEdge(placed, paths[0].curve, paths[1].curve, on.surface, on.location, 0);
@@ -262,7 +273,8 @@ class Changer {
   }
 
   /// Unless another face beside the edge lies on it and stays.
-  void forgetOldSurface(int number, const std::vector<int>& faces, const TopoDS_Edge& placed) const {
+  void forgetOldSurface(int number, const std::vector<int>& faces,
+                        const TopoDS_Edge& placed) const {
     const PlacedSurface old = surfaceOf(face(number));
     for (const int other : faces) {
       if (changes(other)) continue;
@@ -270,13 +282,14 @@ class Changer {
       if (beside.surface == old.surface && beside.location == old.location) return;
     }
     const TopLoc_Location in_edge = old.location.Predivided(placed.Location());
-    BRep_ListOfCurveRepresentation& all = handle<BRep_TEdge>::DownCast(placed.TShape())->ChangeCurves();
+    BRep_ListOfCurveRepresentation& all =
+        handle<BRep_TEdge>::DownCast(placed.TShape())->ChangeCurves();
     for (BRep_ListIteratorOfListOfCurveRepresentation it(all); it.More();) {
       const handle<BRep_CurveRepresentation>& one = it.Value();
-      const bool is_of_it =
-          one->IsCurveOnSurface(old.surface, in_edge) ||
-          (one->IsRegularity() && ((one->Surface() == old.surface && one->Location() == in_edge) ||
-                                   (one->Surface2() == old.surface && one->Location2() == in_edge)));
+      const bool is_of_it = one->IsCurveOnSurface(old.surface, in_edge) ||
+                            (one->IsRegularity() &&
+                             ((one->Surface() == old.surface && one->Location() == in_edge) ||
+                              (one->Surface2() == old.surface && one->Location2() == in_edge)));
       if (is_of_it)
         all.Remove(it);
       else
@@ -291,9 +304,9 @@ class Changer {
     const handle<BRep_TEdge> part = handle<BRep_TEdge>::DownCast(edge.bare.TShape());
     if (edge.moved) {
       edge.curve = meanImage(edge.sides, edge.first, edge.last, near_mm_);
-      builder_.UpdateEdge(edge.bare,
-                          handle<Geom_Curve>::DownCast(edge.curve->Transformed(outOf(old.Location()))),
-                          TopLoc_Location(), 0);
+      builder_.UpdateEdge(
+          edge.bare, handle<Geom_Curve>::DownCast(edge.curve->Transformed(outOf(old.Location()))),
+          TopLoc_Location(), 0);
       builder_.Range(edge.bare, edge.first, edge.last, true);
       const bool one_range = std::ranges::all_of(edge.sides, [&edge](const EdgeSide& side) {
         return side.path.first == edge.first && side.path.last == edge.last;
@@ -309,7 +322,8 @@ class Changer {
     part->Tolerance(edge.tolerance_mm);
   }
 
-  /// Where the edge's curve and its images end at a vertex, and how near the vertex has to keep for the edge itself.
+  /// Where the edge's curve and its images end at a vertex, and how near the vertex has to keep for
+  /// the edge itself.
   struct Ends {
     std::vector<gp_Pnt> curves, images;
     double tolerance_mm = 0;
@@ -330,7 +344,8 @@ class Changer {
       for (const bool at_first : {true, false}) {
         const TopoDS_Vertex end = at_first ? TopExp::FirstVertex(old) : TopExp::LastVertex(old);
         if (!vertex.IsSame(end)) continue;
-        if (!edge.curve.IsNull()) ends.curves.push_back(edge.curve->Value(at_first ? edge.first : edge.last));
+        if (!edge.curve.IsNull())
+          ends.curves.push_back(edge.curve->Value(at_first ? edge.first : edge.last));
         for (const EdgeSide& side : edge.sides)
           ends.images.push_back(side.at(at_first ? 0 : points_of_an_edge - 1));
       }
@@ -342,7 +357,8 @@ class Changer {
     NewEdge same;
     same.curve = BRep_Tool::Curve(edge, same.first, same.last);
     for (const int beside : facesOf(number))
-      if (const PlanarPath path = pathOf(edge, face(beside)); !path.curve.IsNull() && isUsable(face(beside)))
+      if (const PlanarPath path = pathOf(edge, face(beside));
+          !path.curve.IsNull() && isUsable(face(beside)))
         same.sides.push_back({surfaceOf(face(beside)), path});
     same.tolerance_mm = BRep_Tool::Tolerance(edge);
     return same;
@@ -402,17 +418,17 @@ class Changer {
   double near_mm_, gap_mm_;
   int jobs_;
   BRep_Builder builder_;
-  std::map<int, handle<Geom_Surface>> surfaces_;                   ///< by face, in the frame of the shape
+  std::map<int, handle<Geom_Surface>> surfaces_;  ///< by face, in the frame of the shape
   std::map<std::pair<int, int>, handle<Geom2d_Curve>> new_paths_;  ///< by edge and face
-  std::map<int, PlacedSurface> stored_;                            ///< the same as the faces have them
+  std::map<int, PlacedSurface> stored_;  ///< the same as the faces have them
   std::map<int, NewEdge> new_edges_;
   TopTools_DataMapOfShapeShape new_parts_, done_;
 };
 
 }  // namespace
 
-TopoDS_Shape withChanges(const TopoDS_Shape& shape, const std::vector<FaceChange>& changes, double gap_mm,
-                         const std::vector<PathChange>& paths, int jobs) {
+TopoDS_Shape withChanges(const TopoDS_Shape& shape, const std::vector<FaceChange>& changes,
+                         double gap_mm, const std::vector<PathChange>& paths, int jobs) {
   if (changes.empty() && paths.empty()) return shape;
   const TopoDS_Shape own = withOwnParts(shape);
   return Changer(own, changes, gap_mm, paths, jobs).run();

@@ -27,14 +27,15 @@ namespace {
 void requireNumbers(const char* kind, const std::vector<int>& numbers, int count) {
   for (const int number : numbers)
     if (number < 1 || number > count)
-      throw std::invalid_argument(std::string(kind) + " " + std::to_string(number) + ": the model has " +
-                                  kind + "s 1 to " + std::to_string(count));
+      throw std::invalid_argument(std::string(kind) + " " + std::to_string(number) +
+                                  ": the model has " + kind + "s 1 to " + std::to_string(count));
 }
 
 void requireSeams(const std::vector<int>& edges, const Report& report) {
   for (const int edge : edges) {
-    const bool is_seam = std::ranges::any_of(
-        report.seams, [edge](const SeamResult& seam) { return std::ranges::count(seam.edges, edge) > 0; });
+    const bool is_seam = std::ranges::any_of(report.seams, [edge](const SeamResult& seam) {
+      return std::ranges::count(seam.edges, edge) > 0;
+    });
     if (!is_seam)
       throw std::invalid_argument("edge " + std::to_string(edge) +
                                   " is no seam: it has not a face on both sides");
@@ -66,8 +67,8 @@ class Instances {
     TopExp::MapShapes(faces_(face), TopAbs_EDGE, within);
     for (int i = 1; i <= within.Extent(); ++i)
       if (const int count = countOf(within(i)); count > 1)
-        return "has edge " + std::to_string(edges_.FindIndex(within(i))) + ", which stands in the model " +
-               std::to_string(count) + " times";
+        return "has edge " + std::to_string(edges_.FindIndex(within(i))) +
+               ", which stands in the model " + std::to_string(count) + " times";
     return {};
   }
 
@@ -79,8 +80,8 @@ class Instances {
   std::map<const TopoDS_TShape*, int> counts_;
 };
 
-/// Why a face stays that can't be computed with, or that has an edge in common with such a face: where such an edge
-/// would have to be is not known.
+/// Why a face stays that can't be computed with, or that has an edge in common with such a face:
+/// where such an edge would have to be is not known.
 class Unmovable {
  public:
   explicit Unmovable(const TopoDS_Shape& shape) : unusable_(shape) {
@@ -96,8 +97,9 @@ class Unmovable {
     for (TopExp_Explorer edge(faces_(face), TopAbs_EDGE); edge.More(); edge.Next())
       for (const TopoDS_Shape& beside : faces_of_edge_.FindFromKey(edge.Current()))
         if (const int other = faces_.FindIndex(beside); unusable_.hasFace(other))
-          return "has edge " + std::to_string(edges_.FindIndex(edge.Current())) + " in common with face " +
-                 std::to_string(other) + ", which " + unusable_.whyLeftOut(other);
+          return "has edge " + std::to_string(edges_.FindIndex(edge.Current())) +
+                 " in common with face " + std::to_string(other) + ", which " +
+                 unusable_.whyLeftOut(other);
     return {};
   }
 
@@ -142,7 +144,8 @@ std::vector<FaceChoice> chooseFaces(const TopoDS_Shape& shape, const Report& bef
 
 bool isWanted(const SeamResult& seam, const std::vector<int>& edges) {
   if (edges.empty()) return seam.verdict.seam_class == SeamClass::Defect;
-  return std::ranges::any_of(seam.edges, [&edges](int edge) { return std::ranges::count(edges, edge) > 0; });
+  return std::ranges::any_of(seam.edges,
+                             [&edges](int edge) { return std::ranges::count(edges, edge) > 0; });
 }
 
 bool isSharp(const SeamResult& seam, const RepairOptions& options) {
@@ -173,11 +176,13 @@ std::string whyNot(const SeamResult& seam, const std::vector<FaceChoice>& faces,
     return seam.note.empty()                       ? "it can't be measured"
            : seam.note.starts_with("not measured") ? seam.note
                                                    : "it can't be measured: " + seam.note;
-  if (surelyReaches(seam.figures, options.tolerance, options.level())) return "it has the level already";
+  if (surelyReaches(seam.figures, options.tolerance, options.level()))
+    return "it has the level already";
   if (const std::string why = whyNoneMoves(seam.faces, faces); !why.empty()) {
     const bool may_be_trimmed =
         std::ranges::any_of(seam.faces, [&faces](int face) { return faces[face].may_be_trimmed; });
-    return may_be_trimmed && isOfGapAlone(seam, sharp, options.tolerance, options.level()) ? "" : why;
+    return may_be_trimmed && isOfGapAlone(seam, sharp, options.tolerance, options.level()) ? ""
+                                                                                           : why;
   }
   return seam.figures.fold_at && !sharp ? whyFolded(seam.figures) : "";
 }
@@ -185,16 +190,19 @@ std::string whyNot(const SeamResult& seam, const std::vector<FaceChoice>& faces,
 }  // namespace
 
 std::string whyNoneMoves(const std::array<int, 2>& faces, const std::vector<FaceChoice>& choices) {
-  if (std::ranges::any_of(faces, [&choices](int face) { return choices[face].may_move; })) return {};
+  if (std::ranges::any_of(faces, [&choices](int face) { return choices[face].may_move; }))
+    return {};
   std::string why;
   for (const int face : faces) {
     if (!why.empty() && face == faces[0]) continue;
-    why += (why.empty() ? "face " : "; face ") + std::to_string(face) + " " + choices[face].cannot_move;
+    why += (why.empty() ? "face " : "; face ") + std::to_string(face) + " " +
+           choices[face].cannot_move;
   }
   return why;
 }
 
-bool isOfGapAlone(const SeamResult& seam, bool sharp, const ContinuityTolerance& tolerance, Level level) {
+bool isOfGapAlone(const SeamResult& seam, bool sharp, const ContinuityTolerance& tolerance,
+                  Level level) {
   if (seam.kind != SeamKind::Shared || seam.faces[0] == seam.faces[1]) return false;
   if (seam.verdict.level != Level::None) return false;
   SeamFigures closed = seam.figures;
@@ -214,9 +222,10 @@ Choice choose(const Model& model, const Report& before, const RepairOptions& opt
     choice.treated.push_back(wanted && why.empty());
     choice.sharp.push_back(sharp);
     choice.reasons.push_back(why);
-    choice.wants_conversion.push_back(wanted && seam.figures.gap_mm &&
-                                      !surelyReaches(seam.figures, options.tolerance, options.level()) &&
-                                      mayMoveAsSplines(seam.faces, choice.faces));
+    choice.wants_conversion.push_back(
+        wanted && seam.figures.gap_mm &&
+        !surelyReaches(seam.figures, options.tolerance, options.level()) &&
+        mayMoveAsSplines(seam.faces, choice.faces));
   }
   return choice;
 }
@@ -266,7 +275,8 @@ std::string whyKinked(const Seam& seam, const ContinuityTolerance& tolerance) {
   return {};
 }
 
-bool isRepaired(const SeamResult& after, bool sharp, const ContinuityTolerance& tolerance, Level level) {
+bool isRepaired(const SeamResult& after, bool sharp, const ContinuityTolerance& tolerance,
+                Level level) {
   if (!sharp) return surelyReaches(after.figures, tolerance, level);
   const auto& gap = after.figures.gap_mm;
   return after.verdict.seam_class == SeamClass::Crease && gap && gap->upper &&

@@ -49,11 +49,14 @@ handle<Geom2d_BSplineCurve> lineBetween(const gp_Pnt2d& from, const gp_Pnt2d& to
   return new Geom2d_BSplineCurve(poles, knots, multiplicities, 1);
 }
 
-/// A copy of a line, a B-spline or a Bezier curve between two parameters, with the same speed; null for other curves.
-handle<Geom2d_BSplineCurve> splineBetween(const handle<Geom2d_Curve>& curve, double from, double to) {
+/// A copy of a line, a B-spline or a Bezier curve between two parameters, with the same speed; null
+/// for other curves.
+handle<Geom2d_BSplineCurve> splineBetween(const handle<Geom2d_Curve>& curve, double from,
+                                          double to) {
   if (const auto trimmed = handle<Geom2d_TrimmedCurve>::DownCast(curve); !trimmed.IsNull())
     return splineBetween(trimmed->BasisCurve(), from, to);
-  if (curve->IsKind(STANDARD_TYPE(Geom2d_Line))) return lineBetween(curve->Value(from), curve->Value(to));
+  if (curve->IsKind(STANDARD_TYPE(Geom2d_Line)))
+    return lineBetween(curve->Value(from), curve->Value(to));
   handle<Geom2d_BSplineCurve> spline;
   if (curve->IsKind(STANDARD_TYPE(Geom2d_BSplineCurve)))
     spline = handle<Geom2d_BSplineCurve>::DownCast(curve->Copy());
@@ -83,7 +86,8 @@ class Along {
     for (const int end : {0, 1}) off_[end] = places[1][end] - nearest(end);
   }
 
-  /// s in 0..1 of the interval. At the ends the given places, which may be a little off the nearest ones.
+  /// s in 0..1 of the interval. At the ends the given places, which may be a little off the nearest
+  /// ones.
   double at(double s) const {
     if (s == 0 || s == 1) return places_[1][s == 0 ? 0 : 1];
     const auto [low, high] = std::minmax(places_[1][0], places_[1][1]);
@@ -104,7 +108,8 @@ class Along {
     const std::vector<double>& b = seam_.correspondence.b;
     const double place = std::clamp(between(places_[0], s), a.front(), a.back());
     const auto right = std::lower_bound(a.begin() + 1, a.end() - 1, place) - a.begin();
-    const double share = a[right] > a[right - 1] ? (place - a[right - 1]) / (a[right] - a[right - 1]) : 0;
+    const double share =
+        a[right] > a[right - 1] ? (place - a[right - 1]) / (a[right] - a[right - 1]) : 0;
     return b[right - 1] + share * (b[right] - b[right - 1]);
   }
 
@@ -118,15 +123,17 @@ bool isLinear(const Along& along, const Places& places, double near_mm) {
   constexpr int count = 65;
   for (int k = 1; k + 1 < count; ++k) {
     const double s = static_cast<double>(k) / (count - 1);
-    if ((along.pointAt(along.at(s)) - along.pointAt(between(places, s))).norm() > near_mm) return false;
+    if ((along.pointAt(along.at(s)) - along.pointAt(between(places, s))).norm() > near_mm)
+      return false;
   }
   return true;
 }
 
-/// A cubic spline through points of the path, as many as it needs to lead where \p place tells, or 513.
+/// A cubic spline through points of the path, as many as it needs to lead where \p place tells, or
+/// 513.
 handle<Geom2d_Curve> interpolated(const PlacedSurface& surface, const PlanarPath& path,
-                                  const std::function<double(double)>& place, double first, double last,
-                                  double near_mm) {
+                                  const std::function<double(double)>& place, double first,
+                                  double last, double near_mm) {
   constexpr int fewest = 8, most = 512;
   const auto on_path = [&](double s) { return path.curve->Value(parameter(path, place(s))); };
   for (int count = fewest;; count *= 2) {
@@ -148,16 +155,17 @@ handle<Geom2d_Curve> interpolated(const PlacedSurface& surface, const PlanarPath
     double off = 0;
     for (int k = 0; k < 2 * count; ++k) {
       const double s = (k + 0.5) / (2 * count);
-      off = std::max(off,
-                     surface.at(curve->Value(first + s * (last - first))).Distance(surface.at(on_path(s))));
+      off = std::max(
+          off,
+          surface.at(curve->Value(first + s * (last - first))).Distance(surface.at(on_path(s))));
     }
     if (off <= near_mm || count == most) return handle<Geom2d_Curve>(curve);
   }
 }
 
 /// The path over [first, last], run along at its own speed.
-handle<Geom2d_Curve> linear(const PlacedSurface& surface, const PlanarPath& path, const Places& places,
-                            double first, double last, double near_mm) {
+handle<Geom2d_Curve> linear(const PlacedSurface& surface, const PlanarPath& path,
+                            const Places& places, double first, double last, double near_mm) {
   const double from = parameter(path, places[0]), to = parameter(path, places[1]);
   if (from == first && to == last) return path.curve;
   const handle<Geom2d_BSplineCurve> spline = splineBetween(path.curve, from, to);
@@ -174,9 +182,10 @@ bool haveOneCurve(const Seam& seam, const std::array<Places, 2>& places) {
   std::array<Places, 2> ranges{};
   std::array<handle<Geom_Curve>, 2> curves;
   for (const int side : {0, 1})
-    curves[side] = BRep_Tool::Curve(seam.sides[side].edge, at[side], ranges[side][0], ranges[side][1]);
-  return !curves[0].IsNull() && curves[0] == curves[1] && at[0] == at[1] && ranges[0] == ranges[1] &&
-         places[0] == places[1];
+    curves[side] =
+        BRep_Tool::Curve(seam.sides[side].edge, at[side], ranges[side][0], ranges[side][1]);
+  return !curves[0].IsNull() && curves[0] == curves[1] && at[0] == at[1] &&
+         ranges[0] == ranges[1] && places[0] == places[1];
 }
 
 void store(const Seam& seam, CommonEdge& common) {
@@ -184,7 +193,8 @@ void store(const Seam& seam, CommonEdge& common) {
   builder.MakeEdge(common.edge, common.curve, common.tolerance_mm);
   builder.Range(common.edge, common.first, common.last);
   const PlacedSurface &a = common.sides[0].placed, &b = common.sides[1].placed;
-  const handle<Geom2d_Curve>&path_a = common.sides[0].path.curve, &path_b = common.sides[1].path.curve;
+  const handle<Geom2d_Curve>&path_a = common.sides[0].path.curve,
+        &path_b = common.sides[1].path.curve;
   if (seam.sides[0].face != seam.sides[1].face) {
     builder.UpdateEdge(common.edge, path_a, a.surface, a.location, common.tolerance_mm);
     builder.UpdateEdge(common.edge, path_b, b.surface, b.location, common.tolerance_mm);
@@ -218,17 +228,19 @@ CommonEdge commonEdge(const Seam& seam, const std::array<Places, 2>& places, dou
   for (const int side : {0, 1}) {
     auto& [placed, path] = common.sides[side];
     const handle<Geom2d_Curve> curve =
-        side == 0 || is_linear ? linear(placed, path, places[side], common.first, common.last, near_mm)
-                               : interpolated(
-                                     placed, path, [&along](double s) { return along.at(s); }, common.first,
-                                     common.last, near_mm);
+        side == 0 || is_linear
+            ? linear(placed, path, places[side], common.first, common.last, near_mm)
+            : interpolated(
+                  placed, path, [&along](double s) { return along.at(s); }, common.first,
+                  common.last, near_mm);
     path = {curve, common.first, common.last};
   }
-  common.curve = haveOneCurve(seam, places) ? BRep_Tool::Curve(seam.sides[0].edge, first, last)
-                                            : meanImage(common.sides, common.first, common.last, near_mm);
-  common.tolerance_mm =
-      std::max(Precision::Confusion(),
-               between_points * largestDistance_mm(common.sides, *common.curve, common.first, common.last));
+  common.curve = haveOneCurve(seam, places)
+                     ? BRep_Tool::Curve(seam.sides[0].edge, first, last)
+                     : meanImage(common.sides, common.first, common.last, near_mm);
+  common.tolerance_mm = std::max(
+      Precision::Confusion(),
+      between_points * largestDistance_mm(common.sides, *common.curve, common.first, common.last));
   store(seam, common);
   return common;
 }

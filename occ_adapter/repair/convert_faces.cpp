@@ -24,7 +24,11 @@ class Converting {
  public:
   Converting(const Model& model, const RepairOptions& options, const PlainRepair& repair,
              const Progress& progress)
-      : model_(model), options_(options), repair_(repair), progress_(progress), time_(options.max_time_s) {
+      : model_(model),
+        options_(options),
+        repair_(repair),
+        progress_(progress),
+        time_(options.max_time_s) {
     TopExp::MapShapes(model.shape, TopAbs_FACE, faces_);
   }
 
@@ -63,7 +67,8 @@ class Converting {
     for (std::size_t i = 0; i < report.seams.size(); ++i) {
       const SeamRepair& seam = report.seams[i];
       const auto& faces = seam.before.faces;
-      if (isOpen(seam) && (chosen.count(faces[0]) > 0 || chosen.count(faces[1]) > 0)) tried_[i] = seam.reason;
+      if (isOpen(seam) && (chosen.count(faces[0]) > 0 || chosen.count(faces[1]) > 0))
+        tried_[i] = seam.reason;
     }
   }
 
@@ -168,7 +173,8 @@ class Converting {
     for (const int face : asked) {
       try {
         // What withChanges() takes for no move.
-        const PolynomialSurface polynomial = polynomialSurface(TopoDS::Face(faces_(face)), gap_mm / 1000);
+        const PolynomialSurface polynomial =
+            polynomialSurface(TopoDS::Face(faces_(face)), gap_mm / 1000);
         changes.push_back({face, opencascade::handle<Geom_Surface>(polynomial.surface), 0});
         errors_mm_[face] = polynomial.error_mm;
         continue;
@@ -221,8 +227,8 @@ class Converting {
 
 }  // namespace
 
-RepairReport repairConverting(const Model& model, const RepairOptions& options, const PlainRepair& repair,
-                              const Progress& progress) {
+RepairReport repairConverting(const Model& model, const RepairOptions& options,
+                              const PlainRepair& repair, const Progress& progress) {
   return Converting(model, options, repair, progress).run();
 }
 

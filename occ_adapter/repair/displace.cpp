@@ -44,15 +44,17 @@ bool isTreatedWhereItCloses(int face, const RepairTask& task) {
   return false;
 }
 
-/// Of the face; where a path is missing it can't be integrated, and counts as its part of the parameters.
+/// Of the face; where a path is missing it can't be integrated, and counts as its part of the
+/// parameters.
 double area_mm2(const TopoDS_Face& face, const handle<Geom_BSplineSurface>& surface,
                 const std::array<double, 4>& range) {
   GProp_GProps of_face, of_range;
   BRepGProp::SurfaceProperties(face, of_face);
   if (of_face.Mass() > 0) return of_face.Mass();
-  BRepGProp::SurfaceProperties(
-      BRepBuilderAPI_MakeFace(surface, range[0], range[1], range[2], range[3], Precision::Confusion()).Face(),
-      of_range);
+  BRepGProp::SurfaceProperties(BRepBuilderAPI_MakeFace(surface, range[0], range[1], range[2],
+                                                       range[3], Precision::Confusion())
+                                   .Face(),
+                               of_range);
   return of_range.Mass();
 }
 
@@ -73,7 +75,8 @@ class TaskFaces {
 };
 
 /// Its budget is half of what its curvature varies by, and what can't be seen or is needed.
-MovingFace moverOf(int number, const TopoDS_Face& face, const TopoDS_Face& given, const RepairTask& task) {
+MovingFace moverOf(int number, const TopoDS_Face& face, const TopoDS_Face& given,
+                   const RepairTask& task) {
   constexpr int first_spans = 4;
   constexpr double share_of_gap = 0.01, share_of_variation = 0.5;
   const handle<Geom_BSplineSurface> surface = splineOfFace(face);
@@ -82,7 +85,8 @@ MovingFace moverOf(int number, const TopoDS_Face& face, const TopoDS_Face& given
   const handle<Geom_BSplineSurface> first = splineOfFace(given);
   MovingFace mover{
       Displacement(surface, range, first_spans, share_of_gap * task.options.tolerance.gap_mm,
-                   isTreatedWhereItCloses(number, task), std::array{first->UDegree(), first->VDegree()}),
+                   isTreatedWhereItCloses(number, task),
+                   std::array{first->UDegree(), first->VDegree()}),
       0, 0, 0};
   mover.budget_per_mm = share_of_variation * variationOf_per_mm(face, surface, {.lines = 16}) +
                         allowedVariation(number, face, task.options.tolerance, task.needed, 1);
@@ -106,18 +110,20 @@ Restraint restraintOf(int face, const Restraints& restraints) {
   return found == restraints.end() ? Restraint{} : found->second;
 }
 
-/// A face that stays is trimmed elsewhere where its neighbour moves, if there is surface on both sides of the edge.
+/// A face that stays is trimmed elsewhere where its neighbour moves, if there is surface on both
+/// sides of the edge.
 bool maySlide(const RepairTask& task, std::size_t i, int side, const Pcurve& path,
               const std::set<int>& moving, const Restraints& restraints) {
   const Seam& seam = task.seams[i];
   const Coedge &own = seam.sides[side], &other = seam.sides[1 - side];
-  return seam.kind == SeamKind::Shared && moving.count(own.face) == 0 && moving.count(other.face) > 0 &&
-         task.faces[own.face].may_be_trimmed && !restraintOf(own.face, restraints).keeps_edges &&
+  return seam.kind == SeamKind::Shared && moving.count(own.face) == 0 &&
+         moving.count(other.face) > 0 && task.faces[own.face].may_be_trimmed &&
+         !restraintOf(own.face, restraints).keeps_edges &&
          !BRep_Tool::IsClosed(own.edge, own.shape) && StayingSurface(own.shape).surrounds(path);
 }
 
-Joint jointOf(const RepairTask& task, std::size_t i, const MissedPlaces& missed, const TurnsAtEnds& turns,
-              const std::set<int>& moving, const Restraints& restraints) {
+Joint jointOf(const RepairTask& task, std::size_t i, const MissedPlaces& missed,
+              const TurnsAtEnds& turns, const std::set<int>& moving, const Restraints& restraints) {
   Joint joint;
   joint.seam = i;
   joint.ask = task.isTreated(i) ? Ask::Join : Ask::Keep;
@@ -128,7 +134,8 @@ Joint jointOf(const RepairTask& task, std::size_t i, const MissedPlaces& missed,
     joint.sides.push_back(side);
     joint.paths.push_back(pcurveOf(side.edge, side.shape, task.options.tolerance.gap_mm));
   }
-  for (const int k : {0, 1}) joint.slides[k] = maySlide(task, i, k, joint.paths[k], moving, restraints);
+  for (const int k : {0, 1})
+    joint.slides[k] = maySlide(task, i, k, joint.paths[k], moving, restraints);
   joint.turn_rad = task.options.tolerance.angle_rad + turns.at_rad(task.seams[i]);
   joint.map = task.seams[i].correspondence;
   if (const auto places = missed.find(i); places != missed.end()) joint.also = places->second;
@@ -150,8 +157,8 @@ std::set<int> facesToMove(const RepairTask& task) {
   for (std::size_t i = 0; i < task.seams.size(); ++i) {
     if (!task.isTreated(i)) continue;
     const auto& sides = task.seams[i].sides;
-    const std::set<int> moving =
-        task.neighbours_help ? around.of(task.seams[i]) : std::set<int>{sides[0].face, sides[1].face};
+    const std::set<int> moving = task.neighbours_help ? around.of(task.seams[i])
+                                                      : std::set<int>{sides[0].face, sides[1].face};
     for (const int face : moving)
       if (task.faces[face].may_move) faces.insert(face);
   }
@@ -179,7 +186,8 @@ struct Part {
   std::vector<Joint> joints;
 };
 
-std::vector<Part> connectedParts(const std::set<int>& moving, std::vector<Joint> joints, int faces) {
+std::vector<Part> connectedParts(const std::set<int>& moving, std::vector<Joint> joints,
+                                 int faces) {
   Groups groups(faces + 1);
   for (const Joint& joint : joints)
     if (joint.sides.size() == 2 && moving.count(joint.sides[0].face) > 0 &&
@@ -188,8 +196,8 @@ std::vector<Part> connectedParts(const std::set<int>& moving, std::vector<Joint>
   std::map<int, Part> parts;
   for (const int face : moving) parts[groups.of(face)].faces.insert(face);
   for (Joint& joint : joints) {
-    const auto mover =
-        std::ranges::find_if(joint.sides, [&](const Coedge& side) { return moving.count(side.face) > 0; });
+    const auto mover = std::ranges::find_if(
+        joint.sides, [&](const Coedge& side) { return moving.count(side.face) > 0; });
     parts[groups.of(mover->face)].joints.push_back(std::move(joint));
   }
   std::vector<Part> list;
@@ -221,10 +229,10 @@ bool getsLower(const Part& part, const FairComponent& component) {
   });
 }
 
-/// What a solution can take over from those before. Where less continuity is asked for it begins again: curvature that was in the way has left its
-/// traces.
-FairStart startOf(const Part& part, const std::vector<FairComponent>& before, const Restraints& restraints,
-                  MovingFaces& movers) {
+/// What a solution can take over from those before. Where less continuity is asked for it begins
+/// again: curvature that was in the way has left its traces.
+FairStart startOf(const Part& part, const std::vector<FairComponent>& before,
+                  const Restraints& restraints, MovingFaces& movers) {
   FairStart start;
   for (const FairComponent& component : before) {
     if (component.diverged || getsLower(part, component)) continue;
@@ -259,7 +267,8 @@ std::string whyMissed(double missed, double limit_mm) {
   return text.str();
 }
 
-/// Those that miss most, as others may be missed for their sake. \param with_curvature of the seams that are to have G2, else of the others.
+/// Those that miss most, as others may be missed for their sake. \param with_curvature of the seams
+/// that are to have G2, else of the others.
 Reasons failuresOf(const Part& part, const std::vector<double>& missed, bool with_curvature,
                    double limit_mm) {
   constexpr double share_of_worst = 0.5;
@@ -276,7 +285,8 @@ Reasons failuresOf(const Part& part, const std::vector<double>& missed, bool wit
   return failures;
 }
 
-/// Of the edges that slide. Those of seams to be repaired may do so although no face moves: the edge alone may be what strays.
+/// Of the edges that slide. Those of seams to be repaired may do so although no face moves: the
+/// edge alone may be what strays.
 std::vector<PathChange> slidPaths(const Part& part, const RepairTask& task,
                                   const std::vector<FaceChange>& changes) {
   std::vector<PathChange> paths;
@@ -287,7 +297,8 @@ std::vector<PathChange> slidPaths(const Part& part, const RepairTask& task,
       const auto change = std::ranges::find(changes, moves.face, &FaceChange::face);
       const bool is_moved = change != changes.end();
       if (!is_moved && joint.ask != Ask::Join) continue;
-      const handle<Geom_Surface> surface = is_moved ? change->surface : BRep_Tool::Surface(moves.shape);
+      const handle<Geom_Surface> surface =
+          is_moved ? change->surface : BRep_Tool::Surface(moves.shape);
       if (auto path = slidPath(task.seams[joint.seam].edges.front(), stays, moves, surface,
                                task.options.tolerance.gap_mm))
         paths.push_back(*std::move(path));
@@ -295,9 +306,9 @@ std::vector<PathChange> slidPaths(const Part& part, const RepairTask& task,
   return paths;
 }
 
-FairComponent solved(const RepairTask& task, const Part& part, std::string key, const TaskFaces& faces,
-                     const std::vector<FairComponent>& before, const Restraints& restraints,
-                     const Progress& progress) {
+FairComponent solved(const RepairTask& task, const Part& part, std::string key,
+                     const TaskFaces& faces, const std::vector<FairComponent>& before,
+                     const Restraints& restraints, const Progress& progress) {
   FairComponent component;
   component.asked = std::move(key);
   const FairStart start = startOf(part, before, restraints, component.movers);
@@ -310,7 +321,8 @@ FairComponent solved(const RepairTask& task, const Part& part, std::string key, 
     mover.stiffness = restraint.stiffness;
     mover.restraint_mm = restraint.move_mm;
   }
-  FairResult result = fairSolve(part.joints, task.options.tolerance, start, component.movers, progress);
+  FairResult result =
+      fairSolve(part.joints, task.options.tolerance, start, component.movers, progress);
   component.weights = std::move(result.weights);
   constexpr double far = 10;
   double most_missed = 1;
@@ -321,7 +333,8 @@ FairComponent solved(const RepairTask& task, const Part& part, std::string key, 
       most_asked = std::max(most_asked, joint.order);
       component.orders[joint.seam] = joint.order;
       double& effort = component.effort[joint.seam];
-      for (const auto& [s, weight] : component.weights[joint.seam]) effort = std::max(effort, weight);
+      for (const auto& [s, weight] : component.weights[joint.seam])
+        effort = std::max(effort, weight);
     }
   if (most_missed > 1) {
     double limit_mm = std::numeric_limits<double>::infinity();
@@ -357,7 +370,8 @@ FairComponent failed(const Part& part, std::string key, const std::string& why) 
 
 std::vector<FairComponent> displaceFaces(const RepairTask& task, const std::vector<Coedge>& open,
                                          const MissedPlaces& missed, const Restraints& restraints,
-                                         const std::vector<FairComponent>& before, const Progress& progress) {
+                                         const std::vector<FairComponent>& before,
+                                         const Progress& progress) {
   const TaskFaces faces(task);
   const std::set<int> moving = facesToMove(task);
   const std::vector<Part> parts =

@@ -16,7 +16,8 @@ namespace seamwright::occ {
 /// Places of seams, 0..1, where samples missed something, by seam.
 using MissedPlaces = std::map<std::size_t, std::set<double>>;
 
-/// What is asked of a face after it came out unfair, moved too far, or was trimmed badly: see MovingFace.
+/// What is asked of a face after it came out unfair, moved too far, or was trimmed badly: see
+/// MovingFace.
 struct Restraint {
   double stiffness = 1;
   double move_mm = std::numeric_limits<double>::infinity();
@@ -32,19 +33,22 @@ struct FairComponent {
   MovingFaces movers;
   std::map<std::size_t, SampleWeights> weights;  ///< by seam
   std::map<std::size_t, int> orders;             ///< by treated seam: what was asked for
-  std::map<std::size_t, double> effort;          ///< by treated seam: the largest weight of its samples
-  std::map<std::size_t, std::string> failures;   ///< treated seams that miss their tolerance: why
+  std::map<std::size_t, double> effort;  ///< by treated seam: the largest weight of its samples
+  std::map<std::size_t, std::string> failures;  ///< treated seams that miss their tolerance: why
   std::vector<FaceChange> changes;
   std::vector<PathChange> paths;  ///< on faces that stay, of edges that slide on them
   bool diverged = false;          ///< it is no place to start from
 };
 
-/// The displacement of the faces beside treated seams with the least bending energy that brings these seams within the tolerance and keeps
-/// what the other edges of the faces have. It is sampled; prove() decides.
-/// \param open uses of open edges in the task's shape. \param before components of a task that asked for more; they are where the solution starts.
+/// The displacement of the faces beside treated seams with the least bending energy that brings
+/// these seams within the tolerance and keeps what the other edges of the faces have. It is
+/// sampled; prove() decides.
+/// \param open uses of open edges in the task's shape. \param before components of a task that
+/// asked for more; they are where the solution starts.
 /// \throws Cancelled; Standard_Failure.
 std::vector<FairComponent> displaceFaces(const RepairTask& task, const std::vector<Coedge>& open,
                                          const MissedPlaces& missed, const Restraints& restraints,
-                                         const std::vector<FairComponent>& before, const Progress& progress);
+                                         const std::vector<FairComponent>& before,
+                                         const Progress& progress);
 
 }  // namespace seamwright::occ

@@ -38,7 +38,8 @@ KnotLine knotLine(const Geom_BSplineSurface& surface, int direction) {
   const int count = direction == 0 ? surface.NbUKnots() : surface.NbVKnots();
   for (int i = 1; i <= count; ++i) {
     line.knots.push_back(direction == 0 ? surface.UKnot(i) : surface.VKnot(i));
-    line.multiplicities.push_back(direction == 0 ? surface.UMultiplicity(i) : surface.VMultiplicity(i));
+    line.multiplicities.push_back(direction == 0 ? surface.UMultiplicity(i)
+                                                 : surface.VMultiplicity(i));
   }
   return line;
 }
@@ -63,7 +64,8 @@ void insertKnots(Geom_BSplineSurface& surface, int direction, const KnotLine& li
     surface.InsertVKnots(knots, multiplicities, 0, false);
 }
 
-/// Whether the denominator varies in u, and in v. Of an arc moved along a curve it varies along the arc alone.
+/// Whether the denominator varies in u, and in v. Of an arc moved along a curve it varies along the
+/// arc alone.
 std::array<bool, 2> denominatorVaries(const Geom_BSplineSurface& surface) {
   std::array<bool, 2> varies = {false, false};
   const auto differ = [](double a, double b) { return std::abs(a - b) > Epsilon(std::abs(a)); };
@@ -94,8 +96,9 @@ bool hasSmoothDenominator(const Geom_BSplineSurface& surface) {
     const int degree = direction == 0 ? surface.UDegree() : surface.VDegree();
     const bool is_periodic = direction == 0 ? surface.IsUPeriodic() : surface.IsVPeriodic();
     const std::ptrdiff_t ends = is_periodic ? 0 : 1;
-    return !varies[direction] || std::all_of(multiplicities.begin() + ends, multiplicities.end() - ends,
-                                             [degree](int multiplicity) { return multiplicity < degree; });
+    return !varies[direction] ||
+           std::all_of(multiplicities.begin() + ends, multiplicities.end() - ends,
+                       [degree](int multiplicity) { return multiplicity < degree; });
   };
   return (varies[0] || varies[1]) && isSmooth(0) && isSmooth(1);
 }
@@ -116,7 +119,8 @@ KnotLine lacking(const KnotLine& has, const KnotLine& lacks) {
 
 /// The knot nearest to a place, if it is within that distance.
 double snapped(double at, const std::vector<double>& knots, double within) {
-  const auto nearest = std::ranges::min_element(knots, {}, [at](double knot) { return std::abs(knot - at); });
+  const auto nearest =
+      std::ranges::min_element(knots, {}, [at](double knot) { return std::abs(knot - at); });
   return std::abs(*nearest - at) <= within ? *nearest : at;
 }
 
@@ -176,7 +180,8 @@ std::vector<int> sortedOnce(std::vector<int> numbers) {
 }
 
 /// The rows of the Hessian in an orthonormal frame: along both axes and, by the root of 2, mixed.
-Eigen::MatrixXd hessianShares(const PoleShares& shares, const SurfaceJet& jet, double least_metric) {
+Eigen::MatrixXd hessianShares(const PoleShares& shares, const SurfaceJet& jet,
+                              double least_metric) {
   Eigen::Matrix2d metric;
   metric << jet.u.dot(jet.u), jet.u.dot(jet.v), jet.u.dot(jet.v), jet.v.dot(jet.v);
   metric.diagonal().array() += least_metric;
@@ -186,11 +191,13 @@ Eigen::MatrixXd hessianShares(const PoleShares& shares, const SurfaceJet& jet, d
     const Eigen::Vector2d gamma = inverse * Eigen::Vector2d(jet.u.dot(second), jet.v.dot(second));
     return shares.share.row(row) - gamma[0] * shares.share.row(1) - gamma[1] * shares.share.row(2);
   };
-  const Eigen::RowVectorXd uu = covariant(3, jet.uu), uv = covariant(4, jet.uv), vv = covariant(5, jet.vv);
+  const Eigen::RowVectorXd uu = covariant(3, jet.uu), uv = covariant(4, jet.uv),
+                           vv = covariant(5, jet.vv);
   const Eigen::Matrix2d lower = metric.llt().matrixL();
   const Eigen::Matrix2d frame = lower.inverse();  // its rows are the frame's axes in parameters
   const auto along = [&](int a, int b) -> Eigen::RowVectorXd {
-    return frame(a, 0) * frame(b, 0) * uu + (frame(a, 0) * frame(b, 1) + frame(a, 1) * frame(b, 0)) * uv +
+    return frame(a, 0) * frame(b, 0) * uu +
+           (frame(a, 0) * frame(b, 1) + frame(a, 1) * frame(b, 0)) * uv +
            frame(a, 1) * frame(b, 1) * vv;
   };
   Eigen::MatrixXd rows(3, uu.size());
@@ -200,15 +207,16 @@ Eigen::MatrixXd hessianShares(const PoleShares& shares, const SurfaceJet& jet, d
 
 }  // namespace
 
-Displacement::Displacement(const SplineSurface& given, const std::array<double, 4>& face_range, int spans,
-                           double near_mm, bool bends_at_closing,
+Displacement::Displacement(const SplineSurface& given, const std::array<double, 4>& face_range,
+                           int spans, double near_mm, bool bends_at_closing,
                            const std::optional<std::array<int, 2>>& degrees)
-    : Displacement(prepared(given, near_mm), given->IsUPeriodic() || given->IsVPeriodic(), face_range, spans,
-                   near_mm, bends_at_closing, degrees) {}
+    : Displacement(prepared(given, near_mm), given->IsUPeriodic() || given->IsVPeriodic(),
+                   face_range, spans, near_mm, bends_at_closing, degrees) {}
 
 Displacement::Displacement(const PreparedSurface& given, bool given_periodic,
                            const std::array<double, 4>& face_range, int spans, double near_mm,
-                           bool bends_at_closing, const std::optional<std::array<int, 2>>& of_denominator)
+                           bool bends_at_closing,
+                           const std::optional<std::array<int, 2>>& of_denominator)
     : given_(given.surface),
       collapse_mm_(given.collapse_mm),
       range_(face_range),
@@ -230,9 +238,9 @@ Displacement::Displacement(const PreparedSurface& given, bool given_periodic,
   std::array<int, 2> poles_count{};
   for (const int k : {0, 1}) {
     const KnotLine own = knotLine(*given_, k);
-    knots[k] = periodic[k]
-                   ? coarseKnots(own, own.knots.front(), own.knots.back(), std::max(spans, degrees[k] + 1))
-                   : coarseKnots(own, range_[2 * k], range_[2 * k + 1], spans);
+    knots[k] = periodic[k] ? coarseKnots(own, own.knots.front(), own.knots.back(),
+                                         std::max(spans, degrees[k] + 1))
+                           : coarseKnots(own, range_[2 * k], range_[2 * k + 1], spans);
     const int count = static_cast<int>(knots[k].size());
     multiplicities[k].Resize(1, count, false);
     multiplicities[k].Init(1);
@@ -243,8 +251,8 @@ Displacement::Displacement(const PreparedSurface& given, bool given_periodic,
     poles_count[k] = periodic[k] ? count - 2 + ends : count + degrees[k] - 1;
   }
   shape_ = new Geom_BSplineSurface(TColgp_Array2OfPnt(1, poles_count[0], 1, poles_count[1]),
-                                   arrayOf(knots[0]), arrayOf(knots[1]), multiplicities[0], multiplicities[1],
-                                   u, v, periodic[0], periodic[1]);
+                                   arrayOf(knots[0]), arrayOf(knots[1]), multiplicities[0],
+                                   multiplicities[1], u, v, periodic[0], periodic[1]);
   const Eigen::RowVector3d centre = given_poles_.colwise().mean();
   size_mm_ = 2 * (given_poles_.rowwise() - centre).rowwise().norm().maxCoeff();
   basis_ = SurfaceBasis(*shape_);
@@ -264,10 +272,11 @@ void Displacement::number() {
   const int given_columns = given_basis_.v().poles;
   for (const std::vector<int>& side : collapsedSides(given_basis_, given_poles_, near_mm_)) {
     const bool along_v = side.size() < 2 || side[1] - side[0] == 1;
-    const bool is_first = along_v ? side.front() / given_columns == 0 : side.front() % given_columns == 0;
+    const bool is_first =
+        along_v ? side.front() / given_columns == 0 : side.front() % given_columns == 0;
     for (int k = 0; k < (along_v ? columns : rows); ++k) {
-      const int pole =
-          along_v ? basis_.pole(is_first ? 0 : rows - 1, k) : basis_.pole(k, is_first ? 0 : columns - 1);
+      const int pole = along_v ? basis_.pole(is_first ? 0 : rows - 1, k)
+                               : basis_.pole(k, is_first ? 0 : columns - 1);
       number_[pole] = count_;
     }
     ++count_;
@@ -357,7 +366,8 @@ bool Displacement::halve(const std::array<std::set<int>, 2>& spans) {
   basis_ = SurfaceBasis(*shape_);
   number();
   coefficients_ = PointRows::Zero(count_, 3);
-  for (Eigen::Index pole = 0; pole < poles.rows(); ++pole) coefficients_.row(number_[pole]) = poles.row(pole);
+  for (Eigen::Index pole = 0; pole < poles.rows(); ++pole)
+    coefficients_.row(number_[pole]) = poles.row(pole);
   return true;
 }
 
@@ -380,7 +390,8 @@ EnergyBlock Displacement::bendingOfSpan(int span_u, int span_v, double least_met
       if (column.empty()) {
         block.coefficients = sortedOnce(of_point.poles);
         for (const int pole : of_point.poles)
-          column.push_back(std::ranges::lower_bound(block.coefficients, pole) - block.coefficients.begin());
+          column.push_back(std::ranges::lower_bound(block.coefficients, pole) -
+                           block.coefficients.begin());
         rows = Eigen::MatrixXd::Zero(3 * std::ssize(rule_u.nodes) * std::ssize(rule_v.nodes),
                                      std::ssize(block.coefficients));
       }
@@ -391,7 +402,8 @@ EnergyBlock Displacement::bendingOfSpan(int span_u, int span_v, double least_met
                           (is_within ? 1 : share_outside);
       const Eigen::MatrixXd hessian = hessianShares(of_point, jet, least_metric);
       for (std::size_t k = 0; k < column.size(); ++k)
-        rows.block<3, 1>(row, column[k]) += std::sqrt(area) * hessian.col(static_cast<Eigen::Index>(k));
+        rows.block<3, 1>(row, column[k]) +=
+            std::sqrt(area) * hessian.col(static_cast<Eigen::Index>(k));
     }
   block.matrix = rows.transpose() * rows;
   return block;
@@ -404,7 +416,8 @@ std::vector<EnergyBlock> Displacement::bending() const {
       share_of_metric * std::pow(size_mm_ / std::max(u.last - u.first, v.last - v.first), 2);
   std::vector<EnergyBlock> blocks;
   for (const int span_u : u.spans())
-    for (const int span_v : v.spans()) blocks.push_back(bendingOfSpan(span_u, span_v, least_metric));
+    for (const int span_v : v.spans())
+      blocks.push_back(bendingOfSpan(span_u, span_v, least_metric));
   return blocks;
 }
 
@@ -412,11 +425,13 @@ namespace {
 
 /// Values of the polynomial functions of an axis, a row for each place.
 Eigen::MatrixXd collocation(const SplineAxis& axis, const std::vector<double>& places) {
-  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(places.size()), axis.poles);
+  Eigen::MatrixXd values =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(places.size()), axis.poles);
   for (std::size_t row = 0; row < places.size(); ++row) {
     double t = places[row];
     const int span = axis.span(t, 0);
-    const Eigen::MatrixXd functions = bspline::basisDerivatives(axis.degree, axis.knots, span, t, 0);
+    const Eigen::MatrixXd functions =
+        bspline::basisDerivatives(axis.degree, axis.knots, span, t, 0);
     for (int k = 0; k <= axis.degree; ++k)
       values(static_cast<Eigen::Index>(row), axis.pole(span - axis.degree + k)) += functions(0, k);
   }
@@ -430,7 +445,8 @@ std::vector<double> fitPlaces(const SplineAxis& axis) {
   for (const int span : axis.spans())
     for (int k = 0; k < inside; ++k)
       places.push_back(axis.knots[span] +
-                       (0.5 - 0.5 * std::cos((k + 0.5) * std::numbers::pi / inside)) * axis.length(span));
+                       (0.5 - 0.5 * std::cos((k + 0.5) * std::numbers::pi / inside)) *
+                           axis.length(span));
   if (!axis.periodic) {
     places.front() = axis.first;
     places.back() = axis.last;
@@ -439,7 +455,8 @@ std::vector<double> fitPlaces(const SplineAxis& axis) {
 }
 
 /// Their mean, of sides that are one point.
-void joinSides(const SurfaceBasis& basis, const PointRows& given, double near_mm, PointRows& moves) {
+void joinSides(const SurfaceBasis& basis, const PointRows& given, double near_mm,
+               PointRows& moves) {
   for (const std::vector<int>& side : collapsedSides(basis, given, near_mm)) {
     const Eigen::RowVector3d mean = moves(side, Eigen::indexing::all).colwise().mean();
     for (const int pole : side) moves.row(pole) = mean;
@@ -448,13 +465,15 @@ void joinSides(const SurfaceBasis& basis, const PointRows& given, double near_mm
 
 }  // namespace
 
-/// X in the knots of both, and the moves of its poles. W D, with W the denominator of X, is a spline in these knots, of the sum of their degrees if D has
-/// no denominator: a fit by least squares finds it.
+/// X in the knots of both, and the moves of its poles. W D, with W the denominator of X, is a
+/// spline in these knots, of the sum of their degrees if D has no denominator: a fit by least
+/// squares finds it.
 std::pair<SplineSurface, PointRows> Displacement::refined() const {
   const SplineSurface x = copied(given_), d = copied(shape_);
   const std::array<bool, 2> varies = denominatorVaries(*x);
   const auto degree = [&](int direction, int of_x, int of_d) {
-    return std::max(of_x, varies[direction] && !has_denominator_ ? degrees_[direction] + of_d : of_d);
+    return std::max(of_x,
+                    varies[direction] && !has_denominator_ ? degrees_[direction] + of_d : of_d);
   };
   x->IncreaseDegree(degree(0, x->UDegree(), d->UDegree()), degree(1, x->VDegree(), d->VDegree()));
   // In a higher degree the knots of D stand as often as its smoothness there asks for.
@@ -463,8 +482,10 @@ std::pair<SplineSurface, PointRows> Displacement::refined() const {
     insertKnots(*x, direction, lacking(knotLine(*d, direction), knotLine(*x, direction)));
   const SurfaceBasis basis(*x);
   const std::vector<double> places_u = fitPlaces(basis.u()), places_v = fitPlaces(basis.v());
-  const Eigen::MatrixXd x_u = collocation(basis.u(), places_u), x_v = collocation(basis.v(), places_v);
-  const Eigen::MatrixXd d_u = collocation(basis_.u(), places_u), d_v = collocation(basis_.v(), places_v);
+  const Eigen::MatrixXd x_u = collocation(basis.u(), places_u),
+                        x_v = collocation(basis.v(), places_v);
+  const Eigen::MatrixXd d_u = collocation(basis_.u(), places_u),
+                        d_v = collocation(basis_.v(), places_v);
   const Eigen::HouseholderQR<Eigen::MatrixXd> fit_u(x_u), fit_v(x_v);
   const int rows = basis.u().poles, columns = basis.v().poles;
   Eigen::MatrixXd weights = Eigen::MatrixXd::Ones(rows, columns);
@@ -488,7 +509,8 @@ std::pair<SplineSurface, PointRows> Displacement::refined() const {
   return {x, moves};
 }
 
-/// The poles of the part over the face bound the moves of its points. Nothing is cut off in a periodic direction. \param moves as a surface.
+/// The poles of the part over the face bound the moves of its points. Nothing is cut off in a
+/// periodic direction. \param moves as a surface.
 double Displacement::largestOf(SplineSurface moves) const {
   std::array<double, 4> part{};
   moves->Bounds(part[0], part[1], part[2], part[3]);

@@ -52,7 +52,8 @@ class Outline {
     }
     std::ranges::sort(crossings);
     std::vector<std::pair<double, double>> parts;
-    for (std::size_t k = 1; k < crossings.size(); k += 2) parts.emplace_back(crossings[k - 1], crossings[k]);
+    for (std::size_t k = 1; k < crossings.size(); k += 2)
+      parts.emplace_back(crossings[k - 1], crossings[k]);
     return parts;
   }
 
@@ -116,7 +117,8 @@ std::array<double, 4> rangeOf(const TopoDS_Face& face) {
 /// Lines on a surface, and in the same places on the one after it, if there is one.
 class LineWalk {
  public:
-  /// \param after null: none. \param range of the parameters that the face shows: u from, to, v from, to.
+  /// \param after null: none. \param range of the parameters that the face shows: u from, to, v
+  /// from, to.
   LineWalk(const Adaptor3d_Surface& before, const Adaptor3d_Surface* after,
            const std::array<double, 4>& range, const FaceGrid& grid)
       : before_(before), after_(after), grid_(grid), noise_(noiseOn(range)) {}
@@ -131,8 +133,12 @@ class LineWalk {
     walk(outline, 1, v, u, change);
   }
 
-  SurfaceMeasure before(double noise_per_mm) const { return measureSurface(lines_before_, noise_per_mm); }
-  SurfaceMeasure after(double noise_per_mm) const { return measureSurface(lines_after_, noise_per_mm); }
+  SurfaceMeasure before(double noise_per_mm) const {
+    return measureSurface(lines_before_, noise_per_mm);
+  }
+  SurfaceMeasure after(double noise_per_mm) const {
+    return measureSurface(lines_after_, noise_per_mm);
+  }
 
  private:
   void walk(const Outline& outline, int fixed, const SpanScale& across, const SpanScale& along,
@@ -175,8 +181,8 @@ class LineWalk {
     addCurvature(moved, along_u ? is.u : is.v, of_after_);
     include(change, point, moved);
   }
-  /// What is below a millionth of the longest derivative is taken for none. It is looked for on an even grid, as lines crowd where knots do, as
-  /// beside a pole.
+  /// What is below a millionth of the longest derivative is taken for none. It is looked for on an
+  /// even grid, as lines crowd where knots do, as beside a pole.
   JetNoise noiseOn(const std::array<double, 4>& range) const {
     constexpr int places = 8;
     constexpr double share = 1e-6;
@@ -205,8 +211,9 @@ class LineWalk {
 
 }  // namespace
 
-SurfaceChange measureChange(const TopoDS_Face& face, const opencascade::handle<Geom_BSplineSurface>& after,
-                            double bound_mm, double visible_per_mm, const FaceGrid& grid) {
+SurfaceChange measureChange(const TopoDS_Face& face,
+                            const opencascade::handle<Geom_BSplineSurface>& after, double bound_mm,
+                            double visible_per_mm, const FaceGrid& grid) {
   const BRepAdaptor_Surface before(face, false);
   const GeomAdaptor_Surface moved(after);
   SurfaceChange change;
@@ -220,7 +227,8 @@ SurfaceChange measureChange(const TopoDS_Face& face, const opencascade::handle<G
   return change;
 }
 
-double variationOf_per_mm(const TopoDS_Face& face, const opencascade::handle<Geom_BSplineSurface>& surface,
+double variationOf_per_mm(const TopoDS_Face& face,
+                          const opencascade::handle<Geom_BSplineSurface>& surface,
                           const FaceGrid& grid) {
   const GeomAdaptor_Surface given(surface);
   SurfaceChange none;
@@ -276,15 +284,16 @@ NeededVariation neededVariation(const TopoDS_Shape& shape, const std::vector<Sea
     for (const int number : seams[i].faces) {
       const double width_mm = widthBeside_mm(TopoDS::Face(faces(number)), seams[i].length_mm);
       if (width_mm > 0)
-        needed[number] =
-            std::max(needed[number], visibleVariation(angle->upper.value_or(angle->lower), width_mm));
+        needed[number] = std::max(needed[number],
+                                  visibleVariation(angle->upper.value_or(angle->lower), width_mm));
     }
   }
   return needed;
 }
 
 double sizeOf_mm(const TopoDS_Face& face) {
-  const double area = area_mm2(face), perimeter = perimeter_mm(face), largest_mm = diagonal_mm(face);
+  const double area = area_mm2(face), perimeter = perimeter_mm(face),
+               largest_mm = diagonal_mm(face);
   if (!(area > 0 && perimeter > 0)) return largest_mm;
   return std::min(4 * std::sqrt(2.0) * area / perimeter, largest_mm);
 }
@@ -301,9 +310,9 @@ MoveLimits moveLimits(const TopoDS_Shape& shape, const std::vector<SeamResult>& 
         gaps_mm[face] = std::max(gaps_mm[face], gap->upper.value_or(gap->lower));
   MoveLimits limits;
   for (const int face : may_move)
-    limits[face] = options.max_move_mm
-                       ? *options.max_move_mm
-                       : share_of_size * sizeOf_mm(TopoDS::Face(faces(face))) + times_gap * gaps_mm[face];
+    limits[face] = options.max_move_mm ? *options.max_move_mm
+                                       : share_of_size * sizeOf_mm(TopoDS::Face(faces(face))) +
+                                             times_gap * gaps_mm[face];
   return limits;
 }
 
@@ -318,7 +327,8 @@ FaceMove judgedMove(int number, const TopoDS_Face& face,
                     const opencascade::handle<Geom_BSplineSurface>& after, double largest_move_mm,
                     const RepairOptions& options, const NeededVariation& needed) {
   FaceMove move{number, largest_move_mm};
-  const double visible = allowedVariation(number, face, options.tolerance, needed, options.fairness);
+  const double visible =
+      allowedVariation(number, face, options.tolerance, needed, options.fairness);
   move.surface = measureChange(face, after, largest_move_mm, visible);
   move.verdict = judgeSurface(*move.surface, {options.fairness, visible});
   return move;

@@ -12,7 +12,8 @@ namespace seamwright::occ {
 
 namespace {
 
-/// A sample is met if it misses less than this share of the tolerance: between samples it may be more.
+/// A sample is met if it misses less than this share of the tolerance: between samples it may be
+/// more.
 constexpr double enough = 0.6;
 
 /// More weight, or more knots, help if they make the worst miss so much smaller.
@@ -21,14 +22,15 @@ constexpr double helps = 0.7;
 /// What misses more wants knots.
 constexpr double wanting_knots = 10;
 
-/// Where more faces move, what still wants knots after it got some can't be had together with the rest: it would cost most of the time. Nor may it weigh
-/// as much as where few faces are at stake; it is tried again alone.
+/// Where more faces move, what still wants knots after it got some can't be had together with the
+/// rest: it would cost most of the time. Nor may it weigh as much as where few faces are at stake;
+/// it is tried again alone.
 constexpr std::size_t many_faces = 12;
 
 class FairSolving {
  public:
-  FairSolving(const std::vector<Joint>& joints, const ContinuityTolerance& tolerance, MovingFaces& movers,
-              const Progress& progress)
+  FairSolving(const std::vector<Joint>& joints, const ContinuityTolerance& tolerance,
+              MovingFaces& movers, const Progress& progress)
       : joints_(joints), tolerance_(tolerance), movers_(movers), progress_(progress) {}
 
   FairResult run(const FairStart& start) {
@@ -63,12 +65,14 @@ class FairSolving {
     for (std::size_t j = 0; j < joints_.size(); ++j) {
       const auto known = weights.find(joints_[j].seam);
       if (joints_[j].ask == Ask::Outline || known == weights.end()) continue;
-      for (JointSample& sample : samples_[j]) sample.weight = std::sqrt(nearest(known->second, sample.s));
+      for (JointSample& sample : samples_[j])
+        sample.weight = std::sqrt(nearest(known->second, sample.s));
     }
   }
 
   static double nearest(const SampleWeights& weights, double s) {
-    return std::ranges::min_element(weights, {}, [s](const auto& one) { return std::abs(one.first - s); })
+    return std::ranges::min_element(weights, {},
+                                    [s](const auto& one) { return std::abs(one.first - s); })
         ->second;
   }
 
@@ -94,7 +98,8 @@ class FairSolving {
     number();
   }
 
-  /// Coefficients near samples that are missed; what is far from them was found with fewer knots. \param whole faces of which all are free.
+  /// Coefficients near samples that are missed; what is far from them was found with fewer knots.
+  /// \param whole faces of which all are free.
   void freeWhereNeeded(const std::set<int>& whole) {
     for (auto& [face, mover] : movers_)
       unknown_[face].assign(static_cast<std::size_t>(mover.displacement.count()),
@@ -116,7 +121,8 @@ class FairSolving {
     std::map<std::pair<int, int>, int> numbers;  // by first of those that are one
     const auto forEach = [&](const auto& work) {
       for (auto& [face, all] : unknown_)
-        for (std::size_t k = 0; k < all.size(); ++k) work(sides.first(face, static_cast<int>(k)), all[k]);
+        for (std::size_t k = 0; k < all.size(); ++k)
+          work(sides.first(face, static_cast<int>(k)), all[k]);
     };
     forEach([&](const auto& first, int& own) {
       if (own >= 0) numbers[first] = 0;
@@ -163,7 +169,8 @@ class FairSolving {
     energies_.clear();
     for (const auto& [face, mover] : movers_) {
       const std::vector<int>& unknown = unknown_[face];
-      const double unit = std::pow(fairness * mover.stiffness / mover.budget_per_mm, 2) / mover.area_mm2;
+      const double unit =
+          std::pow(fairness * mover.stiffness / mover.budget_per_mm, 2) / mover.area_mm2;
       for (EnergyBlock& block : mover.displacement.bending()) {
         FaceEnergy energy{face, 0, std::move(block), {}};
         const auto numberOf = [&](Eigen::Index k) { return unknown[energy.block.coefficients[k]]; };
@@ -197,8 +204,8 @@ class FairSolving {
       if (side.mover == nullptr) continue;
       for (const int coefficient : side.shares.poles) {
         const int number = unknown_[joint.sides[k].face][coefficient];
-        side.column.push_back(number < 0 ? -1
-                                         : std::ranges::lower_bound(unknowns, number) - unknowns.begin());
+        side.column.push_back(
+            number < 0 ? -1 : std::ranges::lower_bound(unknowns, number) - unknowns.begin());
       }
     }
     sample.cell = cellOf(std::move(unknowns));
@@ -219,11 +226,12 @@ class FairSolving {
         if (sample.cell >= 0) addConditions(joints_[j], sample, system);
   }
 
-  /// The integral of |D|^2 / size^4, as if coefficients were spread evenly, is this times the sum of their squares: the size of the move comes
-  /// second, but for faces that moved too far.
+  /// The integral of |D|^2 / size^4, as if coefficients were spread evenly, is this times the sum
+  /// of their squares: the size of the move comes second, but for faces that moved too far.
   static double damping(const MovingFace& mover) {
     const double of_size =
-        std::pow(fairness * mover.stiffness / (mover.budget_per_mm * mover.size_mm), 2) / mover.area_mm2;
+        std::pow(fairness * mover.stiffness / (mover.budget_per_mm * mover.size_mm), 2) /
+        mover.area_mm2;
     return (of_size + std::pow(fairness / mover.restraint_mm, 2)) / mover.displacement.count();
   }
 
@@ -232,8 +240,9 @@ class FairSolving {
     const double factor = ease_ * damping(mover);
     for (std::size_t k = 0; k < unknown.size(); ++k)
       if (unknown[k] >= 0)
-        system.addDamping(unknown[k], factor,
-                          mover.displacement.coefficients().row(static_cast<Eigen::Index>(k)).transpose());
+        system.addDamping(
+            unknown[k], factor,
+            mover.displacement.coefficients().row(static_cast<Eigen::Index>(k)).transpose());
   }
 
   void take(const PointRows& step) {
@@ -261,7 +270,8 @@ class FairSolving {
     return sum;
   }
 
-  /// Takes the step, or as much of it as makes the cost smaller; if a quarter does not, a damped one.
+  /// Takes the step, or as much of it as makes the cost smaller; if a quarter does not, a damped
+  /// one.
   void descend(StepSystem& system) {
     constexpr std::array<double, 4> dampings = {0, 1e-3, 3e-2, 1};
     constexpr int halvings = 2;
@@ -285,7 +295,8 @@ class FairSolving {
 
   State state() const {
     State now;
-    for (const auto& [face, mover] : movers_) now.coefficients[face] = mover.displacement.coefficients();
+    for (const auto& [face, mover] : movers_)
+      now.coefficients[face] = mover.displacement.coefficients();
     for (const auto& samples : samples_) {
       now.weights.emplace_back();
       for (const JointSample& sample : samples) now.weights.back().push_back(sample.weight);
@@ -294,13 +305,16 @@ class FairSolving {
   }
 
   void returnTo(const State& state) {
-    for (auto& [face, mover] : movers_) mover.displacement.setCoefficients(state.coefficients.at(face));
+    for (auto& [face, mover] : movers_)
+      mover.displacement.setCoefficients(state.coefficients.at(face));
     for (std::size_t j = 0; j < samples_.size(); ++j)
-      for (std::size_t i = 0; i < samples_[j].size(); ++i) samples_[j][i].weight = state.weights[j][i];
+      for (std::size_t i = 0; i < samples_[j].size(); ++i)
+        samples_[j][i].weight = state.weights[j][i];
     look();
   }
 
-  /// Passes until all samples are met, or more weight does not help. Where weight is far from helping knots are wanting: what it did goes.
+  /// Passes until all samples are met, or more weight does not help. Where weight is far from
+  /// helping knots are wanting: what it did goes.
   void solve(bool is_first, bool may_refine) {
     constexpr int most_passes = 10;
     constexpr double diverges = 4, far = 3, stands_still = 0.01;
@@ -338,8 +352,8 @@ class FairSolving {
     if (best) returnTo(may_refine && plain && best_ratio > wanting_knots ? *plain : *best);
   }
 
-  /// Normals turn in a straight line for small turns only. Where much is missed energies count for more at first, as if tolerances were larger, less in
-  /// each pass.
+  /// Normals turn in a straight line for small turns only. Where much is missed energies count for
+  /// more at first, as if tolerances were larger, less in each pass.
   void easeBy(double last) {
     constexpr double near = 20, less = 0.1;
     const double far = worst() / near;
@@ -352,8 +366,8 @@ class FairSolving {
     for (auto& samples : samples_)
       for (JointSample& sample : samples)
         if (sample.ratio > enough)
-          sample.weight =
-              std::min(most_weight, sample.weight * std::min(most_growth, sample.ratio / (0.7 * enough)));
+          sample.weight = std::min(
+              most_weight, sample.weight * std::min(most_growth, sample.ratio / (0.7 * enough)));
   }
 
   /// Halves spans beside samples that are missed. \returns whether any was.
@@ -378,7 +392,8 @@ class FairSolving {
       }
     naturalSides().spread(spans, movers_);
     bool any = false;
-    for (const auto& [face, halves] : spans) any = halve(movers_.at(face).displacement, halves) || any;
+    for (const auto& [face, halves] : spans)
+      any = halve(movers_.at(face).displacement, halves) || any;
     if (!any) return false;
     for (std::size_t j = 0; j < joints_.size(); ++j)
       if (std::ranges::any_of(joints_[j].sides,
@@ -400,11 +415,13 @@ class FairSolving {
   static bool halve(Displacement& displacement, const std::array<std::set<int>, 2>& spans) {
     constexpr std::size_t most_coefficients = 1500;
     const SurfaceBasis& basis = displacement.basis();
-    const std::size_t count = (basis.u().poles + spans[0].size()) * (basis.v().poles + spans[1].size());
+    const std::size_t count =
+        (basis.u().poles + spans[0].size()) * (basis.v().poles + spans[1].size());
     return count <= most_coefficients && displacement.halve(spans);
   }
 
-  /// Of the energy that spends a face's budget to a sample that is missed by a quarter of its tolerance.
+  /// Of the energy that spends a face's budget to a sample that is missed by a quarter of its
+  /// tolerance.
   static constexpr double fairness = 300;
 
   const std::vector<Joint>& joints_;
@@ -413,7 +430,7 @@ class FairSolving {
   const Progress& progress_;
   std::vector<std::vector<JointSample>> samples_;  ///< by joint
   std::vector<double> missed_;                     ///< by joint
-  std::map<int, std::vector<int>> unknown_;        ///< by face and coefficient: its number, -1: it stays
+  std::map<int, std::vector<int>> unknown_;  ///< by face and coefficient: its number, -1: it stays
   int unknowns_ = 0;
   double ease_ = 1;  ///< factor of energies
   std::vector<std::vector<int>> cells_;

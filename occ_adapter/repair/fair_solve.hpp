@@ -19,7 +19,7 @@ using SampleWeights = std::vector<std::pair<double, double>>;
 struct FairStart {
   bool is_new = true;                            ///< nothing was solved before
   std::map<std::size_t, SampleWeights> weights;  ///< by seam
-  std::set<int> relaxed;                         ///< faces of which something else is asked than before
+  std::set<int> relaxed;  ///< faces of which something else is asked than before
 };
 
 struct FairResult {
@@ -27,10 +27,12 @@ struct FairResult {
   std::map<std::size_t, SampleWeights> weights;
 };
 
-/// Minimises, over the displacements of all movers at once, the sum over faces of bending energy over that which spends the face's budget,
-/// with what joints miss held within the tolerance: by least squares whose samples count the more the longer they are missed, and knots
-/// inserted where that is not enough. Source: docs/theory/repair.md.
-/// \param movers their displacements are where the solution starts and what it finds. \throws Cancelled; Standard_Failure.
+/// Minimises, over the displacements of all movers at once, the sum over faces of bending energy
+/// over that which spends the face's budget, with what joints miss held within the tolerance: by
+/// least squares whose samples count the more the longer they are missed, and knots inserted where
+/// that is not enough. Source: docs/theory/repair.md.
+/// \param movers their displacements are where the solution starts and what it finds. \throws
+/// Cancelled; Standard_Failure.
 FairResult fairSolve(const std::vector<Joint>& joints, const ContinuityTolerance& tolerance,
                      const FairStart& start, MovingFaces& movers, const Progress& progress);
 

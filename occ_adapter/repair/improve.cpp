@@ -24,7 +24,8 @@ namespace {
 
 using opencascade::handle;
 
-/// Rounds in which single seams of a component at fault are given up; each one after them gives up half of what is left.
+/// Rounds in which single seams of a component at fault are given up; each one after them gives up
+/// half of what is left.
 constexpr int single_rounds = 12;
 /// ... and how often a seam is tried again with samples where it was missed.
 constexpr int most_looks = 3;
@@ -46,7 +47,8 @@ class Rounds {
   void exclude(const Reasons& seams) {
     for (const auto& [i, why] : seams) {
       if (!task_.isTreated(i)) continue;
-      const bool has_g1 = isRepaired(task_.before[i], task_.sharp[i], task_.options.tolerance, Level::G1);
+      const bool has_g1 =
+          isRepaired(task_.before[i], task_.sharp[i], task_.options.tolerance, Level::G1);
       task_.orders[i] = task_.orders[i] == 2 && !has_g1 && !task_.sharp[i] ? 1 : 0;
       std::string& reason = reasons_[i];
       reason = reason.empty() || task_.options.order == 1 ? why : reason + "; G1: " + why;
@@ -61,7 +63,8 @@ class Rounds {
 
   Proof proven(const std::vector<FaceChange>& changes, const std::vector<PathChange>& paths,
                const Progress& progress) {
-    changed_ = withChanges(task_.shape, changes, task_.options.tolerance.gap_mm, paths, task_.options.jobs);
+    changed_ = withChanges(task_.shape, changes, task_.options.tolerance.gap_mm, paths,
+                           task_.options.jobs);
     // Paths beside a face that moves follow from its surface.
     MeasuredSeams of_paths_alone;
     return prove(task_, changes, changed_, changes.empty() ? of_paths_alone : measured_, progress);
@@ -75,7 +78,8 @@ class Rounds {
   }
 
   Improvement nothing() const {
-    return {task_.shape, {}, {}, {}, task_.before, std::vector<int>(task_.seams.size(), 0), reasons_};
+    return {task_.shape, {}, {}, {}, task_.before, std::vector<int>(task_.seams.size(), 0),
+            reasons_};
   }
 
  private:
@@ -99,7 +103,8 @@ struct Faults {
 
 std::set<std::pair<int, int>> besideSeams(const RepairTask& task) {
   std::set<std::pair<int, int>> pairs;
-  for (const Seam& seam : task.seams) pairs.insert(std::minmax(seam.sides[0].face, seam.sides[1].face));
+  for (const Seam& seam : task.seams)
+    pairs.insert(std::minmax(seam.sides[0].face, seam.sides[1].face));
   return pairs;
 }
 
@@ -120,7 +125,8 @@ class Moving {
       const Progress solving = partOf(progress, done, (done + next) / 2),
                      proving = partOf(progress, (done + next) / 2, next);
       done = next;
-      components_ = displaceFaces(rounds_.task(), open_, missed_, restraints_, components_, solving);
+      components_ =
+          displaceFaces(rounds_.task(), open_, missed_, restraints_, components_, solving);
       std::vector<FaceChange> changes;
       std::vector<PathChange> paths;
       Reasons failures;
@@ -131,7 +137,8 @@ class Moving {
       }
       if (!failures.empty()) {
         for (const FairComponent& component : components_)
-          if (!component.failures.empty()) addAge(component, component.failures.begin()->second, failures);
+          if (!component.failures.empty())
+            addAge(component, component.failures.begin()->second, failures);
         rounds_.exclude(failures);
         continue;
       }
@@ -139,7 +146,8 @@ class Moving {
       Faults faults = faultsOf(changes, paths, proving);
       if (!faults.any()) {
         std::map<int, FaceMove> judged = judgedFaces(changes);
-        return rounds_.kept(std::move(changes), std::move(judged), std::move(paths), std::move(faults.proof));
+        return rounds_.kept(std::move(changes), std::move(judged), std::move(paths),
+                            std::move(faults.proof));
       }
       rounds_.exclude(whatToExclude(faults));
     }
@@ -156,7 +164,8 @@ class Moving {
     judgeFairness(changes, partOf(progress, 0, 0.5));
     for (const FaceChange& change : changes) {
       const auto before = task().moved_mm.find(change.face);
-      const double move_mm = change.largest_move_mm + (before == task().moved_mm.end() ? 0 : before->second);
+      const double move_mm =
+          change.largest_move_mm + (before == task().moved_mm.end() ? 0 : before->second);
       if (const double limit_mm = task().limits_mm.at(change.face); move_mm > limit_mm) {
         std::ostringstream text;
         text << "it would move by " << move_mm << " mm, more than " << limit_mm << " mm";
@@ -181,7 +190,8 @@ class Moving {
 
   std::map<int, FaceMove> judgedFaces(const std::vector<FaceChange>& changes) const {
     std::map<int, FaceMove> judged;
-    for (const FaceChange& change : changes) judged.emplace(change.face, judged_.at(change.surface));
+    for (const FaceChange& change : changes)
+      judged.emplace(change.face, judged_.at(change.surface));
     return judged;
   }
 
@@ -196,14 +206,15 @@ class Moving {
       const TopoDS_Face& face = TopoDS::Face(faces_(change.face));
       const auto spline = handle<Geom_BSplineSurface>::DownCast(change.surface);
       try {
-        moves[k] =
-            judgedMove(change.face, face, spline, change.largest_move_mm, task().options, task().needed);
+        moves[k] = judgedMove(change.face, face, spline, change.largest_move_mm, task().options,
+                              task().needed);
       } catch (const Standard_Failure& failure) {
         moves[k].verdict = {true, whyFailed(failure)};
       }
     };
     runParallel(unknown.size(), task().options.jobs, judge, progress);
-    for (std::size_t k = 0; k < unknown.size(); ++k) judged_[unknown[k]->surface] = std::move(moves[k]);
+    for (std::size_t k = 0; k < unknown.size(); ++k)
+      judged_[unknown[k]->surface] = std::move(moves[k]);
   }
 
   /// Of a face at fault the seam that took most effort, later all of them.
@@ -262,7 +273,8 @@ class Moving {
     return seams;
   }
 
-  /// Of a component that was at fault in many rounds the half is given up that takes more effort; of that what asks most.
+  /// Of a component that was at fault in many rounds the half is given up that takes more effort;
+  /// of that what asks most.
   void addAge(const FairComponent& component, const std::string& why, Reasons& seams) {
     int age = 0, most = 0;
     for (const auto& [i, effort] : component.effort) {
@@ -296,7 +308,8 @@ class Moving {
     return seamsOf();
   }
 
-  /// Of those that move with the face, and of which most is asked. What curvature spoils beside a face is not the tangent plane's fault.
+  /// Of those that move with the face, and of which most is asked. What curvature spoils beside a
+  /// face is not the tangent plane's fault.
   std::vector<std::size_t> mostAskedAt(int face) const {
     std::vector<std::size_t> seams = treatedAt(face);
     int most = 0;
@@ -332,7 +345,8 @@ class Moving {
     const double missed = missedBy(seam);
     if (++look.count > most_looks || !(missed < is_less * look.missed)) return false;
     look.missed = missed;
-    for (const auto* figure : {&seam.figures.gap_mm, &seam.figures.angle_rad, &seam.figures.curvature_rel})
+    for (const auto* figure :
+         {&seam.figures.gap_mm, &seam.figures.angle_rad, &seam.figures.curvature_rel})
       if (*figure) missed_[i].insert((*figure)->at);
     return true;
   }
@@ -369,7 +383,8 @@ class Moving {
       });
       if (!is_beside) continue;
       for (const PathChange& path : component.paths)
-        if (bool& keeps_edges = restraints_[path.face].keeps_edges; !keeps_edges) any = keeps_edges = true;
+        if (bool& keeps_edges = restraints_[path.face].keeps_edges; !keeps_edges)
+          any = keeps_edges = true;
     }
     return any;
   }
@@ -421,8 +436,10 @@ Improvement orNothing(const RepairTask& task, const Work& work) {
 
 namespace {
 
-/// New paths are of single edges: those go that repair nothing, and of those on a face that is spoilt, or beside a seam that is, the one that moves the edge furthest.
-Reasons pathsAtFault(const RepairTask& task, const std::vector<PathChange>& paths, const Proof& proof) {
+/// New paths are of single edges: those go that repair nothing, and of those on a face that is
+/// spoilt, or beside a seam that is, the one that moves the edge furthest.
+Reasons pathsAtFault(const RepairTask& task, const std::vector<PathChange>& paths,
+                     const Proof& proof) {
   Reasons at_fault = proof.unrepaired;
   const auto addAt = [&](int face, const std::string& why) {
     std::optional<std::size_t> furthest;

@@ -32,8 +32,8 @@ class RepeatedParts {
  private:
   void addPlaces(const TopoDS_Shape& shape) {
     PartPlaces& places = places_[shape.TShape().get()];
-    const bool is_known =
-        std::ranges::any_of(places, [&shape](const TopoDS_Shape& place) { return place.IsSame(shape); });
+    const bool is_known = std::ranges::any_of(
+        places, [&shape](const TopoDS_Shape& place) { return place.IsSame(shape); });
     if (!is_known) places.push_back(shape);
     if (shape.ShapeType() != TopAbs_COMPOUND) return;
     for (TopoDS_Iterator it(shape, false, true); it.More(); it.Next()) addPlaces(it.Value());
@@ -52,12 +52,14 @@ class RepeatedParts {
     const std::map<const TopoDS_TShape*, int> inside = instancesIn(part);
     return std::ranges::all_of(inside, [&](const auto& inner) {
       return inner.first == part.TShape().get() ||
-             std::ranges::all_of(parents_.at(inner.first),
-                                 [&inside](const TopoDS_TShape* parent) { return inside.contains(parent); });
+             std::ranges::all_of(parents_.at(inner.first), [&inside](const TopoDS_TShape* parent) {
+               return inside.contains(parent);
+             });
     });
   }
 
-  /// The smallest parts that have all they consist of to themselves. \return whether there is one in the shape
+  /// The smallest parts that have all they consist of to themselves. \return whether there is one
+  /// in the shape
   bool choose(const TopoDS_Shape& shape) {
     bool has_one = false;
     if (shape.ShapeType() == TopAbs_COMPOUND)
@@ -105,8 +107,8 @@ TopoDS_Shape withParts(const TopoDS_Shape& place, const Part& part) {
 /// Numbers of faces or edges that have instances, and of the same ones in the first place.
 class InstanceNumbers {
  public:
-  InstanceNumbers(const TopoDS_Shape& shape, const std::map<const TopoDS_TShape*, PartPlaces>& parts,
-                  TopAbs_ShapeEnum kind) {
+  InstanceNumbers(const TopoDS_Shape& shape,
+                  const std::map<const TopoDS_TShape*, PartPlaces>& parts, TopAbs_ShapeEnum kind) {
     TopTools_IndexedMapOfShape all;
     TopExp::MapShapes(shape, kind, all);
     for (const auto& [part, places] : parts) {
@@ -141,7 +143,8 @@ class InstanceNumbers {
   }
   std::vector<int> repeats() const {
     std::vector<int> numbers;
-    for (const auto& [first, others] : others_) numbers.insert(numbers.end(), others.begin(), others.end());
+    for (const auto& [first, others] : others_)
+      numbers.insert(numbers.end(), others.begin(), others.end());
     return numbers;
   }
 
@@ -164,7 +167,8 @@ class RepairingOnce {
     RepairReport report = repair(prepared(), once(), partOf(progress, 0, share_of_repair));
     report.model.shape = everywhere(report.model.shape);
     if (!report.model.shape.IsEqual(model_.shape))
-      report.after = analyze(report.model, analyzeOptions(options_), partOf(progress, share_of_repair, 1));
+      report.after =
+          analyze(report.model, analyzeOptions(options_), partOf(progress, share_of_repair, 1));
     tellSeams(report);
     tellMoves(report);
     return report;
@@ -253,7 +257,8 @@ class RepairingOnce {
   }
 
   template <class What>
-  static void addInstances(std::vector<What>& told, const InstanceNumbers& numbers, int What::*number) {
+  static void addInstances(std::vector<What>& told, const InstanceNumbers& numbers,
+                           int What::*number) {
     const std::size_t count = told.size();
     for (std::size_t i = 0; i < count; ++i)
       for (const int other : numbers.others(told[i].*number)) {
@@ -267,13 +272,14 @@ class RepairingOnce {
   const RepairOptions& options_;
   const std::map<const TopoDS_TShape*, PartPlaces>& parts_;
   const InstanceNumbers faces_, edges_;
-  std::map<const TopoDS_TShape*, TopoDS_Shape> own_;  ///< copies for the first places, without place
+  std::map<const TopoDS_TShape*, TopoDS_Shape>
+      own_;  ///< copies for the first places, without place
 };
 
 }  // namespace
 
-RepairReport repairInstances(const Model& model, const RepairOptions& options, const PlainRepair& repair,
-                             const Progress& progress) {
+RepairReport repairInstances(const Model& model, const RepairOptions& options,
+                             const PlainRepair& repair, const Progress& progress) {
   if (options.match_mm > 0 || model.shape.IsNull()) return repair(model, options, progress);
   const RepeatedParts repeated(model.shape);
   if (repeated.parts().empty()) return repair(model, options, progress);

@@ -26,10 +26,13 @@ using opencascade::handle;
 /// A side of an edge, and where on its surface the nearest point of another one is.
 class TrimmedSide {
  public:
-  explicit TrimmedSide(const Coedge& use) : path_(pathOf(use.edge, use.shape)), surface_(use.shape) {}
+  explicit TrimmedSide(const Coedge& use)
+      : path_(pathOf(use.edge, use.shape)), surface_(use.shape) {}
 
   const PlanarPath& path() const { return path_; }
-  gp_Pnt2d at(double s) const { return path_.curve->Value(path_.first + s * (path_.last - path_.first)); }
+  gp_Pnt2d at(double s) const {
+    return path_.curve->Value(path_.first + s * (path_.last - path_.first));
+  }
   gp_Pnt point(const gp_Pnt2d& uv) const { return surface_.at(uv); }
   gp_Pnt2d nearest(const gp_Pnt& point, const gp_Pnt2d& start) const {
     return surface_.within(surface_.nearest(point, start));
@@ -84,14 +87,16 @@ class PathJoin {
     return sides_[0].point(at[0]).Distance(sides_[1].point(at[1]));
   }
 
-  /// By projections to and fro, of which the first is enough where the other side's path lies on the surface.
+  /// By projections to and fro, of which the first is enough where the other side's path lies on
+  /// the surface.
   PathMeeting met(double s, const std::array<bool, 2>& may_change) const {
     constexpr int most = 100;
     constexpr double near = 1e-3;
     PathMeeting at = shown(s);
     for (int k = 0; k < most && apart(at) > near * gap_mm_; ++k)
       for (const int side : {0, 1})
-        if (may_change[side]) at[side] = sides_[side].nearest(sides_[1 - side].point(at[1 - side]), at[side]);
+        if (may_change[side])
+          at[side] = sides_[side].nearest(sides_[1 - side].point(at[1 - side]), at[side]);
     return at;
   }
 
@@ -120,7 +125,8 @@ class PathJoin {
     return points;
   }
 
-  NewPaths interpolated(const std::vector<PathMeeting>& points, const std::array<bool, 2>& may_change) const {
+  NewPaths interpolated(const std::vector<PathMeeting>& points,
+                        const std::array<bool, 2>& may_change) const {
     NewPaths paths;
     for (const int side : {0, 1})
       if (may_change[side]) paths.curves[side] = interpolated(side, points);
@@ -137,11 +143,13 @@ class PathJoin {
       paths.apart_mm = std::max(paths.apart_mm, apart(after));
     }
     for (const int side : {0, 1})
-      if (may_change[side]) paths.move_mm = std::max(paths.move_mm, move_mm(side, *paths.curves[side]));
+      if (may_change[side])
+        paths.move_mm = std::max(paths.move_mm, move_mm(side, *paths.curves[side]));
     return paths;
   }
 
-  /// How far the image of a new path is from that of the old one. The speeds at which they are run along are no matter.
+  /// How far the image of a new path is from that of the old one. The speeds at which they are run
+  /// along are no matter.
   double move_mm(int side, const Geom2d_Curve& curve) const {
     constexpr int old_points = 512, places = 64;
     const PlanarPath& path = sides_[side].path();
@@ -191,7 +199,8 @@ class PathSolver {
     runParallel(treated.size(), task_.options.jobs, tryToJoin, progress);
     JoinedPaths solution;
     for (std::size_t k = 0; k < treated.size(); ++k) {
-      solution.paths.insert(solution.paths.end(), outcomes[k].paths.begin(), outcomes[k].paths.end());
+      solution.paths.insert(solution.paths.end(), outcomes[k].paths.begin(),
+                            outcomes[k].paths.end());
       if (!outcomes[k].why_not.empty()) solution.failures[treated[k]] = outcomes[k].why_not;
     }
     return solution;
@@ -231,12 +240,13 @@ class PathSolver {
     return {{}, "the surfaces do not meet near the edge"};
   }
 
-  /// Which sides may have another path; first the one alone that strays further from the edge's curve, or runs along it at another speed.
+  /// Which sides may have another path; first the one alone that strays further from the edge's
+  /// curve, or runs along it at another speed.
   std::vector<std::array<bool, 2>> waysToChange(const Seam& seam) const {
     std::array<double, 2> stray_mm{};
     for (const int side : {0, 1})
-      stray_mm[side] =
-          distanceFromImage_mm(seam.sides[side].edge, seam.sides[side].shape, task_.options.tolerance.gap_mm);
+      stray_mm[side] = distanceFromImage_mm(seam.sides[side].edge, seam.sides[side].shape,
+                                            task_.options.tolerance.gap_mm);
     std::vector<std::array<bool, 2>> ways = {{false, true}, {true, false}, {true, true}};
     if (stray_mm[0] > stray_mm[1]) std::swap(ways[0], ways[1]);
     std::erase_if(ways, [&](const std::array<bool, 2>& change) {
@@ -249,10 +259,13 @@ class PathSolver {
   bool isOfPathsAlone(std::size_t i) const {
     for (const Coedge& side : task_.seams[i].sides)
       if (pathOf(side.edge, side.shape).curve.IsNull()) return false;
-    return isOfGapAlone(task_.before[i], task_.sharp[i], task_.options.tolerance, levelOf(task_.orders[i]));
+    return isOfGapAlone(task_.before[i], task_.sharp[i], task_.options.tolerance,
+                        levelOf(task_.orders[i]));
   }
 
-  bool mayTrim(const Seam& seam, int side) const { return task_.faces[seam.sides[side].face].may_be_trimmed; }
+  bool mayTrim(const Seam& seam, int side) const {
+    return task_.faces[seam.sides[side].face].may_be_trimmed;
+  }
 
   const RepairTask& task_;
 };

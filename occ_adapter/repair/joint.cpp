@@ -21,7 +21,8 @@ struct Frame {
 };
 
 double linearIn(const std::vector<double>& x, const std::vector<double>& y, double at) {
-  const std::size_t i = std::clamp<std::size_t>(std::ranges::upper_bound(x, at) - x.begin(), 1, x.size() - 1);
+  const std::size_t i =
+      std::clamp<std::size_t>(std::ranges::upper_bound(x, at) - x.begin(), 1, x.size() - 1);
   const double width = x[i] - x[i - 1];
   return width > 0 ? y[i - 1] + (at - x[i - 1]) / width * (y[i] - y[i - 1]) : y[i];
 }
@@ -38,14 +39,16 @@ double seamParameter(const Joint& joint, std::size_t side, double place) {
 }
 
 /// Even in the spans of a surface that the joint's path crosses.
-std::vector<double> evenPlaces(const Joint& joint, std::size_t side, const Displacement& displacement,
-                               const SurfaceBasis& basis) {
+std::vector<double> evenPlaces(const Joint& joint, std::size_t side,
+                               const Displacement& displacement, const SurfaceBasis& basis) {
   constexpr double per_pole = 2;
   constexpr int least = 24, most = 400;
   const Pcurve& path = joint.paths[side];
-  const Eigen::Vector2d poles(std::max(1.0, polesPerSpan(basis.u())), std::max(1.0, polesPerSpan(basis.v())));
+  const Eigen::Vector2d poles(std::max(1.0, polesPerSpan(basis.u())),
+                              std::max(1.0, polesPerSpan(basis.v())));
   const SpanMeasure measure(path, basis, displacement.givenSurface(), poles);
-  const int count = std::clamp(static_cast<int>(std::ceil(per_pole * measure.crossed())), least, most);
+  const int count =
+      std::clamp(static_cast<int>(std::ceil(per_pole * measure.crossed())), least, most);
   std::vector<double> places;
   for (int k = 0; k <= count; ++k)
     places.push_back(seamParameter(joint, side, measure.at(static_cast<double>(k) / count)));
@@ -59,7 +62,8 @@ std::vector<double> sampleParameters(const Joint& joint, const MovingFaces& move
     if (const auto mover = movers.find(joint.sides[side].face); mover != movers.end())
       for (const Displacement& d = mover->second.displacement;
            const SurfaceBasis* basis : {&d.givenBasis(), &d.basis()})
-        if (std::vector<double> places = evenPlaces(joint, side, d, *basis); places.size() > best.size())
+        if (std::vector<double> places = evenPlaces(joint, side, d, *basis);
+            places.size() > best.size())
           best = std::move(places);
   best.push_back(0);
   best.push_back(1);
@@ -99,15 +103,16 @@ JointSide sideAt(const Joint& joint, std::size_t side, double place, const FaceS
 }
 
 /// Where the second side of a matched seam is beside a point of the first.
-double placeBeside(const Joint& joint, const std::vector<std::unique_ptr<FaceStrip>>& strips, double s) {
+double placeBeside(const Joint& joint, const std::vector<std::unique_ptr<FaceStrip>>& strips,
+                   double s) {
   const Eigen::Vector3d beside = strips[0]->trace(linearIn(joint.map.s, joint.map.a, s)).p;
   const double place = linearIn(joint.map.s, joint.map.b, s);
   const auto [low, high] = std::minmax(joint.map.b.front(), joint.map.b.back());
   return nearestPlace(*strips[1], beside, place, low, high);
 }
 
-JointSample sampleAt(const Joint& joint, const std::vector<std::unique_ptr<FaceStrip>>& strips, double s,
-                     const MovingFaces& movers) {
+JointSample sampleAt(const Joint& joint, const std::vector<std::unique_ptr<FaceStrip>>& strips,
+                     double s, const MovingFaces& movers) {
   JointSample made;
   made.s = s;
   for (std::size_t side = 0; side < joint.sides.size(); ++side) {
@@ -120,11 +125,13 @@ JointSample sampleAt(const Joint& joint, const std::vector<std::unique_ptr<FaceS
 }
 
 SurfaceJet jetOf(const JointSide& side) {
-  return side.mover == nullptr ? side.shown.jet : side.mover->displacement.moved(side.shown.jet, side.shares);
+  return side.mover == nullptr ? side.shown.jet
+                               : side.mover->displacement.moved(side.shown.jet, side.shares);
 }
 
 std::optional<Eigen::Vector3d> normalOf(const JointSide& side, const SurfaceJet& jet) {
-  return unitNormal(jet, side.mover == nullptr ? side.shown.noise : side.mover->displacement.noise(jet));
+  return unitNormal(jet,
+                    side.mover == nullptr ? side.shown.noise : side.mover->displacement.noise(jet));
 }
 
 /// Of a side that the edge slides on.
@@ -156,7 +163,8 @@ Differences differencesOf(const Joint& joint, const JointSample& sample, const S
   if (joint.order < 2) return found;
   const Frame frame = frameOf(sample, (*na + *nb).normalized());
   const Eigen::Matrix3d difference = curvatureTensor(a, *na) - curvatureTensor(b, *nb);
-  found.bend = {frame.tangent.dot(difference * frame.tangent), frame.tangent.dot(difference * frame.cross),
+  found.bend = {frame.tangent.dot(difference * frame.tangent),
+                frame.tangent.dot(difference * frame.cross),
                 frame.cross.dot(difference * frame.cross)};
   return found;
 }
@@ -165,12 +173,15 @@ bool isEnd(const JointSample& sample) {
   return sample.s <= 0 || sample.s >= 1;
 }
 
-/// Readers of files look for nearest points: where the tangent plane turns along the seam, or the ends of edges are apart, an angle between planes of
-/// different points is not that of the seam. So sides may be shifted in the tangent plane by no more than turns them by a fifth of the accepted angle. Of a
-/// crease no angle is accepted.
-/// Open sides keep their place as far as that costs little, whatever the tolerance is: samples of them get no more weight where they are missed.
-JointLimits limitsOf(const Joint& joint, const JointSample& sample, const ContinuityTolerance& tolerance) {
-  constexpr double share_of_gap = 0.2, share_of_angle = 0.2, share_of_size = 1e-4, least_slide = 1e-3;
+/// Readers of files look for nearest points: where the tangent plane turns along the seam, or the
+/// ends of edges are apart, an angle between planes of different points is not that of the seam. So
+/// sides may be shifted in the tangent plane by no more than turns them by a fifth of the accepted
+/// angle. Of a crease no angle is accepted. Open sides keep their place as far as that costs
+/// little, whatever the tolerance is: samples of them get no more weight where they are missed.
+JointLimits limitsOf(const Joint& joint, const JointSample& sample,
+                     const ContinuityTolerance& tolerance) {
+  constexpr double share_of_gap = 0.2, share_of_angle = 0.2, share_of_size = 1e-4,
+                   least_slide = 1e-3;
   JointLimits limits{.gap_mm = tolerance.gap_mm,
                      .slide_mm = share_of_gap * tolerance.gap_mm,
                      .overlap_mm = tolerance.gap_mm,
@@ -186,7 +197,8 @@ JointLimits limitsOf(const Joint& joint, const JointSample& sample, const Contin
       along_per_mm = std::max(along_per_mm, (tensor * frame.tangent).norm());
       across_per_mm = std::max(across_per_mm, (tensor * frame.cross).norm());
       if (tensor.norm() >= 1 / tolerance.flat_radius_mm)
-        limits.curvature_per_mm = std::max(limits.curvature_per_mm, tolerance.curvature_rel * tensor.norm());
+        limits.curvature_per_mm =
+            std::max(limits.curvature_per_mm, tolerance.curvature_rel * tensor.norm());
     }
   if (joint.order < 1) {
     limits.slide_mm = tolerance.gap_mm;
@@ -225,7 +237,8 @@ class Row {
 
   Row& add(const JointSide& side, const Eigen::RowVectorXd& shares, double sign) {
     for (std::size_t k = 0; k < side.column.size(); ++k)
-      if (side.column[k] >= 0) factors_[side.column[k]] += sign * shares[static_cast<Eigen::Index>(k)];
+      if (side.column[k] >= 0)
+        factors_[side.column[k]] += sign * shares[static_cast<Eigen::Index>(k)];
     return *this;
   }
   Eigen::VectorXd times(double weight) const { return weight * factors_; }
@@ -234,7 +247,8 @@ class Row {
   Eigen::VectorXd factors_;
 };
 
-/// A sample stands for its part of a joint, as if each joint had so many, and is missed by a quarter of the tolerance for the price of all it may cost.
+/// A sample stands for its part of a joint, as if each joint had so many, and is missed by a
+/// quarter of the tolerance for the price of all it may cost.
 double weightOf(const JointSample& sample) {
   constexpr double samples_per_joint = 16, share_of_tolerance = 0.25;
   return sample.weight * std::sqrt(samples_per_joint * sample.part) / share_of_tolerance;
@@ -243,11 +257,13 @@ double weightOf(const JointSample& sample) {
 /// Up to so much of its limit what a kept joint lacks is free.
 constexpr double free_share = 0.5;
 
-/// What is lacking beyond what was given; of a kept joint, beyond its free share as well. Its direction is no matter: where edges meet, what
-/// one of them loses another one has to take over.
-Eigen::Vector3d beyondGiven(const Joint& joint, const Eigen::Vector3d& now, double given, double limit) {
+/// What is lacking beyond what was given; of a kept joint, beyond its free share as well. Its
+/// direction is no matter: where edges meet, what one of them loses another one has to take over.
+Eigen::Vector3d beyondGiven(const Joint& joint, const Eigen::Vector3d& now, double given,
+                            double limit) {
   const double free = std::max(given, joint.ask == Ask::Keep ? free_share * limit : 0);
-  return now.norm() > free ? Eigen::Vector3d(now - free * now.normalized()) : Eigen::Vector3d::Zero();
+  return now.norm() > free ? Eigen::Vector3d(now - free * now.normalized())
+                           : Eigen::Vector3d::Zero();
 }
 
 /// What of the differences is to go.
@@ -263,9 +279,10 @@ Missing missingOf(const Joint& joint, const JointSample& sample, const Differenc
       beyondGiven(joint, now.gap, std::max(given.gap.norm(), sample.kept_gap_mm), limits.gap_mm),
       beyondGiven(joint, slide(sample, now.gap), slide(sample, given.gap).norm(), limits.slide_mm)};
   if (limits.overlap_mm < limits.gap_mm)
-    missing.overlap =
-        beyondGiven(joint, across(sample, now.gap), across(sample, given.gap).norm(), limits.overlap_mm);
-  if (now.normal) missing.normal = beyondGiven(joint, *now.normal, sample.kept_angle_rad, limits.angle_rad);
+    missing.overlap = beyondGiven(joint, across(sample, now.gap), across(sample, given.gap).norm(),
+                                  limits.overlap_mm);
+  if (now.normal)
+    missing.normal = beyondGiven(joint, *now.normal, sample.kept_angle_rad, limits.angle_rad);
   missing.bend = beyondGiven(joint, now.bend, sample.kept_bend_per_mm, limits.curvature_per_mm);
   return missing;
 }
@@ -296,8 +313,10 @@ void addCurvatures(const JointSample& sample, const Eigen::Vector3d& missing, co
                             y = parameterStep(jet, *ways[pairs[m][1]]);
       const Eigen::Vector3d second =
           x[0] * y[0] * jet.uu + (x[0] * y[1] + x[1] * y[0]) * jet.uv + x[1] * y[1] * jet.vv;
-      row.add(side, secondDerivative(side.shares, x, y) - derivative(side.shares, parameterStep(jet, second)),
-              k == 0 ? 1 : -1);
+      row.add(
+          side,
+          secondDerivative(side.shares, x, y) - derivative(side.shares, parameterStep(jet, second)),
+          k == 0 ? 1 : -1);
     }
     system.add(sample.cell, row.times(weight), frame.normal, -weight * missing[m]);
   }
@@ -314,7 +333,8 @@ std::optional<Tilt> tiltOf(const JointSample& sample, const JointSide& side) {
   const auto normal = side.mover == nullptr ? std::nullopt : normalOf(side, side.shown.jet);
   if (!normal) return {};
   const Eigen::Vector2d step = parameterStep(side.shown.jet, frameOf(sample, *normal).cross);
-  const SurfaceJet by = seamwright::occ::jetOf(side.shares, side.mover->displacement.coefficients());
+  const SurfaceJet by =
+      seamwright::occ::jetOf(side.shares, side.mover->displacement.coefficients());
   return Tilt{*normal, step, normal->dot(step[0] * by.u + step[1] * by.v)};
 }
 
@@ -347,12 +367,15 @@ double turned_rad(const JointSample& sample) {
   return std::abs(angle(is) - angle(was));
 }
 
-/// What the sides may go on to lack. Of a joint that is to meet a gap that is small enough everywhere: to close it would copy its course into the faces.
-void setGiven(const Joint& joint, const ContinuityTolerance& tolerance, std::vector<JointSample>& samples) {
+/// What the sides may go on to lack. Of a joint that is to meet a gap that is small enough
+/// everywhere: to close it would copy its course into the faces.
+void setGiven(const Joint& joint, const ContinuityTolerance& tolerance,
+              std::vector<JointSample>& samples) {
   constexpr double small = 0.5;
   double largest_mm = 0;
   for (JointSample& sample : samples) {
-    sample.given = differencesOf(joint, sample, sample.sides[0].shown.jet, sample.sides[1].shown.jet);
+    sample.given =
+        differencesOf(joint, sample, sample.sides[0].shown.jet, sample.sides[1].shown.jet);
     largest_mm = std::max(largest_mm, sample.given.gap.norm());
   }
   if (joint.ask != Ask::Join) {
@@ -388,7 +411,8 @@ std::vector<JointSample> sampled(const Joint& joint, const MovingFaces& movers,
     samples.push_back(sampleAt(joint, strips, s, movers));
   double length = 0;
   for (std::size_t k = 1; k < samples.size(); ++k) {
-    const double chord = (samples[k].sides[0].shown.jet.p - samples[k - 1].sides[0].shown.jet.p).norm();
+    const double chord =
+        (samples[k].sides[0].shown.jet.p - samples[k - 1].sides[0].shown.jet.p).norm();
     samples[k].part += chord / 2;
     samples[k - 1].part += chord / 2;
     length += chord;
@@ -397,8 +421,8 @@ std::vector<JointSample> sampled(const Joint& joint, const MovingFaces& movers,
   constexpr double least_share = 0.125, least_at_end = 1.0 / 48;
   const double even = 1.0 / static_cast<double>(samples.size());
   for (JointSample& sample : samples)
-    sample.part =
-        std::max(isEnd(sample) ? least_at_end : least_share * even, length > 0 ? sample.part / length : even);
+    sample.part = std::max(isEnd(sample) ? least_at_end : least_share * even,
+                           length > 0 ? sample.part / length : even);
   for (JointSample& sample : samples) {
     sample.limits = limitsOf(joint, sample, tolerance);
     if (const auto normal = normalOf(sample.sides[0], sample.sides[0].shown.jet))
@@ -408,7 +432,8 @@ std::vector<JointSample> sampled(const Joint& joint, const MovingFaces& movers,
   return samples;
 }
 
-void followCurvature(const Joint& joint, const ContinuityTolerance& tolerance, JointSample& sample) {
+void followCurvature(const Joint& joint, const ContinuityTolerance& tolerance,
+                     JointSample& sample) {
   if (joint.order < 2 || joint.ask != Ask::Join) return;
   double largest_per_mm = 0;
   for (const JointSide& side : sample.sides) {
@@ -425,8 +450,8 @@ void followSlide(JointSample& sample) {
   for (const std::size_t k : {0, 1}) {
     if (sample.sides.size() < 2 || !sample.sides[k].slides_on) continue;
     JointSide& side = sample.sides[k];
-    const gp_Pnt2d foot =
-        side.slides_on->nearest(pointOf(jetOf(sample.sides[1 - k]).p), gp_Pnt2d(side.uv[0], side.uv[1]));
+    const gp_Pnt2d foot = side.slides_on->nearest(pointOf(jetOf(sample.sides[1 - k]).p),
+                                                  gp_Pnt2d(side.uv[0], side.uv[1]));
     side.uv = {foot.X(), foot.Y()};
     side.shown.jet = side.slides_on->jet(foot);
   }
@@ -440,7 +465,8 @@ Differences differencesAt(const Joint& joint, const JointSample& sample) {
 
 namespace {
 
-/// Up to half the tolerance any growth does, then by a tenth of it; what is within the tolerance stays so, by a margin.
+/// Up to half the tolerance any growth does, then by a tenth of it; what is within the tolerance
+/// stays so, by a margin.
 double grownShare(double is, double was, double limit) {
   constexpr double growth_share = 0.1, least_share = 1e-3;
   const double start = std::max(was, free_share * limit);
@@ -459,18 +485,22 @@ double missedShareOf(const Joint& joint, const JointSample& sample) {
   const auto share = [&joint](double is, double was, double limit) {
     return joint.ask == Ask::Join ? is / limit : grownShare(is, was, limit);
   };
-  double missed = larger(
-      0, share(now.gap.norm(), std::max(sample.given.gap.norm(), sample.kept_gap_mm), sample.limits.gap_mm));
+  double missed =
+      larger(0, share(now.gap.norm(), std::max(sample.given.gap.norm(), sample.kept_gap_mm),
+                      sample.limits.gap_mm));
   const Missing missing = missingOf(joint, sample, now);
   missed = larger(missed, missing.slide.norm() / sample.limits.slide_mm);
   missed = larger(missed, missing.overlap.norm() / sample.limits.overlap_mm);
-  // To close the gap of a short sharp edge its faces have to turn: they do so as little as they can, see addConditions().
+  // To close the gap of a short sharp edge its faces have to turn: they do so as little as they
+  // can, see addConditions().
   if (joint.order < 1)
     return joint.ask == Ask::Join ? missed : larger(missed, turned_rad(sample) / joint.turn_rad);
   if (!now.normal) return missed;
-  missed = larger(missed, share(now.normal->norm(), sample.kept_angle_rad, sample.limits.angle_rad));
+  missed =
+      larger(missed, share(now.normal->norm(), sample.kept_angle_rad, sample.limits.angle_rad));
   if (joint.order < 2) return missed;
-  return std::max(missed, share(now.bend.norm(), sample.kept_bend_per_mm, sample.limits.curvature_per_mm));
+  return std::max(missed,
+                  share(now.bend.norm(), sample.kept_bend_per_mm, sample.limits.curvature_per_mm));
 }
 
 }  // namespace
@@ -534,14 +564,16 @@ void addConditions(const Joint& joint, const JointSample& sample, StepSystem& sy
     system.addPoint(sample.cell, place.times(gap_weight), -gap_weight * missing.gap);
   if (sample.sides.size() < 2) return;
   if (!slide_normal) addSlides(sample, place, missing, weight, system);
-  if (joint.order < 1) return keepNormals(sample, share_of_crease * weight / joint.turn_rad, system);
+  if (joint.order < 1)
+    return keepNormals(sample, share_of_crease * weight / joint.turn_rad, system);
   if (!now.normal) return;
   const std::array<SurfaceJet, 2> jets = {jetOf(sample.sides[0]), jetOf(sample.sides[1])};
   const auto normal = normalOf(sample.sides[0], jets[0]);
   const Frame frame = frameOf(sample, (*normal - 0.5 * *now.normal).normalized());
   addNormals(sample, missing.normal, frame, jets, weight / sample.limits.angle_rad, system);
   if (joint.order > 1)
-    addCurvatures(sample, missing.bend, frame, jets, weight / sample.limits.curvature_per_mm, system);
+    addCurvatures(sample, missing.bend, frame, jets, weight / sample.limits.curvature_per_mm,
+                  system);
 }
 
 }  // namespace seamwright::occ

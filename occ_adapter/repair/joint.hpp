@@ -58,17 +58,19 @@ struct JointSide {
   Eigen::Vector2d uv = Eigen::Vector2d::Zero(), into = Eigen::Vector2d::Zero();
   PoleShares shares;  ///< of the mover's coefficients
   std::vector<Eigen::Index>
-      column;  ///< by coefficient of the shares: its place in the sample's cell, -1: it stays
-  SidePoint
-      shown;  ///< before any move; of a side that the edge slides on: beside the other side as it is now
-  std::shared_ptr<const StayingSurface> slides_on = {};  ///< null: the edge has its place on the side
+      column;       ///< by coefficient of the shares: its place in the sample's cell, -1: it stays
+  SidePoint shown;  ///< before any move; of a side that the edge slides on: beside the other side
+                    ///< as it is now
+  std::shared_ptr<const StayingSurface> slides_on =
+      {};  ///< null: the edge has its place on the side
 };
 
 /// What two sides lack. Normals are aligned. Of an outline: the way from its place.
 struct Differences {
   Eigen::Vector3d gap = Eigen::Vector3d::Zero();
-  std::optional<Eigen::Vector3d> normal;           ///< of the unit normals, where both sides have one
-  Eigen::Vector3d bend = Eigen::Vector3d::Zero();  ///< of the curvature tensors: along, mixed, across
+  std::optional<Eigen::Vector3d> normal;  ///< of the unit normals, where both sides have one
+  Eigen::Vector3d bend =
+      Eigen::Vector3d::Zero();  ///< of the curvature tensors: along, mixed, across
 };
 
 /// What a sample may miss.
@@ -84,9 +86,10 @@ struct JointSample {
   double s = 0;
   std::vector<JointSide> sides;
   JointLimits limits;
-  Eigen::Vector3d across = Eigen::Vector3d::Zero();  ///< the seam, in the tangent plane of the first side
-  Differences given;       ///< what may stay: of a joint that is to meet at most a small gap
-  bool keeps_gap = false;  ///< the gap may stay as it was
+  Eigen::Vector3d across =
+      Eigen::Vector3d::Zero();  ///< the seam, in the tangent plane of the first side
+  Differences given;            ///< what may stay: of a joint that is to meet at most a small gap
+  bool keeps_gap = false;       ///< the gap may stay as it was
   /// Of a kept joint: the largest that it lacks anywhere, as no more is seen of it.
   double kept_gap_mm = 0, kept_angle_rad = 0, kept_bend_per_mm = 0;
   double part = 0;    ///< of the joint's length
@@ -95,12 +98,14 @@ struct JointSample {
   int cell = -1;      ///< of the system
 };
 
-/// Samples even in the knot spans, of the movers or of their displacements, that the joint crosses, both ends, and five around each place of Joint::also.
+/// Samples even in the knot spans, of the movers or of their displacements, that the joint crosses,
+/// both ends, and five around each place of Joint::also.
 /// \throws Standard_Failure where OpenCASCADE can't evaluate.
 std::vector<JointSample> sampled(const Joint& joint, const MovingFaces& movers,
                                  const ContinuityTolerance& tolerance);
 
-/// Of a joint that is to have G2: the accepted difference is a share of the larger curvature, which changes while faces move.
+/// Of a joint that is to have G2: the accepted difference is a share of the larger curvature, which
+/// changes while faces move.
 void followCurvature(const Joint& joint, const ContinuityTolerance& tolerance, JointSample& sample);
 
 /// Edges that slide run to the feet of the sides that move.
@@ -108,7 +113,8 @@ void followSlide(JointSample& sample);
 
 Differences differencesAt(const Joint& joint, const JointSample& sample);
 
-/// What a sample misses over its tolerance; what may stay counts where it grows by more than a tenth of the tolerance.
+/// What a sample misses over its tolerance; what may stay counts where it grows by more than a
+/// tenth of the tolerance.
 double missedShare(const Joint& joint, const JointSample& sample);
 
 /// The sum of squares of a sample's conditions.

@@ -37,7 +37,8 @@ const SplineAxis& NaturalSides::along(const Side& side, const MovingFaces& mover
 }
 
 std::vector<int> NaturalSides::coefficients(const Side& side, const MovingFaces& movers) {
-  std::vector<int> list = movers.at(side.face).displacement.coefficientsOfSide(side.fixed, side.at_last);
+  std::vector<int> list =
+      movers.at(side.face).displacement.coefficientsOfSide(side.fixed, side.at_last);
   if (!side.forward) std::ranges::reverse(list);
   return list;
 }
@@ -97,7 +98,8 @@ bool NaturalSides::haveSameDenominator(const Side& a, const Side& b, const Movin
                      &other = side.fixed == 0 ? displacement.basis().u() : displacement.basis().v();
     const double t = own.first + (side.forward ? s : 1 - s) * (own.last - own.first),
                  at = side.at_last ? other.last : other.first;
-    return displacement.denominator(side.fixed == 0 ? Eigen::Vector2d(at, t) : Eigen::Vector2d(t, at));
+    return displacement.denominator(side.fixed == 0 ? Eigen::Vector2d(at, t)
+                                                    : Eigen::Vector2d(t, at));
   };
   const int looks = 2 * along(a, movers).poles;
   for (int look = 0; look <= looks; ++look) {
@@ -124,8 +126,8 @@ void NaturalSides::tie(const Side& a, const Side& b, const MovingFaces& movers) 
               second = groups_.of(offset_.at(b.face) + of_b[k]);
     if (first == second) continue;
     // Two coefficients of one face stay two.
-    const bool share_a_face =
-        std::ranges::any_of(faces_[second], [&](int face) { return faces_[first].count(face) > 0; });
+    const bool share_a_face = std::ranges::any_of(
+        faces_[second], [&](int face) { return faces_[first].count(face) > 0; });
     if (share_a_face) continue;
     faces_[std::min(first, second)].insert(faces_[std::max(first, second)].begin(),
                                            faces_[std::max(first, second)].end());

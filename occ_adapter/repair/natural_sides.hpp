@@ -14,9 +14,10 @@
 /// What keeps natural sides of surfaces together exactly; not a public header.
 namespace seamwright::occ {
 
-/// Where two faces meet along whole sides of their surfaces both sides are displaced as one: what they have of a gap stays as it is, to rounding. For that
-/// their displacements need the same knots and the same denominator along the side. Beside a face that stays a side has the freedom of the gap tolerance: without it most vertices
-/// there could not be repaired.
+/// Where two faces meet along whole sides of their surfaces both sides are displaced as one: what
+/// they have of a gap stays as it is, to rounding. For that their displacements need the same knots
+/// and the same denominator along the side. Beside a face that stays a side has the freedom of the
+/// gap tolerance: without it most vertices there could not be repaired.
 class NaturalSides {
  public:
   NaturalSides() = default;
@@ -24,7 +25,8 @@ class NaturalSides {
   NaturalSides(const std::vector<Joint>& joints, const std::vector<bool>& gaps_stay,
                const MovingFaces& movers);
 
-  /// The first of the coefficients, by face and number, that are one with this; itself where it stands alone.
+  /// The first of the coefficients, by face and number, that are one with this; itself where it
+  /// stands alone.
   std::pair<int, int> first(int face, int coefficient) const;
   /// Adds spans that faces have to halve for the sake of spans that others halve.
   void spread(std::map<int, std::array<std::set<int>, 2>>& spans, const MovingFaces& movers) const;

@@ -60,9 +60,11 @@ class Other {
     BRepBndLib::Add(before, box_, false);
     BRepBndLib::Add(after, box_, false);
     const bool moved = !after.IsPartner(before);
-    crossers_.push_back(std::make_unique<IntCurvesFace_Intersector>(before, Precision::Confusion()));
+    crossers_.push_back(
+        std::make_unique<IntCurvesFace_Intersector>(before, Precision::Confusion()));
     if (moved)
-      crossers_.push_back(std::make_unique<IntCurvesFace_Intersector>(after, Precision::Confusion()));
+      crossers_.push_back(
+          std::make_unique<IntCurvesFace_Intersector>(after, Precision::Confusion()));
   }
 
   bool isPassed(const Way& way) {
@@ -112,7 +114,8 @@ std::map<int, int> PassedFaces::in(const TopoDS_Shape& after, const std::set<int
   std::map<int, int> passed;
   std::map<int, Other> others;
   for (const int face : moved) try {
-      const std::vector<Way> ways = waysOf(TopoDS::Face(faces_(face)), TopoDS::Face(now(face)), touch_mm_);
+      const std::vector<Way> ways =
+          waysOf(TopoDS::Face(faces_(face)), TopoDS::Face(now(face)), touch_mm_);
       if (ways.empty()) continue;
       Bnd_Box all;
       for (const Way& way : ways) all.Add(way.box());
@@ -120,8 +123,10 @@ std::map<int, int> PassedFaces::in(const TopoDS_Shape& after, const std::set<int
       for (int other = 1; other <= faces_.Extent() && passed.count(face) == 0; ++other) {
         if (boxes[other].IsOut(all) || around.count(other) > 0) continue;
         Other& there =
-            others.try_emplace(other, TopoDS::Face(faces_(other)), TopoDS::Face(now(other))).first->second;
-        const bool passes = std::ranges::any_of(ways, [&](const Way& way) { return there.isPassed(way); });
+            others.try_emplace(other, TopoDS::Face(faces_(other)), TopoDS::Face(now(other)))
+                .first->second;
+        const bool passes =
+            std::ranges::any_of(ways, [&](const Way& way) { return there.isPassed(way); });
         if (passes && !touched(face, other)) passed[face] = other;
       }
     } catch (const Standard_Failure&) {

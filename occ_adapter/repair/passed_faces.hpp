@@ -11,19 +11,24 @@
 /// Faces that moved through others; not a public header.
 namespace seamwright::occ {
 
-/// Whether faces that move come out on the other side of others. Sampled at 32 by 32 points of the parameters inside each face that moved: the straight
-/// way of such a point crosses another face, as that was or as it is, and the point is on the other side of that face than it was. So sides of a wall
-/// that move alike have not passed one another. What is narrower than the distance of the points may be missed.
+/// Whether faces that move come out on the other side of others. Sampled at 32 by 32 points of the
+/// parameters inside each face that moved: the straight way of such a point crosses another face,
+/// as that was or as it is, and the point is on the other side of that face than it was. So sides
+/// of a wall that move alike have not passed one another. What is narrower than the distance of the
+/// points may be missed.
 ///
-/// Faces that share a vertex, or a seam, do not count: they meet there, and their seams are measured. Nor do faces that touched or cut one another
-/// before, as those of an assembly's parts.
+/// Faces that share a vertex, or a seam, do not count: they meet there, and their seams are
+/// measured. Nor do faces that touched or cut one another before, as those of an assembly's parts.
 class PassedFaces {
  public:
-  /// \param beside_seams faces that share a seam, the smaller number first. \param touch_mm shorter ways are not looked at, nearer faces touch
-  PassedFaces(const TopoDS_Shape& before, std::set<std::pair<int, int>> beside_seams, double touch_mm);
+  /// \param beside_seams faces that share a seam, the smaller number first. \param touch_mm shorter
+  /// ways are not looked at, nearer faces touch
+  PassedFaces(const TopoDS_Shape& before, std::set<std::pair<int, int>> beside_seams,
+              double touch_mm);
 
   /// \param after with the same numbers of faces and the same parameters. \param moved faces.
-  /// \returns a face that was passed, by face that moved. Pairs of which OpenCASCADE can't tell are left out.
+  /// \returns a face that was passed, by face that moved. Pairs of which OpenCASCADE can't tell are
+  /// left out.
   std::map<int, int> in(const TopoDS_Shape& after, const std::set<int>& moved);
 
  private:

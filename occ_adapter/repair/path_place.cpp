@@ -16,7 +16,8 @@ Eigen::Vector2d pointAt(const Pcurve& path, double s) {
 }
 
 /// Where a path crosses knots, with 0 and 1.
-std::vector<double> breaksOf(const Pcurve& path, const opencascade::handle<Geom_BSplineSurface>& surface) {
+std::vector<double> breaksOf(const Pcurve& path,
+                             const opencascade::handle<Geom_BSplineSurface>& surface) {
   Coedge use;
   const BRep_Builder builder;
   builder.MakeFace(use.shape, surface, Precision::Confusion());
@@ -53,8 +54,8 @@ SpanMeasure::SpanMeasure(const Pcurve& path, const SurfaceBasis& basis,
 
 double SpanMeasure::at(double share) const {
   const double wanted = share * crossed_.back();
-  const std::size_t i = std::clamp<std::size_t>(std::ranges::lower_bound(crossed_, wanted) - crossed_.begin(),
-                                                1, crossed_.size() - 1);
+  const std::size_t i = std::clamp<std::size_t>(
+      std::ranges::lower_bound(crossed_, wanted) - crossed_.begin(), 1, crossed_.size() - 1);
   const double width = crossed_[i] - crossed_[i - 1];
   const double within = width > 0 ? (wanted - crossed_[i - 1]) / width : 0;
   return share >= 1 ? 1 : s_[i - 1] + within * (s_[i] - s_[i - 1]);

@@ -9,11 +9,13 @@
 /// Places along a path in the parameter plane of a spline surface; not a public header.
 namespace seamwright::occ {
 
-/// Places that are even in what a path crosses: knot spans, each as often as its direction's weight says.
+/// Places that are even in what a path crosses: knot spans, each as often as its direction's weight
+/// says.
 class SpanMeasure {
  public:
   SpanMeasure(const Pcurve& path, const SurfaceBasis& basis,
-              const opencascade::handle<Geom_BSplineSurface>& surface, const Eigen::Vector2d& weights);
+              const opencascade::handle<Geom_BSplineSurface>& surface,
+              const Eigen::Vector2d& weights);
 
   /// Spans, by weight.
   double crossed() const { return crossed_.back(); }

@@ -21,19 +21,21 @@ bool isClamped(const Geom_BSplineSurface& surface) {
          surface.VMultiplicity(1) == v && surface.VMultiplicity(surface.NbVKnots()) == v;
 }
 
-/// Periodic where it ends at itself, and as smooth there as it was; clamped if it is not periodic, so that its outermost
-/// poles are those of its boundaries.
+/// Periodic where it ends at itself, and as smooth there as it was; clamped if it is not periodic,
+/// so that its outermost poles are those of its boundaries.
 Surface closed(const Surface& given) {
   const double exactly_mm = Precision::Confusion() / 1000;
   const Surface surface = Surface::DownCast(given->Copy());
   if (isPeriodic(*given)) return surface;
   for (const Direction direction : {Direction::U, Direction::V})
-    if (endsAtItself(*surface, direction, exactly_mm)) makePeriodic(*surface, direction, exactly_mm);
+    if (endsAtItself(*surface, direction, exactly_mm))
+      makePeriodic(*surface, direction, exactly_mm);
   if (!isPeriodic(*surface) && !isClamped(*surface)) makeClamped(*surface);
   return surface;
 }
 
-/// Scattered poles of a side would leave its tangent plane at the point to the scatter: they become their mean.
+/// Scattered poles of a side would leave its tangent plane at the point to the scatter: they become
+/// their mean.
 /// \returns the largest move of a pole.
 double collapse(const Surface& surface, double near_mm) {
   const SurfaceBasis basis(*surface);

@@ -41,8 +41,8 @@ bool isNew(const Seam& after, const Seam& before) {
 /// Measures what is new, but no seam of one shape with the same surfaces twice.
 class Remeasuring {
  public:
-  Remeasuring(const RepairTask& task, const std::vector<FaceChange>& changes, std::vector<Seam> seams,
-              MeasuredSeams& known)
+  Remeasuring(const RepairTask& task, const std::vector<FaceChange>& changes,
+              std::vector<Seam> seams, MeasuredSeams& known)
       : task_(task), seams_(std::move(seams)), known_(known) {
     for (const FaceChange& change : changes) surfaces_[change.face] = change.surface;
     for (const Seam& seam : seams_)
@@ -100,14 +100,17 @@ double known(const Figure& figure) {
   return figure.upper.value_or(figure.lower);
 }
 
-/// By more than a tenth of the tolerance: what the faces that follow leave between samples is no matter to anyone.
-bool isLarger(const std::optional<Figure>& after, const std::optional<Figure>& before, double tolerance) {
+/// By more than a tenth of the tolerance: what the faces that follow leave between samples is no
+/// matter to anyone.
+bool isLarger(const std::optional<Figure>& after, const std::optional<Figure>& before,
+              double tolerance) {
   constexpr double margin = 0.1;
   if (!after) return before.has_value();
   return after->lower > std::max(tolerance, before ? known(*before) + margin * tolerance : 0);
 }
 
-/// Up to the level asked for what is seen counts; above it what is sure, and only where curvature is to be kept.
+/// Up to the level asked for what is seen counts; above it what is sure, and only where curvature
+/// is to be kept.
 bool isLower(const SeamResult& after, const SeamResult& before, const RepairOptions& options) {
   const Level level = before.verdict.level;
   if (after.verdict.level >= level) return false;
@@ -115,8 +118,8 @@ bool isLower(const SeamResult& after, const SeamResult& before, const RepairOpti
   return options.keep_curvature && surelyReaches(before.figures, options.tolerance, level);
 }
 
-bool isLessCertain(const SeamResult& after, const SeamResult& before, const ContinuityTolerance& tolerance,
-                   Level asked) {
+bool isLessCertain(const SeamResult& after, const SeamResult& before,
+                   const ContinuityTolerance& tolerance, Level asked) {
   const bool had_it = surelyReaches(before.figures, tolerance, asked);
   return (before.verdict.certain && !after.verdict.certain) ||
          (had_it && !surelyReaches(after.figures, tolerance, asked));
@@ -129,19 +132,22 @@ bool hasTurned(const SeamResult& after, const SeamResult& before, double allowed
   return is->lower - *was->upper > allowed_rad || was->lower - *is->upper > allowed_rad;
 }
 
-/// Which figure is worse than it was; empty if none. \param turn_rad by which a crease's faces have to turn at its ends
-std::string whyWorse(const SeamResult& after, const SeamResult& before, const RepairOptions& options,
-                     double turn_rad) {
+/// Which figure is worse than it was; empty if none. \param turn_rad by which a crease's faces have
+/// to turn at its ends
+std::string whyWorse(const SeamResult& after, const SeamResult& before,
+                     const RepairOptions& options, double turn_rad) {
   if (isLower(after, before, options)) return "a lower level";
   const bool was_crease = before.verdict.seam_class == SeamClass::Crease;
   if (was_crease && after.verdict.seam_class == SeamClass::Defect) return "another class";
   if (isLessCertain(after, before, options.tolerance, options.level())) return "less certain";
-  if (isLarger(after.figures.gap_mm, before.figures.gap_mm, options.tolerance.gap_mm)) return "a larger gap";
+  if (isLarger(after.figures.gap_mm, before.figures.gap_mm, options.tolerance.gap_mm))
+    return "a larger gap";
   if (isFold(before, options.tolerance))
     return hasTurned(after, before, options.tolerance.angle_rad + turn_rad) ? "another angle" : "";
   if (isLarger(after.figures.angle_rad, before.figures.angle_rad, options.tolerance.angle_rad))
     return "a larger angle";
-  const auto &curvature = after.figures.curvature_rel, &curvature_before = before.figures.curvature_rel;
+  const auto &curvature = after.figures.curvature_rel,
+             &curvature_before = before.figures.curvature_rel;
   constexpr double seen = 1.1;
   if (options.order == 2 && before.verdict.level >= Level::G1 && curvature_before &&
       isLarger(curvature, curvature_before, options.tolerance.curvature_rel) &&
@@ -181,14 +187,16 @@ SurfaceDifference differenceOn(const TopoDS_Face& face, const handle<Geom_BSplin
   return differenceOf(BRep_Tool::Surface(face), after, range);
 }
 
-/// Where edges were that stray. The curve of such an edge may lie on one of its faces, and comes to lie between both.
+/// Where edges were that stray. The curve of such an edge may lie on one of its faces, and comes to
+/// lie between both.
 class GivenEdges {
  public:
   explicit GivenEdges(const RepairTask& task)
       : edges_(partsOf(task.shape, TopAbs_EDGE)), gap_mm_(task.options.tolerance.gap_mm) {
     for (const SeamResult& seam : task.before)
       for (const int edge : seam.edges)
-        if (seam.figures.gap_mm) gaps_mm_[edge] = std::max(gaps_mm_[edge], seam.figures.gap_mm->lower);
+        if (seam.figures.gap_mm)
+          gaps_mm_[edge] = std::max(gaps_mm_[edge], seam.figures.gap_mm->lower);
   }
 
   /// Largest tolerance of an edge of the face beyond what it may have; 0 if there is none.
@@ -197,7 +205,8 @@ class GivenEdges {
     TopExp_Explorer was(before, TopAbs_EDGE), is(after, TopAbs_EDGE);
     for (; is.More(); is.Next(), was.Next()) {
       const double tolerance = BRep_Tool::Tolerance(TopoDS::Edge(is.Current()));
-      if (isStray(TopoDS::Edge(was.Current()), before, tolerance)) largest = std::max(largest, tolerance);
+      if (isStray(TopoDS::Edge(was.Current()), before, tolerance))
+        largest = std::max(largest, tolerance);
     }
     return largest;
   }
@@ -206,7 +215,8 @@ class GivenEdges {
   bool isStray(const TopoDS_Edge& old, const TopoDS_Face& face, double tolerance) const {
     const auto gap = gaps_mm_.find(edges_.FindIndex(old));
     const double was = std::max(BRep_Tool::Tolerance(old), gap == gaps_mm_.end() ? 0 : gap->second);
-    return tolerance > 2 * std::max(gap_mm_, was) && tolerance > 2 * distanceFromImage_mm(old, face, gap_mm_);
+    return tolerance > 2 * std::max(gap_mm_, was) &&
+           tolerance > 2 * distanceFromImage_mm(old, face, gap_mm_);
   }
 
   TopTools_IndexedMapOfShape edges_;
@@ -228,9 +238,11 @@ bool covers(const Correspondence& whole, const Correspondence& part, double shar
   return whole.a.front() <= part.a.front() + wandered && part.a.back() <= whole.a.back() + wandered;
 }
 
-/// Of the seams of the model it holds that one, but for a share at its ends, and nothing of the others.
+/// Of the seams of the model it holds that one, but for a share at its ends, and nothing of the
+/// others.
 bool isThatOf(const Seam& found, const Seam& seam, double share, const std::vector<Seam>& seams) {
-  if (!areBetweenTheSameEdges(found, seam) || !covers(found.correspondence, seam.correspondence, share))
+  if (!areBetweenTheSameEdges(found, seam) ||
+      !covers(found.correspondence, seam.correspondence, share))
     return false;
   return std::ranges::none_of(seams, [&](const Seam& other) {
     return &other != &seam && areBetweenTheSameEdges(other, found) &&
@@ -256,8 +268,8 @@ std::string whyNotFace(const RepairTask& task, const GivenEdges& edges, const Fa
   return {};
 }
 
-void judgeFaces(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
-                Proof& proof, const Progress& progress) {
+void judgeFaces(const RepairTask& task, const std::vector<FaceChange>& changes,
+                const TopoDS_Shape& changed, Proof& proof, const Progress& progress) {
   const TopTools_IndexedMapOfShape before = partsOf(task.shape, TopAbs_FACE);
   const TopTools_IndexedMapOfShape after = partsOf(changed, TopAbs_FACE);
   const GivenEdges edges(task);
@@ -266,7 +278,8 @@ void judgeFaces(const RepairTask& task, const std::vector<FaceChange>& changes, 
   const auto judge = [&](std::size_t k) {
     try {
       const int face = changes[k].face;
-      whys[k] = whyNotFace(task, edges, changes[k], TopoDS::Face(before(face)), TopoDS::Face(after(face)));
+      whys[k] = whyNotFace(task, edges, changes[k], TopoDS::Face(before(face)),
+                           TopoDS::Face(after(face)));
     } catch (...) {
       errors[k] = std::current_exception();
     }
@@ -288,7 +301,8 @@ bool isSoundAsAWhole(const TopoDS_Shape& shape) {
   return BRepCheck_Analyzer(shape, with_geometry).IsValid();
 }
 
-/// What a shape that was not sound lacked is not asked of the new one. Faces that both have are as sound as they were.
+/// What a shape that was not sound lacked is not asked of the new one. Faces that both have are as
+/// sound as they were.
 void judgeValidity(const RepairTask& task, const TopoDS_Shape& changed, Proof& proof) {
   constexpr const char* why = "OpenCASCADE's checks do not pass";
   const TopTools_IndexedMapOfShape before = partsOf(task.shape, TopAbs_FACE),
@@ -312,11 +326,12 @@ void judgeValidity(const RepairTask& task, const TopoDS_Shape& changed, Proof& p
 
 }  // namespace
 
-// The parallel mode of BRepCheck_Analyzer is no choice: faces that share an edge evaluate one adaptor of its curve on several threads, and
-// each replaces the adaptor's cache while others read it. Sound shapes fail the checks then, and freed memory is written to.
+// The parallel mode of BRepCheck_Analyzer is no choice: faces that share an edge evaluate one
+// adaptor of its curve on several threads, and each replaces the adaptor's cache while others read
+// it. Sound shapes fail the checks then, and freed memory is written to.
 //
-// Faces with numbers that are not finite make these checks crash or search without an end, so they count as not sound
-// without being looked at. The whole then counts as not sound either.
+// Faces with numbers that are not finite make these checks crash or search without an end, so they
+// count as not sound without being looked at. The whole then counts as not sound either.
 Validity validityOf(const TopoDS_Shape& shape, int jobs) {
   const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE);
   const UnusableParts unusable(shape);
@@ -324,7 +339,8 @@ Validity validityOf(const TopoDS_Shape& shape, int jobs) {
   std::vector<char> sound(static_cast<std::size_t>(faces.Extent()) + 1, 1);
   const auto check = [&](std::size_t k) {
     const int face = static_cast<int>(k) + 1;
-    sound[k + 1] = unusable.whyLeftOut(face).empty() && BRepCheck_Analyzer(faces(face)).IsValid() ? 1 : 0;
+    sound[k + 1] =
+        unusable.whyLeftOut(face).empty() && BRepCheck_Analyzer(faces(face)).IsValid() ? 1 : 0;
   };
   runParallel(sound.size() - 1, jobs, check, {});
   // Not beside the faces, of which both mark wires. Their geometry is checked.
@@ -332,14 +348,15 @@ Validity validityOf(const TopoDS_Shape& shape, int jobs) {
   return {{sound.begin(), sound.end()}, whole};
 }
 
-std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed, const Progress& progress) {
+std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed,
+                             const Progress& progress) {
   std::vector<Seam> seams = seamsIn(changed, task.seams);
   const bool any_matched =
       std::ranges::any_of(seams, [](const Seam& seam) { return seam.kind == SeamKind::Matched; });
   if (!any_matched) return seams;
   SeamGraph graph = findSeams(changed);
-  matchFreeEdges({.match_mm = task.options.match_mm, .gap_mm = task.options.tolerance.gap_mm}, graph,
-                 progress);
+  matchFreeEdges({.match_mm = task.options.match_mm, .gap_mm = task.options.tolerance.gap_mm},
+                 graph, progress);
   // As near to the end of an edge as it counts as matched whole.
   const double wandered_mm = 4 * task.options.match_mm;
   for (std::size_t i = 0; i < seams.size(); ++i) {
@@ -356,8 +373,8 @@ std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed
   return seams;
 }
 
-Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes, const TopoDS_Shape& changed,
-            MeasuredSeams& known, const Progress& progress) {
+Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes,
+            const TopoDS_Shape& changed, MeasuredSeams& known, const Progress& progress) {
   Proof proof;
   proof.after = task.before;
   Remeasuring again(task, changes, seamsAfter(task, changed, partOf(progress, 0, 0.2)), known);

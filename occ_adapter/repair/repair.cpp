@@ -21,10 +21,12 @@ namespace seamwright::occ {
 
 namespace {
 
-std::vector<Seam> seamsOf(const TopoDS_Shape& shape, const RepairOptions& options, const Progress& progress) {
+std::vector<Seam> seamsOf(const TopoDS_Shape& shape, const RepairOptions& options,
+                          const Progress& progress) {
   SeamGraph graph = findSeams(shape);
   if (options.match_mm > 0)
-    matchFreeEdges({.match_mm = options.match_mm, .gap_mm = options.tolerance.gap_mm}, graph, progress);
+    matchFreeEdges({.match_mm = options.match_mm, .gap_mm = options.tolerance.gap_mm}, graph,
+                   progress);
   return std::move(graph.seams);
 }
 
@@ -40,9 +42,17 @@ class Repairing {
 
   RepairReport run() {
     result_.model = model_;
-    result_.before = analyze(model_, analyzeOptions(options_), partOf(progress_, 0, share_of_analysis));
+    result_.before =
+        analyze(model_, analyzeOptions(options_), partOf(progress_, 0, share_of_analysis));
     Choice choice = choose(model_, result_.before, options_);
-    now_ = {model_.shape, result_.before, {}, result_.before.seams, std::move(choice.reasons), {}, {}, {}};
+    now_ = {model_.shape,
+            result_.before,
+            {},
+            result_.before.seams,
+            std::move(choice.reasons),
+            {},
+            {},
+            {}};
     sharp_ = std::move(choice.sharp);
     wants_conversion_ = std::move(choice.wants_conversion);
     std::vector<bool> wanted = std::move(choice.treated);
@@ -52,7 +62,8 @@ class Repairing {
     }
     if (std::ranges::count(wanted, true) > 0) {
       needed_ = neededVariation(model_.shape, result_.before.seams, turned(wanted));
-      limits_mm_ = moveLimits(model_.shape, result_.before.seams, facesAround(wanted), wanted, options_);
+      limits_mm_ =
+          moveLimits(model_.shape, result_.before.seams, facesAround(wanted), wanted, options_);
       const double all = options_.match_mm > 0 && options_.sew ? share_before_sewing : 1;
       repair(wanted, choice.faces, partOf(progress_, share_of_analysis, all));
     }
@@ -68,7 +79,8 @@ class Repairing {
  private:
   static constexpr double share_of_analysis = 0.2, share_of_paths = 0.1, share_of_moves = 0.6,
                           share_of_g1 = 0.7, share_before_sewing = 0.9;
-  /// Shares of a time limit after which a stage is stopped: what follows repairs single seams, which is quick for each.
+  /// Shares of a time limit after which a stage is stopped: what follows repairs single seams,
+  /// which is quick for each.
   static constexpr double time_of_paths = 0.5, time_of_g2 = 0.6, time_of_moves = 0.9;
 
   /// The model on its way.
@@ -87,11 +99,13 @@ class Repairing {
               const Progress& progress) {
     const int order = anyCurvatureDoes(options_.tolerance) ? 1 : options_.order;
     std::vector<int> orders(wanted.size());
-    std::ranges::transform(wanted, orders.begin(), [order](bool is_wanted) { return is_wanted ? order : 0; });
+    std::ranges::transform(wanted, orders.begin(),
+                           [order](bool is_wanted) { return is_wanted ? order : 0; });
     keepInTime(time_of_paths, partOf(progress, 0, share_of_paths),
                [&](const Progress& part) { return improveByPaths(taskOf(faces, orders), part); });
     for (std::size_t i = 0; i < orders.size(); ++i) {
-      if (isRepaired(now_.after.seams[i], sharp_[i], options_.tolerance, levelOf(order))) orders[i] = 0;
+      if (isRepaired(now_.after.seams[i], sharp_[i], options_.tolerance, levelOf(order)))
+        orders[i] = 0;
       if (orders[i] == 0) continue;
       if (const std::string why = whyNoneMoves(now_.after.seams[i].faces, faces); !why.empty()) {
         now_.reasons[i] =
@@ -101,9 +115,11 @@ class Repairing {
         now_.reasons[i].clear();
       }
     }
-    const auto move = [&](const Progress& part) { return improveByMoves(taskOf(faces, orders), part); };
-    keepInTime(order > 1 ? time_of_g2 : time_of_moves, partOf(progress, share_of_paths, share_of_moves),
-               move);
+    const auto move = [&](const Progress& part) {
+      return improveByMoves(taskOf(faces, orders), part);
+    };
+    keepInTime(order > 1 ? time_of_g2 : time_of_moves,
+               partOf(progress, share_of_paths, share_of_moves), move);
     const std::vector<int> asked = orders;
     for (int& left : orders) left = std::min(left, 1);
     for (std::size_t i = 0; i < orders.size(); ++i)
@@ -114,18 +130,20 @@ class Repairing {
     if (order > 1) repairAlone(asked, Level::G2, faces, partOf(progress, alone, 1));
   }
 
-  /// Seams that were left below the level, from the smallest angle on, by themselves: what was asked for together with them may be what can't be had.
-  /// What is left then is tried with the faces around its ends moving too.
-  void repairAlone(const std::vector<int>& orders, Level level, const std::vector<FaceChoice>& faces,
-                   const Progress& progress) {
+  /// Seams that were left below the level, from the smallest angle on, by themselves: what was
+  /// asked for together with them may be what can't be had. What is left then is tried with the
+  /// faces around its ends moving too.
+  void repairAlone(const std::vector<int>& orders, Level level,
+                   const std::vector<FaceChoice>& faces, const Progress& progress) {
     for (const bool neighbours_help : {false, true})
       repairAlone(orders, level, faces, neighbours_help,
                   partOf(progress, neighbours_help ? 0.5 : 0, neighbours_help ? 1 : 0.5));
   }
 
   /// Several at a time, as long as no face of one is next to a face of another.
-  void repairAlone(const std::vector<int>& orders, Level level, const std::vector<FaceChoice>& faces,
-                   bool neighbours_help, const Progress& progress) {
+  void repairAlone(const std::vector<int>& orders, Level level,
+                   const std::vector<FaceChoice>& faces, bool neighbours_help,
+                   const Progress& progress) {
     constexpr int most_batches = 8;
     std::set<std::size_t> left;
     for (std::size_t i = 0; i < orders.size(); ++i)
@@ -137,10 +155,12 @@ class Repairing {
         of_batch[i] = orders[i];
         left.erase(i);
       }
-      keepInTime(1, partOf(progress, static_cast<double>(batch) / most_batches, (batch + 1.0) / most_batches),
-                 [&](const Progress& part) {
-                   return improveByMoves(taskOf(faces, of_batch, neighbours_help), part);
-                 });
+      keepInTime(
+          1,
+          partOf(progress, static_cast<double>(batch) / most_batches, (batch + 1.0) / most_batches),
+          [&](const Progress& part) {
+            return improveByMoves(taskOf(faces, of_batch, neighbours_help), part);
+          });
     }
   }
 
@@ -164,7 +184,8 @@ class Repairing {
       const auto& sides = now_.seams[i].sides;
       const std::set<int> moving =
           neighbours_help ? around.of(now_.seams[i]) : std::set<int>{sides[0].face, sides[1].face};
-      if (std::ranges::any_of(moving, [&taken](int face) { return taken.count(face) > 0; })) continue;
+      if (std::ranges::any_of(moving, [&taken](int face) { return taken.count(face) > 0; }))
+        continue;
       chosen.push_back(i);
       for (const int face : moving) {
         taken.insert(face);
@@ -252,7 +273,9 @@ class Repairing {
   static constexpr const char* out_of_time = "the time limit was reached first";
   static constexpr const char *g1_too = "; G1: ", *g1_reached = "G1 reached; G2: ";
 
-  static std::string whyNoG2(const std::string& reason) { return reason.substr(0, reason.find(g1_too)); }
+  static std::string whyNoG2(const std::string& reason) {
+    return reason.substr(0, reason.find(g1_too));
+  }
 
   /// Of a seam that was asked for G2 before, and for G1 now, both reasons.
   void tellWhy(std::size_t i, const std::string& why) {
@@ -261,7 +284,8 @@ class Repairing {
       reason = g1_reached + whyNoG2(why);
       return;
     }
-    const bool both = options_.order > 1 && !reason.empty() && why.find(g1_too) == std::string::npos;
+    const bool both =
+        options_.order > 1 && !reason.empty() && why.find(g1_too) == std::string::npos;
     reason = both ? whyNoG2(reason) + g1_too + why : why;
   }
 
@@ -307,7 +331,8 @@ class Repairing {
       seam.reason = now_.reasons[i];
       seam.sewn = seam.before.kind == SeamKind::Matched && seam.after.kind != SeamKind::Matched;
       if (const auto why = not_sewn_.find(i); why != not_sewn_.end()) seam.not_sewn = why->second;
-      seam.repaired = wanted[i] && isRepaired(seam.after, sharp_[i], options_.tolerance, options_.level());
+      seam.repaired =
+          wanted[i] && isRepaired(seam.after, sharp_[i], options_.tolerance, options_.level());
       seam.wants_conversion = wants_conversion_[i] && !seam.repaired;
       if (wanted[i] && out_of_time_ && seam.reason.empty()) seam.reason = out_of_time;
       if (seam.repaired)
@@ -320,10 +345,12 @@ class Repairing {
       if (!(move_mm > 0)) continue;
       FaceMove move = now_.judged.at(face);
       move.largest_move_mm = move_mm;
-      if (move.surface) move.surface->move_mm.upper = std::max(move.surface->move_mm.lower, move_mm);
+      if (move.surface)
+        move.surface->move_mm.upper = std::max(move.surface->move_mm.lower, move_mm);
       result_.moves.push_back(std::move(move));
     }
-    for (const auto& [edge, move_mm] : now_.edge_moves) result_.edge_moves.push_back({edge, move_mm});
+    for (const auto& [edge, move_mm] : now_.edge_moves)
+      result_.edge_moves.push_back({edge, move_mm});
   }
 
   const Model& model_;
@@ -371,7 +398,8 @@ RepairReport repair(const Model& model, const RepairOptions& options, const Prog
   const auto plain = [](const Model& of, const RepairOptions& how, const Progress& part) {
     return Repairing(of, how, part).run();
   };
-  const auto converting = [&plain](const Model& of, const RepairOptions& how, const Progress& part) {
+  const auto converting = [&plain](const Model& of, const RepairOptions& how,
+                                   const Progress& part) {
     return how.convert_analytic ? repairConverting(of, how, plain, part) : plain(of, how, part);
   };
   return repairInstances(model, options, converting, progress);

@@ -54,8 +54,9 @@ class Sewing {
     for (std::size_t i = 0; i < task_.seams.size(); ++i) {
       const SeamResult& seam = task_.before[i];
       if (seam.kind != SeamKind::Matched) continue;
-      const bool is_picked =
-          picked.empty() || std::ranges::any_of(seam.edges, [&](int edge) { return contains(picked, edge); });
+      const bool is_picked = picked.empty() || std::ranges::any_of(seam.edges, [&](int edge) {
+                               return contains(picked, edge);
+                             });
       if (!is_picked) continue;
       if (surelyReaches(seam.figures, task_.options.tolerance, Level::G0))
         chosen_.push_back(i);
@@ -101,8 +102,10 @@ class Sewing {
         if (!is.whole && was_->faces[side.face] && !is.faces[sewn.faces[side.face]])
           refused[i] = "OpenCASCADE's checks would not pass for face " + std::to_string(side.face);
     if (!refused.empty()) return refused;
-    if (!is.whole && was_->whole) return everything("OpenCASCADE's checks would not pass for the sewn shape");
-    if (closedShells(sewn.shape) < closedShells(task_.shape)) return everything("a closed shell would open");
+    if (!is.whole && was_->whole)
+      return everything("OpenCASCADE's checks would not pass for the sewn shape");
+    if (closedShells(sewn.shape) < closedShells(task_.shape))
+      return everything("a closed shell would open");
     return {};
   }
 
@@ -110,8 +113,8 @@ class Sewing {
   Reasons measure(const Progress& progress) {
     const SewnShape& sewn = solution_.sewn;
     SeamGraph graph = findSeams(sewn.shape);
-    matchFreeEdges({.match_mm = task_.options.match_mm, .gap_mm = task_.options.tolerance.gap_mm}, graph,
-                   partOf(progress, 0, 0.2));
+    matchFreeEdges({.match_mm = task_.options.match_mm, .gap_mm = task_.options.tolerance.gap_mm},
+                   graph, partOf(progress, 0, 0.2));
     solution_.after = task_.before;
     for (std::size_t i = 0; i < task_.seams.size(); ++i) renumber(graph, i, solution_.after[i]);
     const AnalyzeOptions options = analyzeOptions(task_.options);
@@ -155,10 +158,11 @@ class Sewing {
         return !surelyReaches(before.figures, task_.options.tolerance, level) ||
                surelyReaches(after.figures, task_.options.tolerance, level);
       };
-      const bool is_kept =
-          after.kind != SeamKind::Matched && !is_lower && keeps(Level::G0) && keeps(task_.options.level());
+      const bool is_kept = after.kind != SeamKind::Matched && !is_lower && keeps(Level::G0) &&
+                           keeps(task_.options.level());
       if (!is_kept)
-        refused[i] = "as one edge it would have " + figuresText(after) + "; before " + figuresText(before);
+        refused[i] =
+            "as one edge it would have " + figuresText(after) + "; before " + figuresText(before);
     }
     return refused;
   }
@@ -170,7 +174,8 @@ class Sewing {
   SewSolution solution_;
 };
 
-/// Attributes of a sewn shape: what stays or becomes another part keeps its own, what is no part any more hands them to its faces.
+/// Attributes of a sewn shape: what stays or becomes another part keeps its own, what is no part
+/// any more hands them to its faces.
 class Attributes {
  public:
   Attributes(const TopoDS_Shape& before, const SewnShape& sewn) : before_(before), sewn_(sewn) {}

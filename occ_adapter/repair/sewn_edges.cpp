@@ -23,8 +23,9 @@ using opencascade::handle;
 
 /// What an edge, or a part of it, is after sewing.
 struct EdgePiece {
-  TopoDS_Edge edge;   ///< in the frame of the shape, running as the edge that it is a piece of if forward
-  int interval = -1;  ///< of a common edge
+  TopoDS_Edge
+      edge;  ///< in the frame of the shape, running as the edge that it is a piece of if forward
+  int interval = -1;           ///< of a common edge
   std::array<int, 2> nodes{};  ///< at the first and the last end of the old edge's piece
   std::array<std::vector<gp_Pnt>, 2> curve_ends, image_ends;
   double tolerance_mm = 0;
@@ -83,12 +84,15 @@ class EdgeSewer {
     return found == cuts_.end() ? 1 : static_cast<int>(found->second.size()) - 1;
   }
 
-  TopoDS_Edge oldEdge(int edge) const { return TopoDS::Edge(edges_(edge).Oriented(TopAbs_FORWARD)); }
+  TopoDS_Edge oldEdge(int edge) const {
+    return TopoDS::Edge(edges_(edge).Oriented(TopAbs_FORWARD));
+  }
 
   /// After piece k - 1; 0 where the edge has no vertex there.
   int nodeAt(int edge, int k) const {
     if (const auto cut = cut_nodes_.find({edge, k}); cut != cut_nodes_.end()) return cut->second;
-    const TopoDS_Vertex end = k == 0 ? TopExp::FirstVertex(oldEdge(edge)) : TopExp::LastVertex(oldEdge(edge));
+    const TopoDS_Vertex end =
+        k == 0 ? TopExp::FirstVertex(oldEdge(edge)) : TopExp::LastVertex(oldEdge(edge));
     return end.IsNull() ? 0 : vertices_.FindIndex(end);
   }
 
@@ -143,8 +147,9 @@ class EdgeSewer {
 
   EdgePiece pieceOf(int edge, int k) const {
     const auto sewn = interval_at_.find({edge, k});
-    EdgePiece piece =
-        sewn == interval_at_.end() ? ownPiece(edge, k) : commonPiece(sewn->second.first, sewn->second.second);
+    EdgePiece piece = sewn == interval_at_.end()
+                          ? ownPiece(edge, k)
+                          : commonPiece(sewn->second.first, sewn->second.second);
     piece.nodes = {nodeAt(edge, k), nodeAt(edge, k + 1)};
     return piece;
   }
@@ -169,15 +174,19 @@ class EdgeSewer {
   static bool hasStoredPath(const TopoDS_Edge& edge, const TopoDS_Face& face) {
     double first = 0, last = 0;
     bool is_stored = false;
-    const handle<Geom2d_Curve> path = BRep_Tool::CurveOnSurface(edge, face, first, last, &is_stored);
+    const handle<Geom2d_Curve> path =
+        BRep_Tool::CurveOnSurface(edge, face, first, last, &is_stored);
     return !path.IsNull() && is_stored;
   }
 
   EdgePiece ownPiece(int edge, int k) const {
     const TopoDS_Edge old = oldEdge(edge);
     const auto cuts = cuts_.find(edge);
-    const Places places = cuts == cuts_.end() ? Places{0, 1} : Places{cuts->second[k], cuts->second[k + 1]};
-    const auto at = [](double first, double last, double place) { return first + place * (last - first); };
+    const Places places =
+        cuts == cuts_.end() ? Places{0, 1} : Places{cuts->second[k], cuts->second[k + 1]};
+    const auto at = [](double first, double last, double place) {
+      return first + place * (last - first);
+    };
     EdgePiece piece;
     piece.edge = TopoDS::Edge(old.EmptyCopied());
     if (unusable_.hasEdge(edge)) return piece;  // Nothing is known of where it ends.
@@ -185,9 +194,11 @@ class EdgeSewer {
     const bool is_part = places[0] > 0 || places[1] < 1;
     double first = 0, last = 0;
     const handle<Geom_Curve> curve = BRep_Tool::Curve(old, first, last);
-    if (is_part) builder_.Range(piece.edge, at(first, last, places[0]), at(first, last, places[1]), true);
+    if (is_part)
+      builder_.Range(piece.edge, at(first, last, places[0]), at(first, last, places[1]), true);
     for (const int end : {0, 1})
-      if (!curve.IsNull()) piece.curve_ends[end].push_back(curve->Value(at(first, last, places[end])));
+      if (!curve.IsNull())
+        piece.curve_ends[end].push_back(curve->Value(at(first, last, places[end])));
     for (const TopoDS_Shape& beside : faces_of_edge_.FindFromKey(edges_(edge))) {
       if (unusable_.hasFace(faces_.FindIndex(beside))) continue;
       const TopoDS_Face face = TopoDS::Face(beside.Oriented(TopAbs_FORWARD));
@@ -195,10 +206,11 @@ class EdgeSewer {
       if (path.curve.IsNull()) continue;
       const PlacedSurface placed = surfaceOf(face);
       if (is_part && hasStoredPath(old, face))
-        builder_.Range(piece.edge, placed.surface, placed.location, at(path.first, path.last, places[0]),
-                       at(path.first, path.last, places[1]));
+        builder_.Range(piece.edge, placed.surface, placed.location,
+                       at(path.first, path.last, places[0]), at(path.first, path.last, places[1]));
       for (const int end : {0, 1})
-        piece.image_ends[end].push_back(placed.at(path.curve->Value(at(path.first, path.last, places[end]))));
+        piece.image_ends[end].push_back(
+            placed.at(path.curve->Value(at(path.first, path.last, places[end]))));
     }
     return piece;
   }
@@ -225,7 +237,8 @@ class EdgeSewer {
     for (auto& [node, corner] : corners_) makeCorner(curves[node], all[node], corner);
   }
 
-  void makeCorner(const std::vector<gp_Pnt>& curves, const std::vector<gp_Pnt>& all, Corner& corner) {
+  void makeCorner(const std::vector<gp_Pnt>& curves, const std::vector<gp_Pnt>& all,
+                  Corner& corner) {
     const std::vector<gp_Pnt>& of_place = curves.empty() ? all : curves;
     gp_XYZ sum;
     for (const gp_Pnt& end : of_place) sum += end.XYZ();
@@ -238,8 +251,8 @@ class EdgeSewer {
     const double allowed_mm = 2 * std::max(gap_mm_, corner.was_mm);
     if (corner.tolerance_mm <= allowed_mm) return;
     std::ostringstream why;
-    why << "a common vertex would be " << corner.tolerance_mm << " mm from the ends of its edges, more than "
-        << allowed_mm << " mm";
+    why << "a common vertex would be " << corner.tolerance_mm
+        << " mm from the ends of its edges, more than " << allowed_mm << " mm";
     for (const std::size_t seam : corner.seams) refuse(seam, why.str());
   }
 
@@ -259,7 +272,8 @@ class EdgeSewer {
         for (const int end : {0, 1}) {
           const int node = piece.nodes[reversed ? 1 - end : end];
           if (node != 0)
-            builder_.Add(forward, vertexAt(node).Oriented(end == 0 ? TopAbs_FORWARD : TopAbs_REVERSED));
+            builder_.Add(forward,
+                         vertexAt(node).Oriented(end == 0 ? TopAbs_FORWARD : TopAbs_REVERSED));
         }
       }
   }
@@ -278,13 +292,14 @@ class EdgeSewer {
   UnusableParts unusable_;
   TopTools_IndexedMapOfShape faces_, edges_, vertices_;
   TopTools_IndexedDataMapOfShapeListOfShape faces_of_edge_;
-  std::map<int, std::vector<double>> cuts_;                         ///< by edge
-  std::map<std::pair<int, int>, int> cut_nodes_;                    ///< by edge and number of the cut
-  Groups nodes_;                                                    ///< vertices by number, and cuts
-  std::map<int, Corner> corners_;                                   ///< by node: what is a new vertex
-  std::vector<CommonEdge> common_;                                  ///< by interval
-  std::map<std::pair<int, int>, std::pair<int, int>> interval_at_;  ///< interval and side, by edge and piece
-  std::map<int, std::vector<EdgePiece>> pieces_;                    ///< by edge, of those that are new
+  std::map<int, std::vector<double>> cuts_;       ///< by edge
+  std::map<std::pair<int, int>, int> cut_nodes_;  ///< by edge and number of the cut
+  Groups nodes_;                                  ///< vertices by number, and cuts
+  std::map<int, Corner> corners_;                 ///< by node: what is a new vertex
+  std::vector<CommonEdge> common_;                ///< by interval
+  std::map<std::pair<int, int>, std::pair<int, int>>
+      interval_at_;                               ///< interval and side, by edge and piece
+  std::map<int, std::vector<EdgePiece>> pieces_;  ///< by edge, of those that are new
   SewnEdges result_;
 };
 

@@ -29,8 +29,8 @@ using opencascade::handle;
 
 class Sewer {
  public:
-  Sewer(const TopoDS_Shape& shape, const std::vector<Seam>& seams, const std::vector<std::size_t>& chosen,
-        double gap_mm, const FaceNames& names)
+  Sewer(const TopoDS_Shape& shape, const std::vector<Seam>& seams,
+        const std::vector<std::size_t>& chosen, double gap_mm, const FaceNames& names)
       : shape_(shape), seams_(seams), gap_mm_(gap_mm), names_(names), unusable_(shape) {
     TopExp::MapShapes(shape, TopAbs_FACE, faces_);
     TopExp::MapShapes(shape, TopAbs_EDGE, edges_);
@@ -92,7 +92,8 @@ class Sewer {
     std::set<int> numbers;
     for (TopExp_Explorer solid(shape_, TopAbs_SOLID); solid.More(); solid.Next()) {
       int shells = 0;
-      for (TopExp_Explorer shell(solid.Current(), TopAbs_SHELL); shell.More(); shell.Next()) ++shells;
+      for (TopExp_Explorer shell(solid.Current(), TopAbs_SHELL); shell.More(); shell.Next())
+        ++shells;
       if (shells < 2) continue;
       for (TopExp_Explorer face(solid.Current(), TopAbs_FACE); face.More(); face.Next())
         numbers.insert(faces_.FindIndex(face.Current()));
@@ -122,8 +123,9 @@ class Sewer {
     const TopoDS_Face forward = TopoDS::Face(old.Oriented(TopAbs_FORWARD));
     TopoDS_Face face = TopoDS::Face(forward.EmptyCopied());
     for (TopoDS_Iterator part(forward); part.More(); part.Next())
-      builder_.Add(face, part.Value().ShapeType() == TopAbs_WIRE ? rebuiltWire(TopoDS::Wire(part.Value()))
-                                                                 : replaced(part.Value()));
+      builder_.Add(face, part.Value().ShapeType() == TopAbs_WIRE
+                             ? rebuiltWire(TopoDS::Wire(part.Value()))
+                             : replaced(part.Value()));
     builder_.NaturalRestriction(face, BRep_Tool::NaturalRestriction(old));
     return TopoDS::Face(face.Oriented(old.Orientation()));
   }
@@ -132,7 +134,8 @@ class Sewer {
     TopoDS_Wire wire;
     builder_.MakeWire(wire);
     for (TopoDS_Iterator it(old.Oriented(TopAbs_FORWARD)); it.More(); it.Next())
-      for (const TopoDS_Shape& piece : replacedEdge(TopoDS::Edge(it.Value()))) builder_.Add(wire, piece);
+      for (const TopoDS_Shape& piece : replacedEdge(TopoDS::Edge(it.Value())))
+        builder_.Add(wire, piece);
     wire.Closed(old.Closed());
     return wire.Oriented(old.Orientation());
   }
@@ -149,7 +152,8 @@ class Sewer {
 
   TopoDS_Shape replaced(const TopoDS_Shape& vertex) const {
     const auto found = edges_now_.vertices.find(vertices_.FindIndex(vertex));
-    return found == edges_now_.vertices.end() ? vertex : found->second.Oriented(vertex.Orientation());
+    return found == edges_now_.vertices.end() ? vertex
+                                              : found->second.Oriented(vertex.Orientation());
   }
 
   /// Faces of one shell after sewing.
@@ -232,8 +236,8 @@ class Sewer {
                                [this](int face) { return !unusable_.whyLeftOut(face).empty(); });
   }
 
-  /// A shell with faces that can't be computed with has no inside that could be told: it stays a shell, or the solid
-  /// that it was, turned as its first face.
+  /// A shell with faces that can't be computed with has no inside that could be told: it stays a
+  /// shell, or the solid that it was, turned as its first face.
   TopoDS_Shape shellOf(int group, bool was_solid) {
     TopoDS_Shell shell;
     builder_.MakeShell(shell);
@@ -265,7 +269,8 @@ class Sewer {
     });
   }
 
-  /// What a part becomes: itself, another one, several, or nothing, where another part has its faces now.
+  /// What a part becomes: itself, another one, several, or nothing, where another part has its
+  /// faces now.
   std::vector<TopoDS_Shape> rebuiltPart(const TopoDS_Shape& part) {
     const TopAbs_ShapeEnum kind = part.ShapeType();
     if (kind == TopAbs_VERTEX) return {replaced(part)};
@@ -275,10 +280,12 @@ class Sewer {
     if (group != 0) {
       if (!placed_.insert(group).second) return {};
       const TopoDS_Shape now = shellOf(group, kind == TopAbs_SOLID);
-      if (now.ShapeType() == kind && isJoinedByLooseFacesAlone(part, group)) result_.became.Bind(part, now);
+      if (now.ShapeType() == kind && isJoinedByLooseFacesAlone(part, group))
+        result_.became.Bind(part, now);
       return {now};
     }
-    if (kind == TopAbs_FACE) return {new_faces_[faces_.FindIndex(part)].Oriented(part.Orientation())};
+    if (kind == TopAbs_FACE)
+      return {new_faces_[faces_.FindIndex(part)].Oriented(part.Orientation())};
     std::vector<TopoDS_Shape> children;
     bool is_same = true;
     for (TopoDS_Iterator it(part); it.More(); it.Next()) {
@@ -297,7 +304,8 @@ class Sewer {
 
   void putTogether() {
     const std::vector<TopoDS_Shape> parts = rebuiltPart(shape_);
-    if (parts.size() != 1) throw std::runtime_error("the shape fell apart when its faces were sewn");
+    if (parts.size() != 1)
+      throw std::runtime_error("the shape fell apart when its faces were sewn");
     result_.shape = parts.front();
   }
 
@@ -306,11 +314,13 @@ class Sewer {
     TopExp::MapShapes(result_.shape, TopAbs_FACE, faces);
     TopExp::MapShapes(result_.shape, TopAbs_EDGE, edges);
     result_.faces.assign(1, 0);
-    for (int f = 1; f <= faces_.Extent(); ++f) result_.faces.push_back(faces.FindIndex(new_faces_[f]));
+    for (int f = 1; f <= faces_.Extent(); ++f)
+      result_.faces.push_back(faces.FindIndex(new_faces_[f]));
     result_.edges.assign(1, {});
     for (int e = 1; e <= edges_.Extent(); ++e) {
       std::vector<int> numbers;
-      for (const TopoDS_Shape& piece : replacedEdge(TopoDS::Edge(edges_(e).Oriented(TopAbs_FORWARD))))
+      for (const TopoDS_Shape& piece :
+           replacedEdge(TopoDS::Edge(edges_(e).Oriented(TopAbs_FORWARD))))
         numbers.push_back(edges.FindIndex(piece));
       result_.edges.push_back(numbers);
     }

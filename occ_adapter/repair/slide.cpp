@@ -58,7 +58,9 @@ class Slide {
  private:
   static constexpr double share_of_gap = 0.02;
 
-  double parameter(const Pcurve& path, double s) const { return path.first + s * (path.last - path.first); }
+  double parameter(const Pcurve& path, double s) const {
+    return path.first + s * (path.last - path.first);
+  }
   gp_Pnt2d old(double s) const { return path_.curve->Value(parameter(path_, s)); }
   gp_Pnt2d foot(double s) const {
     const gp_Pnt2d uv = boundary_.curve->Value(parameter(boundary_, s));
@@ -84,7 +86,8 @@ class Slide {
   }
 
   /// With the middle between two of them where the curve misses it.
-  std::vector<double> withMissed(const std::vector<double>& places, const Geom2d_Curve& curve) const {
+  std::vector<double> withMissed(const std::vector<double>& places,
+                                 const Geom2d_Curve& curve) const {
     std::vector<double> denser = {places.front()};
     for (std::size_t k = 1; k < places.size(); ++k) {
       const double s = (places[k - 1] + places[k]) / 2;
@@ -133,8 +136,10 @@ gp_Pnt2d StayingSurface::within(const gp_Pnt2d& uv) const {
   const auto clamped = [](double value, double first, double last, bool is_periodic) {
     return is_periodic ? value : std::clamp(value, first, last);
   };
-  return {clamped(uv.X(), surface_.FirstUParameter(), surface_.LastUParameter(), surface_.IsUPeriodic()),
-          clamped(uv.Y(), surface_.FirstVParameter(), surface_.LastVParameter(), surface_.IsVPeriodic())};
+  return {clamped(uv.X(), surface_.FirstUParameter(), surface_.LastUParameter(),
+                  surface_.IsUPeriodic()),
+          clamped(uv.Y(), surface_.FirstVParameter(), surface_.LastVParameter(),
+                  surface_.IsVPeriodic())};
 }
 
 SurfaceJet StayingSurface::jet(const gp_Pnt2d& uv) const {
@@ -155,8 +160,10 @@ bool StayingSurface::surrounds(const Pcurve& path) const {
   constexpr int looks = 32;
   for (int k = 0; k <= looks; ++k) {
     const gp_Pnt2d uv = path.curve->Value(path.first + (path.last - path.first) * k / looks);
-    if (!keepsAway(uv.X(), surface_.FirstUParameter(), surface_.LastUParameter(), surface_.IsUPeriodic()) ||
-        !keepsAway(uv.Y(), surface_.FirstVParameter(), surface_.LastVParameter(), surface_.IsVPeriodic()))
+    if (!keepsAway(uv.X(), surface_.FirstUParameter(), surface_.LastUParameter(),
+                   surface_.IsUPeriodic()) ||
+        !keepsAway(uv.Y(), surface_.FirstVParameter(), surface_.LastVParameter(),
+                   surface_.IsVPeriodic()))
       return false;
   }
   return true;

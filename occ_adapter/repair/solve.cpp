@@ -56,7 +56,8 @@ std::set<int> FacesAtVertices::of(const Seam& seam) const {
 bool isFold(const SeamResult& seam, const ContinuityTolerance& tolerance) {
   if (seam.verdict.seam_class == SeamClass::Crease) return true;
   const auto& angle = seam.figures.angle_rad;
-  return seam.verdict.seam_class == SeamClass::Defect && !(angle && angle->lower < tolerance.crease_rad);
+  return seam.verdict.seam_class == SeamClass::Defect &&
+         !(angle && angle->lower < tolerance.crease_rad);
 }
 
 std::string whyFailed(const Standard_Failure& failure) {

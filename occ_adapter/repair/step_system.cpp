@@ -14,7 +14,8 @@ BlockPattern patternOf(int points, const std::vector<std::vector<int>>& cells) {
   for (int j = 0; j < points; ++j) rows[j].push_back(j);
   for (const std::vector<int>& cell : cells)
     for (std::size_t j = 0; j < cell.size(); ++j)
-      rows[cell[j]].insert(rows[cell[j]].end(), cell.begin(), cell.begin() + static_cast<std::ptrdiff_t>(j));
+      rows[cell[j]].insert(rows[cell[j]].end(), cell.begin(),
+                           cell.begin() + static_cast<std::ptrdiff_t>(j));
   BlockPattern pattern;
   for (std::vector<int>& column : rows) {
     std::ranges::sort(column);
@@ -32,7 +33,8 @@ std::vector<int> placesOf(const std::vector<int>& cell, const BlockPattern& patt
     const auto first = pattern.rows.begin() + pattern.begins[cell[j]];
     const auto last = pattern.rows.begin() + pattern.begins[cell[j] + 1];
     for (std::size_t i = 0; i <= j; ++i)
-      places.push_back(static_cast<int>(std::lower_bound(first, last, cell[i]) - pattern.rows.begin()));
+      places.push_back(
+          static_cast<int>(std::lower_bound(first, last, cell[i]) - pattern.rows.begin()));
   }
   return places;
 }
@@ -68,13 +70,15 @@ void StepSystem::add(int cell, const Eigen::VectorXd& factors, const Eigen::Vect
   const Eigen::Vector3d& d = direction;
   SymmetricBlock square;
   square << d[0] * d[0], d[1] * d[1], d[2] * d[2], d[0] * d[1], d[1] * d[2], d[2] * d[0];
-  forPairs(cell, factors, [&square](SymmetricBlock& block, double product) { block += product * square; });
+  forPairs(cell, factors,
+           [&square](SymmetricBlock& block, double product) { block += product * square; });
   for (std::size_t k = 0; k < cells_[cell].size(); ++k)
     right_.row(cells_[cell][k]) += factors[static_cast<Eigen::Index>(k)] * value * d.transpose();
 }
 
 void StepSystem::addPoint(int cell, const Eigen::VectorXd& factors, const Eigen::Vector3d& value) {
-  forPairs(cell, factors, [](SymmetricBlock& block, double product) { block.head<3>().array() += product; });
+  forPairs(cell, factors,
+           [](SymmetricBlock& block, double product) { block.head<3>().array() += product; });
   for (std::size_t k = 0; k < cells_[cell].size(); ++k)
     right_.row(cells_[cell][k]) += factors[static_cast<Eigen::Index>(k)] * value.transpose();
 }
@@ -98,7 +102,8 @@ void StepSystem::damp(double share) {
 
 PointRows StepSystem::solve() {
   double largest = 0;
-  for (const SymmetricBlock& block : blocks_) largest = std::max(largest, block.head<3>().maxCoeff());
+  for (const SymmetricBlock& block : blocks_)
+    largest = std::max(largest, block.head<3>().maxCoeff());
   double raised = 0;
   while (!cholesky_.factor(blocks_, raised)) {
     raised = std::max(10 * raised, std::numeric_limits<double>::epsilon() * largest);

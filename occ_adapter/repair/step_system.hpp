@@ -9,8 +9,9 @@
 /// One step of a Gauss-Newton method for points in space; not a public header.
 namespace seamwright::occ {
 
-/// The least sum of squares of conditions that are linear in the steps of points. Conditions are added by cells: sets of points that may stand in
-/// one condition. Which points hang together is analysed once; the conditions may be other ones for each solution.
+/// The least sum of squares of conditions that are linear in the steps of points. Conditions are
+/// added by cells: sets of points that may stand in one condition. Which points hang together is
+/// analysed once; the conditions may be other ones for each solution.
 class StepSystem {
  public:
   /// \param cells points from 0, increasing.
@@ -19,8 +20,10 @@ class StepSystem {
   const std::vector<int>& cell(int number) const { return cells_[number]; }
   /// No condition.
   void clear();
-  /// (direction . sum of factor times step - value)^2. \param factors one for each point of the cell.
-  void add(int cell, const Eigen::VectorXd& factors, const Eigen::Vector3d& direction, double value);
+  /// (direction . sum of factor times step - value)^2. \param factors one for each point of the
+  /// cell.
+  void add(int cell, const Eigen::VectorXd& factors, const Eigen::Vector3d& direction,
+           double value);
   /// |sum of factor times step - value|^2
   void addPoint(int cell, const Eigen::VectorXd& factors, const Eigen::Vector3d& value);
   /// The sum over coordinates of (step + at)^T matrix (step + at), where \p pull = matrix at.
@@ -29,11 +32,12 @@ class StepSystem {
   /// factor |step + at|^2
   void addDamping(int point, double factor, const Eigen::Vector3d& at);
 
-  /// Adds that share of the diagonal of the normal matrix to it: steps become shorter, first those that conditions hardly tell (Levenberg and Marquardt).
+  /// Adds that share of the diagonal of the normal matrix to it: steps become shorter, first those
+  /// that conditions hardly tell (Levenberg and Marquardt).
   void damp(double share);
 
-  /// Where rounding hides that the normal matrix is positive definite its diagonal is raised by as much. No step where it is zero or not
-  /// finite.
+  /// Where rounding hides that the normal matrix is positive definite its diagonal is raised by as
+  /// much. No step where it is zero or not finite.
   PointRows solve();
 
  private:

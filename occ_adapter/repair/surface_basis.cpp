@@ -88,7 +88,8 @@ SplineAxis axisV(const Geom_BSplineSurface& surface) {
 
 }  // namespace
 
-SurfaceBasis::SurfaceBasis(const Geom_BSplineSurface& surface) : u_(axisU(surface)), v_(axisV(surface)) {
+SurfaceBasis::SurfaceBasis(const Geom_BSplineSurface& surface)
+    : u_(axisU(surface)), v_(axisV(surface)) {
   if (!surface.IsURational() && !surface.IsVRational()) return;
   weights_.resize(static_cast<Eigen::Index>(u_.poles) * v_.poles);
   for (int i = 0; i < u_.poles; ++i)
@@ -109,7 +110,8 @@ PoleShares SurfaceBasis::ofNumerator(const Eigen::Vector2d& uv, const Eigen::Vec
   for (int i = 0; i <= u_.degree; ++i)
     for (int j = 0; j <= v_.degree; ++j) {
       const int column = static_cast<int>(shares.poles.size());
-      shares.poles.push_back(pole(u_.pole(span_u - u_.degree + i), v_.pole(span_v - v_.degree + j)));
+      shares.poles.push_back(
+          pole(u_.pole(span_u - u_.degree + i), v_.pole(span_v - v_.degree + j)));
       const double weight = weights_.size() == 0 ? 1 : weights_[shares.poles.back()];
       auto share = shares.share.col(column);
       share.head<3>() << a(0, i) * b(0, j), a(1, i) * b(0, j), a(0, i) * b(1, j);
@@ -119,13 +121,15 @@ PoleShares SurfaceBasis::ofNumerator(const Eigen::Vector2d& uv, const Eigen::Vec
   return shares;
 }
 
-PoleShares SurfaceBasis::at(const Eigen::Vector2d& uv, const Eigen::Vector2d& into, int order) const {
+PoleShares SurfaceBasis::at(const Eigen::Vector2d& uv, const Eigen::Vector2d& into,
+                            int order) const {
   PoleShares shares = ofNumerator(uv, into, order);
   if (weights_.size() > 0) divide(shares, shares.share.rowwise().sum());
   return shares;
 }
 
-Eigen::VectorXd SurfaceBasis::denominator(const Eigen::Vector2d& uv, const Eigen::Vector2d& into) const {
+Eigen::VectorXd SurfaceBasis::denominator(const Eigen::Vector2d& uv,
+                                          const Eigen::Vector2d& into) const {
   if (weights_.size() == 0) return {};
   return ofNumerator(uv, into, 2).share.rowwise().sum() / weights_[0];
 }
@@ -184,7 +188,8 @@ template <int rows>
 Eigen::Matrix<double, rows, 3> sumOf(const PoleShares& shares, const PointRows& poles) {
   Eigen::Matrix<double, rows, 3> sum = Eigen::Matrix<double, rows, 3>::Zero();
   for (std::size_t k = 0; k < shares.poles.size(); ++k)
-    sum += shares.share.col(static_cast<Eigen::Index>(k)).template head<rows>() * poles.row(shares.poles[k]);
+    sum += shares.share.col(static_cast<Eigen::Index>(k)).template head<rows>() *
+           poles.row(shares.poles[k]);
   return sum;
 }
 
@@ -204,7 +209,8 @@ SurfaceJet jetOf(const PoleShares& shares, const PointRows& poles) {
 
 JetNoise noiseOf(const SurfaceJet& jet, const SurfaceBasis& basis) {
   const double step_u = basis.u().step, step_v = basis.v().step;
-  const double size = jet.p.lpNorm<Eigen::Infinity>() + step_u * jet.u.norm() + step_v * jet.v.norm();
+  const double size =
+      jet.p.lpNorm<Eigen::Infinity>() + step_u * jet.u.norm() + step_v * jet.v.norm();
   const double rounding = 64 * std::numeric_limits<double>::epsilon() * size;
   return {std::max(rounding / step_u, Precision::Confusion() / (basis.u().last - basis.u().first)),
           std::max(rounding / step_v, Precision::Confusion() / (basis.v().last - basis.v().first))};

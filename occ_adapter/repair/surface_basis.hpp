@@ -24,9 +24,9 @@ struct SplineAxis {
   int poles = 0;
   bool periodic = false;
   double first = 0, last = 0;
-  std::vector<double>
-      knots;  ///< the span of place i holds the functions of the poles i - degree .. i, counted round if periodic
-  double step = 1;  ///< mean length of the spans, at most 1
+  std::vector<double> knots;  ///< the span of place i holds the functions of the poles i - degree
+                              ///< .. i, counted round if periodic
+  double step = 1;            ///< mean length of the spans, at most 1
 
   /// Into [first, last[ if periodic.
   double wrapped(double t) const;
@@ -50,10 +50,12 @@ class SurfaceBasis {
   const SplineAxis& v() const { return v_; }
   int pole(int i, int j) const { return i * v_.poles + j; }
 
-  /// \param into on knot lines the polynomials on that side. \param order of the highest derivatives, 1 or 2.
+  /// \param into on knot lines the polynomials on that side. \param order of the highest
+  /// derivatives, 1 or 2.
   PoleShares at(const Eigen::Vector2d& uv, const Eigen::Vector2d& into = Eigen::Vector2d::Zero(),
                 int order = 2) const;
-  /// The denominator and its derivatives, as the rows of PoleShares, over the weight of the first pole; empty if the surface is polynomial.
+  /// The denominator and its derivatives, as the rows of PoleShares, over the weight of the first
+  /// pole; empty if the surface is polynomial.
   Eigen::VectorXd denominator(const Eigen::Vector2d& uv, const Eigen::Vector2d& into) const;
 
  private:
@@ -64,7 +66,8 @@ class SurfaceBasis {
   Eigen::VectorXd weights_;
 };
 
-/// Shares in a numerator become those in the quotient. \param denominator with its derivatives, as the rows of the shares
+/// Shares in a numerator become those in the quotient. \param denominator with its derivatives, as
+/// the rows of the shares
 void divide(PoleShares& shares, const Eigen::VectorXd& denominator);
 
 PointRows polesOf(const Geom_BSplineSurface& surface);

@@ -11,7 +11,8 @@ namespace seamwright::occ {
 namespace {
 
 /// By knot span, points of it from its first end on; with the last end of all.
-std::vector<std::vector<double>> gridOf(const TColStd_Array1OfReal& knots, double first, double last) {
+std::vector<std::vector<double>> gridOf(const TColStd_Array1OfReal& knots, double first,
+                                        double last) {
   constexpr int per_span = 4;
   std::vector<double> ends = {first};
   for (const double knot : knots)
@@ -19,7 +20,8 @@ std::vector<std::vector<double>> gridOf(const TColStd_Array1OfReal& knots, doubl
   ends.push_back(last);
   std::vector<std::vector<double>> places(ends.size() - 1);
   for (std::size_t i = 0; i < places.size(); ++i)
-    for (int k = 0; k < per_span; ++k) places[i].push_back(ends[i] + (ends[i + 1] - ends[i]) * k / per_span);
+    for (int k = 0; k < per_span; ++k)
+      places[i].push_back(ends[i] + (ends[i + 1] - ends[i]) * k / per_span);
   places.back().push_back(last);
   return places;
 }
@@ -63,8 +65,8 @@ SurfaceDifference differenceOf(const opencascade::handle<Geom_Surface>& before,
           if (old.normal.Dot(now.normal) < 0)
             turned.push_back({std::max(length, now.normal.Magnitude()), now.point});
         }
-  const auto real =
-      std::ranges::find_if(turned, [&](const Turned& place) { return place.length > collapsed * longest; });
+  const auto real = std::ranges::find_if(
+      turned, [&](const Turned& place) { return place.length > collapsed * longest; });
   if (real != turned.end()) difference.folded_at = real->at;
   return difference;
 }

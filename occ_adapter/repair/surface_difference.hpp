@@ -10,9 +10,9 @@ namespace seamwright::occ {
 
 /// On a grid of 4 by 4 points a knot span.
 struct SurfaceDifference {
-  double largest_mm = 0;  ///< of points
-  std::optional<gp_Pnt>
-      folded_at;  ///< where the normal turned by 90 degrees or more; not where both sides are nearly collapsed
+  double largest_mm = 0;            ///< of points
+  std::optional<gp_Pnt> folded_at;  ///< where the normal turned by 90 degrees or more; not where
+                                    ///< both sides are nearly collapsed
 };
 
 /// \param range of the parameters that both surfaces have: u from, to, v from, to.

@@ -20,8 +20,10 @@ class TimeLimit {
   double left_s() const { return limit_s_ - spent_s(); }
   bool isOver() const { return left_s() <= 0; }
 
-  /// Calls \p work with a progress that asks it to stop after a share of the time, or where \p progress does.
-  /// \returns what the work returns; nothing if the time was over first. \throws Cancelled if \p progress asked for it.
+  /// Calls \p work with a progress that asks it to stop after a share of the time, or where \p
+  /// progress does.
+  /// \returns what the work returns; nothing if the time was over first. \throws Cancelled if \p
+  /// progress asked for it.
   template <class Work>
   auto within(double share, const Progress& progress, const Work& work) const
       -> std::optional<decltype(work(progress))> {

@@ -36,8 +36,9 @@ bool runsAlongU(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   return curve.GetType() == GeomAbs_Line && curve.Line().Direction().Y() == 0;
 }
 
-/// The face with only those edges that the quadrature over it takes something from; it would evaluate beside the others too. Not on
-/// several threads: edges are marked as parts of the new wire, also those that another face shares.
+/// The face with only those edges that the quadrature over it takes something from; it would
+/// evaluate beside the others too. Not on several threads: edges are marked as parts of the new
+/// wire, also those that another face shares.
 TopoDS_Face sweptPart(const TopoDS_Shape& whole) {
   const BRep_Builder builder;
   const TopoDS_Face face = TopoDS::Face(whole.Oriented(TopAbs_FORWARD));
@@ -58,8 +59,10 @@ struct SweptFace {
   TopoDS_Face part;
 };
 
-/// Volume of the cone over a face with that tip. (BRepGProp::VolumeProperties takes a tip of its own, near the face.)
-/// \param error relative, of adaptive quadrature; 0: a fixed one, which for rational faces may be off by a percent.
+/// Volume of the cone over a face with that tip. (BRepGProp::VolumeProperties takes a tip of its
+/// own, near the face.)
+/// \param error relative, of adaptive quadrature; 0: a fixed one, which for rational faces may be
+/// off by a percent.
 double cone_mm3(const SweptFace& face, const gp_Pnt& tip, double error) {
   BRepGProp_Face surface;
   surface.Load(TopoDS::Face(face.whole));
@@ -99,14 +102,15 @@ struct FaceCone {
 
 /// Of the faces of a solid that move, with one tip.
 std::vector<FaceCone> conesOf(const TopoDS_Shape& before, const TopoDS_Shape& after,
-                              const TopTools_IndexedMapOfShape& faces, const std::vector<FaceChange>& changes,
-                              const gp_Pnt& tip) {
+                              const TopTools_IndexedMapOfShape& faces,
+                              const std::vector<FaceChange>& changes, const gp_Pnt& tip) {
   std::vector<FaceCone> cones;
   TopExp_Explorer was(before, TopAbs_FACE), is(after, TopAbs_FACE);
   for (; was.More(); was.Next(), is.Next()) {
     const auto move = std::ranges::find(changes, faces.FindIndex(was.Current()), &FaceChange::face);
     if (move != changes.end())
-      cones.push_back({SweptFace(was.Current()), SweptFace(is.Current()), tip, move->largest_move_mm});
+      cones.push_back(
+          {SweptFace(was.Current()), SweptFace(is.Current()), tip, move->largest_move_mm});
   }
   return cones;
 }
@@ -124,10 +128,13 @@ double slits_mm3(const RepairTask& task, const std::vector<SeamResult>& after, d
 struct VolumeChange {
   double change_mm3 = 0, noise_mm3 = 0;
 
-  bool isWithin(double explained_mm3) const { return std::abs(change_mm3) <= explained_mm3 + noise_mm3; }
+  bool isWithin(double explained_mm3) const {
+    return std::abs(change_mm3) <= explained_mm3 + noise_mm3;
+  }
 };
 
-VolumeChange volumeChange(std::vector<FaceCone>& cones, double error, int jobs, const Progress& progress) {
+VolumeChange volumeChange(std::vector<FaceCone>& cones, double error, int jobs,
+                          const Progress& progress) {
   runParallel(
       cones.size(), jobs, [&cones, error](std::size_t k) { cones[k].integrate(error); }, progress);
   constexpr double noise = 1e-6;
@@ -140,7 +147,8 @@ VolumeChange volumeChange(std::vector<FaceCone>& cones, double error, int jobs, 
   return result;
 }
 
-/// What the moves of the faces' points may change, as far as that is needed: areas are dear, so the longest moves come first.
+/// What the moves of the faces' points may change, as far as that is needed: areas are dear, so the
+/// longest moves come first.
 double explainedByMoves_mm3(std::vector<FaceCone> cones, double least_mm3) {
   std::ranges::sort(cones, std::greater{}, &FaceCone::move_mm);
   double explained_mm3 = 0;
@@ -163,7 +171,8 @@ Bnd_Box boxOfUsableFaces(const TopoDS_Shape& solid) {
 
 }  // namespace
 
-// Faces that stay give the same. Adaptive quadrature is slow and comes only where the fixed one does not do.
+// Faces that stay give the same. Adaptive quadrature is slow and comes only where the fixed one
+// does not do.
 std::string whyNotVolumes(const RepairTask& task, const std::vector<FaceChange>& changes,
                           const TopoDS_Shape& changed, const std::vector<SeamResult>& after,
                           const Progress& progress) {
@@ -185,8 +194,8 @@ std::string whyNotVolumes(const RepairTask& task, const std::vector<FaceChange>&
       volume = volumeChange(cones, adaptive_error, task.options.jobs, progress);
     if (volume.isWithin(explained)) continue;
     std::ostringstream text;
-    text << "the volume of solid " << s << " would change by " << volume.change_mm3 << " mm3, more than "
-         << explained - slits << " mm3, which the moves explain";
+    text << "the volume of solid " << s << " would change by " << volume.change_mm3
+         << " mm3, more than " << explained - slits << " mm3, which the moves explain";
     return text.str();
   }
   return {};

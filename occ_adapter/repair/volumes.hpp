@@ -9,8 +9,8 @@
 /// Whether solids keep their volume; not a public header.
 namespace seamwright::occ {
 
-/// The volume of a solid is the sum of the cones over its faces with one tip. It may change by the moves of the faces over their areas, by what
-/// the faces beside a seam are apart, and by rounding.
+/// The volume of a solid is the sum of the cones over its faces with one tip. It may change by the
+/// moves of the faces over their areas, by what the faces beside a seam are apart, and by rounding.
 /// \param after the seams of the changed shape, in the order of before.
 /// \returns which solid changed more, with the figures; empty: none. \throws Cancelled.
 std::string whyNotVolumes(const RepairTask& task, const std::vector<FaceChange>& changes,

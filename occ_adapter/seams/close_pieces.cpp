@@ -42,7 +42,8 @@ std::vector<IndexedPiece> indexed(const EdgePaths& paths, double match_mm) {
 /// Least distance of two straight chords.
 double chordDistance(const PathPiece& p, const PathPiece& q) {
   // Where they do not cross, an end of one is nearest.
-  double least = std::min({q.distance(p.start), q.distance(p.end), p.distance(q.start), p.distance(q.end)});
+  double least =
+      std::min({q.distance(p.start), q.distance(p.end), p.distance(q.start), p.distance(q.end)});
   const Eigen::Vector3d u = p.end - p.start, v = q.end - q.start, w = p.start - q.start;
   const double uu = u.squaredNorm(), uv = u.dot(v), vv = v.squaredNorm();
   const double area = uu * vv - uv * uv;
@@ -74,7 +75,8 @@ class CloseTo : public Tree::Selector {
     if (other.path <= to_.path || other.box.IsOut(to_.box)) return false;
     const double reach =
         std::min(to_.reach_mm, other.reach_mm) + to_.piece->sagitta_mm + other.piece->sagitta_mm;
-    if (!mayRunTogether(*to_.piece, *other.piece) || chordDistance(*to_.piece, *other.piece) > reach)
+    if (!mayRunTogether(*to_.piece, *other.piece) ||
+        chordDistance(*to_.piece, *other.piece) > reach)
       return false;
     found.push_back(index);
     return true;
@@ -89,9 +91,8 @@ class CloseTo : public Tree::Selector {
 
 }  // namespace
 
-std::map<std::pair<std::size_t, std::size_t>, ClosePieces> findClosePieces(const EdgePaths& paths,
-                                                                           double match_mm,
-                                                                           const Progress& progress) {
+std::map<std::pair<std::size_t, std::size_t>, ClosePieces> findClosePieces(
+    const EdgePaths& paths, double match_mm, const Progress& progress) {
   const std::vector<IndexedPiece> all = indexed(paths, match_mm);
   Tree tree;
   NCollection_UBTreeFiller<std::size_t, Bnd_Box> filler(tree);
@@ -99,7 +100,8 @@ std::map<std::pair<std::size_t, std::size_t>, ClosePieces> findClosePieces(const
   filler.Fill();
   std::map<std::pair<std::size_t, std::size_t>, ClosePieces> close;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (progress && i % 1024 == 0 && !progress(static_cast<double>(i) / static_cast<double>(all.size())))
+    if (progress && i % 1024 == 0 &&
+        !progress(static_cast<double>(i) / static_cast<double>(all.size())))
       throw Cancelled();
     CloseTo selector(all, i);
     tree.Select(selector);

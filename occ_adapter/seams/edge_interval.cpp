@@ -15,14 +15,14 @@ double roundingLength(const EdgePath& path) {
   return 1e-9 * path.length_mm();
 }
 
-/// Linear interpolation between the feet on either side of where \p key has the value; key increases, or
-/// decreases.
+/// Linear interpolation between the feet on either side of where \p key has the value; key
+/// increases, or decreases.
 template <class Key, class Value>
 double interpolate(const std::vector<Foot>& feet, const Key& key, const Value& value, double at) {
   const bool rises = key(feet.back()) >= key(feet.front());
-  const auto after = std::lower_bound(feet.begin() + 1, feet.end() - 1, at, [&](const Foot& foot, double x) {
-    return rises ? key(foot) < x : key(foot) > x;
-  });
+  const auto after = std::lower_bound(
+      feet.begin() + 1, feet.end() - 1, at,
+      [&](const Foot& foot, double x) { return rises ? key(foot) < x : key(foot) > x; });
   const Foot &left = *(after - 1), &right = *after;
   const double width = key(right) - key(left);
   const double share = width == 0 ? 0 : std::clamp((at - key(left)) / width, 0.0, 1.0);
@@ -51,8 +51,8 @@ PairWalk::PairWalk(const EdgePath& a, const EdgePath& b, const ClosePieces& clos
   for (const auto& [i, j] : close) near_[i].push_back(j);
 }
 
-/// Where something may begin or end: the ends of the close pieces of a, and what is nearest to the ends of
-/// those of b.
+/// Where something may begin or end: the ends of the close pieces of a, and what is nearest to the
+/// ends of those of b.
 std::vector<double> PairWalk::events() const {
   std::vector<double> events;
   std::map<std::size_t, std::vector<std::size_t>> by_b;
@@ -84,7 +84,8 @@ std::optional<Foot> PairWalk::footAt(double place) const {
   const Eigen::Vector3d p = a_.strip().trace(place).p;
   const std::vector<std::size_t>* close = &near_[piece];
   // At the end of a piece the one before may be the one that is close.
-  if (close->empty() && piece > 0 && place - a_.pieces()[piece].from < 1e-9) close = &near_[piece - 1];
+  if (close->empty() && piece > 0 && place - a_.pieces()[piece].from < 1e-9)
+    close = &near_[piece - 1];
   if (close->empty()) return std::nullopt;
   Foot foot{place, b_.nearest(p, b_.nearestOnChords(*close, p)), 0, false};
   foot.distance_mm = (b_.strip().trace(foot.b).p - p).norm();
@@ -99,7 +100,8 @@ bool PairWalk::continues(const Foot& from, const Foot& to) const {
   if (from.against != to.against) return false;
   const double along_a = std::abs(a_.lengthTo_mm(to.a) - a_.lengthTo_mm(from.a));
   const bool onward = to.a >= from.a;
-  const double along_b = (b_.lengthTo_mm(to.b) - b_.lengthTo_mm(from.b)) * (from.against == onward ? -1 : 1);
+  const double along_b =
+      (b_.lengthTo_mm(to.b) - b_.lengthTo_mm(from.b)) * (from.against == onward ? -1 : 1);
   const double rounding = roundingLength(a_) + roundingLength(b_);
   return along_b >= -rounding && along_b <= 3 * along_a + rounding;
 }

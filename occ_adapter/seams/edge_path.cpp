@@ -17,8 +17,8 @@ constexpr int least_pieces = 8;
 constexpr double largest_bend = 0.02;
 constexpr int most_halvings = 8;
 
-/// 0, the breaks of the path apart from one another, 1, and points between them, so that there are enough
-/// pieces.
+/// 0, the breaks of the path apart from one another, 1, and points between them, so that there are
+/// enough pieces.
 std::vector<double> firstCuts(const FaceStrip& strip) {
   std::vector<double> breaks = strip.breaks();
   std::ranges::sort(breaks);
@@ -58,13 +58,16 @@ EdgePath::EdgePath(const Coedge& use, int edge, double gap_mm)
   closed_ = (pieces_.front().start - pieces_.back().end).norm() <= 1e-6 * length_mm();
 }
 
-void EdgePath::addPieces(double from, double to, const PathPoint& start, const PathPoint& end, int depth) {
+void EdgePath::addPieces(double from, double to, const PathPoint& start, const PathPoint& end,
+                         int depth) {
   PathPiece piece{from, to, start.p, end.p, 0};
   const double chord = (end.p - start.p).norm();
   if (!std::isfinite(chord)) throw std::runtime_error("its path is not finite");
   for (const double share : {0.23, 0.5, 0.77})
-    piece.sagitta_mm = std::max(piece.sagitta_mm, 2 * piece.distance(strip_.trace(piece.place(share)).p));
-  const double rounding = 64 * std::numeric_limits<double>::epsilon() * start.p.lpNorm<Eigen::Infinity>();
+    piece.sagitta_mm =
+        std::max(piece.sagitta_mm, 2 * piece.distance(strip_.trace(piece.place(share)).p));
+  const double rounding =
+      64 * std::numeric_limits<double>::epsilon() * start.p.lpNorm<Eigen::Infinity>();
   if (depth == most_halvings || piece.sagitta_mm <= std::max(2 * largest_bend * chord, rounding)) {
     pieces_.push_back(piece);
     return;
@@ -76,8 +79,9 @@ void EdgePath::addPieces(double from, double to, const PathPoint& start, const P
 }
 
 std::size_t EdgePath::pieceAt(double place) const {
-  const auto after = std::upper_bound(pieces_.begin(), pieces_.end(), place,
-                                      [](double s, const PathPiece& piece) { return s < piece.from; });
+  const auto after =
+      std::upper_bound(pieces_.begin(), pieces_.end(), place,
+                       [](double s, const PathPiece& piece) { return s < piece.from; });
   return after == pieces_.begin() ? 0 : static_cast<std::size_t>(after - pieces_.begin()) - 1;
 }
 
@@ -97,7 +101,8 @@ double EdgePath::lengthBetween_mm(double from, double to) const {
   return speed * std::abs(to - from);
 }
 
-double EdgePath::nearestOnChords(const std::vector<std::size_t>& pieces, const Eigen::Vector3d& p) const {
+double EdgePath::nearestOnChords(const std::vector<std::size_t>& pieces,
+                                 const Eigen::Vector3d& p) const {
   const std::size_t nearest =
       *std::ranges::min_element(pieces, {}, [&](std::size_t i) { return pieces_[i].distance(p); });
   return pieces_[nearest].place(pieces_[nearest].nearestShare(p));

@@ -13,7 +13,8 @@ namespace seamwright::occ {
 struct PathPiece {
   double from = 0, to = 0;  ///< places, 0..1
   Eigen::Vector3d start, end;
-  double sagitta_mm = 0;  ///< the path stays so close to the chord (twice the largest deviation of 3 points)
+  double sagitta_mm =
+      0;  ///< the path stays so close to the chord (twice the largest deviation of 3 points)
 
   double place(double share) const { return from + share * (to - from); }
   /// Share of the chord, 0..1, at its point nearest to p.
@@ -43,7 +44,8 @@ class EdgePath {
   double lengthTo_mm(double place) const;
   /// Arc length between two places, by quadrature.
   double lengthBetween_mm(double from, double to) const;
-  /// The place whose chord comes nearest to p among those pieces, at least one: where to start a search.
+  /// The place whose chord comes nearest to p among those pieces, at least one: where to start a
+  /// search.
   double nearestOnChords(const std::vector<std::size_t>& pieces, const Eigen::Vector3d& p) const;
   /// As nearestPlace(); a closed path is searched across its start.
   double nearest(const Eigen::Vector3d& p, double start) const;
@@ -61,7 +63,8 @@ class EdgePath {
   bool closed_ = false;
 };
 
-/// How far apart the path and another may be: an interval is at least 4 times as long as the paths are apart.
+/// How far apart the path and another may be: an interval is at least 4 times as long as the paths
+/// are apart.
 inline double reach_mm(const EdgePath& path, double match_mm) {
   return std::min(match_mm, path.length_mm() / 4);
 }

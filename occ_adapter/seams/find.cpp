@@ -35,7 +35,8 @@ Coedge faceUse(int number, const TopoDS_Face& face, const TopoDS_Edge& edge,
   return {number,
           face,
           edge,
-          {poleTolerance(poles, TopExp::FirstVertex(edge)), poleTolerance(poles, TopExp::LastVertex(edge))}};
+          {poleTolerance(poles, TopExp::FirstVertex(edge)),
+           poleTolerance(poles, TopExp::LastVertex(edge))}};
 }
 
 std::string faultOfUse(const UnusableParts& unusable, int face, int edge) {
@@ -44,7 +45,8 @@ std::string faultOfUse(const UnusableParts& unusable, int face, int edge) {
 }
 
 /// Uses of each edge; index 0 is empty, as edges count from 1.
-std::vector<UsesOfEdge> collectUses(const TopoDS_Shape& shape, const TopTools_IndexedMapOfShape& edges) {
+std::vector<UsesOfEdge> collectUses(const TopoDS_Shape& shape,
+                                    const TopTools_IndexedMapOfShape& edges) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
   std::vector<UsesOfEdge> uses(static_cast<std::size_t>(edges.Extent()) + 1);
@@ -54,7 +56,8 @@ std::vector<UsesOfEdge> collectUses(const TopoDS_Shape& shape, const TopTools_In
     const TopTools_MapOfShape poles = polesOf(face);
     for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
       const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
-      const bool bounds = edge.Orientation() == TopAbs_FORWARD || edge.Orientation() == TopAbs_REVERSED;
+      const bool bounds =
+          edge.Orientation() == TopAbs_FORWARD || edge.Orientation() == TopAbs_REVERSED;
       if (!bounds || BRep_Tool::Degenerated(edge)) continue;
       const int e = edges.FindIndex(edge);
       uses[e].push_back(faceUse(f, face, edge, poles));

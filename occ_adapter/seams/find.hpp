@@ -20,19 +20,20 @@ enum class SeamKind {
 struct Coedge {
   int face = 0;       ///< from 1, order of TopExp::MapShapes
   TopoDS_Face shape;  ///< oriented FORWARD
-  TopoDS_Edge edge;   ///< oriented so that the face lies to its left, seen from the tip of X_u x X_v
-  /// At the first and the last end of the edge's curve: tolerance of the vertex if a boundary of the surface
-  /// collapses to it there (the face has a degenerated edge at that vertex), else 0.
+  TopoDS_Edge edge;  ///< oriented so that the face lies to its left, seen from the tip of X_u x X_v
+  /// At the first and the last end of the edge's curve: tolerance of the vertex if a boundary of
+  /// the surface collapses to it there (the face has a degenerated edge at that vertex), else 0.
   std::array<double, 2> pole_tolerance_mm{};
-  std::string fault = {};  ///< why face or edge can't be computed with (UnusableParts); mostly empty
+  std::string fault =
+      {};  ///< why face or edge can't be computed with (UnusableParts); mostly empty
 };
 
 /// \throws std::runtime_error with the fault of the side, if it has one
 void requireUsable(const Coedge& use);
 
-/// Points of the two sides of a seam that belong together: place a[i] of the first edge, 0..1 of the range of
-/// its curve, and b[i] of the second, both linear in s between s[i] and s[i + 1]. s runs from 0 to 1 and a
-/// increases; b increases or decreases.
+/// Points of the two sides of a seam that belong together: place a[i] of the first edge, 0..1 of
+/// the range of its curve, and b[i] of the second, both linear in s between s[i] and s[i + 1]. s
+/// runs from 0 to 1 and a increases; b increases or decreases.
 struct Correspondence {
   std::vector<double> s;
   std::vector<double> a;
@@ -44,8 +45,9 @@ struct Seam {
   SeamKind kind = SeamKind::Shared;
   std::vector<int> edges;  ///< from 1, order of TopExp::MapShapes; two of a matched seam
   std::array<Coedge, 2> sides;
-  Correspondence correspondence;  ///< empty: both sides run with the curve of their one edge, s = a = b
-  std::string note;               ///< what to know of how it was found; mostly empty
+  Correspondence
+      correspondence;  ///< empty: both sides run with the curve of their one edge, s = a = b
+  std::string note;    ///< what to know of how it was found; mostly empty
 };
 
 /// An edge that bounds one face, or more than two.
@@ -62,12 +64,14 @@ struct SeamGraph {
   std::vector<std::string> notes;         ///< what could not be looked at, and why
 };
 
-/// Finds where the faces of a shape meet by shared topology (for loose faces see matchFreeEdges()), in time
-/// linear in the size of the shape. Sides with numbers that can't be computed with have a fault.
+/// Finds where the faces of a shape meet by shared topology (for loose faces see matchFreeEdges()),
+/// in time linear in the size of the shape. Sides with numbers that can't be computed with have a
+/// fault.
 ///
-/// Left out: degenerated edges (the pole of a sphere is no seam), edges that bound no face, and edges that
-/// lie inside a face without bounding it (orientation INTERNAL or EXTERNAL). Faces and edges are told apart
-/// by IsSame, so a face that two solids share counts once and two instances of a part count twice.
+/// Left out: degenerated edges (the pole of a sphere is no seam), edges that bound no face, and
+/// edges that lie inside a face without bounding it (orientation INTERNAL or EXTERNAL). Faces and
+/// edges are told apart by IsSame, so a face that two solids share counts once and two instances of
+/// a part count twice.
 SeamGraph findSeams(const TopoDS_Shape& shape);
 
 }  // namespace seamwright::occ

@@ -53,8 +53,8 @@ class Refinement {
 
   /// The ends and those feet between them that interpolation between the others does not give.
   std::vector<Foot> thinned(const std::vector<Foot>& feet) const;
-  /// Adds feet until interpolation between them is good. \returns the largest error along b that was left, in
-  /// mm, 0 if none.
+  /// Adds feet until interpolation between them is good. \returns the largest error along b that
+  /// was left, in mm, 0 if none.
   double refine(std::vector<Foot>& feet) const;
 
  private:
@@ -91,7 +91,8 @@ void Refinement::keepNeeded(const std::vector<Foot>& feet, std::size_t first, st
   double worst_excess = 1;
   for (std::size_t i = first + 1; i < last; ++i) {
     const double share = (feet[i].a - left.a) / (right.a - left.a);
-    const double excess = alongB_mm(left.b + share * (right.b - left.b), feet[i].b) / allowed_mm(feet[i]);
+    const double excess =
+        alongB_mm(left.b + share * (right.b - left.b), feet[i].b) / allowed_mm(feet[i]);
     if (excess > worst_excess) {
       worst = i;
       worst_excess = excess;
@@ -119,13 +120,14 @@ Foot Refinement::halfway(const Foot& left, const Foot& right) const {
   const auto [low, high] = std::minmax(left.b, right.b);
   std::vector<std::size_t> between(b_.pieceAt(high) - b_.pieceAt(low) + 1);
   std::iota(between.begin(), between.end(), b_.pieceAt(low));
-  const Foot other =
-      footFrom(a_, b_, place, b_.nearestOnChords(between, a_.strip().trace(place).p), right.against);
+  const Foot other = footFrom(a_, b_, place, b_.nearestOnChords(between, a_.strip().trace(place).p),
+                              right.against);
   return other.distance_mm < foot.distance_mm && isBetween(other, left, right) ? other : foot;
 }
 
 /// How far interpolation halfway is off along b in mm, if that is too far; else nothing.
-std::optional<double> Refinement::excess_mm(const Foot& left, const Foot& right, const Foot& half) const {
+std::optional<double> Refinement::excess_mm(const Foot& left, const Foot& right,
+                                            const Foot& half) const {
   const double off_mm = alongB_mm(0.5 * (left.b + right.b), half.b);
   const bool needed = off_mm > allowed_mm(half) && isBetween(half, left, right);
   return needed ? std::optional(off_mm) : std::nullopt;
@@ -183,7 +185,8 @@ class Matcher {
  private:
   void makePaths(const Progress& progress);
   std::vector<EdgeInterval> walk(const Progress& progress);
-  void walkPair(std::size_t a, std::size_t b, const ClosePieces& close, std::vector<EdgeInterval>& intervals);
+  void walkPair(std::size_t a, std::size_t b, const ClosePieces& close,
+                std::vector<EdgeInterval>& intervals);
   void addSeam(EdgeInterval& interval);
   bool coversWhole(std::size_t path, std::vector<std::pair<double, double>> ranges) const;
   void sortOut(const Settled& settled);
@@ -203,7 +206,8 @@ void Matcher::makePaths(const Progress& progress) {
     paths_.emplace_back();
     noteFailure(graph_.notes, edgeName(i) + " can't be matched", [&] {
       requireUsable(graph_.open_uses[i]);
-      auto path = std::make_unique<EdgePath>(graph_.open_uses[i], graph_.open[i].edge, options_.gap_mm);
+      auto path =
+          std::make_unique<EdgePath>(graph_.open_uses[i], graph_.open[i].edge, options_.gap_mm);
       if (!(path->length_mm() > 0)) return;
       summary_.pieces += path->pieces().size();
       ++summary_.edges;
@@ -215,7 +219,8 @@ void Matcher::makePaths(const Progress& progress) {
 void Matcher::walkPair(std::size_t a, std::size_t b, const ClosePieces& close,
                        std::vector<EdgeInterval>& intervals) {
   const EdgePath &path_a = *paths_[a], &path_b = *paths_[b];
-  const double reach = std::min(reach_mm(path_a, options_.match_mm), reach_mm(path_b, options_.match_mm));
+  const double reach =
+      std::min(reach_mm(path_a, options_.match_mm), reach_mm(path_b, options_.match_mm));
   for (std::vector<Foot>& feet : PairWalk(path_a, path_b, close, reach).intervals()) {
     const bool one_face = path_a.use().face == path_b.use().face;
     if (one_face && !surfaceClosesBetween(path_a, path_b, feet[feet.size() / 2])) continue;
@@ -232,10 +237,12 @@ std::vector<EdgeInterval> Matcher::walk(const Progress& progress) {
   for (const auto& close_pair : close) {
     const auto& pair = close_pair.first;
     const auto& pieces = close_pair.second;
-    if (walked && done++ % 64 == 0 && !walked(static_cast<double>(done) / static_cast<double>(close.size())))
+    if (walked && done++ % 64 == 0 &&
+        !walked(static_cast<double>(done) / static_cast<double>(close.size())))
       throw Cancelled();
     summary_.close_pieces += pieces.size();
-    noteFailure(graph_.notes, edgeName(pair.first) + " can't be matched with " + edgeName(pair.second),
+    noteFailure(graph_.notes,
+                edgeName(pair.first) + " can't be matched with " + edgeName(pair.second),
                 [&] { walkPair(pair.first, pair.second, pieces, intervals); });
   }
   return intervals;
@@ -289,7 +296,8 @@ void Matcher::sortOut(const Settled& settled) {
   std::vector<Coedge> open_uses;
   for (std::size_t i = 0; i < graph_.open.size(); ++i) {
     if (const auto crowd = settled.crowded.find(i); crowd != settled.crowded.end()) {
-      graph_.non_manifold.push_back({graph_.open[i].edge, {crowd->second.begin(), crowd->second.end()}});
+      graph_.non_manifold.push_back(
+          {graph_.open[i].edge, {crowd->second.begin(), crowd->second.end()}});
     } else if (const auto ranges = matched.find(i);
                ranges == matched.end() || !coversWhole(i, ranges->second)) {
       open.push_back(graph_.open[i]);
@@ -319,7 +327,8 @@ MatchSummary Matcher::run(const Progress& progress) {
 
 }  // namespace
 
-MatchSummary matchFreeEdges(const MatchOptions& options, SeamGraph& graph, const Progress& progress) {
+MatchSummary matchFreeEdges(const MatchOptions& options, SeamGraph& graph,
+                            const Progress& progress) {
   return Matcher(options, graph).run(progress);
 }
 

@@ -83,7 +83,8 @@ double Referee::largestDistance(const EdgeInterval& interval, std::size_t path, 
 Contest Referee::contest(std::size_t path, Range on, const std::vector<Claim>& claims) const {
   Contest contest{on, {}};
   for (const Claim& claim : claims)
-    contest.rivals.push_back({largestDistance(intervals_[claim.interval], path, on), claim.interval});
+    contest.rivals.push_back(
+        {largestDistance(intervals_[claim.interval], path, on), claim.interval});
   std::ranges::sort(contest.rivals);
   return contest;
 }
@@ -96,9 +97,11 @@ std::vector<std::size_t> Referee::equals(std::size_t path, const Contest& contes
     // The least of the tolerances: a large one speaks of a fault of its own edge.
     double tolerance = BRep_Tool::Tolerance(paths_[path]->use().edge);
     for (const std::size_t interval : {rival.interval, winner.interval})
-      tolerance = std::min(tolerance,
-                           BRep_Tool::Tolerance(paths_[otherPath(intervals_[interval], path)]->use().edge));
-    if (rival.distance_mm <= std::max(2 * winner.distance_mm, tolerance)) equals.push_back(rival.interval);
+      tolerance =
+          std::min(tolerance,
+                   BRep_Tool::Tolerance(paths_[otherPath(intervals_[interval], path)]->use().edge));
+    if (rival.distance_mm <= std::max(2 * winner.distance_mm, tolerance))
+      equals.push_back(rival.interval);
   }
   return equals;
 }
@@ -132,7 +135,8 @@ void Referee::lose(std::size_t interval, std::size_t path, Range on) {
 void Referee::decideBetweenEdges(std::size_t path, const Contest& contest) {
   std::set<int> seen;
   for (const Contest::Rival& rival : contest.rivals)
-    if (!seen.insert(otherFace(rival.interval, path)).second) lose(rival.interval, path, contest.on);
+    if (!seen.insert(otherFace(rival.interval, path)).second)
+      lose(rival.interval, path, contest.on);
 }
 
 void Referee::crowd(std::size_t path, const Contest& contest) {
@@ -155,7 +159,8 @@ void Referee::decideBetweenFaces(std::size_t path, const std::vector<Contest>& c
     first = std::find_if(first, contests.end(), is_equal);
     if (first == contests.end()) return;
     auto last = std::next(first);
-    while (last != contests.end() && is_equal(*last) && last->on.low == std::prev(last)->on.high) ++last;
+    while (last != contests.end() && is_equal(*last) && last->on.low == std::prev(last)->on.high)
+      ++last;
     if (length_mm(path, {first->on.low, std::prev(last)->on.high}) >=
         shortestSeam_mm(*paths_[path], match_mm_))
       std::for_each(first, last, [&](const Contest& contest) { crowd(path, contest); });
@@ -185,7 +190,8 @@ std::vector<EdgeInterval> Referee::remains(std::size_t index) const {
     if (on.high <= on.low) continue;
     const double low_b = whole.bOf(on.low), high_b = whole.bOf(on.high);
     const bool against = whole.front().against;
-    EdgeInterval part{whole.path_a, whole.path_b, {{on.low, low_b, whole.distanceAt_mm(on.low), against}}};
+    EdgeInterval part{
+        whole.path_a, whole.path_b, {{on.low, low_b, whole.distanceAt_mm(on.low), against}}};
     std::ranges::copy_if(whole.feet, std::back_inserter(part.feet),
                          [&](const Foot& foot) { return foot.a > on.low && foot.a < on.high; });
     part.feet.push_back({on.high, high_b, whole.distanceAt_mm(on.high), against});
@@ -200,7 +206,8 @@ Settled Referee::settle(Between between) {
     if (!isLongEnough(intervals_[i])) continue;
     const Foot &front = intervals_[i].front(), &back = intervals_[i].back();
     claims[intervals_[i].path_a].push_back({i, {front.a, back.a}});
-    claims[intervals_[i].path_b].push_back({i, {std::min(front.b, back.b), std::max(front.b, back.b)}});
+    claims[intervals_[i].path_b].push_back(
+        {i, {std::min(front.b, back.b), std::max(front.b, back.b)}});
   }
   for (const auto& [path, of_path] : claims) {
     const std::vector<Contest> of_parts = contests(path, of_path);
@@ -218,8 +225,10 @@ Settled Referee::settle(Between between) {
 
 }  // namespace
 
-Settled settleRivals(const std::vector<EdgeInterval>& intervals, const EdgePaths& paths, double match_mm) {
-  // First within each face: between faces, the far edge of a narrow face would be a rival of the near one.
+Settled settleRivals(const std::vector<EdgeInterval>& intervals, const EdgePaths& paths,
+                     double match_mm) {
+  // First within each face: between faces, the far edge of a narrow face would be a rival of the
+  // near one.
   const std::vector<EdgeInterval> nearest =
       Referee(intervals, paths, match_mm).settle(Between::EdgesOfOneFace).intervals;
   return Referee(nearest, paths, match_mm).settle(Between::Faces);

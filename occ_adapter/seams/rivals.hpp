@@ -15,10 +15,13 @@ using EdgePaths = std::vector<std::unique_ptr<EdgePath>>;
 
 struct Settled {
   std::vector<EdgeInterval> intervals;
-  std::map<std::size_t, std::set<int>> crowded;  ///< paths where three or more faces meet, and these faces
+  std::map<std::size_t, std::set<int>>
+      crowded;  ///< paths where three or more faces meet, and these faces
 };
 
-/// The intervals that are long enough and not contested, or won; for the rules see matchFreeEdges().
-Settled settleRivals(const std::vector<EdgeInterval>& intervals, const EdgePaths& paths, double match_mm);
+/// The intervals that are long enough and not contested, or won; for the rules see
+/// matchFreeEdges().
+Settled settleRivals(const std::vector<EdgeInterval>& intervals, const EdgePaths& paths,
+                     double match_mm);
 
 }  // namespace seamwright::occ

@@ -14,7 +14,8 @@ namespace seamwright::cli {
 
 namespace {
 
-/// The edges at the vertex, counter-clockwise seen from outside, from the one with the smallest number on.
+/// The edges at the vertex, counter-clockwise seen from outside, from the one with the smallest
+/// number on.
 std::vector<int> edgesOf(const occ::Model& model, int vertex) {
   std::vector<int> edges = occ::cornerEdges(model, vertex);
   std::rotate(edges.begin(), std::ranges::min_element(edges), edges.end());
@@ -28,7 +29,8 @@ std::map<int, double> byEdge(const std::string& option, const std::vector<double
   if (lengths_mm.empty()) return result;
   if (lengths_mm.size() != 1 && lengths_mm.size() != edges.size()) {
     std::string names;
-    for (const int edge : edges) names += (names.empty() ? "Edge" : ", Edge") + std::to_string(edge);
+    for (const int edge : edges)
+      names += (names.empty() ? "Edge" : ", Edge") + std::to_string(edge);
     throw std::runtime_error(option + " has " + std::to_string(lengths_mm.size()) +
                              " lengths: one for all edges is needed, or one for each of " + names +
                              ", in this order");
@@ -38,12 +40,14 @@ std::map<int, double> byEdge(const std::string& option, const std::vector<double
   return result;
 }
 
-occ::CornerFilletOptions optionsOf(const CornerArguments& arguments, const std::vector<int>& edges) {
+occ::CornerFilletOptions optionsOf(const CornerArguments& arguments,
+                                   const std::vector<int>& edges) {
   occ::CornerFilletOptions options;
   options.radii_mm = byEdge("--radius", arguments.radii_mm, edges);
   options.setbacks_mm = byEdge("--setback", arguments.setbacks_mm, edges);
   options.tolerance = toleranceOf(arguments.measure);
-  options.tolerance.crease_rad = std::max(options.tolerance.crease_rad, options.tolerance.angle_rad);
+  options.tolerance.crease_rad =
+      std::max(options.tolerance.crease_rad, options.tolerance.angle_rad);
   options.jobs = arguments.measure.jobs;
   options.validate();
   return options;
@@ -66,18 +70,21 @@ void addLengths(CLI::App& command, const std::string& name, std::vector<double>&
 }  // namespace
 
 void addCornerOptions(CLI::App& command, CornerArguments& arguments) {
-  command.add_option("MODEL", arguments.model, "STEP, IGES or BREP file, told by its content")->required();
+  command.add_option("MODEL", arguments.model, "STEP, IGES or BREP file, told by its content")
+      ->required();
   command.add_option("--vertex", arguments.vertex, "Number of the vertex, as 6 or Vertex6")
       ->type_name("N")
       ->required()
       ->transform(numberOf("Vertex"));
   addLengths(command, "--radius", arguments.radii_mm,
-             "Radius of all edges at the vertex, or of each: counter-clockwise seen from outside, from the "
+             "Radius of all edges at the vertex, or of each: counter-clockwise seen from outside, "
+             "from the "
              "smallest number on",
              true);
   addLengths(command, "--setback", arguments.setbacks_mm,
              "Where the fillets end, from the vertex along the edges; 0, or none: chosen", false);
-  command.add_flag("--keep-anyway", arguments.keep_anyway, "Write a model whose new seams fall short");
+  command.add_flag("--keep-anyway", arguments.keep_anyway,
+                   "Write a model whose new seams fall short");
   addG1Options(command, arguments.measure);
   addOutputOptions(command, "rounded", arguments.output);
   exitStatus(command, "the new seams meet the tolerances, in OUT too",

@@ -22,7 +22,8 @@ struct CornerArguments {
 /// Adds the options to a command; they are parsed into \p arguments.
 void addCornerOptions(CLI::App& command, CornerArguments& arguments);
 
-/// \returns exit status 0 (every new seam is G1, in memory and in OUT) or 1. The model is written only if it is, or with keep_anyway.
+/// \returns exit status 0 (every new seam is G1, in memory and in OUT) or 1. The model is written
+/// only if it is, or with keep_anyway.
 int runCorner(const CornerArguments& arguments);
 
 }  // namespace seamwright::cli

@@ -30,7 +30,8 @@ occ::FillHoleOptions optionsOf(const FillArguments& arguments) {
   return options;
 }
 
-/// With the edges that belong to no hole, and why: the one that is looked for may be missing for them.
+/// With the edges that belong to no hole, and why: the one that is looked for may be missing for
+/// them.
 std::string listed(const occ::Holes& found) {
   std::string text;
   for (const occ::Hole& hole : found.holes) text += "; " + report::shortly(hole);
@@ -40,7 +41,8 @@ std::string listed(const occ::Holes& found) {
 
 occ::Hole holeOf(const occ::Model& model, const FillArguments& arguments,
                  const occ::FillHoleOptions& options) {
-  const occ::Holes found = occ::findHoles(model.shape, {options.corner_rad, options.tolerance.gap_mm});
+  const occ::Holes found =
+      occ::findHoles(model.shape, {options.corner_rad, options.tolerance.gap_mm});
   const std::vector<occ::Hole>& holes = found.holes;
   if (holes.empty()) throw std::runtime_error(arguments.model + ": has no hole" + listed(found));
   if (arguments.hole == 0 && holes.size() == 1) return holes.front();
@@ -64,19 +66,25 @@ occ::FillHoleReport filled(const occ::Model& model, const FillArguments& argumen
 }  // namespace
 
 void addFillOptions(CLI::App& command, FillArguments& arguments) {
-  command.add_option("MODEL", arguments.model, "STEP, IGES or BREP file, told by its content")->required();
+  command.add_option("MODEL", arguments.model, "STEP, IGES or BREP file, told by its content")
+      ->required();
   command.add_option("--target", arguments.target, "What every new seam must reach: G0, G1 or G2")
       ->check(CLI::IsMember({"G0", "G1", "G2"}))
       ->capture_default_str();
-  CLI::Option* hole = command.add_option("--hole", arguments.hole, "Number of the hole; else the only one")
-                          ->type_name("N")
-                          ->transform(numberOf("Hole"));
-  command.add_option("--face", arguments.face, "Take this face out and fill the hole that it leaves")
+  CLI::Option* hole =
+      command.add_option("--hole", arguments.hole, "Number of the hole; else the only one")
+          ->type_name("N")
+          ->transform(numberOf("Hole"));
+  command
+      .add_option("--face", arguments.face, "Take this face out and fill the hole that it leaves")
       ->type_name("N")
       ->transform(numberOf("Face"))
       ->excludes(hole);
-  command.add_option("--gap", arguments.gap_mm, "Largest gap, mm")->type_name("MM")->capture_default_str();
-  command.add_option("--angle", arguments.angle_deg, "Largest angle of the tangent planes, degrees")
+  command.add_option("--gap", arguments.gap_mm, "Largest gap, mm")
+      ->type_name("MM")
+      ->capture_default_str();
+  command
+      .add_option("--angle", arguments.angle_deg, "Largest angle of the tangent planes, degrees")
       ->type_name("DEG")
       ->capture_default_str();
   command
@@ -88,7 +96,8 @@ void addFillOptions(CLI::App& command, FillArguments& arguments) {
       ->type_name("DEG")
       ->capture_default_str();
   command.add_flag("--keep-anyway", arguments.keep_anyway, "Keep a fill that misses the target");
-  command.add_option("--jobs", arguments.jobs, "Threads; 0: one for each processor")->type_name("N");
+  command.add_option("--jobs", arguments.jobs, "Threads; 0: one for each processor")
+      ->type_name("N");
   addOutputOptions(command, "filled", arguments.output);
   command.footer("");
   exitStatus(command, "the new seams meet the target, in OUT too",
@@ -104,9 +113,10 @@ int runFill(const FillArguments& arguments) {
     return report::toJson(report, options, occ::factsOf(model), output);
   };
   const report::ModelCounts memory = report::countsOf(report, options);
-  const WrittenOutcome written = writeOutcome(
-      {report.filled ? &report.model : nullptr, report::judgeOf(report, options), json, false, memory},
-      arguments.output);
+  const WrittenOutcome written =
+      writeOutcome({report.filled ? &report.model : nullptr, report::judgeOf(report, options), json,
+                    false, memory},
+                   arguments.output);
   writeStandardOutput(report::toTable(report, options, written.model));
   warn(arguments.model, model.notes);
   warnOf(written, arguments.output, memory);

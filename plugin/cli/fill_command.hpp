@@ -25,7 +25,8 @@ struct FillArguments {
 /// Adds the options to a command; they are parsed into \p arguments.
 void addFillOptions(CLI::App& command, FillArguments& arguments);
 
-/// \returns exit status 0 (every new seam reaches the target) or 1. The model is written only if it was filled.
+/// \returns exit status 0 (every new seam reaches the target) or 1. The model is written only if it
+/// was filled.
 int runFill(const FillArguments& arguments);
 
 }  // namespace seamwright::cli

@@ -29,29 +29,32 @@ int complain(std::string text) {
   return bad_input;
 }
 
-/// Newer versions of CLI11 fill the lines of a footer unless told not to; older ones know nothing else.
+/// Newer versions of CLI11 fill the lines of a footer unless told not to; older ones know nothing
+/// else.
 void keepLinesOfFooters(auto& formatter) {
   if constexpr (requires { formatter.enable_footer_formatting(false); })
     formatter.enable_footer_formatting(false);
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Finds, measures and repairs the seams of CAD models: where faces meet, and how well.",
-               "seamwright");
+  CLI::App app(
+      "Finds, measures and repairs the seams of CAD models: where faces meet, and how well.",
+      "seamwright");
   keepLinesOfFooters(*app.get_formatter());  // the commands inherit it
   app.set_version_flag("--version",
                        "seamwright " SEAMWRIGHT_VERSION " (OpenCASCADE " OCC_VERSION_COMPLETE ")");
   app.require_subcommand(1);
   app.footer(
-      "Exit status: 0 all that was asked for is met, 1 some seams fall short, 2 bad usage or input, 130 "
+      "Exit status: 0 all that was asked for is met, 1 some seams fall short, 2 bad usage or "
+      "input, 130 "
       "stopped "
       "by Ctrl-C; see 'seamwright COMMAND --help'.");
   CLI::App* analyze =
       app.add_subcommand("analyze", "Measure and judge every seam of STEP, IGES or BREP models");
   AnalyzeArguments to_analyze;
   addAnalyzeOptions(*analyze, to_analyze);
-  CLI::App* repair =
-      app.add_subcommand("repair", "Move poles of spline faces until the seams of a model are smooth");
+  CLI::App* repair = app.add_subcommand(
+      "repair", "Move poles of spline faces until the seams of a model are smooth");
   RepairArguments to_repair;
   addRepairOptions(*repair, to_repair);
   CLI::App* fill =
@@ -67,8 +70,9 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
     if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty())
-      return complain("unknown command '" + std::string(argv[1]) +
-                      "': there are 'analyze', 'repair', 'fill' and 'corner' (see 'seamwright --help')");
+      return complain(
+          "unknown command '" + std::string(argv[1]) +
+          "': there are 'analyze', 'repair', 'fill' and 'corner' (see 'seamwright --help')");
     const std::string command =
         app.get_subcommands().empty() ? "" : ' ' + app.get_subcommands().front()->get_name();
     return complain(std::string(error.what()) + " (see 'seamwright" + command + " --help')");

@@ -27,7 +27,8 @@ std::vector<std::string> profileNames() {
 
 std::string profilesHelp() {
   std::ostringstream text;
-  text << "Profiles (an option given by itself overrides that figure of the profile, in any order):\n";
+  text << "Profiles (an option given by itself overrides that figure of the profile, in any "
+          "order):\n";
   for (const ToleranceProfile& profile : toleranceProfiles()) {
     const ContinuityTolerance& t = profile.tolerance;
     text << "  " << std::left << std::setw(9) << profile.name << "gap " << t.gap_mm << " mm, angle "
@@ -63,10 +64,14 @@ void addG1Options(CLI::App& command, MeasureArguments& arguments) {
   command.add_option("--profile", arguments.profile, "What is accepted, by name (see below)")
       ->check(CLI::IsMember(profileNames()))
       ->capture_default_str();
-  command.add_option("--gap", arguments.gap_mm, "G0: largest distance of the two sides, mm")->type_name("MM");
-  command.add_option("--angle", arguments.angle_deg, "G1: largest angle of the tangent planes, degrees")
+  command.add_option("--gap", arguments.gap_mm, "G0: largest distance of the two sides, mm")
+      ->type_name("MM");
+  command
+      .add_option("--angle", arguments.angle_deg,
+                  "G1: largest angle of the tangent planes, degrees")
       ->type_name("DEG");
-  command.add_option("--jobs", arguments.jobs, "Threads; 0: one for each processor")->capture_default_str();
+  command.add_option("--jobs", arguments.jobs, "Threads; 0: one for each processor")
+      ->capture_default_str();
   command.footer(profilesHelp());
 }
 
@@ -77,10 +82,12 @@ void addToleranceOptions(CLI::App& command, MeasureArguments& arguments) {
                   "G2: largest relative difference of normal curvature")
       ->type_name("REL");
   command
-      .add_option("--flat-radius", arguments.flat_radius_mm, "Flatter than this radius counts as flat, mm")
+      .add_option("--flat-radius", arguments.flat_radius_mm,
+                  "Flatter than this radius counts as flat, mm")
       ->type_name("MM");
   command
-      .add_option("--crease", arguments.crease_deg, "Above this angle a seam is an edge by design, degrees")
+      .add_option("--crease", arguments.crease_deg,
+                  "Above this angle a seam is an edge by design, degrees")
       ->type_name("DEG");
 }
 
@@ -120,12 +127,14 @@ occ::WriteReport writeUnderBar(const occ::Model& model, const std::string& path,
 
 void addOutputOptions(CLI::App& command, const std::string& done, OutputArguments& arguments) {
   command
-      .add_option("-o", arguments.model,
-                  "The " + done + " model: .step, .stp, .iges, .igs, .brep, .brp or .bin (binary BREP)")
+      .add_option(
+          "-o", arguments.model,
+          "The " + done + " model: .step, .stp, .iges, .igs, .brep, .brp or .bin (binary BREP)")
       ->type_name("OUT")
       ->required();
   command.add_option("--json", arguments.report, "Write a report to this file")->type_name("FILE");
-  command.add_flag("--overwrite", arguments.overwrite, "Another file of OUT's name may be replaced");
+  command.add_flag("--overwrite", arguments.overwrite,
+                   "Another file of OUT's name may be replaced");
   command.add_flag("--overwrite-source", arguments.overwrite_source, "OUT may be MODEL itself");
 }
 
@@ -157,9 +166,11 @@ CLI::Validator numberOf(const std::string& kind) {
   return {[kind](std::string& text) {
             std::string digits = text.rfind(kind, 0) == 0 ? text.substr(kind.size()) : text;
             int number = 0;
-            const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+            const auto [end, error] =
+                std::from_chars(digits.data(), digits.data() + digits.size(), number);
             if (error != std::errc{} || end != digits.data() + digits.size())
-              return "'" + text + "' names no " + kind + ": a number as 39, or " + kind + "39, is needed";
+              return "'" + text + "' names no " + kind + ": a number as 39, or " + kind +
+                     "39, is needed";
             if (number < 1) return "'" + text + "' names no " + kind + ": they count from 1";
             text = std::move(digits);
             return std::string();
@@ -184,7 +195,8 @@ void requireOutputs(const std::string& model, const OutputArguments& arguments) 
         "--json -: the report goes to a file, standard output has the table; name a file");
   requireReport(report, {model});
   if (placeOf(report) == placeOf(arguments.model))
-    throw std::runtime_error(report + ": is where the model goes; name another file for the report");
+    throw std::runtime_error(report +
+                             ": is where the model goes; name another file for the report");
 }
 
 void requireReport(const std::string& report, const std::vector<std::string>& models) {

@@ -44,12 +44,14 @@ void requireWritable(const fs::path& named) {
   if (!fs::is_directory(folder, error))
     throw std::runtime_error(file.string() + ": the folder " + folder.string() +
                              " does not exist; make it first");
-  if (fs::is_directory(file, error)) throw std::runtime_error(file.string() + ": is a folder, name a file");
+  if (fs::is_directory(file, error))
+    throw std::runtime_error(file.string() + ": is a folder, name a file");
   if (access(folder.c_str(), W_OK) != 0)
     throw std::runtime_error(file.string() + ": no right to write in " + folder.string());
 }
 
-PendingFile::PendingFile(const fs::path& file, std::string text) : file_(file), text_(std::move(text)) {
+PendingFile::PendingFile(const fs::path& file, std::string text)
+    : file_(file), text_(std::move(text)) {
   if (isWrittenStraight(file)) return;
   file_ = occ::withoutLinks(file);
   beside_ = file_;
@@ -70,7 +72,8 @@ void PendingFile::takePlace() {
   if (isStandardOutput(file_)) return writeStandardOutput(text_);
   if (beside_.empty()) {
     std::ofstream out(file_, std::ios::binary);
-    if (!(out << text_ << std::flush)) throw std::runtime_error(file_.string() + ": can't be written");
+    if (!(out << text_ << std::flush))
+      throw std::runtime_error(file_.string() + ": can't be written");
     return;
   }
   std::error_code error;

@@ -6,12 +6,13 @@
 
 namespace seamwright::cli {
 
-/// \throws std::runtime_error, in one line, if a file can't be made there: missing folder, a folder of that name, no rights.
+/// \throws std::runtime_error, in one line, if a file can't be made there: missing folder, a folder
+/// of that name, no rights.
 void requireWritable(const std::filesystem::path& file);
 
-/// A text that waits beside its place, on the disk already; gone with the object unless it took that place.
-/// What is no regular file, as a pipe or a device, and what standard output goes to is written to when the text takes its place; symbolic
-/// links stay.
+/// A text that waits beside its place, on the disk already; gone with the object unless it took
+/// that place. What is no regular file, as a pipe or a device, and what standard output goes to is
+/// written to when the text takes its place; symbolic links stay.
 class PendingFile {
  public:
   /// \throws std::runtime_error

@@ -16,7 +16,8 @@ WrittenOutcome writeOutcome(const Outcome& outcome, const OutputArguments& argum
   if (outcome.model != nullptr) {
     occ::WriteOptions how = arguments.writeOptions();
     how.unchanged = outcome.unchanged;
-    ProgressBar writing(doing("writing", arguments.model)), checking(doing("checking", arguments.model));
+    ProgressBar writing(doing("writing", arguments.model)),
+        checking(doing("checking", arguments.model));
     const auto accepted = [&](const report::WrittenModel& model) {
       if (outcome.accepts) outcome.accepts(model);
       written.model = model;

@@ -30,11 +30,13 @@ struct WrittenOutcome {
   std::vector<std::string> notes;  ///< as of occ::WriteReport
 };
 
-/// Writes the model, if there is one, see report::writeJudged(), and the report, if one was asked for.
+/// Writes the model, if there is one, see report::writeJudged(), and the report, if one was asked
+/// for.
 /// \throws std::runtime_error, occ::ModelError, occ::Cancelled.
 WrittenOutcome writeOutcome(const Outcome& outcome, const OutputArguments& arguments);
 
-/// Warns of what the file has otherwise than the model in memory, and of what its format can't hold.
+/// Warns of what the file has otherwise than the model in memory, and of what its format can't
+/// hold.
 void warnOf(const WrittenOutcome& written, const OutputArguments& arguments,
             const report::ModelCounts& memory);
 

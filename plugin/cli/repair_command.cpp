@@ -50,13 +50,15 @@ struct FacesToHold : std::exception {
 };
 
 /// Faces that are held for the file were not fixed by the user.
-void tellHeld(const std::vector<int>& asked, const std::vector<int>& held, occ::RepairReport& report) {
+void tellHeld(const std::vector<int>& asked, const std::vector<int>& held,
+              occ::RepairReport& report) {
   for (const int face : held) {
     if (std::ranges::count(asked, face) > 0) continue;
     const std::string name = "face " + std::to_string(face), fixed = name + " is fixed";
     for (occ::SeamRepair& seam : report.seams)
       if (const std::size_t at = seam.reason.find(fixed); at != std::string::npos)
-        seam.reason.replace(at, fixed.size(), name + " stays, as its move makes a seam worse in the file");
+        seam.reason.replace(at, fixed.size(),
+                            name + " stays, as its move makes a seam worse in the file");
   }
 }
 
@@ -69,8 +71,8 @@ struct Done {
 /// \param asked in the report; \param used may hold more faces
 /// \throws FacesToHold if \p may_refuse
 Done repairedAndWritten(const occ::Model& model, const RepairArguments& arguments,
-                        const occ::RepairOptions& asked, const occ::RepairOptions& used, double spent_s,
-                        bool may_refuse) {
+                        const occ::RepairOptions& asked, const occ::RepairOptions& used,
+                        double spent_s, bool may_refuse) {
   Done done;
   done.report = repaired(model, arguments.model, used);
   occ::RepairReport& report = done.report;
@@ -88,13 +90,15 @@ Done repairedAndWritten(const occ::Model& model, const RepairArguments& argument
           hold.faces.push_back(face);
     if (may_refuse && !hold.faces.empty()) throw hold;
   };
-  done.written = writeOutcome({&report.model, report::judgeOf(report, asked), json, !report.changed(),
-                               report::countsOf(report.after, report.model), &model, accepts},
-                              arguments.output);
+  done.written =
+      writeOutcome({&report.model, report::judgeOf(report, asked), json, !report.changed(),
+                    report::countsOf(report.after, report.model), &model, accepts},
+                   arguments.output);
   return done;
 }
 
-/// Seams that the repair made worse in the file get the faces back that they had: these are held, and the rest is repaired again.
+/// Seams that the repair made worse in the file get the faces back that they had: these are held,
+/// and the rest is repaired again.
 Done repairForFile(const occ::Model& model, const RepairArguments& arguments,
                    const occ::RepairOptions& asked) {
   constexpr int most_repeats = 2;
@@ -121,34 +125,40 @@ Done repairForFile(const occ::Model& model, const RepairArguments& arguments,
 }  // namespace
 
 void addRepairOptions(CLI::App& command, RepairArguments& arguments) {
-  command.add_option("MODEL", arguments.model, "STEP, IGES or BREP file, told by its content")->required();
+  command.add_option("MODEL", arguments.model, "STEP, IGES or BREP file, told by its content")
+      ->required();
   command.add_option("--target", arguments.target, "What the seams must reach: G1 or G2")
       ->check(CLI::IsMember({"G1", "G2"}))
       ->capture_default_str();
   command
       .add_option("--max-move", arguments.max_move_mm,
-                  "No point of a face moves further than this, mm, above 0, or inf; else a hundredth of the "
+                  "No point of a face moves further than this, mm, above 0, or inf; else a "
+                  "hundredth of the "
                   "size of the "
                   "face and twice the gap of its seams")
       ->type_name("MM");
   command
-      .add_option("--fairness", arguments.fairness,
-                  "The mean curvature of a face may vary so many times as much as before, at least 1")
+      .add_option(
+          "--fairness", arguments.fairness,
+          "The mean curvature of a face may vary so many times as much as before, at least 1")
       ->type_name("FACTOR")
       ->capture_default_str();
   command.add_flag("--keep-curvature", arguments.keep_curvature,
                    "Seams that are G2 stay so, also where G1 is the target");
-  listOf(command
-             .add_option("--edges", arguments.edges,
-                         "Edges whose seams are treated, as 3,7,12 or Edge3,Edge7; else all defects")
-             ->type_name("EDGES")
-             ->transform(numberOf("Edge")));
-  listOf(command.add_option("--fix", arguments.fixed_faces, "Faces that stay, as 1,4 or Face1,Face4")
-             ->type_name("FACES")
-             ->transform(numberOf("Face")));
+  listOf(
+      command
+          .add_option("--edges", arguments.edges,
+                      "Edges whose seams are treated, as 3,7,12 or Edge3,Edge7; else all defects")
+          ->type_name("EDGES")
+          ->transform(numberOf("Edge")));
+  listOf(
+      command.add_option("--fix", arguments.fixed_faces, "Faces that stay, as 1,4 or Face1,Face4")
+          ->type_name("FACES")
+          ->transform(numberOf("Face")));
   command
-      .add_option("--max-time", arguments.max_time_s,
-                  "No more repairs are tried after this time, s; what was repaired is kept; else no limit")
+      .add_option(
+          "--max-time", arguments.max_time_s,
+          "No more repairs are tried after this time, s; what was repaired is kept; else no limit")
       ->type_name("SECONDS");
   addMeasureOptions(command, arguments.measure);
   command.add_flag("--convert", arguments.convert_analytic,
@@ -157,7 +167,8 @@ void addRepairOptions(CLI::App& command, RepairArguments& arguments) {
       "--no-sew", [&arguments] { arguments.sew = false; },
       "Edges that --match finds stay two, though they meet within the gap");
   addOutputOptions(command, "repaired", arguments.output);
-  exitStatus(command, "all seams of the result meet the target, in OUT too (creases are no defects)",
+  exitStatus(command,
+             "all seams of the result meet the target, in OUT too (creases are no defects)",
              "some fall short (OUT is written)");
 }
 

@@ -28,8 +28,8 @@ struct RepairArguments {
 /// Adds the options to a command; they are parsed into \p arguments.
 void addRepairOptions(CLI::App& command, RepairArguments& arguments);
 
-/// \returns exit status 0 (all seams of the result meet the level) or 1. Writes neither model nor report if it throws for
-/// another reason than standard output.
+/// \returns exit status 0 (all seams of the result meet the level) or 1. Writes neither model nor
+/// report if it throws for another reason than standard output.
 int runRepair(const RepairArguments& arguments);
 
 }  // namespace seamwright::cli

@@ -24,27 +24,32 @@ double numberOf(const char* name, const py::object& value, double otherwise) {
 
 Eigen::VectorXd numbersOf(const std::string& name, const py::object& value) {
   const auto numbers = argument<std::vector<double>>(name.c_str(), value, "a sequence of numbers");
-  return Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
+  return Eigen::Map<const Eigen::VectorXd>(numbers.data(),
+                                           static_cast<Eigen::Index>(numbers.size()));
 }
 
 bool isReal(const py::handle& value) {
-  if (PyBool_Check(value.ptr()) || PyComplex_Check(value.ptr()) || PyUnicode_Check(value.ptr())) return false;
+  if (PyBool_Check(value.ptr()) || PyComplex_Check(value.ptr()) || PyUnicode_Check(value.ptr()))
+    return false;
   if (!py::hasattr(value, "dtype")) return true;
   const auto kind = py::cast<std::string>(value.attr("dtype").attr("kind"));
-  return std::string("iuf").find(kind) != std::string::npos && py::cast<int>(value.attr("ndim")) == 0;
+  return std::string("iuf").find(kind) != std::string::npos &&
+         py::cast<int>(value.attr("ndim")) == 0;
 }
 
 ContinuityTolerance toleranceOf(const ToleranceArguments& given) {
   const ContinuityTolerance usual = profileOf(given.profile);
-  return {numberOf("gap_mm", given.gap_mm, usual.gap_mm),
-          rad_per_degree * numberOf("angle_deg", given.angle_deg, usual.angle_rad / rad_per_degree),
-          numberOf("curvature_rel", given.curvature_rel, usual.curvature_rel),
-          numberOf("flat_radius_mm", given.flat_radius_mm, usual.flat_radius_mm),
-          rad_per_degree * numberOf("crease_deg", given.crease_deg, usual.crease_rad / rad_per_degree)};
+  return {
+      numberOf("gap_mm", given.gap_mm, usual.gap_mm),
+      rad_per_degree * numberOf("angle_deg", given.angle_deg, usual.angle_rad / rad_per_degree),
+      numberOf("curvature_rel", given.curvature_rel, usual.curvature_rel),
+      numberOf("flat_radius_mm", given.flat_radius_mm, usual.flat_radius_mm),
+      rad_per_degree * numberOf("crease_deg", given.crease_deg, usual.crease_rad / rad_per_degree)};
 }
 
 Level levelOf(const py::object& value) {
-  if (const auto level = levelFromName(argument<std::string>("level", value, "a name"))) return *level;
+  if (const auto level = levelFromName(argument<std::string>("level", value, "a name")))
+    return *level;
   throw py::value_error("level " + shown(value) + ": known are G0, G1, G2 and G3");
 }
 
@@ -69,14 +74,16 @@ std::vector<int> wholeNumbers(const char* name, const py::object& value) {
                           ": a sequence of whole numbers is needed");
   std::vector<int> numbers;
   for (const py::handle item : value)
-    numbers.push_back(argument<int>(name, py::reinterpret_borrow<py::object>(item), "a whole number"));
+    numbers.push_back(
+        argument<int>(name, py::reinterpret_borrow<py::object>(item), "a whole number"));
   return numbers;
 }
 
 std::vector<double> each(const char* name, const py::object& value, Eigen::Index count) {
   constexpr const char* kind = "a number or a sequence of numbers";
   if (py::isinstance<py::float_>(value) || py::isinstance<py::int_>(value))
-    return std::vector<double>(static_cast<std::size_t>(count), argument<double>(name, value, kind));
+    return std::vector<double>(static_cast<std::size_t>(count),
+                               argument<double>(name, value, kind));
   return argument<std::vector<double>>(name, value, kind);
 }
 

@@ -24,8 +24,8 @@ inline std::string shown(const py::object& value) {
 /// A number that is not complex, no boolean, no text, no array of one or more dimensions.
 bool isReal(const py::handle& value);
 
-/// The value of a keyword; ValueError with name and value where it has another type. Whole numbers are not made of
-/// others, real numbers and sequences of them not of booleans or complex numbers.
+/// The value of a keyword; ValueError with name and value where it has another type. Whole numbers
+/// are not made of others, real numbers and sequences of them not of booleans or complex numbers.
 template <class T>
 T argument(const char* name, const py::object& value, const char* kind) {
   const auto refuse = [&] {
@@ -35,7 +35,8 @@ T argument(const char* name, const py::object& value, const char* kind) {
   if constexpr (std::is_floating_point_v<T>)
     if (!isReal(value)) refuse();
   if constexpr (std::is_same_v<T, std::vector<double>>) {
-    const bool one_dimension = !py::hasattr(value, "ndim") || py::cast<int>(value.attr("ndim")) == 1;
+    const bool one_dimension =
+        !py::hasattr(value, "ndim") || py::cast<int>(value.attr("ndim")) == 1;
     if (!py::isinstance<py::sequence>(value) || !one_dimension) refuse();
     for (const py::handle item : value)
       if (!isReal(item)) refuse();
@@ -57,7 +58,8 @@ T argument(const char* name, const py::object& value, const char* kind) {
 /// The numbers of a sequence.
 Eigen::VectorXd numbersOf(const std::string& name, const py::object& value);
 
-/// As many numbers as \p count from one for all of them, or the numbers of a sequence of any length.
+/// As many numbers as \p count from one for all of them, or the numbers of a sequence of any
+/// length.
 std::vector<double> each(const char* name, const py::object& value, Eigen::Index count);
 
 /// True or False; ValueError for anything else.
@@ -69,7 +71,8 @@ std::vector<int> wholeNumbers(const char* name, const py::object& value);
 /// A parameter at which something is evaluated; ValueError where it is not finite.
 inline double parameter(const char* name, double value) {
   if (!std::isfinite(value))
-    throw py::value_error(std::string(name) + " is " + shown(py::float_(value)) + ": it must be finite");
+    throw py::value_error(std::string(name) + " is " + shown(py::float_(value)) +
+                          ": it must be finite");
   return value;
 }
 
@@ -83,7 +86,8 @@ struct ToleranceArguments {
   const py::object& crease_deg;
 };
 
-/// The crease angle where there are no creases, as at the joints of curves: any tolerance is below it.
+/// The crease angle where there are no creases, as at the joints of curves: any tolerance is below
+/// it.
 inline py::object noCrease() {
   return py::float_(90.0);
 }

@@ -30,8 +30,8 @@ void bindBernstein(py::module_& module) {
       .def_property_readonly("coefficients", &Polynomial::coefficients)
       .def_property_readonly("padding", &Polynomial::padding)
       .def(
-          "evaluate", [](const Polynomial& p, double t) { return pairOf(p.evaluate(t)); }, py::arg("t"),
-          "(lower, upper) around the value at t.")
+          "evaluate", [](const Polynomial& p, double t) { return pairOf(p.evaluate(t)); },
+          py::arg("t"), "(lower, upper) around the value at t.")
       .def("derivative", &Polynomial::derivative)
       .def("elevated", &Polynomial::elevated, py::arg("by"),
            "The same polynomial written in a higher degree.")
@@ -48,7 +48,8 @@ void bindBernstein(py::module_& module) {
             return pairOf(tolerance ? p.range(*tolerance) : p.range());
           },
           py::arg("tolerance") = py::none(),
-          "(lower, upper) around all values: the hull of the coefficients, or subdivided until it is too "
+          "(lower, upper) around all values: the hull of the coefficients, or subdivided until it "
+          "is too "
           "wide "
           "by at most the tolerance.")
       .def(-py::self)
@@ -57,7 +58,8 @@ void bindBernstein(py::module_& module) {
       .def(py::self * py::self)
       .def(double() * py::self)
       .def(
-          "__mul__", [](const Polynomial& p, double factor) { return factor * p; }, py::is_operator())
+          "__mul__", [](const Polynomial& p, double factor) { return factor * p; },
+          py::is_operator())
       .def(py::self == py::self)
       .attr("__hash__") = py::none();
 }

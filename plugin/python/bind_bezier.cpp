@@ -56,7 +56,8 @@ Eigen::Vector3d curvePoint(const BezierCurve& curve, double t) {
 Poles curveDerivatives(const BezierCurve& curve, double t, int order) {
   constexpr int most = 1000;  // the quotient rule takes order^2 steps
   if (order > most)
-    throw py::value_error("order " + std::to_string(order) + ": it must be within " + std::to_string(most));
+    throw py::value_error("order " + std::to_string(order) + ": it must be within " +
+                          std::to_string(most));
   return curve.derivatives(parameter("t", t), order);
 }
 
@@ -77,8 +78,9 @@ SurfaceJet patchJet(const BezierPatch& patch, double u, double v) {
 }
 
 void bindJet(py::module_& module) {
-  py::class_<SurfaceJet>(module, "SurfaceJet", py::module_local(),
-                         "Point and partial derivatives of a surface at one (u, v), to third order.")
+  py::class_<SurfaceJet>(
+      module, "SurfaceJet", py::module_local(),
+      "Point and partial derivatives of a surface at one (u, v), to third order.")
       .def(py::init<>())
       .def_readwrite("p", &SurfaceJet::p)
       .def_readwrite("u", &SurfaceJet::u)
@@ -96,8 +98,9 @@ void bindJet(py::module_& module) {
 
 void bindBezier(py::module_& module) {
   bindJet(module);
-  py::class_<BezierCurve>(module, "BezierCurve", py::module_local(),
-                          "A (rational) Bézier curve on [0, 1]: poles (n+1, 3), weights (n+1,) or None.")
+  py::class_<BezierCurve>(
+      module, "BezierCurve", py::module_local(),
+      "A (rational) Bézier curve on [0, 1]: poles (n+1, 3), weights (n+1,) or None.")
       .def(py::init(&makeCurve), py::arg("poles"), py::arg("weights") = py::none())
       .def_property_readonly("degree", &BezierCurve::degree)
       .def_property_readonly("is_rational", &BezierCurve::isRational)
@@ -112,9 +115,10 @@ void bindBezier(py::module_& module) {
       .def("split", &curveParts, py::arg("t"), "The pieces over [0, t] and [t, 1].")
       .def(py::self == py::self)
       .attr("__hash__") = py::none();
-  py::class_<BezierPatch>(module, "BezierPatch", py::module_local(),
-                          "A (rational) tensor-product Bézier patch on [0, 1]^2: poles (m+1, n+1, 3), "
-                          "weights (m+1, n+1) or None.")
+  py::class_<BezierPatch>(
+      module, "BezierPatch", py::module_local(),
+      "A (rational) tensor-product Bézier patch on [0, 1]^2: poles (m+1, n+1, 3), "
+      "weights (m+1, n+1) or None.")
       .def(py::init(&makePatch), py::arg("poles"), py::arg("weights") = py::none())
       .def_property_readonly("degree_u", &BezierPatch::degreeU)
       .def_property_readonly("degree_v", &BezierPatch::degreeV)
@@ -122,7 +126,8 @@ void bindBezier(py::module_& module) {
       .def_property_readonly("poles", &netPoles)
       .def_property_readonly("weights", &netWeights)
       .def("point", &patchPoint, py::arg("u"), py::arg("v"))
-      .def("jet", &patchJet, py::arg("u"), py::arg("v"), "Point and partials to third order, a SurfaceJet.")
+      .def("jet", &patchJet, py::arg("u"), py::arg("v"),
+           "Point and partials to third order, a SurfaceJet.")
       .def("transposed", &BezierPatch::transposed, "The same patch with u and v exchanged.")
       .def("reversed_u", &BezierPatch::reversedU, "X(1 - u, v).")
       .def("split_u", &patchParts, py::arg("t"), "The pieces over u in [0, t] and [t, 1].")

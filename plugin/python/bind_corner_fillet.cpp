@@ -25,7 +25,8 @@ struct CornerFilletResult {
 };
 
 /// A number for all edges, or a dict by edge.
-std::map<int, double> lengths(const char* name, const py::object& value, const std::vector<int>& edges) {
+std::map<int, double> lengths(const char* name, const py::object& value,
+                              const std::vector<int>& edges) {
   std::map<int, double> result;
   if (!py::isinstance<py::dict>(value)) {
     const auto length = argument<double>(name, value, "a number or a dict of numbers by edge");
@@ -33,15 +34,17 @@ std::map<int, double> lengths(const char* name, const py::object& value, const s
     return result;
   }
   for (const auto& [key, item] : py::cast<py::dict>(value)) {
-    const auto edge =
-        argument<int>(name, py::reinterpret_borrow<py::object>(key), "the number of an edge as key");
+    const auto edge = argument<int>(name, py::reinterpret_borrow<py::object>(key),
+                                    "the number of an edge as key");
     const std::string item_name = std::string(name) + "[" + std::to_string(edge) + "]";
-    result[edge] = argument<double>(item_name.c_str(), py::reinterpret_borrow<py::object>(item), "a number");
+    result[edge] =
+        argument<double>(item_name.c_str(), py::reinterpret_borrow<py::object>(item), "a number");
   }
   return result;
 }
 
-/// Corners that are not supported, and radii and setbacks without room, are bad arguments to Python.
+/// Corners that are not supported, and radii and setbacks without room, are bad arguments to
+/// Python.
 template <class Work>
 auto valueErrors(const Work& work) {
   try {
@@ -56,19 +59,21 @@ std::vector<int> cornerEdges(const occ::Model& model, const py::object& vertex) 
   return valueErrors([&] { return occ::cornerEdges(model, number); });
 }
 
-CornerFilletResult cornerFillet(const occ::Model& model, const py::object& vertex, const py::object& radii_mm,
-                                const py::object& setbacks_mm, const py::object& section_mm,
-                                const py::object& profile, const py::object& gap_mm,
-                                const py::object& angle_deg, const py::object& jobs,
-                                const py::object& progress) {
+CornerFilletResult cornerFillet(const occ::Model& model, const py::object& vertex,
+                                const py::object& radii_mm, const py::object& setbacks_mm,
+                                const py::object& section_mm, const py::object& profile,
+                                const py::object& gap_mm, const py::object& angle_deg,
+                                const py::object& jobs, const py::object& progress) {
   const std::vector<int> edges = cornerEdges(model, vertex);
   occ::CornerFilletOptions options;
   options.radii_mm = lengths("radii_mm", radii_mm, edges);
   if (!setbacks_mm.is_none()) options.setbacks_mm = lengths("setbacks_mm", setbacks_mm, edges);
   options.section_mm = argument<double>("section_mm", section_mm, "a number");
   const py::none profiles_own;
-  options.tolerance = toleranceOf({profile, gap_mm, angle_deg, profiles_own, profiles_own, profiles_own});
-  options.tolerance.crease_rad = std::max(options.tolerance.crease_rad, options.tolerance.angle_rad);
+  options.tolerance =
+      toleranceOf({profile, gap_mm, angle_deg, profiles_own, profiles_own, profiles_own});
+  options.tolerance.crease_rad =
+      std::max(options.tolerance.crease_rad, options.tolerance.angle_rad);
   options.jobs = argument<int>("jobs", jobs, "a whole number");
   const int number = argument<int>("vertex", vertex, "the number of a vertex");
   return valueErrors([&] {
@@ -88,12 +93,14 @@ py::object cornerFilletDict(const CornerFilletResult& result) {
 }
 
 std::string toTable(const CornerFilletResult& result) {
-  const report::ModelCounts memory = report::judgeOf(result.fillet, result.options)(result.fillet.model, {});
+  const report::ModelCounts memory =
+      report::judgeOf(result.fillet, result.options)(result.fillet.model, {});
   return report::toTable(result.fillet, memory, std::nullopt);
 }
 
-py::dict writeRounded(const CornerFilletResult& result, const std::filesystem::path& path, bool overwrite,
-                      bool overwrite_source, const py::object& keep_anyway, const py::object& progress) {
+py::dict writeRounded(const CornerFilletResult& result, const std::filesystem::path& path,
+                      bool overwrite, bool overwrite_source, const py::object& keep_anyway,
+                      const py::object& progress) {
   if (!result.fillet.met() && !flagOf("keep_anyway", keep_anyway))
     throw py::value_error("the corner falls short and is not written without keep_anyway=True: " +
                           result.fillet.shortfall);
@@ -102,8 +109,8 @@ py::dict writeRounded(const CornerFilletResult& result, const std::filesystem::p
     const py::gil_scoped_release release;
     return judge(result.fillet.model, {});
   }();
-  return writeResult({result.fillet.model, false, {judge, memory}}, {path, overwrite, overwrite_source},
-                     progress);
+  return writeResult({result.fillet.model, false, {judge, memory}},
+                     {path, overwrite, overwrite_source}, progress);
 }
 
 constexpr const char* corner_fillet_doc =
@@ -122,11 +129,13 @@ faces that are not tangent to each other. ValueError, with numbers, for others, 
 
 void bindCornerFillet(py::module_& module) {
   const std::string write_corner_doc =
-      std::string(write_result_doc) + " ValueError for a corner that is not met, unless keep_anyway.";
+      std::string(write_result_doc) +
+      " ValueError for a corner that is not met, unless keep_anyway.";
   py::class_<CornerFilletResult>(module, "CornerFillet", py::module_local(),
                                  "What came of Model.corner_fillet().")
       .def_property_readonly(
-          "model", [](const CornerFilletResult& result) { return result.fillet.model; }, "The new model.")
+          "model", [](const CornerFilletResult& result) { return result.fillet.model; },
+          "The new model.")
       .def_property_readonly(
           "met", [](const CornerFilletResult& result) { return result.fillet.met(); },
           "The solid is valid, the patches are regular, the new seams meet the tolerance, proven.")
@@ -136,14 +145,16 @@ void bindCornerFillet(py::module_& module) {
       .def_property_readonly(
           "patches", [](const CornerFilletResult& result) { return result.fillet.fill.patches; },
           "BezierPatches of the corner, as n_sided_fill() orders them.")
+      .def("to_dict", &cornerFilletDict,
+           "All but the model and the patches as a plain dict with the keys of the JSON; seams "
+           "also with what "
+           "they are between: spoke (two patches), section (patch and fillet), spring (patch and "
+           "face), "
+           "contact "
+           "(fillet and face).")
       .def(
-          "to_dict", &cornerFilletDict,
-          "All but the model and the patches as a plain dict with the keys of the JSON; seams also with what "
-          "they are between: spoke (two patches), section (patch and fillet), spring (patch and face), "
-          "contact "
-          "(fillet and face).")
-      .def(
-          "to_json", [](const CornerFilletResult& result) { return report::toLine(jsonOf(result)); },
+          "to_json",
+          [](const CornerFilletResult& result) { return report::toLine(jsonOf(result)); },
           "The report as one line of JSON, schema seamwright.corner/1.")
       .def(
           "to_table", [](const CornerFilletResult& result) { return readable(toTable(result)); },
@@ -153,16 +164,18 @@ void bindCornerFillet(py::module_& module) {
            py::arg("progress") = py::none(), write_corner_doc.c_str())
       .def("__repr__", [](const CornerFilletResult& result) {
         return "<CornerFillet of " + std::to_string(result.fillet.edges.size()) +
-               " edges: " + (result.fillet.met() ? "met" : "not met, " + result.fillet.shortfall) + ">";
+               " edges: " + (result.fillet.met() ? "met" : "not met, " + result.fillet.shortfall) +
+               ">";
       });
   py::class_<occ::Model> model(module.attr("Model"));
   model.def("corner_edges", &cornerEdges, py::arg("vertex"),
             "Numbers of the edges at a vertex, counter-clockwise seen from outside. ValueError as "
             "corner_fillet().");
-  model.def("corner_fillet", &cornerFillet, corner_fillet_doc, py::arg("vertex"), py::arg("radii_mm"),
-            py::kw_only(), py::arg("setbacks_mm") = py::none(), py::arg("section_mm") = 1e-6,
-            py::arg("profile") = "default", py::arg("gap_mm") = py::none(), py::arg("angle_deg") = py::none(),
-            py::arg("jobs") = 0, py::arg("progress") = py::none());
+  model.def("corner_fillet", &cornerFillet, corner_fillet_doc, py::arg("vertex"),
+            py::arg("radii_mm"), py::kw_only(), py::arg("setbacks_mm") = py::none(),
+            py::arg("section_mm") = 1e-6, py::arg("profile") = "default",
+            py::arg("gap_mm") = py::none(), py::arg("angle_deg") = py::none(), py::arg("jobs") = 0,
+            py::arg("progress") = py::none());
 }
 
 }  // namespace seamwright::python

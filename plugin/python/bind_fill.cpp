@@ -17,14 +17,16 @@ namespace seamwright::python {
 namespace {
 
 constexpr const char* side_kinds =
-    "a BezierCurve, (BezierCurve, cross field[, bend]) or (BezierPatch, edge[, reversed]) is needed";
+    "a BezierCurve, (BezierCurve, cross field[, bend]) or (BezierPatch, edge[, reversed]) is "
+    "needed";
 
 /// The side that a patch gives, from (patch, edge) or (patch, edge, reversed).
 FillSide neighbourSide(const std::string& name, const py::tuple& value) {
   const bool against = value.size() == 3;
   if (against && !PyBool_Check(value[2].ptr()))
     throw py::value_error(name + ": reversed is " + shown(value[2]) + ": True or False is needed");
-  return fillSide(value[0].cast<const BezierPatch&>(), patchEdgeOf((name + ": edge").c_str(), value[1]),
+  return fillSide(value[0].cast<const BezierPatch&>(),
+                  patchEdgeOf((name + ": edge").c_str(), value[1]),
                   against && value[2].cast<bool>());
 }
 
@@ -77,7 +79,8 @@ py::list cornerList(const std::vector<FillCorner>& corners) {
 std::vector<FillSide> sidesOf(const py::object& given) {
   std::vector<FillSide> sides;
   for (const py::handle side : given)
-    sides.push_back(sideOf("side " + std::to_string(sides.size()), py::reinterpret_borrow<py::object>(side)));
+    sides.push_back(
+        sideOf("side " + std::to_string(sides.size()), py::reinterpret_borrow<py::object>(side)));
   return sides;
 }
 
@@ -109,9 +112,10 @@ py::dict fillDict(const NSidedFill& fill) {
 py::dict ringFillOf(const py::sequence& given, const py::object& fairness_order,
                     const py::object& corner_tolerance_rad, const py::object& curvature_degrees) {
   const std::vector<FillSide> sides = sidesOf(given);
-  const RingFillOptions options{argument<int>("fairness_order", fairness_order, "a whole number"),
-                                argument<double>("corner_tolerance_rad", corner_tolerance_rad, "a number"),
-                                degreesOf(curvature_degrees)};
+  const RingFillOptions options{
+      argument<int>("fairness_order", fairness_order, "a whole number"),
+      argument<double>("corner_tolerance_rad", corner_tolerance_rad, "a number"),
+      degreesOf(curvature_degrees)};
   const RingFill fill = [&] {
     const py::gil_scoped_release release;
     return ringFill(sides, options);
@@ -148,13 +152,15 @@ py::dict threeSidedFillOf(const py::sequence& given, const py::object& fairness_
   return dict;
 }
 
-py::dict nSidedFillOf(const py::sequence& given, const py::object& law, const py::object& fairness_order,
-                      const py::object& corner_tolerance_rad, const py::object& curvature_degrees) {
+py::dict nSidedFillOf(const py::sequence& given, const py::object& law,
+                      const py::object& fairness_order, const py::object& corner_tolerance_rad,
+                      const py::object& curvature_degrees) {
   const std::vector<FillSide> sides = sidesOf(given);
   FillOptions options;
   options.law = lawOf(law);
   options.fairness_order = argument<int>("fairness_order", fairness_order, "a whole number");
-  options.corner_tolerance_rad = argument<double>("corner_tolerance_rad", corner_tolerance_rad, "a number");
+  options.corner_tolerance_rad =
+      argument<double>("corner_tolerance_rad", corner_tolerance_rad, "a number");
   options.curvature_degrees = degreesOf(curvature_degrees);
   const NSidedFill fill = [&] {
     const py::gil_scoped_release release;
@@ -227,10 +233,10 @@ ValueError, with side or corner and number, as of n_sided_fill(), and for corner
 
 void bindFill(py::module_& module) {
   module.def("n_sided_fill", &nSidedFillOf, n_sided_fill_doc, py::arg("sides"), py::kw_only(),
-             py::arg("law") = "linear", py::arg("fairness_order") = 3, py::arg("corner_tolerance_rad") = 0.0,
-             py::arg("curvature_degrees") = py::none());
-  module.def("three_sided_fill", &threeSidedFillOf, three_sided_fill_doc, py::arg("sides"), py::kw_only(),
-             py::arg("fairness_order") = 3, py::arg("corner_tolerance_rad") = 0.0);
+             py::arg("law") = "linear", py::arg("fairness_order") = 3,
+             py::arg("corner_tolerance_rad") = 0.0, py::arg("curvature_degrees") = py::none());
+  module.def("three_sided_fill", &threeSidedFillOf, three_sided_fill_doc, py::arg("sides"),
+             py::kw_only(), py::arg("fairness_order") = 3, py::arg("corner_tolerance_rad") = 0.0);
   module.def("ring_fill", &ringFillOf, ring_fill_doc, py::arg("sides"), py::kw_only(),
              py::arg("fairness_order") = 2, py::arg("corner_tolerance_rad") = 0.0,
              py::arg("curvature_degrees") = py::none());

@@ -39,27 +39,33 @@ py::object holes(const occ::Model& model, const py::object& corner_deg, const py
 }
 
 Level levelOf(const py::object& target) {
-  const std::optional<Level> level = levelFromName(argument<std::string>("target", target, "a text"));
-  if (!level) throw py::value_error("target is " + shown(target) + ": it must be 'G0', 'G1' or 'G2'");
+  const std::optional<Level> level =
+      levelFromName(argument<std::string>("target", target, "a text"));
+  if (!level)
+    throw py::value_error("target is " + shown(target) + ": it must be 'G0', 'G1' or 'G2'");
   return *level;
 }
 
-occ::Hole holeOf(const occ::Model& model, const py::object& number, const occ::FillHoleOptions& options) {
+occ::Hole holeOf(const occ::Model& model, const py::object& number,
+                 const occ::FillHoleOptions& options) {
   const std::vector<occ::Hole> all = holesOf(model, options.corner_rad, options.tolerance.gap_mm);
   if (number.is_none() && all.size() == 1) return all.front();
   if (number.is_none())
     throw py::value_error("hole is None and the model has " + std::to_string(all.size()) +
                           " holes: name one of them, or a face");
-  const auto hole = std::ranges::find(all, argument<int>("hole", number, "a whole number"), &occ::Hole::id);
+  const auto hole =
+      std::ranges::find(all, argument<int>("hole", number, "a whole number"), &occ::Hole::id);
   if (hole == all.end())
-    throw py::value_error("hole is " + shown(number) + ": the model has " + std::to_string(all.size()));
+    throw py::value_error("hole is " + shown(number) + ": the model has " +
+                          std::to_string(all.size()));
   return *hole;
 }
 
 FillReport fillModel(const occ::Model& model, const py::object& hole, const py::object& face,
-                     const py::object& target, const py::object& gap_mm, const py::object& angle_deg,
-                     const py::object& curvature_rel, const py::object& corner_deg,
-                     const py::object& keep_anyway, const py::object& jobs, const py::object& progress) {
+                     const py::object& target, const py::object& gap_mm,
+                     const py::object& angle_deg, const py::object& curvature_rel,
+                     const py::object& corner_deg, const py::object& keep_anyway,
+                     const py::object& jobs, const py::object& progress) {
   occ::FillHoleOptions options;
   options.target = levelOf(target);
   options.tolerance.gap_mm = argument<double>("gap_mm", gap_mm, "a number");
@@ -74,7 +80,8 @@ FillReport fillModel(const occ::Model& model, const py::object& hole, const py::
   if (!face.is_none()) {
     const int number = argument<int>("face", face, "a whole number");
     return longCall(progress, [&](const occ::Progress& report) {
-      return FillReport{occ::replaceFace(model, number, options, report), options, occ::factsOf(model)};
+      return FillReport{occ::replaceFace(model, number, options, report), options,
+                        occ::factsOf(model)};
     });
   }
   const occ::Hole found = holeOf(model, hole, options);
@@ -92,7 +99,8 @@ py::dict writeFilled(const FillReport& fill, const std::filesystem::path& path, 
   const report::Judge judge = report::judgeOf(fill.report, fill.options);
   const report::ModelCounts memory = [&] {
     const py::gil_scoped_release release;
-    return fill.report.filled ? report::countsOf(fill.report, fill.options) : judge(fill.report.model, {});
+    return fill.report.filled ? report::countsOf(fill.report, fill.options)
+                              : judge(fill.report.model, {});
   }();
   return writeResult({fill.report.model, !fill.report.filled, {judge, memory}},
                      {path, overwrite, overwrite_source}, progress);
@@ -106,15 +114,19 @@ void bindHole(py::module_& module) {
           "model", [](const FillReport& fill) { return fill.report.model; },
           "The model with the fill, or as it was.")
       .def_property_readonly(
-          "filled", [](const FillReport& fill) { return fill.report.filled; }, "The fill is in the model.")
+          "filled", [](const FillReport& fill) { return fill.report.filled; },
+          "The fill is in the model.")
       .def_property_readonly(
           "reached", [](const FillReport& fill) { return fill.report.reached; },
           "Every new seam surely reaches the target.")
       .def_property_readonly(
-          "reason", [](const FillReport& fill) { return fill.report.reason; }, "Why not; else empty.")
+          "reason", [](const FillReport& fill) { return fill.report.reason; },
+          "Why not; else empty.")
       .def_property_readonly(
           "largest_angle_deg",
-          [](const FillReport& fill) { return py::object(fillReportDict(fill)["largest_angle_deg"]); },
+          [](const FillReport& fill) {
+            return py::object(fillReportDict(fill)["largest_angle_deg"]);
+          },
           "Bound of the angle over all new seams; None: not known.")
       .def_property_readonly(
           "largest_gap_mm",
@@ -122,21 +134,29 @@ void bindHole(py::module_& module) {
           "Bound of the gap over all new seams; None: not known.")
       .def_property_readonly(
           "largest_curvature_rel",
-          [](const FillReport& fill) { return py::object(fillReportDict(fill)["largest_curvature_rel"]); },
+          [](const FillReport& fill) {
+            return py::object(fillReportDict(fill)["largest_curvature_rel"]);
+          },
           "Bound of the relative difference of curvature over all new seams; None: not known.")
       .def_property_readonly(
-          "curvature_jump_per_mm", [](const FillReport& fill) { return fill.report.curvature_jump_per_mm; },
-          "The largest jump of normal curvature as the fill was built, against neighbours as they were "
+          "curvature_jump_per_mm",
+          [](const FillReport& fill) { return fill.report.curvature_jump_per_mm; },
+          "The largest jump of normal curvature as the fill was built, against neighbours as they "
+          "were "
           "fitted, "
-          "at places along the seams; None where it was not made small: with the target G0, with G1 in high "
+          "at places along the seams; None where it was not made small: with the target G0, with "
+          "G1 in high "
           "degrees.")
-      .def("to_dict", &fillReportDict, "All but the model as a plain dict with the keys of the JSON.")
+      .def("to_dict", &fillReportDict,
+           "All but the model as a plain dict with the keys of the JSON.")
       .def(
           "to_json", [](const FillReport& fill) { return report::toLine(fill.json()); },
           "The report as one line of JSON, schema seamwright.fill/1.")
       .def(
           "to_table",
-          [](const FillReport& fill) { return readable(report::toTable(fill.report, fill.options)); },
+          [](const FillReport& fill) {
+            return readable(report::toTable(fill.report, fill.options));
+          },
           "The report as text for people.")
       .def("write", &writeFilled, py::arg("path"), py::kw_only(), py::arg("overwrite") = false,
            py::arg("overwrite_source") = false, py::arg("progress") = py::none(), write_result_doc)
@@ -146,25 +166,30 @@ void bindHole(py::module_& module) {
       });
   const occ::FillHoleOptions defaults;
   py::class_<occ::Model> model(module.attr("Model"));
-  model.def(
-      "holes", &holes, py::kw_only(), py::arg("corner_deg") = 15.0,
-      py::arg("gap_mm") = defaults.tolerance.gap_mm,
-      "The closed loops of open edges: a list of dicts {id, length_mm, centre_mm, has_corners, longest, "
-      "sides}. The rim "
-      "of an open shell is one of them, mostly the longest.\n\n"
-      "corner_deg: sides end where the tangent turns by more. gap_mm: ends of edges nearer than this are "
-      "one.");
-  model.def("fill", &fillModel, py::kw_only(), py::arg("hole") = py::none(), py::arg("face") = py::none(),
-            py::arg("target") = "G1", py::arg("gap_mm") = defaults.tolerance.gap_mm,
-            py::arg("angle_deg") = 0.01, py::arg("curvature_rel") = defaults.tolerance.curvature_rel,
+  model.def("holes", &holes, py::kw_only(), py::arg("corner_deg") = 15.0,
+            py::arg("gap_mm") = defaults.tolerance.gap_mm,
+            "The closed loops of open edges: a list of dicts {id, length_mm, centre_mm, "
+            "has_corners, longest, "
+            "sides}. The rim "
+            "of an open shell is one of them, mostly the longest.\n\n"
+            "corner_deg: sides end where the tangent turns by more. gap_mm: ends of edges nearer "
+            "than this are "
+            "one.");
+  model.def("fill", &fillModel, py::kw_only(), py::arg("hole") = py::none(),
+            py::arg("face") = py::none(), py::arg("target") = "G1",
+            py::arg("gap_mm") = defaults.tolerance.gap_mm, py::arg("angle_deg") = 0.01,
+            py::arg("curvature_rel") = defaults.tolerance.curvature_rel,
             py::arg("corner_deg") = 15.0, py::arg("keep_anyway") = false, py::arg("jobs") = 0,
             py::arg("progress") = py::none(),
-            "Fills a hole of 3 to 12 sides with as many spline faces, tangent to its surroundings, sews them "
+            "Fills a hole of 3 to 12 sides with as many spline faces, tangent to its surroundings, "
+            "sews them "
             "in and measures "
             "every new seam. Returns a FillReport; the model is not changed.\n\n"
-            "hole: its id in holes(); None: the only one. face: number of a face, from 1, that is taken out "
+            "hole: its id in holes(); None: the only one. face: number of a face, from 1, that is "
+            "taken out "
             "and replaced. "
-            "target: 'G0', 'G1' or 'G2', and tolerances: what every new seam has to reach for the fill to be "
+            "target: 'G0', 'G1' or 'G2', and tolerances: what every new seam has to reach for the "
+            "fill to be "
             "kept. keep_anyway: "
             "keep it if it misses that. jobs: threads; 0: one for each processor.");
 }

@@ -38,16 +38,20 @@ py::dict measure(const SurfaceJet& a, const SurfaceJet& b) {
 SurfaceShape shapeOf(const py::object& patch, double u, double v) {
   if (py::isinstance<BezierTriangle>(patch))
     return surfaceShape(py::cast<const BezierTriangle&>(patch), u, v);
-  if (py::isinstance<BezierPatch>(patch)) return surfaceShape(py::cast<const BezierPatch&>(patch), u, v);
-  throw py::type_error("patch is " + shown(patch) + ": a BezierPatch or a BezierTriangle is needed");
+  if (py::isinstance<BezierPatch>(patch))
+    return surfaceShape(py::cast<const BezierPatch&>(patch), u, v);
+  throw py::type_error("patch is " + shown(patch) +
+                       ": a BezierPatch or a BezierTriangle is needed");
 }
 
 /// The part of \p value in the tangent plane, of unit length.
 Eigen::Vector3d tangentDirection(const py::object& value, const Eigen::Vector3d& normal) {
   constexpr const char* kind = "a sequence of three numbers";
   const auto numbers = argument<std::vector<double>>("direction", value, kind);
-  if (numbers.size() != 3) throw py::value_error("direction is " + shown(value) + ": " + kind + " is needed");
-  const Eigen::Vector3d given = Eigen::Vector3d(numbers[0], numbers[1], numbers[2]).stableNormalized();
+  if (numbers.size() != 3)
+    throw py::value_error("direction is " + shown(value) + ": " + kind + " is needed");
+  const Eigen::Vector3d given =
+      Eigen::Vector3d(numbers[0], numbers[1], numbers[2]).stableNormalized();
   const Eigen::Vector3d along = given - normal.dot(given) * normal;
   if (!(along.norm() > 1e-6))
     throw py::value_error("direction is " + shown(value) + ": it must not lie along the normal");
@@ -60,9 +64,9 @@ py::dict shapeDict(const py::object& patch, const py::object& u, const py::objec
       shapeOf(patch, argument<double>("u", u, "a number"), argument<double>("v", v, "a number"));
   py::dict dict;
   dict["degeneracy"] = name(shape.degeneracy);
-  for (const char* key :
-       {"normal", "normal_error_rad", "tensor", "tensor_error_per_mm", "principal_curvatures_per_mm",
-        "curvature_change_per_mm2", "curvature_change_error_per_mm2"})
+  for (const char* key : {"normal", "normal_error_rad", "tensor", "tensor_error_per_mm",
+                          "principal_curvatures_per_mm", "curvature_change_per_mm2",
+                          "curvature_change_error_per_mm2"})
     dict[key] = py::none();
   if (shape.degeneracy != Degeneracy::None) return dict;
   dict["normal"] = shape.normal;
@@ -82,13 +86,15 @@ py::dict shapeDict(const py::object& patch, const py::object& u, const py::objec
 
 void bindMeasure(py::module_& module) {
   module.def("measure_pair", &measure, py::arg("a"), py::arg("b"),
-             "Gap, angle of the tangent planes (0..pi/2) and curvature difference of two surface jets, as a "
+             "Gap, angle of the tangent planes (0..pi/2) and curvature difference of two surface "
+             "jets, as a "
              "dict; None "
              "where a side has no tangent plane, which degenerate_a and degenerate_b then name.");
   module.def(
       "curvature_tensor", [](const SurfaceJet& jet) { return curvatureTensor(jet, normalOf(jet)); },
       py::arg("jet"),
-      "The curvature tensor (3, 3) in 1/mm: d.W d is the normal curvature in the unit tangent direction d.");
+      "The curvature tensor (3, 3) in 1/mm: d.W d is the normal curvature in the unit tangent "
+      "direction d.");
   module.def(
       "principal_curvatures",
       [](const SurfaceJet& jet) {
@@ -96,15 +102,18 @@ void bindMeasure(py::module_& module) {
         return py::make_tuple(k.k1, k.k2, k.direction1, k.direction2);
       },
       py::arg("jet"), "(k1, k2, direction1, direction2) with k1 >= k2, in 1/mm.");
-  module.def(
-      "surface_shape", &shapeDict, py::arg("patch"), py::arg("u"), py::arg("v"),
-      py::arg("direction") = py::none(),
-      "Normal and curvature of a BezierPatch, or of a BezierTriangle at l0, l1, with bounds of their errors, "
-      "also where weights differ so much that partial derivatives lose their digits. The bounds hold for the "
-      "patch in memory, where products of weights and poles have been rounded. A dict of degeneracy, normal, "
-      "normal_error_rad, tensor, "
-      "tensor_error_per_mm, principal_curvatures_per_mm and, along the direction, curvature_change_per_mm2 "
-      "and curvature_change_error_per_mm2.");
+  module.def("surface_shape", &shapeDict, py::arg("patch"), py::arg("u"), py::arg("v"),
+             py::arg("direction") = py::none(),
+             "Normal and curvature of a BezierPatch, or of a BezierTriangle at l0, l1, with bounds "
+             "of their errors, "
+             "also where weights differ so much that partial derivatives lose their digits. The "
+             "bounds hold for the "
+             "patch in memory, where products of weights and poles have been rounded. A dict of "
+             "degeneracy, normal, "
+             "normal_error_rad, tensor, "
+             "tensor_error_per_mm, principal_curvatures_per_mm and, along the direction, "
+             "curvature_change_per_mm2 "
+             "and curvature_change_error_per_mm2.");
 }
 
 }  // namespace seamwright::python

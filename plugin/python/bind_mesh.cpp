@@ -27,7 +27,8 @@ py::array_t<Number> listOf(const std::vector<Number>& numbers) {
   return py::array_t<Number>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
 }
 
-py::array_t<double> combined(const occ::DisplayMesh& mesh, double (*combine)(const occ::NodeCurvature&)) {
+py::array_t<double> combined(const occ::DisplayMesh& mesh,
+                             double (*combine)(const occ::NodeCurvature&)) {
   std::vector<double> values(mesh.curvatures.size());
   std::ranges::transform(mesh.curvatures, values.begin(), combine);
   return listOf(values);
@@ -45,8 +46,9 @@ occ::DisplayMesh meshOf(const occ::Model& model, bool curvatures, const occ::Mod
   if (before != nullptr) moved.before = before->shape;
   moved.faces = moved_faces;
   moved.rough_mm = rough_mm;
-  return longCall(
-      progress, [&](const occ::Progress& report) { return occ::displayMesh(model, options, moved, report); });
+  return longCall(progress, [&](const occ::Progress& report) {
+    return occ::displayMesh(model, options, moved, report);
+  });
 }
 
 py::list faultsOf(const occ::DisplayMesh& mesh) {
@@ -62,12 +64,13 @@ py::list faultsOf(const occ::DisplayMesh& mesh) {
 
 void bindDisplayMesh(py::module_& module) {
   using Mesh = occ::DisplayMesh;
-  py::class_<Mesh>(
-      module, "DisplayMesh", py::module_local(),
-      "Triangles of all faces of a model with what its surfaces are at the nodes. Each attribute is "
-      "a new array.")
+  py::class_<Mesh>(module, "DisplayMesh", py::module_local(),
+                   "Triangles of all faces of a model with what its surfaces are at the nodes. "
+                   "Each attribute is "
+                   "a new array.")
       .def_property_readonly(
-          "points", [](const Mesh& mesh) { return tableOf<double>(mesh.points); }, "Shape (n, 3), in mm.")
+          "points", [](const Mesh& mesh) { return tableOf<double>(mesh.points); },
+          "Shape (n, 3), in mm.")
       .def_property_readonly(
           "normals", [](const Mesh& mesh) { return tableOf<double>(mesh.normals); },
           "Shape (n, 3): unit normals of the faces.")
@@ -85,7 +88,8 @@ void bindDisplayMesh(py::module_& module) {
           "The same of triangles.")
       .def_property_readonly(
           "principal_curvatures", [](const Mesh& mesh) { return tableOf<double>(mesh.curvatures); },
-          "Shape (n, 2): k1 >= k2 in 1/mm, positive where the face bends towards its normal; nan at the tip "
+          "Shape (n, 2): k1 >= k2 in 1/mm, positive where the face bends towards its normal; nan "
+          "at the tip "
           "of "
           "a cone. Empty unless asked for.")
       .def_property_readonly(
@@ -113,14 +117,17 @@ void bindDisplayMesh(py::module_& module) {
 void bindMesh(py::module_& module) {
   bindDisplayMesh(module);
   py::class_<occ::Model> model(module.attr("Model"));
-  model.def(
-      "display_mesh", &meshOf, py::kw_only(), py::arg("curvatures") = true, py::arg("before") = py::none(),
-      py::arg("moved_faces") = std::vector<int>(), py::arg("rough_mm") = 0.0, py::arg("jobs") = 0,
-      py::arg("progress") = py::none(),
-      "Triangles to look at, fine enough for reflections, with exact normals. Returns a DisplayMesh.\n\n"
-      "before: the model before it was repaired; moved_faces: the numbers of its faces that moved, whose "
-      "triangles are made small enough that the move between two nodes is the mean of theirs up to rough_mm. "
-      "jobs: threads; 0: one for each processor. Faces that can't be triangulated are listed in the faults.");
+  model.def("display_mesh", &meshOf, py::kw_only(), py::arg("curvatures") = true,
+            py::arg("before") = py::none(), py::arg("moved_faces") = std::vector<int>(),
+            py::arg("rough_mm") = 0.0, py::arg("jobs") = 0, py::arg("progress") = py::none(),
+            "Triangles to look at, fine enough for reflections, with exact normals. Returns a "
+            "DisplayMesh.\n\n"
+            "before: the model before it was repaired; moved_faces: the numbers of its faces that "
+            "moved, whose "
+            "triangles are made small enough that the move between two nodes is the mean of theirs "
+            "up to rough_mm. "
+            "jobs: threads; 0: one for each processor. Faces that can't be triangulated are listed "
+            "in the faults.");
 }
 
 }  // namespace seamwright::python

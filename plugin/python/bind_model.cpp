@@ -19,7 +19,8 @@ namespace seamwright::python {
 namespace {
 
 occ::Model readFile(const std::filesystem::path& path, const py::object& progress) {
-  return longCall(progress, [&](const occ::Progress& report) { return occ::readModel(path, report); });
+  return longCall(progress,
+                  [&](const occ::Progress& report) { return occ::readModel(path, report); });
 }
 
 py::dict writeFile(const occ::Model& model, const std::filesystem::path& path, bool overwrite,
@@ -30,18 +31,20 @@ py::dict writeFile(const occ::Model& model, const std::filesystem::path& path, b
   return plainDict(written);
 }
 
-occ::Report analyzeModel(const occ::Model& model, const py::object& profile, const py::object& gap_mm,
-                         const py::object& angle_deg, const py::object& curvature_rel,
-                         const py::object& flat_radius_mm, const py::object& crease_deg,
-                         const py::object& level, const py::object& match_mm, const py::object& jobs,
+occ::Report analyzeModel(const occ::Model& model, const py::object& profile,
+                         const py::object& gap_mm, const py::object& angle_deg,
+                         const py::object& curvature_rel, const py::object& flat_radius_mm,
+                         const py::object& crease_deg, const py::object& level,
+                         const py::object& match_mm, const py::object& jobs,
                          const py::object& progress) {
   occ::AnalyzeOptions options;
-  options.tolerance = toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg});
+  options.tolerance =
+      toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg});
   options.level = levelOf(level);
   if (!match_mm.is_none()) options.match_mm = argument<double>("match_mm", match_mm, "a number");
   options.jobs = argument<int>("jobs", jobs, "a whole number");
-  return longCall(progress,
-                  [&](const occ::Progress& report) { return occ::analyze(model, options, report); });
+  return longCall(
+      progress, [&](const occ::Progress& report) { return occ::analyze(model, options, report); });
 }
 
 py::dict profiles() {
@@ -109,14 +112,18 @@ void bindReport(py::module_& module) {
                           "The seams of a model with figures and verdicts.")
       .def_property_readonly("passed", &occ::Report::passed, "No seam is a defect.")
       .def_property_readonly(
-          "seams", [](const occ::Report& report) { return py::object(reportDict(report)["seams"]); },
+          "seams",
+          [](const occ::Report& report) { return py::object(reportDict(report)["seams"]); },
           "The seams as a list of dicts with the keys of the JSON.")
       .def("__len__", [](const occ::Report& report) { return report.seams.size(); })
       .def("to_dict", &reportDict, "The report as a plain dict with the keys of the JSON.")
-      .def("to_json", &report::toJsonLine, "The report as one line of JSON, schema seamwright.analysis/1.")
+      .def("to_json", &report::toJsonLine,
+           "The report as one line of JSON, schema seamwright.analysis/1.")
       .def(
           "to_csv",
-          [](const occ::Report& report) { return readable(report::csvHeader() + report::csvRows(report)); },
+          [](const occ::Report& report) {
+            return readable(report::csvHeader() + report::csvRows(report));
+          },
           "The report as CSV, a line for each seam.")
       .def(
           "to_table", [](const occ::Report& report) { return readable(report::toTable(report)); },
@@ -136,7 +143,8 @@ void bindModel(py::module_& module) {
           "path", [](const occ::Model& model) { return fileName(model.path); },
           "The file as it was named; empty for a shape from memory.")
       .def_readonly("format", &occ::Model::format)
-      .def_readonly("length_unit", &occ::Model::length_unit, "The unit of the file; the shape is in mm.")
+      .def_readonly("length_unit", &occ::Model::length_unit,
+                    "The unit of the file; the shape is in mm.")
       .def_readonly("notes", &occ::Model::notes)
       .def_readonly("read_s", &occ::Model::read_s)
       .def_property_readonly("face_count", &occ::Model::faceCount)
@@ -150,21 +158,29 @@ void bindModel(py::module_& module) {
            py::arg("crease_deg") = py::none(), py::arg("level") = "G1", py::arg("match_mm") = 0.0,
            py::arg("jobs") = 0, py::arg("progress") = py::none(),
            "Measures and judges every seam. Returns a Report.\n\n"
-           "A tolerance that is None is that of the profile, see PROFILES. level: what a seam must reach, "
-           "'G0' to 'G3'. match_mm: measure also between open edges no further apart than this; 0: between "
+           "A tolerance that is None is that of the profile, see PROFILES. level: what a seam must "
+           "reach, "
+           "'G0' to 'G3'. match_mm: measure also between open edges no further apart than this; 0: "
+           "between "
            "none. jobs: threads; 0: one for each processor.")
-      .def("write", &writeFile, py::arg("path"), py::kw_only(), py::arg("overwrite") = false,
-           py::arg("overwrite_source") = false, py::arg("afresh") = false, py::arg("progress") = py::none(),
-           "Writes a STEP, IGES or BREP file, told by the extension: .step, .stp, .iges, .igs, .brep, .brp, "
-           ".bin (binary BREP).\n\n"
-           "A model of a STEP or IGES file is written with that file's structure, names, colours, layers and "
-           "length unit; afresh, and from memory: of shape and attributes alone. An existing file needs "
-           "overwrite=True, the file that was read overwrite_source=True. Returns a dict of format, "
-           "followed_source, changed_faces, changed_edges, changed_vertices and notes. Raises ModelError; "
-           "the file is then what it was.");
-  module.def(
-      "read", &readFile, py::arg("path"), py::arg("progress") = py::none(),
-      "Reads a STEP, IGES or BREP file, told by its content, in a process of its own. Returns a Model.");
+      .def(
+          "write", &writeFile, py::arg("path"), py::kw_only(), py::arg("overwrite") = false,
+          py::arg("overwrite_source") = false, py::arg("afresh") = false,
+          py::arg("progress") = py::none(),
+          "Writes a STEP, IGES or BREP file, told by the extension: .step, .stp, .iges, .igs, "
+          ".brep, .brp, "
+          ".bin (binary BREP).\n\n"
+          "A model of a STEP or IGES file is written with that file's structure, names, colours, "
+          "layers and "
+          "length unit; afresh, and from memory: of shape and attributes alone. An existing file "
+          "needs "
+          "overwrite=True, the file that was read overwrite_source=True. Returns a dict of format, "
+          "followed_source, changed_faces, changed_edges, changed_vertices and notes. Raises "
+          "ModelError; "
+          "the file is then what it was.");
+  module.def("read", &readFile, py::arg("path"), py::arg("progress") = py::none(),
+             "Reads a STEP, IGES or BREP file, told by its content, in a process of its own. "
+             "Returns a Model.");
   module.def("_model_from_binary", [](const std::string& bytes) {
     std::istringstream stream(bytes);
     return occ::modelFromShape(occ::readBinaryShape(stream));
@@ -173,9 +189,11 @@ void bindModel(py::module_& module) {
     std::istringstream stream(text);
     return occ::modelFromShape(occ::readTextShape(stream));
   });
-  module.def("_binary_from_model",
-             [](const occ::Model& model) { return py::bytes(written(occ::writeBinaryShape, model)); });
-  module.def("_text_from_model", [](const occ::Model& model) { return written(occ::writeTextShape, model); });
+  module.def("_binary_from_model", [](const occ::Model& model) {
+    return py::bytes(written(occ::writeBinaryShape, model));
+  });
+  module.def("_text_from_model",
+             [](const occ::Model& model) { return written(occ::writeTextShape, model); });
 }
 
 }  // namespace seamwright::python

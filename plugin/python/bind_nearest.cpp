@@ -20,7 +20,8 @@ using Surface = std::variant<BSplineSurface, BezierPatch>;
 
 std::string shapeText(const py::array& array) {
   std::string text = "(";
-  for (py::ssize_t i = 0; i < array.ndim(); ++i) text += (i ? ", " : "") + std::to_string(array.shape(i));
+  for (py::ssize_t i = 0; i < array.ndim(); ++i)
+    text += (i ? ", " : "") + std::to_string(array.shape(i));
   return text + ")";
 }
 
@@ -30,8 +31,9 @@ void requireShape(const py::array& array, py::ssize_t nu, py::ssize_t nv, const 
                           std::to_string(nu) + ", " + std::to_string(nv) + "), is needed");
 }
 
-BSplineSurface makeSurface(const NumberArray& poles, std::vector<double> knots_u, std::vector<double> knots_v,
-                           int degree_u, int degree_v, const std::optional<NumberArray>& weights) {
+BSplineSurface makeSurface(const NumberArray& poles, std::vector<double> knots_u,
+                           std::vector<double> knots_v, int degree_u, int degree_v,
+                           const std::optional<NumberArray>& weights) {
   if (poles.ndim() != 3 || poles.shape(2) != 3)
     throw py::value_error("poles have shape " + shapeText(poles) + ": (nu, nv, 3) is needed");
   if (weights) requireShape(*weights, poles.shape(0), poles.shape(1), "weights");
@@ -45,7 +47,8 @@ BSplineSurface makeSurface(const NumberArray& poles, std::vector<double> knots_u
   requireValid(surface);
   if (surface.countU() != poles.shape(0) || surface.countV() != poles.shape(1))
     throw py::value_error("poles have shape " + shapeText(poles) + ", knots are for " +
-                          std::to_string(surface.countU()) + " by " + std::to_string(surface.countV()));
+                          std::to_string(surface.countU()) + " by " +
+                          std::to_string(surface.countV()));
   return surface;
 }
 
@@ -83,8 +86,9 @@ int degreeAlong(const JoinSide& side) {
   return along(side.edge) == SurfaceDirection::V ? side.surface.degree_v : side.surface.degree_u;
 }
 
-JoinSide sideOf(const Surface& surface, const std::string& edge, const std::optional<NumberArray>& weights,
-                const std::optional<Mask>& fixed, const std::string& name) {
+JoinSide sideOf(const Surface& surface, const std::string& edge,
+                const std::optional<NumberArray>& weights, const std::optional<Mask>& fixed,
+                const std::string& name) {
   JoinSide side{splineOf(surface), edgeOf(edge)};
   const int nu = side.surface.countU(), nv = side.surface.countV();
   if (weights) {
@@ -102,8 +106,9 @@ JoinSide sideOf(const Surface& surface, const std::string& edge, const std::opti
 void elevate(JoinSide& side, int degree, const Surface& given) {
   if (degreeAlong(side) >= degree || !std::holds_alternative<BezierPatch>(given)) return;
   if (side.weights.size() != 0 || !side.fixed.empty())
-    throw py::value_error("weights and fixed poles belong to poles: raise the degree along the seam, " +
-                          std::to_string(degreeAlong(side)) + ", to " + std::to_string(degree) + " first");
+    throw py::value_error(
+        "weights and fixed poles belong to poles: raise the degree along the seam, " +
+        std::to_string(degreeAlong(side)) + ", to " + std::to_string(degree) + " first");
   while (degreeAlong(side) < degree) side.surface = elevated(side.surface, along(side.edge));
 }
 
@@ -131,10 +136,11 @@ struct ConnectionDegrees {
 };
 
 py::dict nearestJoinOf(const Surface& a, const std::string& edge_a, const Surface& b,
-                       const std::string& edge_b, int order, const std::string& moves, bool reversed,
-                       const std::optional<NumberArray>& weights_a,
-                       const std::optional<NumberArray>& weights_b, const std::optional<Mask>& fixed_a,
-                       const std::optional<Mask>& fixed_b, const ConnectionDegrees& degrees) {
+                       const std::string& edge_b, int order, const std::string& moves,
+                       bool reversed, const std::optional<NumberArray>& weights_a,
+                       const std::optional<NumberArray>& weights_b,
+                       const std::optional<Mask>& fixed_a, const std::optional<Mask>& fixed_b,
+                       const ConnectionDegrees& degrees) {
   JoinSide side_a = sideOf(a, edge_a, weights_a, fixed_a, "a");
   JoinSide side_b = sideOf(b, edge_b, weights_b, fixed_b, "b");
   if (moves != "both" && moves != "a" && moves != "b")
@@ -158,7 +164,8 @@ py::dict nearestJoinOf(const Surface& a, const std::string& edge_a, const Surfac
   }
   const Connection& c = join.connection;
   py::dict result;
-  const bool changed = join.status == NearestStatus::Joined || join.status == NearestStatus::NotConverged;
+  const bool changed =
+      join.status == NearestStatus::Joined || join.status == NearestStatus::NotConverged;
   result["a"] = changed && side_a.moves ? asGiven(join.a, a) : py::cast(a);
   result["b"] = changed && side_b.moves ? asGiven(join.b, b) : py::cast(b);
   result["status"] = statusName(join.status);
@@ -184,7 +191,8 @@ void bindSurface(py::module_& module) {
       "weights (nu, nv) or None.")
       .def(py::init(&makeSurface), py::arg("poles"), py::arg("knots_u"), py::arg("knots_v"),
            py::arg("degree_u"), py::arg("degree_v"), py::arg("weights") = py::none())
-      .def_static("from_patch", &splineSurface, py::arg("patch"), "The same patch with knots 0 and 1.")
+      .def_static("from_patch", &splineSurface, py::arg("patch"),
+                  "The same patch with knots 0 and 1.")
       .def_property_readonly("degree_u", [](const BSplineSurface& s) { return s.degree_u; })
       .def_property_readonly("degree_v", [](const BSplineSurface& s) { return s.degree_v; })
       .def_property_readonly("knots_u", [](const BSplineSurface& s) { return s.knots_u; })
@@ -192,11 +200,11 @@ void bindSurface(py::module_& module) {
       .def_property_readonly("poles", &splineNetPoles)
       .def_property_readonly("weights", &splineNetWeights)
       .def(
-          "point", [](const BSplineSurface& s, double u, double v) { return jet(s, u, v).p; }, py::arg("u"),
-          py::arg("v"))
+          "point", [](const BSplineSurface& s, double u, double v) { return jet(s, u, v).p; },
+          py::arg("u"), py::arg("v"))
       .def(
-          "jet", [](const BSplineSurface& s, double u, double v) { return jet(s, u, v); }, py::arg("u"),
-          py::arg("v"), "Point and partials to third order, a SurfaceJet.")
+          "jet", [](const BSplineSurface& s, double u, double v) { return jet(s, u, v); },
+          py::arg("u"), py::arg("v"), "Point and partials to third order, a SurfaceJet.")
       .def(
           "with_knot",
           [](const BSplineSurface& s, const std::string& direction, double knot) {
@@ -209,7 +217,8 @@ void bindSurface(py::module_& module) {
             return withRaisedKnots(s, directionOf(direction), times);
           },
           py::arg("direction"), py::arg("times") = 1,
-          "The same surface, the multiplicity of each inner knot in u or v raised, to the degree at most.")
+          "The same surface, the multiplicity of each inner knot in u or v raised, to the degree "
+          "at most.")
       .def(py::self == py::self)
       .attr("__hash__") = py::none();
 }
@@ -220,27 +229,33 @@ void bindNearest(py::module_& module) {
   bindSurface(module);
   module.def(
       "nearest_join",
-      [](const Surface& a, const std::string& edge_a, const Surface& b, const std::string& edge_b, int order,
-         const std::string& moves, bool reversed, const std::optional<NumberArray>& weights_a,
-         const std::optional<NumberArray>& weights_b, const std::optional<Mask>& fixed_a,
-         const std::optional<Mask>& fixed_b, int degree_alpha, int degree_beta, int degree_p, int degree_q) {
-        return nearestJoinOf(a, edge_a, b, edge_b, order, moves, reversed, weights_a, weights_b, fixed_a,
-                             fixed_b, {degree_alpha, degree_beta, degree_p, degree_q});
+      [](const Surface& a, const std::string& edge_a, const Surface& b, const std::string& edge_b,
+         int order, const std::string& moves, bool reversed,
+         const std::optional<NumberArray>& weights_a, const std::optional<NumberArray>& weights_b,
+         const std::optional<Mask>& fixed_a, const std::optional<Mask>& fixed_b, int degree_alpha,
+         int degree_beta, int degree_p, int degree_q) {
+        return nearestJoinOf(a, edge_a, b, edge_b, order, moves, reversed, weights_a, weights_b,
+                             fixed_a, fixed_b, {degree_alpha, degree_beta, degree_p, degree_q});
       },
       py::arg("a"), py::arg("edge_a"), py::arg("b"), py::arg("edge_b"), py::arg("order") = 1,
       py::arg("moves") = "both", py::arg("reversed") = false, py::kw_only(),
-      py::arg("weights_a") = py::none(), py::arg("weights_b") = py::none(), py::arg("fixed_a") = py::none(),
-      py::arg("fixed_b") = py::none(), py::arg("degree_alpha") = 0, py::arg("degree_beta") = 1,
-      py::arg("degree_p") = 0, py::arg("degree_q") = 1,
-      "Moves poles of two surfaces (BezierPatch or BSplineSurface) as little as possible, so that they join "
+      py::arg("weights_a") = py::none(), py::arg("weights_b") = py::none(),
+      py::arg("fixed_a") = py::none(), py::arg("fixed_b") = py::none(), py::arg("degree_alpha") = 0,
+      py::arg("degree_beta") = 1, py::arg("degree_p") = 0, py::arg("degree_q") = 1,
+      "Moves poles of two surfaces (BezierPatch or BSplineSurface) as little as possible, so that "
+      "they join "
       "with "
-      "G1 (order 1) or G2 (order 2) exactly along the edges 'u0', 'u1', 'v0', 'v1'. moves: 'both', 'a' or "
+      "G1 (order 1) or G2 (order 2) exactly along the edges 'u0', 'u1', 'v0', 'v1'. moves: 'both', "
+      "'a' or "
       "'b'; "
-      "reversed: the edge of b runs the other way. weights_a, weights_b: how dear a move of each pole is; "
+      "reversed: the edge of b runs the other way. weights_a, weights_b: how dear a move of each "
+      "pole is; "
       "fixed_a, "
-      "fixed_b: poles that stay, as boolean arrays of the shape of the poles. The result is a dict of a, b, "
+      "fixed_b: poles that stay, as boolean arrays of the shape of the poles. The result is a dict "
+      "of a, b, "
       "status "
-      "('joined', 'unchanged', 'infeasible', 'not converged'), the connection functions alpha, beta, p, q, "
+      "('joined', 'unchanged', 'infeasible', 'not converged'), the connection functions alpha, "
+      "beta, p, q, "
       "e0, e1, "
       "e2, largest_move_mm, cost, residual, stationarity and iterations.");
 }

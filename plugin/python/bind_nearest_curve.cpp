@@ -24,7 +24,8 @@ Eigen::Index countOf(const Curve& curve) {
 }
 
 /// Indices of poles, negative ones from the end, or a mask of booleans, one a pole.
-std::vector<Eigen::Index> fixedPoles(const std::string& name, const py::object& value, Eigen::Index count) {
+std::vector<Eigen::Index> fixedPoles(const std::string& name, const py::object& value,
+                                     Eigen::Index count) {
   const auto array = py::array::ensure(value);
   const auto refuse = [&](const std::string& found) {
     PyErr_Clear();
@@ -56,8 +57,9 @@ Eigen::VectorXd costsOf(const Curve& curve, const std::string& side, const py::o
   const Eigen::Index count = countOf(curve);
   if (!costs.is_none()) result = numbersOf("costs_" + side, costs);
   if (!costs.is_none() && result.size() != count)
-    throw py::value_error("costs_" + side + " has " + std::to_string(result.size()) + " numbers, the curve " +
-                          std::to_string(count) + " poles: one a pole is needed");
+    throw py::value_error("costs_" + side + " has " + std::to_string(result.size()) +
+                          " numbers, the curve " + std::to_string(count) +
+                          " poles: one a pole is needed");
   if (fixed.is_none()) return result;
   if (result.size() == 0) result = Eigen::VectorXd::Ones(count);
   for (const Eigen::Index index : fixedPoles("fixed_" + side, fixed, count))
@@ -110,8 +112,9 @@ BSplineCurve splineOf(const Curve& curve) {
   return std::get<BSplineCurve>(curve);
 }
 
-py::dict nearestCurveJoinOf(const Curve& a, const Curve& b, const py::object& order, const py::object& moves,
-                            const py::object& costs_a, const py::object& costs_b, const py::object& fixed_a,
+py::dict nearestCurveJoinOf(const Curve& a, const Curve& b, const py::object& order,
+                            const py::object& moves, const py::object& costs_a,
+                            const py::object& costs_b, const py::object& fixed_a,
                             const py::object& fixed_b, const py::object& beta,
                             const py::object& max_iterations) {
   NearestCurveJoinOptions options;
@@ -129,23 +132,26 @@ py::dict nearestCurveJoinOf(const Curve& a, const Curve& b, const py::object& or
 }  // namespace
 
 void bindNearestCurve(py::module_& module) {
-  module.def("nearest_curve_join", &nearestCurveJoinOf, py::arg("a"), py::arg("b"), py::arg("order") = 1,
-             py::kw_only(), py::arg("moves") = "both", py::arg("costs_a") = py::none(),
-             py::arg("costs_b") = py::none(), py::arg("fixed_a") = py::none(),
-             py::arg("fixed_b") = py::none(), py::arg("beta") = py::none(), py::arg("max_iterations") = 100,
-             "Moves the last order + 1 poles of a, the first of b, or both (moves: 'a', 'b', 'both') as "
-             "little as possible, so "
-             "that the curves (BezierCurve or BSplineCurve) join with G^order exactly where a ends and b "
-             "begins. costs_a, "
-             "costs_b: how dear the move of each pole is, one number a pole; fixed_a, fixed_b: indices of "
-             "poles that stay, "
-             "-1 being the last; beta: beta_1..beta_n to be used instead of those that are found. The result "
-             "is a dict of a, b, "
-             "beta, status ('solved', 'infeasible', 'not converged'), cost (half the sum of cost times "
-             "squared move), "
-             "largest_move_mm, residual, gradient, iterations and reason. Of a BezierCurve and a "
-             "BSplineCurve both come back as "
-             "BSplineCurve.");
+  module.def(
+      "nearest_curve_join", &nearestCurveJoinOf, py::arg("a"), py::arg("b"), py::arg("order") = 1,
+      py::kw_only(), py::arg("moves") = "both", py::arg("costs_a") = py::none(),
+      py::arg("costs_b") = py::none(), py::arg("fixed_a") = py::none(),
+      py::arg("fixed_b") = py::none(), py::arg("beta") = py::none(),
+      py::arg("max_iterations") = 100,
+      "Moves the last order + 1 poles of a, the first of b, or both (moves: 'a', 'b', 'both') as "
+      "little as possible, so "
+      "that the curves (BezierCurve or BSplineCurve) join with G^order exactly where a ends and b "
+      "begins. costs_a, "
+      "costs_b: how dear the move of each pole is, one number a pole; fixed_a, fixed_b: indices of "
+      "poles that stay, "
+      "-1 being the last; beta: beta_1..beta_n to be used instead of those that are found. The "
+      "result "
+      "is a dict of a, b, "
+      "beta, status ('solved', 'infeasible', 'not converged'), cost (half the sum of cost times "
+      "squared move), "
+      "largest_move_mm, residual, gradient, iterations and reason. Of a BezierCurve and a "
+      "BSplineCurve both come back as "
+      "BSplineCurve.");
 }
 
 }  // namespace seamwright::python

@@ -18,7 +18,8 @@ SplineEnds endsOf(const py::object& value) {
   if (name == "natural") return SplineEnds::Natural;
   if (name == "clamped") return SplineEnds::Clamped;
   if (name == "periodic") return SplineEnds::Periodic;
-  throw py::value_error("ends is " + shown(value) + ": known are 'natural', 'clamped' and 'periodic'");
+  throw py::value_error("ends is " + shown(value) +
+                        ": known are 'natural', 'clamped' and 'periodic'");
 }
 
 /// \p value, given with clamped ends and only with them.
@@ -52,13 +53,15 @@ py::dict dictOf(const Spline& spline) {
   return dict;
 }
 
-py::dict nuOf(const Array& points, const py::object& knots, const py::object& nu, const py::object& ends,
-              const py::object& start_derivative, const py::object& end_derivative) {
+py::dict nuOf(const Array& points, const py::object& knots, const py::object& nu,
+              const py::object& ends, const py::object& start_derivative,
+              const py::object& end_derivative) {
   NuSplineData data;
   data.points = pointsOf(points);
   data.ends = endsOf(ends);
-  data.knots = knots.is_none() ? knotsOf(data.points)
-                               : argument<std::vector<double>>("knots", knots, "a sequence of numbers");
+  data.knots = knots.is_none()
+                   ? knotsOf(data.points)
+                   : argument<std::vector<double>>("knots", knots, "a sequence of numbers");
   data.nu = each("nu", nu, data.points.rows());
   data.start_derivative = derivativeOf("start_derivative", start_derivative, data.ends);
   data.end_derivative = derivativeOf("end_derivative", end_derivative, data.ends);
@@ -89,33 +92,39 @@ py::dict betaOf(const Array& points, const py::object& bias, const py::object& t
 }  // namespace
 
 void bindNuSpline(py::module_& module) {
-  module.def(
-      "nu_spline", &nuOf, py::arg("points"), py::arg("knots") = py::none(), py::kw_only(),
-      py::arg("nu") = 0.0, py::arg("ends") = "natural", py::arg("start_derivative") = py::none(),
-      py::arg("end_derivative") = py::none(),
-      "Nielson's nu-spline through points (count, 3): cubic, C1, X''(+) - X''(-) = nu X' at each point. "
-      "knots: "
-      "one a point, default knots_of(points). nu: a number or one a point. ends: natural, clamped (with the "
-      "derivatives there by the parameter) or periodic (the last point is the first). A dict: curve, a "
-      "BezierSpline; derivatives (count, 3); stationary, the points without a derivative. ValueError where "
-      "the "
-      "equations are singular.");
-  module.def(
-      "beta_spline", &betaOf, py::arg("points"), py::arg("bias") = 1.0, py::arg("tension") = 0.0,
-      py::kw_only(), py::arg("ends") = "natural", py::arg("start_nu") = py::none(),
-      py::arg("end_nu") = py::none(), py::arg("start_derivative") = py::none(),
-      py::arg("end_derivative") = py::none(),
-      "The interpolating beta-spline through points (count, 3), each segment over an interval of length 1: "
-      "X'(-) = bias X'(+), X''(-) = bias^2 X''(+) + tension X'(+) at each joint. bias, tension: a number or "
-      "one a point. It tightens for tension to minus infinity. Ends and result as of nu_spline; natural ones "
-      "have X'' = start_nu X' and X'' = -end_nu X', 0 for None.");
+  module.def("nu_spline", &nuOf, py::arg("points"), py::arg("knots") = py::none(), py::kw_only(),
+             py::arg("nu") = 0.0, py::arg("ends") = "natural",
+             py::arg("start_derivative") = py::none(), py::arg("end_derivative") = py::none(),
+             "Nielson's nu-spline through points (count, 3): cubic, C1, X''(+) - X''(-) = nu X' at "
+             "each point. "
+             "knots: "
+             "one a point, default knots_of(points). nu: a number or one a point. ends: natural, "
+             "clamped (with the "
+             "derivatives there by the parameter) or periodic (the last point is the first). A "
+             "dict: curve, a "
+             "BezierSpline; derivatives (count, 3); stationary, the points without a derivative. "
+             "ValueError where "
+             "the "
+             "equations are singular.");
+  module.def("beta_spline", &betaOf, py::arg("points"), py::arg("bias") = 1.0,
+             py::arg("tension") = 0.0, py::kw_only(), py::arg("ends") = "natural",
+             py::arg("start_nu") = py::none(), py::arg("end_nu") = py::none(),
+             py::arg("start_derivative") = py::none(), py::arg("end_derivative") = py::none(),
+             "The interpolating beta-spline through points (count, 3), each segment over an "
+             "interval of length 1: "
+             "X'(-) = bias X'(+), X''(-) = bias^2 X''(+) + tension X'(+) at each joint. bias, "
+             "tension: a number or "
+             "one a point. It tightens for tension to minus infinity. Ends and result as of "
+             "nu_spline; natural ones "
+             "have X'' = start_nu X' and X'' = -end_nu X', 0 for None.");
   module.def(
       "knots_of",
       [](const Array& points, const py::object& exponent) {
         return knotsOf(pointsOf(points), argument<double>("exponent", exponent, "a number"));
       },
       py::arg("points"), py::arg("exponent") = 0.5,
-      "Knots that grow by the distance of neighbours to that exponent: 0 uniform, 1/2 centripetal, 1 chord "
+      "Knots that grow by the distance of neighbours to that exponent: 0 uniform, 1/2 centripetal, "
+      "1 chord "
       "length.");
 }
 

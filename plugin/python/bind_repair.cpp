@@ -27,7 +27,8 @@ std::vector<int> edgesOf(const py::object& edges) {
   if (edges.is_none()) return {};
   std::vector<int> numbers = wholeNumbers("edges", edges);
   if (numbers.empty())
-    throw py::value_error("edges is " + shown(edges) + ": name one at least, or None for all defects");
+    throw py::value_error("edges is " + shown(edges) +
+                          ": name one at least, or None for all defects");
   return numbers;
 }
 
@@ -38,22 +39,25 @@ std::optional<double> maxMoveOf(const py::object& max_move_mm) {
   return argument<double>("max_move_mm", max_move_mm, "a number, None or 'auto'");
 }
 
-RepairReport repairModel(const occ::Model& model, const py::object& target, const py::object& profile,
-                         const py::object& gap_mm, const py::object& angle_deg,
-                         const py::object& curvature_rel, const py::object& flat_radius_mm,
-                         const py::object& crease_deg, const py::object& max_move_mm,
-                         const py::object& fairness, const py::object& keep_curvature,
-                         const py::object& max_time_s, const py::object& edges, const py::object& fixed_faces,
+RepairReport repairModel(const occ::Model& model, const py::object& target,
+                         const py::object& profile, const py::object& gap_mm,
+                         const py::object& angle_deg, const py::object& curvature_rel,
+                         const py::object& flat_radius_mm, const py::object& crease_deg,
+                         const py::object& max_move_mm, const py::object& fairness,
+                         const py::object& keep_curvature, const py::object& max_time_s,
+                         const py::object& edges, const py::object& fixed_faces,
                          const py::object& match_mm, const py::object& sew,
                          const py::object& convert_analytic, const py::object& jobs,
                          const py::object& progress) {
   occ::RepairOptions options;
   options.order = orderOf(target);
-  options.tolerance = toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg});
+  options.tolerance =
+      toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg});
   options.max_move_mm = maxMoveOf(max_move_mm);
   options.fairness = argument<double>("fairness", fairness, "a number");
   options.keep_curvature = flagOf("keep_curvature", keep_curvature);
-  if (!max_time_s.is_none()) options.max_time_s = argument<double>("max_time_s", max_time_s, "a number");
+  if (!max_time_s.is_none())
+    options.max_time_s = argument<double>("max_time_s", max_time_s, "a number");
   options.edges = edgesOf(edges);
   options.fixed_faces = wholeNumbers("fixed_faces", fixed_faces);
   if (!match_mm.is_none()) options.match_mm = argument<double>("match_mm", match_mm, "a number");
@@ -69,25 +73,28 @@ py::object repairDict(const RepairReport& repair) {
   return plainObject(report::toJson(repair.report, repair.options));
 }
 
-py::dict writeRepaired(const RepairReport& repair, const std::filesystem::path& path, bool overwrite,
-                       bool overwrite_source, const py::object& progress) {
-  const ResultToWrite result{repair.report.model,
-                             !repair.report.changed(),
-                             {report::judgeOf(repair.report, repair.options),
-                              report::countsOf(repair.report.after, repair.report.model), &repair.given}};
+py::dict writeRepaired(const RepairReport& repair, const std::filesystem::path& path,
+                       bool overwrite, bool overwrite_source, const py::object& progress) {
+  const ResultToWrite result{
+      repair.report.model,
+      !repair.report.changed(),
+      {report::judgeOf(repair.report, repair.options),
+       report::countsOf(repair.report.after, repair.report.model), &repair.given}};
   return writeResult(result, {path, overwrite, overwrite_source}, progress);
 }
 
 std::string shortly(const RepairReport& repair) {
   const report::RepairSummary summary = report::summarize(repair.report);
-  return "<RepairReport: " + std::to_string(summary.repaired) + " of " + std::to_string(summary.treated) +
-         " seams repaired, " + std::to_string(summary.defects_after) + " defects left>";
+  return "<RepairReport: " + std::to_string(summary.repaired) + " of " +
+         std::to_string(summary.treated) + " seams repaired, " +
+         std::to_string(summary.defects_after) + " defects left>";
 }
 
 }  // namespace
 
 void bindRepair(py::module_& module) {
-  py::class_<RepairReport>(module, "RepairReport", py::module_local(), "What came of Model.repair().")
+  py::class_<RepairReport>(module, "RepairReport", py::module_local(),
+                           "What came of Model.repair().")
       .def_property_readonly(
           "model", [](const RepairReport& repair) { return repair.report.model; },
           "The repaired model: same faces, edges and solids, in the same order unless edges were "
@@ -105,12 +112,15 @@ void bindRepair(py::module_& module) {
           "passed", [](const RepairReport& repair) { return repair.report.after.passed(); },
           "No seam is a defect any more.")
       .def_property_readonly(
-          "seams", [](const RepairReport& repair) { return py::object(repairDict(repair)["seams"]); },
+          "seams",
+          [](const RepairReport& repair) { return py::object(repairDict(repair)["seams"]); },
           "All seams: a list of dicts {before, after, treated, repaired, reason, wants_conversion, "
           "sewn, not_sewn}.")
       .def_property_readonly(
-          "moves", [](const RepairReport& repair) { return py::object(repairDict(repair)["moves"]); },
-          "The faces that moved: a list of dicts {face, largest_move_mm, surface}; surface tells what became "
+          "moves",
+          [](const RepairReport& repair) { return py::object(repairDict(repair)["moves"]); },
+          "The faces that moved: a list of dicts {face, largest_move_mm, surface}; surface tells "
+          "what became "
           "of the "
           "face's curvature.")
       .def_property_readonly(
@@ -118,14 +128,16 @@ void bindRepair(py::module_& module) {
           [](const RepairReport& repair) { return py::object(repairDict(repair)["edge_moves"]); },
           "Edges with new paths on faces that stay: a list of dicts {edge, largest_move_mm}.")
       .def_property_readonly(
-          "converted", [](const RepairReport& repair) { return py::object(repairDict(repair)["converted"]); },
+          "converted",
+          [](const RepairReport& repair) { return py::object(repairDict(repair)["converted"]); },
           "Faces that became splines: a list of dicts {face, kind, error_mm}.")
       .def_property_readonly(
           "summary",
           [](const RepairReport& repair) {
             return plainObject(report::toJson(report::summarize(repair.report)));
           },
-          "A dict {seams, treated, repaired, left, wants_conversion, sewn, lowered, defects_before, "
+          "A dict {seams, treated, repaired, left, wants_conversion, sewn, lowered, "
+          "defects_before, "
           "defects_after, "
           "largest_move_mm, "
           "worse_faces, changed, passed}.")
@@ -137,34 +149,43 @@ void bindRepair(py::module_& module) {
           },
           "The report as one line of JSON, schema seamwright.repair/1.")
       .def(
-          "to_table", [](const RepairReport& repair) { return readable(report::toTable(repair.report)); },
+          "to_table",
+          [](const RepairReport& repair) { return readable(report::toTable(repair.report)); },
           "The report as text for people.")
       .def("write", &writeRepaired, py::arg("path"), py::kw_only(), py::arg("overwrite") = false,
            py::arg("overwrite_source") = false, py::arg("progress") = py::none(), write_result_doc)
       .def("__repr__", &shortly);
   py::class_<occ::Model> model(module.attr("Model"));
-  model.def(
-      "repair", &repairModel, py::kw_only(), py::arg("target") = "G1", py::arg("profile") = "default",
-      py::arg("gap_mm") = py::none(), py::arg("angle_deg") = py::none(),
-      py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
-      py::arg("crease_deg") = py::none(), py::arg("max_move_mm") = "auto",
-      py::arg("fairness") = occ::RepairOptions{}.fairness, py::arg("keep_curvature") = false,
-      py::arg("max_time_s") = py::none(), py::arg("edges") = py::none(), py::arg("fixed_faces") = py::tuple(),
-      py::arg("match_mm") = 0.0, py::arg("sew") = true, py::arg("convert_analytic") = false,
-      py::arg("jobs") = 0, py::arg("progress") = py::none(),
-      "Moves spline faces, with the least bending, until the seams chosen are smooth; proves it, or "
-      "leaves them as they were. Returns a RepairReport; the model is not changed.\n\n"
-      "target: 'G1' or 'G2'. Tolerances as in analyze(). max_move_mm: no point of a face moves further; "
-      "None: any distance; 'auto': a hundredth of the size of the face and twice the largest gap of its "
-      "seams "
-      "to be repaired. fairness: how many times as much as before the mean curvature of a face may vary, at "
-      "least 1. keep_curvature: seams that are G2 stay so, also where G1 is the target. "
-      "max_time_s: no more repairs are tried after this time, what was repaired is kept; None: no limit. "
-      "edges: numbers of the edges, from 1, whose seams are treated; None: all defects. "
-      "fixed_faces: numbers of faces that stay. match_mm: also open edges no further apart than this; 0: "
-      "none. sew: such edges become one where they meet within the gap tolerance. convert_analytic: planes, "
-      "cylinders and the like may become splines where they have to move. jobs: threads; 0: one for "
-      "each processor.");
+  model.def("repair", &repairModel, py::kw_only(), py::arg("target") = "G1",
+            py::arg("profile") = "default", py::arg("gap_mm") = py::none(),
+            py::arg("angle_deg") = py::none(), py::arg("curvature_rel") = py::none(),
+            py::arg("flat_radius_mm") = py::none(), py::arg("crease_deg") = py::none(),
+            py::arg("max_move_mm") = "auto", py::arg("fairness") = occ::RepairOptions{}.fairness,
+            py::arg("keep_curvature") = false, py::arg("max_time_s") = py::none(),
+            py::arg("edges") = py::none(), py::arg("fixed_faces") = py::tuple(),
+            py::arg("match_mm") = 0.0, py::arg("sew") = true, py::arg("convert_analytic") = false,
+            py::arg("jobs") = 0, py::arg("progress") = py::none(),
+            "Moves spline faces, with the least bending, until the seams chosen are smooth; proves "
+            "it, or "
+            "leaves them as they were. Returns a RepairReport; the model is not changed.\n\n"
+            "target: 'G1' or 'G2'. Tolerances as in analyze(). max_move_mm: no point of a face "
+            "moves further; "
+            "None: any distance; 'auto': a hundredth of the size of the face and twice the largest "
+            "gap of its "
+            "seams "
+            "to be repaired. fairness: how many times as much as before the mean curvature of a "
+            "face may vary, at "
+            "least 1. keep_curvature: seams that are G2 stay so, also where G1 is the target. "
+            "max_time_s: no more repairs are tried after this time, what was repaired is kept; "
+            "None: no limit. "
+            "edges: numbers of the edges, from 1, whose seams are treated; None: all defects. "
+            "fixed_faces: numbers of faces that stay. match_mm: also open edges no further apart "
+            "than this; 0: "
+            "none. sew: such edges become one where they meet within the gap tolerance. "
+            "convert_analytic: planes, "
+            "cylinders and the like may become splines where they have to move. jobs: threads; 0: "
+            "one for "
+            "each processor.");
 }
 
 }  // namespace seamwright::python

@@ -16,10 +16,11 @@ namespace seamwright::python {
 
 namespace {
 
-SeamSide sideOf(const char* name, const py::object& patch, const char* edge_name, const py::object& edge,
-                bool reversed) {
+SeamSide sideOf(const char* name, const py::object& patch, const char* edge_name,
+                const py::object& edge, bool reversed) {
   if (py::isinstance<BezierTriangle>(patch))
-    return seamSide(py::cast<const BezierTriangle&>(patch), triangleEdgeOf(edge_name, edge), reversed);
+    return seamSide(py::cast<const BezierTriangle&>(patch), triangleEdgeOf(edge_name, edge),
+                    reversed);
   if (py::isinstance<BezierPatch>(patch))
     return seamSide(py::cast<const BezierPatch&>(patch), patchEdgeOf(edge_name, edge), reversed);
   if (py::isinstance<BSplineSurface>(patch))
@@ -68,7 +69,8 @@ py::dict leftOutDict(const SeamFigures& figures) {
   return dict;
 }
 
-py::dict seamDict(const SeamFigures& figures, const ContinuityTolerance& tolerance, const Verdict& verdict) {
+py::dict seamDict(const SeamFigures& figures, const ContinuityTolerance& tolerance,
+                  const Verdict& verdict) {
   occ::SeamResult result;
   result.figures = figures;
   result.verdict = verdict;
@@ -88,17 +90,18 @@ py::dict seamDict(const SeamFigures& figures, const ContinuityTolerance& toleran
 }
 
 py::dict encloseSeamOf(const py::object& a, const py::object& edge_a, const py::object& b,
-                       const py::object& edge_b, const py::object& reversed, const py::object& level,
-                       const py::object& profile, const py::object& gap_mm, const py::object& angle_deg,
-                       const py::object& curvature_rel, const py::object& flat_radius_mm,
-                       const py::object& crease_deg) {
+                       const py::object& edge_b, const py::object& reversed,
+                       const py::object& level, const py::object& profile, const py::object& gap_mm,
+                       const py::object& angle_deg, const py::object& curvature_rel,
+                       const py::object& flat_radius_mm, const py::object& crease_deg) {
   const SeamSide side_a = sideOf("patch_a", a, "edge_a", edge_a, false);
   const SeamSide side_b = sideOf("patch_b", b, "edge_b", edge_b, py::cast<bool>(reversed));
   const ContinuityTolerance tolerance =
       toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg});
   const Level required = levelOf(level);
   if (required == Level::G3)
-    throw py::value_error("level 'G3': the change of curvature is not enclosed; known are G0, G1 and G2");
+    throw py::value_error(
+        "level 'G3': the change of curvature is not enclosed; known are G0, G1 and G2");
   SeamFigures figures;
   {
     const py::gil_scoped_release release;
@@ -108,8 +111,9 @@ py::dict encloseSeamOf(const py::object& a, const py::object& edge_a, const py::
 }
 
 py::dict measureJointOf(const BezierCurve& a, const BezierCurve& b, const py::object& order,
-                        const py::object& profile, const py::object& gap_mm, const py::object& angle_deg,
-                        const py::object& curvature_rel, const py::object& flat_radius_mm) {
+                        const py::object& profile, const py::object& gap_mm,
+                        const py::object& angle_deg, const py::object& curvature_rel,
+                        const py::object& flat_radius_mm) {
   const ContinuityTolerance tolerance =
       toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, noCrease()});
   return jointDict(measureJoint(a, b, argument<int>("order", order, "a whole number")), tolerance);
@@ -118,28 +122,35 @@ py::dict measureJointOf(const BezierCurve& a, const BezierCurve& b, const py::ob
 }  // namespace
 
 void bindSeam(py::module_& module) {
-  module.def(
-      "enclose_seam", &encloseSeamOf, py::arg("patch_a"), py::arg("edge_a"), py::arg("patch_b"),
-      py::arg("edge_b"), py::kw_only(), py::arg("reversed") = false, py::arg("level") = "G1",
-      py::arg("profile") = "default", py::arg("gap_mm") = py::none(), py::arg("angle_deg") = py::none(),
-      py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
-      py::arg("crease_deg") = py::none(),
-      "Encloses and judges the seam of two patches along an edge of each: 'u0', 'u1', 'v0' or 'v1' of a "
-      "BezierPatch or a BSplineSurface, 'l0' (from P1 to P2), 'l1' (P2 to P0) or 'l2' (P0 to P1) of a "
-      "BezierTriangle.\n\n"
-      "Points correspond by the parameter along the edge; reversed: by 1 minus it on b. Returns a dict with "
-      "the keys of a seam in the JSON that apply, and degenerate: points without a tangent plane. level is "
-      "at most 'G2'.");
+  module.def("enclose_seam", &encloseSeamOf, py::arg("patch_a"), py::arg("edge_a"),
+             py::arg("patch_b"), py::arg("edge_b"), py::kw_only(), py::arg("reversed") = false,
+             py::arg("level") = "G1", py::arg("profile") = "default",
+             py::arg("gap_mm") = py::none(), py::arg("angle_deg") = py::none(),
+             py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
+             py::arg("crease_deg") = py::none(),
+             "Encloses and judges the seam of two patches along an edge of each: 'u0', 'u1', 'v0' "
+             "or 'v1' of a "
+             "BezierPatch or a BSplineSurface, 'l0' (from P1 to P2), 'l1' (P2 to P0) or 'l2' (P0 "
+             "to P1) of a "
+             "BezierTriangle.\n\n"
+             "Points correspond by the parameter along the edge; reversed: by 1 minus it on b. "
+             "Returns a dict with "
+             "the keys of a seam in the JSON that apply, and degenerate: points without a tangent "
+             "plane. level is "
+             "at most 'G2'.");
   module.def("arc_length_derivatives", &arcLengthDerivatives, py::arg("derivatives"),
              py::arg("speed_noise") = 0.0,
-             "Derivatives by arc length (n+1, 3) from those by any parameter, row k of order k; None where "
+             "Derivatives by arc length (n+1, 3) from those by any parameter, row k of order k; "
+             "None where "
              "the speed is no larger than speed_noise.");
-  module.def(
-      "measure_joint", &measureJointOf, py::arg("a"), py::arg("b"), py::arg("order") = 3, py::kw_only(),
-      py::arg("profile") = "default", py::arg("gap_mm") = py::none(), py::arg("angle_deg") = py::none(),
-      py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
-      "How the end of curve a meets the beginning of curve b, to that order: a dict of gap_mm, angle_rad, "
-      "differences and sizes (of the derivatives by arc length) and order_reached, the n of G^n, or -1.");
+  module.def("measure_joint", &measureJointOf, py::arg("a"), py::arg("b"), py::arg("order") = 3,
+             py::kw_only(), py::arg("profile") = "default", py::arg("gap_mm") = py::none(),
+             py::arg("angle_deg") = py::none(), py::arg("curvature_rel") = py::none(),
+             py::arg("flat_radius_mm") = py::none(),
+             "How the end of curve a meets the beginning of curve b, to that order: a dict of "
+             "gap_mm, angle_rad, "
+             "differences and sizes (of the derivatives by arc length) and order_reached, the n of "
+             "G^n, or -1.");
 }
 
 }  // namespace seamwright::python

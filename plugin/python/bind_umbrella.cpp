@@ -14,8 +14,8 @@ namespace seamwright::python {
 
 namespace {
 
-/// The value itself, to be iterated over. A py::sequence lets go of each item before it is used; nothing else holds the
-/// items of an array.
+/// The value itself, to be iterated over. A py::sequence lets go of each item before it is used;
+/// nothing else holds the items of an array.
 const py::object& sequenceOf(const char* name, const py::object& value) {
   if (!py::isinstance<py::sequence>(value) || py::isinstance<py::str>(value))
     throw py::value_error(std::string(name) + " is " + shown(value) + ": a sequence is needed");
@@ -114,8 +114,8 @@ py::dict umbrellaDict(const Umbrella& umbrella) {
 
 py::dict umbrellaOf(const py::object& spokes, const py::object& closed, const py::object& kinds,
                     const py::object& members, const py::object& degree, const py::object& slopes,
-                    const py::object& cross_slopes, const py::object& form, const py::object& gap_mm,
-                    const py::object& flat_rad) {
+                    const py::object& cross_slopes, const py::object& form,
+                    const py::object& gap_mm, const py::object& flat_rad) {
   const std::vector<BezierCurve> curves = curvesOf("spokes", spokes);
   UmbrellaOptions options;
   if (!PyBool_Check(closed.ptr()))
@@ -136,8 +136,8 @@ py::dict umbrellaOf(const py::object& spokes, const py::object& closed, const py
   return umbrellaDict(built());
 }
 
-py::dict umbrellaInsideOf(const py::object& sides, const py::object& spoke_degree, const py::object& degree,
-                          const py::object& gap_mm) {
+py::dict umbrellaInsideOf(const py::object& sides, const py::object& spoke_degree,
+                          const py::object& degree, const py::object& gap_mm) {
   const std::vector<BezierCurve> curves = curvesOf("sides", sides);
   UmbrellaInsideOptions options;
   options.spoke_degree = argument<int>("spoke_degree", spoke_degree, "a whole number");
@@ -155,29 +155,43 @@ py::dict umbrellaInsideOf(const py::object& sides, const py::object& spoke_degre
 void bindUmbrella(py::module_& module) {
   module.def(
       "umbrella", &umbrellaOf, py::arg("spokes"), py::kw_only(), py::arg("closed") = true,
-      py::arg("kinds") = py::none(), py::arg("members") = py::none(), py::arg("degree") = py::none(),
-      py::arg("slopes") = py::none(), py::arg("cross_slopes") = py::none(), py::arg("form") = py::none(),
+      py::arg("kinds") = py::none(), py::arg("members") = py::none(),
+      py::arg("degree") = py::none(), py::arg("slopes") = py::none(),
+      py::arg("cross_slopes") = py::none(), py::arg("form") = py::none(),
       py::arg("gap_mm") = UmbrellaOptions{}.gap_mm, py::arg("flat_rad") = VertexOptions{}.flat_rad,
       "Patches and triangles around a point that join G1 across every spoke, as a dict.\n\n"
-      "spokes are polynomial BezierCurves, or arrays (n+1, 3), that begin at the point, in their order "
-      "around it. Member i has spoke i as its edge v0 (l1 of a triangle) and spoke i + 1 as its edge u0 "
-      "(l0, run backwards). closed: as many members as spokes; False: one less, and the outer spokes "
+      "spokes are polynomial BezierCurves, or arrays (n+1, 3), that begin at the point, in their "
+      "order "
+      "around it. Member i has spoke i as its edge v0 (l1 of a triangle) and spoke i + 1 as its "
+      "edge u0 "
+      "(l0, run backwards). closed: as many members as spokes; False: one less, and the outer "
+      "spokes "
       "are rims.\n\n"
-      "kinds: 'patch' or 'triangle' for each member, None: patches. members: those to be changed as "
-      "little as possible, None: the fairest are built. degree: of the members, None: the lowest that "
-      "does. slopes, cross_slopes: how beta and -alpha of each connection change at the point, None: "
-      "the best, and 0. form: (3, 3), a second fundamental form that the spokes get the curvature of. "
+      "kinds: 'patch' or 'triangle' for each member, None: patches. members: those to be changed "
+      "as "
+      "little as possible, None: the fairest are built. degree: of the members, None: the lowest "
+      "that "
+      "does. slopes, cross_slopes: how beta and -alpha of each connection change at the point, "
+      "None: "
+      "the best, and 0. form: (3, 3), a second fundamental form that the spokes get the curvature "
+      "of. "
       "gap_mm, flat_rad: how far the beginnings may differ and tangents may leave their plane.\n\n"
-      "The dict has members, spokes, connections (of each spoke alpha and beta for join_condition, None "
-      "for rims), normal, angles_rad and condition of the vertex, crossing, and how much was changed: "
-      "spoke_move_mm, second_change_mm, slope_change, member_move_mm; free_vectors is how many poles "
-      "might have been chosen otherwise. ValueError says what is wrong with which spoke or sector.");
+      "The dict has members, spokes, connections (of each spoke alpha and beta for join_condition, "
+      "None "
+      "for rims), normal, angles_rad and condition of the vertex, crossing, and how much was "
+      "changed: "
+      "spoke_move_mm, second_change_mm, slope_change, member_move_mm; free_vectors is how many "
+      "poles "
+      "might have been chosen otherwise. ValueError says what is wrong with which spoke or "
+      "sector.");
   module.def(
       "umbrella_inside", &umbrellaInsideOf, py::arg("sides"), py::kw_only(),
-      py::arg("spoke_degree") = UmbrellaInsideOptions{}.spoke_degree, py::arg("degree") = py::none(),
-      py::arg("gap_mm") = UmbrellaInsideOptions{}.gap_mm,
-      "The umbrella inside a closed boundary of 3 to 12 polynomial BezierCurves or arrays (n+1, 3): one "
-      "patch for each corner, spokes from the fairest place to the middles of the sides. A dict as of "
+      py::arg("spoke_degree") = UmbrellaInsideOptions{}.spoke_degree,
+      py::arg("degree") = py::none(), py::arg("gap_mm") = UmbrellaInsideOptions{}.gap_mm,
+      "The umbrella inside a closed boundary of 3 to 12 polynomial BezierCurves or arrays (n+1, "
+      "3): one "
+      "patch for each corner, spokes from the fairest place to the middles of the sides. A dict as "
+      "of "
       "umbrella(); member i has the corner between side i and side i + 1 at (u, v) = (1, 1).");
 }
 

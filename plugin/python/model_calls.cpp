@@ -45,15 +45,17 @@ py::dict plainDict(const occ::WriteReport& written) {
   return dict;
 }
 
-py::dict writeResult(const ResultToWrite& result, const ResultTarget& target, const py::object& progress) {
+py::dict writeResult(const ResultToWrite& result, const ResultTarget& target,
+                     const py::object& progress) {
   constexpr double written_by = 0.5;
   const report::JudgedFile written = longCall(progress, [&](const occ::Progress& share) {
     const occ::Progress shown = rising(share);
     const occ::WriteOptions how = {.overwrite = target.overwrite,
                                    .overwrite_source = target.overwrite_source,
                                    .unchanged = result.unchanged};
-    return report::writeJudged(result.model, target.path, how, result.judge,
-                               {occ::partOf(shown, 0, written_by), occ::partOf(shown, written_by, 1)});
+    return report::writeJudged(
+        result.model, target.path, how, result.judge,
+        {occ::partOf(shown, 0, written_by), occ::partOf(shown, written_by, 1)});
   });
   py::dict dict = plainDict(written.report);
   dict["output"] = plainObject(report::toJson(written.model));

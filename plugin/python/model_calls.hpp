@@ -16,12 +16,13 @@ namespace seamwright::python {
 
 namespace py = pybind11;
 
-/// Calls a Python callable from a thread without the GIL. An answer that is false to Python, other than None, asks the work to stop; so
-/// do Ctrl-C and what the callable raises, also when asked for its truth, which is kept in \p raised.
-/// Both arguments have to outlive it.
+/// Calls a Python callable from a thread without the GIL. An answer that is false to Python, other
+/// than None, asks the work to stop; so do Ctrl-C and what the callable raises, also when asked for
+/// its truth, which is kept in \p raised. Both arguments have to outlive it.
 occ::Progress progressOf(const py::object& callable, std::exception_ptr& raised);
 
-/// Does long work without the GIL: work(progress). What the callable raises is raised, however the work took being stopped.
+/// Does long work without the GIL: work(progress). What the callable raises is raised, however the
+/// work took being stopped.
 template <class Work>
 auto longCall(const py::object& callable, const Work& work) {
   std::exception_ptr raised;
@@ -56,17 +57,21 @@ struct ResultTarget {
 };
 
 constexpr const char* write_result_doc =
-    "Writes the model as Model.write() does, but reads the file back and analyses it as the result was "
+    "Writes the model as Model.write() does, but reads the file back and analyses it as the result "
+    "was "
     "judged, before it takes its "
     "place.\n\n"
-    "Returns the dict of Model.write() and output {path, format, edges, faces, open_edges, defects} as found "
+    "Returns the dict of Model.write() and output {path, format, edges, faces, open_edges, "
+    "defects} as found "
     "in the file, and "
-    "differences: a line of what is otherwise there than in the model, mostly empty. Raises ModelError also "
+    "differences: a line of what is otherwise there than in the model, mostly empty. Raises "
+    "ModelError also "
     "where the file can't be "
     "read back; nothing is written then.";
 
 /// What write_result_doc says.
-py::dict writeResult(const ResultToWrite& result, const ResultTarget& target, const py::object& progress);
+py::dict writeResult(const ResultToWrite& result, const ResultTarget& target,
+                     const py::object& progress);
 
 /// Dicts, lists, numbers, texts and None.
 py::object plainObject(const nlohmann::ordered_json& json);

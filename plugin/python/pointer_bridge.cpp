@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Shapes by pointer. FreeCAD hands out and takes pointers to TopoDS_Shape through SWIG's table of types, if some module
-// has put that type into the table. Here it is put there, unless another module already did.
+// Shapes by pointer. FreeCAD hands out and takes pointers to TopoDS_Shape through SWIG's table of
+// types, if some module has put that type into the table. Here it is put there, unless another
+// module already did.
 #include <Python.h>
 #include <swigpyrun.h>
 #include <memory>
@@ -38,7 +39,8 @@ swig_type_info* shapeType() {
 
 occ::Model modelFromPointer(const py::object& pointer) {
   void* address = nullptr;
-  if (SWIG_ConvertPtr(pointer.ptr(), &address, shapeType(), SWIG_POINTER_DISOWN) < 0 || address == nullptr)
+  if (SWIG_ConvertPtr(pointer.ptr(), &address, shapeType(), SWIG_POINTER_DISOWN) < 0 ||
+      address == nullptr)
     throw py::type_error("not a pointer to a shape");
   // FreeCAD gave the handle away; the shape behind it stays shared.
   const std::unique_ptr<TopoDS_Shape> shape(static_cast<TopoDS_Shape*>(address));
@@ -46,7 +48,8 @@ occ::Model modelFromPointer(const py::object& pointer) {
 }
 
 py::object pointerFromModel(const occ::Model& model) {
-  // FreeCAD copies the handle and does not take the pointer over; the caller keeps the model until it has.
+  // FreeCAD copies the handle and does not take the pointer over; the caller keeps the model until
+  // it has.
   return py::reinterpret_steal<py::object>(
       SWIG_NewPointerObj(const_cast<TopoDS_Shape*>(&model.shape), shapeType(), 0));
 }

@@ -10,7 +10,8 @@ namespace {
 
 std::string shapeText(const Array& array) {
   std::string text = "(";
-  for (py::ssize_t i = 0; i < array.ndim(); ++i) text += (i ? ", " : "") + std::to_string(array.shape(i));
+  for (py::ssize_t i = 0; i < array.ndim(); ++i)
+    text += (i ? ", " : "") + std::to_string(array.shape(i));
   return text + ")";
 }
 
@@ -19,15 +20,16 @@ std::string shapeText(const Array& array) {
 Array arrayOf(const py::handle& value) {
   const auto refuse = [&](const std::string& why) {
     PyErr_Clear();
-    throw py::value_error("poles, weights or points are " + py::cast<std::string>(py::repr(value)) + ": " +
-                          why + "an array of real numbers is needed");
+    throw py::value_error("poles, weights or points are " + py::cast<std::string>(py::repr(value)) +
+                          ": " + why + "an array of real numbers is needed");
   };
   const auto array = py::array::ensure(py::reinterpret_borrow<py::object>(value));
   if (!array) refuse("");
   const std::string kind(1, array.dtype().kind());
   if (std::string("iufO").find(kind) == std::string::npos)
     refuse("numbers of " + py::cast<std::string>(py::str(array.dtype())) + ", but ");
-  const auto numbers = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(array);
+  const auto numbers =
+      py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(array);
   if (!numbers) refuse("");
   return Array(numbers);
 }
@@ -40,10 +42,11 @@ Poles polesOf(const Array& array, py::ssize_t dimensions, const char* wanted) {
 
 Eigen::VectorXd weightsOf(const Array& weights, const Array& poles) {
   bool same = weights.ndim() == poles.ndim() - 1;
-  for (py::ssize_t i = 0; same && i < weights.ndim(); ++i) same = weights.shape(i) == poles.shape(i);
+  for (py::ssize_t i = 0; same && i < weights.ndim(); ++i)
+    same = weights.shape(i) == poles.shape(i);
   if (!same)
-    throw py::value_error("weights have shape " + shapeText(weights) + ", poles " + shapeText(poles) +
-                          ": one weight for each pole is needed");
+    throw py::value_error("weights have shape " + shapeText(weights) + ", poles " +
+                          shapeText(poles) + ": one weight for each pole is needed");
   return Eigen::Map<const Eigen::VectorXd>(weights.data(), weights.size());
 }
 

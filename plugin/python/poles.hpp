@@ -7,9 +7,10 @@
 
 namespace seamwright::python {
 
-/// An array of real numbers. As an argument it is made of whole and real numbers; a ValueError refuses complex
-/// ones, booleans and text.
-class Array : public pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast> {
+/// An array of real numbers. As an argument it is made of whole and real numbers; a ValueError
+/// refuses complex ones, booleans and text.
+class Array
+    : public pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast> {
  public:
   using array_t::array_t;
 };

@@ -66,8 +66,9 @@ Judge judgeOf(const occ::CornerFillet& fillet, const occ::CornerFilletOptions& o
   };
 }
 
-ordered_json toJson(const occ::CornerFillet& fillet, const ContinuityTolerance& tolerance, int vertex,
-                    const occ::ModelFacts& given, const std::optional<WrittenModel>& output) {
+ordered_json toJson(const occ::CornerFillet& fillet, const ContinuityTolerance& tolerance,
+                    int vertex, const occ::ModelFacts& given,
+                    const std::optional<WrittenModel>& output) {
   ordered_json json = headJson("seamwright.corner/1", given);
   json["vertex"] = vertex;
   json["gap_mm"] = tolerance.gap_mm;
@@ -95,8 +96,9 @@ std::string toTable(const occ::CornerFillet& fillet, const ModelCounts& memory,
   std::vector<Row> rows = {{"edge", "kind", "angle deg", "radius mm", "contact mm", "setback mm"}};
   for (const occ::CornerFilletEdge& edge : fillet.edges)
     rows.push_back({"Edge" + std::to_string(edge.edge), edge.convex ? "convex" : "concave",
-                    number(degrees_per_radian * edge.angle_rad, "%.4g"), number(edge.radius_mm, "%.4g"),
-                    number(edge.contact_mm, "%.4g"), number(edge.setback_mm, "%.4g")});
+                    number(degrees_per_radian * edge.angle_rad, "%.4g"),
+                    number(edge.radius_mm, "%.4g"), number(edge.contact_mm, "%.4g"),
+                    number(edge.setback_mm, "%.4g")});
   std::ostringstream out;
   constexpr std::size_t first_number = 2;
   writeRows(out, rows, first_number);

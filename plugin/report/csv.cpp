@@ -58,8 +58,9 @@ std::string csvRows(const occ::Report& report) {
   out.precision(std::numeric_limits<double>::max_digits10);
   for (const occ::SeamResult& seam : report.seams) {
     const SeamFigures& figures = seam.figures;
-    out << quoted(report.model.path) << ',' << seam.id << ',' << name(seam.kind) << ',' << joined(seam.edges)
-        << ',' << seam.faces[0] << ',' << seam.faces[1] << ',' << seam.length_mm;
+    out << quoted(report.model.path) << ',' << seam.id << ',' << name(seam.kind) << ','
+        << joined(seam.edges) << ',' << seam.faces[0] << ',' << seam.faces[1] << ','
+        << seam.length_mm;
     writeFigure(out, figures.gap_mm);
     writeFigure(out, figures.angle_rad, degrees_per_radian);
     writeFigure(out, figures.curvature_per_mm);

@@ -30,7 +30,8 @@ std::string stripped(std::string digits) {
 std::string written(double value, int decimals, char notation) {
   const std::array<char, 4> format = {'%', '.', '*', notation};
   std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), std::string(format.begin(), format.end()).c_str(), decimals, value);
+  std::snprintf(text.data(), text.size(), std::string(format.begin(), format.end()).c_str(),
+                decimals, value);
   return text.data();
 }
 
@@ -81,8 +82,8 @@ std::string enclosureText(const Figure& figure, double factor, std::optional<dou
 }
 
 std::size_t shownWidth(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+  return static_cast<std::size_t>(std::ranges::count_if(
+      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
 }  // namespace seamwright::report

@@ -15,12 +15,15 @@ namespace seamwright::report {
 ///   >=0.3       no upper bound is known: this was seen, there may be more
 ///   0           exactly zero
 ///
-/// with the signs U+2264 and U+2265 for <= and >=. plain/enclosure.py of the workbench writes the same.
+/// with the signs U+2264 and U+2265 for <= and >=. plain/enclosure.py of the workbench writes the
+/// same.
 /// \param factor from the figure's unit to the one shown, positive.
 /// \param limit what is accepted, in the unit shown; nothing: the figure is not judged.
-std::string enclosureText(const Figure& figure, double factor = 1, std::optional<double> limit = {});
+std::string enclosureText(const Figure& figure, double factor = 1,
+                          std::optional<double> limit = {});
 
-/// The enclosure as "0.12..0.15" whatever it is, rounded outward. \pre the figure has an upper bound.
+/// The enclosure as "0.12..0.15" whatever it is, rounded outward. \pre the figure has an upper
+/// bound.
 std::string rangeText(const Figure& figure, double factor = 1);
 
 /// Letters that a text takes on a terminal; bytes that continue a UTF-8 letter count nothing.

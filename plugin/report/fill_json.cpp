@@ -40,14 +40,16 @@ ordered_json cornerJson(const FillCorner& corner) {
           {"exact", corner.exact}};
 }
 
-ordered_json seamsJson(const std::vector<occ::SeamResult>& seams, const ContinuityTolerance& tolerance) {
+ordered_json seamsJson(const std::vector<occ::SeamResult>& seams,
+                       const ContinuityTolerance& tolerance) {
   ordered_json all = ordered_json::array();
   for (const occ::SeamResult& seam : seams) all.push_back(toJson(seam, tolerance));
   return all;
 }
 
 /// Seams that do not surely reach the target.
-std::vector<occ::SeamResult> missed(std::vector<occ::SeamResult> seams, const occ::FillHoleOptions& options) {
+std::vector<occ::SeamResult> missed(std::vector<occ::SeamResult> seams,
+                                    const occ::FillHoleOptions& options) {
   std::erase_if(seams, [&options](const occ::SeamResult& seam) {
     return surelyReaches(seam.figures, options.tolerance, options.target);
   });
@@ -70,7 +72,8 @@ std::string betweenText(const occ::SeamResult& seam, const occ::FillHoleReport& 
   return one == other ? one : one + ", " + other;
 }
 
-/// A row for each new seam, those that miss the target first. Without the fill the model has none of their edges.
+/// A row for each new seam, those that miss the target first. Without the fill the model has none
+/// of their edges.
 std::vector<Row> rowsOf(const occ::FillHoleReport& report, const occ::FillHoleOptions& options) {
   const std::vector<Column> columns = figureColumns(options.tolerance);
   std::vector<Row> rows(1, {"result", "edge", "between"}), met;
@@ -121,7 +124,8 @@ ModelCounts countsOf(const occ::FillHoleReport& report, const occ::FillHoleOptio
   return counts;
 }
 
-ModelCounts countsOf(const occ::Report& found, const occ::Model& model, const occ::FillHoleOptions& options) {
+ModelCounts countsOf(const occ::Report& found, const occ::Model& model,
+                     const occ::FillHoleOptions& options) {
   ModelCounts counts = countsOf(found, model);
   setDefects(missed(found.seams, options), counts);
   return counts;
@@ -162,14 +166,16 @@ ordered_json toJson(const occ::FillHoleReport& report, const occ::FillHoleOption
   for (const FillCorner& corner : report.corners) json["corners"].push_back(cornerJson(corner));
   json["outer"] = seamsJson(report.outer, options.tolerance);
   json["inner"] = seamsJson(report.inner, options.tolerance);
-  json["time_s"] = {{"build", report.build_s}, {"sew", report.sew_s}, {"measure", report.measure_s}};
+  json["time_s"] = {
+      {"build", report.build_s}, {"sew", report.sew_s}, {"measure", report.measure_s}};
   return json;
 }
 
 std::string shortly(const occ::Hole& hole) {
   std::string centre;
   for (const double coordinate : hole.centre)
-    centre += (centre.empty() ? "" : ", ") + number(std::abs(coordinate) < 1e-9 ? 0 : coordinate, "%.4g");
+    centre +=
+        (centre.empty() ? "" : ", ") + number(std::abs(coordinate) < 1e-9 ? 0 : coordinate, "%.4g");
   return "Hole" + std::to_string(hole.id) + ": " +
          (hole.has_corners ? counted(hole.sides.size(), "side") : std::string("no corner")) + ", " +
          number(hole.length_mm, "%.4g") + " mm around (" + centre + ")";
@@ -183,10 +189,12 @@ std::string toTable(const occ::FillHoleReport& report, const occ::FillHoleOption
   else
     out << "not filled";
   if (!report.outer.empty()) {
-    const std::optional<double> angle = report.largestAngle_rad(), curvature = report.largestCurvature_rel();
-    out << "; " << counted(report.outer.size(), "seam") << " to the neighbours, " << report.inner.size()
-        << " inside: gap at most " << textOf(report.largestGap_mm(), "mm") << ", angle "
-        << textOf(angle, "degrees", degrees(1)) << ", curvature " << textOf(curvature, "%", 100) << "\n\n";
+    const std::optional<double> angle = report.largestAngle_rad(),
+                                curvature = report.largestCurvature_rel();
+    out << "; " << counted(report.outer.size(), "seam") << " to the neighbours, "
+        << report.inner.size() << " inside: gap at most " << textOf(report.largestGap_mm(), "mm")
+        << ", angle " << textOf(angle, "degrees", degrees(1)) << ", curvature "
+        << textOf(curvature, "%", 100) << "\n\n";
     constexpr std::size_t first_number = 3;
     writeRows(out, rowsOf(report, options), first_number);
   }

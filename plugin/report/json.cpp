@@ -18,7 +18,8 @@ ordered_json figureJson(const std::optional<Figure>& figure, double factor = 1) 
 
 ordered_json intervalsJson(const LeftOut& left_out) {
   ordered_json intervals = ordered_json::array();
-  for (const Interval& interval : left_out.intervals) intervals.push_back({interval.lower, interval.upper});
+  for (const Interval& interval : left_out.intervals)
+    intervals.push_back({interval.lower, interval.upper});
   return intervals;
 }
 
@@ -110,10 +111,11 @@ ordered_json toJson(const occ::Report& report) {
 }
 
 ordered_json headJson(const std::string& schema, const occ::ModelFacts& model) {
-  return {{"schema", schema},
-          {"generator",
-           {{"name", "seamwright"}, {"version", SEAMWRIGHT_VERSION}, {"occt", OCC_VERSION_COMPLETE}}},
-          {"model", modelJson(model)}};
+  return {
+      {"schema", schema},
+      {"generator",
+       {{"name", "seamwright"}, {"version", SEAMWRIGHT_VERSION}, {"occt", OCC_VERSION_COMPLETE}}},
+      {"model", modelJson(model)}};
 }
 
 ordered_json headJson(const std::string& schema, const occ::Report& report) {

@@ -7,7 +7,8 @@
 
 namespace seamwright::report {
 
-/// The report as the object "seamwright.analysis/1" (docs/analysis-1.schema.json), lengths in mm, angles in degrees.
+/// The report as the object "seamwright.analysis/1" (docs/analysis-1.schema.json), lengths in mm,
+/// angles in degrees.
 nlohmann::ordered_json toJson(const occ::Report& report);
 
 /// One seam of it.

@@ -9,20 +9,21 @@ namespace seamwright::report {
 
 namespace {
 
-/// "angle is 0.09..0.12 deg, with 0.1 deg as its limit" where an enclosure holds the limit; else empty.
-std::string doubt(const std::string& what, const std::optional<Figure>& figure, double factor, double limit,
-                  const std::string& unit) {
+/// "angle is 0.09..0.12 deg, with 0.1 deg as its limit" where an enclosure holds the limit; else
+/// empty.
+std::string doubt(const std::string& what, const std::optional<Figure>& figure, double factor,
+                  double limit, const std::string& unit) {
   if (!figure || !figure->upper || figure->lower > limit || *figure->upper <= limit) return {};
   std::ostringstream text;
-  text << what << " is " << rangeText(*figure, factor) << ' ' << unit << ", with " << factor * limit << ' '
-       << unit << " as its limit";
+  text << what << " is " << rangeText(*figure, factor) << ' ' << unit << ", with " << factor * limit
+       << ' ' << unit << " as its limit";
   return text.str();
 }
 
 /// "curvature is up to 37 % where it is left out, with 2 % as its limit", if so; else empty.
 std::string doubtLeftOut(const std::string& what, const std::optional<Figure>& figure,
-                         const LeftOut& left_out, const ContinuityTolerance& tolerance, double factor,
-                         double limit, const std::string& unit) {
+                         const LeftOut& left_out, const ContinuityTolerance& tolerance,
+                         double factor, double limit, const std::string& unit) {
   if (!figure || figure->lower > limit || left_out.isWithin(limit, tolerance)) return {};
   std::ostringstream text;
   text.precision(3);
@@ -41,14 +42,16 @@ std::string firstDoubt(const SeamFigures& figures, const ContinuityTolerance& to
   for (const double limit : {tolerance.angle_rad, tolerance.crease_rad})
     if (text.empty()) text = doubt("angle", figures.angle_rad, degrees_per_radian, limit, "deg");
   if (text.empty())
-    text = doubtLeftOut("angle", figures.angle_rad, figures.angle_left_out, tolerance, degrees_per_radian,
-                        tolerance.angle_rad, "deg");
-  if (text.empty()) text = doubt("curvature", figures.curvature_rel, 100, tolerance.curvature_rel, "%");
+    text = doubtLeftOut("angle", figures.angle_rad, figures.angle_left_out, tolerance,
+                        degrees_per_radian, tolerance.angle_rad, "deg");
   if (text.empty())
-    text = doubtLeftOut("curvature", figures.curvature_rel, figures.curvature_left_out, tolerance, 100,
-                        tolerance.curvature_rel, "%");
+    text = doubt("curvature", figures.curvature_rel, 100, tolerance.curvature_rel, "%");
   if (text.empty())
-    text = doubt("change of curvature", figures.curvature_change_rel, 100, tolerance.curvature_rel, "%");
+    text = doubtLeftOut("curvature", figures.curvature_rel, figures.curvature_left_out, tolerance,
+                        100, tolerance.curvature_rel, "%");
+  if (text.empty())
+    text = doubt("change of curvature", figures.curvature_change_rel, 100, tolerance.curvature_rel,
+                 "%");
   return text;
 }
 
@@ -105,7 +108,8 @@ Summary summarize(const occ::Report& report) {
     summary.creases += seam.verdict.seam_class == SeamClass::Crease;
     summary.uncertified += !seam.verdict.certain;
     summary.matched += seam.kind == occ::SeamKind::Matched;
-    if (seam.figures.gap_mm) summary.max_gap_mm = std::max(summary.max_gap_mm, seam.figures.gap_mm->lower);
+    if (seam.figures.gap_mm)
+      summary.max_gap_mm = std::max(summary.max_gap_mm, seam.figures.gap_mm->lower);
     if (seam.figures.angle_rad)
       summary.max_angle_rad = std::max(summary.max_angle_rad, seam.figures.angle_rad->lower);
   }
@@ -113,8 +117,9 @@ Summary summarize(const occ::Report& report) {
 }
 
 std::string noteOf(const occ::SeamResult& seam, const ContinuityTolerance& tolerance) {
-  const std::string note = joinedNotes({seam.note, leftOutText("angle", seam.figures.angle_left_out),
-                                        leftOutText("curvature", seam.figures.curvature_left_out)});
+  const std::string note =
+      joinedNotes({seam.note, leftOutText("angle", seam.figures.angle_left_out),
+                   leftOutText("curvature", seam.figures.curvature_left_out)});
   // The change of curvature alone is sampled: its figure shows that, the same in every row.
   if (seam.verdict.certain && seam.figures.certified) return note;
   std::string why = seam.figures.uncertified;

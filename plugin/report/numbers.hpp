@@ -28,7 +28,8 @@ struct Summary {
 
 Summary summarize(const occ::Report& report);
 
-/// What a user should know of a seam: its own note, and why its verdict is not certain or a bound up to G2 is missing.
+/// What a user should know of a seam: its own note, and why its verdict is not certain or a bound
+/// up to G2 is missing.
 std::string noteOf(const occ::SeamResult& seam, const ContinuityTolerance& tolerance);
 
 }  // namespace seamwright::report

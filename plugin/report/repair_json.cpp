@@ -24,8 +24,8 @@ ordered_json optionsJson(const occ::RepairOptions& options) {
           {"max_move_mm", maxMoveJson(options.max_move_mm)},
           {"fairness", options.fairness},
           {"keep_curvature", options.keep_curvature},
-          {"max_time_s",
-           std::isfinite(options.max_time_s) ? ordered_json(options.max_time_s) : ordered_json(nullptr)},
+          {"max_time_s", std::isfinite(options.max_time_s) ? ordered_json(options.max_time_s)
+                                                           : ordered_json(nullptr)},
           {"edges", options.edges},
           {"fixed_faces", options.fixed_faces},
           {"match_mm", options.match_mm},
@@ -73,9 +73,10 @@ Judge judgeOf(const occ::RepairReport& report, const occ::RepairOptions& options
   return [&report, &options](const occ::Model& model, const occ::Progress& progress) {
     occ::Report found = occ::analyze(model, occ::analyzeOptions(options), progress);
     if (!hasMatchedBesideCommon(report.after))
-      std::erase_if(found.seams, [common = facesWithCommonEdge(found)](const occ::SeamResult& seam) {
-        return isBeside(seam, common);
-      });
+      std::erase_if(found.seams,
+                    [common = facesWithCommonEdge(found)](const occ::SeamResult& seam) {
+                      return isBeside(seam, common);
+                    });
     return countsOf(found, model);
   };
 }
@@ -141,23 +142,26 @@ ordered_json surfaceJson(const occ::FaceMove& move) {
   const auto compared = [](const auto& before, const auto& after) {
     return ordered_json{{"before", before}, {"after", after}};
   };
-  return {{"move_mm", {{"lower", change.move_mm.lower}, {"upper", change.move_mm.upper}}},
-          {"normal_move_mm", change.normal_move_mm},
-          {"tangential_move_mm", change.tangential_move_mm},
-          {"turn_deg", change.turn_rad * degrees_per_radian},
-          {"curvature_change_per_mm", change.curvature_change_per_mm},
-          {"variation_per_mm", compared(change.before.variation_per_mm, change.after.variation_per_mm)},
-          {"extrema", compared(change.before.extrema, change.after.extrema)},
-          {"inflections", compared(change.before.inflections, change.after.inflections)},
-          {"lines", change.after.lines},
-          {"worse", move.verdict.worse},
-          {"reason", move.verdict.reason}};
+  return {
+      {"move_mm", {{"lower", change.move_mm.lower}, {"upper", change.move_mm.upper}}},
+      {"normal_move_mm", change.normal_move_mm},
+      {"tangential_move_mm", change.tangential_move_mm},
+      {"turn_deg", change.turn_rad * degrees_per_radian},
+      {"curvature_change_per_mm", change.curvature_change_per_mm},
+      {"variation_per_mm", compared(change.before.variation_per_mm, change.after.variation_per_mm)},
+      {"extrema", compared(change.before.extrema, change.after.extrema)},
+      {"inflections", compared(change.before.inflections, change.after.inflections)},
+      {"lines", change.after.lines},
+      {"worse", move.verdict.worse},
+      {"reason", move.verdict.reason}};
 }
 
 }  // namespace
 
 ordered_json toJson(const occ::FaceMove& move) {
-  return {{"face", move.face}, {"largest_move_mm", move.largest_move_mm}, {"surface", surfaceJson(move)}};
+  return {{"face", move.face},
+          {"largest_move_mm", move.largest_move_mm},
+          {"surface", surfaceJson(move)}};
 }
 
 ordered_json toJson(const occ::EdgeMove& move) {

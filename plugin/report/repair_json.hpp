@@ -25,13 +25,15 @@ struct RepairSummary {
   bool passed = false;  ///< no seam is a defect any more
 };
 
-/// A seam that was not treated has a lower level than before, as a neighbour was repaired. The level that is asked for is kept.
+/// A seam that was not treated has a lower level than before, as a neighbour was repaired. The
+/// level that is asked for is kept.
 bool isLowered(const occ::SeamRepair& seam);
 
 RepairSummary summarize(const occ::RepairReport& report);
 
-/// Counts in a file the seams of the analysis that the repair is judged by. Where no faces with a common edge have a matched seam besides in
-/// memory, such seams are left out: edges that were sewn and go on apart from one another would match again. Both arguments have to outlive it.
+/// Counts in a file the seams of the analysis that the repair is judged by. Where no faces with a
+/// common edge have a matched seam besides in memory, such seams are left out: edges that were sewn
+/// and go on apart from one another would match again. Both arguments have to outlive it.
 Judge judgeOf(const occ::RepairReport& report, const occ::RepairOptions& options);
 
 nlohmann::ordered_json toJson(const RepairSummary& summary);
@@ -41,7 +43,8 @@ nlohmann::ordered_json toJson(const occ::FaceMove& move);
 nlohmann::ordered_json toJson(const occ::EdgeMove& move);
 nlohmann::ordered_json toJson(const occ::FaceConversion& conversion);
 
-/// The report as the object "seamwright.repair/1" (docs/repair-1.schema.json), lengths in mm, angles in degrees.
+/// The report as the object "seamwright.repair/1" (docs/repair-1.schema.json), lengths in mm,
+/// angles in degrees.
 /// \param output nothing where the model was not written.
 nlohmann::ordered_json toJson(const occ::RepairReport& report, const occ::RepairOptions& options,
                               const std::optional<WrittenModel>& output = {});

@@ -52,10 +52,10 @@ Row comparedHeadings(const std::vector<Column>& columns) {
 }
 
 Row rowOf(const occ::SeamRepair& seam, const std::vector<Column>& columns) {
-  Row row = {
-      verdictOf(seam), change(edgesText(seam.before), edgesText(seam.after)),
-      change(facesText(seam.before), facesText(seam.after)),
-      change(std::string(name(seam.before.verdict.level)), std::string(name(seam.after.verdict.level)))};
+  Row row = {verdictOf(seam), change(edgesText(seam.before), edgesText(seam.after)),
+             change(facesText(seam.before), facesText(seam.after)),
+             change(std::string(name(seam.before.verdict.level)),
+                    std::string(name(seam.after.verdict.level)))};
   for (const Column& column : columns)
     row.push_back(change(cellOf(seam.before, column), cellOf(seam.after, column)));
   row.push_back(reasonOf(seam));
@@ -77,11 +77,13 @@ void writeHead(std::ostream& out, const occ::RepairReport& report, const RepairS
   if (summary.worse_faces > 0) out << ", " << summary.worse_faces << " less fair than before";
   if (!report.edge_moves.empty()) {
     const double furthest_mm =
-        std::ranges::max_element(report.edge_moves, {}, &occ::EdgeMove::largest_move_mm)->largest_move_mm;
+        std::ranges::max_element(report.edge_moves, {}, &occ::EdgeMove::largest_move_mm)
+            ->largest_move_mm;
     out << ", " << counted(report.edge_moves.size(), "edge") << " on new paths, by at most "
         << number(furthest_mm, "%.3g") << " mm";
   }
-  if (!report.converted.empty()) out << ", " << counted(report.converted.size(), "face") << " made a spline";
+  if (!report.converted.empty())
+    out << ", " << counted(report.converted.size(), "face") << " made a spline";
   out << ";  read in " << number(report.before.read_s, "%.2f") << " s, repaired in "
       << number(report.repair_s, "%.2f") << " s\n";
 }
@@ -112,12 +114,15 @@ std::string toTable(const occ::RepairReport& report, const std::optional<Written
   if (summary.wants_conversion > 0)
     out << '\n'
         << counted(static_cast<std::size_t>(summary.wants_conversion), "seam")
-        << " left at planes, cylinders and the like: these can move as splines, with --convert (in Python "
+        << " left at planes, cylinders and the like: these can move as splines, with --convert (in "
+           "Python "
            "convert_analytic=True)\n";
   for (const occ::FaceMove& move : report.moves)
-    if (move.verdict.worse) out << "\nface " << move.face << " is less fair: " << move.verdict.reason << '\n';
+    if (move.verdict.worse)
+      out << "\nface " << move.face << " is less fair: " << move.verdict.reason << '\n';
   out << '\n';
-  const std::string differences = output ? output->differences(countsOf(report.after, report.model)) : "";
+  const std::string differences =
+      output ? output->differences(countsOf(report.after, report.model)) : "";
   if (!differences.empty()) out << output->path.string() << ' ' << differences << '\n';
   const int defects = std::max(summary.defects_after, output ? output->found.defects : 0);
   out << (defects == 0 ? "PASSED: no defects"

@@ -8,9 +8,11 @@
 
 namespace seamwright::report {
 
-/// For people: a head with counts and the largest move, then the seams that were to be repaired with their figures before and
-/// after; those that were left first, with the reason; then the verdict.
+/// For people: a head with counts and the largest move, then the seams that were to be repaired
+/// with their figures before and after; those that were left first, with the reason; then the
+/// verdict.
 /// \param output nothing where the model was not written; the verdict is on the file too.
-std::string toTable(const occ::RepairReport& report, const std::optional<WrittenModel>& output = {});
+std::string toTable(const occ::RepairReport& report,
+                    const std::optional<WrittenModel>& output = {});
 
 }  // namespace seamwright::report

@@ -17,8 +17,8 @@ std::vector<Column> columnsOf(const occ::Report& report) {
     return seam.figures.curvature_change_rel.has_value();
   };
   if (std::ranges::any_of(report.seams, has_change))
-    columns.push_back(
-        {"change %", &SeamFigures::curvature_change_rel, 100, 100 * report.tolerance.curvature_rel});
+    columns.push_back({"change %", &SeamFigures::curvature_change_rel, 100,
+                       100 * report.tolerance.curvature_rel});
   return columns;
 }
 
@@ -48,7 +48,9 @@ std::vector<const occ::SeamResult*> worstFirst(const occ::Report& report) {
   for (const occ::SeamResult& seam : report.seams) order.push_back(&seam);
   const auto key = [](const occ::SeamResult* seam) {
     constexpr std::array<int, 3> place = {1, 0, 2};  // smooth, defect, crease
-    const auto value = [](const std::optional<Figure>& figure) { return figure ? figure->lower : 1e300; };
+    const auto value = [](const std::optional<Figure>& figure) {
+      return figure ? figure->lower : 1e300;
+    };
     return std::tuple(place[static_cast<std::size_t>(seam->verdict.seam_class)],
                       -value(seam->figures.angle_rad), -value(seam->figures.gap_mm), seam->id);
   };
@@ -68,7 +70,8 @@ void writeHead(std::ostream& out, const occ::Report& report) {
   out << '\n';
   out << "  " << counted(report.open.size(), "open edge") << ", "
       << counted(report.non_manifold.size(), "non-manifold edge") << ";  read in "
-      << number(report.read_s, "%.2f") << " s, analysed in " << number(report.analyze_s, "%.2f") << " s\n";
+      << number(report.read_s, "%.2f") << " s, analysed in " << number(report.analyze_s, "%.2f")
+      << " s\n";
 }
 
 /// How many of the verdicts hold for every value within the enclosures.

@@ -10,10 +10,10 @@
 namespace seamwright::report {
 
 std::vector<Column> figureColumns(const ContinuityTolerance& tolerance) {
-  return {
-      {"gap mm", &SeamFigures::gap_mm, 1, tolerance.gap_mm},
-      {"angle deg", &SeamFigures::angle_rad, degrees_per_radian, degrees_per_radian * tolerance.angle_rad},
-      {"curvature %", &SeamFigures::curvature_rel, 100, 100 * tolerance.curvature_rel}};
+  return {{"gap mm", &SeamFigures::gap_mm, 1, tolerance.gap_mm},
+          {"angle deg", &SeamFigures::angle_rad, degrees_per_radian,
+           degrees_per_radian * tolerance.angle_rad},
+          {"curvature %", &SeamFigures::curvature_rel, 100, 100 * tolerance.curvature_rel}};
 }
 
 std::string cellOf(const occ::SeamResult& seam, const Column& column) {
@@ -23,7 +23,8 @@ std::string cellOf(const occ::SeamResult& seam, const Column& column) {
 
 std::string edgesText(const occ::SeamResult& seam) {
   std::string text;
-  for (const int edge : seam.edges) text += (text.empty() ? "Edge" : ",Edge") + std::to_string(edge);
+  for (const int edge : seam.edges)
+    text += (text.empty() ? "Edge" : ",Edge") + std::to_string(edge);
   return text;
 }
 
@@ -43,9 +44,9 @@ std::string number(double value, const char* format) {
 
 void writeModel(std::ostream& out, const occ::Report& report) {
   const ContinuityTolerance& tolerance = report.tolerance;
-  out << (report.model.path.empty() ? "model in memory" : report.model.path) << "  (" << report.model.format
-      << ", unit " << report.model.length_unit << ", " << report.model.faces << " faces, "
-      << report.model.edges << " edges)\n";
+  out << (report.model.path.empty() ? "model in memory" : report.model.path) << "  ("
+      << report.model.format << ", unit " << report.model.length_unit << ", " << report.model.faces
+      << " faces, " << report.model.edges << " edges)\n";
   for (const std::string& note : report.model.notes) out << "  note: " << note << '\n';
   out << "  asked for " << name(report.level) << ": gap <= " << tolerance.gap_mm
       << " mm, angle <= " << degrees_per_radian * tolerance.angle_rad

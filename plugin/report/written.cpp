@@ -23,7 +23,8 @@ std::string listed(const std::vector<std::string>& items) {
   return text;
 }
 
-/// Which numbers of faces and edges are others in the file. Edges without length that a reader adds are named.
+/// Which numbers of faces and edges are others in the file. Edges without length that a reader adds
+/// are named.
 std::string renumbering(const ModelCounts& file, const ModelCounts& memory) {
   if (file.faces == memory.faces && file.edges == memory.edges) return {};
   const std::vector<int>&now = file.without_length, &before = memory.without_length;
@@ -56,7 +57,8 @@ bool isWorse(const occ::SeamResult& seam, const occ::SeamResult& other) {
   return is && was && was->upper && is->lower > more * *was->upper;
 }
 
-std::map<FacePair, std::vector<occ::SeamResult>> byFaces(const std::vector<occ::SeamResult>& seams) {
+std::map<FacePair, std::vector<occ::SeamResult>> byFaces(
+    const std::vector<occ::SeamResult>& seams) {
   std::map<FacePair, std::vector<occ::SeamResult>> sorted;
   for (const occ::SeamResult& seam : seams) sorted[facesOf(seam)].push_back(seam);
   for (auto& [faces, defects] : sorted)
@@ -69,8 +71,9 @@ std::map<FacePair, std::vector<occ::SeamResult>> byFaces(const std::vector<occ::
   return sorted;
 }
 
-/// Defects beyond those that are known, or worse than these. Between the same faces the worst one is compared with the worst one, and so on:
-/// edges do not tell seams apart, as reading may number them anew.
+/// Defects beyond those that are known, or worse than these. Between the same faces the worst one
+/// is compared with the worst one, and so on: edges do not tell seams apart, as reading may number
+/// them anew.
 std::vector<occ::SeamResult> beyond(const std::vector<occ::SeamResult>& known,
                                     const std::vector<occ::SeamResult>& seams) {
   const auto known_by_faces = byFaces(known);
@@ -88,8 +91,9 @@ std::vector<occ::SeamResult> beyond(const std::vector<occ::SeamResult>& known,
 bool hasSameFaces(const ModelCounts& file, const ModelCounts& memory) {
   constexpr double nearly_all = 0.9;
   if (file.faces != memory.faces) return false;
-  const auto same = std::ranges::count_if(
-      memory.neighbours, [&file](const FacePair& faces) { return file.neighbours.contains(faces); });
+  const auto same = std::ranges::count_if(memory.neighbours, [&file](const FacePair& faces) {
+    return file.neighbours.contains(faces);
+  });
   return static_cast<double>(same) >= nearly_all * static_cast<double>(memory.neighbours.size());
 }
 
@@ -145,8 +149,8 @@ class JudgedWriting {
     if (tryWriting(1)) return std::move(*file_);
     const WrittenModel first = last_;
     if (tryWriting(tenth)) return noted(std::move(*file_));
-    const bool is_better =
-        last_.found.defects < first.found.defects && last_.found.open_edges <= first.found.open_edges;
+    const bool is_better = last_.found.defects < first.found.defects &&
+                           last_.found.open_edges <= first.found.open_edges;
     lookWhatWritingSpoils();
     return is_better ? noted(written(tenth, false)) : written(1, false);
   }
@@ -165,7 +169,8 @@ class JudgedWriting {
     how_.share_of_accuracy = share;
     how_.check = [&](const std::filesystem::path& waiting) {
       last_ = readBack(waiting);
-      if (only_if_good && !(last_.only_in_file.empty() && last_.isAsGoodAs(judge_.memory))) throw Refused();
+      if (only_if_good && !(last_.only_in_file.empty() && last_.isAsGoodAs(judge_.memory)))
+        throw Refused();
       if (accepted_) accepted_(last_);
     };
     const occ::WriteReport report = occ::writeModel(model_, target_, how_, progress_.writing);
@@ -184,11 +189,13 @@ class JudgedWriting {
   ModelCounts countsIn(const std::filesystem::path& waiting) const {
     constexpr double read = 0.5;
     try {
-      const occ::Model model = occ::readModel(waiting.string(), occ::partOf(progress_.checking, 0, read));
+      const occ::Model model =
+          occ::readModel(waiting.string(), occ::partOf(progress_.checking, 0, read));
       return judge_.count(model, occ::partOf(progress_.checking, read, 1));
     } catch (const occ::ModelError& error) {
-      throw occ::ModelError(occ::ModelErrc::NotWritten, target_.string(),
-                            std::string("can't be read back, so it is not written: ") + error.what());
+      throw occ::ModelError(
+          occ::ModelErrc::NotWritten, target_.string(),
+          std::string("can't be read back, so it is not written: ") + error.what());
     }
   }
 
@@ -230,15 +237,16 @@ class JudgedWriting {
 
   int countSpoilt(const std::vector<occ::SeamResult>& seams) const {
     const auto isSpoilt = [this](const occ::SeamResult& seam) {
-      return std::ranges::any_of(*spoilt_,
-                                 [&seam](const occ::SeamResult& other) { return other.faces == seam.faces; });
+      return std::ranges::any_of(
+          *spoilt_, [&seam](const occ::SeamResult& other) { return other.faces == seam.faces; });
     };
     return static_cast<int>(std::ranges::count_if(seams, isSpoilt));
   }
 
   static JudgedFile noted(JudgedFile file) {
     file.report.notes.push_back(
-        "states a tenth of the accuracy that its source states: readers join what is nearer than the stated "
+        "states a tenth of the accuracy that its source states: readers join what is nearer than "
+        "the stated "
         "accuracy, "
         "which would spoil seams");
     return file;
@@ -252,7 +260,8 @@ class JudgedWriting {
   const std::function<void(const WrittenModel&)>& accepted_;
   WrittenModel last_;  ///< what was read back last
   std::optional<JudgedFile> file_;
-  std::optional<std::vector<occ::SeamResult>> spoilt_;  ///< what writing the model before the change spoils
+  std::optional<std::vector<occ::SeamResult>>
+      spoilt_;  ///< what writing the model before the change spoils
   std::vector<occ::SeamResult> given_, given_in_file_;  ///< defects of the model before the change
 };
 
@@ -290,17 +299,19 @@ std::string WrittenModel::differences(const ModelCounts& memory) const {
     text = "read back: " + listed(here) + "; the model in memory has " + listed(there) +
            renumbering(found, memory);
   if (found.faces == memory.faces && !hasSameFaces(found, memory))
-    text += (text.empty() ? "read back: " : "; ") + std::string("numbers of faces and edges differ");
+    text +=
+        (text.empty() ? "read back: " : "; ") + std::string("numbers of faces and edges differ");
   if (only_in_file.empty()) return text;
   text += (text.empty() ? "read back: " : "; ") + std::string("defects in the file alone: ") +
           namesOf(only_in_file);
   if (spoilt_by_writing && *spoilt_by_writing > 0)
-    text += "; writing spoils " + std::to_string(*spoilt_by_writing) + " of them in the unchanged model too";
+    text += "; writing spoils " + std::to_string(*spoilt_by_writing) +
+            " of them in the unchanged model too";
   return text;
 }
 
-JudgedFile writeJudged(const occ::Model& model, const std::filesystem::path& target, occ::WriteOptions how,
-                       const FileJudge& judge, const FileProgress& progress,
+JudgedFile writeJudged(const occ::Model& model, const std::filesystem::path& target,
+                       occ::WriteOptions how, const FileJudge& judge, const FileProgress& progress,
                        const std::function<void(const WrittenModel&)>& accepted) {
   return JudgedWriting(model, target, std::move(how), judge, progress, accepted).run();
 }
@@ -318,7 +329,8 @@ nlohmann::ordered_json toJson(const std::optional<WrittenModel>& written) {
           {"open_edges", written->found.open_edges},
           {"defects", written->found.defects},
           {"only_in_file", std::move(only_in_file)},
-          {"spoilt_by_writing", spoilt ? nlohmann::ordered_json(*spoilt) : nlohmann::ordered_json(nullptr)}};
+          {"spoilt_by_writing",
+           spoilt ? nlohmann::ordered_json(*spoilt) : nlohmann::ordered_json(nullptr)}};
 }
 
 }  // namespace seamwright::report

@@ -42,13 +42,15 @@ struct WrittenModel {
   std::filesystem::path path;
   occ::Format format = occ::Format::Step;
   ModelCounts found;
-  /// Seams that are defects in the file, between faces that have fewer in memory, or smaller ones: of a higher level, or by a tenth. None
-  /// where faces have other numbers. Numbers of the file.
+  /// Seams that are defects in the file, between faces that have fewer in memory, or smaller ones:
+  /// of a higher level, or by a tenth. None where faces have other numbers. Numbers of the file.
   std::vector<occ::SeamResult> only_in_file = {};
-  /// Of those: how many are defects too where the model before the change is written and read. Nothing where that was not looked at.
+  /// Of those: how many are defects too where the model before the change is written and read.
+  /// Nothing where that was not looked at.
   std::optional<int> spoilt_by_writing = {};
-  /// Of those: the seams that the change made worse. Between their faces the model before the change has fewer or smaller defects, in memory and,
-  /// written and read, in its file. None where that was not looked at.
+  /// Of those: the seams that the change made worse. Between their faces the model before the
+  /// change has fewer or smaller defects, in memory and, written and read, in its file. None where
+  /// that was not looked at.
   std::vector<occ::SeamResult> worse = {};
 
   /// It has no more defects and no more open edges.
@@ -56,8 +58,8 @@ struct WrittenModel {
     return found.defects <= memory.defects && found.open_edges <= memory.open_edges;
   }
 
-  /// What the file has otherwise than the model in memory, in one line that begins "read back", and which seams are defects in the file alone;
-  /// empty if nothing.
+  /// What the file has otherwise than the model in memory, in one line that begins "read back", and
+  /// which seams are defects in the file alone; empty if nothing.
   std::string differences(const ModelCounts& memory) const;
 };
 
@@ -81,16 +83,20 @@ struct JudgedFile {
   WrittenModel model;
 };
 
-/// Writes a changed model. The file is read back and judged while it waits beside its place. Readers of STEP join what is nearer than the
-/// accuracy that a file states, which spoils seams between short edges. So where a STEP file has defects that the model in memory has not, one that
+/// Writes a changed model. The file is read back and judged while it waits beside its place.
+/// Readers of STEP join what is nearer than the accuracy that a file states, which spoils seams
+/// between short edges. So where a STEP file has defects that the model in memory has not, one that
 /// states a tenth of the accuracy is tried, and the better one is kept; a note says so.
-/// \param accepted called with what is kept while it waits; what it throws is passed on, and nothing is written then.
-/// \throws occ::ModelError, also where the file can't be read back: it does not take its place then; occ::Cancelled.
-JudgedFile writeJudged(const occ::Model& model, const std::filesystem::path& target, occ::WriteOptions how,
-                       const FileJudge& judge, const FileProgress& progress,
+/// \param accepted called with what is kept while it waits; what it throws is passed on, and
+/// nothing is written then.
+/// \throws occ::ModelError, also where the file can't be read back: it does not take its place
+/// then; occ::Cancelled.
+JudgedFile writeJudged(const occ::Model& model, const std::filesystem::path& target,
+                       occ::WriteOptions how, const FileJudge& judge, const FileProgress& progress,
                        const std::function<void(const WrittenModel&)>& accepted = {});
 
-/// {path, format, edges, faces, open_edges, defects, only_in_file, spoilt_by_writing}; null where nothing was written.
+/// {path, format, edges, faces, open_edges, defects, only_in_file, spoilt_by_writing}; null where
+/// nothing was written.
 nlohmann::ordered_json toJson(const std::optional<WrittenModel>& written);
 
 }  // namespace seamwright::report

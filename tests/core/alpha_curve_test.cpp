@@ -22,7 +22,8 @@ using testing::HasSubstr;
 Eigen::Vector4d byPowers(double a, double t) {
   const double t2 = t * t, t3 = t2 * t, t4 = t3 * t, t5 = t4 * t;
   return {
-      1 - 5 * a * t + 10 * (2 * a - 1) * t2 + 10 * (2 - 3 * a) * t3 + 5 * (4 * a - 3) * t4 + (4 - 5 * a) * t5,
+      1 - 5 * a * t + 10 * (2 * a - 1) * t2 + 10 * (2 - 3 * a) * t3 + 5 * (4 * a - 3) * t4 +
+          (4 - 5 * a) * t5,
       5 * a * t + 5 * (1 - 4 * a) * t2 + 10 * (3 * a - 1) * t3 + 5 * (1 - 4 * a) * t4 + 5 * a * t5,
       5 * t2 - 10 * t3 + 5 * (1 + a) * t4 - 5 * a * t5, 5 * (1 - a) * t4 + (5 * a - 4) * t5};
 }
@@ -84,7 +85,8 @@ TEST(AlphaCurve, Identity2TheQuintic) {
       EXPECT_LE((quintic.point(k / 10.0) - direct(curve, k / 10.0)).norm(), 1e-13);
     AlphaCurve back = curve;
     back.poles = curve.poles.colwise().reverse().eval();
-    EXPECT_LE((alphaCurveBezier(back).poles() - quintic.reversed().poles()).cwiseAbs().maxCoeff(), 1e-15);
+    EXPECT_LE((alphaCurveBezier(back).poles() - quintic.reversed().poles()).cwiseAbs().maxCoeff(),
+              1e-15);
   }
 }
 
@@ -106,7 +108,8 @@ TEST(AlphaCurve, CurvesAndSurfacesOfTheDataFile) {
       for (const auto& [name, end] : {std::pair{"d0", 0.0}, std::pair{"d1", 1.0}})
         for (int k = 1; k <= 3; ++k) {
           const Vec derivative = quintic.derivatives(end, 3).row(k).transpose();
-          EXPECT_LE((derivative - test::vector(out[name][k - 1])).norm(), 1e-12 * scale) << name << k;
+          EXPECT_LE((derivative - test::vector(out[name][k - 1])).norm(), 1e-12 * scale)
+              << name << k;
         }
       // The curve is linear in its shape.
       AlphaCurve low = curve, high = curve;
@@ -117,13 +120,15 @@ TEST(AlphaCurve, CurvesAndSurfacesOfTheDataFile) {
     } else {
       ++surfaces;
       AlphaSurface surface;
-      for (int i = 0; i < 16; ++i) surface.poles.row(i) = test::vector(in["P"][i / 4][i % 4]).transpose();
+      for (int i = 0; i < 16; ++i)
+        surface.poles.row(i) = test::vector(in["P"][i / 4][i % 4]).transpose();
       surface.a_u = in["alpha_u"];
       surface.a_v = in["alpha_v"];
       const BezierPatch patch = alphaSurfacePatch(surface);
       const Poles poles = patch.poles();
       for (int i = 0; i < 36; ++i)
-        EXPECT_LE((poles.row(i).transpose() - test::vector(out["biquintic"][i / 6][i % 6])).norm(), 1e-14);
+        EXPECT_LE((poles.row(i).transpose() - test::vector(out["biquintic"][i / 6][i % 6])).norm(),
+                  1e-14);
       EXPECT_LE((patch.point(in["u"], in["v"]) - test::vector(out["value"])).norm(), 1e-14);
     }
   }
@@ -142,7 +147,8 @@ TEST(AlphaCurve, Identity3NoPlaneMeetsItMoreOftenThanThePolygon) {
   std::mt19937_64 random(303);
   int outside = 0, most = 0;
   for (int i = 0; i < 5000; ++i) {
-    const Eigen::Vector4d heights = Eigen::Vector4d::NullaryExpr([&] { return uniform(-1, 1, random); });
+    const Eigen::Vector4d heights =
+        Eigen::Vector4d::NullaryExpr([&] { return uniform(-1, 1, random); });
     const int polygon = test::signChanges(heights);
     const int curve = meetings(heights, uniform(0, 1, random));
     EXPECT_LE(curve, polygon);
@@ -158,18 +164,20 @@ TEST(AlphaCurve, ItIsCloserToThePolygonTheLargerTheShape) {
   for (int i = 0; i < 500; ++i) {
     // A convex arch: the area below it grows with the shape, up to that below the polygon.
     AlphaCurve curve;
-    curve.poles << 0, 0, 0, uniform(-0.5, 0.8, random), uniform(0.5, 2, random), 0, uniform(1.2, 2.5, random),
-        uniform(0.5, 2, random), 0, 2, 0, 0;
+    curve.poles << 0, 0, 0, uniform(-0.5, 0.8, random), uniform(0.5, 2, random), 0,
+        uniform(1.2, 2.5, random), uniform(0.5, 2, random), 0, 2, 0, 0;
     const auto area = [](const Poles& x) {
       double twice = 0;
-      for (Eigen::Index k = 0; k + 1 < x.rows(); ++k) twice += x(k + 1, 0) * x(k, 1) - x(k, 0) * x(k + 1, 1);
+      for (Eigen::Index k = 0; k + 1 < x.rows(); ++k)
+        twice += x(k + 1, 0) * x(k, 1) - x(k, 0) * x(k + 1, 1);
       return twice / 2;
     };
     double before = 0;
     for (const double a : {0.0, 0.25, 0.5, 0.75, 1.0}) {
       curve.a = a;
       Poles points(201, 3);
-      for (int k = 0; k <= 200; ++k) points.row(k) = alphaCurveBezier(curve).point(k / 200.0).transpose();
+      for (int k = 0; k <= 200; ++k)
+        points.row(k) = alphaCurveBezier(curve).point(k / 200.0).transpose();
       EXPECT_GT(area(points), before);
       before = area(points);
     }
@@ -229,8 +237,8 @@ TEST(AlphaCurve, JoinsOfTheDataFile) {
     const CurveDerivatives x = test::byCommon(alphaCurveBezier(given), 1, join.length, 3),
                            y = test::byCommon(alphaCurveBezier(after), 0, join.next_length, 3);
     if (kind == "C2") {
-      const Vec left =
-          y.row(3) - x.row(3) - out["w31"].get<double>() * x.row(1) - out["w32"].get<double>() * x.row(2);
+      const Vec left = y.row(3) - x.row(3) - out["w31"].get<double>() * x.row(1) -
+                       out["w32"].get<double>() * x.row(2);
       EXPECT_LE(left.norm(), 1e-11 * (1 + y.row(3).norm() + x.row(3).norm()));
     }
     if (kind == "G3") {
@@ -293,14 +301,16 @@ TEST(AlphaCurve, Identity5CurvatureAndTorsionAreContinuousAndG3IsNotReached) {
     for (const auto& [curve, t] : {std::pair{&a, 1.0}, std::pair{&b, 0.0}}) {
       const CurveDerivatives d = curve->derivatives(t, 3);
       const Vec d1 = d.row(1), d2 = d.row(2), d3 = d.row(3);
-      EXPECT_LE(std::abs(d1.cross(d2).dot(d3)), 1e-12 * d1.norm() * d2.norm() * d3.norm()) << "no torsion";
+      EXPECT_LE(std::abs(d1.cross(d2).dot(d3)), 1e-12 * d1.norm() * d2.norm() * d3.norm())
+          << "no torsion";
     }
     const double h = join.length, k = join.next_length, b1 = join.beta1;
     const double excess = std::abs(3 * b1 * join.beta2 + 6 * b1 * b1 * (b1 / h + 1 / k));
     const double jump = excess * kappa / (b1 * b1 * b1 * speed);
     const CurveJoint joint = measureJoint(a, b, 3);
     EXPECT_NEAR(joint.differences[2], 0, 1e-10 * (1 + kappa));
-    EXPECT_NEAR(joint.differences[3], jump, 1e-8 * (1 + joint.sizes[3])) << "jump of the change of curvature";
+    EXPECT_NEAR(joint.differences[3], jump, 1e-8 * (1 + joint.sizes[3]))
+        << "jump of the change of curvature";
     EXPECT_GT(jump, 0) << "C8.5: G2 is not G3 by itself";
     join.beta2 = test::thirdOrderBetas(b1, h, k)(1);
     const CurveJoint third = measureJoint(a, alphaCurveBezier(next(given, join, random)), 3);
@@ -324,12 +334,14 @@ TEST(AlphaCurve, JoinsFollowAffineMapsAndScales) {
     const AlphaCurve given = test::randomAlphaCurve(random);
     const AlphaCurveJoin join = randomJoin(1 + i % 3, random);
     const double scale = test::logUniform(random, -6, 6);
-    const Eigen::Matrix3d map = scale * (Eigen::Matrix3d::Identity() + 0.3 * test::randomRotation(random));
+    const Eigen::Matrix3d map =
+        scale * (Eigen::Matrix3d::Identity() + 0.3 * test::randomRotation(random));
     AlphaCurve mapped = given;
     mapped.poles = given.poles * map.transpose();
     const Poles expected = alphaJoinPoles(given, join) * map.transpose(),
                 poles = alphaJoinPoles(mapped, join);
-    EXPECT_LE((poles - expected).cwiseAbs().maxCoeff(), 1e-13 * (scale + expected.cwiseAbs().maxCoeff()));
+    EXPECT_LE((poles - expected).cwiseAbs().maxCoeff(),
+              1e-13 * (scale + expected.cwiseAbs().maxCoeff()));
     // The common parameter has no unit of its own.
     AlphaCurveJoin slower = join;
     slower.length *= 8;
@@ -365,8 +377,10 @@ TEST(AlphaCurve, EnergiesOfTheDataFile) {
     const AlphaCurve curve = polygonOf(entry["in"]["P"], 1);
     for (int k = 1; k <= 3; ++k) {
       const json& out = entry["out"][std::to_string(k)];
-      const AlphaOptimum optimum = energyOptimalAlpha(curve.poles, static_cast<AlphaEnergy>(k), 0, 1);
-      EXPECT_NEAR(optimum.free_a, out["alpha_raw"].get<double>(), 1e-12 * (1 + std::abs(optimum.free_a)));
+      const AlphaOptimum optimum =
+          energyOptimalAlpha(curve.poles, static_cast<AlphaEnergy>(k), 0, 1);
+      EXPECT_NEAR(optimum.free_a, out["alpha_raw"].get<double>(),
+                  1e-12 * (1 + std::abs(optimum.free_a)));
       EXPECT_NEAR(optimum.a, out["alpha"].get<double>(), 1e-12);
       EXPECT_NEAR(optimum.energy, out["E"].get<double>(), 1e-12 * optimum.energy);
       EXPECT_FALSE(optimum.any);
@@ -468,8 +482,9 @@ TEST(AlphaCurve, Refusals) {
   EXPECT_THAT(with([&](auto& c, auto&) { c.poles(2, 1) = nan; }), HasSubstr("pole 2 is ("));
   EXPECT_THAT(with([](auto& c, auto&) { c.poles.row(2) = c.poles.row(3).eval(); }),
               HasSubstr("poles 2 and 3 are the same"));
-  for (const AlphaCurveJoin& far : {AlphaCurveJoin{2, 1e200}, AlphaCurveJoin{1, 1, 0, 1e-10, 1e308},
-                                    AlphaCurveJoin{3, 1, 0, 1e-300}, AlphaCurveJoin{2, 1, 1e308, 1, 1e10}})
+  for (const AlphaCurveJoin& far :
+       {AlphaCurveJoin{2, 1e200}, AlphaCurveJoin{1, 1, 0, 1e-10, 1e308},
+        AlphaCurveJoin{3, 1, 0, 1e-300}, AlphaCurveJoin{2, 1, 1e308, 1, 1e10}})
     EXPECT_THAT(test::complaint([&] { alphaJoinPoles(given, far); }),
                 HasSubstr("of the next one comes out as ("))
         << far.beta1;
@@ -483,7 +498,8 @@ TEST(AlphaCurve, Refusals) {
   EXPECT_THAT(test::complaint([&] { alphaBasis(2, 0.5); }), HasSubstr("a is 2"));
   EXPECT_THAT(test::complaint([&] { alphaBasis(0.5, nan); }), HasSubstr("t is nan"));
   const auto energy = [&](double low, double high) {
-    return test::complaint([&] { energyOptimalAlpha(given.poles, AlphaEnergy::Length, low, high); });
+    return test::complaint(
+        [&] { energyOptimalAlpha(given.poles, AlphaEnergy::Length, low, high); });
   };
   EXPECT_THAT(energy(-0.1, 1), HasSubstr("a_min is -0.1"));
   EXPECT_THAT(energy(0.5, 0.4), HasSubstr("a_max is 0.4"));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Which alpha-surfaces can join: against linear algebra of the basis itself, jets of the patches, and the data of 60 digits.
+// Which alpha-surfaces can join: against linear algebra of the basis itself, jets of the patches,
+// and the data of 60 digits.
 #include <gmock/gmock.h>
 
 #include <Eigen/LU>
@@ -84,7 +85,8 @@ TEST(AlphaJoinCondition, Identity2AllowedIsBuiltForbiddenRefused) {
   }
 }
 
-/// The family by brute force: unknown alpha, beta(0), beta(1) and the row of Y_u, equations at nine parameters.
+/// The family by brute force: unknown alpha, beta(0), beta(1) and the row of Y_u, equations at nine
+/// parameters.
 Eigen::Index bruteDimension(const AlphaSurface& given, double next_a_v) {
   const BezierPatch patch = alphaSurfacePatch(given);
   Eigen::Matrix<double, 27, 15> equations = Eigen::Matrix<double, 27, 15>::Zero();
@@ -95,7 +97,8 @@ Eigen::Index bruteDimension(const AlphaSurface& given, double next_a_v) {
     equations.block<3, 1>(3 * k, 1) = (1 - v) * jet.v;
     equations.block<3, 1>(3 * k, 2) = v * jet.v;
     for (int j = 0; j < 4; ++j)
-      equations.block<3, 3>(3 * k, 3 + 3 * j) = -alphaBasis(next_a_v, v)(j) * Eigen::Matrix3d::Identity();
+      equations.block<3, 3>(3 * k, 3 + 3 * j) =
+          -alphaBasis(next_a_v, v)(j) * Eigen::Matrix3d::Identity();
   }
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(equations);
   qr.setThreshold(1e-10);
@@ -133,7 +136,8 @@ AlphaSurface withEdge(double a, const Vec& x0, const Vec& x1, const Vec& x2, con
   return surface;
 }
 
-/// The three curved boundaries along which an edge of shape a lets the derivative slide; of X_v's coefficients A, B, 0, C, D.
+/// The three curved boundaries along which an edge of shape a lets the derivative slide; of X_v's
+/// coefficients A, B, 0, C, D.
 AlphaSurface curvedEdge(int kind, std::mt19937_64& random) {
   const Vec A = Vec(0, 1, 0) + 0.3 * test::randomVector(random),
             D = Vec(0, 1, 0) + 0.3 * test::randomVector(random);
@@ -162,12 +166,14 @@ TEST(AlphaJoinCondition, Identity4CurvedBoundariesThatSlide) {
     EXPECT_EQ(alphaSeamCondition(moved, given.a_v).first_rows.cols(), 1);
     AlphaSurface other = given;
     other.a_v = given.a_v - 0.05;
-    EXPECT_EQ(alphaSeamCondition(other, other.a_v).first_rows.cols(), 1) << "each belongs to one shape";
+    EXPECT_EQ(alphaSeamCondition(other, other.a_v).first_rows.cols(), 1)
+        << "each belongs to one shape";
   }
 }
 
-/// What A, B, C, D of an edge of shape a fulfil, coordinate by coordinate, that slides with beta(0), beta(1): equations (i) and (ii)
-/// of beta X_v, and that q_2 = q_3 of the edge itself is the middle of its inner poles. If its rank is 3 all four are parallel.
+/// What A, B, C, D of an edge of shape a fulfil, coordinate by coordinate, that slides with
+/// beta(0), beta(1): equations (i) and (ii) of beta X_v, and that q_2 = q_3 of the edge itself is
+/// the middle of its inner poles. If its rank is 3 all four are parallel.
 double thirdSingularValue(double a, double beta0, double beta1) {
   Eigen::Matrix<double, 3, 4> equations;
   equations << 0, beta1, -beta0, 0,  //
@@ -182,7 +188,8 @@ TEST(AlphaJoinCondition, NoOtherCurvedBoundarySlides) {
   const double right = std::acos(0.0);
   const std::array<std::pair<double, double>, 4> known = {
       {{2.0 / 3, 1.5 * right}, {0.8, 0}, {0.8, right}, {1, 0.5 * right}}};
-  for (const auto& [a, turn] : known) EXPECT_LE(thirdSingularValue(a, std::cos(turn), std::sin(turn)), 1e-15);
+  for (const auto& [a, turn] : known)
+    EXPECT_LE(thirdSingularValue(a, std::cos(turn), std::sin(turn)), 1e-15);
   for (int i = 1; i <= 200; ++i)
     for (int k = 0; k < 400; ++k) {
       const double a = i / 200.0, turn = 2 * right * k / 400;
@@ -190,7 +197,8 @@ TEST(AlphaJoinCondition, NoOtherCurvedBoundarySlides) {
       for (const auto& [shape, angle] : known)
         for (const double around : {-2 * right, 0.0, 2 * right})
           nearest = std::min(nearest, std::hypot(a - shape, turn - angle - around));
-      EXPECT_GT(thirdSingularValue(a, std::cos(turn), std::sin(turn)), nearest < 0.2 ? 0.05 * nearest : 0.01)
+      EXPECT_GT(thirdSingularValue(a, std::cos(turn), std::sin(turn)),
+                nearest < 0.2 ? 0.05 * nearest : 0.01)
           << a << " " << turn;
     }
 }
@@ -201,8 +209,9 @@ TEST(AlphaJoinCondition, StraightBoundariesSlide) {
   for (int i = 0; i < 100; ++i) {
     const Vec along = test::randomVector(random), x0 = test::randomVector(random);
     // The straight edge x0 + f(v) along, f of the shape: B and C are parallel to each other.
-    const AlphaSurface given = withEdge(uniform(0.3, 1, random), x0, x0 + uniform(0.2, 0.4, random) * along,
-                                        x0 + uniform(0.6, 0.8, random) * along, x0 + along, random);
+    const AlphaSurface given =
+        withEdge(uniform(0.3, 1, random), x0, x0 + uniform(0.2, 0.4, random) * along,
+                 x0 + uniform(0.6, 0.8, random) * along, x0 + along, random);
     const AlphaSeamCondition condition = alphaSeamCondition(given, given.a_v);
     EXPECT_GE(condition.first_rows.cols(), 1);
     EXPECT_EQ(condition.first_rows.cols(), bruteDimension(given, given.a_v));
@@ -216,7 +225,8 @@ TEST(AlphaJoinCondition, Identity5SlidingRowsHoldTheEquation) {
   for (int i = 0; i < 150; ++i) {
     const AlphaSurface given = curvedEdge(i % 3, random);
     const AlphaSeamCondition condition = alphaSeamCondition(given, given.a_v);
-    Vec functions = condition.first_rows * Eigen::Vector2d(uniform(-1, 1, random), uniform(-1, 1, random));
+    Vec functions =
+        condition.first_rows * Eigen::Vector2d(uniform(-1, 1, random), uniform(-1, 1, random));
     if (functions(0) < 0) functions *= -1;
     AlphaSurface next = randomSurface(random);
     next.a_v = given.a_v;
@@ -239,7 +249,8 @@ TEST(AlphaJoinCondition, Identity5SlidingRowsHoldTheEquation) {
       EXPECT_EQ(alphaSeamFit(given, next).geometric_order, 0) << "it slides";
     }
     EXPECT_THAT(test::complaint([&] {
-                  alphaSlidingRows(given, 1, given.a_v, functions(0), functions(1) + 0.5, functions(2) + 0.3);
+                  alphaSlidingRows(given, 1, given.a_v, functions(0), functions(1) + 0.5,
+                                   functions(2) + 0.3);
                 }),
                 HasSubstr("is not the derivative of an alpha-surface"));
   }
@@ -249,7 +260,9 @@ TEST(AlphaJoinCondition, Identity5SlidingRowsHoldTheEquation) {
   AlphaJoin join;
   join.next_a_v = 0.77;
   join.beta1 = 1.3;
-  EXPECT_LE((alphaSlidingRows(given, 1, 0.77, 1.3, 0, 0) - alphaJoinRows(given, join)).cwiseAbs().maxCoeff(),
+  EXPECT_LE((alphaSlidingRows(given, 1, 0.77, 1.3, 0, 0) - alphaJoinRows(given, join))
+                .cwiseAbs()
+                .maxCoeff(),
             1e-13);
 }
 
@@ -267,8 +280,10 @@ TEST(AlphaJoinCondition, Identity6NearestBalancedRows) {
       AlphaSurface other = randomSurface(random);
       balance(other, order);
       AlphaSurface::Net difference = AlphaSurface::Net::Zero();
-      difference.bottomRows(4 * (order + 1)) = (other.poles - near.poles).bottomRows(4 * (order + 1));
-      EXPECT_NEAR(move.cwiseProduct(difference).sum(), 0, 1e-12 * (1 + move.norm() * difference.norm()));
+      difference.bottomRows(4 * (order + 1)) =
+          (other.poles - near.poles).bottomRows(4 * (order + 1));
+      EXPECT_NEAR(move.cwiseProduct(difference).sum(), 0,
+                  1e-12 * (1 + move.norm() * difference.norm()));
     }
   }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Joins of alpha-surfaces that are fitted, and the nearest ones: against what was built, neighbours and the data of 60 digits.
+// Joins of alpha-surfaces that are fitted, and the nearest ones: against what was built, neighbours
+// and the data of 60 digits.
 #include <gmock/gmock.h>
 
 #include <array>
@@ -69,9 +70,11 @@ TEST(AlphaJoinCondition, JoinsOfTheDataFile) {
     const json &in = entry["in"], &expected = entry["out"]["Q"];
     const std::string kind = in["kind"];
     AlphaSurface given, next;
-    for (int k = 0; k < 16; ++k) given.poles.row(k) = test::vector(in["P"][k / 4][k % 4]).transpose();
+    for (int k = 0; k < 16; ++k)
+      given.poles.row(k) = test::vector(in["P"][k / 4][k % 4]).transpose();
     for (std::size_t k = 0; k < 4 * expected.size(); ++k)
-      next.poles.row(static_cast<Eigen::Index>(k)) = test::vector(expected[k / 4][k % 4]).transpose();
+      next.poles.row(static_cast<Eigen::Index>(k)) =
+          test::vector(expected[k / 4][k % 4]).transpose();
     given.a_u = in["au1"];
     given.a_v = in["av1"];
     next.a_u = in["au2"];
@@ -84,7 +87,8 @@ TEST(AlphaJoinCondition, JoinsOfTheDataFile) {
     AlphaNearestOptions options{order, false, in["h1"], in["h2"]};
     const auto near = alphaNearestJoin(given, next, options);
     ASSERT_TRUE(near.has_value());
-    EXPECT_LE(std::sqrt(near->cost_next), 1e-9 * (1 + next.poles.cwiseAbs().maxCoeff())) << "nothing moves";
+    EXPECT_LE(std::sqrt(near->cost_next), 1e-9 * (1 + next.poles.cwiseAbs().maxCoeff()))
+        << "nothing moves";
     EXPECT_EQ(near->cost_given, 0);
     special += kind == "special";
     ++count;
@@ -94,8 +98,8 @@ TEST(AlphaJoinCondition, JoinsOfTheDataFile) {
 }
 
 /// The cost of a join with these betas.
-double costOf(const AlphaSurface& given, const AlphaSurface& next, const AlphaNearestOptions& o, double beta1,
-              double beta2) {
+double costOf(const AlphaSurface& given, const AlphaSurface& next, const AlphaNearestOptions& o,
+              double beta1, double beta2) {
   const Poles rows =
       alphaJoinRows(given, {o.order, beta1, beta2, o.length, o.next_length, next.a_u, next.a_v});
   return (rows - next.poles.topRows(rows.rows())).squaredNorm();
@@ -121,8 +125,9 @@ TEST(AlphaJoinCondition, Identity8NothingIsNearer) {
       }
       continue;
     }
-    EXPECT_EQ(alphaSeamFit(near->given, near->next, options.length, options.next_length).geometric_order,
-              options.order);
+    EXPECT_EQ(
+        alphaSeamFit(near->given, near->next, options.length, options.next_length).geometric_order,
+        options.order);
     EXPECT_EQ(near->cost_given == 0, next.a_v == given.a_v);
     const double least = costOf(near->given, next, options, near->beta1, near->beta2);
     EXPECT_NEAR(near->cost_next, least, 1e-9 * (1 + least));
@@ -134,15 +139,16 @@ TEST(AlphaJoinCondition, Identity8NothingIsNearer) {
     }
     options.parametric = true;
     const auto plain = alphaNearestJoin(given, next, options);
-    EXPECT_EQ(alphaSeamFit(plain->given, plain->next, options.length, options.next_length).parametric_order,
+    EXPECT_EQ(alphaSeamFit(plain->given, plain->next, options.length, options.next_length)
+                  .parametric_order,
               options.order);
     EXPECT_GE(plain->cost_next, near->cost_next * (1 - 1e-12));
     options.order = 0;
     const auto edge = alphaNearestJoin(given, next, options);
     EXPECT_LE(alphaSeamFit(edge->given, edge->next).gap_mm, 1e-13 * 20);
     EXPECT_LE(edge->cost_next, plain->cost_next);
-    const auto again = alphaNearestJoin(near->given, near->next,
-                                        {options.order = 1, false, options.length, options.next_length});
+    const auto again = alphaNearestJoin(
+        near->given, near->next, {options.order = 1, false, options.length, options.next_length});
     EXPECT_EQ(again->cost_given, 0);
     EXPECT_LE(again->cost_next, 1e-22 * next.poles.squaredNorm()) << "what joins stays";
   }
@@ -154,7 +160,8 @@ double costOf(const AlphaSurface& given, const AlphaSurface& next, const AlphaNe
               double beta1) {
   if (o.order == 1) return costOf(given, next, o, beta1, 0);
   const double unit = (1 + beta1 * beta1) / o.next_length;
-  const double left = costOf(given, next, o, beta1, -unit), middle = costOf(given, next, o, beta1, 0),
+  const double left = costOf(given, next, o, beta1, -unit),
+               middle = costOf(given, next, o, beta1, 0),
                right = costOf(given, next, o, beta1, unit);
   const double bend = left - 2 * middle + right, slope = (right - left) / 2;
   return middle - slope * slope / (2 * bend);
@@ -182,10 +189,12 @@ TEST(AlphaJoinCondition, Identity8NorNextToBetaZero) {
     next.poles.col(0).array() += uniform(0, 9, random);
     if (i % 6 == 1) {
       std::tie(given, next) = withLocalMinimum();
-      for (int k = 0; k < 16; ++k) next.poles.row(k) += 0.1 * test::randomVector(random).transpose();
+      for (int k = 0; k < 16; ++k)
+        next.poles.row(k) += 0.1 * test::randomVector(random).transpose();
     }
     next.a_v = given.a_v;
-    const AlphaNearestOptions options{1 + i % 2, false, uniform(0.5, 2, random), uniform(0.5, 2, random)};
+    const AlphaNearestOptions options{1 + i % 2, false, uniform(0.5, 2, random),
+                                      uniform(0.5, 2, random)};
     const double limit = costOf(given, next, options, 1e-9);
     double least = limit;
     bool dips = false;
@@ -213,7 +222,8 @@ TEST(AlphaJoinCondition, Identity8NorNextToBetaZero) {
 TEST(AlphaJoinCondition, ALocalMinimumIsNotTheNearest) {
   const auto [given, next] = withLocalMinimum();
   const AlphaNearestOptions options{2};
-  EXPECT_LT(costOf(given, next, options, 0.32), costOf(given, next, options, 0.2)) << "one is there";
+  EXPECT_LT(costOf(given, next, options, 0.32), costOf(given, next, options, 0.2))
+      << "one is there";
   EXPECT_LT(costOf(given, next, options, 0.32), costOf(given, next, options, 0.4));
   EXPECT_LT(costOf(given, next, options, 1e-6), costOf(given, next, options, 0.32));
   EXPECT_FALSE(alphaNearestJoin(given, next, options).has_value());
@@ -234,7 +244,8 @@ TEST(AlphaJoinCondition, SizesAndLengthsBeyondSquares) {
       far_next.poles *= std::ldexp(1.0, exponent);
       const auto far = alphaNearestJoin(far_given, far_next, options);
       ASSERT_EQ(far.has_value(), plain.has_value()) << i;
-      EXPECT_EQ(alphaSeamCondition(far_given, next.a_v).order, alphaSeamCondition(given, next.a_v).order);
+      EXPECT_EQ(alphaSeamCondition(far_given, next.a_v).order,
+                alphaSeamCondition(given, next.a_v).order);
       EXPECT_EQ(alphaSeamFit(far_given, far_next).first, fit.first);
       EXPECT_EQ(alphaSeamFit(far_given, far_next).beta2, fit.beta2);
       if (!far) continue;
@@ -309,7 +320,8 @@ TEST(AlphaJoinCondition, MotionsScalesAndReversal) {
     }
     const AlphaNearestOptions options{2};
     const auto plain = alphaNearestJoin(given, next, options);
-    for (const auto& [a, b, unit] : {std::tuple{&given2, &next2, scale}, std::tuple{&given3, &next3, 1.0}}) {
+    for (const auto& [a, b, unit] :
+         {std::tuple{&given2, &next2, scale}, std::tuple{&given3, &next3, 1.0}}) {
       const auto other = alphaNearestJoin(*a, *b, options);
       ASSERT_EQ(other.has_value(), plain.has_value());
       if (!other) continue;
@@ -319,7 +331,8 @@ TEST(AlphaJoinCondition, MotionsScalesAndReversal) {
                   1e-9 * unit * unit * (1 + plain->cost_next));
       const auto defects = alphaSeamCondition(*a, next.a_v).defects_mm;
       for (std::size_t k = 0; k < 3; ++k)
-        EXPECT_NEAR(defects[k], unit * alphaSeamCondition(given, next.a_v).defects_mm[k], 1e-12 * unit);
+        EXPECT_NEAR(defects[k], unit * alphaSeamCondition(given, next.a_v).defects_mm[k],
+                    1e-12 * unit);
     }
   }
 }
@@ -335,10 +348,12 @@ TEST(AlphaJoinCondition, Refusals) {
   EXPECT_EQ(with([](auto&) {}), "nothing was refused");
   EXPECT_THAT(with([](auto& s) { s.a_u = 0; }), HasSubstr("a_u is 0"));
   EXPECT_THAT(with([](auto& s) { s.a_v = 2; }), HasSubstr("a_v is 2"));
-  EXPECT_THAT(with([](auto& s) { s.poles(6, 0) = std::nan(""); }), HasSubstr("pole 1, 2 is not finite"));
-  EXPECT_THAT(
-      with([](auto& s) { s.poles.template middleRows<4>(8) = s.poles.template bottomRows<4>().eval(); }),
-      HasSubstr("rows 2 and 3 are the same"));
+  EXPECT_THAT(with([](auto& s) { s.poles(6, 0) = std::nan(""); }),
+              HasSubstr("pole 1, 2 is not finite"));
+  EXPECT_THAT(with([](auto& s) {
+                s.poles.template middleRows<4>(8) = s.poles.template bottomRows<4>().eval();
+              }),
+              HasSubstr("rows 2 and 3 are the same"));
   EXPECT_THAT(with([](auto& s) { s.poles.template bottomRows<4>().setOnes(); }),
               HasSubstr("row 3 is one point"));
   EXPECT_THAT(test::complaint([&] { alphaSeamCondition(given, 0); }), HasSubstr("next_a_v is 0"));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Chains of alpha-curves: the equations of their joints, de Boor's polygon, and what moving a pole does.
+// Chains of alpha-curves: the equations of their joints, de Boor's polygon, and what moving a pole
+// does.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -89,7 +90,8 @@ TEST(AlphaSpline, Identity2AffineMaps) {
   for (int i = 0; i < 300; ++i) {
     const Case made = randomCase(1 + i % 3, i % 2 == 0, false, random);
     const double scale = test::logUniform(random, -5, 5);
-    const Eigen::Matrix3d map = scale * (test::randomRotation(random) + 0.4 * Eigen::Matrix3d::Ones());
+    const Eigen::Matrix3d map =
+        scale * (test::randomRotation(random) + 0.4 * Eigen::Matrix3d::Ones());
     const Eigen::RowVector3d shift = scale * test::randomVector(random).transpose();
     const AlphaSpline plain = alphaSpline(made.polygon, made.shape);
     const AlphaSpline mapped =
@@ -152,8 +154,9 @@ TEST(AlphaSpline, Identity5NoPlaneMeetsItMoreOftenThanThePolygon) {
     const BezierSpline bezier = bezierSpline(alphaSpline(made.polygon, made.shape));
     Poles points(60 * bezier.segments(), 3);
     for (Eigen::Index k = 0; k < points.rows(); ++k)
-      points.row(k) =
-          segment(bezier, static_cast<int>(k / 60)).point(static_cast<double>(k % 60) / 59).transpose();
+      points.row(k) = segment(bezier, static_cast<int>(k / 60))
+                          .point(static_cast<double>(k % 60) / 59)
+                          .transpose();
     const int meets = test::signChanges(heights(points));
     EXPECT_LE(meets, test::signChanges(heights(made.polygon)));
     most = std::max(most, meets);
@@ -172,8 +175,8 @@ TEST(AlphaSpline, ShapeOneIsClosestToThePolygon) {
     const BezierSpline spline = bezierSpline(alphaSpline(polygon, shape));
     double furthest = 1;
     for (int k = 0; k <= 400; ++k)
-      furthest =
-          std::min(furthest, (derivatives(spline, 1 + 3 * k / 400.0, 0).row(0) - polygon.row(4)).norm());
+      furthest = std::min(
+          furthest, (derivatives(spline, 1 + 3 * k / 400.0, 0).row(0) - polygon.row(4)).norm());
     EXPECT_LT(furthest, before) << a;
     before = furthest;
   }
@@ -197,7 +200,8 @@ TEST(AlphaSpline, Identity6AChainOfItsLinks) {
       link.free_poles = spline.segments[s].poles.bottomRows(order == 1 ? 2 : 1);
       links.push_back(link);
     }
-    const AlphaSpline chain = alphaChain(spline.segments.front(), made.shape.lengths.front(), links);
+    const AlphaSpline chain =
+        alphaChain(spline.segments.front(), made.shape.lengths.front(), links);
     EXPECT_EQ(chain.knots, spline.knots);
     // What rounding puts into a leg goes on along the chain by the factors.
     for (std::size_t s = 0; s < spline.segments.size(); ++s)
@@ -247,12 +251,16 @@ TEST(AlphaSpline, Refusals) {
   EXPECT_EQ(with(2, false, [](Case&) {}), "nothing was refused");
   EXPECT_THAT(with(2, false, [](Case& c) { c.shape.order = 4; }), HasSubstr("order 4"));
   EXPECT_THAT(with(2, false, [](Case& c) { c.shape.a.clear(); }), HasSubstr("a has 0 numbers"));
-  EXPECT_THAT(with(2, true, [](Case& c) { c.shape.a.resize(2); }), HasSubstr("at least 3 are needed"));
+  EXPECT_THAT(with(2, true, [](Case& c) { c.shape.a.resize(2); }),
+              HasSubstr("at least 3 are needed"));
   EXPECT_THAT(with(2, false, [](Case& c) { c.shape.a[3] = 1.5; }), HasSubstr("a[3] is 1.5"));
-  EXPECT_THAT(with(1, true, [](Case& c) { c.shape.lengths[1] = -1; }), HasSubstr("lengths[1] is -1"));
-  EXPECT_THAT(with(2, false, [](Case& c) { c.shape.lengths.pop_back(); }), HasSubstr("lengths has"));
+  EXPECT_THAT(with(1, true, [](Case& c) { c.shape.lengths[1] = -1; }),
+              HasSubstr("lengths[1] is -1"));
+  EXPECT_THAT(with(2, false, [](Case& c) { c.shape.lengths.pop_back(); }),
+              HasSubstr("lengths has"));
   EXPECT_THAT(with(1, false, [](Case& c) { c.shape.beta1[2] = 0; }), HasSubstr("beta1[2] is 0"));
-  EXPECT_THAT(with(2, true, [&](Case& c) { c.shape.beta2[0] = nan; }), HasSubstr("beta2[0] is nan"));
+  EXPECT_THAT(with(2, true, [&](Case& c) { c.shape.beta2[0] = nan; }),
+              HasSubstr("beta2[0] is nan"));
   EXPECT_THAT(with(3, true, [](Case& c) { c.shape.beta2.assign(c.shape.a.size(), 0); }),
               HasSubstr("beta2 is not free"));
   EXPECT_THAT(with(2, false, [&](Case& c) { c.polygon(3, 2) = nan; }), HasSubstr("pole 3 is ("));
@@ -275,7 +283,8 @@ TEST(AlphaSpline, Refusals) {
               HasSubstr("link 0: 1 free poles: 2 are needed"));
   EXPECT_THAT(test::complaint([&] { alphaChain(first, 0, {}); }), HasSubstr("length is 0"));
   link.free_poles = Poles::Constant(2, 3, nan);
-  EXPECT_THAT(test::complaint([&] { alphaChain(first, 1, {link}); }), HasSubstr("link 0: pole 2 is (nan"));
+  EXPECT_THAT(test::complaint([&] { alphaChain(first, 1, {link}); }),
+              HasSubstr("link 0: pole 2 is (nan"));
 }
 
 }  // namespace

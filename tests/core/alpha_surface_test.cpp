@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Alpha-surfaces against their basis, and their joins against rows known to 60 digits and against derivatives.
+// Alpha-surfaces against their basis, and their joins against rows known to 60 digits and against
+// derivatives.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -18,8 +19,10 @@ using testing::HasSubstr;
 
 Eigen::Vector4d basis(double t, double a) {
   const double s = 1 - t;
-  return {std::pow(s, 5) + 5 * (1 - a) * std::pow(s, 4) * t, 5 * a * std::pow(s, 4) * t + 5 * s * s * t * t,
-          5 * s * s * t * t + 5 * a * s * std::pow(t, 4), 5 * (1 - a) * s * std::pow(t, 4) + std::pow(t, 5)};
+  return {std::pow(s, 5) + 5 * (1 - a) * std::pow(s, 4) * t,
+          5 * a * std::pow(s, 4) * t + 5 * s * s * t * t,
+          5 * s * s * t * t + 5 * a * s * std::pow(t, 4),
+          5 * (1 - a) * s * std::pow(t, 4) + std::pow(t, 5)};
 }
 
 /// A net of 10 mm whose rows have X_0 + X_3 = X_1 + X_2 if asked for.
@@ -27,8 +30,8 @@ AlphaSurface randomSurface(bool balanced, std::mt19937_64& random) {
   AlphaSurface surface;
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j)
-      surface.poles.row(4 * i + j) << 3 * i + uniform(-0.5, 0.5, random), 3 * j + uniform(-0.5, 0.5, random),
-          uniform(-1, 1, random);
+      surface.poles.row(4 * i + j) << 3 * i + uniform(-0.5, 0.5, random),
+          3 * j + uniform(-0.5, 0.5, random), uniform(-1, 1, random);
   if (balanced)
     for (int i = 0; i < 4; ++i)
       surface.poles.row(4 * i + 3) =
@@ -84,7 +87,8 @@ TEST(AlphaSurface, RowsOfTheDataFile) {
     const std::string kind = in["kind"];
     AlphaSurface given;
     for (int i = 0; i < 4; ++i)
-      for (int j = 0; j < 4; ++j) given.poles.row(4 * i + j) = test::vector(in["P"][i][j]).transpose();
+      for (int j = 0; j < 4; ++j)
+        given.poles.row(4 * i + j) = test::vector(in["P"][i][j]).transpose();
     given.a_u = in["au1"];
     given.a_v = in["av1"];
     AlphaJoin join;
@@ -100,7 +104,8 @@ TEST(AlphaSurface, RowsOfTheDataFile) {
     ASSERT_EQ(rows.rows(), 4 * static_cast<Eigen::Index>(expected.size())) << entry["name"];
     for (Eigen::Index k = 0; k < rows.rows(); ++k) {
       const Eigen::Vector3d pole = test::vector(expected[k / 4][k % 4]);
-      EXPECT_LE((rows.row(k).transpose() - pole).norm(), 1e-12 * rows.cwiseAbs().maxCoeff()) << entry["name"];
+      EXPECT_LE((rows.row(k).transpose() - pole).norm(), 1e-12 * rows.cwiseAbs().maxCoeff())
+          << entry["name"];
     }
     ++count;
   }
@@ -113,8 +118,10 @@ TEST(AlphaSurface, DerivativesByTheCommonParameter) {
     const int order = run % 3 + 1;
     const bool reshaped = run % 4 == 0;
     const AlphaSurface given = randomSurface(reshaped, random);
-    const AlphaJoin join = randomJoin(order, reshaped ? uniform(0.3, 1, random) : given.a_v, random);
-    const BezierPatch before = alphaSurfacePatch(given), after = alphaSurfacePatch(next(given, join, random));
+    const AlphaJoin join =
+        randomJoin(order, reshaped ? uniform(0.3, 1, random) : given.a_v, random);
+    const BezierPatch before = alphaSurfacePatch(given),
+                      after = alphaSurfacePatch(next(given, join, random));
     const double h = join.length, k = join.next_length, b = join.beta1;
     const double b2 = order == 3 ? -2 * b * (b / h + 1 / k) : join.beta2,
                  b3 = 12 * b * b / h * (b / h + 1 / k);
@@ -131,8 +138,9 @@ TEST(AlphaSurface, DerivativesByTheCommonParameter) {
         EXPECT_LE((y.uuu / (k * k * k) - third).norm(), 1e-8);
       }
     }
-    const JoinCondition condition = joinCondition(ribbon(before, PatchEdge::U1, false, Across::OutOf),
-                                                  ribbon(after, PatchEdge::U0, false, Across::Into));
+    const JoinCondition condition =
+        joinCondition(ribbon(before, PatchEdge::U1, false, Across::OutOf),
+                      ribbon(after, PatchEdge::U0, false, Across::Into));
     EXPECT_EQ(condition.verdict, JoinVerdict::G1);
     EXPECT_EQ(condition.g2(), order >= 2);
   }
@@ -145,11 +153,11 @@ TEST(AlphaSurface, OnesAndZerosContinueParametrically) {
   join.order = 2;
   join.next_a_v = given.a_v;
   join.next_a_u = 0.5;
-  EXPECT_EQ(
-      joinCondition(ribbon(alphaSurfacePatch(given), PatchEdge::U1, false, Across::OutOf),
-                    ribbon(alphaSurfacePatch(next(given, join, random)), PatchEdge::U0, false, Across::Into))
-          .parametric_order,
-      2);
+  EXPECT_EQ(joinCondition(ribbon(alphaSurfacePatch(given), PatchEdge::U1, false, Across::OutOf),
+                          ribbon(alphaSurfacePatch(next(given, join, random)), PatchEdge::U0, false,
+                                 Across::Into))
+                .parametric_order,
+            2);
 }
 
 std::string refusal(const AlphaSurface& given, const AlphaJoin& join) {

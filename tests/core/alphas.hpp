@@ -24,7 +24,8 @@ inline std::vector<nlohmann::json> casesOf(const std::string& name) {
 
 inline AlphaCurve randomAlphaCurve(std::mt19937_64& random, double size = 1) {
   AlphaCurve curve;
-  for (int i = 0; i < 4; ++i) curve.poles.row(i) = size * (randomVector(random) + Vec(i, 0, 0)).transpose();
+  for (int i = 0; i < 4; ++i)
+    curve.poles.row(i) = size * (randomVector(random) + Vec(i, 0, 0)).transpose();
   curve.a = uniform(0.1, 1, random);
   return curve;
 }
@@ -36,8 +37,8 @@ inline CurveDerivatives byCommon(const BezierCurve& curve, double t, double leng
   return x;
 }
 
-/// What the equations of G^order leave, by the largest term of each: R' = b1 R', R'' = b1^2 R'' + b2 R' and
-/// R''' = b1^3 R''' + 3 b1 b2 R'' + b3 R'.
+/// What the equations of G^order leave, by the largest term of each: R' = b1 R', R'' = b1^2 R'' +
+/// b2 R' and R''' = b1^3 R''' + 3 b1 b2 R'' + b3 R'.
 inline double misfit(const CurveDerivatives& x, const CurveDerivatives& y, const Vec& b) {
   double worst = (y.row(0) - x.row(0)).norm();
   const auto add = [&](int k, const Eigen::RowVector3d& wanted) {
@@ -45,7 +46,8 @@ inline double misfit(const CurveDerivatives& x, const CurveDerivatives& y, const
   };
   if (y.rows() > 1) add(1, b(0) * x.row(1));
   if (y.rows() > 2) add(2, b(0) * b(0) * x.row(2) + b(1) * x.row(1));
-  if (y.rows() > 3) add(3, std::pow(b(0), 3) * x.row(3) + 3 * b(0) * b(1) * x.row(2) + b(2) * x.row(1));
+  if (y.rows() > 3)
+    add(3, std::pow(b(0), 3) * x.row(3) + 3 * b(0) * b(1) * x.row(2) + b(2) * x.row(1));
   return worst;
 }
 
@@ -80,7 +82,8 @@ inline AlphaSurface randomSurface(std::mt19937_64& random) {
   AlphaSurface surface;
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j)
-      surface.poles.row(4 * i + j) = Eigen::RowVector3d(3 * i, 3 * j, 0) + randomVector(random).transpose();
+      surface.poles.row(4 * i + j) =
+          Eigen::RowVector3d(3 * i, 3 * j, 0) + randomVector(random).transpose();
   surface.a_u = uniform(0.2, 1, random);
   surface.a_v = uniform(0.2, 1, random);
   return surface;

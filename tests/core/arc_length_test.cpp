@@ -40,7 +40,8 @@ TEST(ArcLength, Identity1Circle) {
     const CurveDerivatives circle = test::circle(r, start, 9);
     const CurveDerivatives other = test::reparametrised(circle, test::randomParameter(9, random));
     for (int k = 1; k <= 9; ++k) {
-      // The k-th derivative of r (cos(s/r), sin(s/r)) is r^(1-k) times the point turned by k right angles.
+      // The k-th derivative of r (cos(s/r), sin(s/r)) is r^(1-k) times the point turned by k right
+      // angles.
       const double angle = start + k * std::acos(0.0);
       const Vec wanted(std::cos(angle), std::sin(angle), 0);
       EXPECT_LT((std::pow(r, k - 1) * byArcLength(circle).row(k).transpose() - wanted).norm(),
@@ -60,8 +61,9 @@ TEST(ArcLength, Identity2FrenetDataTo40Digits) {
   for (const json& entry : data["cases"]) {
     SCOPED_TRACE(entry["name"]);
     const json& out = entry["out"];
-    const CurveDerivatives c = byArcLength(
-        test::bezierCurve(entry["in"]["points"], entry["in"]["weights"]).derivatives(entry["in"]["t"], 3));
+    const CurveDerivatives c =
+        byArcLength(test::bezierCurve(entry["in"]["points"], entry["in"]["weights"])
+                        .derivatives(entry["in"]["t"], 3));
     const Vec T = test::vector(out["T"]), N = test::vector(out["N"]), B = test::vector(out["B"]);
     const double kappa = out["kappa"], tau = out["tau"], kappa_s = out["dkappa_ds"];
     EXPECT_LT((c.row(1).transpose() - T).norm(), 1e-14);
@@ -92,7 +94,9 @@ TEST(ArcLength, Identity4FollowsMotionAndScale) {
     const CurveDerivatives curve = test::randomDerivatives(6, random);
     const CurveDerivatives plain = byArcLength(curve);
     const Eigen::Matrix3d R = test::randomRotation(random);
-    EXPECT_LT(largestRelativeError(byArcLength(curve * R.transpose()), plain * R.transpose()), 1e-11) << i;
+    EXPECT_LT(largestRelativeError(byArcLength(curve * R.transpose()), plain * R.transpose()),
+              1e-11)
+        << i;
     const double s = test::logUniform(random, -4, 4);
     CurveDerivatives scaled = byArcLength(s * curve);
     for (int k = 0; k <= 6; ++k) scaled.row(k) *= std::pow(s, k - 1);

@@ -33,8 +33,8 @@ BandMatrix randomBand(Index n, bool closed, double diagonal, std::mt19937_64& ra
   std::uniform_real_distribution<double> entry(-1, 1);
   BandMatrix m{Eigen::VectorXd::NullaryExpr(n, [&] { return entry(random); }),
                Eigen::VectorXd::NullaryExpr(n, [&] { return diagonal + 0.2 * entry(random); }),
-               Eigen::VectorXd::NullaryExpr(n, [&] { return entry(random); }), Eigen::VectorXd::Ones(n),
-               closed};
+               Eigen::VectorXd::NullaryExpr(n, [&] { return entry(random); }),
+               Eigen::VectorXd::Ones(n), closed};
   if (!closed) m.lower(0) = m.upper(n - 1) = 0;
   return m;
 }
@@ -49,7 +49,8 @@ TEST(BandFactor, SolvesAsADenseEliminationDoes) {
   for (int i = 0; i < 4000; ++i) {
     const Index n = 1 + i % 23;
     const bool closed = i % 2 == 0;
-    const double diagonal = std::array<double, 4>{2.3, -2.3, 0.7, 0}[static_cast<std::size_t>(i / 2) % 4];
+    const double diagonal =
+        std::array<double, 4>{2.3, -2.3, 0.7, 0}[static_cast<std::size_t>(i / 2) % 4];
     const BandMatrix m = randomBand(n, closed, diagonal, random);
     const Dense a = dense(m);
     const Poles right = Poles::NullaryExpr(n, 3, [&] { return test::randomVector(random).x(); });
@@ -59,8 +60,10 @@ TEST(BandFactor, SolvesAsADenseEliminationDoes) {
     const BandSolution solution = solveBand(m, right);
     pivoted += solution.pivoted;
     const Dense expected = inverse * right.cast<Real>();
-    const double error = static_cast<double>((solution.x.cast<Real>() - expected).cwiseAbs().maxCoeff());
-    EXPECT_LE(error, 1e-14 * condition * (1 + static_cast<double>(expected.cwiseAbs().maxCoeff()))) << i;
+    const double error =
+        static_cast<double>((solution.x.cast<Real>() - expected).cwiseAbs().maxCoeff());
+    EXPECT_LE(error, 1e-14 * condition * (1 + static_cast<double>(expected.cwiseAbs().maxCoeff())))
+        << i;
     if (std::abs(diagonal) > 2.2 && n > 2) {
       EXPECT_FALSE(solution.pivoted) << i;
       EXPECT_GE(solution.inverse_norm, inverse_norm * (1 - 1e-12)) << "a bound, " << i;
@@ -82,8 +85,9 @@ TEST(BandFactor, ARingIsSolvedWhereItsOpenPartIsSingular) {
   EXPECT_LT(std::abs(static_cast<double>(a.topLeftCorner(n - 1, n - 1).determinant())), 1e-15);
   const Poles right = Poles::Random(n, 3);
   const Dense expected = a.fullPivLu().solve(Dense(right.cast<Real>()));
-  EXPECT_LT(static_cast<double>((solveBand(m, right).x.cast<Real>() - expected).cwiseAbs().maxCoeff()),
-            1e-14);
+  EXPECT_LT(
+      static_cast<double>((solveBand(m, right).x.cast<Real>() - expected).cwiseAbs().maxCoeff()),
+      1e-14);
 }
 
 TEST(BandFactor, ComponentsOfVeryDifferentSizesKeepTheirDigits) {
@@ -124,15 +128,15 @@ TEST(BandFactor, SingularEquationsAreToldWithPivotAndCondition) {
                          Eigen::VectorXd::Constant(n, 0.5), Eigen::VectorXd::Ones(n), true};
     EXPECT_EQ(complaint(odd), "accepted") << n;
   }
-  const BandMatrix zero{Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1),
-                        Eigen::VectorXd::Ones(1), false};
+  const BandMatrix zero{Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1),
+                        Eigen::VectorXd::Zero(1), Eigen::VectorXd::Ones(1), false};
   EXPECT_THAT(complaint(zero), ContainsRegex("pivot 0 is 0"));
 }
 
 /// Rows that need no other order, of which the second of four all but vanishes.
 TEST(BandFactor, TheSmallestPivotIsTold) {
-  const BandMatrix m{Eigen::Vector4d::Zero(), Eigen::Vector4d(1, 1e-14, 1, 1), Eigen::Vector4d::Zero(),
-                     Eigen::Vector4d::Ones(), false};
+  const BandMatrix m{Eigen::Vector4d::Zero(), Eigen::Vector4d(1, 1e-14, 1, 1),
+                     Eigen::Vector4d::Zero(), Eigen::Vector4d::Ones(), false};
   try {
     solveBand(m, Poles::Ones(4, 3));
     ADD_FAILURE() << "accepted";

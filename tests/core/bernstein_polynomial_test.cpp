@@ -34,7 +34,8 @@ double magnitude(const BernsteinPolynomial& p) {
 
 VectorXd randomCoefficients(std::mt19937_64& random, int degree, double lower_power = -3,
                             double upper_power = 3) {
-  return VectorXd::NullaryExpr(degree + 1, [&] { return test::spread(random, lower_power, upper_power); });
+  return VectorXd::NullaryExpr(degree + 1,
+                               [&] { return test::spread(random, lower_power, upper_power); });
 }
 
 /// A polynomial and exact coefficients that its padding allows, often at the rim.
@@ -43,7 +44,8 @@ struct Known {
   DyadicVector truth;
 };
 
-Known randomKnown(std::mt19937_64& random, int degree, double lower_power = -3, double upper_power = 3) {
+Known randomKnown(std::mt19937_64& random, int degree, double lower_power = -3,
+                  double upper_power = 3) {
   const VectorXd c = randomCoefficients(random, degree, lower_power, upper_power);
   const double paddings[] = {0, 1e-15, 1e-12, 1e-3};
   const double padding = paddings[random() % 4] * std::pow(10, upper_power);
@@ -59,13 +61,15 @@ Known ones(int degree) {
   return {BernsteinPolynomial(VectorXd::Ones(degree + 1)), DyadicVector(degree + 1, 1.0)};
 }
 
-/// Each weight x true coefficient, the weights 1 if none are given, is within padding of the computed one.
+/// Each weight x true coefficient, the weights 1 if none are given, is within padding of the
+/// computed one.
 void expectWithinPadding(const BernsteinPolynomial& computed, const DyadicVector& truth,
                          const DyadicVector& weights = {}) {
   ASSERT_EQ(computed.degree() + 1, static_cast<int>(truth.size()));
   for (std::size_t k = 0; k < truth.size(); ++k) {
     const Dyadic weight = weights.empty() ? Dyadic(1) : weights[k];
-    const Dyadic error = (Dyadic(computed.coefficients()(static_cast<int>(k))) * weight - truth[k]).abs();
+    const Dyadic error =
+        (Dyadic(computed.coefficients()(static_cast<int>(k))) * weight - truth[k]).abs();
     EXPECT_TRUE(error <= Dyadic(computed.padding()) * weight)
         << "coefficient " << k << " of degree " << computed.degree() << ": error "
         << static_cast<double>(error.approximate() / weight.approximate()) << ", padding ";
@@ -97,7 +101,8 @@ void expectProduct(const Known& p, const Known& q) {
   expectWithinPadding(product, test::exactProductTimesBinomials(p.truth, q.truth),
                       test::exactBinomials(product.degree()));
   const auto r = [](int degree) { return std::max(0, degree - 56); };
-  const int m = p.stored.degree(), n = q.stored.degree(), k = std::min(m, n) + 4 + r(m) + r(n) + r(m + n);
+  const int m = p.stored.degree(), n = q.stored.degree(),
+            k = std::min(m, n) + 4 + r(m) + r(n) + r(m + n);
   const DyadicVector size_p = sizes(p.stored), size_q = sizes(q.stored);
   const double e = p.stored.padding(), f = q.stored.padding();
   expectPaddingAtMost(product, e * largestOfProduct(DyadicVector(m + 1, 1.0), size_q) +
@@ -120,7 +125,8 @@ void expectRestriction(const Known& p, double a, double b) {
   const BernsteinPolynomial piece = p.stored.restricted({a, b});
   expectWithinPadding(piece, test::exactRestriction(p.truth, a, b));
   const int n = p.stored.degree();
-  expectPaddingAtMost(piece, p.stored.padding() + gammaBound(9 * n) * magnitude(p.stored) + 8 * n * kEta);
+  expectPaddingAtMost(piece,
+                      p.stored.padding() + gammaBound(9 * n) * magnitude(p.stored) + 8 * n * kEta);
 }
 
 class BernsteinPolynomials : public test::InEachRoundingMode {};
@@ -168,7 +174,8 @@ TEST_P(BernsteinPolynomials, Identity2OfEqualDegreesAndMultiplesRoundOnce) {
     const double factor = test::spread(random, -200, 200);
     const BernsteinPolynomial sum = p.stored + q.stored, multiple = factor * p.stored;
     expectPaddingAtMost(sum, p.stored.padding() + q.stored.padding() + kUnit * magnitude(sum));
-    expectPaddingAtMost(multiple, std::abs(factor) * p.stored.padding() + kUnit * magnitude(multiple) + kEta);
+    expectPaddingAtMost(multiple,
+                        std::abs(factor) * p.stored.padding() + kUnit * magnitude(multiple) + kEta);
     DyadicVector truth;
     for (const Dyadic& value : p.truth) truth.push_back(Dyadic(factor) * value);
     expectWithinPadding(multiple, truth);
@@ -180,8 +187,9 @@ TEST_P(BernsteinPolynomials, Identity3Leibniz) {
   for (int trial = 0; trial < 100; ++trial) {
     const Known p = randomKnown(random, static_cast<int>(random() % 10)),
                 q = randomKnown(random, static_cast<int>(random() % 10));
-    const BernsteinPolynomial zero = (p.stored * q.stored).derivative() -
-                                     (p.stored.derivative() * q.stored + p.stored * q.stored.derivative());
+    const BernsteinPolynomial zero =
+        (p.stored * q.stored).derivative() -
+        (p.stored.derivative() * q.stored + p.stored * q.stored.derivative());
     EXPECT_LE(magnitude(zero), zero.padding());
     const int n = p.stored.degree();
     if (n == 0) {
@@ -192,7 +200,8 @@ TEST_P(BernsteinPolynomials, Identity3Leibniz) {
     for (int k = 0; k < n; ++k) truth.push_back(Dyadic(n) * (p.truth[k + 1] - p.truth[k]));
     const BernsteinPolynomial derivative = p.stored.derivative();
     expectWithinPadding(derivative, truth);
-    expectPaddingAtMost(derivative, 2 * n * p.stored.padding() + gammaBound(3) * magnitude(derivative));
+    expectPaddingAtMost(derivative,
+                        2 * n * p.stored.padding() + gammaBound(3) * magnitude(derivative));
   }
 }
 
@@ -212,7 +221,8 @@ TEST_P(BernsteinPolynomials, Identity5PiecesTakeTheValues) {
   std::mt19937_64 random(5);
   for (int trial = 0; trial < 60; ++trial) {
     const Known p = randomKnown(random, static_cast<int>(random() % 12));
-    for (const double t : {0.0, 5e-324, 1e-310, 1e-17, test::uniform(random, 0, 1), 0.5, 1 - 0x1p-53, 1.0})
+    for (const double t :
+         {0.0, 5e-324, 1e-310, 1e-17, test::uniform(random, 0, 1), 0.5, 1 - 0x1p-53, 1.0})
       expectPieces(p, t);
     const double a = test::uniform(random, 0, 1), b = test::uniform(random, a, 1);
     expectRestriction(p, a, b);
@@ -264,8 +274,8 @@ TEST_P(BernsteinPolynomials, ValuesAreEnclosedAtAnyParameter) {
   }
 }
 
-/// prod_i (t - i/64), i = 1..degree, for which the coefficients are huge against the values; exact at dyadic
-/// t.
+/// prod_i (t - i/64), i = 1..degree, for which the coefficients are huge against the values; exact
+/// at dyadic t.
 TEST_P(BernsteinPolynomials, WilkinsonProductsAreEnclosedAtAndBetweenTheirRoots) {
   for (const int degree : {20, 60}) {
     BernsteinPolynomial p(VectorXd::Ones(1));
@@ -294,9 +304,10 @@ TEST_P(BernsteinPolynomials, CancellingSumsKeepTheTruth) {
         q(randomCoefficients(random, degree, -16, 0)), r(randomCoefficients(random, degree));
     // (p + q) r - p r = q r
     const BernsteinPolynomial small = (p + q) * r - p * r;
-    expectWithinPadding(
-        small, test::exactProductTimesBinomials(test::exact(q.coefficients()), test::exact(r.coefficients())),
-        test::exactBinomials(2 * degree));
+    expectWithinPadding(small,
+                        test::exactProductTimesBinomials(test::exact(q.coefficients()),
+                                                         test::exact(r.coefficients())),
+                        test::exactBinomials(2 * degree));
   }
 }
 
@@ -333,7 +344,8 @@ TEST_P(BernsteinPolynomials, SizesAtTheRimOfADouble) {
   std::mt19937_64 random(11);
   for (int trial = 0; trial < 60; ++trial) {
     const int degree = static_cast<int>(random() % 9);
-    const Known huge = randomKnown(random, degree, 290, 300), tiny = randomKnown(random, degree, -307, -300),
+    const Known huge = randomKnown(random, degree, 290, 300),
+                tiny = randomKnown(random, degree, -307, -300),
                 wide = randomKnown(random, degree, -300, 300),
                 denormal = randomKnown(random, degree, -323, -305);
     for (const Known* p : {&huge, &tiny, &wide, &denormal}) {
@@ -346,20 +358,25 @@ TEST_P(BernsteinPolynomials, SizesAtTheRimOfADouble) {
       for (const double t : {0.1, 0.5})
         EXPECT_THAT(p->stored.evaluate(t), Encloses(exactBernstein(p->truth, t)));
       const Interval range = p->stored.range(0);
-      for (int i = 0; i <= 16; ++i) EXPECT_THAT(range, Encloses(exactBernstein(p->truth, i / 16.0)));
+      for (int i = 0; i <= 16; ++i)
+        EXPECT_THAT(range, Encloses(exactBernstein(p->truth, i / 16.0)));
     }
-    expectProduct(Known{BernsteinPolynomial(VectorXd::Constant(61, 1e300)), DyadicVector(61, 1e300)}, tiny);
+    expectProduct(
+        Known{BernsteinPolynomial(VectorXd::Constant(61, 1e300)), DyadicVector(61, 1e300)}, tiny);
   }
 }
 
 TEST_P(BernsteinPolynomials, OverflowIsAnErrorWithNumbers) {
-  const BernsteinPolynomial huge(VectorXd::Constant(4, 1e300)), steep(Eigen::Vector2d(-8e307, 8e307));
+  const BernsteinPolynomial huge(VectorXd::Constant(4, 1e300)),
+      steep(Eigen::Vector2d(-8e307, 8e307));
   const BernsteinPolynomial vague(VectorXd::Ones(2), 1e200);
-  EXPECT_THAT([&] { huge* huge; },
-              ThrowsMessage<std::overflow_error>(AllOf(HasSubstr("product"), HasSubstr("coefficient 0"))));
+  EXPECT_THAT([&] { huge* huge; }, ThrowsMessage<std::overflow_error>(
+                                       AllOf(HasSubstr("product"), HasSubstr("coefficient 0"))));
   EXPECT_THAT([&] { vague* vague; }, ThrowsMessage<std::overflow_error>(HasSubstr("padding is")));
-  EXPECT_THAT([&] { steep.derivative(); }, ThrowsMessage<std::overflow_error>(HasSubstr("derivative")));
-  EXPECT_THAT([&] { steep + steep; }, ThrowsMessage<std::overflow_error>(HasSubstr("sum: coefficient 0")));
+  EXPECT_THAT([&] { steep.derivative(); },
+              ThrowsMessage<std::overflow_error>(HasSubstr("derivative")));
+  EXPECT_THAT([&] { steep + steep; },
+              ThrowsMessage<std::overflow_error>(HasSubstr("sum: coefficient 0")));
   EXPECT_THAT([&] { 1e10 * huge; }, ThrowsMessage<std::overflow_error>(HasSubstr("multiple")));
   const Interval middle = steep.evaluate(0.3);
   EXPECT_THAT(middle, Encloses(exactBernstein(test::exact(steep.coefficients()), 0.3)));
@@ -378,8 +395,8 @@ TEST_P(BernsteinPolynomials, ConstantsAndZerosAreKeptExactly) {
   EXPECT_EQ(0 * constant, BernsteinPolynomial(VectorXd::Zero(1)));
 }
 
-/// (t - 1/3)^2 on pieces of width 2^-L: 1/3 lies at a third or at two thirds of its piece, where the lowest
-/// coefficient is -2/9 4^-L; the values reach 0 there.
+/// (t - 1/3)^2 on pieces of width 2^-L: 1/3 lies at a third or at two thirds of its piece, where
+/// the lowest coefficient is -2/9 4^-L; the values reach 0 there.
 TEST(BernsteinPolynomial, Identity6ExcessShrinksByFourAtEachHalving) {
   const BernsteinPolynomial p(Eigen::Vector3d(1.0 / 9, -2.0 / 9, 4.0 / 9));
   std::vector<BernsteinPolynomial> pieces{p};
@@ -406,8 +423,8 @@ TEST(BernsteinPolynomial, RangeIsAsTightAsAskedFor) {
     VectorXd c(n + 1);
     const DyadicVector upper = test::exactBinomials(2 * n), lower = test::exactBinomials(n);
     for (int i = 0; i <= n; ++i)
-      c(i) =
-          ((n - i) % 2 ? -1 : 1) * static_cast<double>(upper[2 * i].approximate() / lower[i].approximate());
+      c(i) = ((n - i) % 2 ? -1 : 1) *
+             static_cast<double>(upper[2 * i].approximate() / lower[i].approximate());
     const BernsteinPolynomial chebyshev(c, kUnit * c.cwiseAbs().maxCoeff());
     EXPECT_GT(chebyshev.range().width(), 2.9);
     for (const double tolerance : {0.5, 1e-3, 1e-8}) {
@@ -417,7 +434,8 @@ TEST(BernsteinPolynomial, RangeIsAsTightAsAskedFor) {
     }
     const Interval best = chebyshev.range(0);
     EXPECT_TRUE(best.contains(Interval{-1, 1}));
-    EXPECT_LE(best.width() - 2, 6 * (chebyshev.padding() + 40 * gammaBound(n) * magnitude(chebyshev)));
+    EXPECT_LE(best.width() - 2,
+              6 * (chebyshev.padding() + 40 * gammaBound(n) * magnitude(chebyshev)));
   }
 }
 

@@ -31,8 +31,8 @@ struct Known {
 
 Known randomKnown(std::mt19937_64& random, int degree_u, int degree_v, double lower_power = -3,
                   double upper_power = 3) {
-  const MatrixXd c = MatrixXd::NullaryExpr(degree_u + 1, degree_v + 1,
-                                           [&] { return test::spread(random, lower_power, upper_power); });
+  const MatrixXd c = MatrixXd::NullaryExpr(
+      degree_u + 1, degree_v + 1, [&] { return test::spread(random, lower_power, upper_power); });
   const double paddings[] = {0, 1e-15, 1e-12, 1e-3};
   const double padding = paddings[random() % 4] * std::pow(10, upper_power);
   DyadicMatrix truth;
@@ -123,8 +123,8 @@ TEST_P(BernsteinTensors, Identity2ProductsCoefficientByCoefficient) {
       DyadicVector row(product.degreeV() + 1);
       for (int i = std::max(0, k - g.stored.degreeU()); i <= std::min(k, f.stored.degreeU()); ++i) {
         const DyadicVector part = test::exactProductTimesBinomials(f.truth[i], g.truth[k - i]);
-        const Dyadic weight =
-            test::exactBinomials(f.stored.degreeU())[i] * test::exactBinomials(g.stored.degreeU())[k - i];
+        const Dyadic weight = test::exactBinomials(f.stored.degreeU())[i] *
+                              test::exactBinomials(g.stored.degreeU())[k - i];
         for (std::size_t l = 0; l < row.size(); ++l) row[l] = row[l] + weight * part[l];
       }
       for (int l = 0; l <= product.degreeV(); ++l) {
@@ -150,13 +150,17 @@ TEST_P(BernsteinTensors, Identity3Leibniz) {
   for (int trial = 0; trial < 40; ++trial) {
     const Known f = randomKnown(random), g = randomKnown(random);
     const BernsteinTensor zeros[] = {
-        (f.stored * g.stored).partialU() - (f.stored.partialU() * g.stored + f.stored * g.stored.partialU()),
-        (f.stored * g.stored).partialV() - (f.stored.partialV() * g.stored + f.stored * g.stored.partialV()),
+        (f.stored * g.stored).partialU() -
+            (f.stored.partialU() * g.stored + f.stored * g.stored.partialU()),
+        (f.stored * g.stored).partialV() -
+            (f.stored.partialV() * g.stored + f.stored * g.stored.partialV()),
         f.stored.partialU().partialV() - f.stored.partialV().partialU()};
     for (const BernsteinTensor& zero : zeros) EXPECT_LE(magnitude(zero), zero.padding());
-    expectValues(f.stored.partialU(), [&](double u, double v) { return value(partialU(f.truth), u, v); });
-    expectValues(f.stored.partialV(),
-                 [&](double u, double v) { return value(transposed(partialU(transposed(f.truth))), u, v); });
+    expectValues(f.stored.partialU(),
+                 [&](double u, double v) { return value(partialU(f.truth), u, v); });
+    expectValues(f.stored.partialV(), [&](double u, double v) {
+      return value(transposed(partialU(transposed(f.truth))), u, v);
+    });
   }
 }
 
@@ -179,10 +183,12 @@ TEST_P(BernsteinTensors, Identity5PiecesTakeTheValues) {
       const Dyadic T = t, rest = Dyadic(1) - T;
       const auto [left, right] = f.stored.splitU(t);
       expectValues(left, [&](double u, double v) { return value(f.truth, Dyadic(u) * T, v); });
-      expectValues(right, [&](double u, double v) { return value(f.truth, T + rest * Dyadic(u), v); });
+      expectValues(right,
+                   [&](double u, double v) { return value(f.truth, T + rest * Dyadic(u), v); });
       const auto [lower, upper] = f.stored.splitV(t);
       expectValues(lower, [&](double u, double v) { return value(f.truth, u, Dyadic(v) * T); });
-      expectValues(upper, [&](double u, double v) { return value(f.truth, u, T + rest * Dyadic(v)); });
+      expectValues(upper,
+                   [&](double u, double v) { return value(f.truth, u, T + rest * Dyadic(v)); });
     }
     const double a = test::uniform(random, 0, 1), b = test::uniform(random, a, 1);
     const double c = test::uniform(random, 0, 1), d = test::uniform(random, c, 1);
@@ -190,7 +196,8 @@ TEST_P(BernsteinTensors, Identity5PiecesTakeTheValues) {
       return value(f.truth, Dyadic(a) + (Dyadic(b) - Dyadic(a)) * Dyadic(u),
                    Dyadic(c) + (Dyadic(d) - Dyadic(c)) * Dyadic(v));
     });
-    expectValues(f.stored.restricted({b, b}, {0, 1}), [&](double, double v) { return value(f.truth, b, v); });
+    expectValues(f.stored.restricted({b, b}, {0, 1}),
+                 [&](double, double v) { return value(f.truth, b, v); });
   }
 }
 
@@ -222,8 +229,10 @@ struct KnownParameter {
   DyadicVector truth;
 };
 
-KnownParameter randomParameter(std::mt19937_64& random, int degree, double lower = 0, double upper = 1) {
-  const VectorXd c = VectorXd::NullaryExpr(degree + 1, [&] { return test::uniform(random, lower, upper); });
+KnownParameter randomParameter(std::mt19937_64& random, int degree, double lower = 0,
+                               double upper = 1) {
+  const VectorXd c =
+      VectorXd::NullaryExpr(degree + 1, [&] { return test::uniform(random, lower, upper); });
   const double padding = random() % 2 ? 0 : 1e-9;
   DyadicVector truth = test::exact(c);
   for (Dyadic& value : truth) value = value + Dyadic(random() % 2 ? padding : -padding);
@@ -232,10 +241,11 @@ KnownParameter randomParameter(std::mt19937_64& random, int degree, double lower
 
 void expectComposition(const Known& f, const KnownParameter& u, const KnownParameter& v) {
   const BernsteinPolynomial h = f.stored.composed(u.stored, v.stored);
-  EXPECT_EQ(h.degree(), f.stored.degreeU() * u.stored.degree() + f.stored.degreeV() * v.stored.degree());
+  EXPECT_EQ(h.degree(),
+            f.stored.degreeU() * u.stored.degree() + f.stored.degreeV() * v.stored.degree());
   for (const double t : kGrid)
-    EXPECT_THAT(h.evaluate(t),
-                Encloses(value(f.truth, test::exactBernstein(u.truth, t), test::exactBernstein(v.truth, t))))
+    EXPECT_THAT(h.evaluate(t), Encloses(value(f.truth, test::exactBernstein(u.truth, t),
+                                              test::exactBernstein(v.truth, t))))
         << "at " << t;
 }
 
@@ -277,8 +287,9 @@ TEST(BernsteinTensor, Identity6ExcessShrinksByFourWhenBothSidesAreHalved) {
     for (const auto& half : {f.splitU(0.5).first, f.splitU(0.5).second})
       for (const auto& quarter : {half.splitV(0.5).first, half.splitV(0.5).second})
         quarters.push_back(quarter);
-    f = *std::min_element(quarters.begin(), quarters.end(),
-                          [](const auto& a, const auto& b) { return a.range().lower < b.range().lower; });
+    f = *std::min_element(quarters.begin(), quarters.end(), [](const auto& a, const auto& b) {
+      return a.range().lower < b.range().lower;
+    });
     EXPECT_NEAR(excess / -f.range().lower, 4, 1e-8) << "level " << level;
     excess = -f.range().lower;
   }
@@ -287,11 +298,13 @@ TEST(BernsteinTensor, Identity6ExcessShrinksByFourWhenBothSidesAreHalved) {
 TEST_P(BernsteinTensors, SizesAtTheRimOfADouble) {
   std::mt19937_64 random(110);
   for (int trial = 0; trial < 5; ++trial) {
-    const Known huge = randomKnown(random, 2, 3, 290, 300), tiny = randomKnown(random, 3, 2, -307, -300),
+    const Known huge = randomKnown(random, 2, 3, 290, 300),
+                tiny = randomKnown(random, 3, 2, -307, -300),
                 denormal = randomKnown(random, 2, 2, -323, -305);
     for (const Known* f : {&huge, &tiny, &denormal}) {
-      expectValues(f->stored * tiny.stored,
-                   [&](double u, double v) { return value(f->truth, u, v) * value(tiny.truth, u, v); });
+      expectValues(f->stored * tiny.stored, [&](double u, double v) {
+        return value(f->truth, u, v) * value(tiny.truth, u, v);
+      });
       expectValues(f->stored.splitV(0.3).first,
                    [&](double u, double v) { return value(f->truth, u, Dyadic(v) * Dyadic(0.3)); });
       expectComposition(*f, randomParameter(random, 2), randomParameter(random, 1));
@@ -307,7 +320,8 @@ TEST_P(BernsteinTensors, HighDegrees) {
   const BernsteinTensor product = f.stored * g.stored;
   for (const double u : kGrid) {
     EXPECT_THAT(f.stored.evaluate(u, 0.5), Encloses(value(f.truth, u, 0.5)));
-    EXPECT_THAT(product.evaluate(u, 0.5), Encloses(value(f.truth, u, 0.5) * value(g.truth, u, 0.5)));
+    EXPECT_THAT(product.evaluate(u, 0.5),
+                Encloses(value(f.truth, u, 0.5) * value(g.truth, u, 0.5)));
   }
 }
 

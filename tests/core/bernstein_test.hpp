@@ -18,7 +18,8 @@ class InEachRoundingMode : public testing::TestWithParam<int> {
   void TearDown() override { std::fesetround(FE_TONEAREST); }
 };
 
-inline const auto kRoundingModes = testing::Values(FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO);
+inline const auto kRoundingModes =
+    testing::Values(FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO);
 
 inline std::string roundingModeName(const testing::TestParamInfo<int>& info) {
   switch (info.param) {

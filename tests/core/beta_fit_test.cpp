@@ -34,17 +34,20 @@ struct Pair {
 Pair randomPair(int run, double size, std::mt19937_64& random) {
   const auto kind = static_cast<CurveKind>(run % 5);
   const int order = 1 + run % 6;
-  const BezierCurve a = test::randomCurve(test::wholeNumber(1, 9, random), kind, true, size, random),
-                    b = test::randomCurve(test::wholeNumber(1, 9, random), kind, false, size, random);
+  const BezierCurve a = test::randomCurve(test::wholeNumber(1, 9, random), kind, true, size,
+                                          random),
+                    b = test::randomCurve(test::wholeNumber(1, 9, random), kind, false, size,
+                                          random);
   CurveJoinRule rule;
   rule.beta = test::randomBeta(run % 4, random);
   return {a, test::gentlyJoined(a, b, rule, true), order};
 }
 
-/// How far rounding of the poles may move the defects, relative to them and 1: the largest arc-length
-/// derivative, powers of the size by the length, and factorials.
+/// How far rounding of the poles may move the defects, relative to them and 1: the largest
+/// arc-length derivative, powers of the size by the length, and factorials.
 double sensitivity(const Pair& pair, const BetaFit& fit) {
-  const double size = std::max(pair.a.poles().cwiseAbs().maxCoeff(), pair.b.poles().cwiseAbs().maxCoeff());
+  const double size =
+      std::max(pair.a.poles().cwiseAbs().maxCoeff(), pair.b.poles().cwiseAbs().maxCoeff());
   double result = 1;
   for (const CurveDerivatives& x : {CurveDerivatives(pair.a.derivatives(1, pair.order)),
                                     CurveDerivatives(pair.b.derivatives(0, pair.order))}) {
@@ -75,7 +78,8 @@ TEST(BetaFit, FiguresOfSixtyDigits) {
     const std::string note = in["note"];
     SCOPED_TRACE(entry["name"].get<std::string>() + " " + note);
     if (!in["right_weights"].is_null() &&
-        std::ranges::any_of(in["right_weights"], [](const json& w) { return test::number(w) <= 0; }))
+        std::ranges::any_of(in["right_weights"],
+                            [](const json& w) { return test::number(w) <= 0; }))
       continue;  // such curves are refused
     ++compared;
     const BezierCurve a = test::bezierCurve(in["left"], in["left_weights"]),
@@ -86,7 +90,8 @@ TEST(BetaFit, FiguresOfSixtyDigits) {
     ASSERT_EQ(fit.defects.size(), out["defect"].size());
     for (std::size_t k = 0; k < fit.defects.size(); ++k) {
       const double wanted = test::number(out["defect"][k]);
-      EXPECT_NEAR(fit.defects[k], wanted, 1e-15 * loss * (1 + wanted)) << "order " << k << " loss " << loss;
+      EXPECT_NEAR(fit.defects[k], wanted, 1e-15 * loss * (1 + wanted))
+          << "order " << k << " loss " << loss;
       EXPECT_LE(fit.lower[k], fit.defects[k]);
       EXPECT_LE(fit.defects[k], fit.upper[k]);
       if (wanted < 1e-50) {
@@ -167,7 +172,8 @@ DyadicRows exactArcLength(const DyadicRows& x, int exponent) {
     for (std::size_t m = 0; m < next.size(); ++m) {
       const test::DyadicVector binomials = test::exactBinomials(static_cast<int>(m));
       for (std::size_t i = 0; i <= m; ++i)
-        for (int c = 0; c < 3; ++c) next[m][c] = next[m][c] + binomials[i] * inverse[i] * jet[m - i + 1][c];
+        for (int c = 0; c < 3; ++c)
+          next[m][c] = next[m][c] + binomials[i] * inverse[i] * jet[m - i + 1][c];
     }
     jet = next;
     result[k] = jet[0];
@@ -199,7 +205,8 @@ TEST(BetaFit, BoundsHoldTheExactDefect) {
     BezierCurve right = dyadicCurve(run % 4 < 2, exponent_b, random);
     if (run % 3 == 0) {  // nearly a continuation: G^1, the curvature moved by a hair
       HomogeneousPoles poles = left.homogeneousPoles();
-      if (left.degree() >= 2) poles(2, 1) += std::ldexp(poles(2, 1), -test::wholeNumber(20, 50, random));
+      if (left.degree() >= 2)
+        poles(2, 1) += std::ldexp(poles(2, 1), -test::wholeNumber(20, 50, random));
       right = BezierCurve::fromHomogeneous(poles);
     }
     const int speed = run % 3 == 0 ? exponent_a : exponent_b;
@@ -207,7 +214,8 @@ TEST(BetaFit, BoundsHoldTheExactDefect) {
     // a arrives along +x: the curve from the origin along +x, mirrored in space and run backwards.
     HomogeneousPoles mirrored = left.homogeneousPoles();
     for (int i = 0; i < mirrored.rows(); ++i) mirrored.row(i).head<3>() *= -1;
-    const BetaFit fit = fitBeta(BezierCurve::fromHomogeneous(mirrored).reversed(), right, order, length);
+    const BetaFit fit =
+        fitBeta(BezierCurve::fromHomogeneous(mirrored).reversed(), right, order, length);
     DyadicRows a = exactArcLength(exactDerivatives(left, order), exponent_a);
     const DyadicRows b = exactArcLength(exactDerivatives(right, order), speed);
     Dyadic scale = 1;
@@ -218,7 +226,8 @@ TEST(BetaFit, BoundsHoldTheExactDefect) {
       const Dyadic square = dot(d, d) * scale;  // (defect L)^2 for k = 0, else defect^2
       const Dyadic factor = k == 0 ? Dyadic(length) * Dyadic(length) : Dyadic(1);
       const auto within = [&](double low, double high) {
-        return Dyadic(low) * Dyadic(low) * factor <= square && square <= Dyadic(high) * Dyadic(high) * factor;
+        return Dyadic(low) * Dyadic(low) * factor <= square &&
+               square <= Dyadic(high) * Dyadic(high) * factor;
       };
       EXPECT_TRUE(within(fit.lower[k], fit.upper[k])) << run << " order " << k;
       EXPECT_LE(fit.lower[k], fit.defects[k]);
@@ -243,7 +252,8 @@ TEST(BetaFit, SizeBeyondPowersOfADouble) {
   for (const double scale : {1e150, 1e-150}) {
     const BetaFit scaled = fitBeta(BezierCurve(scale * left), BezierCurve(scale * right), 6);
     for (std::size_t k = 0; k <= 6; ++k)
-      EXPECT_NEAR(scaled.defects[k], fit.defects[k], 1e-11 * (1 + fit.defects[k])) << scale << " order " << k;
+      EXPECT_NEAR(scaled.defects[k], fit.defects[k], 1e-11 * (1 + fit.defects[k]))
+          << scale << " order " << k;
   }
 }
 
@@ -262,19 +272,23 @@ TEST(BetaFit, Identity5Invariance) {
     EXPECT_NEAR(moved.length_mm, fit.length_mm, 1e-13 * (fit.length_mm + 10)) << run;
     const double s = test::logUniform(random, -6, 6);
     const Eigen::Matrix3d scale = s * Eigen::Matrix3d::Identity();
-    const BetaFit scaled = fitBeta(mapped(pair.a, scale, s * move), mapped(pair.b, scale, s * move), order);
+    const BetaFit scaled =
+        fitBeta(mapped(pair.a, scale, s * move), mapped(pair.b, scale, s * move), order);
     expectSame(scaled, fit, noise, run);
     EXPECT_NEAR(scaled.length_mm, s * fit.length_mm, 1e-13 * s * (fit.length_mm + 10)) << run;
-    const BetaFit elevated = fitBeta(pair.a.elevated(), pair.b.elevated().elevated(), order, fit.length_mm);
+    const BetaFit elevated =
+        fitBeta(pair.a.elevated(), pair.b.elevated().elevated(), order, fit.length_mm);
     expectSame(elevated, fit, noise, run);
     const BetaFit backwards = fitBeta(pair.b.reversed(), pair.a.reversed(), order);
     expectSame(backwards, fit, noise, run);
     // Half of each curve: a parameter twice as slow. Moebius: weights c^i.
-    const BetaFit halves = fitBeta(pair.a.split(0.5).second, pair.b.split(0.5).first, order, fit.length_mm);
+    const BetaFit halves =
+        fitBeta(pair.a.split(0.5).second, pair.b.split(0.5).first, order, fit.length_mm);
     expectSame(halves, fit, noise, run);
     HomogeneousPoles poles = pair.b.homogeneousPoles();
     for (int i = 1; i < poles.rows(); ++i) poles.row(i) *= std::pow(0.8, i);
-    expectSame(fitBeta(pair.a, BezierCurve::fromHomogeneous(poles), order, fit.length_mm), fit, noise, run);
+    expectSame(fitBeta(pair.a, BezierCurve::fromHomogeneous(poles), order, fit.length_mm), fit,
+               noise, run);
     worst = std::max(worst, std::abs(fit.upper[0] - fit.lower[0]));
   }
   EXPECT_LE(worst, 1e-10);
@@ -288,8 +302,10 @@ TEST(BetaFit, Identity7AgainstMeasureJoint) {
     const CurveJoint joint = measureJoint(pair.a, pair.b, pair.order);
     ASSERT_EQ(fit.defects.size(), joint.differences.size());
     for (std::size_t k = 0; k < fit.defects.size(); ++k) {
-      const double wanted = joint.differences[k] * std::pow(fit.length_mm, static_cast<double>(k) - 1);
-      EXPECT_NEAR(fit.defects[k], wanted, 1e-13 * sensitivity(pair, fit) * (1 + wanted)) << run << " " << k;
+      const double wanted =
+          joint.differences[k] * std::pow(fit.length_mm, static_cast<double>(k) - 1);
+      EXPECT_NEAR(fit.defects[k], wanted, 1e-13 * sensitivity(pair, fit) * (1 + wanted))
+          << run << " " << k;
     }
   }
 }
@@ -352,7 +368,8 @@ TEST(BetaFit, LengthOfClosedCurves) {
   EXPECT_EQ(fitBeta(open, closed, 1).length_mm, 7) << "the chord of the open one";
   EXPECT_EQ(fitBeta(closed, closed, 1).length_mm, 5) << "the diagonal of the box";
   EXPECT_EQ(fitBeta(closed, closed, 1, 2.5).length_mm, 2.5);
-  EXPECT_NEAR(fitBeta(closed, closed, 1).defects[1], (Vec(-3, -4, 0) / 5 - Vec(1, 0, 0)).norm(), 1e-15);
+  EXPECT_NEAR(fitBeta(closed, closed, 1).defects[1], (Vec(-3, -4, 0) / 5 - Vec(1, 0, 0)).norm(),
+              1e-15);
 }
 
 TEST(BetaFit, LengthOfNearlyClosedCurves) {
@@ -393,10 +410,12 @@ TEST(BetaFit, RefusesBadInput) {
     }
     return "accepted";
   };
-  EXPECT_THAT(refusal([&] { fitBeta(a, a, -1); }), HasSubstr("order -1: it must be within 0 to 30"));
+  EXPECT_THAT(refusal([&] { fitBeta(a, a, -1); }),
+              HasSubstr("order -1: it must be within 0 to 30"));
   EXPECT_THAT(refusal([&] { fitBeta(a, a, 31); }), HasSubstr("order 31"));
   EXPECT_NO_THROW(fitBeta(a, a, 30));
-  EXPECT_THAT(refusal([&] { fitBeta(a, a, 1, 0); }), HasSubstr("length_mm is 0: it must be positive"));
+  EXPECT_THAT(refusal([&] { fitBeta(a, a, 1, 0); }),
+              HasSubstr("length_mm is 0: it must be positive"));
   EXPECT_THAT(refusal([&] { fitBeta(a, a, 1, -2); }), HasSubstr("length_mm is -2"));
   EXPECT_THAT(refusal([&] { fitBeta(a, a, 1, std::nan("")); }), HasSubstr("length_mm is nan"));
   EXPECT_THAT(refusal([&] { fitBeta(point, point, 1); }), HasSubstr("length_mm is 0"));

@@ -34,9 +34,10 @@ BetaSplineData randomData(Index n, SplineEnds ends, std::mt19937_64& random) {
   for (Index j = 1; j <= n; ++j) {
     const double b = logUniform(random, -0.5, 0.5);
     data.bias.push_back(b);
-    data.tension.push_back(j % 3 == 0   ? 0
-                           : j % 3 == 1 ? 1.8 * b * (1 + b) * std::generate_canonical<double, 53>(random)
-                                        : -logUniform(random, -2, 3));
+    data.tension.push_back(j % 3 == 0 ? 0
+                           : j % 3 == 1
+                               ? 1.8 * b * (1 + b) * std::generate_canonical<double, 53>(random)
+                               : -logUniform(random, -2, 3));
   }
   return data;
 }
@@ -77,8 +78,9 @@ TEST(BetaSpline, Oracle) {
     EXPECT_LT(jointsLeft(spline.curve, data), 1e-15) << c["name"];
     if (data.ends == SplineEnds::Periodic) continue;
     for (std::size_t i = 0; i + 1 < spline.curve.knots.size(); ++i)
-      EXPECT_NEAR((spline.curve.knots[i + 1] - spline.curve.knots[i]) / test::number(c["out"]["nu_h"][i]), 1,
-                  1e-13);
+      EXPECT_NEAR(
+          (spline.curve.knots[i + 1] - spline.curve.knots[i]) / test::number(c["out"]["nu_h"][i]),
+          1, 1e-13);
   }
 }
 
@@ -103,7 +105,8 @@ TEST(BetaSpline, Identity1And2JointsAndEnds) {
       ASSERT_LT((start.first - data.start_derivative).norm(), 1e-14 * (size + 1));
       ASSERT_LT((end.first - data.end_derivative).norm(), 1e-14 * (size + 1));
     } else if (ends == SplineEnds::Natural) {
-      ASSERT_LT((start.second - data.start_nu * start.first).norm(), 2e-15 * size * (24 + 6 * data.start_nu));
+      ASSERT_LT((start.second - data.start_nu * start.first).norm(),
+                2e-15 * size * (24 + 6 * data.start_nu));
       ASSERT_LT((end.second + data.end_nu * end.first).norm(), 2e-15 * size * 40);
     }
     ++solved;
@@ -121,10 +124,12 @@ TEST(BetaSpline, Identity3WithoutBiasAndTensionItIsTheUniformSpline) {
     data.bias.assign(data.bias.size(), 1.0);
     data.tension.assign(data.bias.size(), 0.0);
     const BezierSpline curve = betaSpline(data).curve;
-    for (std::size_t i = 0; i < curve.knots.size(); ++i) ASSERT_EQ(curve.knots[i], static_cast<double>(i));
+    for (std::size_t i = 0; i < curve.knots.size(); ++i)
+      ASSERT_EQ(curve.knots[i], static_cast<double>(i));
     ASSERT_EQ(bsplineCurve(curve, 2).knots.size(), data.bias.size() + 6);
     data.tension[1] = 1e-3;
-    ASSERT_THAT(complaint([&] { bsplineCurve(betaSpline(data).curve, 2); }), HasSubstr("invalid: ")) << k;
+    ASSERT_THAT(complaint([&] { bsplineCurve(betaSpline(data).curve, 2); }), HasSubstr("invalid: "))
+        << k;
   }
 }
 
@@ -134,7 +139,8 @@ NuSplineData nuData(const BetaSplineData& data, const std::vector<double>& knots
   const std::size_t n = knots.size() - 1;
   const auto length = [&](std::size_t i) { return knots[i + 1] - knots[i]; };
   const bool closed = data.ends == SplineEnds::Periodic;
-  for (std::size_t j = 1; j < n + closed; ++j) nu.nu[j] = -data.tension[j] / (data.bias[j] * length(j - 1));
+  for (std::size_t j = 1; j < n + closed; ++j)
+    nu.nu[j] = -data.tension[j] / (data.bias[j] * length(j - 1));
   if (data.ends == SplineEnds::Natural) {
     nu.nu[0] = data.start_nu;
     nu.nu[n] = data.end_nu / length(n - 1);
@@ -161,7 +167,8 @@ TEST(BetaSpline, Identity4ItIsANuSpline) {
     test::referenceDerivatives(test::conditionsOf(mapped), &condition);
     const NuSpline nu = nuSpline(mapped);
     const double size = nu.curve.poles.leftCols<3>().cwiseAbs().maxCoeff();
-    ASSERT_LT((spline.curve.poles - nu.curve.poles).cwiseAbs().maxCoeff(), 1e-13 * condition * size) << k;
+    ASSERT_LT((spline.curve.poles - nu.curve.poles).cwiseAbs().maxCoeff(), 1e-13 * condition * size)
+        << k;
     ASSERT_EQ(bsplineCurve(spline.curve, 1).degree, 3) << "C1 in its knots";
   }
 }
@@ -197,8 +204,8 @@ TEST(BetaSpline, PrintedLastCoefficientBreaksTheJoint) {
     const double b = data.bias[j];
     const Poles m = betaSpline(data).derivatives;
     const auto q = [&](Index i) { return data.points.row(i); };
-    return (m.row(j - 1) + (2 * b + 2 * b * b - data.tension[j] / 2) * m.row(j) + last * m.row(j + 1) -
-            3 * (-q(j - 1) + (1 - b * b) * q(j) + b * b * q(j + 1)))
+    return (m.row(j - 1) + (2 * b + 2 * b * b - data.tension[j] / 2) * m.row(j) +
+            last * m.row(j + 1) - 3 * (-q(j - 1) + (1 - b * b) * q(j) + b * b * q(j + 1)))
                .norm() /
            (3 * data.points.norm());
   };
@@ -220,15 +227,17 @@ TEST(BetaSpline, RingsWithAProductOfBiasesOtherThanOneMayHaveNoSolution) {
       data.bias.assign(n + 1, bias);
       data.tension.assign(n + 1, 0.0);
       if (n % 2 == 0) {
-        EXPECT_THAT(
-            complaint([&] { betaSpline(data); }),
-            ContainsRegex("domain: the " + std::to_string(n) + " equations are singular: pivot [0-9]+ is "))
+        EXPECT_THAT(complaint([&] { betaSpline(data); }),
+                    ContainsRegex("domain: the " + std::to_string(n) +
+                                  " equations are singular: pivot [0-9]+ is "))
             << n;
         data.bias.assign(n + 1, bias * 1.01);
       }
       double condition = 0;
       const auto expected = test::referenceDerivatives(test::conditionsOf(data), &condition);
-      EXPECT_LT(difference(betaSpline(data).derivatives, expected.cast<double>()), 1e-14 * condition) << n;
+      EXPECT_LT(difference(betaSpline(data).derivatives, expected.cast<double>()),
+                1e-14 * condition)
+          << n;
       EXPECT_LT(jointsLeft(betaSpline(data).curve, data), 1e-14) << n;
     }
 }
@@ -262,7 +271,8 @@ TEST(BetaSpline, ExtremesKeepTheDigitsOfEveryDerivative) {
     const Poles derivatives = betaSpline(data).derivatives;
     for (Index i = 0; i < expected.rows(); ++i) {
       const Real error = (derivatives.row(i).cast<Real>() - expected.row(i)).norm();
-      ASSERT_LT(static_cast<double>(error / expected.row(i).norm()), 1e-14 * condition) << k << ", " << i;
+      ASSERT_LT(static_cast<double>(error / expected.row(i).norm()), 1e-14 * condition)
+          << k << ", " << i;
     }
     ++checked;
   }
@@ -289,18 +299,23 @@ TEST(BetaSpline, BadInputIsNamed) {
   };
   EXPECT_EQ(of([](BetaSplineData&) {}), "accepted");
   EXPECT_EQ(of([](BetaSplineData& d) { d.bias[0] = d.bias[4] = -1; }), "accepted") << "not read";
-  EXPECT_EQ(of([](BetaSplineData& d) { d.bias[3] = 0; }), "invalid: bias 3 is 0: it must be positive");
+  EXPECT_EQ(of([](BetaSplineData& d) { d.bias[3] = 0; }),
+            "invalid: bias 3 is 0: it must be positive");
   EXPECT_THAT(of([&](BetaSplineData& d) { d.bias[1] = nan; }), HasSubstr("bias 1 is nan"));
   EXPECT_THAT(of([&](BetaSplineData& d) { d.tension[2] = nan; }), HasSubstr("tension 2 is nan"));
   EXPECT_EQ(of([](BetaSplineData& d) { d.tension.pop_back(); }),
             "invalid: tension has 4 numbers for 5 points");
-  EXPECT_EQ(of([](BetaSplineData& d) { d.points.resize(0, 3); }), "invalid: points 0: at least 2 are needed");
+  EXPECT_EQ(of([](BetaSplineData& d) { d.points.resize(0, 3); }),
+            "invalid: points 0: at least 2 are needed");
   EXPECT_THAT(of([](BetaSplineData& d) { d.points.row(1) = d.points.row(0); }),
               ::testing::ContainsRegex("points 0 and 1, .* are the same"));
   EXPECT_THAT(of([&](BetaSplineData& d) { d.end_nu = nan; }), HasSubstr("end's nu is nan"));
-  EXPECT_THAT(of([](BetaSplineData& d) { d.ends = SplineEnds::Periodic; }), HasSubstr("point 4 is ("));
-  EXPECT_THAT(of([&](BetaSplineData& d) { d.end_derivative(2) = nan; }), HasSubstr("end_derivative is ("));
-  EXPECT_THAT(of([](BetaSplineData& d) { d.bias[1] = 1e17; }), HasSubstr("knot 2 is 1 after 1: the biases"));
+  EXPECT_THAT(of([](BetaSplineData& d) { d.ends = SplineEnds::Periodic; }),
+              HasSubstr("point 4 is ("));
+  EXPECT_THAT(of([&](BetaSplineData& d) { d.end_derivative(2) = nan; }),
+              HasSubstr("end_derivative is ("));
+  EXPECT_THAT(of([](BetaSplineData& d) { d.bias[1] = 1e17; }),
+              HasSubstr("knot 2 is 1 after 1: the biases"));
 }
 
 }  // namespace

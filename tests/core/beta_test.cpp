@@ -107,7 +107,8 @@ TEST(Beta, Identity2InverseIsTheInverseMatrix) {
   }
 }
 
-/// exp(u) - 1 and ln(1 + t) are inverse to each other; c u / (1 - d u) is a series with known inverse.
+/// exp(u) - 1 and ln(1 + t) are inverse to each other; c u / (1 - d u) is a series with known
+/// inverse.
 TEST(Beta, Identity2InverseInClosedForm) {
   const int order = 12;
   Eigen::VectorXd exponential = Eigen::VectorXd::Ones(order), logarithm(order);
@@ -122,7 +123,8 @@ TEST(Beta, Identity2InverseInClosedForm) {
     mobius(k - 1) = std::tgamma(k + 1) * c * std::pow(d, k - 1);
     back(k - 1) = std::tgamma(k + 1) * std::pow(-d, k - 1) / std::pow(c, k);
   }
-  EXPECT_LE(difference(back, inverseBeta(mobius)), 4 * eps * condition(betaMatrix(back), betaMatrix(mobius)));
+  EXPECT_LE(difference(back, inverseBeta(mobius)),
+            4 * eps * condition(betaMatrix(back), betaMatrix(mobius)));
 }
 
 /// The derivatives of a curve and of a reparametrisation of it, both run backwards and exchanged.
@@ -134,7 +136,8 @@ TEST(Beta, Identity3BackwardsAndExchanged) {
     const CurveDerivatives a = test::randomDerivatives(order, random);
     CurveDerivatives b = betaMatrix(beta) * a, backwards_a = a;
     const Eigen::VectorXd reversed = reversedBeta(beta), inverse = inverseBeta(beta);
-    for (Eigen::Index k = 0; k < order; ++k) EXPECT_EQ(reversed(k), (k % 2 == 0 ? 1 : -1) * inverse(k));
+    for (Eigen::Index k = 0; k < order; ++k)
+      EXPECT_EQ(reversed(k), (k % 2 == 0 ? 1 : -1) * inverse(k));
     for (Eigen::Index k = 1; k <= order; k += 2) {
       b.row(k) *= -1;
       backwards_a.row(k) *= -1;
@@ -143,7 +146,8 @@ TEST(Beta, Identity3BackwardsAndExchanged) {
     const Eigen::VectorXd terms = R * (B * (R * (B * a.rowwise().norm())));
     const CurveDerivatives found = betaMatrix(reversed) * b;
     for (int k = 0; k <= order; ++k)
-      EXPECT_LE((found.row(k) - backwards_a.row(k)).norm(), 4 * eps * terms(k)) << run << " order " << k;
+      EXPECT_LE((found.row(k) - backwards_a.row(k)).norm(), 4 * eps * terms(k))
+          << run << " order " << k;
   }
 }
 
@@ -178,9 +182,11 @@ TEST(Beta, RefusesWhatIsNoBeta) {
               HasSubstr("beta_1 is -2"));
   EXPECT_THAT(refusal([&] { composedBeta(Vector3d(1, 1, 1), Eigen::Vector2d(1, 1)); }),
               HasSubstr("betas 3 and 2"));
-  EXPECT_THAT(refusal([&] { betaMatrix(Eigen::VectorXd::Ones(31)); }), HasSubstr("31 betas: at most 30"));
+  EXPECT_THAT(refusal([&] { betaMatrix(Eigen::VectorXd::Ones(31)); }),
+              HasSubstr("31 betas: at most 30"));
   EXPECT_NO_THROW(betaMatrix(Eigen::VectorXd::Ones(30)));
-  EXPECT_THAT(refusal([&] { betaMatrix(Vector3d(1e200, 1e200, 1)); }), HasSubstr("entry (2, 2) is inf"));
+  EXPECT_THAT(refusal([&] { betaMatrix(Vector3d(1e200, 1e200, 1)); }),
+              HasSubstr("entry (2, 2) is inf"));
 }
 
 }  // namespace

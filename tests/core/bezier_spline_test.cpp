@@ -91,7 +91,8 @@ TEST(BezierSpline, GapsAreRefusedWithTheirJointAndSize) {
   expectRefused([&] { bezierSpline(std::vector<BezierCurve>{}, {0}); }, "no segments");
   expectRefused([&] { bezierSpline(segmentsOf(spline), {0, 1, 2}); }, "segments 4, knots 3");
   expectRefused([&] { bezierSpline(segmentsOf(spline), {0, 1, 2, 2, 3}); }, "knot 3 is 2");
-  expectRefused([&] { bezierSpline(segmentsOf(spline), spline.knots, false, nan); }, "gap_mm is nan");
+  expectRefused([&] { bezierSpline(segmentsOf(spline), spline.knots, false, nan); },
+                "gap_mm is nan");
 }
 
 TEST(BezierSpline, DerivativesByTheSplinesOwnParameter) {
@@ -104,7 +105,8 @@ TEST(BezierSpline, DerivativesByTheSplinesOwnParameter) {
     const CurveDerivatives ours = derivatives(spline, spline.knots[s] + local * h, 3);
     const CurveDerivatives theirs = segment(spline, s).derivatives(local, 3);
     for (int k = 0; k <= 3; ++k)
-      EXPECT_LT((ours.row(k) * std::pow(h, k) - theirs.row(k)).norm(), 1e-10 * (1 + theirs.row(k).norm()))
+      EXPECT_LT((ours.row(k) * std::pow(h, k) - theirs.row(k)).norm(),
+                1e-10 * (1 + theirs.row(k).norm()))
           << i;
     const int last = spline.segments() - 1;
     const double length = spline.knots[last + 1] - spline.knots[last];
@@ -113,10 +115,11 @@ TEST(BezierSpline, DerivativesByTheSplinesOwnParameter) {
                  segment(spline, last).derivatives(1 + beyond, 0))
                     .norm(),
                 1e-9);
-    EXPECT_LT((derivatives(spline, spline.knots.front() - 0.25 * (spline.knots[1] - spline.knots[0]), 0) -
-               segment(spline, 0).derivatives(-0.25, 0))
-                  .norm(),
-              1e-9);
+    EXPECT_LT(
+        (derivatives(spline, spline.knots.front() - 0.25 * (spline.knots[1] - spline.knots[0]), 0) -
+         segment(spline, 0).derivatives(-0.25, 0))
+            .norm(),
+        1e-9);
   }
 }
 
@@ -124,7 +127,8 @@ TEST(BezierSpline, JointsOfACircle) {
   std::vector<BezierCurve> quarters;
   for (int k = 0; k < 4; ++k) quarters.push_back(quarter(k));
   for (const bool closed : {false, true}) {
-    const std::vector<CurveJoint> joints = measureJoints(bezierSpline(quarters, {0, 1, 2, 3, 4}, closed), 4);
+    const std::vector<CurveJoint> joints =
+        measureJoints(bezierSpline(quarters, {0, 1, 2, 3, 4}, closed), 4);
     ASSERT_EQ(joints.size(), closed ? 4 : 3);
     for (const CurveJoint& joint : joints) {
       EXPECT_EQ(orderReached(joint, {}), 4);
@@ -135,7 +139,8 @@ TEST(BezierSpline, JointsOfACircle) {
   HomogeneousPoles moved = quarters[2].homogeneousPoles();
   moved(1, 0) *= 1 + 1e-6;
   quarters[2] = BezierCurve::fromHomogeneous(moved);
-  const std::vector<CurveJoint> joints = measureJoints(bezierSpline(quarters, {0, 1, 2, 3, 4}, true), 2);
+  const std::vector<CurveJoint> joints =
+      measureJoints(bezierSpline(quarters, {0, 1, 2, 3, 4}, true), 2);
   EXPECT_LT(joints[0].differences[2], 1e-14);
   EXPECT_GT(joints[1].differences[2], 1e-7);
   EXPECT_GT(joints[2].differences[2], 1e-7);
@@ -154,18 +159,21 @@ TEST(BezierSpline, ConversionOracleOfSixtyDigits) {
       for (const nlohmann::json& piece : in["pieces"])
         curves.push_back(test::bezierCurve(piece["points"], piece["weights"]));
     else
-      for (const nlohmann::json& piece : in["segments"]) curves.push_back(test::bezierCurve(piece, nullptr));
+      for (const nlohmann::json& piece : in["segments"])
+        curves.push_back(test::bezierCurve(piece, nullptr));
     const BezierSpline spline = bezierSpline(curves, test::numbers(in["breaks"]));
     const BSplineCurve curve = bsplineCurve(spline, continuity);
     const Poles wanted = test::points(out["poles"]);
     ASSERT_EQ(curve.poles.rows(), wanted.rows());
-    EXPECT_EQ(curve.knots,
-              test::flatKnots(curve.degree, test::numbers(out["knots"]), curve.degree - continuity));
+    EXPECT_EQ(curve.knots, test::flatKnots(curve.degree, test::numbers(out["knots"]),
+                                           curve.degree - continuity));
     EXPECT_EQ(out["mults"][1], kind == "circle" ? 2 : curve.degree - continuity);
     const double size = wanted.cwiseAbs().maxCoeff();
     for (Eigen::Index i = 0; i < wanted.rows(); ++i) {
-      EXPECT_NEAR(curve.poles(i, 3), out["weights"].is_null() ? 1 : test::number(out["weights"][i]), 1e-15);
-      EXPECT_LT((curve.poles.row(i).head<3>() / curve.poles(i, 3) - wanted.row(i)).norm(), 1e-13 * size);
+      EXPECT_NEAR(curve.poles(i, 3), out["weights"].is_null() ? 1 : test::number(out["weights"][i]),
+                  1e-15);
+      EXPECT_LT((curve.poles.row(i).head<3>() / curve.poles(i, 3) - wanted.row(i)).norm(),
+                1e-13 * size);
     }
     for (const nlohmann::json& sample : out["samples"])
       for (const CurveDerivatives& x : {derivatives(curve, test::number(sample["t"]), 0),
@@ -176,7 +184,8 @@ TEST(BezierSpline, ConversionOracleOfSixtyDigits) {
                     "derivative of order " + std::to_string(continuity + 1));
       BezierSpline moved = spline;
       moved.poles(spline.degree + 1, 1) += 1e-6 * size;
-      expectRefused([&] { bsplineCurve(moved, continuity); }, "knot 1: the derivative of order 1 jumps by");
+      expectRefused([&] { bsplineCurve(moved, continuity); },
+                    "knot 1: the derivative of order 1 jumps by");
     }
     ++compared;
   }
@@ -192,7 +201,8 @@ TEST(BezierSpline, RefusalTellsTheJump) {
   expectRefused([&] { bsplineCurve(spline, 2); }, "order is 2: 0 to degree - 1, 1, is possible");
   expectRefused([&] { bsplineCurve(spline, -1); }, "order is -1");
   spline.poles(3, 0) = 1;
-  expectRefused([&] { bsplineCurve(spline, 1); }, "knot 1: the derivative of order 1 jumps by 1, rounding");
+  expectRefused([&] { bsplineCurve(spline, 1); },
+                "knot 1: the derivative of order 1 jumps by 1, rounding");
 }
 
 /// A B-spline curve of any multiplicities is its segments, and these are it again.
@@ -200,10 +210,13 @@ TEST(BezierSpline, BSplineThereAndBack) {
   std::mt19937_64 random(315);
   for (int i = 0; i < 2000; ++i) {
     const int degree = 1 + i % 7, continuity = i % degree;
-    const BSplineCurve curve = test::randomCurve(degree, degree - continuity, 1 + i % 6, i % 2 == 0, random);
+    const BSplineCurve curve =
+        test::randomCurve(degree, degree - continuity, 1 + i % 6, i % 2 == 0, random);
     const BezierSpline spline = bezierSpline(curve);
-    const double t = std::uniform_real_distribution<double>(curve.knots.front(), curve.knots.back())(random);
-    EXPECT_LT((derivatives(spline, t, 0) - derivatives(curve, t, 0)).norm(), 1e-12 * (1 + curve.count()))
+    const double t =
+        std::uniform_real_distribution<double>(curve.knots.front(), curve.knots.back())(random);
+    EXPECT_LT((derivatives(spline, t, 0) - derivatives(curve, t, 0)).norm(),
+              1e-12 * (1 + curve.count()))
         << i;
     EXPECT_EQ((spline.poles.col(3).array() == 1).all(), i % 2 == 1);
     const BSplineCurve back = bsplineCurve(spline, continuity);
@@ -212,10 +225,12 @@ TEST(BezierSpline, BSplineThereAndBack) {
       EXPECT_EQ(back, curve);
       EXPECT_EQ(bezierSpline(back), spline);
     }
-    // Blossoms reach over as many spans as continuity, each extrapolation at worst (1 + the ratio of lengths).
+    // Blossoms reach over as many spans as continuity, each extrapolation at worst (1 + the ratio
+    // of lengths).
     double ratio = 1;
     for (int s = 1; s < spline.segments(); ++s) {
-      const double h = spline.knots[s] - spline.knots[s - 1], k = spline.knots[s + 1] - spline.knots[s];
+      const double h = spline.knots[s] - spline.knots[s - 1],
+                   k = spline.knots[s + 1] - spline.knots[s];
       ratio = std::max({ratio, h / k, k / h});
     }
     EXPECT_LT((back.poles - curve.poles).cwiseAbs().maxCoeff(),
@@ -245,15 +260,16 @@ TEST(BezierSpline, TinySpansLoseNothing) {
   }
 }
 
-/// Beside a span of 1e-9 the second derivative may jump by 1 unseen by rounding there; still the curve is not C2.
+/// Beside a span of 1e-9 the second derivative may jump by 1 unseen by rounding there; still the
+/// curve is not C2.
 TEST(BezierSpline, ShortSegmentsHideNoJump) {
   BezierSpline spline{3, {0, 1, 1 + 0x1p-30, 2 + 0x1p-30}, HomogeneousPoles::Zero(10, 4)};
   spline.poles.col(3).setOnes();
   spline.poles.col(1).setConstant(1);
   // X = t before; after the second knot u X = t + (t - u)^2.
   const double u = 1 + 0x1p-30;
-  spline.poles.col(0) << 0, 1 / 3.0, 2 / 3.0, 1, 1 + 0x1p-30 / 3, 1 + 0x1p-29 / 3, u, u + 1 / 3.0, u + 1,
-      u + 2;
+  spline.poles.col(0) << 0, 1 / 3.0, 2 / 3.0, 1, 1 + 0x1p-30 / 3, 1 + 0x1p-29 / 3, u, u + 1 / 3.0,
+      u + 1, u + 2;
   EXPECT_EQ(continuity(spline), 1);
   expectRefused([&] { bsplineCurve(spline, 2); }, "does not go into a curve of order 2");
   std::mt19937_64 random(319);
@@ -283,7 +299,8 @@ TEST(BezierSpline, ContinuityIsThatOfTheWorstKnot) {
     for (int r = 1; r <= order; ++r) {
       BezierSpline moved = spline;
       moved.poles(degree + r, 1) += 1e-6 * size;
-      EXPECT_EQ(continuity(moved), spline.segments() > 2 ? std::min(r - 1, degree - r - 1) : r - 1) << i;
+      EXPECT_EQ(continuity(moved), spline.segments() > 2 ? std::min(r - 1, degree - r - 1) : r - 1)
+          << i;
     }
   }
 }
@@ -311,12 +328,14 @@ TEST(BezierSpline, InnerPolesOfC1AreTakenOver) {
   std::mt19937_64 random(316);
   for (int i = 0; i < 300; ++i) {
     const int degree = 2 + i % 5;
-    const BezierSpline spline = bezierSpline(test::randomCurve(degree, degree - 1, 4, i % 2 == 0, random));
+    const BezierSpline spline =
+        bezierSpline(test::randomCurve(degree, degree - 1, 4, i % 2 == 0, random));
     const BSplineCurve curve = bsplineCurve(spline, 1);
     Eigen::Index row = 1;
     for (int s = 0; s < 4; ++s)
       for (int j = 1; j < degree; ++j)
-        EXPECT_EQ(curve.poles.row(row++), spline.poles.row(static_cast<Eigen::Index>(s) * degree + j));
+        EXPECT_EQ(curve.poles.row(row++),
+                  spline.poles.row(static_cast<Eigen::Index>(s) * degree + j));
     EXPECT_EQ(row + 1, curve.poles.rows());
   }
 }
@@ -357,7 +376,8 @@ TEST(BezierSpline, RefusesWhatIsNoSpline) {
   refused([](BezierSpline& s) { s.knots = {-1.5e308, 0, 1.5e308}; }, "the knots range over inf");
   refused([](BezierSpline& s) { s.poles(3, 0) = -inf; }, "pole 3 is not finite");
   refused([](BezierSpline& s) { s.poles(0, 3) = 0; }, "weight 0 is 0");
-  refused([](BezierSpline& s) { s.poles(4, 2) += 0.5; }, "the last pole, 4, is 0.5 mm from the first");
+  refused([](BezierSpline& s) { s.poles(4, 2) += 0.5; },
+          "the last pole, 4, is 0.5 mm from the first");
   refused([](BezierSpline& s) { s.poles(4, 2) = std::nextafter(1.0, 2.0); },
           "a closed spline ends where it begins");
   expectRefused([&] { segment(good, 2); }, "segment 2: there are 2");
@@ -369,7 +389,8 @@ TEST(BezierSpline, RefusesWhatIsNoSpline) {
   expectRefused([&] { bsplineCurve(high, 0); }, "degree is 26");
 }
 
-/// Knots [0, h, 30, .., 180] with X'' jumping at 0 alone: the same verdict whether 0 is the seam or an inner knot.
+/// Knots [0, h, 30, .., 180] with X'' jumping at 0 alone: the same verdict whether 0 is the seam or
+/// an inner knot.
 TEST(BezierSpline, AShortSegmentBesideTheSeamHidesNoJump) {
   std::mt19937_64 random(320);
   for (const double h : {1e-3, 1e-5, 1e-7, 1e-9})
@@ -378,12 +399,14 @@ TEST(BezierSpline, AShortSegmentBesideTheSeamHidesNoJump) {
       BSplineCurve turns{3, {-360, -360, -360, -360}, {}};
       for (const double start : {-360, -180, 0, 180}) {
         if (start > -360) turns.knots.insert(turns.knots.end(), times, start);
-        for (const double knot : {h, 30.0, 60.0, 90.0, 120.0, 150.0}) turns.knots.push_back(start + knot);
+        for (const double knot : {h, 30.0, 60.0, 90.0, 120.0, 150.0})
+          turns.knots.push_back(start + knot);
       }
       turns.knots.insert(turns.knots.end(), 4, 360);
       turns.poles.resize(turns.count(), 4);
       const HomogeneousPoles ring = test::randomPoles(6 + times, false, random);
-      for (Eigen::Index i = 0; i < turns.count(); ++i) turns.poles.row(i) = ring.row(i % ring.rows());
+      for (Eigen::Index i = 0; i < turns.count(); ++i)
+        turns.poles.row(i) = ring.row(i % ring.rows());
       const BezierSpline whole = bezierSpline(turns);
       const auto cut = [&](int from) {
         const auto begin = whole.knots.begin() + from;
@@ -405,7 +428,8 @@ TEST(BezierSpline, DerivativesBeyondTheDegreeOfShortSegmentsAreZero) {
   EXPECT_TRUE(rows.bottomRows(49).isZero(0));
 }
 
-/// 8 (degree + 4) eps of the poles, times n / h for each order on both sides: poles of size 4 either way, h = 1 and 2.
+/// 8 (degree + 4) eps of the poles, times n / h for each order on both sides: poles of size 4
+/// either way, h = 1 and 2.
 TEST(BezierSpline, RefusalTellsTheRounding) {
   BezierSpline spline{2, {0, 1, 3}, HomogeneousPoles::Zero(5, 4)};
   spline.poles.col(3).setOnes();

@@ -26,10 +26,12 @@ Eigen::VectorXd randomWeights(int count, std::mt19937_64& random) {
   return weights;
 }
 
-/// k-th derivative of the Bernstein polynomial B_i^n at t, from its power form: an oracle without de Casteljau.
+/// k-th derivative of the Bernstein polynomial B_i^n at t, from its power form: an oracle without
+/// de Casteljau.
 long double bernstein(int n, int i, int k, long double t) {
   const auto binomial = [](int a, int b) {
-    return std::round(std::exp(std::lgamma(a + 1.0L) - std::lgamma(b + 1.0L) - std::lgamma(a - b + 1.0L)));
+    return std::round(
+        std::exp(std::lgamma(a + 1.0L) - std::lgamma(b + 1.0L) - std::lgamma(a - b + 1.0L)));
   };
   long double sum = 0;
   for (int p = i; p <= n; ++p) {
@@ -44,7 +46,8 @@ long double bernstein(int n, int i, int k, long double t) {
 Vec polynomialDerivative(const Poles& poles, int k, double t) {
   Vec sum = Vec::Zero();
   const int n = static_cast<int>(poles.rows()) - 1;
-  for (int i = 0; i <= n; ++i) sum += static_cast<double>(bernstein(n, i, k, t)) * poles.row(i).transpose();
+  for (int i = 0; i <= n; ++i)
+    sum += static_cast<double>(bernstein(n, i, k, t)) * poles.row(i).transpose();
   return sum;
 }
 
@@ -54,9 +57,9 @@ TEST(BezierCurve, HomogeneousPolesAreTakenOverBitByBit) {
   poles << randomPoles(4, random), randomWeights(4, random);
   EXPECT_EQ(BezierCurve::fromHomogeneous(poles).homogeneousPoles(), poles);
   poles(2, 3) = -0.25;
-  EXPECT_THAT(
-      [&] { BezierCurve::fromHomogeneous(poles); },
-      testing::ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr("weight 2"), HasSubstr("-0.25"))));
+  EXPECT_THAT([&] { BezierCurve::fromHomogeneous(poles); },
+              testing::ThrowsMessage<std::invalid_argument>(
+                  AllOf(HasSubstr("weight 2"), HasSubstr("-0.25"))));
   EXPECT_THROW(BezierCurve::fromHomogeneous(HomogeneousPoles(0, 4)), std::invalid_argument);
 }
 
@@ -84,7 +87,8 @@ TEST(BezierCurve, DerivativesOfAnyOrderEqualThePowerForm) {
     ASSERT_EQ(x.rows(), order + 1);
     for (int k = 0; k <= order; ++k) {
       const Vec wanted = polynomialDerivative(poles, k, 0.3);
-      EXPECT_LT((x.row(k).transpose() - wanted).norm(), 1e-8 * (1 + wanted.norm())) << degree << ' ' << k;
+      EXPECT_LT((x.row(k).transpose() - wanted).norm(), 1e-8 * (1 + wanted.norm()))
+          << degree << ' ' << k;
     }
   }
 }
@@ -164,7 +168,8 @@ TEST(BezierPatch, PolynomialPartialsEqualThePowerForm) {
       Vec sum = Vec::Zero();
       for (int i = 0; i <= m; ++i)
         for (int j = 0; j <= n; ++j)
-          sum += static_cast<double>(bernstein(m, i, k, u) * bernstein(n, j, l, v)) * patch.pole(i, j);
+          sum +=
+              static_cast<double>(bernstein(m, i, k, u) * bernstein(n, j, l, v)) * patch.pole(i, j);
       return sum;
     };
     const SurfaceJet x = patch.jet(u, v);
@@ -201,7 +206,8 @@ BezierPatch quarterTorus(double R, double r) {
 }
 
 TEST(BezierPatch, RationalTorusStaysOnTheTorusToThirdOrder) {
-  // F = (|p|^2 + R^2 - r^2)^2 - 4 R^2 (x^2 + y^2) vanishes along every line in the parameter plane, with all derivatives.
+  // F = (|p|^2 + R^2 - r^2)^2 - 4 R^2 (x^2 + y^2) vanishes along every line in the parameter plane,
+  // with all derivatives.
   const double R = 3, r = 1;
   const BezierPatch torus = quarterTorus(R, r);
   for (const auto& [u, v] : {std::pair(0.2, 0.3), std::pair(0.5, 0.9), std::pair(1.0, 0.0)})
@@ -211,7 +217,8 @@ TEST(BezierPatch, RationalTorusStaysOnTheTorusToThirdOrder) {
       // Taylor coefficients of the curve X(u + a h, v + b h) in h.
       const Vec c[4] = {
           x.p, a * x.u + b * x.v, 0.5 * (a * a * x.uu + 2 * a * b * x.uv + b * b * x.vv),
-          (a * a * a * x.uuu + 3 * a * a * b * x.uuv + 3 * a * b * b * x.uvv + b * b * b * x.vvv) / 6};
+          (a * a * a * x.uuu + 3 * a * a * b * x.uuv + 3 * a * b * b * x.uvv + b * b * b * x.vvv) /
+              6};
       double square[4] = {}, flat[4] = {};
       for (int i = 0; i < 4; ++i)
         for (int j = 0; i + j < 4; ++j) {
@@ -246,8 +253,8 @@ TEST(BezierPatch, NoiseBoundsTheRoundingOfFirstPartials) {
   std::mt19937_64 random(35);
   for (int i = 0; i < 200; ++i) {
     const int m = 1 + i % 5, n = 1 + i % 4;
-    const Poles poles =
-        test::logUniform(random, -3, 4) * (randomPoles((m + 1) * (n + 1), random).array() + 100).matrix();
+    const Poles poles = test::logUniform(random, -3, 4) *
+                        (randomPoles((m + 1) * (n + 1), random).array() + 100).matrix();
     const BezierPatch patch(m, n, poles);
     const double u = 0.37, v = 0.61;
     Eigen::Matrix<long double, 3, 1> exact = Eigen::Matrix<long double, 3, 1>::Zero();
@@ -276,11 +283,13 @@ TEST(Bezier, BadInputIsNamedByIndexAndValue) {
   EXPECT_THAT(complaint([&] { BezierCurve{holed}; }), HasSubstr("pole 2"));
   EXPECT_THAT(complaint([&] { BezierCurve(four, Eigen::Vector3d::Ones()); }),
               AllOf(HasSubstr("poles 4"), HasSubstr("weights 3")));
-  EXPECT_THAT(complaint([&] { BezierCurve(four, Eigen::Vector4d(1, 1, 0, 1)); }), HasSubstr("weight 2 is 0"));
+  EXPECT_THAT(complaint([&] { BezierCurve(four, Eigen::Vector4d(1, 1, 0, 1)); }),
+              HasSubstr("weight 2 is 0"));
   EXPECT_THAT(complaint([&] { BezierCurve(four, Eigen::Vector4d(1, -2, 1, 1)); }),
               AllOf(HasSubstr("weight 1"), HasSubstr("-2")));
   EXPECT_THAT(complaint([&] { BezierCurve(four).derivatives(0, -2); }), HasSubstr("order -2"));
-  EXPECT_THAT(complaint([&] { BezierPatch(1, 2, four); }), AllOf(HasSubstr("1 by 2"), HasSubstr("poles 4")));
+  EXPECT_THAT(complaint([&] { BezierPatch(1, 2, four); }),
+              AllOf(HasSubstr("1 by 2"), HasSubstr("poles 4")));
   EXPECT_THAT(complaint([&] { BezierPatch(-1, 0, four); }), HasSubstr("-1"));
   EXPECT_THAT(complaint([&] { BezierPatch(1, 1, holed); }), HasSubstr("pole 2"));
 }

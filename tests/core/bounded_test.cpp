@@ -13,7 +13,8 @@ namespace {
 
 using test::Dyadic;
 
-/// A number of any size that is known to some digits, exactly, or not even its sign; and one that it may be.
+/// A number of any size that is known to some digits, exactly, or not even its sign; and one that
+/// it may be.
 struct Sample {
   Bounded bounded;
   Dyadic truth;
@@ -29,7 +30,8 @@ Sample sampleOf(int kind, std::mt19937_64& random) {
 }
 
 bool holds(const Bounded& bounded, const Dyadic& truth) {
-  return std::isinf(bounded.error) || (truth - Dyadic(bounded.value)).abs() <= Dyadic(bounded.error);
+  return std::isinf(bounded.error) ||
+         (truth - Dyadic(bounded.value)).abs() <= Dyadic(bounded.error);
 }
 
 TEST(Bounded, HoldsTheExactResult) {
@@ -41,12 +43,14 @@ TEST(Bounded, HoldsTheExactResult) {
     ASSERT_TRUE(holds(a + b, x + y)) << run;
     ASSERT_TRUE(holds(a - b, x - y)) << run;
     ASSERT_TRUE(holds(a * b, x * y)) << run;
-    ASSERT_TRUE(holds(ldexp(a, run % 100 - 50), x * Dyadic(std::ldexp(1.0, run % 100 - 50)))) << run;
+    ASSERT_TRUE(holds(ldexp(a, run % 100 - 50), x * Dyadic(std::ldexp(1.0, run % 100 - 50))))
+        << run;
     ASSERT_TRUE(Dyadic(a.sizeLower()) <= x.abs() && x.abs() <= Dyadic(a.sizeUpper())) << run;
     const Bounded quotient = a / b;
     if (std::isfinite(quotient.error)) {  // |v y - x| <= e |y|
       ++known;
-      ASSERT_TRUE((Dyadic(quotient.value) * y - x).abs() <= Dyadic(quotient.error) * y.abs()) << run;
+      ASSERT_TRUE((Dyadic(quotient.value) * y - x).abs() <= Dyadic(quotient.error) * y.abs())
+          << run;
     }
     const Bounded root = sqrt(x.sign() < 0 ? -a : a);
     const Dyadic low = Dyadic(root.value) - Dyadic(root.error),

@@ -25,19 +25,23 @@ TEST(BSplineCurve, Identity1BezierCurves) {
   std::mt19937_64 random(301);
   for (int i = 0; i < 1000; ++i) {
     const int degree = 1 + i % 25;
-    const BezierCurve curve = BezierCurve::fromHomogeneous(test::randomPoles(degree + 1, i % 2 == 0, random));
+    const BezierCurve curve =
+        BezierCurve::fromHomogeneous(test::randomPoles(degree + 1, i % 2 == 0, random));
     const BSplineCurve spline = splineCurve(curve);
     EXPECT_EQ(spline.poles, curve.homogeneousPoles());
     const double t = i % 7 == 0 ? i % 2 : drawn(random, 0, 1);
     const CurveDerivatives ours = derivatives(spline, t, 3), theirs = curve.derivatives(t, 3);
-    // Differences of order k are rounded 2^k n! / (n - k)! eps times the poles; weights divide up to order k.
+    // Differences of order k are rounded 2^k n! / (n - k)! eps times the poles; weights divide up
+    // to order k.
     double scale = static_cast<double>(degree);
     for (int k = 0; k <= 3; ++k, scale *= 2 * degree)
-      EXPECT_LT((ours.row(k) - theirs.row(k)).norm(), 1e-13 * scale * (1 << k)) << i << " order " << k;
+      EXPECT_LT((ours.row(k) - theirs.row(k)).norm(), 1e-13 * scale * (1 << k))
+          << i << " order " << k;
   }
 }
 
-/// Of a polynomial, Taylor's series is finite: all rows at one parameter give the point at any other of the span.
+/// Of a polynomial, Taylor's series is finite: all rows at one parameter give the point at any
+/// other of the span.
 TEST(BSplineCurve, Identity2RowsAreDerivativesOfRows) {
   std::mt19937_64 random(302);
   for (int i = 0; i < 2000; ++i) {
@@ -101,21 +105,25 @@ TEST(BSplineCurve, ClosedFormMarsden) {
       curve.poles.row(p) << p1 / n, 2 * e2 / (n * (n - 1)), 6 * e3 / (n * (n - 1.0) * (n - 2)), 1;
     }
     const double t = drawn(random, curve.knots.front(), curve.knots.back());
-    const double size = std::pow(1 + std::max(std::abs(curve.knots.front()), curve.knots.back()), 3);
+    const double size =
+        std::pow(1 + std::max(std::abs(curve.knots.front()), curve.knots.back()), 3);
     CurveDerivatives exact(4, 3);
     exact << t, t * t, t * t * t, 1, 2 * t, 3 * t * t, 0, 2, 6 * t, 0, 0, 6;
     const CurveDerivatives ours = derivatives(curve, t, 3);
     double least = inf;
     for (std::size_t j = 1; j < curve.knots.size(); ++j)
-      if (curve.knots[j] > curve.knots[j - 1]) least = std::min(least, curve.knots[j] - curve.knots[j - 1]);
+      if (curve.knots[j] > curve.knots[j - 1])
+        least = std::min(least, curve.knots[j] - curve.knots[j - 1]);
     for (int k = 0; k <= 3; ++k)
-      EXPECT_LT((ours.row(k) - exact.row(k)).norm(), 1e-13 * size * std::pow(2 * n / std::min(least, 1.0), k))
+      EXPECT_LT((ours.row(k) - exact.row(k)).norm(),
+                1e-13 * size * std::pow(2 * n / std::min(least, 1.0), k))
           << i << " order " << k;
   }
 }
 
 TEST(BSplineCurve, KnotsBelongToWhatFollows) {
-  // Two parabolas over [0, 1] and [1, 3] that meet with a corner; at the end and beyond the last one goes on.
+  // Two parabolas over [0, 1] and [1, 3] that meet with a corner; at the end and beyond the last
+  // one goes on.
   BSplineCurve curve{2, {0, 0, 0, 1, 1, 3, 3, 3}, HomogeneousPoles::Ones(5, 4)};
   curve.poles.col(0) << 0, 1, 2, 6, 6;
   curve.poles.col(1).setZero();
@@ -204,7 +212,8 @@ TEST(BSplineCurve, RefusesWhatIsNoCurve) {
 }
 
 TEST(BSplineCurve, EqualWeightsOfAnySizeAreNone) {
-  const BSplineCurve one{1, {0, 0, 1, 1}, (HomogeneousPoles(2, 4) << 1, 2, 3, 1, 4, 5, 6, 1).finished()};
+  const BSplineCurve one{
+      1, {0, 0, 1, 1}, (HomogeneousPoles(2, 4) << 1, 2, 3, 1, 4, 5, 6, 1).finished()};
   BSplineCurve three = one;
   three.poles *= 3;
   EXPECT_EQ(derivatives(three, 0.25, 1), derivatives(one, 0.25, 1));
@@ -212,7 +221,8 @@ TEST(BSplineCurve, EqualWeightsOfAnySizeAreNone) {
 
 TEST(BSplineCurve, ARangeThatUnderflowsIsRefused) {
   const BSplineCurve tiny{1, {0, 0, 1e-310, 1e-310}, HomogeneousPoles::Ones(2, 4)};
-  expectRefused([&] { requireValid(tiny); }, "the range of the knots must not overflow, nor underflow");
+  expectRefused([&] { requireValid(tiny); },
+                "the range of the knots must not overflow, nor underflow");
   const BSplineCurve flat{1, {0, 0, 1, 1}, HomogeneousPoles::Ones(2, 4) * 1e-12};
   BSplineCurve weightless = flat;
   weightless.poles(0, 3) = -1e-12;

@@ -15,8 +15,8 @@ using test::clampedKnots, test::strip, test::StripShape, test::Vec;
 double distance(const SurfaceJet& a, const SurfaceJet& b) {
   double largest = 0;
   for (const auto member :
-       {&SurfaceJet::p, &SurfaceJet::u, &SurfaceJet::v, &SurfaceJet::uu, &SurfaceJet::uv, &SurfaceJet::vv,
-        &SurfaceJet::uuu, &SurfaceJet::uuv, &SurfaceJet::uvv, &SurfaceJet::vvv})
+       {&SurfaceJet::p, &SurfaceJet::u, &SurfaceJet::v, &SurfaceJet::uu, &SurfaceJet::uv,
+        &SurfaceJet::vv, &SurfaceJet::uuu, &SurfaceJet::uuv, &SurfaceJet::uvv, &SurfaceJet::vvv})
     largest = std::max(largest, (a.*member - b.*member).norm() / (1 + (a.*member).norm()));
   return largest;
 }
@@ -51,7 +51,8 @@ TEST(BSplineSurface, OfAPatchTheJetIsThePatchs) {  // (1)
   for (int across = 1; across <= 5; ++across)
     for (int along = 1; along <= 5; ++along)
       for (const bool rational : {false, true}) {
-        const BezierPatch patch = bezierPatch(strip(shape(across, along, {}, rational), 1, 0.5, random));
+        const BezierPatch patch =
+            bezierPatch(strip(shape(across, along, {}, rational), 1, 0.5, random));
         const BSplineSurface surface = splineSurface(patch);
         EXPECT_EQ(bezierPatch(surface).degreeV(), along);
         for (const double u : {0.0, 0.3, 1.0, 1.2})
@@ -99,10 +100,11 @@ TEST(BSplineSurface, MoreKnotsAndDegreesChangeNoPoint) {  // (3)
   for (int round = 0; round < 40; ++round) {
     const BSplineSurface given =
         strip(shape(1 + round % 4, 2 + round % 4, {0.3, 0.6}, round % 2), 1, 0.5, random);
-    const BSplineSurface finer[] = {
-        withKnot(given, SurfaceDirection::U, place(random)),
-        withKnot(given, SurfaceDirection::V, place(random)), withKnot(given, SurfaceDirection::V, 0.3),
-        withRaisedKnots(given, SurfaceDirection::V, 1 + round % 3), elevated(given, SurfaceDirection::U)};
+    const BSplineSurface finer[] = {withKnot(given, SurfaceDirection::U, place(random)),
+                                    withKnot(given, SurfaceDirection::V, place(random)),
+                                    withKnot(given, SurfaceDirection::V, 0.3),
+                                    withRaisedKnots(given, SurfaceDirection::V, 1 + round % 3),
+                                    elevated(given, SurfaceDirection::U)};
     for (const BSplineSurface& surface : finer) {
       requireValid(surface);
       EXPECT_GT(surface.poles.rows(), given.poles.rows());
@@ -129,17 +131,18 @@ TEST(BSplineSurface, AnyEdgeInAnySenseGivesTheSameSide) {
   std::mt19937_64 random(8);
   const BSplineSurface left = strip(shape(2, 3, {0.5}, true), -1, 0, random),
                        right = strip(shape(3, 3, {0.5}, false), 1, 0.05, random);
-  const SeamFigures wanted =
-      encloseSeam(seamSide(left, PatchEdge::U0), seamSide(right, PatchEdge::U0), ContinuityTolerance{});
+  const SeamFigures wanted = encloseSeam(seamSide(left, PatchEdge::U0),
+                                         seamSide(right, PatchEdge::U0), ContinuityTolerance{});
   for (const PatchEdge a : {PatchEdge::U0, PatchEdge::U1, PatchEdge::V0, PatchEdge::V1})
     for (const bool reversed : {false, true}) {
       const SeamFigures figures =
-          encloseSeam(seamSide(test::turned(left, a), a, reversed), seamSide(right, PatchEdge::U0, reversed),
-                      ContinuityTolerance{});
+          encloseSeam(seamSide(test::turned(left, a), a, reversed),
+                      seamSide(right, PatchEdge::U0, reversed), ContinuityTolerance{});
       EXPECT_TRUE(figures.certified);
       EXPECT_FALSE(figures.fold_at);
       EXPECT_NEAR(figures.gap_mm->lower, wanted.gap_mm->lower, 0.02 * wanted.gap_mm->lower);
-      EXPECT_NEAR(figures.angle_rad->lower, wanted.angle_rad->lower, 0.02 * wanted.angle_rad->lower);
+      EXPECT_NEAR(figures.angle_rad->lower, wanted.angle_rad->lower,
+                  0.02 * wanted.angle_rad->lower);
     }
 }
 
@@ -147,7 +150,8 @@ TEST(BSplineSurface, TheSideOfAPatchIsThatOfItsSpline) {
   std::mt19937_64 random(9);
   const BSplineSurface left = strip(shape(2, 3, {}, true), -1, 0.1, random),
                        right = strip(shape(3, 2, {}, true), 1, 0.1, random);
-  const SeamFigures one = encloseSeam(seamSide(left, PatchEdge::U0), seamSide(right, PatchEdge::U0), {});
+  const SeamFigures one =
+      encloseSeam(seamSide(left, PatchEdge::U0), seamSide(right, PatchEdge::U0), {});
   const SeamFigures other = encloseSeam(seamSide(bezierPatch(left), PatchEdge::U0),
                                         seamSide(bezierPatch(right), PatchEdge::U0), {});
   EXPECT_NEAR(one.angle_rad->lower, other.angle_rad->lower, 1e-9);
@@ -159,7 +163,8 @@ TEST(BSplineSurface, WhatIsNoneIsRefused) {
   std::mt19937_64 random(10);
   const BSplineSurface good = strip(shape(2, 3, {0.5}, false), 1, 0.1, random);
   const auto expectRefused = [](const BSplineSurface& surface, const std::string& text) {
-    EXPECT_THAT([&] { requireValid(surface); }, ThrowsMessage<std::invalid_argument>(HasSubstr(text)));
+    EXPECT_THAT([&] { requireValid(surface); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr(text)));
     EXPECT_THROW(jet(surface, 0.5, 0.5), std::invalid_argument);
     EXPECT_THROW(seamSide(surface, PatchEdge::U0), std::invalid_argument);
   };

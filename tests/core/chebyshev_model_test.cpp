@@ -27,13 +27,15 @@ constexpr Real u64 = 0x1p-60L;  // what long double may be off by in a few dozen
 /// The series by T_k(x) = cos(k acos x), not by Clenshaw's recurrence.
 Real seriesAt(const ChebyshevModel& model, Real x) {
   Real sum = 0;
-  for (int k = 0; k <= model.degree(); ++k) sum += model.coefficient(k) * std::cos(k * std::acos(x));
+  for (int k = 0; k <= model.degree(); ++k)
+    sum += model.coefficient(k) * std::cos(k * std::acos(x));
   return sum;
 }
 
 Real size(const ChebyshevModel& model) {
   Real sum = 0;
-  for (int k = 0; k <= model.degree(); ++k) sum += std::abs(static_cast<Real>(model.coefficient(k)));
+  for (int k = 0; k <= model.degree(); ++k)
+    sum += std::abs(static_cast<Real>(model.coefficient(k)));
   return sum;
 }
 
@@ -56,16 +58,19 @@ testing::AssertionResult holds(const Sample& sample, Real noise = 0) {
     const Real may = sample.model.radius() + u64 * size(sample.model) + noise;
     if (std::isfinite(sample.model.radius()) && !(off <= may))
       return testing::AssertionFailure()
-             << "at " << static_cast<double>(x) << " the function is " << static_cast<double>(truth) << ", "
-             << static_cast<double>(off) << " from its model of radius " << sample.model.radius();
+             << "at " << static_cast<double>(x) << " the function is " << static_cast<double>(truth)
+             << ", " << static_cast<double>(off) << " from its model of radius "
+             << sample.model.radius();
     const Interval range = sample.model.range();
     const Real noisy = noise + u64 * std::abs(truth);
     if (sample.model.isKnown() && !(range.lower - noisy <= truth && truth <= range.upper + noisy))
-      return testing::AssertionFailure() << "the value " << static_cast<double>(truth) << " is outside ["
-                                         << range.lower << ", " << range.upper << "]";
+      return testing::AssertionFailure()
+             << "the value " << static_cast<double>(truth) << " is outside [" << range.lower << ", "
+             << range.upper << "]";
     if (sample.model.isKnown() && !(std::abs(truth) <= sample.model.magnitude() + noisy))
-      return testing::AssertionFailure() << "the value " << static_cast<double>(truth) << " is above the "
-                                         << "magnitude " << sample.model.magnitude();
+      return testing::AssertionFailure()
+             << "the value " << static_cast<double>(truth) << " is above the "
+             << "magnitude " << sample.model.magnitude();
   }
   return testing::AssertionSuccess();
 }
@@ -98,7 +103,8 @@ class Models {
   Sample withWave(const std::vector<double>& coefficients) {
     Real total = 0;
     for (const double c : coefficients) total += std::abs(c);
-    const double radius = random_() % 2 == 0 ? 0 : static_cast<double>(total) * logUniform(random_, -18, -2);
+    const double radius =
+        random_() % 2 == 0 ? 0 : static_cast<double>(total) * logUniform(random_, -18, -2);
     const double frequency = uniform(0, 30), phase = uniform(0, 6);
     const Function function = [=](Real x) {
       Real sum = radius * (1 - 1e-15L) * std::cos(frequency * x + phase);
@@ -120,20 +126,25 @@ TEST(ChebyshevModel, Identity1SumsAndProducts) {
   Models models(1);
   for (int i = 0; i < 400; ++i) {
     const double wide = i % 3 == 0 ? 150 : i % 3 == 1 ? 9 : 1;
-    const Sample a = models.sample(-wide, wide), b = models.sample(-wide, wide), c = models.sample(-1, 1);
+    const Sample a = models.sample(-wide, wide), b = models.sample(-wide, wide),
+                 c = models.sample(-1, 1);
     const double factor = models.sized(-9, 9);
     const Real ab = scaleOf(a) + scaleOf(b);
     const auto &f = a.function, &g = b.function, &h = c.function;
     EXPECT_TRUE(holds({a.model + b.model, [=](Real x) { return f(x) + g(x); }}, u64 * ab)) << i;
     EXPECT_TRUE(holds({a.model - b.model, [=](Real x) { return f(x) - g(x); }}, u64 * ab)) << i;
     EXPECT_TRUE(holds({-a.model, [=](Real x) { return -f(x); }}, u64 * ab)) << i;
-    EXPECT_TRUE(holds({factor * a.model, [=](Real x) { return factor * f(x); }}, u64 * std::abs(factor) * ab))
+    EXPECT_TRUE(holds({factor * a.model, [=](Real x) { return factor * f(x); }},
+                      u64 * std::abs(factor) * ab))
         << i;
-    EXPECT_TRUE(
-        holds({a.model * b.model, [=](Real x) { return f(x) * g(x); }}, u64 * scaleOf(a) * scaleOf(b)))
+    EXPECT_TRUE(holds({a.model * b.model, [=](Real x) { return f(x) * g(x); }},
+                      u64 * scaleOf(a) * scaleOf(b)))
         << i;
-    const ChebyshevModel sum =
-        ProductSum().add(a.model, b.model).add(b.model, c.model, -1).add(c.model, c.model, 0.5).model();
+    const ChebyshevModel sum = ProductSum()
+                                   .add(a.model, b.model)
+                                   .add(b.model, c.model, -1)
+                                   .add(c.model, c.model, 0.5)
+                                   .model();
     EXPECT_TRUE(holds({sum, [=](Real x) { return f(x) * g(x) - g(x) * h(x) + h(x) * h(x) / 2; }},
                       u64 * (ab + scaleOf(c)) * (ab + scaleOf(c))))
         << i;
@@ -166,9 +177,11 @@ TEST(ChebyshevModel, Identity1Inverses) {
     const ChebyshevModel inverted = inverse(a.model);
     known += inverted.isKnown();
     if (inverted.isKnown()) {
-      const Real lowest = a.model.range().lower > 0 ? a.model.range().lower : -a.model.range().upper;
+      const Real lowest =
+          a.model.range().lower > 0 ? a.model.range().lower : -a.model.range().upper;
       EXPECT_GT(lowest, 0);
-      EXPECT_TRUE(holds({inverted, [=](Real x) { return 1 / f(x); }}, u64 * scaleOf(a) / (lowest * lowest)))
+      EXPECT_TRUE(
+          holds({inverted, [=](Real x) { return 1 / f(x); }}, u64 * scaleOf(a) / (lowest * lowest)))
           << i;
     }
     const ChebyshevModel root = inverseSqrt(a.model);
@@ -190,8 +203,11 @@ TEST(ChebyshevModel, Identity1InversesOfFunctionsThatNearlyVanish) {
       ChebyshevModel f(1);
       for (int k = 0; k < power; ++k) f = f * ChebyshevModel::linear(1, -1, 0);
       f += ChebyshevModel(least);
-      const auto function = [=](Real x) { return least + std::pow(1 - x, static_cast<Real>(power)); };
-      EXPECT_TRUE(holds({inverse(f), [=](Real x) { return 1 / function(x); }}, 1e-15L / (least * least)));
+      const auto function = [=](Real x) {
+        return least + std::pow(1 - x, static_cast<Real>(power));
+      };
+      EXPECT_TRUE(
+          holds({inverse(f), [=](Real x) { return 1 / function(x); }}, 1e-15L / (least * least)));
       EXPECT_TRUE(holds({inverseSqrt(f), [=](Real x) { return 1 / std::sqrt(function(x)); }},
                         1e-15L / (least * least)));
     }
@@ -200,8 +216,9 @@ TEST(ChebyshevModel, Identity1InversesOfFunctionsThatNearlyVanish) {
 
 TEST(ChebyshevModel, InversesOfFunctionsThatMayVanishAreUnknown) {
   for (const ChebyshevModel& f :
-       {ChebyshevModel::linear(0, 1, 0), ChebyshevModel::linear(1, 1, 0), ChebyshevModel::linear(1, 0, 1),
-        ChebyshevModel(0), ChebyshevModel(infinite), ChebyshevModel(nan), ChebyshevModel::unknown()}) {
+       {ChebyshevModel::linear(0, 1, 0), ChebyshevModel::linear(1, 1, 0),
+        ChebyshevModel::linear(1, 0, 1), ChebyshevModel(0), ChebyshevModel(infinite),
+        ChebyshevModel(nan), ChebyshevModel::unknown()}) {
     EXPECT_FALSE(inverse(f).isKnown());
     EXPECT_FALSE(inverseSqrt(f).isKnown());
   }
@@ -258,9 +275,9 @@ TEST(ChebyshevModel, Identity1DenormalsAndTheEdgeOfTheRange) {
   const ChebyshevModel huge = ChebyshevModel::linear(1e308, 1e307, 0);
   EXPECT_FALSE((huge + huge).isKnown());
   EXPECT_FALSE((huge * huge).isKnown());
-  EXPECT_TRUE(holds(
-      {inverse(ChebyshevModel::linear(1e300, 1e299, 0)), [](Real x) { return 1 / (1e300L + 1e299L * x); }},
-      1e-316L));
+  EXPECT_TRUE(holds({inverse(ChebyshevModel::linear(1e300, 1e299, 0)),
+                     [](Real x) { return 1 / (1e300L + 1e299L * x); }},
+                    1e-316L));
 }
 
 TEST(ChebyshevModel, Identity2TheExcessOfTheRangeFallsWithTheSquareOfTheLength) {
@@ -292,7 +309,8 @@ TEST(ChebyshevModel, Identity3HalvingDividesTheRadiusBy2ToThe8) {
       for (const double part : {2, 4}) {
         const ChebyshevModel model = operation(ChebyshevModel::linear(middle, first / part, 0));
         const double radius = model.radius();
-        if (radius < 8 * ChebyshevModel::negligible * model.magnitude()) break;  // of terms left out
+        if (radius < 8 * ChebyshevModel::negligible * model.magnitude())
+          break;  // of terms left out
         EXPECT_GT(before / radius, 0x1p6);
         EXPECT_LT(before / radius, 0x1p12);
         before = radius;
@@ -313,9 +331,9 @@ TEST(ChebyshevModel, NothingKnownStaysUnknown) {
   const ChebyshevModel one(1), zero(0);
   EXPECT_FALSE(unknown.isKnown());
   for (const ChebyshevModel& model :
-       {unknown + one, one - unknown, -unknown, 2 * unknown, unknown * one, one * unknown, unknown * unknown,
-        around_zero * unknown, unknown * around_zero, inverse(unknown), inverseSqrt(unknown),
-        cosSin(unknown).first, cosSin(unknown).second}) {
+       {unknown + one, one - unknown, -unknown, 2 * unknown, unknown * one, one * unknown,
+        unknown * unknown, around_zero * unknown, unknown * around_zero, inverse(unknown),
+        inverseSqrt(unknown), cosSin(unknown).first, cosSin(unknown).second}) {
     EXPECT_FALSE(model.isKnown());
     EXPECT_FALSE((model * ChebyshevModel(3)).isKnown());
     EXPECT_FALSE((ChebyshevModel::linear(3, 1, 0) * model).isKnown());
@@ -336,9 +354,11 @@ TEST(ChebyshevModel, WhatIsNotFiniteIsNotKnown) {
       std::vector<double> with = coefficients;
       with[k] = bad;
       EXPECT_FALSE(ChebyshevModel::series(with, 0).isKnown()) << bad << " at " << k;
-      EXPECT_FALSE((ChebyshevModel::series(with, 0) * ChebyshevModel::linear(2, 1, 0)).isKnown()) << k;
+      EXPECT_FALSE((ChebyshevModel::series(with, 0) * ChebyshevModel::linear(2, 1, 0)).isKnown())
+          << k;
       EXPECT_FALSE((ChebyshevModel::series(with, 0) + ChebyshevModel(1)).isKnown()) << k;
-      EXPECT_FALSE((ChebyshevModel::series(with, 0) - ChebyshevModel::series(with, 0)).isKnown()) << k;
+      EXPECT_FALSE((ChebyshevModel::series(with, 0) - ChebyshevModel::series(with, 0)).isKnown())
+          << k;
     }
     ChebyshevModel widened(1);
     widened.widen(std::abs(bad));
@@ -375,7 +395,8 @@ TEST(ChebyshevModel, TheBernsteinFormIsTheSeries) {
       for (const Real x : places()) {
         std::vector<Real> level(control.begin(), control.begin() + degree + 1);
         for (int left = degree; left > 0; --left)
-          for (int k = 0; k < left; ++k) level[k] = (1 - x) / 2 * level[k] + (1 + x) / 2 * level[k + 1];
+          for (int k = 0; k < left; ++k)
+            level[k] = (1 - x) / 2 * level[k] + (1 + x) / 2 * level[k + 1];
         EXPECT_NEAR(static_cast<double>(level[0] - seriesAt(a.model, x)), 0,
                     a.model.bernsteinRounding() + static_cast<double>(u64 * 128 * size(a.model)));
       }
@@ -386,7 +407,8 @@ TEST(ChebyshevModel, TheBernsteinFormIsTheSeries) {
 TEST(ControlPolygon, HoldsTheVector) {
   Models models(9);
   for (int i = 0; i < 200; ++i) {
-    const std::array<Sample, 3> a = {models.sample(-3, 3), models.sample(-3, 3), models.sample(-3, 3)};
+    const std::array<Sample, 3> a = {models.sample(-3, 3), models.sample(-3, 3),
+                                     models.sample(-3, 3)};
     const auto polygon = controlPolygon(VectorModel{a[0].model, a[1].model, a[2].model});
     for (const Real x : places()) {
       Eigen::Matrix<Real, 3, 1> curve = Eigen::Matrix<Real, 3, 1>::Zero(), truth;

@@ -20,7 +20,8 @@ using testing::HasSubstr;
 /// Largest difference of two functions, of any degrees.
 double apart(const Eigen::VectorXd& f, const Eigen::VectorXd& g) {
   double most = 0;
-  for (int i = 0; i <= 10; ++i) most = std::max(most, std::abs(value(f, i / 10.0) - value(g, i / 10.0)));
+  for (int i = 0; i <= 10; ++i)
+    most = std::max(most, std::abs(value(f, i / 10.0) - value(g, i / 10.0)));
   return most;
 }
 
@@ -61,7 +62,8 @@ TEST(ConnectionFit, Identity3MotionsAndScales) {
   for (int run = 0; run < 200; ++run) {
     const Join join = randomJoin(run, random);
     const Eigen::Matrix3d linear = test::logUniform(random, -3, 3) * test::randomRotation(random);
-    const Eigen::RowVector3d translation = 10 * linear.col(0).norm() * test::randomVector(random).transpose();
+    const Eigen::RowVector3d translation =
+        10 * linear.col(0).norm() * test::randomVector(random).transpose();
     const ConnectionFit fit = fitConnection(join.a, join.b);
     const ConnectionFit moved =
         fitConnection(mapped(join.a, linear, translation), mapped(join.b, linear, translation));
@@ -74,8 +76,8 @@ TEST(ConnectionFit, Identity3MotionsAndScales) {
 TEST(ConnectionFit, FunctionsThatVanishComeBack) {
   std::mt19937_64 random(55);
   for (int run = 0; run < 400; ++run) {
-    const Ribbon a =
-        endingAtU1(gentlePatch(test::whole(2, 6, random), test::whole(1, 6, random), run % 4 == 3, random));
+    const Ribbon a = endingAtU1(
+        gentlePatch(test::whole(2, 6, random), test::whole(1, 6, random), run % 4 == 3, random));
     Connection made;
     if (run % 2) made.alpha(0) = test::uniform(0.5, 2, random);
     if (run % 3) made.beta(0) = test::uniform(-0.5, 0.5, random);
@@ -96,7 +98,8 @@ TEST(ConnectionFit, WhatStandsInTheWayIsSaid) {
   Ribbon flat = a;
   flat.first.setZero();
   EXPECT_THAT(fitConnection(a, other).note, HasSubstr("the seams are not the same"));
-  EXPECT_THAT(fitConnection(flat, beginningAtU0(continuation(a, {}, 1, 2))).note, HasSubstr("condition"));
+  EXPECT_THAT(fitConnection(flat, beginningAtU0(continuation(a, {}, 1, 2))).note,
+              HasSubstr("condition"));
   const Connection quadratic = test::randomConnection(2, 3, random);
   const ConnectionFit low = fitConnection(a, beginningAtU0(continuation(a, quadratic, 1, 2)),
                                           {.alpha_degree = 0, .beta_degree = 1});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Bezier patches that meet G2 to 40 digits (tests/data/g2_joins.json), continued to known third order.
+// Bezier patches that meet G2 to 40 digits (tests/data/g2_joins.json), continued to known third
+// order.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -123,8 +124,9 @@ BezierPatch gentlePatch(int degree, std::mt19937_64& random) {
 
 SeamFigures surveyOf(const BezierPatch& p, const BezierPatch& q) {
   const std::vector<double> breaks = {0, 1};
-  return surveySeam([&](double t) { return measurePair(sideOf(p, 1, t, true), sideOf(q, 0, t, false)); },
-                    breaks, {});
+  return surveySeam(
+      [&](double t) { return measurePair(sideOf(p, 1, t, true), sideOf(q, 0, t, false)); }, breaks,
+      {});
 }
 
 TEST(G3Join, ThePiecesOfOnePatchAreG3) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Joins that are built against poles known to 60 digits, written-out formulas, and what is measured of them.
+// Joins that are built against poles known to 60 digits, written-out formulas, and what is measured
+// of them.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -62,7 +63,8 @@ TEST(CurveConstruct, PolesOfSixtyDigits) {
     }
     const int degree = in["right_degree"];
     if (wanted.col(3).minCoeff() <= 0) {
-      EXPECT_THAT(refusal([&] { nextPoles(a, degree, rule); }), HasSubstr("weight 2 comes out as -5.24737"));
+      EXPECT_THAT(refusal([&] { nextPoles(a, degree, rule); }),
+                  HasSubstr("weight 2 comes out as -5.24737"));
       continue;
     }
     const HomogeneousPoles poles = nextPoles(a, degree, rule);
@@ -85,7 +87,8 @@ TEST(CurveConstruct, Identity8WrittenOutForSecondOrder) {
     if (m >= 2) second = p.row(m) - 2 * p.row(m - 1) + p.row(m - 2);
     const Vec q1 = last + static_cast<double>(m) / n * beta(0) * first;
     const Vec q2 =
-        2 * q1 - last + (m * (m - 1) * beta(0) * beta(0) * second + m * beta(1) * first) / (n * (n - 1.0));
+        2 * q1 - last +
+        (m * (m - 1) * beta(0) * beta(0) * second + m * beta(1) * first) / (n * (n - 1.0));
     const HomogeneousPoles q = nextPoles(a, n, ruleOf(beta));
     EXPECT_EQ(Vec(q.row(0).head<3>()), last) << "bit by bit";
     EXPECT_LE((Vec(q.row(1).head<3>()) - q1).norm(), 1e-13 * m) << run;
@@ -94,8 +97,8 @@ TEST(CurveConstruct, Identity8WrittenOutForSecondOrder) {
   }
 }
 
-/// Judges by a thousandth of what the move of one pole of b, across the tangent, does to the defect of its
-/// order.
+/// Judges by a thousandth of what the move of one pole of b, across the tangent, does to the defect
+/// of its order.
 struct Verdict {
   const BezierCurve& b;
   double length, move;
@@ -125,9 +128,11 @@ TEST(CurveConstruct, JoinsReachTheirOrderAndAHairLessDoesNot) {
     const int order = 1 + run % 6;
     const auto kind = static_cast<CurveKind>(run / 6 % 5);
     const double size = test::logUniform(random, -3, 6);
-    const BezierCurve a = test::randomCurve(test::wholeNumber(1, 9, random), kind, true, size, random),
+    const BezierCurve a = test::randomCurve(test::wholeNumber(1, 9, random), kind, true, size,
+                                            random),
                       given = test::randomCurve(test::wholeNumber(order, 9, random),
-                                                static_cast<CurveKind>(run / 30 % 5), false, size, random);
+                                                static_cast<CurveKind>(run / 30 % 5), false, size,
+                                                random);
     CurveJoinRule rule = ruleOf(test::randomBeta(order, random));
     rule.length = test::logUniform(random, -0.3, 0.3);
     rule.next_length = rule.length * test::logUniform(random, -0.3, 0.1);
@@ -135,7 +140,8 @@ TEST(CurveConstruct, JoinsReachTheirOrderAndAHairLessDoesNot) {
     if (kind == CurveKind::Rational) {
       rule.scale = Eigen::VectorXd::Unit(order + 1, 0) * test::logUniform(random, -0.3, 0.3);
       for (int k = 1; k <= order; ++k)
-        rule.scale(k) = 0.2 * rule.scale(0) * test::randomVector(random).x() * std::pow(rule.next_length, -k);
+        rule.scale(k) =
+            0.2 * rule.scale(0) * test::randomVector(random).x() * std::pow(rule.next_length, -k);
     }
     std::optional<BezierCurve> made;
     try {
@@ -146,8 +152,8 @@ TEST(CurveConstruct, JoinsReachTheirOrderAndAHairLessDoesNot) {
     }
     const BezierCurve& b = *made;
     const BetaFit fit = fitBeta(a, b, order);
-    const double reach =
-        std::max(a.poles().cwiseAbs().maxCoeff(), b.poles().topRows(order + 1).cwiseAbs().maxCoeff());
+    const double reach = std::max(a.poles().cwiseAbs().maxCoeff(),
+                                  b.poles().topRows(order + 1).cwiseAbs().maxCoeff());
     const Verdict verdict{b, fit.length_mm, 1e-6 * reach};
     if (!verdict.decided(fit)) {
       ++undecided;
@@ -162,7 +168,8 @@ TEST(CurveConstruct, JoinsReachTheirOrderAndAHairLessDoesNot) {
     EXPECT_GT(missed.lower[pole], 0) << run << ": proved to be missed";
     // The decisive pole of a in turn, where it has one.
     if (pole <= a.degree()) {
-      const BetaFit turned = fitBeta(test::withMove(a, a.degree() - pole, move), b, order, fit.length_mm);
+      const BetaFit turned =
+          fitBeta(test::withMove(a, a.degree() - pole, move), b, order, fit.length_mm);
       EXPECT_GT(turned.lower[pole], 0) << run << ": proved to be missed";
     }
     ++decided;
@@ -179,7 +186,8 @@ TEST(CurveConstruct, Identity6TheFitReturnsBeta) {
     const int order = 1 + run % 6;
     const auto kind = static_cast<CurveKind>(run / 6 % 5);
     const BezierCurve a = test::randomCurve(test::wholeNumber(1, 9, random), kind, true, 1, random),
-                      given = test::randomCurve(test::wholeNumber(order, 9, random), kind, false, 1, random);
+                      given = test::randomCurve(test::wholeNumber(order, 9, random), kind, false, 1,
+                                                random);
     CurveJoinRule rule = ruleOf(test::randomBeta(order, random));
     const BezierCurve b = test::gentlyJoined(a, given, rule, false);
     for (int k = 0; k < order; ++k) rule.beta(k) *= std::pow(rule.next_length, k + 1);
@@ -187,9 +195,9 @@ TEST(CurveConstruct, Identity6TheFitReturnsBeta) {
     ASSERT_EQ(fit.beta.size(), order) << run;
     const CurveDerivatives x = a.derivatives(1, order);
     // Rounding of the poles, times what differences and the terms of each row make of it.
-    const double reach =
-        std::max(a.poles().cwiseAbs().maxCoeff(), b.poles().topRows(order + 1).cwiseAbs().maxCoeff()) /
-        x.row(1).norm();
+    const double reach = std::max(a.poles().cwiseAbs().maxCoeff(),
+                                  b.poles().topRows(order + 1).cwiseAbs().maxCoeff()) /
+                         x.row(1).norm();
     const Eigen::MatrixXd B = betaMatrix(rule.beta).cwiseAbs();
     double loss = 1;
     for (int k = 1; k <= order; ++k) {
@@ -209,7 +217,8 @@ TEST(CurveConstruct, Identity9DerivativesByTheCommonParameter) {
     const int order = run % 7;
     const auto kind = static_cast<CurveKind>(run % 5);
     const BezierCurve a = test::randomCurve(test::wholeNumber(1, 9, random), kind, true, 1, random),
-                      given = test::randomCurve(test::wholeNumber(1, 9, random), kind, false, 1, random);
+                      given = test::randomCurve(test::wholeNumber(1, 9, random), kind, false, 1,
+                                                random);
     CurveJoinRule rule = ruleOf(Eigen::VectorXd::Zero(order));
     if (order > 0) rule.beta(0) = 1;
     if (run % 2 == 1) rule.beta = test::randomBeta(order, random);
@@ -228,12 +237,12 @@ TEST(CurveConstruct, Identity9DerivativesByTheCommonParameter) {
       y.row(k) /= std::pow(rule.next_length, k);
     }
     const CurveDerivatives wanted = betaMatrix(rule.beta) * x;
-    const double reach =
-        std::max(a.poles().cwiseAbs().maxCoeff(), made->poles().topRows(order + 1).cwiseAbs().maxCoeff());
+    const double reach = std::max(a.poles().cwiseAbs().maxCoeff(),
+                                  made->poles().topRows(order + 1).cwiseAbs().maxCoeff());
     for (int k = 0; k <= order; ++k) {
       const double terms = (betaMatrix(rule.beta).cwiseAbs() * x.rowwise().norm())(k);
-      const double differences =
-          fallingFactorial(made->degree(), k) * std::pow(2, k) * reach / std::pow(rule.next_length, k);
+      const double differences = fallingFactorial(made->degree(), k) * std::pow(2, k) * reach /
+                                 std::pow(rule.next_length, k);
       const double rational = kind == CurveKind::Rational ? 1e3 : 1;
       EXPECT_LE((y.row(k) - wanted.row(k)).norm(), 1e-13 * rational * (terms + differences))
           << run << " " << k;
@@ -250,7 +259,8 @@ TEST(CurveConstruct, TheOwnEndStays) {
     const int order = run % 6;
     const auto kind = static_cast<CurveKind>(run % 5);
     const BezierCurve a = test::randomCurve(3, kind, true, 1, random),
-                      given = test::randomCurve(test::wholeNumber(1, 9, random), kind, false, 1, random);
+                      given = test::randomCurve(test::wholeNumber(1, 9, random), kind, false, 1,
+                                                random);
     CurveJoinRule rule = ruleOf(test::randomBeta(order, random));
     const BezierCurve b = test::gentlyJoined(a, given, rule, true);
     EXPECT_EQ(b.degree(), std::max(given.degree(), 2 * order + 1));
@@ -260,7 +270,8 @@ TEST(CurveConstruct, TheOwnEndStays) {
               raised.homogeneousPoles().bottomRows(b.degree() - order));
     const CurveDerivatives x = given.derivatives(1, order), y = b.derivatives(1, order);
     for (int k = 0; k <= order; ++k)
-      EXPECT_LE((x.row(k) - y.row(k)).norm(), 1e-12 * fallingFactorial(b.degree(), k) * std::pow(4, k))
+      EXPECT_LE((x.row(k) - y.row(k)).norm(),
+                1e-12 * fallingFactorial(b.degree(), k) * std::pow(4, k))
           << run;
     EXPECT_EQ(test::gentlyJoined(a, given, rule, false).degree(), std::max(given.degree(), order));
   }
@@ -271,7 +282,8 @@ TEST(CurveConstruct, TheSecondHalfOfACurve) {
   std::mt19937_64 random(326);
   for (int run = 0; run < 300; ++run) {
     const int degree = 1 + run % 7;
-    const BezierCurve whole = test::randomCurve(degree, static_cast<CurveKind>(run % 5), true, 1, random);
+    const BezierCurve whole =
+        test::randomCurve(degree, static_cast<CurveKind>(run % 5), true, 1, random);
     const double t = test::uniformNumber(0.3, 0.7, random);
     const auto [left, right] = whole.split(t);
     CurveJoinRule rule = ruleOf(Eigen::VectorXd::Unit(degree, 0));
@@ -288,17 +300,21 @@ TEST(CurveConstruct, BridgesJoinBothEnds) {
     const int order = run % 6, order_end = run % 7 == 0 ? (run / 7) % 4 : order;
     const auto kind = static_cast<CurveKind>(run % 4);
     const double size = test::logUniform(random, -3, 6);
-    const BezierCurve a = test::randomCurve(test::wholeNumber(1, 9, random), kind, true, size, random);
-    const BezierCurve b = test::randomCurve(test::wholeNumber(1, 9, random), kind, false, size, random);
+    const BezierCurve a =
+        test::randomCurve(test::wholeNumber(1, 9, random), kind, true, size, random);
+    const BezierCurve b =
+        test::randomCurve(test::wholeNumber(1, 9, random), kind, false, size, random);
     const Eigen::VectorXd beta = test::randomBeta(order, random),
                           beta_end = test::randomBeta(order_end, random);
     const BezierCurve bridge = bridgeCurve(a, b, beta, beta_end);
     ASSERT_EQ(bridge.degree(), order + order_end + 1);
     EXPECT_FALSE(bridge.isRational());
     EXPECT_EQ(bridge.point(0), a.point(1));
-    const CurveDerivatives start = bridge.derivatives(0, order), end = bridge.derivatives(1, order_end),
+    const CurveDerivatives start = bridge.derivatives(0, order),
+                           end = bridge.derivatives(1, order_end),
                            next = b.derivatives(0, order_end);
-    const CurveDerivatives from = betaMatrix(beta) * a.derivatives(1, order), to = betaMatrix(beta_end) * end;
+    const CurveDerivatives from = betaMatrix(beta) * a.derivatives(1, order),
+                           to = betaMatrix(beta_end) * end;
     const double reach = bridge.poles().cwiseAbs().maxCoeff();
     for (int k = 0; k <= order; ++k)
       EXPECT_LE((start.row(k) - from.row(k)).norm(),
@@ -309,7 +325,8 @@ TEST(CurveConstruct, BridgesJoinBothEnds) {
       double terms = 0;
       for (int j = 0; j <= k; ++j)
         terms += B(k, j) * std::pow(2, j) * fallingFactorial(bridge.degree(), j) * reach;
-      EXPECT_LE((next.row(k) - to.row(k)).norm(), 1e-13 * (terms + fallingFactorial(9, k) * reach)) << run;
+      EXPECT_LE((next.row(k) - to.row(k)).norm(), 1e-13 * (terms + fallingFactorial(9, k) * reach))
+          << run;
     }
   }
 }
@@ -318,7 +335,8 @@ TEST(CurveConstruct, BridgeOfOrderOneIsTheCubicOfHermite) {
   Poles a(2, 3), b(2, 3), wanted(4, 3);
   a << -2, 0, 0, 0, 0, 0;
   b << 3, 3, 0, 3, 6, 0;
-  const Eigen::VectorXd beta = Eigen::VectorXd::Constant(1, 1.5), beta_end = Eigen::VectorXd::Constant(1, 2);
+  const Eigen::VectorXd beta = Eigen::VectorXd::Constant(1, 1.5),
+                        beta_end = Eigen::VectorXd::Constant(1, 2);
   wanted << 0, 0, 0, 1, 0, 0, 3, 2.5, 0, 3, 3, 0;
   const BezierCurve bridge = bridgeCurve(BezierCurve(a), BezierCurve(b), beta, beta_end);
   EXPECT_LE((bridge.poles() - wanted).norm(), 1e-15);
@@ -342,17 +360,21 @@ TEST(CurveConstruct, RefusesBadInput) {
   EXPECT_THAT(with([&](auto& r) { r.length = nan; }), HasSubstr("length is nan"));
   EXPECT_THAT(with([&](auto& r) { r.scale = Eigen::Vector2d(1, 0); }),
               HasSubstr("scale has 2 numbers: 3 are"));
-  EXPECT_THAT(with([&](auto& r) { r.scale = Eigen::Vector3d(-1, 0, 0); }), HasSubstr("scale e_0 is -1"));
-  EXPECT_THAT(with([&](auto& r) { r.scale = Eigen::Vector3d(1, 0, nan); }), HasSubstr("scale e_2 is nan"));
+  EXPECT_THAT(with([&](auto& r) { r.scale = Eigen::Vector3d(-1, 0, 0); }),
+              HasSubstr("scale e_0 is -1"));
+  EXPECT_THAT(with([&](auto& r) { r.scale = Eigen::Vector3d(1, 0, nan); }),
+              HasSubstr("scale e_2 is nan"));
   EXPECT_THAT(with([&](auto& r) { r.scale = Eigen::Vector3d(1, -6, 0); }),
               HasSubstr("weight 1 comes out as -1"));
   EXPECT_THAT(with([&](auto& r) { r.next_length = 1e200; }), HasSubstr("pole 2 comes out beyond"));
   const CurveJoinRule rule = ruleOf(Eigen::Vector2d(1, 0));
-  EXPECT_THAT(refusal([&] { nextPoles(a, 1, rule); }), HasSubstr("degree 1: it must be within 2 to 100"));
+  EXPECT_THAT(refusal([&] { nextPoles(a, 1, rule); }),
+              HasSubstr("degree 1: it must be within 2 to 100"));
   EXPECT_THAT(refusal([&] { nextPoles(a, 101, rule); }), HasSubstr("degree 101"));
   poles.row(2) = poles.row(3);
   const BezierCurve still(poles);
-  EXPECT_THAT(refusal([&] { nextPoles(still, 3, rule); }), HasSubstr("no tangent at its end: speed 0"));
+  EXPECT_THAT(refusal([&] { nextPoles(still, 3, rule); }),
+              HasSubstr("no tangent at its end: speed 0"));
   EXPECT_NO_THROW(nextPoles(still, 3, CurveJoinRule{})) << "a point has one";
   EXPECT_THAT(refusal([&] { joinedCurve(a, a, ruleOf(Eigen::VectorXd::Constant(1, -1))); }),
               HasSubstr("beta_1 is -1"));

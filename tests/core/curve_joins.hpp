@@ -23,9 +23,11 @@ inline int wholeNumber(int low, int high, std::mt19937_64& random) {
 
 enum class CurveKind { Space, Planar, Straight, Coincident, Rational };
 
-/// About as long as its degree times the size. Coincident: the first two poles are one (the last two unless
+/// About as long as its degree times the size. Coincident: the first two poles are one (the last
+/// two unless
 /// \p end), so that the curve has a tangent at one end only.
-inline BezierCurve randomCurve(int degree, CurveKind kind, bool end, double size, std::mt19937_64& random) {
+inline BezierCurve randomCurve(int degree, CurveKind kind, bool end, double size,
+                               std::mt19937_64& random) {
   Poles poles(degree + 1, 3);
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(degree + 1);
   const Vec along = randomVector(random).normalized();
@@ -51,7 +53,8 @@ inline Eigen::VectorXd randomBeta(int order, std::mt19937_64& random) {
   return beta;
 }
 
-/// joinedCurve(), the curve made shorter in the common parameter until no weight comes out negative.
+/// joinedCurve(), the curve made shorter in the common parameter until no weight comes out
+/// negative.
 inline BezierCurve gentlyJoined(const BezierCurve& a, const BezierCurve& b, CurveJoinRule& rule,
                                 bool keep_end) {
   while (true) {

@@ -42,7 +42,8 @@ void expectSame(const CurveJoint& x, const CurveJoint& y, double noise, int i) {
   EXPECT_NEAR(*x.angle_rad, *y.angle_rad, noise) << i;
   ASSERT_EQ(x.differences.size(), y.differences.size()) << i;
   for (std::size_t k = 0; k < x.differences.size(); ++k) {
-    EXPECT_NEAR(x.differences[k], y.differences[k], noise * (1 + y.differences[k])) << i << " order " << k;
+    EXPECT_NEAR(x.differences[k], y.differences[k], noise * (1 + y.differences[k]))
+        << i << " order " << k;
     if (k > 0) {  // sizes[0] depends on the origin
       EXPECT_NEAR(x.sizes[k], y.sizes[k], noise * (1 + y.sizes[k])) << i << " order " << k;
     }
@@ -105,7 +106,8 @@ TEST(CurveJoint, Identity4HalvesOfOneCurve) {
       EXPECT_LT(relativeDifference(halves, k, 1e5), 1e-7) << i << " order " << k;
     EXPECT_EQ(orderReached(halves, {}), order);
     const CurveEnd end{left.derivatives(1, order)};
-    const CurveEnd other{test::reparametrised(end.derivatives, test::randomParameter(order, random))};
+    const CurveEnd other{
+        test::reparametrised(end.derivatives, test::randomParameter(order, random))};
     EXPECT_EQ(orderReached(measureJoint(end, other), {}), order) << i;
   }
 }
@@ -133,7 +135,8 @@ TEST(CurveJoint, Identity5ArcThenClothoidIsG2AndNotG3) {
 
 TEST(CurveJoint, Identity6TwoArcs) {
   for (const double R : {10.0, 10.1, 20.0, 1e4}) {
-    const CurveJoint joint = measureJoint({test::clothoid(0.1, 0, 3)}, {test::clothoid(1 / R, 0, 3)});
+    const CurveJoint joint =
+        measureJoint({test::clothoid(0.1, 0, 3)}, {test::clothoid(1 / R, 0, 3)});
     EXPECT_NEAR(joint.differences[2], std::abs(0.1 - 1 / R), 1e-15);
     EXPECT_NEAR(relativeDifference(joint, 2, 1e5), std::abs(1 - 10 / R), 1e-13);
     EXPECT_EQ(orderReached(joint, {}), R < 10.15 ? 3 : 1);
@@ -158,7 +161,8 @@ TEST(CurveJoint, OracleOfSixtyDigits) {
   for (const json& entry : all) {
     SCOPED_TRACE(entry["name"].get<std::string>() + " " + entry["in"]["note"].get<std::string>());
     const json &in = entry["in"], &out = entry["out"];
-    if (!hasPositiveWeights(in["left_weights"]) || !hasPositiveWeights(in["right_weights"])) continue;
+    if (!hasPositiveWeights(in["left_weights"]) || !hasPositiveWeights(in["right_weights"]))
+      continue;
     ++compared;
     const CurveJoint joint =
         measureJoint(test::bezierCurve(in["left"], in["left_weights"]),
@@ -168,12 +172,14 @@ TEST(CurveJoint, OracleOfSixtyDigits) {
     double size = 1;
     for (std::size_t k = 0; k < joint.differences.size(); ++k) {
       size = std::max({size, test::vector(out["cl"][k]).norm(), test::vector(out["cr"][k]).norm()});
-      const double wanted = out["defect"][k].get<double>() / std::pow(L, static_cast<double>(k) - 1);
+      const double wanted =
+          out["defect"][k].get<double>() / std::pow(L, static_cast<double>(k) - 1);
       // The tail of "exact" curves in the file is rounded to double.
       EXPECT_NEAR(joint.differences[k], wanted, 1e-10 * size) << "order " << k;
     }
     for (std::size_t k = 0; k < joint.differences.size(); ++k) {
-      const double larger = std::max(test::vector(out["cl"][k]).norm(), test::vector(out["cr"][k]).norm());
+      const double larger =
+          std::max(test::vector(out["cl"][k]).norm(), test::vector(out["cr"][k]).norm());
       EXPECT_NEAR(joint.sizes[k], larger, 1e-10 * size) << "order " << k;
     }
     ContinuityTolerance tight;
@@ -210,7 +216,8 @@ TEST(CurveJoint, RationalJoinsReachTheOrderTheyWereBuiltFor) {
     if (!a || !b) continue;
     ++built;
     const CurveJoint joint = measureJoint(*a, *b, order);
-    for (int k = 0; k <= order; ++k) EXPECT_LT(joint.differences[k], 1e-9 * (1 + joint.sizes[k])) << k;
+    for (int k = 0; k <= order; ++k)
+      EXPECT_LT(joint.differences[k], 1e-9 * (1 + joint.sizes[k])) << k;
     EXPECT_EQ(orderReached(joint, {}), order);
     const double kappa = test::number(entry["expected"]["curvature"]);
     if (order >= 2) {
@@ -255,11 +262,13 @@ TEST(CurveJoint, ClimbsByTheTolerances) {
   b.derivatives.row(0) << 0, 0.009, 0;
   EXPECT_EQ(orderReached(measureJoint(a, b), {}), 4);
   const double turn = 0.11 * std::numbers::pi / 180;
-  const CurveEnd turned = mapped(a, Eigen::AngleAxisd(turn, Vec::UnitZ()).toRotationMatrix(), Vec::Zero());
+  const CurveEnd turned =
+      mapped(a, Eigen::AngleAxisd(turn, Vec::UnitZ()).toRotationMatrix(), Vec::Zero());
   EXPECT_NEAR(*measureJoint(a, turned).angle_rad, turn, 1e-15);
   EXPECT_EQ(orderReached(measureJoint(a, turned), {}), 0);
   EXPECT_EQ(orderReached(measureJoint(a, {test::clothoid(0.1021, 0.003, 4)}), {}), 1);
-  EXPECT_EQ(orderReached(measureJoint({a.derivatives.topRows(2)}, a), {}), 1) << "the lower order of both";
+  EXPECT_EQ(orderReached(measureJoint({a.derivatives.topRows(2)}, a), {}), 1)
+      << "the lower order of both";
   EXPECT_EQ(measureJoint(a, {a.derivatives.topRows(3)}).differences.size(), 3u);
   EXPECT_EQ(orderReached(measureJoint({a.derivatives.topRows(1)}, a), {}), 0);
 }

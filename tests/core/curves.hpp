@@ -9,7 +9,8 @@
 
 #include "surfaces.hpp"
 
-/// Curves in closed form or from data files, written down by hand and not through the library's arc length.
+/// Curves in closed form or from data files, written down by hand and not through the library's arc
+/// length.
 namespace seamwright::test {
 
 inline double number(const nlohmann::json& value) {
@@ -42,8 +43,9 @@ inline CurveDerivatives circle(double r, double angle, int order) {
   return x;
 }
 
-/// Clothoid by its arc length at the origin, along +x, of curvature kappa there that changes at a constant
-/// rate: T = exp(i phi), T^(k+1) = sum_j C(k,j) (i phi')^(j) T^(k-j) with phi' = kappa + rate s.
+/// Clothoid by its arc length at the origin, along +x, of curvature kappa there that changes at a
+/// constant rate: T = exp(i phi), T^(k+1) = sum_j C(k,j) (i phi')^(j) T^(k-j) with phi' = kappa +
+/// rate s.
 inline CurveDerivatives clothoid(double kappa, double rate, int order) {
   std::vector<std::complex<double>> T = {1};
   const std::complex<double> i(0, 1);

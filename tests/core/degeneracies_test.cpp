@@ -78,7 +78,8 @@ std::vector<double> randomRoots(int count, std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(0.05, 0.95);
   while (static_cast<int>(roots.size()) < count) {
     const double root = uniform(random);
-    if (std::none_of(roots.begin(), roots.end(), [&](double other) { return std::abs(root - other) < 0.1; }))
+    if (std::none_of(roots.begin(), roots.end(),
+                     [&](double other) { return std::abs(root - other) < 0.1; }))
       roots.push_back(root);
   }
   std::sort(roots.begin(), roots.end());
@@ -97,7 +98,8 @@ void expectPlaces(const CurveDegeneracies& found, const std::vector<double>& roo
   }
 }
 
-// The graph y = f(x) bends where f'' is not zero. Its roots are given, and no projective map moves them.
+// The graph y = f(x) bends where f'' is not zero. Its roots are given, and no projective map moves
+// them.
 TEST(Degeneracies, InflectionsAreWhereTheyWerePut) {
   std::mt19937_64 random(111);
   for (int i = 0; i < cases; ++i) {
@@ -162,7 +164,8 @@ double slowestOf(const BezierCurve& curve) {
   for (int level = 0; level < 4; ++level, reach *= 0.02) {
     const double first = std::max(0.0, at - reach), last = std::min(1.0, at + reach);
     for (int k = 0; k <= 200; ++k) {
-      const double t = first + (last - first) * k / 200, speed = curve.derivatives(t, 1).row(1).norm();
+      const double t = first + (last - first) * k / 200,
+                   speed = curve.derivatives(t, 1).row(1).norm();
       if (speed < slowest) slowest = speed, at = t;
     }
   }
@@ -192,10 +195,11 @@ TEST(Degeneracies, GridSeesNothingElse) {
       const CurveDerivatives x = curve.derivatives(t, 2);
       if (!planar || degree == 1) continue;
       const double turn = x(1, 0) * x(2, 1) - x(1, 1) * x(2, 0);
-      if (turn * turn_before < 0) {  // a planar curve changes the side it turns to: there is an inflection
-        const bool seen = std::any_of(found.places.begin(), found.places.end(), [&](const auto& place) {
-          return place.last >= t - 1.0 / steps && place.first <= t;
-        });
+      if (turn * turn_before <
+          0) {  // a planar curve changes the side it turns to: there is an inflection
+        const bool seen = std::any_of(
+            found.places.begin(), found.places.end(),
+            [&](const auto& place) { return place.last >= t - 1.0 / steps && place.first <= t; });
         EXPECT_TRUE(seen) << i << " " << t;
       }
       turn_before = turn;
@@ -210,10 +214,11 @@ TEST(Degeneracies, RunBackwardsTheyAreMirrored) {
   std::mt19937_64 random(114);
   for (int i = 0; i < 300; ++i) {
     const BezierCurve curve =
-        projected(curveOf({Eigen::Vector2d(0, 1), integral(integral(withRoots(randomRoots(3, random)))),
-                           Powers::Zero(1)}),
+        projected(curveOf({Eigen::Vector2d(0, 1),
+                           integral(integral(withRoots(randomRoots(3, random)))), Powers::Zero(1)}),
                   random);
-    const CurveDegeneracies there = findDegeneracies(curve), back = findDegeneracies(curve.reversed());
+    const CurveDegeneracies there = findDegeneracies(curve),
+                            back = findDegeneracies(curve.reversed());
     ASSERT_EQ(there.places.size(), back.places.size());
     for (std::size_t k = 0; k < there.places.size(); ++k) {
       EXPECT_NEAR(there.places[k].first, 1 - back.places[2 - k].last, 1e-8);
@@ -255,7 +260,8 @@ TEST(Degeneracies, Lines) {
   EXPECT_LE(found.speed_lower, 5);
 }
 
-// Whole multiples of a vector, rounded, are on a line to their rounding; bent by 60 units of it they are not.
+// Whole multiples of a vector, rounded, are on a line to their rounding; bent by 60 units of it
+// they are not.
 TEST(Degeneracies, StraightToRoundingAndNoFurther) {
   std::mt19937_64 random(116);
   std::uniform_int_distribution<int> whole(-9, 9);
@@ -286,8 +292,8 @@ TEST(Degeneracies, StraightToRoundingAndNoFurther) {
   }
 }
 
-// x' = 27 K (t - 3/8)^2, y' = t - 3/8 up to a factor: halving comes to 3/8 with the rounding of x', not 0, on
-// the side of the velocity on either side of it.
+// x' = 27 K (t - 3/8)^2, y' = t - 3/8 up to a factor: halving comes to 3/8 with the rounding of x',
+// not 0, on the side of the velocity on either side of it.
 TEST(Degeneracies, RoundingDoesNotHideACusp) {
   std::mt19937_64 random(117);
   std::uniform_int_distribution<long> whole(1L << 46, 1L << 47);
@@ -332,7 +338,8 @@ TEST(Degeneracies, ConicsHaveNone) {
   Poles poles(3, 3);
   poles << 1, 0, 0, 1, 1, 0, 0, 1, 0;
   for (const double weight : {1e-3, std::sqrt(0.5), 1.0, 1e3}) {
-    const CurveDegeneracies found = findDegeneracies(BezierCurve(poles, Eigen::Vector3d(1, weight, 1)));
+    const CurveDegeneracies found =
+        findDegeneracies(BezierCurve(poles, Eigen::Vector3d(1, weight, 1)));
     EXPECT_TRUE(found.places.empty()) << weight;
     EXPECT_GT(found.speed_lower, 0);
   }

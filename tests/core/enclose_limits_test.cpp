@@ -29,7 +29,8 @@ SeamSide planeSide(double u0, bool left) {
   return side;
 }
 
-/// The strip z = height(v) u over [0, 1]^2, a spline of height with the knots, poles and degree given.
+/// The strip z = height(v) u over [0, 1]^2, a spline of height with the knots, poles and degree
+/// given.
 SeamSide strip(int degree, const std::vector<double>& knots, const std::vector<double>& heights) {
   std::vector<Vec> poles;
   for (const int i : {0, 1})
@@ -38,10 +39,10 @@ SeamSide strip(int degree, const std::vector<double>& knots, const std::vector<d
       for (int k = 1; k <= degree; ++k) greville += knots[j + k] / degree;
       poles.emplace_back(i, greville, i * heights[j]);
     }
-  SeamSide side{
-      LineEvaluator{{0, 0, 0}, {0, 1, 0}},
-      splineEvaluator(std::make_shared<SplineEvaluator>(
-          test::bezierDirection(1), SplineDirection{degree, knots, 0}, poles, std::vector<double>()))};
+  SeamSide side{LineEvaluator{{0, 0, 0}, {0, 1, 0}},
+                splineEvaluator(std::make_shared<SplineEvaluator>(test::bezierDirection(1),
+                                                                  SplineDirection{degree, knots, 0},
+                                                                  poles, std::vector<double>()))};
   side.face_on_left = false;
   return side;
 }
@@ -61,7 +62,8 @@ TEST(EncloseSeam, ADefectOfFiveCloseKnotsIsFound) {
       const double truth = std::atan(0.01 * 2 / 3);
       EXPECT_GE(figures.angle_rad->upper.value_or(infinite), truth * (1 - 1e-12));
       EXPECT_FALSE(verdict.certain && verdict.level > Level::G0);
-      if (width < 1e-6) continue;  // knots nearer than a piece is ever cut: not certain is all that is asked
+      if (width < 1e-6)
+        continue;  // knots nearer than a piece is ever cut: not certain is all that is asked
       EXPECT_EQ(verdict.level, Level::G0);
       EXPECT_TRUE(verdict.certain) << figures.uncertified;
       EXPECT_NEAR(figures.angle_rad->lower, truth, 0.01 * truth);
@@ -73,7 +75,8 @@ TEST(EncloseSeam, ADefectOfFiveCloseKnotsIsFound) {
 /// Bernstein coefficients of T_k on [0, 1], of degree k.
 std::vector<double> chebyshevBernstein(int k) {
   std::vector<double> b;
-  for (int j = 0; j <= k; ++j) b.push_back(((k - j) % 2 == 0 ? 1 : -1) * choose(2 * k, 2 * j) / choose(k, j));
+  for (int j = 0; j <= k; ++j)
+    b.push_back(((k - j) % 2 == 0 ? 1 : -1) * choose(2 * k, 2 * j) / choose(k, j));
   return b;
 }
 
@@ -86,8 +89,8 @@ TEST(EncloseSeam, ADefectThatVanishesAtTheChebyshevPointsIsFound) {
     SCOPED_TRACE(k);
     std::vector<double> heights = chebyshevBernstein(2 * k);
     for (double& h : heights) h = 0.005 * (1 + h);
-    const SeamFigures figures =
-        encloseSeam(planeSide(0, true), strip(2 * k, bezierKnots(2 * k), heights), {}, {.max_pieces = 5000});
+    const SeamFigures figures = encloseSeam(
+        planeSide(0, true), strip(2 * k, bezierKnots(2 * k), heights), {}, {.max_pieces = 5000});
     const double truth = std::atan(0.01);
     EXPECT_GE(*figures.angle_rad->upper, truth);
     EXPECT_LE(figures.angle_rad->lower, truth * (1 + 1e-9));
@@ -98,17 +101,19 @@ TEST(EncloseSeam, ADefectThatVanishesAtTheChebyshevPointsIsFound) {
 }
 
 TEST(EncloseSeam, KnotsThatCoincideButForRoundingAreOne) {
-  // A C0 line along the double knot u = 0.5, one of the two an ulp away: flat to the left, bent to the right.
+  // A C0 line along the double knot u = 0.5, one of the two an ulp away: flat to the left, bent to
+  // the right.
   for (const double at : {0.5, std::nextafter(0.5, 1.0)})
     for (const bool left : {true, false}) {
       const double near = std::nextafter(0.5, 1.0);
       std::vector<Vec> poles;
       for (int i = 0; i < 5; ++i)
-        for (const int j : {0, 1}) poles.emplace_back(i / 4.0, j, i > 2 ? 0.1 * (i - 2) / 4.0 : 0.0);
+        for (const int j : {0, 1})
+          poles.emplace_back(i / 4.0, j, i > 2 ? 0.1 * (i - 2) / 4.0 : 0.0);
       SeamSide kinked{LineEvaluator{{at, 0, 0}, {0, 1, 0}},
                       splineEvaluator(std::make_shared<SplineEvaluator>(
-                          SplineDirection{2, {0, 0, 0, 0.5, near, 1, 1, 1}, 0}, test::bezierDirection(1),
-                          poles, std::vector<double>()))};
+                          SplineDirection{2, {0, 0, 0, 0.5, near, 1, 1, 1}, 0},
+                          test::bezierDirection(1), poles, std::vector<double>()))};
       kinked.face_on_left = left;  // left of +v is -u
       SeamSide plane = planeSide(0.5, !left);
       const SeamFigures figures = encloseSeam(plane, kinked, {});
@@ -124,8 +129,8 @@ TEST(EncloseSeam, TheGapOutsideTheRangeSeesAllOfThePath) {
   const std::shared_ptr<const SplineEvaluator> path = std::make_shared<SplineEvaluator>(
       SplineDirection{1, {0, 0, 0.05, 0.1, 1, 1}, 0}, SplineDirection{0, {0, 1}, 0},
       std::vector<Vec>{{0, 0, 0}, {0.3, 0.05, 0}, {0, 0.1, 0}, {0, 1, 0}}, std::vector<double>());
-  const SeamFigures figures =
-      encloseSeam(SeamSide{path, planeEvaluator(Frame())}, planeSide(0, false), {}, {.range = {0.2, 1}});
+  const SeamFigures figures = encloseSeam(SeamSide{path, planeEvaluator(Frame())},
+                                          planeSide(0, false), {}, {.range = {0.2, 1}});
   if (figures.gap_mm->upper) {
     EXPECT_GE(*figures.gap_mm->upper, 0.3 * (1 - 1e-12));
   }
@@ -138,7 +143,8 @@ TEST(EncloseSeam, TheGapOutsideTheRangeSeesAllOfThePath) {
   }
 }
 
-// --- limits of the verdict ---------------------------------------------------------------------------------
+// --- limits of the verdict
+// ---------------------------------------------------------------------------------
 
 /// The plane z = 0 turned about y by the angle with this cosine and sine.
 SeamSide turnedPlane(double cosine, double sine) {
@@ -154,15 +160,17 @@ TEST(EncloseSeam, AnAngleAtALimitIsNotCertainOrRight) {
   for (int i = 0; i < 100; ++i) {
     const double angle = std::uniform_real_distribution<double>(0.01, 1.5)(random);
     const double cosine = std::cos(angle), sine = std::sin(angle);
-    const long double truth = std::atan2(static_cast<long double>(sine), static_cast<long double>(cosine));
+    const long double truth =
+        std::atan2(static_cast<long double>(sine), static_cast<long double>(cosine));
     for (const double off : {0.0, 1e-16, -1e-16, 1e-15, -1e-15, 1e-12, -1e-12, 1e-4, -1e-4}) {
       SCOPED_TRACE(testing::Message() << angle << " " << off);
       ContinuityTolerance tolerance;
       tolerance.angle_rad = angle + off;
       tolerance.crease_rad = pi / 2;
       const EncloseOptions options{.max_pieces = 100, .figures = i % 2 == 0};
-      Verdict verdict = judge(encloseSeam(planeSide(0, true), turnedPlane(cosine, sine), tolerance, options),
-                              tolerance, Level::G1);
+      Verdict verdict =
+          judge(encloseSeam(planeSide(0, true), turnedPlane(cosine, sine), tolerance, options),
+                tolerance, Level::G1);
       if (verdict.certain) {
         EXPECT_EQ(verdict.level >= Level::G1, truth <= tolerance.angle_rad);
       }
@@ -171,8 +179,9 @@ TEST(EncloseSeam, AnAngleAtALimitIsNotCertainOrRight) {
       }
       tolerance.crease_rad = tolerance.angle_rad;
       tolerance.angle_rad = 0.001;
-      verdict = judge(encloseSeam(planeSide(0, true), turnedPlane(cosine, sine), tolerance, options),
-                      tolerance, Level::G1);
+      verdict =
+          judge(encloseSeam(planeSide(0, true), turnedPlane(cosine, sine), tolerance, options),
+                tolerance, Level::G1);
       if (verdict.certain) {
         EXPECT_EQ(verdict.seam_class == SeamClass::Crease, truth > tolerance.crease_rad);
       }
@@ -185,14 +194,16 @@ TEST(EncloseSeam, AnAngleAtALimitIsNotCertainOrRight) {
 
 TEST(EncloseSeam, AGapAtTheToleranceIsNotCertainOrRight) {
   for (const double gap : {0.01, 1e-3, 0.3, 7.0})
-    for (const double tolerated : {gap, std::nextafter(gap, 0.0), std::nextafter(gap, 10.0), gap * 1.1}) {
+    for (const double tolerated :
+         {gap, std::nextafter(gap, 0.0), std::nextafter(gap, 10.0), gap * 1.1}) {
       Frame frame;
       frame.origin = {0, 0, gap};
       SeamSide lifted{LineEvaluator{{0, 0, 0}, {0, 1, 0}}, planeEvaluator(frame)};
       lifted.face_on_left = false;
       ContinuityTolerance tolerance;
       tolerance.gap_mm = tolerated;
-      const SeamFigures figures = encloseSeam(planeSide(0, true), lifted, tolerance, {.max_pieces = 100});
+      const SeamFigures figures =
+          encloseSeam(planeSide(0, true), lifted, tolerance, {.max_pieces = 100});
       EXPECT_LE(figures.gap_mm->lower, gap);
       EXPECT_GE(*figures.gap_mm->upper, gap);
       const Verdict verdict = judge(figures, tolerance, Level::G0);
@@ -216,7 +227,8 @@ TEST(EncloseSeam, AKnifeEdgeFolds) {
 }
 
 TEST(EncloseSeam, AShortFoldOfASeamThatIsMostlySmoothIsSeenOrLeftOpen) {
-  // The strip turns about the seam: flat up to 0.6, up at 0.8, back onto the plane at the end, or not quite.
+  // The strip turns about the seam: flat up to 0.6, up at 0.8, back onto the plane at the end, or
+  // not quite.
   for (const double last : {180.0, 179.9, 178.0, 176.0, 174.0, 120.0}) {
     SCOPED_TRACE(last);
     std::vector<Vec> poles;
@@ -226,8 +238,8 @@ TEST(EncloseSeam, AShortFoldOfASeamThatIsMostlySmoothIsSeenOrLeftOpen) {
         poles.emplace_back(i * std::cos(turned[j]), at[j], i * std::sin(turned[j]));
     SeamSide side{LineEvaluator{{0, 0, 0}, {0, 1, 0}},
                   splineEvaluator(std::make_shared<SplineEvaluator>(
-                      test::bezierDirection(1), SplineDirection{1, {0, 0, 0.6, 0.8, 1, 1}, 0}, poles,
-                      std::vector<double>()))};
+                      test::bezierDirection(1), SplineDirection{1, {0, 0, 0.6, 0.8, 1, 1}, 0},
+                      poles, std::vector<double>()))};
     side.face_on_left = false;
     const Verdict verdict = judge(encloseSeam(planeSide(0, true), side, {}), {}, Level::G1);
     if (verdict.certain) {
@@ -274,10 +286,11 @@ TEST(EncloseSeam, CylindersThatPassTheFlatRadius) {
       const auto side = [](double r, bool left) {
         Frame frame;
         frame.origin = {-r, 0, 0};
-        SeamSide result{LineEvaluator{{0, 0, 0}, {0, 1, 0}},
-                        r < 0 ? placedEvaluator(cylinderEvaluator(Frame(), -r),
-                                                {1, Eigen::Vector3d(-1, -1, 1).asDiagonal(), {-r, 0, 0}})
-                              : cylinderEvaluator(frame, r)};
+        SeamSide result{
+            LineEvaluator{{0, 0, 0}, {0, 1, 0}},
+            r < 0 ? placedEvaluator(cylinderEvaluator(Frame(), -r),
+                                    {1, Eigen::Vector3d(-1, -1, 1).asDiagonal(), {-r, 0, 0}})
+                  : cylinderEvaluator(frame, r)};
         result.face_on_left = left;
         return result;
       };
@@ -313,16 +326,19 @@ TEST(EncloseSeam, SpheresThatTouchAreHeldToThePrecisionOfRounding) {
     SeamSide b{LineEvaluator{uv, {0, 0, 0}}, sphereEvaluator(Frame(), R)};
     b.face_on_left = false;
     const SeamFigures figures = encloseSeam(a, b, {}, {.max_pieces = 50});
-    const long double truth = std::abs(1 / static_cast<long double>(r) - 1 / static_cast<long double>(R));
+    const long double truth =
+        std::abs(1 / static_cast<long double>(r) - 1 / static_cast<long double>(R));
     ASSERT_TRUE(figures.curvature_per_mm && figures.curvature_per_mm->upper);
     EXPECT_GE(*figures.curvature_per_mm->upper, truth * (1 - 1e-17L)) << i;
     EXPECT_LE(figures.curvature_per_mm->lower, truth * (1 + 1e-17L)) << i;
   }
 }
 
-// --- degenerate patches ------------------------------------------------------------------------------------
+// --- degenerate patches
+// ------------------------------------------------------------------------------------
 
-// --- laws --------------------------------------------------------------------------------------------------
+// --- laws
+// --------------------------------------------------------------------------------------------------
 
 TEST(EncloseSeam, ACreaseWhereAPeriodEndsIsSeen) {
   // A prism over an equilateral triangle, the period from -pi to pi, which its knots round.
@@ -333,8 +349,8 @@ TEST(EncloseSeam, ACreaseWhereAPeriodEndsIsSeen) {
   const auto sideAt = [&](double u, bool face_on_left) {
     SeamSide side{LineEvaluator{{u, 0, 0}, {0, 1, 0}},
                   splineEvaluator(std::make_shared<SplineEvaluator>(
-                      SplineDirection{1, {-pi, -pi, -1, 1, pi, pi}, 2 * pi}, test::bezierDirection(1), poles,
-                      std::vector<double>()))};
+                      SplineDirection{1, {-pi, -pi, -1, 1, pi, pi}, 2 * pi},
+                      test::bezierDirection(1), poles, std::vector<double>()))};
     side.face_on_left = face_on_left;
     return side;
   };
@@ -346,11 +362,12 @@ TEST(EncloseSeam, ACreaseWhereAPeriodEndsIsSeen) {
 
 TEST(EncloseSeam, AlongAKnotLineTheSideOfTheFaceCounts) {
   // A roof with its ridge at u = 0, and a plane that goes on from one of its slopes.
-  const std::vector<Vec> poles = {{-1, 0, -1}, {-1, 1, -1}, {0, 0, 0}, {0, 1, 0}, {1, 0, -1}, {1, 1, -1}};
-  SeamSide roof{
-      LineEvaluator{{0, 0, 0}, {0, 1, 0}},
-      splineEvaluator(std::make_shared<SplineEvaluator>(
-          SplineDirection{1, {-1, -1, 0, 1, 1}, 0}, test::bezierDirection(1), poles, std::vector<double>()))};
+  const std::vector<Vec> poles = {{-1, 0, -1}, {-1, 1, -1}, {0, 0, 0},
+                                  {0, 1, 0},   {1, 0, -1},  {1, 1, -1}};
+  SeamSide roof{LineEvaluator{{0, 0, 0}, {0, 1, 0}},
+                splineEvaluator(std::make_shared<SplineEvaluator>(
+                    SplineDirection{1, {-1, -1, 0, 1, 1}, 0}, test::bezierDirection(1), poles,
+                    std::vector<double>()))};
   for (const bool rising : {true, false}) {
     roof.face_on_left = rising;  // left of the ridge it rises
     Frame frame;
@@ -368,7 +385,8 @@ TEST(EncloseSeam, AlongAKnotLineTheSideOfTheFaceCounts) {
 TEST(EncloseSeam, RefusesToleranceThatIsNone) {
   ContinuityTolerance tolerance;
   tolerance.gap_mm = -1;
-  EXPECT_THROW(encloseSeam(planeSide(0, true), planeSide(0, false), tolerance), std::invalid_argument);
+  EXPECT_THROW(encloseSeam(planeSide(0, true), planeSide(0, false), tolerance),
+               std::invalid_argument);
 }
 
 }  // namespace

@@ -27,7 +27,8 @@ struct Dense {
   bool fold = false;
 };
 
-Dense dense(const PatchSide& a, const PatchSide& b, const ContinuityTolerance& tolerance, int points) {
+Dense dense(const PatchSide& a, const PatchSide& b, const ContinuityTolerance& tolerance,
+            int points) {
   Dense most;
   for (int i = 0; i < points; ++i) {
     const double s = static_cast<double>(i) / (points - 1);
@@ -45,7 +46,8 @@ Dense dense(const PatchSide& a, const PatchSide& b, const ContinuityTolerance& t
   return most;
 }
 
-/// No value seen is above the upper bound, and the lower bound is a value of its place, but for noise.
+/// No value seen is above the upper bound, and the lower bound is a value of its place, but for
+/// noise.
 void expectTrue(const std::optional<Figure>& figure, double seen, double there, double noise,
                 const char* quantity) {
   if (!figure) return;
@@ -66,28 +68,33 @@ void expectTrue(const SeamFigures& figures, const PatchSide& a, const PatchSide&
   constexpr double noise = 1e-12;
   expectTrue(figures.gap_mm, seen.gap_mm, *at(figures.gap_mm).gap_mm, noise, "gap");
   if (!figures.angle_rad) return;
-  expectTrue(figures.angle_rad, seen.angle_rad, at(figures.angle_rad).angle_rad.value_or(infinite), noise,
-             "angle");
+  expectTrue(figures.angle_rad, seen.angle_rad, at(figures.angle_rad).angle_rad.value_or(infinite),
+             noise, "angle");
   if (!figures.curvature_per_mm) return;
   const auto difference = [&](const PairMeasure& pair) {
     if (pair.curvature) return pair.curvature->difference_per_mm;
     return infinite;
   };
   const auto relative = [&](const PairMeasure& pair) {
-    return pair.curvature ? relativeDifference(*pair.curvature, tolerance.flat_radius_mm) : infinite;
+    return pair.curvature ? relativeDifference(*pair.curvature, tolerance.flat_radius_mm)
+                          : infinite;
   };
   const double curvature_noise = 1e-11 * (1 + seen.norm_per_mm);
-  expectTrue(figures.curvature_per_mm, seen.curvature_per_mm, difference(at(figures.curvature_per_mm)),
-             curvature_noise, "curvature");
+  expectTrue(figures.curvature_per_mm, seen.curvature_per_mm,
+             difference(at(figures.curvature_per_mm)), curvature_noise, "curvature");
   expectTrue(figures.curvature_rel, seen.curvature_rel, relative(at(figures.curvature_rel)),
              1e-10 + curvature_noise / std::max(seen.norm_per_mm, 1e-300), "relative curvature");
 }
 
-/// upper - lower <= max(1 % of the figure, a hundredth of the tolerance), but for what rounding adds.
-void expectNarrow(const SeamFigures& figures, const ContinuityTolerance& tolerance, double norm_per_mm) {
+/// upper - lower <= max(1 % of the figure, a hundredth of the tolerance), but for what rounding
+/// adds.
+void expectNarrow(const SeamFigures& figures, const ContinuityTolerance& tolerance,
+                  double norm_per_mm) {
   ASSERT_TRUE(figures.certified) << figures.uncertified;
-  const auto narrow = [](const Figure& figure, double tolerated, double rounding, const char* quantity) {
-    EXPECT_LE(*figure.upper - figure.lower, 0.01 * std::max(figure.lower, tolerated) + rounding) << quantity;
+  const auto narrow = [](const Figure& figure, double tolerated, double rounding,
+                         const char* quantity) {
+    EXPECT_LE(*figure.upper - figure.lower, 0.01 * std::max(figure.lower, tolerated) + rounding)
+        << quantity;
   };
   narrow(*figures.gap_mm, tolerance.gap_mm, 1e-9, "gap");
   narrow(*figures.angle_rad, tolerance.angle_rad, 1e-9, "angle");
@@ -104,7 +111,8 @@ BezierPatch randomPatch(int m, int n, double roughness, bool rational, std::mt19
     for (int j = 0; j <= n; ++j) {
       const Vec grid(10.0 * i / m, 10.0 * j / n, 0);
       poles.row(i * (n + 1) + j) = (grid + roughness * test::randomVector(random)).transpose();
-      weights(i * (n + 1) + j) = rational ? std::uniform_real_distribution<double>(0.5, 2)(random) : 1;
+      weights(i * (n + 1) + j) =
+          rational ? std::uniform_real_distribution<double>(0.5, 2)(random) : 1;
     }
   return {m, n, poles, weights};
 }
@@ -112,7 +120,8 @@ BezierPatch randomPatch(int m, int n, double roughness, bool rational, std::mt19
 /// The patch with every pole moved at random.
 BezierPatch shaken(const BezierPatch& patch, double by, int first_row, std::mt19937_64& random) {
   Poles poles = patch.poles();
-  for (Eigen::Index i = static_cast<Eigen::Index>(first_row) * (patch.degreeV() + 1); i < poles.rows(); ++i)
+  for (Eigen::Index i = static_cast<Eigen::Index>(first_row) * (patch.degreeV() + 1);
+       i < poles.rows(); ++i)
     poles.row(i) += by * test::randomVector(random).transpose();
   return {patch.degreeU(), patch.degreeV(), poles, patch.weights()};
 }
@@ -200,8 +209,8 @@ TEST(EncloseSeam, TheBoundsAreAsNarrowAsPromised) {
     const Dense seen = dense(a, b, tolerance, 41);
     if (seen.angle_rad > 1) continue;
     tolerance.flat_radius_mm = 1e3 / std::max(seen.norm_per_mm, 1e-6);  // far from the flat radius
-    expectNarrow(encloseSeam(a.seamSide(), b.seamSide(), tolerance, {.max_pieces = 100000}), tolerance,
-                 std::max(seen.norm_per_mm * 1.1, 1 / tolerance.flat_radius_mm));
+    expectNarrow(encloseSeam(a.seamSide(), b.seamSide(), tolerance, {.max_pieces = 100000}),
+                 tolerance, std::max(seen.norm_per_mm * 1.1, 1 / tolerance.flat_radius_mm));
   }
 }
 
@@ -213,18 +222,22 @@ TEST(EncloseSeam, ACertainVerdictIsThatOfTheDensestSampling) {
     const auto [a, b] = randomSeam(random);
     const ContinuityTolerance tolerance = randomTolerance(random);
     for (const bool figures : {true, false}) {
-      const SeamFigures enclosed = encloseSeam(a.seamSide(), b.seamSide(), tolerance, {.figures = figures});
+      const SeamFigures enclosed =
+          encloseSeam(a.seamSide(), b.seamSide(), tolerance, {.figures = figures});
       const Verdict verdict = judge(enclosed, tolerance, Level::G2);
       if (!verdict.certain) continue;
       ++certain;
       Dense seen = dense(a, b, tolerance, 201);
-      if (enclosed.curvature_rel) {  // on the rounding of a flat radius a value may occur at one place only
+      if (enclosed.curvature_rel) {  // on the rounding of a flat radius a value may occur at one
+                                     // place only
         const double at = enclosed.curvature_rel->at;
         const PairMeasure pair = measurePair(a.at(at), b.at(at));
-        seen.curvature_rel =
-            std::max(seen.curvature_rel, relativeDifference(*pair.curvature, tolerance.flat_radius_mm));
+        seen.curvature_rel = std::max(
+            seen.curvature_rel, relativeDifference(*pair.curvature, tolerance.flat_radius_mm));
       }
-      const auto beyond = [](double value, double limit) { return value > limit * (1 + 1e-9) + 1e-12; };
+      const auto beyond = [](double value, double limit) {
+        return value > limit * (1 + 1e-9) + 1e-12;
+      };
       if (verdict.level >= Level::G0) {
         EXPECT_FALSE(beyond(seen.gap_mm, tolerance.gap_mm));
       }
@@ -253,7 +266,8 @@ TEST(EncloseSeam, ACertainVerdictIsThatOfTheDensestSampling) {
   EXPECT_GT(certain, 600);
 }
 
-// --- exact joins -------------------------------------------------------------------------------------------
+// --- exact joins
+// -------------------------------------------------------------------------------------------
 
 /// Bernstein coefficients of a polynomial with values in space or of numbers.
 template <class Value>
@@ -293,7 +307,8 @@ Bernstein<double> randomFactor(double middle, double spread, std::mt19937_64& ra
   return {first, value(random)};
 }
 
-/// A patch Q with Q = P, Q_u = alpha P_u + beta P_v and (order 2) Q_uu by the chain rule along P's edge u = 1.
+/// A patch Q with Q = P, Q_u = alpha P_u + beta P_v and (order 2) Q_uu by the chain rule along P's
+/// edge u = 1.
 /// Source: docs/theory/surfaces.md S1.1, S3.1.
 BezierPatch joined(const BezierPatch& p, int order, std::mt19937_64& random) {
   const int m = p.degreeU(), n = p.degreeV();
@@ -303,23 +318,24 @@ BezierPatch joined(const BezierPatch& p, int order, std::mt19937_64& random) {
     return poles;
   };
   const auto minus = [&](const Bernstein<Vec>& a) { return Bernstein<double>{-1} * a; };
-  const Bernstein<Vec> x = row(m), xu = Bernstein<double>{static_cast<double>(m)} * sum(x, minus(row(m - 1)));
-  const Bernstein<Vec> xuu =
-      Bernstein<double>{m * (m - 1.0)} * sum(sum(x, row(m - 2)), Bernstein<double>{-2} * row(m - 1));
+  const Bernstein<Vec> x = row(m),
+                       xu = Bernstein<double>{static_cast<double>(m)} * sum(x, minus(row(m - 1)));
+  const Bernstein<Vec> xuu = Bernstein<double>{m * (m - 1.0)} *
+                             sum(sum(x, row(m - 2)), Bernstein<double>{-2} * row(m - 1));
   const Bernstein<double> alpha = randomFactor(1, 0.4, random), beta = randomFactor(0, 0.4, random);
   const Bernstein<double> gamma = randomFactor(0, 2, random), delta = randomFactor(0, 2, random);
   const Bernstein<Vec> q1 = sum(alpha * xu, beta * derivative(x));
-  const auto squared = [&](const Bernstein<double>& a, const Bernstein<double>& b, const Bernstein<Vec>& c) {
-    return a * (b * c);
-  };
-  Bernstein<Vec> q2 =
-      sum(sum(squared(alpha, alpha, xuu), Bernstein<double>{2} * squared(alpha, beta, derivative(xu))),
-          squared(beta, beta, derivative(derivative(x))));
+  const auto squared = [&](const Bernstein<double>& a, const Bernstein<double>& b,
+                           const Bernstein<Vec>& c) { return a * (b * c); };
+  Bernstein<Vec> q2 = sum(
+      sum(squared(alpha, alpha, xuu), Bernstein<double>{2} * squared(alpha, beta, derivative(xu))),
+      squared(beta, beta, derivative(derivative(x))));
   q2 = sum(q2, sum(gamma * xu, delta * derivative(x)));
   if (order < 2)
     for (Vec& pole : q2) pole += test::randomVector(random);
   const int degree = n + 2, cross = 3;
-  const Bernstein<Vec> b0 = elevated(x, degree), d1 = elevated(q1, degree), d2 = elevated(q2, degree);
+  const Bernstein<Vec> b0 = elevated(x, degree), d1 = elevated(q1, degree),
+                       d2 = elevated(q2, degree);
   Poles poles((cross + 1) * (degree + 1), 3);
   for (int j = 0; j <= degree; ++j) {
     const Vec b1 = b0[j] + d1[j] / cross, b2 = d2[j] / (cross * (cross - 1)) + 2 * b1 - b0[j];
@@ -368,7 +384,8 @@ TEST(EncloseSeam, Identity3RationalPatchesThatGoOnLeaveOnlyRounding) {
     SCOPED_TRACE(i);
     const BezierPatch whole = randomPatch(3, 3, 0.4, true, random);
     const auto [left, right] = whole.splitU(0.4);
-    const SeamFigures figures = encloseSeam(endOf(left).seamSide(), beginOf(right).seamSide(), tight());
+    const SeamFigures figures =
+        encloseSeam(endOf(left).seamSide(), beginOf(right).seamSide(), tight());
     EXPECT_LT(*figures.gap_mm->upper, 1e-8);
     EXPECT_LT(*figures.angle_rad->upper, 1e-8);
     EXPECT_LT(*figures.curvature_per_mm->upper, 1e-6);
@@ -383,7 +400,8 @@ TEST(EncloseSeam, Identity3JoinsOfHighDegreeLeaveOnlyRounding) {
   for (const int degree : {9, 14, 19, 25}) {
     SCOPED_TRACE(degree);
     const auto [left, right] = randomPatch(3, degree, 0.3, false, random).splitU(0.5);
-    const SeamFigures figures = encloseSeam(endOf(left).seamSide(), beginOf(right).seamSide(), tight());
+    const SeamFigures figures =
+        encloseSeam(endOf(left).seamSide(), beginOf(right).seamSide(), tight());
     EXPECT_LT(*figures.angle_rad->upper, 1e-7);
     EXPECT_LT(*figures.curvature_rel->upper, 1e-4);
     EXPECT_TRUE(judge(figures, tight(), Level::G2).certain);
@@ -391,9 +409,11 @@ TEST(EncloseSeam, Identity3JoinsOfHighDegreeLeaveOnlyRounding) {
   }
 }
 
-// --- seams that hide something -----------------------------------------------------------------------------
+// --- seams that hide something
+// -----------------------------------------------------------------------------
 
-BezierPatch mapped(const BezierPatch& patch, const Eigen::Matrix3d& matrix, const Vec& translation) {
+BezierPatch mapped(const BezierPatch& patch, const Eigen::Matrix3d& matrix,
+                   const Vec& translation) {
   Poles poles = patch.poles() * matrix.transpose();
   poles.rowwise() += translation.transpose();
   return {patch.degreeU(), patch.degreeV(), poles, patch.weights()};
@@ -429,16 +449,16 @@ TEST(EncloseSeam, Identity2TheVerdictDoesNotDependOnTheDescription) {
     const ContinuityTolerance tolerance = randomTolerance(random);
     const SeamFigures figures = encloseSeam(a.seamSide(), b.seamSide(), tolerance);
     const Verdict verdict = judge(figures, tolerance, Level::G2);
-    const auto expectSame = [&](const PatchSide& x, const PatchSide& y, const ContinuityTolerance& limits,
-                                double scale, const char* law) {
+    const auto expectSame = [&](const PatchSide& x, const PatchSide& y,
+                                const ContinuityTolerance& limits, double scale, const char* law) {
       const SeamFigures other = encloseSeam(x.seamSide(), y.seamSide(), limits);
       const Verdict same = judge(other, limits, Level::G2);
       if (verdict.certain && same.certain) {
         EXPECT_EQ(verdict.level, same.level) << law;
         EXPECT_EQ(verdict.seam_class, same.seam_class) << law;
       }
-      const auto overlap = [&](const std::optional<Figure>& p, const std::optional<Figure>& q, double factor,
-                               double noise) {
+      const auto overlap = [&](const std::optional<Figure>& p, const std::optional<Figure>& q,
+                               double factor, double noise) {
         if (!p || !q || !p->upper || !q->upper) return;
         EXPECT_LE(p->lower * factor, *q->upper * (1 + 1e-9) + noise) << law;
         EXPECT_LE(q->lower, *p->upper * factor * (1 + 1e-9) + noise) << law;
@@ -452,8 +472,8 @@ TEST(EncloseSeam, Identity2TheVerdictDoesNotDependOnTheDescription) {
     expectSame(alongTheOtherWay(a), alongTheOtherWay(b), tolerance, 1, "reversal");
     expectSame(transposed(a), b, tolerance, 1, "flip of a");
     expectSame(a, reversedU(b), tolerance, 1, "flip of b");
-    const auto both = [&](const Eigen::Matrix3d& matrix, const ContinuityTolerance& limits, double scale,
-                          const char* law) {
+    const auto both = [&](const Eigen::Matrix3d& matrix, const ContinuityTolerance& limits,
+                          double scale, const char* law) {
       const Vec translation = 3 * test::randomVector(random);
       PatchSide x = a, y = b;
       x.surface = mapped(a.surface, matrix, translation);
@@ -490,8 +510,8 @@ TEST(EncloseSeam, DegenerateEdgesAreNeverCertainlySmoothWithoutAPlane) {
       for (int j = 0; j < 4; ++j) pole(1, j) = pole(0, j);  // no cross derivative at all
     if (kind == 2)
       for (int j = 0; j < 4; ++j)  // cross derivative within 1e-7 of the seam's direction
-        pole(1, j) =
-            pole(0, j) + (pole(0, 3) - pole(0, 0)) / 4 + 1e-7 * test::randomVector(random).transpose();
+        pole(1, j) = pole(0, j) + (pole(0, 3) - pole(0, 0)) / 4 +
+                     1e-7 * test::randomVector(random).transpose();
     if (kind == 3)
       for (int j = 0; j < 4; ++j) {  // cross derivative turns round: a cusp inside
         const Eigen::RowVector3d across = pole(1, j) - pole(0, j);

@@ -84,12 +84,14 @@ inline Point constant(const Vec& a) {
 inline Point transformed(const Eigen::Matrix3d& matrix, const Point& p, const Vec& translation) {
   Point q;
   for (int i = 0; i < 3; ++i)
-    q[i] =
-        Jet(matrix(i, 0)) * p[0] + Jet(matrix(i, 1)) * p[1] + Jet(matrix(i, 2)) * p[2] + Jet(translation[i]);
+    q[i] = Jet(matrix(i, 0)) * p[0] + Jet(matrix(i, 1)) * p[1] + Jet(matrix(i, 2)) * p[2] +
+           Jet(translation[i]);
   return q;
 }
 inline Surface inFrame(const Frame& frame, const Surface& local) {
-  return [=](const Jet& u, const Jet& v) { return transformed(frame.axes, local(u, v), frame.origin); };
+  return [=](const Jet& u, const Jet& v) {
+    return transformed(frame.axes, local(u, v), frame.origin);
+  };
 }
 
 struct Fields {
@@ -119,7 +121,8 @@ struct Path {
   ChebyshevModel u, v;
   static Real at(const ChebyshevModel& model, Real x, Real off) {
     Real sum = off * model.radius();
-    for (int k = 0; k <= model.degree(); ++k) sum += model.coefficient(k) * std::cos(k * std::acos(x));
+    for (int k = 0; k <= model.degree(); ++k)
+      sum += model.coefficient(k) * std::cos(k * std::acos(x));
     return sum;
   }
 };
@@ -136,19 +139,22 @@ inline Path randomPath(double u, double v, double half, std::mt19937_64& random)
 
 inline int known = 0;
 
-inline void expectHeld(const ChebyshevModel& model, Real x, Real truth, Real noise, const char* field) {
+inline void expectHeld(const ChebyshevModel& model, Real x, Real truth, Real noise,
+                       const char* field) {
   if (!model.isKnown()) return;
   ++known;
   Real series = 0;
-  for (int k = 0; k <= model.degree(); ++k) series += model.coefficient(k) * std::cos(k * std::acos(x));
+  for (int k = 0; k <= model.degree(); ++k)
+    series += model.coefficient(k) * std::cos(k * std::acos(x));
   EXPECT_LE(std::abs(series - truth), model.radius() + noise)
       << field << " is " << static_cast<double>(truth) << " at " << static_cast<double>(x);
 }
 
-/// \param noise of the input, absolute for the normal, relative to the size of the others: frames are
-/// orthonormal but for rounding.
-inline void expectHeld(const SurfaceEvaluator& evaluator, const std::function<Fields(Real, Real)>& truth,
-                       const Path& path, double hint_u, double hint_v, Real noise = 4e-16L) {
+/// \param noise of the input, absolute for the normal, relative to the size of the others: frames
+/// are orthonormal but for rounding.
+inline void expectHeld(const SurfaceEvaluator& evaluator,
+                       const std::function<Fields(Real, Real)>& truth, const Path& path,
+                       double hint_u, double hint_v, Real noise = 4e-16L) {
   const SurfaceFields fields = evaluator.fields(path.u, path.v, hint_u, hint_v, Detail::Curvature);
   for (const Real off : {-1, 0, 1})
     for (int i = 0; i <= 8; ++i) {
@@ -162,7 +168,8 @@ inline void expectHeld(const SurfaceEvaluator& evaluator, const std::function<Fi
       }
       constexpr int rows[] = {0, 1, 2, 0, 1, 2}, columns[] = {0, 1, 2, 1, 2, 0};
       for (int k = 0; k < 6; ++k)
-        expectHeld(fields.tensor[k], x, there.tensor(rows[k], columns[k]), 4 * noise * bent, "tensor");
+        expectHeld(fields.tensor[k], x, there.tensor(rows[k], columns[k]), 4 * noise * bent,
+                   "tensor");
     }
 }
 
@@ -185,8 +192,8 @@ inline Homogeneous deBoor(const SplineDirection& direction, int s, const Jet& t,
   for (int level = 1; level <= degree; ++level)
     for (int j = degree; j >= level; --j) {
       const int i = s - degree + j;
-      const Jet a =
-          (t - Jet(knots[i])) * Jet(1 / (static_cast<Real>(knots[i + degree - level + 1]) - knots[i]));
+      const Jet a = (t - Jet(knots[i])) *
+                    Jet(1 / (static_cast<Real>(knots[i + degree - level + 1]) - knots[i]));
       for (int d = 0; d < 4; ++d) poles[j][d] = (Jet(1) - a) * poles[j - 1][d] + a * poles[j][d];
     }
   return poles[degree];
@@ -250,7 +257,8 @@ inline SplineData randomSpline(int p, int q, bool rational, double far, std::mt1
   for (int i = 0; i < rows; ++i)
     for (int j = 0; j < columns; ++j) {
       spline.poles.push_back(Vec(i, j, 0) + 0.3 * test::randomVector(random) + far * Vec(1, -1, 1));
-      if (rational) spline.weights.push_back(std::uniform_real_distribution<double>(0.3, 3)(random));
+      if (rational)
+        spline.weights.push_back(std::uniform_real_distribution<double>(0.3, 3)(random));
     }
   return spline;
 }

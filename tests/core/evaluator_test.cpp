@@ -69,7 +69,8 @@ TEST(Evaluator, AnalyticSurfacesAreHeld) {
       const double u = place(random), v = sphere ? place(random) / 3 : place(random);
       const Path path = randomPath(u, v, logUniform(random, -8, sphere ? -0.5 : 0), random);
       expectHeld(
-          *kind.evaluator, [&](Real a, Real b) { return fieldsAt(kind.formula, a, b); }, path, u, v);
+          *kind.evaluator, [&](Real a, Real b) { return fieldsAt(kind.formula, a, b); }, path, u,
+          v);
     }
   EXPECT_GT(known, 50000);
 }
@@ -86,7 +87,8 @@ TEST(Evaluator, ConesNearTheApexAndSpindlesAreHeldOrUnknown) {
       const Real a = angle;
       return turnedAbout(u, Jet(2) + Jet(std::sin(a)) * v, Jet(std::cos(a)) * v);
     });
-    // Relative to the apex the parameter is known to rounding only; the models must say so themselves.
+    // Relative to the apex the parameter is known to rounding only; the models must say so
+    // themselves.
     const Path path = randomPath(1, apex + off, std::abs(off) / 3, random);
     expectHeld(
         *cone, [&](Real a, Real b) { return fieldsAt(formula, a, b); }, path, 1, apex + off);
@@ -111,8 +113,8 @@ TEST(Evaluator, ConesNearTheApexAndSpindlesAreHeldOrUnknown) {
 TEST(Evaluator, TheSphereHasATangentPlaneAtItsPoles) {
   for (const double pole : {std::numbers::pi / 2, -std::numbers::pi / 2}) {
     const auto sphere = sphereEvaluator(Frame(), 3);
-    const SurfaceFields fields =
-        sphere->fields(ChebyshevModel::linear(0, 0.5, 0), ChebyshevModel(pole), 0, pole, Detail::Curvature);
+    const SurfaceFields fields = sphere->fields(ChebyshevModel::linear(0, 0.5, 0),
+                                                ChebyshevModel(pole), 0, pole, Detail::Curvature);
     ASSERT_TRUE(fields.normal[2].isKnown());
     for (const double x : {-1.0, 0.0, 1.0}) {
       const auto held = [x](const ChebyshevModel& model, double truth) {
@@ -142,16 +144,17 @@ std::vector<CurveKind> curveKinds(std::mt19937_64& random) {
     data.weights.push_back(std::uniform_real_distribution<double>(0.3, 3)(random));
   }
   const Surface spline = formulaOf(data, 0.05, 0);
-  return {{"line", LineEvaluator{a, b}, [=](const Jet& t) { return constant(a) + t * constant(b); }},
-          {"ellipse", EllipseEvaluator{a, b, c},
-           [=](const Jet& t) { return constant(a) + cosine(t) * constant(b) + sine(t) * constant(c); }},
-          {"hyperbola", HyperbolaEvaluator{a, b, c},
-           [=](const Jet& t) {
-             return constant(a) + hyperbolicCosine(t) * constant(b) + hyperbolicSine(t) * constant(c);
-           }},
-          {"parabola", ParabolaEvaluator{a, b, c},
-           [=](const Jet& t) { return constant(a) + t * t * constant(b) + t * constant(c); }},
-          {"spline", data.evaluator(), [=](const Jet& t) { return spline(t, Jet(0)); }}};
+  return {
+      {"line", LineEvaluator{a, b}, [=](const Jet& t) { return constant(a) + t * constant(b); }},
+      {"ellipse", EllipseEvaluator{a, b, c},
+       [=](const Jet& t) { return constant(a) + cosine(t) * constant(b) + sine(t) * constant(c); }},
+      {"hyperbola", HyperbolaEvaluator{a, b, c},
+       [=](const Jet& t) {
+         return constant(a) + hyperbolicCosine(t) * constant(b) + hyperbolicSine(t) * constant(c);
+       }},
+      {"parabola", ParabolaEvaluator{a, b, c},
+       [=](const Jet& t) { return constant(a) + t * t * constant(b) + t * constant(c); }},
+      {"spline", data.evaluator(), [=](const Jet& t) { return spline(t, Jet(0)); }}};
 }
 
 TEST(Evaluator, SweptSurfacesAreHeld) {
@@ -169,8 +172,8 @@ TEST(Evaluator, SweptSurfacesAreHeld) {
       };
       expectHeld(
           *extrusionEvaluator(curve.evaluator, direction),
-          [&](Real a, Real b) { return fieldsAt(extruded, a, b); }, randomPath(t, other, half, random), t,
-          other, 1e-17L);
+          [&](Real a, Real b) { return fieldsAt(extruded, a, b); },
+          randomPath(t, other, half, random), t, other, 1e-17L);
       const Surface turned = [&](const Jet& u, const Jet& v) {
         const Point local = transformed(frame.axes.transpose(), curve.formula(v),
                                         Vec(-frame.axes.transpose() * frame.origin));
@@ -180,8 +183,8 @@ TEST(Evaluator, SweptSurfacesAreHeld) {
       };
       expectHeld(
           *revolutionEvaluator(frame, curve.evaluator),
-          [&](Real a, Real b) { return fieldsAt(turned, a, b); }, randomPath(other, t, half, random), other,
-          t, 1e-14L);
+          [&](Real a, Real b) { return fieldsAt(turned, a, b); },
+          randomPath(other, t, half, random), other, t, 1e-14L);
     }
   }
   EXPECT_GT(known, 100000);
@@ -193,8 +196,9 @@ TEST(Evaluator, ACurveThatTouchesTheAxisHasNoBoundedPlaneThere) {
       cone->fields(ChebyshevModel(0), ChebyshevModel::linear(0, 0.1, 0), 0, 0, Detail::Curvature);
   EXPECT_FALSE(at.normal[0].isKnown());
   EXPECT_TRUE(at.point[0].isKnown());
-  EXPECT_TRUE(
-      cone->fields(ChebyshevModel(0), ChebyshevModel(0.1), 0, 0.1, Detail::Curvature).normal[0].isKnown());
+  EXPECT_TRUE(cone->fields(ChebyshevModel(0), ChebyshevModel(0.1), 0, 0.1, Detail::Curvature)
+                  .normal[0]
+                  .isKnown());
 }
 
 TEST(Evaluator, PlacedSurfacesAreHeld) {
@@ -206,7 +210,8 @@ TEST(Evaluator, PlacedSurfacesAreHeld) {
     if (i % 2 == 0) placement.orthogonal.col(1) *= -1;  // a mirror
     for (Kind& kind : analyticKinds(random)) {
       const Surface formula = [&](const Jet& u, const Jet& v) {
-        return transformed(placement.scale * placement.orthogonal, kind.formula(u, v), placement.translation);
+        return transformed(placement.scale * placement.orthogonal, kind.formula(u, v),
+                           placement.translation);
       };
       const Path path = randomPath(0.4, 0.2, logUniform(random, -6, -0.5), random);
       expectHeld(
@@ -222,7 +227,8 @@ TEST(SurfaceEvaluator, BeyondItsPolesASphereIsSeenFromInside) {
     const SurfaceFields fields =
         sphere->fields(ChebyshevModel(0.3), ChebyshevModel(v), 0.3, v, Detail::TangentPlane);
     double outward = 0;
-    for (int i = 0; i < 3; ++i) outward += fields.point[i].coefficient(0) * fields.normal[i].coefficient(0);
+    for (int i = 0; i < 3; ++i)
+      outward += fields.point[i].coefficient(0) * fields.normal[i].coefficient(0);
     EXPECT_NEAR(outward, std::cos(v) < 0 ? -3 : 3, 1e-12) << v;
   }
 }

@@ -76,7 +76,8 @@ class Dyadic {
   long double approximate() const {
     long double result = 0;
     for (std::size_t i = limbs_.size(); i-- > 0;)
-      result += std::ldexp(static_cast<long double>(limbs_[i]), exponent_ + 32 * static_cast<int>(i));
+      result +=
+          std::ldexp(static_cast<long double>(limbs_[i]), exponent_ + 32 * static_cast<int>(i));
     return negative_ ? -result : result;
   }
 
@@ -174,7 +175,8 @@ inline DyadicVector exactProductTimesBinomials(const DyadicVector& a, const Dyad
                      wb = exactBinomials(static_cast<int>(b.size()) - 1);
   DyadicVector result(a.size() + b.size() - 1);
   for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = 0; j < b.size(); ++j) result[i + j] = result[i + j] + wa[i] * a[i] * (wb[j] * b[j]);
+    for (std::size_t j = 0; j < b.size(); ++j)
+      result[i + j] = result[i + j] + wa[i] * a[i] * (wb[j] * b[j]);
   return result;
 }
 
@@ -185,7 +187,8 @@ inline DyadicVector exactRestriction(const DyadicVector& c, const Dyadic& a, con
     DyadicVector work = c;
     for (std::size_t step = 0; work.size() > 1; ++step) {
       const Dyadic& t = step < j ? b : a;
-      for (std::size_t i = 0; i + 1 < work.size(); ++i) work[i] = work[i] + t * (work[i + 1] - work[i]);
+      for (std::size_t i = 0; i + 1 < work.size(); ++i)
+        work[i] = work[i] + t * (work[i + 1] - work[i]);
       work.pop_back();
     }
     result.push_back(work.front());

@@ -7,7 +7,8 @@
 
 #include "exact.hpp"
 
-/// Curvature, torsion and change of curvature of rational Bézier curves without rounding but of the result.
+/// Curvature, torsion and change of curvature of rational Bézier curves without rounding but of the
+/// result.
 namespace seamwright::test {
 
 using DyadicRow = std::array<Dyadic, 4>;
@@ -23,7 +24,8 @@ Dyadic dot(const A& a, const B& b) {
 }
 
 /// s a - r b
-inline DyadicSpace combined(const Dyadic& s, const DyadicSpace& a, const Dyadic& r, const DyadicSpace& b) {
+inline DyadicSpace combined(const Dyadic& s, const DyadicSpace& a, const Dyadic& r,
+                            const DyadicSpace& b) {
   return {s * a[0] - r * b[0], s * a[1] - r * b[1], s * a[2] - r * b[2]};
 }
 
@@ -59,8 +61,8 @@ struct ExactFigures {
   long double speed, kappa, tau, kappa_s;
 };
 
-/// With H = (A, w) and c = w A' x A'' - w' A x A'' + w'' A x A', v = w A' - w' A:
-/// X' = v / w^2, X' x X'' = c / w^3, det(X', X'', X''') = det(H, H', H'', H''') / w^4, so kappa = |c| w^3 / |v|^3.
+/// With H = (A, w) and c = w A' x A'' - w' A x A'' + w'' A x A', v = w A' - w' A: X' = v / w^2, X'
+/// x X'' = c / w^3, det(X', X'', X''') = det(H, H', H'', H''') / w^4, so kappa = |c| w^3 / |v|^3.
 inline ExactFigures exactFigures(const BezierCurve& curve, double t) {
   std::array<DyadicRow, 4> h;
   for (int k = 0; k < 4; ++k) h[k] = exactDerivative(curve.homogeneousPoles(), t, k);

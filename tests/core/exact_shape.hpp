@@ -10,7 +10,8 @@
 namespace seamwright::test {
 
 /// Partial of the homogeneous form.
-inline DyadicRow exactPartial(const BezierPatch& patch, const Dyadic& u, const Dyadic& v, int k, int l) {
+inline DyadicRow exactPartial(const BezierPatch& patch, const Dyadic& u, const Dyadic& v, int k,
+                              int l) {
   const auto differences = [](DyadicVector& c, int order) {
     Dyadic factor = 1;
     for (int i = 0; i < order; ++i) {
@@ -41,14 +42,17 @@ struct ExactShape {
   long double twice_mean, gauss, change_along_u;
 };
 
-/// About the point, w A_kl - w_kl A = w^2 X_kl + (...): with X_uu, X_uv, X_vv up to tangents and third partials
-/// that fit them, by parameters in which the weight has no first derivative. All but roots and quotients is exact.
+/// About the point, w A_kl - w_kl A = w^2 X_kl + (...): with X_uu, X_uv, X_vv up to tangents and
+/// third partials that fit them, by parameters in which the weight has no first derivative. All but
+/// roots and quotients is exact.
 inline ExactShape exactShape(const BezierPatch& patch, double u, double v) {
   const Dyadic one = 1;
   const auto h = [&](int k, int l) { return exactPartial(patch, u, v, k, l); };
   const DyadicRow point = h(0, 0);
   const Dyadic w = point[3];
-  const auto about = [&](const DyadicRow& row) { return combined(w, spaceOf(row), row[3], spaceOf(point)); };
+  const auto about = [&](const DyadicRow& row) {
+    return combined(w, spaceOf(row), row[3], spaceOf(point));
+  };
   const auto row = [](const DyadicSpace& a) { return DyadicRow{a[0], a[1], a[2], Dyadic(0)}; };
   const DyadicRow hu = h(1, 0);
   const DyadicSpace xu = about(hu), xv = about(h(0, 1)), xuu = about(h(2, 0)), xuv = about(h(1, 1)),
@@ -57,8 +61,10 @@ inline ExactShape exactShape(const BezierPatch& patch, double u, double v) {
   const DyadicSpace c = cross(row(xu), row(xv));
   const Dyadic E = dot(xu, xu), F = dot(xu, xv), G = dot(xv, xv), D = dot(c, c);
   const Dyadic L = dot(c, xuu), M = dot(c, xuv), N = dot(c, xvv);
-  const long double W = w.abs().approximate(), C = std::sqrt(D.approximate()), U = std::sqrt(E.approximate());
-  const Dyadic alpha = G * dot(xuu, xu) - F * dot(xuu, xv), beta = E * dot(xuu, xv) - F * dot(xuu, xu);
+  const long double W = w.abs().approximate(), C = std::sqrt(D.approximate()),
+                    U = std::sqrt(E.approximate());
+  const Dyadic alpha = G * dot(xuu, xu) - F * dot(xuu, xv),
+               beta = E * dot(xuu, xv) - F * dot(xuu, xu);
   const Dyadic change = dot(c, xuuu) * D - 3 * w * (alpha * L + beta * M);
   const auto unit = [](const DyadicSpace& a, long double size) {
     return Eigen::Vector3d(static_cast<double>(a[0].approximate() / size),
@@ -75,12 +81,15 @@ struct ExactPartials {
   Eigen::Vector3d u, uu, uv;
 };
 
-/// With B_kl = w A_kl - w_kl A: w^2 X_u = B_u, w^3 X_uu = w B_uu - 2 w_u B_u, w^3 X_uv = w B_uv - w_u B_v - w_v B_u.
+/// With B_kl = w A_kl - w_kl A: w^2 X_u = B_u, w^3 X_uu = w B_uu - 2 w_u B_u, w^3 X_uv = w B_uv -
+/// w_u B_v - w_v B_u.
 inline ExactPartials exactPartials(const BezierPatch& patch, double u, double v) {
   const auto h = [&](int k, int l) { return exactPartial(patch, u, v, k, l); };
   const DyadicRow point = h(0, 0), hu = h(1, 0), hv = h(0, 1);
   const Dyadic w = point[3];
-  const auto about = [&](const DyadicRow& row) { return combined(w, spaceOf(row), row[3], spaceOf(point)); };
+  const auto about = [&](const DyadicRow& row) {
+    return combined(w, spaceOf(row), row[3], spaceOf(point));
+  };
   const DyadicSpace xu = about(hu), xv = about(hv);
   const DyadicSpace xuu = combined(w, about(h(2, 0)), 2 * hu[3], xu),
                     xuv = combined(1, combined(w, about(h(1, 1)), hu[3], xv), hv[3], xu);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Fills of holes whose neighbours disagree about the mixed derivative in the corners. Angles are of normals by cross products, at many points.
+// Fills of holes whose neighbours disagree about the mixed derivative in the corners. Angles are of
+// normals by cross products, at many points.
 #include <gmock/gmock.h>
 
 #include <seamwright/core/umbrella/fill_corners.hpp>
@@ -30,14 +31,16 @@ struct SideAngles {
   double near_corner = 0, elsewhere = 0;
 };
 
-/// Of the fill to the planes of E' and T along both halves at corner k, up to a share of a half from the corner and beyond it.
-SideAngles anglesAt(const BSplineSurface& surface, const std::vector<FillSide>& sides, std::size_t k,
-                    double share) {
+/// Of the fill to the planes of E' and T along both halves at corner k, up to a share of a half
+/// from the corner and beyond it.
+SideAngles anglesAt(const BSplineSurface& surface, const std::vector<FillSide>& sides,
+                    std::size_t k, double share) {
   SideAngles angles;
   const FillSide &before = sides[(k + sides.size() - 1) % sides.size()], &after = sides[k];
   constexpr int count = 4000;
   for (int i = 0; i <= count; ++i) {
-    const double away = std::pow(static_cast<double>(i) / count, 3);  // of the corner, 0..1 of the half
+    const double away =
+        std::pow(static_cast<double>(i) / count, 3);  // of the corner, 0..1 of the half
     for (const bool first : {true, false}) {
       const double t = first ? 1 - away / 2 : away / 2;
       const FillSide& side = first ? before : after;
@@ -69,7 +72,8 @@ TEST_P(CornerKnots, EdgesAndSpokesStay) {
       for (const auto& [u, v] : {std::pair(0.0, t), std::pair(t, 0.0)}) {
         const SurfaceJet now = jet(surfaces[k], u, v), was = fill.patches[k].jet(u, v);
         EXPECT_LT((now.u - was.u).norm() + (now.v - was.v).norm(), 1e-10);
-        EXPECT_LT((now.uu - was.uu).norm() + (now.uv - was.uv).norm() + (now.vv - was.vv).norm(), 1e-8);
+        EXPECT_LT((now.uu - was.uu).norm() + (now.uv - was.uv).norm() + (now.vv - was.vv).norm(),
+                  1e-8);
       }
     }
 }
@@ -126,8 +130,12 @@ TEST_P(CornerKnots, CurvatureAcrossTheSidesStaysBesideTheCorner) {
       const double away = std::pow(i / 200.0, 4);
       const Vector3d change = (degree - 1) / 2.0 * fill.corners[k].twist_defect_mm *
                               (2 * bump(degree, 1, away) - bump(degree, 2, away)) * normal;
-      EXPECT_LT((jet(surfaces[k], 1, 1 - away).uu - patch.jet(1, 1 - away).uu - change).norm(), 1e-6) << away;
-      EXPECT_LT((jet(surfaces[k], 1 - away, 1).vv - patch.jet(1 - away, 1).vv + change).norm(), 1e-6) << away;
+      EXPECT_LT((jet(surfaces[k], 1, 1 - away).uu - patch.jet(1, 1 - away).uu - change).norm(),
+                1e-6)
+          << away;
+      EXPECT_LT((jet(surfaces[k], 1 - away, 1).vv - patch.jet(1 - away, 1).vv + change).norm(),
+                1e-6)
+          << away;
     }
   }
 }
@@ -139,7 +147,8 @@ TEST(CornerKnotsOfCompatibleCorners, ArePatches) {
   std::mt19937_64 random(11);
   const NSidedFill fill = nSidedFill(test::randomHole(5, 1, random));
   const std::vector<BSplineSurface> surfaces = withCornerKnots(fill, 1e-4);
-  for (std::size_t k = 0; k < surfaces.size(); ++k) EXPECT_EQ(surfaces[k], splineSurface(fill.patches[k]));
+  for (std::size_t k = 0; k < surfaces.size(); ++k)
+    EXPECT_EQ(surfaces[k], splineSurface(fill.patches[k]));
 }
 
 TEST(CornerKnotsOfCompatibleCorners, RefuseAnAngleThatIsNotPositive) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Fills with small jumps of curvature: holes in surfaces that are known, whose curvature they should continue.
+// Fills with small jumps of curvature: holes in surfaces that are known, whose curvature they
+// should continue.
 #include <gmock/gmock.h>
 
 #include "ring_holes.hpp"
@@ -21,9 +22,10 @@ std::vector<FillSide> curvedHole(const test::Graph& graph, const std::vector<Vec
       const Vector2d out = BezierCurve(*side.cross).point(t).head<2>();
       values(i, 2) = out.dot(test::at(graph, side.edge.point(t).head<2>()).bend * out);
       for (int j = 0; j <= degree; ++j)
-        matrix(i, j) = BezierCurve(Poles(Eigen::VectorXd::Unit(degree + 1, j) * Eigen::RowVector3d::UnitX()))
-                           .point(t)
-                           .x();
+        matrix(i, j) =
+            BezierCurve(Poles(Eigen::VectorXd::Unit(degree + 1, j) * Eigen::RowVector3d::UnitX()))
+                .point(t)
+                .x();
     }
     side.bend = Poles(matrix.fullPivLu().solve(values));
   }
@@ -64,7 +66,8 @@ TEST_P(FillCurvature, JumpsBecomeSmallAndTheSurfaceIsMet) {
   for (Vector2d& corner : corners) corner *= 1 + test::uniform(-0.6, 0.6, random) / n;
   for (const test::Graph& graph : {test::sphere(20), test::torus(20, 15)}) {
     const std::vector<FillSide> sides = curvedHole(graph, corners);
-    const NSidedFill plain = nSidedFill(sides), curved = nSidedFill(sides, {.curvature_degrees = 0});
+    const NSidedFill plain = nSidedFill(sides),
+                     curved = nSidedFill(sides, {.curvature_degrees = 0});
     const std::vector<SeamFigures> before = seamsOf(plain, sides), after = seamsOf(curved, sides);
     EXPECT_LT(test::largestAngle_rad(after), 1.01 * test::largestAngle_rad(before) + 1e-10);
     const double jump = test::largestCurvature_per_mm(after);
@@ -82,7 +85,8 @@ INSTANTIATE_TEST_SUITE_P(Sides, FillCurvature, testing::Values(3, 4, 5, 6));
 // What is exact already stays so.
 TEST(FillCurvature, AParaboloidIsReproduced) {
   const test::Graph graph = test::paraboloid(0.1, -0.1);
-  const NSidedFill fill = nSidedFill(curvedHole(graph, test::polygon(5, 10)), {.curvature_degrees = 1});
+  const NSidedFill fill =
+      nSidedFill(curvedHole(graph, test::polygon(5, 10)), {.curvature_degrees = 1});
   EXPECT_EQ(fill.patches[0].degreeU(), 7);
   EXPECT_LT(*fill.curvature_jump_per_mm, 1e-11);
   EXPECT_LT(error(fill.patches, graph), 1e-11);

@@ -25,9 +25,9 @@ struct Height {
 };
 
 inline Height operator*(const Height& f, const Height& g) {
-  return {
-      f.value * g.value, f.value * g.slope + g.value * f.slope,
-      f.value * g.bend + g.value * f.bend + f.slope * g.slope.transpose() + g.slope * f.slope.transpose()};
+  return {f.value * g.value, f.value * g.slope + g.value * f.slope,
+          f.value * g.bend + g.value * f.bend + f.slope * g.slope.transpose() +
+              g.slope * f.slope.transpose()};
 }
 inline Height operator+(const Height& f, const Height& g) {
   return {f.value + g.value, f.slope + g.slope, f.bend + g.bend};
@@ -61,7 +61,8 @@ inline Graph sphere(double radius) {
     return root(constant(radius * radius) + -1.0 * (x * x) + -1.0 * (y * y));
   };
 }
-/// The outside of a torus about the y axis, above the origin: curvatures 1 / tube and 1 / (ring + tube) there.
+/// The outside of a torus about the y axis, above the origin: curvatures 1 / tube and 1 / (ring +
+/// tube) there.
 inline Graph torus(double ring, double tube) {
   return [=](const Height& x, const Height& y) {
     const Height distance = constant(ring) + root(constant(tube * tube) + -1.0 * (y * y));
@@ -69,10 +70,12 @@ inline Graph torus(double ring, double tube) {
   };
 }
 
-/// The side of a hole over the line from a to b, of degree 5, with a cross field of degree 3: derivatives at the ends are those of the graph,
-/// of second order along the edge, of first order across.
+/// The side of a hole over the line from a to b, of degree 5, with a cross field of degree 3:
+/// derivatives at the ends are those of the graph, of second order along the edge, of first order
+/// across.
 inline FillSide graphSide(const Graph& graph, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  const Eigen::Vector2d along = b - a, out = Eigen::Vector2d(along.y(), -along.x()).normalized() * 3;
+  const Eigen::Vector2d along = b - a,
+                        out = Eigen::Vector2d(along.y(), -along.x()).normalized() * 3;
   Poles edge(6, 3), cross(4, 3);
   for (const bool end : {false, true}) {
     const Eigen::Vector2d place = end ? b : a;
@@ -80,8 +83,10 @@ inline FillSide graphSide(const Graph& graph, const Eigen::Vector2d& a, const Ei
     const auto lift = [&](const Eigen::Vector2d& d) {
       return Eigen::RowVector3d(d.x(), d.y(), f.slope.dot(d));
     };
-    const Eigen::RowVector3d point(place.x(), place.y(), f.value), edge1 = lift(along), cross0 = lift(out);
-    const Eigen::RowVector3d edge2(0, 0, along.dot(f.bend * along)), cross1(0, 0, along.dot(f.bend * out));
+    const Eigen::RowVector3d point(place.x(), place.y(), f.value), edge1 = lift(along),
+                                                                   cross0 = lift(out);
+    const Eigen::RowVector3d edge2(0, 0, along.dot(f.bend * along)),
+        cross1(0, 0, along.dot(f.bend * out));
     const int e = end ? 5 : 0, c = end ? 3 : 0, step = end ? -1 : 1;
     edge.row(e) = point;
     edge.row(e + step) = point + step * edge1 / 5;
@@ -93,7 +98,8 @@ inline FillSide graphSide(const Graph& graph, const Eigen::Vector2d& a, const Ei
 }
 
 /// Counter-clockwise, seen from above.
-inline std::vector<FillSide> graphHole(const Graph& graph, const std::vector<Eigen::Vector2d>& corners) {
+inline std::vector<FillSide> graphHole(const Graph& graph,
+                                       const std::vector<Eigen::Vector2d>& corners) {
   std::vector<FillSide> sides;
   for (std::size_t k = 0; k < corners.size(); ++k)
     sides.push_back(graphSide(graph, corners[k], corners[(k + 1) % corners.size()]));
@@ -110,11 +116,12 @@ inline std::vector<Eigen::Vector2d> polygon(int n, double radius) {
 }
 
 inline Eigen::Vector3d normalNear(const Eigen::Vector3d& up, double tilt, std::mt19937_64& random) {
-  return (up + Eigen::Vector3d(uniform(-tilt, tilt, random), uniform(-tilt, tilt, random), 0)).normalized();
+  return (up + Eigen::Vector3d(uniform(-tilt, tilt, random), uniform(-tilt, tilt, random), 0))
+      .normalized();
 }
 
-/// Takes from the cross fields of both sides what keeps their mixed derivatives from agreeing at the corner between them, along the corner's
-/// normal: p and q by Cramer's rule in its plane.
+/// Takes from the cross fields of both sides what keeps their mixed derivatives from agreeing at
+/// the corner between them, along the corner's normal: p and q by Cramer's rule in its plane.
 inline void makeCompatible(FillSide& before, FillSide& after, const Eigen::Vector3d& normal) {
   const Poles b = before.edge.poles(), a = after.edge.poles();
   const auto det = [&](const Eigen::RowVector3d& x, const Eigen::RowVector3d& y) {
@@ -132,14 +139,17 @@ inline void makeCompatible(FillSide& before, FillSide& after, const Eigen::Vecto
   before.cross->row(2) += half / (3 * p_b) * normal.transpose();
 }
 
-/// A hole of cubic edges with cubic cross fields about 10 mm wide, the last side shorter by that ratio. Corners are compatible.
+/// A hole of cubic edges with cubic cross fields about 10 mm wide, the last side shorter by that
+/// ratio. Corners are compatible.
 inline std::vector<FillSide> randomHole(int n, double ratio, std::mt19937_64& random) {
   std::vector<Eigen::Vector3d> corners, normals;
   const double step = 2 * std::numbers::pi / (n - 1 + 1 / ratio);
   for (int k = 0; k < n; ++k) {
-    const double wobble = ratio > 1 ? 0 : 0.15, angle = step * (k + uniform(-wobble, wobble, random));
+    const double wobble = ratio > 1 ? 0 : 0.15,
+                 angle = step * (k + uniform(-wobble, wobble, random));
     const double radius = 10 * (1 + uniform(-wobble, wobble, random) / 2);
-    corners.emplace_back(radius * std::cos(angle), radius * std::sin(angle), uniform(-1, 1, random));
+    corners.emplace_back(radius * std::cos(angle), radius * std::sin(angle),
+                         uniform(-1, 1, random));
     normals.push_back(normalNear(Eigen::Vector3d::UnitZ(), 0.15, random));
   }
   if (ratio > 1) corners.back().z() = corners.front().z(), normals.back() = normals.front();
@@ -186,7 +196,8 @@ inline Move randomMove(double scale, std::mt19937_64& random) {
   const Eigen::Matrix3d any = Eigen::Matrix3d::NullaryExpr([&] { return uniform(-1, 1, random); });
   Eigen::Matrix3d turn = any.householderQr().householderQ();
   if (turn.determinant() < 0) turn = -turn;
-  return {scale * turn, 30 * scale * Eigen::Vector3d::NullaryExpr([&] { return uniform(-1, 1, random); })};
+  return {scale * turn,
+          30 * scale * Eigen::Vector3d::NullaryExpr([&] { return uniform(-1, 1, random); })};
 }
 
 inline FillSide reversed(const FillSide& side) {
@@ -229,7 +240,8 @@ inline SeamFigures spokeFigures(const NSidedFill& fill, int k) {
 }
 
 /// Of half a side against its neighbour.
-inline SeamFigures sideFigures(const NSidedFill& fill, const std::vector<FillSide>& sides, int k, int half) {
+inline SeamFigures sideFigures(const NSidedFill& fill, const std::vector<FillSide>& sides, int k,
+                               int half) {
   const int n = static_cast<int>(fill.patches.size());
   const SeamSide ours = half == 0 ? seamSide(fill.patches[k], PatchEdge::V1, true)
                                   : seamSide(fill.patches[(k + 1) % n], PatchEdge::U1);

@@ -29,8 +29,8 @@ struct Worth {
   double kappa = 0, tau = 0, kappa_s = 0;
 };
 
-void expectWithin(long double exact, const std::optional<double>& value, const std::optional<double>& error,
-                  const char* what) {
+void expectWithin(long double exact, const std::optional<double>& value,
+                  const std::optional<double>& error, const char* what) {
   ASSERT_TRUE(value && error) << what;
   EXPECT_LE(std::abs(*value - exact), *error)
       << what << " is " << *value << ", exactly " << static_cast<double>(exact);
@@ -60,8 +60,8 @@ double median(std::vector<double> values) {
 // Curvature 1.18e-9 and torsion 0.00221 at the end, to 40 digits in the data they are from.
 TEST(FrenetExact, SevenOrdersOfMagnitudeOfWeight) {
   HomogeneousPoles poles(4, 4);
-  poles << 0.015625, 0.828125, 0.453125, 1, 0.0118408203125, -0.00579833984375, -0.00494384765625, 0.00390625,
-      406, 61, -18, 64, 0.0697021484375, -0.0103759765625, 0.0155029296875, 0.0078125;
+  poles << 0.015625, 0.828125, 0.453125, 1, 0.0118408203125, -0.00579833984375, -0.00494384765625,
+      0.00390625, 406, 61, -18, 64, 0.0697021484375, -0.0103759765625, 0.0155029296875, 0.0078125;
   const BezierCurve curve = BezierCurve::fromHomogeneous(poles);
   const FrenetFrame end = frenetFrame(curve, 1);
   EXPECT_NEAR(*end.torsion_per_mm, 0.002210790547637762394, 1e-17);
@@ -123,7 +123,8 @@ TEST(FrenetExact, BeyondTheEndsAndPlanarCurves) {
   }
 }
 
-/// Where a third derivative vanishes, as at the ends of a conic, it has no size to compare others with.
+/// Where a third derivative vanishes, as at the ends of a conic, it has no size to compare others
+/// with.
 TEST(FrenetExact, ConicsAtTheirEnds) {
   Eigen::MatrixX3d poles(3, 3);
   poles << 0, 0, 0, 1, 0, 0, 1, 1, 0;
@@ -131,7 +132,8 @@ TEST(FrenetExact, ConicsAtTheirEnds) {
     // kappa = (1 - 2 t + 2 t^2)^-1.5 / 2, |X'| = 2 (1 - 2 t + 2 t^2)^0.5
     const FrenetFrame parabola = frenetFrame(BezierCurve(poles), t);
     ASSERT_TRUE(parabola.curvature_change_per_mm2);
-    EXPECT_NEAR(*parabola.curvature_change_per_mm2, change, *parabola.curvature_change_error_per_mm2);
+    EXPECT_NEAR(*parabola.curvature_change_per_mm2, change,
+                *parabola.curvature_change_error_per_mm2);
     EXPECT_LT(*parabola.curvature_change_error_per_mm2, 1e-13);
   }
   std::mt19937_64 random(1207);
@@ -142,7 +144,8 @@ TEST(FrenetExact, ConicsAtTheirEnds) {
     }
 }
 
-/// With B_k = w A_k - w_k A: w^3 X'' = w B_2 - 2 w_1 B_1, w^4 X''' = w^2 B_3 - 3 w_1 w^3 X'' - 3 w_2 w B_1.
+/// With B_k = w A_k - w_k A: w^3 X'' = w B_2 - 2 w_1 B_1, w^4 X''' = w^2 B_3 - 3 w_1 w^3 X'' - 3
+/// w_2 w B_1.
 TEST(FrenetExact, DerivativesAreExactToTheirSize) {
   std::mt19937_64 random(1206);
   for (const double spread : {0.0, 6.0, 12.0})
@@ -157,21 +160,24 @@ TEST(FrenetExact, DerivativesAreExactToTheirSize) {
         return test::combined(w, test::spaceOf(h[k]), h[k][3], test::spaceOf(h[0]));
       };
       const test::DyadicSpace second = test::combined(w, about(2), 2 * h[1][3], about(1));
-      const test::DyadicSpace third =
-          test::combined(1, test::combined(w * w, about(3), 3 * h[1][3], second), 3 * h[2][3] * w, about(1));
+      const test::DyadicSpace third = test::combined(
+          1, test::combined(w * w, about(3), 3 * h[1][3], second), 3 * h[2][3] * w, about(1));
       const test::DyadicSpace* const exact[] = {nullptr, nullptr, &second, &third};
-      const CurveDerivatives bezier = curve.derivatives(t, 3), spline = derivatives(splineCurve(curve), t, 3);
+      const CurveDerivatives bezier = curve.derivatives(t, 3),
+                             spline = derivatives(splineCurve(curve), t, 3);
       for (int k = 2; k < 4; ++k) {
         Eigen::Vector3d x;
         for (int c = 0; c < 3; ++c)
-          x(c) = static_cast<double>((*exact[k])[c].approximate() / std::pow(w.approximate(), k + 1.0L));
+          x(c) = static_cast<double>((*exact[k])[c].approximate() /
+                                     std::pow(w.approximate(), k + 1.0L));
         EXPECT_LE((bezier.row(k).transpose() - x).norm(), 1e-11 * x.norm()) << k;
         EXPECT_LE((spline.row(k).transpose() - x).norm(), 1e-11 * x.norm()) << k;
       }
     }
 }
 
-/// c_2 = kappa N, c_3 = -kappa^2 T + kappa_s N + kappa tau B; halves of one curve meet in all orders.
+/// c_2 = kappa N, c_3 = -kappa^2 T + kappa_s N + kappa tau B; halves of one curve meet in all
+/// orders.
 TEST(FrenetExact, JointsOfUnevenCurvesToAnyOrder) {
   std::mt19937_64 random(1205);
   for (const double spread : {0.0, 6.0, 12.0, 30.0})
@@ -179,7 +185,8 @@ TEST(FrenetExact, JointsOfUnevenCurvesToAnyOrder) {
       SCOPED_TRACE(std::to_string(spread) + ", " + std::to_string(i));
       const BezierCurve curve = unevenCurve(3 + i % 3, spread, random);
       const CurveJoint turned = measureJoint(curve, curve.reversed(), 3);
-      const auto end = test::exactFigures(curve, 1), start = test::exactFigures(curve.reversed(), 0);
+      const auto end = test::exactFigures(curve, 1),
+                 start = test::exactFigures(curve.reversed(), 0);
       EXPECT_NEAR(static_cast<double>(turned.sizes[2] / end.kappa), 1, 1e-11);
       EXPECT_NEAR(static_cast<double>(start.kappa / end.kappa), 1, 1e-15);
       const long double c3 = std::hypot(end.kappa * end.kappa, end.kappa_s, end.kappa * end.tau);
@@ -191,14 +198,16 @@ TEST(FrenetExact, JointsOfUnevenCurvesToAnyOrder) {
     }
 }
 
-// Poles on a line but for the rounding of their coordinates: what is seen of curvature is not told from none.
+// Poles on a line but for the rounding of their coordinates: what is seen of curvature is not told
+// from none.
 TEST(FrenetExact, WhatRoundingHidesIsNotRegular) {
   std::mt19937_64 random(1204);
   for (int i = 0; i < 200; ++i) {
     BezierCurve curve = unevenCurve(4, 10, random);
     const Eigen::RowVector3d along = test::randomVector(random).transpose().normalized();
     Poles poles = curve.poles();
-    for (Eigen::Index k = 0; k < poles.rows(); ++k) poles.row(k) = 3 * static_cast<double>(k) * along;
+    for (Eigen::Index k = 0; k < poles.rows(); ++k)
+      poles.row(k) = 3 * static_cast<double>(k) * along;
     curve = BezierCurve(poles, curve.weights());
     const FrenetFrame frame = frenetFrame(curve, 0.01 + 0.0049 * i);
     const test::ExactFigures f = test::exactFigures(curve, 0.01 + 0.0049 * i);

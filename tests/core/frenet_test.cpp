@@ -55,7 +55,8 @@ Figures figures(const FrenetFrame& frame) {
           frame.torsion_per_mm.value_or(no), frame.curvature_change_per_mm2.value_or(no)};
 }
 
-/// How much relative errors of X' and X'' count in the direction of X' x X'': 1 / sin of their angle.
+/// How much relative errors of X' and X'' count in the direction of X' x X'': 1 / sin of their
+/// angle.
 double condition(const CurveDerivatives& x) {
   const Vec d1 = x.row(1), d2 = x.row(2);
   return d1.norm() * d2.norm() / d1.cross(d2).norm();
@@ -127,8 +128,8 @@ TEST(Frenet, Identity3IndependentOfTheParameter) {
   for (int i = 0; i < cases; ++i) {
     const CurveDerivatives x = test::randomDerivatives(3, random);
     const double bound = 1e-12 * std::pow(condition(x), 2) * (1 + x.norm());
-    const Figures f = figures(frenetFrame(x)),
-                  g = figures(frenetFrame(test::reparametrised(x, test::randomParameter(3, random))));
+    const Figures f = figures(frenetFrame(x)), g = figures(frenetFrame(test::reparametrised(
+                                                   x, test::randomParameter(3, random))));
     CurveDerivatives y = x;
     y.row(1) *= -1;
     y.row(3) *= -1;
@@ -156,16 +157,19 @@ TEST(Frenet, Identity4FollowsMotionScaleAndMirror) {
     Eigen::Matrix3d mirror = turn;
     mirror.col(0) *= -1;
     const Figures f = figures(frenetFrame(curve, t));
-    const double bound =
-        1e-11 *
-        (1 + x.row(2).norm() / x.row(1).squaredNorm() + x.row(3).norm() / std::pow(x.row(1).norm(), 3)) *
-        condition(x);
+    const double bound = 1e-11 *
+                         (1 + x.row(2).norm() / x.row(1).squaredNorm() +
+                          x.row(3).norm() / std::pow(x.row(1).norm(), 3)) *
+                         condition(x);
     const Figures g =
         figures(frenetFrame(mapped(curve, scale * turn, scale * test::randomVector(random)), t));
-    EXPECT_LT((turn * f.T - g.T).norm() + (turn * f.N - g.N).norm() + (turn * f.B - g.B).norm(), bound) << i;
+    EXPECT_LT((turn * f.T - g.T).norm() + (turn * f.N - g.N).norm() + (turn * f.B - g.B).norm(),
+              bound)
+        << i;
     EXPECT_NEAR(f.kappa, scale * g.kappa, bound * (1 + f.kappa)) << i;
     EXPECT_NEAR(f.tau, scale * g.tau, bound * (1 + f.kappa + std::abs(f.tau) / f.kappa)) << i;
-    EXPECT_NEAR(f.kappa_s, scale * scale * g.kappa_s, bound * (1 + f.kappa * f.kappa + std::abs(f.kappa_s)))
+    EXPECT_NEAR(f.kappa_s, scale * scale * g.kappa_s,
+                bound * (1 + f.kappa * f.kappa + std::abs(f.kappa_s)))
         << i;
     const Figures m = figures(frenetFrame(mapped(curve, mirror, Vec::Zero()), t));
     EXPECT_LT((mirror * f.N - m.N).norm() + (mirror * f.B + m.B).norm(), bound) << i;
@@ -207,7 +211,8 @@ TEST(Frenet, LinesHaveNoCurvatureAndAlmostLinesHave) {
     ASSERT_EQ(frame.kind, CurvePoint::Inflection) << i;
     EXPECT_LT((*frame.tangent - q.normalized()).norm(), 1e-12);
     EXPECT_EQ(frame.curvature_per_mm, 0.0);
-    EXPECT_FALSE(frame.normal || frame.binormal || frame.torsion_per_mm || frame.curvature_change_per_mm2);
+    EXPECT_FALSE(frame.normal || frame.binormal || frame.torsion_per_mm ||
+                 frame.curvature_change_per_mm2);
     poles.row(1) += 1e-6 * poles.row(1).norm() * q.unitOrthogonal().transpose();
     regular += frenetFrame(BezierCurve(poles, weights), t).kind == CurvePoint::Regular;
   }
@@ -300,10 +305,12 @@ TEST(Frenet, FewDerivativesAndBadOnes) {
   };
   EXPECT_THAT(message([&] { frenetFrame(x.topRows(1)); }), testing::HasSubstr("1 rows"));
   EXPECT_THAT(message([&] { frenetFrame(x, -1); }), testing::HasSubstr("noise is -1"));
-  EXPECT_THAT(message([&] { frenetFrame(x, 0, std::nan("")); }), testing::HasSubstr("noise is nan"));
+  EXPECT_THAT(message([&] { frenetFrame(x, 0, std::nan("")); }),
+              testing::HasSubstr("noise is nan"));
   CurveDerivatives bad = x;
   bad(2, 1) = std::numeric_limits<double>::infinity();
-  EXPECT_THAT(message([&] { frenetFrame(bad); }), testing::HasSubstr("coordinate 1 of derivative 2 is inf"));
+  EXPECT_THAT(message([&] { frenetFrame(bad); }),
+              testing::HasSubstr("coordinate 1 of derivative 2 is inf"));
   EXPECT_THAT(message([&] { frenetFrame(BezierCurve(Poles::Zero(2, 3)), std::nan("")); }),
               testing::HasSubstr("parameter is nan"));
 }
@@ -314,8 +321,8 @@ std::vector<double> evenly(int steps, double first = 0, double last = 1) {
   return t;
 }
 
-/// The integral of torsion by arc length, by Simpson's rule: by so much the Frenet frame turns against one
-/// that does not.
+/// The integral of torsion by arc length, by Simpson's rule: by so much the Frenet frame turns
+/// against one that does not.
 double totalTorsion(const BezierCurve& curve, int steps) {
   double sum = 0;
   for (int i = 0; i <= steps; ++i) {
@@ -383,7 +390,8 @@ TEST(MovingFrame, GoesThroughInflectionsAndStraightPieces) {
   poles << 0, 0, 0, 1, 2, 0, 2, -2, 0, 3, 0, 0;
   for (const MovingFrame& f : rotationMinimizingFrames(BezierCurve(poles), evenly(7), Vec(0, 0, 1)))
     EXPECT_LT((f.normal - Vec(0, 0, 1)).norm(), 1e-15);
-  EXPECT_LT((*frenetFrame(BezierCurve(poles), 0.2).binormal + *frenetFrame(BezierCurve(poles), 0.8).binormal)
+  EXPECT_LT((*frenetFrame(BezierCurve(poles), 0.2).binormal +
+             *frenetFrame(BezierCurve(poles), 0.8).binormal)
                 .norm(),
             1e-15);
   Poles line(3, 3);
@@ -392,7 +400,8 @@ TEST(MovingFrame, GoesThroughInflectionsAndStraightPieces) {
   for (const MovingFrame& f : frames) EXPECT_LT((f.normal - frames[0].normal).norm(), 1e-15);
 }
 
-// A closed curve whose ends are one point, in a single step; and a curve with a half turn in a step.
+// A closed curve whose ends are one point, in a single step; and a curve with a half turn in a
+// step.
 TEST(MovingFrame, LongStepsAreHalved) {
   Poles loop(5, 3);
   loop << 0, 0, 0, 4, 0, 0, 2, 5, 1, -4, 0, 0, 0, 0, 0;
@@ -400,7 +409,9 @@ TEST(MovingFrame, LongStepsAreHalved) {
   const Vec coarse = rotationMinimizingFrames(curve, {0, 1}, Vec(0, 0, 1)).back().normal;
   const Vec fine = rotationMinimizingFrames(curve, evenly(4000), Vec(0, 0, 1)).back().normal;
   EXPECT_LT((coarse - fine).norm(), 0.1);
-  EXPECT_LT((rotationMinimizingFrames(curve, evenly(200), Vec(0, 0, 1)).back().normal - fine).norm(), 1e-7);
+  EXPECT_LT(
+      (rotationMinimizingFrames(curve, evenly(200), Vec(0, 0, 1)).back().normal - fine).norm(),
+      1e-7);
 }
 
 TEST(MovingFrame, WhatCannotBe) {
@@ -420,7 +431,8 @@ TEST(MovingFrame, WhatCannotBe) {
   EXPECT_THAT(message({0, std::nan("")}), testing::HasSubstr("parameter 1 is nan"));
   EXPECT_THAT(message({0}, Vec(1, 1, 0)), testing::HasSubstr("must not lie along it"));
   EXPECT_THAT(message({0}, Vec::Zero()), testing::HasSubstr("must not lie along it"));
-  EXPECT_THAT(message({0}, Vec(0, std::nan(""), 0)), testing::HasSubstr("coordinate 1 of the normal is nan"));
+  EXPECT_THAT(message({0}, Vec(0, std::nan(""), 0)),
+              testing::HasSubstr("coordinate 1 of the normal is nan"));
   EXPECT_THAT(message({0.1, 0.3}), testing::IsEmpty());
   EXPECT_THAT(message({0, 1}), testing::HasSubstr("cusp at parameter 0.5"));
   EXPECT_THAT(message({0.41, 0.62}), testing::HasSubstr("cusp at parameter 0.5"));

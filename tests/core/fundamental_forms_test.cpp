@@ -79,7 +79,8 @@ TEST(CurvatureTensor, Identity5DoesNotDependOnTheParametrisation) {
   for (int i = 0; i < cases; ++i) {
     const SurfaceJet jet = randomJet(random);
     const SurfaceJet other = test::reparametrised(jet, test::randomJacobian(random), random);
-    EXPECT_LT((tensorOf(jet) - tensorOf(other)).norm(), 1e-9 * tensorOf(jet).norm()) << "case " << i;
+    EXPECT_LT((tensorOf(jet) - tensorOf(other)).norm(), 1e-9 * tensorOf(jet).norm())
+        << "case " << i;
   }
 }
 
@@ -97,7 +98,8 @@ TEST(CurvatureTensor, Identity6FollowsRotationAndScale) {
 }
 
 TEST(CurvatureTensor, KeepsItsAccuracyWherePartialsAreNearlyParallel) {
-  // A unit sphere in sheared parameters: X_v is X_u but for one part in a million, E G - F^2 loses 12 digits.
+  // A unit sphere in sheared parameters: X_v is X_u but for one part in a million, E G - F^2 loses
+  // 12 digits.
   SurfaceJet sheared;
   const SurfaceJet x = test::sphere(1, 0.3, 0.2);
   const double e = 1e-6;
@@ -124,7 +126,9 @@ TEST(CurvatureTensor, SurvivesExtremeParameterSpeeds) {
 }
 
 TEST(PrincipalCurvatures, ClosedForms) {
-  const auto curvatures = [](const SurfaceJet& jet) { return principalCurvatures(jet, *unitNormal(jet)); };
+  const auto curvatures = [](const SurfaceJet& jet) {
+    return principalCurvatures(jet, *unitNormal(jet));
+  };
   for (const double u : {-2.0, 0.1, 1.3})
     for (const double v : {-1.1, 0.0, 0.9}) {
       const PrincipalCurvatures c = curvatures(test::cylinder(4, u, v));
@@ -172,7 +176,8 @@ TEST(CurvatureChange, Identity2DoesNotDependOnTheParametrisation) {
     const Vec n = *unitNormal(jet), d = randomTangent(jet, random);
     const SurfaceJet other = test::reparametrised(jet, test::randomJacobian(random), random);
     const double change = curvatureChange(jet, n, d);
-    EXPECT_NEAR(curvatureChange(other, n, d), change, 1e-7 * (1 + std::abs(change))) << "case " << i;
+    EXPECT_NEAR(curvatureChange(other, n, d), change, 1e-7 * (1 + std::abs(change)))
+        << "case " << i;
   }
 }
 
@@ -184,11 +189,11 @@ TEST(CurvatureChange, Identity3FollowsMotionAndScale) {
     const double change = curvatureChange(jet, n, d);
     const Eigen::Matrix3d R = test::randomRotation(random);
     const double noise = 1e-10 * (1 + std::abs(change));
-    EXPECT_NEAR(curvatureChange(test::mapped(jet, R, test::randomVector(random)), R * n, R * d), change,
-                noise);
+    EXPECT_NEAR(curvatureChange(test::mapped(jet, R, test::randomVector(random)), R * n, R * d),
+                change, noise);
     const double s = test::logUniform(random, -6, 6);
-    EXPECT_NEAR(s * s * curvatureChange(test::mapped(jet, s * Eigen::Matrix3d::Identity()), n, d), change,
-                noise);
+    EXPECT_NEAR(s * s * curvatureChange(test::mapped(jet, s * Eigen::Matrix3d::Identity()), n, d),
+                change, noise);
   }
 }
 
@@ -200,7 +205,8 @@ TEST(CurvatureChange, Identity4SpheresAndCylindersDoNotChange) {
         for (const SurfaceJet& exact : {test::sphere(5, u, v), test::cylinder(4, u, v)}) {
           const Vec n = *unitNormal(exact), d = tangentDirection(exact, angle);
           EXPECT_NEAR(curvatureChange(exact, n, d), 0, 1e-15);
-          const SurfaceJet other = test::reparametrised(exact, test::randomJacobian(random), random);
+          const SurfaceJet other =
+              test::reparametrised(exact, test::randomJacobian(random), random);
           EXPECT_NEAR(curvatureChange(other, n, d), 0, 1e-9);
         }
 }
@@ -230,20 +236,22 @@ TEST(CurvatureChange, Identity6GraphOverItsTangentPlane) {
     c << test::randomVector(random), test::randomVector(random).x();
     const SurfaceJet graph = test::withCubic(test::quadric(k.x(), k.y(), k.z()), c);
     const double angle = 0.1 * i, x = std::cos(angle), y = std::sin(angle);
-    const double wanted = c(0) * x * x * x + 3 * c(1) * x * x * y + 3 * c(2) * x * y * y + c(3) * y * y * y;
+    const double wanted =
+        c(0) * x * x * x + 3 * c(1) * x * x * y + 3 * c(2) * x * y * y + c(3) * y * y * y;
     EXPECT_NEAR(curvatureChange(graph, Vec::UnitZ(), {x, y, 0}), wanted, 1e-13);
     const SurfaceJet other = test::reparametrised(graph, test::randomJacobian(random), random);
-    EXPECT_NEAR(curvatureChange(other, Vec::UnitZ(), {x, y, 0}), wanted, 1e-7 * (1 + std::abs(wanted)));
+    EXPECT_NEAR(curvatureChange(other, Vec::UnitZ(), {x, y, 0}), wanted,
+                1e-7 * (1 + std::abs(wanted)));
   }
   // z = c x^3.
-  EXPECT_DOUBLE_EQ(curvatureChange(test::withCubic(test::quadric(0, 0, 0), {6 * 0.7, 0, 0, 0}), Vec::UnitZ(),
-                                   Vec::UnitX()),
+  EXPECT_DOUBLE_EQ(curvatureChange(test::withCubic(test::quadric(0, 0, 0), {6 * 0.7, 0, 0, 0}),
+                                   Vec::UnitZ(), Vec::UnitX()),
                    6 * 0.7);
 }
 
 TEST(CurvatureChange, IsTheDerivativeOfTheCurvatureOfThePlaneSection) {
-  // The section of the cone through its axis-free normal plane, by bisection in space and differences: no
-  // partials at all.
+  // The section of the cone through its axis-free normal plane, by bisection in space and
+  // differences: no partials at all.
   const double a = 0.5, s = 2, angle = 0.7;
   const SurfaceJet cone = test::cone(a, 0.3, s);
   const Vec n = *unitNormal(cone), d = tangentDirection(cone, angle);
@@ -260,7 +268,8 @@ TEST(CurvatureChange, IsTheDerivativeOfTheCurvatureOfThePlaneSection) {
     return 0.5 * (low + high);
   };
   const double h = 0.01;
-  const double third = (height(2 * h) - 2 * height(h) + 2 * height(-h) - height(-2 * h)) / (2 * h * h * h);
+  const double third =
+      (height(2 * h) - 2 * height(h) + 2 * height(-h) - height(-2 * h)) / (2 * h * h * h);
   EXPECT_NEAR(curvatureChange(cone, n, d), third, 2e-4);
   EXPECT_GT(std::abs(third), 0.05);
 }
@@ -282,7 +291,8 @@ TEST(CurvatureChange, SurvivesExtremeParameterSpeeds) {
 TEST(Degeneracy, NamesAPoleAnApexAndWhatIsNotFinite) {
   EXPECT_EQ(degeneracy(test::cone(0.5, 1, 0)), Degeneracy::VanishingNormal);
   EXPECT_EQ(degeneracy(test::sphere(10, 1, 1.57), {1e-12, 1e-12}), Degeneracy::None);
-  // At the pole cos(pi/2) is 6e-17 instead of 0: rounding gives a direction, the noise says that it means nothing.
+  // At the pole cos(pi/2) is 6e-17 instead of 0: rounding gives a direction, the noise says that it
+  // means nothing.
   const SurfaceJet pole = test::sphere(10, 1, std::acos(0.0));
   EXPECT_EQ(degeneracy(pole, {1e-13, 1e-13}), Degeneracy::VanishingNormal);
   EXPECT_FALSE(unitNormal(pole, {1e-13, 1e-13}).has_value());
@@ -299,11 +309,12 @@ TEST(Degeneracy, NamesAPoleAnApexAndWhatIsNotFinite) {
 TEST(PlaneTensor, SpectralNormIsTheLargestAbsoluteEigenvalue) {
   std::mt19937_64 random(17);
   for (int i = 0; i < cases; ++i) {
-    const Eigen::Matrix2d basis = Eigen::Rotation2Dd(test::randomVector(random).x()).toRotationMatrix();
+    const Eigen::Matrix2d basis =
+        Eigen::Rotation2Dd(test::randomVector(random).x()).toRotationMatrix();
     const double a = test::randomVector(random).x(), b = test::randomVector(random).x();
     const Eigen::Matrix2d m = basis * Eigen::Vector2d(a, b).asDiagonal() * basis.transpose();
-    EXPECT_NEAR((PlaneTensor{m(0, 0), m(0, 1), m(1, 1)}.spectralNorm()), std::max(std::abs(a), std::abs(b)),
-                1e-14);
+    EXPECT_NEAR((PlaneTensor{m(0, 0), m(0, 1), m(1, 1)}.spectralNorm()),
+                std::max(std::abs(a), std::abs(b)), 1e-14);
   }
 }
 

@@ -14,14 +14,15 @@ namespace {
 using test::expectRefused;
 using test::Vec;
 
-constexpr double eps = std::numeric_limits<double>::epsilon(), nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double eps = std::numeric_limits<double>::epsilon(),
+                 nan = std::numeric_limits<double>::quiet_NaN();
 
 double drawn(std::mt19937_64& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-/// Random vertices; every fifth polygon is plane, every seventh has three vertices on a line, every eleventh a
-/// short edge.
+/// Random vertices; every fifth polygon is plane, every seventh has three vertices on a line, every
+/// eleventh a short edge.
 Poles randomVertices(int count, int i, std::mt19937_64& random) {
   Poles result(count, 3);
   for (int k = 0; k < count; ++k) result.row(k) = test::randomVector(random).transpose();
@@ -66,8 +67,11 @@ struct Beside {
 };
 
 Beside beside(const BezierSpline& spline, int joint) {
-  const Eigen::Index at = 3L * joint, last = spline.poles.rows() - 1, before = joint == 0 ? last : at;
-  const auto pole = [&](Eigen::Index i) { return Eigen::RowVector3d(spline.poles.row(i).head<3>()); };
+  const Eigen::Index at = 3L * joint, last = spline.poles.rows() - 1,
+                     before = joint == 0 ? last : at;
+  const auto pole = [&](Eigen::Index i) {
+    return Eigen::RowVector3d(spline.poles.row(i).head<3>());
+  };
   return {pole(before - 2), pole(before - 1), pole(at), pole(at + 1), pole(at + 2)};
 }
 
@@ -76,7 +80,8 @@ int jointOf(const BezierSpline& spline, std::size_t i) {
   return static_cast<int>(i + 1) % spline.segments();
 }
 
-/// What rounding of poles of that size makes of X''(+) - X''(-) - nu X' between segments of lengths h and k.
+/// What rounding of poles of that size makes of X''(+) - X''(-) - nu X' between segments of lengths
+/// h and k.
 double nielsonNoise(double size, double h, double k, double nu) {
   return 64 * eps * size * (1 / (h * h) + 1 / (k * k)) * (1 + std::abs(nu) * std::min(h, k));
 }
@@ -96,8 +101,8 @@ TEST(G2Spline, Identity1EveryJointIsG2) {
   }
 }
 
-/// One inner pole off by 1e-6 of the size is seen, as much as the closed form says: the pole second from a joint,
-/// moved by d across the tangent, adds (2/3) d / leg^2 to the curvature.
+/// One inner pole off by 1e-6 of the size is seen, as much as the closed form says: the pole second
+/// from a joint, moved by d across the tangent, adds (2/3) d / leg^2 to the curvature.
 TEST(G2Spline, Identity1FailsForAMovedPole) {
   std::mt19937_64 random(322);
   for (int i = 1; i < 300; i += 2) {
@@ -108,7 +113,8 @@ TEST(G2Spline, Identity1FailsForAMovedPole) {
     const Vec across = Vec((at.c1 - at.joint) / leg).unitOrthogonal();
     spline.poles.row(5).head<3>() += moved * across.transpose();
     const double added = 2.0 / 3.0 * moved / (leg * leg);
-    EXPECT_NEAR(measureJoints(spline, 2).front().differences[2], added, 1e-6 * added + at.noise()) << i;
+    EXPECT_NEAR(measureJoints(spline, 2).front().differences[2], added, 1e-6 * added + at.noise())
+        << i;
   }
 }
 
@@ -166,7 +172,8 @@ TEST(G2Spline, Identity3AffineImages) {
     polygon.vertices = ((polygon.vertices * map.transpose()).rowwise() + shift.transpose()).eval();
     const BezierSpline image = directG2Spline(polygon);
     EXPECT_EQ(image.knots, plain.knots);
-    const Poles wanted = (plain.poles.leftCols<3>() * map.transpose()).rowwise() + shift.transpose();
+    const Poles wanted =
+        (plain.poles.leftCols<3>() * map.transpose()).rowwise() + shift.transpose();
     EXPECT_LT((image.poles.leftCols<3>() - wanted).norm(), 1e-13 * (1 + wanted.norm()));
   }
 }
@@ -181,7 +188,8 @@ TEST(G2Spline, ReversedPolygonGivesTheCurveBackwards) {
       back.omega.push_back(1 - polygon.alpha[e]);
     }
     const BezierSpline there = directG2Spline(polygon), returned = directG2Spline(back);
-    EXPECT_LT((there.poles - returned.poles.colwise().reverse()).norm(), 1e-13 * there.poles.norm());
+    EXPECT_LT((there.poles - returned.poles.colwise().reverse()).norm(),
+              1e-13 * there.poles.norm());
   }
 }
 
@@ -224,7 +232,8 @@ TEST(G2Spline, GammaOracleOfSixtyDigits) {
     const BezierSpline spline = gammaSpline(polygon);
     const double size = polygon.vertices.cwiseAbs().maxCoeff();
     for (int s = 0; s < spline.segments(); ++s)
-      EXPECT_LT((segment(spline, s).poles() - test::points(out["segments"][s])).norm(), 1e-14 * size);
+      EXPECT_LT((segment(spline, s).poles() - test::points(out["segments"][s])).norm(),
+                1e-14 * size);
     const std::vector<double>& l = polygon.lengths;
     for (std::size_t j = 0; j < out["nu"].size(); ++j) {
       const int s = spline.closed ? static_cast<int>(j) : static_cast<int>(j) + 1;
@@ -268,11 +277,14 @@ TEST(G2Spline, Identity5OnesGiveTheBSpline) {
     std::ranges::fill(polygon.gamma, 1.0);
     const BezierSpline spline = gammaSpline(polygon);
     if (!polygon.closed) {
-      const BSplineCurve curve{3, test::flatKnots(3, spline.knots, 1), test::homogeneous(polygon.vertices)};
+      const BSplineCurve curve{3, test::flatKnots(3, spline.knots, 1),
+                               test::homogeneous(polygon.vertices)};
       const double t = drawn(random, 0, spline.knots.back());
       EXPECT_LT((derivatives(spline, t, 0) - derivatives(curve, t, 0)).norm(),
                 1e-13 * polygon.vertices.norm());
-      EXPECT_LT((bsplineCurve(spline, 2).poles - curve.poles).norm(), 1e-12 * polygon.vertices.norm()) << i;
+      EXPECT_LT((bsplineCurve(spline, 2).poles - curve.poles).norm(),
+                1e-12 * polygon.vertices.norm())
+          << i;
       continue;
     }
     std::ranges::fill(polygon.lengths, 0.5);
@@ -283,7 +295,8 @@ TEST(G2Spline, Identity5OnesGiveTheBSpline) {
           (polygon.vertices.row((s + count - 1) % count) + 4 * polygon.vertices.row(s) +
            polygon.vertices.row((s + 1) % count)) /
           6;
-      EXPECT_LT((even.poles.row(3L * s).head<3>() - wanted).norm(), 1e-14 * polygon.vertices.norm());
+      EXPECT_LT((even.poles.row(3L * s).head<3>() - wanted).norm(),
+                1e-14 * polygon.vertices.norm());
     }
   }
 }
@@ -304,7 +317,8 @@ double distanceToPolygon(const GammaPolygon& polygon, int first, int last) {
   double most = 0;
   for (int s = first; s <= last; ++s)
     for (int i = 0; i <= 64; ++i)
-      most = std::max(most, distanceToPolygon(polygon.vertices, segment(spline, s).point(i / 64.0)));
+      most =
+          std::max(most, distanceToPolygon(polygon.vertices, segment(spline, s).point(i / 64.0)));
   return most;
 }
 
@@ -318,9 +332,9 @@ TEST(G2Spline, Identity6SmallGammaRunsIntoThePolygon) {
     if (last < first) continue;
     double longest = 0, before = 0;
     for (Eigen::Index e = 0; e < polygon.vertices.rows(); ++e)
-      longest = std::max(
-          longest,
-          (polygon.vertices.row((e + 1) % polygon.vertices.rows()) - polygon.vertices.row(e)).norm());
+      longest = std::max(longest, (polygon.vertices.row((e + 1) % polygon.vertices.rows()) -
+                                   polygon.vertices.row(e))
+                                      .norm());
     for (const double gamma : {1e-2, 1e-3, 1e-4, 1e-5}) {
       std::ranges::fill(polygon.gamma, gamma);
       const double distance = distanceToPolygon(polygon, first, last);
@@ -337,9 +351,9 @@ TEST(G2Spline, Identity6SmallGammaRunsIntoThePolygon) {
   }
 }
 
-/// The printed ends, alpha_0 = 0 and b_{3L-4} = d_{L-1}: there is no such pole, and alpha_0 belongs to an edge
-/// without segment. What holds is alpha_1 = 0, b_{3L-7} = d_{L-1}, b_{3L-6} = d_L (C5.2 of
-/// docs/theory/curves.md).
+/// The printed ends, alpha_0 = 0 and b_{3L-4} = d_{L-1}: there is no such pole, and alpha_0 belongs
+/// to an edge without segment. What holds is alpha_1 = 0, b_{3L-7} = d_{L-1}, b_{3L-6} = d_L (C5.2
+/// of docs/theory/curves.md).
 TEST(G2Spline, PrintedEndIndicesAreFalse) {
   std::mt19937_64 random(330);
   for (int i = 1; i < 100; i += 2) {
@@ -357,8 +371,9 @@ TEST(G2Spline, PrintedEndIndicesAreFalse) {
   }
 }
 
-/// The printed omega of gamma-splines is 1 - alpha. Unless lengths and gamma are symmetric the joint then divides
-/// its leg in another ratio than that of the lengths, and gamma = 1 is not the B-spline (C5.4).
+/// The printed omega of gamma-splines is 1 - alpha. Unless lengths and gamma are symmetric the
+/// joint then divides its leg in another ratio than that of the lengths, and gamma = 1 is not the
+/// B-spline (C5.4).
 TEST(G2Spline, PrintedGammaOmegaIsFalse) {
   GammaPolygon polygon{Poles(5, 3), true, {1, 1.2, 1.1, 1, 1.3}, {1, 1, 1, 1, 1}};
   polygon.vertices << 0, 0, 0, 4, 0, 0, 5, 3, 0, 2, 5, 0, -1, 3, 0;
@@ -406,9 +421,11 @@ TEST(G2Spline, RefusesBadPolygons) {
   refused([](G2Polygon& p) { p.vertices.row(4) = p.vertices.row(0); },
           "edge 4 has no length: vertices 4 and 0");
   refused([](G2Polygon& p) { p.alpha[2] = nan; }, "alpha of edge 2 is nan");
-  refused([](G2Polygon& p) { p.alpha[2] = 0; }, "alpha of edge 2 is 0: it must lie between 0 and 1");
+  refused([](G2Polygon& p) { p.alpha[2] = 0; },
+          "alpha of edge 2 is 0: it must lie between 0 and 1");
   refused([](G2Polygon& p) { p.alpha[2] = -0.1; }, "alpha of edge 2 is -0.1");
-  refused([](G2Polygon& p) { p.omega[4] = 1; }, "omega of edge 4 is 1: it must lie between 0 and 1");
+  refused([](G2Polygon& p) { p.omega[4] = 1; },
+          "omega of edge 4 is 1: it must lie between 0 and 1");
   refused([](G2Polygon& p) { p.omega[4] = std::numeric_limits<double>::infinity(); },
           "omega of edge 4 is inf");
   refused([](G2Polygon& p) { p.omega[1] = p.alpha[1]; }, "alpha must be the smaller one");
@@ -444,8 +461,10 @@ TEST(G2Spline, RefusesBadGamma) {
   refused([](GammaPolygon& p) { p.gamma[1] = nan; }, "gamma 1 is nan");
   refused([](GammaPolygon& p) { p.gamma[1] = 1e-40; }, "omega of edge 1 is 1");
   refused([](GammaPolygon& p) { p.lengths[0] = 0; }, "length 0 is 0");
-  refused([](GammaPolygon& p) { p.lengths[0] = std::numeric_limits<double>::infinity(); }, "length 0 is inf");
-  refused([](GammaPolygon& p) { p.lengths.push_back(1); }, "lengths are 3: one for each of 2 segments");
+  refused([](GammaPolygon& p) { p.lengths[0] = std::numeric_limits<double>::infinity(); },
+          "length 0 is inf");
+  refused([](GammaPolygon& p) { p.lengths.push_back(1); },
+          "lengths are 3: one for each of 2 segments");
   refused([](GammaPolygon& p) { p.gamma.clear(); }, "gamma are 0: one for each of 2 segments");
   refused([](GammaPolygon& p) { p.vertices(0, 0) = nan; }, "vertex 0 is not finite");
   expectRefused([&] { g2Polygon({vertices.topRows<2>(), true, {}, {}}); }, "vertices are 2");
@@ -454,7 +473,8 @@ TEST(G2Spline, RefusesBadGamma) {
 /// The inner poles beside a vertex are one but for rounding, or just not.
 TEST(G2Spline, FoldsAreToldFromSharpTurns) {
   for (const double turn : {4e-16, 1e-13}) {
-    G2Polygon polygon{Poles(5, 3), false, std::vector<double>(4, 1.0 / 3), std::vector<double>(4, 2.0 / 3)};
+    G2Polygon polygon{Poles(5, 3), false, std::vector<double>(4, 1.0 / 3),
+                      std::vector<double>(4, 2.0 / 3)};
     // Edge 2 goes back along edge 1.
     polygon.vertices << 0, 0, 0, 0, 1, 0, 3, 1, 0, 0, 1 + 3 * turn, 0, 0, 2, 0;
     const auto make = [&] { directG2Spline(polygon); };

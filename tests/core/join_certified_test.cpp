@@ -16,8 +16,9 @@ using test::gentleTriangle;
 using test::whole;
 using testing::Message;
 
-/// Certified angles are below 1e-10 rad and relative differences of curvature below 1e-9. Where a random patch comes near to losing its
-/// tangent plane rounding counts for more: then up to ten times as much, which is counted.
+/// Certified angles are below 1e-10 rad and relative differences of curvature below 1e-9. Where a
+/// random patch comes near to losing its tangent plane rounding counts for more: then up to ten
+/// times as much, which is counted.
 class Certifier {
  public:
   void expectJoined(const SeamSide& a, const SeamSide& b, int order, const Message& what) {
@@ -57,12 +58,13 @@ TEST(JoinCertified, Identity2ContinuationsOfTensorPatches) {
     const bool reversed = run % 8 < 4;
     const Connection c = test::randomConnection(k, whole(0, k + 1, random), random);
     const int l = whole(order, 6, random);
-    const auto next =
-        built([&] { return continuation(ribbon(patch, edge, reversed, Across::OutOf), c, order, l); });
+    const auto next = built(
+        [&] { return continuation(ribbon(patch, edge, reversed, Across::OutOf), c, order, l); });
     if (!next) continue;
     certifier.expectJoined(seamSide(patch, edge, reversed), seamSide(*next, PatchEdge::U0), order,
-                           Message() << "run " << run << " m " << m << " n " << n << " to " << next->degreeU()
-                                     << " " << next->degreeV() << (rational ? " rational: " : ": "));
+                           Message() << "run " << run << " m " << m << " n " << n << " to "
+                                     << next->degreeU() << " " << next->degreeV()
+                                     << (rational ? " rational: " : ": "));
   }
 }
 
@@ -79,7 +81,8 @@ TEST(JoinCertified, Identity2TrianglesAndPatches) {
     const PatchEdge patch_edge = test::patch_edges[run % 4];
     const Ribbon given = tensor ? ribbon(patch, patch_edge, reversed, Across::OutOf)
                                 : ribbon(triangle, edge, reversed, Across::OutOf);
-    const SeamSide side = tensor ? seamSide(patch, patch_edge, reversed) : seamSide(triangle, edge, reversed);
+    const SeamSide side =
+        tensor ? seamSide(patch, patch_edge, reversed) : seamSide(triangle, edge, reversed);
     if (tensor || run % 3 == 1) {
       const BezierTriangle next = triangleContinuation(given, c);
       certifier.expectJoined(side, seamSide(next, TriangleEdge::L0), 1,
@@ -112,8 +115,8 @@ TEST(JoinCertified, BlendsMeetBoth) {
     EXPECT_EQ(between->degreeU(), 2 * order + 1);
     certifier.expectJoined(seamSide(first, PatchEdge::U1), seamSide(*between, PatchEdge::U0), order,
                            Message() << run << " first ");
-    certifier.expectJoined(seamSide(*between, PatchEdge::U1), seamSide(second, PatchEdge::U0), order,
-                           Message() << run << " second ");
+    certifier.expectJoined(seamSide(*between, PatchEdge::U1), seamSide(second, PatchEdge::U0),
+                           order, Message() << run << " second ");
   }
 }
 
@@ -121,15 +124,17 @@ TEST(JoinCertified, OneMovedPoleIsSeen) {
   std::mt19937_64 random(34);
   for (int row = 0; row < 3; ++row) {
     const BezierPatch patch = gentlePatch(3, 3, false, random);
-    const BezierPatch next = continuation(ribbon(patch, PatchEdge::U1, false, Across::OutOf), {}, 2, 3);
+    const BezierPatch next =
+        continuation(ribbon(patch, PatchEdge::U1, false, Across::OutOf), {}, 2, 3);
     Poles poles = next.poles();
     poles(4L * row + 1, 2) += 1e-5;
     ContinuityTolerance tolerance;
     tolerance.gap_mm = 1e-9;
     tolerance.angle_rad = 1e-8;
     tolerance.curvature_rel = 1e-7;
-    const SeamFigures figures = encloseSeam(seamSide(patch, PatchEdge::U1),
-                                            seamSide(BezierPatch(3, 3, poles), PatchEdge::U0), tolerance);
+    const SeamFigures figures =
+        encloseSeam(seamSide(patch, PatchEdge::U1),
+                    seamSide(BezierPatch(3, 3, poles), PatchEdge::U0), tolerance);
     EXPECT_EQ(figures.gap_mm->lower > tolerance.gap_mm, row == 0);
     EXPECT_EQ(figures.angle_rad->lower > tolerance.angle_rad, row <= 1);
     EXPECT_GT(figures.curvature_rel->lower, tolerance.curvature_rel);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Conditions of joins against coefficients known to 40 digits, against joins made to fail, and under the maps that must not matter.
+// Conditions of joins against coefficients known to 40 digits, against joins made to fail, and
+// under the maps that must not matter.
 #include <gmock/gmock.h>
 
 #include <Eigen/Geometry>
@@ -24,7 +25,8 @@ using test::value;
 using test::whole;
 using testing::HasSubstr;
 
-/// Largest difference relative to the largest expected value, or to the size given where that is larger.
+/// Largest difference relative to the largest expected value, or to the size given where that is
+/// larger.
 double error(const Eigen::VectorXd& found, const Eigen::VectorXd& expected, double size = 0) {
   if (found.size() != expected.size()) return std::numeric_limits<double>::infinity();
   return (found - expected).cwiseAbs().maxCoeff() / std::max(expected.cwiseAbs().maxCoeff(), size);
@@ -32,7 +34,8 @@ double error(const Eigen::VectorXd& found, const Eigen::VectorXd& expected, doub
 
 /// Product of the sizes of the fields, from a relative residual.
 double scaleOf(const JoinResidual& residual) {
-  return residual.relative > 0 ? residual.coefficients.cwiseAbs().maxCoeff() / residual.relative : 1;
+  return residual.relative > 0 ? residual.coefficients.cwiseAbs().maxCoeff() / residual.relative
+                               : 1;
 }
 
 // The data files.
@@ -42,36 +45,42 @@ TEST(JoinConditionData, TensorTests) {
     const BezierPatch P = test::patch(entry["input"]["P"]), Q = test::patch(entry["input"]["Q"]);
     const JoinCondition found = joinCondition(endingAtU1(P), beginningAtU0(Q));
     const double mnl = P.degreeU() * P.degreeV() * Q.degreeU();
-    EXPECT_LE(error(found.tangent_plane.coefficients / mnl, function(entry["expected"]["triple_coeffs"]),
-                    scaleOf(found.tangent_plane) / mnl),
-              1e-14)
+    EXPECT_LE(
+        error(found.tangent_plane.coefficients / mnl, function(entry["expected"]["triple_coeffs"]),
+              scaleOf(found.tangent_plane) / mnl),
+        1e-14)
         << entry["id"];
     const bool g1 = entry["expected"]["g1"], fold = entry["expected"]["fold"];
     EXPECT_EQ(found.verdict, g1     ? JoinVerdict::G1
                              : fold ? JoinVerdict::Fold
                                     : JoinVerdict::NotG1)
-        << entry["id"] << " " << name(found.verdict) << " " << found.tangent_plane.relative << " noise "
-        << found.tangent_plane.noise << " position " << found.position.relative << " noise "
-        << found.position.noise;
+        << entry["id"] << " " << name(found.verdict) << " " << found.tangent_plane.relative
+        << " noise " << found.tangent_plane.noise << " position " << found.position.relative
+        << " noise " << found.position.noise;
   }
 }
 
 TEST(JoinConditionData, RationalTests) {
   for (const json& entry : test::dataCases("tensor_joins.json", "rational_test")) {
-    const BezierPatch P = test::patch(entry["input"]["P_hom"]), Q = test::patch(entry["input"]["Q_hom"]);
+    const BezierPatch P = test::patch(entry["input"]["P_hom"]),
+                      Q = test::patch(entry["input"]["Q_hom"]);
     const JoinCondition found = joinCondition(endingAtU1(P), beginningAtU0(Q));
-    // det[X, Y, P_s, Q_s] with P_s = m (P - R), Q_s = l (S - Q): -m l times det[X, Y, R, S] where Q = e P.
+    // det[X, Y, P_s, Q_s] with P_s = m (P - R), Q_s = l (S - Q): -m l times det[X, Y, R, S] where Q
+    // = e P.
     const double ml = P.degreeU() * Q.degreeU();
-    const double weight =
-        std::max(endingAtU1(P).position.col(3).maxCoeff(), beginningAtU0(Q).position.col(3).maxCoeff());
-    const Eigen::VectorXd expected = -ml * function(entry["expected"]["det4_coeffs"]) / std::pow(weight, 4);
-    EXPECT_LE(error(found.tangent_plane.coefficients, expected, scaleOf(found.tangent_plane)), 1e-14)
+    const double weight = std::max(endingAtU1(P).position.col(3).maxCoeff(),
+                                   beginningAtU0(Q).position.col(3).maxCoeff());
+    const Eigen::VectorXd expected =
+        -ml * function(entry["expected"]["det4_coeffs"]) / std::pow(weight, 4);
+    EXPECT_LE(error(found.tangent_plane.coefficients, expected, scaleOf(found.tangent_plane)),
+              1e-14)
         << entry["id"];
     EXPECT_EQ(found.verdict == JoinVerdict::G1, entry["expected"]["g1"].get<bool>()) << entry["id"];
     EXPECT_TRUE(found.position.holds) << found.position.relative << " " << found.position.noise;
     const Eigen::VectorXd e = function(entry["expected"]["e"]);
     const ConnectionFit fit = fitConnection(endingAtU1(P), beginningAtU0(Q));
-    for (const double t : {0.0, 0.3, 1.0}) EXPECT_NEAR(value(fit.connection.e0, t), value(e, t), 1e-13);
+    for (const double t : {0.0, 0.3, 1.0})
+      EXPECT_NEAR(value(fit.connection.e0, t), value(e, t), 1e-13);
     // Made with alpha e a polynomial, so alpha is none.
     EXPECT_FALSE(fit.found);
     EXPECT_THAT(fit.note, HasSubstr(entry["expected"]["g1"].get<bool>() ? "the join is G1, but"
@@ -81,13 +90,15 @@ TEST(JoinConditionData, RationalTests) {
 
 TEST(JoinConditionData, TrianglesThatDoNotJoin) {
   for (const json& entry : test::dataCases("triangle_joins.json", "tri_test")) {
-    const BezierTriangle T0 = test::triangle(entry["input"]["T0"]), T1 = test::triangle(entry["input"]["T1"]);
+    const BezierTriangle T0 = test::triangle(entry["input"]["T0"]),
+                         T1 = test::triangle(entry["input"]["T1"]);
     const JoinCondition found = joinCondition(ribbon(T1, TriangleEdge::L0, false, Across::OutOf),
                                               ribbon(T0, TriangleEdge::L0, false, Across::Into));
     // det(P_s, P_t, Q_s) = det(n z1, n a, -n z0) = n^3 det(z0, a, z1).
     const double n3 = std::pow(T0.degree(), 3);
-    EXPECT_LE(error(found.tangent_plane.coefficients / n3, function(entry["expected"]["triple_coeffs"])),
-              1e-12);
+    EXPECT_LE(
+        error(found.tangent_plane.coefficients / n3, function(entry["expected"]["triple_coeffs"])),
+        1e-12);
     EXPECT_EQ(found.verdict, JoinVerdict::NotG1);
   }
 }
@@ -125,11 +136,12 @@ TEST(JoinConditionData, JumpsOfCurvature) {
         return value(rows, t).head<3>();
       };
       const Eigen::Index n = a.position.rows() - 1;
-      const Eigen::Vector3d along =
-          at(HomogeneousPoles(static_cast<double>(n) * (a.position.bottomRows(n) - a.position.topRows(n))));
-      const Eigen::Vector3d normal_a = at(a.first).cross(along), normal_b = at(b.first).cross(along);
-      const double jump = value(found.curvature->coefficients, t) / normal_a.norm() * along.squaredNorm() /
-                          normal_b.squaredNorm();
+      const Eigen::Vector3d along = at(HomogeneousPoles(
+          static_cast<double>(n) * (a.position.bottomRows(n) - a.position.topRows(n))));
+      const Eigen::Vector3d normal_a = at(a.first).cross(along),
+                            normal_b = at(b.first).cross(along);
+      const double jump = value(found.curvature->coefficients, t) / normal_a.norm() *
+                          along.squaredNorm() / normal_b.squaredNorm();
       EXPECT_NEAR(jump, test::number(sample["delta_kappa_perp"]), 1e-9 * std::abs(jump) + 1e-13);
     }
   }
@@ -144,11 +156,12 @@ TEST(JoinCondition, Identity1ConstructedJoinsHold) {
   for (int run = 0; run < joins; ++run) {
     const Join join = randomJoin(run, random);
     const JoinCondition found = joinCondition(join.a, join.b);
-    ASSERT_EQ(found.verdict, JoinVerdict::G1)
-        << run << " residual " << found.tangent_plane.relative << " noise " << found.tangent_plane.noise;
+    ASSERT_EQ(found.verdict, JoinVerdict::G1) << run << " residual " << found.tangent_plane.relative
+                                              << " noise " << found.tangent_plane.noise;
     EXPECT_LE(found.tangent_plane.relative, 1e-13) << run;
     EXPECT_LE(found.tangent_plane.noise, 1e-10) << run;
-    EXPECT_LE(found.angle_bound_rad, run % 4 == 3 ? 5e-9 : 1e-10) << run;  // every fourth one is rational
+    EXPECT_LE(found.angle_bound_rad, run % 4 == 3 ? 5e-9 : 1e-10)
+        << run;  // every fourth one is rational
     EXPECT_GE(found.parametric_order, 0);
     if (join.order == 2) {
       EXPECT_TRUE(found.g2()) << run << " " << found.curvature->relative << " noise "
@@ -172,7 +185,8 @@ TEST(JoinCondition, Identity1NegativeAlphaIsAFold) {
 TEST(JoinCondition, Identity2OneMovedPoleEndsIt) {
   std::mt19937_64 random(43);
   for (int run = 0; run < joins; ++run) {
-    const BezierPatch a = gentlePatch(whole(2, 6, random), whole(1, 6, random), run % 4 == 0, random);
+    const BezierPatch a =
+        gentlePatch(whole(2, 6, random), whole(1, 6, random), run % 4 == 0, random);
     const int k = whole(0, 2, random), l = whole(2, 6, random);
     const Connection c = test::randomConnection(k, whole(0, k + 1, random), random);
     std::optional<BezierPatch> b;
@@ -183,9 +197,10 @@ TEST(JoinCondition, Identity2OneMovedPoleEndsIt) {
     }
     Poles poles = b->poles();
     const int row = whole(0, 2, random), pole = whole(0, b->degreeV(), random);
-    poles(static_cast<Eigen::Index>(row) * (b->degreeV() + 1) + pole, 2) += 1e-5;  // the patch is 10 mm
-    const JoinCondition found =
-        joinCondition(endingAtU1(a), beginningAtU0(BezierPatch(l, b->degreeV(), poles, b->weights())));
+    poles(static_cast<Eigen::Index>(row) * (b->degreeV() + 1) + pole, 2) +=
+        1e-5;  // the patch is 10 mm
+    const JoinCondition found = joinCondition(
+        endingAtU1(a), beginningAtU0(BezierPatch(l, b->degreeV(), poles, b->weights())));
     if (row < 2)
       EXPECT_EQ(found.verdict, JoinVerdict::NotG1) << run << " row " << row;
     else
@@ -221,9 +236,11 @@ TEST(JoinCondition, Identity3MotionsAndScalesChangeNoVerdict) {
   std::mt19937_64 random(44);
   for (int run = 0; run < 400; ++run) {
     const Join join = randomJoin(run, random);
-    const Ribbon other = run % 2 ? join.b : randomJoin(run, random).b;  // of every other one nothing holds
+    const Ribbon other =
+        run % 2 ? join.b : randomJoin(run, random).b;  // of every other one nothing holds
     const Eigen::Matrix3d linear = test::logUniform(random, -3, 3) * test::randomRotation(random);
-    const Eigen::RowVector3d translation = 10 * linear.col(0).norm() * test::randomVector(random).transpose();
+    const Eigen::RowVector3d translation =
+        10 * linear.col(0).norm() * test::randomVector(random).transpose();
     const JoinCondition found = joinCondition(join.a, other),
                         moved = joinCondition(mapped(join.a, linear, translation),
                                               mapped(other, linear, translation));
@@ -231,7 +248,8 @@ TEST(JoinCondition, Identity3MotionsAndScalesChangeNoVerdict) {
     EXPECT_EQ(found.parametric_order, moved.parametric_order) << run;
     EXPECT_EQ(found.g2(), moved.g2()) << run;
     if (found.singular_at) continue;
-    EXPECT_NEAR(found.angle_bound_rad, moved.angle_bound_rad, 1e-2 * found.angle_bound_rad + 1e-9) << run;
+    EXPECT_NEAR(found.angle_bound_rad, moved.angle_bound_rad, 1e-2 * found.angle_bound_rad + 1e-9)
+        << run;
   }
 }
 
@@ -244,7 +262,8 @@ Eigen::Vector3d normalAt(const Ribbon& ribbon, double t) {
   };
   const Eigen::Index n = ribbon.position.rows() - 1;
   return first(ribbon.first)
-      .cross(first(static_cast<double>(n) * (ribbon.position.bottomRows(n) - ribbon.position.topRows(n))));
+      .cross(first(static_cast<double>(n) *
+                   (ribbon.position.bottomRows(n) - ribbon.position.topRows(n))));
 }
 
 double angleAt(const Ribbon& a, const Ribbon& b, double t) {
@@ -258,7 +277,8 @@ TEST(JoinCondition, Identity4TheBoundOfTheAngleIsOne) {
   for (int run = 0; run < 400; ++run) {
     Join join = randomJoin(run, random);
     const double off = run % 10 == 0 ? 0 : test::logUniform(random, -8, -1);  // 0: all is rounding
-    join.b.first.leftCols<3>() += off * HomogeneousPoles::Random(join.b.first.rows(), 4).leftCols<3>();
+    join.b.first.leftCols<3>() +=
+        off * HomogeneousPoles::Random(join.b.first.rows(), 4).leftCols<3>();
     const JoinCondition found = joinCondition(join.a, join.b);
     double largest = 0;
     for (int i = 0; i <= 20; ++i) largest = std::max(largest, angleAt(join.a, join.b, i / 20.0));
@@ -274,8 +294,10 @@ TEST(JoinCondition, Identity4TheBoundOfTheAngleIsOneWhereSeamsDiffer) {
   for (int run = 0; run < 400; ++run) {
     Join join = randomJoin(run, random);
     const double off = test::logUniform(random, -8, 0);
-    join.b.position.leftCols<3>() += off * HomogeneousPoles::Random(join.b.position.rows(), 4).leftCols<3>();
-    const JoinConditionOptions options{.tolerance = run % 2 ? std::optional<double>(off) : std::nullopt};
+    join.b.position.leftCols<3>() +=
+        off * HomogeneousPoles::Random(join.b.position.rows(), 4).leftCols<3>();
+    const JoinConditionOptions options{.tolerance =
+                                           run % 2 ? std::optional<double>(off) : std::nullopt};
     const JoinCondition found = joinCondition(join.a, join.b, options);
     double largest = 0;
     for (int i = 0; i <= 20; ++i) largest = std::max(largest, angleAt(join.a, join.b, i / 20.0));
@@ -305,7 +327,8 @@ TEST(JoinCondition, NoGapIsAboveItsBound) {
   }
 }
 
-/// The planes z = 0 and, beyond a seam that rises by 0.3 mm, z = f(y): Q_s lies in the first plane, Q_t does not.
+/// The planes z = 0 and, beyond a seam that rises by 0.3 mm, z = f(y): Q_s lies in the first plane,
+/// Q_t does not.
 TEST(JoinCondition, Identity4SeamsThatLeanAgainstEachOther) {
   Poles flat(16, 3), waved(16, 3);
   const Eigen::Vector4d height(0, 0.3, -0.3, 0);
@@ -345,7 +368,8 @@ TEST(JoinCondition, ParametricOrders) {
   for (int run = 0; run < 60; ++run) {
     const BezierPatch patch =
         gentlePatch(3, 4, run % 2 == 1, random);  // with weights so even that they stay positive
-    const Ribbon a = endingAtU1(BezierPatch(3, 4, patch.poles(), patch.weights().array().pow(0.03)));
+    const Ribbon a =
+        endingAtU1(BezierPatch(3, 4, patch.poles(), patch.weights().array().pow(0.03)));
     const auto order = [&](const Connection& c, int built) {
       return joinCondition(a, beginningAtU0(continuation(a, c, built, 4))).parametric_order;
     };
@@ -372,7 +396,8 @@ TEST(JoinCondition, SizesNearTheEndsOfDoublesChangeNothing) {
       const Join join = randomJoin(run, random);
       const auto weighed = [&](Ribbon ribbon) {
         ribbon = mapped(ribbon, size * Eigen::Matrix3d::Identity(), Eigen::RowVector3d::Zero());
-        for (HomogeneousPoles* part : {&ribbon.position, &ribbon.first, &ribbon.second}) *part *= 1 / size;
+        for (HomogeneousPoles* part : {&ribbon.position, &ribbon.first, &ribbon.second})
+          *part *= 1 / size;
         return ribbon;
       };
       const JoinCondition found = joinCondition(weighed(join.a), weighed(join.b));
@@ -438,7 +463,8 @@ TEST(JoinCondition, WhatNoiseHidesDoesNotHold) {
 
 TEST(JoinCondition, FunctionsOfAGivenConnectionAreChecked) {
   std::mt19937_64 random(51);
-  const Ribbon a = endingAtU1(gentlePatch(3, 3, false, random)), b = beginningAtU0(continuation(a, {}, 2, 3));
+  const Ribbon a = endingAtU1(gentlePatch(3, 3, false, random)),
+               b = beginningAtU0(continuation(a, {}, 2, 3));
   const auto messageWith = [&](const Connection& c) -> std::string {
     try {
       joinCondition(a, b, {.connection = c});

@@ -45,8 +45,8 @@ Connection connectionOf(const json& input) {
 
 TEST(JoinRowsData, TensorG1) {
   for (const json& entry : test::dataCases("tensor_joins.json", "construct")) {
-    const JoinRows found =
-        tensorRows(endingAtU1(entry["input"]["P"]), connectionOf(entry["input"]), 1, entry["input"]["l"]);
+    const JoinRows found = tensorRows(endingAtU1(entry["input"]["P"]), connectionOf(entry["input"]),
+                                      1, entry["input"]["l"]);
     const json& expected = entry["expected"];
     EXPECT_EQ(found.rows[0].rows() - 1, expected["along_degree"].get<int>()) << entry["id"];
     EXPECT_LE(relativeError(found.rows[0], test::row(expected["Q_row0"])), wanted) << entry["id"];
@@ -74,9 +74,12 @@ TEST(JoinRowsData, TensorG1InTheSameDegree) {
 TEST(JoinRowsData, RationalTensorG1) {
   for (const json& entry : test::dataCases("tensor_joins.json", "rational_construct")) {
     json input = entry["input"];
-    const JoinRows found = tensorRows(endingAtU1(input["P_hom"]), connectionOf(input), 1, input["l"]);
-    EXPECT_LE(relativeError(found.rows[0], test::row(entry["expected"]["Q_row0"])), wanted) << entry["id"];
-    EXPECT_LE(relativeError(found.rows[1], test::row(entry["expected"]["Q_row1"])), wanted) << entry["id"];
+    const JoinRows found =
+        tensorRows(endingAtU1(input["P_hom"]), connectionOf(input), 1, input["l"]);
+    EXPECT_LE(relativeError(found.rows[0], test::row(entry["expected"]["Q_row0"])), wanted)
+        << entry["id"];
+    EXPECT_LE(relativeError(found.rows[1], test::row(entry["expected"]["Q_row1"])), wanted)
+        << entry["id"];
   }
 }
 
@@ -87,7 +90,8 @@ TEST(JoinRowsData, TensorG2AndRational) {
     for (const json& entry : test::dataCases(file, kind)) {
       const json& input = entry["input"];
       const int order = input.value("order", 2);
-      const JoinRows found = tensorRows(endingAtU1(input[net]), connectionOf(input), order, input["l"]);
+      const JoinRows found =
+          tensorRows(endingAtU1(input[net]), connectionOf(input), order, input["l"]);
       const json& expected = entry["expected"];
       EXPECT_EQ(found.rows[0].rows() - 1, expected["along_degree"].get<int>()) << entry["id"];
       ASSERT_EQ(found.rows.size(), expected[rows].size()) << entry["id"];
@@ -97,7 +101,8 @@ TEST(JoinRowsData, TensorG2AndRational) {
     }
 }
 
-/// The case's cross direction points out of both triangles, with beta < 0 on it and alpha along the seam.
+/// The case's cross direction points out of both triangles, with beta < 0 on it and alpha along the
+/// seam.
 Connection ofTriangles(const json& input) {
   Connection c;
   c.alpha = -function(input["beta"]);
@@ -108,19 +113,25 @@ Connection ofTriangles(const json& input) {
 TEST(JoinRowsData, TriangleFromTriangle) {
   for (const json& entry : test::dataCases("triangle_joins.json", "tri_construct")) {
     const json& input = entry["input"];
-    const Ribbon given = ribbon(test::triangle(input["T1"]), TriangleEdge::L0, false, Across::OutOf);
+    const Ribbon given =
+        ribbon(test::triangle(input["T1"]), TriangleEdge::L0, false, Across::OutOf);
     const JoinRows found = triangleRows(given, ofTriangles(input));
     EXPECT_EQ(found.degree_across, input["degree0"].get<int>()) << entry["id"];
-    EXPECT_LE(relativeError(found.rows[0], test::row(entry["expected"]["row0"])), wanted) << entry["id"];
-    EXPECT_LE(relativeError(found.rows[1], test::row(entry["expected"]["row1"])), wanted) << entry["id"];
+    EXPECT_LE(relativeError(found.rows[0], test::row(entry["expected"]["row0"])), wanted)
+        << entry["id"];
+    EXPECT_LE(relativeError(found.rows[1], test::row(entry["expected"]["row1"])), wanted)
+        << entry["id"];
   }
 }
 
 TEST(JoinRowsData, TriangleFromTriangleInTheSameDegree) {
   for (const json& entry : test::dataCases("triangle_joins.json", "tri_construct_same_degree")) {
     const json &input = entry["input"], &expected = entry["expected"];
-    const Ribbon given = ribbon(test::triangle(input["T1"]), TriangleEdge::L0, false, Across::OutOf);
-    const auto build = [&] { return triangleRows(given, ofTriangles(input), input["degree0"].get<int>()); };
+    const Ribbon given =
+        ribbon(test::triangle(input["T1"]), TriangleEdge::L0, false, Across::OutOf);
+    const auto build = [&] {
+      return triangleRows(given, ofTriangles(input), input["degree0"].get<int>());
+    };
     if (expected["representable"].get<bool>())
       EXPECT_LE(relativeError(build().rows[1], test::row(expected["row1"])), wanted) << entry["id"];
     else
@@ -131,14 +142,17 @@ TEST(JoinRowsData, TriangleFromTriangleInTheSameDegree) {
 TEST(JoinRowsData, TensorFromTriangle) {
   for (const json& entry : test::dataCases("triangle_joins.json", "tensor_from_tri")) {
     const json& input = entry["input"];
-    // t multiplies P1, so the edge runs backwards; the case's cross direction keeps the weight of P2, not of P1.
+    // t multiplies P1, so the edge runs backwards; the case's cross direction keeps the weight of
+    // P2, not of P1.
     const Ribbon given = ribbon(test::triangle(input["T"]), TriangleEdge::L0, true, Across::OutOf);
     Connection c;
     c.alpha = -function(input["alpha"]);
     c.beta = function(input["beta"]) - function(input["alpha"]);
     const JoinRows found = tensorRows(given, c, 1, input["m"]);
-    EXPECT_LE(relativeError(found.rows[0], test::row(entry["expected"]["P_row_m"])), wanted) << entry["id"];
-    EXPECT_LE(relativeError(found.rows[1], test::row(entry["expected"]["P_row_m1"])), wanted) << entry["id"];
+    EXPECT_LE(relativeError(found.rows[0], test::row(entry["expected"]["P_row_m"])), wanted)
+        << entry["id"];
+    EXPECT_LE(relativeError(found.rows[1], test::row(entry["expected"]["P_row_m1"])), wanted)
+        << entry["id"];
   }
 }
 
@@ -150,8 +164,10 @@ TEST(JoinRowsData, TriangleFromTensor) {
     c.beta = 1 - function(input["beta_bar"]).array();
     const JoinRows found = triangleRows(endingAtU1(input["P"]), c);
     EXPECT_EQ(found.degree_across, input["tri_degree"].get<int>()) << entry["id"];
-    EXPECT_LE(relativeError(found.rows[0], test::row(entry["expected"]["T0"])), wanted) << entry["id"];
-    EXPECT_LE(relativeError(found.rows[1], test::row(entry["expected"]["T1"])), wanted) << entry["id"];
+    EXPECT_LE(relativeError(found.rows[0], test::row(entry["expected"]["T0"])), wanted)
+        << entry["id"];
+    EXPECT_LE(relativeError(found.rows[1], test::row(entry["expected"]["T1"])), wanted)
+        << entry["id"];
   }
 }
 
@@ -160,7 +176,8 @@ TEST(JoinRowsData, TriangleFromTensor) {
 Eigen::Vector4d derivativeAt(const HomogeneousPoles& rows, double t) {
   const Eigen::Index n = rows.rows() - 1;
   if (n == 0) return Eigen::Vector4d::Zero();
-  return value(HomogeneousPoles(static_cast<double>(n) * (rows.bottomRows(n) - rows.topRows(n))), t);
+  return value(HomogeneousPoles(static_cast<double>(n) * (rows.bottomRows(n) - rows.topRows(n))),
+               t);
 }
 
 HomogeneousPoles differenced(const HomogeneousPoles& rows) {
@@ -172,7 +189,8 @@ HomogeneousPoles differenced(const HomogeneousPoles& rows) {
 /// By how much b misses the equations with a, relative to the sizes of their terms.
 double equationDefect(const Ribbon& a, const Ribbon& b, const Connection& c, int order, double t) {
   const auto f = [t](const Eigen::VectorXd& g) { return value(g, t); };
-  const Eigen::Vector4d P = value(a.position, t), P_s = value(a.first, t), P_t = derivativeAt(a.position, t);
+  const Eigen::Vector4d P = value(a.position, t), P_s = value(a.first, t),
+                        P_t = derivativeAt(a.position, t);
   const Eigen::Vector4d Y1 = f(c.alpha) * P_s + f(c.beta) * P_t;
   double worst = (value(b.position, t) - f(c.e0) * P).norm() / P.norm();
   const double scale = P.norm() + P_s.norm() + P_t.norm();
@@ -183,8 +201,8 @@ double equationDefect(const Ribbon& a, const Ribbon& b, const Connection& c, int
   const Eigen::Vector4d Y2 = std::pow(f(c.alpha), 2) * P_ss + 2 * f(c.alpha) * f(c.beta) * P_st +
                              std::pow(f(c.beta), 2) * P_tt + f(c.p) * P_s + f(c.q) * P_t;
   const Eigen::Vector4d expected = f(c.e2) * P + 2 * f(c.e1) * Y1 + f(c.e0) * Y2;
-  return std::max(worst,
-                  (value(b.second, t) - expected).norm() / (scale + P_ss.norm() + P_st.norm() + P_tt.norm()));
+  return std::max(worst, (value(b.second, t) - expected).norm() /
+                             (scale + P_ss.norm() + P_st.norm() + P_tt.norm()));
 }
 
 TEST(JoinConstruct, Identity1EquationsHoldForTensorPatches) {
@@ -192,7 +210,8 @@ TEST(JoinConstruct, Identity1EquationsHoldForTensorPatches) {
   int count = 0;
   for (int run = 0; run < 3000; ++run) {
     const bool rational = run % 3 == 0;
-    const BezierPatch patch = gentlePatch(whole(1, 7, random), whole(1, 7, random), rational, random);
+    const BezierPatch patch =
+        gentlePatch(whole(1, 7, random), whole(1, 7, random), rational, random);
     const int order = whole(1, 2, random), k = whole(0, 2, random);
     Connection c = test::randomConnection(k, whole(0, k + 1, random), random);
     if (rational) c = test::withScaling(c, random);
@@ -201,7 +220,8 @@ TEST(JoinConstruct, Identity1EquationsHoldForTensorPatches) {
     if (!next) continue;
     ++count;
     const Ribbon found = ribbon(*next, PatchEdge::U0, false, Across::Into);
-    for (const double t : {0.0, 0.3, 1.0}) EXPECT_LE(equationDefect(given, found, c, order, t), 2e-13) << run;
+    for (const double t : {0.0, 0.3, 1.0})
+      EXPECT_LE(equationDefect(given, found, c, order, t), 2e-13) << run;
   }
   EXPECT_GE(count, 2100);
 }
@@ -212,13 +232,14 @@ TEST(JoinConstruct, Identity4EquationsHoldForTriangles) {
     const bool to_tensor = run % 3 == 0, from_tensor = run % 3 == 1;
     const int n = whole(1, 6, random), k = whole(0, 2, random);
     const Connection c = test::randomConnection(k, whole(0, k + 1, random), random);
-    const Ribbon given = from_tensor ? ribbon(gentlePatch(whole(1, 5, random), n, false, random),
-                                              test::patch_edges[run % 4], run % 2, Across::OutOf)
-                                     : ribbon(gentleTriangle(n, false, random), test::triangle_edges[run % 3],
-                                              run % 2, Across::OutOf);
-    const Ribbon found = to_tensor
-                             ? ribbon(continuation(given, c, 2, 4), PatchEdge::U0, false, Across::Into)
-                             : ribbon(triangleContinuation(given, c), TriangleEdge::L0, false, Across::Into);
+    const Ribbon given = from_tensor
+                             ? ribbon(gentlePatch(whole(1, 5, random), n, false, random),
+                                      test::patch_edges[run % 4], run % 2, Across::OutOf)
+                             : ribbon(gentleTriangle(n, false, random),
+                                      test::triangle_edges[run % 3], run % 2, Across::OutOf);
+    const Ribbon found =
+        to_tensor ? ribbon(continuation(given, c, 2, 4), PatchEdge::U0, false, Across::Into)
+                  : ribbon(triangleContinuation(given, c), TriangleEdge::L0, false, Across::Into);
     for (const double t : {0.0, 0.6, 1.0})
       EXPECT_LE(equationDefect(given, found, c, to_tensor ? 2 : 1, t), 2e-13) << run;
   }
@@ -227,7 +248,8 @@ TEST(JoinConstruct, Identity4EquationsHoldForTriangles) {
 TEST(JoinConstruct, ContinuationsAreTheirTaylorPolynomials) {
   std::mt19937_64 random(23);
   const Connection c = test::randomConnection(1, 2, random);
-  const Ribbon given = ribbon(gentlePatch(3, 3, false, random), PatchEdge::V1, false, Across::OutOf);
+  const Ribbon given =
+      ribbon(gentlePatch(3, 3, false, random), PatchEdge::V1, false, Across::OutOf);
   const BezierPatch next = continuation(given, c, 2, 5);
   const Ribbon seam = ribbon(next, PatchEdge::U0, false, Across::Into);
   const BezierTriangle triangle = triangleContinuation(given, c);
@@ -245,11 +267,12 @@ TEST(JoinConstruct, ContinuationsAreTheirTaylorPolynomials) {
 TEST(JoinConstruct, Identity3OnesAndZerosContinueParametrically) {
   std::mt19937_64 random(24);
   const BezierPatch patch = gentlePatch(4, 3, false, random);
-  const BezierPatch next = continuation(ribbon(patch, PatchEdge::U1, false, Across::OutOf), {}, 2, 4);
+  const BezierPatch next =
+      continuation(ribbon(patch, PatchEdge::U1, false, Across::OutOf), {}, 2, 4);
   for (const double t : {0.0, 0.4, 1.0}) {
     const SurfaceJet a = patch.jet(1, t), b = next.jet(0, t);
-    for (const auto part :
-         {&SurfaceJet::p, &SurfaceJet::u, &SurfaceJet::v, &SurfaceJet::uu, &SurfaceJet::uv, &SurfaceJet::vv})
+    for (const auto part : {&SurfaceJet::p, &SurfaceJet::u, &SurfaceJet::v, &SurfaceJet::uu,
+                            &SurfaceJet::uv, &SurfaceJet::vv})
       EXPECT_LE((a.*part - b.*part).norm(), 1e-11);
   }
   EXPECT_FALSE(next.isRational());
@@ -257,8 +280,10 @@ TEST(JoinConstruct, Identity3OnesAndZerosContinueParametrically) {
 
 TEST(JoinConstruct, DegreesAreThoseOfTheTable) {
   std::mt19937_64 random(25);
-  const Ribbon tensor = ribbon(gentlePatch(3, 4, false, random), PatchEdge::U1, false, Across::OutOf);
-  const Ribbon triangle = ribbon(gentleTriangle(4, false, random), TriangleEdge::L0, false, Across::OutOf);
+  const Ribbon tensor =
+      ribbon(gentlePatch(3, 4, false, random), PatchEdge::U1, false, Across::OutOf);
+  const Ribbon triangle =
+      ribbon(gentleTriangle(4, false, random), TriangleEdge::L0, false, Across::OutOf);
   const auto along = [](const JoinRows& rows) { return rows.rows[0].rows() - 1; };
   const auto functions = [&](int a, int b) { return test::randomConnection(a, b, random); };
   EXPECT_EQ(along(tensorRows(tensor, functions(0, 0), 1, 3)), 4);
@@ -284,14 +309,17 @@ TEST(JoinConstruct, ReplacedRowsLeaveTheOthers) {
     const PatchEdge edge = test::patch_edges[run % 4];
     const bool reversed = run % 8 < 4, rational = run % 3 == 0;
     const int order = whole(1, 2, random), n = whole(2, 4, random);
-    const Ribbon given = ribbon(gentlePatch(3, n, rational, random), PatchEdge::U1, false, Across::OutOf);
+    const Ribbon given =
+        ribbon(gentlePatch(3, n, rational, random), PatchEdge::U1, false, Across::OutOf);
     const BezierPatch before = gentlePatch(4, 4, rational, random);
     const Connection c = test::randomConnection(0, 1, random);
     const auto rows = built([&] { return tensorRows(given, c, order, 4); });
     if (!rows) continue;
     const BezierPatch after = withRows(before, edge, reversed, *rows);
-    EXPECT_LE(equationDefect(given, ribbon(after, edge, reversed, Across::Into), c, order, 0.4), 1e-13);
-    const BezierPatch old = turnedToU0(before, edge, reversed), now = turnedToU0(after, edge, reversed);
+    EXPECT_LE(equationDefect(given, ribbon(after, edge, reversed, Across::Into), c, order, 0.4),
+              1e-13);
+    const BezierPatch old = turnedToU0(before, edge, reversed),
+                      now = turnedToU0(after, edge, reversed);
     for (int i = order + 1; i <= 4; ++i)
       for (int j = 0; j <= 4; ++j) EXPECT_LE((old.pole(i, j) - now.pole(i, j)).norm(), 1e-14);
   }
@@ -302,7 +330,8 @@ TEST(JoinConstruct, ReplacedRowsOfATriangleLeaveTheOthers) {
   for (int run = 0; run < 18; ++run) {
     const TriangleEdge edge = test::triangle_edges[run % 3];
     const bool reversed = run % 6 < 3;
-    const Ribbon given = ribbon(gentleTriangle(3, false, random), TriangleEdge::L1, false, Across::OutOf);
+    const Ribbon given =
+        ribbon(gentleTriangle(3, false, random), TriangleEdge::L1, false, Across::OutOf);
     const BezierTriangle before = gentleTriangle(4, false, random);
     const Connection c = test::randomConnection(1, 1, random);
     const BezierTriangle after = withRows(before, edge, reversed, triangleRows(given, c));
@@ -317,14 +346,16 @@ TEST(JoinConstruct, ReplacedRowsOfATriangleLeaveTheOthers) {
 
 TEST(JoinConstruct, RowsAreRaisedOrRaiseThePatch) {
   std::mt19937_64 random(28);
-  const Ribbon given = ribbon(gentlePatch(2, 3, false, random), PatchEdge::U1, false, Across::OutOf);
+  const Ribbon given =
+      ribbon(gentlePatch(2, 3, false, random), PatchEdge::U1, false, Across::OutOf);
   const JoinRows rows = tensorRows(given, {}, 1, 3);
   EXPECT_EQ(withRows(gentlePatch(3, 5, false, random), PatchEdge::U0, false, rows).degreeV(), 5);
   EXPECT_EQ(withRows(gentlePatch(3, 2, false, random), PatchEdge::U0, false, rows).degreeV(), 3);
   const BezierTriangle raised =
       withRows(gentleTriangle(2, false, random), TriangleEdge::L1, true, triangleRows(given, {}));
   EXPECT_EQ(raised.degree(), 4);
-  EXPECT_LE(equationDefect(given, ribbon(raised, TriangleEdge::L1, true, Across::Into), {}, 1, 0.3), 1e-13);
+  EXPECT_LE(equationDefect(given, ribbon(raised, TriangleEdge::L1, true, Across::Into), {}, 1, 0.3),
+            1e-13);
 }
 
 Connection with(Eigen::VectorXd Connection::*function, const Eigen::VectorXd& coefficients) {
@@ -345,7 +376,8 @@ std::string refusal(const Build& build) {
 
 TEST(JoinConstruct, Refusals) {
   std::mt19937_64 random(29);
-  const Ribbon given = ribbon(gentlePatch(3, 3, false, random), PatchEdge::U1, false, Across::OutOf);
+  const Ribbon given =
+      ribbon(gentlePatch(3, 3, false, random), PatchEdge::U1, false, Across::OutOf);
   const auto refused = [&](const Connection& c, int order = 1, int across = 3,
                            std::optional<int> degree = {}) {
     return refusal([&] { tensorRows(given, c, order, across, degree); });
@@ -376,11 +408,13 @@ TEST(JoinConstruct, Refusals) {
   EXPECT_THAT(refusal([&] { triangleRows(given, {}, 3); }),
               HasSubstr("Q_s has degree 3 and cannot be written in degree 2"));
   EXPECT_THAT(refusal([&] {
-                withRows(gentlePatch(2, 3, false, random), PatchEdge::U0, false, tensorRows(given, {}, 1, 3));
+                withRows(gentlePatch(2, 3, false, random), PatchEdge::U0, false,
+                         tensorRows(given, {}, 1, 3));
               }),
               HasSubstr("the patch has degree 2"));
   EXPECT_THAT(refusal([&] {
-                withRows(gentleTriangle(5, false, random), TriangleEdge::L0, false, triangleRows(given, {}));
+                withRows(gentleTriangle(5, false, random), TriangleEdge::L0, false,
+                         triangleRows(given, {}));
               }),
               HasSubstr("rows for a triangle of degree 4"));
   Ribbon broken = given;

@@ -16,7 +16,8 @@
 /// Random patches, triangles and connection functions, and those of the data files.
 namespace seamwright::test {
 
-inline constexpr std::array patch_edges = {PatchEdge::U0, PatchEdge::U1, PatchEdge::V0, PatchEdge::V1};
+inline constexpr std::array patch_edges = {PatchEdge::U0, PatchEdge::U1, PatchEdge::V0,
+                                           PatchEdge::V1};
 inline constexpr std::array triangle_edges = {TriangleEdge::L0, TriangleEdge::L1, TriangleEdge::L2};
 
 inline double uniform(double low, double high, std::mt19937_64& random) {
@@ -27,7 +28,8 @@ inline int whole(int low, int high, std::mt19937_64& random) {
   return std::uniform_int_distribution<int>(low, high)(random);
 }
 
-/// A patch of 10 mm by 12 mm and at most 3 mm high, its poles a quarter of their spacing off a grid.
+/// A patch of 10 mm by 12 mm and at most 3 mm high, its poles a quarter of their spacing off a
+/// grid.
 inline BezierPatch gentlePatch(int m, int n, bool rational, std::mt19937_64& random) {
   Poles poles((m + 1) * (n + 1), 3);
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(poles.rows());
@@ -55,7 +57,8 @@ inline BezierTriangle gentleTriangle(int n, bool rational, std::mt19937_64& rand
   return {poles, weights};
 }
 
-inline Eigen::VectorXd randomFunction(int degree, double low, double high, std::mt19937_64& random) {
+inline Eigen::VectorXd randomFunction(int degree, double low, double high,
+                                      std::mt19937_64& random) {
   Eigen::VectorXd f(degree + 1);
   for (double& c : f) c = uniform(low, high, random);
   return f;
@@ -100,7 +103,8 @@ inline BezierTriangle triangle(const nlohmann::json& net) {
   const int n = static_cast<int>(net.size()) - 1;
   Poles poles((n + 1) * (n + 2) / 2, 3);
   for (int i = 0; i <= n; ++i)
-    for (int j = 0; i + j <= n; ++j) poles.row(BezierTriangle::row(n, i, j)) = vector(net[i][j]).transpose();
+    for (int j = 0; i + j <= n; ++j)
+      poles.row(BezierTriangle::row(n, i, j)) = vector(net[i][j]).transpose();
   return BezierTriangle(poles);
 }
 
@@ -155,7 +159,8 @@ inline Connection withScaling(Connection c, std::mt19937_64& random) {
   return c;
 }
 
-/// Tensor-product patches and triangles in the four pairings, one in four rational, those whose weights come out well.
+/// Tensor-product patches and triangles in the four pairings, one in four rational, those whose
+/// weights come out well.
 inline Join randomJoin(int run, std::mt19937_64& random) {
   for (;;) {
     const bool rational = run % 4 == 3, from_triangle = run % 3 == 0, to_triangle = run % 5 == 0;
@@ -166,16 +171,17 @@ inline Join randomJoin(int run, std::mt19937_64& random) {
     if (rational) join.connection = withScaling(join.connection, random);
     if (rational && to_triangle) join.connection.e1 = Eigen::VectorXd::Zero(1);
     const bool reversed = run % 2 == 0;
-    join.a = from_triangle ? ribbon(gentleTriangle(n, rational, random), triangle_edges[run % 3], reversed,
-                                    Across::OutOf)
+    join.a = from_triangle ? ribbon(gentleTriangle(n, rational, random), triangle_edges[run % 3],
+                                    reversed, Across::OutOf)
                            : ribbon(gentlePatch(whole(1, 7, random), n, rational, random),
                                     patch_edges[run % 4], reversed, Across::OutOf);
     try {
       if (to_triangle)
-        join.b = ribbon(triangleContinuation(join.a, join.connection), TriangleEdge::L0, false, Across::Into);
+        join.b = ribbon(triangleContinuation(join.a, join.connection), TriangleEdge::L0, false,
+                        Across::Into);
       else
-        join.b =
-            beginningAtU0(continuation(join.a, join.connection, join.order, whole(join.order, 6, random)));
+        join.b = beginningAtU0(
+            continuation(join.a, join.connection, join.order, whole(join.order, 6, random)));
       return join;
     } catch (const std::invalid_argument&) {
       // a weight that is not positive
@@ -183,9 +189,11 @@ inline Join randomJoin(int run, std::mt19937_64& random) {
   }
 }
 
-inline Ribbon mapped(Ribbon ribbon, const Eigen::Matrix3d& linear, const Eigen::RowVector3d& translation) {
+inline Ribbon mapped(Ribbon ribbon, const Eigen::Matrix3d& linear,
+                     const Eigen::RowVector3d& translation) {
   for (HomogeneousPoles* part : {&ribbon.position, &ribbon.first, &ribbon.second})
-    part->leftCols<3>() = (part->leftCols<3>() * linear.transpose() + part->col(3) * translation).eval();
+    part->leftCols<3>() =
+        (part->leftCols<3>() * linear.transpose() + part->col(3) * translation).eval();
   return ribbon;
 }
 

@@ -38,9 +38,11 @@ TEST(Judge, TheChangeOfCurvatureDecidesG3AndOnlyAboveG2) {
     return f;
   };
   EXPECT_EQ(judge(with(figures(0, 0, 0), 0.02), tolerance, Level::G3).level, Level::G3);
-  EXPECT_EQ(judge(with(figures(0, 0, 0), 0.02), tolerance, Level::G3).seam_class, SeamClass::Smooth);
+  EXPECT_EQ(judge(with(figures(0, 0, 0), 0.02), tolerance, Level::G3).seam_class,
+            SeamClass::Smooth);
   EXPECT_EQ(judge(with(figures(0, 0, 0), 0.021), tolerance, Level::G3).level, Level::G2);
-  EXPECT_EQ(judge(with(figures(0, 0, 0), 0.021), tolerance, Level::G3).seam_class, SeamClass::Defect);
+  EXPECT_EQ(judge(with(figures(0, 0, 0), 0.021), tolerance, Level::G3).seam_class,
+            SeamClass::Defect);
   EXPECT_EQ(judge(with(figures(0, 0, 0.021), 0), tolerance, Level::G3).level, Level::G1);
   EXPECT_EQ(judge(figures(0, 0, 0), tolerance, Level::G3).level, Level::G2);
 }
@@ -183,8 +185,10 @@ TEST(Tolerance, DefaultsAreValid) {
 TEST(Tolerance, EveryFieldIsCheckedAndNamedWithItsValue) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
-  EXPECT_THAT(complaint([&](auto& t) { t.gap_mm = nan; }), AllOf(HasSubstr("gap"), HasSubstr("nan")));
-  EXPECT_THAT(complaint([&](auto& t) { t.gap_mm = -0.5; }), AllOf(HasSubstr("gap"), HasSubstr("-0.5")));
+  EXPECT_THAT(complaint([&](auto& t) { t.gap_mm = nan; }),
+              AllOf(HasSubstr("gap"), HasSubstr("nan")));
+  EXPECT_THAT(complaint([&](auto& t) { t.gap_mm = -0.5; }),
+              AllOf(HasSubstr("gap"), HasSubstr("-0.5")));
   EXPECT_THAT(complaint([&](auto& t) { t.angle_rad = -1 * degree; }),
               AllOf(HasSubstr("angle"), HasSubstr("-1 deg")));
   EXPECT_THAT(complaint([&](auto& t) { t.curvature_rel = infinity; }),
@@ -193,7 +197,8 @@ TEST(Tolerance, EveryFieldIsCheckedAndNamedWithItsValue) {
               AllOf(HasSubstr("flat radius"), HasSubstr("0 mm")));
   EXPECT_THAT(complaint([&](auto& t) { t.flat_radius_mm = -3; }),
               AllOf(HasSubstr("flat radius"), HasSubstr("-3")));
-  EXPECT_THAT(complaint([&](auto& t) { t.crease_rad = nan; }), AllOf(HasSubstr("crease"), HasSubstr("nan")));
+  EXPECT_THAT(complaint([&](auto& t) { t.crease_rad = nan; }),
+              AllOf(HasSubstr("crease"), HasSubstr("nan")));
   EXPECT_THAT(complaint([&](auto& t) { t.crease_rad = 91 * degree; }),
               AllOf(HasSubstr("crease"), HasSubstr("91")));
   EXPECT_THAT(complaint([&](auto& t) { t.crease_rad = 0.05 * degree; }),
@@ -232,7 +237,8 @@ TEST(Judge, CertainIffEveryValueWithinTheEnclosuresGivesTheSame) {
               const Verdict at = judge(exact, tolerance, required);
               same &= at.level == verdict.level && at.seam_class == verdict.seam_class;
             }
-            EXPECT_EQ(verdict.certain, same) << gap << " " << angle << " " << curvature << " " << width;
+            EXPECT_EQ(verdict.certain, same)
+                << gap << " " << angle << " " << curvature << " " << width;
           }
 }
 
@@ -242,8 +248,10 @@ TEST(Judge, SampledFiguresAreNeverCertainUnlessTheGapIsTooLarge) {
       for (const double curvature : {0.0, 1.0}) {
         SeamFigures f = figures(gap, angle, curvature);
         f.below_crease_share = angle > 5 ? 0 : 1;
-        EXPECT_EQ(judge(f, {}, Level::G1).certain, gap > 0.01) << gap << " " << angle << " " << curvature;
-        EXPECT_EQ(judge(f, {}, Level::G2).certain, gap > 0.01) << gap << " " << angle << " " << curvature;
+        EXPECT_EQ(judge(f, {}, Level::G1).certain, gap > 0.01)
+            << gap << " " << angle << " " << curvature;
+        EXPECT_EQ(judge(f, {}, Level::G2).certain, gap > 0.01)
+            << gap << " " << angle << " " << curvature;
       }
 }
 

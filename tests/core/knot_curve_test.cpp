@@ -46,7 +46,8 @@ class Reference {
     if (knots_[i + n] > knots_[i])
       value += (t - knots_[i]) / (knots_[i + n] - knots_[i]) * basis(i, n - 1, t);
     if (knots_[i + n + 1] > knots_[i + 1])
-      value += (knots_[i + n + 1] - t) / (knots_[i + n + 1] - knots_[i + 1]) * basis(i + 1, n - 1, t);
+      value +=
+          (knots_[i + n + 1] - t) / (knots_[i + n + 1] - knots_[i + 1]) * basis(i + 1, n - 1, t);
     return value;
   }
 
@@ -54,7 +55,8 @@ class Reference {
   std::vector<Real> knots_;
 };
 
-KnotCurve randomKnots(int degree, int spans, bool periodic, bool rational, std::mt19937_64& random) {
+KnotCurve randomKnots(int degree, int spans, bool periodic, bool rational,
+                      std::mt19937_64& random) {
   std::uniform_int_distribution<int> times(1, degree);
   KnotCurve curve{degree, test::randomBreaks(spans, 0.4, random), {}, {}, periodic};
   for (int i = 0; i <= spans; ++i) curve.multiplicities.push_back(i % 2 ? 1 : times(random));
@@ -109,7 +111,9 @@ TEST(KnotCurve, Identity1ShortSpans) {
     const int degree = 2 + i % 4, spans = periodic ? 6 : 2 * degree + 4;
     KnotCurve curve{degree, {0}, {}, {}, periodic};
     for (int k = 0; k < spans; ++k)
-      curve.knots.push_back(curve.knots.back() + (k % 3 == i % 3 ? 1e-9 : i % 5 == 0 ? 1e-12 : 0.5));
+      curve.knots.push_back(curve.knots.back() + (k % 3 == i % 3 ? 1e-9
+                                                  : i % 5 == 0   ? 1e-12
+                                                                 : 0.5));
     curve.multiplicities.assign(curve.knots.size(), 1);
     curve.poles = test::randomPoles(periodic ? spans : spans - degree, false, random);
     const auto [first, last] = rangeOf(curve);
@@ -119,7 +123,9 @@ TEST(KnotCurve, Identity1ShortSpans) {
     for (int k = 0; k < 8; ++k) {
       const double t = drawn(random, first, last);
       // What the rounding of the knots of the next turn makes of spans of 1e-12 is theirs.
-      ASSERT_LT((derivatives(ours, t, 0).row(0) - reference.point(t)).norm(), i % 5 == 0 ? 1e-2 : 1e-5) << i;
+      ASSERT_LT((derivatives(ours, t, 0).row(0) - reference.point(t)).norm(),
+                i % 5 == 0 ? 1e-2 : 1e-5)
+          << i;
     }
   }
 }
@@ -143,7 +149,8 @@ TEST(KnotCurve, ClampedCurvesComeBackBitByBit) {
   std::mt19937_64 random(404);
   for (int i = 0; i < 200; ++i) {
     const int degree = 1 + i % 7;
-    KnotCurve curve{degree, test::randomBreaks(4, 0.4, random), {degree + 1, 1, degree, 1, degree + 1}, {}};
+    KnotCurve curve{
+        degree, test::randomBreaks(4, 0.4, random), {degree + 1, 1, degree, 1, degree + 1}, {}};
     curve.poles = test::randomPoles(2 * degree + 3, i % 2 == 0, random);
     EXPECT_EQ(clampedCurve(curve, curve.knots.front(), curve.knots.back()).poles, curve.poles);
   }
@@ -169,10 +176,12 @@ TEST(KnotCurve, RefusesWhatIsNoCurve) {
   refused([](KnotCurve& c) { c.degree = 26; }, "degree is 26");
   refused([](KnotCurve& c) { c.knots = {}; }, "knots 0, multiplicities 4");
   refused([](KnotCurve& c) { c.knots[2] = 1; }, "knot 2 is 1 after 1");
-  refused([](KnotCurve& c) { c.knots[3] = std::numeric_limits<double>::infinity(); }, "knot 3 is inf");
+  refused([](KnotCurve& c) { c.knots[3] = std::numeric_limits<double>::infinity(); },
+          "knot 3 is inf");
   refused([](KnotCurve& c) { c.multiplicities[1] = 3; }, "multiplicity 1 is 3: 1 to 2");
   refused([](KnotCurve& c) { c.multiplicities[0] = 2; }, "are 2 and 1");
-  refused([](KnotCurve& c) { c.poles = HomogeneousPoles::Ones(4, 4); }, "poles 4, knots of degree 2 for 3");
+  refused([](KnotCurve& c) { c.poles = HomogeneousPoles::Ones(4, 4); },
+          "poles 4, knots of degree 2 for 3");
   refused([](KnotCurve& c) { c.periodic = false; }, "poles 3, knots of degree 2 for 1");
   refused([](KnotCurve& c) { c.poles(2, 3) = 0; }, "weight 2 is 0");
   expectRefused([&] { clampedCurve(ring, 1, 1); }, "first is 1, last 1");

@@ -42,7 +42,8 @@ BezierCurve quarterCircle(double r) {
   return {poles, Eigen::Vector3d(1, std::sqrt(0.5), 1)};
 }
 
-/// The speed of a polynomial or rational curve from powers of t in extended precision, not through the library.
+/// The speed of a polynomial or rational curve from powers of t in extended precision, not through
+/// the library.
 class Speed {
  public:
   explicit Speed(const BezierCurve& curve) {
@@ -82,7 +83,8 @@ class Speed {
   std::array<std::vector<long double>, 4> powers_;
 };
 
-/// Romberg's rule in extended precision until it stands still to 1e-15 of the whole; pieces meet at \p breaks.
+/// Romberg's rule in extended precision until it stands still to 1e-15 of the whole; pieces meet at
+/// \p breaks.
 long double romberg(const Speed& speed, long double a, long double b) {
   std::vector<long double> row = {(b - a) / 2 * (speed(a) + speed(b))};
   for (int level = 1; level < 22; ++level) {
@@ -156,7 +158,8 @@ TEST(Length, Identity2QuarterCircle) {
     EXPECT_TRUE(length.reached);
     expectContains(length, wanted, 1e-12 * r);
     EXPECT_NEAR(length.value_mm, wanted, 2e-15 * wanted);  // sqrt(1/2) is rounded
-    EXPECT_NEAR(arcLength(quarterCircle(r), 1e-12 * r, 0, 0.5).value_mm, wanted / 2, 2e-15 * wanted);
+    EXPECT_NEAR(arcLength(quarterCircle(r), 1e-12 * r, 0, 0.5).value_mm, wanted / 2,
+                2e-15 * wanted);
     EXPECT_NEAR(parameterAtLength(quarterCircle(r), wanted / 2, 1e-12 * r), 0.5, 1e-11);
   }
 }
@@ -192,20 +195,22 @@ TEST(Length, Identity3PartsReversalElevationMotionScale) {
     const BezierCurve curve = randomCurve(2 + i % 5, i % 2 == 1, random);
     const double whole = arcLength(curve, 1e-8).value_mm, bound = 1e-10;
     const double t = static_cast<double>(i) / cases;
-    EXPECT_NEAR(arcLength(curve, 1e-8, 0, t).value_mm + arcLength(curve, 1e-8, t, 1).value_mm, whole,
-                2 * bound);
+    EXPECT_NEAR(arcLength(curve, 1e-8, 0, t).value_mm + arcLength(curve, 1e-8, t, 1).value_mm,
+                whole, 2 * bound);
     EXPECT_NEAR(arcLength(curve.reversed(), 1e-8).value_mm, whole, bound);
     EXPECT_NEAR(arcLength(curve.elevated(), 1e-8).value_mm, whole, bound);
-    EXPECT_NEAR(arcLength(curve.split(t).first, 1e-8).value_mm, arcLength(curve, 1e-8, 0, t).value_mm, bound);
+    EXPECT_NEAR(arcLength(curve.split(t).first, 1e-8).value_mm,
+                arcLength(curve, 1e-8, 0, t).value_mm, bound);
     const double scale = test::logUniform(random, -6, 6);
     const Poles poles = (scale * curve.poles() * test::randomRotation(random)).rowwise() +
                         Eigen::RowVector3d(scale, -scale, 2 * scale);
-    EXPECT_NEAR(arcLength({poles, curve.weights()}, 1e-8 * scale).value_mm / scale, whole, 2 * bound);
+    EXPECT_NEAR(arcLength({poles, curve.weights()}, 1e-8 * scale).value_mm / scale, whole,
+                2 * bound);
   }
 }
 
-// With u = 2 t - 1, X = (u^2, u^3) over [-1, 1]: twice the length (13 sqrt(13) - 8) / 27 of a branch of the
-// semicubical parabola.
+// With u = 2 t - 1, X = (u^2, u^3) over [-1, 1]: twice the length (13 sqrt(13) - 8) / 27 of a
+// branch of the semicubical parabola.
 TEST(Length, Identity4BothBranchesOfACusp) {
   Poles poles(4, 3);
   poles << 1, -1, 0, -1.0 / 3, 1, 0, -1.0 / 3, -1, 0, 1, 1, 0;
@@ -221,7 +226,8 @@ TEST(Length, Identity4BothBranchesOfACusp) {
               1e-4);  // within sqrt(1e-10) where the speed is 0
   for (int i = 0; i <= 40; ++i) {
     const double length = wanted * i / 40;
-    EXPECT_NEAR(arcLength(curve, 1e-12, 0, parameterAtLength(curve, length, 1e-9)).value_mm, length, 1e-9)
+    EXPECT_NEAR(arcLength(curve, 1e-12, 0, parameterAtLength(curve, length, 1e-9)).value_mm, length,
+                1e-9)
         << i;
   }
   EXPECT_TRUE(arcLength(cusp(), 1e-12).reached);
@@ -233,9 +239,11 @@ TEST(Length, PythagoreanHodographsHaveAClosedForm) {
   for (int i = 0; i < cases; ++i) {
     const Vec u = test::randomVector(random), v = i % 5 ? test::randomVector(random) : Vec(0.5 * u);
     Poles poles = Poles::Zero(4, 3);
-    const Eigen::Vector3d x(u(0) * u(0) - v(0) * v(0), u(0) * u(1) - v(0) * v(1), u(1) * u(1) - v(1) * v(1));
+    const Eigen::Vector3d x(u(0) * u(0) - v(0) * v(0), u(0) * u(1) - v(0) * v(1),
+                            u(1) * u(1) - v(1) * v(1));
     const Eigen::Vector3d y(2 * u(0) * v(0), u(0) * v(1) + u(1) * v(0), 2 * u(1) * v(1));
-    for (int k = 0; k < 3; ++k) poles.row(k + 1) = poles.row(k) + Eigen::RowVector3d(x(k), y(k), 0) / 3;
+    for (int k = 0; k < 3; ++k)
+      poles.row(k + 1) = poles.row(k) + Eigen::RowVector3d(x(k), y(k), 0) / 3;
     const auto quadratic = [](const Vec& f) { return f(0) * f(0) + f(0) * f(1) + f(1) * f(1); };
     const double wanted = (quadratic(u) + quadratic(v)) / 3;
     const ArcLength length = arcLength(BezierCurve(poles), 1e-11 * wanted);
@@ -245,13 +253,14 @@ TEST(Length, PythagoreanHodographsHaveAClosedForm) {
   }
 }
 
-// Of a curve of high degree that turns gently, Bernstein coefficients are near to the values: then the proved
-// remainder is at least the largest |X'| - g, and less than twice that.
+// Of a curve of high degree that turns gently, Bernstein coefficients are near to the values: then
+// the proved remainder is at least the largest |X'| - g, and less than twice that.
 TEST(Length, TheRemainderIsTheLargestOfSpeedLessItsPolynomial) {
   std::mt19937_64 random(127);
   for (int i = 0; i < 20; ++i) {
     Poles poles(4, 3);
-    for (int k = 0; k < 4; ++k) poles.row(k) = (Vec(k, 0, 0) + 0.12 * test::randomVector(random)).transpose();
+    for (int k = 0; k < 4; ++k)
+      poles.row(k) = (Vec(k, 0, 0) + 0.12 * test::randomVector(random)).transpose();
     BezierCurve curve(poles);
     const Speed speed(curve);
     while (curve.degree() < 40) curve = curve.elevated();
@@ -261,7 +270,8 @@ TEST(Length, TheRemainderIsTheLargestOfSpeedLessItsPolynomial) {
       long double x = std::cos(std::numbers::pi_v<long double> * (k + 0.75L) / 7.5L);
       for (int step = 0; step < 20; ++step) {
         long double before = 1, p = x;
-        for (int n = 2; n <= 7; ++n) before = std::exchange(p, ((2 * n - 1) * x * p - (n - 1) * before) / n);
+        for (int n = 2; n <= 7; ++n)
+          before = std::exchange(p, ((2 * n - 1) * x * p - (n - 1) * before) / n);
         x -= p * (x * x - 1) / (7 * (x * p - before));
       }
       nodes[k] = (1 + x) / 2;
@@ -280,7 +290,8 @@ TEST(Length, TheRemainderIsTheLargestOfSpeedLessItsPolynomial) {
       least = std::min(least, speed(t) - g);
     }
     ASSERT_GT(most, 1e-9) << "far above rounding";
-    const double above = length.upper_mm - length.value_mm, below = length.value_mm - length.lower_mm;
+    const double above = length.upper_mm - length.value_mm,
+                 below = length.value_mm - length.lower_mm;
     EXPECT_GE(above, static_cast<double>(most) * (1 - 1e-5)) << i;
     EXPECT_GE(below, static_cast<double>(-least) * (1 - 1e-5)) << i;
     EXPECT_LT(above, 2.5 * static_cast<double>(most)) << i;
@@ -309,12 +320,14 @@ TEST(Length, ParameterAtLengthIsTheInverse) {
   EXPECT_EQ(parameterAtLength(BezierCurve(Poles::Ones(3, 3)), 0, 1e-9), 0);
 }
 
-// Weights so uneven that the bounds stay apart: the value goes on to meet what is asked, or comes as near as it can.
+// Weights so uneven that the bounds stay apart: the value goes on to meet what is asked, or comes
+// as near as it can.
 TEST(Length, Identity5TheValueMeetsTheLengthAsked) {
   Poles poles(4, 3);
   poles << 0, 0, 0, 1, 1, 0, 2, -1, 0.5, 3, 0, 0;
-  for (const Eigen::Vector4d& weights : {Eigen::Vector4d(1, 1, 1e6, 1e6), Eigen::Vector4d(1, 1e-5, 1e5, 1),
-                                         Eigen::Vector4d(1, 1e-4, 1e4, 1), Eigen::Vector4d(1, 1, 1, 1)}) {
+  for (const Eigen::Vector4d& weights :
+       {Eigen::Vector4d(1, 1, 1e6, 1e6), Eigen::Vector4d(1, 1e-5, 1e5, 1),
+        Eigen::Vector4d(1, 1e-4, 1e4, 1), Eigen::Vector4d(1, 1, 1, 1)}) {
     const BezierCurve curve(poles, weights);
     const double whole = arcLength(curve, 1e-9).value_mm, tolerance = 1e-9;
     for (const double share : {0.1, 0.5, 0.9}) {
@@ -322,8 +335,10 @@ TEST(Length, Identity5TheValueMeetsTheLengthAsked) {
       const auto missing = [&](double at) {
         return std::abs(arcLength(curve, tolerance / 4, 0, at).value_mm - wanted);
       };
-      const double neighbours = std::min(missing(std::nextafter(t, 0)), missing(std::nextafter(t, 1)));
-      EXPECT_LE(missing(t), std::max(tolerance / 2, neighbours)) << weights.transpose() << " " << share;
+      const double neighbours =
+          std::min(missing(std::nextafter(t, 0)), missing(std::nextafter(t, 1)));
+      EXPECT_LE(missing(t), std::max(tolerance / 2, neighbours))
+          << weights.transpose() << " " << share;
       const ArcLength length = arcLength(curve, tolerance / 4, 0, t);
       const auto truth = static_cast<double>(romberg(Speed(curve), 0, t));
       EXPECT_LE(std::abs(truth - wanted),
@@ -366,7 +381,8 @@ TEST(Length, ExtremeSizesAndPoints) {
   far << 1e9, 0, 0, 1e9 + 1, 0, 0, 1e9 + 1, 1, 0;
   Poles near = far;
   near.col(0).array() -= 1e9;
-  EXPECT_EQ(arcLength(BezierCurve(far), 1e-12).value_mm, arcLength(BezierCurve(near), 1e-12).value_mm);
+  EXPECT_EQ(arcLength(BezierCurve(far), 1e-12).value_mm,
+            arcLength(BezierCurve(near), 1e-12).value_mm);
 }
 
 TEST(Length, BadArguments) {
@@ -379,30 +395,35 @@ TEST(Length, BadArguments) {
     return std::string();
   };
   EXPECT_THAT(message([] { arcLength(cusp(), 0); }), testing::HasSubstr("tolerance is 0"));
-  EXPECT_THAT(message([] { arcLength(cusp(), std::nan("")); }), testing::HasSubstr("tolerance is nan"));
+  EXPECT_THAT(message([] { arcLength(cusp(), std::nan("")); }),
+              testing::HasSubstr("tolerance is nan"));
   EXPECT_THAT(message([] { arcLength(cusp(), std::numeric_limits<double>::infinity()); }),
               testing::HasSubstr("tolerance is inf"));
   const Poles many = Poles::Ones(403, 3);
-  EXPECT_THAT(
-      message([&] { arcLength(BezierCurve(many), 1); }),
-      testing::HasSubstr("degree is 402: the length of a polynomial curve is known up to degree 401"));
+  EXPECT_THAT(message([&] { arcLength(BezierCurve(many), 1); }),
+              testing::HasSubstr(
+                  "degree is 402: the length of a polynomial curve is known up to degree 401"));
   EXPECT_THAT(message([&] {
                 arcLength({many.topRows(199), Eigen::VectorXd::LinSpaced(199, 1, 2)}, 1);
               }),
-              testing::HasSubstr("degree is 198: the length of a rational curve is known up to degree 197"));
+              testing::HasSubstr(
+                  "degree is 198: the length of a rational curve is known up to degree 197"));
   std::mt19937_64 random(128);
   EXPECT_EQ(message([&] { arcLength(randomCurve(401, false, random), 1e9); }), "");
   EXPECT_EQ(message([&] { arcLength(randomCurve(197, true, random), 1e9); }), "");
-  EXPECT_THAT(message([] { arcLength(cusp(), 1, 0.5, 0.25); }), testing::HasSubstr("range is 0.5 .. 0.25"));
+  EXPECT_THAT(message([] { arcLength(cusp(), 1, 0.5, 0.25); }),
+              testing::HasSubstr("range is 0.5 .. 0.25"));
   EXPECT_THAT(message([] { arcLength(cusp(), 1, 0, std::nan("")); }),
               testing::HasSubstr("range is 0 .. nan"));
   EXPECT_THAT(message([] { arcLength(cusp(), 1, -1, 1); }), testing::HasSubstr("range is -1"));
   EXPECT_THAT(message([] { parameterAtLength(cusp(), 2, 1e-9); }),
               testing::AllOf(testing::HasSubstr("length is 2"), testing::HasSubstr("0 .. 1.828")));
-  EXPECT_THAT(message([] { parameterAtLength(cusp(), -1, 1e-9); }), testing::HasSubstr("length is -1"));
+  EXPECT_THAT(message([] { parameterAtLength(cusp(), -1, 1e-9); }),
+              testing::HasSubstr("length is -1"));
   EXPECT_THAT(message([] { parameterAtLength(cusp(), std::nan(""), 1e-9); }),
               testing::HasSubstr("length is nan"));
-  EXPECT_THAT(message([] { parameterAtLength(cusp(), 1, -1); }), testing::HasSubstr("tolerance is -1"));
+  EXPECT_THAT(message([] { parameterAtLength(cusp(), 1, -1); }),
+              testing::HasSubstr("tolerance is -1"));
 }
 
 }  // namespace

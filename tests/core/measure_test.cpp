@@ -34,7 +34,8 @@ std::pair<SurfaceJet, SurfaceJet> randomPair(std::mt19937_64& random) {
 }
 
 void expectSameFigures(const PairMeasure& x, const PairMeasure& y, double tolerance, int i) {
-  ASSERT_TRUE(x.angle_rad && y.angle_rad && x.curvature && y.curvature && x.gap_mm && y.gap_mm) << i;
+  ASSERT_TRUE(x.angle_rad && y.angle_rad && x.curvature && y.curvature && x.gap_mm && y.gap_mm)
+      << i;
   EXPECT_NEAR(*x.gap_mm, *y.gap_mm, tolerance) << i;
   EXPECT_NEAR(*x.angle_rad, *y.angle_rad, tolerance) << i;
   EXPECT_NEAR(x.curvature->difference_per_mm, y.curvature->difference_per_mm, 10 * tolerance) << i;
@@ -45,7 +46,8 @@ TEST(MeasurePair, Identity1SwappingTheSidesChangesNothing) {
   for (int i = 0; i < cases; ++i) {
     const auto [a, b] = randomPair(random);
     expectSameFigures(measure(a, b), measure(b, a), 1e-10, i);
-    EXPECT_NEAR(measure(a, b).curvature->norm_a_per_mm, measure(b, a).curvature->norm_b_per_mm, 1e-10);
+    EXPECT_NEAR(measure(a, b).curvature->norm_a_per_mm, measure(b, a).curvature->norm_b_per_mm,
+                1e-10);
   }
 }
 
@@ -98,8 +100,8 @@ TEST(MeasurePair, Identity5CrossedCylindersInAnyOrientation) {
     second.p = first.p;
     for (int i = 0; i < 50; ++i) {
       const Eigen::Matrix3d turn = test::randomRotation(random);
-      const PairMeasure pair =
-          measure(test::mapped(first, turn), test::mapped(i % 2 ? second : test::flipped(second), turn));
+      const PairMeasure pair = measure(test::mapped(first, turn),
+                                       test::mapped(i % 2 ? second : test::flipped(second), turn));
       EXPECT_NEAR(pair.curvature->difference_per_mm, std::sin(phi) / R, 1e-15) << degrees;
       EXPECT_NEAR(pair.curvature->norm_a_per_mm, 1 / R, 1e-15);
       EXPECT_NEAR(relativeDifference(*pair.curvature, 1e5), std::sin(phi), 1e-13) << degrees;
@@ -121,8 +123,8 @@ TEST(MeasurePair, Identity6TouchingSpheres) {
   }
 }
 
-/// Sides of a seam along x whose graphs over their tangent planes have random curvature and change of
-/// curvature; the planes meet at a small angle about x.
+/// Sides of a seam along x whose graphs over their tangent planes have random curvature and change
+/// of curvature; the planes meet at a small angle about x.
 struct ThirdOrderPair {
   SidePoint a, b;
   double change_a, change_b;  ///< f_bbb in the direction +y
@@ -143,11 +145,13 @@ ThirdOrderPair randomThirdOrderPair(std::mt19937_64& random) {
   ThirdOrderPair pair{};
   pair.a = side(pair.change_a);
   pair.b = side(pair.change_b);
-  pair.b.jet = test::mapped(pair.b.jet, rotationAbout({1, 0, 0}, 0.1 * test::randomVector(random).x()));
+  pair.b.jet =
+      test::mapped(pair.b.jet, rotationAbout({1, 0, 0}, 0.1 * test::randomVector(random).x()));
   return pair;
 }
 
-SidePoint mapped(SidePoint point, const Eigen::Matrix3d& map, const Vec& translation = Vec::Zero()) {
+SidePoint mapped(SidePoint point, const Eigen::Matrix3d& map,
+                 const Vec& translation = Vec::Zero()) {
   point.jet = test::mapped(point.jet, map, translation);
   point.tangent = map * point.tangent;
   return point;
@@ -165,8 +169,8 @@ SidePoint reversed(SidePoint point) {
   return point;
 }
 
-void expectChange(const PairMeasure& pair, double difference, double change_a, double change_b, double noise,
-                  int i) {
+void expectChange(const PairMeasure& pair, double difference, double change_a, double change_b,
+                  double noise, int i) {
   ASSERT_TRUE(pair.curvature_change) << i;
   EXPECT_NEAR(pair.curvature_change->difference_per_mm2, std::abs(difference), noise) << i;
   EXPECT_NEAR(pair.curvature_change->change_a_per_mm2, std::abs(change_a), noise) << i;
@@ -182,10 +186,12 @@ TEST(CurvatureChangeOfAPair, Identities1And2SwapReversalAndFlips) {
     const double difference = change_b - change_a;
     expectChange(measurePair(a, b), difference, change_a, change_b, change_noise, i);
     expectChange(measurePair(b, a), difference, change_b, change_a, change_noise, i);
-    expectChange(measurePair(reversed(a), reversed(b)), difference, change_a, change_b, change_noise, i);
+    expectChange(measurePair(reversed(a), reversed(b)), difference, change_a, change_b,
+                 change_noise, i);
     expectChange(measurePair(flipped(a), b), difference, change_a, change_b, change_noise, i);
     expectChange(measurePair(a, flipped(b)), difference, change_a, change_b, change_noise, i);
-    expectChange(measurePair(flipped(a), flipped(b)), difference, change_a, change_b, change_noise, i);
+    expectChange(measurePair(flipped(a), flipped(b)), difference, change_a, change_b, change_noise,
+                 i);
   }
 }
 
@@ -245,11 +251,13 @@ TEST(MeasurePair, AngleIsAccurateFromRoundingToARightAngle) {
 }
 
 TEST(MeasurePair, TurningAboutTheSeamLeavesTheCurvatureDifference) {
-  // Parabolic cylinder along the seam x; the other side is the same surface turned about x: no curvature jump in x.
+  // Parabolic cylinder along the seam x; the other side is the same surface turned about x: no
+  // curvature jump in x.
   const SurfaceJet a = test::quadric(0.3, 0, 0);
   for (const double angle : {0.0, 0.01, 0.05})
-    EXPECT_NEAR(measure(a, test::mapped(a, rotationAbout({1, 0, 0}, angle))).curvature->difference_per_mm, 0,
-                1e-15);
+    EXPECT_NEAR(
+        measure(a, test::mapped(a, rotationAbout({1, 0, 0}, angle))).curvature->difference_per_mm,
+        0, 1e-15);
 }
 
 TEST(MeasurePair, FoldIsToldFromASmoothJoinInEveryOrientation) {
@@ -258,7 +266,8 @@ TEST(MeasurePair, FoldIsToldFromASmoothJoinInEveryOrientation) {
   for (int i = 0; i < cases; ++i) {
     const Eigen::Matrix3d turn = test::randomRotation(random);
     const bool flip_a = i & 1, flip_b = i & 2, mirror = i & 4, backwards = i & 8;
-    // Face a lies at y > 0; the seam runs along +x with it on the left. Flipping the normal exchanges left and right.
+    // Face a lies at y > 0; the seam runs along +x with it on the left. Flipping the normal
+    // exchanges left and right.
     const Vec seam = backwards ? Vec(-1, 0, 0) : Vec(1, 0, 0);
     Eigen::Matrix3d map = turn;
     if (mirror) map.col(2) = -map.col(2);

@@ -16,7 +16,8 @@ std::vector<FillSide> square() {
 }
 
 template <class Matcher>
-void expectRefused(const std::vector<FillSide>& sides, const Matcher& message, FillOptions options = {}) {
+void expectRefused(const std::vector<FillSide>& sides, const Matcher& message,
+                   FillOptions options = {}) {
   EXPECT_THAT([&] { nSidedFill(sides, options); }, ThrowsMessage<std::invalid_argument>(message));
 }
 
@@ -53,11 +54,12 @@ TEST(NSidedFillLimits, Edges) {
 }
 
 TEST(NSidedFillLimits, CrossBoundaryDerivatives) {
-  for (double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+  for (double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     std::vector<FillSide> sides = square();
     (*sides[2].cross)(3, 1) = bad;
-    expectRefused(
-        sides, HasSubstr("side 2: coefficient 3 of the cross field is " + std::string(bad > 0 ? "inf" : "")));
+    expectRefused(sides, HasSubstr("side 2: coefficient 3 of the cross field is " +
+                                   std::string(bad > 0 ? "inf" : "")));
   }
   std::vector<FillSide> sides = square();
   sides[2].cross = Poles(0, 3);
@@ -87,13 +89,15 @@ TEST(NSidedFillLimits, TangentPlanesOfACornerDiffer) {
 
 // An L with its inner corner at the origin, then with straight sides there.
 TEST(NSidedFillLimits, AnglesOfPiAndMore) {
-  const std::vector<Eigen::Vector2d> bent = {{0, 0}, {0, 10}, {-10, 10}, {-10, -10}, {10, -10}, {10, 0}};
-  expectRefused(test::graphHole(test::plane(), bent),
-                AllOf(HasSubstr("corner 0: the angle of the hole is 266.76"), HasSubstr("split the hole")));
-  const std::vector<Eigen::Vector2d> straight = {{0, 0}, {10, 0}, {10, 10}, {-10, 10}, {-10, 0}};
+  const std::vector<Eigen::Vector2d> bent = {{0, 0},     {0, 10},   {-10, 10},
+                                             {-10, -10}, {10, -10}, {10, 0}};
   expectRefused(
-      test::graphHole(test::plane(), straight),
-      AllOf(HasSubstr("corner 0: the angle of the hole is 180 degrees"), HasSubstr("merge the two sides")));
+      test::graphHole(test::plane(), bent),
+      AllOf(HasSubstr("corner 0: the angle of the hole is 266.76"), HasSubstr("split the hole")));
+  const std::vector<Eigen::Vector2d> straight = {{0, 0}, {10, 0}, {10, 10}, {-10, 10}, {-10, 0}};
+  expectRefused(test::graphHole(test::plane(), straight),
+                AllOf(HasSubstr("corner 0: the angle of the hole is 180 degrees"),
+                      HasSubstr("merge the two sides")));
   std::vector<FillSide> free = test::graphHole(test::plane(), straight);
   for (FillSide& side : free) side.cross.reset();
   expectRefused(free, HasSubstr("merge the two sides"));
@@ -106,7 +110,8 @@ TEST(NSidedFillLimits, CrossFieldPointsIntoTheHole) {
   expectRefused(sides, HasSubstr("split the hole"));
   sides = square();
   sides[1].cross = -*sides[1].cross;
-  expectRefused(sides, HasSubstr("corner 1: the tangent planes of its sides differ by 180 degrees"));
+  expectRefused(sides,
+                HasSubstr("corner 1: the tangent planes of its sides differ by 180 degrees"));
 }
 
 TEST(ProvedRegular, FlatFoldedAndCollapsedPatches) {

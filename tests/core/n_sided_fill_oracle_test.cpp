@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Fills known to 40 digits, each one of many (tests/data/fills.json, made with multi-precision arithmetic).
+// Fills known to 40 digits, each one of many (tests/data/fills.json, made with multi-precision
+// arithmetic).
 #include <gmock/gmock.h>
 
 #include <Eigen/QR>
@@ -43,7 +44,8 @@ Poles listed(const json& patches) {
 
 TEST_P(FillOracle, ListedPatchesAreAmongThoseChosenFrom) {
   const int degree = GetParam()["mode"];
-  const fill::CrossBoundaryDerivatives fields = fill::crossBoundaryDerivatives(sides_, law_, degree, 0);
+  const fill::CrossBoundaryDerivatives fields =
+      fill::crossBoundaryDerivatives(sides_, law_, degree, 0);
   const fill::FillSpace space = fill::fillSpace(sides_, fields, law_, degree);
   const Poles wanted = listed(GetParam()["patches"]);
   ASSERT_EQ(wanted.rows(), space.constants.rows());
@@ -56,7 +58,8 @@ TEST_P(FillOracle, ListedPatchesAreAmongThoseChosenFrom) {
 
 TEST_P(FillOracle, NumberOfFreePoints) {
   const int degree = GetParam()["mode"];
-  const fill::CrossBoundaryDerivatives fields = fill::crossBoundaryDerivatives(sides_, law_, degree, 0);
+  const fill::CrossBoundaryDerivatives fields =
+      fill::crossBoundaryDerivatives(sides_, law_, degree, 0);
   const fill::FillSpace space = fill::fillSpace(sides_, fields, law_, degree);
   const int four = n_ == 4 ? 1 : 0;
   EXPECT_EQ(space.coefficients.cols(), degree == 4 ? 3 + 3 * n_ + four : 3 + 7 * n_ + 5 * four);
@@ -73,8 +76,11 @@ TEST_P(FillOracle, CornersAreExact) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, FillOracle, testing::ValuesIn(test::dataCases("fills.json", "fill")),
-                         [](const auto& hole) { return hole.param["id"].template get<std::string>(); });
+INSTANTIATE_TEST_SUITE_P(Cases, FillOracle,
+                         testing::ValuesIn(test::dataCases("fills.json", "fill")),
+                         [](const auto& hole) {
+                           return hole.param["id"].template get<std::string>();
+                         });
 
 class FillMismatch : public testing::TestWithParam<SpokeLaw> {
  protected:
@@ -129,7 +135,8 @@ TEST_P(FillMismatch, BoundIsThatOfTheTheory) {
   EXPECT_LT(fill_.corners[1].angle_bound_rad, 2 * theory);
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, FillMismatch, testing::Values(SpokeLaw::Linear, SpokeLaw::Quadratic));
+INSTANTIATE_TEST_SUITE_P(Laws, FillMismatch,
+                         testing::Values(SpokeLaw::Linear, SpokeLaw::Quadratic));
 
 }  // namespace
 }  // namespace seamwright

@@ -38,8 +38,8 @@ double coonsError(const std::vector<FillSide>& sides, const test::Graph& graph) 
         const double u = i / 16.0, v = j / 16.0;
         const Vector3d ruled = (1 - v) * (centre + u * (a - centre)) + v * top.point((1 - u) / 2) +
                                (1 - u) * (centre + v * (b - centre)) + u * right.point((1 + v) / 2);
-        const Vector3d point =
-            ruled - ((1 - u) * (1 - v) * centre + u * (1 - v) * a + (1 - u) * v * b + u * v * corner);
+        const Vector3d point = ruled - ((1 - u) * (1 - v) * centre + u * (1 - v) * a +
+                                        (1 - u) * v * b + u * v * corner);
         worst = std::max(worst, std::abs(point.z() - test::at(graph, point.head<2>()).value));
       }
   }
@@ -65,7 +65,8 @@ class FillOfGraph : public testing::TestWithParam<int> {
   }
 };
 
-// The map of the unit squares to a regular polygon is bilinear, so these surfaces have vanishing third differences.
+// The map of the unit squares to a regular polygon is bilinear, so these surfaces have vanishing
+// third differences.
 TEST_P(FillOfGraph, QuadraticSurfacesOverRegularPolygonsAreReproduced) {
   for (const test::Graph& graph :
        {test::plane(), test::paraboloid(-0.1, -0.1), test::paraboloid(0.1, -0.1)}) {
@@ -79,7 +80,8 @@ TEST_P(FillOfGraph, QuadraticSurfacesOverRegularPolygonsAreReproduced) {
 TEST_P(FillOfGraph, PlanarSidesHaveAPlanarFill) {
   for (SpokeLaw law : {SpokeLaw::Linear, SpokeLaw::Quadratic})
     for (int order : {2, 3}) {
-      const NSidedFill fill = nSidedFill(skew(test::plane()), {.law = law, .fairness_order = order});
+      const NSidedFill fill =
+          nSidedFill(skew(test::plane()), {.law = law, .fairness_order = order});
       EXPECT_LT(error(fill.patches, test::plane()), 1e-12);
       EXPECT_TRUE(fill.regular);
     }
@@ -88,7 +90,8 @@ TEST_P(FillOfGraph, PlanarSidesHaveAPlanarFill) {
 TEST_P(FillOfGraph, SphereAndTorusAreMetFarBetterThanByCoonsPatches) {
   for (const test::Graph& graph : {test::sphere(20), test::torus(20, 15)})
     for (const std::vector<FillSide>& sides : {hole(graph), skew(graph)}) {
-      const double found = error(nSidedFill(sides).patches, graph), coons = coonsError(sides, graph);
+      const double found = error(nSidedFill(sides).patches, graph),
+                   coons = coonsError(sides, graph);
       RecordProperty("error_um", static_cast<int>(1000 * found));
       RecordProperty("coons_um", static_cast<int>(1000 * coons));
       EXPECT_LT(found, coons / 5);
@@ -103,13 +106,16 @@ TEST_P(FillOfGraph, NoDentAtTheCentre) {
     const BezierPatch& patch = cap.patches[0];
     EXPECT_GT(patch.jet(0, 0).u.cross(patch.jet(0, 0).v).z(), 0);
     const double highest = patch.point(0, 0).z();
-    for (const FillSide& side : hole(test::sphere(20))) EXPECT_LT(side.edge.point(0.5).z(), highest);
+    for (const FillSide& side : hole(test::sphere(20)))
+      EXPECT_LT(side.edge.point(0.5).z(), highest);
     EXPECT_TRUE(cap.regular);
   }
 }
 
 TEST_P(FillOfGraph, CurvatureAtTheCentreIsThatOfTheSurface) {
-  const auto of = [&](const test::Graph& graph) { return curvatureAtCentre(nSidedFill(hole(graph))); };
+  const auto of = [&](const test::Graph& graph) {
+    return curvatureAtCentre(nSidedFill(hole(graph)));
+  };
   const PrincipalCurvatures cap = of(test::sphere(20));
   EXPECT_NEAR(cap.k1, -0.05, 0.011);
   EXPECT_NEAR(cap.k2, -0.05, 0.011);
@@ -120,10 +126,12 @@ TEST_P(FillOfGraph, CurvatureAtTheCentreIsThatOfTheSurface) {
   EXPECT_NEAR(std::min(saddle.k1, saddle.k2), -0.1, 1e-10);
 }
 
-// The spokes begin along a star of vectors sum_j cos(2 pi (k - j) / n) M_j, with M_j the middles of the sides.
+// The spokes begin along a star of vectors sum_j cos(2 pi (k - j) / n) M_j, with M_j the middles of
+// the sides.
 TEST_P(FillOfGraph, PrescribedSpokes) {
   const std::vector<FillSide> sides = skew(test::sphere(20));
-  const fill::CrossBoundaryDerivatives fields = fill::crossBoundaryDerivatives(sides, SpokeLaw::Linear, 6, 0);
+  const fill::CrossBoundaryDerivatives fields =
+      fill::crossBoundaryDerivatives(sides, SpokeLaw::Linear, 6, 0);
   const fill::FillSpace space = fill::fillSpace(sides, fields, SpokeLaw::Linear, 6);
   const fill::Fairest fairest = fill::fairest(space, 3, std::nullopt);
   for (double scale : {0.5, 1.4}) {
@@ -133,7 +141,8 @@ TEST_P(FillOfGraph, PrescribedSpokes) {
     for (int k = 0; k < n_; ++k) {
       Vector3d star = Vector3d::Zero();
       for (int j = 0; j < n_; ++j)
-        star += std::cos(2 * std::numbers::pi * (k - j) / n_) * sides[j].edge.point(0.5) * 2 * scale / n_;
+        star += std::cos(2 * std::numbers::pi * (k - j) / n_) * sides[j].edge.point(0.5) * 2 *
+                scale / n_;
       EXPECT_LT((patches[k].jet(0, 0).v - star).norm(), 1e-11);
     }
   }

@@ -34,7 +34,8 @@ class RandomFill : public testing::TestWithParam<std::tuple<int, SpokeLaw, doubl
   int n_ = std::get<0>(GetParam());
   SpokeLaw law_ = std::get<1>(GetParam());
   double ratio_ = std::get<2>(GetParam());
-  std::mt19937_64 random_{static_cast<std::uint64_t>(100 * n_ + (law_ == SpokeLaw::Linear ? 0 : 1))};
+  std::mt19937_64 random_{
+      static_cast<std::uint64_t>(100 * n_ + (law_ == SpokeLaw::Linear ? 0 : 1))};
   std::vector<FillSide> sides_ = test::randomHole(n_, ratio_, random_);
 
   NSidedFill filled(const std::vector<FillSide>& sides, int order = 3) const {
@@ -79,7 +80,8 @@ TEST_P(RandomFill, ConnectionsAreThoseReported) {
   for (int k = 0; k < n_; ++k)
     for (double t : {0.0, 0.2, 0.5, 0.9, 1.0}) {
       const SurfaceJet a = fill.patches[k].jet(0, t), b = fill.patches[(k + 1) % n_].jet(t, 0);
-      const Vector3d wanted = -test::value(fill.spoke.alpha, t) * a.u + test::value(fill.spoke.beta, t) * a.v;
+      const Vector3d wanted =
+          -test::value(fill.spoke.alpha, t) * a.u + test::value(fill.spoke.beta, t) * a.v;
       EXPECT_LT((b.v - wanted).norm(), 1e-11 * (b.v.norm() + wanted.norm()));
       for (int half : {0, 1}) {
         const Connection& join = (*fill.sides[k])[half];
@@ -87,7 +89,8 @@ TEST_P(RandomFill, ConnectionsAreThoseReported) {
         const SurfaceJet ours =
             half == 0 ? fill.patches[k].jet(1 - t, 1) : fill.patches[(k + 1) % n_].jet(1, t);
         const Vector3d out = half == 0 ? ours.v : ours.u;
-        const Vector3d into = -test::value(join.alpha, t) * beyond.u + test::value(join.beta, t) * beyond.v;
+        const Vector3d into =
+            -test::value(join.alpha, t) * beyond.u + test::value(join.beta, t) * beyond.v;
         EXPECT_LT((out + into).norm(), 1e-11 * (1 + out.norm()));
         EXPECT_GT(test::value(join.alpha, t), 0);
       }
@@ -103,9 +106,10 @@ TEST_P(RandomFill, Law3MotionScaleAndNumbering) {
     const NSidedFill other = filled(moved);
     EXPECT_EQ(other.spoke_scale, fill.spoke_scale);
     for (int k = 0; k < n_; ++k)
-      EXPECT_LT(
-          (other.patches[k].poles() - move.points(fill.patches[(k + 1) % n_].poles())).cwiseAbs().maxCoeff(),
-          1e-9 * scale);
+      EXPECT_LT((other.patches[k].poles() - move.points(fill.patches[(k + 1) % n_].poles()))
+                    .cwiseAbs()
+                    .maxCoeff(),
+                1e-9 * scale);
     EXPECT_NEAR(other.fairness_mm2, fill.fairness_mm2 * scale * scale,
                 1e-9 * fill.fairness_mm2 * scale * scale);
   }
@@ -143,7 +147,8 @@ INSTANTIATE_TEST_SUITE_P(Holes, RandomFill,
                                           testing::Values(1.0, 50.0)),
                          [](const auto& hole) {
                            return std::to_string(std::get<0>(hole.param)) +
-                                  (std::get<1>(hole.param) == SpokeLaw::Linear ? "linear" : "quadratic") +
+                                  (std::get<1>(hole.param) == SpokeLaw::Linear ? "linear"
+                                                                               : "quadratic") +
                                   (std::get<2>(hole.param) > 1 ? "short" : "");
                          });
 
@@ -157,9 +162,11 @@ TEST(NSidedFill, Law4SymmetricHole) {
       const BezierPatch &patch = fill.patches[k], &next = fill.patches[(k + 1) % n];
       EXPECT_LT((next.poles() - turn.points(patch.poles())).cwiseAbs().maxCoeff(), 1e-11) << n;
       // The mirror through the z axis and corner k exchanges u and v.
-      const Vector3d normal = Eigen::AngleAxisd(angle * (k + 0.5), Vector3d::UnitZ()) * Vector3d::UnitY();
+      const Vector3d normal =
+          Eigen::AngleAxisd(angle * (k + 0.5), Vector3d::UnitZ()) * Vector3d::UnitY();
       const Move mirror{Matrix3d::Identity() - 2 * normal * normal.transpose()};
-      EXPECT_LT((patch.transposed().poles() - mirror.points(patch.poles())).cwiseAbs().maxCoeff(), 1e-11)
+      EXPECT_LT((patch.transposed().poles() - mirror.points(patch.poles())).cwiseAbs().maxCoeff(),
+                1e-11)
           << n;
     }
   }
@@ -216,7 +223,8 @@ TEST(NSidedFill, SidesOfPositionAlone) {
           EXPECT_LE(fill.fairness_mm2, last * (1 + 1e-9)) << n;
           last = fill.fairness_mm2;
         }
-        for (int k = 0; k < n; k += 2) EXPECT_LT(*test::spokeFigures(fill, k).angle_rad->upper, 1e-9) << n;
+        for (int k = 0; k < n; k += 2)
+          EXPECT_LT(*test::spokeFigures(fill, k).angle_rad->upper, 1e-9) << n;
         for (int k = 0; k < n; ++k) {
           EXPECT_EQ(fill.sides[k].has_value(), k >= free);
           EXPECT_TRUE(fill.corners[k].exact);
@@ -237,10 +245,10 @@ TEST(NSidedFill, PositionAloneKeepsSymmetry) {
   for (int k = 0; k < 4; ++k)
     EXPECT_LT(
         difference(fill.patches[k],
-                   BezierPatch(
-                       6, 6,
-                       Move{Eigen::AngleAxisd(k * std::numbers::pi / 2, Vector3d::UnitZ()).toRotationMatrix()}
-                           .points(fill.patches[0].poles()))),
+                   BezierPatch(6, 6,
+                               Move{Eigen::AngleAxisd(k * std::numbers::pi / 2, Vector3d::UnitZ())
+                                        .toRotationMatrix()}
+                                   .points(fill.patches[0].poles()))),
         1e-10);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Nearest joins of curves at the limits: far apart, backwards, straight, of any size; and what is refused.
+// Nearest joins of curves at the limits: far apart, backwards, straight, of any size; and what is
+// refused.
 #include <gmock/gmock.h>
 
 #include <seamwright/core/join/beta.hpp>
@@ -72,7 +73,9 @@ TEST(NearestCurve, StraightLines) {
 TEST(NearestCurve, AnySize) {
   for (const double scale : {1e-100, 1e-12, 1e12, 1e100}) {
     const Pair pair = kinked(0.4);
-    const auto scaled = [&](const BezierCurve& curve) { return BezierCurve(scale * curve.poles()); };
+    const auto scaled = [&](const BezierCurve& curve) {
+      return BezierCurve(scale * curve.poles());
+    };
     const Join plain = nearestJoin(pair.a, pair.b, pair.options);
     const Join join = nearestJoin(scaled(pair.a), scaled(pair.b), pair.options);
     EXPECT_EQ(join.status, NearestCurveStatus::Solved) << join.reason;
@@ -126,7 +129,8 @@ TEST(NearestCurve, Refuses) {
   for (const int order : {-1, 0, 11})
     EXPECT_THAT(refusal([&](Pair& p) { p.options.order = order; }),
                 HasSubstr("order is " + std::to_string(order)));
-  EXPECT_THAT(refusal([](Pair& p) { p.options.order = 4; }), HasSubstr("degree of a is 3, the order 4"));
+  EXPECT_THAT(refusal([](Pair& p) { p.options.order = 4; }),
+              HasSubstr("degree of a is 3, the order 4"));
   EXPECT_THAT(refusal([](Pair& p) { p.options.costs_a = Eigen::Vector3d::Ones(); }),
               HasSubstr("costs_a 3, poles 4"));
   for (const double cost : {0.0, -1.0, nan, -infinity})
@@ -137,12 +141,16 @@ TEST(NearestCurve, Refuses) {
   for (const double beta1 : {0.0, -1.0, nan, infinity})
     EXPECT_THAT(refusal([&](Pair& p) { p.options.beta = Eigen::Vector2d(beta1, 0); }),
                 HasSubstr("beta_1 is "));
-  EXPECT_THAT(refusal([](Pair& p) { p.options.beta = Eigen::Vector2d(1, nan); }), HasSubstr("beta_2 is nan"));
+  EXPECT_THAT(refusal([](Pair& p) { p.options.beta = Eigen::Vector2d(1, nan); }),
+              HasSubstr("beta_2 is nan"));
   for (const double least : {0.0, 1.5, nan})
-    EXPECT_THAT(refusal([&](Pair& p) { p.options.least_beta1 = least; }), HasSubstr("least_beta1 is "));
+    EXPECT_THAT(refusal([&](Pair& p) { p.options.least_beta1 = least; }),
+                HasSubstr("least_beta1 is "));
   for (const double most : {0.5, nan, infinity})
-    EXPECT_THAT(refusal([&](Pair& p) { p.options.most_beta1 = most; }), HasSubstr("most_beta1 is "));
-  EXPECT_THAT(refusal([](Pair& p) { p.options.max_iterations = -1; }), HasSubstr("max_iterations is -1"));
+    EXPECT_THAT(refusal([&](Pair& p) { p.options.most_beta1 = most; }),
+                HasSubstr("most_beta1 is "));
+  EXPECT_THAT(refusal([](Pair& p) { p.options.max_iterations = -1; }),
+              HasSubstr("max_iterations is -1"));
   EXPECT_THAT(refusal([](Pair& p) {
                 Poles poles = p.b.poles();
                 poles.row(1) = poles.row(0);

@@ -20,14 +20,16 @@ using test::Vec;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// What moves of the poles at the joint add to its defects, by the move: the condition of a joint that is exact.
+/// What moves of the poles at the joint add to its defects, by the move: the condition of a joint
+/// that is exact.
 double sensitivity(const BezierCurve& a, const BezierCurve& b, int order) {
   constexpr double move = 1e-9;
   const double length = fitBeta(a, b, 1).length_mm;
   const auto defect = [&](const BezierCurve& x, const BezierCurve& y) {
     const CurveJoint joint = measureJoint(x, y, order);
     double worst = 0;
-    for (int k = 0; k <= order; ++k) worst = std::max(worst, joint.differences[k] * std::pow(length, k - 1));
+    for (int k = 0; k <= order; ++k)
+      worst = std::max(worst, joint.differences[k] * std::pow(length, k - 1));
     return worst;
   };
   double sum = 0;
@@ -40,7 +42,8 @@ double sensitivity(const BezierCurve& a, const BezierCurve& b, int order) {
   return sum / move;
 }
 
-/// The end's derivatives as a function of its poles, one column a pole, from curves with one pole that is not 0.
+/// The end's derivatives as a function of its poles, one column a pole, from curves with one pole
+/// that is not 0.
 Eigen::MatrixXd endMatrix(const BezierCurve& curve, double t, int order) {
   Eigen::MatrixXd matrix(order + 1, curve.degree() + 1);
   for (int i = 0; i <= curve.degree(); ++i) {
@@ -113,7 +116,8 @@ TEST(NearestCurve, Identity1Joins) {
       ASSERT_EQ(fit.beta.size(), n) << noise << ' ' << i;
       const double rounding =
           32 * eps * std::max(size(join.a), size(join.b)) * sensitivity(join.a, join.b, n);
-      for (int k = 0; k <= n; ++k) EXPECT_LT(fit.defects[k], rounding) << noise << ' ' << i << " order " << k;
+      for (int k = 0; k <= n; ++k)
+        EXPECT_LT(fit.defects[k], rounding) << noise << ' ' << i << " order " << k;
       EXPECT_LT((fit.beta - join.beta).norm(), 1e-8 * (1 + join.beta.norm())) << noise << ' ' << i;
       EXPECT_LT(join.residual, rounding);
       // The verdict can change: one pole moved across by 1e-6, at the order that it belongs to.
@@ -121,7 +125,8 @@ TEST(NearestCurve, Identity1Joins) {
       const Vec across = tangent.cross(test::randomVector(random)).normalized();
       Poles poles = join.b.poles();
       poles.row(n) += 1e-6 * across.transpose();
-      EXPECT_GT(worstDefect(join.a, BezierCurve(poles, join.b.weights()), n), 1e-8) << noise << ' ' << i;
+      EXPECT_GT(worstDefect(join.a, BezierCurve(poles, join.b.weights()), n), 1e-8)
+          << noise << ' ' << i;
     }
   EXPECT_GT(solved, 0.98 * cases);
 }
@@ -137,13 +142,14 @@ TEST(NearestCurve, Identity2NoJoinNearbyIsNearer) {
       EXPECT_LT(join.gradient, 1e-8) << i;
       const double cost = costOf(pair, join.beta);
       EXPECT_NEAR(join.cost / cost, 1, 1e-8) << noise << ' ' << i;
-      // Random steps, and for each beta both ways: steps for which the cost grows by about a thousandth.
+      // Random steps, and for each beta both ways: steps for which the cost grows by about a
+      // thousandth.
       for (int q = 0; q < 2 * n + 4; ++q) {
         Eigen::VectorXd direction = Eigen::VectorXd::Zero(n);
         for (int k = 0; k < n; ++k)
           if (q >= 2 * n || q / 2 == k)
-            direction(k) =
-                (q % 2 ? 1 : -1) * std::abs(join.beta(k)) * (q >= 2 * n ? test::randomVector(random).x() : 1);
+            direction(k) = (q % 2 ? 1 : -1) * std::abs(join.beta(k)) *
+                           (q >= 2 * n ? test::randomVector(random).x() : 1);
         for (const double step : {1e-5, 1e-4, 1e-3})
           EXPECT_GT(costOf(pair, join.beta + step * direction), cost * (1 - 1e-9))
               << noise << ' ' << i << ' ' << q;
@@ -197,8 +203,8 @@ TEST(NearestCurve, Identity4MotionScaleAndExchange) {
     const Vec by = test::randomVector(random);
     for (const double scale : {1.0, 1e-6, 1e7}) {
       const Eigen::Matrix3d map = scale * turn;
-      const Join moved =
-          nearestJoin(mapped(pair.a, map, scale * by), mapped(pair.b, map, scale * by), pair.options);
+      const Join moved = nearestJoin(mapped(pair.a, map, scale * by),
+                                     mapped(pair.b, map, scale * by), pair.options);
       EXPECT_EQ(moved.status, NearestCurveStatus::Solved) << i << moved.reason;
       EXPECT_LT(difference(moved.a, mapped(join.a, map, scale * by)), 1e-10 * scale) << i;
       EXPECT_LT(difference(moved.b, mapped(join.b, map, scale * by)), 1e-10 * scale) << i;
@@ -253,8 +259,9 @@ TEST(NearestCurve, Identity5PolesThatStay) {
 }
 
 TEST(NearestCurve, OneTangentByHand) {
-  // Unit legs at an angle, the joint staying and both ends of the legs moving: to the line of the bisector. For
-  // beta_1 = 1, x and y of Q_1 and P_2 are linear: the move is |Q_1 - P'_2| / 2 each, P'_2 mirrored at the joint.
+  // Unit legs at an angle, the joint staying and both ends of the legs moving: to the line of the
+  // bisector. For beta_1 = 1, x and y of Q_1 and P_2 are linear: the move is |Q_1 - P'_2| / 2 each,
+  // P'_2 mirrored at the joint.
   for (const double angle : {1e-6, 0.1, 1.0, 1.5}) {
     Pair pair = kinked(angle);
     pair.options.costs_a = Eigen::Vector4d(1, 1, 1, infinity);
@@ -322,7 +329,8 @@ TEST(NearestCurve, GivenBetas) {
   }
 }
 
-BSplineCurve splineOf(int degree, const std::vector<double>& inner, std::mt19937_64& random, bool rational) {
+BSplineCurve splineOf(int degree, const std::vector<double>& inner, std::mt19937_64& random,
+                      bool rational) {
   BSplineCurve curve;
   curve.degree = degree;
   curve.knots.assign(degree + 1, inner.front());
@@ -363,14 +371,17 @@ TEST(NearestCurve, SplinesJoin) {
     const BSplineCurve a = splineOf(degree, {0, 0.3, 0.4, 1}, random, i % 2);
     BSplineCurve b = splineOf(degree + 1, {5, 7, 7.5, 9, 11}, random, i % 3 == 0);
     const Vec shift = derivatives(a, 1, 0).row(0).transpose() + 0.1 * test::randomVector(random);
-    for (int k = 0; k < b.count(); ++k) b.poles.row(k).head<3>() += b.poles(k, 3) * shift.transpose();
+    for (int k = 0; k < b.count(); ++k)
+      b.poles.row(k).head<3>() += b.poles(k, 3) * shift.transpose();
     const auto join = nearestJoin(a, b, optionsOf(n, static_cast<Moves>(i / 8 % 3)));
     if (join.status != NearestCurveStatus::Solved) continue;
     ++solved;
-    const double bend = arcLengthDerivatives(derivatives(join.a, 1, n))->rowwise().norm().maxCoeff();
+    const double bend =
+        arcLengthDerivatives(derivatives(join.a, 1, n))->rowwise().norm().maxCoeff();
     EXPECT_LT(defectOf(join.a, join.b, n), 1e-10 * (1 + bend)) << i;
     EXPECT_EQ(join.a.poles.topRows(a.count() - n - 1), a.poles.topRows(a.count() - n - 1)) << i;
-    EXPECT_EQ(join.b.poles.bottomRows(b.count() - n - 1), b.poles.bottomRows(b.count() - n - 1)) << i;
+    EXPECT_EQ(join.b.poles.bottomRows(b.count() - n - 1), b.poles.bottomRows(b.count() - n - 1))
+        << i;
     EXPECT_EQ(join.a.knots, a.knots);
     BSplineCurve off = join.b;
     off.poles(n, 1) += 1e-6 * off.poles(n, 3);

@@ -29,11 +29,13 @@ struct Pair {
 
 inline BezierCurve perturbed(const BezierCurve& curve, double by, std::mt19937_64& random) {
   Poles poles = curve.poles();
-  for (Eigen::Index i = 0; i < poles.rows(); ++i) poles.row(i) += by * test::randomVector(random).transpose();
+  for (Eigen::Index i = 0; i < poles.rows(); ++i)
+    poles.row(i) += by * test::randomVector(random).transpose();
   return {poles, curve.weights()};
 }
 
-/// The halves of one curve, each moved by noise: of odd number rational; all orders to 4 and all moves occur.
+/// The halves of one curve, each moved by noise: of odd number rational; all orders to 4 and all
+/// moves occur.
 inline Pair pairOf(int i, double noise, std::mt19937_64& random) {
   const int order = 1 + i % 4, degree = order + i / 4 % 3;
   Poles poles(degree + 1, 3);
@@ -73,7 +75,8 @@ inline double bend(const BezierCurve& a, const BezierCurve& b, int order) {
   const double length = fitBeta(a, b, 1).length_mm;
   const CurveJoint joint = measureJoint(a, b, order);
   double scale = 1;
-  for (int k = 2; k <= order; ++k) scale = std::max(scale, std::pow(joint.sizes[k], 1.0 / (k - 1)) * length);
+  for (int k = 2; k <= order; ++k)
+    scale = std::max(scale, std::pow(joint.sizes[k], 1.0 / (k - 1)) * length);
   return std::pow(scale, order - 1);
 }
 

@@ -19,7 +19,8 @@ struct Pair {
   JoinSide a, b;
 };
 
-Pair randomPair(const StripShape& left, const StripShape& right, int still, std::mt19937_64& random) {
+Pair randomPair(const StripShape& left, const StripShape& right, int still,
+                std::mt19937_64& random) {
   std::uniform_int_distribution<int> edge(0, 3);
   Pair pair;
   pair.a.edge = edges[edge(random)];
@@ -82,7 +83,8 @@ Rows rowsOf(const BSplineSurface& surface) {
   Rows rows;
   const int columns = surface.countV();
   for (int i = 0; i < 3; ++i)
-    rows[i] = surface.poles.middleRows(static_cast<Eigen::Index>(i) * columns, columns).leftCols<3>();
+    rows[i] =
+        surface.poles.middleRows(static_cast<Eigen::Index>(i) * columns, columns).leftCols<3>();
   return rows;
 }
 
@@ -96,11 +98,12 @@ Rows continued(const Rows& p, int across_a, int across_b, const Connection& c, i
   const Poles along = derivative(p[0]);
   Rows q;
   q[0] = p[0];
-  const Poles first_derivative = raised(product(c.alpha, out), n) + raised(product(c.beta, along), n);
+  const Poles first_derivative =
+      raised(product(c.alpha, out), n) + raised(product(c.beta, along), n);
   q[1] = q[0] + first_derivative / l;
   if (order == 1) return q;
-  Poles by_s2 = raised(product(product(c.alpha, c.alpha), second), n) + raised(product(c.p, out), n) +
-                raised(product(c.q, along), n);
+  Poles by_s2 = raised(product(product(c.alpha, c.alpha), second), n) +
+                raised(product(c.p, out), n) + raised(product(c.q, along), n);
   by_s2 += 2 * raised(product(product(c.alpha, c.beta), derivative(out)), n);
   if (n > 1) by_s2 += raised(product(product(c.beta, c.beta), derivative(along)), n);
   q[2] = 2 * q[1] - q[0] + by_s2 / (l * (l - 1));
@@ -116,7 +119,8 @@ double squaredMove(const Rows& from, const Rows& to, int order) {
 Rows moved(const Rows& rows, double size, std::mt19937_64& random) {
   Rows result = rows;
   for (Poles& row : result)
-    for (Eigen::Index j = 0; j < row.rows(); ++j) row.row(j) += size * test::randomVector(random).transpose();
+    for (Eigen::Index j = 0; j < row.rows(); ++j)
+      row.row(j) += size * test::randomVector(random).transpose();
   return result;
 }
 
@@ -145,7 +149,8 @@ TEST(NearestJoin, HoldsAlongTheWholeSeamAndIsNearest) {  // (1), (2)
   }
 }
 
-// The joins near the result, built from rows of a and connection functions by another way, are all farther.
+// The joins near the result, built from rows of a and connection functions by another way, are all
+// farther.
 TEST(NearestJoin, NoJoinNearbyIsNearer) {  // (2)
   std::mt19937_64 random(12);
   for (int round = 0; round < 60; ++round) {
@@ -181,7 +186,8 @@ TEST(NearestJoin, NoJoinNearbyIsNearer) {  // (2)
 }
 
 TEST(NearestJoin,
-     AHeldConnectionNearbyCostsMore) {  // (2), with weights, fixed poles, rational surfaces and knots
+     AHeldConnectionNearbyCostsMore) {  // (2), with weights, fixed poles, rational surfaces and
+                                        // knots
   std::mt19937_64 random(13);
   std::uniform_real_distribution<double> weight(0.2, 5);
   for (int round = 0; round < 48; ++round) {
@@ -201,7 +207,8 @@ TEST(NearestJoin,
     const int columns = pair.a.surface.countV();
     const bool at_end = pair.a.edge == PatchEdge::U1 || pair.a.edge == PatchEdge::V1;
     const int row = pair.b.moves ? round % 3 : 3, from_begin = at_end ? 3 - row : row;
-    pair.a.fixed[across == SurfaceDirection::U ? from_begin * columns + 1 : columns + from_begin] = true;
+    pair.a.fixed[across == SurfaceDirection::U ? from_begin * columns + 1 : columns + from_begin] =
+        true;
     const NearestJoin join = nearestJoin(pair.a, pair.b, {.order = order});
     SCOPED_TRACE("round " + std::to_string(round));
     ASSERT_EQ(join.status, NearestStatus::Joined);
@@ -214,7 +221,8 @@ TEST(NearestJoin,
         held.e2 = join.connection.e2 / join.connection.e0(0);
       }
       const NearestJoin other = nearestJoin(pair.a, pair.b, {.order = order, .held = held});
-      if (other.status == NearestStatus::Infeasible) continue;  // the fixed pole asks for the connection
+      if (other.status == NearestStatus::Infeasible)
+        continue;  // the fixed pole asks for the connection
       EXPECT_EQ(other.status, NearestStatus::Joined);
       EXPECT_GT(other.cost, join.cost * (1 - 1e-12));
     }
@@ -231,7 +239,8 @@ TEST(NearestJoin, RigidMotionAndScaleMoveTheResultLikewise) {  // (3)
     const double scale = test::logUniform(random, -3, 3);
     const Eigen::Matrix3d map = scale * test::randomRotation(random);
     const Vec translation = 10 * scale * test::randomVector(random);
-    for (JoinSide* side : {&pair.a, &pair.b}) side->surface = test::mapped(side->surface, map, translation);
+    for (JoinSide* side : {&pair.a, &pair.b})
+      side->surface = test::mapped(side->surface, map, translation);
     const NearestJoin other = nearestJoin(pair.a, pair.b, {.order = order});
     EXPECT_EQ(other.status, NearestStatus::Joined);
     EXPECT_LT(largestDifference(other.a, test::mapped(join.a, map, translation)), 1e-9 * scale);
@@ -246,7 +255,8 @@ TEST(NearestJoin, ReversalOfTheSeamChangesNoPole) {  // (4)
   std::mt19937_64 random(15);
   for (int round = 0; round < 24; ++round) {
     const int order = 1 + round % 2;
-    const StripShape shape{3, 3, round / 4 % 2 ? std::vector<double>{0.3, 0.3, 0.3} : std::vector<double>{}};
+    const StripShape shape{
+        3, 3, round / 4 % 2 ? std::vector<double>{0.3, 0.3, 0.3} : std::vector<double>{}};
     Pair pair = randomPair(shape, shape, round / 8 % 3, random);
     const NearestJoin join = nearestJoin(pair.a, pair.b, {.order = order});
     pair.a.reversed = pair.b.reversed = true;
@@ -327,10 +337,12 @@ TEST(NearestJoin, HigherDegreesOfTheConnectionMoveNoFarther) {
     const int order = 1 + round % 2;
     Pair pair = randomPair({3, 3}, {3, 3}, round / 2 % 3, random);
     for (JoinSide* side : {&pair.a, &pair.b})
-      for (int k = 0; k < 2 * order; ++k) side->surface = elevated(side->surface, along(side->edge));
+      for (int k = 0; k < 2 * order; ++k)
+        side->surface = elevated(side->surface, along(side->edge));
     const NearestJoin natural = nearestJoin(pair.a, pair.b, {.order = order});
     const NearestJoin higher = nearestJoin(
-        pair.a, pair.b, {.order = order, .degree_alpha = 1, .degree_beta = 2, .degree_p = 2, .degree_q = 3});
+        pair.a, pair.b,
+        {.order = order, .degree_alpha = 1, .degree_beta = 2, .degree_p = 2, .degree_q = 3});
     EXPECT_EQ(higher.status, NearestStatus::Joined);
     EXPECT_LE(higher.cost, natural.cost * (1 + 1e-12));
     expectJoined(higher, pair, order, 10);

@@ -29,12 +29,14 @@ void expectJoined(const NearestJoin& join, int order) {
   }
 }
 
-/// Largest jump of the degree-th derivative of the edge u = 0 at these simple knots, in mm, by one-sided jets.
+/// Largest jump of the degree-th derivative of the edge u = 0 at these simple knots, in mm, by
+/// one-sided jets.
 double roughness(const BSplineSurface& surface, const std::vector<double>& knots) {
   double largest = 0;
   for (const double knot : knots)
-    largest = std::max(largest,
-                       (jet(surface, 0, knot).vvv - jet(surface, 0, std::nextafter(knot, 0.0)).vvv).norm());
+    largest = std::max(
+        largest,
+        (jet(surface, 0, knot).vvv - jet(surface, 0, std::nextafter(knot, 0.0)).vvv).norm());
   return largest;
 }
 
@@ -74,7 +76,8 @@ TEST(NearestJoinKnots, RaisedKnotsLeaveBetaFree) {
     const int order = 1 + round % 2;
     JoinSide a{strip({3, 4, {0.2, 0.5, 0.6}}, -1, 0.1, random)};
     JoinSide b{strip({3, 4, {0.2, 0.5, 0.6}}, 1, 0.1, random)};
-    for (JoinSide* side : {&a, &b}) side->surface = withRaisedKnots(side->surface, along(side->edge), order);
+    for (JoinSide* side : {&a, &b})
+      side->surface = withRaisedKnots(side->surface, along(side->edge), order);
     a.moves = round / 2 % 3 != 1;
     b.moves = round / 2 % 3 != 2;
     const NearestJoin join = nearestJoin(a, b, {.order = order});
@@ -90,10 +93,12 @@ TEST(NearestJoinKnots, RaisedKnotsLeaveBetaFree) {
   }
 }
 
-// A seam that is nearly straight and even has knots that cost little to smooth; a shear across them costs much without beta.
+// A seam that is nearly straight and even has knots that cost little to smooth; a shear across them
+// costs much without beta.
 TEST(NearestJoinKnots, TheSeamBecomesSmootherWhereThatIsNearer) {
   std::mt19937_64 random(24);
-  JoinSide a{strip({3, 3, {0.3, 0.6}}, -1, 1e-5, random)}, b{strip({3, 3, {0.3, 0.6}}, 1, 1e-5, random)};
+  JoinSide a{strip({3, 3, {0.3, 0.6}}, -1, 1e-5, random)},
+      b{strip({3, 3, {0.3, 0.6}}, 1, 1e-5, random)};
   for (int i = 1; i < 4; ++i)
     for (int j = 0; j < b.surface.countV(); ++j) {
       // Along the seam: v' = v + shear u, kept on the surface z(x, y) of the strips.
@@ -133,7 +138,8 @@ TEST(NearestJoinFixed, FixedPolesKeepEveryBit) {
 }
 
 TEST(NearestJoinFixed, CornersThatStayAskForTheConnection) {
-  // The poles of the first (and last) column stay on both sides, which continue each other there in C^order: alpha = 1, all else 0.
+  // The poles of the first (and last) column stay on both sides, which continue each other there in
+  // C^order: alpha = 1, all else 0.
   for (const bool both_ends : {false, true})
     for (const int order : {1, 2}) {
       std::mt19937_64 random(26);
@@ -161,7 +167,8 @@ TEST(NearestJoinFixed, CornersThatStayAskForTheConnection) {
     }
 }
 
-// Cross derivatives that stay and are nearly parallel: beta would turn the seam's tangent into them.
+// Cross derivatives that stay and are nearly parallel: beta would turn the seam's tangent into
+// them.
 TEST(NearestJoinFixed, AJoinWithoutTangentPlaneIsNone) {
   std::mt19937_64 random(31);
   JoinSide a{strip({3, 4}, -1, 0.05, random)}, b{strip({3, 4}, 1, 0.05, random)};
@@ -219,7 +226,8 @@ TEST(NearestJoinRegular, AnEdgeThatWouldCollapseIsRefused) {
   }
 }
 
-// The end v = 1 of one side is a point, so that its cross derivative is 0 there and that of the other would have to lie along the seam.
+// The end v = 1 of one side is a point, so that its cross derivative is 0 there and that of the
+// other would have to lie along the seam.
 TEST(NearestJoinRegular, ACornerThatWouldCollapseIsRefused) {
   std::mt19937_64 random(33);
   for (int round = 0; round < 24; ++round) {
@@ -259,7 +267,8 @@ TEST(NearestJoinRegular, WeightsStayPositive) {
   std::uniform_real_distribution<double> weight(0.1, 6);
   int refused = 0;
   for (int round = 0; round < 120; ++round) {
-    JoinSide a{strip({3, 2 + round % 3}, -1, 0.3, random)}, b{strip({3, 2 + round % 3}, 1, 0.3, random)};
+    JoinSide a{strip({3, 2 + round % 3}, -1, 0.3, random)},
+        b{strip({3, 2 + round % 3}, 1, 0.3, random)};
     for (JoinSide* side : {&a, &b})
       for (Eigen::Index i = 0; i < side->surface.poles.rows(); ++i)
         side->surface.poles.row(i) *= weight(random) / side->surface.poles(i, 3);
@@ -326,7 +335,8 @@ TEST(NearestJoinErrors, NameTheNumber) {
   using testing::HasSubstr, testing::ThrowsMessage;
   std::mt19937_64 random(30);
   const JoinSide a{strip({3, 3}, -1, 0.1, random)}, b{strip({3, 3}, 1, 0.1, random)};
-  const auto expectRefused = [&](const JoinSide& other, const NearestOptions& options, const char* text) {
+  const auto expectRefused = [&](const JoinSide& other, const NearestOptions& options,
+                                 const char* text) {
     EXPECT_THAT([&] { nearestJoin(a, other, options); },
                 ThrowsMessage<std::invalid_argument>(HasSubstr(text)));
   };

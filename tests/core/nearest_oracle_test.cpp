@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Nearest joins known to 40 digits (tests/data/nearest_joins.json, made with multi-precision arithmetic).
+// Nearest joins known to 40 digits (tests/data/nearest_joins.json, made with multi-precision
+// arithmetic).
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -38,8 +39,8 @@ void expectRow(const BSplineSurface& surface, int i, const json& wanted) {
   ASSERT_EQ(surface.countV(), std::ssize(wanted));
   for (int j = 0; j < surface.countV(); ++j)
     for (int d = 0; d < 3; ++d)
-      EXPECT_NEAR(surface.poles(static_cast<Eigen::Index>(i) * surface.countV() + j, d), number(wanted[j][d]),
-                  2e-11);
+      EXPECT_NEAR(surface.poles(static_cast<Eigen::Index>(i) * surface.countV() + j, d),
+                  number(wanted[j][d]), 2e-11);
 }
 
 /// P ends at the seam, Q begins there.
@@ -70,7 +71,8 @@ TEST(NearestOracle, RowAfterRow) {
     expectNear(second.connection.p, entry["expected"]["p"]);
     expectNear(second.connection.q, entry["expected"]["q"]);
     expectRow(second.b, 2, entry["expected"]["row2"]);
-    EXPECT_EQ(second.b.poles.topRows(2 * q.surface.countV()), first.b.poles.topRows(2 * q.surface.countV()));
+    EXPECT_EQ(second.b.poles.topRows(2 * q.surface.countV()),
+              first.b.poles.topRows(2 * q.surface.countV()));
   }
 }
 

@@ -12,8 +12,10 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// Few entries a row; half of the rows differ from an earlier one by no more than `apart`, others are sums of two.
-Eigen::MatrixXd system(Eigen::Index rows, Eigen::Index columns, double apart, std::mt19937& random) {
+/// Few entries a row; half of the rows differ from an earlier one by no more than `apart`, others
+/// are sums of two.
+Eigen::MatrixXd system(Eigen::Index rows, Eigen::Index columns, double apart,
+                       std::mt19937& random) {
   std::uniform_real_distribution<double> value(-1, 1);
   std::uniform_int_distribution<Eigen::Index> column(0, columns - 1);
   Eigen::MatrixXd a = Eigen::MatrixXd::Zero(rows, columns);
@@ -32,10 +34,12 @@ TEST(NetworkProjection, NearestSolutionsWhereRowsDependOnEachOther) {
     const double apart = std::pow(10.0, -trial % 5);
     SCOPED_TRACE(apart);
     const Eigen::MatrixXd a = system(40, 70, apart, random);
-    const Eigen::MatrixXd target = Eigen::MatrixXd::NullaryExpr(70, 3, [&] { return value(random); });
+    const Eigen::MatrixXd target =
+        Eigen::MatrixXd::NullaryExpr(70, 3, [&] { return value(random); });
     Eigen::VectorXd pull = Eigen::VectorXd::Ones(70);
     network::OrderedFactors factors;
-    const network::Projection found = network::project(Sparse(a.sparseView()), pull, target, factors);
+    const network::Projection found =
+        network::project(Sparse(a.sparseView()), pull, target, factors);
 
     Eigen::JacobiSVD<Eigen::MatrixXd> svd(a, Eigen::ComputeThinU | Eigen::ComputeThinV);
     svd.setThreshold(1e-12);

@@ -14,14 +14,16 @@ namespace {
 
 using nlohmann::json;
 using test::ball, test::dataCases, test::disturb, test::fan, test::function, test::grid,
-    test::largestDifference, test::mapped, test::Net, test::number, test::patch, test::regularFan, test::Vec;
+    test::largestDifference, test::mapped, test::Net, test::number, test::patch, test::regularFan,
+    test::Vec;
 
 NetworkResult joined(const Net& net, const NetworkOptions& options = {}) {
   return nearestNetwork(net.surfaces, net.seams, options);
 }
 
 Net withSurfaces(Net net, const NetworkResult& result) {
-  for (std::size_t i = 0; i < net.surfaces.size(); ++i) net.surfaces[i].surface = result.surfaces[i];
+  for (std::size_t i = 0; i < net.surfaces.size(); ++i)
+    net.surfaces[i].surface = result.surfaces[i];
   return net;
 }
 
@@ -30,7 +32,8 @@ SeamFigures figures(const NetworkResult& result, const NetworkSeam& seam) {
   tight.gap_mm = tight.angle_rad = 1e-8;  // 6e-7 degrees
   tight.curvature_rel = 1e-6;
   return encloseSeam(seamSide(result.surfaces[seam.surfaces[0]], seam.edges[0]),
-                     seamSide(result.surfaces[seam.surfaces[1]], seam.edges[1], seam.reversed), tight);
+                     seamSide(result.surfaces[seam.surfaces[1]], seam.edges[1], seam.reversed),
+                     tight);
 }
 
 void expectJoins(const NetworkResult& result, const Net& net, std::size_t i) {
@@ -154,12 +157,14 @@ TEST(Network, StarsAreRepaired) {  // (1), (5)
   EXPECT_GE(count.near, 0.95 * count.seams);
 }
 
-// Where ratios differ from end to end, degree 4 along the seams is enough; without it the move is many times the noise.
+// Where ratios differ from end to end, degree 4 along the seams is enough; without it the move is
+// many times the noise.
 TEST(Network, IrregularStarsAreRaised) {  // (1), (5)
   std::mt19937_64 random(4);
   Repaired count;
   for (const int valence : {3, 5, 6, 7})
-    for (int round = 0; round < 3; ++round) repair(irregularFan(valence, random), 0.01, random, count);
+    for (int round = 0; round < 3; ++round)
+      repair(irregularFan(valence, random), 0.01, random, count);
   EXPECT_GE(count.near, 0.95 * count.seams);
 
   Net net = irregularFan(5, random);
@@ -167,7 +172,9 @@ TEST(Network, IrregularStarsAreRaised) {  // (1), (5)
   const NetworkResult raised = joined(net), natural = joined(net, {.raise = false});
   EXPECT_EQ(raised.surfaces[0].degree_u, 4);
   EXPECT_EQ(natural.surfaces[0].degree_u, 3);
-  EXPECT_EQ(natural.status == NetworkStatus::Joined || natural.status == NetworkStatus::NotConverged, true);
+  EXPECT_EQ(
+      natural.status == NetworkStatus::Joined || natural.status == NetworkStatus::NotConverged,
+      true);
   EXPECT_GT(natural.largest_move_mm, 2 * raised.largest_move_mm);
 
   for (NetworkSurface& surface : net.surfaces)
@@ -197,26 +204,31 @@ TEST(Network, OneSeamIsANearestJoin) {  // (2)
     disturb(net, 0.05, order + 1, random);
     const NetworkResult result = joined(net);
     ASSERT_EQ(result.status, NetworkStatus::Joined);
-    const NearestJoin join = nearestJoin({net.surfaces[0].surface, PatchEdge::U1},
-                                         {net.surfaces[1].surface, PatchEdge::U0}, {.order = order});
+    const NearestJoin join =
+        nearestJoin({net.surfaces[0].surface, PatchEdge::U1},
+                    {net.surfaces[1].surface, PatchEdge::U0}, {.order = order});
     ASSERT_EQ(join.status, NearestStatus::Joined);
     EXPECT_NEAR(result.cost, join.cost, 1e-7 * join.cost);
     EXPECT_LT(largestDifference(result.surfaces[0], join.a), 1e-4 * join.largest_move_mm);
-    EXPECT_NEAR(result.seams[0].law.d(0) / result.seams[0].law.c(0), join.connection.alpha(0), 1e-5);
+    EXPECT_NEAR(result.seams[0].law.d(0) / result.seams[0].law.c(0), join.connection.alpha(0),
+                1e-5);
   }
 }
 
-// Another solution with the same laws, reached from elsewhere: the way to it is orthogonal to the move.
+// Another solution with the same laws, reached from elsewhere: the way to it is orthogonal to the
+// move.
 TEST(Network, MoveIsOrthogonalToTheSolutions) {  // (2)
   std::mt19937_64 random(7);
-  std::vector<Net> nets = {grid(3, 3, 2, random), grid(3, 2, 1, random, 2), regularFan(5, random), ball(20)};
+  std::vector<Net> nets = {grid(3, 3, 2, random), grid(3, 2, 1, random, 2), regularFan(5, random),
+                           ball(20)};
   for (Net net : nets) {
     disturb(net, 0.05, 3, random);
     const NetworkResult result = joined(net);
     ASSERT_EQ(result.status, NetworkStatus::Joined);
     Net elsewhere = net;
     disturb(elsewhere, 0.5, 3, random);
-    for (std::size_t i = 0; i < net.seams.size(); ++i) elsewhere.seams[i].held = result.seams[i].law;
+    for (std::size_t i = 0; i < net.seams.size(); ++i)
+      elsewhere.seams[i].held = result.seams[i].law;
     const NetworkResult other = joined(elsewhere);
     ASSERT_EQ(other.status, NetworkStatus::Joined);
     double product = 0;
@@ -228,7 +240,8 @@ TEST(Network, MoveIsOrthogonalToTheSolutions) {  // (2)
   }
 }
 
-// The search ends where the cost would fall by 1e-10 of it or less, which leaves poles open by more where it is all but flat.
+// The search ends where the cost would fall by 1e-10 of it or less, which leaves poles open by more
+// where it is all but flat.
 TEST(Network, RigidMotionAndScale) {  // (3)
   std::mt19937_64 random(8);
   for (Net net : {grid(3, 3, 1, random), grid(2, 3, 2, random, 2), regularFan(5, random),
@@ -246,8 +259,9 @@ TEST(Network, RigidMotionAndScale) {  // (3)
       ASSERT_EQ(of_moved.status, NetworkStatus::Joined);
       EXPECT_NEAR(of_moved.cost / (scale * scale), result.cost, 1e-6 * result.cost);
       for (std::size_t i = 0; i < net.surfaces.size(); ++i)
-        EXPECT_LT(largestDifference(of_moved.surfaces[i], mapped(result.surfaces[i], linear, offset)),
-                  1e-2 * scale * result.largest_move_mm);
+        EXPECT_LT(
+            largestDifference(of_moved.surfaces[i], mapped(result.surfaces[i], linear, offset)),
+            1e-2 * scale * result.largest_move_mm);
     }
   }
 }
@@ -261,8 +275,8 @@ BSplineSurface backwards(const BSplineSurface& surface) {
       result.poles.row(static_cast<Eigen::Index>(i) * columns + columns - 1 - j) =
           surface.poles.row(static_cast<Eigen::Index>(i) * columns + j);
   for (std::size_t k = 0; k < surface.knots_v.size(); ++k)
-    result.knots_v[k] =
-        surface.knots_v.front() + surface.knots_v.back() - surface.knots_v[surface.knots_v.size() - 1 - k];
+    result.knots_v[k] = surface.knots_v.front() + surface.knots_v.back() -
+                        surface.knots_v[surface.knots_v.size() - 1 - k];
   return result;
 }
 
@@ -340,7 +354,8 @@ TEST(Network, WhatIsFixedStays) {  // (6)
   }
 }
 
-// A row of three faces, of which the first two join: they still do when the seam between them is given.
+// A row of three faces, of which the first two join: they still do when the seam between them is
+// given.
 TEST(Network, SmoothSeamsAreKept) {
   std::mt19937_64 random(11);
   Net net = grid(3, 1, 1, random, 2);  // the rows that both seams need overlap
@@ -433,7 +448,8 @@ TEST(Network, BadInputIsRefused) {
   };
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   expectRefused(with([](Net& n) { n.surfaces[2].surface.poles(3, 1) = nan; }), "surface 2: ");
-  expectRefused(with([](Net& n) { n.surfaces[1].surface.poles.row(3) *= 2; }), "surface 1 is rational");
+  expectRefused(with([](Net& n) { n.surfaces[1].surface.poles.row(3) *= 2; }),
+                "surface 1 is rational");
   expectRefused(with([](Net& n) { n.surfaces[1].weights = Eigen::VectorXd::Ones(3); }),
                 "weights of surface 1 are 3");
   expectRefused(with([](Net& n) {
@@ -441,7 +457,8 @@ TEST(Network, BadInputIsRefused) {
                   n.surfaces[3].weights(7) = -1;
                 }),
                 "weight 7 of a move of surface 3 is -1");
-  expectRefused(with([](Net& n) { n.surfaces[1].fixed = {true}; }), "fixed poles of surface 1 are 1");
+  expectRefused(with([](Net& n) { n.surfaces[1].fixed = {true}; }),
+                "fixed poles of surface 1 are 1");
   expectRefused(with([](Net& n) { n.seams[1].surfaces[1] = 4; }), "seam 1 names surface 4 of 4");
   expectRefused(with([](Net& n) { n.seams[1].order = 3; }), "order of seam 1 is 3");
   expectRefused(with([](Net& n) { n.seams.push_back(n.seams[2]); }), "is in seam 2 and in seam 4");
@@ -549,7 +566,8 @@ TEST(NetworkOracle, Seams) {
   EXPECT_EQ(cases, 4);
 }
 
-// Constant alpha and beta over inner knots: with one multiplicity more the other side is determined.
+// Constant alpha and beta over inner knots: with one multiplicity more the other side is
+// determined.
 TEST(NetworkOracle, InnerKnots) {
   const json entry = dataCases("networks.json", "bspline_g1")[0];
   const json& input = entry["input"];

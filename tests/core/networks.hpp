@@ -20,9 +20,12 @@ struct Net {
   std::vector<NetworkSeam> seams;
 };
 
-/// The part of a surface between two knots of full multiplicity in each direction; first poles and their number.
-inline BSplineSurface part(const BSplineSurface& whole, std::array<double, 2> u, std::array<double, 2> v) {
-  const auto cut = [](const std::vector<double>& knots, int degree, std::array<double, 2> range, int& first) {
+/// The part of a surface between two knots of full multiplicity in each direction; first poles and
+/// their number.
+inline BSplineSurface part(const BSplineSurface& whole, std::array<double, 2> u,
+                           std::array<double, 2> v) {
+  const auto cut = [](const std::vector<double>& knots, int degree, std::array<double, 2> range,
+                      int& first) {
     std::vector<double> result(1, range[0]);
     first = 0;
     for (std::size_t i = 0; i < knots.size(); ++i) {
@@ -30,7 +33,8 @@ inline BSplineSurface part(const BSplineSurface& whole, std::array<double, 2> u,
       if (knots[i] >= range[0] && knots[i] <= range[1]) result.push_back(knots[i]);
     }
     // The whole has its ends degree + 1 times, inner cuts degree times.
-    if (std::count(result.begin(), result.end(), range[0]) > degree + 1) result.erase(result.begin());
+    if (std::count(result.begin(), result.end(), range[0]) > degree + 1)
+      result.erase(result.begin());
     if (std::count(result.begin(), result.end(), range[1]) < degree + 1) result.push_back(range[1]);
     first = std::max(first - 1, 0);
     return result;
@@ -47,7 +51,8 @@ inline BSplineSurface part(const BSplineSurface& whole, std::array<double, 2> u,
   return result;
 }
 
-/// One bicubic surface of class C^2 of about 10 mm by 10 mm a face, cut into m x n faces of that many spans a side and unequal width.
+/// One bicubic surface of class C^2 of about 10 mm by 10 mm a face, cut into m x n faces of that
+/// many spans a side and unequal width.
 inline Net grid(int m, int n, int spans, std::mt19937_64& random, int order = 1) {
   std::uniform_real_distribution<double> width(0.7, 1.4), height(-2, 2);
   const auto cutsOf = [&](int count) {
@@ -59,7 +64,8 @@ inline Net grid(int m, int n, int spans, std::mt19937_64& random, int order = 1)
   const auto knotsOf = [&](const std::vector<double>& cuts) {
     std::vector<double> knots(4, cuts.front());
     for (std::size_t i = 1; i < cuts.size(); ++i) {
-      for (int k = 1; k < spans; ++k) knots.push_back(std::lerp(cuts[i - 1], cuts[i], k / (1.0 * spans)));
+      for (int k = 1; k < spans; ++k)
+        knots.push_back(std::lerp(cuts[i - 1], cuts[i], k / (1.0 * spans)));
       knots.push_back(cuts[i]);
     }
     knots.insert(knots.end(), 3, cuts.back());
@@ -87,16 +93,19 @@ inline Net grid(int m, int n, int spans, std::mt19937_64& random, int order = 1)
     for (int j = 0; j < n; ++j) {
       net.surfaces.push_back({part(whole, {cuts_u[i], cuts_u[i + 1]}, {cuts_v[j], cuts_v[j + 1]})});
       const int own = i * n + j;
-      if (i > 0) net.seams.push_back({{own - n, own}, {PatchEdge::U1, PatchEdge::U0}, false, order});
-      if (j > 0) net.seams.push_back({{own - 1, own}, {PatchEdge::V1, PatchEdge::V0}, false, order});
+      if (i > 0)
+        net.seams.push_back({{own - n, own}, {PatchEdge::U1, PatchEdge::U0}, false, order});
+      if (j > 0)
+        net.seams.push_back({{own - 1, own}, {PatchEdge::V1, PatchEdge::V0}, false, order});
     }
   return net;
 }
 
-/// Bicubic faces around a vertex, all on the graph z = f(x, y) of one cubic polynomial, over quadrilaterals with corners 0, r(i), r(i) + r(i + 1)
-/// + w(i), r(i + 1), where r(i) is the end of face i's edge v = 0 and r(i + 1) that of its edge u = 0.
-inline Net fan(const std::vector<Eigen::Vector2d>& r, const std::vector<Eigen::Vector2d>& w, bool closed,
-               std::mt19937_64& random) {
+/// Bicubic faces around a vertex, all on the graph z = f(x, y) of one cubic polynomial, over
+/// quadrilaterals with corners 0, r(i), r(i) + r(i + 1) + w(i), r(i + 1), where r(i) is the end of
+/// face i's edge v = 0 and r(i + 1) that of its edge u = 0.
+inline Net fan(const std::vector<Eigen::Vector2d>& r, const std::vector<Eigen::Vector2d>& w,
+               bool closed, std::mt19937_64& random) {
   std::uniform_real_distribution<double> height(-1, 1);
   std::map<std::pair<int, int>, double> f;
   for (int i = 0; i <= 3; ++i)
@@ -153,8 +162,9 @@ inline Net regularFan(int valence, std::mt19937_64& random) {
   return fan(r, w, true, random);
 }
 
-/// A smooth closed surface of six bicubic faces, like a ball of that radius: the symmetry of the cube, and c = d = 1, e from -1 to 1 along each
-/// seam, leave two numbers free, of which one is the size and the other makes it round.
+/// A smooth closed surface of six bicubic faces, like a ball of that radius: the symmetry of the
+/// cube, and c = d = 1, e from -1 to 1 along each seam, leave two numbers free, of which one is the
+/// size and the other makes it round.
 inline Net ball(double radius) {
   const double a = radius / std::sqrt(3.0), d = 1.3 * a, b = 3 * a - 2 * d, f = (11 * b - a) / 6,
                g = (7 * d - a) / 3 - f;
@@ -207,7 +217,8 @@ inline Net ball(double radius) {
 inline void disturb(Net& net, double noise, int rows, std::mt19937_64& random) {
   std::uniform_real_distribution<double> offset(-noise, noise);
   std::vector<std::vector<bool>> near;
-  for (const NetworkSurface& surface : net.surfaces) near.emplace_back(surface.surface.poles.rows(), false);
+  for (const NetworkSurface& surface : net.surfaces)
+    near.emplace_back(surface.surface.poles.rows(), false);
   for (const NetworkSeam& seam : net.seams)
     for (int side = 0; side < 2; ++side) {
       const BSplineSurface& s = net.surfaces[seam.surfaces[side]].surface;

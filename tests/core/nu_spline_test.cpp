@@ -45,9 +45,10 @@ NuSplineData randomData(Index n, SplineEnds ends, std::mt19937_64& random, doubl
     return closed ? (inverse(0) + inverse(n - 1)) / 2 : inverse(i == 0 ? 0 : n - 1);
   };
   for (Index i = 0; i <= n; ++i)
-    data.nu.push_back(i % 4 == 0   ? 0
-                      : i % 4 == 1 ? -low * critical(i) * std::generate_canonical<double, 53>(random)
-                                   : logUniform(random, -2, 3));
+    data.nu.push_back(i % 4 == 0 ? 0
+                      : i % 4 == 1
+                          ? -low * critical(i) * std::generate_canonical<double, 53>(random)
+                          : logUniform(random, -2, 3));
   return data;
 }
 
@@ -65,13 +66,16 @@ double length(const NuSplineData& data, Index i) {
 }
 
 /// What is left of X''(+) - X''(-) = nu X' at the joint of two segments, relative to its terms.
-double jumpLeft(const BezierSpline& spline, const NuSplineData& data, Index before, Index after, double nu) {
+double jumpLeft(const BezierSpline& spline, const NuSplineData& data, Index before, Index after,
+                double nu) {
   const auto a = test::endOf(spline, before), b = test::startOf(spline, after);
   const double g = length(data, before), h = length(data, after);
   const double size = spline.poles.leftCols<3>().cwiseAbs().maxCoeff();
-  const double terms = 24 * size * (1 / (g * g) + 1 / (h * h)) + std::abs(nu) * 6 * size / std::min(g, h);
+  const double terms =
+      24 * size * (1 / (g * g) + 1 / (h * h)) + std::abs(nu) * 6 * size / std::min(g, h);
   const double first = (a.first / g - b.first / h).norm() / (6 * size * (1 / g + 1 / h));
-  return std::max(first, (b.second / (h * h) - a.second / (g * g) - nu * b.first / h).norm() / terms);
+  return std::max(first,
+                  (b.second / (h * h) - a.second / (g * g) - nu * b.first / h).norm() / terms);
 }
 
 double jumpLeft(const BezierSpline& spline, const NuSplineData& data) {
@@ -142,7 +146,8 @@ TEST(NuSpline, Identity3WithoutTensionItIsTheC2Spline) {
     const NuSpline spline = nuSpline(data);
     ASSERT_EQ(bsplineCurve(spline.curve, 2).knots.size(), data.knots.size() + 6) << k;
     data.nu[1] = 1e-3 / length(data, 0);
-    ASSERT_THAT(complaint([&] { bsplineCurve(nuSpline(data).curve, 2); }), HasSubstr("invalid: ")) << k;
+    ASSERT_THAT(complaint([&] { bsplineCurve(nuSpline(data).curve, 2); }), HasSubstr("invalid: "))
+        << k;
     ASSERT_EQ(bsplineCurve(nuSpline(data).curve, 1).degree, 3);
   }
   // A cubic polynomial is its own spline, by its end derivatives.
@@ -175,8 +180,9 @@ TEST(NuSpline, Identity4Reversed) {
     back.end_derivative = -data.start_derivative;
     double condition = 0;
     test::referenceDerivatives(test::conditionsOf(data), &condition);
-    ASSERT_LT(difference(-nuSpline(back).derivatives.colwise().reverse(), nuSpline(data).derivatives),
-              1e-14 * condition)
+    ASSERT_LT(
+        difference(-nuSpline(back).derivatives.colwise().reverse(), nuSpline(data).derivatives),
+        1e-14 * condition)
         << k;
   }
 }
@@ -258,7 +264,8 @@ TEST(NuSpline, AGammaSplineIsTheNuSplineOfItsJoints) {
       polygon.gamma.push_back(logUniform(random, -1, 0.2));
     }
     const BezierSpline gamma = gammaSpline(polygon);
-    NuSplineData data{Poles(n + 1, 3), gamma.knots, std::vector<double>(n + 1, 0.0), SplineEnds::Periodic};
+    NuSplineData data{Poles(n + 1, 3), gamma.knots, std::vector<double>(n + 1, 0.0),
+                      SplineEnds::Periodic};
     for (Index i = 0; i <= n; ++i) data.points.row(i) = gamma.poles.row(3 * i).head<3>();
     for (Index s = 0; s < n; ++s)
       data.nu[s] = 2 * (1 / polygon.lengths[s == 0 ? n - 1 : s - 1] + 1 / polygon.lengths[s]) *
@@ -289,7 +296,8 @@ TEST(NuSpline, TensionsOfAnySizeKeepTheDigitsOfEveryDerivative) {
   NuSplineData largest = randomData(5, SplineEnds::Natural, random);
   std::fill(largest.nu.begin(), largest.nu.end(), std::numeric_limits<double>::max());
   for (double& knot : largest.knots) knot *= 1e6;
-  EXPECT_TRUE(nuSpline(largest).derivatives.isZero(0)) << "tension times length beyond the range of numbers";
+  EXPECT_TRUE(nuSpline(largest).derivatives.isZero(0))
+      << "tension times length beyond the range of numbers";
 }
 
 TEST(NuSpline, CriticalTensionIsSingularAndBeyondItIsSolved) {
@@ -300,26 +308,29 @@ TEST(NuSpline, CriticalTensionIsSingularAndBeyondItIsSolved) {
     for (Index i = 0; i <= n; ++i) data.knots.push_back(static_cast<double>(i));
     data.nu.assign(n + 1, -4.0);
     data.nu.back() = 0;
-    EXPECT_THAT(
-        complaint([&] { nuSpline(data); }),
-        ContainsRegex("domain: the " + std::to_string(n) + " equations are singular: pivot [0-9]+ is "));
+    EXPECT_THAT(complaint([&] { nuSpline(data); }),
+                ContainsRegex("domain: the " + std::to_string(n) +
+                              " equations are singular: pivot [0-9]+ is "));
     for (const double nu : {-3.9, -4.1, -7.3}) {
       data.nu.assign(n + 1, nu);
       data.nu.back() = 0;
       double condition = 0;
       const auto expected = test::referenceDerivatives(test::conditionsOf(data), &condition);
       if (condition > 1e6) continue;
-      EXPECT_LT(difference(nuSpline(data).derivatives, expected.cast<double>()), 1e-14 * condition) << n;
+      EXPECT_LT(difference(nuSpline(data).derivatives, expected.cast<double>()), 1e-14 * condition)
+          << n;
     }
   }
   NuSplineData pair{test::randomPoints(2, 1, false, random), {0, 2}, {-1, -1}, SplineEnds::Natural};
-  EXPECT_THAT(complaint([&] { nuSpline(pair); }), HasSubstr("domain: the 2 equations are singular"));
+  EXPECT_THAT(complaint([&] { nuSpline(pair); }),
+              HasSubstr("domain: the 2 equations are singular"));
   for (int k = 0; k < 2000; ++k) {
     const NuSplineData data = randomData(2 + k % 9, test::all_ends[k % 3], random, 3);
     double condition = 0;
     const auto expected = test::referenceDerivatives(test::conditionsOf(data), &condition);
     if (condition > 1e8) continue;
-    ASSERT_LT(difference(nuSpline(data).derivatives, expected.cast<double>()), 1e-14 * condition) << k;
+    ASSERT_LT(difference(nuSpline(data).derivatives, expected.cast<double>()), 1e-14 * condition)
+        << k;
   }
 }
 
@@ -340,7 +351,8 @@ TEST(NuSpline, WhereTheDerivativeVanishesG2IsLost) {
   EXPECT_THAT(other.stationary, ElementsAre());
   EXPECT_EQ(orderReached(measureJoints(other.curve, 2)[0], {}), 2);
 
-  NuSplineData back{Poles(5, 3), {0, 1, 2, 3, 4}, std::vector<double>(5, 1.0), SplineEnds::Periodic};
+  NuSplineData back{
+      Poles(5, 3), {0, 1, 2, 3, 4}, std::vector<double>(5, 1.0), SplineEnds::Periodic};
   back.points << 0, 0, 0, 1, 2, 3, 4, -4, 0.5, 1, 2, 3, 0, 0, 0;
   EXPECT_THAT(nuSpline(back).stationary, ElementsAre(0, 2, 4)) << "it runs to and fro";
 
@@ -373,10 +385,12 @@ TEST(NuSpline, KnotsOfPoints) {
   points << 0, 0, 0, 3, 4, 0, 3, 4, 16, 3, 4, 15;
   EXPECT_THAT(knotsOf(points, 0), ElementsAre(0, 1, 2, 3));
   EXPECT_THAT(knotsOf(points, 1), ElementsAre(0, 5, 21, 22));
-  EXPECT_THAT(knotsOf(points), ElementsAre(0, std::sqrt(5.0), std::sqrt(5.0) + 4, std::sqrt(5.0) + 5));
+  EXPECT_THAT(knotsOf(points),
+              ElementsAre(0, std::sqrt(5.0), std::sqrt(5.0) + 4, std::sqrt(5.0) + 5));
   points.row(2) = points.row(1);
   EXPECT_THAT(knotsOf(points, 0), ElementsAre(0, 1, 2, 3));
-  EXPECT_THAT(complaint([&] { knotsOf(points); }), HasSubstr("points 1 and 2 are the same: exponent is 0.5"));
+  EXPECT_THAT(complaint([&] { knotsOf(points); }),
+              HasSubstr("points 1 and 2 are the same: exponent is 0.5"));
   EXPECT_THAT(complaint([&] { knotsOf(points, 1.5); }), HasSubstr("exponent is 1.5"));
   EXPECT_THAT(complaint([&] { knotsOf(points, std::nan("")); }), HasSubstr("exponent is nan"));
   points.row(2) << 3, 4, 1e20;
@@ -404,9 +418,12 @@ TEST(NuSpline, BadInputIsNamed) {
                 d.points.conservativeResize(2, 3);
               }),
               HasSubstr("points 2: at least 3"));
-  EXPECT_EQ(of([](NuSplineData& d) { d.knots.pop_back(); }), "invalid: knot has 4 numbers for 5 points");
-  EXPECT_EQ(of([](NuSplineData& d) { d.nu.push_back(1); }), "invalid: nu has 6 numbers for 5 points");
-  EXPECT_THAT(of([](NuSplineData& d) { d.knots[2] = d.knots[1]; }), HasSubstr("invalid: knot 2 is "));
+  EXPECT_EQ(of([](NuSplineData& d) { d.knots.pop_back(); }),
+            "invalid: knot has 4 numbers for 5 points");
+  EXPECT_EQ(of([](NuSplineData& d) { d.nu.push_back(1); }),
+            "invalid: nu has 6 numbers for 5 points");
+  EXPECT_THAT(of([](NuSplineData& d) { d.knots[2] = d.knots[1]; }),
+              HasSubstr("invalid: knot 2 is "));
   EXPECT_THAT(of([&](NuSplineData& d) { d.knots[3] = nan; }), HasSubstr("knot 3 is nan"));
   EXPECT_THAT(of([&](NuSplineData& d) { d.nu[4] = infinity; }), HasSubstr("nu 4 is inf"));
   EXPECT_THAT(of([&](NuSplineData& d) { d.points(1, 2) = nan; }), HasSubstr("point 1 is ("));
@@ -417,8 +434,10 @@ TEST(NuSpline, BadInputIsNamed) {
                 d.points(3, 0) = -1.5e308;
               }),
               ::testing::ContainsRegex("points 2 and 3, .*1.5.*, are too far apart"));
-  EXPECT_THAT(of([](NuSplineData& d) { d.ends = SplineEnds::Periodic; }), HasSubstr("point 4 is ("));
-  EXPECT_THAT(of([&](NuSplineData& d) { d.start_derivative(1) = nan; }), HasSubstr("start_derivative is ("));
+  EXPECT_THAT(of([](NuSplineData& d) { d.ends = SplineEnds::Periodic; }),
+              HasSubstr("point 4 is ("));
+  EXPECT_THAT(of([&](NuSplineData& d) { d.start_derivative(1) = nan; }),
+              HasSubstr("start_derivative is ("));
   EXPECT_THAT(of([&](NuSplineData& d) { d.end_derivative(0) = infinity; }),
               HasSubstr("end_derivative is (inf"));
   EXPECT_THAT(of([&](NuSplineData& d) {
@@ -435,7 +454,8 @@ TEST(NuSpline, KnotsWhoseRangeIsNoNumberAreRefused) {
   EXPECT_THAT(complaint([&] { nuSpline(data); }), HasSubstr("the knots range over 3.99"));
 }
 
-/// A point is stationary by one side alone: its segment before, or after, is so short that the pole is lost.
+/// A point is stationary by one side alone: its segment before, or after, is so short that the pole
+/// is lost.
 TEST(NuSpline, StationaryByOneSideAlone) {
   for (const bool before : {true, false}) {
     NuSplineData data{Poles(3, 3), {0, 1, 2}, {0, 0, 0}, SplineEnds::Clamped};

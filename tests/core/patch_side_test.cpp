@@ -11,8 +11,9 @@ namespace {
 
 constexpr double slope = 0.01;
 
-/// Height slope 4 v (1 - v) (x + x^2 / 4) over 0 <= x <= 1, or its mirror image in x = 0; it meets the level along x = 0. There its
-/// angle is atan(slope 4 v (1 - v)), largest, atan(slope), at v = 1/2.
+/// Height slope 4 v (1 - v) (x + x^2 / 4) over 0 <= x <= 1, or its mirror image in x = 0; it meets
+/// the level along x = 0. There its angle is atan(slope 4 v (1 - v)), largest, atan(slope), at v =
+/// 1/2.
 BezierPatch bent(double sense) {
   Poles poles(9, 3);
   for (int i = 0; i < 3; ++i)
@@ -44,8 +45,9 @@ TEST(PatchSide, AnyEdgeInAnySenseGivesTheSameSeam) {
   for (const PatchEdge a : edges)
     for (const PatchEdge b : edges)
       for (const bool reversed : {false, true}) {
-        const SeamFigures figures = encloseSeam(seamSide(turned(level(), a), a, reversed),
-                                                seamSide(turned(bent(1), b), b, reversed), tolerance);
+        const SeamFigures figures =
+            encloseSeam(seamSide(turned(level(), a), a, reversed),
+                        seamSide(turned(bent(1), b), b, reversed), tolerance);
         EXPECT_LE(figures.gap_mm.value().upper.value(), 1e-11);
         const Figure angle = figures.angle_rad.value();
         EXPECT_LE(angle.lower, std::atan(slope) * (1 + 1e-14));
@@ -57,8 +59,9 @@ TEST(PatchSide, AnyEdgeInAnySenseGivesTheSameSeam) {
 }
 
 TEST(PatchSide, SidesInOppositeSensesAreApart) {
-  const SeamFigures figures = encloseSeam(seamSide(level(), PatchEdge::U0, false),
-                                          seamSide(bent(1), PatchEdge::U0, true), ContinuityTolerance{});
+  const SeamFigures figures =
+      encloseSeam(seamSide(level(), PatchEdge::U0, false), seamSide(bent(1), PatchEdge::U0, true),
+                  ContinuityTolerance{});
   EXPECT_NEAR(figures.gap_mm.value().lower, 1, 1e-11);  // at the ends the edge is 1 mm long
 }
 
@@ -72,15 +75,17 @@ TEST(PatchSide, AFaceThatTurnsBackIsAFoldAtAnyEdge) {
 }
 
 TEST(PatchSide, WeightsCount) {
-  // A quarter of a cylinder of radius 2 about the y axis, from the top on, beside the level at height 2.
+  // A quarter of a cylinder of radius 2 about the y axis, from the top on, beside the level at
+  // height 2.
   Poles arc(6, 3);
   arc << 0, 0, 2, 0, 1, 2, 2, 0, 2, 2, 1, 2, 2, 0, 0, 2, 1, 0;
   Eigen::VectorXd weights(6);
   weights << 1, 1, std::sqrt(0.5), std::sqrt(0.5), 1, 1;
   Poles flat(4, 3);
   flat << -1, 0, 2, -1, 1, 2, 0, 0, 2, 0, 1, 2;
-  const SeamFigures figures = encloseSeam(seamSide(BezierPatch(1, 1, flat), PatchEdge::U1),
-                                          seamSide(BezierPatch(2, 1, arc, weights), PatchEdge::U0), {});
+  const SeamFigures figures =
+      encloseSeam(seamSide(BezierPatch(1, 1, flat), PatchEdge::U1),
+                  seamSide(BezierPatch(2, 1, arc, weights), PatchEdge::U0), {});
   EXPECT_LE(figures.angle_rad.value().upper.value(), 1e-11);
   EXPECT_NEAR(figures.curvature_per_mm.value().lower, 0.5, 1e-7);
   EXPECT_NEAR(figures.curvature_per_mm.value().upper.value(), 0.5, 1e-7);

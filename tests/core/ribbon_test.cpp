@@ -69,8 +69,8 @@ TEST(Ribbon, Identity1And3TakesTheDerivativesOfATriangle) {
         const Cross x = at(ribbon(triangle, edge, reversed, Across::Into), t);
         expectNear(x.position, jet.p);
         expectNear(x.first, step(0) * jet.u + step(1) * jet.v);
-        expectNear(x.second,
-                   step(0) * step(0) * jet.uu + 2 * step(0) * step(1) * jet.uv + step(1) * step(1) * jet.vv);
+        expectNear(x.second, step(0) * step(0) * jet.uu + 2 * step(0) * step(1) * jet.uv +
+                                 step(1) * step(1) * jet.vv);
       }
   }
 }
@@ -93,16 +93,19 @@ TEST(Ribbon, Identity2OutOfRunsTheOtherWay) {
 TEST(Ribbon, DegreesAreThoseOfTheContract) {
   std::mt19937_64 random(14);
   for (int n = 1; n <= 4; ++n) {
-    const Ribbon r = ribbon(gentleTriangle(n, false, random), TriangleEdge::L2, false, Across::Into);
+    const Ribbon r =
+        ribbon(gentleTriangle(n, false, random), TriangleEdge::L2, false, Across::Into);
     EXPECT_EQ(r.position.rows(), n + 1);
     EXPECT_EQ(r.first.rows(), n);
     EXPECT_EQ(r.second.rows(), std::max(n - 2, 0) + 1);
   }
-  EXPECT_TRUE(ribbon(gentlePatch(1, 3, false, random), PatchEdge::U0, false, Across::Into).second.isZero(0));
-  EXPECT_TRUE(
-      ribbon(gentleTriangle(1, false, random), TriangleEdge::L0, false, Across::Into).second.isZero(0));
-  EXPECT_THROW(ribbon(BezierTriangle(Poles(Poles::Ones(1, 3))), TriangleEdge::L0, false, Across::Into),
-               std::invalid_argument);
+  EXPECT_TRUE(ribbon(gentlePatch(1, 3, false, random), PatchEdge::U0, false, Across::Into)
+                  .second.isZero(0));
+  EXPECT_TRUE(ribbon(gentleTriangle(1, false, random), TriangleEdge::L0, false, Across::Into)
+                  .second.isZero(0));
+  EXPECT_THROW(
+      ribbon(BezierTriangle(Poles(Poles::Ones(1, 3))), TriangleEdge::L0, false, Across::Into),
+      std::invalid_argument);
 }
 
 TEST(Ribbon, TurningIsUndone) {
@@ -142,7 +145,8 @@ TEST(Orient, AnyTwoEdgesInAnySense) {
 
 TEST(Orient, AClosedSeamIsDecidedInBetween) {
   Poles poles(10, 3);  // a closed seam at u = 1 in a plane across x
-  poles << -1, 0, 0, -1, 3, 1, -1, 2, 4, -1, -3, 2, -1, 0, 0, 0, 0, 0, 0, 3, 1, 0, 2, 4, 0, -3, 2, 0, 0, 0;
+  poles << -1, 0, 0, -1, 3, 1, -1, 2, 4, -1, -3, 2, -1, 0, 0, 0, 0, 0, 0, 3, 1, 0, 2, 4, 0, -3, 2,
+      0, 0, 0;
   const BezierPatch a(1, 4, poles);
   const BezierPatch b = continuation(ribbon(a, PatchEdge::U1, false, Across::OutOf), {}, 1, 1);
   for (const bool reversed : {false, true}) {

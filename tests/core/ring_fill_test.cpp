@@ -30,9 +30,10 @@ struct Shape {
 };
 
 std::vector<Shape> shapes() {
-  return {{"circle", test::ovalPlan(10, 10), 0.3}, {"ellipse", test::ovalPlan(10, 4), 0.75},
-          {"lens", test::lensPlan(8, 0.5), 0.3},   {"lens cut unevenly", test::lensPlan(8, 0.35), 0.3},
-          {"drop", test::dropPlan(), 0.25},        {"arrow", test::arrowPlan(), 0.7}};
+  return {
+      {"circle", test::ovalPlan(10, 10), 0.3}, {"ellipse", test::ovalPlan(10, 4), 0.75},
+      {"lens", test::lensPlan(8, 0.5), 0.3},   {"lens cut unevenly", test::lensPlan(8, 0.35), 0.3},
+      {"drop", test::dropPlan(), 0.25},        {"arrow", test::arrowPlan(), 0.7}};
 }
 
 class RingFillOf : public testing::TestWithParam<int> {
@@ -50,7 +51,8 @@ TEST_P(RingFillOf, MeetsItsSidesAndItself) {
     const int n = fill.patches[0].degreeU();
     for (int k = 0; k < 4; ++k) {
       for (int s = 0; s <= 10; ++s)
-        EXPECT_LT((fill.patches[k].point(1, s / 10.0) - sides[k].edge.point(s / 10.0)).norm(), 1e-13 * 20);
+        EXPECT_LT((fill.patches[k].point(1, s / 10.0) - sides[k].edge.point(s / 10.0)).norm(),
+                  1e-13 * 20);
       for (int s = 0; s <= n; ++s)
         EXPECT_EQ(fill.patches[k].pole(s, n), fill.patches[(k + 1) % 4].pole(s, 0));
     }
@@ -75,7 +77,8 @@ TEST_P(RingFillOf, MovesLikeTheHole) {
   const RingFill renumbered = ringFill({sides[1], sides[2], sides[3], sides[0]});
   std::mt19937_64 random(GetParam());
   const Eigen::Matrix3d motion =
-      3 * Eigen::Quaterniond(1, test::uniform(-3, 3, random), -2, 3).normalized().toRotationMatrix();
+      3 *
+      Eigen::Quaterniond(1, test::uniform(-3, 3, random), -2, 3).normalized().toRotationMatrix();
   const Eigen::RowVector3d shift(test::uniform(-50, 50, random), 20, -7);
   std::vector<FillSide> moved = sides;
   for (FillSide& side : moved) {
@@ -89,8 +92,11 @@ TEST_P(RingFillOf, MovesLikeTheHole) {
     for (int j = 0; j <= 4; ++j) {
       const double u = i / 4.0, v = j / 4.0;
       for (int k = 0; k < 4; ++k)
-        EXPECT_LT((renumbered.patches[k].point(u, v) - plain.patches[(k + 1) % 4].point(u, v)).norm(), 1e-8);
-      EXPECT_LT((renumbered.patches[4].point(u, v) - plain.patches[4].point(1 - v, u)).norm(), 1e-8);
+        EXPECT_LT(
+            (renumbered.patches[k].point(u, v) - plain.patches[(k + 1) % 4].point(u, v)).norm(),
+            1e-8);
+      EXPECT_LT((renumbered.patches[4].point(u, v) - plain.patches[4].point(1 - v, u)).norm(),
+                1e-8);
       for (int k = 0; k < 5; ++k) {
         const Vector3d expected = motion * plain.patches[k].point(u, v) + shift.transpose();
         EXPECT_LT((image.patches[k].point(u, v) - expected).norm(), 1e-7);
@@ -108,7 +114,8 @@ TEST_P(RingFillOf, PlanarSidesHaveAPlanarFill) {
   EXPECT_LT(test::largestAngle_rad(test::ringSeams(position_only, test::fine())), 1e-9);
 }
 
-// The largest jump found at places is within the enclosures, which are far below those of the fill that asks for G1 alone.
+// The largest jump found at places is within the enclosures, which are far below those of the fill
+// that asks for G1 alone.
 TEST_P(RingFillOf, CurvatureJumpsAreMadeSmall) {
   const Bowl bowl{-0.06, -0.04};
   const std::vector<FillSide> sides = test::lifted(shape_.plan, bowl);
@@ -150,7 +157,8 @@ TEST(RingFill, RefusesWhatItCantFill) {
   const std::vector<FillSide> sides = test::lifted(test::ovalPlan(10, 10), {});
   const auto refused = [](const std::vector<FillSide>& of, const std::string& text,
                           RingFillOptions options = {}) {
-    EXPECT_THAT([&] { ringFill(of, options); }, ThrowsMessage<std::invalid_argument>(HasSubstr(text)));
+    EXPECT_THAT([&] { ringFill(of, options); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr(text)));
   };
   refused({sides[0], sides[1], sides[2]}, "3 sides: a ring fill has 4");
   refused(sides, "fairness order 1", {.fairness_order = 1});

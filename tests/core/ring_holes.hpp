@@ -14,7 +14,8 @@ struct Bowl {
   double heightAt(double x, double y) const { return k1 / 2 * x * x + k2 / 2 * y * y; }
 };
 
-/// A plane cubic lifted to the surface, with the lift of the direction across it as cross field, and its second derivative.
+/// A plane cubic lifted to the surface, with the lift of the direction across it as cross field,
+/// and its second derivative.
 inline FillSide lifted(const Poles& plan, const Bowl& bowl) {
   const auto square = [](const Eigen::VectorXd& f) { return rows::times(f, f); };
   const Eigen::VectorXd x = plan.col(0), y = plan.col(1);
@@ -93,8 +94,10 @@ inline std::vector<Poles> arrowPlan() {
 }
 
 /// The seams between the patches of a ring.
-inline std::vector<SeamFigures> ringSeams(const RingFill& fill, const ContinuityTolerance& tolerance) {
-  constexpr std::array<PatchEdge, 4> middle = {PatchEdge::V0, PatchEdge::U1, PatchEdge::V1, PatchEdge::U0};
+inline std::vector<SeamFigures> ringSeams(const RingFill& fill,
+                                          const ContinuityTolerance& tolerance) {
+  constexpr std::array<PatchEdge, 4> middle = {PatchEdge::V0, PatchEdge::U1, PatchEdge::V1,
+                                               PatchEdge::U0};
   std::vector<SeamFigures> seams;
   for (int k = 0; k < 4; ++k) {
     seams.push_back(encloseSeam(seamSide(fill.patches[(k + 3) % 4], PatchEdge::V1),
@@ -107,19 +110,22 @@ inline std::vector<SeamFigures> ringSeams(const RingFill& fill, const Continuity
 
 /// The patch E + s T + s^2 W / 2 beyond a side; edge U0 is the side.
 inline BezierPatch curvedNeighbour(const FillSide& side) {
-  const int degree =
-      static_cast<int>(std::max({side.edge.poles().rows(), side.cross->rows(), side.bend->rows()})) - 1;
+  const int degree = static_cast<int>(std::max(
+                         {side.edge.poles().rows(), side.cross->rows(), side.bend->rows()})) -
+                     1;
   const auto raised = [degree](const Poles& poles) {
     return rows::elevated<3>(rows::Field<3>(poles), degree);
   };
-  const Poles edge = raised(side.edge.poles()), first = raised(*side.cross), second = raised(*side.bend);
+  const Poles edge = raised(side.edge.poles()), first = raised(*side.cross),
+              second = raised(*side.bend);
   Poles net(3 * (degree + 1), 3);
   net << edge, edge + first / 2, edge + first + second / 2;
   return {2, degree, net};
 }
 
 /// The seams between a ring and what is beyond its sides.
-inline std::vector<SeamFigures> ringSideSeams(const RingFill& fill, const std::vector<FillSide>& sides,
+inline std::vector<SeamFigures> ringSideSeams(const RingFill& fill,
+                                              const std::vector<FillSide>& sides,
                                               const ContinuityTolerance& tolerance) {
   std::vector<SeamFigures> seams;
   for (int k = 0; k < 4; ++k)

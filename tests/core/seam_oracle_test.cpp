@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Seams with maxima known to 32 digits (tests/data/seam_measures.json, made with multi-precision arithmetic).
+// Seams with maxima known to 32 digits (tests/data/seam_measures.json, made with multi-precision
+// arithmetic).
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -21,11 +22,15 @@ using test::path;
 class SeamOracle : public testing::TestWithParam<json> {
  protected:
   // P ends at the seam (s = 1, or the part below its pcurve), Q begins there.
-  test::PatchSide p_{patch(GetParam()["input"]["P"]), path(GetParam()["input"], "pcurve_P", 1), true};
-  test::PatchSide q_{patch(GetParam()["input"]["Q"]), path(GetParam()["input"], "pcurve_Q", 0), false};
+  test::PatchSide p_{patch(GetParam()["input"]["P"]), path(GetParam()["input"], "pcurve_P", 1),
+                     true};
+  test::PatchSide q_{patch(GetParam()["input"]["Q"]), path(GetParam()["input"], "pcurve_Q", 0),
+                     false};
 
   PairMeasure at(double t) const { return measurePair(p_.at(t), q_.at(t)); }
-  double expected(const char* key) const { return test::number(GetParam()["expected"][key]["value"]); }
+  double expected(const char* key) const {
+    return test::number(GetParam()["expected"][key]["value"]);
+  }
   bool hasPlace(const char* key) const { return !GetParam()["expected"][key]["t"].is_null(); }
   double place(const char* key) const { return test::number(GetParam()["expected"][key]["t"]); }
   double unfoldedAngle(const PairMeasure& pair) const {
@@ -38,7 +43,8 @@ constexpr double rounding = 3e-13;
 
 TEST_P(SeamOracle, PairMeasureAtThePlaceOfTheMaximum) {
   if (hasPlace("max_gap")) {
-    EXPECT_NEAR(*at(place("max_gap")).gap_mm, expected("max_gap"), 1e-9 * expected("max_gap") + 1e-14);
+    EXPECT_NEAR(*at(place("max_gap")).gap_mm, expected("max_gap"),
+                1e-9 * expected("max_gap") + 1e-14);
   }
   if (hasPlace("max_angle_rad")) {
     const double wanted = expected("max_angle_rad");
@@ -69,7 +75,8 @@ TEST_P(SeamOracle, SurveyComesWithinOnePercentFromBelow) {
   }
   expectBelow(figures.angle_rad->lower, expected("max_angle_rad"), rounding);
   if (expected("max_gap") < 1e-12)
-    expectBelow(figures.curvature_per_mm->lower, expected("max_spectral_II_difference"), 100 * rounding);
+    expectBelow(figures.curvature_per_mm->lower, expected("max_spectral_II_difference"),
+                100 * rounding);
   EXPECT_FALSE(figures.angle_rad->upper.has_value());
   EXPECT_FALSE(figures.certified);
 }
@@ -79,7 +86,8 @@ TEST_P(SeamOracle, EnclosureHoldsTheMaximumAndIsAsNarrowAsPromised) {
   tolerance.gap_mm = tolerance.angle_rad = 1e-9;
   tolerance.curvature_rel = 1e-7;
   tolerance.crease_rad = std::numbers::pi / 2;
-  const SeamFigures figures = encloseSeam(p_.seamSide(), q_.seamSide(), tolerance, {.max_pieces = 20000});
+  const SeamFigures figures =
+      encloseSeam(p_.seamSide(), q_.seamSide(), tolerance, {.max_pieces = 20000});
   ASSERT_TRUE(figures.certified) << figures.uncertified;
   // noise: by which the poles as rounded to double are off. narrow: by which terms left out widen.
   constexpr double left_out = ChebyshevModel::negligible;
@@ -96,7 +104,8 @@ TEST_P(SeamOracle, EnclosureHoldsTheMaximumAndIsAsNarrowAsPromised) {
              2 * left_out);
   if (expected("max_gap") > 1e-12) return;
   const double truth = expected("max_spectral_II_difference");
-  expectHeld(*figures.curvature_per_mm, truth, 100 * rounding + 1e-9 * truth, truth / 100, 16 * left_out);
+  expectHeld(*figures.curvature_per_mm, truth, 100 * rounding + 1e-9 * truth, truth / 100,
+             16 * left_out);
 }
 
 /// \param positive those whose weights are all positive, or the others.
@@ -105,7 +114,8 @@ std::vector<json> oracleCases(bool positive) {
   const json data = json::parse(file);
   std::vector<json> cases;
   for (const json& entry : data["cases"])
-    if ((hasPositiveWeights(entry["input"]["P"]) && hasPositiveWeights(entry["input"]["Q"])) == positive)
+    if ((hasPositiveWeights(entry["input"]["P"]) && hasPositiveWeights(entry["input"]["Q"])) ==
+        positive)
       cases.push_back(entry);
   return cases;
 }

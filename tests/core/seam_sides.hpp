@@ -32,7 +32,8 @@ inline std::vector<double> weightList(const Eigen::VectorXd& weights) {
 }
 
 inline std::shared_ptr<const SplineEvaluator> splineOf(const BezierPatch& patch) {
-  return std::make_shared<SplineEvaluator>(bezierDirection(patch.degreeU()), bezierDirection(patch.degreeV()),
+  return std::make_shared<SplineEvaluator>(bezierDirection(patch.degreeU()),
+                                           bezierDirection(patch.degreeV()),
                                            poleList(patch.poles()), weightList(patch.weights()));
 }
 
@@ -50,7 +51,8 @@ inline BezierCurve linePath(double u0, double v0, double u1, double v1) {
   return BezierCurve(poles);
 }
 
-/// One side of a seam: patch, path, and the place s on the seam at parameter s or, reversed, 1 - s of the path.
+/// One side of a seam: patch, path, and the place s on the seam at parameter s or, reversed, 1 - s
+/// of the path.
 struct PatchSide {
   BezierPatch surface;
   BezierCurve path;

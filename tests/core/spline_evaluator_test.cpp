@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Fields of spline surfaces and of their offsets along paths against de Boor's triangle on jets in long double.
+// Fields of spline surfaces and of their offsets along paths against de Boor's triangle on jets in
+// long double.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -28,8 +29,8 @@ TEST(Evaluator, SplinesAreHeldWithinAndBeyondTheSpanMeant) {
     const Path path = randomPath(u, v, logUniform(random, -6, p > 10 ? -2 : -0.7), random);
     const Surface formula = formulaOf(spline, u, v);
     expectHeld(
-        *splineEvaluator(spline.evaluator()), [&](Real a, Real b) { return fieldsAt(formula, a, b); }, path,
-        u, v, 1e-18L);
+        *splineEvaluator(spline.evaluator()),
+        [&](Real a, Real b) { return fieldsAt(formula, a, b); }, path, u, v, 1e-18L);
   }
   EXPECT_GT(known, 20000);
 }
@@ -46,9 +47,10 @@ SplineDirection crowdedDirection(int degree, std::mt19937_64& random) {
 TEST(SplineEvaluator, JetsAreHeldWhereRoundingIsAllThereIs) {
   std::mt19937_64 random(34);
   for (int i = 0; i < 3000; ++i) {
-    SplineData spline{crowdedDirection(1 + i % 5, random), crowdedDirection(1 + i % 3, random), {}, {}};
-    const std::size_t count =
-        (spline.u.knots.size() - spline.u.degree - 1) * (spline.v.knots.size() - spline.v.degree - 1);
+    SplineData spline{
+        crowdedDirection(1 + i % 5, random), crowdedDirection(1 + i % 3, random), {}, {}};
+    const std::size_t count = (spline.u.knots.size() - spline.u.degree - 1) *
+                              (spline.v.knots.size() - spline.v.degree - 1);
     for (std::size_t k = 0; k < count; ++k) spline.poles.push_back(test::randomVector(random));
     const double u = placeIn(spline.u, random), v = placeIn(spline.v, random);
     const JetModel jet = spline.evaluator()->jet(ChebyshevModel(u), ChebyshevModel(v), u, v, 2);
@@ -81,8 +83,8 @@ struct CollapsedSpline {
 
 CollapsedSpline collapsedSpline(std::mt19937_64& random) {
   const int p = 2 + static_cast<int>(random() % 4), q = 1 + static_cast<int>(random() % 5);
-  CollapsedSpline result{randomSpline(p, q, random() % 2 == 0, 0, random), static_cast<int>(random() % 2),
-                         random() % 2 == 0};
+  CollapsedSpline result{randomSpline(p, q, random() % 2 == 0, 0, random),
+                         static_cast<int>(random() % 2), random() % 2 == 0};
   SplineData& spline = result.spline;
   const int columns = static_cast<int>(spline.v.knots.size()) - q - 1;
   const int rows = static_cast<int>(spline.poles.size()) / columns;
@@ -105,14 +107,16 @@ TEST(SplineEvaluator, FieldsAreHeldNextToABoundaryThatIsOnePoint) {
     const double distance = logUniform(random, -5, -1.5);
     double at[] = {placeIn(spline.u, random), placeIn(spline.v, random)};
     at[collapsed.direction] = collapsed.inside(distance);
-    SCOPED_TRACE(testing::Message() << i << " at " << distance << " from boundary " << collapsed.boundary()
-                                    << " of parameter " << collapsed.direction);
+    SCOPED_TRACE(testing::Message()
+                 << i << " at " << distance << " from boundary " << collapsed.boundary()
+                 << " of parameter " << collapsed.direction);
     const Path path = randomPath(at[0], at[1], 0.5 * distance, random);
     const Surface formula = formulaOf(spline, at[0], at[1]);
     // The formula divides its rounding by the square of the distance.
     expectHeld(
-        *splineEvaluator(spline.evaluator()), [&](Real a, Real b) { return fieldsAt(formula, a, b); }, path,
-        at[0], at[1], 1e-17L / (distance * distance));
+        *splineEvaluator(spline.evaluator()),
+        [&](Real a, Real b) { return fieldsAt(formula, a, b); }, path, at[0], at[1],
+        1e-17L / (distance * distance));
   }
   EXPECT_GT(known, 50000);
 }
@@ -153,15 +157,18 @@ TEST(Evaluator, PeriodicSplinesRepeat) {
       const Path path = randomPath(u + turns, v, 0.01, random);
       expectHeld(
           *splineEvaluator(spline.evaluator()),
-          [&](Real a, Real b) { return fieldsAt(formula, a - turns, b); }, path, u + turns, v, 1e-18L);
-      const std::vector<double> knots = spline.evaluator()->knotsInside(0, {turns - 1e-9, turns + 1e-9});
+          [&](Real a, Real b) { return fieldsAt(formula, a - turns, b); }, path, u + turns, v,
+          1e-18L);
+      const std::vector<double> knots =
+          spline.evaluator()->knotsInside(0, {turns - 1e-9, turns + 1e-9});
       ASSERT_EQ(knots.size(), 1u);
       EXPECT_EQ(knots[0], turns);
     }
   }
 }
 
-/// The offset's fields from those of the basis: the tensor W (I - d W)^-1, the normal turned where the area does.
+/// The offset's fields from those of the basis: the tensor W (I - d W)^-1, the normal turned where
+/// the area does.
 Fields offsetAt(const Fields& basis, Real distance) {
   const Matrix3 interval = Matrix3::Identity() - distance * basis.tensor;
   const Real side = interval.determinant() < 0 ? -1 : 1;
@@ -181,7 +188,8 @@ TEST(Evaluator, OffsetsAreHeldOnBothSidesOfTheFocus) {
     const Path path = randomPath(u, v, logUniform(random, -6, -1.5), random);
     expectHeld(
         *offsetEvaluator(splineEvaluator(spline.evaluator()), distance),
-        [&](Real a, Real b) { return offsetAt(fieldsAt(formula, a, b), distance); }, path, u, v, 1e-17L);
+        [&](Real a, Real b) { return offsetAt(fieldsAt(formula, a, b), distance); }, path, u, v,
+        1e-17L);
   }
   EXPECT_GT(known, 10000);
   // By the focal distance: a cylinder moved onto its axis.
@@ -193,7 +201,8 @@ TEST(Evaluator, OffsetsAreHeldOnBothSidesOfTheFocus) {
 }
 
 TEST(SplineEvaluator, RefusesWhatIsNoSpline) {
-  const auto make = [](SplineDirection u, SplineDirection v, std::size_t poles, std::vector<double> weights) {
+  const auto make = [](SplineDirection u, SplineDirection v, std::size_t poles,
+                       std::vector<double> weights) {
     return SplineEvaluator(std::move(u), std::move(v), std::vector<Vec>(poles, Vec::Zero()),
                            std::move(weights));
   };

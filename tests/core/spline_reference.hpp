@@ -22,7 +22,8 @@ struct JointCondition {
   Real bias = 1, square = 1, tension = 0;
 };
 
-/// Segments of these lengths through the points; X'(+) at each, and X'(-) at the last one of an open spline.
+/// Segments of these lengths through the points; X'(+) at each, and X'(-) at the last one of an
+/// open spline.
 struct Conditions {
   RealPoints points;
   std::vector<Real> lengths;
@@ -32,8 +33,9 @@ struct Conditions {
   Vec start_derivative = Vec::Zero(), end_derivative = Vec::Zero();
 };
 
-/// Second derivatives at a segment's ends are -(4 p + 2 q) / h + 6 s / h and (2 p + 4 q) / h - 6 s / h, with p, q
-/// the first ones and s the slope. \param condition that of the equations, whose rows have size 1.
+/// Second derivatives at a segment's ends are -(4 p + 2 q) / h + 6 s / h and (2 p + 4 q) / h - 6 s
+/// / h, with p, q the first ones and s the slope. \param condition that of the equations, whose
+/// rows have size 1.
 inline RealPoints referenceDerivatives(const Conditions& c, double* condition = nullptr) {
   using Eigen::Index;
   const Index n = c.points.rows() - 1;
@@ -72,23 +74,30 @@ inline RealPoints referenceDerivatives(const Conditions& c, double* condition = 
     secondAtEnd(n, n - 1, 1);
     a(n, n) += c.end_nu;
   }
-  // Largest entries first, whatever is left: rows of large tensions, whose unknowns are small, keep their digits.
+  // Largest entries first, whatever is left: rows of large tensions, whose unknowns are small, keep
+  // their digits.
   Eigen::FullPivLU<RealMatrix> lu(a);
   lu.setThreshold(0);
   RealPoints m = lu.solve(b);
   if (condition) {
     const RealMatrix scaled = a.cwiseAbs().rowwise().maxCoeff().cwiseInverse().asDiagonal() * a;
-    *condition = static_cast<double>(scaled.cwiseAbs().rowwise().sum().maxCoeff() *
-                                     scaled.fullPivLu().inverse().cwiseAbs().rowwise().sum().maxCoeff());
+    *condition =
+        static_cast<double>(scaled.cwiseAbs().rowwise().sum().maxCoeff() *
+                            scaled.fullPivLu().inverse().cwiseAbs().rowwise().sum().maxCoeff());
   }
   if (closed) m.row(n) = m.row(0);
   return m;
 }
 
 inline Conditions conditionsOf(const NuSplineData& data) {
-  Conditions c{
-      data.points.cast<Real>(), {}, {}, data.ends, data.nu.front(), data.nu.back(), data.start_derivative,
-      data.end_derivative};
+  Conditions c{data.points.cast<Real>(),
+               {},
+               {},
+               data.ends,
+               data.nu.front(),
+               data.nu.back(),
+               data.start_derivative,
+               data.end_derivative};
   for (std::size_t i = 0; i < data.knots.size(); ++i) {
     if (i > 0) c.lengths.push_back(static_cast<Real>(data.knots[i]) - data.knots[i - 1]);
     c.joints.push_back({1, 1, -static_cast<Real>(data.nu[i])});
@@ -98,11 +107,18 @@ inline Conditions conditionsOf(const NuSplineData& data) {
 }
 
 inline Conditions conditionsOf(const BetaSplineData& data) {
-  Conditions c{data.points.cast<Real>(), {}, {}, data.ends, data.start_nu, data.end_nu, data.start_derivative,
+  Conditions c{data.points.cast<Real>(),
+               {},
+               {},
+               data.ends,
+               data.start_nu,
+               data.end_nu,
+               data.start_derivative,
                data.end_derivative};
   c.lengths.assign(data.bias.size() - 1, 1);
   for (std::size_t i = 0; i < data.bias.size(); ++i)
-    c.joints.push_back({data.bias[i], static_cast<Real>(data.bias[i]) * data.bias[i], data.tension[i]});
+    c.joints.push_back(
+        {data.bias[i], static_cast<Real>(data.bias[i]) * data.bias[i], data.tension[i]});
   return c;
 }
 

@@ -25,8 +25,10 @@ struct StripShape {
   bool rational = false;
 };
 
-/// A surface whose edge u = 0 lies near x = 0, y = 0..10, with the rows at x = 3 sense, 6 sense, ...
-inline BSplineSurface strip(const StripShape& shape, double sense, double noise, std::mt19937_64& random) {
+/// A surface whose edge u = 0 lies near x = 0, y = 0..10, with the rows at x = 3 sense, 6 sense,
+/// ...
+inline BSplineSurface strip(const StripShape& shape, double sense, double noise,
+                            std::mt19937_64& random) {
   BSplineSurface surface;
   surface.degree_u = shape.across;
   surface.degree_v = shape.along;
@@ -39,9 +41,11 @@ inline BSplineSurface strip(const StripShape& shape, double sense, double noise,
       double y = 0;  // the Greville point, so that parameters run evenly
       for (int k = 1; k <= shape.along; ++k) y += 10 * surface.knots_v[j + k] / shape.along;
       const double x = sense * 3 * i, z = 0.05 * x * x + 0.03 * y * y - 0.04 * x * y;
-      const double weight = shape.rational ? std::uniform_real_distribution<double>(0.7, 1.4)(random) : 1;
+      const double weight =
+          shape.rational ? std::uniform_real_distribution<double>(0.7, 1.4)(random) : 1;
       const Vec pole = Vec(x, y, z) + noise * randomVector(random);
-      surface.poles.row(static_cast<Eigen::Index>(i) * columns + j) << weight * pole.transpose(), weight;
+      surface.poles.row(static_cast<Eigen::Index>(i) * columns + j) << weight * pole.transpose(),
+          weight;
     }
   return surface;
 }
@@ -60,8 +64,8 @@ inline BSplineSurface turned(const BSplineSurface& surface, PatchEdge edge) {
     }
   if (at_end)
     for (std::size_t k = 0; k < surface.knots_u.size(); ++k)
-      result.knots_u[k] =
-          surface.knots_u.front() + surface.knots_u.back() - surface.knots_u[surface.knots_u.size() - 1 - k];
+      result.knots_u[k] = surface.knots_u.front() + surface.knots_u.back() -
+                          surface.knots_u[surface.knots_u.size() - 1 - k];
   if (exchanged) {
     std::swap(result.degree_u, result.degree_v);
     std::swap(result.knots_u, result.knots_v);

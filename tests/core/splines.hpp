@@ -40,8 +40,8 @@ inline HomogeneousPoles randomPoles(Eigen::Index count, bool rational, std::mt19
   HomogeneousPoles result(count, 4);
   for (Eigen::Index i = 0; i < count; ++i) {
     const double w = rational ? logUniform(random, -0.3, 0.3) : 1;
-    result.row(i) << w * (static_cast<double>(i) + randomVector(random).x()), w * randomVector(random).y(),
-        w * randomVector(random).z(), w;
+    result.row(i) << w * (static_cast<double>(i) + randomVector(random).x()),
+        w * randomVector(random).y(), w * randomVector(random).z(), w;
   }
   return result;
 }
@@ -49,21 +49,25 @@ inline HomogeneousPoles randomPoles(Eigen::Index count, bool rational, std::mt19
 /// Increasing knots from a random beginning. \param spread of the decimal logarithm of the spans.
 inline std::vector<double> randomBreaks(int spans, double spread, std::mt19937_64& random) {
   std::vector<double> result = {randomVector(random).x()};
-  for (int i = 0; i < spans; ++i) result.push_back(result.back() + logUniform(random, -spread, spread));
+  for (int i = 0; i < spans; ++i)
+    result.push_back(result.back() + logUniform(random, -spread, spread));
   return result;
 }
 
 /// Clamped flat knots. \param multiplicity of the inner ones.
-inline std::vector<double> flatKnots(int degree, const std::vector<double>& breaks, int multiplicity) {
+inline std::vector<double> flatKnots(int degree, const std::vector<double>& breaks,
+                                     int multiplicity) {
   std::vector<double> result(degree + 1, breaks.front());
-  for (std::size_t i = 1; i + 1 < breaks.size(); ++i) result.insert(result.end(), multiplicity, breaks[i]);
+  for (std::size_t i = 1; i + 1 < breaks.size(); ++i)
+    result.insert(result.end(), multiplicity, breaks[i]);
   result.insert(result.end(), degree + 1, breaks.back());
   return result;
 }
 
 inline BSplineCurve randomCurve(int degree, int multiplicity, int spans, bool rational,
                                 std::mt19937_64& random) {
-  BSplineCurve result{degree, flatKnots(degree, randomBreaks(spans, 0.4, random), multiplicity), {}};
+  BSplineCurve result{
+      degree, flatKnots(degree, randomBreaks(spans, 0.4, random), multiplicity), {}};
   result.poles = randomPoles(result.count(), rational, random);
   return result;
 }

@@ -27,7 +27,8 @@ std::vector<double> randomValues(std::mt19937& random, std::size_t count) {
 std::vector<double> wave(int places, double amplitude, double waves, double offset = 0) {
   std::vector<double> values;
   for (int k = 0; k < places; ++k)
-    values.push_back(offset + amplitude * std::sin(2 * std::numbers::pi * waves * k / (places - 1)));
+    values.push_back(offset +
+                     amplitude * std::sin(2 * std::numbers::pi * waves * k / (places - 1)));
   return values;
 }
 
@@ -109,7 +110,8 @@ TEST(LineVariation, CountsOfWavesAreThoseOfTheFormula) {
 TEST(SurfaceMeasure, EmptyAndNotFinite) {
   EXPECT_EQ(variationOf({}, 0).total, 0);
   EXPECT_EQ(measureSurface({}, 0).lines, 0);
-  const CurvatureLine short_line{{1}, {1}}, holes{{1, nan, 2, infinity, 1}, {1, nan, -1, -infinity, 1}};
+  const CurvatureLine short_line{{1}, {1}},
+      holes{{1, nan, 2, infinity, 1}, {1, nan, -1, -infinity, 1}};
   const std::vector<CurvatureLine> lines = {short_line, holes};
   const SurfaceMeasure measure = measureSurface(lines, 0.1);
   EXPECT_EQ(measure.lines, 1);
@@ -164,7 +166,8 @@ TEST(SurfaceChange, TurnsAreNotTakenForCurvature) {
     const Eigen::Vector3d axis = Eigen::Vector3d(number(random), number(random), 0).normalized();
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
     SurfaceJet after = before;
-    for (Eigen::Vector3d* part : {&after.u, &after.v, &after.uu, &after.uv, &after.vv}) *part = turn * *part;
+    for (Eigen::Vector3d* part : {&after.u, &after.v, &after.uu, &after.uv, &after.vv})
+      *part = turn * *part;
     SurfaceChange change;
     include(change, curvedPoint(before), curvedPoint(after));
     EXPECT_NEAR(change.turn_rad, std::abs(angle), 1e-12);
@@ -187,7 +190,8 @@ TEST(SurfaceChange, DegenerateAndNotFinitePlaces) {
   EXPECT_EQ(change.curvature_change_per_mm, 0);
 }
 
-SurfaceChange changed(double before, double after, int inflections_before = 0, int inflections_after = 0) {
+SurfaceChange changed(double before, double after, int inflections_before = 0,
+                      int inflections_after = 0) {
   SurfaceChange change;
   change.before.variation_per_mm = before;
   change.after.variation_per_mm = after;
@@ -232,12 +236,15 @@ TEST(SurfaceJudge, BadTolerances) {
     EXPECT_THROW((SurfaceTolerance{1.5, visible}).validate(), std::invalid_argument);
 }
 
-/// The profile x (1 - x / w)^2 of unit slope, which bends least: its second derivative by differences.
+/// The profile x (1 - x / w)^2 of unit slope, which bends least: its second derivative by
+/// differences.
 TEST(SurfaceJudge, VisibleVariationIsWhatTheFairestTurnCosts) {
   const double width = 20;
   ContinuityTolerance tolerance;
   tolerance.angle_rad = 0.002;
-  const auto height = [&](double x) { return tolerance.angle_rad * x * (1 - x / width) * (1 - x / width); };
+  const auto height = [&](double x) {
+    return tolerance.angle_rad * x * (1 - x / width) * (1 - x / width);
+  };
   std::vector<double> mean;
   constexpr int places = 2000;
   const double h = width / places;

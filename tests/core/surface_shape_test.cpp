@@ -47,7 +47,8 @@ double expectExactShape(const BezierPatch& patch, double u, double v) {
   const Eigen::Vector3d beside = exact.along_u + 1e-12 * shape.normal.cross(exact.along_u);
   const double by_direction =
       1e-3 * std::abs(curvatureChange(shape, beside).value_per_mm2 - change.value_per_mm2);
-  EXPECT_LE(std::abs(change.value_per_mm2 - exact.change_along_u), change.error_per_mm2 + by_direction);
+  EXPECT_LE(std::abs(change.value_per_mm2 - exact.change_along_u),
+            change.error_per_mm2 + by_direction);
   return error / size;
 }
 
@@ -131,18 +132,22 @@ TEST(SurfaceShape, Identity3TrianglesWithCornersPermuted) {
         weights(row) = run % 2 ? std::exp2(exponent(random)) : 1;
       }
     const BezierTriangle triangle(poles, weights);
-    const Barycentric l = run % 5 == 0 ? Barycentric(0, 0.25, 0.75) : Barycentric(0.125, 0.5, 0.375);
+    const Barycentric l =
+        run % 5 == 0 ? Barycentric(0, 0.25, 0.75) : Barycentric(0.125, 0.5, 0.375);
     const SurfaceShape shape = surfaceShape(triangle, l(0), l(1));
     ASSERT_EQ(shape.degeneracy, Degeneracy::None);
     const SurfaceShape turned = surfaceShape(triangle.permuted({1, 2, 0}), l(1), l(2)),
                        other = surfaceShape(triangle.permuted({2, 0, 1}), l(2), l(0)),
                        mirrored = surfaceShape(triangle.permuted({1, 0, 2}), l(1), l(0));
     for (const SurfaceShape* same : {&turned, &other}) {
-      EXPECT_LE((same->normal - shape.normal).norm(), same->normal_error_rad + shape.normal_error_rad) << run;
+      EXPECT_LE((same->normal - shape.normal).norm(),
+                same->normal_error_rad + shape.normal_error_rad)
+          << run;
       EXPECT_LE(spectralNorm(same->tensor - shape.tensor),
                 same->tensor_error_per_mm + shape.tensor_error_per_mm);
     }
-    EXPECT_LE((mirrored.normal + shape.normal).norm(), mirrored.normal_error_rad + shape.normal_error_rad);
+    EXPECT_LE((mirrored.normal + shape.normal).norm(),
+              mirrored.normal_error_rad + shape.normal_error_rad);
     if (run % 2) continue;
     const SurfaceJet jet = triangle.jet(l(0), l(1));
     EXPECT_LT((shape.normal - *unitNormal(jet)).norm(), 1e-12);
@@ -159,8 +164,10 @@ TEST(SurfaceShape, WithoutATangentPlane) {
   EXPECT_EQ(surfaceShape(patch, 0x1p-60, 0.5).degeneracy, Degeneracy::None);
   Poles line(4, 3);
   line << 0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3;
-  EXPECT_EQ(surfaceShape(BezierPatch(1, 1, line), 0.3, 0.5).degeneracy, Degeneracy::VanishingNormal);
-  EXPECT_EQ(surfaceShape(BezierPatch(3, 0, line), 0.3, 0.5).degeneracy, Degeneracy::VanishingNormal);
+  EXPECT_EQ(surfaceShape(BezierPatch(1, 1, line), 0.3, 0.5).degeneracy,
+            Degeneracy::VanishingNormal);
+  EXPECT_EQ(surfaceShape(BezierPatch(3, 0, line), 0.3, 0.5).degeneracy,
+            Degeneracy::VanishingNormal);
   EXPECT_THROW(surfaceShape(patch, std::nan(""), 0), std::invalid_argument);
 }
 

@@ -43,7 +43,8 @@ inline SurfaceJet sphere(double r, double u, double v) {
 
 /// Torus, radii R of the ring and r of the tube; normal outward.
 inline SurfaceJet torus(double R, double r, double u, double v) {
-  const double cu = std::cos(u), su = std::sin(u), cv = std::cos(v), sv = std::sin(v), w = R + r * cv;
+  const double cu = std::cos(u), su = std::sin(u), cv = std::cos(v), sv = std::sin(v),
+               w = R + r * cv;
   SurfaceJet jet;
   jet.p = {w * cu, w * su, r * sv};
   jet.u = {-w * su, w * cu, 0};
@@ -72,7 +73,8 @@ inline SurfaceJet cone(double a, double u, double v) {
   return jet;
 }
 
-/// The graph z = (a x^2 + 2 b x y + c y^2) / 2 at the origin: curvature tensor [[a, b], [b, c]] to the normal +z.
+/// The graph z = (a x^2 + 2 b x y + c y^2) / 2 at the origin: curvature tensor [[a, b], [b, c]] to
+/// the normal +z.
 inline SurfaceJet quadric(double a, double b, double c) {
   SurfaceJet jet;
   jet.u = {1, 0, 0};
@@ -83,7 +85,8 @@ inline SurfaceJet quadric(double a, double b, double c) {
   return jet;
 }
 
-/// The graph z = (c_30 x^3 + 3 c_21 x^2 y + 3 c_12 x y^2 + c_03 y^3) / 6 added to a graph at the origin.
+/// The graph z = (c_30 x^3 + 3 c_21 x^2 y + 3 c_12 x y^2 + c_03 y^3) / 6 added to a graph at the
+/// origin.
 inline SurfaceJet withCubic(SurfaceJet graph, const Eigen::Vector4d& c) {
   graph.uuu.z() += c(0);
   graph.uuv.z() += c(1);
@@ -93,7 +96,8 @@ inline SurfaceJet withCubic(SurfaceJet graph, const Eigen::Vector4d& c) {
 }
 
 /// The jet of X(u(a, b), v(a, b)) with random u, v of Jacobian J at the point, by the chain rule.
-inline SurfaceJet reparametrised(const SurfaceJet& x, const Eigen::Matrix2d& J, std::mt19937_64& random) {
+inline SurfaceJet reparametrised(const SurfaceJet& x, const Eigen::Matrix2d& J,
+                                 std::mt19937_64& random) {
   std::normal_distribution<double> normal;
   const auto pair = [&] {
     const double first = normal(random);
@@ -163,7 +167,8 @@ inline Vec randomVector(std::mt19937_64& random) {
 
 /// 10^x with x uniform: sizes from microns to kilometres occur equally often.
 inline double logUniform(std::mt19937_64& random, double exponent_low, double exponent_high) {
-  return std::pow(10.0, std::uniform_real_distribution<double>(exponent_low, exponent_high)(random));
+  return std::pow(10.0,
+                  std::uniform_real_distribution<double>(exponent_low, exponent_high)(random));
 }
 
 /// A random matrix of determinant > 0, condition below about 100.

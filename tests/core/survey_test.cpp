@@ -30,11 +30,13 @@ TEST(Survey, FindsSmoothMaximaWithinOnePercent) {
     const double phase = std::uniform_real_distribution<double>(0, 6.3)(random);
     const double size = test::logUniform(random, -2, -1.2);
     const auto angle = [&](double t) { return size * (1.5 + std::sin(frequency * t + phase) * t); };
-    const SeamFigures figures = surveySeam([&](double t) { return pairWith(t, 0, angle(t)); }, whole, {});
+    const SeamFigures figures =
+        surveySeam([&](double t) { return pairWith(t, 0, angle(t)); }, whole, {});
     double truth = 0;
     for (int k = 0; k <= 20000; ++k) truth = std::max(truth, angle(k / 20000.0));
     EXPECT_LE(figures.angle_rad->lower, truth * (1 + 1e-8));
-    EXPECT_GE(figures.angle_rad->lower, 0.99 * truth) << "frequency " << frequency << " phase " << phase;
+    EXPECT_GE(figures.angle_rad->lower, 0.99 * truth)
+        << "frequency " << frequency << " phase " << phase;
     EXPECT_NEAR(angle(figures.angle_rad->at), figures.angle_rad->lower, 1e-15);
     EXPECT_TRUE(figures.settled);
   }
@@ -46,7 +48,8 @@ TEST(Survey, BreaksLeadToADefectNarrowerThanAThousandthOfTheSeam) {
     return t > from && t < to ? 0.05 * std::sin(std::numbers::pi * (t - from) / (to - from)) : 0;
   };
   const std::vector<double> breaks = {0, from, to, 1};
-  const SeamFigures figures = surveySeam([&](double t) { return pairWith(t, 0, angle(t)); }, breaks, {});
+  const SeamFigures figures =
+      surveySeam([&](double t) { return pairWith(t, 0, angle(t)); }, breaks, {});
   EXPECT_NEAR(figures.angle_rad->lower, 0.05, 0.0005);
   EXPECT_NEAR(figures.angle_rad->at, 0.5 * (from + to), 2e-4);
   EXPECT_GT(figures.below_crease_share, 0.99);
@@ -55,20 +58,24 @@ TEST(Survey, BreaksLeadToADefectNarrowerThanAThousandthOfTheSeam) {
 TEST(Survey, ApproachesAJumpAtABreakFromBothSides) {
   const std::vector<double> breaks = {0, 0.5, 1};
   const auto jump = [](double t) { return t < 0.5 ? 0.02 * t : 0.03 * (1 - t); };
-  const SeamFigures figures = surveySeam([&](double t) { return pairWith(t, 0, jump(t)); }, breaks, {});
+  const SeamFigures figures =
+      surveySeam([&](double t) { return pairWith(t, 0, jump(t)); }, breaks, {});
   EXPECT_NEAR(figures.angle_rad->lower, 0.015, 1e-6);
   EXPECT_GE(figures.angle_rad->at, 0.5);
 }
 
 TEST(Survey, PlacesAreSharesOfTheRange) {
   const std::vector<double> breaks = {-3, 5};
-  const SeamFigures figures = surveySeam([](double t) { return pairWith(t, t == 5 ? 1 : 0, 0); }, breaks, {});
+  const SeamFigures figures =
+      surveySeam([](double t) { return pairWith(t, t == 5 ? 1 : 0, 0); }, breaks, {});
   EXPECT_EQ(figures.gap_mm->at, 1);
   EXPECT_EQ(figures.gap_mm->lower, 1);
 }
 
 TEST(Survey, CurvatureIsLeftOutOnASharpSeamAndAtSharpPoints) {
-  const auto sharp_end = [](double t) { return pairWith(t, 0, t > 0.9 ? 0.5 : 0, t > 0.9 ? 99 : 0.3); };
+  const auto sharp_end = [](double t) {
+    return pairWith(t, 0, t > 0.9 ? 0.5 : 0, t > 0.9 ? 99 : 0.3);
+  };
   EXPECT_FALSE(surveySeam(sharp_end, whole, {}).curvature_per_mm.has_value());
   ContinuityTolerance wide;
   wide.crease_rad = 1;
@@ -141,7 +148,8 @@ TEST(Survey, OnePointThatIsNotFiniteTakesAllFiguresAway) {
     return p;
   };
   const SeamFigures figures = surveySeam(pair, whole, {});
-  EXPECT_FALSE(figures.gap_mm || figures.angle_rad || figures.curvature_per_mm || figures.curvature_rel);
+  EXPECT_FALSE(figures.gap_mm || figures.angle_rad || figures.curvature_per_mm ||
+               figures.curvature_rel);
   EXPECT_FALSE(figures.degenerate.empty());
 }
 
@@ -190,7 +198,8 @@ TEST(Survey, BadInputIsNamed) {
   EXPECT_THAT(complaint({0, 1}, options), HasSubstr("points per span 2"));
   ContinuityTolerance bad;
   bad.gap_mm = -1;
-  EXPECT_THROW(surveySeam([](double t) { return pairWith(t, 0, 0); }, whole, bad), std::invalid_argument);
+  EXPECT_THROW(surveySeam([](double t) { return pairWith(t, 0, 0); }, whole, bad),
+               std::invalid_argument);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Holes of three sides in surfaces that are known, what is refused, and provedRegular() of triangles.
+// Holes of three sides in surfaces that are known, what is refused, and provedRegular() of
+// triangles.
 #include <gmock/gmock.h>
 
 #include <seamwright/core/umbrella/regular.hpp>
@@ -38,8 +39,10 @@ Poles raised(const Poles& poles, int degrees) {
   return curve.poles();
 }
 
-/// The sides of a triangle of degree 2, in degrees higher by that number, with derivatives in constant directions as fields.
-std::vector<FillSide> sidesOf(const BezierTriangle& triangle, int degrees, std::mt19937_64& random) {
+/// The sides of a triangle of degree 2, in degrees higher by that number, with derivatives in
+/// constant directions as fields.
+std::vector<FillSide> sidesOf(const BezierTriangle& triangle, int degrees,
+                              std::mt19937_64& random) {
   std::vector<FillSide> sides;
   for (int k = 0; k < 3; ++k) {
     const int apex = (k + 2) % 3;
@@ -54,7 +57,8 @@ std::vector<FillSide> sidesOf(const BezierTriangle& triangle, int degrees, std::
       cross.row(end) = (direction(0) * jet.u + direction(1) * jet.v).transpose();
     }
     const TriangleEdge edge = test::triangle_edges[apex];
-    sides.push_back({BezierCurve(raised(triangle.edgeCurve(edge).poles(), degrees)), raised(cross, degrees)});
+    sides.push_back(
+        {BezierCurve(raised(triangle.edgeCurve(edge).poles(), degrees)), raised(cross, degrees)});
   }
   return sides;
 }
@@ -76,7 +80,8 @@ TEST(ThreeSidedFillOfSurface, Law6TrianglesOfDegreeTwoComeBack) {
     }
 }
 
-// Fields of degree 2 along cubic sides: triangles of degree 4, of which the row behind the sides is that of the surface.
+// Fields of degree 2 along cubic sides: triangles of degree 4, of which the row behind the sides is
+// that of the surface.
 TEST(ThreeSidedFillOfSurface, CubicTriangle) {
   std::mt19937_64 random(7);
   for (int run = 0; run < 10; ++run) {
@@ -90,14 +95,16 @@ TEST(ThreeSidedFillOfSurface, CubicTriangle) {
           index[k] = begin, index[(k + 1) % 3] = end, index[(k + 2) % 3] = apex;
           return triangle.pole(index[0], index[1]);
         };
-        cross.row(s) = 1.5 * (pole(3 - s, s, 0) + pole(2 - s, s + 1, 0) - 2 * pole(2 - s, s, 1)).transpose();
+        cross.row(s) =
+            1.5 * (pole(3 - s, s, 0) + pole(2 - s, s + 1, 0) - 2 * pole(2 - s, s, 1)).transpose();
       }
       sides.push_back({triangle.edgeCurve(test::triangle_edges[(k + 2) % 3]), cross});
     }
     const ThreeSidedFill fill = threeSidedFill(sides);
     const std::array<BezierTriangle, 3> cut = triangle.splitAt(1.0 / 3, 1.0 / 3);
     for (int k = 0; k < 3; ++k) {
-      const BezierTriangle wanted = cut[(k + 2) % 3].permuted({k, (k + 1) % 3, (k + 2) % 3}).elevated();
+      const BezierTriangle wanted =
+          cut[(k + 2) % 3].permuted({k, (k + 1) % 3, (k + 2) % 3}).elevated();
       ASSERT_EQ(fill.triangles[k].degree(), 4);
       for (int s = 0; s <= 4; ++s) {
         EXPECT_LT((fill.triangles[k].pole(4 - s, s) - wanted.pole(4 - s, s)).norm(), 1e-12);
@@ -111,7 +118,8 @@ TEST(ThreeSidedFillOfSurface, CubicTriangle) {
 }
 
 TEST(ThreeSidedFillOfSurface, QuadraticGraphsAreReproduced) {
-  for (const test::Graph& graph : {test::plane(), test::paraboloid(-0.1, -0.1), test::paraboloid(0.1, -0.1)})
+  for (const test::Graph& graph :
+       {test::plane(), test::paraboloid(-0.1, -0.1), test::paraboloid(0.1, -0.1)})
     for (const std::vector<FillSide>& sides : {hole(graph), skew(graph)}) {
       const ThreeSidedFill fill = threeSidedFill(sides);
       EXPECT_LT(error(fill, graph), 1e-12);
@@ -135,7 +143,8 @@ TEST(ThreeSidedFillOfSurface, Law4PlanarSidesHaveAPlanarFill) {
     }
 }
 
-// The distance found by another program of the same problem is 0.0279 mm; patches without tangent planes are off by 0.6 mm.
+// The distance found by another program of the same problem is 0.0279 mm; patches without tangent
+// planes are off by 0.6 mm.
 TEST(ThreeSidedFillOfSurface, SphereAndTorus) {
   const ThreeSidedFill cap = threeSidedFill(hole(test::sphere(20)));
   EXPECT_NEAR(error(cap, test::sphere(20)), 0.0279, 1e-3);
@@ -145,7 +154,8 @@ TEST(ThreeSidedFillOfSurface, SphereAndTorus) {
   EXPECT_TRUE(cap.regular);
 }
 
-// Three quarters of cylinders of radius 10 end at the arcs; of the fields only their direction counts.
+// Three quarters of cylinders of radius 10 end at the arcs; of the fields only their direction
+// counts.
 TEST(ThreeSidedFillOfSurface, EighthOfASphere) {
   const double handle = 4 * (std::sqrt(2.0) - 1) / 3;
   std::vector<FillSide> sides;
@@ -163,9 +173,10 @@ TEST(ThreeSidedFillOfSurface, EighthOfASphere) {
     EXPECT_EQ(triangle.degree(), 4);
     EXPECT_LT(test::spokeAngle(fill, k), 1e-9);
     EXPECT_LT(test::sideAngle(fill, sides, k), 1e-9);
-    EXPECT_LT(
-        (fill.triangles[(k + 1) % 3].poles() - triangle.poles() * turn.transpose()).cwiseAbs().maxCoeff(),
-        1e-12);
+    EXPECT_LT((fill.triangles[(k + 1) % 3].poles() - triangle.poles() * turn.transpose())
+                  .cwiseAbs()
+                  .maxCoeff(),
+              1e-12);
     for (double u : {0.0, 0.2, 0.4})
       for (double v : {0.1, 0.3, 0.6}) EXPECT_NEAR(triangle.point(u, v).norm(), 10, 0.35);
   }
@@ -174,12 +185,14 @@ TEST(ThreeSidedFillOfSurface, EighthOfASphere) {
 template <class Matcher>
 void expectRefused(const std::vector<FillSide>& sides, const Matcher& message,
                    ThreeSidedFillOptions options = {}) {
-  EXPECT_THAT([&] { threeSidedFill(sides, options); }, ThrowsMessage<std::invalid_argument>(message));
+  EXPECT_THAT([&] { threeSidedFill(sides, options); },
+              ThrowsMessage<std::invalid_argument>(message));
 }
 
 TEST(ThreeSidedFillLimits, NumbersAndOptions) {
   std::vector<FillSide> sides = hole(test::plane());
-  for (int order : {1, 4}) expectRefused(sides, HasSubstr("fairness order"), {.fairness_order = order});
+  for (int order : {1, 4})
+    expectRefused(sides, HasSubstr("fairness order"), {.fairness_order = order});
   for (double bad : {-1e-3, 0.2, std::numeric_limits<double>::quiet_NaN()})
     expectRefused(sides, HasSubstr("corner tolerance"), {.corner_tolerance_rad = bad});
   expectRefused({}, HasSubstr("0 sides: a fill by triangles has 3"));
@@ -190,7 +203,8 @@ TEST(ThreeSidedFillLimits, NumbersAndOptions) {
 }
 
 TEST(ThreeSidedFillLimits, EdgesAndFields) {
-  for (double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+  for (double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     std::vector<FillSide> sides = hole(test::plane());
     (*sides[2].cross)(3, 1) = bad;
     expectRefused(sides, HasSubstr("side 2: coefficient 3 of the cross field is "));
@@ -227,7 +241,8 @@ TEST(ThreeSidedFillLimits, TangentPlanesOfACornerDiffer) {
   EXPECT_TRUE(fill.corners[2].exact);
   for (int k = 0; k < 3; ++k) {
     EXPECT_LT(test::spokeAngle(fill, k), 1e-9);
-    const double bound = std::max(fill.corners[k].angle_bound_rad, fill.corners[(k + 1) % 3].angle_bound_rad);
+    const double bound =
+        std::max(fill.corners[k].angle_bound_rad, fill.corners[(k + 1) % 3].angle_bound_rad);
     EXPECT_GT(bound, 0);
     EXPECT_LT(bound, 4e-3);
     EXPECT_LE(test::sideAngle(fill, sides, k), bound + 1e-12);

@@ -10,7 +10,8 @@ namespace {
 using Eigen::Matrix3d, Eigen::Vector3d;
 using test::Move, test::randomMove, test::reversed;
 
-/// Of sides whose ratio is at most that; their neighbours agree about mixed derivatives in the corners, or not.
+/// Of sides whose ratio is at most that; their neighbours agree about mixed derivatives in the
+/// corners, or not.
 class RandomTriangleFill : public testing::TestWithParam<std::tuple<int, double, bool>> {
  protected:
   std::mt19937_64 random_{static_cast<std::uint64_t>(std::get<0>(GetParam()))};
@@ -42,7 +43,8 @@ TEST_P(RandomTriangleFill, Law2JoinsAreCertified) {
   EXPECT_TRUE(fill.regular);
   for (int k = 0; k < 3; ++k) {
     EXPECT_TRUE(fill.corners[k].exact);
-    for (const SeamFigures& figures : {test::spokeFigures(fill, k), test::sideFigures(fill, sides_, k)}) {
+    for (const SeamFigures& figures :
+         {test::spokeFigures(fill, k), test::sideFigures(fill, sides_, k)}) {
       EXPECT_TRUE(figures.certified);
       EXPECT_LT(*figures.gap_mm->upper, 1e-10);
       EXPECT_LT(*figures.angle_rad->upper, 1e-9) << k;
@@ -63,13 +65,16 @@ TEST_P(RandomTriangleFill, LawOfTheSpokesAndConnections) {
   const ThreeSidedFill fill = threeSidedFill(sides_);
   for (int k = 0; k < 3; ++k)
     for (double t : {0.0, 0.2, 0.5, 0.9, 1.0}) {
-      const SurfaceJet after = fill.triangles[k].jet(t, 0), before = fill.triangles[(k + 2) % 3].jet(0, t);
+      const SurfaceJet after = fill.triangles[k].jet(t, 0),
+                       before = fill.triangles[(k + 2) % 3].jet(0, t);
       EXPECT_LT((before.u + after.u + after.v).norm(), 1e-11 * (before.u.norm() + after.v.norm()));
       const Connection& join = *fill.sides[k];
-      const Vector3d beyond = -BezierCurve(*sides_[k].cross).point(t), along = sides_[k].edge.jet(t).d1;
+      const Vector3d beyond = -BezierCurve(*sides_[k].cross).point(t),
+                     along = sides_[k].edge.jet(t).d1;
       const Vector3d in = -fill.triangles[k].jet(1 - t, t).u;
-      EXPECT_LT((in - test::value(join.alpha, t) * beyond - test::value(join.beta, t) * along).norm(),
-                1e-11 * (1 + in.norm()));
+      EXPECT_LT(
+          (in - test::value(join.alpha, t) * beyond - test::value(join.beta, t) * along).norm(),
+          1e-11 * (1 + in.norm()));
       EXPECT_GT(test::value(join.alpha, t), 0);
     }
 }
@@ -96,7 +101,8 @@ TEST_P(RandomTriangleFill, Law3ReversalExchangesCorners) {
   for (int k = 0; k < 3; ++k) back.push_back(reversed(sides_[2 - k]));
   const ThreeSidedFill fill = threeSidedFill(sides_), other = threeSidedFill(back);
   for (int k = 0; k < 3; ++k)
-    EXPECT_LT(test::difference(other.triangles[k], fill.triangles[2 - k].permuted({1, 0, 2})), 1e-10);
+    EXPECT_LT(test::difference(other.triangles[k], fill.triangles[2 - k].permuted({1, 0, 2})),
+              1e-10);
 }
 
 // The fills between this one and another of the same hole, and beyond, are fills of it too.
@@ -107,7 +113,8 @@ TEST_P(RandomTriangleFill, Law5NothingIsFairer) {
     for (int order : {2, 3}) {
       const ThreeSidedFill fill = threeSidedFill(sides, {.fairness_order = order}),
                            other = threeSidedFill(sides, {.fairness_order = 5 - order});
-      EXPECT_NEAR(fill.fairness_mm2, test::fairness(fill.triangles, order), 1e-10 * fill.fairness_mm2);
+      EXPECT_NEAR(fill.fairness_mm2, test::fairness(fill.triangles, order),
+                  1e-10 * fill.fairness_mm2);
       const auto between = [&](double share) {
         std::vector<BezierTriangle> triangles;
         for (int k = 0; k < 3; ++k)
@@ -115,7 +122,8 @@ TEST_P(RandomTriangleFill, Law5NothingIsFairer) {
                                  share * (other.triangles[k].poles() - fill.triangles[k].poles()));
         return test::fairness(triangles, order);
       };
-      const double before = between(-0.5) - fill.fairness_mm2, after = between(0.5) - fill.fairness_mm2;
+      const double before = between(-0.5) - fill.fairness_mm2,
+                   after = between(0.5) - fill.fairness_mm2;
       EXPECT_GT(after, 0);
       EXPECT_NEAR(before, after, 1e-7 * fill.fairness_mm2);
     }
@@ -123,7 +131,8 @@ TEST_P(RandomTriangleFill, Law5NothingIsFairer) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Holes, RandomTriangleFill,
-                         testing::Combine(testing::Range(1, 7), testing::Values(1.0, 50.0), testing::Bool()),
+                         testing::Combine(testing::Range(1, 7), testing::Values(1.0, 50.0),
+                                          testing::Bool()),
                          [](const auto& hole) {
                            return std::to_string(std::get<0>(hole.param)) +
                                   (std::get<1>(hole.param) > 1 ? "short" : "even") +
@@ -131,16 +140,20 @@ INSTANTIATE_TEST_SUITE_P(Holes, RandomTriangleFill,
                          });
 
 TEST(ThreeSidedFill, Law4SymmetricHole) {
-  const ThreeSidedFill fill = threeSidedFill(test::graphHole(test::sphere(20), test::polygon(3, 10)));
+  const ThreeSidedFill fill =
+      threeSidedFill(test::graphHole(test::sphere(20), test::polygon(3, 10)));
   const double angle = 2 * std::numbers::pi / 3;
   const Move turn{Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix()};
   for (int k = 0; k < 3; ++k) {
     const BezierTriangle &ours = fill.triangles[k], &next = fill.triangles[(k + 1) % 3];
     EXPECT_LT((next.poles() - turn.points(ours.poles())).cwiseAbs().maxCoeff(), 1e-12);
     // The mirror through the z axis and the middle of side k exchanges P0 and P1.
-    const Vector3d normal = Eigen::AngleAxisd(angle * (k + 1), Vector3d::UnitZ()) * Vector3d::UnitY();
+    const Vector3d normal =
+        Eigen::AngleAxisd(angle * (k + 1), Vector3d::UnitZ()) * Vector3d::UnitY();
     const Move mirror{Matrix3d::Identity() - 2 * normal * normal.transpose()};
-    EXPECT_LT((ours.permuted({1, 0, 2}).poles() - mirror.points(ours.poles())).cwiseAbs().maxCoeff(), 1e-12);
+    EXPECT_LT(
+        (ours.permuted({1, 0, 2}).poles() - mirror.points(ours.poles())).cwiseAbs().maxCoeff(),
+        1e-12);
   }
 }
 

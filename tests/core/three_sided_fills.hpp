@@ -16,7 +16,8 @@ inline SeamFigures spokeFigures(const ThreeSidedFill& fill, int k) {
                      seamSide(fill.triangles[(k + 2) % 3], TriangleEdge::L0, true), fine());
 }
 
-inline SeamFigures sideFigures(const ThreeSidedFill& fill, const std::vector<FillSide>& sides, int k) {
+inline SeamFigures sideFigures(const ThreeSidedFill& fill, const std::vector<FillSide>& sides,
+                               int k) {
   return encloseSeam(seamSide(fill.triangles[k], TriangleEdge::L2),
                      seamSide(neighbour(sides[k]), PatchEdge::U0), fine());
 }
@@ -54,12 +55,14 @@ inline double sideAngle(const ThreeSidedFill& fill, const std::vector<FillSide>&
   return worst;
 }
 
-/// The sum that is made least, with the directions of all three sides of the large triangle in place of an orthonormal frame: their dyads
-/// add up to 3/2 of the unit tensor.
+/// The sum that is made least, with the directions of all three sides of the large triangle in
+/// place of an orthonormal frame: their dyads add up to 3/2 of the unit tensor.
 inline double fairness(const std::vector<BezierTriangle>& triangles, int order) {
-  const std::array<Eigen::Vector3i, 3> directions = {Eigen::Vector3i(-1, 1, 0), {-1, -2, 3}, {2, 1, -3}};
+  const std::array<Eigen::Vector3i, 3> directions = {
+      Eigen::Vector3i(-1, 1, 0), {-1, -2, 3}, {2, 1, -3}};
   using Net = std::map<std::array<int, 3>, Eigen::Vector3d>;
-  const std::function<double(const Net&, int, int)> sum = [&](const Net& net, int degree, int rest) {
+  const std::function<double(const Net&, int, int)> sum = [&](const Net& net, int degree,
+                                                              int rest) {
     double total = 0;
     if (rest == 0)
       for (const auto& [index, point] : net) total += point.squaredNorm();
@@ -69,8 +72,8 @@ inline double fairness(const std::vector<BezierTriangle>& triangles, int order) 
         for (int i = 0; i < degree; ++i)
           for (int j = 0; i + j < degree; ++j) {
             const int k = degree - 1 - i - j;
-            next[{i, j, k}] =
-                d(0) * net.at({i + 1, j, k}) + d(1) * net.at({i, j + 1, k}) + d(2) * net.at({i, j, k + 1});
+            next[{i, j, k}] = d(0) * net.at({i + 1, j, k}) + d(1) * net.at({i, j + 1, k}) +
+                              d(2) * net.at({i, j, k + 1});
           }
         total += 2.0 / 3 * sum(next, degree - 1, rest - 1);
       }

@@ -21,7 +21,8 @@ TEST_P(Profile, HasThePublishedFiguresAndIsValid) {
   ASSERT_TRUE(tolerance);
   EXPECT_NO_THROW(tolerance->validate());
   EXPECT_DOUBLE_EQ(tolerance->gap_mm, GetParam().gap_mm);
-  EXPECT_THAT(tolerance->angle_rad * 180 / std::numbers::pi, DoubleNear(GetParam().angle_deg, 1e-15));
+  EXPECT_THAT(tolerance->angle_rad * 180 / std::numbers::pi,
+              DoubleNear(GetParam().angle_deg, 1e-15));
   EXPECT_DOUBLE_EQ(tolerance->curvature_rel, GetParam().curvature_rel);
   EXPECT_DOUBLE_EQ(tolerance->flat_radius_mm, 100000);
   EXPECT_THAT(tolerance->crease_rad * 180 / std::numbers::pi, DoubleNear(5, 1e-14));

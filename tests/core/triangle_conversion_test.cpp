@@ -127,12 +127,14 @@ TEST(TriangleConversion, ThreeRegularPatchesShareTheirBoundaries) {
       const std::array<BezierPatch, 3> patches = regularPatches(triangle);
       for (int k = 0; k < 3; ++k) {
         const BezierPatch& next = patches[(k + 1) % 3];
-        const auto [half, rest] =
-            triangle.edgeCurve(static_cast<TriangleEdge>((k + 2) % 3)).split(0.5);  // from Pk to Pk+1
+        const auto [half, rest] = triangle.edgeCurve(static_cast<TriangleEdge>((k + 2) % 3))
+                                      .split(0.5);  // from Pk to Pk+1
         for (int i = 0; i <= degree; ++i) {
           EXPECT_EQ(patches[k].pole(degree, i), next.pole(i, degree));
-          EXPECT_LT((patches[k].pole(i, 0).transpose() - half.poles().row(i)).norm(), 1e-15 * degree * 4);
-          EXPECT_LT((next.pole(0, degree - i).transpose() - rest.poles().row(i)).norm(), 1e-15 * degree * 4);
+          EXPECT_LT((patches[k].pole(i, 0).transpose() - half.poles().row(i)).norm(),
+                    1e-15 * degree * 4);
+          EXPECT_LT((next.pole(0, degree - i).transpose() - rest.poles().row(i)).norm(),
+                    1e-15 * degree * 4);
         }
       }
     }
@@ -217,8 +219,8 @@ TEST(TriangleConversion, TrianglesAreRecognisedAtAnyEdgeInAnyDegree) {
         for (int k = static_cast<int>(random() % 4); k > 0; --k) patch = elevatedU(patch);
         for (int k = static_cast<int>(random() % 3); k > 0; --k) patch = elevatedV(patch);
         const TriangleRecognition found = recogniseTriangle(turned(patch, edge));
-        ASSERT_TRUE(found.triangle) << degree << ' ' << patch.degreeU() << ' ' << patch.degreeV() << ' '
-                                    << found.deviation_mm << ' ' << found.tolerance_mm;
+        ASSERT_TRUE(found.triangle) << degree << ' ' << patch.degreeU() << ' ' << patch.degreeV()
+                                    << ' ' << found.deviation_mm << ' ' << found.tolerance_mm;
         EXPECT_EQ(found.triangle->degree(), degree);
         EXPECT_EQ(found.apex, edge);
         EXPECT_EQ(found.triangle->isRational(), triangle.isRational());
@@ -249,13 +251,16 @@ TEST(TriangleConversion, TheLowestDegreeIsFound) {
     }
 }
 
-/// A polynomial patch with u = 0 collapsed whose row r has exactly that degree in v; highest is degree_v.
-BezierPatch patchWithRows(const std::vector<int>& row_degrees, int degree_v, std::mt19937_64& random) {
+/// A polynomial patch with u = 0 collapsed whose row r has exactly that degree in v; highest is
+/// degree_v.
+BezierPatch patchWithRows(const std::vector<int>& row_degrees, int degree_v,
+                          std::mt19937_64& random) {
   const int m = static_cast<int>(row_degrees.size()) - 1;
   Poles poles((m + 1) * (degree_v + 1), 3);
   for (int r = 0; r <= m; ++r) {
     Poles row(row_degrees[r] + 1, 3);
-    for (Eigen::Index i = 0; i < row.rows(); ++i) row.row(i) = test::randomVector(random).transpose();
+    for (Eigen::Index i = 0; i < row.rows(); ++i)
+      row.row(i) = test::randomVector(random).transpose();
     while (row.rows() <= degree_v) row = elevatedRows(row);
     poles.middleRows(r * (degree_v + 1), degree_v + 1) = row;
   }
@@ -285,7 +290,8 @@ TEST(TriangleConversion, RowsOfNoHigherDegreeThanTheirNumberMakeATriangle) {
     EXPECT_EQ(found.triangle->degree(), m);
     for (const double u : kPlaces)
       for (const double v : kPlaces)
-        EXPECT_LT((patch.point(u, v) - exactAt(*found.triangle, degenerateAt(0, u, v))).norm(), 1e-12);
+        EXPECT_LT((patch.point(u, v) - exactAt(*found.triangle, degenerateAt(0, u, v))).norm(),
+                  1e-12);
   }
 }
 
@@ -323,7 +329,8 @@ TEST(TriangleConversion, TheDeviationMovesWithThePatch) {
   std::mt19937_64 random(62);
   for (int i = 0; i < 50; ++i) {
     const int degree = 2 + i % 5;
-    HomogeneousPoles h = degeneratePatch(test::randomTriangle(degree, true, random)).homogeneousPoles();
+    HomogeneousPoles h =
+        degeneratePatch(test::randomTriangle(degree, true, random)).homogeneousPoles();
     for (double& value : h.reshaped()) value += 0.01 * test::randomVector(random).x();
     const BezierPatch patch = patchOf(degree, degree, h);
     const double scale = test::logUniform(random, -3, 3);
@@ -333,7 +340,8 @@ TEST(TriangleConversion, TheDeviationMovesWithThePatch) {
                             7 * patch.weights());
     const double deviation = recogniseTriangle(patch).deviation_mm;
     EXPECT_NEAR(recogniseTriangle(moved).deviation_mm, scale * deviation, 1e-9 * scale * deviation);
-    EXPECT_NEAR(recogniseTriangle(turned(patch, PatchEdge::V1)).deviation_mm, deviation, 1e-12 * deviation);
+    EXPECT_NEAR(recogniseTriangle(turned(patch, PatchEdge::V1)).deviation_mm, deviation,
+                1e-12 * deviation);
   }
 }
 
@@ -344,10 +352,14 @@ TEST(TriangleConversion, NaturalNormalsAgree) {
     EXPECT_LT((a.p - b.p).norm(), 1e-13);
     EXPECT_GT(unitNormal(a).value().dot(unitNormal(b).value()), 1 - 1e-12);
   };
-  const auto jetAt = [](const BezierTriangle& t, const Barycentric& l) { return t.jet(l(0), l(1)); };
+  const auto jetAt = [](const BezierTriangle& t, const Barycentric& l) {
+    return t.jet(l(0), l(1));
+  };
   for (int k = 0; k < 3; ++k) {
-    expectSame(degeneratePatch(triangle, k).jet(0.6, 0.3), jetAt(triangle, degenerateAt(k, 0.6, 0.3)));
-    expectSame(regularPatches(triangle)[k].jet(0.6, 0.3), jetAt(triangle, quadrangleAt(k, 0.6, 0.3)));
+    expectSame(degeneratePatch(triangle, k).jet(0.6, 0.3),
+               jetAt(triangle, degenerateAt(k, 0.6, 0.3)));
+    expectSame(regularPatches(triangle)[k].jet(0.6, 0.3),
+               jetAt(triangle, quadrangleAt(k, 0.6, 0.3)));
   }
   for (const PatchEdge edge : kEdges) {
     const BezierPatch patch = turned(degeneratePatch(triangle), edge);
@@ -363,11 +375,13 @@ TEST(TriangleConversion, NoiseBoundsTheRoundingOfConversion) {
     const Poles poles =
         test::logUniform(random, -3, 4) * (test::randomNet(degree, random).array() + 100).matrix();
     const BezierTriangle triangle =
-        i % 2 ? BezierTriangle(poles) : BezierTriangle(poles, test::randomNetWeights(degree, random));
+        i % 2 ? BezierTriangle(poles)
+              : BezierTriangle(poles, test::randomNetWeights(degree, random));
     const BezierPatch patch = degeneratePatch(triangle);
     for (int r = 0; r <= degree; ++r)
       for (int j = 0; j <= degree; ++j) {
-        // The pole (r, j) is the blossom of P0 n-r times, and of P1 and P2 as the hypergeometric sum says.
+        // The pole (r, j) is the blossom of P0 n-r times, and of P1 and P2 as the hypergeometric
+        // sum says.
         test::LongVec4 h = test::LongVec4::Zero();
         for (int c = std::max(0, r + j - degree); c <= std::min(r, j); ++c)
           h += static_cast<long double>(test::choose(r, c) * test::choose(degree - r, j - c)) /
@@ -389,7 +403,8 @@ TEST(TriangleConversion, WhatIsNoTriangleIsRefused) {
   EXPECT_FALSE(plane.triangle);
   EXPECT_NEAR(plane.deviation_mm, 0.5, 1e-15);  // half of the edge that is no point
 
-  // An octant of a sphere: one edge is a point, but the homogeneous poles on it differ by their weights.
+  // An octant of a sphere: one edge is a point, but the homogeneous poles on it differ by their
+  // weights.
   const double w = std::sqrt(0.5);
   Poles octant(9, 3);
   octant << 0, 0, 1, 0, 0, 1, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1, 1, 0, 0, 1, 1, 0, 0, 1, 0;

@@ -23,7 +23,8 @@ ContinuityTolerance tight() {
   return tolerance;
 }
 
-/// A random triangle that is regular: about the plane one of side 1, with poles moved by up to a tenth.
+/// A random triangle that is regular: about the plane one of side 1, with poles moved by up to a
+/// tenth.
 BezierTriangle regularTriangle(int degree, bool rational, std::mt19937_64& random) {
   Poles poles = test::randomNet(degree, random);
   Eigen::VectorXd weights(poles.rows());
@@ -63,8 +64,8 @@ TEST(TriangleSide, ATriangleJoinsTheRestOfThePatch) {
     for (const bool rational : {false, true}) {
       const BezierTriangle triangle = regularTriangle(degree, rational, random);
       const BezierPatch rest = degeneratePatch(triangle).splitU(0.4).second;
-      const BezierTriangle tip =
-          triangle.subtriangle({Barycentric(1, 0, 0), Barycentric(0.6, 0.4, 0), Barycentric(0.6, 0, 0.4)});
+      const BezierTriangle tip = triangle.subtriangle(
+          {Barycentric(1, 0, 0), Barycentric(0.6, 0.4, 0), Barycentric(0.6, 0, 0.4)});
       expectSmooth(seamSide(tip, TriangleEdge::L0), seamSide(rest, PatchEdge::U0));
       expectSmooth(seamSide(rest.reversedU(), PatchEdge::U1, true),
                    seamSide(tip.permuted({1, 2, 0}), TriangleEdge::L2, true));
@@ -75,16 +76,18 @@ TEST(TriangleSide, ThreeRegularPatchesJoin) {
   std::mt19937_64 random(73);
   for (int degree = 1; degree <= 8; ++degree)
     for (const bool rational : {false, true}) {
-      const std::array<BezierPatch, 3> patches = regularPatches(regularTriangle(degree, rational, random));
+      const std::array<BezierPatch, 3> patches =
+          regularPatches(regularTriangle(degree, rational, random));
       for (int k = 0; k < 3; ++k)
-        expectSmooth(seamSide(patches[k], PatchEdge::U1), seamSide(patches[(k + 1) % 3], PatchEdge::V1));
+        expectSmooth(seamSide(patches[k], PatchEdge::U1),
+                     seamSide(patches[(k + 1) % 3], PatchEdge::V1));
     }
 }
 
 constexpr double slope = 0.01;
 
-/// Height slope 4 v (1 - v) x over 0 <= x <= 1, or its mirror image in x = 0. It meets the level along x = 0
-/// at angles up to atan(slope).
+/// Height slope 4 v (1 - v) x over 0 <= x <= 1, or its mirror image in x = 0. It meets the level
+/// along x = 0 at angles up to atan(slope).
 BezierPatch bent(double sense) {
   Poles poles(6, 3);
   poles << 0, 0, 0, 0, 0.5, 0, 0, 1, 0, sense, 0, 0, sense, 0.5, 2 * slope * sense, sense, 1, 0;
@@ -99,13 +102,15 @@ BezierTriangle level() {
 }
 
 TEST(TriangleSide, AnyEdgeInAnySenseGivesTheSameSeam) {
-  for (const std::array<int, 3>& corners : {std::array{0, 1, 2}, std::array{1, 2, 0}, std::array{2, 0, 1},
-                                            std::array{0, 2, 1}, std::array{1, 0, 2}, std::array{2, 1, 0}})
+  for (const std::array<int, 3>& corners :
+       {std::array{0, 1, 2}, std::array{1, 2, 0}, std::array{2, 0, 1}, std::array{0, 2, 1},
+        std::array{1, 0, 2}, std::array{2, 1, 0}})
     for (const double sense : {1.0, -1.0}) {
       const auto edge = static_cast<TriangleEdge>(std::ranges::find(corners, 0) - corners.begin());
       const bool odd = corners[(static_cast<int>(edge) + 1) % 3] == 2;
-      const SeamFigures figures = encloseSeam(seamSide(level().elevated().permuted(corners), edge, odd),
-                                              seamSide(bent(sense), PatchEdge::U0), ContinuityTolerance{});
+      const SeamFigures figures =
+          encloseSeam(seamSide(level().elevated().permuted(corners), edge, odd),
+                      seamSide(bent(sense), PatchEdge::U0), ContinuityTolerance{});
       EXPECT_LE(figures.gap_mm.value().upper.value(), 1e-11);
       const Figure angle = figures.angle_rad.value();
       EXPECT_LE(angle.lower, std::atan(slope) * (1 + 1e-14));
@@ -130,8 +135,9 @@ TEST(TriangleSide, CurvatureIsThatOfTheTriangle) {
   Poles poles(6, 3);  // P0 = (2, 1/2), P1 = (0, 1), P2 = (0, 0)
   poles << blossom(0, 0, 0, 0), blossom(0, 0, 0, 1), blossom(0, 1, 0, 1), blossom(0, 0, 2, 0.5),
       blossom(0, 1, 2, 0.5), blossom(2, 0.5, 2, 0.5);
-  const SeamFigures figures = encloseSeam(seamSide(level(), TriangleEdge::L0),
-                                          seamSide(BezierTriangle(poles), TriangleEdge::L0, true), {});
+  const SeamFigures figures =
+      encloseSeam(seamSide(level(), TriangleEdge::L0),
+                  seamSide(BezierTriangle(poles), TriangleEdge::L0, true), {});
   EXPECT_LE(figures.angle_rad.value().upper.value(), 1e-11);
   EXPECT_NEAR(figures.curvature_per_mm.value().lower, 0.4, 1e-8);
   EXPECT_NEAR(figures.curvature_per_mm.value().upper.value(), 0.4, 1e-8);
@@ -158,8 +164,8 @@ TEST(TriangleSide, ATriangleWithoutAreaIsNotCertified) {
       encloseSeam(seamSide(flat, TriangleEdge::L0), seamSide(bent(1), PatchEdge::U0), {});
   EXPECT_FALSE(line.certified);
   EXPECT_LE(line.gap_mm.value().upper.value(), 1e-11);
-  EXPECT_FALSE(
-      encloseSeam(seamSide(point, TriangleEdge::L1), seamSide(point, TriangleEdge::L2), {}).certified);
+  EXPECT_FALSE(encloseSeam(seamSide(point, TriangleEdge::L1), seamSide(point, TriangleEdge::L2), {})
+                   .certified);
 }
 
 TEST(TriangleSide, DegreesBeyondThoseEnclosedAreRefused) {

@@ -30,7 +30,8 @@ std::vector<BezierTriangle> degenerateTriangles(int degree, std::mt19937_64& ran
     line.row(i) = (test::randomVector(random).x() * along).transpose();
   edge.topRows(degree + 1).rowwise() = edge.row(0).eval();
   const Eigen::VectorXd weights = test::randomNetWeights(degree, random);
-  return {BezierTriangle(equal), BezierTriangle(line), BezierTriangle(edge), BezierTriangle(edge, weights)};
+  return {BezierTriangle(equal), BezierTriangle(line), BezierTriangle(edge),
+          BezierTriangle(edge, weights)};
 }
 
 std::vector<BezierTriangle> allTriangles(int degree, std::mt19937_64& random) {
@@ -57,15 +58,17 @@ TEST(BezierTriangle, PointsEqualTheDefinition) {
 
 /// The partial of order (a, b) of a jet.
 Vec partial(const SurfaceJet& x, int a, int b) {
-  const std::array<std::array<Vec, 4>, 4> table = {{{x.p, x.v, x.vv, x.vvv},
-                                                    {x.u, x.uv, x.uvv, Vec::Zero()},
-                                                    {x.uu, x.uuv, Vec::Zero(), Vec::Zero()},
-                                                    {x.uuu, Vec::Zero(), Vec::Zero(), Vec::Zero()}}};
+  const std::array<std::array<Vec, 4>, 4> table = {
+      {{x.p, x.v, x.vv, x.vvv},
+       {x.u, x.uv, x.uvv, Vec::Zero()},
+       {x.uu, x.uuv, Vec::Zero(), Vec::Zero()},
+       {x.uuu, Vec::Zero(), Vec::Zero(), Vec::Zero()}}};
   return table[a][b];
 }
 
 TEST(BezierTriangle, JetsEqualTheDefinitionToThirdOrder) {
-  // A = (wx, wy, wz) and w from the definition, Leibniz' rule: A_ab = sum C(a,i) C(b,j) w_ij X_(a-i)(b-j).
+  // A = (wx, wy, wz) and w from the definition, Leibniz' rule: A_ab = sum C(a,i) C(b,j) w_ij
+  // X_(a-i)(b-j).
   constexpr int binomial[4][4] = {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}};
   std::mt19937_64 random(42);
   for (int degree = 0; degree <= 8; ++degree)
@@ -80,10 +83,10 @@ TEST(BezierTriangle, JetsEqualTheDefinitionToThirdOrder) {
           long double size = 1;
           for (int i = 0; i <= a; ++i)
             for (int j = 0; j <= b; ++j) {
-              const auto term =
-                  (binomial[a][i] * binomial[b][j] * test::exactPartial(triangle, i, j, l(0), l(1))(3) *
-                   partial(x, a - i, b - j).cast<long double>())
-                      .eval();
+              const auto term = (binomial[a][i] * binomial[b][j] *
+                                 test::exactPartial(triangle, i, j, l(0), l(1))(3) *
+                                 partial(x, a - i, b - j).cast<long double>())
+                                    .eval();
               sum += term;
               size += term.norm();
             }
@@ -100,14 +103,16 @@ TEST(BezierTriangle, NoiseBoundsTheRoundingOfFirstPartials) {
     const Poles poles =
         test::logUniform(random, -3, 4) * (test::randomNet(degree, random).array() + 100).matrix();
     const BezierTriangle triangle =
-        i % 2 ? BezierTriangle(poles) : BezierTriangle(poles, test::randomNetWeights(degree, random));
+        i % 2 ? BezierTriangle(poles)
+              : BezierTriangle(poles, test::randomNetWeights(degree, random));
     const Barycentric l = test::randomBarycentric(random);
     const SurfaceJet x = triangle.jet(l(0), l(1));
     const test::LongVec4 h = test::exactPartial(triangle, 0, 0, l(0), l(1));
     for (const int a : {0, 1}) {
       const test::LongVec4 d = test::exactPartial(triangle, a, 1 - a, l(0), l(1));
       const auto exact = ((d.head<3>() - d(3) * h.head<3>() / h(3)) / h(3)).eval();
-      EXPECT_LE((partial(x, a, 1 - a).cast<long double>() - exact).norm(), triangle.noise().u) << degree;
+      EXPECT_LE((partial(x, a, 1 - a).cast<long double>() - exact).norm(), triangle.noise().u)
+          << degree;
     }
   }
 }
@@ -167,7 +172,9 @@ TEST(BezierTriangle, ElevationAndPermutationKeepTheShape) {
             std::array{1, 0, 2}, std::array{2, 1, 0}}) {
         Barycentric moved;
         for (int c = 0; c < 3; ++c) moved(corners[c]) = l(c);
-        EXPECT_LT((pointAt(triangle.permuted(corners), l) - test::exactPoint(triangle, moved)).norm(), 3e-14);
+        EXPECT_LT(
+            (pointAt(triangle.permuted(corners), l) - test::exactPoint(triangle, moved)).norm(),
+            3e-14);
       }
       EXPECT_EQ(triangle.permuted({1, 2, 0}).permuted({2, 0, 1}), triangle);
     }
@@ -180,7 +187,8 @@ TEST(BezierTriangle, PartsKeepTheShape) {
     for (const BezierTriangle& triangle : allTriangles(degree, random)) {
       Eigen::Matrix3d corners;
       for (int c = 0; c < 3; ++c) corners.col(c) = test::randomBarycentric(random);
-      const BezierTriangle part = triangle.subtriangle({corners.col(0), corners.col(1), corners.col(2)});
+      const BezierTriangle part =
+          triangle.subtriangle({corners.col(0), corners.col(1), corners.col(2)});
       EXPECT_EQ(part.isRational(), triangle.isRational());
       const Barycentric l = test::randomBarycentric(random);
       EXPECT_LT((pointAt(part, l) - test::exactPoint(triangle, corners * l)).norm(), 1e-13);
@@ -205,7 +213,8 @@ TEST(BezierTriangle, SplitsFitTogether) {
         EXPECT_EQ(edgeFrom(three[k], (k + 1) % 3), edgeFrom(triangle, (k + 1) % 3));
         Barycentric inside = l;
         inside(k) = 0;
-        EXPECT_LT((pointAt(three[k], l) - test::exactPoint(triangle, inside + l(k) * s)).norm(), 1e-13);
+        EXPECT_LT((pointAt(three[k], l) - test::exactPoint(triangle, inside + l(k) * s)).norm(),
+                  1e-13);
       }
       const std::array<BezierTriangle, 4> four = triangle.quartered();
       for (int k = 0; k < 3; ++k) {
@@ -214,7 +223,8 @@ TEST(BezierTriangle, SplitsFitTogether) {
         const Barycentric inside = 0.5 * (l + kCorners[k]);
         EXPECT_LT((pointAt(four[k], l) - test::exactPoint(triangle, inside)).norm(), 1e-13);
       }
-      EXPECT_LT((pointAt(four[3], l) - test::exactPoint(triangle, 0.5 * (Barycentric::Ones() - l))).norm(),
+      EXPECT_LT((pointAt(four[3], l) - test::exactPoint(triangle, 0.5 * (Barycentric::Ones() - l)))
+                    .norm(),
                 1e-13);
     }
 }
@@ -306,7 +316,8 @@ TEST(BezierTriangle, BadInputIsNamedByIndexAndValue) {
   Eigen::VectorXd steep = Eigen::VectorXd::Ones(6);
   steep(5) = 9;
   EXPECT_THAT(complaint([&] {
-                BezierTriangle(six, steep).subtriangle({kCorners[0], kCorners[1], Barycentric(-0.5, 1, 0.5)});
+                BezierTriangle(six, steep)
+                    .subtriangle({kCorners[0], kCorners[1], Barycentric(-0.5, 1, 0.5)});
               }),
               HasSubstr("of the part is"));
 }

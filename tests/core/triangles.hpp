@@ -8,7 +8,8 @@
 
 #include "surfaces.hpp"
 
-/// Random Bézier triangles, and their values from the definition in long double, without de Casteljau.
+/// Random Bézier triangles, and their values from the definition in long double, without de
+/// Casteljau.
 namespace seamwright::test {
 
 using LongVec4 = Eigen::Matrix<long double, 4, 1>;
@@ -48,27 +49,34 @@ inline long double fallingPower(long double l, int power, int d) {
 }
 
 /// d^(a+b) / dl0^a dl1^b of l0^i l1^j (1 - l0 - l1)^k by Leibniz' rule.
-inline long double monomialPartial(int i, int j, int k, int a, int b, long double l0, long double l1) {
+inline long double monomialPartial(int i, int j, int k, int a, int b, long double l0,
+                                   long double l1) {
   static constexpr int binomial[4][4] = {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}};
   long double sum = 0;
   for (int p = 0; p <= a; ++p)
     for (int q = 0; q <= b; ++q)
-      sum += binomial[a][p] * binomial[b][q] * fallingPower(l0, i, a - p) * fallingPower(l1, j, b - q) *
-             ((p + q) % 2 ? -1 : 1) * fallingPower(1 - l0 - l1, k, p + q);
+      sum += binomial[a][p] * binomial[b][q] * fallingPower(l0, i, a - p) *
+             fallingPower(l1, j, b - q) * ((p + q) % 2 ? -1 : 1) *
+             fallingPower(1 - l0 - l1, k, p + q);
   return sum;
 }
 
 /// Homogeneous partial at (l0, l1), summed as the definition says.
-inline LongVec4 exactPartial(const BezierTriangle& triangle, int a, int b, long double l0, long double l1) {
+inline LongVec4 exactPartial(const BezierTriangle& triangle, int a, int b, long double l0,
+                             long double l1) {
   const int n = triangle.degree();
   LongVec4 sum = LongVec4::Zero();
   for (int i = 0; i <= n; ++i)
     for (int j = 0; i + j <= n; ++j) {
       const int k = n - i - j;
-      const long double multinomial = std::round(std::exp(std::lgamma(n + 1.0L) - std::lgamma(i + 1.0L) -
-                                                          std::lgamma(j + 1.0L) - std::lgamma(k + 1.0L)));
+      const long double multinomial =
+          std::round(std::exp(std::lgamma(n + 1.0L) - std::lgamma(i + 1.0L) -
+                              std::lgamma(j + 1.0L) - std::lgamma(k + 1.0L)));
       sum += multinomial * monomialPartial(i, j, k, a, b, l0, l1) *
-             triangle.homogeneousPoles().row(BezierTriangle::row(n, i, j)).transpose().cast<long double>();
+             triangle.homogeneousPoles()
+                 .row(BezierTriangle::row(n, i, j))
+                 .transpose()
+                 .cast<long double>();
     }
   return sum;
 }

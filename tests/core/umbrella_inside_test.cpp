@@ -47,7 +47,8 @@ TEST(UmbrellaInside, KeepsTheBoundaryAndJoinsAcrossEverySpoke) {
         EXPECT_LE((patch.point(t, 1) - sides[(i + 1) % n].point((1 - t) / 2)).norm(), 1e-13) << run;
       }
     }
-    EXPECT_LE((found.vertex.sectors.array() / found.vertex.sectors(0) - 1).abs().maxCoeff(), 1e-10) << run;
+    EXPECT_LE((found.vertex.sectors.array() / found.vertex.sectors(0) - 1).abs().maxCoeff(), 1e-10)
+        << run;
   }
 }
 
@@ -61,10 +62,12 @@ TEST(UmbrellaInside, OfAPlaneBoundaryIsThePlaneAndOfARegularOneIsRegular) {
   std::mt19937_64 random(303);
   for (int n = 3; n <= 12; ++n) {
     const Umbrella found = umbrellaInside(sidesOf(n, 2, 0, random));
-    const Eigen::Matrix3d turn = Eigen::AngleAxisd(2 * pi / n, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(2 * pi / n, Eigen::Vector3d::UnitZ()).toRotationMatrix();
     EXPECT_LE(found.spokes[0].point(0).norm(), 1e-12) << n;
     for (int i = 0; i < n; ++i) {
-      const Poles here = test::polesOf(found.members[i]), next = test::polesOf(found.members[(i + 1) % n]);
+      const Poles here = test::polesOf(found.members[i]),
+                  next = test::polesOf(found.members[(i + 1) % n]);
       EXPECT_LE(here.col(2).cwiseAbs().maxCoeff(), 1e-12) << n;
       EXPECT_LE((here * turn.transpose() - next).cwiseAbs().maxCoeff(), 1e-11) << n;
       // No member folds: all turn to the same side.
@@ -102,16 +105,17 @@ TEST(UmbrellaInside, OrderSenseMotionAndScaleDoNotMatter) {
     for (const BezierCurve& side : sides) there.push_back(test::mapped(side, linear, move));
     const Umbrella elsewhere = umbrellaInside(there);
     for (int i = 0; i < n; ++i)
-      EXPECT_LE(
-          (test::polesOf(elsewhere.members[i]) - test::polesOf(test::mapped(found.members[i], linear, move)))
-              .cwiseAbs()
-              .maxCoeff(),
-          1e-10)
+      EXPECT_LE((test::polesOf(elsewhere.members[i]) -
+                 test::polesOf(test::mapped(found.members[i], linear, move)))
+                    .cwiseAbs()
+                    .maxCoeff(),
+                1e-10)
           << n;
   }
 }
 
-/// The members of an umbrella inside, given once more with their spokes, cannot be the same umbrella with less energy; a higher degree can.
+/// The members of an umbrella inside, given once more with their spokes, cannot be the same
+/// umbrella with less energy; a higher degree can.
 TEST(UmbrellaInside, AHigherDegreeIsNoLessFair) {
   std::mt19937_64 random(305);
   const std::vector<BezierCurve> sides = sidesOf(5, 3, 1.5, random);
@@ -132,8 +136,8 @@ TEST(UmbrellaInside, AHigherDegreeIsNoLessFair) {
 TEST(UmbrellaInside, RefusesWhatIsNoBoundary) {
   std::mt19937_64 random(306);
   const std::vector<BezierCurve> sides = sidesOf(5, 3, 0.5, random);
-  const auto fails = [](const std::vector<BezierCurve>& curves, const UmbrellaInsideOptions& options,
-                        const char* why) {
+  const auto fails = [](const std::vector<BezierCurve>& curves,
+                        const UmbrellaInsideOptions& options, const char* why) {
     EXPECT_THAT([&] { umbrellaInside(curves, options); },
                 ThrowsMessage<std::invalid_argument>(HasSubstr(why)));
   };

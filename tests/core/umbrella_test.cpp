@@ -38,7 +38,8 @@ Case caseOf(const json& entry) {
   const int members = static_cast<int>(input["kinds"].size());
   for (std::size_t i = 0; i < input["curves"].size(); ++i) {
     json points = input["curves"][i];
-    if (input.contains("solve_C2_index") && input["solve_C2_index"] == i) points[2] = expected["C2_solved"];
+    if (input.contains("solve_C2_index") && input["solve_C2_index"] == i)
+      points[2] = expected["C2_solved"];
     result.spokes.push_back(test::bezierCurve(points, nullptr));
   }
   for (int i = 0; i < members; ++i) {
@@ -55,14 +56,16 @@ Case caseOf(const json& entry) {
   result.options.lambda = ofSpokes(test::function(input["lam"]));
   if (input.contains("mu")) result.options.mu = ofSpokes(test::function(input["mu"]));
   result.free_vectors = std::ssize(input["free_points"]) + (input.contains("twist0") ? 1 : 0);
-  for (const json& master : input["master"]) result.free_vectors += std::ssize(master["vec_index2plus"]);
+  for (const json& master : input["master"])
+    result.free_vectors += std::ssize(master["vec_index2plus"]);
   return result;
 }
 
 std::vector<Case> dataCases() {
   std::vector<Case> cases;
   for (const char* kind : {"umbrella", "open_fan"})
-    for (const json& entry : test::dataCases("umbrellas.json", kind)) cases.push_back(caseOf(entry));
+    for (const json& entry : test::dataCases("umbrellas.json", kind))
+      cases.push_back(caseOf(entry));
   return cases;
 }
 
@@ -80,7 +83,8 @@ TEST(UmbrellaData, NetsAreAmongThoseThatCanBeChosen) {
     const Umbrella found = umbrellaAround(given.spokes, given.options);
     EXPECT_LE(found.largest_member_move_mm, 1e-12 * sizeOf(given.options)) << given.id;
     EXPECT_EQ(found.free_vectors, given.free_vectors) << given.id;
-    EXPECT_LE((found.vertex.alpha - given.alpha).norm(), 1e-12 * (1 + given.alpha.norm())) << given.id;
+    EXPECT_LE((found.vertex.alpha - given.alpha).norm(), 1e-12 * (1 + given.alpha.norm()))
+        << given.id;
     EXPECT_LE((found.vertex.beta - given.beta).norm(), 1e-12 * given.beta.norm()) << given.id;
     EXPECT_LE(test::worstLaw(found), 1e-12) << given.id;
   }
@@ -97,7 +101,8 @@ TEST(UmbrellaData, LambdaIsRecognised) {
     for (int i = 0; i < found.vertex.spokes(); ++i) {
       if (!found.vertex.isInner(i)) continue;
       const Eigen::VectorXd& a = found.laws[i].a;
-      EXPECT_NEAR(a(a.size() - 1) - a(0), lambda(i), 1e-11 * (1 + found.vertex.alpha.norm())) << given.id;
+      EXPECT_NEAR(a(a.size() - 1) - a(0), lambda(i), 1e-11 * (1 + found.vertex.alpha.norm()))
+          << given.id;
     }
   }
 }
@@ -125,7 +130,8 @@ TEST(Umbrella, Identity1JoinsAcrossEverySpoke) {
     const Umbrella found = umbrellaAround(fan.spokes, fan.options);
     EXPECT_LE(test::worstLaw(found), 1e-12) << run;
     EXPECT_EQ(found.members.size(), fan.options.kinds.size());
-    const int degree = lowestUmbrellaDegree(fan.options.kinds, fan.options.closed, found.spokes[0].degree());
+    const int degree =
+        lowestUmbrellaDegree(fan.options.kinds, fan.options.closed, found.spokes[0].degree());
     for (const UmbrellaMember& member : found.members)
       EXPECT_EQ(test::polesOf(member).rows(), std::holds_alternative<BezierPatch>(member)
                                                   ? (degree + 1) * (degree + 1)
@@ -141,7 +147,9 @@ TEST(Umbrella, IsCertified) {
     EXPECT_LE(test::certifiedAngle(found), 1e-9) << run;
     // A pole of the first row behind spoke 1 that is no part of it: the verdict changes.
     const auto verdict = [&] {
-      return joinCondition(test::ribbonBefore(found.members[0]), test::ribbonAfter(found.members[1])).verdict;
+      return joinCondition(test::ribbonBefore(found.members[0]),
+                           test::ribbonAfter(found.members[1]))
+          .verdict;
     };
     EXPECT_EQ(verdict(), JoinVerdict::G1) << run;
     Poles poles = test::polesOf(found.members[1]);
@@ -180,7 +188,8 @@ TEST(Umbrella, Identity2ComesBackAndDisturbedComesNearer) {
     const Umbrella near = umbrellaAround(first.spokes, fan.options);
     EXPECT_LE(test::worstLaw(near), 1e-12) << run;
     for (std::size_t i = 0; i < near.members.size(); ++i)
-      moved += (test::polesOf(near.members[i]) - test::polesOf(fan.options.members[i])).squaredNorm();
+      moved +=
+          (test::polesOf(near.members[i]) - test::polesOf(fan.options.members[i])).squaredNorm();
     EXPECT_LE(moved, disturbed * (1 + 1e-12)) << run;
     EXPECT_GT(moved, 0) << run;
   }
@@ -193,15 +202,17 @@ TEST(Umbrella, Identity3OrderSenseMotionAndScaleDoNotMatter) {
     if (run % 2 == 0) {
       fan.options.members = umbrellaAround(fan.spokes, fan.options).members;
       for (UmbrellaMember& member : fan.options.members)
-        member = test::mapped(member, Eigen::Matrix3d::Identity() + 0.1 * test::randomRotation(random),
-                              Eigen::RowVector3d(0.1, 0.2, -0.3));
+        member =
+            test::mapped(member, Eigen::Matrix3d::Identity() + 0.1 * test::randomRotation(random),
+                         Eigen::RowVector3d(0.1, 0.2, -0.3));
     }
     const Umbrella found = umbrellaAround(fan.spokes, fan.options);
     const int m = static_cast<int>(found.members.size());
     if (fan.options.closed) {
       Fan turned = fan;
       std::rotate(turned.spokes.begin(), turned.spokes.begin() + 1, turned.spokes.end());
-      std::rotate(turned.options.kinds.begin(), turned.options.kinds.begin() + 1, turned.options.kinds.end());
+      std::rotate(turned.options.kinds.begin(), turned.options.kinds.begin() + 1,
+                  turned.options.kinds.end());
       if (!turned.options.members.empty())
         std::rotate(turned.options.members.begin(), turned.options.members.begin() + 1,
                     turned.options.members.end());
@@ -214,7 +225,8 @@ TEST(Umbrella, Identity3OrderSenseMotionAndScaleDoNotMatter) {
     std::reverse(back.options.members.begin(), back.options.members.end());
     // Member i of the reversed order lies between spokes m - 1 - i and m - 2 - i.
     if (fan.options.closed) {
-      std::rotate(back.options.kinds.begin(), back.options.kinds.begin() + 1, back.options.kinds.end());
+      std::rotate(back.options.kinds.begin(), back.options.kinds.begin() + 1,
+                  back.options.kinds.end());
       if (!back.options.members.empty())
         std::rotate(back.options.members.begin(), back.options.members.begin() + 1,
                     back.options.members.end());
@@ -232,14 +244,15 @@ TEST(Umbrella, Identity3OrderSenseMotionAndScaleDoNotMatter) {
     const Eigen::RowVector3d move(1, -2, 0.5);
     Fan there = fan;
     for (BezierCurve& spoke : there.spokes) spoke = test::mapped(spoke, linear, move);
-    for (UmbrellaMember& member : there.options.members) member = test::mapped(member, linear, move);
+    for (UmbrellaMember& member : there.options.members)
+      member = test::mapped(member, linear, move);
     const Umbrella elsewhere = umbrellaAround(there.spokes, there.options);
     for (int i = 0; i < m; ++i)
-      EXPECT_LE(
-          (test::polesOf(elsewhere.members[i]) - test::polesOf(test::mapped(found.members[i], linear, move)))
-              .cwiseAbs()
-              .maxCoeff(),
-          1e-8)
+      EXPECT_LE((test::polesOf(elsewhere.members[i]) -
+                 test::polesOf(test::mapped(found.members[i], linear, move)))
+                    .cwiseAbs()
+                    .maxCoeff(),
+                1e-8)
           << run;
   }
 }
@@ -263,9 +276,11 @@ TEST(Umbrella, Identity4SymmetricSpokesMakeASymmetricOne) {
       UmbrellaOptions options;
       options.kinds.assign(m, kind);
       const Umbrella found = umbrellaAround(regularSpokes(m), options);
-      const Eigen::Matrix3d turn = Eigen::AngleAxisd(2 * pi / m, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+      const Eigen::Matrix3d turn =
+          Eigen::AngleAxisd(2 * pi / m, Eigen::Vector3d::UnitZ()).toRotationMatrix();
       for (int i = 0; i < m; ++i) {
-        const Poles here = test::polesOf(found.members[i]), next = test::polesOf(found.members[(i + 1) % m]);
+        const Poles here = test::polesOf(found.members[i]),
+                    next = test::polesOf(found.members[(i + 1) % m]);
         EXPECT_LE((here * turn.transpose() - next).cwiseAbs().maxCoeff(), 1e-11) << m << " " << i;
         EXPECT_LE((found.laws[i].b.array() + 1).abs().maxCoeff(), 1e-12);
       }
@@ -274,7 +289,8 @@ TEST(Umbrella, Identity4SymmetricSpokesMakeASymmetricOne) {
       const Eigen::Matrix3d mirror = Eigen::Matrix3d::Identity() - 2 * across * across.transpose();
       const Poles mirrored = test::polesOf(test::exchanged(found.members[0])) * mirror;
       EXPECT_LE((mirrored - test::polesOf(found.members[0])).cwiseAbs().maxCoeff(), 1e-11) << m;
-      EXPECT_EQ(found.largest_spoke_move_mm < 1e-14, true) << m << " " << found.largest_spoke_move_mm;
+      EXPECT_EQ(found.largest_spoke_move_mm < 1e-14, true)
+          << m << " " << found.largest_spoke_move_mm;
     }
 }
 
@@ -296,7 +312,8 @@ double energy(const std::vector<UmbrellaMember>& a, const std::vector<UmbrellaMe
       return x.row(row(r, s)) - 2 * x.row(row(r, s + 1)) + x.row(row(r, s + 2));
     };
     const auto uv = [&](const Poles& x, int r, int s) -> Eigen::Vector3d {
-      return x.row(row(r, s)) - x.row(row(r + 1, s)) - x.row(row(r, s + 1)) + x.row(row(r + 1, s + 1));
+      return x.row(row(r, s)) - x.row(row(r + 1, s)) - x.row(row(r, s + 1)) +
+             x.row(row(r + 1, s + 1));
     };
     for (int r = 0; r <= n; ++r)
       for (int s = 0; s <= n; ++s) {
@@ -313,7 +330,8 @@ TEST(Umbrella, Identity5NoOtherIsFairer) {
   for (int run = 0; run < 60; ++run) {
     Fan fan = randomFan(random, 7);
     const Umbrella fair = umbrellaAround(fan.spokes, fan.options);
-    // Another umbrella with the same spokes and lambda: a difference that the fairest is orthogonal to.
+    // Another umbrella with the same spokes and lambda: a difference that the fairest is orthogonal
+    // to.
     UmbrellaOptions others = fan.options;
     others.members = fair.members;
     for (UmbrellaMember& member : others.members)
@@ -324,7 +342,8 @@ TEST(Umbrella, Identity5NoOtherIsFairer) {
     for (int i = 0; i < fair.vertex.spokes(); ++i)
       if (fair.vertex.isInner(i))
         (*others.lambda)(i) = fair.laws[i].a(fair.laws[i].a.size() - 1) - fair.laws[i].a(0);
-    others.degree = lowestUmbrellaDegree(fan.options.kinds, fan.options.closed, fair.spokes[0].degree());
+    others.degree =
+        lowestUmbrellaDegree(fan.options.kinds, fan.options.closed, fair.spokes[0].degree());
     const Umbrella same = umbrellaAround(fair.spokes, others);
     const double cross = energy(fair.members, same.members) - energy(fair.members, fair.members);
     EXPECT_LE(std::abs(cross), 1e-11 * (1 + energy(same.members, same.members))) << run;
@@ -355,7 +374,8 @@ TEST(Umbrella, EvenFansChangeTheirSpokesAsLittleAsTheyCan) {
     for (const BezierCurve& spoke : shaped.spokes) {
       const CurveDerivatives d = spoke.derivatives(0, 2);
       const Eigen::Vector3d r = d.row(1).transpose(), q = d.row(2).transpose();
-      EXPECT_NEAR(r.dot(*options.form * r), shaped.vertex.normal.dot(q), 1e-9 * r.squaredNorm()) << run;
+      EXPECT_NEAR(r.dot(*options.form * r), shaped.vertex.normal.dot(q), 1e-9 * r.squaredNorm())
+          << run;
     }
   }
 }
@@ -366,7 +386,8 @@ TEST(Umbrella, ACrossingKeepsItsSpokes) {
     std::vector<BezierCurve> spokes = test::randomSpokes(4, true, 3, random);
     for (int i = 2; i < 4; ++i) {
       Poles poles = spokes[i].poles();
-      poles.row(1) = poles.row(0) - uniform(0.3, 2, random) * (spokes[i - 2].poles().row(1) - poles.row(0));
+      poles.row(1) =
+          poles.row(0) - uniform(0.3, 2, random) * (spokes[i - 2].poles().row(1) - poles.row(0));
       spokes[i] = BezierCurve(poles);
     }
     const Umbrella found = umbrellaAround(spokes);
@@ -388,7 +409,8 @@ TEST(Umbrella, SectorsNearlyOfPiAreBuiltWithAWarningFigure) {
     std::vector<BezierCurve> spokes;
     for (const double angle : {0.0, pi - gap, 1.5 * pi}) {
       Poles poles(3, 3);
-      poles << 0, 0, 0, std::cos(angle), std::sin(angle), 0, 2 * std::cos(angle), 2 * std::sin(angle), 0.2;
+      poles << 0, 0, 0, std::cos(angle), std::sin(angle), 0, 2 * std::cos(angle),
+          2 * std::sin(angle), 0.2;
       spokes.emplace_back(poles);
     }
     const Umbrella found = umbrellaAround(spokes);
@@ -412,7 +434,8 @@ TEST(Umbrella, LowestDegrees) {
 
 TEST(Umbrella, RefusesWhatIsNone) {
   const std::vector<BezierCurve> spokes = regularSpokes(5);
-  const auto fails = [](std::vector<BezierCurve> curves, const UmbrellaOptions& options, const char* why) {
+  const auto fails = [](std::vector<BezierCurve> curves, const UmbrellaOptions& options,
+                        const char* why) {
     EXPECT_THAT([&] { umbrellaAround(curves, options); },
                 ThrowsMessage<std::invalid_argument>(HasSubstr(why)));
   };

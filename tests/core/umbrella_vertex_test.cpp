@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The vertex of an umbrella against values known to 20 digits, and against the equations it stands for.
+// The vertex of an umbrella against values known to 20 digits, and against the equations it stands
+// for.
 #include <gmock/gmock.h>
 
 #include <numbers>
@@ -23,8 +24,10 @@ Eigen::Matrix3Xd columns(const json& vectors) {
   return result;
 }
 
-/// Tangents of lengths 0.1 to 10 in a random plane; sectors of at least the given angle and at most 3 rad.
-Eigen::Matrix3Xd randomTangents(int spokes, bool closed, double least_rad, std::mt19937_64& random) {
+/// Tangents of lengths 0.1 to 10 in a random plane; sectors of at least the given angle and at most
+/// 3 rad.
+Eigen::Matrix3Xd randomTangents(int spokes, bool closed, double least_rad,
+                                std::mt19937_64& random) {
   for (;;) {
     Eigen::VectorXd angles(closed ? spokes : spokes - 1);
     for (double& angle : angles) angle = std::pow(10, uniform(-0.5, 0.5, random));
@@ -42,23 +45,26 @@ Eigen::Matrix3Xd randomTangents(int spokes, bool closed, double least_rad, std::
 }
 
 SpokeSeconds randomSeconds(int spokes, std::mt19937_64& random) {
-  SpokeSeconds seconds{Eigen::Matrix3Xd(3, spokes), Eigen::VectorXd(spokes), Eigen::VectorXd(spokes)};
+  SpokeSeconds seconds{Eigen::Matrix3Xd(3, spokes), Eigen::VectorXd(spokes),
+                       Eigen::VectorXd(spokes)};
   for (double& q : seconds.second.reshaped()) q = uniform(-5, 5, random);
   for (double& lambda : seconds.lambda) lambda = uniform(-1, 1, random);
   for (double& mu : seconds.mu) mu = uniform(-1, 1, random);
   return seconds;
 }
 
-/// The largest of all terms of the vertex equations of second order, and by how much the twists miss them.
+/// The largest of all terms of the vertex equations of second order, and by how much the twists
+/// miss them.
 double relativeDefect(const UmbrellaVertex& vertex, const SpokeSeconds& seconds,
                       const Eigen::Matrix3Xd& twist) {
   double defect = 0, size = 0;
   for (int i = 0; i < vertex.spokes(); ++i) {
     if (!vertex.isInner(i)) continue;
     const int before = vertex.memberBefore(i);
-    const Eigen::Vector3d terms =
-        vertex.alpha(i) * seconds.second.col(i) + vertex.beta(i) * twist.col(before) +
-        seconds.lambda(i) * vertex.tangents.col(i) + seconds.mu(i) * vertex.tangents.col(vertex.before(i));
+    const Eigen::Vector3d terms = vertex.alpha(i) * seconds.second.col(i) +
+                                  vertex.beta(i) * twist.col(before) +
+                                  seconds.lambda(i) * vertex.tangents.col(i) +
+                                  seconds.mu(i) * vertex.tangents.col(vertex.before(i));
     defect = std::max(defect, (twist.col(i) - terms).norm());
     size = std::max({size, twist.col(i).norm(), std::abs(vertex.beta(i)) * twist.col(before).norm(),
                      std::abs(vertex.alpha(i)) * seconds.second.col(i).norm()});
@@ -80,13 +86,16 @@ TEST(UmbrellaVertexData, AlphaAndBeta) {
     ++valid;
     const UmbrellaVertex vertex = umbrellaVertex(r, true);
     const int m = vertex.members();
-    const Eigen::VectorXd alpha = test::function(expected["alpha"]), beta = test::function(expected["beta"]),
+    const Eigen::VectorXd alpha = test::function(expected["alpha"]),
+                          beta = test::function(expected["beta"]),
                           sectors = test::function(expected["sector_area"]);
     for (int i = 0; i < m; ++i) {
-      EXPECT_NEAR(vertex.alpha(i), alpha(i), 1e-13 * (1 + std::abs(alpha(i)))) << entry["id"] << " " << i;
+      EXPECT_NEAR(vertex.alpha(i), alpha(i), 1e-13 * (1 + std::abs(alpha(i))))
+          << entry["id"] << " " << i;
       EXPECT_NEAR(vertex.beta(i), beta(i), 1e-13 * std::abs(beta(i))) << entry["id"] << " " << i;
       // There a sector is named by its end.
-      EXPECT_NEAR(vertex.sectors(i), sectors((i + 1) % m), 1e-13 * sectors((i + 1) % m)) << entry["id"];
+      EXPECT_NEAR(vertex.sectors(i), sectors((i + 1) % m), 1e-13 * sectors((i + 1) % m))
+          << entry["id"];
     }
   }
   EXPECT_EQ(valid, 6);
@@ -101,7 +110,8 @@ TEST(UmbrellaVertexData, EvenFansClose) {
     const SpokeSeconds found = closed(vertex, given, Eigen::VectorXd::Ones(vertex.spokes()));
     EXPECT_LE((found.second - columns(expected["Q02_projected"])).cwiseAbs().maxCoeff(), 1e-12)
         << entry["id"];
-    EXPECT_LE((found.lambda - test::function(expected["lam_corrected"])).cwiseAbs().maxCoeff(), 1e-12)
+    EXPECT_LE((found.lambda - test::function(expected["lam_corrected"])).cwiseAbs().maxCoeff(),
+              1e-12)
         << entry["id"];
     // The case's twist i lies behind spoke i - 1, and the first of them is given.
     const Eigen::Matrix3Xd twist = columns(expected["twists"]);
@@ -111,14 +121,16 @@ TEST(UmbrellaVertexData, EvenFansClose) {
     const Eigen::Vector3d move = (twist.col(0) - least.col(m - 1)) / direction(m - 1);
     const Eigen::Matrix3Xd moved = least + move * direction.transpose();
     for (int i = 0; i < m; ++i)
-      EXPECT_LE((moved.col((i + m - 1) % m) - twist.col(i)).norm(), 1e-12 * twist.cwiseAbs().maxCoeff())
+      EXPECT_LE((moved.col((i + m - 1) % m) - twist.col(i)).norm(),
+                1e-12 * twist.cwiseAbs().maxCoeff())
           << entry["id"] << " " << i;
   }
 }
 
 // Identities of vertex.hpp.
 
-TEST(UmbrellaVertex, Identities1And2TangentsObeyTheirEquationAndTheProductOfTransfersIsTheIdentity) {
+TEST(UmbrellaVertex,
+     Identities1And2TangentsObeyTheirEquationAndTheProductOfTransfersIsTheIdentity) {
   std::mt19937_64 random(101);
   for (int run = 0; run < 3000; ++run) {
     const bool isClosed = run % 3 != 0;
@@ -130,7 +142,8 @@ TEST(UmbrellaVertex, Identities1And2TangentsObeyTheirEquationAndTheProductOfTran
       if (!vertex.isInner(i)) continue;
       const Eigen::Vector3d next = r.col(vertex.after(i)), here = vertex.alpha(i) * r.col(i),
                             last = vertex.beta(i) * r.col(vertex.before(i));
-      EXPECT_LE((next - here - last).norm(), 1e-13 * (next.norm() + here.norm() + last.norm())) << run;
+      EXPECT_LE((next - here - last).norm(), 1e-13 * (next.norm() + here.norm() + last.norm()))
+          << run;
       EXPECT_LT(vertex.beta(i), 0);
       Eigen::Matrix2d transfer;
       transfer << vertex.alpha(i), vertex.beta(i), 1, 0;
@@ -155,13 +168,14 @@ TEST(UmbrellaVertex, Identity3SenseMotionAndLengths) {
     Eigen::Matrix3Xd longer = test::randomRotation(random) * r * factors.asDiagonal();
     const UmbrellaVertex scaled = umbrellaVertex(longer, true);
     for (int i = 0; i < m; ++i) {
-      const double tolerance = 1e-12 * (1 + std::abs(vertex.alpha(i))) / std::min(1.0, -vertex.beta(i));
+      const double tolerance =
+          1e-12 * (1 + std::abs(vertex.alpha(i))) / std::min(1.0, -vertex.beta(i));
       EXPECT_NEAR(back.alpha(m - 1 - i), -vertex.alpha(i) / vertex.beta(i), tolerance);
       EXPECT_NEAR(back.beta(m - 1 - i) * vertex.beta(i), 1, 1e-12);
       const double ratio = factors(vertex.after(i)) / factors(i);
       EXPECT_NEAR(scaled.alpha(i), vertex.alpha(i) * ratio, tolerance * ratio * 10);
-      EXPECT_NEAR(scaled.beta(i) * factors(vertex.before(i)), vertex.beta(i) * factors(vertex.after(i)),
-                  1e-11 * std::abs(vertex.beta(i)) * 4);
+      EXPECT_NEAR(scaled.beta(i) * factors(vertex.before(i)),
+                  vertex.beta(i) * factors(vertex.after(i)), 1e-11 * std::abs(vertex.beta(i)) * 4);
     }
     EXPECT_NEAR(scaled.condition, vertex.condition, 1e-9 * vertex.condition);
     EXPECT_NEAR(back.condition, vertex.condition, 1e-9 * vertex.condition);
@@ -189,7 +203,8 @@ TEST(UmbrellaTwists, ObeyTheVertexEquations) {
   for (int run = 0; run < 3000; ++run) {
     const bool isClosed = run % 3 != 0;
     const int spokes = whole(3, 9, random);
-    const UmbrellaVertex vertex = umbrellaVertex(randomTangents(spokes, isClosed, 0.01, random), isClosed);
+    const UmbrellaVertex vertex =
+        umbrellaVertex(randomTangents(spokes, isClosed, 0.01, random), isClosed);
     const SpokeSeconds seconds = closed(vertex, randomSeconds(spokes, random));
     const Eigen::Matrix3Xd least = leastTwists(vertex, seconds);
     const Eigen::VectorXd direction = solveTwists(vertex).direction;
@@ -219,9 +234,11 @@ TEST(UmbrellaTwists, ChangesAreNoLargerThanNeeded) {
     shaped.second = shapedBy(vertex, form + form.transpose(), given.second);
     const double size = shaped.second.norm() * vertex.alpha.cwiseQuotient(vertex.sectors).norm();
     EXPECT_LE(std::abs(vertex.normal.dot(closingDefect(vertex, shaped))), 1e-11 * size) << run;
-    const Eigen::Matrix3Xd recognised = shapedBy(vertex, secondForm(vertex, shaped.second), shaped.second);
+    const Eigen::Matrix3Xd recognised =
+        shapedBy(vertex, secondForm(vertex, shaped.second), shaped.second);
     EXPECT_LE((recognised - shaped.second).norm(), 1e-9 * shaped.second.norm()) << run;
-    // The least change of lambda in any other direction that closes is orthogonal to it, in the weights 1 / |beta|.
+    // The least change of lambda in any other direction that closes is orthogonal to it, in the
+    // weights 1 / |beta|.
     const Eigen::VectorXd change = found.lambda - given.lambda;
     SpokeSeconds other = given;
     other.lambda += Eigen::VectorXd::Random(m);
@@ -238,7 +255,8 @@ TEST(UmbrellaTwists, TheSenseOfTheOrderDoesNotMatter) {
   for (int run = 0; run < 1000; ++run) {
     const int m = whole(3, 9, random);
     const Eigen::Matrix3Xd r = randomTangents(m, true, 0.1, random);
-    const UmbrellaVertex vertex = umbrellaVertex(r, true), back = umbrellaVertex(r.rowwise().reverse(), true);
+    const UmbrellaVertex vertex = umbrellaVertex(r, true),
+                         back = umbrellaVertex(r.rowwise().reverse(), true);
     const Eigen::Matrix3Xd second = randomSeconds(m, random).second;
     const SpokeSeconds seconds = closed(vertex, defaultSeconds(vertex, second));
     const SpokeSeconds reversed = closed(back, defaultSeconds(back, second.rowwise().reverse()));
@@ -256,7 +274,8 @@ TEST(UmbrellaVertex, RefusesTangentsThatMakeNoFan) {
     Eigen::Matrix3Xd r(3, static_cast<Eigen::Index>(vectors.size()));
     Eigen::Index i = 0;
     for (const auto& [x, y, z] : vectors) r.col(i++) << x, y, z;
-    EXPECT_THAT([&] { umbrellaVertex(r, isClosed); }, ThrowsMessage<std::invalid_argument>(HasSubstr(why)));
+    EXPECT_THAT([&] { umbrellaVertex(r, isClosed); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr(why)));
   };
   const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
   fails({{1, 0, 0}, {0, 1, 0}}, "2 spokes: an umbrella has at least 3", true);
@@ -264,14 +283,16 @@ TEST(UmbrellaVertex, RefusesTangentsThatMakeNoFan) {
   fails({{1, 0, 0}, {0, 1, 0}, {-1, -inf, 0}}, "spoke 2 is not finite", true);
   fails({{0, 0, 0}, {0, 1, 0}, {-1, -1, 0}}, "spoke 0 has length 0", true);
   fails({{1, 2, 3}, {-1, -2, -3}, {2, 4, 6}}, "parallel", true);
-  fails({{1, 0, 0}, {-1, 2, 0.1}, {-1, -2, 0}, {1, -1, -0.1}}, "out of the plane of all spokes", true);
-  fails({{3, 0, 0}, {-3, 0, 0}, {0, -3, 0}, {1, -2, 0}}, "sector 0, from spoke 0 to 1, has the angle pi",
+  fails({{1, 0, 0}, {-1, 2, 0.1}, {-1, -2, 0}, {1, -1, -0.1}}, "out of the plane of all spokes",
         true);
-  fails({{3, 0, 0}, {2, 2, 0}, {0, 3, 0}, {-1, 2, 0}}, "sector 3, from spoke 3 to 0, has the angle 4.2",
-        true);
-  fails({{1, 0, 0}, {1, 0, 0}, {-1, 2, 0}, {-1, -2, 0}}, "sector 0, from spoke 0 to 1, has no angle", true);
-  fails({{1, 0, 0}, {-0.8, 0.6, 0}, {0.3, -0.95, 0}, {0.3, 0.95, 0}, {-0.8, -0.6, 0}}, "goes around once",
-        true);
+  fails({{3, 0, 0}, {-3, 0, 0}, {0, -3, 0}, {1, -2, 0}},
+        "sector 0, from spoke 0 to 1, has the angle pi", true);
+  fails({{3, 0, 0}, {2, 2, 0}, {0, 3, 0}, {-1, 2, 0}},
+        "sector 3, from spoke 3 to 0, has the angle 4.2", true);
+  fails({{1, 0, 0}, {1, 0, 0}, {-1, 2, 0}, {-1, -2, 0}},
+        "sector 0, from spoke 0 to 1, has no angle", true);
+  fails({{1, 0, 0}, {-0.8, 0.6, 0}, {0.3, -0.95, 0}, {0.3, 0.95, 0}, {-0.8, -0.6, 0}},
+        "goes around once", true);
   fails({{1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -0.1, 0}, {1, 0.1, 0}}, "an open one less", false);
 }
 

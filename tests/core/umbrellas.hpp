@@ -16,17 +16,21 @@ inline Poles polesOf(const UmbrellaMember& member) {
   return std::visit([](const auto& surface) { return surface.poles(); }, member);
 }
 
-/// Spokes of a random fan in a random place: angles from 0.3 to 2.8 rad, lengths of 6 to 14 mm, poles off the line by up to 1 mm.
-inline std::vector<BezierCurve> randomSpokes(int count, bool closed, int degree, std::mt19937_64& random) {
+/// Spokes of a random fan in a random place: angles from 0.3 to 2.8 rad, lengths of 6 to 14 mm,
+/// poles off the line by up to 1 mm.
+inline std::vector<BezierCurve> randomSpokes(int count, bool closed, int degree,
+                                             std::mt19937_64& random) {
   using std::numbers::pi;
   const int members = closed ? count : count - 1;
   for (;;) {
     Eigen::VectorXd angles(members);
     for (double& angle : angles) angle = uniform(0.5, 1.5, random);
-    angles *= (closed ? 2 * pi : uniform(0.5, 1, random) * std::min(5.0, 2.5 * members)) / angles.sum();
+    angles *=
+        (closed ? 2 * pi : uniform(0.5, 1, random) * std::min(5.0, 2.5 * members)) / angles.sum();
     if (angles.minCoeff() < 0.3 || angles.maxCoeff() > 2.8) continue;
     const Eigen::Matrix3d turn = randomRotation(random);
-    const Eigen::RowVector3d origin(uniform(-5, 5, random), uniform(-5, 5, random), uniform(-5, 5, random));
+    const Eigen::RowVector3d origin(uniform(-5, 5, random), uniform(-5, 5, random),
+                                    uniform(-5, 5, random));
     std::vector<BezierCurve> spokes;
     double angle = uniform(0, 6, random);
     for (int i = 0; i < count; ++i) {
@@ -65,15 +69,18 @@ inline Ribbon ribbonAfter(const UmbrellaMember& member) {
   return ribbon(std::get<BezierTriangle>(member), TriangleEdge::L1, false, Across::Into);
 }
 inline SeamSide sideBefore(const UmbrellaMember& member) {
-  if (const auto* patch = std::get_if<BezierPatch>(&member)) return seamSide(*patch, PatchEdge::U0, false);
+  if (const auto* patch = std::get_if<BezierPatch>(&member))
+    return seamSide(*patch, PatchEdge::U0, false);
   return seamSide(std::get<BezierTriangle>(member), TriangleEdge::L0, true);
 }
 inline SeamSide sideAfter(const UmbrellaMember& member) {
-  if (const auto* patch = std::get_if<BezierPatch>(&member)) return seamSide(*patch, PatchEdge::V0, false);
+  if (const auto* patch = std::get_if<BezierPatch>(&member))
+    return seamSide(*patch, PatchEdge::V0, false);
   return seamSide(std::get<BezierTriangle>(member), TriangleEdge::L1, false);
 }
 
-/// Largest of |V - a C' - b U| over 33 points of all inner spokes, relative to the largest term; infinite where members do not meet.
+/// Largest of |V - a C' - b U| over 33 points of all inner spokes, relative to the largest term;
+/// infinite where members do not meet.
 inline double worstLaw(const Umbrella& umbrella) {
   double worst = 0;
   for (int i = 0; i < umbrella.vertex.spokes(); ++i) {
@@ -103,8 +110,9 @@ inline double certifiedAngle(const Umbrella& umbrella) {
   double worst = 0;
   for (int i = 0; i < umbrella.vertex.spokes(); ++i) {
     if (!umbrella.vertex.isInner(i)) continue;
-    const SeamFigures figures = encloseSeam(sideBefore(umbrella.members[umbrella.vertex.memberBefore(i)]),
-                                            sideAfter(umbrella.members[i]), tolerance);
+    const SeamFigures figures =
+        encloseSeam(sideBefore(umbrella.members[umbrella.vertex.memberBefore(i)]),
+                    sideAfter(umbrella.members[i]), tolerance);
     worst = std::max(worst, figures.certified && figures.angle_rad
                                 ? figures.angle_rad->upper.value_or(std::numbers::pi)
                                 : std::numbers::pi);

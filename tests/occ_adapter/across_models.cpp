@@ -29,7 +29,8 @@ TopoDS_Wire turned(const TopoDS_Wire& wire, double turn_rad) {
 }
 
 TopoDS_Edge arc(const gp_Pnt& centre, double radius_mm, double begin_rad, double end_rad) {
-  return BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(centre, gp_Dir(0, 0, 1)), radius_mm), begin_rad, end_rad);
+  return BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(centre, gp_Dir(0, 0, 1)), radius_mm), begin_rad,
+                                 end_rad);
 }
 
 }  // namespace
@@ -113,7 +114,8 @@ TopoDS_Wire elbow(double size_mm, double turn_rad) {
 TopoDS_Shape cutThrough(const TopoDS_Shape& sheet, const TopoDS_Wire& outline) {
   gp_Trsf down;
   down.SetTranslation(gp_Vec(0, 0, -50));
-  const TopoDS_Shape base = BRepBuilderAPI_Transform(BRepBuilderAPI_MakeFace(outline).Face(), down).Shape();
+  const TopoDS_Shape base =
+      BRepBuilderAPI_Transform(BRepBuilderAPI_MakeFace(outline).Face(), down).Shape();
   return BRepAlgoAPI_Cut(sheet, BRepPrimAPI_MakePrism(base, gp_Vec(0, 0, 100)).Shape()).Shape();
 }
 

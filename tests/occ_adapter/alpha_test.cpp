@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Alpha-curves and alpha-surfaces in OpenCASCADE: exactly there and back, and its evaluation against the basis.
+// Alpha-curves and alpha-surfaces in OpenCASCADE: exactly there and back, and its evaluation
+// against the basis.
 #include <gmock/gmock.h>
 
 #include <Geom_BSplineCurve.hxx>
@@ -95,8 +96,9 @@ TEST(Alpha, SplinesHaveTheContinuityOfTheirOrder) {
     EXPECT_EQ(theirs->Continuity(), shape.order == 1 ? GeomAbs_C1 : GeomAbs_C2);
     for (int k = 0; k < 20; ++k) {
       const double t = uniform(0, spline.knots.back(), random);
-      EXPECT_LE((vector(theirs->Value(t).XYZ()).transpose() - derivatives(spline, t, 0).row(0)).norm(),
-                1e-12);
+      EXPECT_LE(
+          (vector(theirs->Value(t).XYZ()).transpose() - derivatives(spline, t, 0).row(0)).norm(),
+          1e-12);
     }
   }
 }

@@ -35,9 +35,11 @@ using ::testing::HasSubstr;
 TopoDS_Shape manySeams(int copies) {
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(20, 30, 40).Shape();
   BRepFilletAPI_MakeFillet rounded(box);
-  for (TopExp_Explorer it(box, TopAbs_EDGE); it.More(); it.Next()) rounded.Add(2, TopoDS::Edge(it.Current()));
+  for (TopExp_Explorer it(box, TopAbs_EDGE); it.More(); it.Next())
+    rounded.Add(2, TopoDS::Edge(it.Current()));
   const TopoDS_Shape bitten =
-      BRepAlgoAPI_Cut(rounded.Shape(), BRepPrimAPI_MakeSphere(gp_Pnt(20, 10, 20), 6).Shape()).Shape();
+      BRepAlgoAPI_Cut(rounded.Shape(), BRepPrimAPI_MakeSphere(gp_Pnt(20, 10, 20), 6).Shape())
+          .Shape();
   const TopoDS_Shape part = BRepBuilderAPI_NurbsConvert(bitten).Shape();
   BRep_Builder builder;
   TopoDS_Compound all;
@@ -117,7 +119,8 @@ TEST(RunParallel, EachPieceOnceAndCancelledBeforeTheEnd) {
     ++done;
   };
   int calls = 0;
-  EXPECT_THROW(occ::runParallel(1000, 2, slow, [&](double) { return ++calls < 3; }), occ::Cancelled);
+  EXPECT_THROW(occ::runParallel(1000, 2, slow, [&](double) { return ++calls < 3; }),
+               occ::Cancelled);
   EXPECT_LT(done, 200);
 }
 
@@ -137,11 +140,12 @@ TEST(RunParallel, AnExceptionOfProgressPassesThroughAndStopsTheThreads) {
 }
 
 TEST(Analyze, AFaceThatIsNotFiniteCostsItsOwnSeamsAlone) {
-  const TopoDS_Shape shape = BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeBox(3, 4, 5).Shape(), true).Shape();
+  const TopoDS_Shape shape =
+      BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeBox(3, 4, 5).Shape(), true).Shape();
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
-  const auto surface =
-      opencascade::handle<Geom_BSplineSurface>::DownCast(BRep_Tool::Surface(TopoDS::Face(faces(2))));
+  const auto surface = opencascade::handle<Geom_BSplineSurface>::DownCast(
+      BRep_Tool::Surface(TopoDS::Face(faces(2))));
   ASSERT_FALSE(surface.IsNull());
   const double nan = std::numeric_limits<double>::quiet_NaN();
   surface->SetPole(1, 1, gp_Pnt(nan, nan, nan));

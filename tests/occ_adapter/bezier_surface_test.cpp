@@ -39,15 +39,18 @@ Eigen::VectorXd randomWeights(Eigen::Index count, std::mt19937_64& random) {
   return Eigen::VectorXd::NullaryExpr(count, [&] { return weight(random); });
 }
 
-/// About the plane triangle (0, 0), (side, 0), (0, side), with poles moved by up to a share of the side.
-BezierTriangle triangle(int degree, bool rational, double side, double share, std::mt19937_64& random) {
+/// About the plane triangle (0, 0), (side, 0), (0, side), with poles moved by up to a share of the
+/// side.
+BezierTriangle triangle(int degree, bool rational, double side, double share,
+                        std::mt19937_64& random) {
   Poles poles = randomPoles(BezierTriangle::row(degree, degree, 0) + 1, random);
   for (int i = 0; i <= degree; ++i)
     for (int j = 0; i + j <= degree; ++j) {
       auto pole = poles.row(BezierTriangle::row(degree, i, j));
       pole = side / degree * (share * pole.eval() + Eigen::RowVector3d(i, j, 0));
     }
-  return rational ? BezierTriangle(poles, randomWeights(poles.rows(), random)) : BezierTriangle(poles);
+  return rational ? BezierTriangle(poles, randomWeights(poles.rows(), random))
+                  : BezierTriangle(poles);
 }
 
 Eigen::Vector3d vector(const gp_Pnt& p) {
@@ -101,17 +104,22 @@ TEST(BezierSurface, PatchesComeBackAsTheyWere) {
     EXPECT_EQ(back.weights(), rational.weights());
     EXPECT_LT((back.poles() - rational.poles()).cwiseAbs().maxCoeff(), 1e-15);
     EXPECT_LT((vector(theirs->Value(0.3, 0.8)) - rational.point(0.3, 0.8)).norm(), 1e-14);
-    EXPECT_LT((vector(occ::toBezierSurface(polynomial)->Value(0.3, 0.8)) - polynomial.point(0.3, 0.8)).norm(),
-              1e-14);
+    EXPECT_LT(
+        (vector(occ::toBezierSurface(polynomial)->Value(0.3, 0.8)) - polynomial.point(0.3, 0.8))
+            .norm(),
+        1e-14);
   }
 }
 
 TEST(BezierSurface, SplinesOfOneSpanAreBezier) {
   std::mt19937_64 random(83);
   const BezierPatch patch(3, 2, randomPoles(12, random), randomWeights(12, random));
-  handle<Geom_BSplineSurface> spline = GeomConvert::SurfaceToBSplineSurface(occ::toBezierSurface(patch));
+  handle<Geom_BSplineSurface> spline =
+      GeomConvert::SurfaceToBSplineSurface(occ::toBezierSurface(patch));
   spline->SetUKnot(1, -3);
-  EXPECT_LT((occ::bezierPatch(*spline).homogeneousPoles() - patch.homogeneousPoles()).cwiseAbs().maxCoeff(),
+  EXPECT_LT((occ::bezierPatch(*spline).homogeneousPoles() - patch.homogeneousPoles())
+                .cwiseAbs()
+                .maxCoeff(),
             1e-15);
   spline->InsertVKnot(0.4, 1, 1e-9);
   EXPECT_THAT(complaint([&] { occ::bezierPatch(*spline); }), AllOf(HasSubstr("2 spans in v")));
@@ -139,7 +147,8 @@ TEST(BezierSurface, OtherKindsAndDegreesAreNamed) {
               HasSubstr("Geom_Plane is no Bezier surface"));
   EXPECT_THAT(complaint([] { occ::bezierCurve(*handle<Geom_Line>(new Geom_Line(gp::OX()))); }),
               HasSubstr("Geom_Line is no Bezier curve"));
-  EXPECT_THAT(complaint([] { occ::toBezierCurve(BezierCurve(Poles::Zero(27, 3))); }), HasSubstr("degree 26"));
+  EXPECT_THAT(complaint([] { occ::toBezierCurve(BezierCurve(Poles::Zero(27, 3))); }),
+              HasSubstr("degree 26"));
   EXPECT_THAT(complaint([] { occ::toBezierSurface(BezierPatch(0, 1, Poles::Zero(2, 3))); }),
               HasSubstr("degree 0"));
   EXPECT_THAT(complaint([] { occ::toBezierSurface(BezierPatch(1, 26, Poles::Zero(54, 3))); }),
@@ -147,7 +156,8 @@ TEST(BezierSurface, OtherKindsAndDegreesAreNamed) {
   const BezierTriangle high(Poles::Zero(BezierTriangle::row(26, 26, 0) + 1, 3));
   EXPECT_THAT(complaint([&] { occ::toBezierSurfaces(high); }), HasSubstr("degree 26"));
   EXPECT_THAT(complaint([&] { occ::toShell(high); }), HasSubstr("degree 26"));
-  EXPECT_THAT(complaint([] { occ::toShell(BezierTriangle(Poles::Zero(1, 3))); }), HasSubstr("degree 0"));
+  EXPECT_THAT(complaint([] { occ::toShell(BezierTriangle(Poles::Zero(1, 3))); }),
+              HasSubstr("degree 0"));
 }
 
 TEST(BezierSurface, ATriangleIsThreeSurfaces) {
@@ -228,11 +238,13 @@ TEST(BezierSurface, TrianglesAreRecognisedInTheirSurfaces) {
       ASSERT_TRUE(found.triangle) << found.deviation_mm;
       EXPECT_EQ(found.apex, PatchEdge::V0);
       // ExchangeUV turns the natural normal over: corners 1 and 2 change places.
-      EXPECT_LT((found.triangle->permuted({0, 2, 1}).poles() - ours.poles()).cwiseAbs().maxCoeff(), 1e-12);
+      EXPECT_LT((found.triangle->permuted({0, 2, 1}).poles() - ours.poles()).cwiseAbs().maxCoeff(),
+                1e-12);
     }
   }
   EXPECT_FALSE(
-      occ::recogniseTriangle(*occ::toBezierSurfaces(triangle(2, false, 20, 0.1, random))[0]).triangle);
+      occ::recogniseTriangle(*occ::toBezierSurfaces(triangle(2, false, 20, 0.1, random))[0])
+          .triangle);
 }
 
 }  // namespace

@@ -116,9 +116,10 @@ TEST(BlockCholesky, SolvesAsEigenDoes) {
   std::mt19937 random(211);
   for (const int size : {1, 2, 3, 7, 20, 60}) {
     SCOPED_TRACE(size);
-    for (const Pairs& pairs : {Pairs(), banded(size, 1), banded(size, 4), arrow(size, true),
-                               arrow(size, false), blockDiagonal(size, 5), scattered(size, 0.03, random),
-                               scattered(size, 0.2, random), banded(size, size)})
+    for (const Pairs& pairs :
+         {Pairs(), banded(size, 1), banded(size, 4), arrow(size, true), arrow(size, false),
+          blockDiagonal(size, 5), scattered(size, 0.03, random), scattered(size, 0.2, random),
+          banded(size, size)})
       expectSolved(blocksOf(size, pairs, random), 0, random);
   }
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Breaks the smooth seams of models that are files and has them repaired.
 //   break_files [--noise MM]... [--seed NUMBER] FILE...
-// The poles of spline faces near seams are moved by less than the noise each. Counted are the seams that surely were G1 within 0.001 mm and 0.01
-// degrees, and are broken by less than 5 degrees; those of them that are G1 again; the faces whose mean curvature then varies more than the judge
-// allows over that of the broken face; and over that of the face before the noise. Reasons of seams that are left go to the error stream.
+// The poles of spline faces near seams are moved by less than the noise each. Counted are the seams
+// that surely were G1 within 0.001 mm and 0.01 degrees, and are broken by less than 5 degrees;
+// those of them that are G1 again; the faces whose mean curvature then varies more than the judge
+// allows over that of the broken face; and over that of the face before the noise. Reasons of seams
+// that are left go to the error stream.
 #include <BRep_Tool.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
@@ -36,7 +38,8 @@ std::vector<gp_Pnt2d> seamPlaces(const TopoDS_Face& face,
     double first = 0, last = 0;
     const auto path = BRep_Tool::CurveOnSurface(TopoDS::Edge(edges(e)), face, first, last);
     if (faces_of_edge.FindFromKey(edges(e)).Extent() != 2 || path.IsNull()) continue;
-    for (int k = 0; k <= points; ++k) places.push_back(path->Value(first + (last - first) * k / points));
+    for (int k = 0; k <= points; ++k)
+      places.push_back(path->Value(first + (last - first) * k / points));
   }
   return places;
 }
@@ -60,7 +63,8 @@ TopoDS_Shape broken(const TopoDS_Shape& shape, double noise_mm, unsigned seed, d
 }
 
 struct Counts {
-  int broken = 0, repaired = 0, moved = 0, worse = 0, worse_than_smooth = 0, noise_worse_than_smooth = 0;
+  int broken = 0, repaired = 0, moved = 0, worse = 0, worse_than_smooth = 0,
+      noise_worse_than_smooth = 0;
 
   Counts& operator+=(const Counts& other) {
     broken += other.broken;
@@ -75,8 +79,8 @@ struct Counts {
 
 opencascade::handle<Geom_Surface> surfaceOf(const TopoDS_Shape& shape, int face) {
   TopLoc_Location location;
-  return occ::clampedSpline(BRep_Tool::Surface(TopoDS::Face(partsOf(shape, TopAbs_FACE)(face)), location),
-                            location);
+  return occ::clampedSpline(
+      BRep_Tool::Surface(TopoDS::Face(partsOf(shape, TopAbs_FACE)(face)), location), location);
 }
 
 Counts countsOf(const occ::Model& smooth, double noise_mm, unsigned seed) {
@@ -91,20 +95,24 @@ Counts countsOf(const occ::Model& smooth, double noise_mm, unsigned seed) {
   for (std::size_t i = 0; i < report.seams.size(); ++i) {
     const occ::SeamRepair& seam = report.seams[i];
     const auto& angle = seam.before.figures.angle_rad;
-    if (!surelyReaches(was.seams[i].figures, options.tolerance, Level::G1) || !angle || !angle->upper)
+    if (!surelyReaches(was.seams[i].figures, options.tolerance, Level::G1) || !angle ||
+        !angle->upper)
       continue;
     if (seam.before.verdict.level >= Level::G1 || *angle->upper >= 5 * degree) continue;
     ++counts.broken;
     const bool is_repaired = surelyReaches(seam.after.figures, options.tolerance, Level::G1);
     counts.repaired += is_repaired ? 1 : 0;
-    if (!is_repaired) std::cerr << "  Edge" << seam.before.edges.front() << ": " << seam.reason << "\n";
+    if (!is_repaired)
+      std::cerr << "  Edge" << seam.before.edges.front() << ": " << seam.reason << "\n";
   }
   for (const FaceFairness& face : fairnessOfChanges(model.shape, report, options.tolerance)) {
     ++counts.moved;
     counts.worse += face.isWorse() ? 1 : 0;
     const TopoDS_Face shown = TopoDS::Face(partsOf(smooth.shape, TopAbs_FACE)(face.face));
-    const double before_noise_per_mm = variationByOpenCascade(shown, surfaceOf(smooth.shape, face.face));
-    const double limit_per_mm = 1.5 * before_noise_per_mm + face.limit_per_mm - 1.5 * face.before_per_mm;
+    const double before_noise_per_mm =
+        variationByOpenCascade(shown, surfaceOf(smooth.shape, face.face));
+    const double limit_per_mm =
+        1.5 * before_noise_per_mm + face.limit_per_mm - 1.5 * face.before_per_mm;
     counts.worse_than_smooth += face.after_per_mm > limit_per_mm ? 1 : 0;
     counts.noise_worse_than_smooth += face.before_per_mm > limit_per_mm ? 1 : 0;
   }
@@ -112,9 +120,10 @@ Counts countsOf(const occ::Model& smooth, double noise_mm, unsigned seed) {
 }
 
 void print(const std::string& name, double noise_mm, const Counts& counts) {
-  std::printf("%-40s %6g %6d %8d %6.1f %% %7d %6d %12d %12d\n", name.c_str(), noise_mm, counts.broken,
-              counts.repaired, counts.broken > 0 ? 100.0 * counts.repaired / counts.broken : 100.0,
-              counts.moved, counts.worse, counts.noise_worse_than_smooth, counts.worse_than_smooth);
+  std::printf("%-40s %6g %6d %8d %6.1f %% %7d %6d %12d %12d\n", name.c_str(), noise_mm,
+              counts.broken, counts.repaired,
+              counts.broken > 0 ? 100.0 * counts.repaired / counts.broken : 100.0, counts.moved,
+              counts.worse, counts.noise_worse_than_smooth, counts.worse_than_smooth);
   std::fflush(stdout);
 }
 
@@ -135,7 +144,8 @@ int main(int argc, char** argv) try {
   }
   if (noises_mm.empty()) noises_mm = {0.005, 0.05};
   std::puts(
-      "model                                  noise_mm broken repaired          moved  worse  less fair than "
+      "model                                  noise_mm broken repaired          moved  worse  less "
+      "fair than "
       "before the noise: broken, repaired");
   for (const double noise_mm : noises_mm) {
     Counts all;

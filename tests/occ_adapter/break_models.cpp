@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Breaks smooth models and has them repaired.
-//   break_models [--order 1|2] [--strictness FACTOR] [--seeds FIRST LAST] [--noise MM]... [--write FOLDER] [KIND...]
-// The tolerances are 0.001 mm, 0.01 degrees and 2 % of curvature, over the factor. One line for each kind and noise, then the reasons of what was not repaired. With --write the broken models are
-// written instead. No KIND: all.
+//   break_models [--order 1|2] [--strictness FACTOR] [--seeds FIRST LAST] [--noise MM]... [--write
+//   FOLDER] [KIND...]
+// The tolerances are 0.001 mm, 0.01 degrees and 2 % of curvature, over the factor. One line for
+// each kind and noise, then the reasons of what was not repaired. With --write the broken models
+// are written instead. No KIND: all.
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepTools.hxx>
 #include <Standard_Failure.hxx>
@@ -56,7 +58,8 @@ void write(const Job& job) {
     for (const double noise_mm : job.noises_mm)
       for (unsigned seed = job.first; seed <= job.last; ++seed) {
         const TopoDS_Shape shape = brokenModel({kind, noise_mm, seed});
-        std::string name = kind + "_" + std::to_string(noise_mm) + "_" + std::to_string(seed) + ".brep";
+        std::string name =
+            kind + "_" + std::to_string(noise_mm) + "_" + std::to_string(seed) + ".brep";
         std::ranges::replace(name, ' ', '_');
         BRepTools::Write(shape, (*job.folder + "/" + name).c_str());
         std::cout << name << (BRepCheck_Analyzer(shape).IsValid() ? "" : " is not valid") << "\n";
@@ -72,7 +75,8 @@ void count(const Job& job) {
       for (unsigned seed = job.first; seed <= job.last; ++seed)
         counts += countsOf(RepairTrial{kind, noise_mm, seed, job.order, job.strictness});
       std::cout << tableLine(kind, noise_mm, counts) << std::endl;
-      for (const auto& [why, times] : counts.reasons) std::cout << "    " << times << " x " << why << "\n";
+      for (const auto& [why, times] : counts.reasons)
+        std::cout << "    " << times << " x " << why << "\n";
       all += counts;
     }
   std::cout << all.repaired << " of " << all.treated << " seams, " << 100 * all.share() << " %\n";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Enclosures through the adapter: every kind of surface and curve, defects that sampling misses, and what can't
-// be enclosed.
+// Enclosures through the adapter: every kind of surface and curve, defects that sampling misses,
+// and what can't be enclosed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -75,7 +75,8 @@ void expectCertain(const SeamResult& seam, Level level, SeamClass seam_class) {
   EXPECT_EQ(seam.verdict.seam_class, seam_class);
 }
 
-/// Two faces bounded by one and the same edge alone, of any pcurves; the face of a lies to its left.
+/// Two faces bounded by one and the same edge alone, of any pcurves; the face of a lies to its
+/// left.
 TopoDS_Shape alongEdge(const Surface& a, const Path& path_a, const Surface& b, const Path& path_b,
                        double first, double last, double edge_tolerance = 1e-6) {
   BRep_Builder builder;
@@ -109,9 +110,11 @@ TopoDS_Shape alongEdge(const Surface& a, const Path& path_a, const Surface& b, c
   return both;
 }
 
-/// A spline over knots of multiplicity one but for the ends, poles at the Greville points, moved by \p pole.
-Surface splineSheet(const std::vector<double>& knots_u, int degree_u, const std::vector<double>& knots_v,
-                    int degree_v, const std::function<gp_Pnt(int i, int j, double u, double v)>& pole) {
+/// A spline over knots of multiplicity one but for the ends, poles at the Greville points, moved by
+/// \p pole.
+Surface splineSheet(const std::vector<double>& knots_u, int degree_u,
+                    const std::vector<double>& knots_v, int degree_v,
+                    const std::function<gp_Pnt(int i, int j, double u, double v)>& pole) {
   const auto greville = [](const std::vector<double>& knots, int degree) {
     std::vector<double> flat(degree, knots.front());
     flat.insert(flat.end(), knots.begin(), knots.end());
@@ -128,7 +131,9 @@ Surface splineSheet(const std::vector<double>& knots_u, int degree_u, const std:
   NCollection_Array2<gp_Pnt> poles(1, static_cast<int>(u.size()), 1, static_cast<int>(v.size()));
   for (int i = 0; i < poles.ColLength(); ++i)
     for (int j = 0; j < poles.RowLength(); ++j) poles(i + 1, j + 1) = pole(i, j, u[i], v[j]);
-  const auto count = [](const std::vector<double>& knots) { return static_cast<int>(knots.size()); };
+  const auto count = [](const std::vector<double>& knots) {
+    return static_cast<int>(knots.size());
+  };
   NCollection_Array1<double> array_u(1, count(knots_u)), array_v(1, count(knots_v));
   NCollection_Array1<int> times_u(1, count(knots_u)), times_v(1, count(knots_v));
   for (int i = 1; i <= count(knots_u); ++i) {
@@ -152,9 +157,9 @@ Surface flatPlane() {
   return new Geom_Plane(gp::XOY());
 }
 
-/// The sheet z = h N(x) over |x|, |y| < 12 with N the cubic B-spline over four knot spans that end at x = 10,
-/// cut along the circle of radius 10 from the plane z = 0. The circle is inside N for less than a sixteenth
-/// of its length.
+/// The sheet z = h N(x) over |x|, |y| < 12 with N the cubic B-spline over four knot spans that end
+/// at x = 10, cut along the circle of radius 10 from the plane z = 0. The circle is inside N for
+/// less than a sixteenth of its length.
 TopoDS_Shape hiddenBump(int spans, double h) {
   const double span = 24.0 / spans;
   const int pole = static_cast<int>(std::round(22 / span)) - 1;  // N ends at knot number pole + 1
@@ -166,13 +171,15 @@ TopoDS_Shape hiddenBump(int spans, double h) {
 }
 
 TEST(Certified, ABumpThatThePathEntersAndLeavesBetweenSamples) {
-  // Of the cubic B-spline over spans of length d the largest value is 2/3 and the steepest slope 2 / (3 d).
+  // Of the cubic B-spline over spans of length d the largest value is 2/3 and the steepest slope 2
+  // / (3 d).
   for (const int spans : {120, 480}) {
     const double h = 0.004, span = 24.0 / spans;
     const SeamResult seam = onlySeam(hiddenBump(spans, h));
     SCOPED_TRACE(describe(seam));
     expectEncloses(seam.figures.gap_mm, 2 * h / 3, tolerance.gap_mm, 1e-9);
-    expectEncloses(seam.figures.angle_rad, std::atan(2 * h / (3 * span)), tolerance.angle_rad, 1e-9);
+    expectEncloses(seam.figures.angle_rad, std::atan(2 * h / (3 * span)), tolerance.angle_rad,
+                   1e-9);
     expectCertain(seam, Level::G0, SeamClass::Defect);
   }
 }
@@ -182,8 +189,8 @@ TEST(Certified, WithoutTheBumpItIsSmooth) {
 }
 
 TEST(Certified, ABumpNarrowerThanAThousandthOfTheSeam) {
-  // Along v 100 mm, with four spans of 0.02 mm; at u = 0 the slope across is that of pole row 1 over a third
-  // of the width.
+  // Along v 100 mm, with four spans of 0.02 mm; at u = 0 the slope across is that of pole row 1
+  // over a third of the width.
   std::vector<double> knots = {0, 30};
   for (int i = 1; i <= 8; ++i) knots.push_back(30 + 0.02 * i);
   knots.push_back(100);
@@ -192,15 +199,17 @@ TEST(Certified, ABumpNarrowerThanAThousandthOfTheSeam) {
   const Surface sheet = splineSheet({0, 1}, 3, knots, 3, [&](int i, int j, double u, double v) {
     return gp_Pnt(3 * spacing * u, v, i == 1 && j == middle ? std::tan(tilt) * spacing * 1.5 : 0);
   });
-  const SeamResult seam = onlySeam(joined({sheet, beginningWith(3, rectangle(0, 1, 0, 100))},
-                                          {flatPlane(), beginningWith(1, rectangle(-6, 0, 0, 100))}));
+  const SeamResult seam =
+      onlySeam(joined({sheet, beginningWith(3, rectangle(0, 1, 0, 100))},
+                      {flatPlane(), beginningWith(1, rectangle(-6, 0, 0, 100))}));
   SCOPED_TRACE(describe(seam));
   expectEncloses(seam.figures.angle_rad, tilt, tolerance.angle_rad, 1e-9);
   expectCertain(seam, Level::G0, SeamClass::Defect);
 }
 
-/// Pieces of the cylinder of radius r about the line x = 0, z = -r, made in every way: u = u0 is its top line
-/// z = 0, from where it rolls away to x > 0 as u grows to u1; v from 0 to 5 mm along y.
+/// Pieces of the cylinder of radius r about the line x = 0, z = -r, made in every way: u = u0 is
+/// its top line z = 0, from where it rolls away to x > 0 as u grows to u1; v from 0 to 5 mm along
+/// y.
 struct Rolling {
   std::string what;
   Surface surface;
@@ -221,10 +230,10 @@ std::vector<Rolling> rollingSurfaces(double r) {
   const opencascade::handle<Geom_Curve> chord = new Geom_BezierCurve(two);
   const Surface trimmed = new Geom_RectangularTrimmedSurface(cylinder, 0.0, 1.2, 0.0, 5.0);
   const Surface spline = GeomConvert::SurfaceToBSplineSurface(trimmed);
-  const Surface half_spline =
-      GeomConvert::SurfaceToBSplineSurface(new Geom_RectangularTrimmedSurface(half, 0.0, 1.2, 0.0, 5.0));
-  const Surface periodic =
-      GeomConvert::SurfaceToBSplineSurface(new Geom_RectangularTrimmedSurface(cylinder, 0.0, 5.0, false));
+  const Surface half_spline = GeomConvert::SurfaceToBSplineSurface(
+      new Geom_RectangularTrimmedSurface(half, 0.0, 1.2, 0.0, 5.0));
+  const Surface periodic = GeomConvert::SurfaceToBSplineSurface(
+      new Geom_RectangularTrimmedSurface(cylinder, 0.0, 5.0, false));
   EXPECT_TRUE(periodic->IsUPeriodic());
   NCollection_Array2<gp_Pnt> poles(1, 3, 1, 2);
   NCollection_Array2<double> weights(1, 3, 1, 2);
@@ -234,28 +243,30 @@ std::vector<Rolling> rollingSurfaces(double r) {
       poles(i, j) = gp_Pnt(x[i - 1], 5 * (j - 1), z[i - 1]);
       weights(i, j) = weight[i - 1];
     }
-  return {{"cylinder", cylinder, 0, 1},
-          {"trimmed", trimmed, 0, 1},
-          {"offset outward", new Geom_OffsetSurface(half, r / 2), 0, 1},
-          {"offset inward", new Geom_OffsetSurface(wide, -r), 0, 1},
-          {"offset of a spline", new Geom_OffsetSurface(half_spline, r / 2), 0, 1},
-          {"extruded circle", new Geom_SurfaceOfLinearExtrusion(circle, gp::DY()), 0, 1},
-          {"extruded arc", new Geom_SurfaceOfLinearExtrusion(new Geom_TrimmedCurve(circle, 0, 2), gp::DY()),
-           0, 1},
-          {"turned line", new Geom_SurfaceOfRevolution(line, gp_Ax1(frame.Location(), gp::DY())), 0, 1},
-          {"turned Bezier curve", new Geom_SurfaceOfRevolution(chord, gp_Ax1(frame.Location(), gp::DY())), 0,
-           1, 0, 1},
-          {"rational B-spline", spline, 0, 1},
-          {"periodic B-spline", periodic, 0, 1},
-          {"periodic B-spline, two periods on", periodic, 4 * pi, 4 * pi + 1},
-          {"rational Bezier", new Geom_BezierSurface(poles, weights), 0, 1, 0, 1}};
+  return {
+      {"cylinder", cylinder, 0, 1},
+      {"trimmed", trimmed, 0, 1},
+      {"offset outward", new Geom_OffsetSurface(half, r / 2), 0, 1},
+      {"offset inward", new Geom_OffsetSurface(wide, -r), 0, 1},
+      {"offset of a spline", new Geom_OffsetSurface(half_spline, r / 2), 0, 1},
+      {"extruded circle", new Geom_SurfaceOfLinearExtrusion(circle, gp::DY()), 0, 1},
+      {"extruded arc",
+       new Geom_SurfaceOfLinearExtrusion(new Geom_TrimmedCurve(circle, 0, 2), gp::DY()), 0, 1},
+      {"turned line", new Geom_SurfaceOfRevolution(line, gp_Ax1(frame.Location(), gp::DY())), 0, 1},
+      {"turned Bezier curve",
+       new Geom_SurfaceOfRevolution(chord, gp_Ax1(frame.Location(), gp::DY())), 0, 1, 0, 1},
+      {"rational B-spline", spline, 0, 1},
+      {"periodic B-spline", periodic, 0, 1},
+      {"periodic B-spline, two periods on", periodic, 4 * pi, 4 * pi + 1},
+      {"rational Bezier", new Geom_BezierSurface(poles, weights), 0, 1, 0, 1}};
 }
 
 TEST(Certified, EveryKindOfSurfaceThatRollsOffAPlane) {
   const double r = 8;
   for (const Rolling& rolling : rollingSurfaces(r)) {
     const TopoDS_Shape shape =
-        joined({rolling.surface, beginningWith(3, rectangle(rolling.u0, rolling.u1, rolling.v0, rolling.v1))},
+        joined({rolling.surface,
+                beginningWith(3, rectangle(rolling.u0, rolling.u1, rolling.v0, rolling.v1))},
                {flatPlane(), beginningWith(1, rectangle(-4, 0, 0, 5))});
     const SeamResult seam = onlySeam(shape);
     SCOPED_TRACE(rolling.what + ": " + describe(seam));
@@ -267,8 +278,9 @@ TEST(Certified, EveryKindOfSurfaceThatRollsOffAPlane) {
   }
 }
 
-/// Surfaces that touch the sphere of radius r along its parallel of that latitude, and what their curvature
-/// differs by: along the parallel it is that of the sphere (Meusnier), along the meridian their own.
+/// Surfaces that touch the sphere of radius r along its parallel of that latitude, and what their
+/// curvature differs by: along the parallel it is that of the sphere (Meusnier), along the meridian
+/// their own.
 TEST(Certified, ConeTorusAndTurnedCurvesThatTouchASphere) {
   const double r = 10, latitude = 0.5, tube = 4;
   const Surface sphere = new Geom_SphericalSurface(gp_Ax3(gp::XOY()), r);
@@ -285,25 +297,27 @@ TEST(Certified, ConeTorusAndTurnedCurvesThatTouchASphere) {
     double v, difference, relative;
   };
   const double of_torus = 1 / tube - 1 / r;
-  for (const Case& c :
-       {Case{sphere, cone, 0, 1 / r, 1}, Case{turned, cone, 0, 1 / r, 1},
-        Case{sphere, torus, latitude, of_torus, of_torus * tube},
-        Case{turned, torus, latitude, of_torus, of_torus * tube}, Case{turned, sphere, latitude, 0, 0}}) {
-    const SeamResult seam = onlySeam(joined({c.below, beginningWith(2, rectangle(0.2, 1.7, 0.1, latitude))},
-                                            {c.above, rectangle(0.2, 1.7, c.v, c.v + 0.3)}));
+  for (const Case& c : {Case{sphere, cone, 0, 1 / r, 1}, Case{turned, cone, 0, 1 / r, 1},
+                        Case{sphere, torus, latitude, of_torus, of_torus * tube},
+                        Case{turned, torus, latitude, of_torus, of_torus * tube},
+                        Case{turned, sphere, latitude, 0, 0}}) {
+    const SeamResult seam =
+        onlySeam(joined({c.below, beginningWith(2, rectangle(0.2, 1.7, 0.1, latitude))},
+                        {c.above, rectangle(0.2, 1.7, c.v, c.v + 0.3)}));
     SCOPED_TRACE(std::string(c.below->DynamicType()->Name()) + c.above->DynamicType()->Name() +
                  describe(seam));
     expectEncloses(seam.figures.gap_mm, 0, tolerance.gap_mm, 1e-9);
     expectEncloses(seam.figures.angle_rad, 0, tolerance.angle_rad, 1e-9);
-    expectEncloses(seam.figures.curvature_per_mm, c.difference, tolerance.curvature_rel / tube, 1e-9);
+    expectEncloses(seam.figures.curvature_per_mm, c.difference, tolerance.curvature_rel / tube,
+                   1e-9);
     expectEncloses(seam.figures.curvature_rel, c.relative, tolerance.curvature_rel, 1e-9);
     expectCertain(seam, c.difference > 0 ? Level::G1 : Level::G2, SeamClass::Smooth);
   }
 }
 
 TEST(Certified, EveryKindOfPathInTwoPlanes) {
-  // Plane b is turned by the angle about the x axis: the planes share that line alone, so a path over both is
-  // apart by 2 |y| sin(angle / 2).
+  // Plane b is turned by the angle about the x axis: the planes share that line alone, so a path
+  // over both is apart by 2 |y| sin(angle / 2).
   const double angle = 30 * degree;
   const Surface plane = flatPlane();
   const Surface tilted =
@@ -318,15 +332,18 @@ TEST(Certified, EveryKindOfPathInTwoPlanes) {
     double first, last, largest_y;
   };
   const double small = 0.005;  // so that the gap is within tolerance
-  for (const Case& c : {Case{new Geom2d_Line(gp::Origin2d(), gp::DX2d()), -3, 4, 0},
-                        Case{new Geom2d_Circle(axis, small), 0, 2 * pi, small},
-                        Case{new Geom2d_Ellipse(axis, 3, small), 0, 2 * pi, small},
-                        Case{new Geom2d_Parabola(axis, 2), -small, small, small},
-                        Case{new Geom2d_Hyperbola(axis, 3, small), -std::asinh(1), std::asinh(1), small},
-                        Case{new Geom2d_BezierCurve(poles), 0, 1, small}}) {
-    const SeamResult seam = onlySeam(alongEdge(plane, c.path, tilted, c.path, c.first, c.last, 0.01));
+  for (const Case& c :
+       {Case{new Geom2d_Line(gp::Origin2d(), gp::DX2d()), -3, 4, 0},
+        Case{new Geom2d_Circle(axis, small), 0, 2 * pi, small},
+        Case{new Geom2d_Ellipse(axis, 3, small), 0, 2 * pi, small},
+        Case{new Geom2d_Parabola(axis, 2), -small, small, small},
+        Case{new Geom2d_Hyperbola(axis, 3, small), -std::asinh(1), std::asinh(1), small},
+        Case{new Geom2d_BezierCurve(poles), 0, 1, small}}) {
+    const SeamResult seam =
+        onlySeam(alongEdge(plane, c.path, tilted, c.path, c.first, c.last, 0.01));
     SCOPED_TRACE(std::string(c.path->DynamicType()->Name()) + describe(seam));
-    expectEncloses(seam.figures.gap_mm, 2 * c.largest_y * std::sin(angle / 2), tolerance.gap_mm, 1e-9);
+    expectEncloses(seam.figures.gap_mm, 2 * c.largest_y * std::sin(angle / 2), tolerance.gap_mm,
+                   1e-9);
     expectEncloses(seam.figures.angle_rad, angle, tolerance.angle_rad, 1e-9);
     expectCertain(seam, Level::G0, SeamClass::Crease);
   }
@@ -348,9 +365,11 @@ TEST(Certified, KindsThatAreNotEnclosedAreSampledAndSaySo) {
   const Path offset = new Geom2d_OffsetCurve(new Geom2d_Circle(axis, 3), 0.5);
   expectSampled(alongEdge(flatPlane(), offset, flatPlane(), offset, 0, 2), "Geom2d_OffsetCurve");
   const Surface patch = new Geom_RectangularTrimmedSurface(flatPlane(), 0.0, 1.0, 0.0, 1.0);
-  const opencascade::handle<TColGeom_HArray2OfSurface> patches = new TColGeom_HArray2OfSurface(1, 1, 1, 1);
+  const opencascade::handle<TColGeom_HArray2OfSurface> patches =
+      new TColGeom_HArray2OfSurface(1, 1, 1, 1);
   patches->SetValue(1, 1, patch);
-  const opencascade::handle<ShapeExtend_CompositeSurface> composite = new ShapeExtend_CompositeSurface();
+  const opencascade::handle<ShapeExtend_CompositeSurface> composite =
+      new ShapeExtend_CompositeSurface();
   ASSERT_TRUE(composite->Init(patches));
   const Path line = new Geom2d_Line(gp_Pnt2d(0, 0.5), gp::DX2d());
   expectSampled(alongEdge(Surface(composite.get()), line, flatPlane(), line, 0, 1),
@@ -358,18 +377,20 @@ TEST(Certified, KindsThatAreNotEnclosedAreSampledAndSaySo) {
 }
 
 TEST(Certified, APoleThatIsNotFiniteIsSaid) {
-  const auto sheet = opencascade::handle<Geom_BSplineSurface>::DownCast(
-      splineSheet({0, 1, 2, 3}, 3, {0, 1}, 1, [](int, int, double u, double v) { return gp_Pnt(u, v, 0); }));
+  const auto sheet = opencascade::handle<Geom_BSplineSurface>::DownCast(splineSheet(
+      {0, 1, 2, 3}, 3, {0, 1}, 1, [](int, int, double u, double v) { return gp_Pnt(u, v, 0); }));
   const double nan = std::numeric_limits<double>::quiet_NaN();
   sheet->SetPole(6, 2, gp_Pnt(nan, nan, nan));  // far from the seam's part of the surface
   const Path line = new Geom2d_Line(gp_Pnt2d(0, 0), gp::DX2d());
-  const SeamResult seam = onlySeam(alongEdge(Surface(sheet.get()), line, flatPlane(), line, 0, 0.9));
+  const SeamResult seam =
+      onlySeam(alongEdge(Surface(sheet.get()), line, flatPlane(), line, 0, 0.9));
   EXPECT_FALSE(seam.figures.certified || seam.verdict.certain);
   EXPECT_THAT(seam.figures.uncertified, HasSubstr("not finite"));
 }
 
 TEST(Certified, PolesAreNamedAndTheRestIsCertified) {
-  const TopoDS_Shape sphere = BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeSphere(10).Shape(), true).Shape();
+  const TopoDS_Shape sphere =
+      BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeSphere(10).Shape(), true).Shape();
   const TopoDS_Shape cone = BRepPrimAPI_MakeCone(5, 0, 12).Shape();
   const TopoDS_Shape cone_spline = BRepBuilderAPI_NurbsConvert(cone, true).Shape();
   for (const TopoDS_Shape& shape : {sphere, cone, cone_spline})
@@ -377,15 +398,17 @@ TEST(Certified, PolesAreNamedAndTheRestIsCertified) {
       if (seam.kind != occ::SeamKind::Closed) continue;
       SCOPED_TRACE(describe(seam));
       EXPECT_THAT(seam.note, HasSubstr("vanishing normal on face 1 at "));
-      EXPECT_NEAR(seam.figures.plane_share, 1, 0x1p-28) << "the surface has a tangent plane up to the pole";
+      EXPECT_NEAR(seam.figures.plane_share, 1, 0x1p-28)
+          << "the surface has a tangent plane up to the pole";
       expectCertain(seam, Level::G2, SeamClass::Smooth);
     }
 }
 
 TEST(Certified, MoreKnotsThanTheWorkLimitEndsWithAReason) {
   const int spans = 31'000;
-  const Surface sheet = splineSheet({0, 1}, 1, evenly(0, spans, spans), 3,
-                                    [](int, int, double u, double v) { return gp_Pnt(u, 0.01 * v, 0); });
+  const Surface sheet =
+      splineSheet({0, 1}, 1, evenly(0, spans, spans), 3,
+                  [](int, int, double u, double v) { return gp_Pnt(u, 0.01 * v, 0); });
   const SeamResult seam =
       onlySeam(joined({sheet, beginningWith(3, rectangle(0, 1, 0, spans))},
                       {flatPlane(), beginningWith(1, rectangle(-1, 0, 0, 0.01 * spans))}));
@@ -396,7 +419,8 @@ TEST(Certified, MoreKnotsThanTheWorkLimitEndsWithAReason) {
 }
 
 TEST(Certified, PathsThatRunAtDifferentSpeedsAreApart) {
-  // The same line with y = L t on one side, y = L t^2 on the other: at equal parameters L (t - t^2) apart, L
+  // The same line with y = L t on one side, y = L t^2 on the other: at equal parameters L (t - t^2)
+  // apart, L
   // / 4 at most.
   const double length = 8;
   NCollection_Array1<gp_Pnt2d> poles(1, 3);
@@ -422,14 +446,16 @@ void expectOverlap(const std::optional<Figure>& a, const std::optional<Figure>& 
 }
 
 /// \param scale of lengths. \param noise_rad by which rounding of the moved poles turns normals.
-void expectSameSeam(const SeamResult& seam, const SeamResult& moved, double scale, double noise_rad) {
+void expectSameSeam(const SeamResult& seam, const SeamResult& moved, double scale,
+                    double noise_rad) {
   SCOPED_TRACE(describe(seam) + "\n" + describe(moved));
   EXPECT_EQ(seam.verdict.level, moved.verdict.level);
   EXPECT_EQ(seam.verdict.seam_class, moved.verdict.seam_class);
   EXPECT_EQ(seam.verdict.certain, moved.verdict.certain);
   expectOverlap(seam.figures.gap_mm, moved.figures.gap_mm, 1 / scale, noise_rad);
   expectOverlap(seam.figures.angle_rad, moved.figures.angle_rad, 1, noise_rad);
-  expectOverlap(seam.figures.curvature_per_mm, moved.figures.curvature_per_mm, scale, 100 * noise_rad);
+  expectOverlap(seam.figures.curvature_per_mm, moved.figures.curvature_per_mm, scale,
+                100 * noise_rad);
   expectOverlap(seam.figures.curvature_rel, moved.figures.curvature_rel, 1, 1e4 * noise_rad);
 }
 
@@ -442,8 +468,9 @@ TEST(Certified, TheSameUnderMotionScaleMirrorSwapAndReversal) {
       });
   const TopoDS_Shape wavy_seam = joined({wavy, beginningWith(3, rectangle(0, 6, 0, 10))},
                                         {flatPlane(), beginningWith(1, rectangle(-4, 0, 0, 10))});
-  for (const TopoDS_Shape& shape : {wavy_seam, hiddenBump(120, 0.004), crossedCylinders(10),
-                                    sphereAndTorus(10, 9), planeAndCylinder(10, 5), foldedPlanes()}) {
+  for (const TopoDS_Shape& shape :
+       {wavy_seam, hiddenBump(120, 0.004), crossedCylinders(10), sphereAndTorus(10, 9),
+        planeAndCylinder(10, 5), foldedPlanes()}) {
     const SeamResult seam = onlySeam(shape);
     EXPECT_TRUE(seam.verdict.certain) << describe(seam);
     const auto expect_same = [&](const TopoDS_Shape& moved, double scale, double noise_rad) {
@@ -481,7 +508,8 @@ TEST(Certified, AFaceThatMeetsItselfWithOnePcurveIsNotCertain) {
       const TopoDS_Edge edge = TopoDS::Edge(edges.Current());
       double first = 0, last = 0;
       if (BRep_Tool::IsClosed(edge, face))
-        BRep_Builder().UpdateEdge(edge, BRep_Tool::CurveOnSurface(edge, face, first, last), face, 1e-7);
+        BRep_Builder().UpdateEdge(edge, BRep_Tool::CurveOnSurface(edge, face, first, last), face,
+                                  1e-7);
     }
   const occ::Report report = analyzed(cylinder);
   const auto closed = std::ranges::find(report.seams, occ::SeamKind::Closed, &SeamResult::kind);

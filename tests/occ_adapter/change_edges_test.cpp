@@ -73,9 +73,11 @@ TEST(ChangeEdges, ANewPathAloneLeadsTheEdge) {
   double first = 0, last = 0;
   const handle<Geom2d_Curve> old =
       BRep_Tool::CurveOnSurface(edgeOf(shape, number), face(shape, 2), first, last);
-  const gp_Pnt2d from = old->Value(first), middle = old->Value((first + last) / 2), to = old->Value(last);
+  const gp_Pnt2d from = old->Value(first), middle = old->Value((first + last) / 2),
+                 to = old->Value(last);
   // Into the second face, so the edge is halfway there.
-  const handle<Geom2d_BSplineCurve> path = curvedPath({from, middle.Translated(gp_Vec2d(0.004, 0)), to});
+  const handle<Geom2d_BSplineCurve> path =
+      curvedPath({from, middle.Translated(gp_Vec2d(0.004, 0)), to});
   TColStd_Array1OfReal knots(1, path->NbKnots());
   for (int k = 1; k <= path->NbKnots(); ++k)
     knots(k) = first + (last - first) * (path->Knot(k) - path->FirstParameter()) /
@@ -99,17 +101,21 @@ TEST(ChangeEdges, WhatEdgesAreSaidToBeStaysSaid) {
   builder.Continuity(edgeOf(shape, number), face(shape, 1), face(shape, 2), GeomAbs_C1);
   const TopoDS_Shape changed =
       withChanges(shape, {{2, handle<Geom_Surface>(flat(10, 0.001)), 0.001}}, gap_mm);
-  ASSERT_TRUE(BRep_Tool::HasContinuity(edgeOf(changed, number), face(changed, 1), face(changed, 2)));
-  EXPECT_EQ(BRep_Tool::Continuity(edgeOf(changed, number), face(changed, 1), face(changed, 2)), GeomAbs_C1);
+  ASSERT_TRUE(
+      BRep_Tool::HasContinuity(edgeOf(changed, number), face(changed, 1), face(changed, 2)));
+  EXPECT_EQ(BRep_Tool::Continuity(edgeOf(changed, number), face(changed, 1), face(changed, 2)),
+            GeomAbs_C1);
   // So is that of a face with itself.
-  const TopoDS_Shape tube = BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeCylinder(5, 10).Shape()).Shape();
+  const TopoDS_Shape tube =
+      BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeCylinder(5, 10).Shape()).Shape();
   for (int e = 1; e <= partsOf(tube, TopAbs_EDGE).Extent(); ++e) {
     if (!BRep_Tool::IsClosed(edgeOf(tube, e), face(tube, 1))) continue;
     builder.Continuity(edgeOf(tube, e), face(tube, 1), face(tube, 1), GeomAbs_C2);
     const auto surface = handle<Geom_Surface>::DownCast(BRep_Tool::Surface(face(tube, 1))->Copy());
     const TopoDS_Shape copied = withChanges(tube, {{1, surface, 0}}, gap_mm);
     ASSERT_TRUE(BRep_Tool::HasContinuity(edgeOf(copied, e), face(copied, 1), face(copied, 1)));
-    EXPECT_EQ(BRep_Tool::Continuity(edgeOf(copied, e), face(copied, 1), face(copied, 1)), GeomAbs_C2);
+    EXPECT_EQ(BRep_Tool::Continuity(edgeOf(copied, e), face(copied, 1), face(copied, 1)),
+              GeomAbs_C2);
   }
 }
 
@@ -118,7 +124,8 @@ TopoDS_Shape halvesOfOne(const Spline& surface) {
   const std::array<gp_Pnt2d, 6> uv = {gp_Pnt2d(0, 0), {0.5, 0}, {1, 0}, {1, 1}, {0.5, 1}, {0, 1}};
   std::array<TopoDS_Vertex, 6> vertices;
   const BRep_Builder builder;
-  for (int k = 0; k < 6; ++k) builder.MakeVertex(vertices[k], surface->Value(uv[k].X(), uv[k].Y()), 1e-7);
+  for (int k = 0; k < 6; ++k)
+    builder.MakeVertex(vertices[k], surface->Value(uv[k].X(), uv[k].Y()), 1e-7);
   const auto edge = [&](int a, int b) {
     const gp_Vec2d way(uv[a], uv[b]);
     const handle<Geom2d_Line> line = new Geom2d_Line(uv[a], gp_Dir2d(way));
@@ -128,7 +135,8 @@ TopoDS_Shape halvesOfOne(const Spline& surface) {
     return made;
   };
   const TopoDS_Edge common = edge(1, 4);
-  const TopoDS_Wire left = BRepBuilderAPI_MakeWire(edge(0, 1), common, edge(4, 5), edge(5, 0)).Wire();
+  const TopoDS_Wire left =
+      BRepBuilderAPI_MakeWire(edge(0, 1), common, edge(4, 5), edge(5, 0)).Wire();
   BRepBuilderAPI_MakeWire right(edge(1, 2), edge(2, 3), edge(3, 4));
   right.Add(TopoDS::Edge(common.Reversed()));
   return loose(BRepBuilderAPI_MakeFace(surface, left, true).Face(),
@@ -138,14 +146,16 @@ TopoDS_Shape halvesOfOne(const Spline& surface) {
 TEST(ChangeEdges, AFaceOnTheOldSurfaceKeepsItsPaths) {
   const TopoDS_Shape shape = halvesOfOne(flat(0));
   const int number = commonEdge(shape);
-  const TopoDS_Shape changed = withChanges(shape, {{1, handle<Geom_Surface>(flat(0, 0.002)), 0.002}}, gap_mm);
+  const TopoDS_Shape changed =
+      withChanges(shape, {{1, handle<Geom_Surface>(flat(0, 0.002)), 0.002}}, gap_mm);
   TopLoc_Location location;
-  EXPECT_EQ(BRep_Tool::Surface(face(changed, 2), location), BRep_Tool::Surface(face(shape, 2), location));
+  EXPECT_EQ(BRep_Tool::Surface(face(changed, 2), location),
+            BRep_Tool::Surface(face(shape, 2), location));
   for (const int f : {1, 2}) {
     double first = 0, last = 0;
     bool is_stored = false;
-    const handle<Geom2d_Curve> path =
-        BRep_Tool::CurveOnSurface(edgeOf(changed, number), face(changed, f), first, last, &is_stored);
+    const handle<Geom2d_Curve> path = BRep_Tool::CurveOnSurface(
+        edgeOf(changed, number), face(changed, f), first, last, &is_stored);
     ASSERT_FALSE(path.IsNull()) << f;
     EXPECT_TRUE(is_stored);
   }
@@ -168,14 +178,16 @@ TEST(ChangeEdges, FlagsOfEdgesAreWhatTheyAreNow) {
   const int number = commonEdge(shape);
   builder.SameRange(edgeOf(shape, number), false);
   builder.SameParameter(edgeOf(shape, number), false);
-  const TopoDS_Shape changed = withChanges(shape, {{1, handle<Geom_Surface>(flat(0, 0.002)), 0.002}}, gap_mm);
+  const TopoDS_Shape changed =
+      withChanges(shape, {{1, handle<Geom_Surface>(flat(0, 0.002)), 0.002}}, gap_mm);
   EXPECT_TRUE(BRep_Tool::SameRange(edgeOf(changed, number)));
   EXPECT_TRUE(BRep_Tool::SameParameter(edgeOf(changed, number)));
 }
 
 TEST(ChangeEdges, AToleranceThatWasTooSmallIsMeasured) {
   TopoDS_Shape shape = twoFlats();
-  // The second face is 0.005 mm below, and the edge lies on the first one and claims to lie on both.
+  // The second face is 0.005 mm below, and the edge lies on the first one and claims to lie on
+  // both.
   shape = withChanges(shape, {{2, handle<Geom_Surface>(flat(10, -0.005)), 0.005}}, 100);
   const int number = commonEdge(shape);
   const double apart_mm = middleOf(edgeOf(shape, number)).Z() + 0.005;
@@ -188,15 +200,18 @@ TEST(ChangeEdges, AToleranceThatWasTooSmallIsMeasured) {
 
 TEST(ChangeEdges, VerticesReachTheirEdgesAndTheEndsOnEachFace) {
   const TopoDS_Shape shape = twoFlats();
-  const TopoDS_Shape changed = withChanges(shape, {{2, handle<Geom_Surface>(flat(10, 0.02)), 0.02}}, gap_mm);
+  const TopoDS_Shape changed =
+      withChanges(shape, {{2, handle<Geom_Surface>(flat(10, 0.02)), 0.02}}, gap_mm);
   for (const int f : {1, 2}) {
     const TopTools_IndexedMapOfShape edges = partsOf(face(changed, f), TopAbs_EDGE);
     for (int e = 1; e <= edges.Extent(); ++e) {
       const TopoDS_Edge edge = TopoDS::Edge(edges(e).Oriented(TopAbs_FORWARD));
       double first = 0, last = 0;
-      const handle<Geom2d_Curve> path = BRep_Tool::CurveOnSurface(edge, face(changed, f), first, last);
+      const handle<Geom2d_Curve> path =
+          BRep_Tool::CurveOnSurface(edge, face(changed, f), first, last);
       for (const bool at_first : {true, false}) {
-        const TopoDS_Vertex vertex = at_first ? TopExp::FirstVertex(edge) : TopExp::LastVertex(edge);
+        const TopoDS_Vertex vertex =
+            at_first ? TopExp::FirstVertex(edge) : TopExp::LastVertex(edge);
         const gp_Pnt2d uv = path->Value(at_first ? first : last);
         const gp_Pnt end = BRep_Tool::Surface(face(changed, f))->Value(uv.X(), uv.Y());
         EXPECT_LE(end.Distance(BRep_Tool::Pnt(vertex)), BRep_Tool::Tolerance(vertex));

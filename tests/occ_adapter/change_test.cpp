@@ -56,7 +56,8 @@ void expectSamePoint(const gp_Pnt& a, const gp_Pnt& b, double near_mm) {
   EXPECT_LE(a.Distance(b), near_mm);
 }
 
-/// The same parts in the same order, with the same senses; points of vertices, edges and faces near each other.
+/// The same parts in the same order, with the same senses; points of vertices, edges and faces near
+/// each other.
 void expectSameShape(const TopoDS_Shape& a, const TopoDS_Shape& b, double near_mm) {
   for (const TopAbs_ShapeEnum kind :
        {TopAbs_SOLID, TopAbs_SHELL, TopAbs_WIRE, TopAbs_FACE, TopAbs_EDGE, TopAbs_VERTEX}) {
@@ -66,8 +67,8 @@ void expectSameShape(const TopoDS_Shape& a, const TopoDS_Shape& b, double near_m
       EXPECT_EQ(of_a(i).Orientation(), of_b(i).Orientation());
       EXPECT_EQ(of_a(i).Closed(), of_b(i).Closed());
       if (kind == TopAbs_VERTEX)
-        expectSamePoint(BRep_Tool::Pnt(TopoDS::Vertex(of_a(i))), BRep_Tool::Pnt(TopoDS::Vertex(of_b(i))),
-                        near_mm);
+        expectSamePoint(BRep_Tool::Pnt(TopoDS::Vertex(of_a(i))),
+                        BRep_Tool::Pnt(TopoDS::Vertex(of_b(i))), near_mm);
       if (kind != TopAbs_EDGE) continue;
       const TopoDS_Edge& on_a = TopoDS::Edge(of_a(i));
       const TopoDS_Edge& on_b = TopoDS::Edge(of_b(i));
@@ -99,8 +100,8 @@ gp_Trsf shift(double x, double y, double z) {
   return by;
 }
 
-// What is known without the code: a solid whose surfaces are all moved alike is the solid moved. Periodic faces, faces that meet
-// themselves and degenerated edges are among these.
+// What is known without the code: a solid whose surfaces are all moved alike is the solid moved.
+// Periodic faces, faces that meet themselves and degenerated edges are among these.
 TEST(Change, SurfacesMovedAlikeGiveTheShapeMoved) {
   std::mt19937 generator(20251);
   for (const TopoDS_Shape& solid : solidsOfSplines())
@@ -157,7 +158,8 @@ TEST(Change, WhatDoesNotDependOnTheFaceIsShared) {
                               BRep_Tool::Surface(TopoDS::Face(before(f)), location);
     EXPECT_EQ(same_surface, f != 2) << f;
   }
-  const TopTools_IndexedMapOfShape edges = partsOf(shape, TopAbs_EDGE), now = partsOf(changed, TopAbs_EDGE);
+  const TopTools_IndexedMapOfShape edges = partsOf(shape, TopAbs_EDGE),
+                                   now = partsOf(changed, TopAbs_EDGE);
   const TopTools_IndexedMapOfShape of_second = partsOf(before(2), TopAbs_EDGE),
                                    ends = partsOf(before(2), TopAbs_VERTEX);
   for (int e = 1; e <= edges.Extent(); ++e) {
@@ -170,8 +172,9 @@ TEST(Change, WhatDoesNotDependOnTheFaceIsShared) {
     double first = 0, last = 0;
     for (int f = 1; f <= 2; ++f) {
       if (!partsOf(before(f), TopAbs_EDGE).Contains(edges(e))) continue;
-      EXPECT_EQ(BRep_Tool::CurveOnSurface(TopoDS::Edge(now(e)), TopoDS::Face(after(f)), first, last),
-                BRep_Tool::CurveOnSurface(TopoDS::Edge(edges(e)), TopoDS::Face(before(f)), first, last));
+      EXPECT_EQ(
+          BRep_Tool::CurveOnSurface(TopoDS::Edge(now(e)), TopoDS::Face(after(f)), first, last),
+          BRep_Tool::CurveOnSurface(TopoDS::Edge(edges(e)), TopoDS::Face(before(f)), first, last));
     }
   }
   // Nothing of the old surface is left behind.
@@ -179,7 +182,8 @@ TEST(Change, WhatDoesNotDependOnTheFaceIsShared) {
     if (of_second.Contains(edges(e))) {
       double first = 0, last = 0;
       EXPECT_TRUE(
-          BRep_Tool::CurveOnSurface(TopoDS::Edge(now(e)), TopoDS::Face(before(2)), first, last).IsNull());
+          BRep_Tool::CurveOnSurface(TopoDS::Edge(now(e)), TopoDS::Face(before(2)), first, last)
+              .IsNull());
     }
 }
 
@@ -188,8 +192,10 @@ TEST(Change, AnEdgeLiesHalfwayBetweenItsFaces) {
   const TopoDS_Shape shape = joinedSheets(disturbedSheets(generator, 0));
   const Spline spline = splineOfFace(shape, 2);
   spline->Transform(shift(0, 0, 0.02));
-  const TopoDS_Shape changed = withChanges(shape, {{2, handle<Geom_Surface>(spline), 0.02}}, gap_mm);
-  const TopTools_IndexedMapOfShape edges = partsOf(shape, TopAbs_EDGE), now = partsOf(changed, TopAbs_EDGE);
+  const TopoDS_Shape changed =
+      withChanges(shape, {{2, handle<Geom_Surface>(spline), 0.02}}, gap_mm);
+  const TopTools_IndexedMapOfShape edges = partsOf(shape, TopAbs_EDGE),
+                                   now = partsOf(changed, TopAbs_EDGE);
   const TopTools_IndexedMapOfShape of_first = partsOf(face(shape, 1), TopAbs_EDGE);
   const TopTools_IndexedMapOfShape of_second = partsOf(face(shape, 2), TopAbs_EDGE);
   for (int e = 1; e <= edges.Extent(); ++e) {
@@ -225,17 +231,20 @@ TEST(Change, ASurfaceThatIsTheSameMovesNothing) {
   for (int e = 1; e <= edges.Extent(); ++e) {
     const TopoDS_Edge& edge = TopoDS::Edge(edges_now(e));
     double first = 0, last = 0;
-    EXPECT_EQ(BRep_Tool::Curve(edge, first, last), BRep_Tool::Curve(TopoDS::Edge(edges(e)), first, last));
+    EXPECT_EQ(BRep_Tool::Curve(edge, first, last),
+              BRep_Tool::Curve(TopoDS::Edge(edges(e)), first, last));
     EXPECT_EQ(BRep_Tool::Tolerance(edge), BRep_Tool::Tolerance(TopoDS::Edge(edges(e))));
   }
   EXPECT_TRUE(withChanges(shape, {}, gap_mm).IsEqual(shape));
 }
 
-// A plane of a wire in space has no paths of its own; where an edge moves away from it the path it had is kept.
+// A plane of a wire in space has no paths of its own; where an edge moves away from it the path it
+// had is kept.
 TEST(Change, PathsThatOnlyFollowedFromTheCurveAreStored) {
   TColgp_Array2OfPnt poles(1, 3, 1, 3);
   for (int i = 1; i <= 3; ++i)
-    for (int j = 1; j <= 3; ++j) poles(i, j) = gp_Pnt(10 * (j - 1), 5 * (i - 1), 4 * (i - 1) * (i - 1));
+    for (int j = 1; j <= 3; ++j)
+      poles(i, j) = gp_Pnt(10 * (j - 1), 5 * (i - 1), 4 * (i - 1) * (i - 1));
   const Spline spline = splineOf(poles, 2, 2);
   const TopoDS_Face sheet_face = wholeFace(spline);
   TopoDS_Edge common;
@@ -251,7 +260,8 @@ TEST(Change, PathsThatOnlyFollowedFromTheCurveAreStored) {
   const gp_Pnt below(10, -8, 0);
   const TopoDS_Edge side =
       BRepBuilderAPI_MakeEdge(to, BRepBuilderAPI_MakeEdge(BRep_Tool::Pnt(to), below).Vertex2());
-  BRepBuilderAPI_MakeWire wire(common, side, BRepBuilderAPI_MakeEdge(TopExp::LastVertex(side), from).Edge());
+  BRepBuilderAPI_MakeWire wire(common, side,
+                               BRepBuilderAPI_MakeEdge(TopExp::LastVertex(side), from).Edge());
   const TopoDS_Face plane =
       BRepBuilderAPI_MakeFace(handle<Geom_Plane>(new Geom_Plane(gp::XOY())), wire.Wire(), true);
   double first = 0, last = 0;
@@ -278,7 +288,8 @@ TEST(Change, RefusesWhatNamesNoFace) {
   EXPECT_THROW(withChanges(shape, {{0, surface, 0}}, gap_mm), std::invalid_argument);
   EXPECT_THROW(withChanges(shape, {{9, surface, 0}}, gap_mm), std::invalid_argument);
   EXPECT_THROW(withChanges(shape, {{1, {}, 0}}, gap_mm), std::invalid_argument);
-  EXPECT_THROW(withChanges(shape, {{1, surface, 0}, {1, surface, 0}}, gap_mm), std::invalid_argument);
+  EXPECT_THROW(withChanges(shape, {{1, surface, 0}, {1, surface, 0}}, gap_mm),
+               std::invalid_argument);
   const TopoDS_Shape twice = loose(shape, located(shape, shift(0, 500, 0)));
   EXPECT_THROW(withChanges(twice, {{1, surface, 0}}, gap_mm), std::invalid_argument);
 }

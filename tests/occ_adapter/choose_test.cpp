@@ -29,8 +29,8 @@ Choice chosen(const TopoDS_Shape& shape, const RepairOptions& options = {}) {
 }
 
 TEST(Choose, DefectsAreTreatedAndCreasesAreNot) {
-  const Choice choice = chosen(
-      chain({{}, {.kink = 1 * degree}, {.kink = 6 * degree}, {.step_mm = 0.02}, {.bend_per_mm = 0.01}}));
+  const Choice choice = chosen(chain(
+      {{}, {.kink = 1 * degree}, {.kink = 6 * degree}, {.step_mm = 0.02}, {.bend_per_mm = 0.01}}));
   EXPECT_EQ(choice.treated, (std::vector{true, false, true, false}));
   for (const std::string& reason : choice.reasons) EXPECT_EQ(reason, "");
   RepairOptions flowing;
@@ -85,7 +85,8 @@ TEST(Choose, WhatCantBeMeasuredIsToldWithItsNote) {
   report.seams[0].figures.gap_mm.reset();
   EXPECT_EQ(choose(modelFromShape(shape), report, {}).reasons[0], "it can't be measured");
   report.seams[0].note = "not finite";
-  EXPECT_EQ(choose(modelFromShape(shape), report, {}).reasons[0], "it can't be measured: not finite");
+  EXPECT_EQ(choose(modelFromShape(shape), report, {}).reasons[0],
+            "it can't be measured: not finite");
 }
 
 void expectChoice(const FaceChoice& face, const std::string& cannot_move, bool may_be_trimmed,
@@ -114,8 +115,10 @@ TEST(Choose, NoPartThatStandsTwiceAndNoFaceAtAnEdgeOfThree) {
   gp_Trsf away;
   away.SetTranslation(gp_Vec(0, 100, 0));
   const Choice twice = chosen(loose(part, located(part, away)));
-  for (int f = 1; f <= 4; ++f) expectChoice(twice.faces[f], "stands in the model 2 times", false, false);
-  EXPECT_EQ(twice.reasons[0], "face 1 stands in the model 2 times; face 2 stands in the model 2 times");
+  for (int f = 1; f <= 4; ++f)
+    expectChoice(twice.faces[f], "stands in the model 2 times", false, false);
+  EXPECT_EQ(twice.reasons[0],
+            "face 1 stands in the model 2 times; face 2 stands in the model 2 times");
   Report report = analyzed(part);
   report.non_manifold = {{7, {2, 5, 6}}};
   const Choice crowded = choose(modelFromShape(part), report, {});

@@ -88,7 +88,8 @@ TEST(ClosedForms, CylinderHasASmoothSeamAndTwoRims) {
 }
 
 TEST(ClosedForms, AnglesWithoutBoundsOfTheCurvatureStayEnclosed) {
-  // At 90 degrees no normal of one side tells which of the other's it is to be aligned with; nothing is sharper than 90 degrees.
+  // At 90 degrees no normal of one side tells which of the other's it is to be aligned with;
+  // nothing is sharper than 90 degrees.
   ContinuityTolerance tolerance;
   tolerance.crease_rad = std::numbers::pi / 2;
   const occ::Report report =
@@ -108,7 +109,8 @@ TEST(ClosedForms, SphereIsSmoothAlsoAtItsPoles) {
   ASSERT_EQ(report.seams.size(), 1u) << "the poles are degenerated edges and no seams";
   expectSmooth(report.seams[0], 1 / 10.0);
   EXPECT_EQ(report.seams[0].kind, SeamKind::Closed);
-  EXPECT_EQ(report.seams[0].note, "") << "a sphere has a tangent plane at the poles of its parameters";
+  EXPECT_EQ(report.seams[0].note, "")
+      << "a sphere has a tangent plane at the poles of its parameters";
   EXPECT_EQ(report.seams[0].figures.plane_share, 1);
   EXPECT_NEAR(report.seams[0].length_mm, 10 * std::numbers::pi, 1e-6);
   EXPECT_TRUE(report.open.empty());
@@ -148,7 +150,8 @@ TEST(ClosedForms, FilletedBoxIsTangentWithTheCurvatureOfTheFillet) {
   const double r = 3;
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(20, 30, 40).Shape();
   BRepFilletAPI_MakeFillet rounded(box);
-  for (TopExp_Explorer it(box, TopAbs_EDGE); it.More(); it.Next()) rounded.Add(r, TopoDS::Edge(it.Current()));
+  for (TopExp_Explorer it(box, TopAbs_EDGE); it.More(); it.Next())
+    rounded.Add(r, TopoDS::Edge(it.Current()));
   const occ::Report report = analyzed(rounded.Shape());
   EXPECT_EQ(report.model.faces, 6 + 12 + 8);
   // 24 lines between planes and cylinders, 24 arcs between cylinders and spheres.
@@ -189,8 +192,10 @@ TEST(ClosedForms, CrossedCylindersDifferBySinPhiOverRInAnyOrientation) {
       const gp_Ax3 axis_a(gp_Pnt(0, 0, -r), gp::DX(), gp::DZ());
       const gp_Dir tilted(std::cos(phi * degree), std::sin(phi * degree), 0);
       const gp_Ax3 axis_b(gp_Pnt(0, 0, -r), trial % 2 ? tilted : tilted.Reversed(), gp::DZ());
-      opencascade::handle<Geom_Surface> a = new Geom_CylindricalSurface(axis_a.Transformed(motion), r);
-      opencascade::handle<Geom_Surface> b = new Geom_CylindricalSurface(axis_b.Transformed(motion), r);
+      opencascade::handle<Geom_Surface> a =
+          new Geom_CylindricalSurface(axis_a.Transformed(motion), r);
+      opencascade::handle<Geom_Surface> b =
+          new Geom_CylindricalSurface(axis_b.Transformed(motion), r);
       if (trial % 3 == 0) a = a->UReversed();
       if (trial % 5 == 0) b = b->VReversed();
       // Both reversals keep the point of the parameters (0, 0).
@@ -211,7 +216,8 @@ TEST(ClosedForms, SpheresOfNearlyEqualRadiusDifferByTheirCurvatures) {
     const gp_Ax3 small(gp_Pnt(-10, 0, 0), gp::DZ(), gp::DX()),
         large(gp_Pnt(-10.001, 0, 0), gp::DZ(), gp::DX());
     opencascade::handle<Geom_Surface> a = new Geom_SphericalSurface(small.Transformed(motion), 10);
-    opencascade::handle<Geom_Surface> b = new Geom_SphericalSurface(large.Transformed(motion), 10.001);
+    opencascade::handle<Geom_Surface> b =
+        new Geom_SphericalSurface(large.Transformed(motion), 10.001);
     if (trial % 2) b = b->UReversed();
     const PairMeasure pair = measurePair(sideOf(a, 0, 0), sideOf(b, 0, 0));
     ASSERT_TRUE(pair.curvature);

@@ -30,7 +30,8 @@ Spline torus(const std::array<double, 4>& range) {
   return GeomConvert_ApproxSurface(part, 1e-5, GeomAbs_C2, GeomAbs_C2, 8, 8, 200, 0).Surface();
 }
 
-double largestDistance(const Geom_Surface& a, const Geom_Surface& b, const std::array<double, 4>& range) {
+double largestDistance(const Geom_Surface& a, const Geom_Surface& b,
+                       const std::array<double, 4>& range) {
   double largest = 0;
   for (int i = 0; i <= 60; ++i)
     for (int j = 0; j <= 60; ++j) {
@@ -66,7 +67,8 @@ TEST(ClosedSpline, OpenSurfacesAndSinglePointsDoNotEndAtThemselves) {
   EXPECT_FALSE(endsAtItself(*half, Direction::U, near_mm));
   EXPECT_TRUE(endsAtItself(*half, Direction::V, near_mm));
   Spline open = torus(all_round);
-  open->SetPole(open->NbUPoles(), 3, open->Pole(open->NbUPoles(), 3).Translated(gp_Vec(0, 0, 2 * near_mm)));
+  open->SetPole(open->NbUPoles(), 3,
+                open->Pole(open->NbUPoles(), 3).Translated(gp_Vec(0, 0, 2 * near_mm)));
   EXPECT_FALSE(endsAtItself(*open, Direction::U, near_mm));
   EXPECT_TRUE(endsAtItself(*open, Direction::U, 3 * near_mm));
   // A spindle whose tips are one point.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Bounds next to points where an edge of a surface collapses: places at 1e-2 to 1e-12 of the seam from both ends.
+// Bounds next to points where an edge of a surface collapses: places at 1e-2 to 1e-12 of the seam
+// from both ends.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -37,8 +38,8 @@ using occ::SeamResult;
 using ::testing::HasSubstr;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-/// Of the seam: nearer to a point without tangent plane a point is taken for it, by length as by parameter. A little
-/// more, as edges do not run at constant speed.
+/// Of the seam: nearer to a point without tangent plane a point is taken for it, by length as by
+/// parameter. A little more, as edges do not run at constant speed.
 constexpr double at_pole = 0x1p-29;
 
 bool holds(const LeftOut& left_out, double s) {
@@ -75,7 +76,8 @@ double above(double bound) {
 void expectWithin(const ExactMeasure& exact, const SeamFigures& figures, const Place& place) {
   EXPECT_LE(exact.angle_rad, above(allowed(figures.angle_rad, figures.angle_left_out, place)));
   if (!figures.curvature_rel) return;
-  EXPECT_LE(exact.curvature_rel, above(allowed(figures.curvature_rel, figures.curvature_left_out, place)));
+  EXPECT_LE(exact.curvature_rel,
+            above(allowed(figures.curvature_rel, figures.curvature_left_out, place)));
   if (!holds(figures.curvature_left_out, place.s)) {
     EXPECT_LE(exact.curvature_per_mm, above(upperOf(figures.curvature_per_mm)));
   }
@@ -108,7 +110,8 @@ Samples expectBoundsHold(const TopoDS_Shape& shape) {
       for (const bool at_end : {false, true}) {
         const double x = std::pow(10, -digits);
         const double s = at_end ? 1 - x : x;
-        SCOPED_TRACE(testing::Message() << describe(result) << " at " << (at_end ? "1 - " : "") << x);
+        SCOPED_TRACE(testing::Message()
+                     << describe(result) << " at " << (at_end ? "1 - " : "") << x);
         if (const auto exact = exactMeasure(seam, pcurves, s, options.tolerance.flat_radius_mm))
           expectWithin(*exact, result.figures, {s, x});
         else
@@ -119,7 +122,8 @@ Samples expectBoundsHold(const TopoDS_Shape& shape) {
   return samples;
 }
 
-// --- generated ---------------------------------------------------------------------------------------------
+// --- generated
+// ---------------------------------------------------------------------------------------------
 
 TopoDS_Shape turnedSpline() {
   TColgp_Array1OfPnt poles(1, 4);
@@ -131,8 +135,9 @@ TopoDS_Shape turnedSpline() {
   return BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeEdge(curve).Edge(), gp::OZ()).Shape();
 }
 
-/// The fan x = v, y = side u v, z = rise(v) u v over u in [0, 1]; all of v = 0 is the origin but for \p scatter.
-/// The angle to the plane z = 0 along u = 0 is atan(slope (1 - v / width)), up to v = width, and 0 beyond.
+/// The fan x = v, y = side u v, z = rise(v) u v over u in [0, 1]; all of v = 0 is the origin but
+/// for \p scatter. The angle to the plane z = 0 along u = 0 is atan(slope (1 - v / width)), up to v
+/// = width, and 0 beyond.
 TopoDS_Face fan(double side, double slope, double width, double scatter = 0) {
   const std::array<double, 5> v = {0, width / 2, width, (1 + width) / 2, 1};
   TColgp_Array2OfPnt poles(1, 2, 1, 5);
@@ -205,8 +210,9 @@ TEST(CollapsedEdges, OfSmoothFacesVerdictsAreCertainUpToThePoint) {
     for (const Seam& seam : occ::findSeams(shape).seams) {
       if (seam.sides[0].pole_tolerance_mm == std::array<double, 2>{}) continue;
       const SeamResult result = occ::measureSeam(seam, {});
-      SCOPED_TRACE(testing::Message() << describe(result) << ", left out up to "
-                                      << result.figures.curvature_left_out.upper.value_or(infinite));
+      SCOPED_TRACE(testing::Message()
+                   << describe(result) << ", left out up to "
+                   << result.figures.curvature_left_out.upper.value_or(infinite));
       EXPECT_EQ(result.verdict.level, Level::G2);
       EXPECT_TRUE(result.verdict.certain);
       ASSERT_EQ(result.figures.curvature_left_out.intervals.size(), 1u);
@@ -243,7 +249,8 @@ TEST(CollapsedEdges, ScatteredPolesLeaveOutAStretchThatCountsIfItIsLongerThanThe
   EXPECT_TRUE(sharp.verdict.certain) << "nothing next to the point makes the rest smooth";
 }
 
-// --- models ------------------------------------------------------------------------------------------------
+// --- models
+// ------------------------------------------------------------------------------------------------
 
 TEST(CollapsedEdges, BoundsHoldOnModels) {
   const std::filesystem::path occ_models = "/usr/share/opencascade/data/occ";
@@ -256,7 +263,8 @@ TEST(CollapsedEdges, BoundsHoldOnModels) {
                            "freeform/Choc_Stem_MX_Size_Thumb.step", "small/NIST_MBE_PMI_1.stp"})
     if (const auto path = furtherModel(name); !path.empty())
       seams += expectBoundsHold(occ::readModel(path).shape).seams;
-  if (seams == 0) GTEST_SKIP() << "no models in " << occ_models << " and " << SEAMWRIGHT_TEST_MODELS;
+  if (seams == 0)
+    GTEST_SKIP() << "no models in " << occ_models << " and " << SEAMWRIGHT_TEST_MODELS;
 }
 
 }  // namespace

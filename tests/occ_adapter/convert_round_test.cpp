@@ -34,7 +34,8 @@ RepairOptions converting() {
   return options;
 }
 
-/// Faces of revolution about one axis that meet along a circle at a small angle: the first is a cone, the second starts where it ends.
+/// Faces of revolution about one axis that meet along a circle at a small angle: the first is a
+/// cone, the second starts where it ends.
 struct Round {
   std::string name;
   TopoDS_Shape shape;
@@ -53,7 +54,8 @@ handle<Geom_Curve> meridian(double radius, double slope) {
 std::vector<Round> roundPairs(double angle_rad, double to) {
   const double r = 20, cone = 0.3;
   const auto cone_face =
-      BRepBuilderAPI_MakeFace(new Geom_ConicalSurface(gp::XOY(), cone, r), 0, to, -15, 0, 1e-7).Shape();
+      BRepBuilderAPI_MakeFace(new Geom_ConicalSurface(gp::XOY(), cone, r), 0, to, -15, 0, 1e-7)
+          .Shape();
   const auto beside = [&](const handle<Geom_Surface>& surface, double v0, double v1) {
     return loose(cone_face, BRepBuilderAPI_MakeFace(surface, 0, to, v0, v1, 1e-7).Shape());
   };
@@ -62,20 +64,25 @@ std::vector<Round> roundPairs(double angle_rad, double to) {
   const double sphere_r = r / std::cos(slope), tube = 6;
   const auto at = [](double z) { return gp_Ax3(gp_Pnt(0, 0, z), gp::DZ()); };
   const auto nearly_cylinder =
-      BRepBuilderAPI_MakeFace(new Geom_ConicalSurface(gp::XOY(), -angle_rad, r), 0, to, -15, 0, 1e-7).Shape();
+      BRepBuilderAPI_MakeFace(new Geom_ConicalSurface(gp::XOY(), -angle_rad, r), 0, to, -15, 0,
+                              1e-7)
+          .Shape();
   const auto cylinder =
-      BRepBuilderAPI_MakeFace(new Geom_CylindricalSurface(gp::XOY(), r), 0, to, 0, 12, 1e-7).Shape();
+      BRepBuilderAPI_MakeFace(new Geom_CylindricalSurface(gp::XOY(), r), 0, to, 0, 12, 1e-7)
+          .Shape();
   return {
       {"cylinder", loose(nearly_cylinder, cylinder)},
       {"cone", beside(new Geom_ConicalSurface(gp::XOY(), slope, r), 0, 12)},
-      {"sphere", beside(new Geom_SphericalSurface(at(sphere_r * std::sin(slope)), sphere_r), -slope, 0.4)},
+      {"sphere",
+       beside(new Geom_SphericalSurface(at(sphere_r * std::sin(slope)), sphere_r), -slope, 0.4)},
       {"sphere to its pole",
        beside(new Geom_SphericalSurface(at(sphere_r * std::sin(slope)), sphere_r), -slope, pi / 2)},
-      {"torus", beside(new Geom_ToroidalSurface(at(tube * std::sin(slope)), r - tube * std::cos(slope), tube),
+      {"torus", beside(new Geom_ToroidalSurface(at(tube * std::sin(slope)),
+                                                r - tube * std::cos(slope), tube),
                        2 * pi - slope, 2 * pi + 0.5)},
-      {"most of a torus",
-       beside(new Geom_ToroidalSurface(at(tube * std::sin(slope)), r - tube * std::cos(slope), tube),
-              2 * pi - slope, 2 * pi + 4)},
+      {"most of a torus", beside(new Geom_ToroidalSurface(at(tube * std::sin(slope)),
+                                                          r - tube * std::cos(slope), tube),
+                                 2 * pi - slope, 2 * pi + 4)},
       {"revolution", beside(new Geom_SurfaceOfRevolution(meridian(r, slope), gp::OZ()), 0, 1)}};
 }
 
@@ -84,7 +91,8 @@ TEST(ConvertRound, OpenAndClosed) {
   for (const double to : {1.5, 2 * pi})
     for (const Round& pair : roundPairs(0.4 * degree, to))
       for (const int fixed : {1, 2}) {
-        SCOPED_TRACE(pair.name + " to " + std::to_string(to) + ", face " + std::to_string(fixed) + " stays");
+        SCOPED_TRACE(pair.name + " to " + std::to_string(to) + ", face " + std::to_string(fixed) +
+                     " stays");
         RepairOptions options = converting();
         options.fixed_faces = {fixed};
         const RepairReport report = repair(modelFromShape(pair.shape), options);
@@ -125,8 +133,8 @@ TEST(ConvertRound, ClosingSeamsStayExact) {
   for (const double kink : {0.4, -0.4})
     for (const Round& pair : roundPairs(kink * degree, 2 * pi))
       for (const int fixed : {1, 2}) {
-        SCOPED_TRACE(pair.name + " at " + std::to_string(kink) + " degrees, face " + std::to_string(fixed) +
-                     " stays");
+        SCOPED_TRACE(pair.name + " at " + std::to_string(kink) + " degrees, face " +
+                     std::to_string(fixed) + " stays");
         RepairOptions options = converting();
         options.fixed_faces = {fixed};
         const RepairReport report = repair(modelFromShape(pair.shape), options);
@@ -135,10 +143,12 @@ TEST(ConvertRound, ClosingSeamsStayExact) {
         for (const occ::SeamResult& seam : analyzed(report.model.shape, exact).seams) {
           if (seam.faces[0] != seam.faces[1]) continue;
           ++closing;
-          // The normal vanishes at a pole of the sphere: the level there is unsure, and beside it rounding is large in the normal.
+          // The normal vanishes at a pole of the sphere: the level there is unsure, and beside it
+          // rounding is large in the normal.
           const double share = pair.name == "sphere to its pole" ? 100 : 1;
           EXPECT_LE(upper(seam.figures.gap_mm), exact.tolerance.gap_mm) << describe(seam);
-          EXPECT_LE(upper(seam.figures.angle_rad), share * exact.tolerance.angle_rad) << describe(seam);
+          EXPECT_LE(upper(seam.figures.angle_rad), share * exact.tolerance.angle_rad)
+              << describe(seam);
         }
         EXPECT_EQ(closing, 2);
         EXPECT_FALSE(cutsItself(report.model.shape));

@@ -59,7 +59,8 @@ gp_Pnt aboutZ(double radius, double z, double u) {
   return {radius * std::cos(u), radius * std::sin(u), z};
 }
 
-constexpr std::array<std::array<double, 2>, 4> profile_poles = {{{10, 0}, {14, 5}, {9, 9}, {12, 15}}};
+constexpr std::array<std::array<double, 2>, 4> profile_poles = {
+    {{10, 0}, {14, 5}, {9, 9}, {12, 15}}};
 
 handle<Geom_Curve> profile() {
   TColgp_Array1OfPnt poles(1, 4);
@@ -69,8 +70,8 @@ handle<Geom_Curve> profile() {
 
 /// Radius and height by the binomial formula.
 std::array<double, 2> onProfile(double t) {
-  const std::array<double, 4> share = {std::pow(1 - t, 3), 3 * t * std::pow(1 - t, 2), 3 * t * t * (1 - t),
-                                       t * t * t};
+  const std::array<double, 4> share = {std::pow(1 - t, 3), 3 * t * std::pow(1 - t, 2),
+                                       3 * t * t * (1 - t), t * t * t};
   std::array<double, 2> sum{};
   for (int k = 0; k < 4; ++k)
     for (const int c : {0, 1}) sum[c] += share[k] * profile_poles[k][c];
@@ -82,9 +83,13 @@ std::vector<Analytic> analyticKinds() {
     return [radius](double u, double v) { return aboutZ(radius, v, u); };
   };
   const auto cone = [](double radius) {
-    return [radius](double u, double v) { return aboutZ(radius + v * std::sin(0.4), v * std::cos(0.4), u); };
+    return [radius](double u, double v) {
+      return aboutZ(radius + v * std::sin(0.4), v * std::cos(0.4), u);
+    };
   };
-  const auto sphere = [](double u, double v) { return aboutZ(40 * std::cos(v), 40 * std::sin(v), u); };
+  const auto sphere = [](double u, double v) {
+    return aboutZ(40 * std::cos(v), 40 * std::sin(v), u);
+  };
   return {
       {"plane",
        new Geom_Plane(gp::XOY()),
@@ -92,7 +97,10 @@ std::vector<Analytic> analyticKinds() {
        [](double u, double v) { return gp_Pnt(u, v, 0); },
        true},
       {"cylinder", new Geom_CylindricalSurface(gp::XOY(), 30), {0.3, 1.2, -5, 40}, cylinder(30)},
-      {"whole cylinder", new Geom_CylindricalSurface(gp::XOY(), 30), {0, 2 * pi, -5, 40}, cylinder(30)},
+      {"whole cylinder",
+       new Geom_CylindricalSurface(gp::XOY(), 30),
+       {0, 2 * pi, -5, 40},
+       cylinder(30)},
       {"turned cylinder", new Geom_CylindricalSurface(gp::XOY(), 3), {5, 8, 0, 1}, cylinder(3)},
       {"cylinder from before its first period",
        new Geom_CylindricalSurface(gp::XOY(), 3),
@@ -119,16 +127,17 @@ std::vector<Analytic> analyticKinds() {
        {0, 1, -10, 10},
        [](double u, double v) { return gp_Pnt(onProfile(u)[0], v, onProfile(u)[1]); },
        true},
-      {"revolution", new Geom_SurfaceOfRevolution(profile(), gp::OZ()), {0, 2, 0, 1}, [](double u, double v) {
-         return aboutZ(onProfile(v)[0], onProfile(v)[1], u);
-       }}};
+      {"revolution",
+       new Geom_SurfaceOfRevolution(profile(), gp::OZ()),
+       {0, 2, 0, 1},
+       [](double u, double v) { return aboutZ(onProfile(v)[0], onProfile(v)[1], u); }}};
 }
 
 /// BRepBuilderAPI_MakeFace takes parameters of the first period; files have others too.
 TopoDS_Face faceOf(const Analytic& kind) {
-  const TopoDS_Face face =
-      BRepBuilderAPI_MakeFace(kind.surface, kind.range[0], kind.range[1], kind.range[2], kind.range[3], 1e-7)
-          .Face();
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(kind.surface, kind.range[0], kind.range[1],
+                                                   kind.range[2], kind.range[3], 1e-7)
+                               .Face();
   std::array<double, 4> range{};
   BRepTools::UVBounds(face, range[0], range[1], range[2], range[3]);
   const gp_Vec2d shift(kind.range[0] - range[0], kind.range[2] - range[2]);
@@ -160,8 +169,8 @@ TEST(PolynomialSurface, HasTheSameParameters) {
         for (int j = 0; j <= 70; ++j) {
           const double u = kind.range[0] + (kind.range[1] - kind.range[0]) * i / 210;
           const double v = kind.range[2] + (kind.range[3] - kind.range[2]) * j / 70;
-          worst =
-              std::max(worst, polynomial.surface->Value(u, v).Distance(kind.at(u, v).Transformed(motion)));
+          worst = std::max(
+              worst, polynomial.surface->Value(u, v).Distance(kind.at(u, v).Transformed(motion)));
         }
       EXPECT_LE(worst, polynomial.error_mm + 1e-12 * 1000);
       EXPECT_LE(polynomial.error_mm, kind.exact ? 1e-12 : near_mm);
@@ -192,7 +201,8 @@ TEST(PolynomialSurface, TellsWhatItCannot) {
   }
   const handle<Geom_Curve> corner = new Geom_BSplineCurve(poles, knots, multiplicities, 1);
   const TopoDS_Face face =
-      BRepBuilderAPI_MakeFace(new Geom_SurfaceOfRevolution(corner, gp::OZ()), 0, 1, 0, 2, 1e-7).Face();
+      BRepBuilderAPI_MakeFace(new Geom_SurfaceOfRevolution(corner, gp::OZ()), 0, 1, 0, 2, 1e-7)
+          .Face();
   EXPECT_THROW(polynomialSurface(face, 1e-9), std::runtime_error);
 }
 
@@ -218,7 +228,8 @@ std::string reasonsOf(const RepairReport& report) {
 TopoDS_Shape kinked(double angle_rad) {
   const Polygon plate{new Geom_Plane(gp::XOY()), rectangle(0, 40, 0, 30)};
   const Polygon tilted{
-      new Geom_Plane(gp_Ax3(gp::Origin(), gp_Dir(0, std::sin(angle_rad), std::cos(angle_rad)), gp::DX())),
+      new Geom_Plane(
+          gp_Ax3(gp::Origin(), gp_Dir(0, std::sin(angle_rad), std::cos(angle_rad)), gp::DX())),
       {{40, 0}, {0, 0}, {0, -30}, {40, -30}}};
   return joined(plate, tilted);
 }
@@ -249,8 +260,8 @@ TEST(Convert, OneOfTwoPlanes) {
   // The other one is what it was.
   const int other = 3 - report.converted[0].face;
   TopLoc_Location location;
-  EXPECT_TRUE(
-      BRep_Tool::Surface(face(report.model.shape, other), location)->IsKind(STANDARD_TYPE(Geom_Plane)));
+  EXPECT_TRUE(BRep_Tool::Surface(face(report.model.shape, other), location)
+                  ->IsKind(STANDARD_TYPE(Geom_Plane)));
 }
 
 TEST(Convert, NoneWithoutNeed) {
@@ -301,10 +312,11 @@ TEST(Convert, ACylinder) {
       EXPECT_LE(report.converted[0].error_mm, 1e-5);
       EXPECT_TRUE(BRepCheck_Analyzer(report.model.shape).IsValid());
       expectTolerancesHold(report.model.shape);
-      const auto sides =
-          denseSides(report.model.shape, report.seams[0].after.edges[0], report.seams[0].after.faces);
+      const auto sides = denseSides(report.model.shape, report.seams[0].after.edges[0],
+                                    report.seams[0].after.faces);
       ASSERT_TRUE(sides);
-      EXPECT_LE(denseMaxima(*sides, 501, options.tolerance).angle_rad->sure(), options.tolerance.angle_rad);
+      EXPECT_LE(denseMaxima(*sides, 501, options.tolerance).angle_rad->sure(),
+                options.tolerance.angle_rad);
     }
 }
 
@@ -316,7 +328,8 @@ TEST(Convert, WhatDoesNotHelpIsNotDone) {
   EXPECT_FALSE(report.changed());
   EXPECT_TRUE(report.converted.empty());
   EXPECT_TRUE(report.model.shape.IsEqual(shape));
-  EXPECT_NE(reasonsOf(report).find("as splines: a fair move"), std::string::npos) << reasonsOf(report);
+  EXPECT_NE(reasonsOf(report).find("as splines: a fair move"), std::string::npos)
+      << reasonsOf(report);
 }
 
 TEST(Convert, StopsWhereItIsAskedTo) {
@@ -330,7 +343,8 @@ TEST(Convert, StopsWhereItIsAskedTo) {
   EXPECT_TRUE(std::ranges::is_sorted(shares));
   EXPECT_EQ(shares.back(), 1);
   for (const double stop : {0.0, 0.3, 0.6})
-    EXPECT_THROW(repair(model, converting(), [stop](double share) { return share < stop; }), occ::Cancelled)
+    EXPECT_THROW(repair(model, converting(), [stop](double share) { return share < stop; }),
+                 occ::Cancelled)
         << stop;
 }
 

@@ -63,7 +63,8 @@ TEST(CornerFilletLimits, NumbersHaveToBeLengths) {
     cube = {};
     cube.options.setbacks_mm[std::stoi(edge)] = bad;
     if (bad != 0) {
-      EXPECT_THAT(cube.message<std::invalid_argument>(), HasSubstr("setback of edge " + edge)) << bad;
+      EXPECT_THAT(cube.message<std::invalid_argument>(), HasSubstr("setback of edge " + edge))
+          << bad;
     }
     cube = {};
     cube.options.section_mm = bad;
@@ -116,8 +117,10 @@ TEST(CornerFilletLimits, TheEdgeWhoseRadiusIsTooLargeIsNamed) {
   for (const int large : edges) {
     CornerFilletOptions options;
     for (const int edge : edges) options.radii_mm[edge] = edge == large ? 28 : 0.5;
-    const std::string said = messageOf<std::domain_error>([&] { cornerFillet(model, vertex, options); });
-    EXPECT_EQ(said.rfind("edge " + std::to_string(large) + ": with a radius of 28 mm there", 0), 0U) << said;
+    const std::string said =
+        messageOf<std::domain_error>([&] { cornerFillet(model, vertex, options); });
+    EXPECT_EQ(said.rfind("edge " + std::to_string(large) + ": with a radius of 28 mm there", 0), 0U)
+        << said;
     options.radii_mm[large] = 0.5;
     const std::string alone = messageOf<std::domain_error>([&] {
       options.setbacks_mm[large] = 40;
@@ -133,15 +136,17 @@ TEST(CornerFilletLimits, ASetbackOfZeroIsChosen) {
   for (const auto& [edge, radius_mm] : cube.options.radii_mm) cube.options.setbacks_mm[edge] = 0;
   const int named = cube.options.radii_mm.begin()->first;
   cube.options.setbacks_mm[named] = 4;
-  for (const occ::CornerFilletEdge& edge : cornerFillet(cube.model, cube.vertex, cube.options).edges)
+  for (const occ::CornerFilletEdge& edge :
+       cornerFillet(cube.model, cube.vertex, cube.options).edges)
     EXPECT_EQ(edge.setback_mm, edge.edge == named ? 4 : chosen.edges.front().setback_mm);
 }
 
 /// No check of single faces finds this: the void's wall and the fillet have no edge in common.
 TEST(CornerFilletLimits, FilletsThatRunIntoAVoidAreNoCorners) {
-  const TopoDS_Shape hollow = BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(20, 20, 20).Shape(),
-                                              BRepPrimAPI_MakeBox(gp_Pnt(0.3, 0.3, 15.7), 4, 4, 4).Shape())
-                                  .Shape();
+  const TopoDS_Shape hollow =
+      BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(20, 20, 20).Shape(),
+                      BRepPrimAPI_MakeBox(gp_Pnt(0.3, 0.3, 15.7), 4, 4, 4).Shape())
+          .Shape();
   const Model model = modelFromShape(hollow);
   const int vertex = vertexAt(hollow, {0, 0, 20});
   CornerFilletOptions options;
@@ -153,7 +158,14 @@ TEST(CornerFilletLimits, FilletsThatRunIntoAVoidAreNoCorners) {
 
 TEST(CornerFilletLimits, FilletsThatReachBeyondAFarEdgeAreRefused) {
   const TopoDS_Shape tapered = polyhedron(
-      {{0, 0, 0}, {0, 10, 0}, {0, 10, 10}, {0, 0, 10}, {10, 0, 0}, {10, 2, 0}, {10, 2, 2}, {10, 0, 2}},
+      {{0, 0, 0},
+       {0, 10, 0},
+       {0, 10, 10},
+       {0, 0, 10},
+       {10, 0, 0},
+       {10, 2, 0},
+       {10, 2, 2},
+       {10, 0, 2}},
       {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 4, 7, 3}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}});
   const Model model = modelFromShape(tapered);
   const int vertex = vertexAt(tapered, {0, 0, 0});
@@ -163,7 +175,8 @@ TEST(CornerFilletLimits, FilletsThatReachBeyondAFarEdgeAreRefused) {
     return messageOf<std::domain_error>([&] { cornerFillet(model, vertex, options); });
   };
   EXPECT_EQ(refusal(1), "nothing thrown");
-  EXPECT_THAT(refusal(3), testing::ContainsRegex("^edge [0-9]+, 2 mm long, at a far end would be cut from"));
+  EXPECT_THAT(refusal(3),
+              testing::ContainsRegex("^edge [0-9]+, 2 mm long, at a far end would be cut from"));
 }
 
 TEST(CornerFilletLimits, CornersOfOtherKindsAreRefused) {
@@ -171,11 +184,13 @@ TEST(CornerFilletLimits, CornersOfOtherKindsAreRefused) {
     const Model model = modelFromShape(shape);
     return messageOf<std::domain_error>([&] { occ::cornerEdges(model, vertexAt(shape, corner)); });
   };
-  EXPECT_THAT(refusal(regularPyramid(7, 10), {0, 0, 10}), HasSubstr("7 edges meet at the vertex: 3 to 6"));
+  EXPECT_THAT(refusal(regularPyramid(7, 10), {0, 0, 10}),
+              HasSubstr("7 edges meet at the vertex: 3 to 6"));
   EXPECT_THAT(refusal(BRepPrimAPI_MakeCylinder(5, 10).Shape(), {5, 0, 0}),
               HasSubstr("edges meet at the vertex"));
   TopExp_Explorer shell(BRepPrimAPI_MakeBox(10, 10, 10).Shape(), TopAbs_SHELL);
-  EXPECT_THAT(refusal(shell.Current(), {0, 0, 0}), HasSubstr("is in 0 shells of solids: one is needed"));
+  EXPECT_THAT(refusal(shell.Current(), {0, 0, 0}),
+              HasSubstr("is in 0 shells of solids: one is needed"));
 }
 
 TEST(CornerFilletLimits, SectionsThatAPolynomialCanNotFollowAreRefused) {
@@ -203,7 +218,8 @@ TEST(CornerFilletLimits, WhatFallsShortIsSaid) {
 TEST(CornerFilletLimits, FilletsAcrossABoreFailTheChecks) {
   const TopoDS_Shape bore =
       BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(1.5, 5, -1), gp_Dir(0, 0, 1)), 0.6, 12).Shape();
-  const Model model = modelFromShape(BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(10, 10, 10).Shape(), bore).Shape());
+  const Model model =
+      modelFromShape(BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(10, 10, 10).Shape(), bore).Shape());
   const int vertex = vertexAt(model.shape, {0, 0, 0});
   CornerFilletOptions options;
   for (const int edge : occ::cornerEdges(model, vertex)) options.radii_mm[edge] = 1.5;
@@ -217,8 +233,8 @@ TEST(CornerFilletLimits, FilletsAcrossABoreFailTheChecks) {
 TEST(CornerFilletLimits, PatchesThatAreNotProvedRegularAreNotMet) {
   CubeCorner cube;
   cube.options.radii_mm.begin()->second = 4;
-  for (auto radius = std::next(cube.options.radii_mm.begin()); radius != cube.options.radii_mm.end();
-       ++radius)
+  for (auto radius = std::next(cube.options.radii_mm.begin());
+       radius != cube.options.radii_mm.end(); ++radius)
     radius->second = 0.001;
   const occ::CornerFillet result = cornerFillet(cube.model, cube.vertex, cube.options);
   EXPECT_FALSE(result.fill.regular || result.met());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Corners that become solids. Beside OpenCASCADE's checks: its own fillets, cross-sections known in closed form, normals evaluated by OpenCASCADE.
+// Corners that become solids. Beside OpenCASCADE's checks: its own fillets, cross-sections known in
+// closed form, normals evaluated by OpenCASCADE.
 #include <gtest/gtest.h>
 
 #include <BRepAdaptor_Surface.hxx>
@@ -37,7 +38,8 @@ using occ::Model;
 using occ::modelFromShape;
 using std::numbers::pi;
 
-/// Radii of the edges in their order about the vertex, counter-clockwise; begun again where there are more edges.
+/// Radii of the edges in their order about the vertex, counter-clockwise; begun again where there
+/// are more edges.
 CornerFilletOptions withRadii(const Model& model, int vertex, const std::vector<double>& radii_mm) {
   CornerFilletOptions options;
   std::size_t k = 0;
@@ -46,7 +48,8 @@ CornerFilletOptions withRadii(const Model& model, int vertex, const std::vector<
   return options;
 }
 
-CornerFillet rounded(const TopoDS_Shape& shape, const Vector3d& corner, const std::vector<double>& radii_mm) {
+CornerFillet rounded(const TopoDS_Shape& shape, const Vector3d& corner,
+                     const std::vector<double>& radii_mm) {
   const Model model = modelFromShape(shape);
   const int vertex = vertexAt(shape, corner);
   return cornerFillet(model, vertex, withRadii(model, vertex, radii_mm));
@@ -75,7 +78,8 @@ gp_Dir normalAt(const TopoDS_Edge& edge, const TopoDS_Face& face, double share) 
 
 /// The largest angle between the outward normals of the two sides of a new seam, at many points.
 double denseAngle_rad(const TopoDS_Shape& shape, const CornerSeam& seam) {
-  const TopTools_IndexedMapOfShape edges = parts(shape, TopAbs_EDGE), faces = parts(shape, TopAbs_FACE);
+  const TopTools_IndexedMapOfShape edges = parts(shape, TopAbs_EDGE),
+                                   faces = parts(shape, TopAbs_FACE);
   const TopoDS_Edge& edge = TopoDS::Edge(edges(seam.result.edges.front()));
   const TopoDS_Face &a = TopoDS::Face(faces(seam.result.faces[0])),
                     &b = TopoDS::Face(faces(seam.result.faces[1]));
@@ -130,7 +134,8 @@ TEST_P(Corners, BecomeValidSolidsOfSmoothSeams) {
   EXPECT_TRUE(result.fill.regular);
   const std::size_t edges = result.edges.size();
   EXPECT_EQ(result.seams.size(), 8 * edges);
-  EXPECT_EQ(result.model.faceCount(), modelFromShape(shape).faceCount() + static_cast<int>(3 * edges));
+  EXPECT_EQ(result.model.faceCount(),
+            modelFromShape(shape).faceCount() + static_cast<int>(3 * edges));
 
   EXPECT_LT(result.largestAngle_rad(), 0.01 * degree);
   EXPECT_LT(result.largestGap_mm(), 2e-6);
@@ -144,7 +149,8 @@ TEST_P(Corners, BecomeValidSolidsOfSmoothSeams) {
   EXPECT_TRUE(report.non_manifold.empty());
 }
 
-/// Ours is set back further and takes, or adds, some more: little beside a ball's way through three edges, more where theirs is a plate.
+/// Ours is set back further and takes, or adds, some more: little beside a ball's way through three
+/// edges, more where theirs is a plate.
 TEST_P(Corners, DifferLittleFromOpenCascadesOwn) {
   const auto& [name, shape, corner, radii_mm, native] = GetParam();
   if (!native) GTEST_SKIP() << "OpenCASCADE makes none";
@@ -184,10 +190,12 @@ TEST_P(Corners, HaveCylindersThatTouchBothFaces) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Corners, testing::ValuesIn(cases()),
-                         [](const testing::TestParamInfo<Case>& of) { return std::string(of.param.name); });
+                         [](const testing::TestParamInfo<Case>& of) {
+                           return std::string(of.param.name);
+                         });
 
-/// The corner of equal radii that a ball makes is an octant of a sphere. Ours leaves it by a share of the radius that does not depend on
-/// the radius, and comes near it with its setback.
+/// The corner of equal radii that a ball makes is an octant of a sphere. Ours leaves it by a share
+/// of the radius that does not depend on the radius, and comes near it with its setback.
 TEST(CornerFillet, OfACubeIsNearTheOctantOfABall) {
   const TopoDS_Shape cube = box(10, 10, 10);
   const Model model = modelFromShape(cube);
@@ -196,7 +204,8 @@ TEST(CornerFillet, OfACubeIsNearTheOctantOfABall) {
   for (const double r : {0.5, 2.0})
     for (const auto& [setback, bound] : bounds) {
       CornerFilletOptions options = withRadii(model, vertex, {r});
-      for (const auto& [edge, radius_mm] : options.radii_mm) options.setbacks_mm[edge] = setback * r;
+      for (const auto& [edge, radius_mm] : options.radii_mm)
+        options.setbacks_mm[edge] = setback * r;
       const CornerFillet result = cornerFillet(model, vertex, options);
       EXPECT_TRUE(result.met()) << result.shortfall;
       double furthest = 0;
@@ -210,12 +219,14 @@ TEST(CornerFillet, OfACubeIsNearTheOctantOfABall) {
     }
 }
 
-/// Of x . n over a patch, n towards where the partial by u is left of that by v; by Gauss and Legendre.
+/// Of x . n over a patch, n towards where the partial by u is left of that by v; by Gauss and
+/// Legendre.
 double flux_mm3(const BezierPatch& patch) {
-  constexpr std::array<double, 5> places = {0, 0.5384693101056831, -0.5384693101056831, 0.9061798459386640,
-                                            -0.9061798459386640};
-  constexpr std::array<double, 5> weights = {0.5688888888888889, 0.4786286704993665, 0.4786286704993665,
-                                             0.2369268850561891, 0.2369268850561891};
+  constexpr std::array<double, 5> places = {0, 0.5384693101056831, -0.5384693101056831,
+                                            0.9061798459386640, -0.9061798459386640};
+  constexpr std::array<double, 5> weights = {0.5688888888888889, 0.4786286704993665,
+                                             0.4786286704993665, 0.2369268850561891,
+                                             0.2369268850561891};
   constexpr int cells = 8;
   double sum = 0;
   for (int i = 0; i < cells; ++i)
@@ -229,8 +240,8 @@ double flux_mm3(const BezierPatch& patch) {
   return sum;
 }
 
-/// The solid's volume is what the planes, cylinders and patches enclose, by Gauss's theorem about the corner: planes through it have no
-/// part in it.
+/// The solid's volume is what the planes, cylinders and patches enclose, by Gauss's theorem about
+/// the corner: planes through it have no part in it.
 TEST(CornerFillet, OfACubeHoldsWhatItsSurfacesEnclose) {
   for (const std::vector<double>& radii_mm :
        {std::vector<double>{1}, std::vector<double>{1, 2, 3}, std::vector<double>{0.1, 2, 4}}) {
@@ -257,9 +268,11 @@ TEST(CornerFillet, TakesTheSectionOfEachFillet) {
     const CornerFillet longer = rounded(box(sides.x(), sides.y(), sides.z()), {0, 0, 0}, radii_mm);
     double radius_mm = 0;
     for (const occ::CornerFilletEdge& edge : longer.edges) {
-      const TopTools_IndexedMapOfShape own = parts(box(sides.x(), sides.y(), sides.z()), TopAbs_EDGE);
+      const TopTools_IndexedMapOfShape own =
+          parts(box(sides.x(), sides.y(), sides.z()), TopAbs_EDGE);
       const TopoDS_Edge& at = TopoDS::Edge(own(edge.edge));
-      if (BRep_Tool::Pnt(TopExp::FirstVertex(at)).Distance(BRep_Tool::Pnt(TopExp::LastVertex(at))) > 12)
+      if (BRep_Tool::Pnt(TopExp::FirstVertex(at)).Distance(BRep_Tool::Pnt(TopExp::LastVertex(at))) >
+          12)
         radius_mm = edge.radius_mm;
     }
     ASSERT_GT(radius_mm, 0);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Corners with curved faces of solids with voids: what is rounded is what is rounded without them. And corners of small size.
+// Corners with curved faces of solids with voids: what is rounded is what is rounded without them.
+// And corners of small size.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -47,7 +48,8 @@ CornerFilletOptions byDirection(const TopoDS_Shape& shape) {
   CornerFilletOptions options;
   for (const int edge : occ::cornerEdges(model, vertexAt(shape, corner))) {
     const TopoDS_Edge of = TopoDS::Edge(parts(shape, TopAbs_EDGE)(edge));
-    const gp_Pnt a = BRep_Tool::Pnt(TopExp::FirstVertex(of)), b = BRep_Tool::Pnt(TopExp::LastVertex(of));
+    const gp_Pnt a = BRep_Tool::Pnt(TopExp::FirstVertex(of)),
+                 b = BRep_Tool::Pnt(TopExp::LastVertex(of));
     options.radii_mm[edge] = a.Z() + b.Z() > 20 ? 3 : a.Y() + b.Y() > 10 ? 2 : 1;
   }
   return options;
@@ -64,19 +66,22 @@ TEST(CornerOfShells, IsThatOfTheOuterOneAlone) {
   EXPECT_TRUE(with.met()) << with.shortfall;
   EXPECT_TRUE(BRepCheck_Analyzer(with.model.shape).IsValid());
   EXPECT_EQ(parts(with.model.shape, TopAbs_SHELL).Extent(), 2);
-  EXPECT_NEAR(volume_mm3(with.model.shape), volume_mm3(without.model.shape) - 32 * std::numbers::pi / 3,
-              1e-4);
+  EXPECT_NEAR(volume_mm3(with.model.shape),
+              volume_mm3(without.model.shape) - 32 * std::numbers::pi / 3, 1e-4);
 }
 
 /// What is cut off the wedge is left in the block.
 TEST(CornerOfShells, InTheWallOfAVoidIsTheOneOfWhatFillsIt) {
-  const CornerFillet wall = roundedByDirection(mould()), wedge_alone = roundedByDirection(wedge(20, 30));
+  const CornerFillet wall = roundedByDirection(mould()),
+                     wedge_alone = roundedByDirection(wedge(20, 30));
   EXPECT_TRUE(wall.met()) << wall.shortfall;
   EXPECT_TRUE(BRepCheck_Analyzer(wall.model.shape).IsValid());
   EXPECT_EQ(parts(wall.model.shape, TopAbs_SHELL).Extent(), 2);
-  EXPECT_NEAR(volume_mm3(wall.model.shape), 50 * 50 * 50 - volume_mm3(wedge_alone.model.shape), 5e-4);
+  EXPECT_NEAR(volume_mm3(wall.model.shape), 50 * 50 * 50 - volume_mm3(wedge_alone.model.shape),
+              5e-4);
 
-  const std::vector<int> edges = occ::cornerEdges(modelFromShape(mould()), vertexAt(mould(), corner));
+  const std::vector<int> edges =
+      occ::cornerEdges(modelFromShape(mould()), vertexAt(mould(), corner));
   ASSERT_EQ(wall.edges.size(), 3U);
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(wall.edges[i].edge, edges[i]);
@@ -85,8 +90,8 @@ TEST(CornerOfShells, InTheWallOfAVoidIsTheOneOfWhatFillsIt) {
   }
 }
 
-/// Patch k begins side k and ends the one before, counter-clockwise seen from outside: its normal points into the solid or out of it, for
-/// both shells the same.
+/// Patch k begins side k and ends the one before, counter-clockwise seen from outside: its normal
+/// points into the solid or out of it, for both shells the same.
 TEST(CornerOfShells, HasItsPatchesInOrder) {
   const TopoDS_Shape solid = wedge(20, 30);
   const Vector3d inward = (Vector3d(8, 8, 15) - corner).normalized();
@@ -111,7 +116,8 @@ TEST(CornerOfShells, HasItsPatchesInOrder) {
 
 TEST(CornerOfShells, ThatRunsIntoAVoidIsNone) {
   const TopoDS_Shape close =
-      BRepAlgoAPI_Cut(wedge(20, 30), BRepPrimAPI_MakeSphere(gp_Pnt(17, 1.3, 1.3), 1).Shape()).Shape();
+      BRepAlgoAPI_Cut(wedge(20, 30), BRepPrimAPI_MakeSphere(gp_Pnt(17, 1.3, 1.3), 1).Shape())
+          .Shape();
   const Model model = modelFromShape(close);
   const int vertex = vertexAt(close, corner);
   EXPECT_THAT(cornerFillet(model, vertex, withRadii(model, vertex, {4})).shortfall,

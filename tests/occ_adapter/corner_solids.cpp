@@ -59,9 +59,9 @@ TopoDS_Shape regularPyramid(int sides, double height) {
 }
 
 TopoDS_Shape notchedCube() {
-  const std::vector<Eigen::Vector3d> points = {{0, 0, 0},   {10, 0, 0},  {10, 10, 0}, {0, 10, 0}, {0, 0, 10},
-                                               {10, 0, 10}, {0, 10, 10}, {10, 10, 5}, {10, 5, 5}, {5, 10, 5},
-                                               {5, 5, 5},   {10, 5, 10}, {5, 10, 10}, {5, 5, 10}};
+  const std::vector<Eigen::Vector3d> points = {
+      {0, 0, 0},   {10, 0, 0}, {10, 10, 0}, {0, 10, 0}, {0, 0, 10},  {10, 0, 10}, {0, 10, 10},
+      {10, 10, 5}, {10, 5, 5}, {5, 10, 5},  {5, 5, 5},  {10, 5, 10}, {5, 10, 10}, {5, 5, 10}};
   return polyhedron(points, {{0, 3, 2, 1},
                              {0, 1, 5, 4},
                              {0, 4, 6, 3},
@@ -77,8 +77,8 @@ int vertexAt(const TopoDS_Shape& shape, const Eigen::Vector3d& point) {
   TopTools_IndexedMapOfShape vertices;
   TopExp::MapShapes(shape, TopAbs_VERTEX, vertices);
   for (int number = 1; number <= vertices.Extent(); ++number)
-    if (BRep_Tool::Pnt(TopoDS::Vertex(vertices(number))).Distance(gp_Pnt(point.x(), point.y(), point.z())) <
-        1e-9)
+    if (BRep_Tool::Pnt(TopoDS::Vertex(vertices(number)))
+            .Distance(gp_Pnt(point.x(), point.y(), point.z())) < 1e-9)
       return number;
   return 0;
 }

@@ -16,8 +16,8 @@ TopoDS_Shape polyhedron(const std::vector<Eigen::Vector3d>& points,
 TopoDS_Shape pyramid(const std::vector<Eigen::Vector3d>& base, const Eigen::Vector3d& apex);
 /// Over a regular polygon of radius 10 that lies in the plane z = 0.
 TopoDS_Shape regularPyramid(int sides, double height);
-/// A cube of side 10 with its corner of the first octant cut out to half the side: one vertex, (5, 5, 5), has three concave edges, three others
-/// two convex ones and a concave one.
+/// A cube of side 10 with its corner of the first octant cut out to half the side: one vertex, (5,
+/// 5, 5), has three concave edges, three others two convex ones and a concave one.
 TopoDS_Shape notchedCube();
 
 /// The number of the vertex at the point, from 1, order of TopExp::MapShapes; 0 if there is none.

@@ -107,7 +107,8 @@ TEST(CurvatureChange, ThirdPartialsOfAStripAreThoseOfTheSurface) {
   std::mt19937 random(300);
   const Surface surface = randomBezier(random);
   const gp_Pnt2d from(0.2, 0.1), to(0.8, 0.7);
-  const TopoDS_Shape shape = joined({surface, {from, to, {0.1, 0.9}}}, {surface, {to, from, {0.9, 0.2}}});
+  const TopoDS_Shape shape =
+      joined({surface, {from, to, {0.1, 0.9}}}, {surface, {to, from, {0.9, 0.2}}});
   const occ::SeamGraph graph = occ::findSeams(shape);
   ASSERT_EQ(graph.seams.size(), 1u);
   const auto derivative = [&](double s, int u_order, int v_order) {
@@ -163,8 +164,9 @@ TEST(CurvatureChange, PlaneThenCubicIsG2AndNotG3) {
   std::mt19937 random(301);
   for (const double c : {0.5, -2e-3, 1e-7}) {
     const TopoDS_Shape plain = planeAndCubic(c);
-    for (const TopoDS_Shape& shape : {plain, transformed(plain, randomMotion(random)),
-                                      located(plain, randomMotion(random)), facesSwappedAndReversed(plain)}) {
+    for (const TopoDS_Shape& shape :
+         {plain, transformed(plain, randomMotion(random)), located(plain, randomMotion(random)),
+          facesSwappedAndReversed(plain)}) {
       const SeamResult seam = onlySeam(shape);
       SCOPED_TRACE(describe(seam));
       ASSERT_TRUE(seam.figures.curvature_change_per_mm2);
@@ -209,11 +211,14 @@ TEST(CurvatureChange, AKnotOfACubicSplineIsG2WithTheJumpOfItsThirdDerivative) {
     for (double& z : profile.z) z = 0.3 * profile.length * uniform(random);
     const auto& z = profile.z;
     // Poles of the derivatives by u.
-    const double d[4] = {3 * (z[1] - z[0]), 1.5 * (z[2] - z[1]), 1.5 * (z[3] - z[2]), 3 * (z[4] - z[3])};
+    const double d[4] = {3 * (z[1] - z[0]), 1.5 * (z[2] - z[1]), 1.5 * (z[3] - z[2]),
+                         3 * (z[4] - z[3])};
     const double dd[3] = {2 * (d[1] - d[0]), d[2] - d[1], 2 * (d[3] - d[2])};
     const double L = profile.length;
     const double slope = 0.5 * (d[1] + d[2]) / L, bend = dd[1] / (L * L), w = 1 + slope * slope;
-    const auto change = [&](double third) { return (third * w - 3 * slope * bend * bend) / (w * w * w); };
+    const auto change = [&](double third) {
+      return (third * w - 3 * slope * bend * bend) / (w * w * w);
+    };
     const double before = change((dd[1] - dd[0]) / (L * L * L)),
                  after = change((dd[2] - dd[1]) / (L * L * L));
     const double kappa = std::abs(bend) / std::pow(w, 1.5);

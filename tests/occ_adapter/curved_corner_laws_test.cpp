@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Laws of corners with curved faces: symmetry, order, motion, scale and length; names; and what is refused.
+// Laws of corners with curved faces: symmetry, order, motion, scale and length; names; and what is
+// refused.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -79,7 +80,8 @@ TEST(CurvedCorner, DoesNotDependOnTheOrderOfTheEdges) {
   EXPECT_NEAR(roundedByLength(shape), roundedByLength(other), 1e-5);
 }
 
-/// Identities (2) and (3) of cornerFillet(), to what OpenCASCADE's bands and the fits of the sides leave.
+/// Identities (2) and (3) of cornerFillet(), to what OpenCASCADE's bands and the fits of the sides
+/// leave.
 TEST(CurvedCorner, TakesTheSectionOfEachFillet) {
   const TopoDS_Shape given = wedge(20, 30);
   const CornerFillet here = rounded(given, {20, 0, 0}, {1, 2, 3});
@@ -87,12 +89,13 @@ TEST(CurvedCorner, TakesTheSectionOfEachFillet) {
   int found = 0;
   for (const occ::CornerFilletEdge& edge : here.edges) {
     const TopoDS_Edge along = TopoDS::Edge(parts(given, TopAbs_EDGE)(edge.edge));
-    const double height =
-        BRep_Tool::Pnt(TopExp::LastVertex(along)).Z() + BRep_Tool::Pnt(TopExp::FirstVertex(along)).Z();
+    const double height = BRep_Tool::Pnt(TopExp::LastVertex(along)).Z() +
+                          BRep_Tool::Pnt(TopExp::FirstVertex(along)).Z();
     if (height < 30) continue;
     ++found;
     const double section_mm2 = volume_mm3(native(given, {edge})) / 30;
-    EXPECT_NEAR(volume_mm3(longer.model.shape) - volume_mm3(here.model.shape), 10 * section_mm2, 1e-3);
+    EXPECT_NEAR(volume_mm3(longer.model.shape) - volume_mm3(here.model.shape), 10 * section_mm2,
+                1e-3);
   }
   EXPECT_EQ(found, 1);
 }
@@ -117,7 +120,8 @@ TEST(CurvedCorner, MovesWithTheSolid) {
       options.tolerance.gap_mm *= scale;
       for (const occ::CornerFilletEdge& edge : here.edges)
         options.radii_mm[edge.edge] = scale * edge.radius_mm;
-      const CornerFillet there = cornerFillet(modelFromShape(moved), vertexAt(of.shape, of.corner), options);
+      const CornerFillet there =
+          cornerFillet(modelFromShape(moved), vertexAt(of.shape, of.corner), options);
       EXPECT_TRUE(there.met()) << scale << ": " << there.shortfall;
       EXPECT_NEAR(volume_mm3(there.model.shape) / std::pow(scale, 3), volume_mm3(here.model.shape),
                   1e-6 * volume_mm3(here.model.shape));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Corners whose faces are curved, or whose edges end among others. Beside OpenCASCADE's checks: its own fillets, of all edges and of one alone.
+// Corners whose faces are curved, or whose edges end among others. Beside OpenCASCADE's checks: its
+// own fillets, of all edges and of one alone.
 #include <gtest/gtest.h>
 
 #include <BRepAdaptor_Surface.hxx>
@@ -59,7 +60,10 @@ std::vector<Case> cases() {
        {1, 2, 1.5}},
       {"BlockOnCylinder", blockOnCylinder(), {std::sqrt(375.0), 5, 15}, {1, 2, 1}},
       {"LeftHanded", extrudedQuarterDisc(), {0, 20, 0}, {1, 0.5, 0.2}},
-      {"QuarterCylinder", BRepPrimAPI_MakeCylinder(20, 30, std::numbers::pi / 2).Shape(), {20, 0, 0}, {2}},
+      {"QuarterCylinder",
+       BRepPrimAPI_MakeCylinder(20, 30, std::numbers::pi / 2).Shape(),
+       {20, 0, 0},
+       {2}},
       {"BossInNotch",
        BRepAlgoAPI_Fuse(notchedCube(), upright({10, 5, 0}, 3, 7)).Shape(),
        {7, 5, 7},
@@ -76,7 +80,8 @@ TEST(CurvedCorner, ExtrusionsHaveLeftHandedCylinders) {
   const TopTools_IndexedMapOfShape faces = parts(extrudedQuarterDisc(), TopAbs_FACE);
   for (int face = 1; face <= faces.Extent(); ++face) {
     const BRepAdaptor_Surface surface(TopoDS::Face(faces(face)));
-    found += surface.GetType() == GeomAbs_Cylinder && !surface.Cylinder().Position().Direct() ? 1 : 0;
+    found +=
+        surface.GetType() == GeomAbs_Cylinder && !surface.Cylinder().Position().Direct() ? 1 : 0;
   }
   EXPECT_EQ(found, 1);
 }
@@ -111,7 +116,9 @@ TEST_P(CurvedCorners, BecomeValidSolidsOfSmoothSeams) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, CurvedCorners, testing::ValuesIn(cases()),
-                         [](const testing::TestParamInfo<Case>& of) { return std::string(of.param.name); });
+                         [](const testing::TestParamInfo<Case>& of) {
+                           return std::string(of.param.name);
+                         });
 
 }  // namespace
 }  // namespace seamwright::test

@@ -24,7 +24,8 @@ namespace seamwright::test {
 
 using Eigen::Vector3d;
 
-occ::CornerFilletOptions withRadii(const occ::Model& model, int vertex, const std::vector<double>& radii_mm) {
+occ::CornerFilletOptions withRadii(const occ::Model& model, int vertex,
+                                   const std::vector<double>& radii_mm) {
   occ::CornerFilletOptions options;
   std::size_t k = 0;
   for (const int edge : occ::cornerEdges(model, vertex))
@@ -48,7 +49,8 @@ TopTools_IndexedMapOfShape parts(const TopoDS_Shape& shape, TopAbs_ShapeEnum kin
 TopoDS_Shape native(const TopoDS_Shape& shape, const std::vector<occ::CornerFilletEdge>& edges) {
   const TopTools_IndexedMapOfShape all = parts(shape, TopAbs_EDGE);
   BRepFilletAPI_MakeFillet fillet(shape);
-  for (const occ::CornerFilletEdge& edge : edges) fillet.Add(edge.radius_mm, TopoDS::Edge(all(edge.edge)));
+  for (const occ::CornerFilletEdge& edge : edges)
+    fillet.Add(edge.radius_mm, TopoDS::Edge(all(edge.edge)));
   fillet.Build();
   return fillet.IsDone() ? fillet.Shape() : TopoDS_Shape();
 }
@@ -58,7 +60,8 @@ TopoDS_Shape box(double x, double y, double z) {
 }
 
 TopoDS_Shape ball(double radius) {
-  return BRepPrimAPI_MakeSphere(gp_Ax2(gp::Origin(), gp_Dir(1, -1, 0), gp_Dir(-1, -1, -1)), radius).Shape();
+  return BRepPrimAPI_MakeSphere(gp_Ax2(gp::Origin(), gp_Dir(1, -1, 0), gp_Dir(-1, -1, -1)), radius)
+      .Shape();
 }
 
 TopoDS_Shape upright(const gp_Pnt& foot, double radius, double height) {
@@ -75,7 +78,8 @@ TopoDS_Shape extrudedQuarterDisc() {
   wire.Add(BRepBuilderAPI_MakeEdge(centre, right));
   wire.Add(BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(right, gp_Pnt(14, 14, 0), top).Value()));
   wire.Add(BRepBuilderAPI_MakeEdge(top, centre));
-  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire.Wire()).Face(), gp_Vec(0, 0, 10)).Shape();
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire.Wire()).Face(), gp_Vec(0, 0, 10))
+      .Shape();
 }
 
 TopoDS_Shape boxLessBall() {
@@ -94,7 +98,8 @@ TopoDS_Shape boxWithRoundEdge() {
   BRepFilletAPI_MakeFillet fillet(shape);
   for (int k = 1; k <= edges.Extent(); ++k) {
     const TopoDS_Edge& edge = TopoDS::Edge(edges(k));
-    const gp_Pnt a = BRep_Tool::Pnt(TopExp::FirstVertex(edge)), b = BRep_Tool::Pnt(TopExp::LastVertex(edge));
+    const gp_Pnt a = BRep_Tool::Pnt(TopExp::FirstVertex(edge)),
+                 b = BRep_Tool::Pnt(TopExp::LastVertex(edge));
     if (a.X() + b.X() == 40 && a.Y() + b.Y() == 0) fillet.Add(5, edge);
   }
   return fillet.Shape();
@@ -104,7 +109,8 @@ TopoDS_Shape vault(int gores, double aside_mm) {
   TopoDS_Shape shape = BRepPrimAPI_MakeBox(gp_Pnt(-60, -60, 0), gp_Pnt(60, 60, 60)).Shape();
   for (int k = 0; k < gores; ++k) {
     const double angle = 2 * std::numbers::pi * k / gores;
-    const gp_Dir away(std::cos(angle), std::sin(angle), 0), along(-std::sin(angle), std::cos(angle), 0);
+    const gp_Dir away(std::cos(angle), std::sin(angle), 0),
+        along(-std::sin(angle), std::cos(angle), 0);
     const gp_Pnt start = gp::Origin().Translated(gp_Vec(away) * aside_mm - gp_Vec(along) * 80);
     const TopoDS_Shape gore = BRepPrimAPI_MakeCylinder(gp_Ax2(start, along, away), 40, 160).Shape();
     shape = BRepAlgoAPI_Common(shape, gore).Shape();

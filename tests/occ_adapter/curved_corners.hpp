@@ -11,8 +11,10 @@
 /// Solids with a corner between curved faces, and their fillets.
 namespace seamwright::test {
 
-/// Radii of the edges in their order about the vertex, counter-clockwise; begun again where there are more edges.
-occ::CornerFilletOptions withRadii(const occ::Model& model, int vertex, const std::vector<double>& radii_mm);
+/// Radii of the edges in their order about the vertex, counter-clockwise; begun again where there
+/// are more edges.
+occ::CornerFilletOptions withRadii(const occ::Model& model, int vertex,
+                                   const std::vector<double>& radii_mm);
 
 /// The solid with the corner at that point rounded.
 occ::CornerFillet rounded(const TopoDS_Shape& shape, const Eigen::Vector3d& corner,
@@ -34,19 +36,23 @@ TopoDS_Shape upright(const gp_Pnt& foot, double radius, double height);
 /// Its corner at (radius, 0, 0) has two planes at a right angle and the cylinder.
 TopoDS_Shape wedge(double radius, double height);
 
-/// Nearly a quarter of a disc of radius 20, 10 high. OpenCASCADE's extrusion has its cylinder on left-handed axes.
+/// Nearly a quarter of a disc of radius 20, 10 high. OpenCASCADE's extrusion has its cylinder on
+/// left-handed axes.
 TopoDS_Shape extrudedQuarterDisc();
 
 /// A box of side 20 less a ball of radius 10 about a corner.
 TopoDS_Shape boxLessBall();
 
-/// A block that sticks out of an upright cylinder; its upper corner there has two concave edges and a convex one.
+/// A block that sticks out of an upright cylinder; its upper corner there has two concave edges and
+/// a convex one.
 TopoDS_Shape blockOnCylinder();
 
-/// One upright edge rounded with 5 mm: the upper edges that it joins go on into one another smoothly.
+/// One upright edge rounded with 5 mm: the upper edges that it joins go on into one another
+/// smoothly.
 TopoDS_Shape boxWithRoundEdge();
 
-/// A pointed dome of cylindrical gores of radius 40, whose axes are aside of the middle: the steeper the further.
+/// A pointed dome of cylindrical gores of radius 40, whose axes are aside of the middle: the
+/// steeper the further.
 TopoDS_Shape vault(int gores, double aside_mm);
 Eigen::Vector3d apex(double aside_mm);
 

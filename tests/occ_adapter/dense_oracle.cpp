@@ -58,16 +58,21 @@ std::array<double, 2> stepsOf(const Surface& surface, double u, double v) {
   if (const auto trimmed = opencascade::handle<Geom_RectangularTrimmedSurface>::DownCast(surface);
       !trimmed.IsNull())
     return stepsOf(trimmed->BasisSurface(), u, v);
-  if (const auto offset = opencascade::handle<Geom_OffsetSurface>::DownCast(surface); !offset.IsNull())
+  if (const auto offset = opencascade::handle<Geom_OffsetSurface>::DownCast(surface);
+      !offset.IsNull())
     return stepsOf(offset->BasisSurface(), u, v);
-  if (const auto spline = opencascade::handle<Geom_BSplineSurface>::DownCast(surface); !spline.IsNull())
-    return {stepOf(
-                spline->UDegree(), 1, spline->NbUKnots(), [&](int i) { return spline->UKnot(i); }, u),
-            stepOf(
-                spline->VDegree(), 1, spline->NbVKnots(), [&](int i) { return spline->VKnot(i); }, v)};
-  if (const auto bezier = opencascade::handle<Geom_BezierSurface>::DownCast(surface); !bezier.IsNull())
+  if (const auto spline = opencascade::handle<Geom_BSplineSurface>::DownCast(surface);
+      !spline.IsNull())
+    return {
+        stepOf(
+            spline->UDegree(), 1, spline->NbUKnots(), [&](int i) { return spline->UKnot(i); }, u),
+        stepOf(
+            spline->VDegree(), 1, spline->NbVKnots(), [&](int i) { return spline->VKnot(i); }, v)};
+  if (const auto bezier = opencascade::handle<Geom_BezierSurface>::DownCast(surface);
+      !bezier.IsNull())
     return {1.0 / bezier->UDegree(), 1.0 / bezier->VDegree()};
-  if (const auto swept = opencascade::handle<Geom_SweptSurface>::DownCast(surface); !swept.IsNull()) {
+  if (const auto swept = opencascade::handle<Geom_SweptSurface>::DownCast(surface);
+      !swept.IsNull()) {
     if (surface->IsKind(STANDARD_TYPE(Geom_SurfaceOfLinearExtrusion)))
       return {stepOf(swept->BasisCurve(), u), 1};
     return {1, stepOf(swept->BasisCurve(), v)};
@@ -96,7 +101,8 @@ Local evaluate(const DenseSide& side, double s) {
   const double lengths = at.u.Magnitude() * at.v.Magnitude();
   const gp_Vec cross = at.u.Crossed(at.v);
   // A collapsed side has partials of rounding size; parallel partials tell no plane either.
-  at.has_normal = std::min(at.u.Magnitude(), at.v.Magnitude()) > 1e-7 && cross.Magnitude() > 1e-9 * lengths;
+  at.has_normal =
+      std::min(at.u.Magnitude(), at.v.Magnitude()) > 1e-7 && cross.Magnitude() > 1e-9 * lengths;
   if (!at.has_normal) return at;
   at.normal = cross.Normalized();
   addNoise(side.surface, uv, cross.Magnitude() / lengths, at);
@@ -118,19 +124,21 @@ double normalCurvature(const Local& at, const gp_Vec& normal, const gp_Vec& d) {
   const double du = d.Dot(at.u), dv = d.Dot(at.v);
   const double determinant = E * G - F * F;
   const double a = (G * du - F * dv) / determinant, b = (E * dv - F * du) / determinant;
-  const double second = a * a * normal.Dot(at.uu) + 2 * a * b * normal.Dot(at.uv) + b * b * normal.Dot(at.vv);
+  const double second =
+      a * a * normal.Dot(at.uu) + 2 * a * b * normal.Dot(at.uv) + b * b * normal.Dot(at.vv);
   return second / (E * a * a + 2 * F * a * b + G * b * b);
 }
 
-/// The turn about the line of both planes that takes normal m to normal n (Rodrigues), applied to x.
+/// The turn about the line of both planes that takes normal m to normal n (Rodrigues), applied to
+/// x.
 gp_Vec turned(const gp_Vec& x, const gp_Vec& m, const gp_Vec& n) {
   const gp_Vec axis = m.Crossed(n);
   const double cosine = m.Dot(n);
   return cosine * x + axis.Crossed(x) + axis.Dot(x) / (1 + cosine) * axis;
 }
 
-/// Largest absolute value of a function of the form a + b cos 2w + c sin 2w, from its values at 0, 45 and 90
-/// degrees.
+/// Largest absolute value of a function of the form a + b cos 2w + c sin 2w, from its values at 0,
+/// 45 and 90 degrees.
 double largest(double at_0, double at_45, double at_90) {
   const double mean = 0.5 * (at_0 + at_90);
   return std::abs(mean) + std::hypot(0.5 * (at_0 - at_90), at_45 - mean);
@@ -152,8 +160,8 @@ void measureCurvature(const Local& a, const Local& b, double flat_radius_mm, Den
   const double turning = a.normal_noise_rad + b.normal_noise_rad;
   // |mean| + hypot of three values that are each off by one: 1 + sqrt(1 + 2^2).
   constexpr double of_largest = 3.3;
-  const double noise =
-      of_largest * (a.second_noise_per_mm + b.second_noise_per_mm + 4 * point.norm_per_mm * turning);
+  const double noise = of_largest * (a.second_noise_per_mm + b.second_noise_per_mm +
+                                     4 * point.norm_per_mm * turning);
   point.curvature_per_mm = {difference, noise};
   const double flat = 1 / flat_radius_mm;
   const bool flat_a = norm_a < flat, flat_b = norm_b < flat;
@@ -187,7 +195,9 @@ std::optional<std::array<DenseSide, 2>> denseSides(const TopoDS_Shape& shape, in
   TopTools_IndexedMapOfShape face_map, edge_map;
   TopExp::MapShapes(shape, TopAbs_FACE, face_map);
   TopExp::MapShapes(shape, TopAbs_EDGE, edge_map);
-  const auto face = [&](int number) { return TopoDS::Face(face_map(number).Oriented(TopAbs_FORWARD)); };
+  const auto face = [&](int number) {
+    return TopoDS::Face(face_map(number).Oriented(TopAbs_FORWARD));
+  };
   std::vector<DenseSide> sides = usesOn(face(faces[0]), edge_map(edge));
   if (faces[0] != faces[1])
     for (const DenseSide& side : usesOn(face(faces[1]), edge_map(edge))) sides.push_back(side);
@@ -201,8 +211,9 @@ DensePoint densePoint(const std::array<DenseSide, 2>& sides, double s, double fl
   point.gap_mm = {a.p.Distance(b.p), a.rounding_mm + b.rounding_mm + 1e-13};
   point.partials = {a.u.Magnitude(), a.v.Magnitude(), b.u.Magnitude(), b.v.Magnitude()};
   if (!a.has_normal || !b.has_normal) return point;
-  point.angle_rad = {std::atan2(a.normal.Crossed(b.normal).Magnitude(), std::abs(a.normal.Dot(b.normal))),
-                     a.normal_noise_rad + b.normal_noise_rad};
+  point.angle_rad = {
+      std::atan2(a.normal.Crossed(b.normal).Magnitude(), std::abs(a.normal.Dot(b.normal))),
+      a.normal_noise_rad + b.normal_noise_rad};
   point.fold = a.into_face.Dot(b.into_face) > 0;
   measureCurvature(a, b, flat_radius_mm, point);
   return point;
@@ -235,7 +246,8 @@ DenseMaxima denseMaxima(const std::array<DenseSide, 2>& sides, int count,
                         const ContinuityTolerance& tolerance) {
   std::vector<DensePoint> points;
   for (int k = 0; k < count; ++k)
-    points.push_back(densePoint(sides, static_cast<double>(k) / (count - 1), tolerance.flat_radius_mm));
+    points.push_back(
+        densePoint(sides, static_cast<double>(k) / (count - 1), tolerance.flat_radius_mm));
   const std::array<double, 4> longest = longestPartials(points);
   DenseMaxima maxima;
   for (const DensePoint& point : points) {

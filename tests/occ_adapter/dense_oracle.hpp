@@ -10,11 +10,12 @@
 
 #include <seamwright/core/seam/tolerance.hpp>
 
-/// Seams measured a second time: by plain evaluation at many points, with formulas written down here. Nothing of the
-/// library takes part.
+/// Seams measured a second time: by plain evaluation at many points, with formulas written down
+/// here. Nothing of the library takes part.
 namespace seamwright::test {
 
-/// A face beside an edge: its surface where it lies in space, the edge's path in the parameter plane.
+/// A face beside an edge: its surface where it lies in space, the edge's path in the parameter
+/// plane.
 struct DenseSide {
   opencascade::handle<Geom_Surface> surface;
   opencascade::handle<Geom2d_Curve> path;
@@ -25,11 +26,12 @@ struct DenseSide {
 
 /// A figure at a point, and what the rounding of its evaluation may have added to it.
 ///
-/// Coordinates of size P are rounded by c eps P (c = 64: a sum of some dozens of terms, through OpenCASCADE's
-/// caches). A first partial by a parameter is a difference over a step h, the knot span over the degree, or 1:
-/// e_1 = c eps P / h; a second one e_2 = c eps P / h^2. With x the length of the partial and sin the sine between
-/// the partials the normal turns by e_1 / (x sin), and a normal curvature k changes by
-/// e_2 / (x sin)^2 + 4 |k| e_1 / (x sin); the errors of the sides and of the directions add.
+/// Coordinates of size P are rounded by c eps P (c = 64: a sum of some dozens of terms, through
+/// OpenCASCADE's caches). A first partial by a parameter is a difference over a step h, the knot
+/// span over the degree, or 1: e_1 = c eps P / h; a second one e_2 = c eps P / h^2. With x the
+/// length of the partial and sin the sine between the partials the normal turns by e_1 / (x sin),
+/// and a normal curvature k changes by e_2 / (x sin)^2 + 4 |k| e_1 / (x sin); the errors of the
+/// sides and of the directions add.
 struct DenseValue {
   double value = 0;
   double noise = 0;
@@ -47,8 +49,9 @@ struct DensePoint {
   std::array<double, 4> partials{};  ///< lengths of X_u, X_v of both sides
 };
 
-/// Near a collapsed side of a surface rounding speaks: where a partial is shorter than 1e-5 of its largest length along
-/// the seam there counts as no normal, and curvature and folds, which divide by its square, are taken only above 1e-2.
+/// Near a collapsed side of a surface rounding speaks: where a partial is shorter than 1e-5 of its
+/// largest length along the seam there counts as no normal, and curvature and folds, which divide
+/// by its square, are taken only above 1e-2.
 struct DenseMaxima {
   DenseValue gap_mm;  ///< of each figure the point with the largest sure() value
   std::optional<DenseValue> angle_rad;
@@ -60,7 +63,8 @@ struct DenseMaxima {
   int points_without_normal = 0;
 };
 
-/// The two sides of an edge (number from 1); nothing if it has another number of sides, or no path on one.
+/// The two sides of an edge (number from 1); nothing if it has another number of sides, or no path
+/// on one.
 std::optional<std::array<DenseSide, 2>> denseSides(const TopoDS_Shape& shape, int edge,
                                                    const std::array<int, 2>& faces);
 

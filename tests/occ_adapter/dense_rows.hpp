@@ -5,7 +5,8 @@
 #include <cmath>
 #include <vector>
 
-/// Conditions on the moves of points as rows of a dense matrix, solved by an orthogonal factorisation.
+/// Conditions on the moves of points as rows of a dense matrix, solved by an orthogonal
+/// factorisation.
 namespace seamwright::test {
 
 struct DenseRows {
@@ -16,7 +17,8 @@ struct DenseRows {
            const Eigen::Vector3d& direction, double value) {
     Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(unknowns);
     for (std::size_t k = 0; k < points.size(); ++k)
-      row.segment<3>(3 * points[k]) += factors[static_cast<Eigen::Index>(k)] * direction.transpose();
+      row.segment<3>(3 * points[k]) +=
+          factors[static_cast<Eigen::Index>(k)] * direction.transpose();
     rows.push_back(row);
     values.push_back(value);
   }
@@ -35,7 +37,8 @@ struct DenseRows {
 
   /// Half of the gradient of the sum of squares.
   Eigen::VectorXd gradient(const Eigen::VectorXd& at) const {
-    const Eigen::Map<const Eigen::VectorXd> right(values.data(), static_cast<Eigen::Index>(values.size()));
+    const Eigen::Map<const Eigen::VectorXd> right(values.data(),
+                                                  static_cast<Eigen::Index>(values.size()));
     return matrix().transpose() * (matrix() * at - right);
   }
 

@@ -31,9 +31,9 @@ DenseValue largestAround(double at, const Value& value_at) {
   return largest;
 }
 
-/// No dense point exceeds the upper bound, and the lower bound is reached where it is said to. Without an upper
-/// bound no dense point exceeds the lower one by more than 1 % or by what a survey leaves open, a hundredth of
-/// the tolerance.
+/// No dense point exceeds the upper bound, and the lower bound is reached where it is said to.
+/// Without an upper bound no dense point exceeds the lower one by more than 1 % or by what a survey
+/// leaves open, a hundredth of the tolerance.
 void expectFigure(const char* what, const std::optional<Figure>& figure, const DenseValue& dense,
                   const DenseValue& there, double left_open) {
   SCOPED_TRACE(what);
@@ -43,13 +43,17 @@ void expectFigure(const char* what, const std::optional<Figure>& figure, const D
   else
     EXPECT_GE(figure->lower, dense.sure() - std::max(0.01 * dense.value, left_open));
   // At a jump the points beside the place may miss the value, but the whole seam reaches it to 1 %.
-  const double reached = std::max(there.value * (1 + 1e-6) + there.noise, 1.01 * dense.value + dense.noise);
+  const double reached =
+      std::max(there.value * (1 + 1e-6) + there.noise, 1.01 * dense.value + dense.noise);
   EXPECT_LE(figure->lower, reached) << "at " << figure->at << " it is " << there.value;
 }
 
-/// The level by the same rules, from the dense figures; nothing where one lies within 2 % of its limit.
+/// The level by the same rules, from the dense figures; nothing where one lies within 2 % of its
+/// limit.
 std::optional<Level> levelOf(const DenseMaxima& dense, const ContinuityTolerance& tolerance) {
-  const auto near_limit = [](double value, double limit) { return std::abs(value - limit) < 0.02 * limit; };
+  const auto near_limit = [](double value, double limit) {
+    return std::abs(value - limit) < 0.02 * limit;
+  };
   if (near_limit(dense.gap_mm.value, tolerance.gap_mm)) return std::nullopt;
   if (dense.gap_mm.value > tolerance.gap_mm) return Level::None;
   if (!dense.angle_rad) return Level::G0;
@@ -78,8 +82,9 @@ void expectAgrees(const SeamResult& seam, const std::array<DenseSide, 2>& sides,
   const SeamFigures& figures = seam.figures;
   const DenseMaxima dense = denseMaxima(sides, points, tolerance);
   const auto around = [&](const Figure& figure, const auto& value_of) {
-    return largestAround(figure.at,
-                         [&](double s) { return value_of(densePoint(sides, s, tolerance.flat_radius_mm)); });
+    return largestAround(figure.at, [&](double s) {
+      return value_of(densePoint(sides, s, tolerance.flat_radius_mm));
+    });
   };
   ASSERT_TRUE(figures.gap_mm);
   expectFigure("gap", figures.gap_mm, dense.gap_mm,
@@ -87,22 +92,24 @@ void expectAgrees(const SeamResult& seam, const std::array<DenseSide, 2>& sides,
                0.01 * tolerance.gap_mm);
   ASSERT_EQ(figures.angle_rad.has_value(), dense.angle_rad.has_value());
   if (!dense.angle_rad) return;
-  expectFigure("angle", figures.angle_rad, *dense.angle_rad,
-               around(*figures.angle_rad,
-                      [](const DensePoint& point) { return point.angle_rad.value_or(DenseValue()); }),
-               0.01 * tolerance.angle_rad);
+  expectFigure(
+      "angle", figures.angle_rad, *dense.angle_rad,
+      around(*figures.angle_rad,
+             [](const DensePoint& point) { return point.angle_rad.value_or(DenseValue()); }),
+      0.01 * tolerance.angle_rad);
   if (dense.angle_rad->value > 1.01 * tolerance.crease_rad) {
     EXPECT_FALSE(figures.curvature_per_mm);
   } else if (figures.fold_at) {
     EXPECT_TRUE(dense.fold) << "where the faces fold curvature decides nothing";
   } else if (figures.curvature_per_mm) {
+    expectFigure("curvature", figures.curvature_per_mm, dense.curvature_per_mm,
+                 around(*figures.curvature_per_mm,
+                        [](const DensePoint& point) { return point.curvature_per_mm; }),
+                 0.01 * tolerance.curvature_rel * dense.norm_per_mm);
     expectFigure(
-        "curvature", figures.curvature_per_mm, dense.curvature_per_mm,
-        around(*figures.curvature_per_mm, [](const DensePoint& point) { return point.curvature_per_mm; }),
-        0.01 * tolerance.curvature_rel * dense.norm_per_mm);
-    expectFigure("relative curvature", figures.curvature_rel, dense.curvature_rel,
-                 around(*figures.curvature_rel, [](const DensePoint& point) { return point.curvature_rel; }),
-                 0.01 * tolerance.curvature_rel);
+        "relative curvature", figures.curvature_rel, dense.curvature_rel,
+        around(*figures.curvature_rel, [](const DensePoint& point) { return point.curvature_rel; }),
+        0.01 * tolerance.curvature_rel);
   } else {
     EXPECT_TRUE(dense.fold || dense.angle_rad->value > 0.99 * tolerance.crease_rad);
   }
@@ -119,19 +126,20 @@ void compareAllSeams(const occ::Model& model, int points, int uncertified = 0) {
   ASSERT_FALSE(report.seams.empty());
   int compared = 0;
   for (const SeamResult& seam : report.seams) {
-    if (seam.note.find("rebuilt") != std::string::npos) continue;  // another path than the stored one
+    if (seam.note.find("rebuilt") != std::string::npos)
+      continue;  // another path than the stored one
     const auto sides = denseSides(model.shape, seam.edges.at(0), seam.faces);
     if (!sides) continue;
     ++compared;
     expectAgrees(seam, *sides, report.tolerance, points);
   }
   EXPECT_GE(2 * compared, static_cast<int>(report.seams.size()));
-  const auto certified =
-      std::ranges::count_if(report.seams, [](const SeamResult& seam) { return seam.figures.certified; });
-  const auto certain =
-      std::ranges::count_if(report.seams, [](const SeamResult& seam) { return seam.verdict.certain; });
-  std::printf("%zu seams: %d compared, %td certified, %td with a certain verdict\n", report.seams.size(),
-              compared, certified, certain);
+  const auto certified = std::ranges::count_if(
+      report.seams, [](const SeamResult& seam) { return seam.figures.certified; });
+  const auto certain = std::ranges::count_if(
+      report.seams, [](const SeamResult& seam) { return seam.verdict.certain; });
+  std::printf("%zu seams: %d compared, %td certified, %td with a certain verdict\n",
+              report.seams.size(), compared, certified, certain);
   EXPECT_GE(certified, static_cast<std::ptrdiff_t>(report.seams.size()) - uncertified);
 }
 
@@ -167,20 +175,20 @@ INSTANTIATE_TEST_SUITE_P(Installed, DenseFiles,
                                            File{"Pump_Nut", OCCT_DATA "occ/Pump_Nut.brep", 2001}),
                          [](const auto& file) { return std::string(file.param.name); });
 
-INSTANTIATE_TEST_SUITE_P(Models, DenseFiles,
-                         ::testing::Values(File{"frame", "large/frame.step", 501},
-                                           File{"NIST_1", "small/NIST_MBE_PMI_1.stp", 2001},
-                                           File{"NIST_5", "freeform/NIST_MBE_PMI_5.stp", 2001},
-                                           File{"NIST_11", "small/NIST_MBE_PMI_11.stp", 20001},
-                                           File{"nozzle", "small/nozzle.stp", 20001},
-                                           File{"rounded_cube", "small/rounded-cube_rounded-cube.step",
-                                                20001},
-                                           File{"bottle", "freeform/bottle.brep", 2001},
-                                           File{"blendsolid", "freeform/blendsolid_test.step", 2001},
-                                           File{"s60", "freeform/s60.step", 2001},
-                                           File{"Silk_01", "freeform/Silk_Demo_01_sewn.step", 2001},
-                                           File{"Silk_02", "freeform/Silk_Demo_02_sewn.step", 2001}),
-                         [](const auto& file) { return std::string(file.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Models, DenseFiles,
+    ::testing::Values(File{"frame", "large/frame.step", 501},
+                      File{"NIST_1", "small/NIST_MBE_PMI_1.stp", 2001},
+                      File{"NIST_5", "freeform/NIST_MBE_PMI_5.stp", 2001},
+                      File{"NIST_11", "small/NIST_MBE_PMI_11.stp", 20001},
+                      File{"nozzle", "small/nozzle.stp", 20001},
+                      File{"rounded_cube", "small/rounded-cube_rounded-cube.step", 20001},
+                      File{"bottle", "freeform/bottle.brep", 2001},
+                      File{"blendsolid", "freeform/blendsolid_test.step", 2001},
+                      File{"s60", "freeform/s60.step", 2001},
+                      File{"Silk_01", "freeform/Silk_Demo_01_sewn.step", 2001},
+                      File{"Silk_02", "freeform/Silk_Demo_02_sewn.step", 2001}),
+    [](const auto& file) { return std::string(file.param.name); });
 
 TEST(DenseOracle, KnowsClosedForms) {
   const auto measured = [](const TopoDS_Shape& shape) {
@@ -201,7 +209,8 @@ TEST(DenseOracle, KnowsClosedForms) {
 TEST(DenseOracle, AgreesOnARoundedBox) {
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(20, 30, 40).Shape();
   BRepFilletAPI_MakeFillet rounded(box);
-  for (TopExp_Explorer it(box, TopAbs_EDGE); it.More(); it.Next()) rounded.Add(2, TopoDS::Edge(it.Current()));
+  for (TopExp_Explorer it(box, TopAbs_EDGE); it.More(); it.Next())
+    rounded.Add(2, TopoDS::Edge(it.Current()));
   compareAllSeams(occ::modelFromShape(rounded.Shape()), 2001);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A surface and its displacement, seen by OpenCASCADE's evaluation and the recursion that defines B-splines.
+// A surface and its displacement, seen by OpenCASCADE's evaluation and the recursion that defines
+// B-splines.
 #include <gtest/gtest.h>
 
 #include <BRepBuilderAPI_NurbsConvert.hxx>
@@ -44,7 +45,9 @@ std::array<double, 4> wholeOf(const Spline& surface) {
 double bspline(const SplineAxis& axis, int i, int degree, double t) {
   const auto knot = [&axis](int k) { return axis.knots[static_cast<std::size_t>(k)]; };
   if (degree == 0)
-    return (knot(i) <= t && t < knot(i + 1)) || (t == axis.last && knot(i) < t && t == knot(i + 1)) ? 1 : 0;
+    return (knot(i) <= t && t < knot(i + 1)) || (t == axis.last && knot(i) < t && t == knot(i + 1))
+               ? 1
+               : 0;
   const double rise = knot(i + degree) - knot(i), fall = knot(i + degree + 1) - knot(i + 1);
   return (rise > 0 ? (t - knot(i)) / rise * bspline(axis, i, degree - 1, t) : 0) +
          (fall > 0 ? (knot(i + degree + 1) - t) / fall * bspline(axis, i + 1, degree - 1, t) : 0);
@@ -85,7 +88,8 @@ void forGrid(const Spline& surface, const std::function<void(double u, double v)
   const std::array<double, 4> range = wholeOf(surface);
   for (int i = 0; i <= steps; ++i)
     for (int j = 0; j <= steps; ++j)
-      look(range[0] + (range[1] - range[0]) * i / steps, range[2] + (range[3] - range[2]) * j / steps);
+      look(range[0] + (range[1] - range[0]) * i / steps,
+           range[2] + (range[3] - range[2]) * j / steps);
 }
 
 /// The largest distance of the moved surface from X + D.
@@ -93,8 +97,8 @@ double largestError_mm(const Spline& given, const Displacement& displacement) {
   const Spline moved = displacement.moved().surface;
   double largest = 0;
   forGrid(given, [&](double u, double v) {
-    largest =
-        std::max(largest, (pointOf(moved, u, v) - pointOf(given, u, v) - moveAt(displacement, u, v)).norm());
+    largest = std::max(
+        largest, (pointOf(moved, u, v) - pointOf(given, u, v) - moveAt(displacement, u, v)).norm());
   });
   return largest;
 }
@@ -120,7 +124,8 @@ double denominatorAt(const Spline& surface, double u, double v) {
   const Eigen::VectorXd of_u = functionsAt(basis.u(), u), of_v = functionsAt(basis.v(), v);
   double sum = 0;
   for (int i = 0; i < basis.u().poles; ++i)
-    for (int j = 0; j < basis.v().poles; ++j) sum += of_u[i] * of_v[j] * surface->Weight(i + 1, j + 1);
+    for (int j = 0; j < basis.v().poles; ++j)
+      sum += of_u[i] * of_v[j] * surface->Weight(i + 1, j + 1);
   return sum / surface->Weight(1, 1);
 }
 
@@ -147,7 +152,8 @@ TEST(Displacement, HasASmoothDenominatorOfItsSurface) {
   }
 }
 
-/// Where the denominator bends D has none. The denominator is what it was, so moves of moved surfaces need no higher degree.
+/// Where the denominator bends D has none. The denominator is what it was, so moves of moved
+/// surfaces need no higher degree.
 TEST(Displacement, FurtherOnesKeepTheDegreeOfRationalSurfaces) {
   std::mt19937 generator(20331);
   for (const auto& [degree_u, degree_v] : {std::pair(2, 3), std::pair(3, 1), std::pair(4, 2)}) {
@@ -204,7 +210,8 @@ TEST(Displacement, SharesAreTheDerivativesOfTheMove) {
   for (int k = 0; k < 50; ++k) {
     const Eigen::Vector2d uv(0.5 + random(generator, 0.5), 0.5 + random(generator, 0.5)),
         none = Eigen::Vector2d::Zero();
-    const SurfaceJet jet = displacement.moved(displacement.given(uv, none), displacement.shares(uv, none));
+    const SurfaceJet jet =
+        displacement.moved(displacement.given(uv, none), displacement.shares(uv, none));
     gp_Pnt p;
     gp_Vec du, dv, duu, dvv, duv;
     moved->D2(uv[0], uv[1], p, du, dv, duu, dvv, duv);
@@ -218,7 +225,8 @@ TEST(Displacement, SharesAreTheDerivativesOfTheMove) {
 }
 
 Spline splineFrom(const handle<Geom_Surface>& surface, double u0, double u1, double v0, double v1) {
-  return GeomConvert::SurfaceToBSplineSurface(new Geom_RectangularTrimmedSurface(surface, u0, u1, v0, v1));
+  return GeomConvert::SurfaceToBSplineSurface(
+      new Geom_RectangularTrimmedSurface(surface, u0, u1, v0, v1));
 }
 
 /// Along a direction in which the denominator does not vary the degree stays.
@@ -238,8 +246,9 @@ TEST(Displacement, OfARationalSurfaceIsAddedToIt) {
   std::mt19937 generator(20824);
   const handle<Geom_Surface> cylinder = new Geom_CylindricalSurface(gp_Ax3(), 20),
                              ball = new Geom_SphericalSurface(gp_Ax3(), 20);
-  for (const Spline& given : {splineFrom(cylinder, 0, 1.2, 0, 30), splineFrom(ball, 0.1, 1.2, -0.5, 0.6),
-                              splineFrom(ball, 0.1, 5.2, -0.5, 0.6)}) {
+  for (const Spline& given :
+       {splineFrom(cylinder, 0, 1.2, 0, 30), splineFrom(ball, 0.1, 1.2, -0.5, 0.6),
+        splineFrom(ball, 0.1, 5.2, -0.5, 0.6)}) {
     ASSERT_TRUE(given->IsURational() || given->IsVRational());
     Displacement displacement(given, wholeOf(given), 4, near_mm);
     moveAnyhow(displacement, generator, 0.01);
@@ -254,7 +263,8 @@ TEST(Displacement, OfARationalSurfaceIsAddedToIt) {
   }
 }
 
-/// Turned all round, as OpenCASCADE makes them of a cylinder, a torus and a ball: weights, double knots, ends that meet, poles.
+/// Turned all round, as OpenCASCADE makes them of a cylinder, a torus and a ball: weights, double
+/// knots, ends that meet, poles.
 TEST(Displacement, OfAClosedRationalSurfaceIsAddedNearly) {
   constexpr double size_mm = 0.01;
   std::mt19937 generator(20829);
@@ -265,8 +275,8 @@ TEST(Displacement, OfAClosedRationalSurfaceIsAddedNearly) {
   for (const auto& [name, solid] : solids)
     for (const int spans : {4, 8}) {
       SCOPED_TRACE(name + ", " + std::to_string(spans));
-      const Spline given =
-          Spline::DownCast(BRep_Tool::Surface(face(BRepBuilderAPI_NurbsConvert(solid, true).Shape(), 1)));
+      const Spline given = Spline::DownCast(
+          BRep_Tool::Surface(face(BRepBuilderAPI_NurbsConvert(solid, true).Shape(), 1)));
       ASSERT_TRUE(given->IsURational() || given->IsVRational());
       Displacement displacement(given, wholeOf(given), spans, near_mm);
       moveAnyhow(displacement, generator, size_mm);
@@ -361,9 +371,12 @@ TEST(Displacement, ASideThatIsOnePointStaysOne) {
       EXPECT_EQ(displacement.count(), basis.u().poles * basis.v().poles - across + 1);
       moveAnyhow(displacement, generator, 0.3);
       const Spline moved = displacement.moved().surface;
-      const auto at = [&](double t) { return side < 2 ? moved->Value(side, t) : moved->Value(t, side - 2); };
+      const auto at = [&](double t) {
+        return side < 2 ? moved->Value(side, t) : moved->Value(t, side - 2);
+      };
       EXPECT_GT(at(0.5).Distance(top), 1e-3);
-      for (double t = 0; t <= 1; t += 0.04) EXPECT_LT(at(t).Distance(at(0)), 1e-11) << side << " " << t;
+      for (double t = 0; t <= 1; t += 0.04)
+        EXPECT_LT(at(t).Distance(at(0)), 1e-11) << side << " " << t;
     }
 }
 
@@ -375,7 +388,8 @@ TEST(Displacement, KnotsThatAreInsertedChangeNothing) {
     EXPECT_FALSE(displacement.halve({}));
     const Displacement before = displacement;
     for (int k = 0; k < 3; ++k) {
-      const std::vector<int> u = displacement.basis().u().spans(), v = displacement.basis().v().spans();
+      const std::vector<int> u = displacement.basis().u().spans(),
+                             v = displacement.basis().v().spans();
       const int count = displacement.count();
       ASSERT_TRUE(displacement.halve({{{u.front(), u.back()}, {v[v.size() / 2]}}}));
       EXPECT_GT(displacement.count(), count);
@@ -396,8 +410,10 @@ double energyOf(const Displacement& displacement) {
   return sum;
 }
 
-/// Coefficients of the spline nearest to a function of the place in space. \returns by how much it is missed.
-double moveBy(const Spline& given, const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& move,
+/// Coefficients of the spline nearest to a function of the place in space. \returns by how much it
+/// is missed.
+double moveBy(const Spline& given,
+              const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& move,
               Displacement& displacement) {
   const occ::SurfaceBasis& basis = displacement.basis();
   std::vector<Eigen::RowVectorXd> rows;
@@ -423,13 +439,14 @@ double moveBy(const Spline& given, const std::function<Eigen::Vector3d(const Eig
 
 constexpr double length_mm = 40, width_mm = 25;
 
-/// A rectangle of that length and width, its parameters from 0 to 1. \param bent how uneven they run
+/// A rectangle of that length and width, its parameters from 0 to 1. \param bent how uneven they
+/// run
 Spline rectangle(double bent = 0) {
   TColgp_Array2OfPnt poles(1, 3, 1, 3);
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
-      poles(i + 1, j + 1) =
-          gp_Pnt(length_mm * (0.5 * i + (i == 1 ? bent : 0)), width_mm * (0.5 * j - (j == 1 ? bent : 0)), 0);
+      poles(i + 1, j + 1) = gp_Pnt(length_mm * (0.5 * i + (i == 1 ? bent : 0)),
+                                   width_mm * (0.5 * j - (j == 1 ? bent : 0)), 0);
   return splineOf(poles, 2, 2);
 }
 
@@ -448,12 +465,13 @@ TEST(Displacement, BendingOfAQuadraticOverAPlaneIsInClosedForm) {
     ASSERT_LT(moveBy(given, quadratic, displacement), 1e-12);
     const double exact = quadratic_density * length_mm * width_mm;
     EXPECT_NEAR(energyOf(displacement), exact, 1e-8 * exact);
-    ASSERT_LT(
-        moveBy(
-            given,
-            [](const Eigen::Vector3d& p) { return Eigen::Vector3d(1 + 0.1 * p[0], p[0] - 0.2 * p[1], p[1]); },
-            displacement),
-        1e-11);
+    ASSERT_LT(moveBy(
+                  given,
+                  [](const Eigen::Vector3d& p) {
+                    return Eigen::Vector3d(1 + 0.1 * p[0], p[0] - 0.2 * p[1], p[1]);
+                  },
+                  displacement),
+              1e-11);
     EXPECT_LT(energyOf(displacement), 1e-8 * exact);
   }
 }

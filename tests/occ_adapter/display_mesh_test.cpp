@@ -83,8 +83,8 @@ void expectCovers(const DisplayMesh& mesh, const TopoDS_Shape& shape, double sha
   }
 }
 
-/// Whether a node is the point of the face at its parameters, inside its outline or on it. This is for surfaces
-/// with kinks, where OpenCASCADE finds no nearest point.
+/// Whether a node is the point of the face at its parameters, inside its outline or on it. This is
+/// for surfaces with kinks, where OpenCASCADE finds no nearest point.
 bool isPointOfFace(const TopoDS_Face& face, const Vector3d& p, const Eigen::Vector2d& uv) {
   const gp_Pnt on = BRep_Tool::Surface(face)->Value(uv.x(), uv.y());
   const BRepClass_FaceClassifier place(face, gp_Pnt2d(uv.x(), uv.y()), 1e-6);
@@ -118,7 +118,8 @@ TopoDS_Face bump(double height_mm) {
   TColgp_Array2OfPnt poles(1, 4, 1, 4);
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j)
-      poles(i + 1, j + 1) = gp_Pnt(10.0 * i, 10.0 * j, i % 3 != 0 && j % 3 != 0 ? height_mm : 0.1 * i * j);
+      poles(i + 1, j + 1) =
+          gp_Pnt(10.0 * i, 10.0 * j, i % 3 != 0 && j % 3 != 0 ? height_mm : 0.1 * i * j);
   return BRepBuilderAPI_MakeFace(new Geom_BezierSurface(poles), 1e-7).Face();
 }
 
@@ -136,20 +137,24 @@ TEST(DisplayMesh, NormalsAndCurvaturesOfKnownSurfaces) {
   };
   const auto away = [](const Vector3d& p) -> Vector3d { return p / r; };
   // With poles at both ends and closed.
-  check(BRepPrimAPI_MakeSphere(r).Face(), away, [](const Vector3d&) { return std::pair(-1 / r, -1 / r); });
+  check(BRepPrimAPI_MakeSphere(r).Face(), away,
+        [](const Vector3d&) { return std::pair(-1 / r, -1 / r); });
   check(
       BRepPrimAPI_MakeCylinder(r, 9).Face(),
       [](const Vector3d& p) -> Vector3d { return Vector3d(p.x(), p.y(), 0) / r; },
       [](const Vector3d&) { return std::pair(0.0, -1 / r); });
   check(
       BRepPrimAPI_MakeTorus(r, tube).Face(),
-      [](const Vector3d& p) -> Vector3d { return (p - r * Vector3d(p.x(), p.y(), 0).normalized()) / tube; },
+      [](const Vector3d& p) -> Vector3d {
+        return (p - r * Vector3d(p.x(), p.y(), 0).normalized()) / tube;
+      },
       [](const Vector3d& p) {
         const double ring = std::hypot(p.x(), p.y());
         return std::pair(-(ring - r) / tube / ring, -1 / tube);
       });
   check(
-      BRepPrimAPI_MakeSphere(r).Face().Reversed(), [&](const Vector3d& p) -> Vector3d { return -away(p); },
+      BRepPrimAPI_MakeSphere(r).Face().Reversed(),
+      [&](const Vector3d& p) -> Vector3d { return -away(p); },
       [](const Vector3d&) { return std::pair(1 / r, 1 / r); });
 }
 
@@ -159,9 +164,9 @@ TEST(DisplayMesh, TheTipOfAConeHasTheNormalOfItsParameterAndNoCurvature) {
   int tips = 0;
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
     EXPECT_NEAR(mesh.normals[i].z(), 5 / std::hypot(5, 8), 1e-8);
-    EXPECT_NEAR(
-        mesh.normals[i].head<2>().dot(Eigen::Rotation2Dd(mesh.parameters[i].x()) * Eigen::Vector2d(1, 0)),
-        8 / std::hypot(5, 8), 1e-8);
+    EXPECT_NEAR(mesh.normals[i].head<2>().dot(Eigen::Rotation2Dd(mesh.parameters[i].x()) *
+                                              Eigen::Vector2d(1, 0)),
+                8 / std::hypot(5, 8), 1e-8);
     if ((mesh.points[i] - Vector3d(0, 0, 8)).norm() > 1e-9) continue;
     ++tips;
     EXPECT_TRUE(std::isnan(mesh.curvatures[i].k2));
@@ -208,12 +213,12 @@ TEST(DisplayMesh, TheMeshOfAMirroredPlaceIsTheMirrorImage) {
     for (std::size_t i = 0; i < image.points.size(); ++i) {
       const gp_Pnt p =
           gp_Pnt(image.points[i].x(), image.points[i].y(), image.points[i].z()).Transformed(back);
-      const gp_Vec n =
-          gp_Vec(image.normals[i].x(), image.normals[i].y(), image.normals[i].z()).Transformed(back);
+      const gp_Vec n = gp_Vec(image.normals[i].x(), image.normals[i].y(), image.normals[i].z())
+                           .Transformed(back);
       gp_Pnt on;
       gp_Vec du, dv, duu, dvv, duv;
-      BRep_Tool::Surface(given)->D2(image.parameters[i].x(), image.parameters[i].y(), on, du, dv, duu, dvv,
-                                    duv);
+      BRep_Tool::Surface(given)->D2(image.parameters[i].x(), image.parameters[i].y(), on, du, dv,
+                                    duu, dvv, duv);
       const gp_Vec normal = du.Crossed(dv).Normalized();
       EXPECT_LT(on.Distance(p), 1e-9);
       EXPECT_LT((normal - factor * n).Magnitude(), 1e-9);
@@ -225,7 +230,8 @@ TEST(DisplayMesh, TheMeshOfAMirroredPlaceIsTheMirrorImage) {
   }
 }
 
-/// The angle that a graphics card's normal in a triangle, the mean of the corners', is off at its centre.
+/// The angle that a graphics card's normal in a triangle, the mean of the corners', is off at its
+/// centre.
 TEST(DisplayMesh, NormalsBetweenNodesAreNearlyThoseOfTheSurface) {
   const TopoDS_Face face = bump(20);
   const occ::DisplayMeshOptions options;
@@ -238,9 +244,11 @@ TEST(DisplayMesh, NormalsBetweenNodesAreNearlyThoseOfTheSurface) {
     gp_Vec du, dv;
     BRep_Tool::Surface(face)->D1(uv.x(), uv.y(), p, du, dv);
     const gp_Vec n = du.Crossed(dv).Normalized();
-    worst = std::max(worst, Vector3d(n.X(), n.Y(), n.Z()).cross(meanNormal(mesh, i).normalized()).norm());
+    worst = std::max(worst,
+                     Vector3d(n.X(), n.Y(), n.Z()).cross(meanNormal(mesh, i).normalized()).norm());
     for (const auto& [one, other] : {std::pair(a, b), {b, c}, {c, a}})
-      EXPECT_LT(mesh.normals[one].cross(mesh.normals[other]).norm(), std::sin(options.turn_rad) + 1e-12);
+      EXPECT_LT(mesh.normals[one].cross(mesh.normals[other]).norm(),
+                std::sin(options.turn_rad) + 1e-12);
   }
   EXPECT_LT(worst, 2 * options.bend_rel * options.turn_rad);
 }
@@ -280,7 +288,8 @@ TEST(DisplayMesh, NodesOnACommonEdgeAreThoseOfBothFaces) {
     for (std::size_t i = mesh.first_nodes[face]; i < mesh.first_nodes[face + 1]; ++i) {
       const Vector3d& p = mesh.points[i];
       const TopoDS_Vertex vertex = BRepBuilderAPI_MakeVertex({p.x(), p.y(), p.z()}).Vertex();
-      if (BRepExtrema_DistShapeShape(vertex, faces(face == 0 ? 2 : 1)).Value() < 1e-6) nodes.push_back(p);
+      if (BRepExtrema_DistShapeShape(vertex, faces(face == 0 ? 2 : 1)).Value() < 1e-6)
+        nodes.push_back(p);
     }
     return nodes;
   };
@@ -288,9 +297,11 @@ TEST(DisplayMesh, NodesOnACommonEdgeAreThoseOfBothFaces) {
   EXPECT_GT(first.size(), 8u);
   for (const auto& [these, those] : {std::pair(first, second), std::pair(second, first)})
     for (const Vector3d& p : these)
-      EXPECT_LT(
-          std::ranges::min(those, {}, [&](const Vector3d& q) { return (p - q).norm(); }).operator-(p).norm(),
-          1e-6);
+      EXPECT_LT(std::ranges::min(those, {}, [&](const Vector3d& q) { return (p - q).norm(); })
+                    .
+                    operator-(p)
+                    .norm(),
+                1e-6);
 }
 
 TEST(DisplayMesh, TheShapeKeepsItsOwnTriangles) {
@@ -329,7 +340,8 @@ TEST(DisplayMesh, AFaceWithUnusableNumbersIsReportedAndTheOthersAreTriangulated)
       ->SetPole(2, 3, gp_Pnt(nan, INFINITY, 0));
   const TopoDS_Shape side = partsOf(edge, TopAbs_EDGE)(1);
   BRep_Builder().UpdateEdge(TopoDS::Edge(side), INFINITY);
-  const TopoDS_Shape all = compoundOf({surface, plate(0, 5, 0, 5, 3), edge, plate(20, 25, 0, 5, 3)});
+  const TopoDS_Shape all =
+      compoundOf({surface, plate(0, 5, 0, 5, 3), edge, plate(20, 25, 0, 5, 3)});
   const DisplayMesh mesh = occ::displayMesh(modelOf(all));
   ASSERT_EQ(mesh.faults.size(), 2u);
   EXPECT_EQ(mesh.faults[0].face, 1);
@@ -350,7 +362,9 @@ TEST(DisplayMesh, MovesAreThoseOfTheParameters) {
   const DisplayMesh mesh = occ::displayMesh(modelOf(now), {}, moved);
   ASSERT_EQ(mesh.moves_mm.size(), mesh.points.size());
   const auto bernstein = [](double t) { return 3 * t * (1 - t); };  // of both inner poles together
-  const auto move = [&](const Eigen::Vector2d& uv) { return 0.5 * bernstein(uv.x()) * bernstein(uv.y()); };
+  const auto move = [&](const Eigen::Vector2d& uv) {
+    return 0.5 * bernstein(uv.x()) * bernstein(uv.y());
+  };
   for (std::size_t i = 0; i < mesh.points.size(); ++i)
     EXPECT_NEAR(mesh.moves_mm[i], i < mesh.first_nodes[1] ? 0 : move(mesh.parameters[i]), 1e-9);
   for (std::size_t i = mesh.first_triangles[1]; i < mesh.triangles.size(); ++i) {
@@ -378,7 +392,8 @@ TEST(DisplayMesh, BadArgumentsAndStopping) {
 
 TEST(DisplayMesh, TheNumberOfThreadsChangesNothing) {
   const occ::Model model = modelOf(BRepPrimAPI_MakeTorus(10, 3).Shape());
-  const DisplayMesh one = occ::displayMesh(model, {.jobs = 1}), four = occ::displayMesh(model, {.jobs = 4});
+  const DisplayMesh one = occ::displayMesh(model, {.jobs = 1}),
+                    four = occ::displayMesh(model, {.jobs = 4});
   EXPECT_EQ(one.points, four.points);
   EXPECT_EQ(one.triangles, four.triangles);
 }
@@ -398,7 +413,8 @@ TEST_P(DisplayMeshOfFiles, CoversEveryFaceWithNodesOnIt) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Folders, DisplayMeshOfFiles, testing::Values("small", "freeform", "large"));
+INSTANTIATE_TEST_SUITE_P(Folders, DisplayMeshOfFiles,
+                         testing::Values("small", "freeform", "large"));
 
 TEST(DisplayMesh, BrokenFilesThatCanBeReadAreCoveredButForTheFacesNamed) {
   const std::filesystem::path folder = furtherModel("broken");

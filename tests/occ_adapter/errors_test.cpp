@@ -43,7 +43,8 @@ TEST(ReadErrors, NotReadable) {
   const Folder folder;
   writeStep(box(), folder / "box.step");
   ASSERT_EQ(chmod((folder / "box.step").c_str(), 0), 0);
-  if (access((folder / "box.step").c_str(), R_OK) == 0) GTEST_SKIP() << "this user may read anything";
+  if (access((folder / "box.step").c_str(), R_OK) == 0)
+    GTEST_SKIP() << "this user may read anything";
   expectError(folder / "box.step", ModelErrc::NotReadable, "permissions");
 }
 
@@ -51,7 +52,8 @@ TEST(ReadErrors, NotReadableUnderRoot) {
   if (!std::filesystem::exists("/proc/self/mem")) GTEST_SKIP();
   // A regular file that no one can read from its start.
   const occ::ModelError error = errorOf("/proc/self/mem");
-  EXPECT_TRUE(error.code() == ModelErrc::NotReadable || error.code() == ModelErrc::Empty) << error.what();
+  EXPECT_TRUE(error.code() == ModelErrc::NotReadable || error.code() == ModelErrc::Empty)
+      << error.what();
 }
 
 TEST(ReadErrors, Empty) {
@@ -101,7 +103,8 @@ TEST(ReadErrors, TruncatedBrepIsMalformed) {
     const std::string whole = contentOf(folder / name);
     for (const double share : {0.1, 0.3, 0.5, 0.8, 0.95}) {
       const auto cut = folder / ("cut_at_" + std::to_string(share) + "_" + name);
-      setContent(cut, whole.substr(0, static_cast<std::size_t>(share * static_cast<double>(whole.size()))));
+      setContent(cut, whole.substr(
+                          0, static_cast<std::size_t>(share * static_cast<double>(whole.size()))));
       const occ::ModelError error = errorOf(cut);
       EXPECT_TRUE(error.code() == ModelErrc::Malformed || error.code() == ModelErrc::ReaderDied ||
                   error.code() == ModelErrc::NoShapes)
@@ -112,9 +115,11 @@ TEST(ReadErrors, TruncatedBrepIsMalformed) {
 
 TEST(ReadErrors, Malformed) {
   const Folder folder;
-  setContent(folder / "bad.step", "ISO-10303-21;\nHEADER;\nnothing of the kind\nEND-ISO-10303-21;\n");
+  setContent(folder / "bad.step",
+             "ISO-10303-21;\nHEADER;\nnothing of the kind\nEND-ISO-10303-21;\n");
   const occ::ModelError error = errorOf(folder / "bad.step");
-  EXPECT_TRUE(error.code() == ModelErrc::Malformed || error.code() == ModelErrc::NoShapes) << error.what();
+  EXPECT_TRUE(error.code() == ModelErrc::Malformed || error.code() == ModelErrc::NoShapes)
+      << error.what();
   writeBrep(box(), folder / "box.brep");
   setContent(folder / "bad.brep", replaced(contentOf(folder / "box.brep"), "Curves", "Kurven"));
   expectError(folder / "bad.brep", ModelErrc::Malformed, "BREP");

@@ -87,15 +87,17 @@ Basis basisAt(const std::vector<double>& knots, int degree, Quad x, double hint)
   for (int k = degree; k + degree + 1 < static_cast<int>(knots.size()); ++k)
     if (knots[k] < knots[k + 1] && knots[k] <= hint) span = k;
   if (hint < knots[degree])
-    span = static_cast<int>(std::upper_bound(knots.begin(), knots.end(), knots[degree]) - knots.begin()) - 1;
+    span = static_cast<int>(std::upper_bound(knots.begin(), knots.end(), knots[degree]) -
+                            knots.begin()) -
+           1;
   Basis basis;
   basis.first = span - degree;
   basis.d[0] = basisValues(knots, span, degree, x);
   basis.d[1] = basis.d[2] = std::vector<Quad>(degree + 1, 0);
   if (degree > 0) basis.d[1] = raised(knots, span, degree, basisValues(knots, span, degree - 1, x));
   if (degree > 1)
-    basis.d[2] =
-        raised(knots, span, degree, raised(knots, span, degree - 1, basisValues(knots, span, degree - 2, x)));
+    basis.d[2] = raised(knots, span, degree,
+                        raised(knots, span, degree - 1, basisValues(knots, span, degree - 2, x)));
   return basis;
 }
 
@@ -109,7 +111,8 @@ struct PathPoint2d {
 };
 
 std::optional<PathPoint2d> pathAt(handle<Geom2d_Curve> curve, Quad t) {
-  while (const auto trimmed = handle<Geom2d_TrimmedCurve>::DownCast(curve)) curve = trimmed->BasisCurve();
+  while (const auto trimmed = handle<Geom2d_TrimmedCurve>::DownCast(curve))
+    curve = trimmed->BasisCurve();
   if (const auto line = handle<Geom2d_Line>::DownCast(curve)) {
     const gp_Pnt2d p = line->Location();
     const gp_Dir2d d = line->Direction();
@@ -117,7 +120,8 @@ std::optional<PathPoint2d> pathAt(handle<Geom2d_Curve> curve, Quad t) {
   }
   const auto spline = handle<Geom2d_BSplineCurve>::DownCast(curve);
   if (spline.IsNull() || spline->IsPeriodic()) return std::nullopt;
-  const Basis basis = basisAt(flat(spline->KnotSequence()), spline->Degree(), t, static_cast<double>(t));
+  const Basis basis =
+      basisAt(flat(spline->KnotSequence()), spline->Degree(), t, static_cast<double>(t));
   std::array<Quad, 3> h{}, d{};
   for (int i = 0; i <= spline->Degree(); ++i) {
     const gp_Pnt2d pole = spline->Pole(basis.first + i + 1);
@@ -134,10 +138,12 @@ struct ExactJet {
   Vec p, u, v, uu, uv, vv;
 };
 
-ExactJet splineJet(const Geom_BSplineSurface& surface, const PathPoint2d& at, double hint_u, double hint_v) {
+ExactJet splineJet(const Geom_BSplineSurface& surface, const PathPoint2d& at, double hint_u,
+                   double hint_v) {
   const Basis bu = basisAt(flat(surface.UKnotSequence()), surface.UDegree(), at.u, hint_u);
   const Basis bv = basisAt(flat(surface.VKnotSequence()), surface.VDegree(), at.v, hint_v);
-  constexpr std::array<std::array<int, 2>, 6> orders = {{{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}};
+  constexpr std::array<std::array<int, 2>, 6> orders = {
+      {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}};
   std::array<Vec, 6> h{};
   std::array<Quad, 6> w{};
   // About a pole, so that what cancels is small.
@@ -145,7 +151,8 @@ ExactJet splineJet(const Geom_BSplineSurface& surface, const PathPoint2d& at, do
   for (int i = 0; i <= surface.UDegree(); ++i)
     for (int j = 0; j <= surface.VDegree(); ++j) {
       const Quad weight = surface.Weight(bu.first + i + 1, bv.first + j + 1);
-      const Vec pole = exact(surface.Pole(bu.first + i + 1, bv.first + j + 1).XYZ()) + Quad(-1) * origin;
+      const Vec pole =
+          exact(surface.Pole(bu.first + i + 1, bv.first + j + 1).XYZ()) + Quad(-1) * origin;
       for (int k = 0; k < 6; ++k) {
         const Quad factor = bu.d[orders[k][0]][i] * bv.d[orders[k][1]][j] * weight;
         h[k] = h[k] + factor * pole;
@@ -168,7 +175,8 @@ ExactJet splineJet(const Geom_BSplineSurface& surface, const PathPoint2d& at, do
 double hintAt(const std::vector<double>& knots, double value, double into) {
   const double range = knots.back() - knots.front();
   for (const double knot : knots)
-    if (std::abs(value - knot) < 1e-10 * range && into != 0) return knot + std::copysign(1e-9 * range, into);
+    if (std::abs(value - knot) < 1e-10 * range && into != 0)
+      return knot + std::copysign(1e-9 * range, into);
   return value;
 }
 
@@ -177,7 +185,8 @@ std::optional<ExactJet> jetOf(const occ::Coedge& use, const occ::Pcurve& pcurve,
   handle<Geom_Surface> surface = BRep_Tool::Surface(use.shape, location);
   while (const auto trimmed = handle<Geom_RectangularTrimmedSurface>::DownCast(surface))
     surface = trimmed->BasisSurface();
-  const auto at = pathAt(pcurve.curve, pcurve.first + Quad(s) * (Quad(pcurve.last) - Quad(pcurve.first)));
+  const auto at =
+      pathAt(pcurve.curve, pcurve.first + Quad(s) * (Quad(pcurve.last) - Quad(pcurve.first)));
   if (!location.IsIdentity() || !at) return std::nullopt;
   if (const auto plane = handle<Geom_Plane>::DownCast(surface)) {
     const gp_Ax3 frame = plane->Position();
@@ -192,10 +201,11 @@ std::optional<ExactJet> jetOf(const occ::Coedge& use, const occ::Pcurve& pcurve,
   // Only along a line of constant u (or v) does the side count.
   const bool along_v = std::abs(at->du) < 1e-9 * std::abs(at->dv),
              along_u = std::abs(at->dv) < 1e-9 * std::abs(at->du);
-  return splineJet(
-      *spline, *at,
-      hintAt(flat(spline->UKnotSequence()), static_cast<double>(at->u), along_v ? -into * at->dv : 0),
-      hintAt(flat(spline->VKnotSequence()), static_cast<double>(at->v), along_u ? into * at->du : 0));
+  return splineJet(*spline, *at,
+                   hintAt(flat(spline->UKnotSequence()), static_cast<double>(at->u),
+                          along_v ? -into * at->dv : 0),
+                   hintAt(flat(spline->VKnotSequence()), static_cast<double>(at->v),
+                          along_u ? into * at->du : 0));
 }
 
 struct Side {
@@ -231,7 +241,8 @@ double norm(const Tensor& k) {
   Eigen::Matrix3d scaled;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) scaled(i, j) = static_cast<double>(k[i][j] / largest);
-  const Eigen::Vector3d values = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scaled).eigenvalues();
+  const Eigen::Vector3d values =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scaled).eigenvalues();
   return static_cast<double>(largest) * values.cwiseAbs().maxCoeff();
 }
 
@@ -253,8 +264,9 @@ Tensor turned(const Tensor& k, const Vec& b, const Vec& a) {
 
 }  // namespace
 
-std::optional<ExactMeasure> exactMeasure(const occ::Seam& seam, const std::array<occ::Pcurve, 2>& pcurves,
-                                         double s, double flat_radius_mm) {
+std::optional<ExactMeasure> exactMeasure(const occ::Seam& seam,
+                                         const std::array<occ::Pcurve, 2>& pcurves, double s,
+                                         double flat_radius_mm) {
   std::array<std::optional<Side>, 2> sides;
   for (const int i : {0, 1}) {
     const std::optional<ExactJet> jet = jetOf(seam.sides[i], pcurves[i], s);
@@ -270,8 +282,8 @@ std::optional<ExactMeasure> exactMeasure(const occ::Seam& seam, const std::array
                                  static_cast<double>(dot(a.normal, b.normal)));
   const Tensor tensor_b = turned(b.tensor, b.normal, a.normal);
   measure.curvature_per_mm = norm(tensor_b + Quad(-1) * a.tensor);
-  measure.curvature_rel =
-      relativeDifference({measure.curvature_per_mm, norm(a.tensor), norm(b.tensor)}, flat_radius_mm);
+  measure.curvature_rel = relativeDifference(
+      {measure.curvature_per_mm, norm(a.tensor), norm(b.tensor)}, flat_radius_mm);
   return measure;
 }
 

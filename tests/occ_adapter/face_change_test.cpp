@@ -33,11 +33,13 @@ namespace {
 
 using SplineSurface = opencascade::handle<Geom_BSplineSurface>;
 
-/// A bicubic polynomial z = height(i, j) over the square of side 10, by the heights of its 4 x 4 poles.
+/// A bicubic polynomial z = height(i, j) over the square of side 10, by the heights of its 4 x 4
+/// poles.
 SplineSurface bicubic(const std::function<double(int i, int j)>& height) {
   TColgp_Array2OfPnt poles(1, 4, 1, 4);
   for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j) poles(i + 1, j + 1) = gp_Pnt(10.0 * i / 3, 10.0 * j / 3, height(i, j));
+    for (int j = 0; j < 4; ++j)
+      poles(i + 1, j + 1) = gp_Pnt(10.0 * i / 3, 10.0 * j / 3, height(i, j));
   TColStd_Array1OfReal knots(1, 2);
   knots(1) = 0;
   knots(2) = 1;
@@ -57,7 +59,8 @@ TopoDS_Face wholeFace(const SplineSurface& surface) {
 TopoDS_Face discIn(const SplineSurface& surface, double u, double v, double radius) {
   const opencascade::handle<Geom2d_Circle> circle =
       new Geom2d_Circle(gp_Ax2d(gp_Pnt2d(u, v), gp_Dir2d(1, 0)), radius);
-  const TopoDS_Wire wire = BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(circle, surface).Edge()).Wire();
+  const TopoDS_Wire wire =
+      BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(circle, surface).Edge()).Wire();
   TopoDS_Face face = BRepBuilderAPI_MakeFace(surface, wire).Face();
   BRepLib::BuildCurves3d(face);
   return face;
@@ -77,12 +80,13 @@ TEST(FaceChange, OfASurfaceThatStaysIsNone) {
   EXPECT_EQ(change.after.lines, 64);
 }
 
-/// The cylinder z = a (x / 10)^3 over the plane z = 0: all in closed form. Its mean curvature z'' / (2 (1 + z'^2)^1.5) rises all along.
+/// The cylinder z = a (x / 10)^3 over the plane z = 0: all in closed form. Its mean curvature z'' /
+/// (2 (1 + z'^2)^1.5) rises all along.
 TEST(FaceChange, OfACubicCylinderOverAPlane) {
   const double a = 0.8;
   const SplineSurface cylinder = bicubic([a](int i, int) { return i == 3 ? a : 0; });
-  const SurfaceChange change =
-      occ::measureChange(wholeFace(flat()), cylinder, a, 0, {.lines = 400, .least = 4000, .most = 4000});
+  const SurfaceChange change = occ::measureChange(wholeFace(flat()), cylinder, a, 0,
+                                                  {.lines = 400, .least = 4000, .most = 4000});
   const double slope = 3 * a / 10, bend = 6 * a / 100;
   const double largest_mean = bend / 2 / std::pow(1 + slope * slope, 1.5);
   EXPECT_NEAR(change.normal_move_mm, a, 0.01 * a);
@@ -109,7 +113,8 @@ TEST(FaceChange, WhatIsOutsideTheFaceIsNotSeen) {
     surface->InsertUKnots(knots, multiplicities);
     surface->InsertVKnots(knots, multiplicities);
     const gp_Pnt pole = surface->Pole(surface->NbUPoles() - 1, surface->NbVPoles() - 1);
-    surface->SetPole(surface->NbUPoles() - 1, surface->NbVPoles() - 1, gp_Pnt(pole.X(), pole.Y(), height));
+    surface->SetPole(surface->NbUPoles() - 1, surface->NbVPoles() - 1,
+                     gp_Pnt(pole.X(), pole.Y(), height));
     return surface;
   };
   const SplineSurface before = spiked(0), after = spiked(1);
@@ -121,7 +126,8 @@ TEST(FaceChange, WhatIsOutsideTheFaceIsNotSeen) {
   EXPECT_GT(whole.after.variation_per_mm, 0.01);
 }
 
-/// A fold beside a boundary, a thousandth of the face wide: lines that are even in parameters would step over it.
+/// A fold beside a boundary, a thousandth of the face wide: lines that are even in parameters would
+/// step over it.
 TEST(FaceChange, NarrowStripsOfInsertedKnotsAreSeen) {
   const double width = 1e-3;
   SplineSurface after = flat();
@@ -151,7 +157,8 @@ TEST(FaceChange, VariationIsOpenCascadesOwn) {
     const TopoDS_Face face =
         trial % 2 == 0 ? wholeFace(before) : discIn(before, part(random), part(random), 0.24);
     const SurfaceChange change = occ::measureChange(face, after, 10, 0);
-    const double was = variationByOpenCascade(face, before), is = variationByOpenCascade(face, after);
+    const double was = variationByOpenCascade(face, before),
+                 is = variationByOpenCascade(face, after);
     EXPECT_NEAR(change.before.variation_per_mm, was, 0.04 * was) << trial;
     EXPECT_NEAR(change.after.variation_per_mm, is, 0.04 * is) << trial;
   }
@@ -203,7 +210,8 @@ TEST(FaceChange, ASideThatIsOnePointIsNoDifficulty) {
   EXPECT_GT(change.normal_move_mm, 0.01);
 }
 
-/// A plane in polar parameters: lines are even in knot spans, so those of the first spans lie where nothing is left of X_v but rounding.
+/// A plane in polar parameters: lines are even in knot spans, so those of the first spans lie where
+/// nothing is left of X_v but rounding.
 TEST(FaceChange, NarrowSpansBesideAPoleAreNoDifficulty) {
   SplineSurface fan = flat();
   for (int j = 1; j <= 4; ++j) fan->SetPole(1, j, gp_Pnt(0, 5, 0));
@@ -228,13 +236,16 @@ TEST(MoveLimits, AreByTheSizeOfTheFaceAndTheGap) {
   seam.faces = {1, 1};
   seam.figures.gap_mm = Figure{0.02, 0.03, 0.5};
   occ::RepairOptions options;
-  EXPECT_NEAR(occ::moveLimits(face, {seam}, {1}, {true}, options).at(1), std::sqrt(200) / 100 + 0.06, 1e-6);
-  EXPECT_NEAR(occ::moveLimits(face, {seam}, {1}, {false}, options).at(1), std::sqrt(200) / 100, 1e-6);
+  EXPECT_NEAR(occ::moveLimits(face, {seam}, {1}, {true}, options).at(1),
+              std::sqrt(200) / 100 + 0.06, 1e-6);
+  EXPECT_NEAR(occ::moveLimits(face, {seam}, {1}, {false}, options).at(1), std::sqrt(200) / 100,
+              1e-6);
   options.max_move_mm = 0.25;
   EXPECT_EQ(occ::moveLimits(face, {seam}, {1}, {true}, options).at(1), 0.25);
 }
 
-/// What a repair tells of its faces is what OpenCASCADE's curvature says of the shapes before and after.
+/// What a repair tells of its faces is what OpenCASCADE's curvature says of the shapes before and
+/// after.
 TEST(FaceChange, OfRepairedFacesIsInTheReport) {
   std::mt19937 random(12);
   const Patches patches = cutUp(sheet(random, 9, 8, 3, 3), {0, 0.5, 1}, {0, 0.5, 1});

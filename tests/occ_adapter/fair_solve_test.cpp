@@ -39,8 +39,8 @@ Spline halfOfRoof(bool right, double angle_rad) {
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j) {
       const double along = length_mm * (right ? i : 3 - i) / 3.0;
-      poles(i + 1, j + 1) = gp_Pnt((right ? 1 : -1) * along * std::cos(angle_rad), width_mm * j / 3.0,
-                                   along * std::sin(angle_rad));
+      poles(i + 1, j + 1) = gp_Pnt((right ? 1 : -1) * along * std::cos(angle_rad),
+                                   width_mm * j / 3.0, along * std::sin(angle_rad));
     }
   return splineOf(poles, 3, 3);
 }
@@ -89,7 +89,8 @@ MovingFaces moversOf(const TopoDS_Shape& shape, const std::vector<int>& faces) {
     surface->Bounds(range[0], range[1], range[2], range[3]);
     occ::MovingFace mover{occ::Displacement(surface, range, 4, 1e-4), 0, length_mm * width_mm,
                           std::hypot(length_mm, width_mm)};
-    mover.budget_per_mm = visibleVariation(ContinuityTolerance{}.angle_rad, mover.displacement.size_mm());
+    mover.budget_per_mm =
+        visibleVariation(ContinuityTolerance{}.angle_rad, mover.displacement.size_mm());
     movers.emplace(number, std::move(mover));
   }
   return movers;
@@ -122,7 +123,8 @@ struct Roof {
 Roof solvedRoof(const TopoDS_Shape& shape, const std::vector<int>& faces,
                 const ContinuityTolerance& tolerance = {}) {
   MovingFaces movers = moversOf(shape, faces);
-  const occ::FairResult result = fairSolve(jointsOf(shape, Ask::Join, 1), tolerance, {}, movers, {});
+  const occ::FairResult result =
+      fairSolve(jointsOf(shape, Ask::Join, 1), tolerance, {}, movers, {});
   EXPECT_LE(result.missed.front(), 1);
   const auto now = [&](int number) {
     const auto mover = movers.find(number);
@@ -132,8 +134,9 @@ Roof solvedRoof(const TopoDS_Shape& shape, const std::vector<int>& faces,
   return {now(1), now(2)};
 }
 
-/// The turn of the tangent plane at one end of a beam that is held at both costs 3 turn / length of variation of the mean curvature: that is
-/// the least, as for docs/theory/repair.md R1; half of the lines run across.
+/// The turn of the tangent plane at one end of a beam that is held at both costs 3 turn / length of
+/// variation of the mean curvature: that is the least, as for docs/theory/repair.md R1; half of the
+/// lines run across.
 void expectFair(const Spline& surface, double turn_rad, const std::string& name) {
   const double least = 3 * turn_rad / length_mm;
   EXPECT_LE(variationByOpenCascade(wholeFace(surface), surface), 1.5 * least) << name;
@@ -172,8 +175,9 @@ TEST(FairSolve, ToAFinerToleranceToo) {
   EXPECT_LE(met.angle_rad, fine.angle_rad);
 }
 
-/// Open sides keep their place as far as that costs nothing: where they end at the seam they have to turn with the faces. They move by less than half
-/// of what they would if both faces turned as a whole, by half of the kink each.
+/// Open sides keep their place as far as that costs nothing: where they end at the seam they have
+/// to turn with the faces. They move by less than half of what they would if both faces turned as a
+/// whole, by half of the kink each.
 TEST(FairSolve, OpenSidesMoveByLessThanHalfOfATurn) {
   const TopoDS_Shape shape = roof(1 * degree);
   const Roof found = solvedRoof(shape, {1, 2});
@@ -196,20 +200,22 @@ TEST(FairSolve, OpenSidesMoveByLessThanHalfOfATurn) {
 
 /// What has all it needs stays, and so does what may keep what it has.
 TEST(FairSolve, WhereNothingIsMissedNothingMoves) {
-  for (const auto& [kink, ask] :
-       std::vector<std::pair<double, Ask>>{{0, Ask::Join}, {0, Ask::Keep}, {1 * degree, Ask::Keep}}) {
+  for (const auto& [kink, ask] : std::vector<std::pair<double, Ask>>{
+           {0, Ask::Join}, {0, Ask::Keep}, {1 * degree, Ask::Keep}}) {
     const TopoDS_Shape shape = roof(kink);
     MovingFaces movers = moversOf(shape, {1, 2});
     fairSolve(jointsOf(shape, ask, 1), {}, {}, movers, {});
-    for (const auto& [number, mover] : movers) EXPECT_LT(mover.displacement.moved().largest_move_mm, 1e-9);
+    for (const auto& [number, mover] : movers)
+      EXPECT_LT(mover.displacement.moved().largest_move_mm, 1e-9);
   }
 }
 
 TEST(FairSolve, StopsWhereItIsAskedTo) {
   const TopoDS_Shape shape = roof(1 * degree);
   MovingFaces movers = moversOf(shape, {1, 2});
-  EXPECT_THROW(fairSolve(jointsOf(shape, Ask::Join, 1), {}, {}, movers, [](double) { return false; }),
-               occ::Cancelled);
+  EXPECT_THROW(
+      fairSolve(jointsOf(shape, Ask::Join, 1), {}, {}, movers, [](double) { return false; }),
+      occ::Cancelled);
 }
 
 TEST(FairSolve, MirroredFacesMoveAlike) {
@@ -243,7 +249,8 @@ TEST(Improve, WhatIsProvenIsKept) {
     EXPECT_TRUE(done.reasons.empty());
     EXPECT_FALSE(done.changes.empty());
     EXPECT_FALSE(done.shape.IsSame(strips.shape()));
-    EXPECT_TRUE(occ::isRepaired(done.after[0], false, {}, occ::levelOf(order))) << describe(done.after[0]);
+    EXPECT_TRUE(occ::isRepaired(done.after[0], false, {}, occ::levelOf(order)))
+        << describe(done.after[0]);
     EXPECT_GE(done.after[1].verdict.level, strips.task().before[1].verdict.level);
   }
 }
@@ -263,7 +270,8 @@ TEST(Improve, WhatMovesTooFarIsLeftAsItWas) {
 /// x from x0 to x0 + 20, y from y0 to y0 + 20: z = bend x^2 / 2 and the slope times y where y > 0.
 Spline quarter(double x0, double y0, double bend_per_mm, double slope) {
   constexpr double width = 20;
-  const std::array<double, 3> of_x = {bend_per_mm * x0 * x0 / 2, bend_per_mm * x0 * (x0 + width) / 2,
+  const std::array<double, 3> of_x = {bend_per_mm * x0 * x0 / 2,
+                                      bend_per_mm * x0 * (x0 + width) / 2,
                                       bend_per_mm * (x0 + width) * (x0 + width) / 2};
   TColgp_Array2OfPnt poles(1, 3, 1, 3);
   for (int i = 0; i < 3; ++i)
@@ -276,14 +284,16 @@ Spline quarter(double x0, double y0, double bend_per_mm, double slope) {
   return surface;
 }
 
-/// Two faces that stay differ in curvature where they meet, so their neighbours can't have the curvature of both at the vertex.
+/// Two faces that stay differ in curvature where they meet, so their neighbours can't have the
+/// curvature of both at the vertex.
 TEST(Improve, ASeamThatCantHaveCurvatureGetsATangentPlane) {
   constexpr double bend_per_mm = 0.02, slope = 0.005;
   occ::RepairOptions options = flowing();
   options.fixed_faces = {1, 3};
-  const ProofCase quarters(gridOf({{quarter(-20, -20, 0, slope), quarter(-20, 0, 0, slope)},
-                                   {quarter(0, -20, bend_per_mm, slope), quarter(0, 0, bend_per_mm, slope)}}),
-                           options);
+  const ProofCase quarters(
+      gridOf({{quarter(-20, -20, 0, slope), quarter(-20, 0, 0, slope)},
+              {quarter(0, -20, bend_per_mm, slope), quarter(0, 0, bend_per_mm, slope)}}),
+      options);
   const occ::RepairTask task = quarters.task();
   const Improvement done = occ::improveByMoves(task, {});
   int kinks = 0, with_one_plane = 0;
@@ -299,7 +309,8 @@ TEST(Improve, ASeamThatCantHaveCurvatureGetsATangentPlane) {
   EXPECT_GE(with_one_plane, 1);
 }
 
-/// With G1 asked for a seam may lose its curvature where that is the fairer way, unless it is to be kept.
+/// With G1 asked for a seam may lose its curvature where that is the fairer way, unless it is to be
+/// kept.
 TEST(Improve, CurvatureIsKeptWhereItIsAskedFor) {
   occ::RepairOptions options;
   options.keep_curvature = true;

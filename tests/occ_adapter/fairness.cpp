@@ -18,7 +18,8 @@
 
 namespace seamwright::test {
 
-double variationByOpenCascade(const TopoDS_Face& face, const opencascade::handle<Geom_Surface>& surface) {
+double variationByOpenCascade(const TopoDS_Face& face,
+                              const opencascade::handle<Geom_Surface>& surface) {
   constexpr int lines = 40, places = 400;
   double first_u = 0, last_u = 0, first_v = 0, last_v = 0;
   BRepTools::UVBounds(face, first_u, last_u, first_v, last_v);
@@ -69,7 +70,8 @@ double neededTurn_per_mm(int number, const TopoDS_Face& face, const occ::RepairR
 
 }  // namespace
 
-std::vector<FaceFairness> fairnessOfChanges(const TopoDS_Shape& before, const occ::RepairReport& report,
+std::vector<FaceFairness> fairnessOfChanges(const TopoDS_Shape& before,
+                                            const occ::RepairReport& report,
                                             const ContinuityTolerance& tolerance) {
   constexpr double times = 1.5;
   const TopTools_IndexedMapOfShape was = partsOf(before, TopAbs_FACE),
@@ -77,11 +79,13 @@ std::vector<FaceFairness> fairnessOfChanges(const TopoDS_Shape& before, const oc
   std::vector<FaceFairness> faces;
   for (int f = 1; f <= was.Extent(); ++f) {
     const TopoDS_Face &old_face = TopoDS::Face(was(f)), &new_face = TopoDS::Face(is(f));
-    const auto old_surface = BRep_Tool::Surface(old_face), new_surface = BRep_Tool::Surface(new_face);
+    const auto old_surface = BRep_Tool::Surface(old_face),
+               new_surface = BRep_Tool::Surface(new_face);
     if (old_surface == new_surface) continue;
     FaceFairness face{f, variationByOpenCascade(old_face, old_surface),
                       variationByOpenCascade(new_face, new_surface), 0};
-    face.limit_per_mm = times * face.before_per_mm + 3 * tolerance.angle_rad / diagonal_mm(old_face) +
+    face.limit_per_mm = times * face.before_per_mm +
+                        3 * tolerance.angle_rad / diagonal_mm(old_face) +
                         3 * neededTurn_per_mm(f, old_face, report);
     faces.push_back(face);
   }

@@ -63,7 +63,8 @@ void writeBrep(const TopoDS_Shape& shape, const fs::path& path) {
 }
 
 void writeBinaryBrep(const TopoDS_Shape& shape, const fs::path& path) {
-  if (!BinTools::Write(shape, path.c_str())) throw std::runtime_error("binary BREP was not written");
+  if (!BinTools::Write(shape, path.c_str()))
+    throw std::runtime_error("binary BREP was not written");
 }
 
 std::string contentOf(const fs::path& path) {

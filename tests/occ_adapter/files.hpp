@@ -35,10 +35,11 @@ class Environment {
   const char* name_;
 };
 
-void writeStep(const TopoDS_Shape& shape, const std::filesystem::path& path, const char* unit = "MM");
+void writeStep(const TopoDS_Shape& shape, const std::filesystem::path& path,
+               const char* unit = "MM");
 /// \param mode 0: trimmed surfaces; 1: solids and shells keep their topology
-void writeIges(const TopoDS_Shape& shape, const std::filesystem::path& path, const char* unit = "MM",
-               int mode = 1);
+void writeIges(const TopoDS_Shape& shape, const std::filesystem::path& path,
+               const char* unit = "MM", int mode = 1);
 void writeBrep(const TopoDS_Shape& shape, const std::filesystem::path& path);
 void writeBinaryBrep(const TopoDS_Shape& shape, const std::filesystem::path& path);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Holes across smooth joints of different surfaces: no single surface closes them. Angles are measured by OpenCASCADE's evaluation.
+// Holes across smooth joints of different surfaces: no single surface closes them. Angles are
+// measured by OpenCASCADE's evaluation.
 #include <gmock/gmock.h>
 
 #include <BRepCheck_Analyzer.hxx>
@@ -22,7 +23,8 @@ using testing::HasSubstr;
 
 FillHoleReport filled(const TopoDS_Shape& shape) {
   const std::vector<Hole> holes = occ::findHoles(shape).holes;
-  return occ::fillHole(modelFromShape(shape), *std::ranges::min_element(holes, {}, &Hole::length_mm));
+  return occ::fillHole(modelFromShape(shape),
+                       *std::ranges::min_element(holes, {}, &Hole::length_mm));
 }
 
 void expectSmoothlyFilled(const TopoDS_Shape& sheet, const TopoDS_Wire& outline) {
@@ -58,11 +60,13 @@ TEST(HolesAcross, AHalfDiscIsFilled) {
 
 // Four lines and four arcs: no four polynomials meet them.
 TEST(HolesAcross, WhatNoPolynomialMeetsIsPlacedAndCanBeActedOn) {
-  const FillHoleReport report = filled(cutThrough(quarteredSheet(), roundedRectangle(24, 14, 4, 0)));
+  const FillHoleReport report =
+      filled(cutThrough(quarteredSheet(), roundedRectangle(24, 14, 4, 0)));
   EXPECT_FALSE(report.filled);
   EXPECT_THAT(report.reason, HasSubstr("; one polynomial meets the side about ("));
-  EXPECT_THAT(report.reason,
-              HasSubstr(" mm alone: a larger gap would help, or a face put across the hole there first"));
+  EXPECT_THAT(
+      report.reason,
+      HasSubstr(" mm alone: a larger gap would help, or a face put across the hole there first"));
 }
 
 TEST(HolesAcross, AReflexCornerOfAnElbowIsPlaced) {
@@ -79,9 +83,10 @@ TEST(HolesAcross, CornersThatWereTakenForSmoothAreNamed) {
   const FillHoleReport report =
       occ::fillHole(modelFromShape(box), found.holes.front(), {.corner_rad = corner_rad});
   EXPECT_FALSE(report.filled);
-  EXPECT_THAT(report.reason,
-              testing::ContainsRegex("; edges [0-9]+ and [0-9]+ are one side, but turn by 90 degrees at "
-                                     "\\(.*\\) mm: a corner angle below that makes a corner of it$"));
+  EXPECT_THAT(
+      report.reason,
+      testing::ContainsRegex("; edges [0-9]+ and [0-9]+ are one side, but turn by 90 degrees at "
+                             "\\(.*\\) mm: a corner angle below that makes a corner of it$"));
 }
 
 }  // namespace

@@ -49,7 +49,8 @@ double largestAngle_rad(const TopoDS_Shape& shape, const std::vector<int>& faces
       for (int i = 0; i <= 100; ++i)
         largest = std::max(
             largest, normalAt(TopoDS::Edge(edge.Current()), TopoDS::Face(two.First()), i / 100.0)
-                         .Angle(normalAt(TopoDS::Edge(edge.Current()), TopoDS::Face(two.Last()), i / 100.0)));
+                         .Angle(normalAt(TopoDS::Edge(edge.Current()), TopoDS::Face(two.Last()),
+                                         i / 100.0)));
     }
   return largest;
 }

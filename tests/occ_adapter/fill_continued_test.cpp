@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Holes that one surface closes. Areas and volumes are those of the shapes before anything was cut out of them.
+// Holes that one surface closes. Areas and volumes are those of the shapes before anything was cut
+// out of them.
 #include <gmock/gmock.h>
 
 #include <BRepAdaptor_Curve.hxx>
@@ -51,7 +52,8 @@ using occ::modelFromShape;
 constexpr double low = -30, high = 60;
 
 TopoDS_Shape prismOf(const TopoDS_Wire& wire) {
-  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire).Face(), gp_Vec(0, 0, high - low)).Shape();
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire).Face(), gp_Vec(0, 0, high - low))
+      .Shape();
 }
 
 TopoDS_Shape polygon(const std::vector<std::pair<double, double>>& corners) {
@@ -91,8 +93,8 @@ TopoDS_Shape keyhole(double r, double width, double length) {
   const double x = std::sqrt(r * r - width * width);
   BRepBuilderAPI_MakeWire wire;
   const auto point = [](double at_x, double at_y) { return gp_Pnt(at_x, at_y, low); };
-  wire.Add(
-      BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(point(x, width), point(-r, 0), point(x, -width)).Value()));
+  wire.Add(BRepBuilderAPI_MakeEdge(
+      GC_MakeArcOfCircle(point(x, width), point(-r, 0), point(x, -width)).Value()));
   wire.Add(BRepBuilderAPI_MakeEdge(point(x, -width), point(length, -width)));
   wire.Add(BRepBuilderAPI_MakeEdge(point(length, -width), point(length, width)));
   wire.Add(BRepBuilderAPI_MakeEdge(point(length, width), point(x, width)));
@@ -172,13 +174,14 @@ std::vector<Base> bases() {
   const gp_Pln plane(gp_Pnt(0, 0, 20), gp_Dir(0, 0, 1));
   const gp_Ax2 lying(gp_Pnt(0, -40, 0), gp_Dir(0, 1, 0), gp_Dir(0, 0, -1));
   const gp_Ax2 seam_above(gp_Pnt(0, -40, 0), gp_Dir(0, 1, 0), gp_Dir(0, 0, 1));
-  return {{"Plane", BRepBuilderAPI_MakeFace(plane, -30, 30, -30, 30).Face()},
-          {"Cylinder", partsOf(BRepPrimAPI_MakeCylinder(lying, 20, 80).Shape(), TopAbs_FACE)(1)},
-          {"CylinderWithItsSeamInTheHole",
-           partsOf(BRepPrimAPI_MakeCylinder(seam_above, 20, 80).Shape(), TopAbs_FACE)(1)},
-          {"Cone", partsOf(BRepPrimAPI_MakeCone(lying, 20, 28, 80).Shape(), TopAbs_FACE)(1)},
-          {"SphereWithItsPoleInTheHole", partsOf(BRepPrimAPI_MakeSphere(25).Shape(), TopAbs_FACE)(1)},
-          {"Wave", wave()}};
+  return {
+      {"Plane", BRepBuilderAPI_MakeFace(plane, -30, 30, -30, 30).Face()},
+      {"Cylinder", partsOf(BRepPrimAPI_MakeCylinder(lying, 20, 80).Shape(), TopAbs_FACE)(1)},
+      {"CylinderWithItsSeamInTheHole",
+       partsOf(BRepPrimAPI_MakeCylinder(seam_above, 20, 80).Shape(), TopAbs_FACE)(1)},
+      {"Cone", partsOf(BRepPrimAPI_MakeCone(lying, 20, 28, 80).Shape(), TopAbs_FACE)(1)},
+      {"SphereWithItsPoleInTheHole", partsOf(BRepPrimAPI_MakeSphere(25).Shape(), TopAbs_FACE)(1)},
+      {"Wave", wave()}};
 }
 
 double area_mm2(const TopoDS_Shape& shape) {
@@ -209,7 +212,8 @@ class HoleInOneSurface : public testing::TestWithParam<std::tuple<int, int>> {
   TopoDS_Shape holed_ = BRepAlgoAPI_Cut(base_.shape, upperPart(tool_.shape)).Shape();
 
   static TopoDS_Shape upperPart(const TopoDS_Shape& tool) {
-    return BRepAlgoAPI_Cut(tool, BRepPrimAPI_MakeBox(gp_Pnt(-50, -50, low - 1), gp_Pnt(50, 50, 0)).Shape())
+    return BRepAlgoAPI_Cut(
+               tool, BRepPrimAPI_MakeBox(gp_Pnt(-50, -50, low - 1), gp_Pnt(50, 50, 0)).Shape())
         .Shape();
   }
 };
@@ -226,10 +230,12 @@ TEST_P(HoleInOneSurface, IsClosedByIt) {
   EXPECT_LT(*report.largestGap_mm(), 1e-5);
   EXPECT_LT(*report.largestAngle_rad(), 1e-3 * degree);
   EXPECT_NEAR(area_mm2(report.model.shape), area_mm2(base_.shape), 2e-5 * area_mm2(base_.shape));
-  EXPECT_EQ(occ::findHoles(report.model.shape).holes.size(), occ::findHoles(holed_).holes.size() - 1);
+  EXPECT_EQ(occ::findHoles(report.model.shape).holes.size(),
+            occ::findHoles(holed_).holes.size() - 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, HoleInOneSurface, testing::Combine(testing::Range(0, 6), testing::Range(0, 7)),
+INSTANTIATE_TEST_SUITE_P(All, HoleInOneSurface,
+                         testing::Combine(testing::Range(0, 6), testing::Range(0, 7)),
                          [](const testing::TestParamInfo<std::tuple<int, int>>& of) {
                            return std::string(tools()[std::get<1>(of.param)].name) + "In" +
                                   bases()[std::get<0>(of.param)].name;
@@ -243,7 +249,8 @@ TopoDS_Shape roundedBox() {
   return fillet.Shape();
 }
 
-/// Around a flat face of a box whose edges are all rounded there is no plane, but fillets that touch its own.
+/// Around a flat face of a box whose edges are all rounded there is no plane, but fillets that
+/// touch its own.
 TEST(FillByAFace, OfAFaceBetweenFilletsIsItsPlane) {
   const TopoDS_Shape shape = roundedBox();
   const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE);
@@ -278,8 +285,10 @@ TEST(FillByAFace, KeepsLinesAndCircles) {
 /// Two halves of a tube, each with a cylinder of its own, and a hole across the joint.
 TEST(FillByAFace, CrossesFacesOfEqualSurfaces) {
   const auto half = [](double turn_rad) {
-    const gp_Ax2 axes(gp_Pnt(0, -40, 0), gp::DY(), gp_Dir(std::cos(turn_rad), 0, std::sin(turn_rad)));
-    return partsOf(BRepPrimAPI_MakeCylinder(axes, 20, 80, std::numbers::pi).Shape(), TopAbs_FACE)(1);
+    const gp_Ax2 axes(gp_Pnt(0, -40, 0), gp::DY(),
+                      gp_Dir(std::cos(turn_rad), 0, std::sin(turn_rad)));
+    return partsOf(BRepPrimAPI_MakeCylinder(axes, 20, 80, std::numbers::pi).Shape(),
+                   TopAbs_FACE)(1);
   };
   BRepBuilderAPI_Sewing sewing(1e-6);
   for (const double turn_rad : {0.4, 0.4 + std::numbers::pi})
@@ -295,18 +304,21 @@ TEST(FillByAFace, CrossesFacesOfEqualSurfaces) {
   EXPECT_NEAR(area_mm2(report.model.shape), 40 * std::numbers::pi * 80, 0.01);
 }
 
-/// The rim of a sheet bounds the sheet, not a hole in its plane; nor do the mouths of a tube lie on its wall.
+/// The rim of a sheet bounds the sheet, not a hole in its plane; nor do the mouths of a tube lie on
+/// its wall.
 TEST(FillByAFace, LiesNotOnItsNeighbours) {
   const TopoDS_Shape sheet =
       BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0, 0, 20), gp_Dir(0, 0, 1)), -30, 30, -30, 30).Face();
   EXPECT_FALSE(occ::fillHole(modelFromShape(sheet), occ::findHoles(sheet).holes.front()).filled);
   const TopoDS_Shape tube = without(BRepPrimAPI_MakeCylinder(5, 10).Shape(), {2});
-  const FillHoleReport dome = occ::fillHole(modelFromShape(tube), occ::findHoles(tube).holes.front());
+  const FillHoleReport dome =
+      occ::fillHole(modelFromShape(tube), occ::findHoles(tube).holes.front());
   EXPECT_TRUE(dome.reached) << dome.reason;
   EXPECT_EQ(dome.faces.size(), 5U);
 }
 
-/// A cup whose bottom rises through the plane of its rim, and a gutter around the axis, whose inner rim lies in the plane of the outer one.
+/// A cup whose bottom rises through the plane of its rim, and a gutter around the axis, whose inner
+/// rim lies in the plane of the outer one.
 TEST(FillByAFace, RunsNotIntoItsNeighbour) {
   const auto revolved = [](const opencascade::handle<Geom_Curve>& curve) {
     return BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeEdge(curve).Edge(), gp::OZ()).Shape();
@@ -330,7 +342,8 @@ TEST(FillByAFace, RunsNotIntoItsNeighbour) {
 /// Walls over a loop that crosses itself: no seam tells of it, OpenCASCADE's checks do.
 TEST(FillByAFace, OfALoopThatCrossesItselfIsRefused) {
   BRepBuilderAPI_MakePolygon bow;
-  for (const auto& [x, y] : {std::pair{0., 0.}, {20., 12.}, {20., 0.}, {0., 10.}}) bow.Add(gp_Pnt(x, y, 0));
+  for (const auto& [x, y] : {std::pair{0., 0.}, {20., 12.}, {20., 0.}, {0., 10.}})
+    bow.Add(gp_Pnt(x, y, 0));
   bow.Close();
   const TopoDS_Shape walls = BRepPrimAPI_MakePrism(bow.Wire(), gp_Vec(0, 0, 5)).Shape();
   for (const Hole& hole : occ::findHoles(walls).holes) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Holes with fewer corners than three, and fills that look to curvature. What is expected is known of the shapes; angles are measured by
-// OpenCASCADE's evaluation at many points.
+// Holes with fewer corners than three, and fills that look to curvature. What is expected is known
+// of the shapes; angles are measured by OpenCASCADE's evaluation at many points.
 #include <gmock/gmock.h>
 
 #include <BRepAdaptor_Surface.hxx>
@@ -73,7 +73,8 @@ double fromSphere_mm(const TopoDS_Shape& shape, const std::vector<int>& faces) {
     const BRepAdaptor_Surface surface(TopoDS::Face(partsOf(shape, TopAbs_FACE)(face)));
     for (int i = 0; i <= 10; ++i)
       for (int j = 0; j <= 10; ++j)
-        worst = std::max(worst, std::abs(surface.Value(i / 10.0, j / 10.0).Distance(gp_Pnt()) - radius));
+        worst = std::max(worst,
+                         std::abs(surface.Value(i / 10.0, j / 10.0).Distance(gp_Pnt()) - radius));
   }
   return worst;
 }
@@ -108,9 +109,11 @@ TEST_P(RoundHole, IsFilledByFiveFacesNearTheSphere) {
 TEST_P(RoundHole, MovesWithTheModel) {
   std::mt19937 random(GetParam());
   const TopoDS_Shape shape = sphereWithout(case_.tool);
-  const FillHoleReport plain = filled(shape), moved = filled(transformed(shape, randomMotion(random)));
+  const FillHoleReport plain = filled(shape),
+                       moved = filled(transformed(shape, randomMotion(random)));
   ASSERT_TRUE(moved.filled) << case_.name << ": " << moved.reason;
-  EXPECT_NEAR(*moved.largestAngle_rad(), *plain.largestAngle_rad(), 1e-2 * *plain.largestAngle_rad() + 1e-7);
+  EXPECT_NEAR(*moved.largestAngle_rad(), *plain.largestAngle_rad(),
+              1e-2 * *plain.largestAngle_rad() + 1e-7);
 }
 
 // The neighbours' curvature is 1 / 20 everywhere.
@@ -141,7 +144,8 @@ double area_mm2(const TopoDS_Shape& shape, const std::vector<int>& faces) {
   return area;
 }
 
-/// The faces lie in the plane at this height, with their normals on one side: areas alone would not tell of a fold that comes back.
+/// The faces lie in the plane at this height, with their normals on one side: areas alone would not
+/// tell of a fold that comes back.
 void expectFlat(const TopoDS_Shape& shape, const std::vector<int>& faces, double height_mm) {
   constexpr int count = 60;
   int up = 0, down = 0;
@@ -152,10 +156,11 @@ void expectFlat(const TopoDS_Shape& shape, const std::vector<int>& faces, double
       for (int j = 0; j <= count; ++j) {
         gp_Pnt point;
         gp_Vec u, v;
-        surface.D1(
-            surface.FirstUParameter() + (surface.LastUParameter() - surface.FirstUParameter()) * i / count,
-            surface.FirstVParameter() + (surface.LastVParameter() - surface.FirstVParameter()) * j / count,
-            point, u, v);
+        surface.D1(surface.FirstUParameter() +
+                       (surface.LastUParameter() - surface.FirstUParameter()) * i / count,
+                   surface.FirstVParameter() +
+                       (surface.LastVParameter() - surface.FirstVParameter()) * j / count,
+                   point, u, v);
         ASSERT_NEAR(point.Z(), height_mm, 1e-6);
         ((u.Crossed(v).Z() > 0) != turned ? up : down) += 1;
       }
@@ -171,11 +176,13 @@ TEST(RoundHoles, ASlotInAPlaneIsFlat) {
   const TopoDS_Shape slot = BRepAlgoAPI_Fuse(ends, slab(-10, -4, 10, 4)).Shape();
   const occ::Model model = modelFromShape(BRepAlgoAPI_Cut(sheet, slot).Shape());
   const occ::Holes found = occ::findHoles(model.shape);
-  const auto hole = std::ranges::find_if(found.holes, [](const Hole& one) { return !one.has_corners; });
+  const auto hole =
+      std::ranges::find_if(found.holes, [](const Hole& one) { return !one.has_corners; });
   ASSERT_NE(hole, found.holes.end());
   EXPECT_NEAR(hole->length_mm, 8 * std::numbers::pi + 40, 1e-6);
   for (const bool continue_surface : {false, true}) {
-    const FillHoleReport report = occ::fillHole(model, *hole, {.continue_surface = continue_surface});
+    const FillHoleReport report =
+        occ::fillHole(model, *hole, {.continue_surface = continue_surface});
     ASSERT_TRUE(report.filled) << report.reason;
     EXPECT_EQ(report.faces.size(), continue_surface ? 1U : 5U);
     expectFlat(report.model.shape, report.faces, 10);
@@ -187,8 +194,8 @@ TEST(RoundHoles, TheFlatLidOfACanClosesIt) {
   const TopoDS_Shape can = BRepPrimAPI_MakeCylinder(5, 10).Shape();
   for (const int lid : {2, 3})
     for (const bool continue_surface : {false, true}) {
-      const FillHoleReport flat =
-          replaceFace(modelFromShape(can), lid, {.target = Level::G0, .continue_surface = continue_surface});
+      const FillHoleReport flat = replaceFace(
+          modelFromShape(can), lid, {.target = Level::G0, .continue_surface = continue_surface});
       ASSERT_TRUE(flat.filled) << flat.reason;
       EXPECT_EQ(flat.faces.size(), continue_surface ? 1U : 5U);
       EXPECT_EQ(flat.model.shape.ShapeType(), TopAbs_SOLID);
@@ -207,7 +214,8 @@ TEST(RoundHoles, TheSmoothLidOfACanIsADome) {
     const FillHoleReport dome = replaceFace(modelFromShape(can), lid);
     ASSERT_TRUE(dome.filled) << dome.reason;
     EXPECT_LT(largestAngle_rad(dome.model.shape, dome.faces), 0.001 * degree);
-    // Along the wall's straight lines the dome begins without curvature, if it is told of the wall's.
+    // Along the wall's straight lines the dome begins without curvature, if it is told of the
+    // wall's.
     const FillHoleReport curved = replaceFace(modelFromShape(can), lid, {.target = Level::G2});
     EXPECT_TRUE(curved.reached) << curved.reason;
     EXPECT_LT(curved.largestCurvature_rel().value_or(1), 0.005);
@@ -217,12 +225,12 @@ TEST(RoundHoles, TheSmoothLidOfACanIsADome) {
 
 /// Speeds of the sides that differ by 1e-8 alone once made equations that contradict each other.
 TEST(RoundHoles, ARoundHoleInACylinderIsFilledByPatches) {
-  const TopoDS_Shape wall =
-      partsOf(BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, -100, -40), gp_Dir(0, 1, 0)), 40, 200).Shape(),
-              TopAbs_FACE)(1);
+  const TopoDS_Shape wall = partsOf(
+      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, -100, -40), gp_Dir(0, 1, 0)), 40, 200).Shape(),
+      TopAbs_FACE)(1);
   const TopoDS_Shape holed =
-      BRepAlgoAPI_Cut(wall,
-                      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 0, -30), gp_Dir(0, 0, 1)), 8, 60).Shape())
+      BRepAlgoAPI_Cut(
+          wall, BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 0, -30), gp_Dir(0, 0, 1)), 8, 60).Shape())
           .Shape();
   const std::vector<Hole> holes = occ::findHoles(holed).holes;
   const FillHoleReport report =
@@ -243,9 +251,10 @@ TEST(RoundHoles, ACuspIsNamed) {
   wire.Add(BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(tip, middle, high).Value()));
   wire.Add(BRepBuilderAPI_MakeEdge(high, low));
   const gp_Pln plane(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1));
-  const TopoDS_Shape holed = BRepAlgoAPI_Cut(BRepBuilderAPI_MakeFace(plane, -30, 30, -30, 30).Face(),
-                                             BRepBuilderAPI_MakeFace(plane, wire.Wire()).Face())
-                                 .Shape();
+  const TopoDS_Shape holed =
+      BRepAlgoAPI_Cut(BRepBuilderAPI_MakeFace(plane, -30, 30, -30, 30).Face(),
+                      BRepBuilderAPI_MakeFace(plane, wire.Wire()).Face())
+          .Shape();
   const std::vector<Hole> holes = occ::findHoles(holed).holes;
   const FillHoleReport report =
       occ::fillHole(modelFromShape(holed), *std::ranges::min_element(holes, {}, &Hole::length_mm),

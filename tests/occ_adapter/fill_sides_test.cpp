@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Holes whose neighbours are not of one piece: they miss one another by a little, their planes differ at corners, or two of them share a side.
-// By how much is known of how they were made; angles are measured by OpenCASCADE's evaluation at many points.
+// Holes whose neighbours are not of one piece: they miss one another by a little, their planes
+// differ at corners, or two of them share a side. By how much is known of how they were made;
+// angles are measured by OpenCASCADE's evaluation at many points.
 #include <gmock/gmock.h>
 
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -44,8 +45,8 @@ TopoDS_Shape graphFace(const Range& x, const Range& y, const Twist& twist = {}) 
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       // Polar forms of degree 2: of the monomial x its mean, of x^2 the product of both arguments.
-      const double x1 = i < 2 ? x.from : x.to, x2 = i < 1 ? x.from : x.to, y1 = j < 2 ? y.from : y.to,
-                   y2 = j < 1 ? y.from : y.to;
+      const double x1 = i < 2 ? x.from : x.to, x2 = i < 1 ? x.from : x.to,
+                   y1 = j < 2 ? y.from : y.to, y2 = j < 1 ? y.from : y.to;
       const double xm = (x1 + x2) / 2, ym = (y1 + y2) / 2;
       const double bump = twist.kink *
                           ((twist.joint + twist.half) * xm - x1 * x2 - twist.joint * twist.half) *
@@ -86,9 +87,11 @@ TEST(FillSides, NeighboursThatMissOneAnotherByALittleAreMetInLowDegrees) {
     const TopoDS_Shape below = moved(graphFace({-half, half}, {-3 * half, -half}), lifted);
     const FillHoleReport report = filledInside(around(half, {below}, 1e-2));
     ASSERT_TRUE(report.filled && report.reached) << off_mm << " mm: " << report.reason;
-    for (const occ::FilledSide& side : report.sides) EXPECT_EQ(side.edge_degree, 3) << off_mm << " mm";
+    for (const occ::FilledSide& side : report.sides)
+      EXPECT_EQ(side.edge_degree, 3) << off_mm << " mm";
     // A cubic that begins half of that off its path leaves it by no steeper slope.
-    EXPECT_LT(largestAngle_rad(report.model.shape, report.faces), 2 * off_mm / (2 * half)) << off_mm << " mm";
+    EXPECT_LT(largestAngle_rad(report.model.shape, report.faces), 2 * off_mm / (2 * half))
+        << off_mm << " mm";
   }
 }
 
@@ -103,7 +106,8 @@ TEST(FillSides, PlanesThatDifferAtCornersAreMetHalfway) {
     const FillHoleReport report = filledInside(around(half, {below}, 1e-2), {.keep_anyway = true});
     ASSERT_TRUE(report.filled) << differ_deg << " degrees: " << report.reason;
     const double angle_deg = largestAngle_rad(report.model.shape, report.faces) / degree;
-    // The edges of both sides lie within the planes: those differ at the corners by a little less than they were turned.
+    // The edges of both sides lie within the planes: those differ at the corners by a little less
+    // than they were turned.
     EXPECT_LT(angle_deg, 0.505 * differ_deg) << differ_deg << " degrees";
     EXPECT_GT(angle_deg, 0.45 * differ_deg) << differ_deg << " degrees";
     EXPECT_EQ(report.reached, differ_deg < 0.02) << differ_deg << " degrees";
@@ -112,15 +116,16 @@ TEST(FillSides, PlanesThatDifferAtCornersAreMetHalfway) {
 
 TEST(FillSides, TwoNeighboursOfOneSideMayTwistUnlike) {
   constexpr double half = 1.5, joint = -1.1;
-  const TopoDS_Shape shape = around(half,
-                                    {graphFace({-half, joint}, {-3 * half, -half}),
-                                     graphFace({joint, half}, {-3 * half, -half}, {0.003, joint, half})},
-                                    1e-6);
+  const TopoDS_Shape shape =
+      around(half,
+             {graphFace({-half, joint}, {-3 * half, -half}),
+              graphFace({joint, half}, {-3 * half, -half}, {0.003, joint, half})},
+             1e-6);
   const FillHoleReport report = filledInside(shape);
   ASSERT_TRUE(report.filled && report.reached) << report.reason;
-  EXPECT_EQ(
-      std::ranges::count_if(report.sides, [](const occ::FilledSide& side) { return side.edges.size() == 2; }),
-      1);
+  EXPECT_EQ(std::ranges::count_if(
+                report.sides, [](const occ::FilledSide& side) { return side.edges.size() == 2; }),
+            1);
   EXPECT_LT(largestAngle_rad(report.model.shape, report.faces), 0.01 * degree);
 }
 

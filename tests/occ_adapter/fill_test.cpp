@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Faces taken out of solids and sheets, and what fills the holes. What is expected is known of the shapes; angles along new edges are
-// measured by OpenCASCADE's evaluation at many points, not by the analysis that the fill used.
+// Faces taken out of solids and sheets, and what fills the holes. What is expected is known of the
+// shapes; angles along new edges are measured by OpenCASCADE's evaluation at many points, not by
+// the analysis that the fill used.
 #include <gmock/gmock.h>
 
 #include <BRepAdaptor_Surface.hxx>
@@ -54,7 +55,8 @@ double volume_mm3(const TopoDS_Shape& shape) {
   return properties.Mass();
 }
 
-/// A box of 40 by 30 by 20 with its edges at the origin rounded; the last of its faces are the three fillets and the corner.
+/// A box of 40 by 30 by 20 with its edges at the origin rounded; the last of its faces are the
+/// three fillets and the corner.
 TopoDS_Shape suitcase(const std::array<double, 3>& radii) {
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(40, 30, 20).Shape();
   const TopTools_IndexedMapOfShape edges = partsOf(box, TopAbs_EDGE);
@@ -115,7 +117,8 @@ opencascade::handle<Geom_BezierSurface> graphPatch(double x, double y) {
       const auto px = [&](int power) { return polar(power, i, x, x + size); };
       const auto py = [&](int power) { return polar(power, j, y, y + size); };
       poles(i + 1, j + 1) =
-          gp_Pnt(px(1), py(1), 0.02 * px(2) - 0.01 * px(1) * py(1) + 0.004 * py(3) - 0.003 * px(2) * py(1));
+          gp_Pnt(px(1), py(1),
+                 0.02 * px(2) - 0.01 * px(1) * py(1) + 0.004 * py(3) - 0.003 * px(2) * py(1));
     }
   return new Geom_BezierSurface(poles);
 }
@@ -140,15 +143,16 @@ TEST(FindHoles, ABoxWithoutAFaceHasOneOfFourSides) {
   EXPECT_NEAR(hole.length_mm, 2 * (30 + 20), 1e-9);
   std::vector<double> lengths;
   for (const occ::HoleSide& side : hole.sides) lengths.push_back(side.length_mm);
-  EXPECT_THAT(lengths,
-              testing::UnorderedElementsAre(testing::DoubleNear(30, 1e-9), testing::DoubleNear(30, 1e-9),
-                                            testing::DoubleNear(20, 1e-9), testing::DoubleNear(20, 1e-9)));
+  EXPECT_THAT(lengths, testing::UnorderedElementsAre(
+                           testing::DoubleNear(30, 1e-9), testing::DoubleNear(30, 1e-9),
+                           testing::DoubleNear(20, 1e-9), testing::DoubleNear(20, 1e-9)));
   EXPECT_THAT(found.notes, testing::IsEmpty());
   EXPECT_THAT(occ::findHoles(box).holes, testing::IsEmpty());
 }
 
 TEST(FindHoles, OpposedFacesMakeTwo) {
-  EXPECT_EQ(occ::findHoles(without(BRepPrimAPI_MakeBox(40, 30, 20).Shape(), {1, 2})).holes.size(), 2U);
+  EXPECT_EQ(occ::findHoles(without(BRepPrimAPI_MakeBox(40, 30, 20).Shape(), {1, 2})).holes.size(),
+            2U);
 }
 
 TEST(FindHoles, RimsOfACylinderAreSmooth) {
@@ -163,7 +167,8 @@ TEST(FindHoles, RimsOfACylinderAreSmooth) {
 }
 
 TEST(FindHoles, ThreeFacesAroundAVertexLeaveOne) {
-  const occ::Holes found = occ::findHoles(without(BRepPrimAPI_MakeBox(10, 10, 10).Shape(), {1, 3, 5}));
+  const occ::Holes found =
+      occ::findHoles(without(BRepPrimAPI_MakeBox(10, 10, 10).Shape(), {1, 3, 5}));
   ASSERT_EQ(found.holes.size(), 1U);
   EXPECT_EQ(found.holes.front().sides.size(), 6U);
   EXPECT_NEAR(found.holes.front().length_mm, 60, 1e-9);
@@ -183,8 +188,8 @@ TEST(Fill, OfACubeIsFlatAndHasPositionAlone) {
     EXPECT_FALSE(refused.filled);
     EXPECT_THAT(refused.reason, HasSubstr("90 degrees"));
     EXPECT_TRUE(refused.model.shape.IsSame(box));
-    EXPECT_TRUE(
-        std::ranges::all_of(refused.sides, [](const occ::FilledSide& side) { return side.position_only; }));
+    EXPECT_TRUE(std::ranges::all_of(
+        refused.sides, [](const occ::FilledSide& side) { return side.position_only; }));
 
     const FillHoleReport filled = replaceFace(modelFromShape(box), face, {.target = Level::G0});
     ASSERT_TRUE(filled.filled) << filled.reason;
@@ -211,9 +216,11 @@ TEST(Fill, OfASuitcaseCornerIsNearlyTheSphere) {
   EXPECT_EQ(report.outer.size(), 6U);
   EXPECT_EQ(partsOf(report.model.shape, TopAbs_SOLID).Extent(), 1);
   EXPECT_TRUE(BRepCheck_Analyzer(report.model.shape).IsValid());
-  // Sections of three edges of 35, 25 and 15 mm, and what the octant of a ball leaves of a cube; the fill stays inside.
+  // Sections of three edges of 35, 25 and 15 mm, and what the octant of a ball leaves of a cube;
+  // the fill stays inside.
   const double quarter_mm2 = (1 - std::numbers::pi / 4) * 25;
-  const double closed_mm3 = 40 * 30 * 20 - quarter_mm2 * (35 + 25 + 15) - (1 - std::numbers::pi / 6) * 125;
+  const double closed_mm3 =
+      40 * 30 * 20 - quarter_mm2 * (35 + 25 + 15) - (1 - std::numbers::pi / 6) * 125;
   EXPECT_NEAR(volume_mm3(report.model.shape), closed_mm3 - 1.1, 1.1);
   const double angle = largestAngle_rad(report.model.shape, report.faces);
   EXPECT_LT(angle, 0.001 * degree);
@@ -240,7 +247,8 @@ TEST(Fill, OfACornerOfThreeRadiiIsSmooth) {
 TopoDS_Shape prism() {
   BRepBuilderAPI_MakePolygon triangle(gp_Pnt(0, 0, 0), gp_Pnt(8, 0, 0), gp_Pnt(0, 6, 0), true);
   TopoDS_Shape shape =
-      BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(triangle.Wire()).Shape(), gp_Vec(0, 0, 5)).Shape();
+      BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(triangle.Wire()).Shape(), gp_Vec(0, 0, 5))
+          .Shape();
   gp_Trsf turn, shift;
   turn.SetRotation(gp_Ax1(gp_Pnt(1, 2, 3), gp_Dir(1, 1, 0.5)), 0.7);
   shift.SetTranslation(gp_Vec(10, -20, 30));
@@ -348,14 +356,15 @@ TEST(Fill, OfFacesOfAShellOfSplinesIsSmooth) {
   for (const int face : {8, 11, 64, 99}) {
     const FillHoleReport report = replaceFace(modelFromShape(shell), face);
     ASSERT_TRUE(report.filled) << "face " << face << ": " << report.reason;
-    EXPECT_LT(largestAngle_rad(report.model.shape, report.faces), 0.002 * degree) << "face " << face;
+    EXPECT_LT(largestAngle_rad(report.model.shape, report.faces), 0.002 * degree)
+        << "face " << face;
     EXPECT_EQ(report.model.faceCount(),
               modelFromShape(shell).faceCount() - 1 + static_cast<int>(report.faces.size()));
   }
 }
 
-/// Neighbours bend back and forth, and corners lie out of their tangent planes by more than a fit is to miss: fields across the sides that
-/// nearly vanish at corners would make faces that fold.
+/// Neighbours bend back and forth, and corners lie out of their tangent planes by more than a fit
+/// is to miss: fields across the sides that nearly vanish at corners would make faces that fold.
 TEST(Fill, OfLongHolesInAShellOfSplinesIsRegular) {
   std::ifstream stream("/usr/share/opencascade/data/occ/shell1.brep");
   if (!stream) GTEST_SKIP() << "OpenCASCADE's shell1.brep is not installed";
@@ -366,12 +375,14 @@ TEST(Fill, OfLongHolesInAShellOfSplinesIsRegular) {
     EXPECT_TRUE(report.regular) << "face " << face;
     EXPECT_LT(report.reach, 1.6) << "face " << face;
     EXPECT_LT(largestAngle_rad(report.model.shape, report.faces), 0.01 * degree) << "face " << face;
-    for (const occ::FilledSide& side : report.sides) EXPECT_LE(side.cross_degree, 4) << "face " << face;
+    for (const occ::FilledSide& side : report.sides)
+      EXPECT_LE(side.cross_degree, 4) << "face " << face;
   }
 }
 
-/// At a corner the curvature across a side is that of the next side's edge: no fill that is tangent to both has a smaller jump there. The
-/// bounds are that jump, computed from both neighbours, and a tenth.
+/// At a corner the curvature across a side is that of the next side's edge: no fill that is tangent
+/// to both has a smaller jump there. The bounds are that jump, computed from both neighbours, and a
+/// tenth.
 TEST(Fill, HasJumpsOfCurvatureLittleLargerThanTheCornersAskFor) {
   std::ifstream stream("/usr/share/opencascade/data/occ/shell1.brep");
   if (!stream) GTEST_SKIP() << "OpenCASCADE's shell1.brep is not installed";
@@ -388,14 +399,16 @@ TEST(Fill, HasJumpsOfCurvatureLittleLargerThanTheCornersAskFor) {
                           {89, Level::G2, 0.227},
                           {98, Level::G2, 0.349}}) {
     SCOPED_TRACE(one.face);
-    const FillHoleReport report = replaceFace(shell, one.face, {.target = one.target, .keep_anyway = true});
+    const FillHoleReport report =
+        replaceFace(shell, one.face, {.target = one.target, .keep_anyway = true});
     ASSERT_TRUE(report.largestCurvature_rel().has_value());
     EXPECT_LT(*report.largestCurvature_rel(), 1.1 * one.at_corners);
     EXPECT_LT(largestAngle_rad(report.model.shape, report.faces), 0.002 * degree);
   }
 }
 
-/// The first two have planes that differ at corners by more than half the tolerance, the third a side of two edges.
+/// The first two have planes that differ at corners by more than half the tolerance, the third a
+/// side of two edges.
 TEST(Fill, OfHolesWhoseNeighboursDisagreeALittleIsWithinTheTolerance) {
   std::ifstream stream("/usr/share/opencascade/data/occ/shell1.brep");
   if (!stream) GTEST_SKIP() << "OpenCASCADE's shell1.brep is not installed";
@@ -403,14 +416,16 @@ TEST(Fill, OfHolesWhoseNeighboursDisagreeALittleIsWithinTheTolerance) {
   for (const auto& [face, within_deg] : {std::pair{36, 0.0045}, {41, 0.004}, {78, 0.01}}) {
     const FillHoleReport report = replaceFace(shell, face);
     ASSERT_TRUE(report.filled && report.reached) << "face " << face << ": " << report.reason;
-    EXPECT_LT(largestAngle_rad(report.model.shape, report.faces), within_deg * degree) << "face " << face;
+    EXPECT_LT(largestAngle_rad(report.model.shape, report.faces), within_deg * degree)
+        << "face " << face;
   }
 }
 
 /// Seen from above, the plane's normals point upward all around; those of the fill would not.
 TEST(Fill, AroundASharpReflexCornerIsNotKept) {
   BRepBuilderAPI_MakePolygon dart;
-  for (const auto& [x, y] : {std::pair{-8., -8.}, {0., 0.}, {8., -8.}, {0., 8.}}) dart.Add(gp_Pnt(x, y, 0));
+  for (const auto& [x, y] : {std::pair{-8., -8.}, {0., 0.}, {8., -8.}, {0., 8.}})
+    dart.Add(gp_Pnt(x, y, 0));
   dart.Close();
   BRepBuilderAPI_MakeFace around(gp_Pln(gp::XOY()), -30, 30, -30, 30);
   const TopoDS_Face inside = BRepBuilderAPI_MakeFace(gp_Pln(gp::XOY()), dart.Wire());
@@ -432,8 +447,8 @@ TEST(Fill, OfAllThereIsIsRefused) {
 TEST(Fill, RefusesWhatTheModelDoesNotHave) {
   const occ::Model box = modelFromShape(BRepPrimAPI_MakeBox(10, 20, 30).Shape());
   for (const int face : {0, -1, 7})
-    EXPECT_THAT([&] { replaceFace(box, face); },
-                testing::ThrowsMessage<std::invalid_argument>(HasSubstr("face " + std::to_string(face))));
+    EXPECT_THAT([&] { replaceFace(box, face); }, testing::ThrowsMessage<std::invalid_argument>(
+                                                     HasSubstr("face " + std::to_string(face))));
   const occ::Model other = modelFromShape(without(BRepPrimAPI_MakeBox(1, 2, 3).Shape(), {1}));
   const Hole hole = occ::findHoles(other.shape).holes.front();
   EXPECT_THROW(occ::fillHole(box, hole), std::invalid_argument);

@@ -135,7 +135,8 @@ TEST(FindSeams, NumbersAreThoseOfTheMapsOfTheShape) {
     for (const TopoDS_Shape& face : ancestors.FindFromKey(edges(seam.edges.front())))
       expected.insert(faces.FindIndex(face));
     EXPECT_EQ(found, expected);
-    for (const occ::Coedge& side : seam.sides) EXPECT_TRUE(side.edge.IsSame(edges(seam.edges.front())));
+    for (const occ::Coedge& side : seam.sides)
+      EXPECT_TRUE(side.edge.IsSame(edges(seam.edges.front())));
   }
 }
 

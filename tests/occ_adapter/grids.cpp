@@ -16,7 +16,8 @@
 
 namespace seamwright::test {
 
-Patches cutUp(const Spline& whole, const std::vector<double>& at_u, const std::vector<double>& at_v) {
+Patches cutUp(const Spline& whole, const std::vector<double>& at_u,
+              const std::vector<double>& at_v) {
   Patches patches(at_u.size() - 1);
   for (std::size_t i = 0; i + 1 < at_u.size(); ++i)
     for (std::size_t j = 0; j + 1 < at_v.size(); ++j) {
@@ -52,8 +53,8 @@ class GridBuilder {
     builder_.MakeFace(face, handle<Geom_Surface>(patch), 1e-7);
     TopoDS_Wire wire;
     builder_.MakeWire(wire);
-    const auto add = [&](const Key& key, bool along_u, double at, double first, double last, const Key& from,
-                         const Key& to, TopAbs_Orientation sense) {
+    const auto add = [&](const Key& key, bool along_u, double at, double first, double last,
+                         const Key& from, const Key& to, TopAbs_Orientation sense) {
       const handle<Geom_Curve> curve = along_u ? patch->VIso(at) : patch->UIso(at);
       const TopoDS_Edge edge = edgeOf(key, curve, first, last, from, to);
       builder_.UpdateEdge(edge,

@@ -23,10 +23,12 @@ namespace {
 using occ::SeamResult;
 using ::testing::HasSubstr;
 
-/// Knots of a cubic: 160 spans, eight of which, off the middle, are a quarter as long as the others.
+/// Knots of a cubic: 160 spans, eight of which, off the middle, are a quarter as long as the
+/// others.
 std::vector<double> knotsWithAFinePart() {
   std::vector<double> knots = {0};
-  for (int span = 0; span < 160; ++span) knots.push_back(knots.back() + (span >= 60 && span < 68 ? 0.25 : 1));
+  for (int span = 0; span < 160; ++span)
+    knots.push_back(knots.back() + (span >= 60 && span < 68 ? 0.25 : 1));
   return knots;
 }
 
@@ -36,11 +38,13 @@ std::vector<double> uniformKnots(int spans) {
   return knots;
 }
 
-constexpr int fine_pole = 66;  ///< from 1; its four spans, the knots 62 to 66, are of the short ones
+constexpr int fine_pole =
+    66;  ///< from 1; its four spans, the knots 62 to 66, are of the short ones
 
 constexpr double pole_spacing = 2;  // across the seam
 
-/// The plane z = 0 over [0, 6] x [0, last knot] as a bicubic B-spline: u across, v along, v the length in mm.
+/// The plane z = 0 over [0, 6] x [0, last knot] as a bicubic B-spline: u across, v along, v the
+/// length in mm.
 opencascade::handle<Geom_BSplineSurface> planeWithKnots(const std::vector<double>& knots) {
   const int spans = static_cast<int>(knots.size()) - 1;
   const int along = spans + 3;
@@ -78,8 +82,9 @@ TopoDS_Shape joinedToPlane(const opencascade::handle<Geom_BSplineSurface>& surfa
                 {plane, beginningWith(1, rectangle(-6, 0, v0, v1))});
 }
 
-/// At the seam X_u = 3 (pole row 1 - pole row 0), so one pole of row 1 lifted by h tilts the normal by
-/// atan(h N / spacing), N the cubic B-spline of that pole, whose maximum over equal spans is 2/3.
+/// At the seam X_u = 3 (pole row 1 - pole row 0), so one pole of row 1 lifted by h tilts the normal
+/// by atan(h N / spacing), N the cubic B-spline of that pole, whose maximum over equal spans is
+/// 2/3.
 SeamResult seamWithTilt(const std::vector<double>& knots, int pole, double tilt_deg) {
   const auto surface = planeWithKnots(knots);
   lift(surface, 2, pole, std::tan(tilt_deg * degree) * pole_spacing / (2.0 / 3));
@@ -108,7 +113,8 @@ TEST(HiddenDefect, FoundWhereverItsHeightWithinOnePercent) {
       const double middle = 1 - spot.knots[spot.pole - 2] / spot.knots.back();
       EXPECT_NEAR(seam.figures.angle_rad->at, middle, 0.5 / 160);
       EXPECT_EQ(seam.verdict.level, Level::G0);
-      EXPECT_EQ(seam.verdict.seam_class, SeamClass::Defect) << "neither smooth nor a crease by design";
+      EXPECT_EQ(seam.verdict.seam_class, SeamClass::Defect)
+          << "neither smooth nor a crease by design";
     }
 }
 
@@ -126,14 +132,16 @@ TEST(HiddenDefect, WithoutTheLiftedPoleTheSeamIsSmooth) {
 
 TEST(HiddenDefect, AlongTheWholeSeamItIsACrease) {
   const auto surface = planeWithKnots(uniformKnots(160));
-  for (int j = 1; j <= surface->NbVPoles(); ++j) lift(surface, 2, j, std::tan(30 * degree) * pole_spacing);
+  for (int j = 1; j <= surface->NbVPoles(); ++j)
+    lift(surface, 2, j, std::tan(30 * degree) * pole_spacing);
   const SeamResult seam = analyzed(joinedToPlane(surface)).seams.at(0);
   EXPECT_NEAR(angleDeg(seam), 30, 1e-9);
   EXPECT_EQ(seam.verdict.seam_class, SeamClass::Crease) << describe(seam);
 }
 
 TEST(HiddenDefect, CurvatureSpotOfOnePole) {
-  // A pole of row 2 lifted by h leaves the tangent plane alone: X_uu.z = 6 h N, kappa = 6 h N / (3 spacing)^2.
+  // A pole of row 2 lifted by h leaves the tangent plane alone: X_uu.z = 6 h N, kappa = 6 h N / (3
+  // spacing)^2.
   const auto surface = planeWithKnots(knotsWithAFinePart());
   const double h = 0.01;
   lift(surface, 3, fine_pole, h);
@@ -174,18 +182,20 @@ TEST(HiddenDefect, OnAPathThatCrossesKnotLinesAtAnAngle) {
 }
 
 TEST(HiddenDefect, CurvatureThatGrowsTowardsAPole) {
-  // The meridian z = a x^2 (1 - x)^4 turned about z, and the same curve extruded across: tangent all along. They differ by
-  // the curvature of the parallels, z' / (x sqrt(1 + z'^2)), which is largest, 2 a, in the limit at the pole x = 0 and
-  // falls by 6 % over the first hundredth of the seam.
+  // The meridian z = a x^2 (1 - x)^4 turned about z, and the same curve extruded across: tangent
+  // all along. They differ by the curvature of the parallels, z' / (x sqrt(1 + z'^2)), which is
+  // largest, 2 a, in the limit at the pole x = 0 and falls by 6 % over the first hundredth of the
+  // seam.
   const double a = 0.05;
   NCollection_Array1<gp_Pnt> poles(1, 7);
   for (int i = 0; i <= 6; ++i) poles(i + 1) = gp_Pnt(i / 6.0, 0, i == 2 ? a / 15 : 0);
   const opencascade::handle<Geom_Curve> meridian = new Geom_BezierCurve(poles);
   const opencascade::handle<Geom_Surface> turned = new Geom_SurfaceOfRevolution(meridian, gp::OZ());
-  const opencascade::handle<Geom_Surface> extruded = new Geom_SurfaceOfLinearExtrusion(meridian, gp::DY());
-  const SeamResult seam =
-      analyzed(joined({turned, {{0, 1}, {0, 0}, {0.5, 1}}}, {extruded, {{1, 0}, {0, 0}, {0, -1}, {1, -1}}}))
-          .seams.at(0);
+  const opencascade::handle<Geom_Surface> extruded =
+      new Geom_SurfaceOfLinearExtrusion(meridian, gp::DY());
+  const SeamResult seam = analyzed(joined({turned, {{0, 1}, {0, 0}, {0.5, 1}}},
+                                          {extruded, {{1, 0}, {0, 0}, {0, -1}, {1, -1}}}))
+                              .seams.at(0);
   SCOPED_TRACE(describe(seam));
   EXPECT_LT(angleDeg(seam), 1e-6);
   EXPECT_GE(curvature(seam), 0.99 * 2 * a);
@@ -229,7 +239,8 @@ TEST(Fold, TheSamePiecesOnTheOtherSideAreSmooth) {
   EXPECT_EQ(analyzed(planeAndCylinder(10, 4)).seams.at(0).verdict.seam_class, SeamClass::Smooth);
 }
 
-/// A polyline of two segments that turn by the angle, extruded: one surface with a corner along u = 1.
+/// A polyline of two segments that turn by the angle, extruded: one surface with a corner along u =
+/// 1.
 opencascade::handle<Geom_Surface> extrudedCorner(double angle_rad) {
   NCollection_Array1<gp_Pnt> poles(1, 3);
   poles(1) = gp_Pnt(0, 0, 0);
@@ -241,14 +252,16 @@ opencascade::handle<Geom_Surface> extrudedCorner(double angle_rad) {
     knots(i) = i - 1;
     multiplicities(i) = i == 2 ? 1 : 2;
   }
-  return new Geom_SurfaceOfLinearExtrusion(new Geom_BSplineCurve(poles, knots, multiplicities, 1), gp::DZ());
+  return new Geom_SurfaceOfLinearExtrusion(new Geom_BSplineCurve(poles, knots, multiplicities, 1),
+                                           gp::DZ());
 }
 
 TEST(HiddenDefect, OnAKnotLineEachFaceIsMeasuredFromItsOwnSide) {
   for (const double angle_deg : {2.0, 0.5}) {
     const auto surface = extrudedCorner(angle_deg * degree);
-    const occ::Report report = analyzed(joined({surface, beginningWith(1, rectangle(0, 1, 0, 10))},
-                                               {surface, beginningWith(3, rectangle(1, 2, 0, 10))}));
+    const occ::Report report =
+        analyzed(joined({surface, beginningWith(1, rectangle(0, 1, 0, 10))},
+                        {surface, beginningWith(3, rectangle(1, 2, 0, 10))}));
     ASSERT_EQ(report.seams.size(), 1u);
     EXPECT_NEAR(report.seams[0].figures.angle_rad->lower, angle_deg * degree, 1e-9);
     EXPECT_LT(report.seams[0].figures.gap_mm->lower, 1e-9);

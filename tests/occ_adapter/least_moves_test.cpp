@@ -21,7 +21,8 @@ TEST(LeastMoves, AreThoseOfADenseFactorisation) {
     DenseRows dense(points);
     Eigen::VectorXd fixed = Eigen::VectorXd::Constant(3 * points, std::nan(""));
     if (trial % 3 == 1) {
-      const Eigen::Vector3d move = Eigen::Vector3d::NullaryExpr([&] { return random(generator, 1); });
+      const Eigen::Vector3d move =
+          Eigen::Vector3d::NullaryExpr([&] { return random(generator, 1); });
       system.fix(points / 2, move);
       fixed.segment<3>(3 * (points / 2)) = move;
     }
@@ -34,7 +35,8 @@ TEST(LeastMoves, AreThoseOfADenseFactorisation) {
           Eigen::MatrixXd::NullaryExpr(1 + group % 3, size, [&] { return random(generator, 1); });
       const Eigen::VectorXd values =
           Eigen::VectorXd::NullaryExpr(factors.rows(), [&] { return random(generator, 1); });
-      const Eigen::Vector3d direction = Eigen::Vector3d::NullaryExpr([&] { return random(generator, 1); });
+      const Eigen::Vector3d direction =
+          Eigen::Vector3d::NullaryExpr([&] { return random(generator, 1); });
       if (group % 4 == 0) {
         system.addPoint(list, factors.row(0), direction);
         dense.addPoint(list, factors.row(0), direction);

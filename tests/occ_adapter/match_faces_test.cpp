@@ -35,7 +35,8 @@ TEST(MatchFaces, SheetsThatWereOneAreJoinedInPolesOnAllSides) {
       disturb(parts[1], generator, 3, noises[(side_a + 2 * side_b) % 3]);
       const std::string what =
           std::to_string(side_a) + "-" + std::to_string(side_b) + " G" + std::to_string(order);
-      const MatchReport report = matchedPair(joinedSheets(parts, side_a, side_b), strict(order), what);
+      const MatchReport report =
+          matchedPair(joinedSheets(parts, side_a, side_b), strict(order), what);
       EXPECT_TRUE(report.exact) << what << report.reason;
     }
 }
@@ -88,8 +89,8 @@ TEST(MatchFaces, EitherFaceOrBothMove) {
       moves[static_cast<std::size_t>(which)] = report.largest_move_mm;
       for (const int number : {1, 2}) {
         const bool stays = which == (number == 1 ? MatchMoves::Second : MatchMoves::First);
-        const bool same =
-            BRep_Tool::Surface(face(pair, number)) == BRep_Tool::Surface(face(report.shape, number));
+        const bool same = BRep_Tool::Surface(face(pair, number)) ==
+                          BRep_Tool::Surface(face(report.shape, number));
         EXPECT_EQ(same, stays);
       }
       EXPECT_TRUE(which != MatchMoves::Both || report.exact);
@@ -105,8 +106,8 @@ Spline behind(const Spline& surface, int rows, int degree_u) {
   for (int i = 0; i < rows; ++i)
     for (int j = 1; j <= 6; ++j) {
       const double share = static_cast<double>(i) / (rows - 1);
-      poles(i + 1, j) =
-          surface->Pole(surface->NbUPoles(), j).Translated(gp_Vec(20 * share, share, (1 + 0.1 * j) * share));
+      poles(i + 1, j) = surface->Pole(surface->NbUPoles(), j)
+                            .Translated(gp_Vec(20 * share, share, (1 + 0.1 * j) * share));
     }
   return splineOf(poles, degree_u, 3);
 }
@@ -146,7 +147,8 @@ TEST(MatchFaces, SidesThatAreHeldStay) {
     std::array<Spline, 2> parts = cutInTwo(sheet(generator, 9, 7, 3, 3));
     for (int i = 1; i <= 3; ++i)
       for (int j = 2; j <= 6; ++j)
-        parts[1]->SetPole(i, j, parts[1]->Pole(i, j).Translated(gp_Vec(0, 0, random(generator, 0.05))));
+        parts[1]->SetPole(i, j,
+                          parts[1]->Pole(i, j).Translated(gp_Vec(0, 0, random(generator, 0.05))));
     const MatchReport report = matchedPair(joinedSheets(parts), options, "held");
     const Spline after = Spline::DownCast(BRep_Tool::Surface(face(report.shape, 2)));
     for (double u = 0.4; u <= 1; u += 0.01)
@@ -154,7 +156,8 @@ TEST(MatchFaces, SidesThatAreHeldStay) {
         EXPECT_LT(parts[1]->Value(u, v).Distance(after->Value(u, v)), 1e-11);
       }
   }
-  const MatchReport refused = matchFaces(joinedSheets(disturbedSheets(generator, 0.09)), 1, 2, options);
+  const MatchReport refused =
+      matchFaces(joinedSheets(disturbedSheets(generator, 0.09)), 1, 2, options);
   EXPECT_FALSE(refused.matched);
   EXPECT_NE(refused.reason.find("a side ends"), std::string::npos) << refused.reason;
 }
@@ -165,9 +168,10 @@ TEST(MatchFaces, ASideInsideItsSurfaceIsCutOffThere) {
   const Spline other = Spline::DownCast(whole->Copy());
   disturb(other, generator, 9, 0.02);
   const handle<Geom_Surface> a(whole.get()), b(other.get());
-  const TopoDS_Shape pair = withTolerance(joined({a, beginningWith(1, rectangle(0, 0.4, 0.1, 0.9))},
-                                                 {b, beginningWith(3, rectangle(0.4, 0.95, 0.1, 0.9))}),
-                                          0.3);
+  const TopoDS_Shape pair =
+      withTolerance(joined({a, beginningWith(1, rectangle(0, 0.4, 0.1, 0.9))},
+                           {b, beginningWith(3, rectangle(0.4, 0.95, 0.1, 0.9))}),
+                    0.3);
   for (const int order : {1, 2}) {
     const MatchReport report = matchedPair(pair, ofOrder(order), "inside");
     EXPECT_TRUE(report.exact) << report.reason;
@@ -180,7 +184,8 @@ TopoDS_Shape halfTubes(std::mt19937& generator, double noise_mm) {
     TColgp_Array2OfPnt poles(1, 7, 1, 4);
     for (int i = 1; i <= 7; ++i)
       for (int j = 1; j <= 4; ++j) {
-        const double angle = from + std::numbers::pi * (i - 1) / 6, radius = i == 2 || i == 6 ? 10.4 : 10;
+        const double angle = from + std::numbers::pi * (i - 1) / 6,
+                     radius = i == 2 || i == 6 ? 10.4 : 10;
         gp_Pnt pole(radius * std::cos(angle), radius * std::sin(angle), 8.0 * j);
         if (i > 1 && i < 7)
           pole.Translate(gp_Vec(random(generator, noise_mm), random(generator, noise_mm), 0));
@@ -214,8 +219,10 @@ TEST(MatchFaces, OfSeveralCommonEdgesOneIsTaken) {
 /// A sheet with a round hole near its first side.
 TopoDS_Face sheetWithHole(const Spline& surface) {
   const handle<Geom_Surface> geometry(surface.get());
-  const handle<Geom2d_Curve> circle = new Geom2d_Circle(gp_Ax2d(gp_Pnt2d(0.47, 0.5), gp_Dir2d(1, 0)), 0.05);
-  const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(circle, geometry, 0, 2 * std::numbers::pi).Edge();
+  const handle<Geom2d_Curve> circle =
+      new Geom2d_Circle(gp_Ax2d(gp_Pnt2d(0.47, 0.5), gp_Dir2d(1, 0)), 0.05);
+  const TopoDS_Edge edge =
+      BRepBuilderAPI_MakeEdge(circle, geometry, 0, 2 * std::numbers::pi).Edge();
   BRepLib::BuildCurve3d(edge);
   BRepBuilderAPI_MakeFace face(wholeFace(surface));
   face.Add(TopoDS::Wire(BRepBuilderAPI_MakeWire(edge).Wire().Reversed()));
@@ -236,7 +243,8 @@ TEST(MatchFaces, TrimmingIsKeptAndItsEdgesFollow) {
     for (TopExp_Explorer it(face(report.shape, 2), TopAbs_WIRE); it.More(); it.Next()) ++wires;
     EXPECT_EQ(wires, 2);
     for (TopExp_Explorer it(report.shape, TopAbs_EDGE); it.More(); it.Next())
-      EXPECT_LT(BRep_Tool::Tolerance(TopoDS::Edge(it.Current())), 2e-5) << "curves follow, not tolerances";
+      EXPECT_LT(BRep_Tool::Tolerance(TopoDS::Edge(it.Current())), 2e-5)
+          << "curves follow, not tolerances";
     EXPECT_TRUE(report.exact);
     EXPECT_EQ(report.before.kind, occ::SeamKind::Matched);
   }

@@ -38,19 +38,22 @@ TEST(MatchFaces, ALargerMoveThanAllowedIsRefused) {
   expectMatched(matchFaces(pair, 1, 2, options), options, "just enough");
 }
 
-// Beside a plane a sheet with a crease in the middle of the seam only: its whole sides can be held, slanted ones inside it can not.
+// Beside a plane a sheet with a crease in the middle of the seam only: its whole sides can be held,
+// slanted ones inside it can not.
 TEST(MatchFaces, TrimmedSidesThatWouldMoveAreNotCalledHeld) {
   TColgp_Array2OfPnt flat(1, 4, 1, 4), creased(1, 6, 1, 6);
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j) flat(i + 1, j + 1) = gp_Pnt(-30 + 10 * i, 40.0 / 3 * j, 0);
   for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j) creased(i + 1, j + 1) = gp_Pnt(6 * i, 8 * j, j == 2 || j == 3 ? 0.8 * i : 0);
+    for (int j = 0; j < 6; ++j)
+      creased(i + 1, j + 1) = gp_Pnt(6 * i, 8 * j, j == 2 || j == 3 ? 0.8 * i : 0);
   const Spline surface = splineOf(creased, 5, 5);
   const auto path = [](double u0, double v0, double u1, double v1) {
     return curvedPath({gp_Pnt2d(u0, v0), gp_Pnt2d(u1, v1)});
   };
   BRepBuilderAPI_MakeWire wire;
-  for (const auto& line : {path(0, 0, 1, 0.3), path(1, 0.3, 1, 0.7), path(1, 0.7, 0, 1), path(0, 1, 0, 0)})
+  for (const auto& line :
+       {path(0, 0, 1, 0.3), path(1, 0.3, 1, 0.7), path(1, 0.7, 0, 1), path(0, 1, 0, 0)})
     wire.Add(BRepBuilderAPI_MakeEdge(line, surface, 0, 1).Edge());
   TopoDS_Face trapezoid = BRepBuilderAPI_MakeFace(surface, wire.Wire(), true).Face();
   BRepLib::BuildCurves3d(trapezoid);
@@ -61,7 +64,8 @@ TEST(MatchFaces, TrimmedSidesThatWouldMoveAreNotCalledHeld) {
   matchedPair(loose(still, wholeFace(surface)), options, "whole sides held");
   const MatchReport report = matchFaces(loose(still, trapezoid), 1, 2, options);
   EXPECT_FALSE(report.matched);
-  EXPECT_NE(report.reason.find("that ends at the seam would move by 0."), std::string::npos) << report.reason;
+  EXPECT_NE(report.reason.find("that ends at the seam would move by 0."), std::string::npos)
+      << report.reason;
 }
 
 // With weights that change, points move further than poles.
@@ -73,7 +77,8 @@ TEST(MatchFaces, NoPointMovesFurtherThanReported) {
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j) {
         flat(i + 1, j + 1) = gp_Pnt(-30 + 10 * i, 40.0 / 3 * j, 0);
-        tilted(i + 1, j + 1) = gp_Pnt(10 * i, 40.0 / 3 * j, 1.3 * i + (i > 0 ? 2 * std::sin(j) : 0));
+        tilted(i + 1, j + 1) =
+            gp_Pnt(10 * i, 40.0 / 3 * j, 1.3 * i + (i > 0 ? 2 * std::sin(j) : 0));
       }
     const Spline before = splineOf(tilted, 3, 3);
     for (int i = 1; i <= 4; ++i)
@@ -85,7 +90,8 @@ TEST(MatchFaces, NoPointMovesFurtherThanReported) {
     double moved = 0;
     for (int k = 0; k <= 80; ++k)
       for (int l = 0; l <= 80; ++l)
-        moved = std::max(moved, before->Value(k / 80.0, l / 80.0).Distance(after->Value(k / 80.0, l / 80.0)));
+        moved = std::max(
+            moved, before->Value(k / 80.0, l / 80.0).Distance(after->Value(k / 80.0, l / 80.0)));
     EXPECT_LE(moved, 1.02 * report.largest_move_mm) << "round " << round;
     FaceMatchOptions options;
     options.max_move_mm = 0.9 * moved;
@@ -103,7 +109,8 @@ TEST(MatchFaces, WhatJoinsAlreadyIsLeftAlone) {
     EXPECT_TRUE(report.matched);
     EXPECT_EQ(report.largest_move_mm, 0);
     EXPECT_NE(report.reason.find("nothing had to move"), std::string::npos);
-    for (const int number : {1, 2}) EXPECT_TRUE(face(report.shape, number).IsPartner(face(pair, number)));
+    for (const int number : {1, 2})
+      EXPECT_TRUE(face(report.shape, number).IsPartner(face(pair, number)));
     EXPECT_EQ(report.after.faces, (std::array<int, 2>{1, 2}));
     // Matched once, a pair stays.
     const MatchReport first =
@@ -116,13 +123,14 @@ TEST(MatchFaces, WhatJoinsAlreadyIsLeftAlone) {
 
 TEST(MatchFaces, ClosedAndMissingBoundariesAreRefusedWithReasons) {
   const auto ring = [](double z) {
-    const handle<Geom_Surface> cylinder = new Geom_CylindricalSurface(gp_Ax3(gp_Pnt(0, 0, z), gp::DZ()), 10);
+    const handle<Geom_Surface> cylinder =
+        new Geom_CylindricalSurface(gp_Ax3(gp_Pnt(0, 0, z), gp::DZ()), 10);
     return BRepBuilderAPI_MakeFace(cylinder, 0, 2 * std::numbers::pi, 0, 5, 1e-7).Face();
   };
   const auto spline_ring = [&](double z) {
-    const handle<Geom_Surface> trimmed =
-        new Geom_RectangularTrimmedSurface(new Geom_CylindricalSurface(gp_Ax3(gp_Pnt(0, 0, z), gp::DZ()), 10),
-                                           0.0, 2 * std::numbers::pi, 0.0, 5.0);
+    const handle<Geom_Surface> trimmed = new Geom_RectangularTrimmedSurface(
+        new Geom_CylindricalSurface(gp_Ax3(gp_Pnt(0, 0, z), gp::DZ()), 10), 0.0,
+        2 * std::numbers::pi, 0.0, 5.0);
     return wholeFace(GeomConvert::SurfaceToBSplineSurface(trimmed));
   };
   const MatchReport closed = matchFaces(loose(ring(0), spline_ring(5)), 1, 2);
@@ -142,7 +150,8 @@ TEST(MatchFaces, OnlyAWholeSideCanBeJoined) {
       loose(BRepBuilderAPI_MakeFace(a, 0, 0.4, 0, 0.5, 1e-7).Face(), wholeFace(parts[1]));
   const MatchReport report = matchFaces(half, 1, 2);
   EXPECT_FALSE(report.matched);
-  EXPECT_NE(report.reason.find("the ends of the boundaries are"), std::string::npos) << report.reason;
+  EXPECT_NE(report.reason.find("the ends of the boundaries are"), std::string::npos)
+      << report.reason;
 }
 
 // The boundaries have their ends in common and bulge apart between them.
@@ -152,13 +161,16 @@ TEST(MatchFaces, BoundariesThatLeaveOneAnotherAreRefused) {
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j) {
         flat(i + 1, j + 1) = gp_Pnt(-30 + 10 * i, 40.0 / 3 * j, 0);
-        bulging(i + 1, j + 1) = gp_Pnt(10 * i, 40.0 / 3 * j, i > 0 ? i : (j % 3 > 0 ? bulge / 0.75 : 0));
+        bulging(i + 1, j + 1) =
+            gp_Pnt(10 * i, 40.0 / 3 * j, i > 0 ? i : (j % 3 > 0 ? bulge / 0.75 : 0));
       }
-    const TopoDS_Shape pair = loose(wholeFace(splineOf(flat, 3, 3)), wholeFace(splineOf(bulging, 3, 3)));
+    const TopoDS_Shape pair =
+        loose(wholeFace(splineOf(flat, 3, 3)), wholeFace(splineOf(bulging, 3, 3)));
     const MatchReport report = matchFaces(pair, 1, 2);
     EXPECT_EQ(report.matched, bulge < 0.1) << report.reason;
     if (bulge > 0.1) {
-      EXPECT_NE(report.reason.find("within 0.1 mm of one another over"), std::string::npos) << report.reason;
+      EXPECT_NE(report.reason.find("within 0.1 mm of one another over"), std::string::npos)
+          << report.reason;
     }
     FaceMatchOptions wide;
     wide.match_mm = 1.1 * bulge;
@@ -173,13 +185,14 @@ TEST(MatchFaces, AFaceThatReachesBeyondItsSurfaceIsRefused) {
   parts[1]->Bounds(u0, u1, v0, v1);
   BRepBuilderAPI_MakeWire wire;
   const double beyond = u1 + 0.2 * (u1 - u0);
-  const std::array<gp_Pnt2d, 4> corners = {gp_Pnt2d(u0, v0), gp_Pnt2d(beyond, v0), gp_Pnt2d(beyond, v1),
-                                           gp_Pnt2d(u0, v1)};
+  const std::array<gp_Pnt2d, 4> corners = {gp_Pnt2d(u0, v0), gp_Pnt2d(beyond, v0),
+                                           gp_Pnt2d(beyond, v1), gp_Pnt2d(u0, v1)};
   for (std::size_t k = 0; k < 4; ++k) {
     const handle<Geom2d_BSplineCurve> line = curvedPath({corners.at(k), corners.at((k + 1) % 4)});
     wire.Add(BRepBuilderAPI_MakeEdge(line, parts[1], 0, 1).Edge());
   }
-  TopoDS_Face face = BRepBuilderAPI_MakeFace(handle<Geom_Surface>(parts[1]), wire.Wire(), true).Face();
+  TopoDS_Face face =
+      BRepBuilderAPI_MakeFace(handle<Geom_Surface>(parts[1]), wire.Wire(), true).Face();
   BRepLib::BuildCurves3d(face);
   FaceMatchOptions options;
   options.match_mm = 1;
@@ -196,7 +209,8 @@ TEST(MatchFaces, AKnifeEdgeIsRefused) {
       below(i + 1, j + 1) = gp_Pnt(-30 + 10.0 * i, 10.0 * j, 0.02 * i * j * (3 - i));
       above(i + 1, j + 1) = gp_Pnt(-10.0 * i, 10.0 * j, 0.1 * i);
     }
-  const TopoDS_Shape pair = loose(wholeFace(splineOf(below, 3, 3)), wholeFace(splineOf(above, 3, 3)));
+  const TopoDS_Shape pair =
+      loose(wholeFace(splineOf(below, 3, 3)), wholeFace(splineOf(above, 3, 3)));
   for (const int order : {1, 2}) {
     const MatchReport report = matchFaces(pair, 1, 2, ofOrder(order));
     EXPECT_FALSE(report.matched);
@@ -222,12 +236,14 @@ TEST(MatchFaces, BadArgumentsAreNamed) {
   EXPECT_EQ(refused(0, 1, nothing), "face 0: the model has faces 1 to 2");
   EXPECT_EQ(refused(1, 3, nothing), "face 3: the model has faces 1 to 2");
   EXPECT_EQ(refused(2, 2, nothing), "face 2 is given twice: two faces are needed");
-  EXPECT_EQ(refused(1, 2, [](FaceMatchOptions& o) { o.order = 3; }), "order is 3: it must be 1 or 2");
+  EXPECT_EQ(refused(1, 2, [](FaceMatchOptions& o) { o.order = 3; }),
+            "order is 3: it must be 1 or 2");
   EXPECT_EQ(refused(1, 2, [](FaceMatchOptions& o) { o.max_move_mm = -1; }),
             "largest move is -1 mm: it must be zero or larger");
   EXPECT_EQ(refused(1, 2, [](FaceMatchOptions& o) { o.match_mm = std::nan(""); }),
             "distance to match is nan mm: it must be zero or larger");
-  EXPECT_EQ(refused(1, 2, [](FaceMatchOptions& o) { o.edge = -2; }), "edge is -2: edges count from 1");
+  EXPECT_EQ(refused(1, 2, [](FaceMatchOptions& o) { o.edge = -2; }),
+            "edge is -2: edges count from 1");
   EXPECT_NE(refused(1, 2, [](FaceMatchOptions& o) { o.tolerance.gap_mm = -1; }), "not refused");
   EXPECT_THROW(matchFaces(TopoDS_Shape(), 1, 2), std::invalid_argument);
 }
@@ -244,11 +260,12 @@ TEST(MatchFaces, ProgressGrowsAndCanStopIt) {
   EXPECT_TRUE(std::ranges::is_sorted(shares));
   EXPECT_EQ(shares.back(), 1);
   for (const double stop : shares)
-    EXPECT_THROW(matchFaces(pair, 1, 2, {}, [&](double share) { return share < stop; }), occ::Cancelled);
+    EXPECT_THROW(matchFaces(pair, 1, 2, {}, [&](double share) { return share < stop; }),
+                 occ::Cancelled);
 }
 
-/// Seams of a model that fall short and are matched at their second face: how many are, and of these how many exactly. Figures of all that
-/// are matched are looked at again by plain evaluation.
+/// Seams of a model that fall short and are matched at their second face: how many are, and of
+/// these how many exactly. Figures of all that are matched are looked at again by plain evaluation.
 struct Tally {
   int tried = 0, matched = 0, exact = 0;
 };
@@ -259,7 +276,8 @@ Tally tallyOf(const std::filesystem::path& path, int order, double max_move_mm) 
   analyze.level = order == 1 ? Level::G1 : Level::G2;
   Tally tally;
   for (const occ::SeamResult& seam : occ::analyze(model, analyze).seams) {
-    if (seam.verdict.seam_class != SeamClass::Defect || seam.kind != occ::SeamKind::Shared) continue;
+    if (seam.verdict.seam_class != SeamClass::Defect || seam.kind != occ::SeamKind::Shared)
+      continue;
     FaceMatchOptions options = ofOrder(order);
     options.edge = seam.edges[0];
     options.max_move_mm = max_move_mm;
@@ -270,7 +288,8 @@ Tally tallyOf(const std::filesystem::path& path, int order, double max_move_mm) 
     ++tally.matched;
     tally.exact += report.exact ? 1 : 0;
     EXPECT_LE(report.largest_move_mm, max_move_mm);
-    expectMatched(report, options, path.filename().string() + " edge " + std::to_string(seam.edges[0]));
+    expectMatched(report, options,
+                  path.filename().string() + " edge " + std::to_string(seam.edges[0]));
   }
   return tally;
 }

@@ -57,8 +57,8 @@ Spline splineOf(const TColgp_Array2OfPnt& poles, int degree_u, int degree_v) {
   };
   const int rows = poles.ColLength(), columns = poles.RowLength();
   return new Geom_BSplineSurface(poles, knots(rows, degree_u), knots(columns, degree_v),
-                                 multiplicities(rows, degree_u), multiplicities(columns, degree_v), degree_u,
-                                 degree_v);
+                                 multiplicities(rows, degree_u), multiplicities(columns, degree_v),
+                                 degree_u, degree_v);
 }
 
 Spline sheet(std::mt19937& generator, int rows, int columns, int degree_u, int degree_v) {
@@ -67,8 +67,9 @@ Spline sheet(std::mt19937& generator, int rows, int columns, int degree_u, int d
     for (int j = 1; j <= columns; ++j) {
       const double x = 60.0 * (i - 1) / (rows - 1), y = 40.0 * (j - 1) / (columns - 1);
       const double jitter = 4.0 / std::max(rows, columns);
-      poles(i, j) = gp_Pnt(x + random(generator, jitter), y + random(generator, jitter),
-                           6 * std::sin(x / 25) + 4 * std::cos(y / 20) + random(generator, jitter / 4));
+      poles(i, j) =
+          gp_Pnt(x + random(generator, jitter), y + random(generator, jitter),
+                 6 * std::sin(x / 25) + 4 * std::cos(y / 20) + random(generator, jitter / 4));
     }
   return splineOf(poles, degree_u, degree_v);
 }
@@ -86,14 +87,16 @@ void disturb(const Spline& surface, std::mt19937& generator, int rows, double si
   for (int i = 1; i <= rows; ++i)
     for (int j = 1; j <= surface->NbVPoles(); ++j) {
       gp_Pnt pole = surface->Pole(i, j);
-      pole.Translate(gp_Vec(random(generator, size), random(generator, size), random(generator, size)));
+      pole.Translate(
+          gp_Vec(random(generator, size), random(generator, size), random(generator, size)));
       surface->SetPole(i, j, pole);
     }
 }
 
 namespace {
 
-/// Turned so that what was the side u = first (or last) becomes that side: 0: v first, 1: u last, 2: v last, 3: u first.
+/// Turned so that what was the side u = first (or last) becomes that side: 0: v first, 1: u last,
+/// 2: v last, 3: u first.
 Polygon withSide(const Spline& surface, bool at_last, int side) {
   const Spline turned = Spline::DownCast(surface->Copy());
   if (side == 0 || side == 2) turned->ExchangeUV();
@@ -127,7 +130,8 @@ TopoDS_Shape withTolerance(const TopoDS_Shape& shape, double mm) {
 }
 
 TopoDS_Shape joinedSheets(const std::array<Spline, 2>& parts, int side_a, int side_b) {
-  return withTolerance(joined(withSide(parts[0], true, side_a), withSide(parts[1], false, side_b)), 0.3);
+  return withTolerance(joined(withSide(parts[0], true, side_a), withSide(parts[1], false, side_b)),
+                       0.3);
 }
 
 std::array<Spline, 2> disturbedSheets(std::mt19937& generator, double noise_mm) {
@@ -167,18 +171,21 @@ void expectTolerancesHold(const TopoDS_Shape& shape) {
         const double share = k / 700.0;
         const gp_Pnt2d uv = path->Value(path_first + share * (path_last - path_first));
         worst = std::max(
-            worst, surface->Value(uv.X(), uv.Y()).Distance(curve->Value(first + share * (last - first))));
+            worst,
+            surface->Value(uv.X(), uv.Y()).Distance(curve->Value(first + share * (last - first))));
       }
       EXPECT_LE(worst, BRep_Tool::Tolerance(edge));
       for (const bool at_start : {true, false}) {
-        const TopoDS_Vertex vertex = at_start ? TopExp::FirstVertex(edge) : TopExp::LastVertex(edge);
+        const TopoDS_Vertex vertex =
+            at_start ? TopExp::FirstVertex(edge) : TopExp::LastVertex(edge);
         EXPECT_LE(curve->Value(at_start ? first : last).Distance(BRep_Tool::Pnt(vertex)),
                   BRep_Tool::Tolerance(vertex));
       }
     }
 }
 
-void expectMatched(const MatchReport& report, const FaceMatchOptions& options, const std::string& what) {
+void expectMatched(const MatchReport& report, const FaceMatchOptions& options,
+                   const std::string& what) {
   SCOPED_TRACE(what + ": " + report.reason);
   ASSERT_TRUE(report.matched);
   EXPECT_TRUE(BRepCheck_Analyzer(report.shape).IsValid());
@@ -209,7 +216,8 @@ void expectMatched(const MatchReport& report, const FaceMatchOptions& options, c
   }
 }
 
-MatchReport matchedPair(const TopoDS_Shape& shape, const FaceMatchOptions& options, const std::string& what) {
+MatchReport matchedPair(const TopoDS_Shape& shape, const FaceMatchOptions& options,
+                        const std::string& what) {
   const std::string before = bytesOf(shape);
   const MatchReport report = matchFaces(shape, 1, 2, options);
   EXPECT_EQ(bytesOf(shape), before) << what;
@@ -238,12 +246,13 @@ handle<Geom2d_BSplineCurve> curvedPath(const std::vector<gp_Pnt2d>& points) {
   return new Geom2d_BSplineCurve(poles, knots, multiplicities, count - 1);
 }
 
-TopoDS_Face trimmedFace(const handle<Geom_Surface>& surface, const handle<Geom2d_BSplineCurve>& path,
-                        const gp_Vec2d& shift) {
+TopoDS_Face trimmedFace(const handle<Geom_Surface>& surface,
+                        const handle<Geom2d_BSplineCurve>& path, const gp_Vec2d& shift) {
   const auto edge = [&](const handle<Geom2d_Curve>& curve, double last) {
     return BRepBuilderAPI_MakeEdge(curve, surface, 0, last).Edge();
   };
-  const handle<Geom2d_BSplineCurve> far = handle<Geom2d_BSplineCurve>::DownCast(path->Translated(shift));
+  const handle<Geom2d_BSplineCurve> far =
+      handle<Geom2d_BSplineCurve>::DownCast(path->Translated(shift));
   far->Reverse();
   const auto line = [&](const gp_Pnt2d& p, const gp_Pnt2d& q) { return curvedPath({p, q}); };
   BRepBuilderAPI_MakeWire wire;
@@ -268,8 +277,8 @@ Spline stripBeside(const handle<Geom_Surface>& surface, const handle<Geom2d_BSpl
       const gp_Pnt2d uv = path->Value(t).Translated(shift * (r / 3.0));
       gp_Pnt p = surface->Value(uv.X(), uv.Y());
       if (r == rows - 1) p.Translate(gp_Vec(0.5, 0.3, 1.0));
-      p.Translate(
-          gp_Vec(random(generator, noise_mm), random(generator, noise_mm), random(generator, noise_mm)));
+      p.Translate(gp_Vec(random(generator, noise_mm), random(generator, noise_mm),
+                         random(generator, noise_mm)));
       through->SetValue(k + 1, p);
       at->SetValue(k + 1, t);
     }
@@ -295,14 +304,17 @@ TopoDS_Face wholeFace(const Spline& surface) {
 }
 
 std::vector<Trimmed> trimmedKinds() {
-  const handle<Geom2d_BSplineCurve> on_plane = curvedPath({{0, 0}, {10, 3}, {20, -4}, {30, 2}, {40, 0}});
-  const handle<Geom2d_BSplineCurve> on_round = curvedPath({{0, 0}, {0.3, 0.1}, {0.6, -0.15}, {0.9, 0.05}});
-  const handle<Geom2d_BSplineCurve> on_cylinder = curvedPath({{0, 0}, {0.3, 3}, {0.6, -4}, {0.9, 2}});
-  return {
-      {"plane", new Geom_Plane(gp::XOY()), on_plane, gp_Vec2d(0, -20), gp_Vec2d(0, 15)},
-      {"cylinder", new Geom_CylindricalSurface(gp::XOY(), 30), on_cylinder, gp_Vec2d(0, -20),
-       gp_Vec2d(0, 12)},
-      {"sphere", new Geom_SphericalSurface(gp::XOY(), 40), on_round, gp_Vec2d(0, -0.5), gp_Vec2d(0, 0.3)}};
+  const handle<Geom2d_BSplineCurve> on_plane =
+      curvedPath({{0, 0}, {10, 3}, {20, -4}, {30, 2}, {40, 0}});
+  const handle<Geom2d_BSplineCurve> on_round =
+      curvedPath({{0, 0}, {0.3, 0.1}, {0.6, -0.15}, {0.9, 0.05}});
+  const handle<Geom2d_BSplineCurve> on_cylinder =
+      curvedPath({{0, 0}, {0.3, 3}, {0.6, -4}, {0.9, 2}});
+  return {{"plane", new Geom_Plane(gp::XOY()), on_plane, gp_Vec2d(0, -20), gp_Vec2d(0, 15)},
+          {"cylinder", new Geom_CylindricalSurface(gp::XOY(), 30), on_cylinder, gp_Vec2d(0, -20),
+           gp_Vec2d(0, 12)},
+          {"sphere", new Geom_SphericalSurface(gp::XOY(), 40), on_round, gp_Vec2d(0, -0.5),
+           gp_Vec2d(0, 0.3)}};
 }
 
 FaceMatchOptions ofOrder(int order) {

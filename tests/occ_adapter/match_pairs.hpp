@@ -47,13 +47,16 @@ std::array<Spline, 2> disturbedSheets(std::mt19937& generator, double noise_mm);
 
 TopoDS_Face face(const TopoDS_Shape& shape, int number);
 
-/// Every path lies within the tolerance of its edge from the curve in space, and the ends of the curve within that of their vertices.
+/// Every path lies within the tolerance of its edge from the curve in space, and the ends of the
+/// curve within that of their vertices.
 void expectTolerancesHold(const TopoDS_Shape& shape);
 
 /// What is promised of a pair that is matched, seen by plain evaluation.
-void expectMatched(const MatchReport& report, const FaceMatchOptions& options, const std::string& what);
+void expectMatched(const MatchReport& report, const FaceMatchOptions& options,
+                   const std::string& what);
 
-MatchReport matchedPair(const TopoDS_Shape& shape, const FaceMatchOptions& options, const std::string& what);
+MatchReport matchedPair(const TopoDS_Shape& shape, const FaceMatchOptions& options,
+                        const std::string& what);
 
 /// Two loose faces.
 TopoDS_Shape loose(const TopoDS_Shape& a, const TopoDS_Shape& b);
@@ -61,11 +64,11 @@ TopoDS_Shape loose(const TopoDS_Shape& a, const TopoDS_Shape& b);
 handle<Geom2d_BSplineCurve> curvedPath(const std::vector<gp_Pnt2d>& points);
 
 /// The part of a surface between a curved path and the same path shifted.
-TopoDS_Face trimmedFace(const handle<Geom_Surface>& surface, const handle<Geom2d_BSplineCurve>& path,
-                        const gp_Vec2d& shift);
+TopoDS_Face trimmedFace(const handle<Geom_Surface>& surface,
+                        const handle<Geom2d_BSplineCurve>& path, const gp_Vec2d& shift);
 
-/// A strip of degree 3 by 3 whose rows run through points of a surface over a path that is shifted away more and more: it nearly
-/// continues the surface. Row 4 leaves it.
+/// A strip of degree 3 by 3 whose rows run through points of a surface over a path that is shifted
+/// away more and more: it nearly continues the surface. Row 4 leaves it.
 Spline stripBeside(const handle<Geom_Surface>& surface, const handle<Geom2d_BSplineCurve>& path,
                    const gp_Vec2d& shift, int points, std::mt19937& generator, double noise_mm);
 

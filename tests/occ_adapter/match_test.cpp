@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Seams of faces that share no edge. What is expected is known in closed form, or is what OpenCASCADE's sewing finds.
+// Seams of faces that share no edge. What is expected is known in closed form, or is what
+// OpenCASCADE's sewing finds.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -60,8 +61,8 @@ opencascade::handle<Geom_BezierSurface> bezier(const std::vector<std::vector<gp_
 }
 
 /// A plate of which y is quadratic in v, slow at first; v runs down if asked.
-opencascade::handle<Geom_BezierSurface> unevenSurface(double x0, double x1, double y0, double y1, double z,
-                                                      bool down) {
+opencascade::handle<Geom_BezierSurface> unevenSurface(double x0, double x1, double y0, double y1,
+                                                      double z, bool down) {
   std::vector<std::vector<gp_Pnt>> rows;
   for (const double x : {x0, x1}) {
     rows.emplace_back();
@@ -71,7 +72,8 @@ opencascade::handle<Geom_BezierSurface> unevenSurface(double x0, double x1, doub
   return bezier(rows);
 }
 
-TopoDS_Shape unevenPlate(double x0, double x1, double y0, double y1, double z = 0, bool down = false) {
+TopoDS_Shape unevenPlate(double x0, double x1, double y0, double y1, double z = 0,
+                         bool down = false) {
   return BRepBuilderAPI_MakeFace(unevenSurface(x0, x1, y0, y1, z, down), 1e-7).Shape();
 }
 
@@ -112,10 +114,12 @@ const double no_gap_mm = 0.01 * ContinuityTolerance().gap_mm;
 /// The point of a place of a side, from the edge's curve in space.
 gp_Pnt pointAt(const occ::Coedge& side, double place) {
   const BRepAdaptor_Curve curve(side.edge);
-  return curve.Value(curve.FirstParameter() + place * (curve.LastParameter() - curve.FirstParameter()));
+  return curve.Value(curve.FirstParameter() +
+                     place * (curve.LastParameter() - curve.FirstParameter()));
 }
 
-/// What every correspondence promises; \p along is the largest distance along the seam of the points halfway between knots.
+/// What every correspondence promises; \p along is the largest distance along the seam of the
+/// points halfway between knots.
 void expectCorrespondenceLaws(const Seam& seam, double along) {
   const occ::Correspondence& map = seam.correspondence;
   ASSERT_GE(map.s.size(), 2u);
@@ -138,8 +142,8 @@ void expectCorrespondenceLaws(const Seam& seam, double along) {
 TEST(Match, TwoPlatesWithDifferentParametrisations) {
   const double tilt = 3 * degree, lift = 0.004;
   for (const bool down : {false, true}) {
-    const TopoDS_Shape shape =
-        compoundOf({plate(-10, 0, 0, 20), turnedAboutY(unevenPlate(0, 10, 0, 20, lift, down), tilt, lift)});
+    const TopoDS_Shape shape = compoundOf(
+        {plate(-10, 0, 0, 20), turnedAboutY(unevenPlate(0, 10, 0, 20, lift, down), tilt, lift)});
     const Report report = analyzedMatched(shape);
     ASSERT_THAT(report.seams, SizeIs(1));
     const SeamResult& seam = report.seams[0];
@@ -166,7 +170,8 @@ TEST(Match, PointsThatCorrespondAreBesideOneAnother) {
     const occ::Correspondence& map = graph.seams[0].correspondence;
     for (std::size_t i = 0; i < map.s.size(); ++i) {
       const gp_Pnt on_a = pointAt(graph.seams[0].sides[0], map.a[i]);
-      EXPECT_NEAR(std::abs(on_a.Y() - pointAt(graph.seams[0].sides[0], map.a[0]).Y()), 20 * map.s[i], 1e-6);
+      EXPECT_NEAR(std::abs(on_a.Y() - pointAt(graph.seams[0].sides[0], map.a[0]).Y()),
+                  20 * map.s[i], 1e-6);
       EXPECT_NEAR(pointAt(graph.seams[0].sides[1], map.b[i]).Y(), on_a.Y(), 1e-9);
     }
   }
@@ -191,8 +196,9 @@ TEST(Match, FoldedPlatesAreToldFromFlatOnes) {
 }
 
 TEST(Match, OneLongEdgeMeetsThreeShortOnes) {
-  const TopoDS_Shape shape = compoundOf({plate(0, 5, 0, 7), plate(-10, 0, 0, 20), unevenPlate(0, 5, 7, 12),
-                                         unevenPlate(0, 5, 12, 20, 0, true)});
+  const TopoDS_Shape shape =
+      compoundOf({plate(0, 5, 0, 7), plate(-10, 0, 0, 20), unevenPlate(0, 5, 7, 12),
+                  unevenPlate(0, 5, 12, 20, 0, true)});
   const Report report = analyzedMatched(shape);
   // Three at the long edge, two between the short plates.
   EXPECT_THAT(lengths(report), Pointwise(DoubleNear(1e-6), {5.0, 5.0, 5.0, 7.0, 8.0}));
@@ -203,7 +209,8 @@ TEST(Match, OneLongEdgeMeetsThreeShortOnes) {
 }
 
 TEST(Match, EdgesThatOverlapInPartStayOpen) {
-  const Report report = analyzedMatched(compoundOf({plate(-10, 0, 0, 20), unevenPlate(0, 5, 4, 30)}));
+  const Report report =
+      analyzedMatched(compoundOf({plate(-10, 0, 0, 20), unevenPlate(0, 5, 4, 30)}));
   EXPECT_THAT(lengths(report), Pointwise(DoubleNear(1e-6), {16.0}));
   EXPECT_THAT(report.open, SizeIs(8));
 }
@@ -222,7 +229,8 @@ TEST(Match, AWedgeIsMatchedAsFarAsItIsNarrowEnough) {
 }
 
 TEST(Match, EdgesFurtherApartAreLeftAlone) {
-  const Report report = analyzedMatched(compoundOf({plate(-10, 0, 0, 20), plate(0.0101, 10, 0, 20)}));
+  const Report report =
+      analyzedMatched(compoundOf({plate(-10, 0, 0, 20), plate(0.0101, 10, 0, 20)}));
   EXPECT_THAT(report.seams, IsEmpty());
   EXPECT_THAT(report.open, SizeIs(8));
 }
@@ -236,7 +244,8 @@ TEST(Match, AnEdgeThatTurnsAwayIsLeftAtTheTurn) {
   knots(1) = 0, knots(2) = 1, knots(3) = 2;
   NCollection_Array1<int> multiplicities(1, 3);
   multiplicities(1) = 2, multiplicities(2) = 1, multiplicities(3) = 2;
-  const opencascade::handle<Geom_Curve> bent = new Geom_BSplineCurve(poles, knots, multiplicities, 1);
+  const opencascade::handle<Geom_Curve> bent =
+      new Geom_BSplineCurve(poles, knots, multiplicities, 1);
   const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(bent);
   BRepBuilderAPI_MakeWire wire(edge);
   wire.Add(BRepBuilderAPI_MakeEdge(end, gp_Pnt(20, 0, 0)).Edge());
@@ -256,14 +265,16 @@ TEST(Match, EdgesThatMeetOnlyAtACornerAreNoSeam) {
             BRepBuilderAPI_MakePolygon(corner, gp_Pnt(5, -9, 0), gp_Pnt(20, 0, 0), true).Wire())
             .Shape();
     const TopoDS_Shape above =
-        BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakePolygon(corner, next, gp_Pnt(-9, 15, 0), true).Wire())
+        BRepBuilderAPI_MakeFace(
+            BRepBuilderAPI_MakePolygon(corner, next, gp_Pnt(-9, 15, 0), true).Wire())
             .Shape();
     for (const double match_mm : {0.01, 100.0})
       EXPECT_THAT(matched(compoundOf({below, above}), match_mm).seams, IsEmpty())
           << between << ' ' << match_mm;
   }
   // Plates that touch only at corners, their edges in a row, overlapping by less than the distance.
-  EXPECT_THAT(matched(compoundOf({plate(-10, 0, 0, 10), plate(0, 10, -10, 0.005)})).seams, IsEmpty());
+  EXPECT_THAT(matched(compoundOf({plate(-10, 0, 0, 10), plate(0, 10, -10, 0.005)})).seams,
+              IsEmpty());
 }
 
 TopoDS_Shape disc(double radius, double z, double start, const gp_Dir& axis = gp::DZ()) {
@@ -273,7 +284,8 @@ TopoDS_Shape disc(double radius, double z, double start, const gp_Dir& axis = gp
 }
 
 TopoDS_Shape tube(double radius, double height, double from = 0, double to = 2 * pi) {
-  const opencascade::handle<Geom_Surface> surface = new Geom_CylindricalSurface(gp_Ax3(gp::XOY()), radius);
+  const opencascade::handle<Geom_Surface> surface =
+      new Geom_CylindricalSurface(gp_Ax3(gp::XOY()), radius);
   return BRepBuilderAPI_MakeFace(surface, from, to, 0, height, 1e-7).Shape();
 }
 
@@ -301,7 +313,8 @@ TEST(Match, ClosedEdgesAreFollowedUpToTheirStartAlsoFarApart) {
 }
 
 TEST(Match, ClosedEdgesThatStartTogetherMakeOneSeam) {
-  const Report report = analyzedMatched(compoundOf({tube(5, 10), disc(5, 0, 0), disc(5.002, 10, 0)}));
+  const Report report =
+      analyzedMatched(compoundOf({tube(5, 10), disc(5, 0, 0), disc(5.002, 10, 0)}));
   EXPECT_THAT(lengths(report), Pointwise(DoubleNear(0.02), {10 * pi, 10 * pi}));
   ASSERT_THAT(report.seams, SizeIs(3));
   EXPECT_NEAR(std::max(gap(report.seams[1]), gap(report.seams[2])), 0.002, 1e-9);
@@ -333,8 +346,8 @@ TEST(Match, AFaceNarrowerThanTheDistanceIsJoinedOnBothSides) {
   const double w = 0.002;
   const TopoDS_Shape narrow = plate(0, w, 0, 20);
   for (const double apart : {0.0, 0.003}) {
-    const Report report =
-        analyzedMatched(compoundOf({unevenPlate(-10, -apart, 0, 20), narrow, plate(w + apart, 10, 0, 20)}));
+    const Report report = analyzedMatched(
+        compoundOf({unevenPlate(-10, -apart, 0, 20), narrow, plate(w + apart, 10, 0, 20)}));
     ASSERT_THAT(report.seams, SizeIs(2));
     for (const SeamResult& seam : report.seams) {
       EXPECT_NEAR(seam.length_mm, 20, 1e-6);
@@ -352,12 +365,13 @@ TEST(Match, ThreeFacesAtALineAreNotManifold) {
   EXPECT_THAT(graph.seams, IsEmpty());
   EXPECT_THAT(graph.open, SizeIs(9));
   ASSERT_THAT(graph.non_manifold, SizeIs(3));
-  for (const occ::NonSeamEdge& edge : graph.non_manifold) EXPECT_THAT(edge.faces, ElementsAre(1, 2, 3));
+  for (const occ::NonSeamEdge& edge : graph.non_manifold)
+    EXPECT_THAT(edge.faces, ElementsAre(1, 2, 3));
 }
 
 TEST(Match, AThirdFaceAlongAPartLeavesTheRest) {
-  const TopoDS_Shape shape =
-      compoundOf({plate(-10, 0, 0, 20), plate(0, 10, 0, 20), turnedAboutY(unevenPlate(0, 10, 12, 20), -0.5)});
+  const TopoDS_Shape shape = compoundOf(
+      {plate(-10, 0, 0, 20), plate(0, 10, 0, 20), turnedAboutY(unevenPlate(0, 10, 12, 20), -0.5)});
   const Report report = analyzedMatched(shape);
   EXPECT_THAT(lengths(report), Pointwise(DoubleNear(1e-6), {12.0}));
   EXPECT_THAT(report.non_manifold, SizeIs(3));
@@ -404,9 +418,12 @@ TEST(Match, ADistanceLargerThanTheEdgesFindsTheSame) {
 
 /// Plates of several kinds, their lengths, gaps and angles all different.
 std::vector<TopoDS_Shape> mixture() {
-  return {plate(-10, 0, 0, 20),           turnedAboutY(unevenPlate(0, 5, 0, 9, 0.002, true), 0.3, 0.002),
-          unevenPlate(0.001, 6, 9, 20),   unevenPlate(-10, 0, 20.003, 31, 0.004),
-          tube(3, 40, 0.2, 2 * pi + 0.2), disc(3.001, 0, 1.5)};
+  return {plate(-10, 0, 0, 20),
+          turnedAboutY(unevenPlate(0, 5, 0, 9, 0.002, true), 0.3, 0.002),
+          unevenPlate(0.001, 6, 9, 20),
+          unevenPlate(-10, 0, 20.003, 31, 0.004),
+          tube(3, 40, 0.2, 2 * pi + 0.2),
+          disc(3.001, 0, 1.5)};
 }
 
 struct Figures {
@@ -469,7 +486,8 @@ TEST(Match, PointsThatAreNotFiniteAreANote) {
   const opencascade::handle<Geom_BezierSurface> surface = unevenSurface(0, 10, 0, 20, 0, false);
   const TopoDS_Shape broken = BRepBuilderAPI_MakeFace(surface, 1e-7).Shape();
   surface->SetPole(1, 2, gp_Pnt(std::numeric_limits<double>::quiet_NaN(), 0, 0));
-  const SeamGraph graph = matched(compoundOf({plate(-10, 0, 0, 20), broken, plate(-20, -10, 0, 20)}));
+  const SeamGraph graph =
+      matched(compoundOf({plate(-10, 0, 0, 20), broken, plate(-20, -10, 0, 20)}));
   EXPECT_THAT(graph.seams, SizeIs(1));
   ASSERT_FALSE(graph.notes.empty());
   EXPECT_THAT(graph.notes[0], HasSubstr("face 2 has a surface with the number nan"));
@@ -520,7 +538,8 @@ TEST(Match, EdgesThatLeaveOneAnotherBetweenTheSamplesAreSaidTo) {
 
 double lengthOfEdges(int count, const std::function<TopoDS_Edge(int)>& edge) {
   double length = 0;
-  for (int i = 1; i <= count; ++i) length += GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(edge(i)));
+  for (int i = 1; i <= count; ++i)
+    length += GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(edge(i)));
   return length;
 }
 

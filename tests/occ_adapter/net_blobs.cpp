@@ -29,7 +29,8 @@ struct QuadMesh {
 void turnOutwards(QuadMesh& mesh) {
   for (std::array<int, 4>& face : mesh.faces) {
     const Vector3d& a = mesh.corners[face[0]];
-    if ((mesh.corners[face[1]] - a).cross(mesh.corners[face[3]] - a).dot(a) < 0) std::swap(face[1], face[3]);
+    if ((mesh.corners[face[1]] - a).cross(mesh.corners[face[3]] - a).dot(a) < 0)
+      std::swap(face[1], face[3]);
   }
 }
 
@@ -47,7 +48,8 @@ QuadMesh divided(const QuadMesh& mesh) {
   fine.corners = mesh.corners;
   std::map<std::pair<int, int>, int> middles;
   const auto middle = [&](int a, int b) {
-    const auto [entry, is_new] = middles.emplace(std::minmax(a, b), static_cast<int>(fine.corners.size()));
+    const auto [entry, is_new] =
+        middles.emplace(std::minmax(a, b), static_cast<int>(fine.corners.size()));
     if (is_new) fine.corners.push_back((mesh.corners[a] + mesh.corners[b]).normalized());
     return entry->second;
   };
@@ -55,8 +57,8 @@ QuadMesh divided(const QuadMesh& mesh) {
     const int centre = static_cast<int>(fine.corners.size());
     fine.corners.push_back((mesh.corners[face[0]] + mesh.corners[face[2]]).normalized());
     for (int k = 0; k < 4; ++k)
-      fine.faces.push_back(
-          {face[k], middle(face[k], face[(k + 1) % 4]), centre, middle(face[(k + 3) % 4], face[k])});
+      fine.faces.push_back({face[k], middle(face[k], face[(k + 1) % 4]), centre,
+                            middle(face[(k + 3) % 4], face[k])});
   }
   return fine;
 }
@@ -97,7 +99,8 @@ QuadMesh meshOf(Polyhedron polyhedron) {
   return mesh;
 }
 
-/// Interpolates on the unit square in the means of the knots, so that sides with equal points are equal.
+/// Interpolates on the unit square in the means of the knots, so that sides with equal points are
+/// equal.
 class Fit {
  public:
   explicit Fit(int spans) : poles_(fit_degree + spans), knots_(1, spans + 1), times_(1, spans + 1) {
@@ -144,7 +147,8 @@ class Fit {
 };
 
 handle<Geom2d_Curve> naturalSide(int side, bool reversed) {
-  const std::array<gp_Pnt2d, 4> corners = {gp_Pnt2d(0, 0), gp_Pnt2d(1, 0), gp_Pnt2d(1, 1), gp_Pnt2d(0, 1)};
+  const std::array<gp_Pnt2d, 4> corners = {gp_Pnt2d(0, 0), gp_Pnt2d(1, 0), gp_Pnt2d(1, 1),
+                                           gp_Pnt2d(0, 1)};
   const gp_Pnt2d& from = corners[(side + (reversed ? 1 : 0)) % 4];
   const gp_Pnt2d& to = corners[(side + (reversed ? 0 : 1)) % 4];
   return new Geom2d_Line(from, gp_Dir2d(gp_Vec2d(from, to)));
@@ -166,7 +170,8 @@ Net blob(Polyhedron polyhedron, double radius_mm, std::mt19937& random) {
   const Vector3d wave = 0.5 * Vector3d(factor(random), factor(random), factor(random));
   const auto project = [&](const Vector3d& towards) -> Vector3d {
     const Vector3d at = towards.normalized();
-    const double away = 1 + wave[0] * at.x() * at.y() + wave[1] * at.y() * at.z() + wave[2] * at.z();
+    const double away =
+        1 + wave[0] * at.x() * at.y() + wave[1] * at.y() * at.z() + wave[2] * at.z();
     return radius_mm * away * at.cwiseProduct(wide);
   };
   const QuadMesh mesh = meshOf(polyhedron);
@@ -187,7 +192,8 @@ Net blob(Polyhedron polyhedron, double radius_mm, std::mt19937& random) {
     });
     for (int k = 0; k < 4; ++k) {
       const int from = corners[k], to = corners[(k + 1) % 4];
-      const auto [entry, is_new] = edges.emplace(std::minmax(from, to), static_cast<int>(net.edges.size()));
+      const auto [entry, is_new] =
+          edges.emplace(std::minmax(from, to), static_cast<int>(net.edges.size()));
       if (is_new) net.edges.push_back({{from, to}, curveAlong(face.surface, k)});
       face.sides.push_back({entry->second, !is_new, naturalSide(k, !is_new)});
     }

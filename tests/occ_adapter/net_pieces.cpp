@@ -31,7 +31,8 @@ int wrapped(int i, int count) {
   return ((i % count) + count) % count;
 }
 
-/// The surface over columns and rows as parameters: a sheet, or a ring that comes back after so many of them.
+/// The surface over columns and rows as parameters: a sheet, or a ring that comes back after so
+/// many of them.
 Spline wholeSurface(const NetShape& shape, int columns, std::mt19937& random) {
   const int count_u = columns * spans, count_v = shape.rows * spans;
   const double outer = span_mm * count_u / (2 * std::numbers::pi),
@@ -40,8 +41,9 @@ Spline wholeSurface(const NetShape& shape, int columns, std::mt19937& random) {
   const auto pole = [&](int i, int j) {
     const double u = 2 * std::numbers::pi * i / count_u, v = 2 * std::numbers::pi * j / count_v;
     if (!shape.closed)
-      return gp_Pnt(span_mm * i, span_mm * j,
-                    6 * std::sin(wave * i + phase) + 5 * std::cos(0.5 * j + 0.3 * i) + uniform(random, 1));
+      return gp_Pnt(
+          span_mm * i, span_mm * j,
+          6 * std::sin(wave * i + phase) + 5 * std::cos(0.5 * j + 0.3 * i) + uniform(random, 1));
     const double tube =
         std::min(inner, 0.5 * outer) * (1 + 0.1 * std::sin(2 * u + phase) * std::cos(v - phase));
     const double away = outer + tube * std::cos(v);
@@ -69,7 +71,8 @@ std::vector<std::vector<Lattice>> cellsOf(const NetShape& shape) {
     for (int i = 0; i < shape.columns; ++i) {
       const int x = 2 * i + j % 2;
       if (shape.division == Division::Bricks) {
-        cells.push_back({{x, j}, {x + 1, j}, {x + 2, j}, {x + 2, j + 1}, {x + 1, j + 1}, {x, j + 1}});
+        cells.push_back(
+            {{x, j}, {x + 1, j}, {x + 2, j}, {x + 2, j + 1}, {x + 1, j + 1}, {x, j + 1}});
       } else if (shape.division == Division::Triangles && j % 2 == 1) {
         cells.push_back({{i, j}, {i + 1, j}, {i + 1, j + 1}});
         cells.push_back({{i, j}, {i + 1, j + 1}, {i, j + 1}});
@@ -162,8 +165,9 @@ class Pieces {
       const Lattice key = canonical(start);
       const auto known = edges_.find({key, {end[0] - start[0], end[1] - start[1]}});
       if (known != edges_.end())
-        return {known->second, reversed,
-                handle<Geom2d_Curve>(bentPath(placeOf(start), placeOf(end), bends_[known->second]))};
+        return {
+            known->second, reversed,
+            handle<Geom2d_Curve>(bentPath(placeOf(start), placeOf(end), bends_[known->second]))};
     }
     const int edge = static_cast<int>(net_.edges.size());
     edges_[{canonical(from), {to[0] - from[0], to[1] - from[1]}}] = edge;
@@ -191,7 +195,8 @@ class Pieces {
   /// Higher degrees, further knots, and parameters from 0 on of about the length in mm.
   void refit(NetFace& face) {
     Geom_BSplineSurface& surface = *face.surface;
-    surface.IncreaseDegree(3 + static_cast<int>(random_() % 2), 3 + static_cast<int>(random_() % 2));
+    surface.IncreaseDegree(3 + static_cast<int>(random_() % 2),
+                           3 + static_cast<int>(random_() % 2));
     std::array<double, 4> box{};
     surface.Bounds(box[0], box[1], box[2], box[3]);
     surface.InsertUKnot(box[0] + 0.6 * (box[1] - box[0]) + uniform(random_, 0.05), 1, 1e-3);

@@ -18,7 +18,8 @@ namespace seamwright::test {
 
 namespace {
 
-/// Knots of full multiplicity at the ends do not matter here: the places of the poles, in the parameter and in knot spans.
+/// Knots of full multiplicity at the ends do not matter here: the places of the poles, in the
+/// parameter and in knot spans.
 struct Places {
   std::vector<double> parameters;
 
@@ -33,7 +34,8 @@ struct Places {
 
 double longestSpan(const TColStd_Array1OfReal& knots) {
   double longest = 0;
-  for (int i = knots.Lower(); i < knots.Upper(); ++i) longest = std::max(longest, knots(i + 1) - knots(i));
+  for (int i = knots.Lower(); i < knots.Upper(); ++i)
+    longest = std::max(longest, knots(i + 1) - knots(i));
   return longest;
 }
 
@@ -135,7 +137,8 @@ class NetBuilder {
     for (const int end : {0, 1}) {
       const gp_Pnt& vertex = net_.vertices[edge.ends[end]];
       const double away = std::max(at(end).Distance(vertex), onEdge(end).Distance(vertex));
-      builder_.UpdateVertex(vertices_[edge.ends[end]], std::max(tolerance, margin * away + rounding));
+      builder_.UpdateVertex(vertices_[edge.ends[end]],
+                            std::max(tolerance, margin * away + rounding));
     }
     return tolerance;
   }
@@ -156,8 +159,8 @@ void disturbNear(const std::vector<gp_Pnt2d>& seams, double noise_mm, std::mt199
   for (int i = 1; i <= surface.NbUPoles(); ++i)
     for (int j = 1; j <= surface.NbVPoles(); ++j) {
       const bool near = std::ranges::any_of(seams, [&](const gp_Pnt2d& uv) {
-        return std::hypot((uv.X() - u.parameters[i - 1]) / span_u, (uv.Y() - v.parameters[j - 1]) / span_v) <
-               1;
+        return std::hypot((uv.X() - u.parameters[i - 1]) / span_u,
+                          (uv.Y() - v.parameters[j - 1]) / span_v) < 1;
       });
       if (near) surface.SetPole(i, j, surface.Pole(i, j).Translated(anyBelow(noise_mm, random)));
     }
@@ -165,7 +168,8 @@ void disturbNear(const std::vector<gp_Pnt2d>& seams, double noise_mm, std::mt199
 
 void disturb(Net& net, double noise_mm, std::mt19937& random) {
   const std::vector<int> uses = usesOf(net);
-  for (NetFace& face : net.faces) disturbNear(seamPoints(face, uses), noise_mm, random, *face.surface);
+  for (NetFace& face : net.faces)
+    disturbNear(seamPoints(face, uses), noise_mm, random, *face.surface);
 }
 
 void swapParameters(NetFace& face) {

@@ -10,7 +10,8 @@
 #include <string>
 #include <vector>
 
-/// Models of spline faces that are smooth everywhere, by constructions that know nothing of joins, and noise that breaks them.
+/// Models of spline faces that are smooth everywhere, by constructions that know nothing of joins,
+/// and noise that breaks them.
 namespace seamwright::test {
 
 using Spline = opencascade::handle<Geom_BSplineSurface>;
@@ -53,15 +54,16 @@ struct NetShape {
   int columns = 3;
   int rows = 2;         ///< of bricks on a closed surface: even
   bool closed = false;  ///< a ring, else a sheet
-  double bend =
-      0;  ///< of the seams, in units of a column's width; 0: seams are straight in the parameter plane
-  double overhang =
-      0;  ///< what the surfaces reach beyond their faces in the same unit; 0 with straight seams: natural sides
+  double bend = 0;  ///< of the seams, in units of a column's width; 0: seams are straight in the
+                    ///< parameter plane
+  double overhang = 0;     ///< what the surfaces reach beyond their faces in the same unit; 0 with
+                           ///< straight seams: natural sides
   bool alternate = false;  ///< every second face has no overhang
   bool refitted = false;   ///< each face has its own degrees, knots and parameters
 };
 
-/// One bicubic surface of class C^2 in pieces, each a bit larger than its face or cut off at its sides. A column is about 20 mm wide.
+/// One bicubic surface of class C^2 in pieces, each a bit larger than its face or cut off at its
+/// sides. A column is about 20 mm wide.
 Net piecesOfOne(const NetShape& shape, std::mt19937& random);
 
 enum class Polyhedron {
@@ -70,16 +72,19 @@ enum class Polyhedron {
   Triacontahedron  ///< 30 faces, 60 seams, three or five at a vertex
 };
 
-/// A smooth star-shaped solid, its faces over those of a polyhedron: fits of degree 5 with natural sides, smooth to the error of the fit.
+/// A smooth star-shaped solid, its faces over those of a polyhedron: fits of degree 5 with natural
+/// sides, smooth to the error of the fit.
 Net blob(Polyhedron polyhedron, double radius_mm, std::mt19937& random);
 
-/// The upper half of a ball in sectors, from its rim to the top, where a side of each face collapses.
+/// The upper half of a ball in sectors, from its rim to the top, where a side of each face
+/// collapses.
 Net dome(int sectors, double radius_mm);
 
 /// The same face with a copy of its surface that has the parameters swapped.
 void swapParameters(NetFace& face);
 
-/// Moves the poles over places nearer than a knot span to one of these places in the parameter plane, by less than noise_mm each.
+/// Moves the poles over places nearer than a knot span to one of these places in the parameter
+/// plane, by less than noise_mm each.
 void disturbNear(const std::vector<gp_Pnt2d>& seams, double noise_mm, std::mt19937& random,
                  Geom_BSplineSurface& surface);
 

@@ -24,7 +24,8 @@ Eigen::Vector3d vector(const gp_XYZ& v) {
 handle<Geom_BSplineCurve> interpolated(const NuSplineData& data) {
   const bool periodic = data.ends == SplineEnds::Periodic;
   const int count = static_cast<int>(data.points.rows());
-  const handle<TColgp_HArray1OfPnt> points = new TColgp_HArray1OfPnt(1, periodic ? count - 1 : count);
+  const handle<TColgp_HArray1OfPnt> points =
+      new TColgp_HArray1OfPnt(1, periodic ? count - 1 : count);
   const handle<TColStd_HArray1OfReal> knots = new TColStd_HArray1OfReal(1, count);
   for (int i = 0; i < points->Length(); ++i)
     points->SetValue(i + 1, gp_Pnt(data.points(i, 0), data.points(i, 1), data.points(i, 2)));
@@ -109,7 +110,8 @@ TEST(NuSpline, ABetaSplineWithoutBiasAndTensionIsOpenCascadesInterpolation) {
   for (int k = 0; k < 50; ++k) {
     NuSplineData data = randomData(4 + k % 9, SplineEnds::Clamped, random);
     for (std::size_t i = 0; i < data.knots.size(); ++i) data.knots[i] = static_cast<double>(i);
-    BetaSplineData beta{data.points, std::vector<double>(data.knots.size(), 1.0), data.nu, data.ends};
+    BetaSplineData beta{data.points, std::vector<double>(data.knots.size(), 1.0), data.nu,
+                        data.ends};
     beta.start_derivative = data.start_derivative;
     beta.end_derivative = data.end_derivative;
     const handle<Geom_BSplineCurve> curve = interpolated(data);

@@ -36,8 +36,9 @@ using testing::HasSubstr;
 /// In the plane y = 0: two sides are one but for the angle, at x = 30.
 TopoDS_Face outline(double angle_rad) {
   BRepBuilderAPI_MakePolygon polygon;
-  for (const gp_Pnt& corner : {gp_Pnt(10, 0, 0), gp_Pnt(30, 0, 0), gp_Pnt(50, 0, 20 * std::tan(angle_rad)),
-                               gp_Pnt(50, 0, 20), gp_Pnt(10, 0, 20)})
+  for (const gp_Pnt& corner :
+       {gp_Pnt(10, 0, 0), gp_Pnt(30, 0, 0), gp_Pnt(50, 0, 20 * std::tan(angle_rad)),
+        gp_Pnt(50, 0, 20), gp_Pnt(10, 0, 20)})
     polygon.Add(corner);
   polygon.Close();
   return BRepBuilderAPI_MakeFace(polygon.Wire()).Face();
@@ -53,7 +54,8 @@ TopoDS_Shape partOfARing(double angle_rad = 0.4 * degree) {
 
 TopoDS_Shape sheet() {
   return BRepPrimAPI_MakePrism(
-             BRepBuilderAPI_MakePolygon(gp_Pnt(0, 0, 0), gp_Pnt(20, 0, 0), gp_Pnt(40, 0, 0.14)).Wire(),
+             BRepBuilderAPI_MakePolygon(gp_Pnt(0, 0, 0), gp_Pnt(20, 0, 0), gp_Pnt(40, 0, 0.14))
+                 .Wire(),
              gp_Vec(0, 10, 0))
       .Shape();
 }
@@ -169,7 +171,8 @@ TEST(OwnParts, InstancesOfAnAssemblyAreConvertedAlike) {
 TEST(OwnParts, FacesWithEdgesThatStandElsewhereStay) {
   const TopoDS_Shape solid = prism();
   const RepairReport alone = repaired(solid);
-  const int kinked = std::ranges::find(alone.seams, true, &occ::SeamRepair::treated)->before.edges[0];
+  const int kinked =
+      std::ranges::find(alone.seams, true, &occ::SeamRepair::treated)->before.edges[0];
   gp_Trsf away;
   away.SetTranslation(gp_Vec(0, 500, 0));
   const BRep_Builder builder;
@@ -182,8 +185,8 @@ TEST(OwnParts, FacesWithEdgesThatStandElsewhereStay) {
   int told = 0;
   for (const occ::SeamRepair& seam : report.seams)
     if (seam.before.verdict.seam_class == SeamClass::Defect) {
-      EXPECT_THAT(seam.reason,
-                  HasSubstr("has edge " + std::to_string(kinked) + ", which stands in the model 2 times"));
+      EXPECT_THAT(seam.reason, HasSubstr("has edge " + std::to_string(kinked) +
+                                         ", which stands in the model 2 times"));
       ++told;
     }
   EXPECT_EQ(told, 1);

@@ -26,13 +26,15 @@ TopoDS_Shape squaresAt(const std::vector<double>& heights_mm, const gp_Trsf& mot
   std::vector<TopoDS_Shape> squares;
   for (const double z : heights_mm)
     squares.push_back(
-        BRepBuilderAPI_MakeFace(gp_Pln(gp_Ax3(gp_Pnt(0, 0, z), gp::DZ())).Transformed(motion), -5, 5, -5, 5)
+        BRepBuilderAPI_MakeFace(gp_Pln(gp_Ax3(gp_Pnt(0, 0, z), gp::DZ())).Transformed(motion), -5,
+                                5, -5, 5)
             .Face());
   return compoundOf(squares);
 }
 
 std::map<int, int> passed(const std::vector<double>& before_mm, const std::vector<double>& after_mm,
-                          const std::set<int>& moved, const std::set<std::pair<int, int>>& beside = {}) {
+                          const std::set<int>& moved,
+                          const std::set<std::pair<int, int>>& beside = {}) {
   std::mt19937 generator(20334);
   const gp_Trsf motion = randomMotion(generator);
   PassedFaces faces(squaresAt(before_mm, motion), beside, touch_mm);

@@ -147,12 +147,14 @@ TEST(PcurveFaults, WithNeitherCurveTheSeamHasANoteAndTheOthersFigures) {
 
 TEST(PcurveFaults, ATrueGapIsAGapOfTheModel) {
   for (const double gap : {0.02, 0.5, 3.0}) {
-    // The cylinder ends above the plane; the edge lies on the plane, its path on the cylinder is sound.
+    // The cylinder ends above the plane; the edge lies on the plane, its path on the cylinder is
+    // sound.
     const opencascade::handle<Geom_Surface> plane = new Geom_Plane(gp::XOY());
     const opencascade::handle<Geom_Surface> cylinder =
         new Geom_CylindricalSurface(gp_Ax3(gp_Pnt(0, 0, gap - 10), gp::DY(), gp::DZ()), 10);
-    const TopoDS_Shape shape = joined({plane, beginningWith(1, rectangle(-8, 0, 0, 8))},
-                                      {cylinder, beginningWith(3, rectangle(0, std::numbers::pi / 2, 0, 8))});
+    const TopoDS_Shape shape =
+        joined({plane, beginningWith(1, rectangle(-8, 0, 0, 8))},
+               {cylinder, beginningWith(3, rectangle(0, std::numbers::pi / 2, 0, 8))});
     const SeamResult seam = analyzed(shape).seams.at(0);
     SCOPED_TRACE(describe(seam));
     EXPECT_NEAR(seam.figures.gap_mm->lower, gap, 1e-9);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The same model turned, moved, scaled, mirrored, located, with its faces in another order: the same figures.
+// The same model turned, moved, scaled, mirrored, located, with its faces in another order: the
+// same figures.
 #include <gtest/gtest.h>
 
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -30,14 +31,23 @@ struct Known {
 std::vector<Known> knownModels() {
   const auto smooth = SeamClass::Smooth;
   return {
-      {"box", BRepPrimAPI_MakeBox(3, 4, 5).Shape(), 90, 1e-9, {}, {}, 0, Level::G0, SeamClass::Crease},
+      {"box",
+       BRepPrimAPI_MakeBox(3, 4, 5).Shape(),
+       90,
+       1e-9,
+       {},
+       {},
+       0,
+       Level::G0,
+       SeamClass::Crease},
       {"torus", BRepPrimAPI_MakeTorus(9, 2).Shape(), 0, 1e-9, 0.0, 0.0, 0.5, Level::G2, smooth},
       {"plane and cylinder", planeAndCylinder(10, 5), 0, 1e-9, 0.1, 1.0, 0.1, Level::G1, smooth},
-      // At the ends of the seam the normals are turned by 6e-4 rad each, about axes at right angles.
-      {"crossed cylinders", crossedCylinders(10), 6e-4 * std::sqrt(2.0) / degree, 1e-8, 0.1, 1.0, 0.1,
-       Level::G1, smooth},
-      {"spheres 10 and 9.999", sphereAndTorus(10, 9.999), 0, 1e-9, 1 / 9.999 - 0.1, 9.999 * (1 / 9.999 - 0.1),
-       0.1, Level::G2, smooth},
+      // At the ends of the seam the normals are turned by 6e-4 rad each, about axes at right
+      // angles.
+      {"crossed cylinders", crossedCylinders(10), 6e-4 * std::sqrt(2.0) / degree, 1e-8, 0.1, 1.0,
+       0.1, Level::G1, smooth},
+      {"spheres 10 and 9.999", sphereAndTorus(10, 9.999), 0, 1e-9, 1 / 9.999 - 0.1,
+       9.999 * (1 / 9.999 - 0.1), 0.1, Level::G2, smooth},
       {"fold", foldedPlanes(), 0, 1e-9, {}, {}, 0, Level::G0, SeamClass::Crease},
   };
 }
@@ -55,7 +65,8 @@ void expectKnown(const Known& known, const TopoDS_Shape& shape, double scale) {
     if (known.curvature_per_mm) {
       expectEncloses(seam.figures.curvature_per_mm, *known.curvature_per_mm / scale,
                      tolerance.curvature_rel * known.norm_per_mm / scale, 1e-8 / scale);
-      expectEncloses(seam.figures.curvature_rel, *known.curvature_rel, tolerance.curvature_rel, 1e-6);
+      expectEncloses(seam.figures.curvature_rel, *known.curvature_rel, tolerance.curvature_rel,
+                     1e-6);
     }
     expectEncloses(seam.figures.gap_mm, 0, tolerance.gap_mm, 1e-9 * scale);
     EXPECT_TRUE(seam.figures.certified);
@@ -115,7 +126,8 @@ TEST(Placement, LocationsOnLocations) {
   std::mt19937 random(4);
   for (const Known& known : knownModels()) {
     TopoDS_Shape shape = known.shape;
-    for (int k = 0; k < 4; ++k) shape = located(shape, k % 2 ? mirror(random) : randomMotion(random));
+    for (int k = 0; k < 4; ++k)
+      shape = located(shape, k % 2 ? mirror(random) : randomMotion(random));
     expectKnown(known, shape, 1);
   }
 }
@@ -151,7 +163,8 @@ TEST(Placement, NearlyEqualRadiiAreToldApartByATighterTolerance) {
   const SeamResult apart = analyzed(sphereAndTorus(10, 9.999), options).seams.at(0);
   EXPECT_EQ(apart.verdict.seam_class, SeamClass::Defect) << describe(apart);
   options.tolerance.curvature_rel = 2e-4;
-  EXPECT_EQ(analyzed(sphereAndTorus(10, 9.999), options).seams.at(0).verdict.seam_class, SeamClass::Smooth);
+  EXPECT_EQ(analyzed(sphereAndTorus(10, 9.999), options).seams.at(0).verdict.seam_class,
+            SeamClass::Smooth);
 }
 
 }  // namespace

@@ -17,19 +17,22 @@ namespace {
 
 Spline surfaceOf(const Strip& strip, std::size_t number) {
   constexpr double width = 20, half = 15, across_per_mm = 0.01;
-  const double x0 = width * static_cast<double>(number - 1), rise = width * std::tan(strip.kink) / 5;
+  const double x0 = width * static_cast<double>(number - 1),
+               rise = width * std::tan(strip.kink) / 5;
   // Bezier ordinates over x, which end with three noughts, and over y those of a parabola.
-  const std::array<double, 6> of_x = {strip.step_mm,
-                                      strip.step_mm + rise,
-                                      strip.step_mm + 2 * rise + strip.bend_per_mm * width * width / 20,
-                                      0,
-                                      0,
-                                      0};
+  const std::array<double, 6> of_x = {
+      strip.step_mm,
+      strip.step_mm + rise,
+      strip.step_mm + 2 * rise + strip.bend_per_mm * width * width / 20,
+      0,
+      0,
+      0};
   const double arch = across_per_mm * half * half / 2;
   const std::array<double, 3> y = {-half, 0, half}, of_y = {arch, -arch, arch};
   TColgp_Array2OfPnt poles(1, 6, 1, 3);
   for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 3; ++j) poles(i + 1, j + 1) = gp_Pnt(x0 + width * i / 5, y[j], of_x[i] + of_y[j]);
+    for (int j = 0; j < 3; ++j)
+      poles(i + 1, j + 1) = gp_Pnt(x0 + width * i / 5, y[j], of_x[i] + of_y[j]);
   return splineOf(poles, 5, 2);
 }
 
@@ -67,7 +70,8 @@ ProofCase::ProofCase(const TopoDS_Shape& shape, const occ::RepairOptions& option
   report_ = occ::analyze(model, occ::analyzeOptions(options));
   occ::SeamGraph graph = occ::findSeams(shape);
   if (options.match_mm > 0)
-    occ::matchFreeEdges({.match_mm = options.match_mm, .gap_mm = options.tolerance.gap_mm}, graph, {});
+    occ::matchFreeEdges({.match_mm = options.match_mm, .gap_mm = options.tolerance.gap_mm}, graph,
+                        {});
   seams_ = std::move(graph.seams);
   choice_ = occ::choose(model, report_, options);
   needed_ = occ::neededVariation(shape, report_.seams, choice_.treated);
@@ -77,8 +81,9 @@ ProofCase::ProofCase(const TopoDS_Shape& shape, const occ::RepairOptions& option
 occ::RepairTask ProofCase::task() const {
   std::vector<int> orders;
   for (const bool is_treated : choice_.treated) orders.push_back(is_treated ? options_.order : 0);
-  return {shape_,    seams_,  report_.seams, report_.seams, choice_.faces, choice_.sharp,    options_,
-          unusable_, needed_, limits_mm_,    shape_,        moved_,        std::move(orders)};
+  return {shape_,        seams_,   report_.seams,    report_.seams, choice_.faces,
+          choice_.sharp, options_, unusable_,        needed_,       limits_mm_,
+          shape_,        moved_,   std::move(orders)};
 }
 
 occ::FaceChange ProofCase::changed(int number, const Strip& strip) const {
@@ -99,13 +104,15 @@ occ::Proof ProofCase::proofOf(const std::vector<occ::FaceChange>& changes) const
   return proofOf(task(), changes);
 }
 
-occ::Proof ProofCase::proofOf(const occ::RepairTask& task, const std::vector<occ::FaceChange>& changes,
+occ::Proof ProofCase::proofOf(const occ::RepairTask& task,
+                              const std::vector<occ::FaceChange>& changes,
                               occ::MeasuredSeams* known) const {
   occ::MeasuredSeams none;
   return occ::prove(task, changes, withChanges(changes), known ? *known : none, {});
 }
 
-occ::Proof ProofCase::proofOf(const occ::RepairTask& task, const std::vector<occ::FaceChange>& changes,
+occ::Proof ProofCase::proofOf(const occ::RepairTask& task,
+                              const std::vector<occ::FaceChange>& changes,
                               const TopoDS_Shape& changed) const {
   occ::MeasuredSeams none;
   return occ::prove(task, changes, changed, none, {});
@@ -115,8 +122,10 @@ std::string textOf(const occ::Proof& proof) {
   std::string text;
   for (const auto& [seam, why] : proof.unrepaired)
     text += "unrepaired " + std::to_string(seam) + ": " + why + "\n";
-  for (const auto& [seam, why] : proof.worse) text += "worse " + std::to_string(seam) + ": " + why + "\n";
-  for (const auto& [face, why] : proof.faces) text += "face " + std::to_string(face) + ": " + why + "\n";
+  for (const auto& [seam, why] : proof.worse)
+    text += "worse " + std::to_string(seam) + ": " + why + "\n";
+  for (const auto& [face, why] : proof.faces)
+    text += "face " + std::to_string(face) + ": " + why + "\n";
   return text + proof.whole;
 }
 

@@ -12,8 +12,8 @@
 /// Strips of which every seam is known beforehand, and proofs of changes of them.
 namespace seamwright::test {
 
-/// A strip from x = 20 (n - 1) to 20 n, y from -15 to 15: z = f(x) + 0.01 y^2 / 2. At its last side f, f' and f'' are 0, so the seam between
-/// two strips is what the second one begins with.
+/// A strip from x = 20 (n - 1) to 20 n, y from -15 to 15: z = f(x) + 0.01 y^2 / 2. At its last side
+/// f, f' and f'' are 0, so the seam between two strips is what the second one begins with.
 struct Strip {
   double kink = 0;         ///< angle there
   double step_mm = 0;      ///< gap there

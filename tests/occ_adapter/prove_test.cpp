@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What a change has to hold to be kept: each promise broken alone, by changes made by hand on strips of which gap, angle and curvature are
-// known beforehand.
+// What a change has to hold to be kept: each promise broken alone, by changes made by hand on
+// strips of which gap, angle and curvature are known beforehand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -49,7 +49,8 @@ RepairOptions picking(std::vector<int> edges, int order = 1) {
 }
 
 std::string onlyText(const std::map<std::size_t, std::string>& reasons) {
-  return reasons.size() == 1 ? reasons.begin()->second : std::to_string(reasons.size()) + " reasons";
+  return reasons.size() == 1 ? reasons.begin()->second
+                             : std::to_string(reasons.size()) + " reasons";
 }
 
 TEST(Prove, HoldsWhereTheTreatedSeamIsMetAndNoOtherIsWorse) {
@@ -64,14 +65,15 @@ TEST(Prove, HoldsWhereTheTreatedSeamIsMetAndNoOtherIsWorse) {
 TEST(Prove, TheTargetIsMet) {
   const ProofCase strips(chain({{}, {.kink = 1 * degree}, {}}), {});
   ASSERT_TRUE(strips.task().isTreated(0));
-  const Proof proof =
-      strips.proofOf({strips.changed(2, {.kink = 0.5 * degree}), strips.changed(3, {.kink = -0.5 * degree})});
+  const Proof proof = strips.proofOf(
+      {strips.changed(2, {.kink = 0.5 * degree}), strips.changed(3, {.kink = -0.5 * degree})});
   ASSERT_EQ(proof.unrepaired.size(), 1);
   EXPECT_THAT(proof.unrepaired.at(0), HasSubstr("after a move it has level G0"));
   EXPECT_THAT(proof.unrepaired.at(0), HasSubstr("angle 0.500"));
 }
 
-/// The seam between the first two strips is treated, and met; what becomes of that between the second and the third is judged.
+/// The seam between the first two strips is treated, and met; what becomes of that between the
+/// second and the third is judged.
 std::string whyWorse(const Strip& third, const Strip& third_after, RepairOptions options = {}) {
   if (options.edges.empty()) options.edges = {first_seam_edge};
   const ProofCase strips(chain({{}, {.kink = 0.5 * degree}, third}), options);
@@ -99,11 +101,13 @@ TEST(Prove, AboveTheTargetALevelMayGoUnlessItIsSureAndKept) {
   EXPECT_EQ(whyWorse({}, {}, options), "");
   EXPECT_THAT(whyWorse({}, {.bend_per_mm = 0.002}, options), HasSubstr("a lower level"));
   ProofCase strips(chain({{}, {.kink = 0.5 * degree}, {}}), options);
-  const std::vector<FaceChange> changes = {strips.changed(2, {}), strips.changed(3, {.bend_per_mm = 0.002})};
+  const std::vector<FaceChange> changes = {strips.changed(2, {}),
+                                           strips.changed(3, {.bend_per_mm = 0.002})};
   strips.before()[1].figures.curvature_rel->upper.reset();
   EXPECT_TRUE(strips.proofOf(changes).holds());
   // At the level asked for what is seen counts.
-  const std::vector<FaceChange> kinked = {strips.changed(2, {}), strips.changed(3, {.kink = 0.2 * degree})};
+  const std::vector<FaceChange> kinked = {strips.changed(2, {}),
+                                          strips.changed(3, {.kink = 0.2 * degree})};
   strips.before()[1].figures.angle_rad->upper.reset();
   strips.before()[1].verdict.certain = false;
   EXPECT_THAT(onlyText(strips.proofOf(kinked).worse), HasSubstr("a lower level"));
@@ -114,7 +118,8 @@ TEST(Prove, WhatTheUserAskedForIsHeldWhereLessIsTried) {
   ProofCase strips(chain({{}, {.kink = 0.5 * degree}, {}}), picking({first_seam_edge}, 2));
   RepairTask task = strips.task();
   task.orders[0] = 1;
-  const std::vector<FaceChange> bent = {strips.changed(2, {}), strips.changed(3, {.bend_per_mm = 0.002})},
+  const std::vector<FaceChange> bent = {strips.changed(2, {}),
+                                        strips.changed(3, {.bend_per_mm = 0.002})},
                                 flat = {strips.changed(2, {}), strips.changed(3, {})};
   const auto makeUnsure = [](occ::SeamResult& seam) {
     seam.figures.curvature_rel->upper.reset();
@@ -131,11 +136,13 @@ TEST(Prove, WhatTheUserAskedForIsHeldWhereLessIsTried) {
   EXPECT_THAT(onlyText(strips.proofOf(task, bent).worse), HasSubstr("a lower level"));
 }
 
-/// The treated seam keeps what it is to have, and no more: of one that is to have G1 the curvature is no matter.
+/// The treated seam keeps what it is to have, and no more: of one that is to have G1 the curvature
+/// is no matter.
 TEST(Prove, TheOrderOfATreatedSeamDecides) {
   const ProofCase strips(chain({{}, {.kink = 0.5 * degree}, {}}), picking({first_seam_edge}, 2));
   RepairTask task = strips.task();
-  const std::vector<FaceChange> bent = {strips.changed(2, {.bend_per_mm = 0.002}), strips.changed(3, {})};
+  const std::vector<FaceChange> bent = {strips.changed(2, {.bend_per_mm = 0.002}),
+                                        strips.changed(3, {})};
   EXPECT_EQ(strips.proofOf(task, bent).unrepaired.size(), 1);
   task.orders[0] = 1;
   const Proof proof = strips.proofOf(task, bent);
@@ -273,8 +280,8 @@ TEST(Prove, ChecksThatPassedPassStill) {
     const TopTools_IndexedMapOfShape edges = partsOf(shape, TopAbs_EDGE);
     const TopoDS_Edge spoilt = TopoDS::Edge(edges(edges.Extent()));
     double first = 0, last = 0;
-    const handle<Geom_Curve> curve =
-        handle<Geom_Curve>::DownCast(BRep_Tool::Curve(spoilt, first, last)->Translated(gp_Vec(0, 0, 0.3)));
+    const handle<Geom_Curve> curve = handle<Geom_Curve>::DownCast(
+        BRep_Tool::Curve(spoilt, first, last)->Translated(gp_Vec(0, 0, 0.3)));
     BRep_Builder().UpdateEdge(spoilt, curve, 1e-7);
   };
   EXPECT_TRUE(occ::validityOf(strips.shape(), 1).whole);
@@ -324,7 +331,8 @@ TopoDS_Shape fan(int faces) {
   constexpr double pi = 3.14159265358979;
   const TopoDS_Edge axis = wavyEdge(0, 0);
   BRepBuilderAPI_Sewing sewing(1e-6, true, true, true, true);
-  for (int f = 0; f < faces; ++f) sewing.Add(BRepFill::Face(axis, wavyEdge(10, 2 * pi * f / faces)));
+  for (int f = 0; f < faces; ++f)
+    sewing.Add(BRepFill::Face(axis, wavyEdge(10, 2 * pi * f / faces)));
   sewing.Perform();
   return sewing.SewedShape();
 }
@@ -397,8 +405,9 @@ TEST_F(GrownBox, TheVolumeChangesByWhatTheMovesExplain) {
     return occ::whyNotVolumes(task, all, solid_.withChanges(all), task.before, {});
   };
   EXPECT_EQ(whyNot(truly_mm_), "");
-  EXPECT_THAT(whyNot(0.01), HasSubstr("the volume of solid 1 would change by 181.8"));  // 6000 (1.01^3 - 1)
-  EXPECT_THAT(whyNot(0.01), HasSubstr("more than 22.22 mm3"));                          // 1.01 x 2200 x 0.01
+  EXPECT_THAT(whyNot(0.01),
+              HasSubstr("the volume of solid 1 would change by 181.8"));  // 6000 (1.01^3 - 1)
+  EXPECT_THAT(whyNot(0.01), HasSubstr("more than 22.22 mm3"));            // 1.01 x 2200 x 0.01
 }
 
 }  // namespace

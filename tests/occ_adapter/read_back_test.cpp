@@ -62,7 +62,8 @@ TopoDS_Shape patch(const std::function<gp_Pnt(int i, int j)>& pole) {
   return BRepBuilderAPI_MakeFace(new Geom_BezierSurface(poles), 1e-7).Shape();
 }
 
-/// z = 0.002 x^2 on both sides of x = 0; for x > 0 a triangle whose tip is an end of the seam, shifted by so much over the other.
+/// z = 0.002 x^2 on both sides of x = 0; for x > 0 a triangle whose tip is an end of the seam,
+/// shifted by so much over the other.
 TopoDS_Shape sheetAndTip(double shifted_mm) {
   constexpr double bend = 0.002, width = 30, length = 40;
   const auto square = [&](int i, int j) {
@@ -123,9 +124,10 @@ TEST_P(ReadBackModels, SameVerdicts) {
   const std::filesystem::path path = furtherModel(GetParam().model);
   if (path.empty()) GTEST_SKIP() << GetParam().model;
   const RepairReport report = repair(occ::readModel(path), matching(GetParam().match_mm));
-  EXPECT_LE(std::ranges::count_if(
-                report.after.seams,
-                [](const occ::SeamResult& seam) { return seam.verdict.seam_class == SeamClass::Defect; }),
+  EXPECT_LE(std::ranges::count_if(report.after.seams,
+                                  [](const occ::SeamResult& seam) {
+                                    return seam.verdict.seam_class == SeamClass::Defect;
+                                  }),
             GetParam().most_defects);
   // What still matches without being sewn is open where nothing is matched.
   const std::size_t open = occ::analyze(report.model).open.size();
@@ -141,8 +143,9 @@ INSTANTIATE_TEST_SUITE_P(Models, ReadBackModels,
                                          Case{"freeform/Silk_Demo_01_raw.step", 0.01, 9, 14},
                                          Case{"freeform/Silk_Demo_02_raw.step", 0.01, 0, 9}),
                          [](const auto& test) {
-                           std::string name = std::filesystem::path(test.param.model).stem().string() + "_" +
-                                              std::to_string(static_cast<int>(1e4 * test.param.match_mm));
+                           std::string name =
+                               std::filesystem::path(test.param.model).stem().string() + "_" +
+                               std::to_string(static_cast<int>(1e4 * test.param.match_mm));
                            std::ranges::replace_if(
                                name, [](char c) { return std::isalnum(c) == 0; }, '_');
                            return name;

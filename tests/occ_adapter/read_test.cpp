@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Files that can be read: formats told by content, names and colours, and what comes back equals what went in.
+// Files that can be read: formats told by content, names and colours, and what comes back equals
+// what went in.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -55,8 +56,10 @@ struct Kind {
 
 const std::vector<Kind>& kinds() {
   static const std::vector<Kind> all = {
-      {"STEP", Format::Step, [](const TopoDS_Shape& s, const std::filesystem::path& p) { writeStep(s, p); }},
-      {"IGES", Format::Iges, [](const TopoDS_Shape& s, const std::filesystem::path& p) { writeIges(s, p); }},
+      {"STEP", Format::Step,
+       [](const TopoDS_Shape& s, const std::filesystem::path& p) { writeStep(s, p); }},
+      {"IGES", Format::Iges,
+       [](const TopoDS_Shape& s, const std::filesystem::path& p) { writeIges(s, p); }},
       {"BREP", Format::BrepText, writeBrep},
       {"binary BREP", Format::BrepBinary, writeBinaryBrep},
       {"binary BREP", Format::BrepBinary, writeFreeCadBinary}};
@@ -66,7 +69,8 @@ const std::vector<Kind>& kinds() {
 TEST(Read, EveryFormatUnderEveryName) {
   const Folder folder;
   for (const Kind& kind : kinds())
-    for (const char* name : {"a.step", "a.stp", "a.iges", "a.igs", "a.brep", "a.brp", "a.bin", "a"}) {
+    for (const char* name :
+         {"a.step", "a.stp", "a.iges", "a.igs", "a.brep", "a.brp", "a.bin", "a"}) {
       SCOPED_TRACE(std::string(kind.name) + " as " + name);
       kind.write(box(), folder / name);
       EXPECT_EQ(occ::detectFormat(folder / name), kind.format);
@@ -97,9 +101,11 @@ TEST(Read, LocationsAndOrientationsComeThrough) {
 }
 
 TEST(Read, BinaryShapesAreExactInEveryBit) {
-  // Of B-splines; axes of planes and cylinders OpenCASCADE makes unit vectors once more, which may move their last bit.
+  // Of B-splines; axes of planes and cylinders OpenCASCADE makes unit vectors once more, which may
+  // move their last bit.
   std::mt19937 random(12);
-  const TopoDS_Shape turned = transformed(BRepPrimAPI_MakeCylinder(3, 8).Shape(), randomMotion(random));
+  const TopoDS_Shape turned =
+      transformed(BRepPrimAPI_MakeCylinder(3, 8).Shape(), randomMotion(random));
   const TopoDS_Shape shape = BRepBuilderAPI_NurbsConvert(turned, true).Shape().Reversed();
   std::stringstream once, twice;
   occ::writeBinaryShape(shape, once);
@@ -162,11 +168,13 @@ void writeColoured(const std::filesystem::path& path) {
   STEPCAFControl_Writer writer;
   writer.SetNameMode(true);
   writer.SetColorMode(true);
-  if (!writer.Transfer(document, STEPControl_AsIs) || writer.Write(path.c_str()) != IFSelect_RetDone)
+  if (!writer.Transfer(document, STEPControl_AsIs) ||
+      writer.Write(path.c_str()) != IFSelect_RetDone)
     throw std::runtime_error("not written");
 }
 
-const occ::ShapeAttribute* find(const Model& model, TopAbs_ShapeEnum kind, const std::string& name) {
+const occ::ShapeAttribute* find(const Model& model, TopAbs_ShapeEnum kind,
+                                const std::string& name) {
   const auto it = std::find_if(model.attributes.begin(), model.attributes.end(),
                                [&](const auto& a) { return a.kind == kind && a.name == name; });
   return it == model.attributes.end() ? nullptr : &*it;
@@ -192,9 +200,10 @@ TEST(Read, NamesAndColoursOfAStepFile) {
   EXPECT_NEAR((*block->color)[1], 0.5, 1e-3);
   EXPECT_NEAR((*block->color)[2], 0.75, 1e-3);
   EXPECT_NE(find(model, TopAbs_SOLID, "rod"), nullptr);
-  const auto red = std::find_if(model.attributes.begin(), model.attributes.end(), [](const auto& a) {
-    return a.kind == TopAbs_FACE && a.color && (*a.color)[0] > 0.99 && (*a.color)[1] < 0.01;
-  });
+  const auto red =
+      std::find_if(model.attributes.begin(), model.attributes.end(), [](const auto& a) {
+        return a.kind == TopAbs_FACE && a.color && (*a.color)[0] > 0.99 && (*a.color)[1] < 0.01;
+      });
   ASSERT_NE(red, model.attributes.end());
   EXPECT_EQ(red->index, 3) << "numbered as the faces of the shape";
 }
@@ -213,7 +222,8 @@ TEST(Read, ProgressRisesAndCanStop) {
 }
 
 TEST(Read, AFileThatLosesAFaceSaysSo) {
-  for (const char* name : {"broken/mutated/dangling_ref.step", "broken/mutated/wrong_degree.step"}) {
+  for (const char* name :
+       {"broken/mutated/dangling_ref.step", "broken/mutated/wrong_degree.step"}) {
     const auto path = furtherModel(name);
     if (path.empty()) GTEST_SKIP() << name << " is not there";
     const Model model = readModel(path);
@@ -224,8 +234,10 @@ TEST(Read, AFileThatLosesAFaceSaysSo) {
   }
 }
 
-/// The lines of an IGES file with a parameter of the first entity of a type changed; parameters count from 1.
-std::string igesWithParameter(const std::string& iges, int type, int parameter, const std::string& value) {
+/// The lines of an IGES file with a parameter of the first entity of a type changed; parameters
+/// count from 1.
+std::string igesWithParameter(const std::string& iges, int type, int parameter,
+                              const std::string& value) {
   std::vector<std::string> lines;
   std::istringstream text(iges);
   for (std::string line; std::getline(text, line);) lines.push_back(line);
@@ -263,8 +275,8 @@ TEST(Read, AnIgesFileThatLosesAFaceSaysSo) {
     SCOPED_TRACE(std::to_string(damage.type) + " " + damage.value);
     writeIges(box(), folder / "box.igs", "MM", damage.mode);
     EXPECT_THAT(readModel(folder / "box.igs").notes, IsEmpty());
-    setContent(folder / "box.igs",
-               igesWithParameter(contentOf(folder / "box.igs"), damage.type, damage.parameter, damage.value));
+    setContent(folder / "box.igs", igesWithParameter(contentOf(folder / "box.igs"), damage.type,
+                                                     damage.parameter, damage.value));
     const Model model = readModel(folder / "box.igs");
     EXPECT_EQ(model.faceCount(), damage.named - damage.lost);
     ASSERT_EQ(model.notes.size(), 1u);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The reading process: missing, crashing, silent, talking nonsense. An error each time, soon, and never a hang.
+// The reading process: missing, crashing, silent, talking nonsense. An error each time, soon, and
+// never a hang.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -54,7 +55,8 @@ class ReaderProcess : public ::testing::Test {
 
 TEST_F(ReaderProcess, Missing) {
   EXPECT_EQ(errorWith("/nonexistent").code(), ModelErrc::ReaderMissing);
-  EXPECT_EQ(errorWith((folder_ / "box.brep").string()).code(), ModelErrc::ReaderMissing) << "not executable";
+  EXPECT_EQ(errorWith((folder_ / "box.brep").string()).code(), ModelErrc::ReaderMissing)
+      << "not executable";
 }
 
 TEST_F(ReaderProcess, EndsWithoutAWord) {
@@ -78,7 +80,8 @@ TEST_F(ReaderProcess, UsesUpItsProcessorTime) {
 
 TEST_F(ReaderProcess, UsesUpItsTime) {
   const Environment time("SEAMWRIGHT_READER_SECONDS", "0.25");
-  for (const char* commands : {"exec sleep 1000", "exec 3>&-\nexec sleep 1000", "exec cat /dev/zero >&3"}) {
+  for (const char* commands :
+       {"exec sleep 1000", "exec 3>&-\nexec sleep 1000", "exec cat /dev/zero >&3"}) {
     const occ::ModelError error = errorWith(script(commands));
     EXPECT_EQ(error.code(), ModelErrc::ReaderDied) << commands;
     EXPECT_THAT(error.what(), HasSubstr("in 0.25 s")) << commands;
@@ -97,7 +100,8 @@ TEST_F(ReaderProcess, TimeThatProgressTakesDoesNotCount) {
   EXPECT_GE(calls, 1);
 }
 
-/// A failure to allocate that OpenCASCADE catches must not pass for a fault of the file, nor cost faces.
+/// A failure to allocate that OpenCASCADE catches must not pass for a fault of the file, nor cost
+/// faces.
 TEST_F(ReaderProcess, UsesUpItsMemory) {
   TopoDS_Compound boxes;
   BRep_Builder().MakeCompound(boxes);
@@ -150,10 +154,12 @@ TEST_F(ReaderProcess, BoundsThatAreNoNumbersAreRefused) {
 
 TEST_F(ReaderProcess, CountsThatAFileCannotHoldEndSoon) {
   const std::string brep = contentOf(folder_ / "box.brep");
-  for (const char* section : {"Locations", "Curve2ds", "Curves", "Polygon3D", "Surfaces", "TShapes"}) {
+  for (const char* section :
+       {"Locations", "Curve2ds", "Curves", "Polygon3D", "Surfaces", "TShapes"}) {
     const std::regex count(std::string(section) + " [0-9]+");
-    setContent(folder_ / "count.brep", std::regex_replace(brep, count, std::string(section) + " 999999999",
-                                                          std::regex_constants::format_first_only));
+    setContent(folder_ / "count.brep",
+               std::regex_replace(brep, count, std::string(section) + " 999999999",
+                                  std::regex_constants::format_first_only));
     const auto start = std::chrono::steady_clock::now();
     EXPECT_EQ(errorOf(folder_ / "count.brep").code(), ModelErrc::Malformed) << section;
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10)) << section;
@@ -170,7 +176,8 @@ bool isAlive(pid_t process) {
 /// \returns whether \p holds() came true within 10 s.
 template <class Condition>
 bool soon(const Condition& holds) {
-  for (int i = 0; i < 1000 && !holds(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  for (int i = 0; i < 1000 && !holds(); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
   return holds();
 }
 
@@ -185,9 +192,9 @@ TEST_F(ReaderProcess, EndsWithItsParent) {
   // The program waits for a model on its standard input, which never comes.
   ASSERT_EQ(mkfifo((folder_ / "fifo").c_str(), 0600), 0);
   const std::string note = folder_ / "pid";
-  const std::string program =
-      script("echo $$ > " + note + ".part; mv " + note + ".part " + note + "; exec " +
-             readerBesideThisProgram().string() + " write STEP afresh 1 '' <>" + (folder_ / "fifo").string());
+  const std::string program = script("echo $$ > " + note + ".part; mv " + note + ".part " + note +
+                                     "; exec " + readerBesideThisProgram().string() +
+                                     " write STEP afresh 1 '' <>" + (folder_ / "fifo").string());
   const Environment reader("SEAMWRIGHT_READER", program);
   const pid_t parent = fork();
   if (parent == 0) {
@@ -250,14 +257,16 @@ TEST_F(ReaderProcess, HangsAndIsStoppedByProgress) {
   const Environment reader("SEAMWRIGHT_READER", script("exec sleep 1000"));
   int calls = 0;
   const auto start = std::chrono::steady_clock::now();
-  EXPECT_THROW(occ::readModel(folder_ / "box.brep", [&](double) { return ++calls < 5; }), occ::Cancelled);
+  EXPECT_THROW(occ::readModel(folder_ / "box.brep", [&](double) { return ++calls < 5; }),
+               occ::Cancelled);
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
 }
 
 TEST_F(ReaderProcess, AnExceptionOfProgressPassesThrough) {
   const Environment reader("SEAMWRIGHT_READER", script("exec sleep 1000"));
-  EXPECT_THROW(occ::readModel(folder_ / "box.brep", [](double) -> bool { throw std::range_error("no"); }),
-               std::range_error);
+  EXPECT_THROW(
+      occ::readModel(folder_ / "box.brep", [](double) -> bool { throw std::range_error("no"); }),
+      std::range_error);
 }
 
 TEST_F(ReaderProcess, ClosesItsAnswerButLivesOn) {

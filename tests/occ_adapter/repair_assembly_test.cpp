@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What a file says of its parts comes through a repair: names, colours, layers, unit, order and places.
+// What a file says of its parts comes through a repair: names, colours, layers, unit, order and
+// places.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -64,7 +65,8 @@ void writeAssembly(const std::filesystem::path& path) {
   STEPCAFControl_Writer writer;
   occ::keepLengthUnit(writer.ChangeWriter());
   Interface_Static::SetCVal("write.step.unit", "MM");
-  if (!writer.Transfer(document, STEPControl_AsIs) || writer.Write(path.c_str()) != IFSelect_RetDone)
+  if (!writer.Transfer(document, STEPControl_AsIs) ||
+      writer.Write(path.c_str()) != IFSelect_RetDone)
     throw std::runtime_error("not written");
 }
 
@@ -109,7 +111,9 @@ TEST(RepairAssembly, KeepsWhatTheFileSaysOfItsParts) {
   const auto uses = [&](const std::string& name) {
     const std::string text = contentOf(folder / name), entity = "NEXT_ASSEMBLY_USAGE_OCCURRENCE(";
     int count = 0;
-    for (std::size_t at = text.find(entity); at != std::string::npos; at = text.find(entity, at + 1)) ++count;
+    for (std::size_t at = text.find(entity); at != std::string::npos;
+         at = text.find(entity, at + 1))
+      ++count;
     return count;
   };
   EXPECT_EQ(uses("whole.step"), 3);

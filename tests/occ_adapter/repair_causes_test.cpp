@@ -40,9 +40,10 @@ using opencascade::handle;
 
 constexpr double pi = std::numbers::pi;
 
-/// A spline through points of the path over the same range, each moved by \p aside across it and \p ahead along it, which vanish at both ends.
-handle<Geom2d_Curve> strayed(const handle<Geom2d_Curve>& path, double first, double last, double aside,
-                             double ahead) {
+/// A spline through points of the path over the same range, each moved by \p aside across it and \p
+/// ahead along it, which vanish at both ends.
+handle<Geom2d_Curve> strayed(const handle<Geom2d_Curve>& path, double first, double last,
+                             double aside, double ahead) {
   constexpr int points = 33;
   const handle<TColgp_HArray1OfPnt2d> through = new TColgp_HArray1OfPnt2d(1, points);
   const handle<TColStd_HArray1OfReal> parameters = new TColStd_HArray1OfReal(1, points);
@@ -188,20 +189,23 @@ INSTANTIATE_TEST_SUITE_P(Freeform, RepairOfModels,
                                          RealModel{"NIST_MBE_PMI_5.stp", 4, 0}));
 
 TEST(RepairCauses, WhatFoldsBackIsToldAndLeft) {
-  const std::filesystem::path path = std::filesystem::path(SEAMWRIGHT_TEST_MODELS) / "freeform" / "s60.step";
+  const std::filesystem::path path =
+      std::filesystem::path(SEAMWRIGHT_TEST_MODELS) / "freeform" / "s60.step";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << path;
   const RepairReport report = repair(occ::readModel(path));
   EXPECT_FALSE(report.changed());
   EXPECT_EQ(seamOf(report, 4).reason.find("the faces fold back on one another there"), 0);
 }
 
-/// Part of a cylinder of radius 20 about the x axis, x from x0 to x0 + 10: through its points at every degree of 30, with degree 1 or 3.
+/// Part of a cylinder of radius 20 about the x axis, x from x0 to x0 + 10: through its points at
+/// every degree of 30, with degree 1 or 3.
 handle<Geom_BSplineSurface> barrelStave(double x0_mm, int degree) {
   constexpr int points = 31;
   constexpr double radius_mm = 20, length_mm = 10, step_rad = std::numbers::pi / 180;
   TColgp_Array1OfPnt row(1, points);
   for (int k = 0; k < points; ++k)
-    row(k + 1) = gp_Pnt(x0_mm, radius_mm * std::sin(k * step_rad), radius_mm * std::cos(k * step_rad));
+    row(k + 1) =
+        gp_Pnt(x0_mm, radius_mm * std::sin(k * step_rad), radius_mm * std::cos(k * step_rad));
   const opencascade::handle<Geom_BSplineCurve> curve =
       degree == 1 ? GeomAPI_PointsToBSpline(row, 1, 1, GeomAbs_C0, 1e-9).Curve()
                   : GeomAPI_PointsToBSpline(row, 3, 3, GeomAbs_C2, 1e-6).Curve();
@@ -219,9 +223,11 @@ handle<Geom_BSplineSurface> barrelStave(double x0_mm, int degree) {
                                  curve->Degree());
 }
 
-/// Facets of one degree beside a smooth surface: half a degree is wrong everywhere, and the gap is a thousandth of a millimetre.
+/// Facets of one degree beside a smooth surface: half a degree is wrong everywhere, and the gap is
+/// a thousandth of a millimetre.
 TEST(RepairCauses, KinksOfASurfaceAreToldAndLeft) {
-  const RepairReport report = repairedModel(gridOf({{barrelStave(0, 1)}, {barrelStave(10, 3)}}), {});
+  const RepairReport report =
+      repairedModel(gridOf({{barrelStave(0, 1)}, {barrelStave(10, 3)}}), {});
   ASSERT_EQ(report.seams.size(), 1);
   EXPECT_FALSE(report.seams[0].treated);
   EXPECT_THAT(report.seams[0].reason,

@@ -32,7 +32,8 @@ std::string bytesOf(const TopoDS_Shape& shape) {
 namespace {
 
 /// What is promised of every seam, seen by plain evaluation.
-void expectSeam(const occ::SeamRepair& seam, const TopoDS_Shape& shape, const RepairOptions& options) {
+void expectSeam(const occ::SeamRepair& seam, const TopoDS_Shape& shape,
+                const RepairOptions& options) {
   SCOPED_TRACE("edge " + std::to_string(seam.before.edges[0]) + " " + seam.reason + "\n" +
                describe(seam.before) + "\n" + describe(seam.after));
   if (seam.treated) {
@@ -54,8 +55,9 @@ void expectSeam(const occ::SeamRepair& seam, const TopoDS_Shape& shape, const Re
     }
   } else {
     // Above the level asked for a seam may lose what it had, unless the user wants it kept.
-    const Level kept = options.keep_curvature ? seam.before.verdict.level
-                                              : std::min(seam.before.verdict.level, options.level());
+    const Level kept = options.keep_curvature
+                           ? seam.before.verdict.level
+                           : std::min(seam.before.verdict.level, options.level());
     EXPECT_GE(seam.after.verdict.level, kept);
     EXPECT_LE(seam.after.figures.gap_mm->lower,
               std::max(options.tolerance.gap_mm, upper(seam.before.figures.gap_mm)));
@@ -91,7 +93,8 @@ RepairReport repairedModel(const TopoDS_Shape& shape, const RepairOptions& optio
     EXPECT_EQ(same, move == report.moves.end()) << f;
     if (move == report.moves.end()) continue;
     EXPECT_GT(move->largest_move_mm, 0);
-    EXPECT_LE(move->largest_move_mm, options.max_move_mm.value_or(std::numeric_limits<double>::infinity()));
+    EXPECT_LE(move->largest_move_mm,
+              options.max_move_mm.value_or(std::numeric_limits<double>::infinity()));
     EXPECT_EQ(std::ranges::count(options.fixed_faces, f), 0);
   }
   EXPECT_EQ(report.changed(), !repaired.IsEqual(shape));
@@ -136,7 +139,8 @@ RepairOptions strictRepair(int order) {
   RepairOptions options;
   options.order = order;
   options.tolerance = strict(order).tolerance;
-  options.fairness = 100;  // what is within such tolerances follows all that sides do along the seam
+  options.fairness =
+      100;  // what is within such tolerances follows all that sides do along the seam
   return options;
 }
 

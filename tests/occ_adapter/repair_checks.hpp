@@ -11,7 +11,8 @@ namespace seamwright::test {
 
 std::string bytesOf(const TopoDS_Shape& shape);
 
-/// Repairs and expects what is promised of every repair; seams are seen once more by plain evaluation.
+/// Repairs and expects what is promised of every repair; seams are seen once more by plain
+/// evaluation.
 occ::RepairReport repairedModel(const TopoDS_Shape& shape, const occ::RepairOptions& options);
 
 int treated(const occ::RepairReport& report);

@@ -42,7 +42,8 @@ Net brokenSheet(int columns, unsigned seed, double noise_mm = 0.01) {
   return net;
 }
 
-/// Fixed quadrature takes a cylinder of splines for a percent larger than it is, until knots are inserted.
+/// Fixed quadrature takes a cylinder of splines for a percent larger than it is, until knots are
+/// inserted.
 TEST(RepairDegenerate, VolumesOfRationalFaces) {
   const TopoDS_Shape solid =
       BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeCylinder(20, 50).Shape(), true).Shape();
@@ -51,8 +52,8 @@ TEST(RepairDegenerate, VolumesOfRationalFaces) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(solid, TopAbs_FACE, faces);
   for (int f = 1; f <= faces.Extent(); ++f) {
-    const auto surface =
-        opencascade::handle<Geom_BSplineSurface>::DownCast(BRep_Tool::Surface(TopoDS::Face(faces(f))));
+    const auto surface = opencascade::handle<Geom_BSplineSurface>::DownCast(
+        BRep_Tool::Surface(TopoDS::Face(faces(f))));
     if (!surface->IsUPeriodic()) continue;
     surface->IncreaseDegree(surface->UDegree(), 3);
     for (int i = 1; i <= surface->NbUPoles(); ++i)
@@ -97,20 +98,22 @@ TopoDS_Shape convertedAndBroken(const TopoDS_Shape& solid, double noise_mm) {
     if (surface.IsNull()) continue;
     for (int i = 1; i <= surface->NbUPoles(); ++i)
       for (int j = 1; j <= surface->NbVPoles(); ++j)
-        surface->SetPole(
-            i, j,
-            surface->Pole(i, j).Translated(gp_Vec(random(generator, noise_mm), random(generator, noise_mm),
-                                                  random(generator, noise_mm))));
+        surface->SetPole(i, j,
+                         surface->Pole(i, j).Translated(gp_Vec(random(generator, noise_mm),
+                                                               random(generator, noise_mm),
+                                                               random(generator, noise_mm))));
   }
   return withTolerance(shape, 3 * noise_mm);
 }
 
 TEST(RepairDegenerate, AFaceThatMeetsItself) {
-  // Of the sphere the poles are torn apart, and the one seam between them folds there. The torus has sharp knot lines, which noise bends: the
-  // kink of a seam that crosses them has corners, and a smooth displacement can't follow these to a hundredth of a degree.
-  const std::vector<std::pair<TopoDS_Shape, int>> solids = {{BRepPrimAPI_MakeSphere(20).Shape(), 0},
-                                                            {BRepPrimAPI_MakeTorus(30, 10).Shape(), 1},
-                                                            {BRepPrimAPI_MakeCylinder(20, 30).Shape(), 3}};
+  // Of the sphere the poles are torn apart, and the one seam between them folds there. The torus
+  // has sharp knot lines, which noise bends: the kink of a seam that crosses them has corners, and
+  // a smooth displacement can't follow these to a hundredth of a degree.
+  const std::vector<std::pair<TopoDS_Shape, int>> solids = {
+      {BRepPrimAPI_MakeSphere(20).Shape(), 0},
+      {BRepPrimAPI_MakeTorus(30, 10).Shape(), 1},
+      {BRepPrimAPI_MakeCylinder(20, 30).Shape(), 3}};
   for (const auto& [solid, expected] : solids)
     for (const double noise_mm : {0.0, 0.01}) {
       const TopoDS_Shape shape = convertedAndBroken(solid, noise_mm);
@@ -140,7 +143,8 @@ TEST(RepairDegenerate, AnEdgeWithoutLength) {
                                [&own](const NetSide& other) { return own.edge == other.edge; });
   });
   const int shared = side->edge, end = net.edges[shared].ends[1];
-  const auto extra = static_cast<int>(net.edges.size()), twin = static_cast<int>(net.vertices.size());
+  const auto extra = static_cast<int>(net.edges.size()),
+             twin = static_cast<int>(net.vertices.size());
   const gp_Pnt place = net.vertices[end];
   net.vertices.push_back(place);
   for (std::size_t e = 0; e < net.edges.size(); ++e)
@@ -155,7 +159,8 @@ TEST(RepairDegenerate, AnEdgeWithoutLength) {
   knots(2) = 1;
   TColStd_Array1OfInteger times(1, 2);
   times.Init(2);
-  net.edges.push_back({{end, twin}, handle<Geom_Curve>(new Geom_BSplineCurve(ends, knots, times, 1))});
+  net.edges.push_back(
+      {{end, twin}, handle<Geom_Curve>(new Geom_BSplineCurve(ends, knots, times, 1))});
   for (NetFace& face : net.faces) {
     const auto at = std::ranges::find(face.sides, shared, &NetSide::edge);
     const gp_Pnt2d uv = at->path->Value(1);
@@ -179,7 +184,8 @@ TEST(RepairDegenerate, AMissingPath) {
   ASSERT_EQ(whole.seams.size(), 1);
   EXPECT_TRUE(whole.seams[0].repaired);
   const TopoDS_Shape broken = shapeOf(net);
-  const TopoDS_Edge edge = TopoDS::Edge(partsOf(broken, TopAbs_EDGE)(whole.seams[0].before.edges[0]));
+  const TopoDS_Edge edge =
+      TopoDS::Edge(partsOf(broken, TopAbs_EDGE)(whole.seams[0].before.edges[0]));
   BRep_Builder().UpdateEdge(edge, handle<Geom2d_Curve>(), face(broken, 1), 0.1);
   const RepairReport report = repair(modelFromShape(broken), trialOptions({}));
   ASSERT_EQ(report.seams.size(), 1);
@@ -233,8 +239,9 @@ TEST(RepairDegenerate, PolesThatAreNoNumbers) {
     held.fixed_faces = {1};
     const RepairReport left = repair(model, held);
     EXPECT_FALSE(left.seams[0].treated);
-    EXPECT_NE(left.seams[0].reason.find("in common with face 3, which has a surface with the number"),
-              std::string::npos)
+    EXPECT_NE(
+        left.seams[0].reason.find("in common with face 3, which has a surface with the number"),
+        std::string::npos)
         << left.seams[0].reason;
     EXPECT_FALSE(left.changed());
   }
@@ -248,9 +255,15 @@ TEST(RepairDegenerate, OptionsThatAreNoNumbers) {
              +[](occ::RepairOptions&options, double value) { options.match_mm = value; },
              +[](occ::RepairOptions&options, double value) { options.tolerance.gap_mm = value; },
              +[](occ::RepairOptions&options, double value) { options.tolerance.angle_rad = value; },
-             +[](occ::RepairOptions&options, double value) { options.tolerance.curvature_rel = value; },
-             +[](occ::RepairOptions&options, double value) { options.tolerance.crease_rad = value; },
-             +[](occ::RepairOptions&options, double value) { options.tolerance.flat_radius_mm = value; },
+             +[](occ::RepairOptions&options, double value) {
+               options.tolerance.curvature_rel = value;
+             },
+             +[](occ::RepairOptions&options, double value) {
+               options.tolerance.crease_rad = value;
+             },
+             +[](occ::RepairOptions&options, double value) {
+               options.tolerance.flat_radius_mm = value;
+             },
          }) {
       occ::RepairOptions options;
       set(options, bad);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A repair does not spoil surfaces: fairness by code that has nothing in common with the repair's own judge.
+// A repair does not spoil surfaces: fairness by code that has nothing in common with the repair's
+// own judge.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +21,8 @@ namespace {
 using occ::RepairOptions;
 using occ::RepairReport;
 
-/// Repairs, and expects no moved face to vary more than it may. \returns how many seams are repaired.
+/// Repairs, and expects no moved face to vary more than it may. \returns how many seams are
+/// repaired.
 int expectFair(const TopoDS_Shape& shape, const RepairOptions& options) {
   const RepairReport report = repairedModel(shape, options);
   const auto faces = fairnessOfChanges(shape, report, options.tolerance);
@@ -28,7 +30,8 @@ int expectFair(const TopoDS_Shape& shape, const RepairOptions& options) {
   for (const FaceFairness& face : faces)
     EXPECT_FALSE(face.isWorse()) << "face " << face.face << ": " << face.before_per_mm << " -> "
                                  << face.after_per_mm << " /mm, at most " << face.limit_per_mm;
-  for (const occ::FaceMove& move : report.moves) EXPECT_FALSE(move.verdict.worse) << move.verdict.reason;
+  for (const occ::FaceMove& move : report.moves)
+    EXPECT_FALSE(move.verdict.worse) << move.verdict.reason;
   double broken_rad = 0;
   for (const occ::SeamRepair& seam : report.seams)
     broken_rad = std::max(broken_rad, upper(seam.before.figures.angle_rad));
@@ -54,7 +57,8 @@ TEST_P(RepairFair, NoFaceOfABrokenNetBecomesWorse) {
 
 std::vector<FairTrial> fairTrials() {
   std::vector<FairTrial> trials;
-  for (const char* kind : {"sheet", "ring", "trimmed bricks", "trimmed quads", "trimmed triangles", "blob 6"})
+  for (const char* kind :
+       {"sheet", "ring", "trimmed bricks", "trimmed quads", "trimmed triangles", "blob 6"})
     for (const double noise_mm : {0.005, 0.05}) trials.push_back({kind, noise_mm});
   return trials;
 }
@@ -98,8 +102,8 @@ TopoDS_Shape roof(double kink_rad) {
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j) {
         const double along = length_mm * (right ? i : 3 - i) / 3.0;
-        poles(i + 1, j + 1) = gp_Pnt((right ? 1 : -1) * along * std::cos(kink_rad / 2), width_mm * j / 3.0,
-                                     along * std::sin(kink_rad / 2));
+        poles(i + 1, j + 1) = gp_Pnt((right ? 1 : -1) * along * std::cos(kink_rad / 2),
+                                     width_mm * j / 3.0, along * std::sin(kink_rad / 2));
       }
     return splineOf(poles, 3, 3);
   };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Parts that stand in several places of an assembly are repaired once, and are instances afterwards too.
+// Parts that stand in several places of an assembly are repaired once, and are instances afterwards
+// too.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -40,8 +41,8 @@ TopoDS_Shape compoundOf(const std::vector<TopoDS_Shape>& parts) {
 }
 
 TopoDS_Shape threeTimes(const TopoDS_Shape& part) {
-  return compoundOf(
-      {part, located(part, turnedAndMoved(300, 0.7)), located(part, turnedAndMoved(-300, 2.1)).Reversed()});
+  return compoundOf({part, located(part, turnedAndMoved(300, 0.7)),
+                     located(part, turnedAndMoved(-300, 2.1)).Reversed()});
 }
 
 std::size_t distinct(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
@@ -86,8 +87,8 @@ TEST(RepairInstances, PartsWithinPartsAndCompoundsOfLooseFaces) {
   const TopTools_IndexedMapOfShape faces = partsOf(brokenPart(20903), TopAbs_FACE);
   // Loose faces with a common edge: only together they have nothing in common with others.
   const TopoDS_Shape sheets = compoundOf({faces(1), faces(2)});
-  const TopoDS_Shape pair = compoundOf(
-      {inner, located(inner, turnedAndMoved(200, 1)), located(brokenPart(20904), turnedAndMoved(0, 3))});
+  const TopoDS_Shape pair = compoundOf({inner, located(inner, turnedAndMoved(200, 1)),
+                                        located(brokenPart(20904), turnedAndMoved(0, 3))});
   const TopoDS_Shape all = compoundOf({located(pair, turnedAndMoved(-500, 0.3)), sheets, pair,
                                        located(sheets, turnedAndMoved(900, -1)), inner});
   const RepairReport report = repairedModel(all, strictRepair(1));
@@ -117,8 +118,8 @@ TEST(RepairInstances, WhatIsAskedOfOneHoldsForAll) {
 TEST(RepairInstances, WhatStaysIsShared) {
   const TopoDS_Shape broken = brokenPart(20906),
                      smooth = repairedModel(brokenPart(20907), strictRepair(1)).model.shape;
-  const TopoDS_Shape all = compoundOf(
-      {smooth, broken, located(smooth, turnedAndMoved(400, 1)), located(broken, turnedAndMoved(800, 1))});
+  const TopoDS_Shape all = compoundOf({smooth, broken, located(smooth, turnedAndMoved(400, 1)),
+                                       located(broken, turnedAndMoved(800, 1))});
   const RepairReport report = repairedModel(all, strictRepair(1));
   EXPECT_EQ(repairedSeams(report), 2) << reasonsOf(report);
   const TopTools_IndexedMapOfShape faces = partsOf(all, TopAbs_FACE),
@@ -129,8 +130,9 @@ TEST(RepairInstances, WhatStaysIsShared) {
 
 TEST(RepairInstances, PartsThatShareWithOthersStay) {
   const TopoDS_Shape part = brokenPart(20908), other = brokenPart(20909);
-  const TopoDS_Shape all = compoundOf({part, located(part, turnedAndMoved(400, 1)),
-                                       located(partsOf(part, TopAbs_FACE)(1), turnedAndMoved(0, 2)), other});
+  const TopoDS_Shape all =
+      compoundOf({part, located(part, turnedAndMoved(400, 1)),
+                  located(partsOf(part, TopAbs_FACE)(1), turnedAndMoved(0, 2)), other});
   const RepairReport report = repairedModel(all, strictRepair(1));
   EXPECT_EQ(repairedSeams(report), 1) << reasonsOf(report);
   EXPECT_TRUE(report.seams.back().repaired);

@@ -44,8 +44,10 @@ void expectNear(const std::vector<double>& a, const std::vector<double>& b, doub
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], near) << i;
 }
 
-/// Lengths of b are so many times larger. Figures agree to a tenth of what is tolerated, as solvers stop there.
-void expectSame(const Outcome& a, const Outcome& b, const occ::RepairOptions& options, double scale = 1) {
+/// Lengths of b are so many times larger. Figures agree to a tenth of what is tolerated, as solvers
+/// stop there.
+void expectSame(const Outcome& a, const Outcome& b, const occ::RepairOptions& options,
+                double scale = 1) {
   EXPECT_GT(a.treated, 0);
   EXPECT_EQ(a.treated, b.treated);
   EXPECT_EQ(a.repaired, b.repaired);
@@ -75,7 +77,8 @@ class RepairLaws : public testing::TestWithParam<std::string> {
 TEST_P(RepairLaws, RigidMotion) {
   std::mt19937 random(20301);
   for (int k = 0; k < 2; ++k)
-    expectSame(outcome_, outcomeOf(transformed(shapeOf(net_), randomMotion(random)), options_), options_);
+    expectSame(outcome_, outcomeOf(transformed(shapeOf(net_), randomMotion(random)), options_),
+               options_);
 }
 
 TEST_P(RepairLaws, ScaleWithTheTolerances) {
@@ -129,7 +132,8 @@ TEST_P(RepairLaws, PartsThatDoNotMeetAreRepairedAsEachAlone) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Nets, RepairLaws,
-                         testing::Values("sheet", "trimmed bricks", "trimmed quads", "trimmed triangles"),
+                         testing::Values("sheet", "trimmed bricks", "trimmed quads",
+                                         "trimmed triangles"),
                          [](const auto& kind) {
                            std::string name = kind.param;
                            std::ranges::replace(name, ' ', '_');

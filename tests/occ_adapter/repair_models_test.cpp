@@ -24,7 +24,8 @@
 namespace seamwright::test {
 namespace {
 
-/// Noise in space of at most that length on the poles of all spline faces; edges and vertices beside them get what it needs.
+/// Noise in space of at most that length on the poles of all spline faces; edges and vertices
+/// beside them get what it needs.
 TopoDS_Shape broken(const TopoDS_Shape& model, double noise_mm) {
   std::mt19937 generator(20331);
   const TopoDS_Shape shape = BRepBuilderAPI_Copy(model).Shape();
@@ -37,15 +38,17 @@ TopoDS_Shape broken(const TopoDS_Shape& model, double noise_mm) {
     if (surface.IsNull() || !done.insert(surface.get()).second) continue;
     for (int i = 1; i <= surface->NbUPoles(); ++i)
       for (int j = 1; j <= surface->NbVPoles(); ++j)
-        surface->SetPole(i, j,
-                         surface->Pole(i, j).Translated(gp_Vec(
-                             random(generator, most), random(generator, most), random(generator, most))));
+        surface->SetPole(
+            i, j,
+            surface->Pole(i, j).Translated(
+                gp_Vec(random(generator, most), random(generator, most), random(generator, most))));
     const BRep_Builder builder;
     for (const TopAbs_ShapeEnum kind : {TopAbs_EDGE, TopAbs_VERTEX}) {
       const TopTools_IndexedMapOfShape parts = partsOf(face, kind);
       for (int p = 1; p <= parts.Extent(); ++p)
         if (kind == TopAbs_EDGE)
-          builder.UpdateEdge(TopoDS::Edge(parts(p)), BRep_Tool::Tolerance(TopoDS::Edge(parts(p))) + noise_mm);
+          builder.UpdateEdge(TopoDS::Edge(parts(p)),
+                             BRep_Tool::Tolerance(TopoDS::Edge(parts(p))) + noise_mm);
         else
           builder.UpdateVertex(TopoDS::Vertex(parts(p)),
                                BRep_Tool::Tolerance(TopoDS::Vertex(parts(p))) + 2 * noise_mm);
@@ -64,7 +67,8 @@ TEST_P(RepairModels, BrokenByNoise) {
   const occ::RepairReport report = occ::repair(occ::modelFromShape(broken(model.shape, noise_mm)));
   const RepairCounts counts = countsOf(report, noise_mm);
   std::cout << tableHead() << "\n" << tableLine(path.stem().string(), noise_mm, counts) << "\n";
-  for (const auto& [why, times] : counts.reasons) std::cout << "    " << times << " x " << why << "\n";
+  for (const auto& [why, times] : counts.reasons)
+    std::cout << "    " << times << " x " << why << "\n";
   RecordProperty("treated", counts.treated);
   RecordProperty("repaired", counts.repaired);
   for (const occ::SeamRepair& seam : report.seams) {
@@ -105,7 +109,8 @@ TEST(RepairModel, NoSeamSurelyLosesTheTargetWhereLessIsTried) {
   EXPECT_GE(to_g1, 1);
 }
 
-/// What the target G1 repairs the target G2 brings to G1 at least, unless that costs another seam the G2 that it is seen to have.
+/// What the target G1 repairs the target G2 brings to G1 at least, unless that costs another seam
+/// the G2 that it is seen to have.
 /// \returns how many the target G1 repairs.
 int expectNoLessThanG1(const occ::Model& model, occ::RepairOptions options) {
   options.order = 1;

@@ -24,7 +24,8 @@ RepairCounts counted(const std::vector<Series>& series, RepairTrial trial) {
     RepairCounts counts;
     for (trial.seed = 1; trial.seed <= of.seeds; ++trial.seed) counts += countsOf(trial);
     std::cout << tableLine(of.kind, trial.noise_mm, counts) << "\n";
-    for (const auto& [why, times] : counts.reasons) std::cout << "    " << times << " x " << why << "\n";
+    for (const auto& [why, times] : counts.reasons)
+      std::cout << "    " << times << " x " << why << "\n";
     all += counts;
   }
   std::cout << tableLine("all", trial.noise_mm, all) << "\n";
@@ -35,8 +36,9 @@ RepairCounts counted(const std::vector<Series>& series, RepairTrial trial) {
   return all;
 }
 
-/// A fair move spreads a change over the face, so it is larger than the noise: by 4/27 of the kink times the width of the face. Noise on the dense
-/// poles of refitted faces kinks by much for its size.
+/// A fair move spreads a change over the face, so it is larger than the noise: by 4/27 of the kink
+/// times the width of the face. Noise on the dense poles of refitted faces kinks by much for its
+/// size.
 constexpr double most_on_face = 25, most_on_dense_face = 150;
 
 /// \param largest_on_face over the noise.
@@ -48,8 +50,9 @@ void expectRepaired(const RepairCounts& counts, int at_least_treated, double lar
   EXPECT_LE(counts.largest_on_face, largest_on_face);
 }
 
-const std::vector<Series> flowing = {{"sheet", 2},          {"ring", 1},          {"mixed sheet", 1},
-                                     {"trimmed bricks", 1}, {"trimmed quads", 2}, {"trimmed triangles", 1},
+const std::vector<Series> flowing = {{"sheet", 2},          {"ring", 1},
+                                     {"mixed sheet", 1},    {"trimmed bricks", 1},
+                                     {"trimmed quads", 2},  {"trimmed triangles", 1},
                                      {"refitted quads", 1}, {"ring of bricks", 1}};
 
 /// Without the slowest.
@@ -104,12 +107,14 @@ TEST(RepairNoise, StarsBesideTheErrorOfTheirFit) {
 
 TEST(RepairNoise, StarsOfNaturalSides) {
   const std::vector<Series> stars = {{"blob 6", 1}, {"blob 24", 1}};
-  for (const double noise_mm : {0.01, 0.1}) expectRepaired(counted(stars, {"", noise_mm}), 60, most_on_face);
+  for (const double noise_mm : {0.01, 0.1})
+    expectRepaired(counted(stars, {"", noise_mm}), 60, most_on_face);
 }
 
 TEST(RepairNoise, CurvatureToo) {
   for (const double noise_mm : {0.001, 0.01}) {
-    const RepairCounts counts = counted(flowing, {"", noise_mm, 1, 2, noise_mm < 0.01 ? 10.0 : 1.0});
+    const RepairCounts counts =
+        counted(flowing, {"", noise_mm, 1, 2, noise_mm < 0.01 ? 10.0 : 1.0});
     expectRepaired(counts, 100, most_on_dense_face);
     EXPECT_LT(counts.largest_curvature_rel, 0.02);
   }

@@ -25,7 +25,8 @@ std::vector<double> numbersOf(const TopoDS_Shape& shape) {
   const auto add = [&numbers](const gp_Pnt& point) {
     for (int c = 1; c <= 3; ++c) numbers.push_back(point.Coord(c));
   };
-  const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE), edges = partsOf(shape, TopAbs_EDGE),
+  const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE),
+                                   edges = partsOf(shape, TopAbs_EDGE),
                                    vertices = partsOf(shape, TopAbs_VERTEX);
   for (int f = 1; f <= faces.Extent(); ++f) {
     const auto surface = Spline::DownCast(BRep_Tool::Surface(TopoDS::Face(faces(f))));
@@ -53,7 +54,8 @@ std::vector<double> numbersOf(const TopoDS_Shape& shape) {
 std::set<const void*> surfacesOf(const TopoDS_Shape& shape) {
   std::set<const void*> surfaces;
   const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE);
-  for (int f = 1; f <= faces.Extent(); ++f) surfaces.insert(BRep_Tool::Surface(TopoDS::Face(faces(f))).get());
+  for (int f = 1; f <= faces.Extent(); ++f)
+    surfaces.insert(BRep_Tool::Surface(TopoDS::Face(faces(f))).get());
   return surfaces;
 }
 
@@ -101,7 +103,8 @@ TEST(RepairShare, FacesFarFromADefectAreShared) {
   EXPECT_EQ(repairedSeams(report), treated(report)) << reasonsOf(report);
   const std::set<const void*> before = surfacesOf(shape);
   int shared = 0;
-  for (const void* surface : surfacesOf(report.model.shape)) shared += before.count(surface) > 0 ? 1 : 0;
+  for (const void* surface : surfacesOf(report.model.shape))
+    shared += before.count(surface) > 0 ? 1 : 0;
   EXPECT_EQ(shared, static_cast<int>(before.size() - report.moves.size()));
   EXPECT_GT(shared, 0);
 }

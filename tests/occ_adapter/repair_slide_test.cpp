@@ -37,12 +37,14 @@ TopoDS_Face planar(const std::vector<gp_Pnt>& corners) {
   return BRepBuilderAPI_MakeFace(polygon.Wire(), true).Face();
 }
 
-/// The top of a block: a plane, and a spline that falls from it at an angle; around the spline three walls. Faces: plane, spline, walls.
+/// The top of a block: a plane, and a spline that falls from it at an angle; around the spline
+/// three walls. Faces: plane, spline, walls.
 TopoDS_Shape block(double angle_rad) {
   const double low_mm = -length_mm * std::tan(angle_rad), depth_mm = -10;
   TColgp_Array2OfPnt poles(1, 2, 1, 2);
   for (const int i : {0, 1})
-    for (const int j : {0, 1}) poles(i + 1, j + 1) = gp_Pnt(length_mm * i, length_mm * j, low_mm * i);
+    for (const int j : {0, 1})
+      poles(i + 1, j + 1) = gp_Pnt(length_mm * i, length_mm * j, low_mm * i);
   TColStd_Array1OfReal knots(1, 2);
   knots(1) = 0;
   knots(2) = 1;
@@ -51,10 +53,12 @@ TopoDS_Shape block(double angle_rad) {
   const opencascade::handle<Geom_BSplineSurface> spline =
       new Geom_BSplineSurface(poles, knots, knots, multiplicities, multiplicities, 1, 1);
   BRepBuilderAPI_Sewing sewing(1e-6);
-  sewing.Add(planar({{-length_mm, 0, 0}, {0, 0, 0}, {0, length_mm, 0}, {-length_mm, length_mm, 0}}));
+  sewing.Add(
+      planar({{-length_mm, 0, 0}, {0, 0, 0}, {0, length_mm, 0}, {-length_mm, length_mm, 0}}));
   sewing.Add(BRepBuilderAPI_MakeFace(spline, Precision::Confusion()).Face());
   for (const double y : {0.0, length_mm})
-    sewing.Add(planar({{0, y, 0}, {length_mm, y, low_mm}, {length_mm, y, depth_mm}, {0, y, depth_mm}}));
+    sewing.Add(
+        planar({{0, y, 0}, {length_mm, y, low_mm}, {length_mm, y, depth_mm}, {0, y, depth_mm}}));
   sewing.Add(planar({{length_mm, 0, low_mm},
                      {length_mm, length_mm, low_mm},
                      {length_mm, length_mm, depth_mm},
@@ -111,7 +115,8 @@ TEST(RepairSlide, EdgesFollowTheFaceThatMoves) {
     TopExp::MapShapesAndAncestors(report.model.shape, TopAbs_EDGE, TopAbs_FACE, faces_of_edge);
     for (int e = 1; e <= faces_of_edge.Extent(); ++e)
       for (const TopoDS_Shape& face : faces_of_edge(e))
-        EXPECT_LT(largestDistance_mm(TopoDS::Edge(faces_of_edge.FindKey(e)), TopoDS::Face(face)), 0.006);
+        EXPECT_LT(largestDistance_mm(TopoDS::Edge(faces_of_edge.FindKey(e)), TopoDS::Face(face)),
+                  0.006);
   }
 }
 
@@ -126,7 +131,8 @@ TEST(RepairSlide, PlanesStay) {
   const std::vector<int> planes = planesOf(shape);
   ASSERT_EQ(planes.size(), 4);
   for (const int f : planes)
-    EXPECT_EQ(BRep_Tool::Surface(TopoDS::Face(faces(f))), BRep_Tool::Surface(TopoDS::Face(before_faces(f))));
+    EXPECT_EQ(BRep_Tool::Surface(TopoDS::Face(faces(f))),
+              BRep_Tool::Surface(TopoDS::Face(before_faces(f))));
 }
 
 TEST(RepairSlide, NotOnFacesThatAreFixed) {

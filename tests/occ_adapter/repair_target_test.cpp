@@ -24,7 +24,8 @@ Spline quarter(double x0, double y0, double bend, double twist) {
   TColgp_Array2OfPnt poles(1, 3, 1, 3);
   const auto ordinates = [](double from, double second) {
     const double to = from + width;
-    return std::array<double, 3>{second * from * from / 2, second * from * to / 2, second * to * to / 2};
+    return std::array<double, 3>{second * from * from / 2, second * from * to / 2,
+                                 second * to * to / 2};
   };
   const std::array<double, 3> of_x = ordinates(x0, bend), of_y = ordinates(y0, across_per_mm);
   for (int i = 0; i < 3; ++i)
@@ -37,9 +38,10 @@ Spline quarter(double x0, double y0, double bend, double twist) {
   return surface;
 }
 
-/// Four quarters about the origin, faces 3 and 4 with another curvature, and face 4 twisted, so it meets faces 2 and 3 at small
-/// angles. If faces 1 and 3 stay, face 2 has face 1's curvature along x at the origin and face 4 has face 3's, since the edges
-/// there lie on faces that stay. So faces 2 and 4 can share one tangent plane along their edge, but not one curvature.
+/// Four quarters about the origin, faces 3 and 4 with another curvature, and face 4 twisted, so it
+/// meets faces 2 and 3 at small angles. If faces 1 and 3 stay, face 2 has face 1's curvature along
+/// x at the origin and face 4 has face 3's, since the edges there lie on faces that stay. So faces
+/// 2 and 4 can share one tangent plane along their edge, but not one curvature.
 TopoDS_Shape quarters(double twist_per_mm) {
   return gridOf({{quarter(-width, -width, 0, 0), quarter(-width, 0, 0, 0)},
                  {quarter(0, -width, bend_per_mm, 0), quarter(0, 0, bend_per_mm, twist_per_mm)}});
@@ -65,7 +67,8 @@ RepairOptions lowerOnesStay(int order) {
 }
 
 bool isBetween(const SeamRepair& seam, int a, int b) {
-  return seam.before.faces == std::array<int, 2>{a, b} || seam.before.faces == std::array<int, 2>{b, a};
+  return seam.before.faces == std::array<int, 2>{a, b} ||
+         seam.before.faces == std::array<int, 2>{b, a};
 }
 
 TEST(RepairTarget, WhatCannotHaveOneCurvatureGetsOneTangentPlane) {
@@ -99,7 +102,8 @@ TEST(RepairTarget, WhatCannotHaveOneCurvatureGetsOneTangentPlane) {
   }
 }
 
-/// With the first target out of reach the second one is met as it is without the first, by moves of the same size.
+/// With the first target out of reach the second one is met as it is without the first, by moves of
+/// the same size.
 TEST(RepairTarget, TheTangentPlaneIsAsGoodAsAskedForAlone) {
   const RepairReport both = repairedModel(quarters(1e-4), lowerOnesStay(2)),
                      alone = repairedModel(quarters(1e-4), lowerOnesStay(1));

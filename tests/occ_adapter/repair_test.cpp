@@ -49,15 +49,16 @@ void disturbSeams(const Patches& patches, std::mt19937& generator, int rows, dou
           const bool near = (i > 0 && k <= rows) || (i + 1 < patches.size() && k > nu - rows) ||
                             (j > 0 && l <= rows) || (j + 1 < patches[i].size() && l > nv - rows);
           if (!near) continue;
-          patch->SetPole(
-              k, l,
-              patch->Pole(k, l).Translated(gp_Vec(random(generator, noise_mm), random(generator, noise_mm),
-                                                  random(generator, noise_mm))));
+          patch->SetPole(k, l,
+                         patch->Pole(k, l).Translated(gp_Vec(random(generator, noise_mm),
+                                                             random(generator, noise_mm),
+                                                             random(generator, noise_mm))));
         }
     }
 }
 
-TopoDS_Shape disturbedGrid(std::mt19937& generator, int count_u, int count_v, double noise_mm, int rows = 2) {
+TopoDS_Shape disturbedGrid(std::mt19937& generator, int count_u, int count_v, double noise_mm,
+                           int rows = 2) {
   const auto cuts = [](int count) {
     std::vector<double> at;
     for (int k = 0; k <= count; ++k) at.push_back(static_cast<double>(k) / count);
@@ -68,16 +69,16 @@ TopoDS_Shape disturbedGrid(std::mt19937& generator, int count_u, int count_v, do
   return gridOf(patches);
 }
 
-/// To tolerances of 0.1 micrometres and 0.001 degrees. Noise of 0.05 mm breaks the seam by more than two degrees; a fair move of the faces is
-/// then larger than usually allowed.
+/// To tolerances of 0.1 micrometres and 0.001 degrees. Noise of 0.05 mm breaks the seam by more
+/// than two degrees; a fair move of the faces is then larger than usually allowed.
 TEST(Repair, TwoSheets) {
   for (const int order : {1, 2})
     for (const double noise_mm : {0.001, 0.01, order == 1 ? 0.05 : 0.02})
       for (unsigned seed = 1; seed <= 3; ++seed) {
         std::mt19937 generator(seed);
         const TopoDS_Shape shape = disturbedGrid(generator, 2, 1, noise_mm);
-        SCOPED_TRACE("order " + std::to_string(order) + ", noise " + std::to_string(noise_mm) + " mm, seed " +
-                     std::to_string(seed));
+        SCOPED_TRACE("order " + std::to_string(order) + ", noise " + std::to_string(noise_mm) +
+                     " mm, seed " + std::to_string(seed));
         RepairOptions options = strictRepair(order);
         options.max_move_mm = 1;
         const RepairReport report = repairedModel(shape, options);
@@ -110,7 +111,8 @@ TEST(Repair, WhatIsBrokenBeyondTheMovesAllowedIsNoWorseAfter) {
     for (unsigned seed = 1; seed <= 2; ++seed) {
       std::mt19937 generator(seed);
       SCOPED_TRACE(std::to_string(count_v) + " rows, seed " + std::to_string(seed));
-      const RepairReport report = repairedModel(disturbedGrid(generator, 2, count_v, 0.1), strictRepair(1));
+      const RepairReport report =
+          repairedModel(disturbedGrid(generator, 2, count_v, 0.1), strictRepair(1));
       EXPECT_EQ(treated(report), count_v == 1 ? 1 : 4);
     }
 }
@@ -137,7 +139,8 @@ TEST(Repair, BesideAnalyticFaces) {
   for (const Trimmed& kind : trimmedKinds()) {
     SCOPED_TRACE(kind.name);
     const Spline strip = stripBeside(kind.surface, kind.path, kind.away, 15, generator, 0.01);
-    const TopoDS_Shape shape = loose(trimmedFace(kind.surface, kind.path, kind.into), wholeFace(strip));
+    const TopoDS_Shape shape =
+        loose(trimmedFace(kind.surface, kind.path, kind.into), wholeFace(strip));
     RepairOptions options;
     options.match_mm = 0.5;
     options.sew = false;
@@ -200,7 +203,8 @@ struct Furthest {
   gp_Pnt2d uv;
 };
 
-double normalMove_mm(const handle<Geom_Surface>& from, const handle<Geom_Surface>& to, double u, double v) {
+double normalMove_mm(const handle<Geom_Surface>& from, const handle<Geom_Surface>& to, double u,
+                     double v) {
   gp_Pnt p;
   gp_Vec du, dv;
   from->D1(u, v, p, du, dv);
@@ -240,7 +244,8 @@ TopoDS_Face wallBetween(const handle<Geom_Surface>& from, const handle<Geom_Surf
   TColgp_Array2OfPnt half(1, points, 1, points);
   for (int i = 1; i <= points; ++i)
     for (int j = 1; j <= points; ++j) {
-      const double u = place(uv.X(), range[0], range[1], i), v = place(uv.Y(), range[2], range[3], j);
+      const double u = place(uv.X(), range[0], range[1], i),
+                   v = place(uv.Y(), range[2], range[3], j);
       half(i, j) = (from->Value(u, v).XYZ() + to->Value(u, v).XYZ()) / 2;
     }
   return BRepBuilderAPI_MakeFace(GeomAPI_PointsToBSplineSurface(half).Surface(), 1e-7).Face();
@@ -269,7 +274,8 @@ TEST(Repair, NoFaceMovesThroughAnother) {
     if (reasonsOf(report).find("it would pass through face 3") == std::string::npos) continue;
     ++in_the_way;
     const handle<Geom_Surface> now = BRep_Tool::Surface(face(report.model.shape, furthest.face));
-    EXPECT_LT(std::abs(normalMove_mm(from, now, furthest.uv.X(), furthest.uv.Y())), furthest.move_mm / 2);
+    EXPECT_LT(std::abs(normalMove_mm(from, now, furthest.uv.X(), furthest.uv.Y())),
+              furthest.move_mm / 2);
   }
   EXPECT_GT(in_the_way, 0);
 }
@@ -291,7 +297,8 @@ TEST(Repair, RigidMotionChangesNothing) {
     std::mt19937 generator(seed);
     const TopoDS_Shape shape = disturbedGrid(generator, 2, 2, noise_mm);
     const RepairReport here = repairedModel(shape, strictRepair(1));
-    const RepairReport there = repairedModel(transformed(shape, randomMotion(generator)), strictRepair(1));
+    const RepairReport there =
+        repairedModel(transformed(shape, randomMotion(generator)), strictRepair(1));
     EXPECT_EQ(repairedSeams(here), repairedSeams(there));
     ASSERT_EQ(here.moves.size(), there.moves.size());
     for (std::size_t i = 0; i < here.moves.size(); ++i)
@@ -322,7 +329,8 @@ TEST(Repair, ASolidStaysClosed) {
   for (int s = 1; s <= shells.Extent(); ++s) EXPECT_TRUE(BRep_Tool::IsClosed(shells(s)));
   GProp_GProps area;
   BRepGProp::SurfaceProperties(model.shape, area);
-  EXPECT_NEAR(volume_mm3(report.model.shape), volume_mm3(model.shape), area.Mass() * largestMove_mm(report));
+  EXPECT_NEAR(volume_mm3(report.model.shape), volume_mm3(model.shape),
+              area.Mass() * largestMove_mm(report));
   for (std::size_t i = 0; i < report.seams.size(); ++i) {
     const occ::SeamRepair& seam = report.seams[i];
     EXPECT_GE(seam.after.verdict.level, std::min(seam.before.verdict.level, Level::G1))

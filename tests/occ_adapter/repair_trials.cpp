@@ -115,14 +115,17 @@ RepairCounts countsOf(const occ::RepairReport& report, double noise_mm) {
     if (!seam.repaired || seam.after.verdict.seam_class == SeamClass::Crease) continue;
     const SeamFigures& figures = seam.after.figures;
     counts.largest_gap_mm = std::max(counts.largest_gap_mm, upper(figures.gap_mm));
-    counts.largest_angle_deg = std::max(counts.largest_angle_deg, upper(figures.angle_rad) / degree);
+    counts.largest_angle_deg =
+        std::max(counts.largest_angle_deg, upper(figures.angle_rad) / degree);
     if (report.after.level == Level::G2)
-      counts.largest_curvature_rel = std::max(counts.largest_curvature_rel, upper(figures.curvature_rel));
+      counts.largest_curvature_rel =
+          std::max(counts.largest_curvature_rel, upper(figures.curvature_rel));
   }
   for (const occ::FaceMove& move : report.moves) {
     counts.largest_move = std::max(counts.largest_move, move.largest_move_mm / noise_mm);
     if (move.surface)
-      counts.largest_on_face = std::max(counts.largest_on_face, move.surface->move_mm.lower / noise_mm);
+      counts.largest_on_face =
+          std::max(counts.largest_on_face, move.surface->move_mm.lower / noise_mm);
   }
   counts.analyze_s = report.before.analyze_s;
   counts.repair_s = report.repair_s;
@@ -130,12 +133,14 @@ RepairCounts countsOf(const occ::RepairReport& report, double noise_mm) {
 }
 
 RepairCounts countsOf(const RepairTrial& trial) {
-  const occ::RepairReport report = occ::repair(occ::modelFromShape(brokenModel(trial)), trialOptions(trial));
+  const occ::RepairReport report =
+      occ::repair(occ::modelFromShape(brokenModel(trial)), trialOptions(trial));
   return countsOf(report, trial.noise_mm);
 }
 
 std::string tableHead() {
-  return "kind               noise_mm  seams treated repaired  gap_mm  angle_deg  curvature  move/noise  on "
+  return "kind               noise_mm  seams treated repaired  gap_mm  angle_deg  curvature  "
+         "move/noise  on "
          "face  "
          "analysis_s  repair_s";
 }
@@ -143,8 +148,8 @@ std::string tableHead() {
 std::string tableLine(const std::string& name, double noise_mm, const RepairCounts& counts) {
   std::array<char, 200> line{};
   std::snprintf(line.data(), line.size(),
-                "%-18s %8g %6d %7d %8d %8.2g %10.2g %10.2g %11.2f %8.2f %11.2f %9.2f", name.c_str(), noise_mm,
-                counts.seams, counts.treated, counts.repaired, counts.largest_gap_mm,
+                "%-18s %8g %6d %7d %8d %8.2g %10.2g %10.2g %11.2f %8.2f %11.2f %9.2f", name.c_str(),
+                noise_mm, counts.seams, counts.treated, counts.repaired, counts.largest_gap_mm,
                 counts.largest_angle_deg, counts.largest_curvature_rel, counts.largest_move,
                 counts.largest_on_face, counts.analyze_s, counts.repair_s);
   return line.data();

@@ -49,7 +49,8 @@ struct RepairCounts {
   double share() const { return treated > 0 ? repaired / (1.0 * treated) : 1; }
 };
 
-/// 0.001 mm, 0.01 degrees, 2 % over the strictness. Moves of twenty times the noise are allowed, as fair ones are larger than it.
+/// 0.001 mm, 0.01 degrees, 2 % over the strictness. Moves of twenty times the noise are allowed, as
+/// fair ones are larger than it.
 occ::RepairOptions trialOptions(const RepairTrial& trial);
 
 /// The model of a trial.

@@ -99,7 +99,8 @@ TEST(SewProof, NoLevelIsLost) {
   pair.before().verdict.certain = true;
   const SewSolution solution = pair.sewn();
   EXPECT_TRUE(solution.sewn.shape.IsNull());
-  EXPECT_THAT(solution.reasons.at(0), HasSubstr("as one edge it would have level G0, gap 0.005 mm"));
+  EXPECT_THAT(solution.reasons.at(0),
+              HasSubstr("as one edge it would have level G0, gap 0.005 mm"));
 }
 
 TEST(SewProof, NoFigureThatWasWithinItsToleranceLeavesIt) {
@@ -107,11 +108,13 @@ TEST(SewProof, NoFigureThatWasWithinItsToleranceLeavesIt) {
   apart.before().verdict.certain = false;
   EXPECT_THAT(apart.sewn().reasons.at(0), HasSubstr("its gap is not surely within the tolerance"));
   apart.before().figures.gap_mm = Figure{0, 0.001, 0};
-  EXPECT_THAT(apart.sewn().reasons.at(0), HasSubstr("as one edge it would have level none, gap 0.015 mm"));
+  EXPECT_THAT(apart.sewn().reasons.at(0),
+              HasSubstr("as one edge it would have level none, gap 0.015 mm"));
   LoosePair both(0.015, 0.3 * degree);
   both.before().verdict.certain = false;
   both.before().figures.gap_mm = Figure{0, 0.001, 0};
-  EXPECT_THAT(both.sewn().reasons.at(0), HasSubstr("as one edge it would have level none, gap 0.015 mm"));
+  EXPECT_THAT(both.sewn().reasons.at(0),
+              HasSubstr("as one edge it would have level none, gap 0.015 mm"));
   LoosePair kinked(0, 0.3 * degree);
   kinked.before().verdict.certain = false;
   EXPECT_THAT(kinked.sewn().reasons, IsEmpty());
@@ -129,9 +132,9 @@ TopoDS_Shape staircase(int sectors, double step_mm, double vertex_mm) {
       return gp_Pnt(10 * std::cos(about), 10 * std::sin(about), k * step_mm);
     };
     const gp_Pnt middle(0, 0, k * step_mm);
-    faces.push_back(
-        BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakePolygon(middle, out(k), out(k + 1), true).Wire(), true)
-            .Shape());
+    faces.push_back(BRepBuilderAPI_MakeFace(
+                        BRepBuilderAPI_MakePolygon(middle, out(k), out(k + 1), true).Wire(), true)
+                        .Shape());
     for (TopExp_Explorer vertex(faces.back(), TopAbs_VERTEX); vertex.More(); vertex.Next())
       builder.UpdateVertex(TopoDS::Vertex(vertex.Current()), vertex_mm);
   }
@@ -143,9 +146,10 @@ TEST(SewProof, NoVertexReachesFurtherThanTwiceTheGapOrWhatItDid) {
   const RepairReport apart = repair(modelFromShape(staircase(8, 0.009, 1e-7)), matching(0.03));
   EXPECT_FALSE(apart.changed());
   ASSERT_EQ(reasonsOf(apart).size(), 7);
-  EXPECT_THAT(reasonsOf(apart),
-              Each(HasSubstr("a common vertex would be 0.0315315 mm from the ends of its edges, more than "
-                             "0.02 mm")));
+  EXPECT_THAT(
+      reasonsOf(apart),
+      Each(HasSubstr("a common vertex would be 0.0315315 mm from the ends of its edges, more than "
+                     "0.02 mm")));
   EXPECT_EQ(sewnSeams(repair(modelFromShape(staircase(8, 0.004, 1e-7)), matching(0.02))), 7);
   EXPECT_EQ(sewnSeams(repair(modelFromShape(staircase(8, 0.009, 0.016)), matching(0.03))), 7);
   EXPECT_EQ(sewnSeams(repair(modelFromShape(staircase(8, 0.009, 0.0155)), matching(0.03))), 0);
@@ -247,11 +251,12 @@ TEST(SewProof, AllPiecesOfAnEdgeHaveItsName) {
   const TopoDS_Shape shape =
       compoundOf({plate(0, 10, -10, 30), plate(10, 20, -10, 5), plate(10, 20, 12, 30)});
   const RepairReport plain = repair(modelFromShape(shape), matching(0.1));
-  const auto cut =
-      std::ranges::find_if(plain.edges_now, [](const std::vector<int>& now) { return now.size() == 3; });
+  const auto cut = std::ranges::find_if(
+      plain.edges_now, [](const std::vector<int>& now) { return now.size() == 3; });
   ASSERT_NE(cut, plain.edges_now.end());
   occ::Model model = modelFromShape(shape);
-  model.attributes = {{TopAbs_EDGE, static_cast<int>(cut - plain.edges_now.begin()), "long", {}, {}}};
+  model.attributes = {
+      {TopAbs_EDGE, static_cast<int>(cut - plain.edges_now.begin()), "long", {}, {}}};
   std::vector<int> named;
   for (const occ::ShapeAttribute& attribute : repair(model, matching(0.1)).model.attributes)
     if (attribute.kind == TopAbs_EDGE && attribute.name == "long") named.push_back(attribute.index);
@@ -267,7 +272,8 @@ TEST(SewProof, WiresRunFromPieceToPiece) {
       about.SetRotation(gp_Ax1(gp_Pnt(5, 10, 0), gp::DZ()), pi);
       with_long = transformed(with_long, about);
     }
-    const TopoDS_Shape shape = compoundOf({with_long, plate(10, 20, -10, 5), plate(10, 20, 12, 30)});
+    const TopoDS_Shape shape =
+        compoundOf({with_long, plate(10, 20, -10, 5), plate(10, 20, 12, 30)});
     const RepairReport report = repair(modelFromShape(shape), matching(0.1));
     ASSERT_EQ(sewnSeams(report), 2) << testing::PrintToString(reasonsOf(report));
     for (TopExp_Explorer wire(report.model.shape, TopAbs_WIRE); wire.More(); wire.Next()) {
@@ -303,10 +309,10 @@ TEST(SewProof, FacesOfWholeSurfacesAreSaidToBeStill) {
 TEST(SewProof, WhatWasUnsoundElsewhereIsNoReason) {
   // A face whose boundary crosses itself.
   const TopoDS_Shape crossed =
-      BRepBuilderAPI_MakeFace(
-          gp_Pln(gp::XOY()), BRepBuilderAPI_MakePolygon(gp_Pnt(50, 0, 0), gp_Pnt(60, 10, 0), gp_Pnt(60, 0, 0),
-                                                        gp_Pnt(50, 10, 0), true)
-                                 .Wire())
+      BRepBuilderAPI_MakeFace(gp_Pln(gp::XOY()),
+                              BRepBuilderAPI_MakePolygon(gp_Pnt(50, 0, 0), gp_Pnt(60, 10, 0),
+                                                         gp_Pnt(60, 0, 0), gp_Pnt(50, 10, 0), true)
+                                  .Wire())
           .Shape();
   const TopoDS_Shape shape = compoundOf({plate(0, 10, 0, 20), plate(10, 20, 0, 20), crossed});
   ASSERT_FALSE(BRepCheck_Analyzer(shape).IsValid());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Loose faces that become shells. What is expected is known of the solids that were taken apart, or is what the makers of a model sewed.
+// Loose faces that become shells. What is expected is known of the solids that were taken apart, or
+// is what the makers of a model sewed.
 #include <gtest/gtest.h>
 
 #include <BRepBuilderAPI_Copy.hxx>
@@ -139,10 +140,12 @@ RepairReport sewn(const TopoDS_Shape& shape, const RepairOptions& options) {
     EXPECT_EQ(seam.before.edges.size(), 2);
     EXPECT_EQ(seam.after.edges.size(), 1);
     EXPECT_LE(*seam.after.figures.gap_mm->upper, options.tolerance.gap_mm);
-    EXPECT_LE(BRep_Tool::Tolerance(TopoDS::Edge(edges(seam.after.edges[0]))), options.tolerance.gap_mm);
+    EXPECT_LE(BRep_Tool::Tolerance(TopoDS::Edge(edges(seam.after.edges[0]))),
+              options.tolerance.gap_mm);
     const auto sides = denseSides(after, seam.after.edges[0], seam.after.faces);
     if (sides) {
-      EXPECT_GE(*seam.after.figures.gap_mm->upper, denseMaxima(*sides, 301, options.tolerance).gap_mm.sure());
+      EXPECT_GE(*seam.after.figures.gap_mm->upper,
+                denseMaxima(*sides, 301, options.tolerance).gap_mm.sure());
     }
   }
   // Measured anew, all that was sewn is what the report says, and what is open is open.
@@ -178,7 +181,8 @@ void expectSolid(const TopoDS_Shape& shape, double volume, double near) {
 
 TEST(Sew, ABoxTakenApart) {
   std::mt19937 generator(20301);
-  const TopoDS_Shape box = BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeBox(10, 20, 30).Shape()).Shape();
+  const TopoDS_Shape box =
+      BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeBox(10, 20, 30).Shape()).Shape();
   for (int trial = 0; trial < 8; ++trial) {
     std::vector<TopoDS_Shape> faces = apart(box);
     std::ranges::shuffle(faces, generator);
@@ -265,9 +269,9 @@ TEST(Sew, RoundSolidsTakenApart) {
 TEST(Sew, HalvesOfASphereAndAQuarter) {
   std::vector<TopoDS_Shape> faces;
   for (const auto& [from, to] : {std::pair(0.0, 1.0), std::pair(1.0, 3.0), std::pair(3.0, 2 * pi)})
-    faces.push_back(
-        BRepBuilderAPI_MakeFace(new Geom_SphericalSurface(gp::XOY(), 10), from, to, -pi / 2, pi / 2, 1e-7)
-            .Shape());
+    faces.push_back(BRepBuilderAPI_MakeFace(new Geom_SphericalSurface(gp::XOY(), 10), from, to,
+                                            -pi / 2, pi / 2, 1e-7)
+                        .Shape());
   const RepairReport report = sewn(compoundOf(faces), matching(0.1));
   EXPECT_EQ(sewnSeams(report), 3) << whyNot(report);
   EXPECT_EQ(count(report.model.shape, TopAbs_VERTEX), 2);
@@ -276,8 +280,9 @@ TEST(Sew, HalvesOfASphereAndAQuarter) {
 
 TEST(Sew, ALongEdgeIsCut) {
   for (const double apart_mm : {0.0, 0.004}) {
-    const TopoDS_Shape shape = compoundOf({plate(0, 10, -10, 30), plate(10, 20, -10, 5 - apart_mm, 0.001),
-                                           plate(10, 20, 5, 21, 0.002), plate(10, 25, 21, 28)});
+    const TopoDS_Shape shape =
+        compoundOf({plate(0, 10, -10, 30), plate(10, 20, -10, 5 - apart_mm, 0.001),
+                    plate(10, 20, 5, 21, 0.002), plate(10, 25, 21, 28)});
     const RepairReport report = sewn(shape, matching(0.1));
     EXPECT_EQ(sewnSeams(report), 5) << whyNot(report);
     const TopTools_IndexedMapOfShape edges = partsOf(shape, TopAbs_EDGE);
@@ -307,7 +312,8 @@ TopoDS_Shape band(int pieces, int half_turns) {
   std::vector<TopoDS_Shape> faces;
   for (int k = 0; k < pieces; ++k)
     faces.push_back(
-        BRepBuilderAPI_MakeFace(bezier({{rung(k, -1), rung(k, 1)}, {rung(k + 1, -1), rung(k + 1, 1)}}), 1e-7)
+        BRepBuilderAPI_MakeFace(
+            bezier({{rung(k, -1), rung(k, 1)}, {rung(k + 1, -1), rung(k + 1, 1)}}), 1e-7)
             .Shape());
   return compoundOf(faces);
 }
@@ -317,7 +323,8 @@ TEST(Sew, ABandWithOneSideStaysOpen) {
     const RepairReport report = sewn(band(8, half_turns), matching(0.1));
     const bool one_sided = half_turns % 2 == 1;
     EXPECT_EQ(sewnSeams(report), one_sided ? 7 : 8) << half_turns << whyNot(report);
-    EXPECT_EQ(whyNot(report).find("one side only") != std::string::npos, one_sided) << whyNot(report);
+    EXPECT_EQ(whyNot(report).find("one side only") != std::string::npos, one_sided)
+        << whyNot(report);
   }
 }
 
@@ -355,7 +362,8 @@ TEST(Sew, MovedFirst) {
     ASSERT_EQ(report.seams.size(), 1);
     EXPECT_TRUE(report.seams[0].repaired) << report.seams[0].reason;
     EXPECT_TRUE(report.seams[0].sewn) << whyNot(report);
-    // Where the ends of both edges were apart along the seam, what is left of the longer one is an edge of its own.
+    // Where the ends of both edges were apart along the seam, what is left of the longer one is an
+    // edge of its own.
     EXPECT_LE(count(report.model.shape, TopAbs_EDGE), 9);
     EXPECT_LE(count(report.model.shape, TopAbs_VERTEX), 8);
     ASSERT_EQ(report.moves.size(), 1);
@@ -373,7 +381,8 @@ TEST(Sew, WhereEdgesPartTheReasonSaysSoFirst) {
     std::vector<std::vector<gp_Pnt>> rows(2);
     for (const int i : {0, 1})
       for (const int j : {0, 1})
-        rows[i].emplace_back((i == 0) == (x < 0) ? x : parted * j, 20.0 * j, (i == 0) == (x < 0) ? rise : 0);
+        rows[i].emplace_back((i == 0) == (x < 0) ? x : parted * j, 20.0 * j,
+                             (i == 0) == (x < 0) ? rise : 0);
     return BRepBuilderAPI_MakeFace(bezier(rows), 1e-7).Shape();
   };
   RepairOptions options = matching(0.05);
@@ -383,24 +392,26 @@ TEST(Sew, WhereEdgesPartTheReasonSaysSoFirst) {
   ASSERT_EQ(report.seams.size(), 1);
   const occ::SeamRepair& seam = report.seams[0];
   EXPECT_TRUE(seam.treated && !seam.repaired && !seam.sewn);
-  EXPECT_EQ(
-      seam.before.note,
-      "it ends where the edges are further apart than the distance to match, and the gap may go on growing");
+  EXPECT_EQ(seam.before.note,
+            "it ends where the edges are further apart than the distance to match, and the gap may "
+            "go on growing");
   EXPECT_EQ(seam.reason.find(seam.before.note + "; "), 0) << seam.reason;
   EXPECT_GT(seam.reason.size(), seam.before.note.size() + 2);
 }
 
 TEST(Sew, ShellsTakeTurns) {
   // Faces of two shells one after the other: those of a shell stand together afterwards.
-  const TopoDS_Shape shape = compoundOf({plate(0, 10, 0, 10), plate(0, 10, 0, 10, 50), plate(10, 20, 0, 10),
-                                         plate(10, 20, 0, 10, 50), plate(0, 10, 0, 10, 90)});
+  const TopoDS_Shape shape =
+      compoundOf({plate(0, 10, 0, 10), plate(0, 10, 0, 10, 50), plate(10, 20, 0, 10),
+                  plate(10, 20, 0, 10, 50), plate(0, 10, 0, 10, 90)});
   const RepairReport report = sewn(shape, matching(0.1));
   EXPECT_EQ(report.faces_now, (std::vector<int>{0, 1, 3, 2, 4, 5}));
   EXPECT_EQ(count(report.model.shape, TopAbs_SHELL), 2);
 }
 
 TEST(Sew, OnlyPickedEdges) {
-  const TopoDS_Shape shape = compoundOf({plate(0, 10, 0, 10), plate(10, 20, 0, 10), plate(20, 30, 0, 10)});
+  const TopoDS_Shape shape =
+      compoundOf({plate(0, 10, 0, 10), plate(10, 20, 0, 10), plate(20, 30, 0, 10)});
   const RepairReport all = sewn(shape, matching(0.1));
   ASSERT_EQ(sewnSeams(all), 2);
   RepairOptions options = matching(0.1);
@@ -414,8 +425,8 @@ TEST(Sew, OnlyPickedEdges) {
 TEST(Sew, ThreeFacesAtAnEdgeStayLoose) {
   gp_Trsf up;
   up.SetRotation(gp_Ax1(gp_Pnt(10, 0, 0), gp::DY()), -1);
-  const TopoDS_Shape shape =
-      compoundOf({plate(0, 10, 0, 10), plate(10, 20, 0, 10), transformed(plate(10, 20, 0, 10), up)});
+  const TopoDS_Shape shape = compoundOf(
+      {plate(0, 10, 0, 10), plate(10, 20, 0, 10), transformed(plate(10, 20, 0, 10), up)});
   const RepairReport report = sewn(shape, matching(0.1));
   EXPECT_FALSE(report.changed());
   EXPECT_TRUE(report.model.shape.IsEqual(shape));
@@ -428,7 +439,8 @@ TEST(Sew, InstancesStayLoose) {
   const TopoDS_Shape one = plate(0, 10, 0, 10);
   const RepairReport report = sewn(compoundOf({one, located(one, away)}), matching(0.1));
   EXPECT_FALSE(report.changed());
-  EXPECT_NE(whyNot(report).find("stands in the model 2 times"), std::string::npos) << whyNot(report);
+  EXPECT_NE(whyNot(report).find("stands in the model 2 times"), std::string::npos)
+      << whyNot(report);
 }
 
 TEST(Sew, NamesAndColoursStayWithTheirParts) {
@@ -462,8 +474,9 @@ TEST(Sew, NamesAndColoursStayWithTheirParts) {
 
 TEST(Sew, FacesOfOneSurfaceStayLoose) {
   const handle<Geom_Surface> surface = new Geom_CylindricalSurface(gp::XOY(), 10);
-  const TopoDS_Shape shape = compoundOf({BRepBuilderAPI_MakeFace(surface, 0, 1, 0, 10, 1e-7).Shape(),
-                                         BRepBuilderAPI_MakeFace(surface, 1, 2, 0, 10, 1e-7).Shape()});
+  const TopoDS_Shape shape =
+      compoundOf({BRepBuilderAPI_MakeFace(surface, 0, 1, 0, 10, 1e-7).Shape(),
+                  BRepBuilderAPI_MakeFace(surface, 1, 2, 0, 10, 1e-7).Shape()});
   const RepairReport report = sewn(shape, matching(0.1));
   EXPECT_FALSE(report.changed());
   EXPECT_NE(whyNot(report).find("face 1 and face 2 have one surface in common"), std::string::npos)
@@ -472,9 +485,10 @@ TEST(Sew, FacesOfOneSurfaceStayLoose) {
 
 TEST(Sew, ATubeMeetsItself) {
   const double cleft = 1e-5;
-  const TopoDS_Shape tube = compoundOf(
-      {BRepBuilderAPI_MakeFace(new Geom_CylindricalSurface(gp::XOY(), 10), 0, 2 * pi - cleft, 0, 30, 1e-7)
-           .Shape()});
+  const TopoDS_Shape tube =
+      compoundOf({BRepBuilderAPI_MakeFace(new Geom_CylindricalSurface(gp::XOY(), 10), 0,
+                                          2 * pi - cleft, 0, 30, 1e-7)
+                      .Shape()});
   const RepairReport report = sewn(tube, matching(0.1));
   ASSERT_EQ(sewnSeams(report), 1) << whyNot(report);
   EXPECT_EQ(report.seams[0].after.kind, occ::SeamKind::Closed);
@@ -512,7 +526,8 @@ TEST_P(SewFiles, AsTheirMakersDid) {
   if (!std::filesystem::exists(path)) GTEST_SKIP() << path;
   const occ::Model model = occ::readModel(path);
   RepairOptions options = matching(GetParam().match_mm);
-  for (int f = 1; f <= model.faceCount() && !GetParam().may_move; ++f) options.fixed_faces.push_back(f);
+  for (int f = 1; f <= model.faceCount() && !GetParam().may_move; ++f)
+    options.fixed_faces.push_back(f);
   const RepairReport report = repair(model, options);
   EXPECT_EQ(report.model.edgeCount(), GetParam().edges);
   EXPECT_EQ(sewnSeams(report), GetParam().sewn) << whyNot(report);

@@ -35,7 +35,8 @@ std::vector<Seam> seamsOf(const std::vector<Plate>& plates) {
   TopoDS_Compound compound;
   builder.MakeCompound(compound);
   for (const Plate& p : plates)
-    builder.Add(compound, BRepBuilderAPI_MakeFace(gp_Pln(gp::XOY()), p.x0, p.x1, p.y0, p.y1).Shape());
+    builder.Add(compound,
+                BRepBuilderAPI_MakeFace(gp_Pln(gp::XOY()), p.x0, p.x1, p.y0, p.y1).Shape());
   occ::SeamGraph graph = occ::findSeams(compound);
   occ::matchFreeEdges({.match_mm = 0.1, .gap_mm = gap_mm}, graph, {});
   std::vector<Seam> seams;
@@ -92,7 +93,8 @@ TEST(Intervals, ALongEdgeIsCutWhereItsNeighboursEnd) {
 
 TEST(Intervals, EndsWithinTheGapAreOne) {
   // One ends 0.008 mm before the next begins, and the last 0.008 mm before the edge does.
-  const std::vector<Seam> seams = seamsOf({{0, 10, -10, 30}, {10, 20, -10, 4.992}, {10, 20, 5, 29.992}});
+  const std::vector<Seam> seams =
+      seamsOf({{0, 10, -10, 30}, {10, 20, -10, 4.992}, {10, 20, 5, 29.992}});
   EXPECT_EQ(cutsOf(cutUp(seams)).size(), 3);
   EXPECT_THAT(cutUp(seams).refused, IsEmpty());
   EXPECT_EQ(cutsOf(cutUp(seams, 0.005)).size(), 5);
@@ -124,7 +126,8 @@ TEST(Intervals, WhatOverlapsIsRefused) {
   twice.edges[1] = 99;
   const SewnIntervals same = cutUp({seams[0], twice});
   EXPECT_EQ(same.refused.count(0), 0);
-  EXPECT_EQ(same.refused.at(1), "edge " + std::to_string(edge) + " lies along another edge there too");
+  EXPECT_EQ(same.refused.at(1),
+            "edge " + std::to_string(edge) + " lies along another edge there too");
 }
 
 }  // namespace

@@ -56,8 +56,8 @@ TopoDS_Vertex vertexAt(const gp_Pnt& point) {
   return vertex;
 }
 
-TopoDS_Edge edgeOn(const TopoDS_Face& face, const gp_Pnt2d& p, const gp_Pnt2d& q, const TopoDS_Vertex& first,
-                   const TopoDS_Vertex& last) {
+TopoDS_Edge edgeOn(const TopoDS_Face& face, const gp_Pnt2d& p, const gp_Pnt2d& q,
+                   const TopoDS_Vertex& first, const TopoDS_Vertex& last) {
   BRep_Builder builder;
   TopoDS_Edge edge;
   builder.MakeEdge(edge);
@@ -70,8 +70,8 @@ TopoDS_Edge edgeOn(const TopoDS_Face& face, const gp_Pnt2d& p, const gp_Pnt2d& q
 }
 
 /// Adds a wire of the given first edge (as oriented) and new edges along the other sides.
-void close(TopoDS_Face& face, const Polygon& polygon, const TopoDS_Edge& first_edge, TopoDS_Vertex from,
-           const TopoDS_Vertex& to) {
+void close(TopoDS_Face& face, const Polygon& polygon, const TopoDS_Edge& first_edge,
+           TopoDS_Vertex from, const TopoDS_Vertex& to) {
   BRep_Builder builder;
   TopoDS_Wire wire;
   builder.MakeWire(wire);
@@ -103,7 +103,8 @@ std::vector<gp_Pnt2d> rectangle(double u0, double u1, double v0, double v1) {
 }
 
 std::vector<gp_Pnt2d> beginningWith(std::size_t corner, std::vector<gp_Pnt2d> corners) {
-  std::rotate(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(corner), corners.end());
+  std::rotate(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(corner),
+              corners.end());
   return corners;
 }
 
@@ -114,10 +115,11 @@ TopoDS_Shape joined(const Polygon& a, const Polygon& b) {
   builder.MakeFace(face_b, b.surface, 1e-7);
   const TopoDS_Vertex start = vertexAt(pointOf(a, 0)), end = vertexAt(pointOf(a, 1));
   const TopoDS_Edge edge = edgeOn(face_a, a.corners[0], a.corners[1], start, end);
-  const bool same_way = pointOf(a, 0).Distance(pointOf(b, 0)) < pointOf(a, 0).Distance(pointOf(b, 1));
-  builder.UpdateEdge(edge,
-                     same_way ? straight(b.corners[0], b.corners[1]) : straight(b.corners[1], b.corners[0]),
-                     face_b, BRep_Tool::Tolerance(edge));
+  const bool same_way =
+      pointOf(a, 0).Distance(pointOf(b, 0)) < pointOf(a, 0).Distance(pointOf(b, 1));
+  builder.UpdateEdge(
+      edge, same_way ? straight(b.corners[0], b.corners[1]) : straight(b.corners[1], b.corners[0]),
+      face_b, BRep_Tool::Tolerance(edge));
   close(face_a, a, edge, end, start);
   if (same_way)
     close(face_b, b, edge, end, start);
@@ -131,7 +133,8 @@ TopoDS_Shape joined(const Polygon& a, const Polygon& b) {
 }
 
 TopoDS_Shape planeAndCylinder(double r, double length) {
-  // The plane z = 0 for x <= 0; the cylinder about the line x = 0, z = -r rolls away from it for x >= 0.
+  // The plane z = 0 for x <= 0; the cylinder about the line x = 0, z = -r rolls away from it for x
+  // >= 0.
   const opencascade::handle<Geom_Surface> plane = new Geom_Plane(gp::XOY());
   const gp_Ax3 axis(gp_Pnt(0, 0, -r), gp::DY(), gp::DZ());
   const opencascade::handle<Geom_Surface> cylinder = new Geom_CylindricalSurface(axis, r);
@@ -141,14 +144,16 @@ TopoDS_Shape planeAndCylinder(double r, double length) {
 }
 
 TopoDS_Shape crossedCylinders(double r) {
-  // x^2 + (z + r)^2 = r^2 and y^2 + (z + r)^2 = r^2 touch in the origin and share the ellipse above x = y: with
-  // x = y = r sin(phi) the path is (phi, r sin(phi)), here (phi, r phi) with an error of r phi^3 / 6.
+  // x^2 + (z + r)^2 = r^2 and y^2 + (z + r)^2 = r^2 touch in the origin and share the ellipse above
+  // x = y: with x = y = r sin(phi) the path is (phi, r sin(phi)), here (phi, r phi) with an error
+  // of r phi^3 / 6.
   const gp_Ax3 along_y(gp_Pnt(0, 0, -r), gp::DY(), gp::DZ());   // u runs towards +x
   const gp_Ax3 along_x(gp_Pnt(0, 0, -r), -gp::DX(), gp::DZ());  // u runs towards +y, v towards -x
   const opencascade::handle<Geom_Surface> a = new Geom_CylindricalSurface(along_y, r);
   const opencascade::handle<Geom_Surface> b = new Geom_CylindricalSurface(along_x, r);
   const double h = 6e-4;
-  return joined({a, {{-h, -r * h}, {h, r * h}, {-h, r * h}}}, {b, {{h, -r * h}, {-h, r * h}, {-h, -r * h}}});
+  return joined({a, {{-h, -r * h}, {h, r * h}, {-h, r * h}}},
+                {b, {{h, -r * h}, {-h, r * h}, {-h, -r * h}}});
 }
 
 TopoDS_Shape sphereAndTorus(double r, double tube) {
@@ -164,7 +169,8 @@ TopoDS_Shape sphereAndTorus(double r, double tube) {
 
 TopoDS_Shape foldedPlanes() {
   const opencascade::handle<Geom_Surface> below = new Geom_Plane(gp::XOY());
-  const opencascade::handle<Geom_Surface> above = new Geom_Plane(gp_Ax3(gp::Origin(), -gp::DZ(), -gp::DX()));
+  const opencascade::handle<Geom_Surface> above =
+      new Geom_Plane(gp_Ax3(gp::Origin(), -gp::DZ(), -gp::DX()));
   // Both lie over x <= 0 and share the line x = 0.
   return joined({below, beginningWith(1, rectangle(-5, 0, 0, 7))},
                 {above, beginningWith(3, rectangle(0, 5, 0, 7))});
@@ -203,7 +209,8 @@ occ::Report analyzed(const TopoDS_Shape& shape, const occ::AnalyzeOptions& optio
   return occ::analyze(occ::modelFromShape(shape), options);
 }
 
-void expectEncloses(const std::optional<Figure>& figure, double value, double tolerance, double noise) {
+void expectEncloses(const std::optional<Figure>& figure, double value, double tolerance,
+                    double noise) {
   ASSERT_TRUE(figure && figure->upper);
   EXPECT_LE(figure->lower, value + noise);
   EXPECT_GE(*figure->upper, value - noise);
@@ -234,9 +241,10 @@ double relativeCurvature(const occ::SeamResult& seam) {
 std::string describe(const occ::SeamResult& seam) {
   std::ostringstream text;
   text << "seam " << seam.id << " edge " << seam.edges.at(0) << " faces " << seam.faces[0] << '-'
-       << seam.faces[1] << " gap " << (seam.figures.gap_mm ? seam.figures.gap_mm->lower : -1) << " angle "
-       << angleDeg(seam) << " deg curvature " << curvature(seam) << " rel " << relativeCurvature(seam) << ' '
-       << name(seam.verdict.level) << ' ' << name(seam.verdict.seam_class) << " '" << seam.note << "'";
+       << seam.faces[1] << " gap " << (seam.figures.gap_mm ? seam.figures.gap_mm->lower : -1)
+       << " angle " << angleDeg(seam) << " deg curvature " << curvature(seam) << " rel "
+       << relativeCurvature(seam) << ' ' << name(seam.verdict.level) << ' '
+       << name(seam.verdict.seam_class) << " '" << seam.note << "'";
   return text.str();
 }
 

@@ -34,13 +34,15 @@ std::vector<gp_Pnt2d> rectangle(double u0, double u1, double v0, double v1);
 /// The same corners beginning with another of them, so that another side comes first.
 std::vector<gp_Pnt2d> beginningWith(std::size_t corner, std::vector<gp_Pnt2d> corners);
 
-/// Two faces that share an edge: the first side of both polygons. Both paths are linear in the edge's parameter.
+/// Two faces that share an edge: the first side of both polygons. Both paths are linear in the
+/// edge's parameter.
 TopoDS_Shape joined(const Polygon& a, const Polygon& b);
 
-/// A plane piece and a quarter of a cylinder of radius r that are tangent along a line of that length.
+/// A plane piece and a quarter of a cylinder of radius r that are tangent along a line of that
+/// length.
 TopoDS_Shape planeAndCylinder(double r, double length);
-/// Two cylinders of radius r whose axes cross at 90 degrees, meeting along so short a piece of their common ellipse
-/// about the point of contact that the angle stays below 0.05 degrees.
+/// Two cylinders of radius r whose axes cross at 90 degrees, meeting along so short a piece of
+/// their common ellipse about the point of contact that the angle stays below 0.05 degrees.
 TopoDS_Shape crossedCylinders(double r);
 /// A sphere of radius r and a torus of tube radius \p tube < r, tangent along a circle.
 TopoDS_Shape sphereAndTorus(double r, double tube);
@@ -58,9 +60,11 @@ TopoDS_Shape facesSwappedAndReversed(const TopoDS_Shape& shape);
 occ::Report analyzed(const TopoDS_Shape& shape, const occ::AnalyzeOptions& options = {});
 std::string describe(const occ::SeamResult& seam);
 
-/// The figure encloses the value to what is asked for: it has an upper bound, holds the value but for \p noise,
-/// and reaches no further than max(1 % of it, a hundredth of the tolerance) below it and above it.
-void expectEncloses(const std::optional<Figure>& figure, double value, double tolerance, double noise = 0);
+/// The figure encloses the value to what is asked for: it has an upper bound, holds the value but
+/// for \p noise, and reaches no further than max(1 % of it, a hundredth of the tolerance) below it
+/// and above it.
+void expectEncloses(const std::optional<Figure>& figure, double value, double tolerance,
+                    double noise = 0);
 
 /// Infinite where it has none.
 double upper(const std::optional<Figure>& figure);

@@ -32,7 +32,8 @@ Eigen::RowVector3d row(const gp_XYZ& v) {
   return {v.X(), v.Y(), v.Z()};
 }
 
-BSplineCurve randomCurve(int degree, int multiplicity, int spans, bool rational, std::mt19937_64& random) {
+BSplineCurve randomCurve(int degree, int multiplicity, int spans, bool rational,
+                         std::mt19937_64& random) {
   BSplineCurve curve{degree, std::vector<double>(degree + 1, drawn(random, -3, 3)), {}};
   for (int i = 0; i < spans; ++i)
     curve.knots.insert(curve.knots.end(), i + 1 < spans ? multiplicity : degree + 1,
@@ -40,7 +41,8 @@ BSplineCurve randomCurve(int degree, int multiplicity, int spans, bool rational,
   curve.poles.resize(curve.count(), 4);
   for (int i = 0; i < curve.count(); ++i) {
     const double w = rational ? drawn(random, 0.4, 2.5) : 1;
-    curve.poles.row(i) << w * drawn(random, -9, 9), w * drawn(random, -9, 9), w * drawn(random, -9, 9), w;
+    curve.poles.row(i) << w * drawn(random, -9, 9), w * drawn(random, -9, 9),
+        w * drawn(random, -9, 9), w;
   }
   return curve;
 }
@@ -71,7 +73,8 @@ TEST(SplineCurve, PolynomialsComeBackBitByBit) {
     const handle<Geom_BSplineCurve> theirs = toBSplineCurve(curve);
     EXPECT_FALSE(theirs->IsRational());
     EXPECT_EQ(coreCurve(*theirs), curve);
-    if (degree < 8) expectSameCurve(*theirs, curve, curve.knots.front(), curve.knots.back(), random, 1e-12);
+    if (degree < 8)
+      expectSameCurve(*theirs, curve, curve.knots.front(), curve.knots.back(), random, 1e-12);
   }
 }
 
@@ -98,8 +101,9 @@ TEST(SplineCurve, BezierCurvesBothWays) {
     EXPECT_EQ(coreCurve(*toBezierCurve(bezier)), splineCurve(bezier));
     EXPECT_EQ(bezierCurve(*toBSplineCurve(curve)), bezier);
   }
-  EXPECT_THAT([&] { coreCurve(Geom_Line(gp::OX())); },
-              ThrowsMessage<std::domain_error>(HasSubstr("Geom_Line is no Bezier or B-spline curve")));
+  EXPECT_THAT(
+      [&] { coreCurve(Geom_Line(gp::OX())); },
+      ThrowsMessage<std::domain_error>(HasSubstr("Geom_Line is no Bezier or B-spline curve")));
 }
 
 G2Polygon star(int vertices) {
@@ -134,7 +138,8 @@ TEST(SplineCurve, MultiplicitiesAreAsLowAsTheSplineAllows) {
     EXPECT_LT((row(smooth->Pole(i).XYZ()) - direct.vertices.row(i - 1)).norm(), 1e-13);
 }
 
-/// A closed gamma-spline is C1 at its seam too, one with gamma = 1 is C2; a direct G2 spline in general is not.
+/// A closed gamma-spline is C1 at its seam too, one with gamma = 1 is C2; a direct G2 spline in
+/// general is not.
 TEST(SplineCurve, Periodic) {
   std::mt19937_64 random(95);
   for (int i = 0; i < 200; ++i) {
@@ -161,8 +166,9 @@ TEST(SplineCurve, Periodic) {
   }
   const BezierSpline direct = directG2Spline(star(7));
   EXPECT_FALSE(toBSplineCurve(direct)->IsPeriodic());
-  EXPECT_THAT([&] { toBSplineCurve(direct, true); },
-              ThrowsMessage<std::invalid_argument>(HasSubstr("is C1 at its knots and C0 at its seam")));
+  EXPECT_THAT(
+      [&] { toBSplineCurve(direct, true); },
+      ThrowsMessage<std::invalid_argument>(HasSubstr("is C1 at its knots and C0 at its seam")));
   BezierSpline open = direct;
   open.closed = false;
   EXPECT_THAT([&] { toBSplineCurve(open, true); },
@@ -173,8 +179,8 @@ TEST(SplineCurve, RationalPeriodic) {
   std::mt19937_64 random(96);
   const double c = std::sqrt(0.5);
   BezierSpline circle{2, {0, 1, 2, 3, 4}, HomogeneousPoles(9, 4), true};
-  circle.poles << 1, 0, 0, 1, c, c, 0, c, 0, 1, 0, 1, -c, c, 0, c, -1, 0, 0, 1, -c, -c, 0, c, 0, -1, 0, 1, c,
-      -c, 0, c, 1, 0, 0, 1;
+  circle.poles << 1, 0, 0, 1, c, c, 0, c, 0, 1, 0, 1, -c, c, 0, c, -1, 0, 0, 1, -c, -c, 0, c, 0, -1,
+      0, 1, c, -c, 0, c, 1, 0, 0, 1;
   const handle<Geom_BSplineCurve> theirs = toBSplineCurve(circle, true);
   EXPECT_TRUE(theirs->IsPeriodic() && theirs->IsRational());
   EXPECT_EQ(theirs->NbPoles(), 8);
@@ -189,7 +195,8 @@ TEST(SplineCurve, TrimmedCurvesGiveTheirRange) {
     const double range = curve.knots.back() - curve.knots.front();
     const double first = curve.knots.front() + drawn(random, 0.05, 0.4) * range,
                  last = curve.knots.front() + drawn(random, 0.6, 0.95) * range;
-    const handle<Geom_TrimmedCurve> trimmed = new Geom_TrimmedCurve(toBSplineCurve(curve), first, last);
+    const handle<Geom_TrimmedCurve> trimmed =
+        new Geom_TrimmedCurve(toBSplineCurve(curve), first, last);
     const BSplineCurve back = coreCurve(*trimmed);
     EXPECT_EQ(back.knots.front(), first);
     EXPECT_EQ(back.knots.back(), last);
@@ -202,7 +209,8 @@ TEST(SplineCurve, TrimmedCurvesGiveTheirRange) {
 
 TEST(SplineCurve, TrimmedAcrossTheSeamOfAPeriodicCurve) {
   std::mt19937_64 random(98);
-  const BezierSpline spline = gammaSpline({star(5).vertices, true, {1, 2, 1, 1.5, 1}, {1, 2, 0.5, 1, 1}});
+  const BezierSpline spline =
+      gammaSpline({star(5).vertices, true, {1, 2, 1, 1.5, 1}, {1, 2, 0.5, 1, 1}});
   const handle<Geom_BSplineCurve> periodic = toBSplineCurve(spline, true);
   const handle<Geom_TrimmedCurve> part = new Geom_TrimmedCurve(periodic, 4.5, 8.25);
   const BSplineCurve ours = coreCurve(*part);
@@ -212,7 +220,8 @@ TEST(SplineCurve, TrimmedAcrossTheSeamOfAPeriodicCurve) {
 TEST(SplineCurve, UnclampedCurves) {
   std::mt19937_64 random(99);
   TColgp_Array1OfPnt poles(1, 6);
-  for (gp_Pnt& pole : poles) pole = gp_Pnt(drawn(random, -5, 5), drawn(random, -5, 5), drawn(random, -5, 5));
+  for (gp_Pnt& pole : poles)
+    pole = gp_Pnt(drawn(random, -5, 5), drawn(random, -5, 5), drawn(random, -5, 5));
   TColStd_Array1OfReal knots(1, 10);
   TColStd_Array1OfInteger multiplicities(1, 10);
   multiplicities.Init(1);
@@ -220,10 +229,12 @@ TEST(SplineCurve, UnclampedCurves) {
   const handle<Geom_BSplineCurve> uniform = new Geom_BSplineCurve(poles, knots, multiplicities, 3);
   const BSplineCurve ours = coreCurve(*uniform);
   EXPECT_EQ(ours.count(), 6);
-  expectSameCurve(*uniform, ours, uniform->FirstParameter(), uniform->LastParameter(), random, 1e-12);
+  expectSameCurve(*uniform, ours, uniform->FirstParameter(), uniform->LastParameter(), random,
+                  1e-12);
 }
 
-/// Fewer spans than the degree, and spacings down to 2^-34: the same poles bit by bit, and those of a round trip.
+/// Fewer spans than the degree, and spacings down to 2^-34: the same poles bit by bit, and those of
+/// a round trip.
 TEST(SplineCurve, PeriodicCurvesOfFewAndShortSpans) {
   std::mt19937_64 random(100);
   for (int i = 0; i < 60; ++i) {
@@ -237,15 +248,17 @@ TEST(SplineCurve, PeriodicCurvesOfFewAndShortSpans) {
     HomogeneousPoles found;
     for (const double spacing : {1.0, 0x1p-30, 0x1p-34}) {
       for (int k = 0; k <= spans; ++k) knots(k + 1) = k * spacing;
-      const BSplineCurve ours = coreCurve(Geom_BSplineCurve(poles, knots, multiplicities, degree, true));
+      const BSplineCurve ours =
+          coreCurve(Geom_BSplineCurve(poles, knots, multiplicities, degree, true));
       EXPECT_EQ(ours.knots.back(), spans * spacing);
       if (spacing == 1) found = ours.poles;
       EXPECT_EQ(ours.poles, found) << spacing;
     }
   }
   for (const int count : {3, 4}) {
-    const BezierSpline spline = gammaSpline(
-        {star(count).vertices, true, std::vector<double>(count, 1.0), std::vector<double>(count, 0.5)});
+    const BezierSpline spline =
+        gammaSpline({star(count).vertices, true, std::vector<double>(count, 1.0),
+                     std::vector<double>(count, 0.5)});
     const handle<Geom_BSplineCurve> theirs = toBSplineCurve(spline, true);
     EXPECT_LT((bezierSpline(coreCurve(*theirs)).poles - spline.poles).cwiseAbs().maxCoeff(), 1e-14);
   }
@@ -257,7 +270,8 @@ TEST(SplineCurve, TrimmedToLessThanOpenCascadesConfusion) {
   const handle<Geom_BSplineCurve> whole = toBSplineCurve(curve);
   const double middle = curve.knots[5];
   for (const double half : {1e-9, 1e-10}) {
-    const handle<Geom_TrimmedCurve> part = new Geom_TrimmedCurve(whole, middle - half, middle + half);
+    const handle<Geom_TrimmedCurve> part =
+        new Geom_TrimmedCurve(whole, middle - half, middle + half);
     const BSplineCurve ours = coreCurve(*part);
     EXPECT_EQ(ours.knots.front(), middle - half);
     EXPECT_EQ(ours.knots.back(), middle + half);
@@ -267,7 +281,8 @@ TEST(SplineCurve, TrimmedToLessThanOpenCascadesConfusion) {
 }
 
 TEST(SplineCurve, EqualWeightsComeBackAsOne) {
-  BSplineCurve curve{1, {0, 0, 1, 1}, (HomogeneousPoles(2, 4) << 1, 2, 4, 1, 4, 5, 6, 1).finished()};
+  BSplineCurve curve{
+      1, {0, 0, 1, 1}, (HomogeneousPoles(2, 4) << 1, 2, 4, 1, 4, 5, 6, 1).finished()};
   const BSplineCurve one = curve;
   curve.poles *= 4;
   EXPECT_EQ(coreCurve(*toBSplineCurve(curve)), one);

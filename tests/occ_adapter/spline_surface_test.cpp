@@ -70,9 +70,10 @@ Spline clamped(std::mt19937& generator, bool rational) {
   const RandomKnots u = knots(generator, 5, 4), v = knots(generator, 4, 3);
   const TColgp_Array2OfPnt poles = randomPoles(generator, 7, 5);
   if (!rational)
-    return new Geom_BSplineSurface(poles, u.values, v.values, u.multiplicities, v.multiplicities, 3, 2);
-  return new Geom_BSplineSurface(poles, randomWeights(generator, 7, 5), u.values, v.values, u.multiplicities,
-                                 v.multiplicities, 3, 2);
+    return new Geom_BSplineSurface(poles, u.values, v.values, u.multiplicities, v.multiplicities, 3,
+                                   2);
+  return new Geom_BSplineSurface(poles, randomWeights(generator, 7, 5), u.values, v.values,
+                                 u.multiplicities, v.multiplicities, 3, 2);
 }
 
 Spline unclamped(std::mt19937& generator) {
@@ -83,8 +84,9 @@ Spline unclamped(std::mt19937& generator) {
 
 Spline periodic(std::mt19937& generator) {
   const RandomKnots u = knots(generator, 8, 1), v = knots(generator, 4, 3);
-  return new Geom_BSplineSurface(randomPoles(generator, 7, 5), randomWeights(generator, 7, 5), u.values,
-                                 v.values, u.multiplicities, v.multiplicities, 3, 2, true, false);
+  return new Geom_BSplineSurface(randomPoles(generator, 7, 5), randomWeights(generator, 7, 5),
+                                 u.values, v.values, u.multiplicities, v.multiplicities, 3, 2, true,
+                                 false);
 }
 
 handle<Geom_Surface> bezier(std::mt19937& generator) {
@@ -92,8 +94,8 @@ handle<Geom_Surface> bezier(std::mt19937& generator) {
 }
 
 /// Points of the numbers and of OpenCASCADE's surface agree, first partials too.
-void expectSame(const BSplineSurface& core, const handle<Geom_Surface>& surface, const gp_Trsf& placed,
-                std::mt19937& generator) {
+void expectSame(const BSplineSurface& core, const handle<Geom_Surface>& surface,
+                const gp_Trsf& placed, std::mt19937& generator) {
   double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
   surface->Bounds(u0, u1, v0, v1);
   EXPECT_NEAR(core.knots_u.front(), u0, 1e-14);
@@ -123,9 +125,9 @@ TEST(SplineSurface, SurfacesOfAllSplineKindsComeAcross) {
   gp_Trsf mirror, scale;
   mirror.SetMirror(gp_Ax2(gp_Pnt(3, 4, 5), gp_Dir(1, 2, 3)));
   scale.SetScale(gp_Pnt(1, 2, 3), 0.25);
-  const std::vector<handle<Geom_Surface>> surfaces = {clamped(generator, false), clamped(generator, true),
-                                                      unclamped(generator), periodic(generator),
-                                                      bezier(generator)};
+  const std::vector<handle<Geom_Surface>> surfaces = {
+      clamped(generator, false), clamped(generator, true), unclamped(generator),
+      periodic(generator), bezier(generator)};
   for (const handle<Geom_Surface>& surface : surfaces)
     for (const gp_Trsf& by : {gp_Trsf(), randomMotion(generator), mirror, scale}) {
       const Spline spline = clampedSpline(surface, TopLoc_Location(by));
@@ -160,8 +162,8 @@ TEST(SplineSurface, NumbersGoThereAndBack) {
 
 TEST(SplineSurface, WhatIsNoSplineOrCannotBeSaysSo) {
   EXPECT_TRUE(clampedSpline(new Geom_CylindricalSurface(gp::XOY(), 3)).IsNull());
-  EXPECT_TRUE(clampedSpline(new Geom_RectangularTrimmedSurface(new Geom_ToroidalSurface(gp::XOY(), 5, 1), 0.0,
-                                                               1.0, 0.0, 1.0))
+  EXPECT_TRUE(clampedSpline(new Geom_RectangularTrimmedSurface(
+                                new Geom_ToroidalSurface(gp::XOY(), 5, 1), 0.0, 1.0, 0.0, 1.0))
                   .IsNull());
   std::mt19937 generator(4);
   EXPECT_THROW(coreSurface(*unclamped(generator)), std::invalid_argument);
@@ -211,7 +213,8 @@ TEST(SplineSurface, RowsRunAlongTheEdgeAndCountFromIt) {
       EXPECT_EQ(rows.parameters(0.3)[along_v ? 0 : 1], side);
       // The numbers of poles are those of core.
       const BSplineSurface core = coreSurface(*copy);
-      const Eigen::Vector4d homogeneous = core.poles.row(static_cast<int>(rows.number(1, 2))).transpose();
+      const Eigen::Vector4d homogeneous =
+          core.poles.row(static_cast<int>(rows.number(1, 2))).transpose();
       EXPECT_LT((homogeneous.head<3>() / homogeneous[3] - rows.pole(1, 2)).norm(), 1e-12);
       EXPECT_EQ(homogeneous[3], rows.weight(1, 2));
       // The edge as a curve.
@@ -227,7 +230,9 @@ TEST(SplineSurface, RowsRunAlongTheEdgeAndCountFromIt) {
       rows.refineAcross(12);
       EXPECT_GE(rows.rows(), 12);
       const std::vector<double> knots_along = rows.knotsAlong();
-      EXPECT_EQ(std::ranges::count_if(knots_along, [](double t) { return std::abs(t - 0.37) < 1e-12; }), 2);
+      EXPECT_EQ(
+          std::ranges::count_if(knots_along, [](double t) { return std::abs(t - 0.37) < 1e-12; }),
+          2);
       EXPECT_LT(distance(*spline, *copy), 1e-11);
       const Eigen::Vector3d moved = rows.pole(1, 1) + Eigen::Vector3d(1, 2, 3);
       rows.setPole(1, 1, moved);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// One step of many points by least squares, against an orthogonal factorisation of the same conditions.
+// One step of many points by least squares, against an orthogonal factorisation of the same
+// conditions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +20,8 @@ using occ::StepSystem;
 
 /// The system and what is asked of it, row by row.
 struct Both {
-  Both(int points, const std::vector<std::vector<int>>& cells) : step(points, cells), dense(points) {}
+  Both(int points, const std::vector<std::vector<int>>& cells)
+      : step(points, cells), dense(points) {}
 
   StepSystem step;
   DenseRows dense;
@@ -43,17 +45,20 @@ Eigen::Vector3d randomVector(std::mt19937& generator) {
 }
 
 Eigen::VectorXd randomFactors(std::mt19937& generator, std::size_t count) {
-  return Eigen::VectorXd::NullaryExpr(static_cast<Eigen::Index>(count), [&] { return random(generator, 1); });
+  return Eigen::VectorXd::NullaryExpr(static_cast<Eigen::Index>(count),
+                                      [&] { return random(generator, 1); });
 }
 
 /// rows^T rows as an energy, and each row as a condition in each coordinate.
 void addEnergy(std::mt19937& generator, int cell, Both& both) {
   const std::vector<int>& points = both.step.cell(cell);
   const auto size = static_cast<Eigen::Index>(points.size());
-  const Eigen::MatrixXd rows = Eigen::MatrixXd::NullaryExpr(2, size, [&] { return random(generator, 1); });
+  const Eigen::MatrixXd rows =
+      Eigen::MatrixXd::NullaryExpr(2, size, [&] { return random(generator, 1); });
   const PointRows at = PointRows::NullaryExpr(size, 3, [&] { return random(generator, 1); });
   both.step.addEnergy(cell, rows.transpose() * rows, rows.transpose() * rows * at);
-  for (int r = 0; r < 2; ++r) both.dense.addPoint(points, rows.row(r), -(rows.row(r) * at).transpose());
+  for (int r = 0; r < 2; ++r)
+    both.dense.addPoint(points, rows.row(r), -(rows.row(r) * at).transpose());
 }
 
 void addAny(std::mt19937& generator, int cell, Both& both) {
@@ -80,7 +85,8 @@ void addAny(std::mt19937& generator, int cell, Both& both) {
 void addDamping(std::mt19937& generator, int point, double factor, Both& both) {
   const Eigen::Vector3d at = randomVector(generator);
   both.step.addDamping(point, factor, at);
-  both.dense.addPoint({point}, Eigen::RowVectorXd::Constant(1, std::sqrt(factor)), -std::sqrt(factor) * at);
+  both.dense.addPoint({point}, Eigen::RowVectorXd::Constant(1, std::sqrt(factor)),
+                      -std::sqrt(factor) * at);
 }
 
 Eigen::VectorXd flat(const PointRows& rows) {
@@ -121,7 +127,8 @@ TEST(StepSystem, ConditionsMayBeOthersForEachSolution) {
   }
 }
 
-/// Points that stand in no condition, and conditions that say the same: a step of least squares there is, though not one alone.
+/// Points that stand in no condition, and conditions that say the same: a step of least squares
+/// there is, though not one alone.
 TEST(StepSystem, WhereStepsAreNotUniqueTheSumOfSquaresIsLeast) {
   std::mt19937 generator(20813);
   for (int trial = 0; trial < 30; ++trial) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// TimeLimit: work goes on while there is time, and a request to stop is told from a time that is over.
+// TimeLimit: work goes on while there is time, and a request to stop is told from a time that is
+// over.
 #include <gtest/gtest.h>
 
 #include <chrono>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Lengths are in mm whatever the unit of the file; a unit that is not understood is an error and no guess.
+// Lengths are in mm whatever the unit of the file; a unit that is not understood is an error and no
+// guess.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,8 +25,9 @@ std::multiset<long> edgeLengths(const occ::Model& model) {
 }
 
 const std::multiset<long>& boxLengths() {
-  static const std::multiset<long> lengths = {10000000, 10000000, 10000000, 10000000, 20000000, 20000000,
-                                              20000000, 20000000, 30000000, 30000000, 30000000, 30000000};
+  static const std::multiset<long> lengths = {10000000, 10000000, 10000000, 10000000,
+                                              20000000, 20000000, 20000000, 20000000,
+                                              30000000, 30000000, 30000000, 30000000};
   return lengths;
 }
 
@@ -65,7 +67,8 @@ TEST(Units, CubesOfOtherPrograms) {
   const auto inch = furtherModel("small/cube-units_cube-in.step"),
              metre = furtherModel("small/cube-units_cube-m.step");
   if (inch.empty() || metre.empty()) GTEST_SKIP() << "the models are not there";
-  const std::multiset<long> a = edgeLengths(occ::readModel(inch)), b = edgeLengths(occ::readModel(metre));
+  const std::multiset<long> a = edgeLengths(occ::readModel(inch)),
+                            b = edgeLengths(occ::readModel(metre));
   EXPECT_EQ(a.size(), 12u);
   EXPECT_EQ(std::set<long>(a.begin(), a.end()).size(), 1u);
   EXPECT_EQ(std::set<long>(b.begin(), b.end()).size(), 1u);
@@ -79,7 +82,8 @@ std::string withUnit(const Folder& folder, const std::string& unit) {
 
 TEST(Units, StepUnitsThatAreNotUnderstood) {
   const Folder folder;
-  for (const char* unit : {"SI_UNIT($,.GRAM.)", "SI_UNIT(.MILLI.,.SECOND.)", "SI_UNIT(.MILLI.,.FURLONG.)"}) {
+  for (const char* unit :
+       {"SI_UNIT($,.GRAM.)", "SI_UNIT(.MILLI.,.SECOND.)", "SI_UNIT(.MILLI.,.FURLONG.)"}) {
     setContent(folder / "odd.step", withUnit(folder, unit));
     const occ::ModelError error = errorOf(folder / "odd.step");
     EXPECT_EQ(error.code(), ModelErrc::UnknownUnits) << unit << ": " << error.what();
@@ -101,13 +105,15 @@ TEST(Units, StepWithoutALengthUnit) {
 TEST(Units, AUnitThatNobodyUsesIsNoUnitOfTheModel) {
   const Folder folder;
   std::string text = withUnit(folder, "SI_UNIT($,.GRAM.)");
-  text = replaced(text, "ENDSEC;\nEND-ISO",
-                  "#99999 = ( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.) );\nENDSEC;\nEND-ISO");
+  text = replaced(
+      text, "ENDSEC;\nEND-ISO",
+      "#99999 = ( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.) );\nENDSEC;\nEND-ISO");
   setContent(folder / "stray.step", text);
   EXPECT_EQ(errorOf(folder / "stray.step").code(), ModelErrc::UnknownUnits);
 }
 
-/// The global section with unit flag \p flag and name \p name, lines and the T record left as they are in length.
+/// The global section with unit flag \p flag and name \p name, lines and the T record left as they
+/// are in length.
 std::string igesWithUnit(const std::string& text, const std::string& flag_and_name) {
   // OpenCASCADE writes ",2,2HMM," for millimetres; the replacement is padded to the same length.
   const std::string old = ",2,2HMM,";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Numbers that can't be computed with, in files of each format and in shapes from memory: an error in one line, or a note
-// and the rest of the model; never a crash, and an end soon.
+// Numbers that can't be computed with, in files of each format and in shapes from memory: an error
+// in one line, or a note and the rest of the model; never a crash, and an end soon.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -78,7 +78,8 @@ TEST(UnusableNumbers, AFileOfThemIsAnErrorInOneLine) {
     for (const char* number : {"inf", "nan", "1e300"}) {
       SCOPED_TRACE(number);
       writeBrep(shape, folder / "shape.brep");
-      setContent(folder / "shape.brep", withNumbersOfGeometry(contentOf(folder / "shape.brep"), number));
+      setContent(folder / "shape.brep",
+                 withNumbersOfGeometry(contentOf(folder / "shape.brep"), number));
       const occ::ModelError error = errorOf(folder / "shape.brep");
       EXPECT_EQ(error.code(), ModelErrc::Malformed) << error.what();
       EXPECT_THAT(std::string(error.what()), Not(HasSubstr("\n")));
@@ -89,7 +90,8 @@ TEST(UnusableNumbers, AFileThatHasOneKeepsItsOtherFaces) {
   const Folder folder;
   writeBrep(box(), folder / "box.brep");
   // A box has its corners at 0, 10, 20, 30: one of eight vertices ends three edges.
-  setContent(folder / "box.brep", replaced(contentOf(folder / "box.brep"), "\n0 0 30\n", "\n0 nan 30\n"));
+  setContent(folder / "box.brep",
+             replaced(contentOf(folder / "box.brep"), "\n0 0 30\n", "\n0 nan 30\n"));
   const Model model = readModel(folder / "box.brep");
   ASSERT_EQ(model.notes.size(), 1u);
   EXPECT_THAT(model.notes[0], HasSubstr("3 edges hold numbers"));
@@ -99,7 +101,8 @@ TEST(UnusableNumbers, AFileThatHasOneKeepsItsOtherFaces) {
   ASSERT_EQ(report.seams.size(), 12u);
   EXPECT_EQ(std::ranges::count_if(report.seams,
                                   [](const occ::SeamResult& seam) {
-                                    return seam.note.find("not measured: edge") != std::string::npos;
+                                    return seam.note.find("not measured: edge") !=
+                                           std::string::npos;
                                   }),
             3);
 }
@@ -173,8 +176,9 @@ TEST(UnusableNumbers, AreNotRepairedAndNotFilled) {
 
 TEST(UnusableNumbers, SoundShapesHaveNone) {
   // A sphere has edges without a curve, at its poles.
-  for (const TopoDS_Shape& shape : {box(), BRepPrimAPI_MakeSphere(3).Shape(), planeAndCylinder(3, 10),
-                                    BRepBuilderAPI_NurbsConvert(box(), true).Shape()})
+  for (const TopoDS_Shape& shape :
+       {box(), BRepPrimAPI_MakeSphere(3).Shape(), planeAndCylinder(3, 10),
+        BRepBuilderAPI_NurbsConvert(box(), true).Shape()})
     EXPECT_TRUE(occ::UnusableParts(shape).empty()) << occ::UnusableParts(shape).note();
 }
 
@@ -182,7 +186,9 @@ TEST(UnusableNumbers, SoundShapesHaveNone) {
 std::string withOneNumber(const std::string& text, std::size_t start, const std::regex& number,
                           const std::vector<std::string>& by, std::mt19937& random) {
   std::vector<std::pair<std::size_t, std::size_t>> places;
-  for (std::sregex_iterator it(text.begin() + static_cast<std::ptrdiff_t>(start), text.end(), number), end;
+  for (std::sregex_iterator
+           it(text.begin() + static_cast<std::ptrdiff_t>(start), text.end(), number),
+       end;
        it != end; ++it)
     places.emplace_back(start + static_cast<std::size_t>(it->position(1)), it->length(1));
   const auto [at, length] =
@@ -213,7 +219,8 @@ std::string withOneIgesNumber(const std::string& text, std::mt19937& random) {
   for (;;) {
     std::string value = by[std::uniform_int_distribution<std::size_t>(0, by.size() - 1)(random)];
     const std::size_t start = text.find("D      1");
-    std::string changed = withOneNumber(text, start, number, {value + std::string(80, '#')}, random);
+    std::string changed =
+        withOneNumber(text, start, number, {value + std::string(80, '#')}, random);
     const std::size_t mark = changed.find('#');
     const std::size_t length = text.size() - (changed.size() - value.size() - 80);
     if (value.size() > length) continue;
@@ -229,32 +236,39 @@ bool survives(const std::filesystem::path& path) {
     return true;
   } catch (const occ::ModelError& error) {
     EXPECT_THAT(std::string(error.what()), Not(HasSubstr("\n")));
-  } catch (const std::invalid_argument& error) {  // coordinates so large that a tolerance is rounding
+  } catch (
+      const std::invalid_argument& error) {  // coordinates so large that a tolerance is rounding
     EXPECT_THAT(error.what(), HasSubstr("rounding"));
   }
   return false;
 }
 
 TEST(UnusableNumbers, OneInAnyPlaceOfAnyFormatIsSurvived) {
-  const Environment time("SEAMWRIGHT_READER_SECONDS", "2");  // some make OpenCASCADE search without an end
+  const Environment time("SEAMWRIGHT_READER_SECONDS",
+                         "2");  // some make OpenCASCADE search without an end
   const std::vector<std::string> by = {"inf",    "nan", "1e300", "1e99", "-0",
                                        "5e-324", "0",   "-1",    "7",    "999999999"};
-  const std::vector<std::string> step_by = {"inf", "nan", "1.E300", "1.E999", "-0.", "5.E-324", "0.", "-1."};
+  const std::vector<std::string> step_by = {"inf", "nan",     "1.E300", "1.E999",
+                                            "-0.", "5.E-324", "0.",     "-1."};
   static const std::regex brep_number("[ \n](-?[0-9]+(\\.[0-9]+)?(e[+-]?[0-9]+)?)(?=[ \n])");
   static const std::regex step_number("[(,](-?[0-9]+\\.[0-9]*(E[+-]?[0-9]+)?)(?=[,)])");
   const Folder folder;
   std::mt19937 random(8);
   int whole = 0, files = 0;
-  for (const TopoDS_Shape& shape : {roundedBox(), BRepBuilderAPI_NurbsConvert(roundedBox(), true).Shape()}) {
+  for (const TopoDS_Shape& shape :
+       {roundedBox(), BRepBuilderAPI_NurbsConvert(roundedBox(), true).Shape()}) {
     writeBrep(shape, folder / "shape.brep");
     writeBinaryBrep(shape, folder / "shape.bin");
     writeStep(shape, folder / "shape.step");
     writeIges(shape, folder / "shape.igs");
-    const std::string brep = contentOf(folder / "shape.brep"), binary = contentOf(folder / "shape.bin"),
-                      step = contentOf(folder / "shape.step"), iges = contentOf(folder / "shape.igs");
+    const std::string brep = contentOf(folder / "shape.brep"),
+                      binary = contentOf(folder / "shape.bin"),
+                      step = contentOf(folder / "shape.step"),
+                      iges = contentOf(folder / "shape.igs");
     for (int i = 0; i < 5; ++i) {
       const std::vector<std::string> contents = {
-          withOneNumber(brep, brep.find("Locations"), brep_number, by, random), withOneDouble(binary, random),
+          withOneNumber(brep, brep.find("Locations"), brep_number, by, random),
+          withOneDouble(binary, random),
           withOneNumber(step, step.find("DATA;"), step_number, step_by, random),
           withOneIgesNumber(iges, random)};
       for (const std::string& content : contents) {

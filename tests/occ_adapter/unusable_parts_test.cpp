@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Models of which some faces hold numbers that can't be computed with: the other faces are repaired, filled, matched and
-// written as if these were not there, and these stay as they are.
+// Models of which some faces hold numbers that can't be computed with: the other faces are
+// repaired, filled, matched and written as if these were not there, and these stay as they are.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -85,7 +85,8 @@ TEST(UnusableParts, AFaceIsReplacedOppositeToOne) {
     EXPECT_EQ(partsOf(filled, TopAbs_EDGE).Extent(), 12) << "closed";
     EXPECT_EQ(partsOf(filled, TopAbs_SOLID).Extent(), 1);
     bool is_there = false;
-    for (int f = 1; f <= 6; ++f) is_there = is_there || BRep_Tool::Surface(face(filled, f)) == damaged;
+    for (int f = 1; f <= 6; ++f)
+      is_there = is_there || BRep_Tool::Surface(face(filled, f)) == damaged;
     EXPECT_TRUE(is_there);
   }
 }
@@ -191,17 +192,20 @@ TEST(UnusableParts, OtherFacesAreSewn) {
 }
 
 /// Text of a BREP file with one of its numbers behind the list of locations replaced.
-std::string withOneNumber(const std::string& brep, const std::vector<std::string>& by, std::mt19937& random) {
+std::string withOneNumber(const std::string& brep, const std::vector<std::string>& by,
+                          std::mt19937& random) {
   static const std::regex number("[ \n](-?[0-9]+(\\.[0-9]+)?(e[+-]?[0-9]+)?)(?=[ \n])");
   std::vector<std::pair<std::size_t, std::size_t>> places;
   const std::size_t start = brep.find("Locations");
-  for (std::sregex_iterator it(brep.begin() + static_cast<std::ptrdiff_t>(start), brep.end(), number), end;
+  for (std::sregex_iterator
+           it(brep.begin() + static_cast<std::ptrdiff_t>(start), brep.end(), number),
+       end;
        it != end; ++it)
     places.emplace_back(start + static_cast<std::size_t>(it->position(1)), it->length(1));
   const auto [at, length] =
       places.at(std::uniform_int_distribution<std::size_t>(0, places.size() - 1)(random));
-  return std::string(brep).replace(at, length,
-                                   by[std::uniform_int_distribution<std::size_t>(0, by.size() - 1)(random)]);
+  return std::string(brep).replace(
+      at, length, by[std::uniform_int_distribution<std::size_t>(0, by.size() - 1)(random)]);
 }
 
 /// All that changes models. \returns whether a seam was repaired

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Work on several threads: each piece once, and what is thrown comes out of the call when no thread runs any more.
+// Work on several threads: each piece once, and what is thrown comes out of the call when no thread
+// runs any more.
 #include <gtest/gtest.h>
 
 #include <Standard_OutOfRange.hxx>

@@ -31,7 +31,8 @@ using occ::writeModel;
 using occ::WriteReport;
 using ::testing::HasSubstr;
 
-/// Two blocks of one part and a rod, with names, colours and layers, in an assembly. \param places of the blocks along x.
+/// Two blocks of one part and a rod, with names, colours and layers, in an assembly. \param places
+/// of the blocks along x.
 void writeAssembly(const fs::path& path, const std::array<double, 2>& places = {0, 50}) {
   const opencascade::handle<TDocStd_Document> document = new TDocStd_Document("BinXCAF");
   const auto shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
@@ -60,7 +61,8 @@ void writeAssembly(const fs::path& path, const std::array<double, 2>& places = {
   writer.SetNameMode(true);
   writer.SetColorMode(true);
   writer.SetLayerMode(true);
-  if (!writer.Transfer(document, STEPControl_AsIs) || writer.Write(path.c_str()) != IFSelect_RetDone)
+  if (!writer.Transfer(document, STEPControl_AsIs) ||
+      writer.Write(path.c_str()) != IFSelect_RetDone)
     throw std::runtime_error("not written");
 }
 
@@ -73,8 +75,9 @@ class Assembly : public ::testing::Test {
 
   void expectStructure(const fs::path& path) const {
     const std::string old = contentOf(folder_ / "whole.step"), now = contentOf(path);
-    for (const char* entity : {"NEXT_ASSEMBLY_USAGE_OCCURRENCE(", "= PRODUCT(", "MANIFOLD_SOLID_BREP(",
-                               "ADVANCED_FACE(", "PRESENTATION_LAYER_ASSIGNMENT("})
+    for (const char* entity :
+         {"NEXT_ASSEMBLY_USAGE_OCCURRENCE(", "= PRODUCT(", "MANIFOLD_SOLID_BREP(", "ADVANCED_FACE(",
+          "PRESENTATION_LAYER_ASSIGNMENT("})
       EXPECT_EQ(occurrences(now, entity), occurrences(old, entity)) << entity;
   }
 

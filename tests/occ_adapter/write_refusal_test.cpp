@@ -65,7 +65,8 @@ TEST_F(Refusal, UnknownExtension) {
 TEST_F(Refusal, FilesThatAreThere) {
   EXPECT_EQ(errorOfWriting(model_, folder_ / "old.step").code(), ModelErrc::TargetExists);
   EXPECT_EQ(errorOfWriting(model_, folder_ / "box.step").code(), ModelErrc::TargetExists);
-  EXPECT_EQ(errorOfWriting(model_, folder_ / "box.step", {.overwrite = true}).code(), ModelErrc::TargetExists)
+  EXPECT_EQ(errorOfWriting(model_, folder_ / "box.step", {.overwrite = true}).code(),
+            ModelErrc::TargetExists)
       << "the source needs a word of its own";
   fs::create_symlink("box.step", folder_ / "link.step");
   EXPECT_EQ(errorOfWriting(model_, folder_ / "link.step", {.overwrite = true}).code(),
@@ -111,7 +112,8 @@ TEST_F(Refusal, LinksToNothingStay) {
 TEST_F(Refusal, FoldersThatCantBeWrittenTo) {
   EXPECT_EQ(errorOfWriting(model_, folder_ / "none/a.step").code(), ModelErrc::NotWritable);
   fs::create_directory(folder_ / "dir.step");
-  EXPECT_EQ(errorOfWriting(model_, folder_ / "dir.step", {.overwrite = true}).code(), ModelErrc::NotAFile);
+  EXPECT_EQ(errorOfWriting(model_, folder_ / "dir.step", {.overwrite = true}).code(),
+            ModelErrc::NotAFile);
   fs::remove(folder_ / "dir.step");
   expectUntouched();
   if (geteuid() == 0) GTEST_SKIP() << "nothing is closed to the superuser";
@@ -190,7 +192,8 @@ TEST_F(Refusal, CancelledAtEveryMoment) {
   }
 }
 
-/// Kills a writing process at random moments, thirty times over two contents: the file is always one of the two, whole.
+/// Kills a writing process at random moments, thirty times over two contents: the file is always
+/// one of the two, whole.
 TEST_F(Refusal, KilledAtAnyMoment) {
   const Model one = occ::modelFromShape(box()), other = occ::modelFromShape(roundedBox());
   const fs::path target = folder_ / "target.brep";
@@ -211,7 +214,8 @@ TEST_F(Refusal, KilledAtAnyMoment) {
     kill(writer, SIGKILL);
     waitpid(writer, nullptr, 0);
     const std::string found = contentOf(target);
-    ASSERT_TRUE(found == contents[0] || found == contents[1]) << round << ": " << found.size() << " bytes";
+    ASSERT_TRUE(found == contents[0] || found == contents[1])
+        << round << ": " << found.size() << " bytes";
     ++seen[found == contents[1]];
   }
   EXPECT_GT(seen[0], 0);

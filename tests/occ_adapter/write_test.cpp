@@ -36,16 +36,19 @@ using occ::WriteReport;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-/// Length, level and class of the seams, whatever their numbers: what a shape from memory is written with.
+/// Length, level and class of the seams, whatever their numbers: what a shape from memory is
+/// written with.
 std::vector<std::tuple<long, Level, SeamClass>> seamsInAnyOrder(const Model& model) {
   std::vector<std::tuple<long, Level, SeamClass>> seams;
   for (const occ::SeamResult& seam : occ::analyze(model).seams)
-    seams.emplace_back(std::lround(seam.length_mm * 1e6), seam.verdict.level, seam.verdict.seam_class);
+    seams.emplace_back(std::lround(seam.length_mm * 1e6), seam.verdict.level,
+                       seam.verdict.seam_class);
   std::sort(seams.begin(), seams.end());
   return seams;
 }
 
-// ---- The same numbers -------------------------------------------------------------------------------------------
+// ---- The same numbers
+// -------------------------------------------------------------------------------------------
 
 /// A wavy face whose poles have every bit set at random.
 TopoDS_Shape wavyFace(std::mt19937& random, double size) {
@@ -53,7 +56,8 @@ TopoDS_Shape wavyFace(std::mt19937& random, double size) {
   TColgp_Array2OfPnt poles(1, 6, 1, 5);
   for (int i = 1; i <= 6; ++i)
     for (int k = 1; k <= 5; ++k)
-      poles(i, k) = gp_Pnt(size * (i + wave(random)), size * (k + wave(random)), size * wave(random));
+      poles(i, k) =
+          gp_Pnt(size * (i + wave(random)), size * (k + wave(random)), size * wave(random));
   TColStd_Array1OfReal u(1, 4), v(1, 2);
   u(1) = 0, u(2) = 1.0 / 3, u(3) = 0.7, u(4) = 1;
   v(1) = 0, v(2) = 1;
@@ -81,7 +85,8 @@ TEST(Write, OpenCascadeItselfRounds) {
   std::mt19937 random(1);
   const TopoDS_Shape face = wavyFace(random, 37);
   writeStep(face, folder / "a.step");
-  EXPECT_NE(numbersOf(splineOf(readModel(folder / "a.step").shape, 1)), numbersOf(splineOf(face, 1)));
+  EXPECT_NE(numbersOf(splineOf(readModel(folder / "a.step").shape, 1)),
+            numbersOf(splineOf(face, 1)));
 }
 
 TEST(Write, RealsAreSpelledInTheFewestDigits) {
@@ -140,10 +145,12 @@ TEST(Write, SchemaIsKept) {
   for (const auto& [old, kept] : std::vector<std::pair<std::string, std::string>>{
            {"CONFIG_CONTROL_DESIGN", "CONFIG_CONTROL_DESIGN"},
            {"AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }", "AUTOMOTIVE_DESIGN"},
-           {"AP242_MANAGED_MODEL_BASED_3D_ENGINEERING_MIM_LF { 1 0 10303 442 1 1 4 }", "AP242_MANAGED"},
+           {"AP242_MANAGED_MODEL_BASED_3D_ENGINEERING_MIM_LF { 1 0 10303 442 1 1 4 }",
+            "AP242_MANAGED"},
            {"AP203_CONFIGURATION_CONTROLLED_3D_DESIGN_OF_MECHANICAL_PARTS_AND_ASSEMBLIES_MIM_LF",
             "AUTOMOTIVE"}}) {
-    setContent(folder / "b.step", std::regex_replace(text, schema, "FILE_SCHEMA(('" + old + "'));"));
+    setContent(folder / "b.step",
+               std::regex_replace(text, schema, "FILE_SCHEMA(('" + old + "'));"));
     const WriteReport report =
         writeModel(readModel(folder / "b.step"), folder / "c.step", {.overwrite = true});
     EXPECT_THAT(contentOf(folder / "c.step"), HasSubstr("FILE_SCHEMA(('" + kept)) << old;
@@ -165,9 +172,9 @@ TEST(Write, HeaderTextsAndAccuracyAreKept) {
   for (const char* unit : {"MM", "INCH"}) {
     writeStep(box(), folder / "a.step", unit);
     std::string text = replaced(contentOf(folder / "a.step"), "'Author'", "'Ada L''Isle'");
-    text =
-        std::regex_replace(text, std::regex(R"((UNCERTAINTY_MEASURE_WITH_UNIT\()LENGTH_MEASURE\([^)]*\),)"),
-                           "$1LENGTH_MEASURE(0.0025),");
+    text = std::regex_replace(
+        text, std::regex(R"((UNCERTAINTY_MEASURE_WITH_UNIT\()LENGTH_MEASURE\([^)]*\),)"),
+        "$1LENGTH_MEASURE(0.0025),");
     setContent(folder / "b.step", text);
     writeModel(readModel(folder / "b.step"), folder / "c.step", {.overwrite = true});
     const std::string kept = contentOf(folder / "c.step");
@@ -177,7 +184,8 @@ TEST(Write, HeaderTextsAndAccuracyAreKept) {
   writeStep(box(), folder / "mm.step", "MM");
 }
 
-// ---- Changed geometry ---------------------------------------------------------------------------------------------
+// ---- Changed geometry
+// ---------------------------------------------------------------------------------------------
 
 TEST(Write, MovedPolesAreWrittenAndTheRestStays) {
   const Folder folder;
@@ -196,7 +204,9 @@ TEST(Write, MovedPolesAreWrittenAndTheRestStays) {
     const Model back = readModel(folder / "out.step");
     for (int i = 1; i <= 6; ++i) {
       EXPECT_EQ(numbersOf(splineOf(back.shape, i)), numbersOf(splineOf(changed.shape, i))) << i;
-      EXPECT_EQ(numbersOf(splineOf(back.shape, i)) == numbersOf(splineOf(model.shape, i)), i != moved) << i;
+      EXPECT_EQ(numbersOf(splineOf(back.shape, i)) == numbersOf(splineOf(model.shape, i)),
+                i != moved)
+          << i;
     }
     expectSameModel(changed, back, 1e-6);
   }
@@ -233,8 +243,8 @@ TEST(Write, MovedPointsAndTolerancesAreWritten) {
   Model changed = readModel(folder / "box.step");
   changed.shape = copied(changed.shape);
   BRep_Builder builder;
-  builder.UpdateVertex(TopoDS::Vertex(partsOf(changed.shape, TopAbs_VERTEX)(1)), gp_Pnt(0.001, 0.002, 29.997),
-                       0.01);
+  builder.UpdateVertex(TopoDS::Vertex(partsOf(changed.shape, TopAbs_VERTEX)(1)),
+                       gp_Pnt(0.001, 0.002, 29.997), 0.01);
   builder.UpdateEdge(TopoDS::Edge(partsOf(changed.shape, TopAbs_EDGE)(1)), 0.005);
   const WriteReport report = writeModel(changed, folder / "out.step");
   EXPECT_EQ(report.changed_faces, 0);
@@ -334,10 +344,10 @@ TEST(Write, EveryFormatGivesTheSameSeams) {
 }
 
 TEST(Write, RealFilesComeBack) {
-  for (const char* name :
-       {"small/NIST_MBE_PMI_11.stp", "small/nozzle.stp", "small/screw.step", "small/cube-units_cube-in.step",
-        "small/cube-units_cube-m.step", "small/rounded-cube_rounded-cube.step",
-        "freeform/Silk_Demo_02_sewn.step", "freeform/s60.step"}) {
+  for (const char* name : {"small/NIST_MBE_PMI_11.stp", "small/nozzle.stp", "small/screw.step",
+                           "small/cube-units_cube-in.step", "small/cube-units_cube-m.step",
+                           "small/rounded-cube_rounded-cube.step",
+                           "freeform/Silk_Demo_02_sewn.step", "freeform/s60.step"}) {
     const fs::path path = furtherModel(name);
     if (path.empty()) GTEST_SKIP() << name << " is not there";
     SCOPED_TRACE(name);

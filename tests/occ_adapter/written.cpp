@@ -23,7 +23,8 @@ using occ::Model;
 
 Spline splineOf(const TopoDS_Shape& shape, int face) {
   TopLoc_Location placement;
-  return Spline::DownCast(BRep_Tool::Surface(TopoDS::Face(partsOf(shape, TopAbs_FACE)(face)), placement));
+  return Spline::DownCast(
+      BRep_Tool::Surface(TopoDS::Face(partsOf(shape, TopAbs_FACE)(face)), placement));
 }
 
 std::vector<double> numbersOf(const Spline& spline) {
@@ -59,7 +60,8 @@ Model written(const Model& model, const fs::path& path, const occ::WriteOptions&
   return occ::readModel(path);
 }
 
-occ::ModelError errorOfWriting(const Model& model, const fs::path& path, const occ::WriteOptions& options) {
+occ::ModelError errorOfWriting(const Model& model, const fs::path& path,
+                               const occ::WriteOptions& options) {
   try {
     occ::writeModel(model, path, options);
   } catch (const occ::ModelError& error) {
@@ -84,7 +86,8 @@ std::string attributesOf(const Model& model) {
 
 int occurrences(const std::string& text, const std::string& part) {
   int count = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++count;
   return count;
 }
 
@@ -101,7 +104,8 @@ void expectSameSeams(const Model& a, const Model& b, double noise) {
 }
 
 void expectSameModel(const Model& a, const Model& b, double noise) {
-  for (const TopAbs_ShapeEnum kind : {TopAbs_SOLID, TopAbs_SHELL, TopAbs_FACE, TopAbs_EDGE, TopAbs_VERTEX})
+  for (const TopAbs_ShapeEnum kind :
+       {TopAbs_SOLID, TopAbs_SHELL, TopAbs_FACE, TopAbs_EDGE, TopAbs_VERTEX})
     EXPECT_EQ(partsOf(a.shape, kind).Extent(), partsOf(b.shape, kind).Extent()) << kind;
   EXPECT_EQ(attributesOf(a), attributesOf(b));
   EXPECT_EQ(a.length_unit, b.length_unit);

@@ -12,8 +12,8 @@ int main([[maybe_unused]] int argc, [[maybe_unused]] char** argv) {
   poles << 0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0;
   const seamwright::BezierPatch patch(1, 1, poles);
   const Eigen::Vector3d middle = patch.point(0.5, 0.5);
-  std::cout << "core: patch of degree " << patch.degreeU() << " x " << patch.degreeV() << ", point ("
-            << middle.x() << ", " << middle.y() << ", " << middle.z() << ")\n";
+  std::cout << "core: patch of degree " << patch.degreeU() << " x " << patch.degreeV()
+            << ", point (" << middle.x() << ", " << middle.y() << ", " << middle.z() << ")\n";
 #ifdef WITH_OCC
   const auto report = seamwright::occ::analyze(seamwright::occ::readModel(argv[argc - 1]));
   std::cout << "occ: " << report.seams.size()

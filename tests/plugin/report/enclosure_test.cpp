@@ -57,7 +57,8 @@ TEST(EnclosureText, NeverSaysLessThanIsKnownToOnePercentAndTellsTheSideOfTheLimi
     const std::string text = enclosureText({lower, upper, 0}, 1, limit);
     const Said said = read(text);
     const double slack = 1 + 1e-6;
-    const double digits = text.find("..") == std::string::npos && !text.starts_with("\u2264") ? 1.06 : slack;
+    const double digits =
+        text.find("..") == std::string::npos && !text.starts_with("\u2264") ? 1.06 : slack;
     EXPECT_LE(said.lower, lower * digits) << text << ' ' << lower << ' ' << upper;
     EXPECT_GE(said.upper * digits, upper) << text << ' ' << lower << ' ' << upper;
     EXPECT_TRUE(digits <= slack || (said.upper > limit) == (upper > limit))

@@ -22,7 +22,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// Seam 1 is smooth and certain, 2 a defect whose angle may be within the limit, 3 matched and only sampled.
+/// Seam 1 is smooth and certain, 2 a defect whose angle may be within the limit, 3 matched and only
+/// sampled.
 occ::Report madeByHand() {
   occ::SeamResult smooth;
   smooth.id = 1;
@@ -136,9 +137,10 @@ TEST(LeftOut, IsInJsonAndNote) {
   seam.figures.angle_left_out = {{{0.9995, 1}}, std::nullopt};
   seam.figures.curvature_left_out = {{{0, 1e-6}, {0.25, 0.250001}, {0.9995, 1}}, std::nullopt};
   const Json intervals = Json::parse("[[0.0, 1e-6], [0.25, 0.250001], [0.9995, 1.0]]");
-  EXPECT_EQ(toJson(seam, report.tolerance)["left_out"], (Json{{"angle_deg", Json::parse("[[0.9995, 1.0]]")},
-                                                              {"curvature_per_mm", intervals},
-                                                              {"curvature_rel", intervals}}));
+  EXPECT_EQ(toJson(seam, report.tolerance)["left_out"],
+            (Json{{"angle_deg", Json::parse("[[0.9995, 1.0]]")},
+                  {"curvature_per_mm", intervals},
+                  {"curvature_rel", intervals}}));
   const std::string intervals_text =
       "the angle leaves out the last 0.0005; "
       "the curvature leaves out the first 1e-06, 0.25 to 0.250001, the last 0.0005";
@@ -146,7 +148,8 @@ TEST(LeftOut, IsInJsonAndNote) {
   seam.verdict.certain = false;
   EXPECT_EQ(
       noteOf(seam, report.tolerance),
-      intervals_text + "; not certified: angle is not known where it is left out, with 0.1 deg as its limit");
+      intervals_text +
+          "; not certified: angle is not known where it is left out, with 0.1 deg as its limit");
   seam.figures.angle_left_out.upper = 0.2 * degree;
   EXPECT_THAT(noteOf(seam, report.tolerance),
               EndsWith("angle is up to 0.2 deg where it is left out, with 0.1 deg as its limit"));
@@ -157,15 +160,18 @@ TEST(LeftOut, IsInJsonAndNote) {
 
 TEST(Table, WritesEnclosuresAndMarksOpenVerdicts) {
   const std::string table = toTable(madeByHand());
-  EXPECT_THAT(table,
-              HasSubstr("\ndefect?  G0     Edge8         1-2    shared      12.500  \u22641e-13  0.09..0.12"
-                        "       1..1.1    30..40  face 2: rebuilt; not certified: angle is"));
+  EXPECT_THAT(
+      table,
+      HasSubstr("\ndefect?  G0     Edge8         1-2    shared      12.500  \u22641e-13  0.09..0.12"
+                "       1..1.1    30..40  face 2: rebuilt; not certified: angle is"));
   EXPECT_THAT(table, ContainsRegex("\ndefect\\?  G0     Edge9,Edge12  3-4    matched"));
   EXPECT_THAT(table, ContainsRegex("\u22650.004 +\u22652 +- +-  not certified: degree 31, 17\n"));
   EXPECT_THAT(table, ContainsRegex("\nsmooth   G2 .* 0.05 "));
   EXPECT_THAT(table, HasSubstr("3 seams, 1 of them matched: 2 defects"));
-  EXPECT_THAT(table,
-              EndsWith("FAILED: 2 defects at level G1; 1 of 3 verdicts certain, the others are marked ?\n"));
+  EXPECT_THAT(
+      table,
+      EndsWith(
+          "FAILED: 2 defects at level G1; 1 of 3 verdicts certain, the others are marked ?\n"));
 }
 
 TEST(Table, HasNoMarkAndNoEmptyColumnWhereAllIsCertain) {

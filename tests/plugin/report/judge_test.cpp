@@ -59,15 +59,17 @@ TEST(JudgeOfRepair, EdgesThatPartAfterOneThatWasSewnAreNoSeam) {
 TEST(JudgeOfRepair, EdgesThatPartAreCountedWhereMemoryHasThemWhateverTheNumbers) {
   const occ::RepairOptions options = matching(0.1);
   occ::RepairReport report;
-  report.after.seams = {between(7, 3, occ::SeamKind::Shared), between(3, 7, occ::SeamKind::Matched)};
+  report.after.seams = {between(7, 3, occ::SeamKind::Shared),
+                        between(3, 7, occ::SeamKind::Matched)};
   const Judge judge = judgeOf(report, options);
   EXPECT_EQ(judge(partingFaces(), {}).seams, 2);
   EXPECT_EQ(judge(partingFaces(), {}).defects, 1);
 }
 
 TEST(JudgeOfRepair, LooseFacesAreCounted) {
-  const occ::Model model = occ::modelFromShape(compoundOf(
-      {plate(0, 10, 0, 20), plate(10.05, 20, 0, 20), plate(0, 10, 40, 60), plate(10.05, 20, 40, 60)}));
+  const occ::Model model =
+      occ::modelFromShape(compoundOf({plate(0, 10, 0, 20), plate(10.05, 20, 0, 20),
+                                      plate(0, 10, 40, 60), plate(10.05, 20, 40, 60)}));
   const occ::RepairOptions options = matching(0.1);
   occ::RepairReport report;
   EXPECT_EQ(judgeOf(report, options)(model, {}).seams, 2);

@@ -40,13 +40,14 @@ ModelCounts counts(std::vector<occ::SeamResult> defects) {
 double statedAccuracy(const std::filesystem::path& path) {
   std::smatch found;
   const std::string text = contentOf(path);
-  return std::regex_search(text, found,
-                           std::regex(R"(UNCERTAINTY_MEASURE_WITH_UNIT\(LENGTH_MEASURE\(([^)]*)\))"))
+  return std::regex_search(
+             text, found, std::regex(R"(UNCERTAINTY_MEASURE_WITH_UNIT\(LENGTH_MEASURE\(([^)]*)\))"))
              ? std::stod(found[1])
              : 0;
 }
 
-/// A box from a STEP file, which is written to out.step; what is counted in each file that is read back is said beforehand.
+/// A box from a STEP file, which is written to out.step; what is counted in each file that is read
+/// back is said beforehand.
 class WriteJudged : public testing::Test {
  protected:
   WriteJudged() {
@@ -62,8 +63,8 @@ class WriteJudged : public testing::Test {
       EXPECT_EQ(model.faceCount(), 6);
       return found[std::min(looks_++, found.size() - 1)];
     };
-    return writeJudged(model_, out_, {}, {judge, std::move(memory), has_given ? &model_ : nullptr}, {},
-                       accepted);
+    return writeJudged(model_, out_, {}, {judge, std::move(memory), has_given ? &model_ : nullptr},
+                       {}, accepted);
   }
 
   /// Nothing lies about.
@@ -100,7 +101,8 @@ TEST_F(WriteJudged, ATenthOfTheAccuracyIsTried) {
 }
 
 TEST_F(WriteJudged, TheBetterOfTwoIsKept) {
-  const ModelCounts two = counts({defect(3, 1, 2), defect(4, 2, 3)}), one = counts({defect(4, 2, 3)});
+  const ModelCounts two = counts({defect(3, 1, 2), defect(4, 2, 3)}),
+                    one = counts({defect(4, 2, 3)});
   const JudgedFile better = written({two, one, one}, counts({}));
   EXPECT_NEAR(statedAccuracy(out_), stated_ / 10, 1e-12 * stated_);
   EXPECT_EQ(better.model.found.defects, 1);
@@ -114,9 +116,11 @@ TEST_F(WriteJudged, TheBetterOfTwoIsKept) {
 
 TEST_F(WriteJudged, DefectsInTheFileAloneAreNamedWithWhatWritingSpoils) {
   const ModelCounts memory = counts({defect(3, 1, 2), defect(9, 4, 5)});
-  // Edge 3 has another number, edge 9 is smooth, and edges 4 and 7 are defects in the file alone. Of the unchanged model writing spoils edge 7.
+  // Edge 3 has another number, edge 9 is smooth, and edges 4 and 7 are defects in the file alone.
+  // Of the unchanged model writing spoils edge 7.
   const ModelCounts file = counts({defect(1, 2, 1), defect(4, 2, 3), defect(7, 3, 6)});
-  const ModelCounts rewritten = counts({defect(7, 3, 6), defect(3, 1, 2)}), given = counts({defect(3, 1, 2)});
+  const ModelCounts rewritten = counts({defect(7, 3, 6), defect(3, 1, 2)}),
+                    given = counts({defect(3, 1, 2)});
   const JudgedFile written_file = written({file, file, rewritten, given, file}, memory, true);
   ASSERT_EQ(written_file.model.only_in_file.size(), 2u);
   EXPECT_EQ(written_file.model.only_in_file[0].edges, std::vector{4});
@@ -150,15 +154,18 @@ occ::SeamResult kink(int edge, double angle_rad, Level level = Level::G0) {
 }
 
 /// Of two kinks edge 4 is another one in the file; what writing the unchanged model makes of them.
-WrittenModel writtenKinks(const std::function<JudgedFile(std::vector<ModelCounts>, ModelCounts, bool)>& write,
-                          const occ::SeamResult& in_file, const ModelCounts& rewritten) {
-  const ModelCounts memory = counts({kink(3, 0.02), kink(4, 0.1)}), file = counts({kink(3, 0.021), in_file});
+WrittenModel writtenKinks(
+    const std::function<JudgedFile(std::vector<ModelCounts>, ModelCounts, bool)>& write,
+    const occ::SeamResult& in_file, const ModelCounts& rewritten) {
+  const ModelCounts memory = counts({kink(3, 0.02), kink(4, 0.1)}),
+                    file = counts({kink(3, 0.021), in_file});
   return write({file, file, rewritten, memory, file}, memory, true).model;
 }
 
 TEST_F(WriteJudged, ADefectThatIsLargerInTheFileIsWorse) {
   const auto write = [this](auto... given) { return written(given...); };
-  const WrittenModel found = writtenKinks(write, kink(4, 0.12), counts({kink(3, 0.02), kink(4, 0.1)}));
+  const WrittenModel found =
+      writtenKinks(write, kink(4, 0.12), counts({kink(3, 0.02), kink(4, 0.1)}));
   ASSERT_EQ(found.worse.size(), 1u);
   EXPECT_EQ(found.worse[0].edges, std::vector{4});
 }
@@ -173,7 +180,8 @@ TEST_F(WriteJudged, ADefectOfALowerLevelInTheFileIsWorse) {
 
 TEST_F(WriteJudged, WhatWritingAloneMakesLargerIsNotWorse) {
   const auto write = [this](auto... given) { return written(given...); };
-  const WrittenModel found = writtenKinks(write, kink(4, 0.12), counts({kink(3, 0.02), kink(4, 0.12)}));
+  const WrittenModel found =
+      writtenKinks(write, kink(4, 0.12), counts({kink(3, 0.02), kink(4, 0.12)}));
   EXPECT_EQ(found.only_in_file.size(), 1u);
   EXPECT_TRUE(found.worse.empty());
 }
