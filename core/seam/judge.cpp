@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include <seamwright/core/angle.hpp>
 #include <seamwright/core/seam/judge.hpp>
 
 namespace seamwright {
@@ -14,7 +15,7 @@ namespace seamwright {
 namespace {
 
 constexpr double degrees(double rad) {
-  return rad * 180 / std::numbers::pi;
+  return rad * degrees_per_radian;
 }
 
 std::string number(double value) {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seamwright/core/angle.hpp>
 #include <seamwright/core/seam/tolerance.hpp>
 
 namespace seamwright {
 
 namespace {
 
-constexpr double degree = 0.017453292519943295;
+constexpr double degree = radians_per_degree;
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <seamwright/core/angle.hpp>
 #include <seamwright/core/join/bernstein_rows.hpp>
 #include <seamwright/core/numeric.hpp>
 #include <seamwright/core/umbrella/hole_corner.hpp>
@@ -113,7 +114,7 @@ void requireSides(const std::vector<FillSide>& sides) {
 
 std::string degreesText(double angle_rad) {
   std::ostringstream out;
-  out << angle_rad * 180 / std::numbers::pi << " degrees";
+  out << angle_rad * degrees_per_radian << " degrees";
   return out.str();
 }
 

@@ -14,6 +14,7 @@
 #include <stdexcept>
 
 #include <seamwright/occ_adapter/analyze/measure_seam.hpp>
+#include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/convert/seam_side.hpp>
 #include <seamwright/occ_adapter/convert/seam_strips.hpp>
 
@@ -217,8 +218,7 @@ Eigen::Vector3d pointOnFirstSide(const Seam& seam, const Pcurve& pcurve, double 
   TopLoc_Location location;
   const opencascade::handle<Geom_Surface> surface =
       BRep_Tool::Surface(seam.sides[0].shape, location);
-  const gp_Pnt point = surface->Value(uv.X(), uv.Y()).Transformed(location.Transformation());
-  return {point.X(), point.Y(), point.Z()};
+  return vector(surface->Value(uv.X(), uv.Y()).Transformed(location.Transformation()));
 }
 
 void measure(const Seam& seam, const AnalyzeOptions& options, SeamResult& result) {

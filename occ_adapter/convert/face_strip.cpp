@@ -190,7 +190,7 @@ PathPoint FaceStrip::trace(double s) const {
   gp_Pnt p;
   gp_Vec du, dv;
   surface_.D1(uv.X(), uv.Y(), p, du, dv);
-  return {vector(p.XYZ()), direction.X() * vector(du.XYZ()) + direction.Y() * vector(dv.XYZ())};
+  return {vector(p), direction.X() * vector(du) + direction.Y() * vector(dv)};
 }
 
 SurfaceJet FaceStrip::jet(double u, double v, Derivatives derivatives) const {
@@ -208,16 +208,16 @@ SurfaceJet FaceStrip::jet(double u, double v, Derivatives derivatives) const {
       break;
   }
   SurfaceJet jet;
-  jet.p = vector(p.XYZ());
-  jet.u = vector(du.XYZ());
-  jet.v = vector(dv.XYZ());
-  jet.uu = vector(duu.XYZ());
-  jet.uv = vector(duv.XYZ());
-  jet.vv = vector(dvv.XYZ());
-  jet.uuu = vector(duuu.XYZ());
-  jet.uuv = vector(duuv.XYZ());
-  jet.uvv = vector(duvv.XYZ());
-  jet.vvv = vector(dvvv.XYZ());
+  jet.p = vector(p);
+  jet.u = vector(du);
+  jet.v = vector(dv);
+  jet.uu = vector(duu);
+  jet.uv = vector(duv);
+  jet.vv = vector(dvv);
+  jet.uuu = vector(duuu);
+  jet.uuv = vector(duuv);
+  jet.uvv = vector(duvv);
+  jet.vvv = vector(dvvv);
   return jet;
 }
 

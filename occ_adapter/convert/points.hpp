@@ -16,6 +16,15 @@ inline Eigen::Vector3d vector(const gp_XYZ& xyz) {
   return {xyz.X(), xyz.Y(), xyz.Z()};
 }
 
+/// Of a gp_Pnt, gp_Vec or gp_Dir.
+template <class Vector>
+requires requires(const Vector& v) {
+  v.XYZ();
+}
+Eigen::Vector3d vector(const Vector& v) {
+  return vector(v.XYZ());
+}
+
 inline gp_Pnt pointOf(const Eigen::Vector3d& p) {
   return {p.x(), p.y(), p.z()};
 }

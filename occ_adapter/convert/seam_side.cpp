@@ -48,14 +48,6 @@ Eigen::Vector3d vector(const gp_XY& xy) {
 
 template <class Vector>
 requires requires(const Vector& v) {
-  v.XYZ();
-}
-Eigen::Vector3d vector(const Vector& v) {
-  return vector(v.XYZ());
-}
-
-template <class Vector>
-requires requires(const Vector& v) {
   v.XY();
 }
 Eigen::Vector3d vector(const Vector& v) {
@@ -64,9 +56,9 @@ Eigen::Vector3d vector(const Vector& v) {
 
 Frame frameOf(const gp_Ax3& position) {
   Frame frame;
-  frame.origin = vector(position.Location().XYZ());
-  frame.axes << vector(position.XDirection().XYZ()), vector(position.YDirection().XYZ()),
-      vector(position.Direction().XYZ());
+  frame.origin = vector(position.Location());
+  frame.axes << vector(position.XDirection()), vector(position.YDirection()),
+      vector(position.Direction());
   return frame;
 }
 
@@ -90,7 +82,7 @@ CurveEvaluator splineCurve(const Curve& curve, SplineDirection direction) {
   std::vector<double> weights;
   for (int i = 1; i <= curve.NbPoles(); ++i) {
     if constexpr (requires { curve.Pole(i).XYZ(); })
-      poles.push_back(vector(curve.Pole(i).XYZ()));
+      poles.push_back(vector(curve.Pole(i)));
     else
       poles.push_back(vector(curve.Pole(i).XY()));
     if (curve.IsRational()) weights.push_back(curve.Weight(i));
@@ -184,7 +176,7 @@ std::unique_ptr<SurfaceEvaluator> splineSurface(const Surface& surface, SplineDi
   poles.reserve(static_cast<std::size_t>(surface.NbUPoles()) * surface.NbVPoles());
   for (int i = 1; i <= surface.NbUPoles(); ++i)
     for (int j = 1; j <= surface.NbVPoles(); ++j) {
-      poles.push_back(vector(surface.Pole(i, j).XYZ()));
+      poles.push_back(vector(surface.Pole(i, j)));
       if (rational) weights.push_back(surface.Weight(i, j));
     }
   return splineEvaluator(std::make_shared<SplineEvaluator>(std::move(u), std::move(v),
@@ -230,7 +222,7 @@ std::unique_ptr<SurfaceEvaluator> surfaceEvaluator(const handle<Geom_Surface>& s
   if (const auto extrusion = handle<Geom_SurfaceOfLinearExtrusion>::DownCast(surface);
       !extrusion.IsNull())
     return extrusionEvaluator(curveEvaluator<InSpace>(extrusion->BasisCurve()),
-                              vector(extrusion->Direction().XYZ()));
+                              vector(extrusion->Direction()));
   if (const auto turned = handle<Geom_SurfaceOfRevolution>::DownCast(surface); !turned.IsNull())
     return revolution(*turned);
   if (const auto offset = handle<Geom_OffsetSurface>::DownCast(surface); !offset.IsNull())

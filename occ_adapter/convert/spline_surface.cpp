@@ -168,8 +168,7 @@ std::pair<int, int> EdgeRows::index(int row, int column) const {
 
 Eigen::Vector3d EdgeRows::pole(int row, int column) const {
   const auto at = index(row, column);
-  const gp_Pnt pole = surface_->Pole(at.first, at.second);
-  return {pole.X(), pole.Y(), pole.Z()};
+  return vector(surface_->Pole(at.first, at.second));
 }
 
 double EdgeRows::weight(int row, int column) const {

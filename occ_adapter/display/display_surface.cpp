@@ -43,8 +43,8 @@ DisplaySurface::Place DisplaySurface::at(const Eigen::Vector2d& uv) const {
   gp_Pnt p;
   gp_Vec du, dv;
   surface_.D1(uv.x(), uv.y(), p, du, dv);
-  Place place{vector(p.Transformed(location_).XYZ()), Eigen::Vector3d::Zero()};
-  std::optional<Eigen::Vector3d> normal = normalOf(vector(du.XYZ()), vector(dv.XYZ()));
+  Place place{vector(p.Transformed(location_)), Eigen::Vector3d::Zero()};
+  std::optional<Eigen::Vector3d> normal = normalOf(vector(du), vector(dv));
   if (!normal) {
     if (const std::optional<Eigen::Vector2d> step = stepOffPole(uv)) {
       const std::optional<Eigen::Vector3d> near = normalAt(uv + *step),
@@ -89,7 +89,7 @@ std::optional<Eigen::Vector3d> DisplaySurface::normalAt(const Eigen::Vector2d& u
   gp_Pnt p;
   gp_Vec du, dv;
   surface_.D1(uv.x(), uv.y(), p, du, dv);
-  return normalOf(vector(du.XYZ()), vector(dv.XYZ()));
+  return normalOf(vector(du), vector(dv));
 }
 
 std::optional<NodeCurvature> DisplaySurface::regularCurvature(const Eigen::Vector2d& uv) const {
@@ -97,8 +97,8 @@ std::optional<NodeCurvature> DisplaySurface::regularCurvature(const Eigen::Vecto
   gp_Vec du, dv, duu, dvv, duv;
   surface_.D2(uv.x(), uv.y(), p, du, dv, duu, dvv, duv);
   SurfaceJet jet;
-  jet.u = vector(du.XYZ()), jet.v = vector(dv.XYZ());
-  jet.uu = vector(duu.XYZ()), jet.uv = vector(duv.XYZ()), jet.vv = vector(dvv.XYZ());
+  jet.u = vector(du), jet.v = vector(dv);
+  jet.uu = vector(duu), jet.uv = vector(duv), jet.vv = vector(dvv);
   const std::optional<Eigen::Vector3d> normal = normalOf(jet.u, jet.v);
   if (!normal) return std::nullopt;
   const PrincipalCurvatures found = principalCurvatures(jet, sign_ * *normal);
@@ -120,7 +120,7 @@ std::optional<Eigen::Vector2d> DisplaySurface::stepOffPole(const Eigen::Vector2d
 Eigen::Vector3d DisplaySurface::inSpace(const Eigen::Vector3d& local_normal) const {
   const gp_Vec turned =
       gp_Vec(local_normal.x(), local_normal.y(), local_normal.z()).Transformed(location_);
-  return sign_ * vector(turned.XYZ()).normalized();
+  return sign_ * vector(turned).normalized();
 }
 
 }  // namespace seamwright::occ

@@ -118,7 +118,7 @@ handle<Geom_Surface> copyOf(const TopoDS_Face& face, const Vector3d& centre) {
   const handle<Geom_Surface> surface =
       handle<Geom_Surface>::DownCast(BRep_Tool::Surface(face)->Copy());
   if (const auto sphere = handle<Geom_SphericalSurface>::DownCast(surface); !sphere.IsNull()) {
-    const Vector3d towards = centre - vector(sphere->Location().XYZ());
+    const Vector3d towards = centre - vector(sphere->Location());
     if (towards.norm() > Precision::Confusion())
       return new Geom_SphericalSurface(
           gp_Ax3(sphere->Location(), directionOf(towards.unitOrthogonal()), directionOf(towards)),
@@ -162,7 +162,7 @@ class FaceMaker {
     gp_Pnt point;
     gp_Vec u, v;
     surface_->D1(at.X(), at.Y(), point, u, v);
-    return vector(u.XYZ()).cross(vector(v.XYZ())).normalized();
+    return vector(u).cross(vector(v)).normalized();
   }
 
   bool makePaths() {

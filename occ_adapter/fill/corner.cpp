@@ -21,6 +21,7 @@
 #include <tuple>
 #include <utility>
 
+#include <seamwright/core/angle.hpp>
 #include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/fill/corner.hpp>
 
@@ -35,7 +36,7 @@ constexpr double flat_sine = 1e-6;
 constexpr std::size_t least_edges = 3, most_edges = 6;
 
 double degrees(double rad) {
-  return rad * 180 / std::numbers::pi;
+  return rad * degrees_per_radian;
 }
 
 /// What is around the vertices and edges of one shell.
@@ -76,7 +77,7 @@ class Surroundings {
     gp_Pnt point;
     gp_Vec u, v;
     surface.D1(at.X(), at.Y(), point, u, v);
-    const Vector3d normal = vector(u.XYZ()).cross(vector(v.XYZ()));
+    const Vector3d normal = vector(u).cross(vector(v));
     if (!(normal.norm() > flat_sine * u.Magnitude() * v.Magnitude()) || u.Magnitude() == 0 ||
         v.Magnitude() == 0)
       throw std::domain_error(name(face) + " has no normal at the vertex");
@@ -206,7 +207,7 @@ class CornerReader {
       throw std::domain_error(around_.name(edge) + " has no tangent at the vertex");
     const bool leaves =
         TopExp::FirstVertex(TopoDS::Edge(edge.Oriented(TopAbs_FORWARD))).IsSame(corner_.vertex);
-    added.axis = (leaves ? 1 : -1) * vector(run.XYZ()).normalized();
+    added.axis = (leaves ? 1 : -1) * vector(run).normalized();
     added.length_mm = (vector(BRep_Tool::Pnt(added.far).XYZ()) - corner_.point).norm();
     corner_.edges.push_back(added);
   }

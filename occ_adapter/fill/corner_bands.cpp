@@ -77,7 +77,7 @@ EdgePlace placeAt(const CornerEdge& edge, double setback_mm) {
   gp_Pnt point;
   gp_Vec run;
   curve.D1(place.Parameter(), point, run);
-  return {vector(point.XYZ()), sense * vector(run.XYZ()).normalized()};
+  return {vector(point), sense * vector(run).normalized()};
 }
 
 /// Distances from both ends along the tangents to where they come nearest each other.
@@ -343,7 +343,7 @@ class BandTrimmer {
     gp_Vec u, v;
     surface.D1(at.X(), at.Y(), point, u, v);
     Eigen::MatrixXd partials(3, 2);
-    partials << vector(u.XYZ()), vector(v.XYZ());
+    partials << vector(u), vector(v);
     const Eigen::Vector2d direction = linear::PivotedQr(partials).solve(run);
     return {direction(0), direction(1)};
   }

@@ -43,7 +43,7 @@ class Contact {
     gp_Pnt point;
     gp_Vec run;
     curve_.D1(at(share), point, run);
-    return (near_first_ ? -1 : 1) * vector(run.XYZ()).normalized();
+    return (near_first_ ? -1 : 1) * vector(run).normalized();
   }
 
  private:

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <seamwright/core/angle.hpp>
 #include <seamwright/occ_adapter/fill/corner_hole.hpp>
 
 namespace seamwright::occ {
@@ -42,9 +43,9 @@ UnitArc sectionArc(const CornerEdge& edge, const CornerStrip& strip, double sect
   }
   throw std::domain_error("edge " + std::to_string(edge.number) + ": a section of radius " +
                           lengthText(strip.radius_mm) + " over " +
-                          std::to_string(strip.sweep_rad * 180 / pi) + " degrees is met to " +
-                          lengthText(arc.error * strip.radius_mm) + ", not to " +
-                          lengthText(section_mm));
+                          std::to_string(strip.sweep_rad * degrees_per_radian) +
+                          " degrees is met to " + lengthText(arc.error * strip.radius_mm) +
+                          ", not to " + lengthText(section_mm));
 }
 
 /// Distances along two edges of a face, from the corner to the foot of the point where the contact

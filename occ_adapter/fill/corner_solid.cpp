@@ -45,8 +45,7 @@ using std::numbers::pi;
 constexpr int most_wave_degree = 16;
 
 Vector3d placeOf(const TopoDS_Vertex& vertex) {
-  const gp_Pnt p = BRep_Tool::Pnt(vertex);
-  return {p.X(), p.Y(), p.Z()};
+  return vector(BRep_Tool::Pnt(vertex));
 }
 
 handle<Geom2d_Curve> straight(const gp_Pnt2d& from, const gp_Pnt2d& to) {

@@ -6,6 +6,7 @@
 #include <array>
 
 #include <seamwright/core/bezier/curve.hpp>
+#include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/fill/fill_form.hpp>
 
 namespace seamwright::occ {
@@ -27,8 +28,7 @@ std::vector<Vector3d> normalsOf(const TopoDS_Face& face) {
       gp_Vec u, v;
       surface->D1(range[0] + (i + 0.5) / side_places * (range[1] - range[0]),
                   range[2] + (j + 0.5) / side_places * (range[3] - range[2]), point, u, v);
-      const gp_Vec normal = u.Crossed(v);
-      normals.emplace_back(normal.X(), normal.Y(), normal.Z());
+      normals.push_back(vector(u.Crossed(v)));
     }
   return normals;
 }

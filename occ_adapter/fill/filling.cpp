@@ -17,6 +17,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <seamwright/core/angle.hpp>
 #include <seamwright/core/umbrella/fill_corners.hpp>
 #include <seamwright/core/umbrella/ring_fill.hpp>
 #include <seamwright/occ_adapter/analyze/measure_seam.hpp>
@@ -165,7 +166,7 @@ class Filling {
   static bool isReflex(const HoleAngle& corner) { return corner.angle_rad > std::numbers::pi; }
 
   void requireAngle(const HoleAngle& corner, std::size_t k) const {
-    const double angle_rad = corner.angle_rad, angle_deg = angle_rad * 180 / std::numbers::pi;
+    const double angle_rad = corner.angle_rad, angle_deg = angle_rad * degrees_per_radian;
     const auto refuse = [&](const std::string& why) {
       throw NotFilled("corner " + std::to_string(k + 1) + " of the hole, between edges " +
                       std::to_string(corner.edges[0]) + " and " + std::to_string(corner.edges[1]) +
@@ -176,8 +177,7 @@ class Filling {
              " degrees, which no regular face has: cut it off by another edge");
     if (is_ring_ && angle_rad > most_corner_rad)
       refuse("its angle is " + text(angle_deg) + " degrees, fills have " +
-             text(most_corner_rad * 180 / std::numbers::pi) +
-             " at most: cut the hole in two there");
+             text(most_corner_rad * degrees_per_radian) + " at most: cut the hole in two there");
     if (!is_ring_ && isReflex(corner))
       refuse("its angle is " + text(angle_deg) + " degrees, above 180: a hole of more than " +
              std::to_string(ring_sides) + " corners has to be cut in two there, by a face between");
@@ -401,7 +401,7 @@ class Filling {
     const HoleAngle turn = sharpestTurn(hole_, options_.tolerance.gap_mm / fit_share);
     if (turn.angle_rad > most_planar_rad)
       return "; edges " + std::to_string(turn.edges[0]) + " and " + std::to_string(turn.edges[1]) +
-             " are one side, but turn by " + text(turn.angle_rad * 180 / std::numbers::pi) +
+             " are one side, but turn by " + text(turn.angle_rad * degrees_per_radian) +
              " degrees at " + placeText(turn.point) +
              ": a corner angle below that makes a corner of it";
     std::string edges;
@@ -490,7 +490,7 @@ class Filling {
         edges += (edges.empty() ? " " : ", ") + std::to_string(edge);
     }
     if (edges.empty()) return {};
-    constexpr double degree = std::numbers::pi / 180;
+    constexpr double degree = radians_per_degree;
     return "; along" +
            (edges.find(',') == std::string::npos ? std::string(" edge") : std::string(" edges")) +
            edges +

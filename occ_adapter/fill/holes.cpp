@@ -18,6 +18,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <seamwright/core/angle.hpp>
+#include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/fill/holes.hpp>
 #include <seamwright/occ_adapter/repair/groups.hpp>
 #include <seamwright/occ_adapter/seams/edge_path.hpp>
@@ -37,8 +39,7 @@ struct Link {
 Eigen::Vector3d centreOf(const TopoDS_Edge& edge) {
   GProp_GProps properties;
   BRepGProp::LinearProperties(edge, properties);
-  const gp_Pnt centre = properties.CentreOfMass();
-  return {centre.X(), centre.Y(), centre.Z()};
+  return vector(properties.CentreOfMass());
 }
 
 struct Corner {
@@ -248,7 +249,7 @@ class Loops {
 void HoleOptions::validate() const {
   std::ostringstream text;
   if (!(corner_rad > 0 && corner_rad < std::numbers::pi))
-    text << "corner angle is " << corner_rad * 180 / std::numbers::pi
+    text << "corner angle is " << corner_rad * degrees_per_radian
          << " degrees: it must be within 0 and 180";
   else if (!(gap_mm > 0 && std::isfinite(gap_mm)))
     text << "gap is " << gap_mm << " mm: it must be positive";

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <sstream>
 
+#include <seamwright/core/angle.hpp>
 #include <seamwright/occ_adapter/match/constrained_deformation.hpp>
 #include <seamwright/occ_adapter/match/least_moves.hpp>
 #include <seamwright/occ_adapter/match/side_basis.hpp>
@@ -213,7 +213,7 @@ std::string whySidesMove(const EdgeRows& rows, const Reference& reference,
     const double angle_rad =
         std::asin(std::min(1.0, std::abs(normal->dot(across)) / across.norm()));
     if (angle_rad > options.tolerance.angle_rad) {
-      text << "a side ends at " << angle_rad * 180 / std::numbers::pi
+      text << "a side ends at " << angle_rad * degrees_per_radian
            << " degrees to the tangent plane of the other face";
       return text.str();
     }

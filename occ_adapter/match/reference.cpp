@@ -151,12 +151,12 @@ SidePoint sidePoint(const EdgeRows& rows, double t) {
   gp_Vec u, v, uu, vv, uv;
   rows.surface()->D2(at[0], at[1], p, u, v, uu, vv, uv);
   SidePoint point;
-  point.jet.p = vector(p.XYZ());
-  point.jet.u = vector(u.XYZ());
-  point.jet.v = vector(v.XYZ());
-  point.jet.uu = vector(uu.XYZ());
-  point.jet.uv = vector(uv.XYZ());
-  point.jet.vv = vector(vv.XYZ());
+  point.jet.p = vector(p);
+  point.jet.u = vector(u);
+  point.jet.v = vector(v);
+  point.jet.uu = vector(uu);
+  point.jet.uv = vector(uv);
+  point.jet.vv = vector(vv);
   const bool along_v = rows.edge() == PatchEdge::U0 || rows.edge() == PatchEdge::U1;
   point.tangent = (rows.reversed() ? -1 : 1) * (along_v ? point.jet.v : point.jet.u);
   point.face_on_left = faceOnLeft(rows.edge(), rows.reversed());

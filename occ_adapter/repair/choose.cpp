@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numbers>
 #include <sstream>
 #include <stdexcept>
 
+#include <seamwright/core/angle.hpp>
 #include <seamwright/core/differential/fundamental_forms.hpp>
 #include <seamwright/occ_adapter/convert/face_strip.hpp>
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
@@ -268,7 +268,7 @@ std::string whyKinked(const Seam& seam, const ContinuityTolerance& tolerance) {
       std::ostringstream text;
       text.precision(3);
       text << "the surface of face " << seam.sides[k].face << " has a kink of "
-           << turn_rad * 180 / std::numbers::pi << " degrees across the edge, at " << s
+           << turn_rad * degrees_per_radian << " degrees across the edge, at " << s
            << " of its length: no smooth move takes that out";
       return text.str();
     }

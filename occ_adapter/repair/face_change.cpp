@@ -86,12 +86,12 @@ SurfaceJet jetOn(const Adaptor3d_Surface& surface, double u, double v) {
   gp_Vec along_u, along_v, uu, vv, uv;
   surface.D2(u, v, p, along_u, along_v, uu, vv, uv);
   SurfaceJet jet;
-  jet.p = vector(p.XYZ());
-  jet.u = vector(along_u.XYZ());
-  jet.v = vector(along_v.XYZ());
-  jet.uu = vector(uu.XYZ());
-  jet.uv = vector(uv.XYZ());
-  jet.vv = vector(vv.XYZ());
+  jet.p = vector(p);
+  jet.u = vector(along_u);
+  jet.v = vector(along_v);
+  jet.uu = vector(uu);
+  jet.uv = vector(uv);
+  jet.vv = vector(vv);
   return jet;
 }
 

@@ -147,12 +147,12 @@ SurfaceJet StayingSurface::jet(const gp_Pnt2d& uv) const {
   gp_Vec du, dv, duu, dvv, duv;
   surface_.D2(uv.X(), uv.Y(), p, du, dv, duu, dvv, duv);
   SurfaceJet jet;
-  jet.p = vector(p.XYZ());
-  jet.u = vector(du.XYZ());
-  jet.v = vector(dv.XYZ());
-  jet.uu = vector(duu.XYZ());
-  jet.uv = vector(duv.XYZ());
-  jet.vv = vector(dvv.XYZ());
+  jet.p = vector(p);
+  jet.u = vector(du);
+  jet.v = vector(dv);
+  jet.uu = vector(duu);
+  jet.uv = vector(duv);
+  jet.vv = vector(dvv);
   return jet;
 }
 

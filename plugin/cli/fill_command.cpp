@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <numbers>
 #include <optional>
+#include <seamwright/core/angle.hpp>
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
 #include <seamwright/plugin/cli/fill_command.hpp>
 #include <seamwright/plugin/cli/output.hpp>
@@ -17,14 +17,13 @@ namespace seamwright::cli {
 namespace {
 
 occ::FillHoleOptions optionsOf(const FillArguments& arguments) {
-  constexpr double degree = std::numbers::pi / 180;
   occ::FillHoleOptions options;
   options.target = *levelFromName(arguments.target);
   options.tolerance.gap_mm = arguments.gap_mm;
-  options.setAngle(arguments.angle_deg * degree);
+  options.setAngle(arguments.angle_deg * radians_per_degree);
   options.tolerance.curvature_rel = arguments.curvature_rel;
   options.keep_anyway = arguments.keep_anyway;
-  options.corner_rad = arguments.corner_deg * degree;
+  options.corner_rad = arguments.corner_deg * radians_per_degree;
   options.jobs = arguments.jobs;
   options.validate();
   return options;

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
-#include <numbers>
+#include <seamwright/core/angle.hpp>
 #include <seamwright/occ_adapter/model/read.hpp>
 #include <seamwright/occ_adapter/model/target_file.hpp>
 #include <seamwright/plugin/cli/model_arguments.hpp>
@@ -16,8 +16,6 @@
 namespace seamwright::cli {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 std::vector<std::string> profileNames() {
   std::vector<std::string> names;
@@ -32,9 +30,9 @@ std::string profilesHelp() {
   for (const ToleranceProfile& profile : toleranceProfiles()) {
     const ContinuityTolerance& t = profile.tolerance;
     text << "  " << std::left << std::setw(9) << profile.name << "gap " << t.gap_mm << " mm, angle "
-         << t.angle_rad / degree << " deg, curvature " << t.curvature_rel << ", flat radius "
-         << t.flat_radius_mm << " mm, crease " << t.crease_rad / degree << " deg\n           "
-         << profile.purpose << '\n';
+         << t.angle_rad * degrees_per_radian << " deg, curvature " << t.curvature_rel
+         << ", flat radius " << t.flat_radius_mm << " mm, crease "
+         << t.crease_rad * degrees_per_radian << " deg\n           " << profile.purpose << '\n';
   }
   return text.str();
 }
@@ -103,10 +101,10 @@ void addMeasureOptions(CLI::App& command, MeasureArguments& arguments) {
 ContinuityTolerance toleranceOf(const MeasureArguments& arguments) {
   ContinuityTolerance tolerance = toleranceProfile(arguments.profile).value();
   if (arguments.gap_mm) tolerance.gap_mm = *arguments.gap_mm;
-  if (arguments.angle_deg) tolerance.angle_rad = *arguments.angle_deg * degree;
+  if (arguments.angle_deg) tolerance.angle_rad = *arguments.angle_deg * radians_per_degree;
   if (arguments.curvature_rel) tolerance.curvature_rel = *arguments.curvature_rel;
   if (arguments.flat_radius_mm) tolerance.flat_radius_mm = *arguments.flat_radius_mm;
-  if (arguments.crease_deg) tolerance.crease_rad = *arguments.crease_deg * degree;
+  if (arguments.crease_deg) tolerance.crease_rad = *arguments.crease_deg * radians_per_degree;
   return tolerance;
 }
 

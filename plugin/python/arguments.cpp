@@ -39,12 +39,13 @@ bool isReal(const py::handle& value) {
 
 ContinuityTolerance toleranceOf(const ToleranceArguments& given) {
   const ContinuityTolerance usual = profileOf(given.profile);
-  return {
-      numberOf("gap_mm", given.gap_mm, usual.gap_mm),
-      rad_per_degree * numberOf("angle_deg", given.angle_deg, usual.angle_rad / rad_per_degree),
-      numberOf("curvature_rel", given.curvature_rel, usual.curvature_rel),
-      numberOf("flat_radius_mm", given.flat_radius_mm, usual.flat_radius_mm),
-      rad_per_degree * numberOf("crease_deg", given.crease_deg, usual.crease_rad / rad_per_degree)};
+  return {numberOf("gap_mm", given.gap_mm, usual.gap_mm),
+          radians_per_degree *
+              numberOf("angle_deg", given.angle_deg, usual.angle_rad / radians_per_degree),
+          numberOf("curvature_rel", given.curvature_rel, usual.curvature_rel),
+          numberOf("flat_radius_mm", given.flat_radius_mm, usual.flat_radius_mm),
+          radians_per_degree *
+              numberOf("crease_deg", given.crease_deg, usual.crease_rad / radians_per_degree)};
 }
 
 Level levelOf(const py::object& value) {

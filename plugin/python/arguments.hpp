@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
-#include <numbers>
+#include <seamwright/core/angle.hpp>
 #include <seamwright/core/seam/judge.hpp>
 #include <string>
 #include <type_traits>
@@ -14,8 +14,6 @@
 namespace seamwright::python {
 
 namespace py = pybind11;
-
-inline constexpr double rad_per_degree = std::numbers::pi / 180;
 
 inline std::string shown(const py::object& value) {
   return py::cast<std::string>(py::repr(value));

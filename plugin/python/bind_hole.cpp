@@ -32,7 +32,7 @@ std::vector<occ::Hole> holesOf(const occ::Model& model, double corner_rad, doubl
 py::object holes(const occ::Model& model, const py::object& corner_deg, const py::object& gap_mm) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const occ::Hole& hole :
-       holesOf(model, rad_per_degree * argument<double>("corner_deg", corner_deg, "a number"),
+       holesOf(model, radians_per_degree * argument<double>("corner_deg", corner_deg, "a number"),
                argument<double>("gap_mm", gap_mm, "a number")))
     all.push_back(report::toJson(hole));
   return plainObject(all);
@@ -69,9 +69,9 @@ FillReport fillModel(const occ::Model& model, const py::object& hole, const py::
   occ::FillHoleOptions options;
   options.target = levelOf(target);
   options.tolerance.gap_mm = argument<double>("gap_mm", gap_mm, "a number");
-  options.setAngle(rad_per_degree * argument<double>("angle_deg", angle_deg, "a number"));
+  options.setAngle(radians_per_degree * argument<double>("angle_deg", angle_deg, "a number"));
   options.tolerance.curvature_rel = argument<double>("curvature_rel", curvature_rel, "a number");
-  options.corner_rad = rad_per_degree * argument<double>("corner_deg", corner_deg, "a number");
+  options.corner_rad = radians_per_degree * argument<double>("corner_deg", corner_deg, "a number");
   options.keep_anyway = flagOf("keep_anyway", keep_anyway);
   options.jobs = argument<int>("jobs", jobs, "a whole number");
   options.validate();

@@ -53,10 +53,10 @@ py::dict profiles() {
     const ContinuityTolerance& tolerance = profile.tolerance;
     py::dict figures;
     figures["gap_mm"] = tolerance.gap_mm;
-    figures["angle_deg"] = tolerance.angle_rad / rad_per_degree;
+    figures["angle_deg"] = tolerance.angle_rad / radians_per_degree;
     figures["curvature_rel"] = tolerance.curvature_rel;
     figures["flat_radius_mm"] = tolerance.flat_radius_mm;
-    figures["crease_deg"] = tolerance.crease_rad / rad_per_degree;
+    figures["crease_deg"] = tolerance.crease_rad / radians_per_degree;
     all[py::str(std::string(profile.name))] = figures;
   }
   return all;

@@ -77,7 +77,7 @@ py::dict seamDict(const SeamFigures& figures, const ContinuityTolerance& toleran
   result.note = remarksOn(figures, tolerance);
   py::dict dict;
   dict["gap_mm"] = figureDict(figures.gap_mm);
-  dict["angle_deg"] = figureDict(figures.angle_rad, report::degrees_per_radian);
+  dict["angle_deg"] = figureDict(figures.angle_rad, degrees_per_radian);
   dict["curvature_per_mm"] = figureDict(figures.curvature_per_mm);
   dict["curvature_rel"] = figureDict(figures.curvature_rel);
   dict["left_out"] = leftOutDict(figures);

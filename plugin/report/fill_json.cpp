@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
-#include <numbers>
+#include <seamwright/core/angle.hpp>
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
 #include <seamwright/occ_adapter/model/degenerate_edges.hpp>
 #include <seamwright/occ_adapter/seams/find.hpp>
@@ -17,7 +17,7 @@ namespace {
 using nlohmann::ordered_json;
 
 double degrees(double rad) {
-  return rad * 180 / std::numbers::pi;
+  return rad * degrees_per_radian;
 }
 
 ordered_json maybe(const std::optional<double>& value, double factor = 1) {

@@ -2,14 +2,12 @@
 #pragma once
 
 #include <map>
-#include <numbers>
+#include <seamwright/core/angle.hpp>
 #include <seamwright/occ_adapter/analyze/report.hpp>
 #include <string>
 #include <string_view>
 
 namespace seamwright::report {
-
-constexpr double degrees_per_radian = 180 / std::numbers::pi;
 
 std::string_view name(occ::SeamKind kind);
 using seamwright::name;
