@@ -39,7 +39,7 @@
 
 #include <seamwright/occ_adapter/analyze/measure_seam.hpp>
 #include <seamwright/occ_adapter/fill/fill.hpp>
-#include <seamwright/occ_adapter/seams/match.hpp>
+#include <seamwright/occ_adapter/seams/pair_free_edges.hpp>
 
 namespace seamwright {
 namespace {

@@ -12,6 +12,9 @@ inline constexpr double machine_epsilon = std::numeric_limits<double>::epsilon()
 
 inline constexpr double infinite = std::numeric_limits<double>::infinity();
 
+/// The highest degree of splines, as in OpenCASCADE.
+inline constexpr int max_spline_degree = 25;
+
 /// Throws std::invalid_argument with this text.
 [[noreturn]] inline void refuse(const std::string& text) {
   throw std::invalid_argument(text);

@@ -5,7 +5,6 @@
 
 #include <seamwright/core/bernstein/coefficients.hpp>
 #include <seamwright/core/bspline/basis.hpp>
-#include <seamwright/core/enclosure/spline.hpp>
 #include <seamwright/core/numeric.hpp>
 
 namespace seamwright::bspline {
@@ -46,10 +45,9 @@ Eigen::RowVectorXd onSpline(const Eigen::RowVectorXd& functional, const std::vec
 }  // namespace
 
 void requireDegree(int degree, const std::string& suffix) {
-  constexpr int max_degree = SplineEvaluator::max_degree;
-  if (degree < 1 || degree > max_degree)
+  if (degree < 1 || degree > max_spline_degree)
     refuse("degree" + suffix + " is " + std::to_string(degree) + ": 1 to " +
-           std::to_string(max_degree) + " is needed");
+           std::to_string(max_spline_degree) + " is needed");
 }
 
 void requireKnots(int degree, const std::vector<double>& knots, const std::string& suffix) {

@@ -5,7 +5,6 @@
 
 #include <seamwright/core/bezier/patch.hpp>
 #include <seamwright/core/bezier/patch_edge.hpp>
-#include <seamwright/core/seam/seam_side.hpp>
 
 namespace seamwright {
 
@@ -72,10 +71,5 @@ BSplineSurface elevated(const BSplineSurface& surface, SurfaceDirection directio
 
 /// The direction of the parameter that runs along an edge.
 SurfaceDirection along(PatchEdge edge);
-
-/// The side that a surface gives to a seam along one of its edges, for encloseSeam(); s is the
-/// parameter that runs along the edge, mapped to 0..1, or 1 minus it if \p reversed.
-/// \throws std::invalid_argument as requireValid() does.
-SeamSide seamSide(const BSplineSurface& surface, PatchEdge edge, bool reversed = false);
 
 }  // namespace seamwright

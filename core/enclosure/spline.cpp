@@ -13,7 +13,7 @@ namespace seamwright {
 
 namespace {
 
-constexpr int max_size = SplineEvaluator::max_degree + 1;
+constexpr int max_size = max_spline_degree + 1;
 using SmallMatrix =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_size, max_size>;
 
@@ -110,7 +110,7 @@ int netCount(int order) {
 }
 
 void requireFit(const SplineDirection& direction, std::size_t poles, const char* name) {
-  if (direction.degree < 0 || direction.degree > SplineEvaluator::max_degree ||
+  if (direction.degree < 0 || direction.degree > max_spline_degree ||
       direction.knots.size() != poles + direction.degree + 1)
     throw std::invalid_argument(std::string("spline in ") + name + ": " + std::to_string(poles) +
                                 " poles of degree " + std::to_string(direction.degree) + " with " +

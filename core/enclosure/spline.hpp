@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <seamwright/core/enclosure/vector_model.hpp>
+#include <seamwright/core/numeric.hpp>
 
 namespace seamwright {
 
@@ -46,8 +47,6 @@ struct SplineDirection {
 /// Source: docs/theory/enclosures.md E2.4, E5.1.
 class SplineEvaluator {
  public:
-  static constexpr int max_degree = 25;
-
   /// \param poles row by row: pole (i, j) is poles[i * count_v + j]; cartesian. \param weights
   /// empty: polynomial.
   /// \throws std::invalid_argument if a number is not finite, a weight not positive, or counts and
@@ -76,7 +75,7 @@ class SplineEvaluator {
  private:
   /// Of a degree up to 25, OpenCASCADE's largest, kept without allocation.
   using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
-                                    max_degree + 1, max_degree + 1>;
+                                    max_spline_degree + 1, max_spline_degree + 1>;
   struct Span {
     int knot = 0;  ///< the span begins at this one
     double lower = 0;

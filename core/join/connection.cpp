@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cmath>
-#include <seamwright/core/join/condition.hpp>
+#include <seamwright/core/join/condition/condition.hpp>
 #include <seamwright/core/join/connection.hpp>
 #include <seamwright/core/join/normalized.hpp>
 #include <seamwright/core/linear/dense.hpp>

@@ -9,9 +9,9 @@
 namespace seamwright {
 
 SeamSide seamSide(const BezierTriangle& triangle, TriangleEdge edge, bool reversed) {
-  if (triangle.degree() > SplineEvaluator::max_degree)
+  if (triangle.degree() > max_spline_degree)
     throw std::invalid_argument("triangle of degree " + std::to_string(triangle.degree()) +
-                                ": degrees up to " + std::to_string(SplineEvaluator::max_degree) +
+                                ": degrees up to " + std::to_string(max_spline_degree) +
                                 " are enclosed");
   return seamSide(degeneratePatch(triangle, static_cast<int>(edge)), PatchEdge::U1, reversed);
 }

@@ -14,7 +14,7 @@
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
 #include <seamwright/occ_adapter/analyze/measure_seam.hpp>
 #include <seamwright/occ_adapter/analyze/workers.hpp>
-#include <seamwright/occ_adapter/seams/match.hpp>
+#include <seamwright/occ_adapter/seams/pair_free_edges.hpp>
 
 namespace seamwright::occ {
 

@@ -30,7 +30,7 @@
 #include <numbers>
 #include <vector>
 
-#include <seamwright/core/umbrella/regular.hpp>
+#include <seamwright/core/fill/regular.hpp>
 #include <seamwright/occ_adapter/convert/bezier_surface.hpp>
 #include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/fill/continued_face.hpp>

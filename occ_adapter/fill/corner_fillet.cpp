@@ -16,7 +16,7 @@
 #include <seamwright/occ_adapter/fill/corner_fillet.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
-#include <seamwright/occ_adapter/repair/sewn_shape.hpp>
+#include <seamwright/occ_adapter/topology/sewn_shape.hpp>
 
 namespace seamwright::occ {
 

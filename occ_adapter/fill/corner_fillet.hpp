@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <seamwright/core/umbrella/n_sided_fill.hpp>
+#include <seamwright/core/fill/n_sided_fill.hpp>
 #include <seamwright/occ_adapter/analyze/report.hpp>
 #include <seamwright/occ_adapter/model/model.hpp>
 #include <seamwright/occ_adapter/progress.hpp>

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <seamwright/core/umbrella/n_sided_fill.hpp>
+#include <seamwright/core/fill/n_sided_fill.hpp>
 #include <seamwright/occ_adapter/fill/corner.hpp>
 #include <seamwright/occ_adapter/fill/corner_fillet.hpp>
 

@@ -2,7 +2,7 @@
 #include <TopoDS.hxx>
 
 #include <seamwright/occ_adapter/fill/fill_names.hpp>
-#include <seamwright/occ_adapter/repair/own_parts.hpp>
+#include <seamwright/occ_adapter/topology/own_parts.hpp>
 
 namespace seamwright::occ {
 

@@ -6,7 +6,7 @@
 #include <seamwright/occ_adapter/fill/fill.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
-#include <seamwright/occ_adapter/repair/sewn_shape.hpp>
+#include <seamwright/occ_adapter/topology/sewn_shape.hpp>
 
 /// Fills of models that are parts or stages of what the user gave; not a public header.
 namespace seamwright::occ {

@@ -18,8 +18,8 @@
 #include <stdexcept>
 
 #include <seamwright/core/angle.hpp>
-#include <seamwright/core/umbrella/fill_corners.hpp>
-#include <seamwright/core/umbrella/ring_fill.hpp>
+#include <seamwright/core/fill/fill_corners.hpp>
+#include <seamwright/core/fill/ring_fill.hpp>
 #include <seamwright/occ_adapter/analyze/measure_seam.hpp>
 #include <seamwright/occ_adapter/analyze/workers.hpp>
 #include <seamwright/occ_adapter/convert/bezier_surface.hpp>
@@ -32,7 +32,7 @@
 #include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/repair/prove.hpp>
 #include <seamwright/occ_adapter/repair/sew.hpp>
-#include <seamwright/occ_adapter/seams/match.hpp>
+#include <seamwright/occ_adapter/seams/pair_free_edges.hpp>
 
 namespace seamwright::occ {
 

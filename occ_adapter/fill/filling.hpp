@@ -8,7 +8,7 @@
 #include <string>
 
 #include <seamwright/occ_adapter/fill/fill.hpp>
-#include <seamwright/occ_adapter/repair/sewn_shape.hpp>
+#include <seamwright/occ_adapter/topology/sewn_shape.hpp>
 
 /// One attempt to fill a hole; not a public header.
 namespace seamwright::occ {

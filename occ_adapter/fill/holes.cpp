@@ -19,9 +19,9 @@
 #include <stdexcept>
 
 #include <seamwright/core/angle.hpp>
+#include <seamwright/core/disjoint_sets.hpp>
 #include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/fill/holes.hpp>
-#include <seamwright/occ_adapter/repair/groups.hpp>
 #include <seamwright/occ_adapter/seams/edge_path.hpp>
 
 namespace seamwright::occ {
@@ -116,7 +116,7 @@ class Loops {
 
   /// Corners in one place are one node, whether the edges share a vertex or not.
   void mergeNodes() {
-    nodes_ = Groups(static_cast<int>(corners_.size()));
+    nodes_ = DisjointSets(static_cast<int>(corners_.size()));
     std::vector<int> order(corners_.size());
     std::iota(order.begin(), order.end(), 0);
     std::ranges::sort(order, {}, [this](int k) { return corners_[k].place.X(); });
@@ -127,7 +127,7 @@ class Loops {
         const Corner &a = corners_[order[i]], &b = corners_[order[j]];
         if (b.place.X() - a.place.X() > 2 * largest_mm) break;
         if (a.place.Distance(b.place) <= std::max(options_.gap_mm, a.reach_mm + b.reach_mm))
-          nodes_.join(order[i], order[j]);
+          nodes_.unite(order[i], order[j]);
       }
     for (Link& link : links_)
       for (int& node : link.nodes) node = nodes_.of(node);
@@ -220,10 +220,10 @@ class Loops {
   }
 
   void markLongest() {
-    Groups groups(faces_.Extent() + 1);
-    for (const Seam& seam : graph_.seams) groups.join(seam.sides[0].face, seam.sides[1].face);
+    DisjointSets groups(faces_.Extent() + 1);
+    for (const Seam& seam : graph_.seams) groups.unite(seam.sides[0].face, seam.sides[1].face);
     for (const std::vector<Link>& loop : loops_)
-      for (const Link& link : loop) groups.join(link.edge.use.face, loop.front().edge.use.face);
+      for (const Link& link : loop) groups.unite(link.edge.use.face, loop.front().edge.use.face);
     std::map<int, std::vector<Hole*>> by_faces;
     for (Hole& hole : result_.holes)
       by_faces[groups.of(hole.sides.front().edges.front().use.face)].push_back(&hole);
@@ -239,7 +239,7 @@ class Loops {
   SeamGraph graph_;
   std::vector<Link> links_;
   std::vector<Corner> corners_;  ///< by vertex
-  Groups nodes_;
+  DisjointSets nodes_;
   std::vector<std::vector<Link>> loops_;
   Holes result_;
 };

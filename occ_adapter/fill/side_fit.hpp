@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include <seamwright/core/umbrella/n_sided_fill.hpp>
+#include <seamwright/core/fill/n_sided_fill.hpp>
 #include <seamwright/occ_adapter/fill/holes.hpp>
 #include <seamwright/occ_adapter/fill/side_cut.hpp>
 

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include <seamwright/core/join/nearest.hpp>
+#include <seamwright/core/join/nearest/nearest.hpp>
 #include <seamwright/occ_adapter/match/candidate.hpp>
 
 namespace seamwright::occ {

@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include <seamwright/occ_adapter/match/block_cholesky.hpp>
+#include <seamwright/occ_adapter/deform/block_cholesky.hpp>
 
 /// Conditions on the moves of points, by least squares; not a public header.
 namespace seamwright::occ {

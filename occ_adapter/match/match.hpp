@@ -50,12 +50,12 @@ struct MatchReport {
 /// paths in the parameter plane.
 ///
 /// Where both faces end there with a side of their spline surfaces, the join is one of poles and
-/// exact to rounding: the smallest move (core/join/nearest.hpp), with the knots along the seam as
-/// they are or, where at most 300 poles move, with inner ones repeated up to
-/// \p order times more, whichever moves less. Otherwise, or where that cannot be or moves more than
-/// twice as far, one face follows what the other one shows along the boundary at several points a
-/// knot span (position, tangent plane, curvature), row by row, each by the smallest move that meets
-/// it; knot spans where the tolerance is not met are halved, at most 6 times.
+/// exact to rounding: the smallest move (core/join/nearest/nearest.hpp), with the knots along the
+/// seam as they are or, where at most 300 poles move, with inner ones repeated up to \p order times
+/// more, whichever moves less. Otherwise, or where that cannot be or moves more than twice as far,
+/// one face follows what the other one shows along the boundary at several points a knot span
+/// (position, tangent plane, curvature), row by row, each by the smallest move that meets it; knot
+/// spans where the tolerance is not met are halved, at most 6 times.
 ///
 /// Matched means: the figures of the new seam are enclosed and within the tolerance, OpenCASCADE's
 /// checks pass, no edge or vertex has a tolerance above twice the largest that the faces had (or

@@ -17,7 +17,7 @@
 #include <seamwright/occ_adapter/model/child.hpp>
 #include <seamwright/occ_adapter/model/failure_text.hpp>
 #include <seamwright/occ_adapter/model/reader.hpp>
-#include <seamwright/occ_adapter/model/wire.hpp>
+#include <seamwright/occ_adapter/model/reader_protocol.hpp>
 
 namespace seamwright::occ {
 

@@ -30,8 +30,8 @@
 #include <seamwright/occ_adapter/model/load.hpp>
 #include <seamwright/occ_adapter/model/out_of_memory.hpp>
 #include <seamwright/occ_adapter/model/reader.hpp>
+#include <seamwright/occ_adapter/model/reader_protocol.hpp>
 #include <seamwright/occ_adapter/model/store.hpp>
-#include <seamwright/occ_adapter/model/wire.hpp>
 
 namespace {
 

@@ -19,8 +19,8 @@
 #include <seamwright/occ_adapter/model/failure_text.hpp>
 #include <seamwright/occ_adapter/model/not_finite.hpp>
 #include <seamwright/occ_adapter/model/reader.hpp>
+#include <seamwright/occ_adapter/model/reader_protocol.hpp>
 #include <seamwright/occ_adapter/model/target_file.hpp>
-#include <seamwright/occ_adapter/model/wire.hpp>
 #include <seamwright/occ_adapter/model/write.hpp>
 
 namespace seamwright::occ {

@@ -24,7 +24,7 @@
 #include <seamwright/occ_adapter/convert/edge_image.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
 #include <seamwright/occ_adapter/repair/change.hpp>
-#include <seamwright/occ_adapter/repair/own_parts.hpp>
+#include <seamwright/occ_adapter/topology/own_parts.hpp>
 
 namespace seamwright::occ {
 

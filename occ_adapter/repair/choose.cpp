@@ -15,10 +15,10 @@
 #include <seamwright/core/differential/fundamental_forms.hpp>
 #include <seamwright/occ_adapter/convert/face_strip.hpp>
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
-#include <seamwright/occ_adapter/match/boundary.hpp>
+#include <seamwright/occ_adapter/deform/boundary.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
 #include <seamwright/occ_adapter/repair/choose.hpp>
-#include <seamwright/occ_adapter/repair/own_parts.hpp>
+#include <seamwright/occ_adapter/topology/own_parts.hpp>
 
 namespace seamwright::occ {
 

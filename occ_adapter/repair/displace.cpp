@@ -15,11 +15,11 @@
 #include <limits>
 #include <sstream>
 
+#include <seamwright/core/disjoint_sets.hpp>
 #include <seamwright/occ_adapter/analyze/workers.hpp>
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
 #include <seamwright/occ_adapter/repair/displace.hpp>
 #include <seamwright/occ_adapter/repair/face_change.hpp>
-#include <seamwright/occ_adapter/repair/groups.hpp>
 
 namespace seamwright::occ {
 
@@ -188,11 +188,11 @@ struct Part {
 
 std::vector<Part> connectedParts(const std::set<int>& moving, std::vector<Joint> joints,
                                  int faces) {
-  Groups groups(faces + 1);
+  DisjointSets groups(faces + 1);
   for (const Joint& joint : joints)
     if (joint.sides.size() == 2 && moving.count(joint.sides[0].face) > 0 &&
         moving.count(joint.sides[1].face) > 0)
-      groups.join(joint.sides[0].face, joint.sides[1].face);
+      groups.unite(joint.sides[0].face, joint.sides[1].face);
   std::map<int, Part> parts;
   for (const int face : moving) parts[groups.of(face)].faces.insert(face);
   for (Joint& joint : joints) {

@@ -10,7 +10,7 @@
 
 #include <seamwright/occ_adapter/repair/choose.hpp>
 #include <seamwright/occ_adapter/repair/instances.hpp>
-#include <seamwright/occ_adapter/repair/own_parts.hpp>
+#include <seamwright/occ_adapter/topology/own_parts.hpp>
 
 namespace seamwright::occ {
 

@@ -81,7 +81,7 @@ NaturalSides::NaturalSides(const std::vector<Joint>& joints, const std::vector<b
     offset_[face] = static_cast<int>(members_.size());
     for (int k = 0; k < mover.displacement.count(); ++k) members_.emplace_back(face, k);
   }
-  groups_ = Groups(static_cast<int>(members_.size()));
+  groups_ = DisjointSets(static_cast<int>(members_.size()));
   for (const auto& [face, coefficient] : members_) faces_.push_back({face});
   for (std::size_t j = 0; j < joints.size(); ++j) {
     const Joint& joint = joints[j];
@@ -131,7 +131,7 @@ void NaturalSides::tie(const Side& a, const Side& b, const MovingFaces& movers) 
     if (share_a_face) continue;
     faces_[std::min(first, second)].insert(faces_[std::max(first, second)].begin(),
                                            faces_[std::max(first, second)].end());
-    groups_.join(first, second);
+    groups_.unite(first, second);
   }
 }
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <seamwright/occ_adapter/repair/groups.hpp>
+#include <seamwright/core/disjoint_sets.hpp>
 #include <seamwright/occ_adapter/repair/joint.hpp>
 
 /// What keeps natural sides of surfaces together exactly; not a public header.
@@ -47,7 +47,7 @@ class NaturalSides {
 
   std::map<int, int> offset_;                 ///< by face
   std::vector<std::pair<int, int>> members_;  ///< face and coefficient
-  Groups groups_;
+  DisjointSets groups_;
   std::vector<std::set<int>> faces_;  ///< by first member of a group
   std::vector<std::pair<Side, Side>> tied_;
 };

@@ -22,7 +22,7 @@
 #include <seamwright/occ_adapter/repair/prove.hpp>
 #include <seamwright/occ_adapter/repair/surface_difference.hpp>
 #include <seamwright/occ_adapter/repair/volumes.hpp>
-#include <seamwright/occ_adapter/seams/match.hpp>
+#include <seamwright/occ_adapter/seams/pair_free_edges.hpp>
 
 namespace seamwright::occ {
 

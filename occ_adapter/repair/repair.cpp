@@ -15,7 +15,7 @@
 #include <seamwright/occ_adapter/repair/instances.hpp>
 #include <seamwright/occ_adapter/repair/sew.hpp>
 #include <seamwright/occ_adapter/repair/time_limit.hpp>
-#include <seamwright/occ_adapter/seams/match.hpp>
+#include <seamwright/occ_adapter/seams/pair_free_edges.hpp>
 
 namespace seamwright::occ {
 

@@ -11,7 +11,7 @@
 #include <seamwright/occ_adapter/analyze/workers.hpp>
 #include <seamwright/occ_adapter/repair/prove.hpp>
 #include <seamwright/occ_adapter/repair/sew.hpp>
-#include <seamwright/occ_adapter/seams/match.hpp>
+#include <seamwright/occ_adapter/seams/pair_free_edges.hpp>
 
 namespace seamwright::occ {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <seamwright/occ_adapter/repair/repair.hpp>
-#include <seamwright/occ_adapter/repair/sewn_shape.hpp>
+#include <seamwright/occ_adapter/topology/sewn_shape.hpp>
 
 /// Matched seams that become edges; not a public header.
 namespace seamwright::occ {

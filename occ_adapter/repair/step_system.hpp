@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include <seamwright/occ_adapter/match/block_cholesky.hpp>
+#include <seamwright/occ_adapter/deform/block_cholesky.hpp>
 
 /// One step of a Gauss-Newton method for points in space; not a public header.
 namespace seamwright::occ {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <seamwright/core/differential/jet.hpp>
-#include <seamwright/occ_adapter/match/block_cholesky.hpp>
+#include <seamwright/occ_adapter/deform/block_cholesky.hpp>
 
 /// Points and derivatives of a spline surface as sums over its poles; not a public header.
 namespace seamwright::occ {

@@ -4,7 +4,7 @@
 
 #include <optional>
 #include <seamwright/core/bezier/homogeneous.hpp>
-#include <seamwright/core/join/beta.hpp>
+#include <seamwright/core/join/curve/beta.hpp>
 #include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <vector>

@@ -3,9 +3,9 @@
 #include <pybind11/stl.h>
 
 #include <optional>
-#include <seamwright/core/umbrella/n_sided_fill.hpp>
-#include <seamwright/core/umbrella/ring_fill.hpp>
-#include <seamwright/core/umbrella/three_sided_fill.hpp>
+#include <seamwright/core/fill/n_sided_fill.hpp>
+#include <seamwright/core/fill/ring_fill.hpp>
+#include <seamwright/core/fill/three_sided_fill.hpp>
 #include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/python/edges.hpp>

@@ -5,8 +5,8 @@
 
 #include <optional>
 #include <seamwright/core/bezier/homogeneous.hpp>
-#include <seamwright/core/join/condition.hpp>
-#include <seamwright/core/join/construct.hpp>
+#include <seamwright/core/join/condition/condition.hpp>
+#include <seamwright/core/join/condition/construct.hpp>
 #include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/python/edges.hpp>

@@ -5,7 +5,7 @@
 #include <pybind11/stl.h>
 
 #include <optional>
-#include <seamwright/core/join/nearest.hpp>
+#include <seamwright/core/join/nearest/nearest.hpp>
 #include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <variant>

@@ -5,7 +5,7 @@
 
 #include <limits>
 #include <optional>
-#include <seamwright/core/join/nearest_curve.hpp>
+#include <seamwright/core/join/curve/nearest_curve.hpp>
 #include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <string>

@@ -4,6 +4,7 @@
 
 #include <seamwright/core/bspline/surface.hpp>
 #include <seamwright/core/differential/arc_length.hpp>
+#include <seamwright/core/seam/bspline_side.hpp>
 #include <seamwright/core/seam/patch_side.hpp>
 #include <seamwright/core/seam/triangle_side.hpp>
 #include <seamwright/plugin/python/arguments.hpp>

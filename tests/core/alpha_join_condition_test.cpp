@@ -7,7 +7,7 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 #include <array>
-#include <seamwright/core/join/condition.hpp>
+#include <seamwright/core/join/condition/condition.hpp>
 #include <seamwright/core/spline/alpha_join_condition.hpp>
 
 #include "alphas.hpp"

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <array>
-#include <seamwright/core/join/condition.hpp>
+#include <seamwright/core/join/condition/condition.hpp>
 #include <seamwright/core/spline/alpha_join_condition.hpp>
 
 #include "alphas.hpp"

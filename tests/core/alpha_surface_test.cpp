@@ -5,7 +5,7 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <seamwright/core/join/condition.hpp>
+#include <seamwright/core/join/condition/condition.hpp>
 #include <seamwright/core/spline/alpha_surface.hpp>
 
 #include "joins.hpp"

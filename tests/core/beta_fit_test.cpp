@@ -6,7 +6,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
-#include <seamwright/core/join/beta.hpp>
+#include <seamwright/core/join/curve/beta.hpp>
 
 #include "curve_joins.hpp"
 #include "exact.hpp"

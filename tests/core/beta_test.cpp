@@ -5,7 +5,7 @@
 #include <fstream>
 #include <functional>
 #include <limits>
-#include <seamwright/core/join/beta.hpp>
+#include <seamwright/core/join/curve/beta.hpp>
 
 #include "curve_joins.hpp"
 

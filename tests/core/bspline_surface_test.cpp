@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <seamwright/core/seam/bspline_side.hpp>
 #include <seamwright/core/seam/patch_side.hpp>
 
 #include "spline_surfaces.hpp"

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <functional>
 #include <optional>
-#include <seamwright/core/join/beta.hpp>
+#include <seamwright/core/join/curve/beta.hpp>
 
 #include "curve_joins.hpp"
 

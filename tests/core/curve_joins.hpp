@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 #include <random>
-#include <seamwright/core/join/beta.hpp>
+#include <seamwright/core/join/curve/beta.hpp>
 #include <stdexcept>
 
 #include "curves.hpp"

@@ -3,7 +3,7 @@
 // normals by cross products, at many points.
 #include <gmock/gmock.h>
 
-#include <seamwright/core/umbrella/fill_corners.hpp>
+#include <seamwright/core/fill/fill_corners.hpp>
 
 #include "fills.hpp"
 

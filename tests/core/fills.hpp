@@ -8,8 +8,8 @@
 #include <functional>
 #include <numbers>
 #include <random>
+#include <seamwright/core/fill/n_sided_fill.hpp>
 #include <seamwright/core/seam/patch_side.hpp>
-#include <seamwright/core/umbrella/n_sided_fill.hpp>
 #include <vector>
 
 #include "joins.hpp"

@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <numbers>
-#include <seamwright/core/join/condition.hpp>
+#include <seamwright/core/join/condition/condition.hpp>
 
 #include "joins.hpp"
 

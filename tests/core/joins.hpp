@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <random>
-#include <seamwright/core/join/construct.hpp>
+#include <seamwright/core/join/condition/construct.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>

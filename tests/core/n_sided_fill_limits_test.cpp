@@ -2,7 +2,7 @@
 // What nSidedFill() refuses, and how it says so; provedRegular().
 #include <gmock/gmock.h>
 
-#include <seamwright/core/umbrella/regular.hpp>
+#include <seamwright/core/fill/regular.hpp>
 
 #include "fills.hpp"
 

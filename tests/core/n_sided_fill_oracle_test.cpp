@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <Eigen/QR>
-#include <seamwright/core/umbrella/fill_space.hpp>
+#include <seamwright/core/fill/fill_space.hpp>
 
 #include "fills.hpp"
 

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <seamwright/core/differential/fundamental_forms.hpp>
-#include <seamwright/core/umbrella/fill_fairing.hpp>
+#include <seamwright/core/fill/fill_fairing.hpp>
 
 #include "fills.hpp"
 

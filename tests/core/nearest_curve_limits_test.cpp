@@ -3,8 +3,8 @@
 // refused.
 #include <gmock/gmock.h>
 
-#include <seamwright/core/join/beta.hpp>
-#include <seamwright/core/join/nearest_curve.hpp>
+#include <seamwright/core/join/curve/beta.hpp>
+#include <seamwright/core/join/curve/nearest_curve.hpp>
 
 #include "nearest_curves.hpp"
 

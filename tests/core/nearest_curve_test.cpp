@@ -5,8 +5,8 @@
 #include <fstream>
 #include <limits>
 #include <seamwright/core/differential/arc_length.hpp>
-#include <seamwright/core/join/beta.hpp>
-#include <seamwright/core/join/nearest_curve.hpp>
+#include <seamwright/core/join/curve/beta.hpp>
+#include <seamwright/core/join/curve/nearest_curve.hpp>
 
 #include "nearest_curves.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <seamwright/core/join/beta.hpp>
-#include <seamwright/core/join/nearest_curve.hpp>
+#include <seamwright/core/join/curve/beta.hpp>
+#include <seamwright/core/join/curve/nearest_curve.hpp>
 #include <seamwright/core/seam/curve_joint.hpp>
 
 #include "curves.hpp"

@@ -7,6 +7,8 @@
 
 #include "spline_surfaces.hpp"
 
+#include <seamwright/core/seam/bspline_side.hpp>
+
 namespace seamwright {
 namespace {
 

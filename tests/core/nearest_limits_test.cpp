@@ -6,6 +6,8 @@
 
 #include "spline_surfaces.hpp"
 
+#include <seamwright/core/seam/bspline_side.hpp>
+
 namespace seamwright {
 namespace {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-#include <seamwright/core/join/network_projection.hpp>
+#include <seamwright/core/join/network/network_projection.hpp>
 
 namespace seamwright {
 namespace {

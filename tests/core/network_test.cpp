@@ -9,6 +9,8 @@
 #include "joins.hpp"
 #include "networks.hpp"
 
+#include <seamwright/core/seam/bspline_side.hpp>
+
 namespace seamwright {
 namespace {
 

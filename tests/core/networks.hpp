@@ -5,7 +5,7 @@
 #include <map>
 #include <numbers>
 #include <random>
-#include <seamwright/core/join/network.hpp>
+#include <seamwright/core/join/network/network.hpp>
 #include <tuple>
 #include <utility>
 #include <vector>

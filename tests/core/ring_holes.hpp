@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <seamwright/core/fill/ring_fill.hpp>
 #include <seamwright/core/join/bernstein_rows.hpp>
-#include <seamwright/core/umbrella/ring_fill.hpp>
 
 #include "fills.hpp"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <random>
-#include <seamwright/core/join/nearest.hpp>
+#include <seamwright/core/join/nearest/nearest.hpp>
 #include <vector>
 
 #include "seam_sides.hpp"

@@ -3,7 +3,7 @@
 // triangles.
 #include <gmock/gmock.h>
 
-#include <seamwright/core/umbrella/regular.hpp>
+#include <seamwright/core/fill/regular.hpp>
 
 #include "three_sided_fills.hpp"
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <map>
+#include <seamwright/core/fill/three_sided_fill.hpp>
 #include <seamwright/core/seam/triangle_side.hpp>
-#include <seamwright/core/umbrella/three_sided_fill.hpp>
 
 #include "fills.hpp"
 #include "triangles.hpp"

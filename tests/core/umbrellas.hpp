@@ -2,7 +2,7 @@
 #pragma once
 
 #include <numbers>
-#include <seamwright/core/join/condition.hpp>
+#include <seamwright/core/join/condition/condition.hpp>
 #include <seamwright/core/seam/patch_side.hpp>
 #include <seamwright/core/seam/triangle_side.hpp>
 #include <seamwright/core/umbrella/umbrella.hpp>

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include <seamwright/occ_adapter/match/block_cholesky.hpp>
+#include <seamwright/occ_adapter/deform/block_cholesky.hpp>
 
 namespace seamwright::occ {
 namespace {

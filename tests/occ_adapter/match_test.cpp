@@ -30,7 +30,7 @@
 #include <numbers>
 
 #include <seamwright/occ_adapter/model/read.hpp>
-#include <seamwright/occ_adapter/seams/match.hpp>
+#include <seamwright/occ_adapter/seams/pair_free_edges.hpp>
 
 #include "shapes.hpp"
 

@@ -23,8 +23,8 @@
 #include "dense_oracle.hpp"
 #include "match_pairs.hpp"
 
-#include <seamwright/occ_adapter/repair/own_parts.hpp>
 #include <seamwright/occ_adapter/repair/repair.hpp>
+#include <seamwright/occ_adapter/topology/own_parts.hpp>
 
 namespace seamwright::test {
 namespace {

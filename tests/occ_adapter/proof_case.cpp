@@ -9,7 +9,7 @@
 
 #include "grids.hpp"
 
-#include <seamwright/occ_adapter/seams/match.hpp>
+#include <seamwright/occ_adapter/seams/pair_free_edges.hpp>
 
 namespace seamwright::test {
 

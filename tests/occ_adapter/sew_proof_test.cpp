@@ -32,7 +32,7 @@
 
 #include <seamwright/occ_adapter/repair/repair.hpp>
 #include <seamwright/occ_adapter/repair/sew.hpp>
-#include <seamwright/occ_adapter/seams/match.hpp>
+#include <seamwright/occ_adapter/seams/pair_free_edges.hpp>
 
 namespace seamwright::test {
 namespace {

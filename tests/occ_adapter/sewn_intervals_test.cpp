@@ -10,8 +10,8 @@
 #include <gp_Pln.hxx>
 #include <numeric>
 
-#include <seamwright/occ_adapter/repair/sewn_intervals.hpp>
-#include <seamwright/occ_adapter/seams/match.hpp>
+#include <seamwright/occ_adapter/seams/pair_free_edges.hpp>
+#include <seamwright/occ_adapter/topology/sewn_intervals.hpp>
 
 namespace seamwright::test {
 namespace {

@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <seamwright/core/fill/fill_curvature.hpp>
+#include <seamwright/core/fill/fill_fairing.hpp>
+#include <seamwright/core/fill/fill_forms.hpp>
+#include <seamwright/core/fill/hole_corner.hpp>
+#include <seamwright/core/fill/regular.hpp>
+#include <seamwright/core/join/bernstein_rows.hpp>
+#include <seamwright/core/join/ribbon.hpp>
+
+namespace seamwright::fill {
+
+namespace {
+
+using Eigen::Index, Eigen::Vector2d, Eigen::Vector3d;
+/// A point or vector as an affine function of the unknowns: their coefficients, then the constant's
+/// x, y, z.
+using Form = Eigen::RowVectorXd;
+
+constexpr int finer =
+    3;  ///< jumps are looked at in so many places for one where they are made small
+constexpr Index last_place = 3 * 12;  ///< along each edge, besides its first end
+/// Of the mean squared third derivative, or what differences make of it, in turn: jumps come down
+/// in steps.
+constexpr std::array<double, 5> fairness_weights = {100, 10, 1, 1e-1, 1e-2};
+
+/// Differences of poles become derivatives by this factor. Degrees 6 and higher are compared: their
+/// weights mean the same.
+double derivativeScale(int degree, int order) {
+  double scale = 1;
+  for (int k = 0; k < order; ++k) scale *= static_cast<double>(degree - k) / (6 - k);
+  return scale;
+}
+
+/// The places of an edge from one parameter to another.
+Eigen::VectorXd placesOf(double from, double to) {
+  Eigen::VectorXd all(last_place + 1);
+  for (Index k = 0; k <= last_place; ++k)
+    all(k) = from + static_cast<double>(k) / static_cast<double>(last_place) * (to - from);
+  return all;
+}
+
+/// Bernstein polynomials of a degree, or their derivatives: one row for each t.
+Eigen::MatrixXd basisAt(const Eigen::VectorXd& t, Index degree, int order) {
+  Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(t.size(), degree + 1);
+  if (order > degree) return basis;
+  Forms differences = Forms::Identity(degree + 1, degree + 1);
+  for (int k = 0; k < order; ++k) differences = derivative(differences);
+  basis.col(0).setOnes();
+  for (Index n = 1; n <= degree - order; ++n)
+    for (Index i = n; i >= 0; --i) {
+      basis.col(i).array() *= 1 - t.array();
+      if (i > 0) basis.col(i) += t.cwiseProduct(basis.col(i - 1));
+    }
+  return basis.leftCols(degree - order + 1) * differences;
+}
+
+Poles valuesAt(const Eigen::VectorXd& t, const Poles& polynomial, int order) {
+  return basisAt(t, polynomial.rows() - 1, order) * polynomial;
+}
+
+Vector3d at(const Poles& vectors, Index place) {
+  return vectors.row(place);
+}
+
+/// Patches along one of their edges, as far as curvature asks, at all places: x runs into the
+/// patch, s along the edge.
+struct Strip {
+  Poles x, s, xx, xs, ss;
+};
+
+/// What lies beyond a side, at the places of an edge of the fill.
+struct Beyond {
+  Poles edge1, edge2, cross, cross1, bend;
+};
+
+/// Across an edge at a place, along the normal: xx of the patch, or of the one after, less alpha^2
+/// xx + 2 alpha beta xs + beta^2 ss of the one before, less what is wanted; times the scale that
+/// makes it a normal curvature.
+struct Jump {
+  Index place = 0;
+  Vector3d normal = Vector3d::Zero();
+  double alpha = 0, beta = 0, wanted = 0, scale = 0;
+  double value_per_mm = 0;
+};
+
+double curvatureScale(const Vector3d& x, const Vector3d& s) {
+  const double across = x.cross(s).norm() / s.norm();
+  return 1 / (across * across);
+}
+
+Jump outerJump(const Strip& strip, const Beyond& beyond, Index place) {
+  const Vector3d x = at(strip.x, place), s = at(strip.s, place);
+  Jump jump{place, x.cross(s).normalized()};
+  const Vector2d c = combination(at(beyond.cross, place), at(beyond.edge1, place), x);
+  jump.wanted = jump.normal.dot(c(0) * c(0) * at(beyond.bend, place) +
+                                2 * c(0) * c(1) * at(beyond.cross1, place) +
+                                c(1) * c(1) * at(beyond.edge2, place));
+  jump.scale = curvatureScale(x, s);
+  jump.value_per_mm = jump.scale * (jump.normal.dot(at(strip.xx, place)) - jump.wanted);
+  return jump;
+}
+
+Jump innerJump(const Strip& before, const Strip& after, Index place) {
+  const Vector3d x = at(after.x, place), s = at(after.s, place);
+  Jump jump{place, s.cross(x).normalized()};
+  const Vector2d c = combination(at(before.x, place), s, x);
+  jump.alpha = c(0), jump.beta = c(1);
+  jump.scale = curvatureScale(x, s);
+  jump.value_per_mm =
+      jump.scale *
+      jump.normal.dot(at(after.xx, place) - c(0) * c(0) * at(before.xx, place) -
+                      2 * c(0) * c(1) * at(before.xs, place) - c(1) * c(1) * at(before.ss, place));
+  return jump;
+}
+
+bool isKnown(const FillSide& side) {
+  return side.cross && side.bend;
+}
+
+/// Along the edges of a fill.
+struct Jumps {
+  std::vector<std::vector<Jump>> outer,
+      inner;  ///< of each edge; none where nothing is known beyond
+  double largest_per_mm = 0;
+  double squares = 0;  ///< their sum
+};
+
+/// Where jumps are looked at.
+class Places {
+ public:
+  Places(int degree, const FillEdges& edges, const std::vector<FillSide>& sides) : edges_(edges) {
+    const Eigen::VectorXd even = placesOf(0, 1);
+    for (int order = 0; order < 3; ++order) basis_[order] = basisAt(even, degree, order);
+    for (const OuterEdge& edge : edges.outer) {
+      const FillSide& side = sides[edge.side];
+      beyond_.emplace_back();
+      if (!isKnown(side)) continue;
+      const Eigen::VectorXd t = placesOf(edge.from, edge.to);
+      const Poles poles = side.edge.poles();
+      beyond_.back() = {valuesAt(t, poles, 1), valuesAt(t, poles, 2), valuesAt(t, *side.cross, 0),
+                        valuesAt(t, *side.cross, 1), valuesAt(t, *side.bend, 0)};
+    }
+  }
+
+  const FillEdges& edges() const { return edges_; }
+  /// Of the patches' degree, or derivatives.
+  const Eigen::MatrixXd& basis(int order) const { return basis_.at(order); }
+
+  Jumps jumps(const std::vector<BezierPatch>& patches) const {
+    Jumps jumps;
+    const auto add = [&](std::vector<std::vector<Jump>>& edges, const auto& jumpAt) {
+      for (Index k = 0; k <= last_place; ++k) {
+        edges.back().push_back(jumpAt(k));
+        const double jump = std::abs(edges.back().back().value_per_mm);
+        jumps.largest_per_mm = std::max(jumps.largest_per_mm, jump);
+        jumps.squares += jump * jump;
+      }
+    };
+    for (std::size_t e = 0; e < edges_.outer.size(); ++e) {
+      jumps.outer.emplace_back();
+      if (beyond_[e].cross.rows() == 0) continue;
+      const Strip strip = stripOf(patches[edges_.outer[e].patch], edges_.outer[e].edge, false);
+      add(jumps.outer, [&](Index k) { return outerJump(strip, beyond_[e], k); });
+    }
+    for (const InnerEdge& edge : edges_.inner) {
+      jumps.inner.emplace_back();
+      const Strip before = stripOf(patches[edge.before], edge.before_edge, edge.reversed),
+                  after = stripOf(patches[edge.after], edge.after_edge, false);
+      add(jumps.inner, [&](Index k) { return innerJump(before, after, k); });
+    }
+    return jumps;
+  }
+
+ private:
+  Strip stripOf(const BezierPatch& patch, PatchEdge edge, bool reversed) const {
+    const Ribbon along = ribbon(patch, edge, reversed, Across::Into);
+    const Poles position = along.position.leftCols<3>(), first = along.first.leftCols<3>(),
+                second = along.second.leftCols<3>();
+    return {basis_[0] * first, basis_[1] * position, basis_[0] * second, basis_[1] * first,
+            basis_[2] * position};
+  }
+
+  const FillEdges& edges_;
+  std::array<Eigen::MatrixXd, 3> basis_;
+  std::vector<Beyond> beyond_;
+};
+
+/// The least-squares problem of all three coordinates together.
+class Problem {
+ public:
+  Problem(const FillSpace& space, const Places& places, int order)
+      : space_(space), places_(places), count_(space.coefficients.cols()) {
+    forms_.resize(space.coefficients.rows(), count_ + 3);
+    forms_ << space.coefficients, space.constants;
+    const Eigen::MatrixXd rows =
+        derivativeScale(space.degree, order) * differencesOf(space, forms_, order);
+    fair_ = rows.leftCols(count_).transpose() * rows;
+  }
+
+  void begin(double fairness) {
+    matrix_ = Eigen::MatrixXd::Zero(3 * count_, 3 * count_);
+    right_ = Eigen::VectorXd::Zero(3 * count_);
+    for (int c = 0; c < 3; ++c) {
+      matrix_.block(c * count_, c * count_, count_, count_) = fairness * fair_.leftCols(count_);
+      right_.segment(c * count_, count_) = -fairness * fair_.col(count_ + c);
+    }
+    rows_.clear(), values_.clear();
+  }
+
+  /// The jumps are to be small, linearised where they were taken.
+  void add(const Jumps& jumps, double weight) {
+    const FillEdges& edges = places_.edges();
+    for (std::size_t e = 0; e < edges.outer.size(); ++e)
+      for (std::size_t k = 0; k < jumps.outer[e].size(); k += finer)
+        add(outerForm(edges.outer[e], jumps.outer[e][k]), jumps.outer[e][k], weight);
+    for (std::size_t e = 0; e < edges.inner.size(); ++e)
+      for (std::size_t k = 0; k < jumps.inner[e].size(); k += finer)
+        add(innerForm(edges.inner[e], jumps.inner[e][k]), jumps.inner[e][k], weight);
+  }
+
+  Poles solve() {
+    const Index size = static_cast<Index>(rows_.size());
+    Eigen::MatrixXd rows(size, 3 * count_);
+    for (Index i = 0; i < size; ++i) rows.row(i) = rows_[i];
+    matrix_.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
+    right_ += rows.transpose() * Eigen::Map<const Eigen::VectorXd>(values_.data(), size);
+    // Unknowns that move no pole, or that all fills leave free, stay near zero.
+    matrix_.diagonal().array() += 1e-13 * matrix_.diagonal().maxCoeff();
+    const Eigen::VectorXd solution =
+        matrix_.ldlt().solve(right_);  // of which the lower half counts
+    Poles unknowns(count_, 3);
+    for (int c = 0; c < 3; ++c) unknowns.col(c) = solution.segment(c * count_, count_);
+    return unknowns;
+  }
+
+ private:
+  /// weight (normal . form - wanted) is to be small.
+  void add(const Form& form, const Jump& jump, double weight) {
+    weight *= jump.scale;
+    Form row(3 * count_);
+    for (int c = 0; c < 3; ++c)
+      row.segment(c * count_, count_) = weight * jump.normal(c) * form.head(count_);
+    rows_.push_back(std::move(row));
+    values_.push_back(weight * (jump.wanted - form.tail<3>().dot(jump.normal)));
+  }
+
+  Form outerForm(const OuterEdge& edge, const Jump& jump) const {
+    return form(edge.patch, edge.edge, false, jump.place, 2, 0);
+  }
+
+  Form innerForm(const InnerEdge& edge, const Jump& jump) const {
+    const auto before = [&](int across, int along) {
+      return form(edge.before, edge.before_edge, edge.reversed, jump.place, across, along);
+    };
+    return form(edge.after, edge.after_edge, false, jump.place, 2, 0) -
+           jump.alpha * jump.alpha * before(2, 0) - 2 * jump.alpha * jump.beta * before(1, 1) -
+           jump.beta * jump.beta * before(0, 2);
+  }
+
+  /// Derivatives of a patch along an edge: of order 0 to 2 into it, and along.
+  Form form(int patch, PatchEdge edge, bool reversed, Index place, int across, int along) const {
+    const int n = space_.degree;
+    const std::array<std::array<double, 3>, 3> stencils = {
+        {{1, 0, 0},
+         {-1.0 * n, 1.0 * n, 0},
+         {1.0 * n * (n - 1), -2.0 * n * (n - 1), 1.0 * n * (n - 1)}}};
+    Form result = Form::Zero(forms_.cols());
+    for (int k = 0; k <= n; ++k)
+      for (int r = 0; r <= across; ++r)
+        result += places_.basis(along)(place, k) * stencils.at(across)[r] *
+                  forms_.row(poleOf(patch, edge, reversed, r, k));
+    return result;
+  }
+
+  Index poleOf(int patch, PatchEdge edge, bool reversed, int r, int k) const {
+    const int n = space_.degree, s = reversed ? n - k : k;
+    switch (edge) {
+      case PatchEdge::U0:
+        return space_.row(patch, r, s);
+      case PatchEdge::U1:
+        return space_.row(patch, n - r, s);
+      case PatchEdge::V0:
+        return space_.row(patch, s, r);
+      default:
+        return space_.row(patch, s, n - r);
+    }
+  }
+
+  const FillSpace& space_;
+  const Places& places_;
+  Index count_;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> forms_;
+  Eigen::MatrixXd fair_, matrix_;
+  Eigen::VectorXd right_;
+  std::vector<Form> rows_;
+  std::vector<double> values_;
+};
+
+struct Candidate {
+  std::vector<BezierPatch> patches;
+  double squares = 0, largest_per_mm = 0;
+};
+
+double sizeOf(const std::vector<FillSide>& sides) {
+  double length = 0;
+  for (const FillSide& side : sides) length += (side.edge.point(1) - side.edge.point(0)).norm();
+  return length / static_cast<double>(sides.size());
+}
+
+}  // namespace
+
+FillEdges starEdges(int sides) {
+  FillEdges edges;
+  for (int k = 0; k < sides; ++k) {
+    const std::size_t side = static_cast<std::size_t>(k);
+    const int next = (k + 1) % sides;
+    edges.outer.push_back({k, PatchEdge::V1, side, 0.5, 0});
+    edges.outer.push_back({next, PatchEdge::U1, side, 0.5, 1});
+    edges.inner.push_back({k, PatchEdge::U0, false, next, PatchEdge::V0});
+  }
+  return edges;
+}
+
+FillEdges ringEdges() {
+  constexpr std::array<PatchEdge, 4> middle = {PatchEdge::V0, PatchEdge::U1, PatchEdge::V1,
+                                               PatchEdge::U0};
+  FillEdges edges;
+  for (int k = 0; k < 4; ++k) {
+    edges.outer.push_back({k, PatchEdge::U1, static_cast<std::size_t>(k), 0, 1});
+    edges.inner.push_back({(k + 3) % 4, PatchEdge::V1, false, k, PatchEdge::V0});
+    edges.inner.push_back({4, middle.at(k), k >= 2, k, PatchEdge::U0});
+  }
+  return edges;
+}
+
+CurvedPatches leastCurvatureJump(
+    const FillSpace& space, const std::vector<BezierPatch>& given, const FillEdges& edges,
+    const std::vector<FillSide>& sides, int order,
+    const std::function<std::vector<BezierPatch>(const Poles& unknowns)>& patchesOf) {
+  constexpr double most_growth = 1.02;
+  const double size_mm = sizeOf(sides);
+  const Places places(space.degree, edges, sides);
+  Problem problem(space, places, order);
+  std::vector<Candidate> candidates;
+  Jumps now = places.jumps(given);
+  const Jumps first = now;
+  for (const double fairness : fairness_weights) {
+    problem.begin(fairness);
+    problem.add(now, size_mm * size_mm);
+    std::vector<BezierPatch> at = patchesOf(problem.solve());
+    now = places.jumps(at);
+    if (now.squares < first.squares && now.largest_per_mm <= most_growth * first.largest_per_mm)
+      candidates.push_back({std::move(at), now.squares, now.largest_per_mm});
+  }
+  std::ranges::sort(candidates, {}, &Candidate::squares);
+  for (Candidate& candidate : candidates)
+    if (std::ranges::all_of(candidate.patches,
+                            [](const BezierPatch& patch) { return provedRegular(patch); }))
+      return {std::move(candidate.patches), candidate.largest_per_mm};
+  return {given, first.largest_per_mm};
+}
+
+}  // namespace seamwright::fill

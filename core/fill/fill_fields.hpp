@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <seamwright/core/fill/n_sided_fill.hpp>
+
+/// The cross derivatives that a fill has along sides with tangent planes; not a public header.
+namespace seamwright::fill {
+
+/// 2 cos(2 pi / n), exactly 0 for n = 4: a regular star of n tangents r_k has r_(k+1) = c r_k -
+/// r_(k-1).
+inline double starFactor(int n) {
+  return n == 4 ? 0 : 2 * std::cos(2 * std::numbers::pi / n);
+}
+
+/// a'(1) of the law.
+inline double slopeAtSide(SpokeLaw law, int n) {
+  return law == SpokeLaw::Linear ? -starFactor(n) : 0;
+}
+
+/// The derivative of the fill out of the hole along the halves [0, 1/2] and [1/2, 1] of a side,
+/// each in the degree of the patches.
+struct SideField {
+  std::array<Poles, 2> halves;
+  FillSideJoin joins;
+};
+
+struct CrossBoundaryDerivatives {
+  std::vector<std::optional<SideField>> sides;  ///< nothing: position alone
+  std::vector<FillCorner> corners;
+};
+
+/// \throws as nSidedFill() for what concerns corners.
+/// Source: docs/theory/fills.md F2.1 to F2.3, F3.1.
+CrossBoundaryDerivatives crossBoundaryDerivatives(const std::vector<FillSide>& sides, SpokeLaw law,
+                                                  int degree, double tolerance_rad);
+
+/// Both halves of a polynomial.
+std::array<Poles, 2> halved(const Poles& coefficients);
+
+}  // namespace seamwright::fill

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/QR>
+#include <seamwright/core/fill/fill_forms.hpp>
+#include <seamwright/core/fill/ring_fields.hpp>
+#include <seamwright/core/fill/ring_space.hpp>
+#include <seamwright/core/join/bernstein_rows.hpp>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace seamwright::fill {
+
+namespace {
+
+using Eigen::Index;
+
+constexpr int count = 4;  // of sides; also the number of the middle patch
+constexpr double rank_threshold = 1e-11;
+
+int next(int k) {
+  return (k + 1) % count;
+}
+
+std::string shortText(double value) {
+  std::ostringstream text;
+  text.precision(3);
+  text << value;
+  return text.str();
+}
+
+/// The equations of the inner joins between all poles, and the poles that the sides fix.
+class Equations {
+ public:
+  Equations(const std::vector<FillSide>& sides, const RingFields& fields, const FillSpace& space)
+      : space_(space), n_(fields.degree) {
+    const Index total = (count + 1) * (n_ + 1) * (n_ + 1);
+    known_.assign(total, false);
+    points_ = Poles::Zero(total, 3);
+    for (int k = 0; k < count; ++k) fixSide(k, sides[k], fields.fields[k]);
+    for (int k = 0; k < count; ++k) {
+      const SpokeEnd& end = fields.spokes[k];
+      add(spokeRow(k, 0), spokeRow(k, 1), spokeRow(k, -1), {1, end.c}, {1, end.d}, {-1, end.e});
+      add(innerRow(k, 0), innerRow(k, 1), innerRow(k, -1), {1, 1}, {1, 1}, {-1, 1});
+    }
+  }
+
+  /// All solutions: poles as affine functions of unknowns, written to \p space.
+  void solve(FillSpace& space) const;
+
+ private:
+  Forms row(const std::vector<Index>& poles) const {
+    Forms forms = Forms::Zero(static_cast<Index>(poles.size()), static_cast<Index>(known_.size()));
+    for (std::size_t s = 0; s < poles.size(); ++s) forms(static_cast<Index>(s), poles[s]) = 1;
+    return forms;
+  }
+
+  /// The spoke to corner k (0), the row beside it in the patch after it (1), in the patch before it
+  /// (-1).
+  Forms spokeRow(int k, int beside) const {
+    std::vector<Index> poles;
+    for (int s = 0; s <= n_; ++s)
+      poles.push_back(beside < 0 ? sharedRow(space_, next(k + 2), s, n_ - 1)
+                                 : sharedRow(space_, k, s, beside));
+    return row(poles);
+  }
+
+  /// Edge k of the middle patch (0), the row beside it in the ring (1), in the middle (-1).
+  Forms innerRow(int k, int beside) const {
+    std::vector<Index> poles;
+    for (int s = 0; s <= n_; ++s) {
+      const std::array<std::array<int, 2>, count> inside = {
+          {{s, 1}, {n_ - 1, s}, {n_ - s, n_ - 1}, {1, n_ - s}}};
+      poles.push_back(beside < 0 ? sharedRow(space_, count, inside.at(k)[0], inside.at(k)[1])
+                                 : sharedRow(space_, k, beside, s));
+    }
+    return row(poles);
+  }
+
+  /// c V + d U = e S', with linear functions given by their ends.
+  void add(const Forms& edge, const Forms& after, const Forms& before, const Eigen::Vector2d& c,
+           const Eigen::Vector2d& d, const Eigen::Vector2d& e) {
+    const Forms law = product(c, after - edge) + product(d, before - edge) -
+                      elevated(product(e, derivative(edge)), n_ + 1) / n_;
+    const Index old = laws_.rows();
+    laws_.conservativeResize(old + law.rows(), law.cols());
+    laws_.bottomRows(law.rows()) = law;
+  }
+
+  void fix(Index pole, const Eigen::RowVector3d& point) {
+    known_[pole] = true;
+    points_.row(pole) = point;
+  }
+
+  void fixSide(int k, const FillSide& side, const std::optional<Poles>& field) {
+    const Poles edge = rows::elevated<3>(rows::Field<3>(side.edge.poles()), n_);
+    for (int s = 0; s <= n_; ++s) {
+      fix(sharedRow(space_, k, n_, s), edge.row(s));
+      if (field) fix(sharedRow(space_, k, n_ - 1, s), edge.row(s) - field->row(s) / n_);
+    }
+  }
+
+  const FillSpace& space_;
+  int n_;
+  std::vector<bool> known_;
+  Poles points_;
+  Forms laws_;
+};
+
+void Equations::solve(FillSpace& space) const {
+  std::vector<Index> bound, loose;  // poles of the equations, and others
+  for (Index pole = 0; pole < laws_.cols(); ++pole) {
+    const bool is_shared = sharedRow(space, static_cast<int>(pole) / ((n_ + 1) * (n_ + 1)),
+                                     static_cast<int>(pole) / (n_ + 1) % (n_ + 1),
+                                     static_cast<int>(pole) % (n_ + 1)) != pole;
+    if (is_shared || known_[pole]) continue;
+    (laws_.col(pole).isZero(0) ? loose : bound).push_back(pole);
+  }
+  const Eigen::MatrixXd matrix = laws_(Eigen::indexing::all, bound);
+  const Poles right = -laws_ * points_;
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> least(matrix);
+  least.setThreshold(rank_threshold);
+  const Poles particular = least.solve(right);
+  const double missed = (matrix * particular - right).cwiseAbs().maxCoeff();
+  if (missed > 1e-9 * (rows::size(points_) + rows::size(particular)))
+    throw std::runtime_error("the equations of the joins contradict each other by " +
+                             shortText(missed) + " mm: no ring of five patches is found");
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(matrix.transpose());
+  qr.setThreshold(rank_threshold);
+  const Eigen::MatrixXd all = qr.householderQ();
+  const Eigen::MatrixXd idle = all.rightCols(matrix.cols() - qr.rank());
+
+  space.coefficients =
+      Eigen::MatrixXd::Zero(laws_.cols(), idle.cols() + static_cast<Index>(loose.size()));
+  space.constants = points_;
+  space.coefficients(bound, Eigen::seqN(0, idle.cols())) = idle;
+  space.constants(bound, Eigen::indexing::all) = particular;
+  for (std::size_t k = 0; k < loose.size(); ++k)
+    space.coefficients(loose[k], idle.cols() + static_cast<Index>(k)) = 1;
+  for (int patch = 0; patch <= count; ++patch)
+    for (int i = 0; i <= n_; ++i)
+      for (int j = 0; j <= n_; ++j) {
+        const Index own = space.row(patch, i, j), kept = sharedRow(space, patch, i, j);
+        if (own == kept) continue;
+        space.coefficients.row(own) = space.coefficients.row(kept);
+        space.constants.row(own) = space.constants.row(kept);
+      }
+}
+
+}  // namespace
+
+Index sharedRow(const FillSpace& space, int patch, int i, int j) {
+  const int n = space.degree;
+  if (patch < count) return j == n ? space.row(next(patch), i, 0) : space.row(patch, i, j);
+  if (j == 0) return sharedRow(space, 0, 0, i);
+  if (i == n) return sharedRow(space, 1, 0, j);
+  if (j == n) return sharedRow(space, 2, 0, n - i);
+  return i == 0 ? sharedRow(space, 3, 0, n - j) : space.row(patch, i, j);
+}
+
+RingSpace ringSpace(const std::vector<FillSide>& sides, double spoke_scale, double tolerance_rad,
+                    int more_degrees) {
+  RingFields fields = ringFields(sides, spoke_scale, tolerance_rad, more_degrees);
+  RingSpace result;
+  result.space.patches = count + 1;
+  result.space.degree = fields.degree;
+  Equations(sides, fields, result.space).solve(result.space);
+  result.corners = std::move(fields.corners);
+  return result;
+}
+
+std::vector<BezierPatch> ringPatches(const FillSpace& space, const Poles& unknowns) {
+  const Poles own = space.coefficients * unknowns + space.constants;
+  const int n = space.degree;
+  std::vector<BezierPatch> patches;
+  for (int patch = 0; patch < space.patches; ++patch) {
+    Poles net((n + 1) * (n + 1), 3);
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; j <= n; ++j)
+        net.row(i * (n + 1) + j) = own.row(sharedRow(space, patch, i, j));
+    patches.emplace_back(n, n, std::move(net));
+  }
+  return patches;
+}
+
+}  // namespace seamwright::fill

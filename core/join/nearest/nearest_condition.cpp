@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <seamwright/core/bspline/basis.hpp>
+#include <seamwright/core/join/nearest/nearest_condition.hpp>
+#include <seamwright/core/linear/dense.hpp>
+
+namespace seamwright::nearest {
+
+namespace {
+
+/// Degree of the left side of the condition; \p n that of the rows.
+int conditionDegree(int order, int n, const Degrees& d) {
+  const auto term = [](int degree, std::initializer_list<int> functions) {
+    for (const int function : functions) {
+      if (function < 0) return 0;
+      degree += function;
+    }
+    return degree;
+  };
+  if (order == 1)
+    return std::max({n, term(n, {d[E1]}), term(n, {d[Alpha]}), term(n - 1, {d[Beta]})});
+  return std::max({n, term(n, {d[E2]}), term(n, {d[E1], d[Alpha]}), term(n - 1, {d[E1], d[Beta]}),
+                   term(n, {d[Alpha], d[Alpha]}), term(n - 1, {d[Alpha], d[Beta]}),
+                   term(n - 2, {d[Beta], d[Beta]}), term(n, {d[P]}), term(n - 1, {d[Q]})});
+}
+
+/// Points that determine a spline of that degree on a part of the seam inside which it is
+/// continuous; knots are flat and clamped.
+void addPlaces(int degree, const std::vector<double>& knots, const std::vector<double>& own,
+               int own_degree, std::vector<Place>& places) {
+  const int count = static_cast<int>(knots.size()) - degree - 1;
+  const double begin = knots.front(), end = knots.back();
+  for (int i = 0; i < count; ++i) {
+    double t = 0;
+    if (count == degree + 1) {
+      const double angle = std::numbers::pi * (2 * i + 1) / (2 * count);
+      t = (begin + end - (end - begin) * std::cos(angle)) / 2;
+    } else {
+      for (int k = 1; k <= degree; ++k) t += knots[i + k] / degree;
+      t = std::clamp(t, begin, end);
+    }
+    const double inside = std::min(t, std::nextafter(end, begin));
+    places.push_back({t, bspline::spanOf(own_degree, own, inside)});
+  }
+}
+
+}  // namespace
+
+std::array<int, function_count + 1> offsets(const Degrees& degrees) {
+  std::array<int, function_count + 1> result{};
+  for (int f = 0; f < function_count; ++f) result[f + 1] = result[f] + degrees[f] + 1;
+  return result;
+}
+
+Eigen::VectorXd bernsteinValues(int degree, double t) {
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(degree + 1);
+  if (degree >= 0) values(0) = 1;
+  for (int p = 1; p <= degree; ++p) {
+    for (int i = p; i > 0; --i) values(i) = (1 - t) * values(i) + t * values(i - 1);
+    values(0) *= 1 - t;
+  }
+  return values;
+}
+
+std::vector<Place> places(int n, const std::vector<double>& knots, int order, int degree,
+                          const std::vector<double>& vanishing) {
+  std::vector<Place> result;
+  std::vector<double> part(degree + 1, 0.0);
+  for (std::size_t i = n + 1; i < knots.size();) {
+    const double knot = knots[i];
+    const auto multiplicity = static_cast<int>(std::ranges::count(knots, knot));
+    const bool last = knot == knots.back();
+    const int smoothness = n - multiplicity - (std::ranges::count(vanishing, knot) > 0 ? 0 : order);
+    const int repeats = last || smoothness < 0 ? degree + 1 : degree - smoothness;
+    part.insert(part.end(), repeats, knot);
+    if (last || smoothness < 0) {
+      addPlaces(degree, part, knots, n, result);
+      part.assign(degree + 1, knot);
+    }
+    i += multiplicity;
+  }
+  return result;
+}
+
+Condition::Condition(const Unknowns& unknowns, int order, const Degrees& degrees,
+                     const std::vector<double>& vanishing)
+    : unknowns_(unknowns),
+      degrees_(degrees),
+      offset_(offsets(degrees)),
+      width_(unknowns.a.degree + 1),
+      columns_(static_cast<Eigen::Index>(unknowns.blocks()) * unknowns.count()) {
+  for (int k = 1; k <= order; ++k) addPoints(k, vanishing);
+}
+
+void Condition::addPoints(int order, const std::vector<double>& vanishing) {
+  const int n = unknowns_.a.degree, degree = conditionDegree(order, n, degrees_);
+  for (const Place& place : places(n, unknowns_.a.knots, order, degree, vanishing))
+    points_.push_back(pointAt(order, place.t, place.span));
+}
+
+Condition::Point Condition::pointAt(int order, double t, int span) const {
+  const Unknowns& u = unknowns_;
+  const Eigen::MatrixXd basis = bspline::basisDerivatives(u.a.degree, u.a.knots, span, t, 2);
+  Point point;
+  point.order = order;
+  point.first = span - u.a.degree;
+  for (int f = 0; f < function_count; ++f) point.bernstein[f] = bernsteinValues(degrees_[f], t);
+  point.fields = Eigen::MatrixXd::Zero(field_count, static_cast<Eigen::Index>(u.blocks()) * width_);
+  const auto set = [&](Field field, int block, double factor, int derivative) {
+    point.fields.row(field).segment(static_cast<Eigen::Index>(block) * width_, width_) +=
+        factor * basis.row(derivative);
+  };
+  set(FieldP, 0, 1, 0);
+  set(FieldPt, 0, 1, 1);
+  set(FieldPtt, 0, 1, 2);
+  for (int row = 0; row <= u.a.depth; ++row) {
+    set(FieldPs, row, -u.a.across(1, row), 0);
+    set(FieldPst, row, -u.a.across(1, row), 1);
+    set(FieldPss, row, u.a.across(2, row), 0);
+  }
+  for (int row = 0; row <= u.b.depth; ++row) {
+    const int block = row == 0 ? 0 : u.a.depth + row;
+    set(FieldQs, block, u.b.across(1, row), 0);
+    set(FieldQss, block, u.b.across(2, row), 0);
+  }
+  const double factor = std::max(std::abs(u.b.across(order, order)), u.b.across(1, 1));
+  point.scale = 1 / factor;
+  return point;
+}
+
+Condition::Values Condition::values(const Point& point, const Eigen::VectorXd& c) const {
+  Values result;
+  for (int f = 0; f < function_count; ++f)
+    result(f) = point.bernstein[f].dot(c.segment(offset_[f], degrees_[f] + 1));
+  return result;
+}
+
+Condition::Combination Condition::combination(int order, const Values& f) {
+  Combination w = Combination::Zero();
+  if (order == 1) {
+    w(FieldQs) = 1;
+    w(FieldP) = -f(E1);
+    w(FieldPs) = -f(Alpha);
+    w(FieldPt) = -f(Beta);
+    return w;
+  }
+  w(FieldQss) = 1;
+  w(FieldP) = -f(E2);
+  w(FieldPs) = -2 * f(E1) * f(Alpha) - f(P);
+  w(FieldPt) = -2 * f(E1) * f(Beta) - f(Q);
+  w(FieldPss) = -f(Alpha) * f(Alpha);
+  w(FieldPst) = -2 * f(Alpha) * f(Beta);
+  w(FieldPtt) = -f(Beta) * f(Beta);
+  return w;
+}
+
+Condition::Combination Condition::derivative(int order, const Values& f, int function) {
+  Combination w = Combination::Zero();
+  if (order == 1) {
+    if (function == Alpha) w(FieldPs) = -1;
+    if (function == Beta) w(FieldPt) = -1;
+    if (function == E1) w(FieldP) = -1;
+    return w;
+  }
+  if (function == Alpha) {
+    w(FieldPs) = -2 * f(E1);
+    w(FieldPss) = -2 * f(Alpha);
+    w(FieldPst) = -2 * f(Beta);
+  } else if (function == Beta) {
+    w(FieldPt) = -2 * f(E1);
+    w(FieldPst) = -2 * f(Alpha);
+    w(FieldPtt) = -2 * f(Beta);
+  } else if (function == E1) {
+    w(FieldPs) = -2 * f(Alpha);
+    w(FieldPt) = -2 * f(Beta);
+  } else {
+    w(function == P ? FieldPs : function == Q ? FieldPt : FieldP) = -1;
+  }
+  return w;
+}
+
+Condition::Combination Condition::secondDerivative(int order, int function, int other) {
+  Combination w = Combination::Zero();
+  if (order == 1 || std::max(function, other) > E1 || (function == E1 && other == E1)) return w;
+  const auto both = [&](int f, int g) { return std::minmax(function, other) == std::minmax(f, g); };
+  if (both(Alpha, Alpha)) w(FieldPss) = -2;
+  if (both(Alpha, Beta)) w(FieldPst) = -2;
+  if (both(Beta, Beta)) w(FieldPtt) = -2;
+  if (both(Alpha, E1)) w(FieldPs) = -2;
+  if (both(Beta, E1)) w(FieldPt) = -2;
+  return w;
+}
+
+Eigen::MatrixXd Condition::local(const Point& point, const Eigen::MatrixXd& x) const {
+  Eigen::MatrixXd result(point.fields.cols(), x.cols());
+  for (int block = 0; block < unknowns_.blocks(); ++block)
+    result.middleRows(static_cast<Eigen::Index>(block) * width_, width_) =
+        x.middleRows(static_cast<Eigen::Index>(block) * unknowns_.count() + point.first, width_);
+  return result;
+}
+
+Eigen::MatrixXd Condition::matrix(const Eigen::VectorXd& c) const {
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(rows(), columns_);
+  for (Eigen::Index i = 0; i < rows(); ++i) {
+    const Point& point = points_[i];
+    const Eigen::RowVectorXd row =
+        point.scale * combination(point.order, values(point, c)).transpose() * point.fields;
+    for (int block = 0; block < unknowns_.blocks(); ++block)
+      result.row(i).segment(static_cast<Eigen::Index>(block) * unknowns_.count() + point.first,
+                            width_) =
+          row.segment(static_cast<Eigen::Index>(block) * width_, width_);
+  }
+  return result;
+}
+
+std::vector<Eigen::MatrixXd> Condition::derivatives(const Eigen::VectorXd& c,
+                                                    const Eigen::MatrixXd& x) const {
+  std::vector<Eigen::MatrixXd> result(coefficients(), Eigen::MatrixXd::Zero(rows(), x.cols()));
+  for (Eigen::Index i = 0; i < rows(); ++i) {
+    const Point& point = points_[i];
+    const Eigen::MatrixXd fields = point.fields * local(point, x);
+    const Values f = values(point, c);
+    for (int function = 0; function < function_count; ++function) {
+      const Eigen::RowVectorXd by_value =
+          point.scale * derivative(point.order, f, function).transpose() * fields;
+      for (int k = 0; k <= degrees_[function]; ++k)
+        result[offset_[function] + k].row(i) = point.bernstein[function](k) * by_value;
+    }
+  }
+  return result;
+}
+
+std::vector<Eigen::MatrixXd> Condition::transposed(const Eigen::VectorXd& c,
+                                                   const Eigen::MatrixXd& nu) const {
+  std::vector<Eigen::MatrixXd> result(coefficients(), Eigen::MatrixXd::Zero(columns_, nu.cols()));
+  for (Eigen::Index i = 0; i < rows(); ++i) {
+    const Point& point = points_[i];
+    const Values f = values(point, c);
+    for (int function = 0; function < function_count; ++function) {
+      if (degrees_[function] < 0) continue;
+      const Eigen::MatrixXd by_value = point.fields.transpose() *
+                                       (point.scale * derivative(point.order, f, function)) *
+                                       nu.row(i);
+      for (int k = 0; k <= degrees_[function]; ++k)
+        for (int block = 0; block < unknowns_.blocks(); ++block)
+          result[offset_[function] + k].middleRows(
+              static_cast<Eigen::Index>(block) * unknowns_.count() + point.first, width_) +=
+              point.bernstein[function](k) *
+              by_value.middleRows(static_cast<Eigen::Index>(block) * width_, width_);
+    }
+  }
+  return result;
+}
+
+Eigen::MatrixXd Condition::curvature(const Eigen::MatrixXd& nu, const Eigen::MatrixXd& x) const {
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(coefficients(), coefficients());
+  for (Eigen::Index i = 0; i < rows(); ++i) {
+    const Point& point = points_[i];
+    if (point.order == 1) continue;
+    const Combination weighted =
+        point.scale * (point.fields * (local(point, x) * nu.row(i).transpose()));
+    for (int f = Alpha; f <= E1; ++f)
+      for (int g = Alpha; g <= E1; ++g)
+        result.block(offset_[f], offset_[g], degrees_[f] + 1, degrees_[g] + 1) +=
+            secondDerivative(point.order, f, g).dot(weighted) * point.bernstein[f] *
+            point.bernstein[g].transpose();
+  }
+  return result;
+}
+
+Eigen::VectorXd Condition::fittedPart(const Eigen::MatrixXd& x, const Eigen::MatrixXd& basis,
+                                      int order, const Eigen::VectorXd& c) const {
+  // With the other coefficients as they are, the condition of that order is linear in those of its
+  // own.
+  const int first = order == 1 ? offset_[Alpha] : offset_[P],
+            last = order == 1 ? offset_[P] : offset_.back();
+  const std::vector<Eigen::MatrixXd> by = derivatives(c, x);
+  const Eigen::MatrixXd residual = matrix(c) * x;
+  const Eigen::Index entries = residual.size();
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(entries, coefficients());
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(entries);
+  for (Eigen::Index i = 0; i < rows(); ++i) {
+    if (points_[i].order != order) continue;
+    for (Eigen::Index d = 0; d < x.cols(); ++d) {
+      right(i * x.cols() + d) = -residual(i, d);
+      for (int k = first; k < last; ++k) all(i * x.cols() + d, k) = by[k](i, d);
+    }
+  }
+  const Eigen::MatrixXd reduced = all * basis;
+  return basis * linear::LeastSquares(reduced).solve(right);
+}
+
+Eigen::VectorXd Condition::fitted(const Eigen::MatrixXd& x, const Eigen::MatrixXd& basis,
+                                  const Eigen::VectorXd& held, double smallest_alpha) const {
+  Eigen::VectorXd c = held + fittedPart(x, basis, 1, held);
+  const int alphas = degrees_[Alpha] + 1;
+  if (c.head(alphas).minCoeff() < smallest_alpha) {
+    c << c.head(alphas).cwiseMax(smallest_alpha), held.tail(held.size() - alphas);
+    Eigen::MatrixXd others = basis;
+    others.topRows(alphas).setZero();
+    c += fittedPart(x, others, 1, c);
+  }
+  c += fittedPart(x, basis, 2, c);
+  return c;
+}
+
+std::array<double, 2> Condition::crossSpeeds(const Eigen::MatrixXd& x) const {
+  double p = 0, q = 0;
+  for (const Point& point : points_) {
+    const Eigen::MatrixXd fields = point.fields * local(point, x);
+    p += fields.row(FieldPs).squaredNorm();
+    q += fields.row(FieldQs).squaredNorm();
+  }
+  const auto number = static_cast<double>(points_.size());
+  return {std::sqrt(p / number), std::sqrt(q / number)};
+}
+
+Eigen::MatrixXd Condition::normals(const Eigen::MatrixXd& x, bool of_b) const {
+  const std::vector<double>& knots = unknowns_.a.knots;
+  const int n = unknowns_.a.degree, steps = 4 * n;
+  Eigen::MatrixXd result(static_cast<Eigen::Index>(unknowns_.count() - n) * (steps + 1), 3);
+  Eigen::Index filled = 0;
+  for (int span = n; span < unknowns_.count(); ++span) {
+    if (knots[span] == knots[span + 1]) continue;
+    for (int k = 0; k <= steps; ++k) {
+      const Point point =
+          pointAt(1, std::lerp(knots[span], knots[span + 1], k / (1.0 * steps)), span);
+      const Eigen::MatrixXd fields = point.fields * local(point, x);
+      // Of homogeneous coordinates w^2 times the derivative of the point.
+      const auto affine = [&](Field field) -> Eigen::Vector3d {
+        if (x.cols() == 3) return fields.row(field).transpose();
+        return fields(FieldP, 3) * fields.row(field).head<3>() -
+               fields(field, 3) * fields.row(FieldP).head<3>();
+      };
+      result.row(filled++) = affine(of_b ? FieldQs : FieldPs).cross(affine(FieldPt)).transpose();
+    }
+  }
+  return result.topRows(filled);
+}
+
+double Condition::largestDerivative(const Eigen::MatrixXd& x) const {
+  double largest = 0;
+  for (const Point& point : points_) {
+    const Eigen::MatrixXd fields = point.fields * local(point, x);
+    largest =
+        std::max(largest, point.scale * fields.row(point.order == 1 ? FieldQs : FieldQss).norm());
+  }
+  return largest;
+}
+
+}  // namespace seamwright::nearest

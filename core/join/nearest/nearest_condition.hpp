@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include <seamwright/core/join/nearest/nearest_rows.hpp>
+
+/// The condition of a join as a linear system of the poles, A(c) x = 0; not a public header.
+namespace seamwright::nearest {
+
+/// The connection functions, in the order of their coefficients in c.
+enum Function { Alpha, Beta, E1, P, Q, E2, function_count };
+
+/// Degree of each function; -1: it is zero.
+using Degrees = std::array<int, function_count>;
+
+/// Begin of a function's coefficients in c, and at the end the number of all.
+std::array<int, function_count + 1> offsets(const Degrees& degrees);
+
+/// Values of the Bernstein polynomials of that degree; none for degree -1.
+Eigen::VectorXd bernsteinValues(int degree, double t);
+
+/// A point of the seam, and the span of the rows that it counts to.
+struct Place {
+  double t;
+  int span;
+};
+
+/// Places that determine the left side of the condition of that order as a spline of that degree;
+/// the rows have degree \p n and flat knots, and at the inner knots of \p vanishing the condition
+/// is as smooth as they are.
+std::vector<Place> places(int n, const std::vector<double>& knots, int order, int degree,
+                          const std::vector<double>& vanishing);
+
+/// The condition of order 1, and of order 2 below it, at as many points of the seam as determine
+/// the spline that its left side is:
+///   Q_s - e1 P - alpha P_s - beta P_t = 0 Q_ss - e2 P - (2 e1 alpha + p) P_s - (2 e1 beta + q) P_t
+///   - alpha^2 P_ss - 2 alpha beta P_st - beta^2 P_tt = 0
+/// P_s points out of a, Q_s into b. Each row is divided by the coefficient of the pole of b behind
+/// the seam, so that a residual is a length comparable to a move of that pole.
+///
+/// At a knot where the rows are of class C^r the condition of order k is of class C^(r-k), or C^r
+/// if beta and q vanish there. A spline of degree d and that class is zero iff it is at its
+/// Greville points (Schoenberg and Whitney), a polynomial iff it is at d + 1 points.
+class Condition {
+ public:
+  /// \param vanishing the inner knots where beta and q are zero.
+  Condition(const Unknowns& unknowns, int order, const Degrees& degrees,
+            const std::vector<double>& vanishing);
+
+  Eigen::Index rows() const { return static_cast<Eigen::Index>(points_.size()); }
+  Eigen::Index columns() const { return columns_; }
+  int coefficients() const { return offset_.back(); }
+  const Degrees& degrees() const { return degrees_; }
+
+  /// A(c).
+  Eigen::MatrixXd matrix(const Eigen::VectorXd& c) const;
+  /// dA/dc_i x for each coefficient.
+  std::vector<Eigen::MatrixXd> derivatives(const Eigen::VectorXd& c,
+                                           const Eigen::MatrixXd& x) const;
+  /// (dA/dc_i)' nu for each coefficient.
+  std::vector<Eigen::MatrixXd> transposed(const Eigen::VectorXd& c,
+                                          const Eigen::MatrixXd& nu) const;
+  /// <nu, d2A/dc_i dc_j x>.
+  Eigen::MatrixXd curvature(const Eigen::MatrixXd& nu, const Eigen::MatrixXd& x) const;
+  /// The coefficients held + basis y that fit these poles best, condition by condition, those of
+  /// alpha not below a bound.
+  /// Source: docs/theory/surfaces.md S2.5.
+  Eigen::VectorXd fitted(const Eigen::MatrixXd& x, const Eigen::MatrixXd& basis,
+                         const Eigen::VectorXd& held, double smallest_alpha) const;
+  /// Root mean squares of |P_s| and |Q_s| along the seam.
+  std::array<double, 2> crossSpeeds(const Eigen::MatrixXd& x) const;
+  /// Along P_s x P_t (for b: Q_s x P_t) at evenly spaced places of each span, its ends among them,
+  /// one a row.
+  Eigen::MatrixXd normals(const Eigen::MatrixXd& x, bool of_b) const;
+  /// Largest |Q_s|, and |Q_ss| if of order 2, over the factors of their rows.
+  double largestDerivative(const Eigen::MatrixXd& x) const;
+
+ private:
+  enum Field {
+    FieldP,
+    FieldPt,
+    FieldPtt,
+    FieldPs,
+    FieldPst,
+    FieldPss,
+    FieldQs,
+    FieldQss,
+    field_count
+  };
+  using Combination = Eigen::Matrix<double, field_count, 1>;
+  using Values = Eigen::Matrix<double, function_count, 1>;
+  struct Point {
+    int order = 1;
+    double scale = 1;  ///< of the row
+    int first = 0;     ///< first pole of the span
+    std::array<Eigen::VectorXd, function_count> bernstein;
+    Eigen::MatrixXd fields;  ///< field_count by the poles of the span, block after block
+  };
+
+  void addPoints(int order, const std::vector<double>& vanishing);
+  Point pointAt(int order, double t, int span) const;
+  Eigen::MatrixXd local(const Point& point, const Eigen::MatrixXd& x) const;
+  Values values(const Point& point, const Eigen::VectorXd& c) const;
+  static Combination combination(int order, const Values& f);
+  static Combination derivative(int order, const Values& f, int function);
+  static Combination secondDerivative(int order, int function, int other);
+  Eigen::VectorXd fittedPart(const Eigen::MatrixXd& x, const Eigen::MatrixXd& basis, int order,
+                             const Eigen::VectorXd& c) const;
+
+  const Unknowns& unknowns_;
+  Degrees degrees_;
+  std::array<int, function_count + 1> offset_;
+  int width_;  ///< poles of a span
+  Eigen::Index columns_;
+  std::vector<Point> points_;
+};
+
+}  // namespace seamwright::nearest

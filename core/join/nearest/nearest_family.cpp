@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+#include <seamwright/core/bspline/basis.hpp>
+#include <seamwright/core/join/nearest/nearest_family.hpp>
+#include <seamwright/core/linear/dense.hpp>
+#include <seamwright/core/numeric.hpp>
+
+namespace seamwright::nearest {
+
+namespace {
+
+constexpr int max_connection_degree = 6;
+
+Degrees degreesOf(const NearestOptions& options, bool rational) {
+  const bool second = options.order == 2;
+  return {options.degree_alpha,
+          options.degree_beta,
+          rational ? options.degree_e1 : -1,
+          second ? options.degree_p : -1,
+          second ? options.degree_q : -1,
+          second && rational ? options.degree_e2 : -1};
+}
+
+/// Columns span the polynomials of that degree that vanish at the places.
+Eigen::MatrixXd vanishingAt(const std::vector<double>& places, int degree) {
+  if (places.empty()) return Eigen::MatrixXd::Identity(degree + 1, degree + 1);
+  if (std::ssize(places) > degree) return {degree + 1, 0};
+  Eigen::MatrixXd values(std::ssize(places), degree + 1);
+  for (Eigen::Index i = 0; i < values.rows(); ++i)
+    values.row(i) = bernsteinValues(degree, places[i]).transpose();
+  return linear::kernel(values);
+}
+
+/// An end of the seam at which the poles of all rows stay and the cross derivatives of both sides
+/// are parallel, while the seam's tangent may turn: there beta is 0. A beta that is not would have
+/// to turn the tangent into the cross derivatives.
+struct HeldEnd {
+  double t = 0;
+  bool second = false;  ///< likewise for the condition of order 2
+  std::array<double, function_count> value{};
+};
+
+std::optional<HeldEnd> heldEnd(const Unknowns& u, int order, double t) {
+  constexpr double parallel = 1e-10;
+  const int j = t == 0 ? 0 : u.count() - 1, neighbour = t == 0 ? 1 : u.count() - 2;
+  const auto index = [&](int block, int pole) {
+    return static_cast<Eigen::Index>(block) * u.count() + pole;
+  };
+  const auto stays = [&](int row) {
+    return (row > u.a.depth || u.pull(index(row, j)) == 0) &&
+           (row > u.b.depth || u.pull(index(u.a.depth + row, j)) == 0);
+  };
+  if (u.pull(j) > 0 || !stays(1) || u.pull(neighbour) == 0) return std::nullopt;
+  const auto derivative = [&](const SeamRows& rows, int first_block, int k) {
+    Eigen::VectorXd sum = rows.across(k, 0) * u.target.row(j).transpose();
+    for (int row = 1; row <= rows.depth; ++row)
+      sum += rows.across(k, row) * u.target.row(index(first_block + row, j)).transpose();
+    return sum;
+  };
+  const Eigen::VectorXd p_s = -derivative(u.a, 0, 1), q_s = derivative(u.b, u.a.depth, 1);
+  Eigen::MatrixXd span = p_s;
+  if (u.rational) {
+    span.conservativeResize(Eigen::NoChange, 2);
+    span.col(1) = u.target.row(j).transpose();
+  }
+  const linear::LeastSquares solver(span);
+  HeldEnd end;
+  end.t = t;
+  const Eigen::VectorXd first = solver.solve(q_s);
+  if ((span * first - q_s).norm() > parallel * q_s.norm() || !(first(0) > 0)) return std::nullopt;
+  end.value[Alpha] = first(0);
+  if (u.rational) end.value[E1] = first(1);
+  if (order == 1 || !stays(2)) return end;
+  const Eigen::VectorXd p_ss = derivative(u.a, 0, 2), q_ss = derivative(u.b, u.a.depth, 2);
+  const Eigen::VectorXd rest =
+      q_ss - first(0) * first(0) * p_ss - 2 * end.value[E1] * first(0) * p_s;
+  const Eigen::VectorXd second = solver.solve(rest);
+  end.second = (span * second - rest).norm() <= parallel * (q_ss.norm() + p_ss.norm());
+  end.value[P] = second(0);
+  if (u.rational) end.value[E2] = second(1);
+  return end;
+}
+
+/// None where a constant alpha (or p, e1, e2) cannot be right at both ends.
+std::vector<HeldEnd> heldEnds(const Unknowns& u, const Degrees& degrees, int order) {
+  std::vector<HeldEnd> ends;
+  for (const double t : {0.0, 1.0})
+    if (const auto end = heldEnd(u, order, t)) ends.push_back(*end);
+  if (ends.size() < 2) return ends;
+  for (const Function f : {Alpha, E1, P, E2}) {
+    const double difference = std::abs(ends[0].value[f] - ends[1].value[f]);
+    const bool counts = f <= E1 || (ends[0].second && ends[1].second);
+    if (counts && degrees[f] == 0 && difference > 1e-10 * (1 + std::abs(ends[0].value[f])))
+      return {};
+  }
+  return ends;
+}
+
+Family familyOf(const Degrees& degrees, std::vector<double> vanishing,
+                const std::vector<HeldEnd>& ends = {}) {
+  Family family{degrees, std::move(vanishing), {}, {}};
+  const auto offset = offsets(degrees);
+  family.held = Eigen::VectorXd::Zero(offset.back());
+  family.basis.resize(offset.back(), 0);
+  const auto append = [&](int f, const Eigen::MatrixXd& part) {
+    const Eigen::Index columns = family.basis.cols();
+    family.basis.conservativeResizeLike(
+        Eigen::MatrixXd::Zero(offset.back(), columns + part.cols()));
+    family.basis.block(offset[f], columns, part.rows(), part.cols()) = part;
+  };
+  for (int f = 0; f < function_count; ++f) {
+    if (degrees[f] < 0) continue;
+    const bool vanishes = f == Beta || f == Q;
+    std::vector<double> zeros = vanishes ? family.vanishing : std::vector<double>{};
+    std::vector<int> open(degrees[f] + 1);  // coefficients that no end holds
+    std::iota(open.begin(), open.end(), 0);
+    for (const HeldEnd& end : ends) {
+      if (f >= P && !end.second) continue;
+      if (vanishes) {
+        zeros.push_back(end.t);
+        continue;
+      }
+      const int k = end.t == 0 ? 0 : degrees[f];
+      family.held(offset[f] + k) = end.value[f];
+      std::erase(open, k);
+    }
+    const Eigen::MatrixXd all = Eigen::MatrixXd::Identity(degrees[f] + 1, degrees[f] + 1);
+    append(f, vanishes ? vanishingAt(zeros, degrees[f])
+                       : Eigen::MatrixXd(all(Eigen::indexing::all, open)));
+  }
+  return family;
+}
+
+/// The functional that is the jump at a knot of the k-th derivative of a row of poles.
+Eigen::RowVectorXd jumpAt(const SeamRows& rows, double knot, int k) {
+  const auto above = std::upper_bound(rows.knots.begin(), rows.knots.end(), knot);
+  const auto below = std::lower_bound(rows.knots.begin(), rows.knots.end(), knot);
+  const int right = static_cast<int>(above - rows.knots.begin()) - 1;
+  const int left = static_cast<int>(below - rows.knots.begin()) - 1;
+  Eigen::RowVectorXd jump = Eigen::RowVectorXd::Zero(rows.count);
+  jump.segment(right - rows.degree, rows.degree + 1) +=
+      bspline::basisDerivatives(rows.degree, rows.knots, right, knot, k).row(k);
+  jump.segment(left - rows.degree, rows.degree + 1) -=
+      bspline::basisDerivatives(rows.degree, rows.knots, left, knot, k).row(k);
+  return jump;
+}
+
+/// The inner knots at which the seam (for order 2 also the row behind it) is no smoother than its
+/// knots make it, so that beta is not free.
+std::vector<double> roughKnots(const Unknowns& u, int order) {
+  constexpr double smooth = 1e-11;
+  std::vector<double> rough;
+  for (const double knot : innerKnots(u.a)) {
+    const int r = u.a.degree - static_cast<int>(std::ranges::count(u.a.knots, knot));
+    bool is_smooth = true;
+    for (int block = 0; block < (order == 2 ? 2 : 1); ++block)
+      for (int k = r + 1; k <= r + order - block; ++k) {
+        const auto row =
+            u.target.middleRows(static_cast<Eigen::Index>(block) * u.count(), u.count());
+        const Eigen::RowVectorXd jump = jumpAt(u.a, knot, k);
+        const double size = jump.cwiseAbs() * row.rowwise().norm();
+        is_smooth = is_smooth && (jump * row).norm() <= smooth * size;
+      }
+    if (!is_smooth) rough.push_back(knot);
+  }
+  return rough;
+}
+
+/// What it costs at least to make the seam smooth at these knots; nothing if fixed poles do not
+/// allow it.
+std::optional<double> costOfSmoothing(const Unknowns& u, const std::vector<double>& knots) {
+  Eigen::MatrixXd jumps(std::ssize(knots), u.count());
+  for (Eigen::Index i = 0; i < jumps.rows(); ++i) {
+    const auto multiplicity = static_cast<int>(std::ranges::count(u.a.knots, knots[i]));
+    jumps.row(i) = jumpAt(u.a, knots[i], u.a.degree - multiplicity + 1);
+    jumps.row(i).normalize();
+  }
+  const Eigen::ArrayXd pull = u.pull.head(u.count()).array();
+  const Eigen::VectorXd reach = (pull > 0).select(pull.rsqrt(), 0.0);
+  const Eigen::MatrixXd seam = u.target.topRows(u.count()),
+                        jumps_of_moves = jumps * reach.asDiagonal();
+  const Eigen::MatrixXd move = linear::LeastSquares(jumps_of_moves).solve(jumps * seam);
+  if ((jumps_of_moves * move - jumps * seam).norm() > 1e-9 * (jumps * seam).norm())
+    return std::nullopt;
+  return move.squaredNorm();
+}
+
+}  // namespace
+
+void requireDegree(int degree, const char* name) {
+  if (degree < 0 || degree > max_connection_degree)
+    refuse("degree of " + std::string(name) + " is " + std::to_string(degree) + ": 0 to " +
+           std::to_string(max_connection_degree) + " is needed");
+}
+
+std::vector<double> innerKnots(const SeamRows& rows) {
+  std::vector<double> knots(rows.knots.begin() + rows.degree + 1,
+                            rows.knots.end() - rows.degree - 1);
+  knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
+  return knots;
+}
+
+std::vector<Family> familiesOf(const Unknowns& u, const NearestOptions& options) {
+  const Degrees asked = degreesOf(options, u.rational);
+  Degrees constant = asked, natural = asked;
+  constant[Alpha] = 0;
+  for (int f = 0; f < function_count; ++f)
+    natural[f] = std::min(asked[f], f == Beta || f == Q ? 1 : 0);
+  const std::vector<double> rough = roughKnots(u, options.order);
+  std::vector<Family> families;
+  const auto add = [&](const Degrees& degrees) {
+    families.push_back(familyOf(degrees, rough, heldEnds(u, degrees, options.order)));
+  };
+  add(asked);
+  if (constant != asked) add(constant);
+  if (natural != constant) add(natural);
+  return families;
+}
+
+std::optional<Family> smoothFamily(const Unknowns& u, const Family& rough,
+                                   const Solution& solution) {
+  if (rough.vanishing.empty()) return std::nullopt;
+  const std::optional<double> least = costOfSmoothing(u, rough.vanishing);
+  if (!least || (solution.exact && *least >= solution.cost)) return std::nullopt;
+  return familyOf(rough.degrees, {});
+}
+
+std::vector<Family> familiesThatMayHold(const NearestOptions& options, bool rational) {
+  std::vector<Family> families = {familyOf(degreesOf(options, rational), {})};
+  for (int k = 0; k <= 2; ++k) {
+    NearestOptions further = options;
+    further.degree_alpha = further.degree_e1 = k;
+    further.degree_beta = k + 1;
+    further.degree_p = further.degree_e2 = 2 * k;
+    further.degree_q = 2 * k + 1;
+    families.push_back(familyOf(degreesOf(further, rational), {}));
+  }
+  return families;
+}
+
+Family heldFamily(const Connection& held, const NearestOptions& options, bool rational) {
+  const auto isConstant = [](const Eigen::VectorXd& f, double value) {
+    return f.size() > 0 && (f.array() == value).all();
+  };
+  if (!isConstant(held.e0, 1)) refuse("e0 of a held connection must be 1");
+  if (!rational && (!isConstant(held.e1, 0) || !isConstant(held.e2, 0)))
+    refuse("e1 and e2 of a held connection must be 0 unless a surface is rational");
+  const std::array<const Eigen::VectorXd*, function_count> functions = {
+      &held.alpha, &held.beta, &held.e1, &held.p, &held.q, &held.e2};
+  static constexpr std::array names = {"alpha", "beta", "e1", "p", "q", "e2"};
+  NearestOptions of_held = options;
+  const std::array<int*, function_count> degrees = {&of_held.degree_alpha, &of_held.degree_beta,
+                                                    &of_held.degree_e1,    &of_held.degree_p,
+                                                    &of_held.degree_q,     &of_held.degree_e2};
+  for (int f = 0; f < function_count; ++f) {
+    *degrees[f] = static_cast<int>(functions[f]->size()) - 1;
+    requireDegree(*degrees[f], names[f]);
+    if (!functions[f]->allFinite())
+      refuse(std::string(names[f]) + " of the held connection is not finite");
+  }
+  for (Eigen::Index i = 0; i < held.alpha.size(); ++i)
+    if (!(held.alpha(i) > 0))
+      refuse("coefficient " + std::to_string(i) + " of alpha is " + std::to_string(held.alpha(i)) +
+             ": it must be positive");
+  Family family{degreesOf(of_held, rational), {}, {}, {}};
+  const auto offset = offsets(family.degrees);
+  family.held.resize(offset.back());
+  family.basis.resize(offset.back(), 0);
+  for (int f = 0; f < function_count; ++f)
+    if (family.degrees[f] >= 0)
+      family.held.segment(offset[f], family.degrees[f] + 1) = *functions[f];
+  return family;
+}
+
+Connection connectionOf(const Unknowns& u, const Degrees& degrees, const Eigen::VectorXd& c) {
+  const auto offset = offsets(degrees);
+  const auto part = [&](Function f) -> Eigen::VectorXd {
+    if (degrees[f] < 0) return Eigen::VectorXd::Zero(1);
+    return c.segment(offset[f], degrees[f] + 1);
+  };
+  Connection connection;
+  connection.alpha = part(Alpha);
+  connection.beta = part(Beta);
+  connection.p = part(P);
+  connection.q = part(Q);
+  connection.e0 = Eigen::VectorXd::Constant(1, u.scale_b);
+  connection.e1 = u.scale_b * part(E1);
+  connection.e2 = u.scale_b * part(E2);
+  return connection;
+}
+
+}  // namespace seamwright::nearest

@@ -1,0 +1,459 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include <seamwright/core/bezier/homogeneous.hpp>
+#include <seamwright/core/join/nearest/nearest_solver.hpp>
+#include <seamwright/core/join/network/network_laws.hpp>
+#include <seamwright/core/join/network/network_projection.hpp>
+#include <seamwright/core/numeric.hpp>
+
+namespace seamwright {
+
+namespace {
+
+using namespace network;
+
+/// Share of the derivatives above which rounding hides whether a seam joins.
+constexpr double largest_network_rounding = 1e-6;
+
+Eigen::MatrixXd polesOf(const Eigen::MatrixXd& x, const std::vector<int>& columns) {
+  Eigen::MatrixXd result(std::ssize(columns), x.cols());
+  for (Eigen::Index i = 0; i < result.rows(); ++i) result.row(i) = x.row(columns[i]);
+  return result;
+}
+
+/// One seam of a system: its condition and the unknowns of that.
+struct Member {
+  int seam = 0;
+  Condition condition;
+  std::vector<int> columns;
+  Eigen::Index first_row = 0;
+};
+
+/// The laws of that degree, of which e may have one more and p, q twice as many: those that a seam
+/// is looked for to obey as it is.
+SeamLaw generalLaw(int degree) {
+  SeamLaw law;
+  law.c = law.d = Eigen::VectorXd::Ones(degree + 1);
+  law.e = Eigen::VectorXd::Ones(degree + 2);
+  law.p = Eigen::VectorXd::Ones(2 * degree + 1);
+  law.q = Eigen::VectorXd::Ones(2 * degree + 2);
+  return law;
+}
+
+/// The law of a seam that joins as it is.
+std::optional<SeamJoin> joinedAlready(const Network& network, const Unknowns& u, int index) {
+  const NetworkSeam& seam = network.seams[index];
+  const auto check = [&](const SeamLaw& shape, int degree) -> std::optional<SeamJoin> {
+    const Condition condition(rowsOf(network.surfaces, seam, 0, seam.order),
+                              rowsOf(network.surfaces, seam, 1, seam.order), seam.order, shape);
+    const Eigen::MatrixXd x = polesOf(u.target, columnsOf(u, seam, condition));
+    const SeamLaw law = seam.held ? *seam.held : condition.closest(degree, x);
+    if (!(law.c.minCoeff() > 0 && law.d.minCoeff() > 0)) return std::nullopt;
+    const double residual = condition.residual(law, x);
+    if (!(residual <= largest_network_rounding) ||
+        !nearest::holds(condition.matrix(law), x, u.largest))
+      return std::nullopt;
+    return SeamJoin{SeamStatus::Unchanged, seam.order, residual, law, {}};
+  };
+  if (seam.held) return check(*seam.held, 0);
+  for (int degree = 0; degree <= 2; ++degree)
+    if (auto found = check(generalLaw(degree), degree)) return found;
+  return std::nullopt;
+}
+
+double largestGap(const std::vector<NetworkSurface>& surfaces, const Unknowns& u) {
+  double gap = 0;
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    const Poles poles = affinePoles(surfaces[s].surface.poles);
+    for (Eigen::Index k = 0; k < poles.rows(); ++k)
+      gap = std::max(gap, (poles.row(k) - u.centre - u.target.row(u.of_pole[s][k])).norm());
+  }
+  return gap;
+}
+
+bool hasFixed(const NetworkSurface& surface) {
+  return !surface.moves || std::ranges::count(surface.fixed, true) > 0;
+}
+
+/// Degree 4 and knots of that multiplicity in a direction, where it has less; weights go with the
+/// poles.
+struct Raise {
+  int degree = 0, multiplicity = 0;
+};
+
+int leastMultiplicity(const std::vector<double>& knots, int degree) {
+  int least = degree;
+  for (std::size_t i = degree + 1; i + degree + 1 < knots.size(); ++i)
+    least = std::min(least, static_cast<int>(std::ranges::count(knots, knots[i])));
+  return least;
+}
+
+void raise(BSplineSurface& surface, SurfaceDirection direction, const Raise& to) {
+  const bool in_u = direction == SurfaceDirection::U;
+  const auto degree = [&] { return in_u ? surface.degree_u : surface.degree_v; };
+  const auto knots = [&]() -> const std::vector<double>& {
+    return in_u ? surface.knots_u : surface.knots_v;
+  };
+  const bool has_inner = std::ssize(knots()) > 2 * (degree() + 1);
+  while (!has_inner && degree() < to.degree) surface = elevated(surface, direction);
+  const int times = to.multiplicity - leastMultiplicity(knots(), degree());
+  if (has_inner && times > 0) surface = withRaisedKnots(surface, direction, times);
+}
+
+/// \pre no pole is fixed.
+void raise(NetworkSurface& surface, SurfaceDirection direction, const Raise& to) {
+  surface.fixed.clear();
+  if (surface.weights.size() > 0) {
+    BSplineSurface weights = surface.surface;
+    weights.poles = HomogeneousPoles::Zero(surface.weights.size(), 4);
+    weights.poles.col(0) = surface.weights;
+    weights.poles.col(3).setOnes();
+    raise(weights, direction, to);
+    surface.weights = weights.poles.col(0);
+  }
+  raise(surface.surface, direction, to);
+}
+
+/// What a plan asks directions to be raised to, but for those that a pole stays in.
+std::vector<NetworkSurface> raised(const Network& network, const Plan& plan) {
+  const std::vector<int> strip = strips(network.surfaces.size(), network.seams);
+  std::vector<Raise> to(strip.size());
+  std::vector<bool> stays(strip.size(), false);
+  for (std::size_t i = 0; i < strip.size(); ++i)
+    if (hasFixed(network.surfaces[i / 2])) stays[strip[i]] = true;
+  for (std::size_t i = 0; i < plan.seams.size(); ++i) {
+    const SeamPlan& seam = plan.seams[i];
+    const bool any = seam.takes_part && !network.seams[i].held && seam.e != SeamPlan::E::Zero;
+    if (!any) continue;
+    Raise& needed = to[strip[directionOf(network.seams[i].surfaces[0], network.seams[i].edges[0])]];
+    needed.multiplicity = std::max(needed.multiplicity, 1 + seam.order);
+    if (seam.linear || seam.e == SeamPlan::E::Double) needed.degree = 4;
+  }
+  std::vector<NetworkSurface> result = network.surfaces;
+  for (std::size_t i = 0; i < strip.size(); ++i)
+    if (!stays[strip[i]])
+      raise(result[i / 2], i % 2 == 0 ? SurfaceDirection::U : SurfaceDirection::V, to[strip[i]]);
+  return result;
+}
+
+/// The network with laws of one form.
+class Attempt {
+ public:
+  Attempt(const std::vector<NetworkSurface>& surfaces, const std::vector<NetworkSeam>& seams,
+          const std::vector<bool>& takes_part, const NetworkOptions& options, bool linear);
+
+  bool joins() const { return obstacles_.empty(); }
+  bool hasExtraordinaryVertices() const { return plan_.has_extraordinary; }
+  const std::vector<Obstacle>& obstacles() const { return obstacles_; }
+  double largestMove() const { return largest_move_; }
+  NetworkResult result() const;
+
+ private:
+  Network network() const { return {surfaces_, seams_, takes_part_}; }
+  void addMembers(const Laws& laws);
+  Eigen::SparseMatrix<double> matrix(const Laws& laws, const Eigen::VectorXd& y) const;
+  Eigen::SparseMatrix<double> derivative(const Laws& laws, const Eigen::VectorXd& y,
+                                         const Eigen::MatrixXd& x) const;
+  void search(const Laws& laws, const NetworkOptions& options);
+  bool improve(const Laws& laws);
+  void check(const Laws& laws);
+  bool keepsNormals(const Member& member) const;
+  void place();
+  bool isExact(const Projection& at) const {
+    return at.rounding <= 16 * machine_epsilon * unknowns_.largest;
+  }
+
+  std::vector<NetworkSurface> surfaces_;
+  const std::vector<NetworkSeam>& seams_;
+  const std::vector<bool>& takes_part_;
+  Unknowns unknowns_;
+  Plan plan_;
+  std::vector<Obstacle> obstacles_;
+  std::vector<Member> members_;
+  Eigen::Index rows_ = 0;
+  double noise_ = 0;  ///< of the length of a move
+  Eigen::VectorXd y_;
+  Projection at_;
+  OrderedFactors of_projection_, of_step_;
+  double stationarity_ = 0;
+  bool converged_ = true;
+  double damping_ = 1e-10;
+  int iterations_ = 0;
+  double largest_move_ = 0;
+  std::vector<double> moves_;
+  std::vector<BSplineSurface> placed_;
+  std::vector<SeamJoin> joins_;
+};
+
+Attempt::Attempt(const std::vector<NetworkSurface>& surfaces, const std::vector<NetworkSeam>& seams,
+                 const std::vector<bool>& takes_part, const NetworkOptions& options, bool linear)
+    : surfaces_(surfaces),
+      seams_(seams),
+      takes_part_(takes_part),
+      unknowns_(unknowns(surfaces, seams, takes_part)) {
+  plan_ = planOf(network(), unknowns_, options, linear);
+  obstacles_ = plan_.obstacles;
+  if (!joins()) return;
+  if (options.raise) {
+    surfaces_ = raised(network(), plan_);
+    unknowns_ = unknowns(surfaces_, seams_, takes_part_);
+  }
+  const Network own = network();
+  const Laws laws(own, unknowns_, plan_);
+  addMembers(laws);
+  search(laws, options);
+  check(laws);
+  place();
+}
+
+void Attempt::addMembers(const Laws& laws) {
+  for (int i = 0; i < std::ssize(seams_); ++i) {
+    if (!takes_part_[i]) continue;
+    const int order = plan_.seams[i].order;
+    Condition condition(rowsOf(surfaces_, seams_[i], 0, order),
+                        rowsOf(surfaces_, seams_[i], 1, order), order, laws.shape(i));
+    std::vector<int> columns = columnsOf(unknowns_, seams_[i], condition);
+    const Eigen::Index rows = condition.rows();
+    members_.push_back({i, std::move(condition), std::move(columns), rows_});
+    rows_ += rows;
+  }
+}
+
+Eigen::SparseMatrix<double> Attempt::matrix(const Laws& laws, const Eigen::VectorXd& y) const {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const Member& member : members_) {
+    const Eigen::MatrixXd a = member.condition.matrix(laws.law(member.seam, y));
+    for (Eigen::Index i = 0; i < a.rows(); ++i)
+      for (Eigen::Index j = 0; j < a.cols(); ++j)
+        if (a(i, j) != 0) entries.emplace_back(member.first_row + i, member.columns[j], a(i, j));
+  }
+  Eigen::SparseMatrix<double> result(rows_, unknowns_.target.rows());
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+Eigen::SparseMatrix<double> Attempt::derivative(const Laws& laws, const Eigen::VectorXd& y,
+                                                const Eigen::MatrixXd& x) const {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const Member& member : members_) {
+    const Eigen::MatrixXd poles = polesOf(x, member.columns);
+    const SeamLaw law = laws.law(member.seam, y);
+    for (const int k : laws.parametersOf(member.seam)) {
+      const Eigen::MatrixXd by =
+          member.condition.change(law, laws.derivative(member.seam, y, k), poles);
+      for (Eigen::Index i = 0; i < by.rows(); ++i)
+        for (Eigen::Index d = 0; d < by.cols(); ++d)
+          if (by(i, d) != 0) entries.emplace_back(d * rows_ + member.first_row + i, k, by(i, d));
+    }
+  }
+  Eigen::SparseMatrix<double> result(x.cols() * rows_, y.size());
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result * laws.basis();
+}
+
+void Attempt::search(const Laws& laws, const NetworkOptions& options) {
+  y_ = laws.start();
+  const Eigen::SparseMatrix<double> a = matrix(laws, y_);
+  at_ = project(a, unknowns_.pull, unknowns_.target, of_projection_);
+  noise_ = 64 * machine_epsilon * unknowns_.largest *
+           std::sqrt(unknowns_.pull.maxCoeff() * static_cast<double>(rows_ + 1));
+  converged_ = laws.directions() == 0;
+  while (!converged_ && iterations_ < options.max_iterations) {
+    ++iterations_;
+    if (!improve(laws)) break;
+  }
+}
+
+/// False if no step makes the cost less, or what cannot be reached; then the search has converged
+/// if the promise was small.
+bool Attempt::improve(const Laws& laws) {
+  constexpr double resolved = 1e-10, small = 1e-6;
+  constexpr double least_damping = 1e-10, most_damping = 1e4;
+  const Eigen::SparseMatrix<double> a = matrix(laws, y_), g = derivative(laws, y_, at_.x);
+  const double cost = at_.cost + unknowns_.joining;
+  for (;; damping_ = std::max(damping_ * 100, least_damping)) {
+    const Step next = step(a, unknowns_.pull, unknowns_.target, at_, g, damping_, of_step_);
+    stationarity_ = cost > 0 ? std::abs(next.decrease) / cost : 0;
+    converged_ = isExact(at_) && stationarity_ * cost <= resolved * cost + noise_ * noise_;
+    if (converged_) return false;
+    const Eigen::VectorXd y = laws.moved(y_, next.change);
+    if (y.allFinite()) {
+      Projection trial = project(matrix(laws, y), unknowns_.pull, unknowns_.target, of_projection_);
+      const bool nearer = isExact(at_) ? isExact(trial) && trial.cost < at_.cost
+                                       : trial.unreachable < 0.75 * at_.unreachable;
+      if (nearer) {
+        y_ = y;
+        at_ = std::move(trial);
+        damping_ = std::max(damping_ / 100, least_damping);
+        return true;
+      }
+    }
+    if (damping_ > most_damping) break;
+  }
+  converged_ = isExact(at_) && stationarity_ <= small;
+  return false;
+}
+
+/// Where a side has a normal, it has not lost its length or turned by a right angle.
+bool Attempt::keepsNormals(const Member& member) const {
+  constexpr double none = 1e-6, lost = 1e-3;
+  const Eigen::MatrixXd before = polesOf(unknowns_.target, member.columns);
+  const Eigen::MatrixXd after = polesOf(at_.x, member.columns);
+  for (int side = 0; side < 2; ++side) {
+    const Eigen::MatrixXd given = member.condition.normals(side, before),
+                          now = member.condition.normals(side, after);
+    const double least = none * given.rowwise().norm().maxCoeff();
+    for (Eigen::Index i = 0; i < given.rows(); ++i)
+      if (given.row(i).norm() > least &&
+          !(given.row(i).dot(now.row(i)) > lost * given.row(i).squaredNorm()))
+        return false;
+  }
+  return true;
+}
+
+void Attempt::check(const Laws& laws) {
+  joins_.assign(seams_.size(), {});
+  for (const Member& member : members_) {
+    const SeamLaw law = laws.law(member.seam, y_);
+    const Eigen::MatrixXd x = polesOf(at_.x, member.columns);
+    SeamJoin& join = joins_[member.seam];
+    join.law = law;
+    join.order = plan_.seams[member.seam].order;
+    join.why = plan_.seams[member.seam].why;
+    join.residual = member.condition.residual(law, x);
+    join.status = SeamStatus::Joined;
+    if (!nearest::holds(member.condition.matrix(law), x, unknowns_.largest) ||
+        !(join.residual <= largest_network_rounding))
+      obstacles_.push_back(
+          {member.seam, join.residual,
+           "what stays, and the laws of the seams around it, leave a residual of " +
+               text(join.residual) + " of the derivatives"});
+    else if (!keepsNormals(member))
+      obstacles_.push_back({member.seam, join.residual,
+                            "joined, the surfaces would fold or lose their tangent plane"});
+  }
+}
+
+void Attempt::place() {
+  for (std::size_t s = 0; s < surfaces_.size(); ++s) {
+    BSplineSurface surface = surfaces_[s].surface;
+    const Poles before = affinePoles(surface.poles);
+    double move = 0;
+    for (Eigen::Index k = 0; k < surface.poles.rows(); ++k) {
+      const int i = unknowns_.of_pole[s][k];
+      const bool fixed =
+          !surfaces_[s].moves || (!surfaces_[s].fixed.empty() && surfaces_[s].fixed[k]);
+      if (fixed || (unknowns_.shared[i] == 1 && at_.x.row(i) == unknowns_.target.row(i))) continue;
+      const Eigen::RowVector3d x = at_.x.row(i) + unknowns_.centre;
+      surface.poles.row(k).head<3>() = surface.poles(k, 3) * x;
+      move = std::max(move, (x - before.row(k)).norm());
+    }
+    moves_.push_back(move);
+    largest_move_ = std::max(largest_move_, move);
+    placed_.push_back(std::move(surface));
+  }
+}
+
+NetworkResult Attempt::result() const {
+  NetworkResult result;
+  result.surfaces = placed_;
+  result.seams = joins_;
+  result.moves_mm = moves_;
+  result.largest_move_mm = largest_move_;
+  result.cost = at_.cost + unknowns_.joining;
+  result.stationarity = stationarity_;
+  result.iterations = iterations_;
+  result.status = converged_ ? NetworkStatus::Joined : NetworkStatus::NotConverged;
+  for (std::size_t i = 0; i < seams_.size(); ++i)
+    if (joins_[i].status == SeamStatus::Left || joins_[i].order != seams_[i].order)
+      result.status = NetworkStatus::Partly;
+  return result;
+}
+
+NetworkResult unchanged(const std::vector<NetworkSurface>& surfaces, std::vector<SeamJoin> joins) {
+  NetworkResult result;
+  result.status = NetworkStatus::Unchanged;
+  for (const NetworkSurface& surface : surfaces) result.surfaces.push_back(surface.surface);
+  result.seams = std::move(joins);
+  result.moves_mm.assign(surfaces.size(), 0.0);
+  return result;
+}
+
+std::optional<NetworkResult> joinedAlready(const Network& network, const Unknowns& u) {
+  if (largestGap(network.surfaces, u) > 32 * machine_epsilon * u.largest) return std::nullopt;
+  std::vector<SeamJoin> joins;
+  for (int i = 0; i < std::ssize(network.seams); ++i) {
+    auto join = joinedAlready(network, u, i);
+    if (!join) return std::nullopt;
+    joins.push_back(std::move(*join));
+  }
+  return unchanged(network.surfaces, std::move(joins));
+}
+
+/// Of obstacles that hang together by their surfaces the one of the largest residual: others may be
+/// there for it alone.
+std::vector<Obstacle> worstOfEachGroup(std::vector<Obstacle> obstacles,
+                                       const std::vector<NetworkSeam>& seams) {
+  std::ranges::stable_sort(obstacles, std::greater{}, &Obstacle::residual);
+  std::vector<Obstacle> worst;
+  while (!obstacles.empty()) {
+    worst.push_back(obstacles.front());
+    std::set<int> surfaces(seams[obstacles.front().seam].surfaces.begin(),
+                           seams[obstacles.front().seam].surfaces.end());
+    const auto joinsGroup = [&](const Obstacle& obstacle) {
+      const auto& sides = seams[obstacle.seam].surfaces;
+      const bool meets = surfaces.count(sides[0]) > 0 || surfaces.count(sides[1]) > 0;
+      if (meets) surfaces.insert(sides.begin(), sides.end());
+      return meets;
+    };
+    while (std::erase_if(obstacles, joinsGroup) > 0) {
+    }
+  }
+  return worst;
+}
+
+}  // namespace
+
+NetworkResult nearestNetwork(const std::vector<NetworkSurface>& surfaces,
+                             const std::vector<NetworkSeam>& seams, const NetworkOptions& options) {
+  constexpr double much = 0.5;
+  requireNetwork(surfaces, seams, options);
+  if (surfaces.empty()) return unchanged({}, {});
+  std::vector<bool> takes_part(seams.size(), true);
+  std::vector<Obstacle> left;
+  {
+    const Network network{surfaces, seams, takes_part};
+    if (auto result = joinedAlready(network, unknowns(surfaces, seams, takes_part))) return *result;
+  }
+  for (;;) {
+    const Attempt natural(surfaces, seams, takes_part, options, false);
+    const Attempt* best = &natural;
+    std::optional<Attempt> linear;
+    if (natural.hasExtraordinaryVertices() && options.raise) {
+      linear.emplace(surfaces, seams, takes_part, options, true);
+      if (linear->joins() &&
+          (!natural.joins() || linear->largestMove() < much * natural.largestMove()))
+        best = &*linear;
+    }
+    if (best->joins()) {
+      NetworkResult result = best->result();
+      for (const Obstacle& obstacle : left) {
+        result.seams[obstacle.seam] = {SeamStatus::Left, 0, obstacle.residual, {}, obstacle.why};
+        result.status = NetworkStatus::Partly;
+      }
+      return result;
+    }
+    for (const Obstacle& worst : worstOfEachGroup(best->obstacles(), seams)) {
+      left.push_back(worst);
+      takes_part[worst.seam] = false;
+    }
+  }
+}
+
+}  // namespace seamwright

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include <seamwright/core/join/nearest/nearest_condition.hpp>
+#include <seamwright/core/join/network/network.hpp>
+
+/// A seam's law as a linear system of the poles; not a public header.
+namespace seamwright::network {
+
+enum Function { C, D, E, P, Q, law_functions };
+
+/// In the order of Function.
+std::array<Eigen::VectorXd*, law_functions> functions(SeamLaw& law);
+std::array<const Eigen::VectorXd*, law_functions> functions(const SeamLaw& law);
+
+bool isZero(const Eigen::VectorXd& function);
+
+/// SeamLaw's equations at as many points of the seam as determine the splines that their left sides
+/// are. Unknowns are in blocks of as many poles as a row has: the seam, the rows of side 0 behind
+/// it, those of side 1. Each row is divided by the larger coefficient of the two poles behind the
+/// seam, so that a residual is a length comparable to a move of one.
+class Condition {
+ public:
+  /// \param law of the degrees that all laws will have; where e and q are zero they stay so.
+  Condition(nearest::SeamRows a, nearest::SeamRows b, int order, const SeamLaw& law);
+
+  Eigen::Index rows() const { return static_cast<Eigen::Index>(points_.size()); }
+  Eigen::Index columns() const;
+  const nearest::SeamRows& side(int k) const { return k == 0 ? a_ : b_; }
+
+  /// A(law).
+  Eigen::MatrixXd matrix(const SeamLaw& law) const;
+  /// The derivative of A(law) x by the law, in that direction.
+  Eigen::MatrixXd change(const SeamLaw& law, const SeamLaw& direction,
+                         const Eigen::MatrixXd& x) const;
+  /// Largest length of A x, relative to the largest derivative in it.
+  double residual(const SeamLaw& law, const Eigen::MatrixXd& x) const;
+
+  /// Square root of the ratio of the two sides' squared normals: d / c where the sides join with a
+  /// constant one.
+  double ratio(const Eigen::MatrixXd& x) const;
+  /// The law with these functions replaced by those that fit the condition of that order best, the
+  /// others as they are.
+  SeamLaw fitted(SeamLaw law, int order, const std::vector<Function>& sought,
+                 const Eigen::MatrixXd& x) const;
+  /// The law with c and d of that degree, e of one more, and p, q of twice these degrees, that fits
+  /// best; c + d has the mean 2.
+  SeamLaw closest(int degree, const Eigen::MatrixXd& x) const;
+  /// Along the normals of a side at the points, one a row; both sides' alike if there is no fold.
+  Eigen::MatrixXd normals(int side, const Eigen::MatrixXd& x) const;
+
+ private:
+  enum Field { FieldPt, FieldPtt, FieldPs, FieldPst, FieldPss, FieldQs, FieldQss, field_count };
+  using Combination = Eigen::Matrix<double, field_count, 1>;
+  using Values = std::array<double, law_functions>;
+  struct Point {
+    int order = 1;
+    double t = 0;
+    double scale = 1;  ///< of the row
+    int first = 0;     ///< first pole of the span
+    Eigen::MatrixXd fields;
+  };
+
+  Point pointAt(int order, double t, int span) const;
+  Eigen::MatrixXd fieldsAt(const Point& point, const Eigen::MatrixXd& x) const;
+  static Values values(const SeamLaw& law, double t);
+  static Combination combination(int order, const Values& f);
+  static Combination derivative(int order, const Values& f, const Values& direction);
+  int blocks() const { return 1 + a_.depth + b_.depth; }
+
+  nearest::SeamRows a_, b_;
+  int width_;
+  std::vector<Point> points_;
+};
+
+}  // namespace seamwright::network

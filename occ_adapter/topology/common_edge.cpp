@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2dAPI_Interpolate.hxx>
+#include <Geom2dConvert.hxx>
+#include <Geom2d_BSplineCurve.hxx>
+#include <Geom2d_BezierCurve.hxx>
+#include <Geom2d_Line.hxx>
+#include <Geom2d_TrimmedCurve.hxx>
+#include <Precision.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColStd_HArray1OfReal.hxx>
+#include <TColgp_Array1OfPnt2d.hxx>
+#include <TColgp_HArray1OfPnt2d.hxx>
+#include <TopLoc_Location.hxx>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+
+#include <seamwright/occ_adapter/convert/nearest.hpp>
+#include <seamwright/occ_adapter/convert/seam_strips.hpp>
+#include <seamwright/occ_adapter/topology/common_edge.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+using opencascade::handle;
+
+double between(const Places& places, double s) {
+  return places[0] + s * (places[1] - places[0]);
+}
+
+double parameter(const PlanarPath& path, double place) {
+  return path.first + place * (path.last - path.first);
+}
+
+handle<Geom2d_BSplineCurve> lineBetween(const gp_Pnt2d& from, const gp_Pnt2d& to) {
+  TColgp_Array1OfPnt2d poles(1, 2);
+  poles(1) = from;
+  poles(2) = to;
+  TColStd_Array1OfReal knots(1, 2);
+  knots(1) = 0;
+  knots(2) = 1;
+  TColStd_Array1OfInteger multiplicities(1, 2);
+  multiplicities.Init(2);
+  return new Geom2d_BSplineCurve(poles, knots, multiplicities, 1);
+}
+
+/// A copy of a line, a B-spline or a Bezier curve between two parameters, with the same speed; null
+/// for other curves.
+handle<Geom2d_BSplineCurve> splineBetween(const handle<Geom2d_Curve>& curve, double from,
+                                          double to) {
+  if (const auto trimmed = handle<Geom2d_TrimmedCurve>::DownCast(curve); !trimmed.IsNull())
+    return splineBetween(trimmed->BasisCurve(), from, to);
+  if (curve->IsKind(STANDARD_TYPE(Geom2d_Line)))
+    return lineBetween(curve->Value(from), curve->Value(to));
+  handle<Geom2d_BSplineCurve> spline;
+  if (curve->IsKind(STANDARD_TYPE(Geom2d_BSplineCurve)))
+    spline = handle<Geom2d_BSplineCurve>::DownCast(curve->Copy());
+  else if (curve->IsKind(STANDARD_TYPE(Geom2d_BezierCurve)))
+    spline = Geom2dConvert::CurveToBSplineCurve(curve);
+  if (spline.IsNull() || spline->IsPeriodic()) return {};
+  const auto [low, high] = std::minmax(from, to);
+  spline->Segment(std::max(low, spline->FirstParameter()), std::min(high, spline->LastParameter()));
+  if (from > to) spline->Reverse();
+  return spline;
+}
+
+void setRange(Geom2d_BSplineCurve& spline, double first, double last) {
+  TColStd_Array1OfReal knots(1, spline.NbKnots());
+  spline.Knots(knots);
+  const double start = knots.First(), length = knots.Last() - start;
+  for (double& knot : knots) knot = first + (knot - start) / length * (last - first);
+  knots.ChangeLast() = last;
+  spline.SetKnots(knots);
+}
+
+/// The places of the second side that belong to those of the first.
+class Along {
+ public:
+  Along(const Seam& seam, const std::array<Pcurve, 2>& pcurves, const std::array<Places, 2>& places)
+      : a_(seam.sides[0], pcurves[0]), b_(seam.sides[1], pcurves[1]), places_(places), seam_(seam) {
+    for (const int end : {0, 1}) off_[end] = places[1][end] - nearest(end);
+  }
+
+  /// s in 0..1 of the interval. At the ends the given places, which may be a little off the nearest
+  /// ones.
+  double at(double s) const {
+    if (s == 0 || s == 1) return places_[1][s == 0 ? 0 : 1];
+    const auto [low, high] = std::minmax(places_[1][0], places_[1][1]);
+    return std::clamp(nearest(s) + between(off_, s), low, high);
+  }
+
+  Eigen::Vector3d pointAt(double place) const { return b_.trace(place).p; }
+
+ private:
+  double nearest(double s) const {
+    const auto [low, high] = std::minmax(places_[1][0], places_[1][1]);
+    return nearestPlace(b_, a_.trace(between(places_[0], s)).p, guess(s), low, high);
+  }
+
+  /// From the correspondence, which may begin and end a little elsewhere.
+  double guess(double s) const {
+    const std::vector<double>& a = seam_.correspondence.a;
+    const std::vector<double>& b = seam_.correspondence.b;
+    const double place = std::clamp(between(places_[0], s), a.front(), a.back());
+    const auto right = std::lower_bound(a.begin() + 1, a.end() - 1, place) - a.begin();
+    const double share =
+        a[right] > a[right - 1] ? (place - a[right - 1]) / (a[right] - a[right - 1]) : 0;
+    return b[right - 1] + share * (b[right] - b[right - 1]);
+  }
+
+  FaceStrip a_, b_;
+  std::array<Places, 2> places_;
+  const Seam& seam_;
+  Places off_{};
+};
+
+bool isLinear(const Along& along, const Places& places, double near_mm) {
+  constexpr int count = 65;
+  for (int k = 1; k + 1 < count; ++k) {
+    const double s = static_cast<double>(k) / (count - 1);
+    if ((along.pointAt(along.at(s)) - along.pointAt(between(places, s))).norm() > near_mm)
+      return false;
+  }
+  return true;
+}
+
+/// A cubic spline through points of the path, as many as it needs to lead where \p place tells, or
+/// 513.
+handle<Geom2d_Curve> interpolated(const PlacedSurface& surface, const PlanarPath& path,
+                                  const std::function<double(double)>& place, double first,
+                                  double last, double near_mm) {
+  constexpr int fewest = 8, most = 512;
+  const auto on_path = [&](double s) { return path.curve->Value(parameter(path, place(s))); };
+  for (int count = fewest;; count *= 2) {
+    const handle<TColgp_HArray1OfPnt2d> points = new TColgp_HArray1OfPnt2d(1, count + 1);
+    const handle<TColStd_HArray1OfReal> parameters = new TColStd_HArray1OfReal(1, count + 1);
+    double before = place(0);
+    for (int k = 0; k <= count; ++k) {
+      const double s = static_cast<double>(k) / count, now = place(s);
+      if (k > 0 && !((now - before) * (place(1) - place(0)) > 0))
+        throw std::runtime_error("the points of the two edges do not follow one another");
+      before = now;
+      points->SetValue(k + 1, on_path(s));
+      parameters->SetValue(k + 1, first + s * (last - first));
+    }
+    Geom2dAPI_Interpolate interpolation(points, parameters, false, Precision::PConfusion() / 1000);
+    interpolation.Perform();
+    if (!interpolation.IsDone()) throw std::runtime_error("no path runs along both edges");
+    const handle<Geom2d_BSplineCurve> curve = interpolation.Curve();
+    double off = 0;
+    for (int k = 0; k < 2 * count; ++k) {
+      const double s = (k + 0.5) / (2 * count);
+      off = std::max(
+          off,
+          surface.at(curve->Value(first + s * (last - first))).Distance(surface.at(on_path(s))));
+    }
+    if (off <= near_mm || count == most) return handle<Geom2d_Curve>(curve);
+  }
+}
+
+/// The path over [first, last], run along at its own speed.
+handle<Geom2d_Curve> linear(const PlacedSurface& surface, const PlanarPath& path,
+                            const Places& places, double first, double last, double near_mm) {
+  const double from = parameter(path, places[0]), to = parameter(path, places[1]);
+  if (from == first && to == last) return path.curve;
+  const handle<Geom2d_BSplineCurve> spline = splineBetween(path.curve, from, to);
+  if (spline.IsNull())
+    return interpolated(
+        surface, path, [&places](double s) { return between(places, s); }, first, last, near_mm);
+  setRange(*spline, first, last);
+  return handle<Geom2d_Curve>(spline);
+}
+
+/// Whether both edges have one curve, run along alike.
+bool haveOneCurve(const Seam& seam, const std::array<Places, 2>& places) {
+  std::array<TopLoc_Location, 2> at;
+  std::array<Places, 2> ranges{};
+  std::array<handle<Geom_Curve>, 2> curves;
+  for (const int side : {0, 1})
+    curves[side] =
+        BRep_Tool::Curve(seam.sides[side].edge, at[side], ranges[side][0], ranges[side][1]);
+  return !curves[0].IsNull() && curves[0] == curves[1] && at[0] == at[1] &&
+         ranges[0] == ranges[1] && places[0] == places[1];
+}
+
+void store(const Seam& seam, CommonEdge& common) {
+  BRep_Builder builder;
+  builder.MakeEdge(common.edge, common.curve, common.tolerance_mm);
+  builder.Range(common.edge, common.first, common.last);
+  const PlacedSurface &a = common.sides[0].placed, &b = common.sides[1].placed;
+  const handle<Geom2d_Curve>&path_a = common.sides[0].path.curve,
+        &path_b = common.sides[1].path.curve;
+  if (seam.sides[0].face != seam.sides[1].face) {
+    builder.UpdateEdge(common.edge, path_a, a.surface, a.location, common.tolerance_mm);
+    builder.UpdateEdge(common.edge, path_b, b.surface, b.location, common.tolerance_mm);
+  } else if (seam.sides[0].edge.Orientation() == TopAbs_FORWARD) {
+    builder.UpdateEdge(common.edge, path_a, path_b, a.surface, a.location, common.tolerance_mm);
+  } else {
+    builder.UpdateEdge(common.edge, path_b, path_a, a.surface, a.location, common.tolerance_mm);
+  }
+  builder.SameRange(common.edge, true);
+  builder.SameParameter(common.edge, true);
+}
+
+}  // namespace
+
+CommonEdge commonEdge(const Seam& seam, const std::array<Places, 2>& places, double gap_mm) {
+  const double near_mm = gap_mm / 1000;
+  CommonEdge common;
+  double first = 0, last = 0;
+  BRep_Tool::Range(seam.sides[0].edge, first, last);
+  common.first = first + places[0][0] * (last - first);
+  common.last = first + places[0][1] * (last - first);
+  std::array<Pcurve, 2> pcurves;
+  for (const int side : {0, 1}) {
+    const Coedge& use = seam.sides[side];
+    pcurves[side] = pcurveOf(use.edge, use.shape, gap_mm);
+    common.sides.push_back(
+        {surfaceOf(use.shape), {pcurves[side].curve, pcurves[side].first, pcurves[side].last}});
+  }
+  const Along along(seam, pcurves, places);
+  const bool is_linear = isLinear(along, places[1], near_mm);
+  for (const int side : {0, 1}) {
+    auto& [placed, path] = common.sides[side];
+    const handle<Geom2d_Curve> curve =
+        side == 0 || is_linear
+            ? linear(placed, path, places[side], common.first, common.last, near_mm)
+            : interpolated(
+                  placed, path, [&along](double s) { return along.at(s); }, common.first,
+                  common.last, near_mm);
+    path = {curve, common.first, common.last};
+  }
+  common.curve = haveOneCurve(seam, places)
+                     ? BRep_Tool::Curve(seam.sides[0].edge, first, last)
+                     : meanImage(common.sides, common.first, common.last, near_mm);
+  common.tolerance_mm = std::max(
+      Precision::Confusion(),
+      between_points * largestDistance_mm(common.sides, *common.curve, common.first, common.last));
+  store(seam, common);
+  return common;
+}
+
+}  // namespace seamwright::occ

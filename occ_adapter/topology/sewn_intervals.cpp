@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <seamwright/occ_adapter/topology/sewn_intervals.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+class Cutter {
+ public:
+  Cutter(const std::vector<Seam>& seams, const std::vector<std::size_t>& chosen, double gap_mm)
+      : seams_(seams), gap_mm_(gap_mm) {
+    for (const std::size_t seam : chosen) add(seam);
+  }
+
+  SewnIntervals run() {
+    for (auto& [edge, cuts] : result_.cuts) cuts = merged(edge, cuts);
+    for (SewnInterval& interval : result_.intervals) settle(interval);
+    return std::move(result_);
+  }
+
+ private:
+  void add(std::size_t number) {
+    const Seam& seam = seams_[number];
+    SewnInterval interval;
+    interval.seam = number;
+    interval.places = {Places{seam.correspondence.a.front(), seam.correspondence.a.back()},
+                       Places{seam.correspondence.b.front(), seam.correspondence.b.back()}};
+    for (const int side : {0, 1}) {
+      const int edge = seam.edges[side];
+      interval.edges[side] = edge;
+      if (paths_.count(edge) == 0) {
+        const Coedge& use = seam.sides[side];
+        paths_[edge] = {surfaceOf(use.shape), pathOrBuilt(use.edge, use.shape, gap_mm_)};
+      }
+      for (const double place : interval.places[side]) result_.cuts[edge].push_back(place);
+    }
+    result_.intervals.push_back(interval);
+  }
+
+  gp_Pnt point(int edge, double place) const {
+    const EdgeSide& side = paths_.at(edge);
+    return side.placed.at(
+        side.path.curve->Value(side.path.first + place * (side.path.last - side.path.first)));
+  }
+
+  bool areOne(int edge, double a, double b) const {
+    constexpr double half_way_round = 0.5;
+    return std::abs(a - b) < half_way_round && point(edge, a).Distance(point(edge, b)) <= gap_mm_;
+  }
+
+  std::vector<double> merged(int edge, std::vector<double> places) const {
+    std::ranges::sort(places);
+    std::vector<double> kept = {0};
+    for (const double place : places)
+      if (!areOne(edge, kept.back(), place) && !areOne(edge, place, 1)) kept.push_back(place);
+    kept.push_back(1);
+    return kept;
+  }
+
+  static int nearest(const std::vector<double>& cuts, double place) {
+    const auto found =
+        std::ranges::min_element(cuts, {}, [place](double cut) { return std::abs(cut - place); });
+    return static_cast<int>(found - cuts.begin());
+  }
+
+  void settle(SewnInterval& interval) {
+    std::string why;
+    for (const int side : {0, 1}) {
+      const std::vector<double>& cuts = result_.cuts.at(interval.edges[side]);
+      Places& places = interval.places[side];
+      const int from = nearest(cuts, places[0]), to = nearest(cuts, places[1]);
+      if (std::abs(to - from) > 1)
+        why = "along it another interval of " + edgeOf(interval, side) + " begins or ends";
+      else if (to == from)
+        why = "its interval of " + edgeOf(interval, side) + " is no longer than the gap tolerance";
+      interval.pieces[side] = std::min(from, to);
+      places = {cuts[from], cuts[to]};
+    }
+    for (const int side : {0, 1})
+      if (why.empty() && !taken_.insert({interval.edges[side], interval.pieces[side]}).second)
+        why = edgeOf(interval, side) + " lies along another edge there too";
+    if (!why.empty()) result_.refused[interval.seam] = why;
+  }
+
+  static std::string edgeOf(const SewnInterval& interval, int side) {
+    return "edge " + std::to_string(interval.edges[side]);
+  }
+
+  const std::vector<Seam>& seams_;
+  double gap_mm_;
+  std::map<int, EdgeSide> paths_;
+  std::set<std::pair<int, int>> taken_;
+  SewnIntervals result_;
+};
+
+}  // namespace
+
+SewnIntervals sewnIntervals(const std::vector<Seam>& seams, const std::vector<std::size_t>& chosen,
+                            double gap_mm) {
+  return Cutter(seams, chosen, gap_mm).run();
+}
+
+}  // namespace seamwright::occ
