@@ -30,6 +30,18 @@ std::vector<Seam> seamsOf(const TopoDS_Shape& shape, const RepairOptions& option
   return std::move(graph.seams);
 }
 
+/// Why a seam does not have what was asked for.
+struct LeftReason {
+  std::string target;   ///< why not the target
+  std::string g1 = {};  ///< why not even G1, where that was tried after G2
+  bool has_g1 = false;  ///< it got G1 instead of G2
+
+  std::string text() const {
+    if (has_g1) return "G1 reached; G2: " + target;
+    return g1.empty() ? target : target + "; G1: " + g1;
+  }
+};
+
 /// One call of repair(): first edges get other paths, then faces move, then what meets is sewn.
 class Repairing {
  public:
@@ -45,14 +57,8 @@ class Repairing {
     result_.before =
         analyze(model_, analyzeOptions(options_), partOf(progress_, 0, share_of_analysis));
     Choice choice = choose(model_, result_.before, options_);
-    now_ = {model_.shape,
-            result_.before,
-            {},
-            result_.before.seams,
-            std::move(choice.reasons),
-            {},
-            {},
-            {}};
+    now_ = {model_.shape, result_.before, {}, result_.before.seams, {}, {}, {}, {}};
+    for (std::string& why : choice.reasons) now_.reasons.push_back({std::move(why)});
     sharp_ = std::move(choice.sharp);
     wants_conversion_ = std::move(choice.wants_conversion);
     std::vector<bool> wanted = std::move(choice.treated);
@@ -89,7 +95,7 @@ class Repairing {
     Report after;
     std::vector<Seam> seams;
     std::vector<SeamResult> to_keep;   ///< what no seam may be worse than: as given, or as repaired
-    std::vector<std::string> reasons;  ///< by seam
+    std::vector<LeftReason> reasons;   ///< by seam
     std::map<int, double> moves;       ///< by face
     std::map<int, FaceMove> judged;    ///< by face that moved
     std::map<int, double> edge_moves;  ///< by edge
@@ -101,30 +107,31 @@ class Repairing {
     std::vector<int> orders(wanted.size());
     std::ranges::transform(wanted, orders.begin(),
                            [order](bool is_wanted) { return is_wanted ? order : 0; });
-    keepInTime(time_of_paths, partOf(progress, 0, share_of_paths),
+    keepInTime(orders, time_of_paths, partOf(progress, 0, share_of_paths),
                [&](const Progress& part) { return improveByPaths(taskOf(faces, orders), part); });
     for (std::size_t i = 0; i < orders.size(); ++i) {
       if (isRepaired(now_.after.seams[i], sharp_[i], options_.tolerance, levelOf(order)))
         orders[i] = 0;
       if (orders[i] == 0) continue;
       if (const std::string why = whyNoneMoves(now_.after.seams[i].faces, faces); !why.empty()) {
-        now_.reasons[i] =
-            why + "; " + (now_.reasons[i].empty() && out_of_time_ ? out_of_time : now_.reasons[i]);
+        std::string& reason = now_.reasons[i].target;
+        reason = why + "; " + (reason.empty() && out_of_time_ ? out_of_time : reason);
         orders[i] = 0;
       } else {
-        now_.reasons[i].clear();
+        now_.reasons[i] = {};
       }
     }
     const auto move = [&](const Progress& part) {
       return improveByMoves(taskOf(faces, orders), part);
     };
-    keepInTime(order > 1 ? time_of_g2 : time_of_moves,
+    keepInTime(orders, order > 1 ? time_of_g2 : time_of_moves,
                partOf(progress, share_of_paths, share_of_moves), move);
     const std::vector<int> asked = orders;
     for (int& left : orders) left = std::min(left, 1);
     for (std::size_t i = 0; i < orders.size(); ++i)
       if (isRepaired(now_.after.seams[i], sharp_[i], options_.tolerance, Level::G1)) orders[i] = 0;
-    if (order > 1) keepInTime(time_of_moves, partOf(progress, share_of_moves, share_of_g1), move);
+    if (order > 1)
+      keepInTime(orders, time_of_moves, partOf(progress, share_of_moves, share_of_g1), move);
     const double alone = order > 1 ? (share_of_g1 + 1) / 2 : 1;
     repairAlone(orders, Level::G1, faces, partOf(progress, share_of_g1, alone));
     if (order > 1) repairAlone(asked, Level::G2, faces, partOf(progress, alone, 1));
@@ -156,7 +163,7 @@ class Repairing {
         left.erase(i);
       }
       keepInTime(
-          1,
+          of_batch, 1,
           partOf(progress, static_cast<double>(batch) / most_batches, (batch + 1.0) / most_batches),
           [&](const Progress& part) {
             return improveByMoves(taskOf(faces, of_batch, neighbours_help), part);
@@ -209,11 +216,11 @@ class Repairing {
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       if (!wanted[i] || sharp_[i]) continue;
       try {
-        now_.reasons[i] = whyKinked(now_.seams[i], options_.tolerance);
+        now_.reasons[i].target = whyKinked(now_.seams[i], options_.tolerance);
       } catch (const Standard_Failure& failure) {
-        now_.reasons[i] = whyFailed(failure);
+        now_.reasons[i].target = whyFailed(failure);
       }
-      wanted[i] = now_.reasons[i].empty();
+      wanted[i] = now_.reasons[i].target.empty();
     }
   }
 
@@ -230,18 +237,22 @@ class Repairing {
             model_.shape, now_.moves, std::move(orders), neighbours_help};
   }
 
-  /// \param share of the time after which the stage is stopped, without effect.
+  /// \param asked order that the stage tries, by seam. \param share of the time after which the
+  /// stage is stopped, without effect.
   template <class Stage>
-  void keepInTime(double share, const Progress& progress, const Stage& stage) {
+  void keepInTime(const std::vector<int>& asked, double share, const Progress& progress,
+                  const Stage& stage) {
     std::optional<Improvement> done = time_.within(share, progress, stage);
     if (done)
-      keep(std::move(*done));
+      keep(asked, std::move(*done));
     else
       out_of_time_ = true;
   }
 
-  void keep(Improvement done) {
-    for (const auto& [i, why] : done.reasons) tellWhy(i, why);
+  void keep(const std::vector<int>& asked, Improvement done) {
+    for (const auto& [i, why] : done.reasons)
+      (asked[i] < options_.order && !now_.reasons[i].target.empty() ? now_.reasons[i].g1
+                                                                    : now_.reasons[i].target) = why;
     if (done.changes.empty() && done.paths.empty()) return;
     now_.shape = done.shape;
     now_.after.seams = std::move(done.after);
@@ -256,9 +267,9 @@ class Repairing {
       if (done.orders[i] == 0) continue;
       now_.to_keep[i] = now_.after.seams[i];
       if (done.orders[i] == options_.order || sharp_[i])
-        now_.reasons[i].clear();
+        now_.reasons[i] = {};
       else
-        now_.reasons[i] = g1_reached + whyNoG2(now_.reasons[i]);
+        now_.reasons[i].has_g1 = true;
     }
   }
 
@@ -271,23 +282,6 @@ class Repairing {
   }
 
   static constexpr const char* out_of_time = "the time limit was reached first";
-  static constexpr const char *g1_too = "; G1: ", *g1_reached = "G1 reached; G2: ";
-
-  static std::string whyNoG2(const std::string& reason) {
-    return reason.substr(0, reason.find(g1_too));
-  }
-
-  /// Of a seam that was asked for G2 before, and for G1 now, both reasons.
-  void tellWhy(std::size_t i, const std::string& why) {
-    std::string& reason = now_.reasons[i];
-    if (reason.starts_with(g1_reached)) {
-      reason = g1_reached + whyNoG2(why);
-      return;
-    }
-    const bool both =
-        options_.order > 1 && !reason.empty() && why.find(g1_too) == std::string::npos;
-    reason = both ? whyNoG2(reason) + g1_too + why : why;
-  }
 
   void sew() {
     if (now_.seams.empty()) now_.seams = seamsOf(model_.shape, options_, {});
@@ -328,13 +322,14 @@ class Repairing {
       seam.before = result_.before.seams[i];
       seam.after = result_.after.seams[i];
       seam.treated = wanted[i];
-      seam.reason = now_.reasons[i];
+      if (wanted[i] && out_of_time_ && now_.reasons[i].target.empty())
+        now_.reasons[i].target = out_of_time;
+      seam.reason = now_.reasons[i].text();
       seam.sewn = seam.before.kind == SeamKind::Matched && seam.after.kind != SeamKind::Matched;
       if (const auto why = not_sewn_.find(i); why != not_sewn_.end()) seam.not_sewn = why->second;
       seam.repaired =
           wanted[i] && isRepaired(seam.after, sharp_[i], options_.tolerance, options_.level());
       seam.wants_conversion = wants_conversion_[i] && !seam.repaired;
-      if (wanted[i] && out_of_time_ && seam.reason.empty()) seam.reason = out_of_time;
       if (seam.repaired)
         seam.reason.clear();
       else if (wanted[i] && seam.before.kind == SeamKind::Matched && !seam.before.note.empty())
